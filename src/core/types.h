@@ -1,0 +1,19 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+namespace winslow {
+
+/// Index of a node, an element, or an entry of a compressed row.
+using Index = std::int32_t;
+
+/// A point or a vector of the plane.
+using Vec2 = Eigen::Vector2d;
+
+inline constexpr double pi = 3.14159265358979323846;
+
+/// Radians of an angle given in degrees.
+constexpr double radians(double degrees) { return degrees * (pi / 180.0); }
+
+}  // namespace winslow
