@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+#include "core/motion/motion.h"
+#include "core/outer/outer_solver.h"
+#include "core/outer/smooth_options.h"
+#include "core/vcv/virtual_control_volumes.h"
+
+/// Every edit of a mesh is one of these commands. The command line, the studio, undo and recipes
+/// all go through execute(); nothing else changes a mesh.
+namespace winslow {
+
+/// Smooth the interior, the boundary held.
+struct SmoothCommand {
+  SmoothOptions smooth;
+};
+
+/// How a boundary motion is carried out.
+struct MotionOptions {
+  /// Steps in which the boundary moves, each followed by smoothing; 1: at once, as in the paper;
+  /// 0: automatic (at once; if that ends tangled, again in 8 and then in 32 steps).
+  int increments = 0;
+  bool smooth_after = true;  ///< false: move the boundary only
+};
+
+/// Move bodies rigidly, then smooth.
+struct MoveCommand {
+  std::vector<std::string> markers;
+  RigidMotion motion;
+  MotionOptions how;
+  SmoothOptions smooth;
+};
+
+/// Change the shape of bodies, then smooth.
+struct DeformCommand {
+  std::vector<std::string> markers;
+  std::variant<SineDeformation, DisplacementTable> shape;
+  MotionOptions how;
+  SmoothOptions smooth;
+};
+
+/// Put every free node at a random place of the mesh's bounding box (case C of the paper).
+struct ScrambleCommand {
+  std::uint64_t seed = 1;
+};
+
+using Command = std::variant<SmoothCommand, MoveCommand, DeformCommand, ScrambleCommand>;
+
+/// "smooth", "move", "deform", "scramble".
+std::string_view command_name(const Command& command);
+/// One line for lists and undo menus, e.g. "Rotate flap by -40 deg".
+std::string describe(const Command& command);
+/// Smoothing options of a command, null if it has none.
+SmoothOptions* smooth_options(Command& command);
+
+/// What commands act on.
+struct MeshState {
+  Mesh mesh;
+  std::shared_ptr<const VirtualControlVolumes> vcv;
+};
+/// A state with the paper's VCVs: equal angles, unit edges.
+MeshState make_state(Mesh mesh);
+
+struct CommandResult {
+  MeshState state;
+  SmoothResult smooth;  ///< of commands that smooth nothing: converged, no iterations
+};
+
+class SmoothingWorkspace;  // prepared solvers, kept between commands on one topology
+
+struct ExecuteOptions {
+  SolverMonitor* monitor = nullptr;
+  /// Interior positions to start from instead of the state's own (all nodes; the boundary part is
+  /// ignored). For dragging: the solution is the same, only nearer.
+  const Coordinates* start = nullptr;
+  SmoothingWorkspace* workspace = nullptr;  ///< null: a new one for this call
+};
+
+/// Carries out a command on a copy of the state. Throws UsageError for senseless options,
+/// Cancelled, NumericError; the input state is never touched. A result with inverted elements is
+/// returned, not hidden: look at result.smooth.inverted.
+CommandResult execute(const Command& command, const MeshState& state,
+                      const ExecuteOptions& options = {});
+
+}  // namespace winslow

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/command/command.h"
+
+namespace winslow {
+
+/// The commands applied to a mesh, with undo and redo to any point. Topology is shared, so a step
+/// costs one copy of the coordinates.
+class History {
+ public:
+  explicit History(MeshState initial);
+
+  const MeshState& state() const;
+  const MeshState& initial() const { return steps_.front().state; }
+
+  /// Appends a finished command; forgets what could have been redone.
+  void push(Command command, CommandResult result);
+
+  bool can_undo() const { return position_ > 0; }
+  bool can_redo() const { return position_ + 1 < steps_.size(); }
+  void undo();
+  void redo();
+  /// Position 0 is the mesh as loaded; position k follows command k. Throws UsageError if there is
+  /// none.
+  void go_to(std::size_t position);
+  std::size_t position() const { return position_; }
+  std::size_t size() const { return steps_.size(); }
+
+  /// Command that led to a position (1 .. size() - 1), and how its solve went.
+  const Command& command(std::size_t position) const;
+  const SmoothResult& result(std::size_t position) const;
+  /// Commands up to the present position: a recipe.
+  std::vector<Command> recipe() const;
+
+ private:
+  struct Step {
+    std::optional<Command> command;
+    SmoothResult smooth;
+    MeshState state;
+  };
+  std::vector<Step> steps_;
+  std::size_t position_ = 0;
+};
+
+}  // namespace winslow

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/linear/sparse_system.h"
+#include "core/mesh/coordinates.h"
+#include "core/vcv/virtual_control_volumes.h"
+
+namespace winslow {
+
+/// How far a mesh is from solving a formulation's equations.
+struct ResidualNorms {
+  double max = 0;  ///< largest scaled nodal residual (dimensionless, see Formulation::residual)
+  double rms = 0;  ///< root mean square of the same
+};
+
+/// The equations that are solved over the VCVs. An outer solver asks a formulation for residuals
+/// and linear systems and knows nothing else of it. All vectors over the free nodes are #free by
+/// dimension, row after row, in the order of Topology::free_nodes().
+class Formulation {
+ public:
+  virtual ~Formulation() = default;
+  virtual std::string_view name() const = 0;
+
+  /// Nodal residual, scaled to the distance by which the frozen equation of a node would move it,
+  /// its neighbours held, over the mean length of its edges. `out` may be empty (norms only).
+  /// clip: with negative weights set to zero.
+  virtual ResidualNorms residual(const Coordinates& x, bool clip, std::span<double> out) const = 0;
+
+  /// Linear system A delta = R of the fixed-point iteration with frozen coefficients: the step to
+  /// the solution of the equations linearised by freezing. clip as above. Returns the number of
+  /// negative weights met.
+  virtual Index freeze(const Coordinates& x, bool clip, SparseSystem& out) const = 0;
+};
+
+std::vector<std::string> formulation_names();
+/// Throws UsageError for an unknown name. threads: 0 for all cores.
+std::unique_ptr<Formulation> make_formulation(std::string_view name,
+                                              const VirtualControlVolumes& vcv, int threads);
+
+}  // namespace winslow

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/command/command.h"
+
+namespace winslow {
+
+enum class JobState { idle, running, paused, done, cancelled, failed };
+
+/// A consistent picture of a job at one moment. Immutable once published.
+struct Snapshot {
+  std::uint64_t serial = 0;  ///< grows with every snapshot of one SolverThread
+  std::uint64_t job = 0;     ///< which call of run() it belongs to
+  JobState state = JobState::idle;
+  std::shared_ptr<const Topology> topology;
+  Coordinates coordinates;               ///< after the last finished outer iteration
+  std::vector<IterationRecord> history;  ///< of this job so far
+  std::optional<Command> command;        ///< as last targeted
+  std::optional<CommandResult> result;   ///< with state done
+  std::string error;                     ///< with state failed: what to tell the user
+};
+
+/// Runs commands on a thread of its own. Every member returns at once (none waits for an
+/// iteration), except the destructor, which cancels and joins. Members are called from one thread.
+class SolverThread {
+ public:
+  SolverThread();
+  ~SolverThread();
+  SolverThread(const SolverThread&) = delete;
+  SolverThread& operator=(const SolverThread&) = delete;
+
+  /// Starts a command on a state; one that is under way is cancelled first. `start`: interior to
+  /// start from (see ExecuteOptions::start). paused: stop before the first iteration. Returns the
+  /// job's number.
+  std::uint64_t run(MeshState state, Command command, std::optional<Coordinates> start = {},
+                    bool paused = false);
+  /// Replaces the command of the job under way, on the same state, and goes on from the interior
+  /// reached so far: for dragging. Starts again from there if the job had ended.
+  void retarget(Command command);
+  void pause();
+  void resume();
+  /// Runs n more outer iterations, then pauses.
+  void step(int n);
+  void cancel();
+  /// True while a job is running or paused.
+  bool busy() const;
+
+  /// Latest snapshot; never null.
+  std::shared_ptr<const Snapshot> latest() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace winslow

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/mesh/coordinates.h"
+#include "core/mesh/topology.h"
+
+namespace winslow {
+
+/// A prescribed motion of boundary nodes.
+class Motion {
+ public:
+  virtual ~Motion() = default;
+  /// Nodes that move, ascending.
+  virtual std::span<const Index> nodes() const = 0;
+  /// Writes the positions of nodes() when `fraction` (0 to 1) of the motion is done. `rest`: all
+  /// nodes before the motion. Rotations are followed as rotations.
+  virtual void apply(const Coordinates& rest, double fraction, Coordinates& out) const = 0;
+};
+
+/// x -> pivot + R(angle) (x - pivot) + translate.
+struct RigidMotion {
+  double rotate = 0;     ///< degrees, counter-clockwise positive
+  Vec2 pivot{0, 0};      ///< in units of the mesh
+  Vec2 translate{0, 0};  ///< in units of the mesh
+};
+
+enum class Fade { none, start, end, both };
+
+/// x -> x + amplitude f(s) sin(2 pi waves s) direction, where s in [0, 1] runs along the body at
+/// right angles to `direction` (for direction (0, 1): from its smallest x to its largest) and f
+/// fades smoothly from 1 to 0 over `fade_length` at the chosen ends.
+struct SineDeformation {
+  double amplitude = 0;  ///< in units of the mesh
+  double waves = 1;      ///< full periods over the body
+  Vec2 direction{0, 1};  ///< of the displacement; need not be normalised
+  Fade fade = Fade::none;
+  double fade_length = 0.2;  ///< share of the body's length, (0, 0.5]
+};
+
+/// One row of a displacement file: a node by its index (0-based, order of the file) or by where it
+/// is, and how far it moves.
+struct DisplacementEntry {
+  std::optional<Index> node;
+  Vec2 position{0, 0};  ///< where node is empty
+  Vec2 displacement{0, 0};
+};
+
+/// Displacements of single nodes. Nodes of the markers that have no entry stay.
+struct DisplacementTable {
+  std::vector<DisplacementEntry> entries;
+  std::string source;  ///< the file it came from, for messages
+};
+
+/// Each throws UsageError: no marker, an unknown one, an entry that matches no node of the markers
+/// or one twice, an amplitude that is not finite, ...
+std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
+                                    const std::vector<std::string>& markers,
+                                    const RigidMotion& options);
+std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
+                                    const std::vector<std::string>& markers,
+                                    const SineDeformation& options);
+std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
+                                    const std::vector<std::string>& markers,
+                                    const DisplacementTable& table);
+
+}  // namespace winslow

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/mesh/topology.h"
+#include "core/types.h"
+
+namespace winslow {
+
+/// Virtual control volumes (VCVs) of all free nodes, as data: for each node the angles between its
+/// consecutive edges and the lengths of its edges, in computational space.
+///
+/// Karman & Sahasrabudhe, AIAA 2009-1362, section "Virtual Control Volume (2D)": the node lies at
+/// the origin, its edge neighbours on the unit circle in the order of connectivity, separated by
+/// equal angles; quadrilaterals are cut at the corner, so each element gives one triangle. Control
+/// of angles and spacing comes from changing these numbers.
+class VirtualControlVolumes {
+ public:
+  /// Equal angles (2 pi / #neighbours) and unit edges.
+  explicit VirtualControlVolumes(std::shared_ptr<const Topology> topology);
+
+  const Topology& topology() const { return *topology_; }
+
+  /// Angle k, in radians, lies between edge k and edge k + 1 (cyclic); they sum to 2 pi.
+  /// Empty for nodes that are not free.
+  std::span<const double> angles(Index node) const;
+  /// Length of edge k. Only ratios within one VCV act. Empty for nodes that are not free.
+  std::span<const double> lengths(Index node) const;
+  /// Computational position of neighbour k: edge 0 lies on the positive x axis.
+  Vec2 point(Index node, Index k) const;
+
+  /// Replaces the VCV of one free node. Angles are in (0, pi) (exactly 2 edges: pi each) and sum to
+  /// 2 pi within 1e-9; lengths are positive. Throws UsageError otherwise.
+  void set(Index node, std::span<const double> angles, std::span<const double> lengths);
+  /// Back to equal angles and unit edges.
+  void reset(Index node);
+
+ private:
+  std::span<double> row(std::vector<double>& values, Index node);
+  std::span<const double> row(const std::vector<double>& values, Index node) const;
+
+  std::shared_ptr<const Topology> topology_;
+  std::vector<double> angles_;   // aligned with topology_->neighbour_rows().values
+  std::vector<double> lengths_;  // likewise
+};
+
+}  // namespace winslow
