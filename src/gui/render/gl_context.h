@@ -1,0 +1,20 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+namespace winslow::gui {
+
+/// An OpenGL 3.3 core context, current on the thread that made it. The window makes its own through
+/// GLFW (gui/studio/window.h); this one needs no display.
+class HeadlessContext {
+ public:
+  virtual ~HeadlessContext() = default;
+  virtual std::string description() const = 0;  ///< "EGL surfaceless, llvmpipe ..."
+};
+
+/// EGL surfaceless, or OSMesa if the build says so. Throws Error saying what is missing and which
+/// package brings it.
+std::unique_ptr<HeadlessContext> make_headless_context();
+
+}  // namespace winslow::gui

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace winslow::gui {
+
+/// 8-bit RGBA pixels, row after row from the top.
+struct Image {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;
+  const std::uint8_t* pixel(int x, int y) const {
+    return rgba.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                              static_cast<std::size_t>(x));
+  }
+};
+
+/// Written to a temporary name and renamed. Throws OutputError.
+void write_png(const std::filesystem::path& path, const Image& image);
+
+}  // namespace winslow::gui

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+#include "gui/render/camera.h"
+#include "gui/render/color_map.h"
+
+namespace winslow::gui {
+
+using Rgba = std::array<float, 4>;
+
+/// How the mesh is drawn. Sizes are in framebuffer pixels.
+struct MeshStyle {
+  bool fill = true;
+  bool wireframe = true;
+  float edge_width = 1.0f;
+  float boundary_width = 2.0f;
+  float node_size = 0;  ///< 0: no nodes
+  Rgba fill_color{0.93f, 0.94f, 0.96f, 1};  ///< where no values are set
+  Rgba edge_color{0.25f, 0.28f, 0.33f, 1};
+  Rgba inverted_color{0.90f, 0.10f, 0.12f, 1};
+  bool show_inverted = true;  ///< inverted elements in inverted_color, above the others
+};
+
+/// Draws one mesh into the bound framebuffer with the bound GL context. Buffers are updated, not
+/// rebuilt, when only positions or values change. Where cells are smaller than a pixel, edges fade so
+/// that the picture does not turn black.
+class MeshRenderer {
+ public:
+  MeshRenderer();
+  ~MeshRenderer();
+  MeshRenderer(const MeshRenderer&) = delete;
+  MeshRenderer& operator=(const MeshRenderer&) = delete;
+
+  /// Takes a mesh; cheap if its topology is the one already held.
+  void set_mesh(const std::shared_ptr<const Topology>& topology, const Coordinates& coordinates);
+  /// One value per element and its scale; none: style.fill_color.
+  void set_values(std::span<const double> values, const ColorScale& scale);
+  void clear_values();
+  /// Colour of each marker (index into Topology::markers()) and how strongly it is emphasised.
+  struct MarkerStyle {
+    Rgba color{0, 0, 0, 1};
+    float width = 2.0f;
+  };
+  void set_marker_styles(std::vector<MarkerStyle> styles);
+
+  void draw(const Camera& camera, const MeshStyle& style, int framebuffer_width,
+            int framebuffer_height);
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+namespace winslow::gui {
+
+struct StudioOptions {
+  std::optional<std::filesystem::path> mesh;  ///< opened at the start
+  int width = 1440, height = 900;             ///< of the window, in screen units
+};
+
+/// Opens the studio's window and runs it until it is closed. Throws Error, saying what to do, where
+/// there is no display.
+void run_studio(const StudioOptions& options);
+
+/// One frame of the studio, without a display, written as a PNG once the mesh is drawn.
+void screenshot_studio(const StudioOptions& options, const std::filesystem::path& png);
+
+}  // namespace winslow::gui
