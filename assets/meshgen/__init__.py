@@ -1,0 +1,1 @@
+"""Generators of the bundled meshes (used by make_meshes.py)."""
