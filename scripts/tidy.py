@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+"""Runs clang-tidy over src. Usage: tidy.py BUILD_FOLDER [SOURCE...]
+
+What passed is remembered by the hash of everything it depends on, so a second run is quick.
+"""
+
+import concurrent.futures
+import functools
+import hashlib
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+TIDY = shutil.which("clang-tidy-14") or shutil.which("clang-tidy")
+
+
+@functools.lru_cache(maxsize=None)
+def project_includes(path):
+    text = path.read_text()
+    found = (ROOT / "src" / name for name in re.findall(r'#include "([^"]+)"', text))
+    return text, tuple(p for p in found if p.exists())
+
+
+def closure(path):
+    seen, todo = set(), [path]
+    while todo:
+        current = todo.pop()
+        if current not in seen:
+            seen.add(current)
+            todo.extend(project_includes(current)[1])
+    return sorted(seen)
+
+
+def key(source, command):
+    digest = hashlib.sha256(command.encode())
+    for path in [ROOT / ".clang-tidy", *closure(source)]:
+        digest.update(path.read_bytes())
+    return digest.hexdigest()
+
+
+def check(source, command, build):
+    stamp = build / "tidy" / key(source, command)
+    if stamp.exists():
+        return source, True, ""
+    run = subprocess.run([TIDY, "-p", str(build), "--quiet", str(source)],
+                         capture_output=True, text=True, check=False)
+    if run.returncode == 0:
+        stamp.touch()
+    return source, run.returncode == 0, run.stdout
+
+
+def main():
+    build = pathlib.Path(sys.argv[1]).resolve()
+    wanted = {pathlib.Path(p).resolve() for p in sys.argv[2:]}
+    (build / "tidy").mkdir(exist_ok=True)
+    units = {}
+    for entry in json.loads((build / "compile_commands.json").read_text()):
+        path = pathlib.Path(entry["file"]).resolve()
+        if path.is_relative_to(ROOT / "src") and path.exists() and (not wanted or path in wanted):
+            units[path] = entry["command"]
+    bad = 0
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        jobs = [pool.submit(check, path, command, build) for path, command in units.items()]
+        for job in concurrent.futures.as_completed(jobs):
+            path, good, output = job.result()
+            if not good:
+                bad += 1
+                print(f"{path.relative_to(ROOT)}\n{output}", flush=True)
+    print(f"clang-tidy: {len(units)} files, {bad} with findings")
+    sys.exit(1 if bad or not units else 0)
+
+
+main()
