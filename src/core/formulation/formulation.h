@@ -26,9 +26,9 @@ class Formulation {
   virtual ~Formulation() = default;
   virtual std::string_view name() const = 0;
 
-  /// Nodal residual, scaled to the distance by which the frozen equation of a node would move it,
-  /// its neighbours held, over the mean length of its edges. `out` may be empty (norms only).
-  /// clip: with negative weights set to zero.
+  /// Nodal residuals R into `out` (may be empty: norms only). The norms are of R scaled at each
+  /// node to the distance by which the frozen equation of that node alone would move it, its
+  /// neighbours held, over the mean length of its edges. clip: with negative weights set to zero.
   virtual ResidualNorms residual(const Coordinates& x, bool clip, std::span<double> out) const = 0;
 
   /// Linear system A delta = R of the fixed-point iteration with frozen coefficients: the step to

@@ -17,9 +17,9 @@ double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(
 void check_finite(const Coordinates& coordinates) {
   for (Index i = 0; i < coordinates.size(); ++i) {
     if (!coordinates.xy(i).allFinite()) {
-      throw MeshError(MeshEntity::node, i,
-                      "node " + std::to_string(i) +
-                          " has a coordinate that is not a finite number");
+      throw MeshError(
+          MeshEntity::node, i,
+          "node " + std::to_string(i) + " has a coordinate that is not a finite number");
     }
   }
 }
@@ -43,8 +43,9 @@ bool has_area(const Coordinates& coordinates, std::span<const Index> corners) {
 void check_areas(const Mesh& mesh) {
   for (Index e = 0; e < mesh.topology->element_count(); ++e) {
     if (!has_area(mesh.coordinates, mesh.topology->element(e))) {
-      throw MeshError(MeshEntity::element, e,
-                      "element " + std::to_string(e) + " has no area (its corners lie on one line)");
+      throw MeshError(
+          MeshEntity::element, e,
+          "element " + std::to_string(e) + " has no area (its corners lie on one line)");
     }
   }
 }
@@ -102,9 +103,9 @@ void check_hanging(const Mesh& mesh) {
     const Vec2 d = mesh.coordinates.xy(edge.nodes[1]) - a;
     const double length2 = d.squaredNorm();
     const double slack = near * std::sqrt(length2);
-    const auto first = std::lower_bound(
-        nodes.begin(), nodes.end(), std::min(a.x(), a.x() + d.x()) - slack,
-        [&](Index node, double x) { return x_of(node) < x; });
+    const auto first =
+        std::lower_bound(nodes.begin(), nodes.end(), std::min(a.x(), a.x() + d.x()) - slack,
+                         [&](Index node, double x) { return x_of(node) < x; });
     const double last_x = std::max(a.x(), a.x() + d.x()) + slack;
     for (auto it = first; it != nodes.end() && x_of(*it) <= last_x; ++it) {
       if (*it == edge.nodes[0] || *it == edge.nodes[1]) continue;

@@ -31,13 +31,13 @@ struct Region {
 
 /// What a mesh file says, before anybody has checked it: the input of make_mesh.
 struct MeshData {
-  Coordinates coordinates;              ///< #nodes by 2
-  std::vector<ElementType> types;       ///< #elements
+  Coordinates coordinates;                ///< #nodes by 2
+  std::vector<ElementType> types;         ///< #elements
   std::vector<Index> element_offsets{0};  ///< #elements + 1, into element_nodes
-  std::vector<Index> element_nodes;     ///< corners of all elements, any orientation
+  std::vector<Index> element_nodes;       ///< corners of all elements, any orientation
   std::vector<Marker> markers;
   std::vector<Region> regions;
-  std::vector<Index> element_region;    ///< #elements, index into regions or -1; empty: no regions
+  std::vector<Index> element_region;  ///< #elements, index into regions or -1; empty: no regions
 
   Index node_count() const { return coordinates.size(); }
   Index element_count() const { return static_cast<Index>(types.size()); }

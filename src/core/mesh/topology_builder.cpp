@@ -244,9 +244,9 @@ void TopologyBuilder::build_stars() {
       }
     }
     if (star.values.size() - first_star != at(incident[at(node)])) {
-      throw MeshError(MeshEntity::node, node,
-                      "node " + std::to_string(node) +
-                          " has two separate stars of elements (non-manifold)");
+      throw MeshError(
+          MeshEntity::node, node,
+          "node " + std::to_string(node) + " has two separate stars of elements (non-manifold)");
     }
     neighbours.offsets.push_back(static_cast<Index>(neighbours.values.size()));
     star.offsets.push_back(static_cast<Index>(star.values.size()));
@@ -286,9 +286,11 @@ void TopologyBuilder::build_markers() {
   const auto find_edge = [&](Index a, Index b) {
     const auto [low, high] = std::minmax(a, b);
     const auto& edges = topology_->edges_;
-    const auto it = std::lower_bound(
-        edges.begin(), edges.end(), std::array<Index, 2>{low, high},
-        [](const Topology::Edge& edge, const std::array<Index, 2>& key) { return edge.nodes < key; });
+    const auto it =
+        std::lower_bound(edges.begin(), edges.end(), std::array<Index, 2>{low, high},
+                         [](const Topology::Edge& edge, const std::array<Index, 2>& key) {
+                           return edge.nodes < key;
+                         });
     const bool found = it != edges.end() && it->nodes == std::array<Index, 2>{low, high};
     return found ? static_cast<Index>(it - edges.begin()) : -1;
   };

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -30,11 +29,14 @@ void compute_functionals(std::span<const Vec2> points, std::span<NeighbourFuncti
 class StencilFunctionals {
  public:
   explicit StencilFunctionals(const VirtualControlVolumes& vcv);
-  std::span<const NeighbourFunctionals> operator[](Index node) const;
+  std::span<const NeighbourFunctionals> operator[](Index node) const {
+    const auto row = static_cast<std::size_t>(node);
+    const auto begin = static_cast<std::size_t>((*offsets_)[row]);
+    return {values_.data() + begin, static_cast<std::size_t>((*offsets_)[row + 1]) - begin};
+  }
 
  private:
-  const std::vector<Index>* offsets_;
-  std::shared_ptr<const Topology> keep_alive_;
+  const std::vector<Index>* offsets_;  // of the topology, which outlives this
   std::vector<NeighbourFunctionals> values_;
 };
 

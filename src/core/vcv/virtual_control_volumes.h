@@ -23,6 +23,7 @@ class VirtualControlVolumes {
   explicit VirtualControlVolumes(std::shared_ptr<const Topology> topology);
 
   const Topology& topology() const { return *topology_; }
+  const std::shared_ptr<const Topology>& shared_topology() const { return topology_; }
 
   /// Angle k, in radians, lies between edge k and edge k + 1 (cyclic); they sum to 2 pi.
   /// Empty for nodes that are not free.

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "core/mesh/coordinates.h"
+
+namespace winslow {
+
+/// The triangle of an element's corner and its two neighbours within the element.
+struct Corner {
+  double l1, l2, l3;  ///< edges at the corner (next, previous), and the one across
+  double area2;       ///< twice the signed area
+
+  Corner(const Vec2& at, const Vec2& next, const Vec2& previous) {
+    const Vec2 a = next - at;
+    const Vec2 b = previous - at;
+    l1 = a.norm();
+    l2 = b.norm();
+    l3 = (next - previous).norm();
+    area2 = a.x() * b.y() - a.y() * b.x();
+  }
+
+  bool inverted() const { return !(area2 > 0); }
+  double sine() const { return l1 > 0 && l2 > 0 ? area2 / (l1 * l2) : 0; }
+  /// R/(2r): 1 for the equilateral triangle.
+  double radius_ratio() const {
+    return inverted() ? std::numeric_limits<double>::infinity()
+                      : l1 * l2 * l3 * (l1 + l2 + l3) / (4 * area2 * area2);
+  }
+  /// Condition weighted to the equilateral triangle.
+  double triangle_condition() const {
+    return inverted() ? std::numeric_limits<double>::infinity()
+                      : (l1 * l1 + l2 * l2 + l3 * l3) / (2 * std::sqrt(3.0) * area2);
+  }
+  /// Condition relative to a square's corner.
+  double square_condition() const {
+    return inverted() ? std::numeric_limits<double>::infinity() : (l1 * l1 + l2 * l2) / (2 * area2);
+  }
+};
+
+inline Corner corner_of(const Coordinates& x, std::span<const Index> element, std::size_t k) {
+  const std::size_t n = element.size();
+  return {x.xy(element[k]), x.xy(element[(k + 1) % n]), x.xy(element[(k + n - 1) % n])};
+}
+
+}  // namespace winslow

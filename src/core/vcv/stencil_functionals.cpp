@@ -1,0 +1,75 @@
+#include "core/vcv/stencil_functionals.h"
+
+#include <cmath>
+
+#include "core/error.h"
+
+namespace winslow {
+
+namespace {
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// A node with two edges (two quadrilaterals that share both) spans no area. It is given the
+/// gradient along its edge line and equal weights: it settles halfway between its neighbours.
+void two_edge_functionals(std::span<NeighbourFunctionals> out) {
+  out[0] = {0.5, 0, 0, 0, 1};
+  out[1] = {-0.5, 0, 0, 0, 1};
+}
+
+}  // namespace
+
+void compute_functionals(std::span<const Vec2> points, std::span<NeighbourFunctionals> out) {
+  const std::size_t n = points.size();
+  if (n == 2) {
+    two_edge_functionals(out);
+    return;
+  }
+  std::fill(out.begin(), out.end(), NeighbourFunctionals{});
+  double area2 = 0;  // twice the area of the VCV
+  for (std::size_t t = 0; t < n; ++t) {
+    const std::size_t u = (t + 1) % n;
+    const Vec2& p = points[t];
+    const Vec2& q = points[u];
+    const double triangle2 = cross(p, q);
+    if (!(triangle2 > 0)) throw NumericError("a VCV triangle has no area");
+    area2 += triangle2;
+    // Linear interpolation: grad r = [(r_t - r_0) a + (r_u - r_0) b] / (2 area).
+    const Vec2 a(q.y(), -q.x());
+    const Vec2 b(-p.y(), p.x());
+    const Vec2 normal(q.y() - p.y(), p.x() - q.x());
+    const auto add = [&](NeighbourFunctionals& f, const Vec2& g) {
+      f.dx += g.x();
+      f.dy += g.y();
+      f.lxx += normal.x() * g.x() / triangle2;
+      f.lxy += (normal.x() * g.y() + normal.y() * g.x()) / triangle2;
+      f.lyy += normal.y() * g.y() / triangle2;
+    };
+    add(out[t], a);
+    add(out[u], b);
+  }
+  for (auto& f : out) {
+    f.dx /= area2;
+    f.dy /= area2;
+  }
+}
+
+StencilFunctionals::StencilFunctionals(const VirtualControlVolumes& vcv)
+    : offsets_(&vcv.topology().neighbour_rows().offsets),
+      values_(vcv.topology().neighbour_rows().values.size(), NeighbourFunctionals{}) {
+  std::vector<Vec2> points;
+  for (const Index node : vcv.topology().free_nodes()) {
+    const auto angles = vcv.angles(node);
+    const auto lengths = vcv.lengths(node);
+    points.resize(angles.size());
+    double phi = 0;
+    for (std::size_t k = 0; k < angles.size(); ++k) {
+      points[k] = lengths[k] * Vec2(std::cos(phi), std::sin(phi));
+      phi += angles[k];
+    }
+    const auto begin = static_cast<std::size_t>((*offsets_)[static_cast<std::size_t>(node)]);
+    compute_functionals(points, {values_.data() + begin, points.size()});
+  }
+}
+
+}  // namespace winslow
