@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 from meshgen import shapes
 from meshgen.geo import SizeField, body_in_circle, run_gmsh, wall_loop
+from meshgen.quads import box_with_holes, insert_layers
 from meshgen.su2 import write_su2
 
 HERE = Path(__file__).resolve().parent
@@ -26,10 +27,13 @@ def naca0012(wall, edge, growth):
 
 def three_element(scale, growth):
     sides = shapes.three_element()
-    fine = 0.0032 * scale
-    ends = [(*side[-1], fine) for side, _ in sides.values()] + [
-        (*side[0], fine) for side, _ in sides.values()]
-    size = SizeField(0.012 * scale, growth, [tuple(map(float, s)) for s in ends])
+    # Spacing at the leading and trailing edges: noses by their radius, gaps by their width (0.022).
+    spacing = {"slat": (0.0016, 0.0026), "main": (0.0040, 0.0026), "flap": (0.0022, 0.0030)}
+    sources = []
+    for name, (side, _) in sides.items():
+        for (x, y), h in zip((side[-1], side[0]), spacing[name]):
+            sources.append((float(x), float(y), scale * h))
+    size = SizeField(0.0065 * scale, growth, sources)
     walls = {name: wall_loop(pair, size) for name, pair in sides.items()}
     header = ["Slat, main element with cove, flap, in a circle of 100 chords: the formulas are in",
               "README.md and meshgen/shapes.py. Written by make_meshes.py."]
@@ -46,13 +50,25 @@ def circle(wall_points, radius=10.0):
     return body_in_circle(header, {"circle": wall}, size, radius, (0.0, 0.0), wall_points)
 
 
+def quads(size):
+    holes = {"circle": ((-0.8, 0.1), (0.5, 0.5), 0.0), "ellipse": ((0.9, -0.2), (0.6, 0.35), 30.0)}
+    header = ["Uniform quadrilaterals in a box of 4 by 3 with a circle of radius 0.5 and an ellipse of",
+              "semi-axes 0.6 and 0.35 turned by 30 degrees; make_meshes.py then inserts the layers."]
+    return box_with_holes(header, 2.0, 1.5, holes, size)
+
+
+# Case E: rings of quadrilaterals at every boundary, each this share of the boundary spacing thick.
+LAYERS = {"quads": (4, 0.02), "coarse/quads": (2, 0.04)}
+
 MESHES = {
     "naca0012": lambda: naca0012(0.022, 0.007, 0.12),
-    "three_element": lambda: three_element(1.0, 0.1),
+    "three_element": lambda: three_element(1.0, 0.09),
     "circle": lambda: circle(64),
+    "quads": lambda: quads(0.08),
     "coarse/naca0012": lambda: naca0012(0.05, 0.016, 0.22),
     "coarse/three_element": lambda: three_element(2.0, 0.2),
     "coarse/circle": lambda: circle(24),
+    "coarse/quads": lambda: quads(.18),
 }
 
 
@@ -61,6 +77,8 @@ def make(name):
     geo.parent.mkdir(exist_ok=True)
     geo.write_text(MESHES[name]())
     xyz, elements, marks = run_gmsh(geo)
+    if name in LAYERS:
+        xyz, elements, marks = insert_layers(xyz, elements, marks, *LAYERS[name])
     write_su2(geo.with_suffix(".su2"), xyz, elements, marks)
     print(f"{name}: {len(xyz)} nodes, {len(elements)} elements, "
           + ", ".join(f"{m} {len(e)}" for m, e in marks.items()))
