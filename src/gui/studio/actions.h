@@ -1,0 +1,123 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "core/command/command.h"
+#include "gui/studio/view_options.h"
+
+/// What a user can ask for. Panels and the viewport emit actions; the session and the workbench
+/// carry them out. Nothing else changes the state of the studio.
+namespace winslow::gui::action {
+
+// Files
+struct OpenMesh {
+  std::filesystem::path path;
+  bool discard_changes = false;  ///< false: ask if the open mesh has unsaved changes
+};
+struct SaveMesh {
+  std::filesystem::path path;   ///< empty: where the mesh came from
+  bool overwrite = false;       ///< false: ask if the file exists
+  bool allow_inverted = false;  ///< false: ask if the mesh has inverted elements
+};
+struct ExportRecipe {
+  std::filesystem::path path;
+  bool overwrite = false;
+};
+struct Quit {
+  bool discard_changes = false;
+};
+
+// Bodies and their motion
+struct SelectMarkers {
+  std::vector<Index> markers;
+  bool toggle = false;  ///< true: add or remove; false: select these alone
+};
+struct HoverMarkers {
+  std::vector<Index> markers;
+};
+struct SetPivot {
+  std::optional<Vec2> pivot;  ///< none: centre of the selected bodies
+};
+struct ApplyMotion {
+  RigidMotion motion;
+};
+/// A motion under the mouse: the mesh follows every DragTo until EndDrag. Motions are total, seen
+/// from BeginDrag.
+struct BeginDrag {};
+struct DragTo {
+  RigidMotion motion;
+};
+struct EndDrag {};
+struct CancelDrag {};
+struct SetMotionOptions {
+  MotionOptions options;
+};
+
+// Solver
+struct RunSmooth {};
+struct Scramble {
+  std::uint64_t seed = 1;
+};
+struct PauseSolver {};
+struct ResumeSolver {};
+struct StepSolver {
+  int count = 1;
+};
+struct CancelSolver {};
+struct SetSmoothOptions {
+  SmoothOptions options;
+};
+
+// History
+struct Undo {};
+struct Redo {};
+struct GoToStep {
+  std::size_t position = 0;
+};
+
+// Messages
+struct DismissPrompt {};
+struct DismissBanner {};
+
+// View
+struct SetView {
+  ViewOptions view;
+};
+struct FitView {};
+struct FitSelection {};
+struct LookAt {
+  Vec2 point;
+  double radius = 0;  ///< shown around the point, in units of the mesh
+};
+enum class FilePurpose { open_mesh, save_mesh, export_recipe, screenshot };
+struct ShowFileDialog {
+  FilePurpose purpose = FilePurpose::open_mesh;
+};
+struct TakeScreenshot {
+  std::filesystem::path path;  ///< empty: a new name in the working folder
+  bool overwrite = false;
+};
+struct ShowHelp {};
+
+}  // namespace winslow::gui::action
+
+namespace winslow::gui {
+
+using Action =
+    std::variant<action::OpenMesh, action::SaveMesh, action::ExportRecipe, action::Quit,
+                 action::SelectMarkers, action::HoverMarkers, action::SetPivot, action::ApplyMotion,
+                 action::BeginDrag, action::DragTo, action::EndDrag, action::CancelDrag,
+                 action::SetMotionOptions, action::RunSmooth, action::Scramble, action::PauseSolver,
+                 action::ResumeSolver, action::StepSolver, action::CancelSolver,
+                 action::SetSmoothOptions, action::Undo, action::Redo, action::GoToStep,
+                 action::DismissPrompt, action::DismissBanner, action::SetView, action::FitView,
+                 action::FitSelection, action::LookAt, action::ShowFileDialog,
+                 action::TakeScreenshot, action::ShowHelp>;
+
+using ActionQueue = std::vector<Action>;
+
+}  // namespace winslow::gui

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+
+namespace winslow::gui {
+
+/// Finds the boundary under the mouse: a tree of boxes over all marker edges, and the bodies that
+/// the boundary loops form.
+class BoundaryIndex {
+ public:
+  /// A closed loop of the boundary.
+  struct Body {
+    std::vector<Index> nodes;    ///< as Topology::boundary_loops()
+    std::vector<Index> markers;  ///< on this loop, ascending
+    bool hole = false;           ///< a body in the flow, rather than the rim around everything
+  };
+  struct Hit {
+    Index marker = -1;            ///< nearest
+    std::vector<Index> markers;   ///< of the whole body
+    bool hole = false;            ///< the body can be taken and moved without a second thought
+    bool inside = false;          ///< hit within the body, not on its rim
+  };
+
+  explicit BoundaryIndex(std::shared_ptr<const Topology> topology);
+
+  /// Takes new positions. The first call decides which loops are holes.
+  void update(const Coordinates& coordinates);
+
+  /// The boundary within `radius` of a point, or the body that the point lies inside.
+  std::optional<Hit> pick(const Vec2& point, double radius) const;
+
+  const std::vector<Body>& bodies() const { return bodies_; }
+  /// The body that a marker belongs to; null for one inside the mesh.
+  const Body* body_of(Index marker) const;
+  /// Largest distance of a point from the markers' nodes.
+  double reach(const std::vector<Index>& markers, const Vec2& point) const;
+
+ private:
+  struct Edge {
+    Index a, b, marker;
+  };
+  struct Box {
+    Vec2 min, max;
+    double distance(const Vec2& p) const;
+  };
+  struct Node {
+    Box box;
+    Index begin, end;  // edges of a leaf
+    Index left = -1, right = -1;
+  };
+
+  void find_bodies();
+  Index build(Index begin, Index end);
+  Box box_of(Index begin, Index end) const;
+  void refit();
+  void nearest(Index node, const Vec2& point, double& best, Index& edge) const;
+  double edge_distance(const Edge& edge, const Vec2& point) const;
+  const Body* body_containing(const Vec2& point) const;
+  Hit hit_of(Index marker, bool inside) const;
+
+  std::shared_ptr<const Topology> topology_;
+  std::vector<Body> bodies_;
+  std::vector<Index> marker_body_;  // -1: none
+  std::vector<Edge> edges_;
+  std::vector<Node> tree_;
+  Coordinates coordinates_;
+};
+
+}  // namespace winslow::gui

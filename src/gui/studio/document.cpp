@@ -1,0 +1,64 @@
+#include "gui/studio/document.h"
+
+#include <system_error>
+#include <utility>
+
+namespace winslow::gui {
+
+namespace {
+
+std::filesystem::path resolved(const std::filesystem::path& path) {
+  std::error_code ignored;
+  auto result = std::filesystem::weakly_canonical(path, ignored);
+  return ignored ? path : result;
+}
+
+}  // namespace
+
+Document::Loaded Document::load(const std::filesystem::path& path) {
+  Loaded loaded;
+  loaded.path = path;
+  loaded.file = io::read_mesh(path);
+  loaded.quality = measure_quality(loaded.file.mesh);
+  loaded.state = make_state(loaded.file.mesh);
+  return loaded;
+}
+
+Document::Document(Loaded loaded)
+    : source_(loaded.path),
+      path_(std::move(loaded.path)),
+      format_(loaded.file.format),
+      details_(std::move(loaded.file.details)),
+      warnings_(std::move(loaded.file.warnings)),
+      loaded_quality_(std::move(loaded.quality)),
+      history_(std::move(loaded.state)) {}
+
+void Document::push(Command command, CommandResult result) {
+  revisions_.resize(history_.position() + 1);
+  history_.push(std::move(command), std::move(result));
+  revisions_.push_back(++last_revision_);
+}
+
+void Document::undo() {
+  if (history_.can_undo()) history_.undo();
+}
+
+void Document::redo() {
+  if (history_.can_redo()) history_.redo();
+}
+
+void Document::go_to(std::size_t position) {
+  if (position < history_.size()) history_.go_to(position);
+}
+
+void Document::mark_saved(const std::filesystem::path& path, std::uint64_t revision) {
+  path_ = path;
+  saved_revision_ = revision;
+  written_.insert(resolved(path));
+}
+
+bool Document::wrote(const std::filesystem::path& path) const {
+  return written_.contains(resolved(path));
+}
+
+}  // namespace winslow::gui

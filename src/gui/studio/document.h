@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/command/history.h"
+#include "core/quality/quality.h"
+#include "io/mesh_file.h"
+
+namespace winslow::gui {
+
+/// An open mesh: where it came from, what was done to it, what of that is saved.
+class Document {
+ public:
+  /// What is prepared on the loader's thread.
+  struct Loaded {
+    std::filesystem::path path;
+    io::MeshFile file;
+    MeshState state;
+    QualityReport quality;
+  };
+  /// Reads and prepares a mesh. Throws what io::read_mesh throws.
+  static Loaded load(const std::filesystem::path& path);
+
+  explicit Document(Loaded loaded);
+
+  /// Where the mesh is saved, or else came from.
+  const std::filesystem::path& path() const { return path_; }
+  /// The file that was opened.
+  const std::filesystem::path& source() const { return source_; }
+  std::string name() const { return path_.filename().string(); }
+  io::Format format() const { return format_; }
+  const std::shared_ptr<const io::FormatDetails>& details() const { return details_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  const QualityReport& loaded_quality() const { return loaded_quality_; }
+
+  const History& history() const { return history_; }
+  const MeshState& state() const { return history_.state(); }
+  const std::shared_ptr<const Topology>& topology() const { return state().mesh.topology; }
+
+  void push(Command command, CommandResult result);
+  void undo();
+  void redo();
+  void go_to(std::size_t position);
+
+  /// Identifies the present mesh among all that this document has had.
+  std::uint64_t revision() const { return revisions_[history_.position()]; }
+  bool modified() const { return revision() != saved_revision_; }
+  void mark_saved(const std::filesystem::path& path, std::uint64_t revision);
+  /// True if this document wrote that file before: it may be replaced without asking.
+  bool wrote(const std::filesystem::path& path) const;
+
+ private:
+  std::filesystem::path source_, path_;
+  io::Format format_;
+  std::shared_ptr<const io::FormatDetails> details_;
+  std::vector<std::string> warnings_;
+  QualityReport loaded_quality_;
+  History history_;
+  std::vector<std::uint64_t> revisions_{0};  // of each position of the history
+  std::uint64_t last_revision_ = 0;
+  std::uint64_t saved_revision_ = 0;
+  std::set<std::filesystem::path> written_;
+};
+
+}  // namespace winslow::gui

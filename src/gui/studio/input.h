@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <deque>
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/types.h"
+
+/// Input of the studio: what happened since the frame before, however it came about. The window's
+/// callbacks and the tests' scripts fill the same queue.
+namespace winslow::gui {
+
+enum class MouseButton { left = 0, right = 1, middle = 2 };
+
+/// Keyboard and mouse as one frame sees them. Positions are framebuffer pixels, (0, 0) top left.
+struct InputState {
+  Vec2 mouse{-1, -1};
+  bool mouse_inside = false;
+  std::array<bool, 3> buttons{};  ///< by MouseButton
+  Vec2 wheel{0, 0};               ///< notches since the last frame, y up
+  std::bitset<512> keys;          ///< by GLFW key code
+  std::u32string text;            ///< typed since the last frame
+  std::vector<std::filesystem::path> dropped;  ///< files dropped on the window
+
+  bool down(MouseButton b) const { return buttons[static_cast<std::size_t>(b)]; }
+  bool control() const;
+  bool shift() const;
+  bool alt() const;
+  bool super() const;
+};
+
+/// Events in the order in which they came. Several events may fall into one frame, but never two
+/// that a frame could not tell apart: a press and its release, or a press and a motion after it.
+class InputQueue {
+ public:
+  void move(const Vec2& position);
+  void leave();
+  void button(MouseButton button, bool down);
+  void wheel(const Vec2& notches);
+  void key(int glfw_key, bool down);
+  void text(char32_t character);
+  void drop(std::vector<std::filesystem::path> files);
+
+  bool empty() const { return events_.empty(); }
+  /// Takes events off the queue, as many as one frame can hold.
+  InputState next_frame();
+
+ private:
+  struct Move {
+    Vec2 position;
+    bool inside;
+  };
+  struct Button {
+    MouseButton button;
+    bool down;
+  };
+  struct Wheel {
+    Vec2 notches;
+  };
+  struct Key {
+    int key;
+    bool down;
+  };
+  struct Text {
+    char32_t character;
+  };
+  struct Drop {
+    std::vector<std::filesystem::path> files;
+  };
+  using Event = std::variant<Move, Button, Wheel, Key, Text, Drop>;
+  struct Frame;  // what the frame being filled holds already
+  bool take(const Event& event, Frame& frame);
+
+  std::deque<Event> events_;
+  InputState state_;
+};
+
+}  // namespace winslow::gui

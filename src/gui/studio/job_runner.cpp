@@ -1,0 +1,83 @@
+#include "gui/studio/job_runner.h"
+
+#include <utility>
+
+#include "gui/studio/rigid_motion.h"
+
+namespace winslow::gui {
+
+bool JobRunner::paused() const { return active_ && pause_requested_; }
+
+void JobRunner::run(MeshState base, Command command, bool paused) {
+  base_ = std::move(base);
+  command_ = std::move(command);
+  snapshot_.reset();
+  active_ = true;
+  held_ = false;
+  pause_requested_ = paused;
+  job_ = solver_.run(base_, command_, {}, paused);
+}
+
+void JobRunner::retarget(Command command) {
+  command_ = std::move(command);
+  pause_requested_ = false;
+  solver_.retarget(command_);
+  solver_.resume();
+}
+
+void JobRunner::pause() {
+  if (!active_) return;
+  pause_requested_ = true;
+  solver_.pause();
+}
+
+void JobRunner::resume() {
+  if (!active_) return;
+  pause_requested_ = false;
+  solver_.resume();
+}
+
+void JobRunner::step(int count) {
+  if (!active_) return;
+  pause_requested_ = true;
+  solver_.step(count);
+}
+
+void JobRunner::cancel() {
+  if (!active_) return;
+  solver_.cancel();
+  active_ = held_ = pause_requested_ = false;
+  snapshot_.reset();
+}
+
+bool JobRunner::poll() {
+  if (!active_) return false;
+  auto latest = solver_.latest();
+  if (latest->job != job_) return false;
+  if (snapshot_ && snapshot_->serial == latest->serial) return false;
+  snapshot_ = std::move(latest);
+  return true;
+}
+
+bool JobRunner::meets_target(const Snapshot& snapshot) const {
+  const auto* target = std::get_if<MoveCommand>(&command_);
+  if (!target) return true;
+  if (!snapshot.command) return false;
+  const auto* reached = std::get_if<MoveCommand>(&*snapshot.command);
+  return reached && same_motion(reached->motion, target->motion);
+}
+
+std::optional<JobRunner::Outcome> JobRunner::take_outcome() {
+  if (!active_ || held_ || !snapshot_) return std::nullopt;
+  const JobState state = snapshot_->state;
+  if (state != JobState::done && state != JobState::failed && state != JobState::cancelled)
+    return std::nullopt;
+  // A drag may have moved on since this snapshot was published.
+  if (!meets_target(*snapshot_)) return std::nullopt;
+  Outcome outcome{command_, snapshot_->result, snapshot_->error};
+  active_ = pause_requested_ = false;
+  snapshot_.reset();
+  return outcome;
+}
+
+}  // namespace winslow::gui

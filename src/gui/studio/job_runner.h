@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/job/solver_thread.h"
+
+namespace winslow::gui {
+
+/// The one command that is being carried out, seen from the frame loop: started, retargeted while a
+/// body is dragged, and collected when it is done. Nothing here waits for the solver.
+class JobRunner {
+ public:
+  struct Outcome {
+    Command command;
+    std::optional<CommandResult> result;  ///< none: it failed
+    std::string error;
+  };
+
+  bool active() const { return active_; }
+  /// A drag holds the job: it may converge, but does not end.
+  bool held() const { return held_; }
+  /// Paused, or about to be.
+  bool paused() const;
+  const Command& command() const { return command_; }
+  const MeshState& base() const { return base_; }
+  /// Latest snapshot of this job; null before the first and without a job.
+  const std::shared_ptr<const Snapshot>& snapshot() const { return snapshot_; }
+
+  void run(MeshState base, Command command, bool paused);
+  void retarget(Command command);
+  void hold(bool held) { held_ = held; }
+  void pause();
+  void resume();
+  void step(int count);
+  /// Ends the job at once, with no outcome.
+  void cancel();
+
+  /// True if there is a new snapshot.
+  bool poll();
+  /// What the job came to, once. Ends the job.
+  std::optional<Outcome> take_outcome();
+
+ private:
+  bool meets_target(const Snapshot& snapshot) const;
+
+  SolverThread solver_;
+  bool active_ = false;
+  bool held_ = false;
+  bool pause_requested_ = false;
+  MeshState base_;
+  Command command_;
+  std::uint64_t job_ = 0;
+  std::shared_ptr<const Snapshot> snapshot_;
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,46 @@
+#include "gui/studio/quality_monitor.h"
+
+namespace winslow::gui {
+
+namespace {
+
+// While a solver runs, measuring more often than the eye can follow would only slow it down.
+constexpr std::chrono::milliseconds live_interval{120};
+
+}  // namespace
+
+void QualityMonitor::request(std::uint64_t shape, const Mesh& mesh, std::optional<Metric> metric,
+                             bool live) {
+  if (worker_.busy()) return;
+  if (latest_ && latest_->shape == shape && latest_->metric == metric) return;
+  const auto now = std::chrono::steady_clock::now();
+  const bool same_metric = latest_ && latest_->metric == metric;
+  if (live && same_metric && now - last_start_ < live_interval) return;
+  last_start_ = now;
+  worker_.start([shape, mesh, metric] {
+    auto measured = std::make_shared<Measured>();
+    measured->shape = shape;
+    measured->metric = metric;
+    measured->report = measure_quality(mesh, {.histogram_bins = 40, .worst = 5, .threads = 1});
+    if (metric) measured->values = element_values(mesh, *metric);
+    return std::shared_ptr<const Measured>(std::move(measured));
+  });
+}
+
+bool QualityMonitor::poll() {
+  auto result = worker_.poll();
+  if (!result) return false;
+  if (discard_) {
+    discard_ = false;
+    return true;
+  }
+  latest_ = std::move(*result);
+  return true;
+}
+
+void QualityMonitor::clear() {
+  latest_.reset();
+  discard_ = worker_.busy();
+}
+
+}  // namespace winslow::gui

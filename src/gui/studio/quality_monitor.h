@@ -1,0 +1,41 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/quality/quality.h"
+#include "gui/studio/background.h"
+
+namespace winslow::gui {
+
+/// Quality of the mesh on screen, measured behind the frame loop's back.
+class QualityMonitor {
+ public:
+  struct Measured {
+    std::uint64_t shape = 0;  ///< Session::shape() that was measured
+    QualityReport report;
+    std::optional<Metric> metric;
+    std::vector<double> values;  ///< of metric, one per element
+  };
+
+  /// Asks for the quality of a mesh. live: a solver is changing it, so measure only now and then.
+  void request(std::uint64_t shape, const Mesh& mesh, std::optional<Metric> metric, bool live);
+  /// True if a newer measurement has come in.
+  bool poll();
+  /// The latest measurement; null if there is none of the present topology.
+  const std::shared_ptr<const Measured>& latest() const { return latest_; }
+  /// Forgets everything: another mesh is coming.
+  void clear();
+  bool busy() const { return worker_.busy(); }
+
+ private:
+  Background<std::shared_ptr<const Measured>> worker_;
+  std::shared_ptr<const Measured> latest_;
+  bool discard_ = false;  // the measurement under way is of a mesh that is gone
+  std::chrono::steady_clock::time_point last_start_{};
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,175 @@
+#include "gui/studio/session.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "gui/studio/rigid_motion.h"
+
+namespace winslow::gui {
+
+Session::Session() = default;
+
+void Session::apply(const Action& action) {
+  std::visit([this](const auto& a) { on(a); }, action);
+}
+
+bool Session::poll() {
+  bool changed = poll_loader();
+  changed |= poll_saver();
+  changed |= quality_.poll();
+  if (job_.poll()) {
+    shape_changed();
+    changed = true;
+  }
+  if (auto outcome = job_.take_outcome()) {
+    finish_job(std::move(*outcome));
+    changed = true;
+  }
+  return changed;
+}
+
+bool Session::working() const {
+  const bool solving = job_.active() && !(job_.held() && job_.snapshot() &&
+                                          job_.snapshot()->state == JobState::done);
+  const bool paused = job_.paused() && job_.snapshot() &&
+                      job_.snapshot()->state == JobState::paused;
+  return loader_.busy() || saver_.busy() || quality_.busy() || (solving && !paused);
+}
+
+const Coordinates& Session::coordinates() const {
+  static const Coordinates none;
+  if (!document_) return none;
+  const auto& snapshot = job_.snapshot();
+  if (snapshot && !snapshot->coordinates.empty()) return snapshot->coordinates;
+  return document_->state().mesh.coordinates;
+}
+
+std::optional<RigidMotion> Session::live_motion() const {
+  if (!job_.active()) return std::nullopt;
+  const auto* move = std::get_if<MoveCommand>(&job_.command());
+  if (!move) return std::nullopt;
+  return move->motion;
+}
+
+std::span<const IterationRecord> Session::convergence() const {
+  if (job_.active()) {
+    if (!job_.snapshot()) return {};
+    return job_.snapshot()->history;
+  }
+  if (!document_ || document_->history().position() == 0) return {};
+  return document_->history().result(document_->history().position()).history;
+}
+
+bool Session::selected(Index marker) const {
+  return std::binary_search(selection_.begin(), selection_.end(), marker);
+}
+
+Vec2 Session::pivot() const {
+  const auto motion = live_motion();
+  return motion ? transform(*motion, pivot_) : pivot_;
+}
+
+void Session::watch_quality(std::optional<Metric> metric) {
+  if (!document_) return;
+  quality_.request(shape_, Mesh{document_->topology(), coordinates()}, metric, job_.active());
+}
+
+void Session::tell(Notice::Kind kind, std::string text) {
+  notice_ = Notice{kind, std::move(text), std::chrono::steady_clock::now()};
+}
+
+void Session::report_error(std::string title, std::string text) {
+  ask({Prompt::Kind::error, std::move(title), std::move(text), {{"OK", {}, true}}});
+}
+
+void Session::on(const action::SelectMarkers& a) {
+  if (!document_) return;
+  std::vector<Index> wanted = a.markers;
+  const auto count = static_cast<Index>(document_->topology()->markers().size());
+  std::erase_if(wanted, [count](Index m) { return m < 0 || m >= count; });
+  std::sort(wanted.begin(), wanted.end());
+  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+  if (a.toggle) {
+    std::vector<Index> toggled;
+    // Several markers of one body go together: out if all are in, else in.
+    if (std::includes(selection_.begin(), selection_.end(), wanted.begin(), wanted.end()))
+      std::set_difference(selection_.begin(), selection_.end(), wanted.begin(), wanted.end(),
+                          std::back_inserter(toggled));
+    else
+      std::set_union(selection_.begin(), selection_.end(), wanted.begin(), wanted.end(),
+                     std::back_inserter(toggled));
+    wanted = std::move(toggled);
+  }
+  if (wanted == selection_) return;
+  selection_ = std::move(wanted);
+  pivot_chosen_ = false;
+  centre_pivot();
+}
+
+void Session::on(const action::HoverMarkers& a) { hovered_ = a.markers; }
+
+void Session::on(const action::SetPivot& a) {
+  pivot_chosen_ = a.pivot.has_value();
+  if (!a.pivot) return centre_pivot();
+  const auto motion = live_motion();
+  pivot_ = motion ? transform_back(*motion, *a.pivot) : *a.pivot;
+}
+
+void Session::on(const action::SetMotionOptions& a) { motion_ = a.options; }
+
+void Session::on(const action::SetSmoothOptions& a) { smooth_ = a.options; }
+
+void Session::on(const action::Undo&) {
+  if (!document_) return;
+  if (job_.active()) return on(action::CancelSolver{});
+  document_->undo();
+  position_changed();
+}
+
+void Session::on(const action::Redo&) {
+  if (!document_ || job_.active()) return;
+  document_->redo();
+  position_changed();
+}
+
+void Session::on(const action::GoToStep& a) {
+  if (!document_) return;
+  stop_job();
+  document_->go_to(a.position);
+  position_changed();
+}
+
+void Session::on(const action::DismissPrompt&) {
+  if (!prompts_.empty()) prompts_.pop_front();
+}
+
+void Session::on(const action::DismissBanner&) { banner_.reset(); }
+
+void Session::shape_changed() {
+  ++shape_;
+  if (boundary_) boundary_->update(coordinates());
+}
+
+void Session::position_changed() {
+  shape_changed();
+  if (!pivot_chosen_) centre_pivot();
+  const History& history = document_->history();
+  banner_.reset();
+  if (history.position() > 0) update_banner(history.result(history.position()));
+}
+
+void Session::centre_pivot() {
+  if (!document_ || selection_.empty()) return;
+  const Mesh& mesh = document_->state().mesh;
+  const std::vector<Index> nodes = mesh.topology->nodes_of_markers(selected_names());
+  if (!nodes.empty()) pivot_ = bounds(mesh.coordinates, nodes).centre();
+}
+
+std::vector<std::string> Session::selected_names() const {
+  std::vector<std::string> names;
+  for (Index m : selection_)
+    names.push_back(document_->topology()->markers()[static_cast<std::size_t>(m)].name);
+  return names;
+}
+
+}  // namespace winslow::gui

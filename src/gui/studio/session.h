@@ -1,0 +1,160 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gui/studio/actions.h"
+#include "gui/studio/background.h"
+#include "gui/studio/boundary_index.h"
+#include "gui/studio/document.h"
+#include "gui/studio/job_runner.h"
+#include "gui/studio/messages.h"
+#include "gui/studio/quality_monitor.h"
+
+namespace winslow::gui {
+
+/// The state of the studio, without a window: the open mesh, its history, the solver, what is
+/// selected, what is to be said. Changes by actions and by poll() alone. Nothing here waits.
+class Session {
+ public:
+  Session();
+
+  /// Carries out an action; those of the view are not the session's and are ignored.
+  void apply(const Action& action);
+  /// Collects what the threads have done since the last call. True if anything changed.
+  bool poll();
+  /// True while some thread works on behalf of this session.
+  bool working() const;
+
+  const Document* document() const { return document_.get(); }
+  bool loading() const { return loader_.busy(); }
+  const std::filesystem::path& loading_path() const { return loading_path_; }
+  bool saving() const { return saver_.busy(); }
+  bool quit_accepted() const { return quit_; }
+  /// Grows when another mesh is opened.
+  std::uint64_t generation() const { return generation_; }
+
+  /// The mesh on screen: that of the history, or of the job under way.
+  const Coordinates& coordinates() const;
+  /// Grows whenever coordinates() may have changed.
+  std::uint64_t shape() const { return shape_; }
+
+  const JobRunner& job() const { return job_; }
+  bool dragging() const { return dragging_; }
+  /// Motion of the job under way, from the state it started from.
+  std::optional<RigidMotion> live_motion() const;
+  /// Of the job under way, or else of the command that led to the present mesh.
+  std::span<const IterationRecord> convergence() const;
+
+  const BoundaryIndex* boundary() const { return boundary_.get(); }
+  const std::vector<Index>& selection() const { return selection_; }
+  bool selected(Index marker) const;
+  const std::vector<Index>& hovered() const { return hovered_; }
+  /// Point about which the selection turns, where it is on screen now.
+  Vec2 pivot() const;
+
+  const SmoothOptions& smooth_options() const { return smooth_; }
+  const MotionOptions& motion_options() const { return motion_; }
+
+  /// Measures the mesh on screen in the background, by this metric among others.
+  void watch_quality(std::optional<Metric> metric);
+  const QualityMonitor& quality() const { return quality_; }
+
+  const Prompt* prompt() const { return prompts_.empty() ? nullptr : &prompts_.front(); }
+  const std::optional<Banner>& banner() const { return banner_; }
+  const std::optional<Notice>& notice() const { return notice_; }
+  void tell(Notice::Kind kind, std::string text);
+  void report_error(std::string title, std::string text);
+  void ask(Prompt prompt) { prompts_.push_back(std::move(prompt)); }
+
+ private:
+  // Files (session_files.cpp)
+  void on(const action::OpenMesh& a);
+  void on(const action::SaveMesh& a);
+  void on(const action::ExportRecipe& a);
+  void on(const action::Quit& a);
+  bool poll_loader();
+  bool poll_saver();
+  void adopt(Document::Loaded loaded);
+
+  // Bodies, jobs, history (session.cpp, session_jobs.cpp)
+  void on(const action::SelectMarkers& a);
+  void on(const action::HoverMarkers& a);
+  void on(const action::SetPivot& a);
+  void on(const action::ApplyMotion& a);
+  void on(const action::BeginDrag&);
+  void on(const action::DragTo& a);
+  void on(const action::EndDrag&);
+  void on(const action::CancelDrag&);
+  void on(const action::SetMotionOptions& a);
+  void on(const action::RunSmooth&);
+  void on(const action::Scramble& a);
+  void on(const action::PauseSolver&);
+  void on(const action::ResumeSolver&);
+  void on(const action::StepSolver& a);
+  void on(const action::CancelSolver&);
+  void on(const action::SetSmoothOptions& a);
+  void on(const action::Undo&);
+  void on(const action::Redo&);
+  void on(const action::GoToStep& a);
+  void on(const action::DismissPrompt&);
+  void on(const action::DismissBanner&);
+  template <class ViewAction>
+  void on(const ViewAction&) {}
+
+  bool start_job(Command command, bool paused);
+  bool can_join(const std::vector<std::string>& markers) const;
+  MoveCommand move_command(const RigidMotion& motion) const;
+  void finish_job(JobRunner::Outcome outcome);
+  void stop_job();
+  void shape_changed();
+  void position_changed();
+  void centre_pivot();
+  void update_banner(const SmoothResult& smooth);
+  void tell_finished(const std::string& what, const SmoothResult& smooth);
+  std::vector<std::string> selected_names() const;
+
+  struct LoadOutcome {
+    std::shared_ptr<Document::Loaded> loaded;
+    std::string error;
+  };
+  struct SaveOutcome {
+    std::filesystem::path path;
+    std::uint64_t generation = 0, revision = 0;
+    std::vector<std::string> warnings;
+    std::string error;
+  };
+
+  std::unique_ptr<Document> document_;
+  std::unique_ptr<BoundaryIndex> boundary_;
+  std::uint64_t generation_ = 0, shape_ = 0;
+  bool quit_ = false;
+
+  std::vector<Index> selection_, hovered_;
+  Vec2 pivot_{0, 0};  // seen from the state before the job under way
+  bool pivot_chosen_ = false;
+
+  SmoothOptions smooth_;
+  MotionOptions motion_;
+  bool dragging_ = false;
+  std::optional<RigidMotion> drag_base_;  // motion of the job that the drag joined
+
+  std::deque<Prompt> prompts_;
+  std::optional<Banner> banner_;
+  std::optional<Notice> notice_;
+
+  std::filesystem::path loading_path_;
+  std::filesystem::path next_path_;  // asked for while another mesh was being read
+  QualityMonitor quality_;
+  JobRunner job_;
+  Background<LoadOutcome> loader_;
+  Background<SaveOutcome> saver_;
+};
+
+}  // namespace winslow::gui

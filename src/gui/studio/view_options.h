@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "core/quality/quality.h"
+
+namespace winslow::gui {
+
+/// How the mesh is shown; no part of the document.
+struct ViewOptions {
+  std::optional<Metric> color = Metric::normalized_jacobian;  ///< none: plain
+  std::string color_map = "viridis";
+  int bands = 0;                               ///< 0: continuous
+  std::optional<std::array<double, 2>> range;  ///< of the colours; none: automatic
+  bool wireframe = true;
+  bool nodes = false;
+  bool legend = true;
+  bool mark_inverted = true;
+  bool left_panel = true;
+  bool right_panel = true;
+  bool plot_panel = true;
+};
+
+}  // namespace winslow::gui
