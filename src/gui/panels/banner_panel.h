@@ -1,0 +1,13 @@
+#pragma once
+
+#include "gui/panels/panel.h"
+
+namespace winslow::gui {
+
+/// What the state of the mesh calls for, in a strip above it: inverted elements, not converged.
+class BannerPanel : public Panel {
+ public:
+  void draw(const PanelContext& context) override;
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "gui/panels/panel.h"
+
+namespace winslow::gui {
+
+/// The commands applied so far, to go back to any of them.
+class HistoryPanel : public Panel {
+ public:
+  void draw(const PanelContext& context) override;
+
+ private:
+  void draw_step(const PanelContext& context, std::size_t position);
+};
+
+}  // namespace winslow::gui

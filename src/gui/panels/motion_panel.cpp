@@ -1,0 +1,113 @@
+#include "gui/panels/motion_panel.h"
+
+#include <array>
+#include <cmath>
+
+#include "gui/widgets/controls.h"
+
+namespace winslow::gui {
+
+namespace {
+
+struct Pair {
+  const char* id_x;
+  const char* id_y;
+};
+
+/// Two fields side by side in the rest of the row.
+bool vector_fields(const Pair& ids, Vec2& value, std::string_view tip) {
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  double x = value.x();
+  double y = value.y();
+  ImGui::SetNextItemWidth(width);
+  bool changed = ui::number(ids.id_x, x, tip);
+  ImGui::SameLine(0, gap);
+  ImGui::SetNextItemWidth(width);
+  changed |= ui::number(ids.id_y, y, tip);
+  value = Vec2(x, y);
+  return changed;
+}
+
+bool moves(const RigidMotion& m) { return m.rotate != 0 || m.translate != Vec2(0, 0); }
+
+bool finite(const RigidMotion& m) {
+  return std::isfinite(m.rotate) && m.translate.allFinite() && m.pivot.allFinite();
+}
+
+}  // namespace
+
+void MotionPanel::draw(const PanelContext& context) {
+  if (!ui::section("section/motion", "Move the selection")) return;
+  const Session& session = context.session;
+  if (!session.document()) {
+    ui::text_dim("No mesh is open.");
+    return;
+  }
+  if (session.selection().empty()) {
+    ui::text_wrapped("Click a body in the picture, or a marker in the list, to select it. "
+                     "Then drag it, turn it by its ring, or type numbers here.");
+    return;
+  }
+  const bool live = session.dragging();
+  ImGui::BeginDisabled(live);
+  draw_fields(context, live);
+  draw_pivot(context);
+  draw_steps(context);
+  ImGui::EndDisabled();
+  const bool can = !live && moves(typed_) && finite(typed_);
+  if (ui::button("motion/apply", "Apply",
+                 {"Move the selected bodies and smooth the mesh around them.",
+                  ui::ButtonStyle::primary, can, -1})) {
+    typed_.pivot = session.pivot();
+    context.emit(action::ApplyMotion{typed_});
+    typed_ = RigidMotion{};
+  }
+}
+
+void MotionPanel::draw_fields(const PanelContext& context, bool live) {
+  const auto motion = context.session.live_motion();
+  RigidMotion shown = live && motion ? *motion : typed_;
+  ui::row("Translate", "How far the body moves, x and y, in units of the mesh.", 0.34f);
+  bool changed = vector_fields({"motion/dx", "motion/dy"}, shown.translate,
+                               "In units of the mesh.");
+  ui::row("Rotate", "Degrees about the pivot, counter-clockwise positive.", 0.34f);
+  changed |= ui::number("motion/rotate", shown.rotate,
+                        "Degrees about the pivot, counter-clockwise positive.", "%.6g\xC2\xB0");
+  if (changed && !live) typed_ = shown;
+}
+
+void MotionPanel::draw_pivot(const PanelContext& context) {
+  Vec2 pivot = context.session.pivot();
+  ui::row("Pivot", "The point about which the body turns. Drag it in the picture, or type it.",
+          0.34f);
+  if (vector_fields({"motion/pivot_x", "motion/pivot_y"}, pivot,
+                    "The point about which the body turns.") &&
+      pivot.allFinite())
+    context.emit(action::SetPivot{pivot});
+  ui::row("", {}, 0.34f);
+  if (ui::button("motion/centre", "Pivot to centre",
+                 {"Put the pivot at the centre of the selected bodies.", ui::ButtonStyle::normal,
+                  true, -1}))
+    context.emit(action::SetPivot{});
+}
+
+void MotionPanel::draw_steps(const PanelContext& context) {
+  constexpr std::array<int, 4> increments{0, 1, 8, 32};
+  const std::vector<std::string> names{"Automatic", "At once", "8 steps", "32 steps"};
+  const MotionOptions& now = context.session.motion_options();
+  std::size_t chosen = 0;
+  for (std::size_t i = 0; i < increments.size(); ++i)
+    if (increments[i] == now.increments) chosen = i;
+  constexpr const char* tip =
+      "In how many steps the body goes to its place, the mesh smoothed after each. Automatic: at "
+      "once, and in steps only if that leaves the mesh tangled.";
+  ui::row("Steps", tip, 0.34f);
+  if (ui::combo("motion/steps", names, chosen, tip)) {
+    MotionOptions options = now;
+    options.increments = increments[chosen];
+    context.emit(action::SetMotionOptions{options});
+  }
+}
+
+}  // namespace winslow::gui

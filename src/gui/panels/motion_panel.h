@@ -1,0 +1,20 @@
+#pragma once
+
+#include "gui/panels/panel.h"
+
+namespace winslow::gui {
+
+/// Moves the selected bodies by numbers; shows the numbers of a drag.
+class MotionPanel : public Panel {
+ public:
+  void draw(const PanelContext& context) override;
+
+ private:
+  void draw_fields(const PanelContext& context, bool live);
+  void draw_pivot(const PanelContext& context);
+  void draw_steps(const PanelContext& context);
+
+  RigidMotion typed_;  // rotate and translate; the pivot is the session's
+};
+
+}  // namespace winslow::gui

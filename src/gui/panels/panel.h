@@ -1,0 +1,36 @@
+#pragma once
+
+#include <utility>
+
+#include "gui/studio/actions.h"
+#include "gui/studio/session.h"
+#include "gui/studio/theme.h"
+#include "gui/studio/view_options.h"
+
+namespace winslow::gui {
+
+/// All that a panel sees, and where it puts what the user wants.
+struct PanelContext {
+  const Session& session;
+  const ViewOptions& view;
+  const Theme& theme;
+  ActionQueue& actions;
+
+  template <class A>
+  void emit(A a) const {
+    actions.emplace_back(std::move(a));
+  }
+  const Topology* topology() const {
+    return session.document() ? session.document()->topology().get() : nullptr;
+  }
+};
+
+/// A part of the studio: draws itself into the current ImGui window from a view of the session and
+/// emits actions. No panel knows another.
+class Panel {
+ public:
+  virtual ~Panel() = default;
+  virtual void draw(const PanelContext& context) = 0;
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,84 @@
+#include "gui/panels/status_bar.h"
+
+#include <string>
+
+#include "gui/studio/text.h"
+#include "gui/widgets/controls.h"
+
+namespace winslow::gui {
+
+namespace {
+
+struct State {
+  std::string text;
+  ImU32 color;
+};
+
+State state_of(const Session& session) {
+  if (session.loading())
+    return {"Reading " + session.loading_path().filename().string() + " ...", color::accent};
+  if (session.saving()) return {"Saving ...", color::accent};
+  const JobRunner& job = session.job();
+  if (session.dragging()) return {"Dragging; Esc cancels", color::accent};
+  if (job.active()) {
+    const auto history = session.convergence();
+    const std::string where =
+        history.empty() ? "" : ", iteration " + std::to_string(history.back().iteration);
+    return {(job.paused() ? "Paused" : "Solving") + where, color::accent};
+  }
+  return {"Ready", color::text_dim};
+}
+
+ImU32 notice_color(Notice::Kind kind) {
+  if (kind == Notice::Kind::success) return color::success;
+  return kind == Notice::Kind::warning ? color::warning : color::text_dim;
+}
+
+void separator() {
+  ImGui::SameLine(0, ImGui::GetFontSize());
+  ui::text_colored(color::border, "|");
+  ImGui::SameLine(0, ImGui::GetFontSize());
+}
+
+void draw_mesh(const Session& session) {
+  const Topology& topology = *session.document()->topology();
+  const auto history = session.job().active() ? session.convergence()
+                                              : std::span<const IterationRecord>{};
+  const auto& measured = session.quality().latest();
+  const QualityReport& report =
+      measured ? measured->report : session.document()->loaded_quality();
+  const Index inverted = history.empty() ? report.inverted : history.back().inverted;
+  const double sine = history.empty() ? report.normalized_jacobian.statistics.min
+                                      : history.back().min_sine;
+  separator();
+  ui::text_dim(counted(topology.node_count(), "node"));
+  separator();
+  ui::text_dim(counted(topology.element_count(), "element"));
+  separator();
+  ui::text_dim("min sine " + table_number(sine));
+  ui::tooltip("Smallest sine of any corner angle. Positive: every element is valid.");
+  separator();
+  if (inverted > 0)
+    ui::text_colored(color::danger, grouped(inverted) + " inverted");
+  else
+    ui::text_dim("0 inverted");
+}
+
+}  // namespace
+
+void StatusBar::draw(const PanelContext& context) {
+  ImGui::PushFont(context.theme.small);
+  const State state = state_of(context.session);
+  ui::text_colored(state.color, state.text);
+  ui::note("status/state");
+  if (context.session.document()) draw_mesh(context.session);
+  if (const auto& notice = context.session.notice()) {
+    separator();
+    const float room = ImGui::GetContentRegionAvail().x;
+    ui::text_colored(notice_color(notice->kind), ui::elided(notice->text, room));
+    ui::tooltip(notice->text);
+  }
+  ImGui::PopFont();
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "gui/panels/panel.h"
+
+namespace winslow::gui {
+
+/// How the mesh is coloured and drawn.
+class ViewPanel : public Panel {
+ public:
+  void draw(const PanelContext& context) override;
+
+ private:
+  bool draw_color(ViewOptions& view);
+  bool draw_range(ViewOptions& view);
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,222 @@
+#include "gui/studio/theme.h"
+
+#include <imgui_freetype.h>
+
+#include <filesystem>
+#include <string>
+
+namespace winslow::gui {
+
+namespace {
+
+constexpr const char* inter_folder = "/usr/share/fonts/opentype/inter/";
+constexpr std::array<const char*, 2> icon_files{
+    "/usr/share/fonts/truetype/fork-awesome/forkawesome-webfont.ttf",
+    "/usr/share/fonts-fork-awesome/fonts/forkawesome-webfont.ttf"};
+
+// Okabe and Ito's palette, darkened where it would be faint on white.
+constexpr std::array<ImU32, 8> markers{
+    IM_COL32(0, 114, 178, 255), IM_COL32(213, 94, 0, 255),  IM_COL32(0, 140, 104, 255),
+    IM_COL32(190, 90, 150, 255), IM_COL32(184, 128, 0, 255), IM_COL32(58, 150, 205, 255),
+    IM_COL32(110, 80, 170, 255), IM_COL32(90, 98, 110, 255)};
+
+bool exists(const char* path) {
+  std::error_code ignored;
+  return std::filesystem::exists(std::filesystem::path(path), ignored);
+}
+
+ImFont* load(const char* file, float size) {
+  static const ImWchar ranges[] = {0x0020, 0x017F, 0x0370, 0x03FF, 0x2010, 0x2027,
+                                   0x2190, 0x2193, 0x2200, 0x22FF, 0};
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  const std::string path = std::string(inter_folder) + file;
+  if (exists(path.c_str())) return atlas.AddFontFromFileTTF(path.c_str(), size, nullptr, ranges);
+  ImFontConfig config;
+  config.SizePixels = size;
+  return atlas.AddFontDefault(&config);
+}
+
+bool merge_icons(float size) {
+  static const ImWchar ranges[] = {0xF000, 0xF2FF, 0};
+  for (const char* file : icon_files) {
+    if (!exists(file)) continue;
+    ImFontConfig config;
+    config.MergeMode = true;
+    config.GlyphMinAdvanceX = size * 1.1f;
+    config.GlyphOffset = ImVec2(0, size * 0.06f);
+    return ImGui::GetIO().Fonts->AddFontFromFileTTF(file, size * 0.95f, &config, ranges) != nullptr;
+  }
+  return false;
+}
+
+ImVec4 rgba(ImU32 c) { return ImGui::ColorConvertU32ToFloat4(c); }
+ImVec4 mix(ImU32 a, ImU32 b, float t) {
+  const ImVec4 p = rgba(a);
+  const ImVec4 q = rgba(b);
+  return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), p.z + t * (q.z - p.z), 1};
+}
+
+void set_sizes(ImGuiStyle& style) {
+  style.WindowPadding = ImVec2(12, 10);
+  style.FramePadding = ImVec2(8, 5);
+  style.ItemSpacing = ImVec2(8, 7);
+  style.ItemInnerSpacing = ImVec2(6, 5);
+  style.CellPadding = ImVec2(5, 3);
+  style.IndentSpacing = 16;
+  style.ScrollbarSize = 11;
+  style.GrabMinSize = 12;
+  style.WindowRounding = 0;
+  style.ChildRounding = 6;
+  style.PopupRounding = 6;
+  style.FrameRounding = 5;
+  style.GrabRounding = 5;
+  style.ScrollbarRounding = 6;
+  style.TabRounding = 5;
+  style.WindowBorderSize = 0;
+  style.ChildBorderSize = 1;
+  style.PopupBorderSize = 1;
+  style.FrameBorderSize = 1;
+  style.WindowTitleAlign = ImVec2(0.0f, 0.5f);
+}
+
+void set_colors(ImGuiStyle& style) {
+  ImGui::StyleColorsLight(&style);
+  const auto set = [&style](ImGuiCol which, const ImVec4& c) { style.Colors[which] = c; };
+  const ImVec4 hover = mix(color::card, color::accent, 0.08f);
+  const ImVec4 active = mix(color::card, color::accent, 0.18f);
+  set(ImGuiCol_Text, rgba(color::text));
+  set(ImGuiCol_TextDisabled, rgba(color::text_faint));
+  set(ImGuiCol_WindowBg, rgba(color::panel));
+  set(ImGuiCol_ChildBg, rgba(color::card));
+  set(ImGuiCol_PopupBg, rgba(color::card));
+  set(ImGuiCol_Border, rgba(color::border));
+  set(ImGuiCol_FrameBg, rgba(color::card));
+  set(ImGuiCol_FrameBgHovered, hover);
+  set(ImGuiCol_FrameBgActive, active);
+  set(ImGuiCol_TitleBg, rgba(color::card));
+  set(ImGuiCol_TitleBgActive, rgba(color::card));
+  set(ImGuiCol_MenuBarBg, rgba(color::card));
+  set(ImGuiCol_ScrollbarBg, ImVec4(0, 0, 0, 0));
+  set(ImGuiCol_ScrollbarGrab, mix(color::border, color::text_faint, 0.3f));
+  set(ImGuiCol_ScrollbarGrabHovered, rgba(color::text_faint));
+  set(ImGuiCol_ScrollbarGrabActive, rgba(color::text_dim));
+  set(ImGuiCol_CheckMark, rgba(color::accent));
+  set(ImGuiCol_SliderGrab, rgba(color::accent));
+  set(ImGuiCol_SliderGrabActive, mix(color::accent, color::text, 0.3f));
+  set(ImGuiCol_Button, rgba(color::card));
+  set(ImGuiCol_ButtonHovered, hover);
+  set(ImGuiCol_ButtonActive, active);
+  set(ImGuiCol_Header, active);
+  set(ImGuiCol_HeaderHovered, hover);
+  set(ImGuiCol_HeaderActive, active);
+  set(ImGuiCol_Separator, rgba(color::border));
+  set(ImGuiCol_SeparatorHovered, rgba(color::accent));
+  set(ImGuiCol_SeparatorActive, rgba(color::accent));
+  set(ImGuiCol_TableHeaderBg, rgba(color::panel));
+  set(ImGuiCol_TableBorderLight, rgba(color::grid));
+  set(ImGuiCol_TableBorderStrong, rgba(color::border));
+  set(ImGuiCol_TableRowBgAlt, mix(color::card, color::panel, 0.6f));
+  set(ImGuiCol_TextSelectedBg, mix(color::card, color::accent, 0.25f));
+  set(ImGuiCol_NavHighlight, rgba(color::accent));
+  set(ImGuiCol_ModalWindowDimBg, ImVec4(0.10f, 0.13f, 0.18f, 0.35f));
+}
+
+}  // namespace
+
+ImU32 marker_color(Index marker) { return markers[static_cast<std::size_t>(marker) % 8]; }
+
+std::array<float, 4> marker_rgba(Index marker) {
+  const ImVec4 c = rgba(marker_color(marker));
+  return {c.x, c.y, c.z, c.w};
+}
+
+const char* Theme::icon(Icon icon) const {
+  if (!has_icons) return "";
+  // Fork Awesome keeps Font Awesome 4's code points.
+  switch (icon) {
+    case Icon::open:
+      return "\xEF\x81\xBC";
+    case Icon::save:
+      return "\xEF\x83\x87";
+    case Icon::undo:
+      return "\xEF\x83\xA2";
+    case Icon::redo:
+      return "\xEF\x80\x9E";
+    case Icon::fit:
+      return "\xEF\x82\xB2";
+    case Icon::run:
+      return "\xEF\x81\x8B";
+    case Icon::pause:
+      return "\xEF\x81\x8C";
+    case Icon::step:
+      return "\xEF\x81\x91";
+    case Icon::stop:
+      return "\xEF\x81\x8D";
+    case Icon::reset:
+      return "\xEF\x81\x88";
+    case Icon::camera:
+      return "\xEF\x80\xB0";
+    case Icon::warning:
+      return "\xEF\x81\xB1";
+    case Icon::check:
+      return "\xEF\x80\x8C";
+    case Icon::close:
+      return "\xEF\x80\x8D";
+    case Icon::info:
+      return "\xEF\x81\x9A";
+    case Icon::folder:
+      return "\xEF\x81\xBB";
+    case Icon::file:
+      return "\xEF\x80\x96";
+    case Icon::up:
+      return "\xEF\x81\xA2";
+    case Icon::home:
+      return "\xEF\x80\x95";
+    case Icon::random:
+      return "\xEF\x81\xB4";
+    case Icon::search:
+      return "\xEF\x80\x8E";
+    case Icon::bodies:
+      return "\xEF\x81\x9B";
+    case Icon::motion:
+      return "\xEF\x81\x87";
+    case Icon::solver:
+      return "\xEF\x87\x9E";
+    case Icon::quality:
+      return "\xEF\x82\x80";
+    case Icon::history:
+      return "\xEF\x87\x9A";
+    case Icon::view:
+      return "\xEF\x81\xAE";
+    case Icon::plot:
+      return "\xEF\x88\x81";
+    case Icon::target:
+      return "\xEF\x81\x9B";
+  }
+  return "";
+}
+
+Theme make_theme(float scale) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.Fonts->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
+  io.Fonts->FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
+  Theme theme;
+  theme.scale = scale;
+  theme.regular = load("Inter-Regular.otf", theme.px(15));
+  theme.has_icons = merge_icons(theme.px(15));
+  theme.bold = load("Inter-SemiBold.otf", theme.px(15));
+  merge_icons(theme.px(15));
+  theme.small = load("Inter-Regular.otf", theme.px(13));
+  merge_icons(theme.px(13));
+  theme.title = load("Inter-SemiBold.otf", theme.px(21));
+  merge_icons(theme.px(21));
+  io.FontDefault = theme.regular;
+  ImGuiStyle& style = ImGui::GetStyle();
+  style = ImGuiStyle();
+  set_sizes(style);
+  set_colors(style);
+  style.ScaleAllSizes(scale);
+  return theme;
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <array>
+
+#include "core/types.h"
+
+/// Colours, fonts and sizes of the studio: one place decides how it looks.
+namespace winslow::gui {
+
+namespace color {
+inline constexpr ImU32 accent = IM_COL32(37, 99, 235, 255);
+inline constexpr ImU32 accent_soft = IM_COL32(37, 99, 235, 36);
+inline constexpr ImU32 text = IM_COL32(31, 41, 55, 255);
+inline constexpr ImU32 text_dim = IM_COL32(96, 107, 123, 255);
+inline constexpr ImU32 text_faint = IM_COL32(148, 158, 172, 255);
+inline constexpr ImU32 panel = IM_COL32(247, 248, 250, 255);
+inline constexpr ImU32 card = IM_COL32(255, 255, 255, 255);
+inline constexpr ImU32 border = IM_COL32(221, 226, 233, 255);
+inline constexpr ImU32 grid = IM_COL32(232, 236, 241, 255);
+inline constexpr ImU32 danger = IM_COL32(201, 34, 43, 255);
+inline constexpr ImU32 danger_soft = IM_COL32(254, 236, 236, 255);
+inline constexpr ImU32 warning = IM_COL32(161, 98, 7, 255);
+inline constexpr ImU32 warning_soft = IM_COL32(255, 247, 224, 255);
+inline constexpr ImU32 success = IM_COL32(21, 128, 61, 255);
+inline constexpr ImU32 move_line = IM_COL32(13, 148, 136, 255);  // "largest move" of the plot
+}  // namespace color
+
+/// Colour of a marker, distinguishable for the colour-blind; repeats after eight.
+ImU32 marker_color(Index marker);
+/// The same as red, green, blue, alpha in [0, 1].
+std::array<float, 4> marker_rgba(Index marker);
+
+enum class Icon {
+  open,
+  save,
+  undo,
+  redo,
+  fit,
+  run,
+  pause,
+  step,
+  stop,
+  reset,
+  camera,
+  warning,
+  check,
+  close,
+  info,
+  folder,
+  file,
+  up,
+  home,
+  random,
+  search,
+  bodies,
+  motion,
+  solver,
+  quality,
+  history,
+  view,
+  plot,
+  target
+};
+
+/// Fonts of one ImGui context.
+struct Theme {
+  float scale = 1;         ///< pixels per unit of the layout
+  ImFont* regular = nullptr;
+  ImFont* bold = nullptr;
+  ImFont* small = nullptr;
+  ImFont* title = nullptr;
+  bool has_icons = false;
+
+  float px(float size) const { return size * scale; }
+  /// UTF-8 of an icon; "" where the icon font is not installed.
+  const char* icon(Icon icon) const;
+};
+
+/// Loads fonts into the current ImGui context and sets its style. Falls back to ImGui's own font
+/// where Inter is not installed.
+Theme make_theme(float scale);
+
+}  // namespace winslow::gui

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "gui/render/imgui_renderer.h"
+#include "gui/studio/input.h"
+#include "gui/studio/theme.h"
+
+namespace winslow::gui {
+
+/// Where the widgets of the last frame are: for scripts that work the studio as a user would.
+class WidgetMap {
+ public:
+  struct Rect {
+    Vec2 min, max;  ///< framebuffer pixels
+    bool enabled = true;
+    Vec2 centre() const { return 0.5 * (min + max); }
+  };
+  void clear() { rects_.clear(); }
+  void note(std::string_view id, const Rect& rect) { rects_[std::string(id)] = rect; }
+  std::optional<Rect> find(std::string_view id) const;
+  const std::map<std::string, Rect, std::less<>>& all() const { return rects_; }
+
+ private:
+  std::map<std::string, Rect, std::less<>> rects_;
+};
+
+/// A Dear ImGui context of our own, fed from InputState alone. Needs a current OpenGL context.
+class UiLayer {
+ public:
+  explicit UiLayer(float scale);
+  ~UiLayer();
+  UiLayer(const UiLayer&) = delete;
+  UiLayer& operator=(const UiLayer&) = delete;
+
+  /// Starts a frame of a framebuffer's size, `seconds` after the last one.
+  void begin(const InputState& input, int width, int height, double seconds);
+  void end();
+  /// Draws the frame last ended into the bound framebuffer.
+  void paint();
+
+  const Theme& theme() const { return theme_; }
+  const WidgetMap& widgets() const { return widgets_; }
+  WidgetMap& widgets() { return widgets_; }
+  /// The layer whose context is current: for widgets, which are drawn within a frame.
+  static UiLayer& current();
+  /// The mouse belongs to a window, a widget or a popup rather than to what lies behind.
+  bool wants_mouse() const;
+  bool wants_keyboard() const;
+  /// What the mouse cursor should look like (ImGuiMouseCursor).
+  int cursor() const;
+
+ private:
+  ImGuiContext* context_;
+  Theme theme_;
+  WidgetMap widgets_;
+  std::unique_ptr<ImGuiRenderer> renderer_;
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,179 @@
+#include "gui/widgets/controls.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+
+#include "gui/studio/ui_layer.h"
+
+namespace winslow::gui::ui {
+
+namespace {
+
+ImVec4 rgba(ImU32 c) { return ImGui::ColorConvertU32ToFloat4(c); }
+
+ImVec4 shaded(ImU32 c, float factor) {
+  const ImVec4 v = rgba(c);
+  return {v.x * factor, v.y * factor, v.z * factor, v.w};
+}
+
+std::string hidden(std::string_view id) { return "##" + std::string(id); }
+
+bool disabled_now() {
+  return (ImGui::GetCurrentContext()->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0;
+}
+
+int push_button_style(ButtonStyle style) {
+  if (style == ButtonStyle::normal) return 0;
+  if (style == ButtonStyle::flat) {
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+    ImGui::PushStyleColor(ImGuiCol_Border, ImVec4(0, 0, 0, 0));
+    return 2;
+  }
+  const ImU32 base = style == ButtonStyle::primary ? color::accent : color::danger;
+  ImGui::PushStyleColor(ImGuiCol_Button, rgba(base));
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, shaded(base, 0.9f));
+  ImGui::PushStyleColor(ImGuiCol_ButtonActive, shaded(base, 0.8f));
+  ImGui::PushStyleColor(ImGuiCol_Border, ImVec4(0, 0, 0, 0));
+  ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1, 1, 1, 1));
+  return 5;
+}
+
+}  // namespace
+
+void note(std::string_view id) { note(id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()); }
+
+void note(std::string_view id, const ImVec2& min, const ImVec2& max) {
+  UiLayer::current().widgets().note(id,
+                                    {Vec2(min.x, min.y), Vec2(max.x, max.y), !disabled_now()});
+}
+
+void tooltip(std::string_view text) {
+  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  // Plain text and disabled items have no timer of their own.
+  const bool timed = ImGui::GetItemID() != 0 && ImGui::GetItemID() == ImGui::GetHoveredID();
+  if (timed && ImGui::GetCurrentContext()->HoveredIdTimer < 0.35f) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10, 8));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().PopupRounding);
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22.0f);
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar(2);
+}
+
+bool button(std::string_view id, const std::string& label, const ButtonOptions& options) {
+  const int colors = push_button_style(options.style);
+  ImGui::BeginDisabled(!options.enabled);
+  const bool pressed = ImGui::Button((label + "###" + std::string(id)).c_str(),
+                                     ImVec2(options.width < 0 ? -FLT_MIN : options.width, 0));
+  note(id);
+  ImGui::EndDisabled();
+  ImGui::PopStyleColor(colors);
+  tooltip(options.tooltip);
+  return pressed;
+}
+
+bool checkbox(std::string_view id, const std::string& label, bool& value, std::string_view tip) {
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(3, 3));
+  const bool changed = ImGui::Checkbox((label + "###" + std::string(id)).c_str(), &value);
+  ImGui::PopStyleVar();
+  note(id);
+  tooltip(tip);
+  return changed;
+}
+
+void row(const std::string& label, std::string_view tip, float label_share) {
+  const float start = ImGui::GetCursorPosX();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushStyleColor(ImGuiCol_Text, color::text_dim);
+  ImGui::TextUnformatted(label.c_str());
+  ImGui::PopStyleColor();
+  tooltip(tip);
+  ImGui::SameLine(start + width * label_share);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+}
+
+bool number(std::string_view id, double& value, std::string_view tip, const char* format) {
+  const bool changed = ImGui::InputDouble(hidden(id).c_str(), &value, 0, 0, format);
+  note(id);
+  tooltip(tip);
+  return changed;
+}
+
+bool number(std::string_view id, int& value, std::string_view tip) {
+  const bool changed = ImGui::InputInt(hidden(id).c_str(), &value, 0, 0);
+  note(id);
+  tooltip(tip);
+  return changed;
+}
+
+bool combo(std::string_view id, const std::vector<std::string>& items, std::size_t& chosen,
+           std::string_view tip) {
+  const std::string preview = chosen < items.size() ? items[chosen] : std::string();
+  bool changed = false;
+  const bool open = ImGui::BeginCombo(hidden(id).c_str(), preview.c_str());
+  note(id);
+  if (!open) {
+    tooltip(tip);
+    return false;
+  }
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (ImGui::Selectable(items[i].c_str(), i == chosen)) {
+      changed = i != chosen;
+      chosen = i;
+    }
+    note(std::string(id) + "/" + items[i]);
+    if (i == chosen) ImGui::SetItemDefaultFocus();
+  }
+  ImGui::EndCombo();
+  return changed;
+}
+
+bool section(std::string_view id, const std::string& title) {
+  ImGui::PushStyleColor(ImGuiCol_Header, ImVec4(0, 0, 0, 0));
+  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0);
+  ImGui::PushFont(UiLayer::current().theme().bold);
+  const bool open = ImGui::CollapsingHeader((title + "###" + std::string(id)).c_str(),
+                                            ImGuiTreeNodeFlags_DefaultOpen);
+  ImGui::PopFont();
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  note(id);
+  return open;
+}
+
+void text_dim(std::string_view text) { text_colored(color::text_dim, text); }
+
+void text_colored(ImU32 c, std::string_view text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, c);
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopStyleColor();
+}
+
+void text_wrapped(std::string_view text) {
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopTextWrapPos();
+}
+
+void text_right(std::string_view text, ImU32 c) {
+  const float width = ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+  const float room = ImGui::GetContentRegionAvail().x;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, room - width));
+  text_colored(c, text);
+}
+
+std::string elided(const std::string& text, float width) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+  for (std::size_t keep = text.size(); keep > 4; --keep) {
+    const std::size_t head = keep / 2;
+    std::string cut = text.substr(0, head) + "..." + text.substr(text.size() - (keep - head));
+    if (ImGui::CalcTextSize(cut.c_str()).x <= width) return cut;
+  }
+  return "...";
+}
+
+}  // namespace winslow::gui::ui

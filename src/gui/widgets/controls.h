@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gui/studio/theme.h"
+
+/// The widgets that panels are made of: Dear ImGui's, in the studio's dress. Each has an id under
+/// which scripts find it, and a tooltip where a newcomer would hesitate.
+namespace winslow::gui::ui {
+
+/// Remembers where the last item is under an id.
+void note(std::string_view id);
+/// The same for any rectangle.
+void note(std::string_view id, const ImVec2& min, const ImVec2& max);
+/// Shown when the mouse rests on the last item; wrapped; nothing if empty.
+void tooltip(std::string_view text);
+
+enum class ButtonStyle { normal, primary, danger, flat };
+struct ButtonOptions {
+  std::string tooltip;
+  ButtonStyle style = ButtonStyle::normal;
+  bool enabled = true;
+  float width = 0;  ///< pixels; 0: as wide as the label, -1: the rest of the row
+};
+bool button(std::string_view id, const std::string& label, const ButtonOptions& options = {});
+
+bool checkbox(std::string_view id, const std::string& label, bool& value,
+              std::string_view tip = {});
+
+/// Starts a row "label   control": the control takes the rest of the row.
+void row(const std::string& label, std::string_view tip = {}, float label_share = 0.42f);
+/// Fields for numbers, as wide as set before. True when the value has changed.
+bool number(std::string_view id, double& value, std::string_view tip = {},
+            const char* format = "%.6g");
+bool number(std::string_view id, int& value, std::string_view tip = {});
+bool combo(std::string_view id, const std::vector<std::string>& items, std::size_t& chosen,
+           std::string_view tip = {});
+
+/// Header of a part of a panel. False if it is folded.
+bool section(std::string_view id, const std::string& title);
+
+/// Text in another colour or font.
+void text_dim(std::string_view text);
+void text_colored(ImU32 color, std::string_view text);
+void text_wrapped(std::string_view text);
+/// Right-aligned in what is left of the row or cell.
+void text_right(std::string_view text, ImU32 color);
+
+/// Text cut to a width with "..." in its middle, so that the end of a file name stays.
+std::string elided(const std::string& text, float width);
+
+}  // namespace winslow::gui::ui

@@ -1,0 +1,203 @@
+#include "gui/widgets/convergence_plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "gui/studio/text.h"
+#include "gui/studio/theme.h"
+#include "gui/widgets/controls.h"
+#include "gui/widgets/ticks.h"
+
+namespace winslow::gui {
+
+namespace {
+
+constexpr double floor_value = 1e-16;  // what is smaller, zero above all, is drawn here
+
+struct Frame {
+  ImVec2 min, max;  // of the plotting area
+  double last = 1;  // iterations run from 0 to this
+  int low = -12, high = 0;  // decades
+  double inverted = 0;      // top of the right axis; 0: no right axis
+
+  float x(double iteration) const {
+    return min.x + static_cast<float>(iteration / last) * (max.x - min.x);
+  }
+  float y(double value) const {
+    const double t = (std::log10(std::max(value, floor_value)) - low) / (high - low);
+    return max.y - static_cast<float>(std::clamp(t, 0.0, 1.0)) * (max.y - min.y);
+  }
+  float y_inverted(double count) const {
+    return max.y - static_cast<float>(count / inverted) * (max.y - min.y);
+  }
+};
+
+Frame make_frame(const ConvergencePlot& plot, const ImVec2& min, const ImVec2& max, float scale) {
+  Frame f;
+  double smallest = plot.tolerance.value_or(1e-3);
+  double largest = smallest;
+  for (const IterationRecord& r : plot.history) {
+    for (double v : {r.residual, r.largest_move}) {
+      if (!(v > 0)) continue;
+      smallest = std::min(smallest, std::max(v, floor_value));
+      largest = std::max(largest, v);
+    }
+    f.inverted = std::max(f.inverted, static_cast<double>(r.inverted));
+  }
+  f.low = static_cast<int>(std::floor(std::log10(smallest) - 0.15));
+  f.high = std::max(f.low + 1, static_cast<int>(std::ceil(std::log10(largest) + 0.15)));
+  if (!plot.history.empty()) f.last = std::max(1, plot.history.back().iteration);
+  if (f.inverted > 0) f.inverted *= 1.08;
+  const float right = f.inverted > 0 ? 52 * scale : 14 * scale;
+  f.min = ImVec2(min.x + 54 * scale, min.y + 26 * scale);
+  f.max = ImVec2(max.x - right, max.y - 36 * scale);
+  return f;
+}
+
+void text_at(ImDrawList& list, const ImVec2& anchor, float align_x, float align_y, ImU32 c,
+             const std::string& text) {
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  list.AddText(ImVec2(std::round(anchor.x - align_x * size.x),
+                      std::round(anchor.y - align_y * size.y)),
+               c, text.c_str());
+}
+
+void draw_axes(ImDrawList& list, const Frame& f, float scale) {
+  list.AddRectFilled(f.min, f.max, color::card);
+  const int rows = std::max(2, static_cast<int>((f.max.y - f.min.y) / (22 * scale)));
+  for (const Tick& t : decade_ticks(f.low, f.high, rows)) {
+    const float y = f.y(t.value);
+    list.AddLine(ImVec2(f.min.x, y), ImVec2(f.max.x, y), color::grid, scale);
+    text_at(list, ImVec2(f.min.x - 6 * scale, y), 1, 0.5f, color::text_dim, t.label);
+  }
+  const int columns = std::max(2, static_cast<int>((f.max.x - f.min.x) / (80 * scale)));
+  for (const Tick& t : integer_ticks(0, f.last, columns)) {
+    const float x = f.x(t.value);
+    list.AddLine(ImVec2(x, f.min.y), ImVec2(x, f.max.y), color::grid, scale);
+    text_at(list, ImVec2(x, f.max.y + 4 * scale), 0.5f, 0, color::text_dim, t.label);
+  }
+  text_at(list, ImVec2((f.min.x + f.max.x) / 2, f.max.y + 19 * scale), 0.5f, 0, color::text_dim,
+          "outer iteration");
+  if (f.inverted > 0) {
+    for (const Tick& t : integer_ticks(0, f.inverted, std::max(2, rows / 2)))
+      text_at(list, ImVec2(f.max.x + 6 * scale, f.y_inverted(t.value)), 0, 0.5f, color::danger,
+              grouped(static_cast<long long>(t.value)));
+  }
+  list.AddRect(f.min, f.max, color::border, 0, 0, scale);
+}
+
+void draw_inverted(ImDrawList& list, const Frame& f, std::span<const IterationRecord> history) {
+  if (!(f.inverted > 0)) return;
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    if (history[i].inverted == 0) continue;
+    const double next = i + 1 < history.size() ? history[i + 1].iteration : f.last;
+    list.AddRectFilled(ImVec2(f.x(history[i].iteration), f.y_inverted(history[i].inverted)),
+                       ImVec2(std::max(f.x(next), f.x(history[i].iteration) + 1), f.max.y),
+                       IM_COL32(201, 34, 43, 48));
+  }
+}
+
+void draw_line(ImDrawList& list, const Frame& f, std::span<const IterationRecord> history,
+               double IterationRecord::*value, ImU32 c, float width, float scale) {
+  std::vector<ImVec2> points;
+  for (const IterationRecord& r : history)
+    if (r.*value > 0) points.emplace_back(f.x(r.iteration), f.y(r.*value));
+  list.AddPolyline(points.data(), static_cast<int>(points.size()), c, 0, width * scale);
+  if (points.size() <= 40)
+    for (const ImVec2& p : points) list.AddCircleFilled(p, 2.2f * scale, c);
+}
+
+void draw_tolerance(ImDrawList& list, const Frame& f, double tolerance, float scale) {
+  const float y = f.y(tolerance);
+  for (float x = f.min.x; x < f.max.x; x += 9 * scale)
+    list.AddLine(ImVec2(x, y), ImVec2(std::min(x + 5 * scale, f.max.x), y), color::success,
+                 1.4f * scale);
+  text_at(list, ImVec2(f.max.x - 5 * scale, y - 2 * scale), 1, 1, color::success, "tolerance");
+}
+
+void draw_key(ImDrawList& list, const Frame& f, float scale) {
+  struct Entry {
+    ImU32 color;
+    const char* label;
+    bool block;
+  };
+  std::vector<Entry> entries{{color::accent, "residual", false},
+                             {color::move_line, "largest move", false}};
+  if (f.inverted > 0) entries.push_back({color::danger, "inverted elements (right axis)", true});
+  float x = f.min.x;
+  const float y = f.min.y - 13 * scale;
+  for (const Entry& e : entries) {
+    if (e.block)
+      list.AddRectFilled(ImVec2(x, y - 4 * scale), ImVec2(x + 16 * scale, y + 4 * scale),
+                         IM_COL32(201, 34, 43, 90));
+    else
+      list.AddLine(ImVec2(x, y), ImVec2(x + 16 * scale, y), e.color, 2 * scale);
+    text_at(list, ImVec2(x + 22 * scale, y), 0, 0.5f, color::text_dim, e.label);
+    x += 40 * scale + ImGui::CalcTextSize(e.label).x;
+  }
+}
+
+const IterationRecord* record_at(const Frame& f, std::span<const IterationRecord> history,
+                                 const ImVec2& mouse) {
+  const IterationRecord* best = nullptr;
+  float distance = 0;
+  for (const IterationRecord& r : history) {
+    const float d = std::abs(f.x(r.iteration) - mouse.x);
+    if (best && d >= distance) continue;
+    best = &r;
+    distance = d;
+  }
+  return best;
+}
+
+void draw_readout(ImDrawList& list, const Frame& f, const IterationRecord& r, float scale) {
+  const float x = f.x(r.iteration);
+  list.AddLine(ImVec2(x, f.min.y), ImVec2(x, f.max.y), color::text_faint, scale);
+  if (r.residual > 0) list.AddCircleFilled(ImVec2(x, f.y(r.residual)), 4 * scale, color::accent);
+  if (r.largest_move > 0)
+    list.AddCircleFilled(ImVec2(x, f.y(r.largest_move)), 4 * scale, color::move_line);
+  ImGui::BeginTooltip();
+  ImGui::Text("Iteration %d", r.iteration);
+  ui::text_colored(color::accent, "residual         " + short_number(r.residual));
+  ui::text_colored(color::move_line, "largest move  " + short_number(r.largest_move));
+  ui::text_colored(r.inverted > 0 ? color::danger : color::text_dim,
+                   counted(r.inverted, "inverted element"));
+  ui::text_dim("smallest sine " + short_number(r.min_sine));
+  if (r.fraction < 1) ui::text_dim("motion applied " + short_number(100 * r.fraction) + " %");
+  if (r.clipped) ui::text_dim("negative weights clipped");
+  ImGui::EndTooltip();
+}
+
+}  // namespace
+
+std::optional<IterationRecord> draw_convergence_plot(std::string_view id,
+                                                     const ConvergencePlot& plot,
+                                                     const ImVec2& size, float scale) {
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 max(min.x + size.x, min.y + size.y);
+  ImGui::InvisibleButton(std::string(id).c_str(), size);
+  ui::note(id);
+  const bool hovered = ImGui::IsItemHovered();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Frame frame = make_frame(plot, min, max, scale);
+  if (frame.max.x <= frame.min.x || frame.max.y <= frame.min.y) return std::nullopt;
+  draw_axes(list, frame, scale);
+  list.PushClipRect(frame.min, frame.max, true);
+  draw_inverted(list, frame, plot.history);
+  if (plot.tolerance) draw_tolerance(list, frame, *plot.tolerance, scale);
+  draw_line(list, frame, plot.history, &IterationRecord::largest_move, color::move_line, 1.5f,
+            scale);
+  draw_line(list, frame, plot.history, &IterationRecord::residual, color::accent, 2.0f, scale);
+  list.PopClipRect();
+  draw_key(list, frame, scale);
+  const IterationRecord* record =
+      hovered ? record_at(frame, plot.history, ImGui::GetIO().MousePos) : nullptr;
+  if (!record) return std::nullopt;
+  draw_readout(list, frame, *record, scale);
+  return *record;
+}
+
+}  // namespace winslow::gui
