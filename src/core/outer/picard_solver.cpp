@@ -2,10 +2,35 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.h"
 
 namespace winslow {
+
+namespace {
+
+double mean_edge(const Topology& topology, const Coordinates& x, Index node) {
+  double sum = 0;
+  const auto neighbours = topology.neighbours(node);
+  for (const Index k : neighbours) sum += (x.xy(k) - x.xy(node)).norm();
+  return sum / static_cast<double>(neighbours.size());
+}
+
+/// Residuals are differences of coordinates over edge lengths, so they carry the round-off of the
+/// coordinates in units of the edges.
+double residual_round_off(const Topology& topology, const Coordinates& x) {
+  constexpr double safety = 16;
+  double worst = 0;
+  for (const Index node : topology.free_nodes()) {
+    const double edge = mean_edge(topology, x, node);
+    if (edge > 0) worst = std::max(worst, x.xy(node).lpNorm<Eigen::Infinity>() / edge);
+  }
+  // A tangled start can have edges of almost no length; it must not pass for converged.
+  return std::min(safety * std::numeric_limits<double>::epsilon() * worst, 1e-7);
+}
+
+}  // namespace
 
 PicardSolver::PicardSolver(const Topology& topology, const Formulation& formulation,
                            LinearSolver& linear, const SmoothOptions& options)
@@ -22,32 +47,82 @@ bool PicardSolver::choose_clip(Index inverted) {
 }
 
 void PicardSolver::assess(const Coordinates& x) {
+  const bool clipped_before = record_.clipped;
   const Validity validity = check_validity(topology_, x, options_.threads);
   record_.inverted = validity.inverted;
   record_.min_sine = validity.min_sine;
   record_.clipped = choose_clip(validity.inverted);
+  if (record_.clipped != clipped_before) acceleration_.reset();
   record_.residual = formulation_.residual(x, record_.clipped, {}).max;
   if (!std::isfinite(record_.residual)) {
     throw NumericError("the coordinates are no longer finite; try a smaller damping");
   }
+  if (record_.inverted == 0) round_off_ = residual_round_off(topology_, x);
 }
 
 IterationRecord PicardSolver::start(const Coordinates& x) {
-  const double fraction = record_.fraction;
   record_ = {};
-  record_.fraction = fraction;
   record_.damping = options_.damping;
   unclipped_before_ = false;
   relapses_ = 0;
+  round_off_ = 0;
+  acceleration_.reset();
   assess(x);
+  best_residual_ = record_.residual;
+  least_inverted_ = record_.inverted;
+  last_progress_ = 0;
   return record_;
 }
 
-double PicardSolver::apply_step(Coordinates& x) const {
+void PicardSolver::adapt_damping() {
+  constexpr double progress = 0.9;
+  constexpr int patience = 40;
+  constexpr double smallest = 0.02;
+  if (record_.residual < progress * best_residual_ || record_.inverted < least_inverted_) {
+    best_residual_ = std::min(best_residual_, record_.residual);
+    least_inverted_ = std::min(least_inverted_, record_.inverted);
+    last_progress_ = record_.iteration;
+  } else if (options_.adapt_damping && record_.iteration - last_progress_ >= patience) {
+    record_.damping = std::max(smallest, 0.5 * record_.damping);
+    best_residual_ = record_.residual;
+    least_inverted_ = record_.inverted;
+    last_progress_ = record_.iteration;
+    acceleration_.reset();
+  }
+}
+
+std::vector<double> PicardSolver::inverse_edge_lengths(const Coordinates& x) const {
+  std::vector<double> weights;
+  for (const Index node : topology_.free_nodes()) {
+    weights.insert(weights.end(), 2, 1 / mean_edge(topology_, x, node));
+  }
+  return weights;
+}
+
+bool PicardSolver::accelerate(const Coordinates& x, std::vector<double>& step) {
+  if (options_.acceleration <= 0 || record_.inverted > 0) return false;
+  constexpr double distrust = 5;
+  if (acceleration_ && record_.residual > distrust * best_accelerated_) acceleration_.reset();
+  if (!acceleration_) {
+    acceleration_.emplace(options_.acceleration, inverse_edge_lengths(x));
+    best_accelerated_ = record_.residual;
+  }
+  best_accelerated_ = std::min(best_accelerated_, record_.residual);
+  std::vector<double> here;
+  here.reserve(step.size());
+  for (const Index node : topology_.free_nodes()) {
+    const Vec2 p = x.xy(node);
+    here.insert(here.end(), {p.x(), p.y()});
+  }
+  acceleration_->accelerate(here, step);
+  return true;
+}
+
+double PicardSolver::apply_step(Coordinates& x, const std::vector<double>& step) const {
   const auto free = topology_.free_nodes();
   double largest2 = 0;
   for (std::size_t i = 0; i < free.size(); ++i) {
-    const Vec2 move = options_.damping * Vec2(delta_[2 * i], delta_[2 * i + 1]);
+    const Vec2 move(step[2 * i], step[2 * i + 1]);
     x.set_xy(free[i], x.xy(free[i]) + move);
     largest2 = std::max(largest2, move.squaredNorm());
   }
@@ -56,14 +131,29 @@ double PicardSolver::apply_step(Coordinates& x) const {
 
 IterationRecord PicardSolver::step(Coordinates& x) {
   formulation_.freeze(x, record_.clipped, system_);
-  delta_.assign(system_.rhs.size(), 0.0);
-  record_.linear_iterations = linear_.solve(system_, delta_).iterations;
-  record_.largest_move = apply_step(x);
+  std::vector<double> plain(system_.rhs.size(), 0.0);
+  record_.linear_iterations = linear_.solve(system_, plain).iterations;
+  for (double& s : plain) s *= record_.damping;
+
+  const bool was_valid = record_.inverted == 0;
+  std::vector<double> step = plain;
+  const bool accelerated = accelerate(x, step);
+  Coordinates trial = x;
+  record_.largest_move = apply_step(trial, step);
+  if (was_valid && accelerated && check_validity(topology_, trial, options_.threads).inverted > 0) {
+    acceleration_.reset();
+    trial = x;
+    record_.largest_move = apply_step(trial, plain);
+  }
+  x = std::move(trial);
   ++record_.iteration;
   assess(x);
+  adapt_damping();
   return record_;
 }
 
-bool PicardSolver::converged() const { return record_.residual <= options_.tolerance; }
+bool PicardSolver::converged() const {
+  return record_.residual <= std::max(options_.tolerance, round_off_);
+}
 
 }  // namespace winslow

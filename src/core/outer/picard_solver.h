@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/linear/linear_solver.h"
+#include "core/outer/anderson.h"
 #include "core/outer/outer_solver.h"
 
 namespace winslow {
@@ -13,7 +15,8 @@ namespace winslow {
 /// step x <- x + damping * delta.
 ///
 /// Undamped it diverges even from a good mesh; with negative weights clipped every row is a convex
-/// combination, which makes it the untangler.
+/// combination, which makes it the untangler. Once the mesh is valid the steps are accelerated, and
+/// an accelerated step that would invert an element is replaced by the plain one.
 class PicardSolver final : public OuterSolver {
  public:
   /// The three references outlive the solver.
@@ -27,17 +30,28 @@ class PicardSolver final : public OuterSolver {
  private:
   bool choose_clip(Index inverted);
   void assess(const Coordinates& x);
-  double apply_step(Coordinates& x) const;
+  void adapt_damping();
+  bool accelerate(const Coordinates& x, std::vector<double>& step);
+  std::vector<double> inverse_edge_lengths(const Coordinates& x) const;
+  double apply_step(Coordinates& x, const std::vector<double>& step) const;
 
   const Topology& topology_;
   const Formulation& formulation_;
   LinearSolver& linear_;
   SmoothOptions options_;
   SparseSystem system_;
-  std::vector<double> delta_;
   IterationRecord record_;
+  double round_off_ = 0;  // smallest residual that double precision can show on this mesh
+
   bool unclipped_before_ = false;
   int relapses_ = 0;  // times that going without clipping tangled a valid mesh
+
+  std::optional<AndersonAcceleration> acceleration_;
+  double best_accelerated_ = 0;
+
+  double best_residual_ = 0;  // for adapt_damping
+  Index least_inverted_ = 0;
+  int last_progress_ = 0;  // iteration
 };
 
 }  // namespace winslow

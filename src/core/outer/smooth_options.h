@@ -17,7 +17,11 @@ enum class Clip {
 struct SmoothOptions {
   std::string formulation = "pointwise";  ///< one of formulation_names()
   LinearOptions linear;
-  double damping = 0.4;  ///< share of each linear solution that is taken, (0, 1]
+  double damping = 0.3;       ///< share of each linear solution that is taken, (0, 1]
+  bool adapt_damping = true;  ///< halve the damping where the iteration makes no progress
+  /// Earlier iterates that Anderson acceleration combines once the mesh is valid; 0: none, the
+  /// plain iteration of the paper.
+  int acceleration = 15;
   Clip clip = Clip::automatic;
   int max_iterations = 500;  ///< outer iterations
   double tolerance = 1e-10;  ///< of the largest scaled residual (ResidualNorms::max)
