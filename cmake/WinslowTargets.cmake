@@ -15,6 +15,8 @@ endif()
 function(winslow_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion)
+  # GCC 12 warns wrongly of "literal" + std::string (GCC bug 105651).
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
   if(WINSLOW_WERROR)
     target_compile_options(${target} PRIVATE -Werror)
   endif()

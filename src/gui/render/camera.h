@@ -6,8 +6,8 @@
 
 namespace winslow::gui {
 
-/// What part of the plane is seen. Screen coordinates are pixels of the framebuffer, x to the right,
-/// y down, (0, 0) the top left corner.
+/// What part of the plane is seen. Screen coordinates are pixels of the framebuffer, x to the
+/// right, y down, (0, 0) the top left corner.
 class Camera {
  public:
   void set_viewport(double x, double y, double width, double height);
@@ -17,6 +17,7 @@ class Camera {
 
   Vec2 centre() const { return centre_; }
   double units_per_pixel() const { return units_per_pixel_; }
+  /// Ignored if not finite or not positive. Stops where neighbouring pixels would be one double.
   void look_at(const Vec2& centre, double units_per_pixel);
 
   Vec2 to_world(const Vec2& screen) const;
@@ -29,9 +30,9 @@ class Camera {
   void fit(const Bounds& box, double margin = 0.05);
   Bounds visible() const;
 
-  /// Column-major 4x4 matrix from world, relative to centre(), to clip space of the viewport.
-  /// Positions are uploaded relative to an origin in double precision, so that a zoom of 1e6 shows
-  /// no round-off of single precision.
+  /// Column-major 4x4 matrix to clip space of the viewport, from positions relative to `origin`.
+  /// The origin is subtracted in double precision before positions become floats, so that a zoom of
+  /// 1e6 shows no round-off of single precision.
   std::array<float, 16> matrix(const Vec2& origin) const;
 
  private:

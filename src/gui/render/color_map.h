@@ -5,9 +5,12 @@
 #include <string_view>
 #include <vector>
 
+#include "core/types.h"
+
 namespace winslow::gui {
 
-using Rgb = std::array<float, 3>;  ///< linear in [0, 1] as sent to the screen (sRGB values)
+/// Colour in [0, 1], as sent to the screen (sRGB values).
+using Rgb = std::array<float, 3>;
 
 /// Perceptually uniform, colour-blind safe maps.
 std::vector<std::string> color_map_names();
@@ -18,9 +21,13 @@ Rgb sample_color_map(std::string_view name, double t);
 struct ColorScale {
   std::string map = "viridis";
   double low = 0, high = 1;
-  bool reversed = false;  ///< bad values at the bright end
+  bool reversed = false;  ///< low values get the map's end, high ones its start
   int bands = 0;          ///< 0: continuous
+  /// Clamped to the range; a NaN is grey. Throws UsageError for an unknown map.
   Rgb color(double value) const;
 };
+
+/// Colour of the i-th marker: dark and distinguishable, by the colour-blind too; repeats.
+Rgb marker_color(Index marker, bool dark_background = false);
 
 }  // namespace winslow::gui

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "gui/render/image.h"
 
 namespace winslow::gui {
@@ -7,6 +9,8 @@ namespace winslow::gui {
 /// An off-screen target: colour and depth, multisampled and resolved before it is read back.
 class FrameBuffer {
  public:
+  /// Sizes in pixels; samples per pixel (0 or 1: none), lowered to what the machine can do. Throws
+  /// UsageError for a size outside what it can do.
   FrameBuffer(int width, int height, int samples);
   ~FrameBuffer();
   FrameBuffer(const FrameBuffer&) = delete;
@@ -16,9 +20,14 @@ class FrameBuffer {
   int height() const { return height_; }
   /// Draw calls go here from now on; sets the viewport.
   void bind() const;
+  /// Binds and clears all of it.
+  void clear(const std::array<float, 4>& color) const;
+  /// Resolves and reads the colours; stays bound.
   Image read() const;
 
  private:
+  void release();
+
   int width_, height_, samples_;
   unsigned draw_fbo_ = 0, read_fbo_ = 0;
   unsigned buffers_[3] = {0, 0, 0};

@@ -19,7 +19,7 @@ struct MeshStyle {
   bool wireframe = true;
   float edge_width = 1.0f;
   float boundary_width = 2.0f;
-  float node_size = 0;  ///< 0: no nodes
+  float node_size = 0;                      ///< 0: no nodes
   Rgba fill_color{0.93f, 0.94f, 0.96f, 1};  ///< where no values are set
   Rgba edge_color{0.25f, 0.28f, 0.33f, 1};
   Rgba inverted_color{0.90f, 0.10f, 0.12f, 1};
@@ -27,8 +27,8 @@ struct MeshStyle {
 };
 
 /// Draws one mesh into the bound framebuffer with the bound GL context. Buffers are updated, not
-/// rebuilt, when only positions or values change. Where cells are smaller than a pixel, edges fade so
-/// that the picture does not turn black.
+/// rebuilt, when only positions or values change. Where cells are smaller than a pixel, edges fade
+/// so that the picture does not turn black.
 class MeshRenderer {
  public:
   MeshRenderer();

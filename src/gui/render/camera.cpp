@@ -1,0 +1,73 @@
+#include "gui/render/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace winslow::gui {
+
+void Camera::set_viewport(double x, double y, double width, double height) {
+  x_ = x;
+  y_ = y;
+  width_ = std::max(width, 1.0);
+  height_ = std::max(height, 1.0);
+}
+
+void Camera::look_at(const Vec2& centre, double units_per_pixel) {
+  if (!centre.allFinite() || !std::isfinite(units_per_pixel) || units_per_pixel <= 0) return;
+  centre_ = centre;
+  // Closer than this, neighbouring pixels would be the same double.
+  const double closest =
+      4 * std::numeric_limits<double>::epsilon() * std::max(centre.cwiseAbs().maxCoeff(), 1e-200);
+  units_per_pixel_ = std::max(units_per_pixel, closest);
+}
+
+Vec2 Camera::to_world(const Vec2& screen) const {
+  return {centre_.x() + (screen.x() - x_ - 0.5 * width_) * units_per_pixel_,
+          centre_.y() - (screen.y() - y_ - 0.5 * height_) * units_per_pixel_};
+}
+
+Vec2 Camera::to_screen(const Vec2& world) const {
+  return {x_ + 0.5 * width_ + (world.x() - centre_.x()) / units_per_pixel_,
+          y_ + 0.5 * height_ - (world.y() - centre_.y()) / units_per_pixel_};
+}
+
+void Camera::pan(const Vec2& screen_delta) {
+  look_at(centre_ + Vec2(-screen_delta.x(), screen_delta.y()) * units_per_pixel_, units_per_pixel_);
+}
+
+void Camera::zoom_at(const Vec2& screen, double factor) {
+  if (!std::isfinite(factor) || factor <= 0) return;
+  const Vec2 from_centre(screen.x() - x_ - 0.5 * width_, y_ + 0.5 * height_ - screen.y());
+  const double before = units_per_pixel_;
+  look_at(centre_, before / factor);
+  look_at(centre_ + from_centre * (before - units_per_pixel_), units_per_pixel_);
+}
+
+void Camera::fit(const Bounds& box, double margin) {
+  const double share = std::max(1.0 - 2.0 * margin, 0.01);
+  const Vec2 size = box.size();
+  double units = std::max(size.x() / (share * width_), size.y() / (share * height_));
+  if (!(units > 0)) units = 1.0 / std::min(width_, height_);
+  look_at(box.centre(), units);
+}
+
+Bounds Camera::visible() const {
+  const Vec2 half = 0.5 * units_per_pixel_ * Vec2(width_, height_);
+  return {centre_ - half, centre_ + half};
+}
+
+std::array<float, 16> Camera::matrix(const Vec2& origin) const {
+  const double sx = 2.0 / (width_ * units_per_pixel_);
+  const double sy = 2.0 / (height_ * units_per_pixel_);
+  std::array<float, 16> m{};
+  m[0] = static_cast<float>(sx);
+  m[5] = static_cast<float>(sy);
+  m[10] = 1;
+  m[12] = static_cast<float>((origin.x() - centre_.x()) * sx);
+  m[13] = static_cast<float>((origin.y() - centre_.y()) * sy);
+  m[15] = 1;
+  return m;
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,107 @@
+#include "gui/render/color_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "core/error.h"
+
+namespace winslow::gui {
+namespace {
+
+constexpr int stop_count = 10;
+
+/// Ten published, evenly spaced colours of a map (0xRRGGBB); smooth interpolation between them is
+/// within two or three of 255 of the full table.
+struct Map {
+  std::string_view name;
+  std::array<std::uint32_t, stop_count> stops;
+};
+
+constexpr std::array<Map, 5> maps{{
+    {"viridis",
+     {0x440154, 0x482878, 0x3E4A89, 0x31688E, 0x26828E, 0x1F9E89, 0x35B779, 0x6DCD59, 0xB4DE2C,
+      0xFDE725}},
+    {"cividis",
+     {0x00204D, 0x00336F, 0x39486B, 0x575C6D, 0x707173, 0x8A8779, 0xA69D75, 0xC4B56C, 0xE4CF5B,
+      0xFFEA46}},
+    {"plasma",
+     {0x0D0887, 0x47039F, 0x7301A8, 0x9C179E, 0xBD3786, 0xD8576B, 0xED7953, 0xFA9E3B, 0xFDC926,
+      0xF0F921}},
+    {"magma",
+     {0x000004, 0x180F3E, 0x451077, 0x721F81, 0x9F2F7F, 0xCD4071, 0xF1605D, 0xFD9567, 0xFEC98D,
+      0xFCFDBF}},
+    {"inferno",
+     {0x000004, 0x1B0C42, 0x4B0C6B, 0x781C6D, 0xA52C60, 0xCF4446, 0xED6925, 0xFB9A06, 0xF7D03C,
+      0xFCFFA4}},
+}};
+
+constexpr float channel(std::uint32_t color, int c) {
+  return static_cast<float>((color >> (16 - 8 * c)) & 0xFFU) / 255.0f;
+}
+
+constexpr Rgb to_rgb(std::uint32_t color) {
+  return {channel(color, 0), channel(color, 1), channel(color, 2)};
+}
+
+/// Catmull-Rom spline through the stops.
+Rgb interpolate(const Map& map, double t) {
+  const double position = std::clamp(t, 0.0, 1.0) * (stop_count - 1);
+  const int k = std::min(static_cast<int>(position), stop_count - 2);
+  const auto u = static_cast<float>(position - k);
+  const auto stop = [&](int i, int c) {
+    return channel(map.stops[static_cast<std::size_t>(std::clamp(i, 0, stop_count - 1))], c);
+  };
+  Rgb result{};
+  for (int c = 0; c < 3; ++c) {
+    const float a = stop(k, c);
+    const float b = stop(k + 1, c);
+    const float slope_a = 0.5f * (b - stop(k - 1, c));
+    const float slope_b = 0.5f * (stop(k + 2, c) - a);
+    const float bend_a = 3.0f * (b - a) - 2.0f * slope_a - slope_b;
+    const float bend_b = 2.0f * (a - b) + slope_a + slope_b;
+    const float value = a + u * (slope_a + u * (bend_a + u * bend_b));
+    result[static_cast<std::size_t>(c)] = std::clamp(value, 0.0f, 1.0f);
+  }
+  return result;
+}
+
+const Map& find_map(std::string_view name) {
+  const auto found = std::ranges::find_if(maps, [&](const Map& m) { return m.name == name; });
+  if (found == maps.end()) {
+    std::string message = "unknown colour map '" + std::string(name) + "'; known:";
+    for (const Map& m : maps) message += " " + std::string(m.name);
+    throw UsageError(message);
+  }
+  return *found;
+}
+
+}  // namespace
+
+std::vector<std::string> color_map_names() {
+  std::vector<std::string> names;
+  for (const Map& map : maps) names.emplace_back(map.name);
+  return names;
+}
+
+Rgb sample_color_map(std::string_view name, double t) { return interpolate(find_map(name), t); }
+
+Rgb ColorScale::color(double value) const {
+  if (std::isnan(value)) return {0.6f, 0.6f, 0.6f};
+  const double span = high - low;
+  double t = span > 0 ? std::clamp((value - low) / span, 0.0, 1.0) : (value > low ? 1.0 : 0.0);
+  if (bands > 1) t = std::min(std::floor(t * bands), bands - 1.0) / (bands - 1.0);
+  if (bands == 1) t = 0.5;
+  return sample_color_map(map, reversed ? 1.0 - t : t);
+}
+
+Rgb marker_color(Index marker, bool dark_background) {
+  constexpr std::array<std::uint32_t, 8> on_light{0x0B3C8C, 0xA63A00, 0x00664A, 0x8A2A6B,
+                                                  0x5B4B00, 0x2B2B2B, 0x1B6E9C, 0x7A1E1E};
+  constexpr std::array<std::uint32_t, 8> on_dark{0x7DB7FF, 0xFFA24D, 0x4FD3A5, 0xE58CC6,
+                                                 0xE6D34A, 0xDCDCDC, 0x7FD8F5, 0xFF8F80};
+  const auto& palette = dark_background ? on_dark : on_light;
+  return to_rgb(palette[static_cast<std::size_t>(std::max<Index>(marker, 0)) % palette.size()]);
+}
+
+}  // namespace winslow::gui

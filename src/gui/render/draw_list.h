@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+
+namespace winslow::gui {
+
+/// A mesh as the graphics card wants it: vertices in single precision relative to an origin, and
+/// indices into them. Knows no OpenGL.
+struct DrawList {
+  struct Range {
+    std::size_t first = 0, count = 0;  ///< in lines
+  };
+  Vec2 origin{0, 0};
+  std::vector<float> positions;          ///< 2 per vertex, minus origin
+  std::vector<float> node_spacing;       ///< per vertex: shortest edge there, 0 for no node
+  std::vector<std::uint32_t> triangles;  ///< 3 per triangle; quadrilaterals are cut in two
+  std::vector<Index> triangle_element;   ///< per triangle
+  std::vector<std::uint32_t> inverted_triangles;  ///< 3 per triangle of an inverted element
+  std::vector<std::uint32_t> inverted_lines;      ///< 2 per edge of an inverted element
+  std::vector<std::uint32_t> lines;  ///< 2 per line: interior, unmarked boundary, each marker
+  std::vector<float> line_spacing;   ///< per line: distance to the next parallel line, world units
+  Range interior, boundary;
+  std::vector<Range> markers;
+};
+
+/// Edges by how they are drawn; depends on the topology alone.
+struct EdgeGroups {
+  std::vector<Index> interior;           ///< indices into Topology::edges()
+  std::vector<Index> unmarked_boundary;  ///< likewise
+};
+EdgeGroups group_edges(const Topology& topology);
+
+/// The whole mesh, vertex i is node i. Exact to 1e-7 of the distance from the origin.
+DrawList whole_draw_list(const Topology& topology, const EdgeGroups& groups,
+                         const Coordinates& coordinates, const Vec2& origin);
+
+/// What lies in a box, cut off at its sides in double precision: for a zoom so deep that single
+/// precision cannot tell the ends of a long edge from each other. The origin is the box's centre.
+DrawList clipped_draw_list(const Topology& topology, const EdgeGroups& groups,
+                           const Coordinates& coordinates, const Bounds& box);
+
+}  // namespace winslow::gui

@@ -1,0 +1,14 @@
+#pragma once
+
+struct ImFont;
+
+namespace winslow::gui {
+
+enum class FontWeight { regular, semibold };
+
+/// Adds Inter to the current ImGui context's fonts if it is installed (Debian: fonts-inter), else
+/// ImGui's own font. `pixels`: height of the letters. The glyphs cover Latin-1, Greek and the
+/// punctuation and mathematical signs that the program uses.
+ImFont* add_font(FontWeight weight, float pixels);
+
+}  // namespace winslow::gui

@@ -1,0 +1,55 @@
+#include "gui/render/image.h"
+
+#include <png.h>
+
+#include <csetjmp>
+#include <ostream>
+
+#include "core/error.h"
+#include "io/atomic_file.h"
+
+namespace winslow::gui {
+namespace {
+
+void write_bytes(png_structp png, png_bytep data, png_size_t size) {
+  auto& out = *static_cast<std::ostream*>(png_get_io_ptr(png));
+  out.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+}
+
+void flush_bytes(png_structp) {}
+
+/// libpng reports errors by longjmp: no C++ object may live between setjmp and its calls.
+bool encode(png_structp png, png_infop info, const Image& image, std::ostream& out,
+            png_bytep* rows) {
+  if (setjmp(png_jmpbuf(png)) != 0) return false;
+  png_set_write_fn(png, &out, write_bytes, flush_bytes);
+  png_set_IHDR(png, info, static_cast<png_uint_32>(image.width),
+               static_cast<png_uint_32>(image.height), 8, PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_rows(png, info, rows);
+  png_write_png(png, info, PNG_TRANSFORM_IDENTITY, nullptr);
+  return true;
+}
+
+}  // namespace
+
+void write_png(const std::filesystem::path& path, const Image& image) {
+  const auto width = static_cast<std::size_t>(image.width);
+  const auto height = static_cast<std::size_t>(image.height);
+  if (image.width <= 0 || image.height <= 0 || image.rgba.size() != 4 * width * height) {
+    throw OutputError(path.string() + ": the picture is empty");
+  }
+  std::vector<png_bytep> rows(height);
+  for (std::size_t y = 0; y < height; ++y) {
+    rows[y] = const_cast<png_bytep>(image.rgba.data() + 4 * width * y);
+  }
+  io::write_atomically(path, [&](std::ostream& out) {
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+    const bool good = info != nullptr && encode(png, info, image, out, rows.data());
+    png_destroy_write_struct(&png, &info);
+    if (!good) throw OutputError(path.string() + ": the picture could not be encoded as PNG");
+  });
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "gui/render/gl_buffer.h"
+#include "gui/render/shader.h"
+
+struct ImDrawData;
+
+namespace winslow::gui {
+
+/// Draws Dear ImGui's output with the bound OpenGL context into the bound framebuffer. Takes the
+/// place of ImGui's own OpenGL backend, which opens libGL.so.1 by itself and so cannot draw through
+/// OSMesa. Make it after the fonts have been added to the current ImGui context.
+class ImGuiRenderer {
+ public:
+  ImGuiRenderer();
+  ~ImGuiRenderer();
+  ImGuiRenderer(const ImGuiRenderer&) = delete;
+  ImGuiRenderer& operator=(const ImGuiRenderer&) = delete;
+
+  /// Call again if the fonts have changed.
+  void upload_fonts();
+  void draw(const ImDrawData& data);
+
+ private:
+  Shader shader_{"ui.vert", "ui.frag"};
+  GlBuffer vertices_{GL_ARRAY_BUFFER}, indices_{GL_ELEMENT_ARRAY_BUFFER};
+  GLuint vertex_array_ = 0;
+  GLuint font_texture_ = 0;
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,132 @@
+#include "gui/render/mesh_buffers.h"
+
+namespace winslow::gui {
+namespace {
+
+/// Lines closer together than this many times their width fade in proportion, so that a third of
+/// the surface at most is covered by them.
+constexpr float fade_distance = 3.0f;
+
+template <class T>
+std::span<const T> view(const std::vector<T>& values) {
+  return values;
+}
+
+void draw_elements(GLenum mode, std::size_t first, std::size_t count) {
+  if (count == 0) return;
+  glDrawElements(mode, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                 reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
+}
+
+}  // namespace
+
+MeshBuffers::MeshBuffers() {
+  glGenVertexArrays(1, &vertex_array_);
+  glBindVertexArray(vertex_array_);
+  positions_.bind();
+  glEnableVertexAttribArray(0);
+  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+  node_spacing_.bind();
+  glEnableVertexAttribArray(1);
+  glVertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glBindVertexArray(0);
+}
+
+MeshBuffers::~MeshBuffers() { glDeleteVertexArrays(1, &vertex_array_); }
+
+void MeshBuffers::upload(DrawList list) {
+  glBindVertexArray(vertex_array_);
+  positions_.upload(view(list.positions));
+  node_spacing_.upload(view(list.node_spacing));
+  line_spacing_.upload(view(list.line_spacing));
+  if (list.triangles != list_.triangles) triangles_.upload(view(list.triangles));
+  if (list.lines != list_.lines) lines_.upload(view(list.lines));
+  if (list.inverted_triangles != list_.inverted_triangles) {
+    inverted_triangles_.upload(view(list.inverted_triangles));
+  }
+  if (list.inverted_lines != list_.inverted_lines) {
+    inverted_lines_.upload(view(list.inverted_lines));
+  }
+  list_ = std::move(list);
+  glBindVertexArray(0);
+}
+
+void MeshBuffers::set_element_colors(std::span<const std::uint32_t> rgba) {
+  has_colors_ = !rgba.empty();
+  if (!has_colors_) return;
+  std::vector<std::uint32_t> colors;
+  colors.reserve(list_.triangle_element.size());
+  for (const Index e : list_.triangle_element) {
+    colors.push_back(rgba[static_cast<std::size_t>(e)]);
+  }
+  triangle_colors_.upload(view(colors));
+}
+
+void MeshBuffers::begin(const Camera& camera) {
+  glBindVertexArray(vertex_array_);
+  to_clip_ = camera.matrix(list_.origin);
+  viewport_[0] = static_cast<float>(camera.viewport_width());
+  viewport_[1] = static_cast<float>(camera.viewport_height());
+  pixels_per_unit_ = static_cast<float>(1.0 / camera.units_per_pixel());
+}
+
+void MeshBuffers::draw_fill(const Rgba& color, bool use_element_colors) {
+  fill_.use();
+  fill_.set("to_clip", to_clip_);
+  fill_.set("color", color);
+  fill_.set("use_triangle_colors", use_element_colors && has_colors_ ? 1 : 0);
+  fill_.set("triangle_colors", 0);
+  triangle_colors_.bind(0);
+  triangles_.bind();
+  draw_elements(GL_TRIANGLES, 0, list_.triangles.size());
+}
+
+void MeshBuffers::draw_inverted_fill(const Rgba& color) {
+  fill_.use();
+  fill_.set("to_clip", to_clip_);
+  fill_.set("color", color);
+  fill_.set("use_triangle_colors", 0);
+  fill_.set("triangle_colors", 0);
+  inverted_triangles_.bind();
+  draw_elements(GL_TRIANGLES, 0, list_.inverted_triangles.size());
+}
+
+void MeshBuffers::prepare_lines(const LineStyle& style, std::size_t first_line) {
+  line_.use();
+  line_.set("to_clip", to_clip_);
+  line_.set("viewport", viewport_[0], viewport_[1]);
+  line_.set("width", style.width);
+  line_.set("round_caps", style.round_caps ? 1.0f : 0.0f);
+  line_.set("pixels_per_unit", pixels_per_unit_);
+  line_.set("fade_below", style.fade ? fade_distance * style.width : 0.0f);
+  line_.set("first_line", static_cast<int>(first_line));
+  line_.set("line_spacing", 0);
+  line_.set("color", style.color);
+  line_spacing_.bind(0);
+}
+
+void MeshBuffers::draw_lines(const DrawList::Range& range, const LineStyle& style) {
+  if (range.count == 0 || style.width <= 0) return;
+  prepare_lines(style, range.first);
+  lines_.bind();
+  draw_elements(GL_LINES, 2 * range.first, 2 * range.count);
+}
+
+void MeshBuffers::draw_inverted_outlines(const LineStyle& style) {
+  prepare_lines(style, 0);
+  inverted_lines_.bind();
+  draw_elements(GL_LINES, 0, list_.inverted_lines.size());
+}
+
+void MeshBuffers::draw_nodes(const Rgba& color, float size) {
+  node_.use();
+  node_.set("to_clip", to_clip_);
+  node_.set("size", size);
+  node_.set("pixels_per_unit", pixels_per_unit_);
+  node_.set("color", color);
+  glEnable(GL_PROGRAM_POINT_SIZE);
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(list_.node_spacing.size()));
+  glDisable(GL_PROGRAM_POINT_SIZE);
+}
+
+}  // namespace winslow::gui

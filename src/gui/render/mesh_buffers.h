@@ -1,0 +1,59 @@
+#pragma once
+
+#include <span>
+
+#include "gui/render/draw_list.h"
+#include "gui/render/gl_buffer.h"
+#include "gui/render/mesh_renderer.h"
+#include "gui/render/shader.h"
+
+namespace winslow::gui {
+
+/// A DrawList on the graphics card, and the draw calls for its parts.
+class MeshBuffers {
+ public:
+  MeshBuffers();
+  ~MeshBuffers();
+  MeshBuffers(const MeshBuffers&) = delete;
+  MeshBuffers& operator=(const MeshBuffers&) = delete;
+
+  /// Uploads what differs from the list held: of a mesh that only moved, that is its positions.
+  void upload(DrawList list);
+  const DrawList& list() const { return list_; }
+
+  /// One colour per element, spread over the list's triangles; empty: none.
+  void set_element_colors(std::span<const std::uint32_t> rgba);
+
+  /// How lines are drawn; fade: thin them out where they are denser than a few pixels.
+  struct LineStyle {
+    Rgba color;
+    float width;
+    bool round_caps;
+    bool fade;
+  };
+  void begin(const Camera& camera);
+  void draw_fill(const Rgba& color, bool use_element_colors);
+  void draw_inverted_fill(const Rgba& color);
+  void draw_inverted_outlines(const LineStyle& style);
+  void draw_lines(const DrawList::Range& range, const LineStyle& style);
+  void draw_nodes(const Rgba& color, float size);
+
+ private:
+  void prepare_lines(const LineStyle& style, std::size_t first_line);
+
+  DrawList list_;
+  GLuint vertex_array_ = 0;
+  GlBuffer positions_{GL_ARRAY_BUFFER}, node_spacing_{GL_ARRAY_BUFFER};
+  GlBuffer triangles_{GL_ELEMENT_ARRAY_BUFFER}, lines_{GL_ELEMENT_ARRAY_BUFFER};
+  GlBuffer inverted_triangles_{GL_ELEMENT_ARRAY_BUFFER}, inverted_lines_{GL_ELEMENT_ARRAY_BUFFER};
+  GlTextureBuffer triangle_colors_{GL_RGBA8}, line_spacing_{GL_R32F};
+  bool has_colors_ = false;
+  Shader fill_{"fill.vert", "fill.frag"};
+  Shader line_{"fill.vert", "line.geom", "line.frag"};
+  Shader node_{"node.vert", "node.frag"};
+  std::array<float, 16> to_clip_{};
+  float viewport_[2] = {1, 1};
+  float pixels_per_unit_ = 1;
+};
+
+}  // namespace winslow::gui

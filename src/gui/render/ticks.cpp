@@ -1,0 +1,68 @@
+#include "gui/render/ticks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace winslow::gui {
+namespace {
+
+constexpr std::array<double, 4> tick_steps{1, 2, 2.5, 5};
+
+std::string print(const char* format, int precision, double value) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), format, precision, value);
+  return text.data();
+}
+
+}  // namespace
+
+std::vector<double> nice_ticks(double low, double high, int wanted) {
+  const double span = high - low;
+  if (!std::isfinite(span) || span <= 0 || wanted < 1) return {};
+  const double target = span / wanted;
+  const double power = std::pow(10.0, std::floor(std::log10(target)));
+  double step = 10 * power;
+  for (const double candidate : tick_steps) {
+    if (candidate * power >= target * (1 - 1e-9)) {
+      step = candidate * power;
+      break;
+    }
+  }
+  std::vector<double> ticks;
+  const double slack = 1e-9 * span;
+  for (double k = std::ceil((low - slack) / step); k * step <= high + slack; ++k) {
+    ticks.push_back(k * step);
+    if (ticks.size() > 1000) break;  // a step lost in the round-off of huge limits
+  }
+  return ticks;
+}
+
+double round_up_nicely(double value) {
+  if (!(value > 0) || !std::isfinite(value)) return value;
+  constexpr std::array<double, 11> round{1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10};
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double candidate : round) {
+    if (candidate * power >= value * (1 - 1e-12)) return candidate * power;
+  }
+  return 10 * power;
+}
+
+std::string format_tick(double value, double step) {
+  const double size = std::max(std::abs(value), std::abs(step));
+  if (std::abs(value) < 1e-9 * std::abs(step)) return "0";
+  if (size >= 1e6 || size < 1e-4) {
+    const double digits = std::log10(std::abs(value)) - std::log10(std::abs(step));
+    return print("%.*g", std::clamp(static_cast<int>(std::ceil(digits)) + 2, 1, 15), value);
+  }
+  int decimals = 0;
+  double scaled = std::abs(step);
+  while (decimals < 9 && std::abs(scaled - std::round(scaled)) > 1e-6 * scaled) {
+    scaled *= 10;
+    ++decimals;
+  }
+  return print("%.*f", decimals, value);
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,152 @@
+#include "gui/widgets/legend.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gui/render/ticks.h"
+
+namespace winslow::gui {
+namespace {
+
+constexpr float tick_length = 5;
+constexpr float tick_gap = 5;
+
+ImU32 to_color(const std::array<float, 4>& c) {
+  return ImGui::ColorConvertFloat4ToU32(ImVec4(c[0], c[1], c[2], c[3]));
+}
+
+ImU32 to_color(const Rgb& c, float alpha = 1) {
+  return ImGui::ColorConvertFloat4ToU32(ImVec4(c[0], c[1], c[2], alpha));
+}
+
+ImFont& font_of(const LegendStyle& style) {
+  return style.font != nullptr ? *style.font : *ImGui::GetFont();
+}
+
+ImFont& title_font_of(const LegendStyle& style) {
+  return style.title_font != nullptr ? *style.title_font : font_of(style);
+}
+
+ImVec2 text_size(const ImFont& font, float size, const std::string& text) {
+  return font.CalcTextSizeA(size, 1e6f, 0, text.c_str());
+}
+
+float bars_width(const Legend& legend, const LegendStyle& style) {
+  return style.bar_width + (legend.histogram.has_value() ? style.histogram_width : 0.0f);
+}
+
+float title_height(const Legend& legend, const LegendStyle& style) {
+  return legend.title.empty() ? 0.0f : 1.7f * style.font_size;
+}
+
+struct Tick {
+  double value;
+  std::string text;
+};
+
+/// Round ticks, and both ends of the range where no round tick is close to them.
+std::vector<Tick> find_ticks(const Legend& legend, float bar_height, float font_size) {
+  const ColorScale& scale = legend.scale;
+  const int wanted = std::clamp(static_cast<int>(bar_height / (3.5f * font_size)), 2, 8);
+  std::vector<double> values = nice_ticks(scale.low, scale.high, wanted);
+  const double span = scale.high - scale.low;
+  const double step = values.size() > 1 ? values[1] - values[0] : span;
+  std::vector<Tick> ticks;
+  for (const double v : values) {
+    std::string text = format_tick(v, step);
+    if (legend.more_above && std::abs(v - scale.high) < 1e-6 * span) text = "\u2265 " + text;
+    if (legend.more_below && std::abs(v - scale.low) < 1e-6 * span) text = "\u2264 " + text;
+    ticks.push_back({v, std::move(text)});
+  }
+  return ticks;
+}
+
+struct Box {
+  float left, top, right, bottom;
+  float height() const { return bottom - top; }
+};
+
+/// The colours, one strip a pixel high or one a band, low values at the bottom.
+void draw_bar(ImDrawList& list, const Box& box, const ColorScale& scale, float alpha) {
+  const int strips = std::max(scale.bands > 0 ? scale.bands : static_cast<int>(box.height()), 1);
+  const double span = scale.high - scale.low;
+  for (int k = 0; k < strips; ++k) {
+    const double t = (k + 0.5) / strips;
+    const float y1 = box.bottom - box.height() * static_cast<float>(k) / static_cast<float>(strips);
+    const float y0 =
+        box.bottom - box.height() * static_cast<float>(k + 1) / static_cast<float>(strips);
+    list.AddRectFilled({box.left, y0}, {box.right, y1},
+                       to_color(scale.color(scale.low + t * span), alpha));
+  }
+}
+
+/// Bars in the colour of their values on a pale ground of the same; lengths by the square root of
+/// the counts, so that the few bad elements are seen beside the many good ones.
+void draw_histogram(ImDrawList& list, const Box& box, const Legend& legend) {
+  const auto& counts = legend.histogram->counts;
+  if (counts.empty()) return;
+  draw_bar(list, box, legend.scale, 0.14f);
+  const Index most = *std::ranges::max_element(counts);
+  if (most <= 0) return;
+  const double span = legend.scale.high - legend.scale.low;
+  const auto n = static_cast<float>(counts.size());
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    if (counts[k] <= 0) continue;
+    const double share = std::sqrt(static_cast<double>(counts[k]) / most);
+    const float length = std::max(static_cast<float>(share) * (box.right - box.left - 2), 1.5f);
+    const float y1 = box.bottom - box.height() * static_cast<float>(k) / n;
+    const float y0 = box.bottom - box.height() * static_cast<float>(k + 1) / n;
+    const double value = legend.scale.low + span * (static_cast<double>(k) + 0.5) / n;
+    list.AddRectFilled({box.left, y0 + 0.5f}, {box.left + length, y1 - 0.5f},
+                       to_color(legend.scale.color(value)));
+  }
+}
+
+void draw_ticks(ImDrawList& list, const Box& box, const Legend& legend, const LegendStyle& style) {
+  const ImFont& font = font_of(style);
+  const double span = legend.scale.high - legend.scale.low;
+  for (const Tick& tick : find_ticks(legend, box.height(), style.font_size)) {
+    const double t = span > 0 ? (tick.value - legend.scale.low) / span : 0.5;
+    const float y = std::round(box.bottom - box.height() * static_cast<float>(t));
+    list.AddLine({box.right, y}, {box.right + tick_length, y}, to_color(style.line_color), 1.0f);
+    const ImVec2 size = text_size(font, style.font_size, tick.text);
+    list.AddText(&font, style.font_size,
+                 {std::round(box.right + tick_length + tick_gap), std::round(y - 0.5f * size.y)},
+                 to_color(style.text_color), tick.text.c_str());
+  }
+}
+
+}  // namespace
+
+float legend_width(const Legend& legend, const LegendStyle& style) {
+  float ticks = 0;
+  for (const Tick& tick : find_ticks(legend, 12 * style.font_size, style.font_size)) {
+    ticks = std::max(ticks, text_size(font_of(style), style.font_size, tick.text).x);
+  }
+  const float bar = bars_width(legend, style) + tick_length + tick_gap + ticks;
+  return std::ceil(std::max(bar, text_size(title_font_of(style), style.font_size, legend.title).x));
+}
+
+void draw_legend(ImDrawList& list, float x, float y, float height, const Legend& legend,
+                 const LegendStyle& style) {
+  if (!legend.title.empty()) {
+    list.AddText(&title_font_of(style), style.font_size, {std::round(x), std::round(y)},
+                 to_color(style.text_color), legend.title.c_str());
+  }
+  // Half a line below, so that the lowest tick's label stays inside.
+  const Box whole{x, y + title_height(legend, style), x + bars_width(legend, style),
+                  y + height - 0.5f * style.font_size};
+  if (whole.height() < style.font_size) return;
+  const Box bar{whole.left, whole.top, whole.left + style.bar_width, whole.bottom};
+  draw_bar(list, bar, legend.scale, 1);
+  if (legend.histogram.has_value()) {
+    draw_histogram(list, {bar.right, whole.top, whole.right, whole.bottom}, legend);
+    list.AddLine({bar.right, whole.top}, {bar.right, whole.bottom}, to_color(style.line_color));
+  }
+  list.AddRect({whole.left, whole.top}, {whole.right, whole.bottom}, to_color(style.line_color));
+  draw_ticks(list, whole, legend, style);
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/quality/quality.h"
+#include "gui/render/color_map.h"
+
+struct ImDrawList;
+struct ImFont;
+
+namespace winslow::gui {
+
+/// A vertical colour bar with the histogram of the values beside the colours, ticks and a title.
+struct Legend {
+  std::string title;
+  ColorScale scale;
+  std::optional<Histogram> histogram;  ///< over the scale's range, see histogram_over()
+  bool more_below = false;  ///< values below the range exist: the lowest tick reads "<= 0"
+  bool more_above = false;  ///< values above the range exist: the highest tick reads ">= 3"
+};
+
+/// Sizes in pixels of the draw list.
+struct LegendStyle {
+  float font_size = 14;
+  float bar_width = 14;
+  float histogram_width = 44;  ///< used only with a histogram
+  std::array<float, 4> text_color{0.13f, 0.15f, 0.18f, 1};
+  std::array<float, 4> line_color{0.45f, 0.48f, 0.53f, 1};
+  ImFont* font = nullptr;        ///< null: the current font
+  ImFont* title_font = nullptr;  ///< null: `font`
+};
+
+/// Width that a legend needs, ticks and title included (the current ImGui context's fonts).
+float legend_width(const Legend& legend, const LegendStyle& style);
+
+/// Draws a legend with its top left corner at (x, y), `height` high, title included.
+void draw_legend(ImDrawList& list, float x, float y, float height, const Legend& legend,
+                 const LegendStyle& style);
+
+}  // namespace winslow::gui
