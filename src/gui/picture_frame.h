@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gui/render/camera.h"
+#include "gui/render/frame_buffer.h"
+#include "gui/render/mesh_renderer.h"
+#include "gui/widgets/legend.h"
+
+struct ImGuiContext;
+struct ImFont;
+
+namespace winslow::gui {
+
+/// What stands around the mesh in a picture. Internal to the picture.
+struct PictureText {
+  std::string title;                             ///< top left; empty: none
+  std::string warning;                           ///< bottom left, in red; empty: none
+  std::vector<std::pair<std::string, Rgb>> key;  ///< names and colours, bottom left
+  std::optional<Legend> legend;                  ///< on the right
+};
+
+/// Colours of paper and ink.
+struct PictureTheme {
+  std::array<float, 4> paper, ink, frame, warning;
+  Rgba fill, edge;
+};
+const PictureTheme& picture_theme(bool dark);
+
+/// Places title, legend and key around the mesh, and draws them with an ImGui context of its own.
+/// Needs a current OpenGL context. What a small picture has no room for is left out.
+class PictureFrame {
+ public:
+  PictureFrame(int width, int height, PictureText text, const PictureTheme& theme);
+  ~PictureFrame();
+  PictureFrame(const PictureFrame&) = delete;
+  PictureFrame& operator=(const PictureFrame&) = delete;
+
+  /// Size of the letters in pixels; lines and margins go with it.
+  float font_size() const { return font_size_; }
+  /// Where the mesh goes: left, top, width, height in pixels.
+  const std::array<double, 4>& mesh_area() const { return area_; }
+  /// Draws into the bound framebuffer. framed: a thin line around the mesh's area.
+  void draw(bool framed);
+
+ private:
+  void place();
+  void draw_bottom_line(ImDrawList& list) const;
+
+  int width_, height_;
+  PictureText text_;
+  const PictureTheme& theme_;
+  float font_size_;
+  ImGuiContext* context_ = nullptr;
+  ImGuiContext* previous_ = nullptr;
+  ImFont* font_ = nullptr;
+  ImFont* strong_ = nullptr;
+  LegendStyle legend_style_;
+  std::array<double, 4> area_{};
+};
+
+}  // namespace winslow::gui
