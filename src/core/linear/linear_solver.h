@@ -17,6 +17,8 @@ struct LinearOptions {
   double tolerance = 1e-3;
   int max_iterations = 200;  ///< Gauss-Seidel sweeps or Krylov iterations per solve
   int restart = 30;          ///< Krylov vectors before GMRES restarts
+
+  bool operator==(const LinearOptions&) const = default;
 };
 
 struct LinearResult {

@@ -47,6 +47,7 @@ struct DisplacementEntry {
   std::optional<Index> node;
   Vec2 position{0, 0};  ///< where node is empty
   Vec2 displacement{0, 0};
+  int line = 0;  ///< of the file it came from, for messages; 0: unknown
 };
 
 /// Displacements of single nodes. Nodes of the markers that have no entry stay.

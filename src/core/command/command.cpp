@@ -1,0 +1,165 @@
+#include "core/command/command.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <random>
+
+#include "core/command/smooth_run.h"
+#include "core/error.h"
+
+namespace winslow {
+
+namespace {
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+std::string list(const std::vector<std::string>& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+std::string describe_one(const SmoothCommand&) { return "Smooth"; }
+
+std::string describe_one(const MoveCommand& command) {
+  const bool turns = command.motion.rotate != 0;
+  const bool shifts = command.motion.translate != Vec2(0, 0);
+  const std::string by = "(" + number(command.motion.translate.x()) + ", " +
+                         number(command.motion.translate.y()) + ")";
+  const std::string who = list(command.markers);
+  if (turns && shifts) {
+    return "Rotate " + who + " by " + number(command.motion.rotate) + " deg and move it by " + by;
+  }
+  if (turns) return "Rotate " + who + " by " + number(command.motion.rotate) + " deg";
+  return "Move " + who + " by " + by;
+}
+
+std::string describe_one(const DeformCommand& command) {
+  if (const auto* sine = std::get_if<SineDeformation>(&command.shape)) {
+    return "Deform " + list(command.markers) + ": sine, amplitude " + number(sine->amplitude) +
+           ", " + number(sine->waves) + " waves";
+  }
+  const auto& table = std::get<DisplacementTable>(command.shape);
+  return "Displace " + std::to_string(table.entries.size()) + " nodes of " + list(command.markers);
+}
+
+std::string describe_one(const ScrambleCommand& command) {
+  return "Scramble, seed " + std::to_string(command.seed);
+}
+
+/// Interior to start from, boundary as the state has it.
+Coordinates starting_point(const MeshState& state, const ExecuteOptions& options) {
+  if (!options.start) return state.mesh.coordinates;
+  if (options.start->size() != state.mesh.coordinates.size() ||
+      options.start->dimension() != state.mesh.coordinates.dimension()) {
+    throw UsageError("the start has another number of nodes than the mesh");
+  }
+  Coordinates x = state.mesh.coordinates;
+  for (const Index node : state.mesh.topology->free_nodes()) {
+    x.set_xy(node, options.start->xy(node));
+  }
+  return x;
+}
+
+CommandResult finish(const MeshState& state, Coordinates x, SmoothResult smooth) {
+  CommandResult result{state, std::move(smooth)};
+  result.state.mesh.coordinates = std::move(x);
+  return result;
+}
+
+CommandResult run_motion(const MeshState& state, const Motion& motion, const MotionOptions& how,
+                         const SmoothOptions& smooth, const ExecuteOptions& options) {
+  if (how.increments < 0) throw UsageError("the number of increments is negative");
+  validate(smooth);
+  Coordinates x = starting_point(state, options);
+  SmoothResult result = smooth_motion(state, motion, how, smooth, x, options);
+  return finish(state, std::move(x), std::move(result));
+}
+
+CommandResult execute_one(const SmoothCommand& command, const MeshState& state,
+                          const ExecuteOptions& options) {
+  validate(command.smooth);
+  Coordinates x = starting_point(state, options);
+  SmoothResult result = smooth_interior(state, command.smooth, x, options);
+  return finish(state, std::move(x), std::move(result));
+}
+
+CommandResult execute_one(const MoveCommand& command, const MeshState& state,
+                          const ExecuteOptions& options) {
+  const auto motion =
+      make_motion(*state.mesh.topology, state.mesh.coordinates, command.markers, command.motion);
+  return run_motion(state, *motion, command.how, command.smooth, options);
+}
+
+CommandResult execute_one(const DeformCommand& command, const MeshState& state,
+                          const ExecuteOptions& options) {
+  const auto motion = std::visit(
+      [&](const auto& shape) {
+        return make_motion(*state.mesh.topology, state.mesh.coordinates, command.markers, shape);
+      },
+      command.shape);
+  return run_motion(state, *motion, command.how, command.smooth, options);
+}
+
+/// Uniform in [0, 1) from the generator's top 53 bits: std::uniform_real_distribution may differ
+/// from one standard library to the next, and a seed must mean the same mesh everywhere.
+double uniform(std::mt19937_64& generator) {
+  return static_cast<double>(generator() >> 11) * 0x1.0p-53;
+}
+
+CommandResult execute_one(const ScrambleCommand& command, const MeshState& state,
+                          const ExecuteOptions&) {
+  std::mt19937_64 generator(command.seed);
+  const Bounds box = bounds(state.mesh);
+  Coordinates x = state.mesh.coordinates;
+  for (const Index node : state.mesh.topology->free_nodes()) {
+    const double u = uniform(generator);
+    const double v = uniform(generator);
+    x.set_xy(node, box.min + box.size().cwiseProduct(Vec2(u, v)));
+  }
+  SmoothResult result;
+  result.converged = true;
+  result.inverted = check_validity(*state.mesh.topology, x).inverted;
+  return finish(state, std::move(x), std::move(result));
+}
+
+}  // namespace
+
+std::string_view command_name(const Command& command) {
+  constexpr std::array<std::string_view, std::variant_size_v<Command>> names{"smooth", "move",
+                                                                             "deform", "scramble"};
+  return names[command.index()];
+}
+
+std::string describe(const Command& command) {
+  return std::visit([](const auto& c) { return describe_one(c); }, command);
+}
+
+SmoothOptions* smooth_options(Command& command) {
+  return std::visit(
+      [](auto& c) -> SmoothOptions* {
+        if constexpr (requires { c.smooth; }) {
+          return &c.smooth;
+        } else {
+          return nullptr;
+        }
+      },
+      command);
+}
+
+MeshState make_state(Mesh mesh) {
+  auto vcv = std::make_shared<const VirtualControlVolumes>(mesh.topology);
+  return {std::move(mesh), std::move(vcv)};
+}
+
+CommandResult execute(const Command& command, const MeshState& state,
+                      const ExecuteOptions& options) {
+  return std::visit([&](const auto& c) { return execute_one(c, state, options); }, command);
+}
+
+}  // namespace winslow

@@ -1,0 +1,48 @@
+#include "core/command/history.h"
+
+#include "core/error.h"
+
+namespace winslow {
+
+History::History(MeshState initial) { steps_.push_back({std::nullopt, {}, std::move(initial)}); }
+
+const MeshState& History::state() const { return steps_[position_].state; }
+
+void History::push(Command command, CommandResult result) {
+  steps_.resize(position_ + 1, steps_.front());
+  steps_.push_back({std::move(command), std::move(result.smooth), std::move(result.state)});
+  ++position_;
+}
+
+void History::undo() {
+  if (!can_undo()) throw UsageError("there is nothing to undo");
+  --position_;
+}
+
+void History::redo() {
+  if (!can_redo()) throw UsageError("there is nothing to redo");
+  ++position_;
+}
+
+void History::go_to(std::size_t position) {
+  if (position >= steps_.size()) throw UsageError("the history has no such step");
+  position_ = position;
+}
+
+const Command& History::command(std::size_t position) const {
+  if (position == 0 || position >= steps_.size()) throw UsageError("the history has no such step");
+  return *steps_[position].command;
+}
+
+const SmoothResult& History::result(std::size_t position) const {
+  if (position >= steps_.size()) throw UsageError("the history has no such step");
+  return steps_[position].smooth;
+}
+
+std::vector<Command> History::recipe() const {
+  std::vector<Command> commands;
+  for (std::size_t k = 1; k <= position_; ++k) commands.push_back(*steps_[k].command);
+  return commands;
+}
+
+}  // namespace winslow

@@ -1,0 +1,259 @@
+#include "core/job/solver_thread.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "core/command/workspace.h"
+#include "core/error.h"
+
+namespace winslow {
+
+namespace {
+
+constexpr int unlimited = -1;
+
+/// Long drags would otherwise make every snapshot longer than the one before.
+constexpr std::size_t longest_history = 4000;
+
+}  // namespace
+
+/// The thread and what it shares with its owner. Everything below `mutex_` is guarded by it; what
+/// is above belongs to the worker alone.
+class SolverThread::Impl final : public SolverMonitor {
+ public:
+  Impl() : worker_([this] { work(); }) {}
+  ~Impl() override {
+    {
+      const std::lock_guard lock(mutex_);
+      quit_ = true;
+    }
+    wake_.notify_all();
+    worker_.join();
+  }
+
+  std::uint64_t run(MeshState state, Command command, std::optional<Coordinates> start,
+                    bool paused) {
+    std::uint64_t job = 0;
+    {
+      const std::lock_guard lock(mutex_);
+      job = ++last_job_;
+      cancel_ = false;
+      retarget_.reset();
+      allowed_ = paused ? 0 : unlimited;
+      Snapshot first;
+      first.job = job;
+      first.state = JobState::running;
+      first.topology = state.mesh.topology;
+      first.coordinates = start ? *start : state.mesh.coordinates;
+      first.command = command;
+      publish_locked(std::move(first));
+      base_ = state;
+      request_ = Request{job, std::move(state), std::move(command), std::move(start)};
+    }
+    wake_.notify_all();
+    return job;
+  }
+
+  void retarget(Command command) {
+    std::optional<std::pair<MeshState, Coordinates>> again;
+    {
+      const std::lock_guard lock(mutex_);
+      if (!base_) return;
+      if (request_) {
+        request_->command = std::move(command);
+        return;
+      }
+      if (active_) {
+        retarget_ = std::move(command);
+      } else {
+        again.emplace(*base_, latest_->coordinates);
+      }
+    }
+    if (again) {
+      run(std::move(again->first), std::move(command), std::move(again->second), false);
+    } else {
+      wake_.notify_all();
+    }
+  }
+
+  void allow(int iterations) {
+    {
+      const std::lock_guard lock(mutex_);
+      allowed_ = iterations > 0 && allowed_ > 0 ? allowed_ + iterations : iterations;
+    }
+    wake_.notify_all();
+  }
+
+  void cancel() {
+    {
+      const std::lock_guard lock(mutex_);
+      cancel_ = true;
+    }
+    wake_.notify_all();
+  }
+
+  bool busy() const {
+    const std::lock_guard lock(mutex_);
+    return active_ || request_.has_value();
+  }
+
+  std::shared_ptr<const Snapshot> latest() const {
+    const std::lock_guard lock(mutex_);
+    return latest_;
+  }
+
+  bool on_iteration(const IterationRecord& record, const Coordinates& coordinates) override {
+    const bool opening = record.iteration == 0 || fresh_target_;
+    fresh_target_ = false;
+    IterationRecord numbered = record;
+    if (!opening) ++iterations_;
+    numbered.iteration = iterations_;
+    if (history_.size() >= longest_history) history_.erase(history_.begin());
+    history_.push_back(numbered);
+    reached_ = coordinates;
+
+    std::unique_lock lock(mutex_);
+    if (!opening && allowed_ > 0) --allowed_;
+    publish_progress(JobState::running);
+    if (allowed_ == 0 && !interrupted(opening)) {
+      publish_progress(JobState::paused);
+      wake_.wait(lock, [&] { return allowed_ != 0 || interrupted(opening); });
+      if (!interrupted(opening)) publish_progress(JobState::running);
+    }
+    return !interrupted(opening);
+  }
+
+ private:
+  struct Request {
+    std::uint64_t job = 0;
+    MeshState state;
+    Command command;
+    std::optional<Coordinates> start;
+  };
+
+  /// A new target waits until the old one has had one iteration, or a fast mouse would starve the
+  /// solver.
+  bool interrupted(bool opening) const {
+    return quit_ || cancel_ || request_.has_value() || (retarget_.has_value() && !opening);
+  }
+
+  void publish_locked(Snapshot snapshot) {
+    snapshot.serial = latest_->serial + 1;
+    latest_ = std::make_shared<const Snapshot>(std::move(snapshot));
+  }
+
+  /// Called with the mutex held.
+  void publish_progress(JobState state) {
+    if (request_) return;
+    Snapshot snapshot;
+    snapshot.job = current_.job;
+    snapshot.state = state;
+    snapshot.topology = current_.state.mesh.topology;
+    snapshot.coordinates = reached_;
+    snapshot.history = history_;
+    snapshot.command = current_.command;
+    publish_locked(std::move(snapshot));
+  }
+
+  void work() {
+    for (;;) {
+      {
+        std::unique_lock lock(mutex_);
+        wake_.wait(lock, [&] { return quit_ || request_.has_value(); });
+        if (quit_) return;
+        current_ = std::move(*request_);
+        request_.reset();
+        active_ = true;
+      }
+      history_.clear();
+      iterations_ = 0;
+      reached_ = current_.start ? *current_.start : current_.state.mesh.coordinates;
+      while (run_once()) {
+      }
+    }
+  }
+
+  /// One execution of the current command; true if a new target came in on the way.
+  bool run_once() {
+    std::optional<CommandResult> result;
+    JobState state = JobState::done;
+    std::string error;
+    fresh_target_ = true;
+    try {
+      const ExecuteOptions options{this, current_.start ? &*current_.start : nullptr, &workspace_};
+      result = execute(current_.command, current_.state, options);
+      reached_ = result->state.mesh.coordinates;
+    } catch (const Cancelled&) {
+      state = JobState::cancelled;
+    } catch (const std::bad_alloc&) {
+      state = JobState::failed;
+      error = "not enough memory";
+    } catch (const std::exception& e) {
+      state = JobState::failed;
+      error = e.what();
+    }
+    const std::lock_guard lock(mutex_);
+    if (retarget_ && !cancel_ && !quit_ && !request_) {
+      current_.command = std::move(*retarget_);
+      current_.start = reached_;
+      retarget_.reset();
+      return true;
+    }
+    retarget_.reset();
+    active_ = false;
+    if (request_) return false;
+    Snapshot snapshot;
+    snapshot.job = current_.job;
+    snapshot.state = state;
+    snapshot.topology = current_.state.mesh.topology;
+    snapshot.coordinates = reached_;
+    snapshot.history = history_;
+    snapshot.command = current_.command;
+    snapshot.result = std::move(result);
+    snapshot.error = std::move(error);
+    publish_locked(std::move(snapshot));
+    return false;
+  }
+
+  SmoothingWorkspace workspace_;
+  Request current_;
+  Coordinates reached_;
+  std::vector<IterationRecord> history_;
+  int iterations_ = 0;
+  bool fresh_target_ = false;  // the next record opens an execution
+
+  mutable std::mutex mutex_;
+  std::condition_variable wake_;
+  bool quit_ = false;
+  bool cancel_ = false;
+  bool active_ = false;
+  int allowed_ = unlimited;  // outer iterations until the next pause
+  std::uint64_t last_job_ = 0;
+  std::optional<MeshState> base_;
+  std::optional<Request> request_;
+  std::optional<Command> retarget_;
+  std::shared_ptr<const Snapshot> latest_ = std::make_shared<const Snapshot>();
+
+  std::thread worker_;  // last: it starts when everything else is there
+};
+
+SolverThread::SolverThread() : impl_(std::make_unique<Impl>()) {}
+SolverThread::~SolverThread() = default;
+
+std::uint64_t SolverThread::run(MeshState state, Command command, std::optional<Coordinates> start,
+                                bool paused) {
+  return impl_->run(std::move(state), std::move(command), std::move(start), paused);
+}
+void SolverThread::retarget(Command command) { impl_->retarget(std::move(command)); }
+void SolverThread::pause() { impl_->allow(0); }
+void SolverThread::resume() { impl_->allow(unlimited); }
+void SolverThread::step(int n) {
+  if (n > 0) impl_->allow(n);
+}
+void SolverThread::cancel() { impl_->cancel(); }
+bool SolverThread::busy() const { return impl_->busy(); }
+std::shared_ptr<const Snapshot> SolverThread::latest() const { return impl_->latest(); }
+
+}  // namespace winslow
