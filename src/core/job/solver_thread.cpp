@@ -105,17 +105,17 @@ class SolverThread::Impl final : public SolverMonitor {
   }
 
   bool on_iteration(const IterationRecord& record, const Coordinates& coordinates) override {
-    const bool opening = record.iteration == 0 || fresh_target_;
-    fresh_target_ = false;
+    const bool opening = std::exchange(fresh_target_, false);
     IterationRecord numbered = record;
-    if (!opening) ++iterations_;
-    numbered.iteration = iterations_;
+    numbered.iteration = first_iteration_ + record.iteration;
+    const bool iterated = numbered.iteration > iterations_;
+    iterations_ = numbered.iteration;
     if (history_.size() >= longest_history) history_.erase(history_.begin());
     history_.push_back(numbered);
     reached_ = coordinates;
 
     std::unique_lock lock(mutex_);
-    if (!opening && allowed_ > 0) --allowed_;
+    if (iterated && allowed_ > 0) --allowed_;
     publish_progress(JobState::running);
     if (allowed_ == 0 && !interrupted(opening)) {
       publish_progress(JobState::paused);
@@ -181,6 +181,7 @@ class SolverThread::Impl final : public SolverMonitor {
     JobState state = JobState::done;
     std::string error;
     fresh_target_ = true;
+    first_iteration_ = iterations_;
     try {
       const ExecuteOptions options{this, current_.start ? &*current_.start : nullptr, &workspace_};
       result = execute(current_.command, current_.state, options);
@@ -221,7 +222,8 @@ class SolverThread::Impl final : public SolverMonitor {
   Request current_;
   Coordinates reached_;
   std::vector<IterationRecord> history_;
-  int iterations_ = 0;
+  int iterations_ = 0;         // of this job, over all its targets
+  int first_iteration_ = 0;    // number of the present execution's opening record
   bool fresh_target_ = false;  // the next record opens an execution
 
   mutable std::mutex mutex_;
