@@ -39,9 +39,9 @@ void HistoryPanel::draw_step(const PanelContext& context, std::size_t position) 
   const History& history = context.session.document()->history();
   const bool present = position == history.position();
   const bool undone = position > history.position();
-  const std::string title = position == 0
-                                ? "Opened " + context.session.document()->source().filename().string()
-                                : describe(history.command(position));
+  const std::string title =
+      position == 0 ? "Opened " + context.session.document()->source().filename().string()
+                    : describe(history.command(position));
   const std::string id = "history/" + std::to_string(position);
   const float pad = context.theme.px(6);
   const ImVec2 start = ImGui::GetCursorScreenPos();

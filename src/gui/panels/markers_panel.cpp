@@ -54,7 +54,7 @@ void MarkersPanel::draw_row(const PanelContext& context, Index marker) {
   const float middle = (start.y + end.y) / 2;
   list.AddRectFilled(ImVec2(start.x + pad, middle - context.theme.px(6)),
                      ImVec2(start.x + pad + context.theme.px(12), middle + context.theme.px(6)),
-                     marker_color(marker), context.theme.px(3));
+                     marker_swatch(marker), context.theme.px(3));
   const char* role = selected ? "moves" : "fixed";
   const float role_width = ImGui::CalcTextSize(role).x + 2 * pad;
   const float name_x = start.x + pad + context.theme.px(22);
@@ -63,8 +63,8 @@ void MarkersPanel::draw_row(const PanelContext& context, Index marker) {
   const ImVec2 pill(end.x - pad - role_width, start.y + pad / 2);
   if (selected)
     list.AddRectFilled(pill, ImVec2(end.x - pad, end.y - pad / 2), color::accent, round);
-  list.AddText(ImVec2(pill.x + pad, start.y + pad),
-               selected ? IM_COL32_WHITE : color::text_faint, role);
+  list.AddText(ImVec2(pill.x + pad, start.y + pad), selected ? IM_COL32_WHITE : color::text_faint,
+               role);
 }
 
 }  // namespace winslow::gui

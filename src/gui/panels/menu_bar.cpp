@@ -74,7 +74,8 @@ void MenuBar::draw_edit(const PanelContext& context) {
   const History* history = document ? &document->history() : nullptr;
   std::string undo = "Undo";
   std::string redo = "Redo";
-  if (history && history->can_undo()) undo += ": " + describe(history->command(history->position()));
+  if (history && history->can_undo())
+    undo += ": " + describe(history->command(history->position()));
   if (history && history->can_redo())
     redo += ": " + describe(history->command(history->position() + 1));
   if (item("undo", undo.c_str(), "Ctrl+Z", history && (busy || history->can_undo())))

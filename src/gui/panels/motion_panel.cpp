@@ -45,8 +45,9 @@ void MotionPanel::draw(const PanelContext& context) {
     return;
   }
   if (session.selection().empty()) {
-    ui::text_wrapped("Click a body in the picture, or a marker in the list, to select it. "
-                     "Then drag it, turn it by its ring, or type numbers here.");
+    ui::text_wrapped(
+        "Click a body in the picture, or a marker in the list, to select it. "
+        "Then drag it, turn it by its ring, or type numbers here.");
     return;
   }
   const bool live = session.dragging();
@@ -69,8 +70,8 @@ void MotionPanel::draw_fields(const PanelContext& context, bool live) {
   const auto motion = context.session.live_motion();
   RigidMotion shown = live && motion ? *motion : typed_;
   ui::row("Translate", "How far the body moves, x and y, in units of the mesh.", 0.34f);
-  bool changed = vector_fields({"motion/dx", "motion/dy"}, shown.translate,
-                               "In units of the mesh.");
+  bool changed =
+      vector_fields({"motion/dx", "motion/dy"}, shown.translate, "In units of the mesh.");
   ui::row("Rotate", "Degrees about the pivot, counter-clockwise positive.", 0.34f);
   changed |= ui::number("motion/rotate", shown.rotate,
                         "Degrees about the pivot, counter-clockwise positive.", "%.6g\xC2\xB0");

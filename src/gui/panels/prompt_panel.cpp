@@ -51,7 +51,8 @@ void draw_choices(const PanelContext& context, const Prompt& prompt) {
     const float button = ImGui::CalcTextSize(choice.label.c_str()).x +
                          2 * ImGui::GetStyle().FramePadding.x + context.theme.px(16);
     const auto style = choice.primary ? ui::ButtonStyle::primary : ui::ButtonStyle::normal;
-    const bool pressed = ui::button("prompt/" + choice.label, choice.label, {"", style, true, button});
+    const bool pressed =
+        ui::button("prompt/" + choice.label, choice.label, {"", style, true, button});
     // Enter takes the safe choice; Escape the one that does nothing.
     if (pressed || (enter && choice.primary) || (escape && choice.actions.empty()))
       return choose(context, choice);

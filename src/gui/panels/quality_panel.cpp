@@ -110,8 +110,7 @@ void QualityPanel::draw_worst(const PanelContext& context) {
     const std::string label =
         "#" + std::to_string(worst[i].element) + "   " + table_number(worst[i].value);
     const std::string id = "quality/worst/" + std::to_string(i);
-    if (ui::button(id, label,
-                   {"Show this element.", ui::ButtonStyle::flat, true, 0}))
+    if (ui::button(id, label, {"Show this element.", ui::ButtonStyle::flat, true, 0}))
       context.emit(action::LookAt{worst[i].centre, 0.002 * all.size().norm()});
     if (i % 2 == 0 && i + 1 < worst.size() && i + 1 < 5)
       ImGui::SameLine(ImGui::GetWindowContentRegionMax().x * 0.5f);

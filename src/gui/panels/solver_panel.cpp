@@ -65,12 +65,12 @@ void SolverPanel::draw_buttons(const PanelContext& context) {
   const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
   if (job.active() && !job.paused()) {
     if (ui::button("solver/pause", "Pause",
-                   {"Stop after the present iteration (Space).", ui::ButtonStyle::normal,
-                    !dragging, width}))
+                   {"Stop after the present iteration (Space).", ui::ButtonStyle::normal, !dragging,
+                    width}))
       context.emit(action::PauseSolver{});
   } else if (ui::button("solver/run", job.paused() ? "Resume" : "Smooth",
-                        {"Smooth the mesh, its boundary held (Space).",
-                         ui::ButtonStyle::primary, open, width})) {
+                        {"Smooth the mesh, its boundary held (Space).", ui::ButtonStyle::primary,
+                         open, width})) {
     context.emit(action::RunSmooth{});
   }
   ImGui::SameLine(0, gap);
@@ -89,8 +89,8 @@ bool SolverPanel::draw_options(SmoothOptions& options) {
   bool changed = false;
   constexpr const char* formulation_tip = "The equations solved over the virtual control volumes.";
   ui::row("Formulation", formulation_tip);
-  changed |= choose("solver/formulation", formulation_names(), options.formulation,
-                    formulation_tip);
+  changed |=
+      choose("solver/formulation", formulation_names(), options.formulation, formulation_tip);
   const std::string tip = linear_tip();
   ui::row("Linear solver", tip);
   changed |= choose("solver/linear", linear_solver_names(), options.linear.solver, tip);

@@ -42,14 +42,13 @@ void separator() {
 
 void draw_mesh(const Session& session) {
   const Topology& topology = *session.document()->topology();
-  const auto history = session.job().active() ? session.convergence()
-                                              : std::span<const IterationRecord>{};
+  const auto history =
+      session.job().active() ? session.convergence() : std::span<const IterationRecord>{};
   const auto& measured = session.quality().latest();
-  const QualityReport& report =
-      measured ? measured->report : session.document()->loaded_quality();
+  const QualityReport& report = measured ? measured->report : session.document()->loaded_quality();
   const Index inverted = history.empty() ? report.inverted : history.back().inverted;
-  const double sine = history.empty() ? report.normalized_jacobian.statistics.min
-                                      : history.back().min_sine;
+  const double sine =
+      history.empty() ? report.normalized_jacobian.statistics.min : history.back().min_sine;
   separator();
   ui::text_dim(counted(topology.node_count(), "node"));
   separator();

@@ -11,8 +11,7 @@ namespace {
 /// Icon and word where there is room, the icon alone where there is not, the word alone where the
 /// icon font is missing.
 bool tool(const PanelContext& context, std::string_view id, Icon icon, const std::string& word,
-          const std::string& tip, bool enabled,
-          ui::ButtonStyle style = ui::ButtonStyle::flat) {
+          const std::string& tip, bool enabled, ui::ButtonStyle style = ui::ButtonStyle::flat) {
   const std::string glyph = context.theme.icon(icon);
   const bool roomy = ImGui::GetWindowWidth() > context.theme.px(1020);
   std::string label = word;

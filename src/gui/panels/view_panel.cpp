@@ -48,10 +48,11 @@ bool ViewPanel::draw_color(ViewOptions& view) {
 bool ViewPanel::draw_range(ViewOptions& view) {
   bool changed = false;
   const auto maps = color_map_names();
-  auto map = static_cast<std::size_t>(std::find(maps.begin(), maps.end(), view.color_map) -
-                                      maps.begin());
+  auto map =
+      static_cast<std::size_t>(std::find(maps.begin(), maps.end(), view.color_map) - maps.begin());
   ui::row("Colour map");
-  if (ui::combo("view/map", maps, map, "All maps are even steps to the eye and colour-blind safe.")) {
+  if (ui::combo("view/map", maps, map,
+                "All maps are even steps to the eye and colour-blind safe.")) {
     view.color_map = maps[map];
     changed = true;
   }

@@ -19,10 +19,10 @@ class BoundaryIndex {
     bool hole = false;           ///< a body in the flow, rather than the rim around everything
   };
   struct Hit {
-    Index marker = -1;            ///< nearest
-    std::vector<Index> markers;   ///< of the whole body
-    bool hole = false;            ///< the body can be taken and moved without a second thought
-    bool inside = false;          ///< hit within the body, not on its rim
+    Index marker = -1;           ///< nearest
+    std::vector<Index> markers;  ///< of the whole body
+    bool hole = false;           ///< the body can be taken and moved without a second thought
+    bool inside = false;         ///< hit within the body, not on its rim
   };
 
   explicit BoundaryIndex(std::shared_ptr<const Topology> topology);

@@ -20,10 +20,10 @@ enum class MouseButton { left = 0, right = 1, middle = 2 };
 struct InputState {
   Vec2 mouse{-1, -1};
   bool mouse_inside = false;
-  std::array<bool, 3> buttons{};  ///< by MouseButton
-  Vec2 wheel{0, 0};               ///< notches since the last frame, y up
-  std::bitset<512> keys;          ///< by GLFW key code
-  std::u32string text;            ///< typed since the last frame
+  std::array<bool, 3> buttons{};               ///< by MouseButton
+  Vec2 wheel{0, 0};                            ///< notches since the last frame, y up
+  std::bitset<512> keys;                       ///< by GLFW key code
+  std::u32string text;                         ///< typed since the last frame
   std::vector<std::filesystem::path> dropped;  ///< files dropped on the window
 
   bool down(MouseButton b) const { return buttons[static_cast<std::size_t>(b)]; }

@@ -31,8 +31,8 @@ bool Session::poll() {
 bool Session::working() const {
   const bool solving = job_.active() && !(job_.held() && job_.snapshot() &&
                                           job_.snapshot()->state == JobState::done);
-  const bool paused = job_.paused() && job_.snapshot() &&
-                      job_.snapshot()->state == JobState::paused;
+  const bool paused =
+      job_.paused() && job_.snapshot() && job_.snapshot()->state == JobState::paused;
   return loader_.busy() || saver_.busy() || quality_.busy() || (solving && !paused);
 }
 

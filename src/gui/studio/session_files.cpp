@@ -134,8 +134,7 @@ void Session::on(const action::SaveMesh& a) {
   saver_.start([path, mesh, details = document_->details(), generation = generation_,
                 revision = document_->revision()] {
     SaveOutcome outcome{path, generation, revision, {}, {}};
-    outcome.error =
-        error_of([&] { outcome.warnings = io::write_mesh(path, mesh, details.get()); });
+    outcome.error = error_of([&] { outcome.warnings = io::write_mesh(path, mesh, details.get()); });
     return outcome;
   });
 }

@@ -65,8 +65,7 @@ void Session::on(const action::BeginDrag&) {
 
 void Session::on(const action::DragTo& a) {
   if (!dragging_) return;
-  const MoveCommand command =
-      move_command(drag_base_ ? compose(*drag_base_, a.motion) : a.motion);
+  const MoveCommand command = move_command(drag_base_ ? compose(*drag_base_, a.motion) : a.motion);
   if (job_.active()) {
     job_.retarget(command);
     return;

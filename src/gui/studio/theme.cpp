@@ -2,38 +2,23 @@
 
 #include <imgui_freetype.h>
 
+#include <array>
 #include <filesystem>
-#include <string>
+
+#include "gui/render/color_map.h"
+#include "gui/render/fonts.h"
 
 namespace winslow::gui {
 
 namespace {
 
-constexpr const char* inter_folder = "/usr/share/fonts/opentype/inter/";
 constexpr std::array<const char*, 2> icon_files{
     "/usr/share/fonts/truetype/fork-awesome/forkawesome-webfont.ttf",
     "/usr/share/fonts-fork-awesome/fonts/forkawesome-webfont.ttf"};
 
-// Okabe and Ito's palette, darkened where it would be faint on white.
-constexpr std::array<ImU32, 8> markers{
-    IM_COL32(0, 114, 178, 255), IM_COL32(213, 94, 0, 255),  IM_COL32(0, 140, 104, 255),
-    IM_COL32(190, 90, 150, 255), IM_COL32(184, 128, 0, 255), IM_COL32(58, 150, 205, 255),
-    IM_COL32(110, 80, 170, 255), IM_COL32(90, 98, 110, 255)};
-
 bool exists(const char* path) {
   std::error_code ignored;
   return std::filesystem::exists(std::filesystem::path(path), ignored);
-}
-
-ImFont* load(const char* file, float size) {
-  static const ImWchar ranges[] = {0x0020, 0x017F, 0x0370, 0x03FF, 0x2010, 0x2027,
-                                   0x2190, 0x2193, 0x2200, 0x22FF, 0};
-  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-  const std::string path = std::string(inter_folder) + file;
-  if (exists(path.c_str())) return atlas.AddFontFromFileTTF(path.c_str(), size, nullptr, ranges);
-  ImFontConfig config;
-  config.SizePixels = size;
-  return atlas.AddFontDefault(&config);
 }
 
 bool merge_icons(float size) {
@@ -123,11 +108,9 @@ void set_colors(ImGuiStyle& style) {
 
 }  // namespace
 
-ImU32 marker_color(Index marker) { return markers[static_cast<std::size_t>(marker) % 8]; }
-
-std::array<float, 4> marker_rgba(Index marker) {
-  const ImVec4 c = rgba(marker_color(marker));
-  return {c.x, c.y, c.z, c.w};
+ImU32 marker_swatch(Index marker) {
+  const Rgb c = marker_color(marker);
+  return ImGui::ColorConvertFloat4ToU32(ImVec4(c[0], c[1], c[2], 1));
 }
 
 const char* Theme::icon(Icon icon) const {
@@ -202,13 +185,13 @@ Theme make_theme(float scale) {
   io.Fonts->FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
   Theme theme;
   theme.scale = scale;
-  theme.regular = load("Inter-Regular.otf", theme.px(15));
+  theme.regular = add_font(FontWeight::regular, theme.px(15));
   theme.has_icons = merge_icons(theme.px(15));
-  theme.bold = load("Inter-SemiBold.otf", theme.px(15));
+  theme.bold = add_font(FontWeight::semibold, theme.px(15));
   merge_icons(theme.px(15));
-  theme.small = load("Inter-Regular.otf", theme.px(13));
+  theme.small = add_font(FontWeight::regular, theme.px(13));
   merge_icons(theme.px(13));
-  theme.title = load("Inter-SemiBold.otf", theme.px(21));
+  theme.title = add_font(FontWeight::semibold, theme.px(21));
   merge_icons(theme.px(21));
   io.FontDefault = theme.regular;
   ImGuiStyle& style = ImGui::GetStyle();

@@ -2,8 +2,6 @@
 
 #include <imgui.h>
 
-#include <array>
-
 #include "core/types.h"
 
 /// Colours, fonts and sizes of the studio: one place decides how it looks.
@@ -27,10 +25,8 @@ inline constexpr ImU32 success = IM_COL32(21, 128, 61, 255);
 inline constexpr ImU32 move_line = IM_COL32(13, 148, 136, 255);  // "largest move" of the plot
 }  // namespace color
 
-/// Colour of a marker, distinguishable for the colour-blind; repeats after eight.
-ImU32 marker_color(Index marker);
-/// The same as red, green, blue, alpha in [0, 1].
-std::array<float, 4> marker_rgba(Index marker);
+/// Colour of a marker in lists, the same as in the picture.
+ImU32 marker_swatch(Index marker);
 
 enum class Icon {
   open,
@@ -66,7 +62,7 @@ enum class Icon {
 
 /// Fonts of one ImGui context.
 struct Theme {
-  float scale = 1;         ///< pixels per unit of the layout
+  float scale = 1;  ///< pixels per unit of the layout
   ImFont* regular = nullptr;
   ImFont* bold = nullptr;
   ImFont* small = nullptr;

@@ -21,6 +21,8 @@ struct ViewOptions {
   bool left_panel = true;
   bool right_panel = true;
   bool plot_panel = true;
+
+  bool operator==(const ViewOptions&) const = default;
 };
 
 }  // namespace winslow::gui

@@ -33,9 +33,7 @@ Handle handle_at(const Handles& handles, const Vec2& p, double scale) {
 
 }  // namespace
 
-Vec2 Handles::knob() const {
-  return pivot + radius * Vec2(std::cos(angle), -std::sin(angle));
-}
+Vec2 Handles::knob() const { return pivot + radius * Vec2(std::cos(angle), -std::sin(angle)); }
 
 std::optional<Handles> Viewport::handles(const ViewportScene& scene, const Camera& camera) {
   if (!scene.boundary || scene.selection.empty()) return std::nullopt;
@@ -44,8 +42,7 @@ std::optional<Handles> Viewport::handles(const ViewportScene& scene, const Camer
   Handles h;
   h.pivot = camera.to_screen(scene.pivot);
   // Seen from afar the ring stays large enough to take, seen from near within the window.
-  h.radius = std::max(smallest_ring * scene.scale,
-                      std::min(reach + ring_gap * scene.scale, room));
+  h.radius = std::max(smallest_ring * scene.scale, std::min(reach + ring_gap * scene.scale, room));
   h.angle = pi / 4 + radians(scene.turned);
   return h;
 }

@@ -21,9 +21,9 @@ struct PointerState {
 
 /// Where the handles of the selection are on screen.
 struct Handles {
-  Vec2 pivot{0, 0};    ///< pixels
-  double radius = 0;   ///< of the ring, pixels
-  double angle = 0;    ///< of the knob on the ring, radians, counter-clockwise on screen
+  Vec2 pivot{0, 0};   ///< pixels
+  double radius = 0;  ///< of the ring, pixels
+  double angle = 0;   ///< of the knob on the ring, radians, counter-clockwise on screen
   Vec2 knob() const;
 };
 enum class Handle { none, pivot, ring };
@@ -35,7 +35,7 @@ struct ViewportScene {
   Vec2 pivot{0, 0};
   double reach = 0;   ///< of the selection around the pivot, in units of the mesh
   double turned = 0;  ///< degrees by which a drag has turned the selection so far
-  double scale = 1;  ///< of the interface; sizes of handles and tolerances grow with it
+  double scale = 1;   ///< of the interface; sizes of handles and tolerances grow with it
 };
 
 /// Turns the mouse into actions: select, drag, rotate, set the pivot; pans and zooms the camera.

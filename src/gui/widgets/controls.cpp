@@ -44,8 +44,7 @@ int push_button_style(ButtonStyle style) {
 void note(std::string_view id) { note(id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()); }
 
 void note(std::string_view id, const ImVec2& min, const ImVec2& max) {
-  UiLayer::current().widgets().note(id,
-                                    {Vec2(min.x, min.y), Vec2(max.x, max.y), !disabled_now()});
+  UiLayer::current().widgets().note(id, {Vec2(min.x, min.y), Vec2(max.x, max.y), !disabled_now()});
 }
 
 void tooltip(std::string_view text) {

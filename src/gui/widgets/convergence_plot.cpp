@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "gui/render/ticks.h"
 #include "gui/studio/text.h"
 #include "gui/studio/theme.h"
 #include "gui/widgets/controls.h"
-#include "gui/widgets/ticks.h"
 
 namespace winslow::gui {
 
@@ -18,8 +17,8 @@ namespace {
 constexpr double floor_value = 1e-16;  // what is smaller, zero above all, is drawn here
 
 struct Frame {
-  ImVec2 min, max;  // of the plotting area
-  double last = 1;  // iterations run from 0 to this
+  ImVec2 min, max;          // of the plotting area
+  double last = 1;          // iterations run from 0 to this
   int low = -12, high = 0;  // decades
   double inverted = 0;      // top of the right axis; 0: no right axis
 
@@ -60,31 +59,42 @@ Frame make_frame(const ConvergencePlot& plot, const ImVec2& min, const ImVec2& m
 void text_at(ImDrawList& list, const ImVec2& anchor, float align_x, float align_y, ImU32 c,
              const std::string& text) {
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  list.AddText(ImVec2(std::round(anchor.x - align_x * size.x),
-                      std::round(anchor.y - align_y * size.y)),
-               c, text.c_str());
+  list.AddText(
+      ImVec2(std::round(anchor.x - align_x * size.x), std::round(anchor.y - align_y * size.y)), c,
+      text.c_str());
+}
+
+/// Round whole numbers from 0 to `high`.
+std::vector<double> whole_ticks(double high, int wanted) {
+  std::vector<double> ticks = nice_ticks(0, high, wanted);
+  std::erase_if(ticks, [](double t) { return t != std::round(t); });
+  return ticks;
 }
 
 void draw_axes(ImDrawList& list, const Frame& f, float scale) {
   list.AddRectFilled(f.min, f.max, color::card);
   const int rows = std::max(2, static_cast<int>((f.max.y - f.min.y) / (22 * scale)));
-  for (const Tick& t : decade_ticks(f.low, f.high, rows)) {
-    const float y = f.y(t.value);
+  const int step = std::max(1, (f.high - f.low + rows - 1) / rows);
+  for (int decade = f.low; decade <= f.high; ++decade) {
+    if (decade % step != 0) continue;
+    const float y = f.y(std::pow(10.0, decade));
     list.AddLine(ImVec2(f.min.x, y), ImVec2(f.max.x, y), color::grid, scale);
-    text_at(list, ImVec2(f.min.x - 6 * scale, y), 1, 0.5f, color::text_dim, t.label);
+    text_at(list, ImVec2(f.min.x - 6 * scale, y), 1, 0.5f, color::text_dim,
+            "1e" + std::to_string(decade));
   }
   const int columns = std::max(2, static_cast<int>((f.max.x - f.min.x) / (80 * scale)));
-  for (const Tick& t : integer_ticks(0, f.last, columns)) {
-    const float x = f.x(t.value);
+  for (const double value : whole_ticks(f.last, columns)) {
+    const float x = f.x(value);
     list.AddLine(ImVec2(x, f.min.y), ImVec2(x, f.max.y), color::grid, scale);
-    text_at(list, ImVec2(x, f.max.y + 4 * scale), 0.5f, 0, color::text_dim, t.label);
+    text_at(list, ImVec2(x, f.max.y + 4 * scale), 0.5f, 0, color::text_dim,
+            grouped(static_cast<long long>(value)));
   }
   text_at(list, ImVec2((f.min.x + f.max.x) / 2, f.max.y + 19 * scale), 0.5f, 0, color::text_dim,
           "outer iteration");
   if (f.inverted > 0) {
-    for (const Tick& t : integer_ticks(0, f.inverted, std::max(2, rows / 2)))
-      text_at(list, ImVec2(f.max.x + 6 * scale, f.y_inverted(t.value)), 0, 0.5f, color::danger,
-              grouped(static_cast<long long>(t.value)));
+    for (const double value : whole_ticks(f.inverted, std::max(2, rows / 2)))
+      text_at(list, ImVec2(f.max.x + 6 * scale, f.y_inverted(value)), 0, 0.5f, color::danger,
+              grouped(static_cast<long long>(value)));
   }
   list.AddRect(f.min, f.max, color::border, 0, 0, scale);
 }

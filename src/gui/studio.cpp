@@ -1,0 +1,86 @@
+#include "gui/studio.h"
+
+#include <chrono>
+#include <thread>
+
+#include "core/error.h"
+#include "gui/render/gl_context.h"
+#include "gui/render/image.h"
+#include "gui/studio/window.h"
+#include "gui/studio/workbench.h"
+
+namespace winslow::gui {
+
+namespace {
+
+// Tooltips come after a rest of the mouse, so frames go on for a while after the last event.
+constexpr double settle_seconds = 0.6;
+constexpr double busy_wait = 1.0 / 60;
+constexpr double idle_wait = 0.5;
+
+/// Runs frames until the window is closed; draws only where there is something new to see.
+class StudioLoop {
+ public:
+  StudioLoop(Window& window, Workbench& workbench) : window_(window), workbench_(workbench) {}
+
+  void run() {
+    while (!workbench_.session().quit_accepted()) {
+      const bool lively = workbench_.session().working() || window_.time() < draw_until_;
+      const bool events = window_.wait(lively ? busy_wait : idle_wait);
+      if (window_.take_close_request()) workbench_.apply(action::Quit{});
+      const bool news = workbench_.poll();
+      if (events || news) draw_until_ = window_.time() + settle_seconds;
+      if (window_.time() < draw_until_ || !workbench_.settled()) frame();
+    }
+  }
+
+ private:
+  void frame() {
+    if (window_.width() <= 0 || window_.height() <= 0) return;  // minimised
+    const double now = window_.time();
+    workbench_.set_scale(window_.scale());
+    window_.connect_clipboard();
+    workbench_.update(window_.input().next_frame(), window_.width(), window_.height(),
+                      now - last_frame_);
+    last_frame_ = now;
+    workbench_.paint();
+    window_.set_title(workbench_.title());
+    window_.set_cursor(workbench_.cursor());
+    window_.show();
+  }
+
+  Window& window_;
+  Workbench& workbench_;
+  double draw_until_ = settle_seconds;
+  double last_frame_ = 0;
+};
+
+}  // namespace
+
+void run_studio(const StudioOptions& options) {
+  Window window(options.width, options.height, "winslow");
+  Workbench workbench(window.scale());
+  if (options.mesh) workbench.apply(action::OpenMesh{*options.mesh});
+  StudioLoop(window, workbench).run();
+}
+
+void screenshot_studio(const StudioOptions& options, const std::filesystem::path& png) {
+  const auto context = make_headless_context();
+  Workbench workbench;
+  if (options.mesh) workbench.apply(action::OpenMesh{*options.mesh});
+  const auto frame = [&] {
+    workbench.update(InputState{}, options.width, options.height, 1.0 / 60);
+  };
+  frame();
+  while (workbench.session().loading() || !workbench.settled()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    frame();
+  }
+  if (options.mesh && !workbench.session().document())
+    throw InputError(workbench.session().prompt()->text);
+  // Windows of the interface take a frame or two to find their sizes.
+  for (int i = 0; i < 3; ++i) frame();
+  write_png(png, workbench.picture());
+}
+
+}  // namespace winslow::gui

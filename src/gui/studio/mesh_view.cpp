@@ -1,0 +1,106 @@
+#include "gui/studio/mesh_view.h"
+
+#include <algorithm>
+#include <string>
+
+#include "gui/render/metric_scale.h"
+
+namespace winslow::gui {
+
+namespace {
+
+constexpr int histogram_bins = 40;
+
+ColorScale scale_of(const QualityMonitor::Measured& measured, const ViewOptions& view) {
+  ColorScale scale = automatic_scale(*measured.metric, measured.values, view.color_map);
+  if (view.range && (*view.range)[1] > (*view.range)[0]) {
+    scale.low = (*view.range)[0];
+    scale.high = (*view.range)[1];
+  }
+  scale.bands = view.bands;
+  return scale;
+}
+
+Legend legend_of(const QualityMonitor::Measured& measured, const ColorScale& scale) {
+  Legend legend;
+  legend.title = std::string(metric_label(*measured.metric));
+  legend.scale = scale;
+  legend.histogram = histogram_over(measured.values, scale, histogram_bins);
+  for (double v : measured.values) {
+    legend.more_below |= v < scale.low;
+    legend.more_above |= v > scale.high;
+  }
+  return legend;
+}
+
+bool same_colors(const ViewOptions& a, const ViewOptions& b) {
+  return a.color == b.color && a.color_map == b.color_map && a.bands == b.bands &&
+         a.range == b.range;
+}
+
+}  // namespace
+
+void MeshView::update(const Session& session, const ViewOptions& view, float scale) {
+  has_mesh_ = session.document() != nullptr;
+  if (!has_mesh_) return;
+  if (generation_ != session.generation()) {
+    generation_ = session.generation();
+    shape_ = 0;
+    colored_.reset();
+    legend_.reset();
+    renderer_.clear_values();
+  }
+  if (shape_ != session.shape()) {
+    shape_ = session.shape();
+    renderer_.set_mesh(session.document()->topology(), session.coordinates());
+  }
+  update_colors(session, view);
+  update_markers(session, scale);
+  style_.wireframe = view.wireframe;
+  style_.edge_width = scale;
+  style_.boundary_width = 2 * scale;
+  style_.node_size = view.nodes ? 4 * scale : 0;
+  style_.show_inverted = view.mark_inverted;
+  style_.fill_color = {0.955f, 0.963f, 0.975f, 1};
+  // Dark edges on dark colours would be lost, and black ones would drown the colours.
+  style_.edge_color = view.color ? Rgba{0.08f, 0.10f, 0.14f, 0.55f} : Rgba{0.30f, 0.35f, 0.42f, 1};
+}
+
+void MeshView::update_colors(const Session& session, const ViewOptions& view) {
+  const auto& measured = session.quality().latest();
+  if (!view.color) {
+    if (colored_) renderer_.clear_values();
+    colored_.reset();
+    legend_.reset();
+    return;
+  }
+  // Until the metric asked for is measured, the colours stay what they are.
+  if (!measured || measured->metric != view.color) return;
+  if (colored_ == measured && same_colors(colored_view_, view)) return;
+  colored_ = measured;
+  colored_view_ = view;
+  const ColorScale scale = scale_of(*measured, view);
+  renderer_.set_values(measured->values, scale);
+  legend_ = legend_of(*measured, scale);
+}
+
+void MeshView::update_markers(const Session& session, float scale) {
+  const auto count = static_cast<Index>(session.document()->topology()->markers().size());
+  std::vector<MeshRenderer::MarkerStyle> styles;
+  for (Index m = 0; m < count; ++m) {
+    const Rgb c = marker_color(m);
+    const auto& hovered = session.hovered();
+    const bool lit = std::find(hovered.begin(), hovered.end(), m) != hovered.end();
+    float width = 2.2f;
+    if (lit) width = 4.0f;
+    if (session.selected(m)) width = 4.5f;
+    styles.push_back({{c[0], c[1], c[2], 1}, width * scale});
+  }
+  renderer_.set_marker_styles(std::move(styles));
+}
+
+void MeshView::draw(const Camera& camera, int width, int height) {
+  if (has_mesh_) renderer_.draw(camera, style_, width, height);
+}
+
+}  // namespace winslow::gui

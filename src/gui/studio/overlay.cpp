@@ -1,0 +1,102 @@
+#include "gui/studio/overlay.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "gui/studio/rigid_motion.h"
+
+namespace winslow::gui {
+
+namespace {
+
+ImVec2 pixel(const Vec2& p) { return {static_cast<float>(p.x()), static_cast<float>(p.y())}; }
+
+std::string number(double value, const char* format = "%.4g") {
+  std::array<char, 48> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, value);
+  return buffer.data();
+}
+
+void draw_label(ImDrawList& list, const Theme& theme, const ImVec2& at, const std::string& text) {
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const float pad = theme.px(7);
+  const ImVec2 end(at.x + size.x + 2 * pad, at.y + size.y + 1.4f * pad);
+  list.AddRectFilled(at, end, IM_COL32(31, 41, 55, 225), theme.px(5));
+  list.AddText(ImVec2(at.x + pad, at.y + 0.7f * pad), IM_COL32_WHITE, text.c_str());
+}
+
+/// The selected markers where the mouse wants them: the solver is a step behind.
+void draw_outline(ImDrawList& list, const Overlay& o) {
+  const auto motion = o.session.live_motion();
+  if (!motion) return;
+  const Mesh& base = o.session.job().base().mesh;
+  for (Index m : o.session.selection())
+    for (const auto& [a, b] : base.topology->markers()[static_cast<std::size_t>(m)].edges) {
+      const Vec2 p = o.camera.to_screen(transform(*motion, base.coordinates.xy(a)));
+      const Vec2 q = o.camera.to_screen(transform(*motion, base.coordinates.xy(b)));
+      list.AddLine(pixel(p), pixel(q), color::accent, o.theme.px(1.5f));
+    }
+}
+
+void draw_ring(ImDrawList& list, const Overlay& o, const Handles& h) {
+  const bool hot = o.viewport.hovered_handle() == Handle::ring ||
+                   o.viewport.gesture() == Viewport::Gesture::rotate;
+  const ImVec2 centre = pixel(h.pivot);
+  const auto radius = static_cast<float>(h.radius);
+  const float width = o.theme.px(hot ? 3.0f : 1.8f);
+  list.AddCircle(centre, radius, IM_COL32(255, 255, 255, 190), 96, width + o.theme.px(2));
+  list.AddCircle(centre, radius, hot ? color::accent : IM_COL32(37, 99, 235, 170), 96, width);
+  if (o.viewport.gesture() == Viewport::Gesture::rotate) {
+    const auto from = static_cast<float>(-pi / 4);
+    const auto to = static_cast<float>(-h.angle);
+    list.PathLineTo(centre);
+    list.PathArcTo(centre, radius, from, to, 64);
+    list.PathFillConvex(IM_COL32(37, 99, 235, 26));
+  }
+  const ImVec2 knob = pixel(h.knob());
+  list.AddCircleFilled(knob, o.theme.px(hot ? 8.0f : 6.5f), IM_COL32_WHITE);
+  list.AddCircleFilled(knob, o.theme.px(hot ? 6.5f : 5.0f), color::accent);
+}
+
+void draw_pivot(ImDrawList& list, const Overlay& o, const Handles& h) {
+  const bool hot = o.viewport.hovered_handle() == Handle::pivot ||
+                   o.viewport.gesture() == Viewport::Gesture::pivot;
+  const ImVec2 c = pixel(h.pivot);
+  const float r = o.theme.px(hot ? 7.0f : 5.5f);
+  const float arm = r + o.theme.px(4);
+  const ImU32 dark = color::accent;
+  for (const auto& [paint, width] :
+       {std::pair{IM_COL32_WHITE, o.theme.px(4)}, std::pair{dark, o.theme.px(1.6f)}}) {
+    list.AddCircle(c, r, paint, 32, width);
+    list.AddLine(ImVec2(c.x - arm, c.y), ImVec2(c.x + arm, c.y), paint, width);
+    list.AddLine(ImVec2(c.x, c.y - arm), ImVec2(c.x, c.y + arm), paint, width);
+  }
+}
+
+void draw_motion(ImDrawList& list, const Overlay& o) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const ImVec2 at(mouse.x + o.theme.px(18), mouse.y + o.theme.px(14));
+  const RigidMotion& m = o.viewport.motion();
+  if (o.viewport.gesture() == Viewport::Gesture::rotate)
+    draw_label(list, o.theme, at, number(m.rotate, "%+.2f") + "\xC2\xB0");
+  else
+    draw_label(
+        list, o.theme, at,
+        "x " + number(m.translate.x(), "%+.4g") + "   y " + number(m.translate.y(), "%+.4g"));
+}
+
+}  // namespace
+
+void draw_overlay(ImDrawList& list, const Overlay& o) {
+  if (o.session.dragging()) draw_outline(list, o);
+  if (const auto handles = Viewport::handles(o.scene, o.camera)) {
+    draw_ring(list, o, *handles);
+    draw_pivot(list, o, *handles);
+  }
+  if (o.session.dragging() && o.viewport.dragging()) draw_motion(list, o);
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,238 @@
+#include "gui/studio/workbench.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+#include "core/error.h"
+#include "gui/render/frame_buffer.h"
+#include "gui/render/gl.h"
+#include "gui/studio/overlay.h"
+#include "gui/studio/shortcuts.h"
+
+namespace winslow::gui {
+
+namespace {
+
+constexpr int samples = 4;
+
+bool popup_open() {
+  return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
+
+std::filesystem::path new_picture_name() {
+  for (int n = 1;; ++n) {
+    char name[32];
+    std::snprintf(name, sizeof name, "winslow-%03d.png", n);
+    std::error_code ignored;
+    if (!std::filesystem::exists(name, ignored)) return name;
+  }
+}
+
+}  // namespace
+
+Workbench::Workbench(float scale) : ui_(std::make_unique<UiLayer>(scale)) {}
+
+void Workbench::set_scale(float scale) {
+  if (scale != ui_->theme().scale) ui_ = std::make_unique<UiLayer>(scale);
+}
+
+void Workbench::apply(const Action& action) {
+  std::visit([this](const auto& a) { on(a); }, action);
+}
+
+bool Workbench::poll() { return session_.poll(); }
+
+bool Workbench::settled() const {
+  if (session_.working() || screenshot_delay_ > 0) return false;
+  if (!session_.document()) return true;
+  const auto& measured = session_.quality().latest();
+  return measured && measured->shape == session_.shape() && measured->metric == view_.color;
+}
+
+void Workbench::update(const InputState& input, int width, int height, double seconds) {
+  width_ = std::max(width, 1);
+  height_ = std::max(height, 1);
+  session_.poll();
+  ui_->begin(input, width_, height_, seconds);
+  take_input(input);
+  draw_menu();
+  const Area& v = layout_.viewport;
+  camera_.set_viewport(v.x, v.y, v.width, v.height);
+  if (generation_ != session_.generation()) look_at_start();
+  draw_regions();
+  draw_splitters();
+  draw_viewport();
+  draw_dialogs();
+  drive_viewport(input);
+  dispatch();
+  finish_frame();
+}
+
+void Workbench::take_input(const InputState& input) {
+  // One mesh at a time: of several files dropped, the first.
+  if (!input.dropped.empty()) actions_.emplace_back(action::OpenMesh{input.dropped.front()});
+  if (!popup_open() && !ui_->wants_keyboard()) handle_shortcuts(context(), viewport_.dragging());
+}
+
+ViewportScene Workbench::scene() const {
+  ViewportScene scene;
+  scene.boundary = session_.boundary();
+  scene.selection = session_.selection();
+  scene.pivot = session_.pivot();
+  scene.reach = reach_;
+  scene.turned = viewport_.gesture() == Viewport::Gesture::rotate ? viewport_.motion().rotate : 0;
+  scene.scale = static_cast<double>(ui_->theme().scale);
+  return scene;
+}
+
+void Workbench::drive_viewport(const InputState& input) {
+  const Area& v = layout_.viewport;
+  const auto x = static_cast<float>(input.mouse.x());
+  const auto y = static_cast<float>(input.mouse.y());
+  PointerState pointer;
+  pointer.position = input.mouse;
+  pointer.over = input.mouse_inside && session_.document() && !ui_->wants_mouse() && x >= v.x &&
+                 x < v.x + v.width && y >= v.y && y < v.y + v.height;
+  pointer.left = input.down(MouseButton::left);
+  pointer.middle = input.down(MouseButton::middle);
+  pointer.right = input.down(MouseButton::right);
+  pointer.wheel = input.wheel.y();
+  pointer.shift = input.shift();
+  pointer.control = input.control();
+  pointer.cancel = input.keys[GLFW_KEY_ESCAPE];
+  viewport_.update(pointer, scene(), camera_, actions_);
+}
+
+void Workbench::dispatch() {
+  // Actions may bring forth others (a choice in a dialog); those come in the same frame.
+  for (std::size_t i = 0; i < actions_.size(); ++i) {
+    const Action action = actions_[i];
+    apply(action);
+  }
+  actions_.clear();
+}
+
+void Workbench::finish_frame() {
+  if (generation_ != session_.generation()) look_at_start();
+  if (session_.boundary() && !session_.job().active())
+    reach_ = session_.boundary()->reach(session_.selection(), session_.pivot());
+  session_.watch_quality(view_.color);
+  mesh_view_.update(session_, view_, ui_->theme().scale);
+  draw_overlay(*ImGui::GetBackgroundDrawList(),
+               {session_, viewport_, scene(), camera_, ui_->theme()});
+  ui_->end();
+  if (screenshot_delay_ > 0 && --screenshot_delay_ == 0) save_screenshot();
+}
+
+void Workbench::paint() {
+  glViewport(0, 0, width_, height_);
+  glDisable(GL_SCISSOR_TEST);
+  glClearColor(1, 1, 1, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  mesh_view_.draw(camera_, width_, height_);
+  ui_->paint();
+}
+
+Image Workbench::picture() {
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  FrameBuffer buffer(width_, height_, samples);
+  buffer.bind();
+  paint();
+  Image image = buffer.read();
+  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+  return image;
+}
+
+int Workbench::cursor() const {
+  if (viewport_.gesture() == Viewport::Gesture::pan) return ImGuiMouseCursor_ResizeAll;
+  if (viewport_.dragging() || viewport_.over_body() || viewport_.hovered_handle() != Handle::none)
+    return ImGuiMouseCursor_Hand;
+  return ui_->cursor();
+}
+
+std::string Workbench::title() const {
+  const Document* document = session_.document();
+  if (!document) return "winslow";
+  return (document->modified() ? "* " : "") + document->name() + " - winslow";
+}
+
+void Workbench::look_at_start() {
+  generation_ = session_.generation();
+  const Document* document = session_.document();
+  if (!document) return;
+  const Bounds all = bounds(document->state().mesh);
+  std::vector<Index> holes;
+  for (const auto& body : session_.boundary()->bodies())
+    if (body.hole) holes.insert(holes.end(), body.nodes.begin(), body.nodes.end());
+  if (!holes.empty()) {
+    Bounds bodies = bounds(document->state().mesh.coordinates, holes);
+    // With a far field of a hundred chords the bodies would be a dot.
+    if (bodies.size().maxCoeff() < 0.15 * all.size().maxCoeff()) {
+      const Vec2 room = Vec2::Constant(0.6 * bodies.size().maxCoeff());
+      return camera_.fit({bodies.min - room, bodies.max + room});
+    }
+  }
+  camera_.fit(all);
+}
+
+void Workbench::on(const action::FitView&) {
+  if (const Document* document = session_.document())
+    camera_.fit(bounds(Mesh{document->topology(), session_.coordinates()}));
+}
+
+void Workbench::on(const action::FitSelection&) {
+  if (!session_.document() || session_.selection().empty()) return;
+  std::vector<Index> nodes;
+  for (Index m : session_.selection()) {
+    const auto of_marker = session_.document()->topology()->marker_nodes(m);
+    nodes.insert(nodes.end(), of_marker.begin(), of_marker.end());
+  }
+  camera_.fit(bounds(session_.coordinates(), nodes), 0.2);
+}
+
+void Workbench::on(const action::LookAt& a) {
+  const Vec2 half = Vec2::Constant(a.radius);
+  camera_.fit({a.point - half, a.point + half});
+}
+
+void Workbench::on(const action::ShowFileDialog& a) {
+  using action::FilePurpose;
+  const Document* document = session_.document();
+  std::filesystem::path suggested = document ? document->path() : std::filesystem::path();
+  if (a.purpose == FilePurpose::export_recipe) suggested.replace_extension(".json");
+  if (a.purpose == FilePurpose::screenshot) suggested = new_picture_name();
+  file_dialog_.open(a.purpose, suggested);
+}
+
+void Workbench::on(const action::TakeScreenshot& a) {
+  screenshot_ = a.path.empty() ? new_picture_name() : a.path;
+  std::error_code ignored;
+  if (!a.overwrite && std::filesystem::exists(screenshot_, ignored)) {
+    session_.ask(
+        {Prompt::Kind::question,
+         "Replace the file?",
+         screenshot_.filename().string() + " exists already.",
+         {{"Replace", {action::TakeScreenshot{screenshot_, true}}, false}, {"Cancel", {}, true}}});
+    return;
+  }
+  screenshot_delay_ = 3;
+}
+
+void Workbench::save_screenshot() {
+  try {
+    write_png(screenshot_, picture());
+    std::error_code ignored;
+    session_.tell(Notice::Kind::success,
+                  "Picture saved to " + std::filesystem::absolute(screenshot_, ignored).string());
+  } catch (const Error& error) {
+    session_.report_error("Cannot save the picture", error.what());
+  }
+}
+
+}  // namespace winslow::gui

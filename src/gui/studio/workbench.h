@@ -1,0 +1,126 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "gui/panels/banner_panel.h"
+#include "gui/panels/convergence_panel.h"
+#include "gui/panels/file_dialog.h"
+#include "gui/panels/help_panel.h"
+#include "gui/panels/history_panel.h"
+#include "gui/panels/markers_panel.h"
+#include "gui/panels/menu_bar.h"
+#include "gui/panels/motion_panel.h"
+#include "gui/panels/prompt_panel.h"
+#include "gui/panels/quality_panel.h"
+#include "gui/panels/solver_panel.h"
+#include "gui/panels/status_bar.h"
+#include "gui/panels/toolbar.h"
+#include "gui/panels/view_panel.h"
+#include "gui/panels/welcome_panel.h"
+#include "gui/render/camera.h"
+#include "gui/render/image.h"
+#include "gui/studio/layout.h"
+#include "gui/studio/mesh_view.h"
+#include "gui/studio/session.h"
+#include "gui/studio/ui_layer.h"
+#include "gui/studio/viewport.h"
+
+namespace winslow::gui {
+
+/// The studio without its window: turns input into frames. The window, the headless screenshot and
+/// the tests all drive this one class. Needs a current OpenGL context throughout.
+class Workbench {
+ public:
+  explicit Workbench(float scale = 1);
+
+  /// Pixels per unit of the layout. Keeps the session.
+  void set_scale(float scale);
+  void apply(const Action& action);
+
+  /// One frame: takes input, collects what threads have done, lays out the interface.
+  /// width, height: framebuffer pixels. seconds: since the last frame.
+  void update(const InputState& input, int width, int height, double seconds);
+  /// Draws the frame last updated into the bound framebuffer.
+  void paint();
+  /// The frame last updated, drawn off-screen.
+  Image picture();
+
+  /// Collects what threads have done. True if a new frame would look different.
+  bool poll();
+  /// Nothing is under way and the colours on screen are those of the mesh on screen.
+  bool settled() const;
+
+  const Session& session() const { return session_; }
+  const ViewOptions& view() const { return view_; }
+  const Camera& camera() const { return camera_; }
+  const Layout& layout() const { return layout_; }
+  const WidgetMap& widgets() const { return ui_->widgets(); }
+  const FileDialog& file_dialog() const { return file_dialog_; }
+  /// Shape of the mouse cursor (ImGuiMouseCursor).
+  int cursor() const;
+  /// "* naca0012.su2 - winslow"
+  std::string title() const;
+
+ private:
+  void take_input(const InputState& input);
+  void draw_menu();
+  void draw_regions();
+  void draw_splitters();
+  void draw_viewport();
+  void draw_legend_card(ImDrawList& list);
+  void draw_dialogs();
+  void drive_viewport(const InputState& input);
+  void dispatch();
+  void finish_frame();
+  ViewportScene scene() const;
+  PanelContext context() { return {session_, view_, ui_->theme(), actions_}; }
+
+  void on(const action::SetView& a) { view_ = a.view; }
+  void on(const action::FitView&);
+  void on(const action::FitSelection&);
+  void on(const action::LookAt& a);
+  void on(const action::ShowFileDialog& a);
+  void on(const action::TakeScreenshot& a);
+  void on(const action::ShowHelp&) { help_.open(); }
+  template <class SessionAction>
+  void on(const SessionAction& a) {
+    session_.apply(a);
+  }
+  void look_at_start();
+  void save_screenshot();
+
+  std::unique_ptr<UiLayer> ui_;
+  Session session_;
+  ViewOptions view_;
+  Camera camera_;
+  Layout layout_;
+  Viewport viewport_;
+  MeshView mesh_view_;
+  ActionQueue actions_;
+  int width_ = 1, height_ = 1;
+  std::uint64_t generation_ = 0;  // of the mesh that the camera was set up for
+  double reach_ = 0;              // of the selection, when nothing was moving
+  std::filesystem::path screenshot_;
+  int screenshot_delay_ = 0;  // frames until menus and dialogs are gone from the picture
+
+  MenuBar menu_bar_;
+  Toolbar toolbar_;
+  MarkersPanel markers_;
+  MotionPanel motion_;
+  SolverPanel solver_;
+  ViewPanel view_panel_;
+  QualityPanel quality_;
+  HistoryPanel history_;
+  ConvergencePanel convergence_;
+  StatusBar status_;
+  BannerPanel banner_;
+  WelcomePanel welcome_;
+  PromptPanel prompt_;
+  FileDialog file_dialog_;
+  HelpPanel help_;
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,171 @@
+#include <algorithm>
+
+#include "gui/studio/workbench.h"
+#include "gui/widgets/controls.h"
+
+namespace winslow::gui {
+
+namespace {
+
+constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                                   ImGuiWindowFlags_NoSavedSettings |
+                                   ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+/// A window that fills an area, with a line along chosen sides.
+struct RegionStyle {
+  ImVec2 padding;
+  ImU32 background = color::panel;
+  ImGuiWindowFlags flags = 0;
+};
+
+void begin_region(const char* name, const Area& area, const RegionStyle& style) {
+  ImGui::SetNextWindowPos(ImVec2(area.x, area.y));
+  ImGui::SetNextWindowSize(ImVec2(area.width, area.height));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, style.background);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, style.padding);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+  ImGui::Begin(name, nullptr, fixed | style.flags);
+}
+
+void end_region() {
+  const ImVec2 min = ImGui::GetWindowPos();
+  const ImVec2 size = ImGui::GetWindowSize();
+  ImGui::GetWindowDrawList()->AddRect(min, ImVec2(min.x + size.x, min.y + size.y), color::border);
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+  ImGui::PopStyleColor();
+}
+
+/// A strip that is dragged; returns by how many pixels.
+float splitter(const char* name, const Area& area, bool upright) {
+  begin_region(name, area, {ImVec2(0, 0), IM_COL32(0, 0, 0, 0), ImGuiWindowFlags_NoBackground});
+  ImGui::InvisibleButton("grip", ImVec2(area.width, area.height));
+  ui::note(name);
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+    ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(area.x, area.y),
+                                              ImVec2(area.x + area.width, area.y + area.height),
+                                              color::accent_soft);
+  }
+  const ImVec2 delta = ImGui::GetIO().MouseDelta;
+  const float moved = ImGui::IsItemActive() ? (upright ? delta.x : delta.y) : 0;
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+  ImGui::PopStyleColor();
+  return moved;
+}
+
+}  // namespace
+
+void Workbench::draw_menu() {
+  float height = 0;
+  if (ImGui::BeginMainMenuBar()) {
+    height = ImGui::GetWindowSize().y;
+    menu_bar_.draw(context());
+    ImGui::EndMainMenuBar();
+  }
+  layout_.arrange(width_, height_, view_, ui_->theme(), height);
+}
+
+void Workbench::draw_regions() {
+  const Theme& theme = ui_->theme();
+  const PanelContext all = context();
+  const ImVec2 roomy(theme.px(12), theme.px(10));
+  begin_region("toolbar", layout_.toolbar,
+               {ImVec2(theme.px(8), theme.px(8)), color::card, ImGuiWindowFlags_NoScrollbar});
+  toolbar_.draw(all);
+  end_region();
+  begin_region("status", layout_.status,
+               {ImVec2(theme.px(10), theme.px(6)), color::card, ImGuiWindowFlags_NoScrollbar});
+  status_.draw(all);
+  end_region();
+  if (!layout_.left.empty()) {
+    begin_region("left", layout_.left, {roomy});
+    markers_.draw(all);
+    motion_.draw(all);
+    solver_.draw(all);
+    end_region();
+  }
+  if (!layout_.right.empty()) {
+    begin_region("right", layout_.right, {roomy});
+    quality_.draw(all);
+    view_panel_.draw(all);
+    history_.draw(all);
+    end_region();
+  }
+  if (!layout_.plot.empty()) {
+    begin_region("plot", layout_.plot,
+                 {ImVec2(theme.px(12), theme.px(8)), color::card, ImGuiWindowFlags_NoScrollbar});
+    convergence_.draw(all);
+    end_region();
+  }
+}
+
+void Workbench::draw_splitters() {
+  const float scale = ui_->theme().scale;
+  const float grip = 6 * scale;
+  const Area& l = layout_.left;
+  const Area& r = layout_.right;
+  const Area& p = layout_.plot;
+  if (!l.empty())
+    layout_.left_width +=
+        splitter("splitter/left", {l.x + l.width - grip / 2, l.y, grip, l.height}, true) / scale;
+  if (!r.empty())
+    layout_.right_width -=
+        splitter("splitter/right", {r.x - grip / 2, r.y, grip, r.height}, true) / scale;
+  if (!p.empty())
+    layout_.plot_height -=
+        splitter("splitter/plot", {p.x, p.y - grip / 2, p.width, grip}, false) / scale;
+}
+
+void Workbench::draw_viewport() {
+  const Theme& theme = ui_->theme();
+  const Area& v = layout_.viewport;
+  if (!session_.document()) {
+    begin_region("welcome", v, {ImVec2(0, 0), color::card});
+    welcome_.draw(context());
+    end_region();
+    return;
+  }
+  draw_legend_card(*ImGui::GetBackgroundDrawList());
+  if (!session_.banner()) return;
+  const bool bad = session_.banner()->kind != Banner::Kind::not_converged;
+  begin_region("banner", {v.x, v.y, v.width, theme.px(44)},
+               {ImVec2(theme.px(14), theme.px(7)), bad ? color::danger_soft : color::warning_soft,
+                ImGuiWindowFlags_NoScrollbar});
+  banner_.draw(context());
+  end_region();
+}
+
+void Workbench::draw_legend_card(ImDrawList& list) {
+  const auto& legend = mesh_view_.legend();
+  const Area& v = layout_.viewport;
+  const Theme& theme = ui_->theme();
+  const float height = std::min(theme.px(260), v.height - theme.px(90));
+  if (!legend || !view_.legend || height < theme.px(90)) return;
+  LegendStyle style;
+  style.font = theme.small;
+  style.title_font = theme.small;
+  style.font_size = theme.px(13);
+  style.bar_width = theme.px(14);
+  style.histogram_width = theme.px(44);
+  const float width = legend_width(*legend, style);
+  const float pad = theme.px(12);
+  const float x = v.x + v.width - width - 2 * pad - theme.px(12);
+  const float y = v.y + theme.px(session_.banner() ? 56 : 12);
+  list.AddRectFilled(ImVec2(x, y), ImVec2(x + width + 2 * pad, y + height + 2 * pad),
+                     IM_COL32(255, 255, 255, 235), theme.px(6));
+  list.AddRect(ImVec2(x, y), ImVec2(x + width + 2 * pad, y + height + 2 * pad), color::border,
+               theme.px(6));
+  draw_legend(list, x + pad, y + pad, height, *legend, style);
+}
+
+void Workbench::draw_dialogs() {
+  file_dialog_.draw(context());
+  // One dialog at a time: what there is to say waits until a file is chosen.
+  if (!file_dialog_.is_open()) prompt_.draw(context());
+  help_.draw(context());
+}
+
+}  // namespace winslow::gui
