@@ -24,6 +24,9 @@ bool keeps_markers(Format format);
 /// coordinates. Each format derives its own.
 struct FormatDetails {
   virtual ~FormatDetails() = default;
+  std::optional<Format> format;  ///< of the source
+  bool binary = false;           ///< the source was binary
+  std::vector<double> plane_z;   ///< z of each node, or one for all; empty: 0
 };
 
 /// A mesh read from a file.
@@ -34,15 +37,15 @@ struct MeshFile {
   std::vector<std::string> warnings;             ///< sentences; each names the file
 };
 
-/// Reads a mesh. The format is found by extension and confirmed, or where the extension is unknown
-/// found, by content. Throws InputError "FILE:LINE: ..." / "FILE: byte N: ...": never crashes on
-/// any content, and never allocates more than the file's size justifies.
+/// Reads a mesh. The format is found by content (a warning, if the extension says otherwise), or by
+/// extension where the content tells nothing. Throws InputError "FILE:LINE: ..." / "FILE: byte N:
+/// ...": never crashes on any content, and never allocates more than the file's size justifies.
 MeshFile read_mesh(const std::filesystem::path& path);
 
 struct WriteOptions {
   std::optional<Format> format;  ///< default: by the extension of the path
-  bool binary = false;           ///< Gmsh, VTU, PLY, STL: binary instead of ASCII ...
-  bool keep_encoding = true;     ///< ... unless the details say what the source was
+  bool binary = false;           ///< Gmsh, VTK, VTU, PLY, STL: binary instead of ASCII
+  bool keep_encoding = true;     ///< binary also where the source is binary and of this format
   std::string gmsh_version;      ///< "2.2" or "4.1"; empty: that of the source, else 4.1
 };
 

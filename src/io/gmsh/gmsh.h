@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+#include "io/line_details.h"
+#include "io/parsed_mesh.h"
+
+/// Gmsh's MSH format, versions 2.2 and 4.1, ASCII and binary: Gmsh reference manual, "MSH file
+/// format".
+namespace winslow::io::gmsh {
+
+struct PhysicalName {
+  int dimension;
+  int tag;
+  std::string name;
+};
+
+/// Geometric entity of a 4.1 file. `box` is minimum x y z, maximum x y z; a point has its place
+/// in the first three.
+struct Entity {
+  int tag = 0;
+  std::array<double, 6> box{};
+  std::vector<int> physicals;  ///< negative: of the reversed entity
+  std::vector<int> boundary;   ///< tags of the entities around it, negative when reversed
+  /// Box around its nodes when the file was read, to see whether they have moved since.
+  std::optional<std::array<double, 6>> mesh_box;
+};
+
+struct NodeBlock {
+  int dimension;
+  int entity;
+  Index count;
+};
+
+enum class Shape : std::uint8_t { point, line, triangle, quadrilateral };
+
+/// One line of $Elements.
+struct Item {
+  std::int64_t tag;
+  Index index;   ///< point or line: in Details::points, ::lines; else the element of the mesh
+  int entity;    ///< tag of the geometric entity
+  int physical;  ///< 2.2 only (0: none)
+  Shape shape;
+};
+
+/// What an MSH file says beyond a mesh.
+struct Details : LineDetails {
+  bool version_4 = true;
+  struct Section {
+    std::string name;  ///< "Nodes", ...
+    std::string raw;   ///< whole text of a section that we do not know; else empty
+  };
+  std::vector<Section> sections;  ///< all but $MeshFormat, in the order of the file
+  std::vector<PhysicalName> physical_names;
+  std::array<std::vector<Entity>, 4> entities;  ///< by dimension; 4.1 only
+  std::vector<NodeBlock> node_blocks;           ///< 4.1 only
+  std::vector<std::int64_t> node_tags;          ///< empty: 1, 2, 3, ...
+  std::vector<Item> items;
+};
+
+/// Boxes around the nodes of each entity (those in its node blocks and its elements), by dimension
+/// and in the order of `details.entities`; none for an entity without nodes.
+using EntityBoxes = std::array<std::vector<std::optional<std::array<double, 6>>>, 4>;
+EntityBoxes entity_boxes(const Details& details, const MeshData& data);
+EntityBoxes entity_boxes(const Details& details, const Mesh& mesh);
+
+ParsedMesh read(Source& source);
+
+struct WriteOptions {
+  bool version_4 = true;
+  bool binary = false;
+};
+/// `source`: details of the file that the mesh came from, of this format or of another; may be
+/// null.
+std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* source,
+                               const WriteOptions& options);
+
+}  // namespace winslow::io::gmsh

@@ -1,0 +1,164 @@
+#include "io/gmsh/gmsh_details.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "io/groups.h"
+
+namespace winslow::io::gmsh {
+namespace {
+
+using Box = std::array<double, 6>;
+
+/// Grows the boxes of entities, found by dimension and tag.
+class BoxCollector {
+ public:
+  BoxCollector(const Details& details, const Coordinates& coordinates)
+      : details_(details), coordinates_(coordinates) {
+    for (std::size_t d = 0; d < 4; ++d) {
+      const auto& entities = details.entities[d];
+      boxes_[d].resize(entities.size());
+      for (std::size_t i = 0; i < entities.size(); ++i) index_[d].emplace(entities[i].tag, i);
+    }
+  }
+
+  void add(int dimension, int entity, Index node) {
+    const auto d = static_cast<std::size_t>(dimension);
+    const auto found = index_[d].find(entity);
+    if (found == index_[d].end()) return;
+    auto& box = boxes_[d][found->second];
+    const Vec2 p = coordinates_.xy(node);
+    const double z = plane_z(&details_, node);
+    if (!box) box = Box{p.x(), p.y(), z, p.x(), p.y(), z};
+    const std::array<double, 3> xyz{p.x(), p.y(), z};
+    for (std::size_t k = 0; k < 3; ++k) {
+      (*box)[k] = std::min((*box)[k], xyz[k]);
+      (*box)[k + 3] = std::max((*box)[k + 3], xyz[k]);
+    }
+  }
+
+  EntityBoxes take() { return std::move(boxes_); }
+
+ private:
+  const Details& details_;
+  const Coordinates& coordinates_;
+  std::array<std::unordered_map<int, std::size_t>, 4> index_;
+  EntityBoxes boxes_;
+};
+
+template <class CornersOf>
+EntityBoxes collect_boxes(const Details& details, const Coordinates& coordinates,
+                          CornersOf&& corners_of) {
+  BoxCollector boxes(details, coordinates);
+  Index node = 0;
+  for (const NodeBlock& block : details.node_blocks) {
+    for (Index i = 0; i < block.count; ++i) boxes.add(block.dimension, block.entity, node++);
+  }
+  for (const Item& item : details.items) {
+    const auto i = static_cast<std::size_t>(item.index);
+    if (item.shape == Shape::point) {
+      boxes.add(0, item.entity, details.points[i]);
+    } else if (item.shape == Shape::line) {
+      for (const Index n : details.lines[i]) boxes.add(1, item.entity, n);
+    } else {
+      for (const Index n : corners_of(item.index)) boxes.add(2, item.entity, n);
+    }
+  }
+  return boxes.take();
+}
+
+std::string safe_name(const std::string& name, std::vector<std::string>& warnings) {
+  std::string safe = name;
+  for (char& c : safe) {
+    if (c == '"' || static_cast<unsigned char>(c) < ' ') c = '_';
+  }
+  if (safe != name) {
+    warnings.push_back("group \"" + name + "\" is written as \"" + safe +
+                       "\": Gmsh allows no such name");
+  }
+  return safe;
+}
+
+/// Adds the entity, the physical group and the line elements of each marker.
+void add_markers(const Mesh& mesh, Details& details, std::vector<std::string>& warnings) {
+  const auto& markers = mesh.topology->markers();
+  const auto tags = usable_tags(tags_of(markers), "markers", warnings);
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    const int curve = static_cast<int>(m) + 1;
+    details.entities[1].push_back({curve, {}, {tags[m]}, {}, {}});
+    details.physical_names.push_back({1, tags[m], safe_name(markers[m].name, warnings)});
+    for (const auto& edge : markers[m].edges) {
+      const auto number = static_cast<std::int64_t>(details.items.size()) + 1;
+      const auto index = static_cast<Index>(details.lines.size());
+      details.items.push_back({number, index, curve, tags[m], Shape::line});
+      details.lines.push_back(edge);
+    }
+  }
+}
+
+/// Adds the surface entities and physical groups of regions. Returns entity and physical tag of
+/// each region, and those of elements without region at the end.
+std::vector<std::array<int, 2>> add_regions(const Topology& topology, Details& details,
+                                            std::vector<std::string>& warnings) {
+  const auto& regions = topology.regions();
+  const auto tags = usable_tags(tags_of(regions), "regions", warnings);
+  std::vector<std::array<int, 2>> surfaces;
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    const int surface = static_cast<int>(r) + 1;
+    details.entities[2].push_back({surface, {}, {tags[r]}, {}, {}});
+    details.physical_names.push_back({2, tags[r], safe_name(regions[r].name, warnings)});
+    surfaces.push_back({surface, tags[r]});
+  }
+  const int rest = static_cast<int>(regions.size()) + 1;
+  if (!regions.empty()) {
+    const auto of = topology.element_regions();
+    if (std::find(of.begin(), of.end(), -1) != of.end()) {
+      details.entities[2].push_back({rest, {}, {}, {}, {}});
+    }
+    surfaces.push_back({rest, 0});
+    return surfaces;
+  }
+  // Tags count by dimension; one that no marker has is kinder to readers that forget that.
+  int tag = 1;
+  for (const PhysicalName& name : details.physical_names) tag = std::max(tag, name.tag + 1);
+  details.entities[2].push_back({rest, {}, {tag}, {}, {}});
+  details.physical_names.push_back({2, tag, "domain"});
+  surfaces.push_back({rest, tag});
+  return surfaces;
+}
+
+}  // namespace
+
+EntityBoxes entity_boxes(const Details& details, const MeshData& data) {
+  return collect_boxes(details, data.coordinates, [&](Index e) { return data.element(e); });
+}
+
+EntityBoxes entity_boxes(const Details& details, const Mesh& mesh) {
+  return collect_boxes(details, mesh.coordinates,
+                       [&](Index e) { return mesh.topology->element(e); });
+}
+
+Details make_details(const Mesh& mesh, bool version_4, std::vector<std::string>& warnings) {
+  const Topology& topology = *mesh.topology;
+  Details details;
+  details.version_4 = version_4;
+  details.sections = {{"PhysicalNames", {}}};
+  if (version_4) details.sections.push_back({"Entities", {}});
+  details.sections.push_back({"Nodes", {}});
+  details.sections.push_back({"Elements", {}});
+  if (topology.markers_from_file()) add_markers(mesh, details, warnings);
+  const auto surfaces = add_regions(topology, details, warnings);
+  const auto regions = topology.element_regions();
+  for (Index e = 0; e < topology.element_count(); ++e) {
+    const Index region = regions.empty() ? -1 : regions[static_cast<std::size_t>(e)];
+    const auto& surface = region < 0 ? surfaces.back() : surfaces[static_cast<std::size_t>(region)];
+    const auto number = static_cast<std::int64_t>(details.items.size()) + 1;
+    const Shape shape =
+        topology.element_type(e) == ElementType::triangle ? Shape::triangle : Shape::quadrilateral;
+    details.items.push_back({number, e, surface[0], surface[1], shape});
+  }
+  details.node_blocks.push_back({2, 1, topology.node_count()});
+  return details;
+}
+
+}  // namespace winslow::io::gmsh

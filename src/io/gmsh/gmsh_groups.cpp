@@ -1,0 +1,79 @@
+#include <cstdlib>
+#include <limits>
+#include <span>
+#include <unordered_map>
+
+#include "io/gmsh/gmsh_reader.h"
+#include "io/groups.h"
+
+namespace winslow::io::gmsh {
+namespace {
+
+/// Physical groups of one dimension: those with a name first, as $PhysicalNames lists them, then
+/// the others as they turn up.
+GroupIndex groups_of(const Details& details, int dimension, const char* prefix) {
+  GroupIndex groups(prefix);
+  for (const PhysicalName& name : details.physical_names) {
+    if (name.dimension == dimension) groups.add(name.tag, name.name);
+  }
+  return groups;
+}
+
+/// Gmsh marks with the sign of a tag that the group holds the reversed entity.
+int group_tag(int signed_tag) {
+  return signed_tag == std::numeric_limits<int>::min() ? 0 : std::abs(signed_tag);
+}
+
+/// Physical tags of entities by dimension and tag.
+using Physicals = std::array<std::unordered_map<int, const std::vector<int>*>, 4>;
+
+Physicals physicals_by_entity(const Details& details) {
+  Physicals physicals;
+  for (std::size_t d = 0; d < 4; ++d) {
+    for (const Entity& entity : details.entities[d]) physicals[d][entity.tag] = &entity.physicals;
+  }
+  return physicals;
+}
+
+}  // namespace
+
+void Reader::collect_groups() {
+  GroupIndex markers = groups_of(*details_, 1, "curve_");
+  GroupIndex regions = groups_of(*details_, 2, "surface_");
+  const Physicals physicals = physicals_by_entity(*details_);
+  auto& element_region = mesh_.data.element_region;
+  element_region.assign(mesh_.data.types.size(), -1);
+  Index loose_lines = 0;
+  for (std::size_t i = 0; i < details_->items.size(); ++i) {
+    const Item& item = details_->items[i];
+    if (item.shape == Shape::point) continue;
+    const bool line = item.shape == Shape::line;
+    std::span<const int> tags;
+    if (!details_->version_4) {
+      if (item.physical != 0) tags = {&item.physical, 1};
+    } else if (const auto& of = physicals[line ? 1 : 2]; of.contains(item.entity)) {
+      tags = *of.at(item.entity);
+    }
+    if (line && tags.empty()) ++loose_lines;
+    for (const int tag : tags) {
+      if (line) {
+        add_marker_line(markers.find(group_tag(tag)), item.index, item_offsets_[i], *details_,
+                        mesh_);
+      } else {
+        auto& region = element_region[static_cast<std::size_t>(item.index)];
+        const auto found = static_cast<Index>(regions.find(group_tag(tag)));
+        if (region < 0) region = found;
+      }
+    }
+  }
+  make_markers(markers.all(), *details_, mesh_);
+  mesh_.data.regions = regions.all();
+  if (mesh_.data.regions.empty()) element_region.clear();
+  if (loose_lines > 0) {
+    mesh_.warnings.push_back(std::to_string(loose_lines) +
+                             " line elements are in no physical group: they are kept, but are no "
+                             "marker");
+  }
+}
+
+}  // namespace winslow::io::gmsh

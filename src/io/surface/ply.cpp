@@ -1,0 +1,261 @@
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "io/surface/surface.h"
+#include "io/text/numbers.h"
+#include "io/text/scanner.h"
+#include "io/text/text_writer.h"
+
+namespace winslow::io::surface {
+namespace {
+
+enum class Encoding { ascii, little_endian, big_endian };
+
+struct NumberType {
+  bool floating = false;
+  bool is_signed = false;
+  std::size_t bytes = 0;
+};
+
+std::optional<NumberType> number_type(std::string_view name) {
+  if (name == "char" || name == "int8") return NumberType{false, true, 1};
+  if (name == "uchar" || name == "uint8") return NumberType{false, false, 1};
+  if (name == "short" || name == "int16") return NumberType{false, true, 2};
+  if (name == "ushort" || name == "uint16") return NumberType{false, false, 2};
+  if (name == "int" || name == "int32") return NumberType{false, true, 4};
+  if (name == "uint" || name == "uint32") return NumberType{false, false, 4};
+  if (name == "float" || name == "float32") return NumberType{true, true, 4};
+  if (name == "double" || name == "float64") return NumberType{true, true, 8};
+  return std::nullopt;
+}
+
+struct Property {
+  std::string name;
+  NumberType type;
+  std::optional<NumberType> list_size;  ///< set: a list, with a size of this type before it
+};
+
+struct Element {
+  std::string name;
+  Index count = 0;
+  std::size_t count_offset = 0;
+  std::vector<Property> properties;
+};
+
+class Reader {
+ public:
+  explicit Reader(Source& source) : source_(source), scan_(source), builder_(source) {}
+
+  ParsedMesh read() {
+    read_header();
+    for (const Element& element : elements_) check_count(element);
+    for (const Element& element : elements_) {
+      for (Index i = 0; i < element.count; ++i) read_entry(element, i);
+    }
+    return builder_.finish(encoding_ != Encoding::ascii);
+  }
+
+ private:
+  void read_header() {
+    if (trimmed(scan_.line()) != "ply") source_.fail(0, "another first line", "ply");
+    bool have_format = false;
+    for (;;) {
+      const std::size_t offset = scan_.offset();
+      const auto word = scan_.word();
+      if (word == "format") {
+        read_format();
+        have_format = true;
+      } else if (word == "element") {
+        read_element();
+      } else if (word == "property") {
+        read_property(offset);
+      } else if (word == "end_header") {
+        scan_.line();
+        break;
+      } else if (word != "comment" && word != "obj_info") {
+        scan_.fail(word, "element, property or end_header");
+      }
+      scan_.line();
+    }
+    if (!have_format) source_.fail(0, "no line \"format\"", "format ascii 1.0 or the like");
+    if (encoding_ != Encoding::ascii) source_.set_binary_from(scan_.offset());
+  }
+
+  void read_format() {
+    const auto name = scan_.word();
+    if (name == "ascii") {
+      encoding_ = Encoding::ascii;
+    } else if (name == "binary_little_endian") {
+      encoding_ = Encoding::little_endian;
+    } else if (name == "binary_big_endian") {
+      encoding_ = Encoding::big_endian;
+    } else {
+      scan_.fail(name, "ascii, binary_little_endian or binary_big_endian");
+    }
+  }
+
+  void read_element() {
+    Element element;
+    element.name = scan_.word();
+    element.count_offset = scan_.offset();
+    element.count = scan_.index({"the number of entries of an element"});
+    elements_.push_back(std::move(element));
+  }
+
+  NumberType type() {
+    const auto word = scan_.word();
+    const auto found = number_type(word);
+    if (!found) scan_.fail(word, "a type such as float, double or int");
+    return *found;
+  }
+
+  void read_property(std::size_t offset) {
+    if (elements_.empty()) source_.fail(offset, "a property", "an element before it");
+    Property property;
+    const std::size_t here = scan_.offset();
+    if (scan_.word() == "list") {
+      property.list_size = type();
+    } else {
+      scan_.seek(here);
+    }
+    property.type = type();
+    property.name = scan_.word();
+    elements_.back().properties.push_back(std::move(property));
+  }
+
+  /// Refuses counts that the file cannot hold, before anything is read.
+  void check_count(const Element& element) const {
+    std::size_t bytes = 0;
+    for (const Property& property : element.properties) {
+      const auto& first = property.list_size ? *property.list_size : property.type;
+      bytes += encoding_ == Encoding::ascii ? 2 : first.bytes;
+    }
+    if (bytes == 0 && element.count > 0) {
+      source_.fail(element.count_offset, "element \"" + element.name + "\" without properties",
+                   "some");
+    }
+    checked_count(source_, element.count_offset, element.count, std::max<std::size_t>(bytes, 1),
+                  scan_.bytes_left(), {"the number of entries of an element"});
+  }
+
+  std::uint64_t take_bytes(std::size_t n) {
+    if (scan_.bytes_left() < n) {
+      source_.fail(source_.text().size(), "the end of the file", "more data");
+    }
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t k = encoding_ == Encoding::big_endian ? i : n - 1 - i;
+      value = value << 8 | static_cast<unsigned char>(source_.text()[scan_.offset() + k]);
+    }
+    scan_.seek(scan_.offset() + n);
+    return value;
+  }
+
+  double number(NumberType type, const Expected& expected) {
+    if (encoding_ == Encoding::ascii) return scan_.number(expected);
+    const std::uint64_t raw = take_bytes(type.bytes);
+    if (type.floating && type.bytes == 8) return std::bit_cast<double>(raw);
+    if (type.floating)
+      return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(raw)));
+    const unsigned shift = static_cast<unsigned>(64 - 8 * type.bytes);
+    const auto extended = static_cast<std::int64_t>(raw << shift) >> shift;
+    return type.is_signed ? static_cast<double>(extended) : static_cast<double>(raw);
+  }
+
+  Index whole_number(NumberType type, const Expected& expected) {
+    const std::size_t offset = scan_.offset();
+    const double value = number(type, expected);
+    const bool fits = value >= 0 && value <= std::numeric_limits<Index>::max();
+    if (!fits || value != std::trunc(value)) {
+      std::string found;
+      append_number(found, value);
+      source_.fail(offset, found, expected.text());
+    }
+    return static_cast<Index>(value);
+  }
+
+  void read_entry(const Element& element, Index i) {
+    const bool vertex = element.name == "vertex";
+    const bool face = element.name == "face";
+    if (encoding_ == Encoding::ascii) scan_.skip_space();
+    const std::size_t offset = scan_.offset();
+    const Expected expected{vertex ? "vertex" : face ? "face" : "entry", i, element.count};
+    std::array<double, 3> xyz{};
+    for (const Property& property : element.properties) {
+      if (property.list_size) {
+        const bool corners = face && property.name.starts_with("vertex_ind");
+        read_list(property, corners, offset, expected);
+        continue;
+      }
+      const double value = number(property.type, expected);
+      if (property.name == "x") xyz[0] = value;
+      if (property.name == "y") xyz[1] = value;
+      if (property.name == "z") xyz[2] = value;
+    }
+    if (vertex) builder_.add_vertex(xyz[0], xyz[1], xyz[2], offset);
+    if (encoding_ == Encoding::ascii) {
+      scan_.end_line({"the end of the line after entry", i, element.count});
+    }
+  }
+
+  void read_list(const Property& property, bool corners, std::size_t offset,
+                 const Expected& expected) {
+    const Index size = whole_number(*property.list_size, expected);
+    corners_.clear();
+    for (Index k = 0; k < size; ++k) {
+      if (!corners) {
+        number(property.type, expected);
+        continue;
+      }
+      corners_.push_back(whole_number(property.type, expected));
+    }
+    if (corners) builder_.add_face(corners_, offset);
+  }
+
+  Source& source_;
+  Scanner scan_;
+  Builder builder_;
+  Encoding encoding_ = Encoding::ascii;
+  std::vector<Element> elements_;
+  std::vector<Index> corners_;
+};
+
+}  // namespace
+
+ParsedMesh read_ply(Source& source) { return Reader(source).read(); }
+
+std::vector<std::string> write_ply(std::ostream& stream, const Mesh& mesh,
+                                   const FormatDetails* source, bool binary) {
+  static_assert(std::endian::native == std::endian::little);
+  TextWriter out(stream);
+  out << "ply\nformat " << (binary ? "binary_little_endian" : "ascii") << " 1.0\nelement vertex "
+      << mesh.coordinates.size()
+      << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
+      << mesh.topology->element_count() << "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (Index i = 0; i < mesh.coordinates.size(); ++i) {
+    const Vec2 p = mesh.coordinates.xy(i);
+    const std::array<double, 3> xyz{p.x(), p.y(), plane_z(source, i)};
+    if (binary) {
+      out.raw(xyz);
+    } else {
+      out << xyz[0] << ' ' << xyz[1] << ' ' << xyz[2] << '\n';
+    }
+  }
+  for (Index e = 0; e < mesh.topology->element_count(); ++e) {
+    const auto corners = mesh.topology->element(e);
+    if (binary) {
+      out.raw(static_cast<std::uint8_t>(corners.size()));
+      for (const Index node : corners) out.raw(node);
+      continue;
+    }
+    out << corners.size();
+    for (const Index node : corners) out << ' ' << node;
+    out << '\n';
+  }
+  return lost_in_surface(mesh);
+}
+
+}  // namespace winslow::io::surface

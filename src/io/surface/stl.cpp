@@ -1,0 +1,189 @@
+#include <array>
+#include <bit>
+#include <cstring>
+#include <map>
+
+#include "io/surface/surface.h"
+#include "io/text/scanner.h"
+#include "io/text/text_writer.h"
+
+namespace winslow::io::surface {
+namespace {
+
+constexpr std::size_t header_bytes = 80;
+constexpr std::size_t facet_bytes = 50;
+
+using Point = std::array<double, 3>;
+
+/// Gives corners at the same place the same number.
+class Merger {
+ public:
+  explicit Merger(Builder& builder) : builder_(builder) {}
+
+  Index node(Point p, std::size_t offset) {
+    for (double& value : p) value += 0.0;  // -0 is the same place as 0
+    // NaN has no order; it becomes a vertex of its own and is refused with its line later.
+    const bool ordered = p[0] == p[0] && p[1] == p[1] && p[2] == p[2];
+    if (ordered) {
+      const auto [found, added] = nodes_.emplace(p, builder_.vertices());
+      if (!added) return found->second;
+    }
+    builder_.add_vertex(p[0], p[1], p[2], offset);
+    return builder_.vertices() - 1;
+  }
+
+ private:
+  Builder& builder_;
+  std::map<Point, Index> nodes_;
+};
+
+void require(Scanner& scan, std::string_view keyword, Index facet) {
+  const auto word = scan.next_word();
+  if (word != keyword) {
+    scan.fail(word, std::string(keyword) + " of facet " + std::to_string(facet + 1));
+  }
+}
+
+ParsedMesh read_ascii(Source& source) {
+  Scanner scan(source);
+  Builder builder(source);
+  Merger merger(builder);
+  scan.line();
+  for (Index facet = 0;; ++facet) {
+    scan.skip_space();
+    const std::size_t offset = scan.offset();
+    const auto word = scan.word();
+    if (word == "endsolid") break;
+    if (word != "facet") scan.fail(word, "facet or endsolid");
+    scan.line();
+    require(scan, "outer", facet);
+    scan.line();
+    std::array<Index, 3> corners{};
+    for (Index& corner : corners) {
+      require(scan, "vertex", facet);
+      const std::size_t place = scan.offset();
+      Point p{};
+      for (double& value : p) value = scan.number({"a coordinate of facet", facet});
+      corner = merger.node(p, place);
+      scan.end_line({"the end of the line in facet", facet});
+    }
+    require(scan, "endloop", facet);
+    require(scan, "endfacet", facet);
+    builder.add_face(corners, offset);
+  }
+  scan.line();
+  const auto rest = scan.next_word();
+  if (!rest.empty()) scan.fail(rest, "one solid");
+  return builder.finish();
+}
+
+ParsedMesh read_binary(Source& source) {
+  source.set_binary_from(0);
+  const auto text = source.text();
+  std::uint32_t count = 0;
+  if (text.size() < header_bytes + sizeof count) {
+    source.fail(text.size(), "the end of the file", "a header of 84 bytes");
+  }
+  std::memcpy(&count, text.data() + header_bytes, sizeof count);
+  const std::size_t data = text.size() - header_bytes - sizeof count;
+  if (data / facet_bytes != count || data % facet_bytes != 0) {
+    source.fail(header_bytes, std::to_string(count) + " as the number of facets",
+                std::to_string(data / facet_bytes) + " as the size of the file says");
+  }
+  Builder builder(source);
+  Merger merger(builder);
+  for (std::uint32_t f = 0; f < count; ++f) {
+    const std::size_t offset = header_bytes + sizeof count + f * facet_bytes;
+    std::array<Index, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::array<float, 3> xyz{};
+      const std::size_t place = offset + (k + 1) * sizeof xyz;
+      std::memcpy(xyz.data(), text.data() + place, sizeof xyz);
+      corners[k] = merger.node({xyz[0], xyz[1], xyz[2]}, place);
+    }
+    builder.add_face(corners, offset);
+  }
+  return builder.finish(true);
+}
+
+/// Calls `facet(a, b, c)` for every triangle, and for both halves of every quadrilateral.
+template <class Facet>
+void for_each_facet(const Mesh& mesh, Facet&& facet) {
+  for (Index e = 0; e < mesh.topology->element_count(); ++e) {
+    const auto n = mesh.topology->element(e);
+    facet(n[0], n[1], n[2]);
+    if (n.size() == 4) facet(n[0], n[2], n[3]);
+  }
+}
+
+std::uint32_t facet_count(const Mesh& mesh) {
+  std::uint32_t n = 0;
+  for_each_facet(mesh, [&](Index, Index, Index) { ++n; });
+  return n;
+}
+
+void write_ascii(TextWriter& out, const Mesh& mesh, const FormatDetails* source) {
+  out << "solid mesh\n";
+  for_each_facet(mesh, [&](Index a, Index b, Index c) {
+    out << "facet normal 0 0 1\nouter loop\n";
+    for (const Index node : {a, b, c}) {
+      const Vec2 p = mesh.coordinates.xy(node);
+      out << "vertex " << p.x() << ' ' << p.y() << ' ' << plane_z(source, node) << '\n';
+    }
+    out << "endloop\nendfacet\n";
+  });
+  out << "endsolid mesh\n";
+}
+
+/// Returns false if some coordinate is no single-precision number.
+bool write_binary(TextWriter& out, const Mesh& mesh, const FormatDetails* source) {
+  bool exact = true;
+  std::array<char, header_bytes> header{};
+  out.raw(header);
+  out.raw(facet_count(mesh));
+  for_each_facet(mesh, [&](Index a, Index b, Index c) {
+    out.raw(std::array<float, 3>{0, 0, 1});
+    for (const Index node : {a, b, c}) {
+      const Vec2 p = mesh.coordinates.xy(node);
+      const Point exact_point{p.x(), p.y(), plane_z(source, node)};
+      for (const double value : exact_point) {
+        const auto rounded = static_cast<float>(value);
+        exact = exact && static_cast<double>(rounded) == value;
+        out.raw(rounded);
+      }
+    }
+    out.raw(std::uint16_t{0});
+  });
+  return exact;
+}
+
+}  // namespace
+
+ParsedMesh read_stl(Source& source) {
+  // Some programs start binary files with "solid" too, so the size decides.
+  const auto text = source.text();
+  std::uint32_t count = 0;
+  if (text.size() >= header_bytes + sizeof count) {
+    std::memcpy(&count, text.data() + header_bytes, sizeof count);
+    if (text.size() == header_bytes + sizeof count + count * facet_bytes)
+      return read_binary(source);
+  }
+  return text.starts_with("solid") ? read_ascii(source) : read_binary(source);
+}
+
+std::vector<std::string> write_stl(std::ostream& stream, const Mesh& mesh,
+                                   const FormatDetails* source, bool binary) {
+  std::vector<std::string> warnings = lost_in_surface(mesh);
+  TextWriter out(stream);
+  if (!binary) {
+    write_ascii(out, mesh, source);
+  } else if (!write_binary(out, mesh, source)) {
+    warnings.emplace_back("binary STL holds single precision: the coordinates are rounded");
+  }
+  if (static_cast<Index>(facet_count(mesh)) != mesh.topology->element_count()) {
+    warnings.emplace_back("STL holds triangles only: quadrilaterals are written as two of them");
+  }
+  return warnings;
+}
+
+}  // namespace winslow::io::surface

@@ -1,0 +1,58 @@
+#include "io/text/numbers.h"
+
+#include <array>
+#include <charconv>
+#include <limits>
+
+namespace winslow::io {
+namespace {
+
+std::string_view without_plus(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  return text;
+}
+
+/// from_chars gives no value when the number is out of range; which way decides the exponent's
+/// sign.
+double out_of_range_value(std::string_view text) {
+  const auto exponent = text.find_first_of("eE");
+  const bool negative = text.front() == '-';
+  const bool tiny = exponent != std::string_view::npos
+                        ? text.find('-', exponent) != std::string_view::npos
+                        : text.find_first_of("123456789") > text.find('.');
+  const double magnitude = tiny ? 0.0 : std::numeric_limits<double>::infinity();
+  return negative ? -magnitude : magnitude;
+}
+
+}  // namespace
+
+std::optional<std::int64_t> parse_integer(std::string_view text) {
+  text = without_plus(text);
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  text = without_plus(text);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc::invalid_argument || end != text.data() + text.size()) return std::nullopt;
+  if (error == std::errc::result_out_of_range) return out_of_range_value(text);
+  return value;
+}
+
+void append_number(std::string& text, double value) {
+  std::array<char, 32> buffer;
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  text.append(buffer.data(), result.ptr);
+}
+
+void append_number(std::string& text, std::int64_t value) {
+  std::array<char, 24> buffer;
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  text.append(buffer.data(), result.ptr);
+}
+
+}  // namespace winslow::io

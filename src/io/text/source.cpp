@@ -1,0 +1,95 @@
+#include "io/text/source.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include "core/error.h"
+
+namespace winslow::io {
+namespace {
+
+class FileDescriptor {
+ public:
+  explicit FileDescriptor(int fd) : fd_(fd) {}
+  ~FileDescriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
+  int get() const { return fd_; }
+
+ private:
+  int fd_;
+};
+
+[[noreturn]] void fail_open(const std::string& name, const std::string& reason) {
+  throw InputError(name + ": cannot be read: " + reason);
+}
+
+std::string read_all(int fd, const std::string& name, std::size_t expected_size) {
+  std::string bytes;
+  bytes.reserve(expected_size);
+  std::array<char, 1 << 16> buffer;
+  for (;;) {
+    const ssize_t n = ::read(fd, buffer.data(), buffer.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) fail_open(name, std::strerror(errno));
+    if (n == 0) return bytes;
+    bytes.append(buffer.data(), static_cast<std::size_t>(n));
+  }
+}
+
+}  // namespace
+
+Source Source::load(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  const FileDescriptor file(::open(name.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.get() < 0) fail_open(name, std::strerror(errno));
+  struct stat status {};
+  if (::fstat(file.get(), &status) != 0) fail_open(name, std::strerror(errno));
+  if (S_ISDIR(status.st_mode)) fail_open(name, "it is a directory, expected a mesh file");
+  // A device such as /dev/zero has no end; a pipe is the user's own stream and has one.
+  if (!S_ISREG(status.st_mode) && !S_ISFIFO(status.st_mode)) {
+    fail_open(name, "it is neither a file nor a pipe");
+  }
+  const auto size = S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
+  std::string bytes = read_all(file.get(), name, size);
+  if (bytes.empty()) throw InputError(name + ":1: found an empty file, expected a mesh");
+  return {name, std::move(bytes)};
+}
+
+std::string Source::where(std::size_t offset) const {
+  offset = std::min(offset, bytes_.size());
+  if (offset >= binary_from_) return name_ + ": byte " + std::to_string(offset);
+  // The end of a file that ends in a newline belongs to its last line.
+  if (offset == bytes_.size() && offset > 0 && bytes_[offset - 1] == '\n') --offset;
+  const auto lines =
+      std::count(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(offset), '\n');
+  return name_ + ":" + std::to_string(lines + 1);
+}
+
+void Source::fail(std::size_t offset, const std::string& message) const {
+  throw InputError(where(offset) + ": " + message);
+}
+
+void Source::fail(std::size_t offset, const std::string& found, const std::string& expected) const {
+  fail(offset, "found " + found + ", expected " + expected);
+}
+
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  std::string shown = "'";
+  for (const char c : text.substr(0, longest)) {
+    const auto byte = static_cast<unsigned char>(c);
+    shown += byte < 0x20 || byte >= 0x7f ? '?' : c;
+  }
+  return shown + (text.size() > longest ? "...'" : "'");
+}
+
+}  // namespace winslow::io

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace winslow::io {
+
+/// The bytes of an input file, and how to name a place in it in an error message.
+class Source {
+ public:
+  /// Reads a file whole. Throws InputError: no such file, a directory, not readable, empty.
+  static Source load(const std::filesystem::path& path);
+  Source(std::string name, std::string bytes) : name_(std::move(name)), bytes_(std::move(bytes)) {}
+
+  const std::string& name() const { return name_; }
+  std::string_view text() const { return bytes_; }
+  /// Offset in the file of a view into text().
+  std::size_t offset_of(std::string_view part) const {
+    return static_cast<std::size_t>(part.data() - bytes_.data());
+  }
+
+  /// From this offset on the file is binary: places are named by byte instead of by line.
+  void set_binary_from(std::size_t offset) { binary_from_ = offset; }
+
+  /// "FILE:LINE" (lines count from 1) or "FILE: byte N" (bytes count from 0).
+  std::string where(std::size_t offset) const;
+  /// Throws InputError "FILE:LINE: message".
+  [[noreturn]] void fail(std::size_t offset, const std::string& message) const;
+  /// Throws InputError "FILE:LINE: found FOUND, expected EXPECTED".
+  [[noreturn]] void fail(std::size_t offset, const std::string& found,
+                         const std::string& expected) const;
+
+ private:
+  std::string name_;
+  std::string bytes_;
+  std::size_t binary_from_ = std::string::npos;
+};
+
+/// A piece of a file fit for a message: quoted, shortened, without control characters.
+std::string in_quotes(std::string_view text);
+
+}  // namespace winslow::io

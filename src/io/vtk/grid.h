@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+#include "io/line_details.h"
+#include "io/parsed_mesh.h"
+
+/// VTK files, legacy and XML: "VTK File Formats" (Kitware). VTK knows no markers; ours are line
+/// cells with an integer cell array "marker" (the marker's tag, 0 elsewhere), and one field array
+/// "marker:NAME" per marker that holds its tag. Regions likewise: "region", "region:NAME".
+namespace winslow::io::vtk {
+
+/// Cell types of VTK that we know by name.
+enum CellType : std::uint8_t {
+  vertex = 1,
+  line = 3,
+  poly_line = 4,
+  triangle = 5,
+  polygon = 7,
+  pixel = 8,
+  quadrilateral = 9
+};
+
+using NamedTag = std::pair<std::string, int>;
+
+/// What both file formats say: a list of cells.
+struct Grid {
+  std::vector<double> points;  ///< x y z, node after node
+  std::vector<std::int64_t> connectivity;
+  std::vector<std::int64_t> offsets{0};  ///< #cells + 1, into connectivity
+  std::vector<std::int64_t> types;       ///< #cells
+  std::vector<int> marker;               ///< #cells, or empty
+  std::vector<int> region;               ///< #cells, or empty
+  std::vector<NamedTag> marker_names;
+  std::vector<NamedTag> region_names;
+  bool dropped_data = false;  ///< the file has arrays that we do not keep
+
+  std::vector<std::size_t> point_places;  ///< byte offset of each point in the file
+  std::vector<std::size_t> cell_places;
+
+  std::size_t cell_count() const { return types.size(); }
+  void add_cell(CellType type, std::span<const Index> nodes, int marker_tag, int region_tag);
+};
+
+/// Cells in the order of the file.
+struct Details : LineDetails {
+  struct Item {
+    CellType type;  ///< vertex, line, triangle (for any element)
+    Index index;    ///< into points, lines, or the elements of the mesh
+  };
+  std::vector<Item> items;
+};
+
+/// Takes a named array of the file into the grid, if it is one of ours or one of those that Gmsh
+/// and meshio write.
+class ArrayCollector {
+ public:
+  void cell_array(std::string_view name, const std::vector<double>& values, std::size_t components);
+  void field_array(std::string_view name, const std::vector<double>& values);
+  /// Moves what was collected into the grid, whose cells are known by now.
+  void finish(const Source& source, Grid& grid);
+
+ private:
+  std::vector<double> marker_;
+  std::vector<double> region_;
+  std::vector<double> physical_;
+  std::vector<double> entity_;
+  std::vector<NamedTag> marker_names_;
+  std::vector<NamedTag> region_names_;
+  bool dropped_ = false;
+};
+
+/// Turns cells into a mesh. Throws InputError.
+ParsedMesh to_mesh(const Source& source, const Grid& grid);
+/// Cells of a mesh; in the order of its source if that was a VTK file and still fits.
+Grid to_grid(const Mesh& mesh, const FormatDetails* source, std::vector<std::string>& warnings);
+
+}  // namespace winslow::io::vtk

@@ -1,0 +1,84 @@
+#include "io/groups.h"
+#include "io/vtk/grid.h"
+
+namespace winslow::io::vtk {
+namespace {
+
+class Builder {
+ public:
+  Builder(const Mesh& mesh, const FormatDetails* source, std::vector<std::string>& warnings)
+      : mesh_(mesh), topology_(*mesh.topology) {
+    if (topology_.markers_from_file()) {
+      markers_ = usable_tags(tags_of(topology_.markers()), "markers", warnings);
+    }
+    regions_ = usable_tags(tags_of(topology_.regions()), "regions", warnings);
+    const Index n = mesh.coordinates.size();
+    grid_.points.reserve(3 * static_cast<std::size_t>(n));
+    for (Index i = 0; i < n; ++i) {
+      const Vec2 p = mesh.coordinates.xy(i);
+      grid_.points.insert(grid_.points.end(), {p.x(), p.y(), plane_z(source, i)});
+    }
+    for (std::size_t m = 0; m < markers_.size(); ++m) {
+      grid_.marker_names.emplace_back(topology_.markers()[m].name, markers_[m]);
+    }
+    for (std::size_t r = 0; r < regions_.size(); ++r) {
+      grid_.region_names.emplace_back(topology_.regions()[r].name, regions_[r]);
+    }
+  }
+
+  Grid in_order_of(const Details& details) {
+    std::vector<int> tag_of_line(details.lines.size(), 0);
+    for (std::size_t m = 0; m < details.marker_lines.size(); ++m) {
+      for (const Index l : details.marker_lines[m]) {
+        tag_of_line[static_cast<std::size_t>(l)] = markers_[m];
+      }
+    }
+    for (const auto& item : details.items) {
+      const auto i = static_cast<std::size_t>(item.index);
+      if (item.type == vertex) {
+        grid_.add_cell(vertex, {&details.points[i], 1}, 0, 0);
+      } else if (item.type == line) {
+        grid_.add_cell(line, details.lines[i], tag_of_line[i], 0);
+      } else {
+        add_element(item.index);
+      }
+    }
+    return std::move(grid_);
+  }
+
+  Grid elements_then_markers() {
+    for (Index e = 0; e < topology_.element_count(); ++e) add_element(e);
+    for (std::size_t m = 0; m < markers_.size(); ++m) {
+      for (const auto& edge : topology_.markers()[m].edges) {
+        grid_.add_cell(line, edge, markers_[m], 0);
+      }
+    }
+    return std::move(grid_);
+  }
+
+ private:
+  void add_element(Index e) {
+    const auto of = topology_.element_regions();
+    const Index region = of.empty() ? -1 : of[static_cast<std::size_t>(e)];
+    grid_.add_cell(topology_.element_type(e) == ElementType::triangle ? triangle : quadrilateral,
+                   topology_.element(e), 0,
+                   region < 0 ? 0 : regions_[static_cast<std::size_t>(region)]);
+  }
+
+  const Mesh& mesh_;
+  const Topology& topology_;
+  std::vector<int> markers_;
+  std::vector<int> regions_;
+  Grid grid_;
+};
+
+}  // namespace
+
+Grid to_grid(const Mesh& mesh, const FormatDetails* source, std::vector<std::string>& warnings) {
+  Builder builder(mesh, source, warnings);
+  const auto* details = dynamic_cast<const Details*>(source);
+  if (details != nullptr && details->fits(mesh)) return builder.in_order_of(*details);
+  return builder.elements_then_markers();
+}
+
+}  // namespace winslow::io::vtk

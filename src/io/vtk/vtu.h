@@ -1,0 +1,18 @@
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "io/parsed_mesh.h"
+
+/// VTK XML unstructured grids (.vtu).
+namespace winslow::io::vtk {
+
+/// Reads ASCII, inline base64, and appended raw or base64 data, compressed by zlib or not.
+ParsedMesh read_vtu(Source& source);
+/// Writes ASCII or, if `binary`, appended raw data.
+std::vector<std::string> write_vtu(std::ostream& out, const Mesh& mesh, const FormatDetails* source,
+                                   bool binary);
+
+}  // namespace winslow::io::vtk

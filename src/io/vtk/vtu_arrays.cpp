@@ -1,0 +1,280 @@
+#include "io/vtk/vtu_arrays.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+#include "io/text/numbers.h"
+#include "io/text/scanner.h"
+#include "io/vtk/base64.h"
+
+namespace winslow::io::vtk {
+namespace {
+
+/// Deflate cannot shrink data by more than this.
+constexpr std::uint64_t best_compression = 1032;
+
+std::string name_of(const pugi::xml_node& array) {
+  return "array " + in_quotes(array.attribute("Name").value());
+}
+
+}  // namespace
+
+VtuArrays::VtuArrays(const Source& source, const pugi::xml_node& file, std::size_t xml_begin,
+                     std::size_t appended_begin, std::size_t appended_end, bool appended_base64)
+    : source_(source),
+      xml_begin_(xml_begin),
+      appended_begin_(appended_begin),
+      appended_end_(appended_end),
+      appended_base64_(appended_base64) {
+  const std::string_view order = file.attribute("byte_order").as_string("LittleEndian");
+  if (order != "LittleEndian" && order != "BigEndian") {
+    fail(file, "byte_order " + in_quotes(order), "LittleEndian or BigEndian");
+  }
+  big_endian_ = order == "BigEndian";
+  const std::string_view header = file.attribute("header_type").as_string("UInt32");
+  if (header != "UInt32" && header != "UInt64") {
+    fail(file, "header_type " + in_quotes(header), "UInt32 or UInt64");
+  }
+  header_bytes_ = header == "UInt64" ? 8 : 4;
+  const std::string_view compressor = file.attribute("compressor").value();
+  if (!compressor.empty() && compressor != "vtkZLibDataCompressor") {
+    fail(file, "compressor " + in_quotes(compressor), "vtkZLibDataCompressor or none");
+  }
+  compressed_ = !compressor.empty();
+}
+
+std::size_t VtuArrays::place(const pugi::xml_node& node) const {
+  const auto offset = node.offset_debug();
+  return xml_begin_ + (offset < 0 ? 0 : static_cast<std::size_t>(offset));
+}
+
+void VtuArrays::fail(const pugi::xml_node& array, const std::string& found,
+                     const std::string& expected) const {
+  source_.fail(place(array), found, expected);
+}
+
+VtuArrays::Type VtuArrays::type_of(const pugi::xml_node& array) const {
+  const std::string_view name = array.attribute("type").value();
+  if (name == "Float32") return {true, true, 4};
+  if (name == "Float64") return {true, true, 8};
+  const bool is_signed = name.starts_with("Int");
+  const auto bits = name.substr(std::min<std::size_t>(name.size(), is_signed ? 3 : 4));
+  if (is_signed || name.starts_with("UInt")) {
+    if (bits == "8") return {false, is_signed, 1};
+    if (bits == "16") return {false, is_signed, 2};
+    if (bits == "32") return {false, is_signed, 4};
+    if (bits == "64") return {false, is_signed, 8};
+  }
+  fail(array, "type " + in_quotes(name) + " of " + name_of(array), "Float64, Int32 or the like");
+}
+
+/// The text between the tags, as it lies in the source.
+std::string_view VtuArrays::inline_text(const pugi::xml_node& array) const {
+  for (const auto& child : array.children()) {
+    if (child.type() != pugi::node_pcdata) continue;
+    const std::size_t begin = place(child);
+    const auto text = source_.text();
+    const auto end = text.find('<', begin);
+    return text.substr(begin, end == std::string_view::npos ? end : end - begin);
+  }
+  return {};
+}
+
+std::uint64_t VtuArrays::integer_at(std::string_view bytes, std::size_t at,
+                                    std::size_t width) const {
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < width; ++i) {
+    const std::size_t k = big_endian_ ? i : width - 1 - i;
+    value = value << 8 | static_cast<unsigned char>(bytes[at + k]);
+  }
+  return value;
+}
+
+/// Decodes base64 and takes header and compression away.
+std::string VtuArrays::base64_content(std::string_view text, const pugi::xml_node& array) const {
+  const auto bytes = decode_base64(trimmed(text));
+  if (!bytes) fail(array, "malformed base64 in " + name_of(array), "base64");
+  std::size_t first = 0;
+  return content(*bytes, array, first);
+}
+
+/// `first`: gets the position in `stream` of the first byte of uncompressed data.
+std::string VtuArrays::content(std::string_view stream, const pugi::xml_node& array,
+                               std::size_t& first) const {
+  if (stream.size() < header_bytes_)
+    fail(array, "the end of the data", "the size of " + name_of(array));
+  if (compressed_) return inflated(stream, array);
+  const std::uint64_t size = integer_at(stream, 0, header_bytes_);
+  if (size > stream.size() - header_bytes_) {
+    fail(array, std::to_string(size) + " bytes in " + name_of(array),
+         "at most the " + std::to_string(stream.size() - header_bytes_) + " that are left");
+  }
+  first = header_bytes_;
+  return std::string(stream.substr(header_bytes_, static_cast<std::size_t>(size)));
+}
+
+/// Header: number of blocks, their size, the size of the last one (0: full), compressed sizes.
+std::string VtuArrays::inflated(std::string_view stream, const pugi::xml_node& array) const {
+  const std::size_t w = header_bytes_;
+  const std::uint64_t blocks = integer_at(stream, 0, w);
+  if (blocks == 0) return {};
+  if (blocks > stream.size() / w || (blocks + 3) * w > stream.size()) {
+    fail(array, std::to_string(blocks) + " compressed blocks in " + name_of(array),
+         "at most what the data can hold");
+  }
+  const std::uint64_t block_size = integer_at(stream, w, w);
+  const std::uint64_t last_size = integer_at(stream, 2 * w, w);
+  std::string data;
+  std::size_t at = static_cast<std::size_t>(blocks + 3) * w;
+  for (std::uint64_t b = 0; b < blocks; ++b) {
+    const std::uint64_t packed = integer_at(stream, static_cast<std::size_t>(3 + b) * w, w);
+    const std::uint64_t size = b + 1 == blocks && last_size != 0 ? last_size : block_size;
+    if (packed > stream.size() - at || size / best_compression > packed) {
+      fail(array, "a compressed block of " + std::to_string(packed) + " bytes in " + name_of(array),
+           "sizes that fit the data");
+    }
+    const std::size_t before = data.size();
+    data.resize(before + static_cast<std::size_t>(size));
+    auto length = static_cast<uLongf>(size);
+    const int result = ::uncompress(reinterpret_cast<Bytef*>(data.data() + before), &length,
+                                    reinterpret_cast<const Bytef*>(stream.data() + at),
+                                    static_cast<uLong>(packed));
+    if (result != Z_OK || length != size) {
+      fail(array, "compressed data that zlib refuses in " + name_of(array), "zlib data");
+    }
+    at += static_cast<std::size_t>(packed);
+  }
+  return data;
+}
+
+std::string VtuArrays::appended_bytes(const pugi::xml_node& array, std::size_t& first) const {
+  const std::string_view text = array.attribute("offset").value();
+  const auto offset = parse_integer(text);
+  const std::size_t size = appended_end_ - appended_begin_;
+  if (!offset || *offset < 0 || static_cast<std::uint64_t>(*offset) >= size) {
+    fail(array, "offset " + in_quotes(text) + " of " + name_of(array),
+         "an offset into AppendedData of " + std::to_string(size) + " bytes");
+  }
+  const std::size_t begin = appended_begin_ + static_cast<std::size_t>(*offset);
+  const auto stream = source_.text().substr(begin, appended_end_ - begin);
+  if (!appended_base64_) {
+    std::size_t skipped = 0;
+    std::string bytes = content(stream, array, skipped);
+    first = begin + skipped;
+    return bytes;
+  }
+  first = begin;
+  return base64_content(appended_piece(stream, array), array);
+}
+
+/// The base64 text of one array: where it ends only its header tells, for the next array follows.
+std::string_view VtuArrays::appended_piece(std::string_view stream,
+                                           const pugi::xml_node& array) const {
+  const auto encoded_size = [](std::uint64_t bytes) { return (bytes + 2) / 3 * 4; };
+  const auto head = [&](std::uint64_t bytes) {
+    const auto letters = static_cast<std::size_t>(encoded_size(bytes));
+    const auto decoded = decode_base64(stream.substr(0, letters));
+    if (!decoded || decoded->size() < bytes) {
+      fail(array, "malformed base64 in " + name_of(array), "the size of the data");
+    }
+    return *decoded;
+  };
+  const std::uint64_t most = stream.size();
+  std::string header = head(header_bytes_);
+  const std::uint64_t first = integer_at(header, 0, header_bytes_);
+  if (first > most) return stream;  // refused where the data is decoded
+  if (!compressed_) {
+    // VTK pads the header by itself; other writers encode it together with the data.
+    const bool padded = stream.substr(0, encoded_size(header_bytes_)).find('=') != stream.npos;
+    return stream.substr(0, padded ? encoded_size(header_bytes_) + encoded_size(first)
+                                   : encoded_size(header_bytes_ + first));
+  }
+  const std::uint64_t header_size = (first + 3) * header_bytes_;
+  if (header_size > most) return stream;
+  header = head(header_size);
+  std::uint64_t packed = 0;
+  for (std::uint64_t b = 0; b < first; ++b) {
+    const auto at = static_cast<std::size_t>(3 + b) * header_bytes_;
+    packed += std::min(integer_at(header, at, header_bytes_), most);
+  }
+  return stream.substr(0, encoded_size(header_size) + encoded_size(std::min(packed, most)));
+}
+
+std::string VtuArrays::bytes_of(const pugi::xml_node& array, std::size_t& first) const {
+  const std::string_view format = array.attribute("format").as_string("ascii");
+  if (format == "appended") return appended_bytes(array, first);
+  if (format != "binary") {
+    fail(array, "format " + in_quotes(format) + " of " + name_of(array),
+         "ascii, binary or appended");
+  }
+  const auto text = inline_text(array);
+  first = text.empty() ? place(array) : source_.offset_of(text);
+  return text.empty() ? std::string() : base64_content(text, array);
+}
+
+template <class Number>
+std::vector<Number> VtuArrays::read(const pugi::xml_node& array,
+                                    std::vector<std::size_t>* places) const {
+  const Type type = type_of(array);
+  std::vector<Number> values;
+  if (std::string_view(array.attribute("format").as_string("ascii")) == "ascii") {
+    const auto text = inline_text(array);
+    if (text.empty()) return values;
+    const std::size_t begin = source_.offset_of(text);
+    Scanner scan(source_, begin, begin + text.size());
+    for (auto word = scan.next_word(); !word.empty(); word = scan.next_word()) {
+      if (places != nullptr) places->push_back(source_.offset_of(word));
+      if constexpr (std::is_same_v<Number, double>) {
+        const auto value = parse_number(word);
+        if (!value) scan.fail(word, "a number in " + name_of(array));
+        values.push_back(*value);
+      } else {
+        const auto value = parse_integer(word);
+        if (!value) scan.fail(word, "an integer in " + name_of(array));
+        values.push_back(*value);
+      }
+    }
+    return values;
+  }
+  if (std::is_integral_v<Number> && type.floating) {
+    fail(array, "numbers with a fraction in " + name_of(array), "integers");
+  }
+  std::size_t first = 0;
+  const std::string bytes = bytes_of(array, first);
+  if (bytes.size() % type.bytes != 0) {
+    fail(array, std::to_string(bytes.size()) + " bytes in " + name_of(array),
+         "a multiple of " + std::to_string(type.bytes));
+  }
+  values.reserve(bytes.size() / type.bytes);
+  for (std::size_t at = 0; at < bytes.size(); at += type.bytes) {
+    if (places != nullptr) places->push_back(first + (compressed_ ? 0 : at));
+    const std::uint64_t raw = integer_at(bytes, at, type.bytes);
+    if (type.floating) {
+      values.push_back(static_cast<Number>(
+          type.bytes == 8
+              ? std::bit_cast<double>(raw)
+              : static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(raw)))));
+      continue;
+    }
+    const unsigned shift = static_cast<unsigned>(64 - 8 * type.bytes);
+    const auto extended = static_cast<std::int64_t>(raw << shift) >> shift;
+    values.push_back(
+        static_cast<Number>(type.is_signed ? extended : static_cast<std::int64_t>(raw)));
+  }
+  return values;
+}
+
+std::vector<double> VtuArrays::numbers(const pugi::xml_node& array,
+                                       std::vector<std::size_t>* places) const {
+  return read<double>(array, places);
+}
+
+std::vector<std::int64_t> VtuArrays::integers(const pugi::xml_node& array,
+                                              std::vector<std::size_t>* places) const {
+  return read<std::int64_t>(array, places);
+}
+
+}  // namespace winslow::io::vtk

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/text/source.h"
+
+namespace winslow::io::vtk {
+
+/// Decodes the DataArray elements of one VTK XML file.
+class VtuArrays {
+ public:
+  /// `file`: the VTKFile element. `xml_begin`: offset in the source of the text that pugixml saw.
+  /// Appended data (what follows its '_') lies in [appended_begin, appended_end); both 0: none.
+  VtuArrays(const Source& source, const pugi::xml_node& file, std::size_t xml_begin,
+            std::size_t appended_begin, std::size_t appended_end, bool appended_base64);
+
+  /// Offset of an element in the source.
+  std::size_t place(const pugi::xml_node& node) const;
+
+  /// All numbers of an array. `places`, if given, gets the byte offset of each (of the array, where
+  /// single numbers have none).
+  std::vector<double> numbers(const pugi::xml_node& array,
+                              std::vector<std::size_t>* places = nullptr) const;
+  std::vector<std::int64_t> integers(const pugi::xml_node& array,
+                                     std::vector<std::size_t>* places = nullptr) const;
+
+ private:
+  struct Type {
+    bool floating;
+    bool is_signed;
+    std::size_t bytes;
+  };
+  Type type_of(const pugi::xml_node& array) const;
+  std::string_view inline_text(const pugi::xml_node& array) const;
+  std::string bytes_of(const pugi::xml_node& array, std::size_t& first) const;
+  std::string appended_bytes(const pugi::xml_node& array, std::size_t& first) const;
+  std::string_view appended_piece(std::string_view stream, const pugi::xml_node& array) const;
+  std::string content(std::string_view stream, const pugi::xml_node& array,
+                      std::size_t& first) const;
+  std::string base64_content(std::string_view text, const pugi::xml_node& array) const;
+  std::string inflated(std::string_view stream, const pugi::xml_node& array) const;
+  std::uint64_t integer_at(std::string_view bytes, std::size_t at, std::size_t width) const;
+  [[noreturn]] void fail(const pugi::xml_node& array, const std::string& found,
+                         const std::string& expected) const;
+  template <class Number>
+  std::vector<Number> read(const pugi::xml_node& array, std::vector<std::size_t>* places) const;
+
+  const Source& source_;
+  std::size_t xml_begin_;
+  std::size_t appended_begin_;
+  std::size_t appended_end_;
+  bool appended_base64_;
+  bool big_endian_ = false;
+  bool compressed_ = false;
+  std::size_t header_bytes_ = 4;
+};
+
+}  // namespace winslow::io::vtk
