@@ -17,6 +17,10 @@ double mean_edge(const Topology& topology, const Coordinates& x, Index node) {
   return sum / static_cast<double>(neighbours.size());
 }
 
+/// A mesh that is tangled by its unclipped solution would otherwise switch to and fro for ever:
+/// after this many times it stays clipped.
+constexpr int most_relapses = 3;
+
 /// Residuals are differences of coordinates over edge lengths, so they carry the round-off of the
 /// coordinates in units of the edges.
 double residual_round_off(const Topology& topology, const Coordinates& x) {
@@ -39,9 +43,7 @@ PicardSolver::PicardSolver(const Topology& topology, const Formulation& formulat
 bool PicardSolver::choose_clip(Index inverted) {
   if (options_.clip != Clip::automatic) return options_.clip == Clip::on;
   if (inverted > 0 && unclipped_before_) ++relapses_;
-  // A mesh whose unclipped solution is tangled would otherwise switch to and fro for ever.
-  constexpr int patience = 3;
-  const bool clip = inverted > 0 || relapses_ >= patience;
+  const bool clip = inverted > 0 || relapses_ >= most_relapses;
   unclipped_before_ = !clip;
   return clip;
 }
@@ -82,8 +84,13 @@ void PicardSolver::adapt_damping() {
     best_residual_ = std::min(best_residual_, record_.residual);
     least_inverted_ = std::min(least_inverted_, record_.inverted);
     last_progress_ = record_.iteration;
-  } else if (options_.adapt_damping && record_.iteration - last_progress_ >= patience) {
-    record_.damping = std::max(smallest, 0.5 * record_.damping);
+  } else if (record_.iteration - last_progress_ >= patience) {
+    const bool clip_could_help = options_.clip == Clip::automatic && !record_.clipped;
+    if (clip_could_help) {
+      relapses_ = most_relapses;
+    } else if (options_.adapt_damping) {
+      record_.damping = std::max(smallest, 0.5 * record_.damping);
+    }
     best_residual_ = record_.residual;
     least_inverted_ = record_.inverted;
     last_progress_ = record_.iteration;
