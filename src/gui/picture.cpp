@@ -50,10 +50,11 @@ Legend make_legend(Metric metric, std::span<const double> values, const ColorSca
   legend.scale = scale;
   legend.histogram = histogram_over(values, scale, histogram_bins);
   const auto finite = [](double v) { return std::isfinite(v); };
-  legend.more_above = std::ranges::any_of(
-      values, [&](double v) { return finite(v) && v > scale.high * (1 + 1e-12); });
-  legend.more_below = std::ranges::any_of(
-      values, [&](double v) { return finite(v) && v < scale.low && scale.low != 0; });
+  const double slack = 1e-9 * (scale.high - scale.low);
+  legend.more_above =
+      std::ranges::any_of(values, [&](double v) { return finite(v) && v > scale.high + slack; });
+  legend.more_below =
+      std::ranges::any_of(values, [&](double v) { return finite(v) && v < scale.low - slack; });
   return legend;
 }
 
@@ -64,7 +65,11 @@ MeshStyle mesh_style(const PictureOptions& options, const PictureTheme& theme, f
   style.boundary_width = 0.11f * unit;
   style.fill_color = theme.fill;
   style.edge_color = theme.edge;
-  if (options.color) style.edge_color[3] = 0.55f;
+  if (options.color) {
+    // On colours, dark lines are legible in both themes.
+    style.edge_color = picture_theme(false).edge;
+    style.edge_color[3] = 0.55f;
+  }
   return style;
 }
 

@@ -12,7 +12,8 @@ namespace winslow::gui {
 /// Colour in [0, 1], as sent to the screen (sRGB values).
 using Rgb = std::array<float, 3>;
 
-/// Perceptually uniform, colour-blind safe maps.
+/// Sequential maps from dark to bright, told apart by the colour-blind too: viridis, cividis,
+/// glacier, plasma, magma, inferno. The last three contain red, which inverted elements wear.
 std::vector<std::string> color_map_names();
 /// Colour at t in [0, 1] (clamped). Throws UsageError for an unknown name.
 Rgb sample_color_map(std::string_view name, double t);

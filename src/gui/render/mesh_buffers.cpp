@@ -3,9 +3,9 @@
 namespace winslow::gui {
 namespace {
 
-/// Lines closer together than this many times their width fade in proportion, so that a third of
-/// the surface at most is covered by them.
-constexpr float fade_distance = 3.0f;
+/// Lines closer together than this many times their width fade in proportion: triangles have three
+/// families of lines, which then cover half of the surface together, however small they get.
+constexpr float fade_distance = 6.0f;
 
 template <class T>
 std::span<const T> view(const std::vector<T>& values) {

@@ -39,7 +39,7 @@ ColorScale automatic_scale(Metric metric, std::span<const double> values, const 
     return scale;
   }
   scale.low = 1;
-  scale.high = 1 + std::max(round_up_nicely(high - 1), 0.5);
+  scale.high = std::max(round_up_nicely(high), 1.5);
   scale.reversed = true;
   return scale;
 }

@@ -3,7 +3,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "gui/render/ticks.h"
 
@@ -46,6 +48,12 @@ struct Tick {
   std::string text;
 };
 
+std::string short_number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
 /// Round ticks, and both ends of the range where no round tick is close to them.
 std::vector<Tick> find_ticks(const Legend& legend, float bar_height, float font_size) {
   const ColorScale& scale = legend.scale;
@@ -54,11 +62,18 @@ std::vector<Tick> find_ticks(const Legend& legend, float bar_height, float font_
   const double span = scale.high - scale.low;
   const double step = values.size() > 1 ? values[1] - values[0] : span;
   std::vector<Tick> ticks;
-  for (const double v : values) {
-    std::string text = format_tick(v, step);
+  for (const double v : values) ticks.push_back({v, format_tick(v, step)});
+  // Further from its tick than this, the label of an end does not touch the next one.
+  const double clear = 0.6 * step;
+  if (values.empty() || values.front() - scale.low > clear) {
+    ticks.push_back({scale.low, short_number(scale.low)});
+  }
+  if (values.empty() || scale.high - values.back() > clear) {
+    ticks.push_back({scale.high, short_number(scale.high)});
+  }
+  for (auto& [v, text] : ticks) {
     if (legend.more_above && std::abs(v - scale.high) < 1e-6 * span) text = "\u2265 " + text;
     if (legend.more_below && std::abs(v - scale.low) < 1e-6 * span) text = "\u2264 " + text;
-    ticks.push_back({v, std::move(text)});
   }
   return ticks;
 }
