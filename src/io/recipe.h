@@ -17,12 +17,16 @@ struct Recipe {
 };
 
 nlohmann::json to_json(const Command& command);
-/// Throws InputError naming the key that is missing, unknown or of the wrong type.
-/// `folder`: where displacement files named in the command are looked for.
-Command command_from_json(const nlohmann::json& json, const std::filesystem::path& folder);
+/// Strict: throws InputError naming the key that is missing, unknown, of the wrong type or out of
+/// range. `folder`: where displacement files named in the command are looked for. `where`: what to
+/// call the command in messages, e.g. "commands[2]".
+Command command_from_json(const nlohmann::json& json, const std::filesystem::path& folder,
+                          const std::string& where = "");
 
-/// Throws InputError "FILE:LINE: ...".
+/// Throws InputError "FILE:LINE: ...". What the file leaves out has the defaults of the options
+/// structs.
 Recipe read_recipe(const std::filesystem::path& path);
+/// Atomically. Displacements are embedded. Throws OutputError.
 void write_recipe(const std::filesystem::path& path, const Recipe& recipe);
 
 }  // namespace winslow::io

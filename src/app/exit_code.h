@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string_view>
+
+namespace winslow::app {
+
+/// What the program's exit status means. Scripts rely on these numbers.
+enum class ExitCode {
+  done = 0,           ///< done, and the mesh is valid
+  internal = 1,       ///< a fault of the program or the machine (out of memory, no OpenGL)
+  usage = 2,          ///< options or arguments that make no sense
+  input = 3,          ///< a file that cannot be read, is wrong, or cannot be written
+  inverted = 4,       ///< the result has inverted elements
+  not_converged = 5,  ///< not converged within the limit
+  interrupted = 130,  ///< stopped by Ctrl-C or SIGTERM
+};
+
+/// The same for the foot of help texts.
+inline constexpr std::string_view exit_code_help =
+    "Exit status: 0 done and valid; 2 wrong usage; 3 a file cannot be read, is wrong or cannot be\n"
+    "written; 4 the result has inverted elements (nothing is written unless --allow-inverted);\n"
+    "5 not converged within the limit (written if valid); 130 interrupted (nothing written).";
+
+}  // namespace winslow::app

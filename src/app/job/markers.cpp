@@ -1,0 +1,41 @@
+#include "app/job/markers.h"
+
+#include "app/options/suggestion.h"
+#include "core/error.h"
+
+namespace winslow::app {
+namespace {
+
+const std::vector<std::string>* markers_of(const Command& command) {
+  if (const auto* move = std::get_if<MoveCommand>(&command)) return &move->markers;
+  if (const auto* deform = std::get_if<DeformCommand>(&command)) return &deform->markers;
+  return nullptr;
+}
+
+[[noreturn]] void refuse(const std::string& name, const Topology& topology,
+                         const std::string& file) {
+  std::vector<std::string> known;
+  std::string list;
+  for (const Marker& marker : topology.markers()) {
+    known.push_back(marker.name);
+    list += (list.empty() ? "" : ", ") + marker.name + " (" + std::to_string(marker.edges.size()) +
+            " edges)";
+  }
+  throw UsageError("unknown marker \"" + name + '"' + suggest(name, known) + " Markers of " + file +
+                   ": " + (list.empty() ? "none" : list));
+}
+
+}  // namespace
+
+void check_markers(const std::vector<Command>& commands, const Topology& topology,
+                   const std::string& file) {
+  for (const Command& command : commands) {
+    const auto* names = markers_of(command);
+    if (!names) continue;
+    for (const std::string& name : *names) {
+      if (!topology.find_marker(name)) refuse(name, topology, file);
+    }
+  }
+}
+
+}  // namespace winslow::app

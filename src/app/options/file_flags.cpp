@@ -1,0 +1,104 @@
+#include "app/options/file_flags.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <set>
+
+#include "app/options/suggestion.h"
+#include "core/error.h"
+#include "io/format_detection.h"
+
+namespace winslow::app {
+
+namespace fs = std::filesystem;
+
+void add_input(CLI::App& app, std::string& input) {
+  app.add_option("IN", input, "Mesh to read (SU2, Gmsh, VTK, VTU, OBJ, OFF, PLY, STL)")
+      ->required()
+      ->type_name("");
+}
+
+void add_job_flags(CLI::App& app, JobFiles& files) {
+  const char* group = "Output";
+  app.add_option("-o,--output", files.output, "Mesh to write; may be IN itself")
+      ->type_name("OUT")
+      ->group(group);
+  app.add_option("--report", files.report, "Write what was done, and the quality, as JSON")
+      ->type_name("FILE.json")
+      ->group(group);
+  app.add_option("--history", files.history, "Write a line for every outer iteration as CSV")
+      ->type_name("FILE.csv")
+      ->group(group);
+  app.add_flag("--allow-inverted", files.allow_inverted,
+               "Write OUT even if elements are inverted (the exit status is still 4)")
+      ->group(group);
+  add_encoding_flags(app, files.encoding);
+  add_quiet_flag(app, files.quiet);
+}
+
+void add_recipe_flag(CLI::App& app, JobFiles& files) {
+  app.add_option("--save-recipe", files.save_recipe, "Write this run as a recipe for replay")
+      ->type_name("FILE.json")
+      ->group("Output");
+}
+
+void add_encoding_flags(CLI::App& app, io::WriteOptions& encoding) {
+  const auto set = [&encoding](bool binary) {
+    encoding.binary = binary;
+    encoding.keep_encoding = false;
+  };
+  auto* binary = app.add_flag_callback(
+                        "--binary", [set] { set(true); },
+                        "Write binary where the format has it (Gmsh, VTU, VTK, PLY, STL)")
+                     ->group("Output");
+  app.add_flag_callback(
+         "--ascii", [set] { set(false); }, "Write text, whatever the source was")
+      ->excludes(binary)
+      ->group("Output");
+  app.add_option("--gmsh-version", encoding.gmsh_version,
+                 "Version of a Gmsh file; default: that of the source, else 4.1")
+      ->check(one_of({"2.2", "4.1"}))
+      ->option_text("2.2|4.1")
+      ->group("Output");
+}
+
+void add_quiet_flag(CLI::App& app, bool& quiet) {
+  app.add_flag("-q,--quiet", quiet, "Say nothing but errors");
+}
+
+void check_output(const std::string& path) {
+  if (path.empty()) return;
+  std::error_code error;
+  const fs::path target(path);
+  if (fs::is_directory(target, error)) {
+    throw OutputError(path + ": is a folder; expected the name of a file to write");
+  }
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, error)) {
+    throw OutputError(path + ": the folder " + folder.string() + " does not exist");
+  }
+  if (access(folder.c_str(), W_OK | X_OK) != 0) {
+    throw OutputError(path + ": the folder " + folder.string() + " cannot be written to");
+  }
+}
+
+void check_mesh_output(const std::string& path) {
+  if (path.empty()) return;
+  if (!io::format_of_extension(path)) {
+    throw UsageError(path + ": unknown extension, expected one of " + io::supported_extensions());
+  }
+  check_output(path);
+}
+
+void check_distinct(const std::vector<std::string>& paths) {
+  std::set<fs::path> seen;
+  for (const std::string& path : paths) {
+    if (path.empty()) continue;
+    if (!seen.insert(fs::weakly_canonical(path)).second) {
+      throw UsageError(path + " would be written twice");
+    }
+  }
+}
+
+}  // namespace winslow::app

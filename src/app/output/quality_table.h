@@ -1,0 +1,21 @@
+#pragma once
+
+#include <iosfwd>
+
+#include "core/mesh/mesh.h"
+#include "core/quality/quality.h"
+
+namespace winslow::app {
+
+/// Minimum, average and maximum of the three metrics, as the paper tabulates them, and the number
+/// of nodes, elements and inverted elements.
+void print_quality_table(std::ostream& out, const Mesh& mesh, const QualityReport& quality);
+/// The worst elements by each metric: ids (0-based, in the order of the file), values, centres.
+void print_worst_elements(std::ostream& out, const QualityReport& quality);
+/// Inverted elements with their ids and centres, at most `limit` of them.
+void print_inverted_elements(std::ostream& out, const Mesh& mesh, const QualityReport& quality,
+                             int limit);
+/// Bars, one line a bin, for each metric.
+void print_histograms(std::ostream& out, const QualityReport& quality);
+
+}  // namespace winslow::app

@@ -1,0 +1,114 @@
+#include "app/output/report.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "app/output/element_centre.h"
+#include "io/atomic_file.h"
+
+namespace winslow::app {
+namespace {
+
+using nlohmann::json;
+
+json describe_statistics(const Statistics& s) {
+  return {{"min", s.min}, {"avg", s.avg}, {"max", s.max}};
+}
+
+json describe_worst(const QualityReport::PerMetric& metric) {
+  json list = json::array();
+  for (const WorstElement& w : metric.worst) {
+    list.push_back(
+        {{"element", w.element}, {"value", w.value}, {"centre", {w.centre.x(), w.centre.y()}}});
+  }
+  return list;
+}
+
+json describe_result(const CommandRecord& record) {
+  const SmoothResult& r = record.result;
+  return {{"command", record.name},
+          {"description", record.description},
+          {"formulation", record.formulation ? json(*record.formulation) : json()},
+          {"converged", r.converged},
+          {"outer_iterations", r.outer_iterations},
+          {"linear_solves", r.linear_solves},
+          {"residual", r.residual},
+          {"fraction_reached", r.fraction_reached},
+          {"increments", r.increments},
+          {"inverted", r.inverted}};
+}
+
+/// The keys that a run has as a whole: sums over its commands, or what the last one says.
+json describe_totals(const std::vector<CommandRecord>& commands) {
+  int iterations = 0, solves = 0, increments = 0;
+  double fraction = 1;
+  json formulation;
+  for (const CommandRecord& c : commands) {
+    iterations += c.result.outer_iterations;
+    solves += c.result.linear_solves;
+    increments = std::max(increments, c.result.increments);
+    fraction = std::min(fraction, c.result.fraction_reached);
+    if (c.formulation) formulation = *c.formulation;
+  }
+  return {{"formulation", formulation},
+          {"converged", all_converged(commands)},
+          {"outer_iterations", iterations},
+          {"linear_solves", solves},
+          {"residual", commands.empty() ? 0.0 : commands.back().result.residual},
+          {"fraction_reached", fraction},
+          {"increments", increments}};
+}
+
+}  // namespace
+
+bool all_converged(const std::vector<CommandRecord>& commands) {
+  return std::all_of(commands.begin(), commands.end(),
+                     [](const CommandRecord& c) { return c.result.converged; });
+}
+
+json describe_mesh(const Mesh& mesh, const QualityReport& quality) {
+  json inverted = json::array();
+  for (const Index e : quality.inverted_elements) {
+    const Vec2 c = element_centre(mesh, e);
+    inverted.push_back({{"element", e}, {"centre", {c.x(), c.y()}}});
+  }
+  json metrics, worst;
+  for (const Metric m :
+       {Metric::normalized_jacobian, Metric::aspect_ratio, Metric::condition_number}) {
+    const std::string name(metric_name(m));
+    metrics[name] = describe_statistics(quality.of(m).statistics);
+    worst[name] = describe_worst(quality.of(m));
+  }
+  return {{"nodes", mesh.topology->node_count()},
+          {"elements", mesh.topology->element_count()},
+          {"inverted", quality.inverted},
+          {"inverted_elements", inverted},
+          {"quality", metrics},
+          {"worst", worst}};
+}
+
+json describe_run(const RunReport& run, const Mesh& mesh, const QualityReport& quality) {
+  json report = describe_mesh(mesh, quality);
+  report.update(describe_totals(run.commands));
+  report["command"] = run.command;
+  report["input"] = run.input;
+  report["output"] = run.written ? json(run.output) : json();
+  report["commands"] = json::array();
+  for (const CommandRecord& c : run.commands) report["commands"].push_back(describe_result(c));
+  report["seconds"] = {{"load", run.seconds.load},
+                       {"solve", run.seconds.solve},
+                       {"save", run.seconds.save},
+                       {"total", run.seconds.total}};
+  report["peak_memory_bytes"] = peak_memory_bytes();
+  report["warnings"] = run.warnings;
+  return report;
+}
+
+void write_json(const std::filesystem::path& path, const json& value) {
+  // A name of a file or a marker need not be UTF-8: replace what is not, rather than fail.
+  const std::string text = value.dump(2, ' ', false, json::error_handler_t::replace);
+  io::write_atomically(path, [&](std::ostream& out) { out << text << '\n'; });
+}
+
+}  // namespace winslow::app

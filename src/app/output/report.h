@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/job/stopwatch.h"
+#include "core/mesh/mesh.h"
+#include "core/outer/outer_solver.h"
+#include "core/quality/quality.h"
+
+namespace winslow::app {
+
+/// One executed command of a run.
+struct CommandRecord {
+  std::string name;                        ///< command_name()
+  std::string description;                 ///< describe()
+  std::optional<std::string> formulation;  ///< of commands that smooth
+  SmoothResult result;
+};
+
+/// All that --report tells of a run.
+struct RunReport {
+  std::string command;  ///< the subcommand
+  std::string input, output;
+  bool written = false;  ///< output was written
+  std::vector<CommandRecord> commands;
+  Timings seconds;
+  std::vector<std::string> warnings;
+};
+
+/// The block "quality", and what else is said of a mesh: "nodes", "elements", "inverted",
+/// "inverted_elements" (ids and centres of the first 100), "min_sine".
+nlohmann::json describe_mesh(const Mesh& mesh, const QualityReport& quality);
+
+/// The whole report (docs/command-line.md lists the keys).
+nlohmann::json describe_run(const RunReport& run, const Mesh& mesh, const QualityReport& quality);
+
+/// Writes JSON atomically. Throws OutputError.
+void write_json(const std::filesystem::path& path, const nlohmann::json& json);
+
+/// True if every command of the run converged.
+bool all_converged(const std::vector<CommandRecord>& commands);
+
+}  // namespace winslow::app

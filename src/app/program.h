@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/exit_code.h"
+
+namespace winslow::app {
+
+/// The whole program: parses the command line, runs the subcommand, and turns every error into one
+/// line on the standard error and an exit code. Throws nothing.
+ExitCode run_program(int argc, char** argv);
+
+}  // namespace winslow::app

@@ -1,0 +1,49 @@
+#include "app/job/edit_job.h"
+#include "app/options/smooth_flags.h"
+#include "app/subcommands/subcommand.h"
+#include "core/error.h"
+
+namespace winslow::app {
+namespace {
+
+class MoveSubcommand : public Subcommand {
+ public:
+  explicit MoveSubcommand(CLI::App& program)
+      : Subcommand(program.add_subcommand("move", "Move bodies rigidly, then smooth")) {
+    add_input(app(), files_.input);
+    add_marker_flag(app(), command_.markers);
+    rotate_ = app()
+                  .add_option("--rotate", command_.motion.rotate,
+                              "Angle in degrees, counter-clockwise positive")
+                  ->type_name("DEG");
+    add_vector_flag(app(), "--pivot", command_.motion.pivot, "Centre of the rotation [0 0]");
+    translate_ = add_vector_flag(app(), "--translate", command_.motion.translate,
+                                 "Shift, after the rotation")
+                     ->type_name("DX DY");
+    add_motion_flags(app(), command_.how);
+    add_smooth_flags(app(), command_.smooth);
+    add_job_flags(app(), files_);
+    add_recipe_flag(app(), files_);
+  }
+
+  ExitCode run() override {
+    if (rotate_->count() + translate_->count() == 0) {
+      throw UsageError("nothing to do: give --rotate DEG, --translate DX DY, or both");
+    }
+    return run_edit_job({"move", files_, {command_}});
+  }
+
+ private:
+  JobFiles files_;
+  MoveCommand command_;
+  CLI::Option* rotate_ = nullptr;
+  CLI::Option* translate_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<Subcommand> make_move_subcommand(CLI::App& program) {
+  return std::make_unique<MoveSubcommand>(program);
+}
+
+}  // namespace winslow::app

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <vector>
+
+#include "app/exit_code.h"
+
+namespace winslow::app {
+
+/// A command of the program: declares its options when it is made, and runs once they are parsed.
+class Subcommand {
+ public:
+  explicit Subcommand(CLI::App* app) : app_(app) {}
+  virtual ~Subcommand() = default;
+  Subcommand(const Subcommand&) = delete;
+  Subcommand& operator=(const Subcommand&) = delete;
+
+  /// True if the user asked for it.
+  bool chosen() const { return app_->parsed(); }
+  /// Throws the library's errors.
+  virtual ExitCode run() = 0;
+
+ protected:
+  CLI::App& app() const { return *app_; }
+
+ private:
+  CLI::App* app_;
+};
+
+using SubcommandList = std::vector<std::unique_ptr<Subcommand>>;
+
+/// All of them, in the order of the help.
+SubcommandList make_subcommands(CLI::App& program);
+
+std::unique_ptr<Subcommand> make_smooth_subcommand(CLI::App& program);
+std::unique_ptr<Subcommand> make_move_subcommand(CLI::App& program);
+std::unique_ptr<Subcommand> make_deform_subcommand(CLI::App& program);
+std::unique_ptr<Subcommand> make_scramble_subcommand(CLI::App& program);
+std::unique_ptr<Subcommand> make_quality_subcommand(CLI::App& program);
+std::unique_ptr<Subcommand> make_render_subcommand(CLI::App& program);
+std::unique_ptr<Subcommand> make_convert_subcommand(CLI::App& program);
+std::unique_ptr<Subcommand> make_replay_subcommand(CLI::App& program);
+std::unique_ptr<Subcommand> make_studio_subcommand(CLI::App& program);
+
+}  // namespace winslow::app

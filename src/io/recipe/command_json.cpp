@@ -1,0 +1,210 @@
+#include <nlohmann/json.hpp>
+#include <string>
+#include <type_traits>
+
+#include "core/error.h"
+#include "io/displacement_file.h"
+#include "io/recipe.h"
+#include "io/recipe/object_archive.h"
+
+namespace winslow::io {
+namespace {
+
+using nlohmann::json;
+
+// Every field of every options struct is named here, once, for reading and writing.
+
+template <class Archive, class Options>
+void linear_fields(Archive& archive, Options& options) {
+  archive.field("solver", options.solver);
+  archive.field("tolerance", options.tolerance);
+  archive.field("max_iterations", options.max_iterations);
+  archive.field("restart", options.restart);
+}
+
+template <class Archive, class Options>
+void smooth_fields(Archive& archive, Options& options) {
+  archive.field("formulation", options.formulation);
+  archive.object("linear", [&](auto& inner) { linear_fields(inner, options.linear); });
+  archive.field("damping", options.damping);
+  archive.field("adapt_damping", options.adapt_damping);
+  archive.field("acceleration", options.acceleration);
+  archive.field("clip", options.clip);
+  archive.field("max_iterations", options.max_iterations);
+  archive.field("tolerance", options.tolerance);
+  archive.field("threads", options.threads);
+}
+
+template <class Archive, class Command>
+void smoothing_of(Archive& archive, Command& command) {
+  archive.object("smooth", [&](auto& inner) { smooth_fields(inner, command.smooth); });
+}
+
+template <class Archive, class Command>
+void motion_fields(Archive& archive, Command& command) {
+  archive.required("markers", command.markers);
+  archive.field("increments", command.how.increments);
+  archive.field("smooth_after", command.how.smooth_after);
+  smoothing_of(archive, command);
+}
+
+template <class Archive, class Motion>
+void rigid_fields(Archive& archive, Motion& motion) {
+  archive.field("rotate", motion.rotate);
+  archive.field("pivot", motion.pivot);
+  archive.field("translate", motion.translate);
+}
+
+template <class Archive, class Shape>
+void sine_fields(Archive& archive, Shape& shape) {
+  archive.required("amplitude", shape.amplitude);
+  archive.required("waves", shape.waves);
+  archive.field("direction", shape.direction);
+  archive.field("fade", shape.fade);
+  archive.field("fade_length", shape.fade_length);
+}
+
+json write_table(const DisplacementTable& table) {
+  json entries = json::array();
+  for (const DisplacementEntry& entry : table.entries) {
+    json item;
+    if (entry.node) {
+      item["node"] = *entry.node;
+    } else {
+      item["position"] = ObjectWriter::write(entry.position);
+    }
+    item["displacement"] = ObjectWriter::write(entry.displacement);
+    if (entry.line > 0) item["line"] = entry.line;
+    entries.push_back(std::move(item));
+  }
+  return {{"entries", std::move(entries)}, {"source", table.source}};
+}
+
+DisplacementEntry read_entry(const json& value, const std::string& path) {
+  ObjectReader reader(value, path);
+  if (reader.has("node") == reader.has("position")) {
+    throw JsonValueError(path, "expected either \"node\" or \"position\"");
+  }
+  DisplacementEntry entry;
+  if (reader.has("node")) {
+    reader.required("node", entry.node.emplace());
+  } else {
+    reader.required("position", entry.position);
+  }
+  reader.required("displacement", entry.displacement);
+  reader.field("line", entry.line);
+  reader.finish();
+  return entry;
+}
+
+/// Displacements in the recipe itself, or in a file beside it.
+DisplacementTable read_table(const json& value, const std::string& path,
+                             const std::filesystem::path& folder) {
+  ObjectReader reader(value, path);
+  if (reader.has("file")) {
+    std::string file;
+    reader.required("file", file);
+    reader.finish();
+    return read_displacements(folder / file);
+  }
+  DisplacementTable table;
+  const json& entries = reader.at("entries");
+  const std::string entries_path = reader.path_of("entries");
+  if (!entries.is_array()) throw JsonValueError(entries_path, "expected a list");
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    table.entries.push_back(read_entry(entries[i], entries_path + '[' + std::to_string(i) + ']'));
+  }
+  reader.field("source", table.source);
+  reader.finish();
+  return table;
+}
+
+DeformCommand read_deform(ObjectReader& reader, const std::filesystem::path& folder) {
+  DeformCommand command;
+  motion_fields(reader, command);
+  if (reader.has("sine") == reader.has("displacements")) {
+    throw JsonValueError(reader.path(), "expected either \"sine\" or \"displacements\"");
+  }
+  if (reader.has("sine")) {
+    SineDeformation sine;
+    reader.object("sine", [&](auto& inner) { sine_fields(inner, sine); });
+    command.shape = sine;
+  } else {
+    const std::string path = reader.path_of("displacements");
+    command.shape = read_table(reader.at("displacements"), path, folder);
+  }
+  return command;
+}
+
+Command read_command(ObjectReader& reader, const std::filesystem::path& folder) {
+  std::string name;
+  reader.required("command", name);
+  if (name == "smooth") {
+    SmoothCommand command;
+    smoothing_of(reader, command);
+    return command;
+  }
+  if (name == "move") {
+    MoveCommand command;
+    motion_fields(reader, command);
+    rigid_fields(reader, command.motion);
+    return command;
+  }
+  if (name == "deform") return read_deform(reader, folder);
+  if (name == "scramble") {
+    ScrambleCommand command;
+    reader.field("seed", command.seed);
+    return command;
+  }
+  throw JsonValueError(reader.path_of("command"), "found \"" + name +
+                                                      "\", expected one of smooth, move, deform, "
+                                                      "scramble");
+}
+
+void write_fields(ObjectWriter& writer, const SmoothCommand& command) {
+  smoothing_of(writer, command);
+}
+
+void write_fields(ObjectWriter& writer, const MoveCommand& command) {
+  motion_fields(writer, command);
+  rigid_fields(writer, command.motion);
+}
+
+void write_fields(ObjectWriter& writer, const DeformCommand& command) {
+  motion_fields(writer, command);
+  if (const auto* sine = std::get_if<SineDeformation>(&command.shape)) {
+    writer.object("sine", [&](auto& inner) { sine_fields(inner, *sine); });
+  } else {
+    writer.field("displacements", write_table(std::get<DisplacementTable>(command.shape)));
+  }
+}
+
+void write_fields(ObjectWriter& writer, const ScrambleCommand& command) {
+  writer.field("seed", command.seed);
+}
+
+}  // namespace
+
+json to_json(const Command& command) {
+  ObjectWriter writer;
+  writer.required("command", std::string(command_name(command)));
+  std::visit([&](const auto& c) { write_fields(writer, c); }, command);
+  return writer.take();
+}
+
+Command command_from_json(const json& value, const std::filesystem::path& folder,
+                          const std::string& where) {
+  ObjectReader reader(value, where);
+  Command command = read_command(reader, folder);
+  reader.finish();
+  if (const SmoothOptions* options = smooth_options(command)) {
+    try {
+      validate(*options);
+    } catch (const UsageError& error) {
+      throw JsonValueError(reader.path_of("smooth"), error.what());
+    }
+  }
+  return command;
+}
+
+}  // namespace winslow::io

@@ -1,0 +1,136 @@
+#include "io/recipe/object_archive.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+
+namespace winslow::io {
+namespace {
+
+using nlohmann::json;
+
+template <class Enum>
+using Name = std::pair<Enum, const char*>;
+
+constexpr std::array clip_names{Name<Clip>{Clip::automatic, "auto"}, Name<Clip>{Clip::on, "on"},
+                                Name<Clip>{Clip::off, "off"}};
+constexpr std::array fade_names{Name<Fade>{Fade::none, "none"}, Name<Fade>{Fade::start, "start"},
+                                Name<Fade>{Fade::end, "end"}, Name<Fade>{Fade::both, "both"}};
+
+[[noreturn]] void refuse(const json& found, const std::string& path, const std::string& expected) {
+  constexpr std::size_t longest = 40;
+  std::string text = found.dump(-1, ' ', false, json::error_handler_t::replace);
+  if (text.size() > longest) text = text.substr(0, longest) + "...";
+  throw JsonValueError(path, "found " + text + ", expected " + expected);
+}
+
+template <class Enum, std::size_t n>
+void read_enum(const json& value, const std::string& path, const std::array<Name<Enum>, n>& names,
+               Enum& out) {
+  std::string list;
+  for (const auto& [item, name] : names) {
+    if (value == name) {
+      out = item;
+      return;
+    }
+    list += (list.empty() ? "" : ", ") + std::string(name);
+  }
+  refuse(value, path, "one of " + list);
+}
+
+template <class Enum, std::size_t n>
+const char* name_of(Enum value, const std::array<Name<Enum>, n>& names) {
+  return std::find_if(names.begin(), names.end(), [&](const auto& x) { return x.first == value; })
+      ->second;
+}
+
+}  // namespace
+
+ObjectReader::ObjectReader(const json& object, std::string path)
+    : object_(object), path_(std::move(path)) {
+  if (!object_.is_object()) refuse(object_, path_, "an object");
+}
+
+std::string ObjectReader::path_of(const char* key) const {
+  return path_ + (path_.empty() ? "" : ".") + key;
+}
+
+const json* ObjectReader::find(const char* key) {
+  known_.emplace_back(key);
+  const auto found = object_.find(key);
+  return found == object_.end() ? nullptr : &*found;
+}
+
+const json& ObjectReader::at(const char* key) {
+  const json* found = find(key);
+  if (!found) throw JsonValueError(path_, "the key \"" + std::string(key) + "\" is missing");
+  return *found;
+}
+
+void ObjectReader::finish() const {
+  for (const auto& [key, value] : object_.items()) {
+    if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    std::string list;
+    for (const std::string& name : known_) list += (list.empty() ? "" : ", ") + name;
+    throw JsonValueError(path_of(key.c_str()), "unknown key, expected one of " + list);
+  }
+}
+
+void ObjectReader::read(const json& value, const std::string& path, double& out) {
+  if (!value.is_number()) refuse(value, path, "a number");
+  out = value.get<double>();
+}
+
+void ObjectReader::read(const json& value, const std::string& path, int& out) {
+  const bool fits = value.is_number_unsigned() ? std::in_range<int>(value.get<std::uint64_t>())
+                                               : value.is_number_integer() &&
+                                                     std::in_range<int>(value.get<std::int64_t>());
+  if (!fits) refuse(value, path, "a whole number");
+  out = value.get<int>();
+}
+
+void ObjectReader::read(const json& value, const std::string& path, std::uint64_t& out) {
+  if (!value.is_number_unsigned()) refuse(value, path, "a whole number from 0 on");
+  out = value.get<std::uint64_t>();
+}
+
+void ObjectReader::read(const json& value, const std::string& path, bool& out) {
+  if (!value.is_boolean()) refuse(value, path, "true or false");
+  out = value.get<bool>();
+}
+
+void ObjectReader::read(const json& value, const std::string& path, std::string& out) {
+  if (!value.is_string()) refuse(value, path, "a text");
+  out = value.get<std::string>();
+}
+
+void ObjectReader::read(const json& value, const std::string& path, std::vector<std::string>& out) {
+  if (!value.is_array()) refuse(value, path, "a list of texts");
+  out.clear();
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    read(value[i], path + '[' + std::to_string(i) + ']', out.emplace_back());
+  }
+}
+
+void ObjectReader::read(const json& value, const std::string& path, Vec2& out) {
+  if (!value.is_array() || value.size() != 2 || !value[0].is_number() || !value[1].is_number()) {
+    refuse(value, path, "[x, y]");
+  }
+  out = Vec2(value[0].get<double>(), value[1].get<double>());
+}
+
+void ObjectReader::read(const json& value, const std::string& path, Clip& out) {
+  read_enum(value, path, clip_names, out);
+}
+
+void ObjectReader::read(const json& value, const std::string& path, Fade& out) {
+  read_enum(value, path, fade_names, out);
+}
+
+json ObjectWriter::write(Clip value) { return name_of(value, clip_names); }
+json ObjectWriter::write(Fade value) { return name_of(value, fade_names); }
+
+}  // namespace winslow::io

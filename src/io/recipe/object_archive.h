@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "core/command/command.h"
+#include "io/recipe/json_source.h"
+
+namespace winslow::io {
+
+/// Reads the fields of a JSON object strictly: types are checked, and finish() refuses keys that
+/// nobody asked for. A function that names all fields of a struct once serves both this and
+/// ObjectWriter, so what is written can be read.
+class ObjectReader {
+ public:
+  /// path: where the object stands, as in JsonValueError. Throws JsonValueError if it is none.
+  ObjectReader(const nlohmann::json& object, std::string path);
+
+  /// A field that may be missing; the value then stays as it is.
+  template <class Value>
+  void field(const char* key, Value& value) {
+    if (const nlohmann::json* json = find(key)) read(*json, path_of(key), value);
+  }
+  /// A field that must be there.
+  template <class Value>
+  void required(const char* key, Value& value) {
+    read(at(key), path_of(key), value);
+  }
+  /// An object within; `fields` is called with a reader of it.
+  template <class Fields>
+  void object(const char* key, const Fields& fields) {
+    if (const nlohmann::json* json = find(key)) {
+      ObjectReader inner(*json, path_of(key));
+      fields(inner);
+      inner.finish();
+    }
+  }
+  /// Throws JsonValueError for a key that was not asked for.
+  void finish() const;
+
+  bool has(const char* key) const { return object_.contains(key); }
+  /// The raw value; throws JsonValueError if it is missing.
+  const nlohmann::json& at(const char* key);
+  std::string path_of(const char* key) const;
+  const std::string& path() const { return path_; }
+
+  static void read(const nlohmann::json& json, const std::string& path, double& value);
+  static void read(const nlohmann::json& json, const std::string& path, int& value);
+  static void read(const nlohmann::json& json, const std::string& path, std::uint64_t& value);
+  static void read(const nlohmann::json& json, const std::string& path, bool& value);
+  static void read(const nlohmann::json& json, const std::string& path, std::string& value);
+  static void read(const nlohmann::json& json, const std::string& path,
+                   std::vector<std::string>& value);
+  static void read(const nlohmann::json& json, const std::string& path, Vec2& value);
+  static void read(const nlohmann::json& json, const std::string& path, Clip& value);
+  static void read(const nlohmann::json& json, const std::string& path, Fade& value);
+
+ private:
+  const nlohmann::json* find(const char* key);
+
+  const nlohmann::json& object_;
+  std::string path_;
+  std::vector<std::string> known_;
+};
+
+/// Writes the same fields.
+class ObjectWriter {
+ public:
+  template <class Value>
+  void field(const char* key, const Value& value) {
+    json_[key] = write(value);
+  }
+  template <class Value>
+  void required(const char* key, const Value& value) {
+    json_[key] = write(value);
+  }
+  template <class Fields>
+  void object(const char* key, const Fields& fields) {
+    ObjectWriter inner;
+    fields(inner);
+    json_[key] = std::move(inner.json_);
+  }
+  nlohmann::json take() { return std::move(json_); }
+
+  template <class Value>
+  static nlohmann::json write(const Value& value) {
+    return value;
+  }
+  static nlohmann::json write(const Vec2& value) {
+    return nlohmann::json::array({value.x(), value.y()});
+  }
+  static nlohmann::json write(Clip value);
+  static nlohmann::json write(Fade value);
+
+ private:
+  nlohmann::json json_ = nlohmann::json::object();
+};
+
+}  // namespace winslow::io

@@ -1,0 +1,151 @@
+import support
+from support import INVERTED, NOT_CONVERGED, USAGE, ProgramTest
+
+
+class Move(ProgramTest):
+    def test_moves_the_body_exactly_and_repairs_the_interior(self):
+        self.ring()
+        self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--rotate", "-30",
+                     "--pivot", "0.5", "0", "--translate", "0.2", "-0.3")
+        before, elements, markers = support.read_su2(self.path("ring.su2"))
+        after, elements_after, markers_after = support.read_su2(self.path("out.su2"))
+        self.assertEqual(elements_after, elements)
+        self.assertEqual(markers_after, markers)
+        for node in {n for edge in markers["body"] for n in edge}:
+            expected = support.rotated(before[node], -30, (0.5, 0), (0.2, -0.3))
+            self.assertAlmostEqual(after[node][0], expected[0], delta=1e-12)
+            self.assertAlmostEqual(after[node][1], expected[1], delta=1e-12)
+        for node in {n for edge in markers["farfield"] for n in edge}:
+            self.assertEqual(after[node], before[node])
+        self.assertGreater(support.smallest_corner_area(after, elements), 0)
+        moved = sum(a != b for a, b in zip(before, after))
+        self.assertGreater(moved, 100)  # the interior followed
+
+    def test_positive_angles_turn_counter_clockwise(self):
+        self.ring()
+        self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--rotate", "20")
+        before, _, _ = support.read_su2(self.path("ring.su2"))
+        after, _, _ = support.read_su2(self.path("out.su2"))
+        self.assertAlmostEqual(before[0][1], 0.0)
+        self.assertGreater(after[0][1], 0.1)
+
+    def test_several_markers_move_together(self):
+        self.ring()
+        self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--marker",
+                     "farfield", "--translate", "3", "-2")
+        before, _, markers = support.read_su2(self.path("ring.su2"))
+        after, _, _ = support.read_su2(self.path("out.su2"))
+        for edges in markers.values():
+            for node, _ in edges:
+                self.assertAlmostEqual(after[node][0] - before[node][0], 3)
+                self.assertAlmostEqual(after[node][1] - before[node][1], -2)
+
+    def test_the_positional_may_follow_the_markers(self):
+        self.ring()
+        self.winslow("move", "--marker", "body", "ring.su2", "--translate", "0.1", "0", "-o",
+                     "out.su2")
+        self.assertIn("out.su2", self.files())
+
+    def test_output_may_be_the_input(self):
+        self.ring()
+        before, _, _ = support.read_su2(self.path("ring.su2"))
+        self.winslow("move", "ring.su2", "-o", "ring.su2", "--marker", "body", "--rotate", "10")
+        after, _, _ = support.read_su2(self.path("ring.su2"))
+        self.assertNotEqual(before, after)
+        self.assertEqual(self.files(), ["ring.su2"])
+
+    def test_nothing_to_do_is_a_usage_error(self):
+        self.ring()
+        run = self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", code=USAGE)
+        self.assertIn("--rotate", run.stderr)
+
+    def test_an_unknown_marker_lists_those_there_are(self):
+        self.ring()
+        run = self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "bodi", "--rotate", "5",
+                           code=USAGE)
+        self.assertIn('unknown marker "bodi"', run.stderr)
+        self.assertIn("did you mean body?", run.stderr)
+        self.assertIn("farfield (24 edges)", run.stderr)
+        self.assertEqual(self.files(), ["ring.su2"])
+
+    def test_increments_are_carried_out(self):
+        self.ring()
+        self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--rotate", "40",
+                     "--increments", "4", "--report", "r.json")
+        self.assertEqual(self.json("r.json")["increments"], 4)
+
+    def test_all_linear_solvers_agree(self):
+        self.ring()
+        results = []
+        for name in ("direct", "gmres", "point-implicit"):
+            self.winslow("move", "ring.su2", "-o", f"{name}.su2", "--marker", "body", "--rotate",
+                         "30", "--linear", name, "--max-iterations", "5000")
+            results.append(support.read_su2(self.path(f"{name}.su2"))[0])
+        for other in results[1:]:
+            for a, b in zip(results[0], other):
+                self.assertAlmostEqual(a[0], b[0], delta=1e-6)
+                self.assertAlmostEqual(a[1], b[1], delta=1e-6)
+
+    def test_boundary_only(self):
+        self.ring()
+        self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--translate", "0.02",
+                     "0", "--no-smooth", "--report", "r.json")
+        before, _, markers = support.read_su2(self.path("ring.su2"))
+        after, _, _ = support.read_su2(self.path("out.su2"))
+        body = {n for edge in markers["body"] for n in edge}
+        self.assertEqual({n for n in range(len(before)) if before[n] != after[n]}, body)
+        self.assertEqual(self.json("r.json")["outer_iterations"], 0)
+
+    def test_the_result_does_not_depend_on_threads(self):
+        self.ring(around=48, rings=24)
+        for threads in ("1", "4"):
+            self.winslow("move", "ring.su2", "-o", f"{threads}.su2", "--marker", "body", "--rotate",
+                         "25", "--threads", threads)
+        self.assertEqual(self.path("1.su2").read_bytes(), self.path("4.su2").read_bytes())
+
+
+class Verdicts(ProgramTest):
+    def test_an_inverted_result_is_not_written(self):
+        self.ring()
+        run = self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--translate",
+                           "1.5", "0", "--no-smooth", "--report", "r.json", code=INVERTED)
+        self.assertEqual(self.files(), ["r.json", "ring.su2"])
+        report = self.json("r.json")
+        self.assertGreater(report["inverted"], 0)
+        self.assertEqual(len(report["inverted_elements"]), min(100, report["inverted"]))
+        for element in report["inverted_elements"]:
+            self.assertLess(abs(element["centre"][1]), 4)
+        self.assertIn("inverted", run.stderr)
+        self.assertIn("element", run.stderr)
+        self.assertIsNone(report["output"])
+
+    def test_an_inverted_result_leaves_the_old_output_alone(self):
+        self.ring()
+        self.path("out.su2").write_text("precious")
+        self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--translate", "1.5",
+                     "0", "--no-smooth", code=INVERTED)
+        self.assertEqual(self.path("out.su2").read_text(), "precious")
+
+    def test_allow_inverted_writes_it_and_still_says_so(self):
+        self.ring()
+        self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--translate", "1.5",
+                     "0", "--no-smooth", "--allow-inverted", code=INVERTED)
+        nodes, elements, _ = support.read_su2(self.path("out.su2"))
+        self.assertLess(support.smallest_corner_area(nodes, elements), 0)
+
+    def test_too_few_iterations_write_the_valid_mesh(self):
+        self.ring()
+        run = self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--translate",
+                           "0.05", "0", "--max-iterations", "2", "--report", "r.json",
+                           code=NOT_CONVERGED)
+        self.assertIn("not converged", run.stderr)
+        report = self.json("r.json")
+        self.assertFalse(report["converged"])
+        self.assertEqual(report["inverted"], 0)
+        self.assertEqual(report["output"], "out.su2")
+        nodes, elements, _ = support.read_su2(self.path("out.su2"))
+        self.assertGreater(support.smallest_corner_area(nodes, elements), 0)
+
+
+if __name__ == "__main__":
+    support.main()

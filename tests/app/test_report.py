@@ -1,0 +1,93 @@
+import csv
+
+import support
+from support import INVERTED, NOT_CONVERGED, ProgramTest
+
+METRICS = ("normalized_jacobian", "aspect_ratio", "condition_number")
+MOVE = ("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--rotate", "25")
+
+
+class Report(ProgramTest):
+    def test_has_the_promised_keys(self):
+        self.ring()
+        self.winslow(*MOVE, "--report", "r.json")
+        report = self.json("r.json")
+        for key in ("formulation", "converged", "outer_iterations", "linear_solves", "residual",
+                    "inverted", "fraction_reached", "quality", "nodes", "elements", "seconds",
+                    "peak_memory_bytes"):
+            self.assertIn(key, report)
+        for metric in METRICS:
+            block = report["quality"][metric]
+            self.assertLessEqual(block["min"], block["avg"])
+            self.assertLessEqual(block["avg"], block["max"])
+        seconds = report["seconds"]
+        self.assertEqual(set(seconds), {"load", "solve", "save", "total"})
+        self.assertGreaterEqual(seconds["total"] + 1e-9,
+                                seconds["load"] + seconds["solve"] + seconds["save"])
+        self.assertEqual(report["formulation"], "pointwise")
+        self.assertIs(report["converged"], True)
+        self.assertGreater(report["outer_iterations"], 0)
+        self.assertGreaterEqual(report["linear_solves"], report["outer_iterations"])
+        self.assertLessEqual(report["residual"], 1e-10)
+        self.assertEqual(report["inverted"], 0)
+        self.assertEqual(report["inverted_elements"], [])
+        self.assertEqual(report["fraction_reached"], 1)
+        self.assertEqual((report["nodes"], report["elements"]), (9 * 24, 2 * 8 * 24))
+        self.assertGreater(report["peak_memory_bytes"], 1 << 20)
+        self.assertEqual(report["command"], "move")
+
+    def test_quality_reports_the_same_block(self):
+        self.ring()
+        self.winslow(*MOVE, "--report", "r.json")
+        self.winslow("quality", "out.su2", "--report", "q.json")
+        self.assertEqual(self.json("q.json")["quality"], self.json("r.json")["quality"])
+        self.assertEqual(self.json("q.json")["nodes"], self.json("r.json")["nodes"])
+
+    def test_statistics_are_right_on_squares(self):
+        nodes = [(float(i), float(j)) for j in range(4) for i in range(4)]
+        quads = [(4 * j + i, 4 * j + i + 1, 4 * j + i + 5, 4 * j + i + 4)
+                 for j in range(3) for i in range(3)]
+        support.write_su2(self.path("grid.su2"), nodes, quads, {})
+        self.winslow("quality", "grid.su2", "--report", "q.json")
+        for metric in METRICS:
+            for value in self.json("q.json")["quality"][metric].values():
+                self.assertAlmostEqual(value, 1.0, delta=1e-12)
+
+    def test_tells_of_a_scramble_too(self):
+        self.ring()
+        self.winslow("scramble", "ring.su2", "-o", "out.su2", "--report", "r.json",
+                     "--allow-inverted", code=INVERTED)
+        report = self.json("r.json")
+        self.assertEqual(report["outer_iterations"], 0)
+        self.assertGreater(report["inverted"], 0)
+
+
+class History(ProgramTest):
+    def rows(self, name):
+        with open(self.path(name), newline="") as file:
+            return list(csv.DictReader(file))
+
+    def test_has_a_line_for_every_iteration(self):
+        self.ring()
+        self.winslow(*MOVE, "--report", "r.json", "--history", "h.csv")
+        rows, report = self.rows("h.csv"), self.json("r.json")
+        for column in ("iteration", "residual", "largest_move", "inverted", "min_sine"):
+            self.assertIn(column, rows[0])
+        self.assertEqual([int(r["iteration"]) for r in rows],
+                         list(range(report["outer_iterations"] + 1)))
+        self.assertEqual(float(rows[-1]["residual"]), report["residual"])
+        self.assertLess(float(rows[-1]["residual"]), float(rows[0]["residual"]))
+        self.assertEqual(float(rows[0]["largest_move"]), 0)
+        self.assertGreater(float(rows[1]["largest_move"]), 0)
+        self.assertAlmostEqual(float(rows[-1]["min_sine"]),
+                               report["quality"]["normalized_jacobian"]["min"], delta=1e-12)
+
+    def test_is_written_when_the_solve_falls_short(self):
+        self.ring()
+        self.winslow("smooth", "ring.su2", "-o", "o.su2", "--tolerance", "1e-14",
+                     "--max-iterations", "1", "--history", "h.csv", code=NOT_CONVERGED)
+        self.assertEqual(len(self.rows("h.csv")), 2)
+
+
+if __name__ == "__main__":
+    support.main()
