@@ -39,7 +39,8 @@ class SizeField:
         used = [2]
         for k, (x, y, h_k) in enumerate(self.sources, 3):
             r = f"Sqrt((x - ({x!r}))^2 + (y - ({y!r}))^2)"
-            lines += [f"Field[{k}] = MathEval;", f'Field[{k}].F = "{h_k!r} + {self.growth!r} * {r}";']
+            lines += [f"Field[{k}] = MathEval;",
+                      f'Field[{k}].F = "{h_k!r} + {self.growth!r} * {r}";']
             used.append(k)
         n = used[-1] + 1
         ids = ", ".join(map(str, used))
@@ -103,8 +104,8 @@ def run_gmsh(geo):
     """Runs gmsh on a .geo file: (coordinates, elements, marker -> edges) without unused nodes."""
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "mesh.msh"
-        done = subprocess.run(["gmsh", "-2", str(geo), "-format", "msh22", "-o", str(out), "-v", "2"],
-                              capture_output=True, text=True)
+        command = ["gmsh", "-2", str(geo), "-format", "msh22", "-o", str(out), "-v", "2"]
+        done = subprocess.run(command, capture_output=True, text=True)
         if done.returncode != 0 or not out.exists():
             raise RuntimeError(f"gmsh failed on {geo}:\n{done.stdout}{done.stderr}")
         return read_msh22(out.read_text())

@@ -53,9 +53,9 @@ def arc_section(t, camber):
 
 
 def main_section(t=0.15, camber=0.03, cove=(0.68, 0.80), blade=0.014):
-    """A cambered 4-digit section whose lower side swings up into a cove: beyond the cove's start the
-    lower side turns, by a C2 step, into a blade under the upper side, of thickness
-    2 blade (1 - x) / (1 - cove end) and so sharp at the trailing edge."""
+    """A cambered 4-digit section with a cove: beyond the cove's start the lower side turns, by a C2
+    step, into a blade under the upper side, of thickness 2 blade (1 - x) / (1 - cove end), and so
+    is sharp at the trailing edge."""
     upper, lower = arc_section(t, camber)
     x = upper[:, 0]
     under_blade = upper[:, 1] - 2 * blade * (1 - x) / (1 - cove[1])

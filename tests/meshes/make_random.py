@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
-"""Makes random test meshes: python3 make_random.py OUT_FOLDER [--count N] [--seed S]
+"""Makes random test meshes.
+
+python3 make_random.py OUT_FOLDER [--count N] [--seed S] [--max-rotation DEG]
 
 Needs numpy and the gmsh program. Mesh k is drawn from seed S + k alone: an outer polygon (convex or
 not) with one to three holes (polygons or ellipses), meshed with triangles, recombined
-quadrilaterals, or both, and written as .su2, .msh (4.1) or .msh (2.2) with the markers `outer`,
-`hole1`, `hole2`, ...  OUT_FOLDER/meshes.json lists for each mesh
+quadrilaterals, or both (quadrilaterals in a disc around the first hole), and written as .su2, .msh
+(4.1) or .msh (2.2) with the markers `outer`, `hole1`, `hole2`, ...  OUT_FOLDER/meshes.json lists
+for each mesh
 
-    {"file", "seed", "elements", "nodes", "motions": [{"marker", "rotate" (degrees), "pivot", "translate"}]}
+    {"file", "seed", "elements", "nodes",
+     "motions": [{"marker", "rotate" (degrees), "pivot", "translate"}]}
 
 Motions keep the moved hole clear of every other boundary: the disc that the hole sweeps when it
 turns about its centre stays inside the free space all along the straight path.
@@ -105,8 +109,9 @@ def loop_lines(loop, last):
 
 
 def geo_text(outer, holes, kind, size, shares):
-    """.geo of the domain: spacing `size` at the outer boundary at most; at the holes, and growth from
-    them, by `shares`. Mixed meshes have quadrilaterals in a disc around the first hole only."""
+    """.geo of the domain: spacing `size` at most; `shares` are the spacing at the holes, as a
+    share of it, and its growth from them. Mixed meshes have quadrilaterals in a disc around the
+    first hole only."""
     lines, loops, last = [], [], 0
     for loop in [outer] + [h[2] for h in holes]:
         lines += loop_lines(loop, last)
@@ -114,7 +119,8 @@ def geo_text(outer, holes, kind, size, shares):
         last += len(loop)
     for k, (a, b) in enumerate(loops, 1):
         name = "outer" if k == 1 else f"hole{k - 1}"
-        lines += [f"Curve Loop({k}) = {{{a}:{b}}};", f'Physical Curve("{name}", {k}) = {{{a}:{b}}};']
+        lines += [f"Curve Loop({k}) = {{{a}:{b}}};",
+                  f'Physical Curve("{name}", {k}) = {{{a}:{b}}};']
     first_hole, holes_end = loops[1][0], last
     if kind == "mixed":
         centre, radius, _ = holes[0]
@@ -126,7 +132,8 @@ def geo_text(outer, holes, kind, size, shares):
         lines += ["Plane Surface(1) = {90, 2};", f"Plane Surface(2) = {{{rest}}};",
                   'Physical Surface("domain", 100) = {1, 2};']
     else:
-        lines += [f"Plane Surface(1) = {{1:{len(loops)}}};", 'Physical Surface("domain", 100) = {1};']
+        lines += [f"Plane Surface(1) = {{1:{len(loops)}}};",
+                  'Physical Surface("domain", 100) = {1};']
     if kind != "triangles":
         lines.append("Recombine Surface {1};")
     lines += ["Field[1] = Distance;", f"Field[1].EdgesList = {{{first_hole}:{holes_end}}};",
@@ -161,16 +168,16 @@ def mesh_it(folder, name, geo, suffix, kind):
     return out
 
 
-def draw_motion(rng, outer, holes):
+def draw_motion(rng, outer, holes, max_rotation):
     k = int(rng.integers(len(holes)))
-    angle, way = rng.uniform(-120, 120), rng.uniform(0, 2 * np.pi)
+    angle, way = rng.uniform(-1, 1) * max_rotation, rng.uniform(0, 2 * np.pi)
     step = 0.4 * rng.uniform(0.2, 1.0) * clearance(k, outer, holes)
     return {"marker": f"hole{k + 1}", "rotate": float(angle),
             "pivot": [float(c) for c in holes[k][0]],
             "translate": [float(step * np.cos(way)), float(step * np.sin(way))]}
 
 
-def make(folder, index, seed):
+def make(folder, index, seed, max_rotation):
     rng = np.random.default_rng(seed)
     holes = []
     while not holes:
@@ -182,7 +189,7 @@ def make(folder, index, seed):
     kind = KINDS[index % len(KINDS)]
     suffix, fmt = FORMATS[index // len(KINDS) % len(FORMATS)]
     target, shares = rng.uniform(800, 4000), (rng.uniform(0.25, 0.6), rng.uniform(0.06, 0.15))
-    motions = [draw_motion(rng, outer, holes) for _ in range(2)]
+    motions = [draw_motion(rng, outer, holes, max_rotation) for _ in range(2)]
     size = 1.5 / np.sqrt(target)
     name = f"random{index:02d}"
     for _ in range(6):
@@ -202,9 +209,10 @@ def main():
     parser.add_argument("folder", type=Path)
     parser.add_argument("--count", type=int, default=20)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--max-rotation", type=float, default=120.0, help="degrees, either way")
     args = parser.parse_args()
     args.folder.mkdir(parents=True, exist_ok=True)
-    made = [make(args.folder, k, args.seed + k) for k in range(args.count)]
+    made = [make(args.folder, k, args.seed + k, args.max_rotation) for k in range(args.count)]
     (args.folder / "meshes.json").write_text(json.dumps({"meshes": made}, indent=2) + "\n")
 
 
