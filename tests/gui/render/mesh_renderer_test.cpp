@@ -1,0 +1,238 @@
+#include "gui/render/mesh_renderer.h"
+
+#include <doctest/doctest.h>
+
+#include "core/error.h"
+#include "core/quality/quality.h"
+#include "gui/render/gl.h"
+#include "gui/support/scene.h"
+#include "support/meshes.h"
+
+using namespace winslow;
+using namespace winslow::gui;
+using namespace winslow::gui::test;
+using winslow::test::Cells;
+
+namespace {
+
+constexpr Rgb white{1, 1, 1};
+
+MeshStyle fill_only() {
+  MeshStyle style;
+  style.wireframe = false;
+  style.boundary_width = 0;
+  return style;
+}
+
+MeshStyle lines_only(float width) {
+  MeshStyle style;
+  style.fill = false;
+  style.edge_width = width;
+  style.boundary_width = 0;
+  style.edge_color = {0, 0, 0, 1};
+  return style;
+}
+
+Vec2 centre_of(const Mesh& mesh, Index e) {
+  Vec2 sum(0, 0);
+  for (const Index node : mesh.topology->element(e)) sum += mesh.coordinates.xy(node);
+  return sum / static_cast<double>(mesh.topology->element(e).size());
+}
+
+/// Two quadrilaterals side by side, [-1, 1] by [0, 1], the edge between them at x = middle.
+Mesh two_quads(double middle) {
+  MeshData data;
+  for (const double x : {-1.0, middle, 1.0}) {
+    data.coordinates.push_xy({x, 0});
+    data.coordinates.push_xy({x, 1});
+  }
+  winslow::test::add_quad(data, 0, 2, 3, 1);
+  winslow::test::add_quad(data, 2, 4, 5, 3);
+  return make_mesh(data);
+}
+
+}  // namespace
+
+TEST_CASE("Every element has the colour of its value") {
+  Scene scene;
+  for (const auto cells : {Cells::triangles, Cells::quads, Cells::mixed}) {
+    CAPTURE(winslow::test::name_of(cells));
+    const Mesh mesh = make_mesh(winslow::test::square(4, cells));
+    scene.show(mesh);
+    std::vector<double> values;
+    for (Index e = 0; e < mesh.topology->element_count(); ++e) values.push_back(e);
+    ColorScale scale;
+    scale.high = mesh.topology->element_count() - 1;
+    scene.renderer.set_values(values, scale);
+    const Image image = scene.draw(fill_only());
+    for (Index e = 0; e < mesh.topology->element_count(); ++e) {
+      CAPTURE(e);
+      CHECK(distance(color_at(image, scene.camera.to_screen(centre_of(mesh, e))), scale.color(e)) <
+            0.01);
+    }
+  }
+}
+
+TEST_CASE("Without values elements have the fill colour, outside them is the ground") {
+  Scene scene;
+  const Mesh mesh = make_mesh(winslow::test::square_with_hole(10, Cells::triangles));
+  scene.show(mesh);
+  MeshStyle style = fill_only();
+  style.fill_color = {0.2f, 0.4f, 0.6f, 1};
+  const Image image = scene.draw(style);
+  CHECK(distance(color_at(image, scene.camera.to_screen({0.2, 0.2})), {0.2f, 0.4f, 0.6f}) < 0.01);
+  CHECK(distance(color_at(image, scene.camera.to_screen({0.5, 0.5})), white) < 0.01);
+  CHECK(distance(color_at(image, {2, 2}), white) < 0.01);
+
+  std::vector<double> values(static_cast<std::size_t>(mesh.topology->element_count()), 1.0);
+  scene.renderer.set_values(values, {});
+  CHECK(distance(color_at(scene.draw(style), scene.camera.to_screen({0.2, 0.2})),
+                 sample_color_map("viridis", 1)) < 0.01);
+  scene.renderer.clear_values();
+  CHECK(distance(color_at(scene.draw(style), scene.camera.to_screen({0.2, 0.2})),
+                 {0.2f, 0.4f, 0.6f}) < 0.01);
+}
+
+TEST_CASE("Values that do not fit the mesh are refused") {
+  Scene scene;
+  scene.show(make_mesh(winslow::test::square(2, Cells::quads)));
+  CHECK_THROWS_AS(scene.renderer.set_values(std::vector<double>{1, 2, 3}, {}), UsageError);
+}
+
+TEST_CASE("An inverted element is red, above the elements that it covers") {
+  Scene scene;
+  Mesh mesh = make_mesh(winslow::test::regular_star(6));
+  // The middle node is pulled out through the edge from node 1 to node 2.
+  mesh.coordinates.set_xy(0, {1.2, 0.7});
+  REQUIRE(check_validity(*mesh.topology, mesh.coordinates).inverted == 1);
+  scene.show(mesh);
+  const MeshStyle style = fill_only();
+  const Vec2 inside =
+      (mesh.coordinates.xy(0) + mesh.coordinates.xy(1) + mesh.coordinates.xy(2)) / 3;
+  const Rgb red{style.inverted_color[0], style.inverted_color[1], style.inverted_color[2]};
+  CHECK(distance(color_at(scene.draw(style), scene.camera.to_screen(inside)), red) < 0.01);
+
+  MeshStyle hidden = style;
+  hidden.show_inverted = false;
+  CHECK(distance(color_at(scene.draw(hidden), scene.camera.to_screen(inside)), red) > 0.2);
+
+  mesh.coordinates.set_xy(0, {0, 0});
+  scene.renderer.set_mesh(mesh.topology, mesh.coordinates);
+  CHECK(distance(color_at(scene.draw(style), scene.camera.to_screen({0.6, 0.35})), red) > 0.2);
+}
+
+TEST_CASE("Lines are as wide as asked for, in the middle of their edge") {
+  Scene scene(200, 4);
+  const Mesh mesh = two_quads(0.0);
+  scene.show(mesh);
+  scene.renderer.set_marker_styles({{{0, 0, 0, 1}, 0.0f}});
+  for (const float width : {0.5f, 1.0f, 2.0f, 5.0f, 9.0f}) {
+    CAPTURE(width);
+    const auto line = profile_of_row(scene.draw(lines_only(width)), 100, 50, 150);
+    CHECK(line.width == doctest::Approx(width).epsilon(0.06));
+    CHECK(std::abs(line.centre - 100) < 0.05);
+  }
+}
+
+TEST_CASE("A millionfold zoom shows an edge where it is, also far from its ends") {
+  Scene scene(200, 4);
+  const double middle = 0.123456789012;
+  const Mesh mesh = two_quads(middle);
+  scene.show(mesh);
+  scene.renderer.set_marker_styles({{{0, 0, 0, 1}, 0.0f}});
+  const double whole_view = scene.camera.units_per_pixel();
+  for (const double zoom : {1.0, 1e3, 1e6, 1e9}) {
+    CAPTURE(zoom);
+    const double units = whole_view / zoom;
+    // The edge 30.25 pixels to the right of the middle of the picture.
+    scene.camera.look_at({middle - 30.25 * units, 0.377}, units);
+    const auto line = profile_of_row(scene.draw(lines_only(3)), 100, 90, 170);
+    CHECK(line.width == doctest::Approx(3).epsilon(0.06));
+    CHECK(std::abs(line.centre - 130.25) < 0.1);
+    // Panned by less than the room around the view, and back out.
+    scene.camera.pan({-60, 0});
+    CHECK(std::abs(profile_of_row(scene.draw(lines_only(3)), 100, 40, 110).centre - 70.25) < 0.1);
+  }
+}
+
+TEST_CASE("A millionfold zoom fills both sides of a slanted edge exactly") {
+  Scene scene(200, 0);
+  const Mesh mesh = make_mesh(winslow::test::square(1, Cells::triangles));
+  scene.show(mesh);
+  scene.renderer.set_values(std::vector<double>{0, 1}, {});
+  scene.camera.look_at({0.7, 0.7}, 1e-9);
+  const Image image = scene.draw(fill_only());
+  // The diagonal runs from the lower left to the upper right corner of the picture.
+  for (int k = 10; k < 190; k += 20) {
+    CAPTURE(k);
+    CHECK(distance(color_at(image, Vec2(k + 3, 199 - k)), sample_color_map("viridis", 0)) < 0.01);
+    CHECK(distance(color_at(image, Vec2(k - 3, 199 - k)), sample_color_map("viridis", 1)) < 0.01);
+  }
+}
+
+TEST_CASE("Where cells are smaller than pixels, lines fade and the colours remain") {
+  Scene scene(100, 4);
+  const Mesh mesh = make_mesh(winslow::test::square(300, Cells::quads));
+  scene.show(mesh);
+  MeshStyle style;
+  style.edge_color = {0, 0, 0, 1};
+  style.fill_color = {1, 1, 1, 1};
+  const Image image = scene.draw(style);
+  double dark = 0;
+  for (int x = 30; x < 70; ++x) dark += 1 - color_at(image, Vec2(x, 50))[1];
+  CHECK(dark / 40 < 0.5);
+  CHECK(dark / 40 > 0.02);
+}
+
+TEST_CASE("Markers wear their own colour and width") {
+  Scene scene;
+  const Mesh mesh = make_mesh(winslow::test::square(4, Cells::quads));
+  scene.show(mesh);
+  std::vector<MeshRenderer::MarkerStyle> styles(4, {{0, 0, 0, 1}, 1});
+  const Index right = *mesh.topology->find_marker("right");
+  styles[static_cast<std::size_t>(right)] = {{0, 0.5f, 0, 1}, 7};
+  scene.renderer.set_marker_styles(styles);
+  MeshStyle style = fill_only();
+  style.fill_color = {1, 1, 1, 1};
+  const Image image = scene.draw(style);
+  const Vec2 on_right = scene.camera.to_screen({1, 0.6});
+  CHECK(distance(color_at(image, on_right), {0, 0.5f, 0}) < 0.01);
+  CHECK(distance(color_at(image, on_right - Vec2(2.5, 0)), {0, 0.5f, 0}) < 0.01);
+  CHECK(distance(color_at(image, on_right - Vec2(5, 0)), white) < 0.01);
+  const Vec2 on_left = scene.camera.to_screen({0, 0.6});
+  CHECK(distance(color_at(image, on_left - Vec2(2.5, 0)), white) < 0.01);
+}
+
+TEST_CASE("Nodes are drawn as points") {
+  Scene scene;
+  const Mesh mesh = make_mesh(winslow::test::square(2, Cells::quads));
+  scene.show(mesh);
+  MeshStyle style = fill_only();
+  style.node_size = 8;
+  style.edge_color = {0, 0, 1, 1};
+  const Image image = scene.draw(style);
+  CHECK(distance(color_at(image, scene.camera.to_screen({0.5, 0.5})), {0, 0, 1}) < 0.05);
+  CHECK(distance(color_at(image, scene.camera.to_screen({0.5, 0.5}) + Vec2(6, 0)), {0, 0, 1}) >
+        0.3);
+}
+
+TEST_CASE("A mesh that moved is drawn where it is now, within its viewport only") {
+  Scene scene;
+  Mesh mesh = two_quads(0.0);
+  scene.show(mesh);
+  scene.camera.set_viewport(50, 50, 100, 100);
+  scene.camera.fit(bounds(mesh), 0);
+  const MeshStyle style = fill_only();
+  const Image before = scene.draw(style);
+  CHECK(distance(color_at(before, {60, 100}), white) > 0.03);
+  CHECK(distance(color_at(before, {45, 100}), white) < 0.01);
+  for (Index i = 0; i < mesh.coordinates.size(); ++i) {
+    mesh.coordinates.set_xy(i, mesh.coordinates.xy(i) + Vec2(1, 0));
+  }
+  scene.renderer.set_mesh(mesh.topology, mesh.coordinates);
+  const Image after = scene.draw(style);
+  CHECK(distance(color_at(after, {90, 100}), white) < 0.01);
+  CHECK(distance(color_at(after, {140, 100}), white) > 0.03);
+  CHECK(distance(color_at(after, {160, 100}), white) < 0.01);
+  CHECK(glGetError() == GL_NO_ERROR);
+}

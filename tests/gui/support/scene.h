@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "core/mesh/mesh.h"
+#include "gui/render/frame_buffer.h"
+#include "gui/render/gl_context.h"
+#include "gui/render/mesh_renderer.h"
+
+namespace winslow::gui::test {
+
+/// A mesh drawn into an off-screen picture: white ground, camera in its middle, one pixel a unit of
+/// 1/side unless the test looks elsewhere.
+class Scene {
+ public:
+  explicit Scene(int side = 200, int samples = 4)
+      : context(make_headless_context()), target(side, side, samples), side_(side) {
+    camera.set_viewport(0, 0, side, side);
+  }
+
+  void show(const Mesh& mesh) {
+    renderer.set_mesh(mesh.topology, mesh.coordinates);
+    camera.fit(bounds(mesh));
+  }
+
+  Image draw(const MeshStyle& style) {
+    target.clear({1, 1, 1, 1});
+    renderer.draw(camera, style, side_, side_);
+    return target.read();
+  }
+
+ private:
+  std::unique_ptr<HeadlessContext> context;
+
+ public:
+  FrameBuffer target;
+  MeshRenderer renderer;
+  Camera camera;
+
+ private:
+  int side_;
+};
+
+/// Red, green and blue of a pixel in [0, 1].
+inline std::array<double, 3> color_at(const Image& image, const Vec2& screen) {
+  const auto* p = image.pixel(static_cast<int>(std::floor(screen.x())),
+                              static_cast<int>(std::floor(screen.y())));
+  return {p[0] / 255.0, p[1] / 255.0, p[2] / 255.0};
+}
+
+/// Largest difference of a channel.
+inline double distance(const std::array<double, 3>& a, const std::array<float, 3>& b) {
+  double largest = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    largest = std::max(largest, std::abs(a[c] - static_cast<double>(b[c])));
+  }
+  return largest;
+}
+
+/// How dark a column of pixels is against white, summed along a row: the width of a black line in
+/// pixels; and where its middle is.
+struct LineProfile {
+  double width = 0;
+  double centre = 0;
+};
+inline LineProfile profile_of_row(const Image& image, int y, int first, int last) {
+  LineProfile profile;
+  for (int x = first; x < last; ++x) {
+    const double dark = 1.0 - image.pixel(x, y)[1] / 255.0;
+    profile.width += dark;
+    profile.centre += dark * (x + 0.5);
+  }
+  if (profile.width > 0) profile.centre /= profile.width;
+  return profile;
+}
+
+}  // namespace winslow::gui::test
