@@ -34,7 +34,7 @@ void make_markers(const std::vector<Region>& groups, LineDetails& details, Parse
     Marker marker{groups[m].name, groups[m].tag, {}};
     marker.edges.reserve(details.marker_lines[m].size());
     for (const Index l : details.marker_lines[m]) {
-      marker.edges.push_back(details.lines[static_cast<std::size_t>(l)]);
+      marker.edges.push_back(details.edge(l));
     }
     mesh.data.markers.push_back(std::move(marker));
   }

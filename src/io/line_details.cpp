@@ -4,6 +4,11 @@
 
 namespace winslow::io {
 
+std::array<Index, 2> LineDetails::edge(Index coded) const {
+  const auto& nodes_of = lines[static_cast<std::size_t>(coded < 0 ? ~coded : coded)];
+  return coded < 0 ? std::array<Index, 2>{nodes_of[1], nodes_of[0]} : nodes_of;
+}
+
 bool LineDetails::fits(const Mesh& mesh) const {
   const Topology& topology = *mesh.topology;
   if (nodes != topology.node_count() || elements != topology.element_count()) return false;
@@ -12,8 +17,8 @@ bool LineDetails::fits(const Mesh& mesh) const {
   if (markers.size() != marker_lines.size()) return false;
   for (std::size_t m = 0; m < markers.size(); ++m) {
     const auto& own = marker_lines[m];
-    const auto same_nodes = [&](Index line, const std::array<Index, 2>& edge) {
-      return lines[static_cast<std::size_t>(line)] == edge;
+    const auto same_nodes = [&](Index coded, const std::array<Index, 2>& nodes_of) {
+      return edge(coded) == nodes_of;
     };
     if (!std::equal(own.begin(), own.end(), markers[m].edges.begin(), markers[m].edges.end(),
                     same_nodes)) {

@@ -57,8 +57,10 @@ void Reader::collect_groups() {
     if (line && tags.empty()) ++loose_lines;
     for (const int tag : tags) {
       if (line) {
-        add_marker_line(markers.find(group_tag(tag)), item.index, item_offsets_[i], *details_,
-                        mesh_);
+        // In 2.2 the nodes of the element are in the order of the group already.
+        const bool reversed = details_->version_4 && tag < 0;
+        add_marker_line(markers.find(group_tag(tag)), reversed ? ~item.index : item.index,
+                        item_offsets_[i], *details_, mesh_);
       } else {
         auto& region = element_region[static_cast<std::size_t>(item.index)];
         const auto found = static_cast<Index>(regions.find(group_tag(tag)));

@@ -1,6 +1,7 @@
 #include "io/vtk/grid.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 namespace winslow::io::vtk {
@@ -78,6 +79,8 @@ void ArrayCollector::finish(const Source& source, Grid& grid) {
     grid.marker = grid.region = to_tags(source, grid, physical_, "gmsh:physical");
   } else if (!entity_.empty()) {
     grid.marker = to_tags(source, grid, entity_, "CellEntityIds");
+    // Gmsh marks with the sign that the group holds the reversed entity.
+    for (int& tag : grid.marker) tag = std::abs(tag);
   }
   grid.marker_names = std::move(marker_names_);
   grid.region_names = std::move(region_names_);
