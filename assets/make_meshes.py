@@ -53,7 +53,8 @@ def circle(wall_points, radius=10.0):
 def quads(size):
     holes = {"circle": ((-0.8, 0.1), (0.5, 0.5), 0.0), "ellipse": ((0.9, -0.2), (0.6, 0.35), 30.0)}
     header = ["Uniform quadrilaterals in a box of 4 by 3 with a circle of radius 0.5 and an",
-              "ellipse of semi-axes 0.6 and 0.35 turned by 30 degrees.", "make_meshes.py inserts layers."]
+              "ellipse of semi-axes 0.6 and 0.35 turned by 30 degrees.",
+              "make_meshes.py inserts the layers."]
     return box_with_holes(header, 2.0, 1.5, holes, size)
 
 

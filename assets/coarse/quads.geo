@@ -1,6 +1,6 @@
 // Uniform quadrilaterals in a box of 4 by 3 with a circle of radius 0.5 and an
 // ellipse of semi-axes 0.6 and 0.35 turned by 30 degrees.
-// make_meshes.py inserts layers.
+// make_meshes.py inserts the layers.
 Point(1) = {-2.0, -1.5, 0};
 Point(2) = {2.0, -1.5, 0};
 Point(3) = {2.0, 1.5, 0};
