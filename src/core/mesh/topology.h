@@ -37,7 +37,8 @@ class Topology {
   /// Builds connectivity from raw arrays. Orients elements consistently by walking over shared
   /// edges, so a tangled mesh is oriented rightly too.
   /// Throws MeshError: node id out of range, repeated node in an element, non-manifold edge or
-  /// node, orientation that cannot be made consistent, marker edge that is no edge of an element.
+  /// node, orientation that cannot be made consistent, a closed surface, marker edge that is no
+  /// edge of an element.
   static std::shared_ptr<const Topology> build(const MeshData& data);
   ~Topology();
 

@@ -149,6 +149,18 @@ void TopologyBuilder::walk_part(Index seed, std::vector<signed char>& flip,
   }
 }
 
+void TopologyBuilder::check_open(const std::vector<Index>& part) const {
+  for (const Index e : part) {
+    for (Index c = data_.element_offsets[at(e)]; c < data_.element_offsets[at(e) + 1]; ++c) {
+      if (topology_->edges_[at(corner_edge_[at(c)])].elements[1] < 0) return;
+    }
+  }
+  throw MeshError(
+      MeshEntity::element, part.front(),
+      "element " + std::to_string(part.front()) +
+          " belongs to a closed surface, which has no boundary (elements given twice?)");
+}
+
 void TopologyBuilder::orient_elements() {
   std::vector<signed char> flip(at(data_.element_count()), 0);
   std::vector<unsigned char> seen(at(data_.element_count()), 0);
@@ -156,6 +168,7 @@ void TopologyBuilder::orient_elements() {
   for (Index seed = 0; seed < data_.element_count(); ++seed) {
     if (seen[at(seed)]) continue;
     walk_part(seed, flip, seen, part);
+    check_open(part);
     // The total area depends on the boundary alone, so tangled interiors do not mislead it.
     double area = 0;
     for (const Index e : part) {

@@ -25,6 +25,7 @@ class TopologyBuilder {
 
   void walk_part(Index seed, std::vector<signed char>& flip, std::vector<unsigned char>& seen,
                  std::vector<Index>& part) const;
+  void check_open(const std::vector<Index>& part) const;
 
   const MeshData& data_;
   std::shared_ptr<Topology> topology_;
