@@ -11,6 +11,9 @@ namespace {
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
+/// Maximum that a NaN does not get lost in, whichever side it is on.
+double larger(double a, double b) { return std::isnan(a) || a >= b ? a : b; }
+
 /// What one row of the operator amounts to.
 struct Row {
   Vec2 residual{0, 0};
@@ -97,8 +100,7 @@ ResidualNorms PointwiseWinslow::residual(const Coordinates& x, bool clip,
       weights(x, node, clip, w);
       const Row row = evaluate_row(x, node, neighbours, w);
       const double scaled = row.scaled();
-      // A NaN must not hide behind the comparison.
-      block_max[block] = scaled <= block_max[block] ? block_max[block] : scaled;
+      block_max[block] = larger(block_max[block], scaled);
       block_sum[block] += scaled * scaled;
       if (!out.empty()) {
         out[2 * at(i)] = row.residual.x();
@@ -108,7 +110,7 @@ ResidualNorms PointwiseWinslow::residual(const Coordinates& x, bool clip,
   });
   ResidualNorms norms;
   for (std::size_t b = 0; b < blocks; ++b) {
-    norms.max = block_max[b] <= norms.max ? norms.max : block_max[b];
+    norms.max = larger(norms.max, block_max[b]);
     norms.rms += block_sum[b];
   }
   norms.rms = n > 0 ? std::sqrt(norms.rms / n) : 0;

@@ -41,6 +41,9 @@ class DirectSolver final : public LinearSolver {
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const Eigen::MatrixXd b = Eigen::Map<const RowMajor>(system.rhs.data(), n, system.columns);
     const Eigen::MatrixXd solution = lu_.solve(b);
+    if (!solution.allFinite()) {
+      throw NumericError("the linear system is singular to working precision");
+    }
     Eigen::Map<RowMajor>(x.data(), n, system.columns) = solution;
     return {1, relative_residual(system, x)};
   }

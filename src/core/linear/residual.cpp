@@ -24,7 +24,10 @@ double relative_residual(const SparseSystem& system, std::span<const double> x) 
   }
   double worst = 0;
   for (std::size_t c = 0; c < columns; ++c) {
-    worst = std::max(worst, rhs2[c] > 0 ? std::sqrt(defect2[c] / rhs2[c]) : std::sqrt(defect2[c]));
+    const double relative = std::sqrt(rhs2[c] > 0 ? defect2[c] / rhs2[c] : defect2[c]);
+    // A solution that is not finite must not pass for an exact one.
+    if (std::isnan(relative)) return relative;
+    worst = std::max(worst, relative);
   }
   return worst;
 }
