@@ -1,0 +1,345 @@
+#include "core/formulation/pointwise_winslow.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/error.h"
+#include "core/parallel/parallel_for.h"
+#include "support/meshes.h"
+#include "support/vcv.h"
+
+using namespace winslow;
+using namespace winslow::test;
+
+namespace {
+
+std::vector<Vec2> vcv_points(const VirtualControlVolumes& vcv, Index node) {
+  std::vector<Vec2> points;
+  for (Index k = 0; k < static_cast<Index>(vcv.angles(node).size()); ++k) {
+    points.push_back(vcv.point(node, k));
+  }
+  return points;
+}
+
+std::vector<Vec2> ring_of(const Topology& topology, const Coordinates& x, Index node) {
+  std::vector<Vec2> ring;
+  for (const Index k : topology.neighbours(node)) ring.push_back(x.xy(k));
+  return ring;
+}
+
+void randomise(VirtualControlVolumes& vcv, Random& random) {
+  for (const Index node : vcv.topology().free_nodes()) {
+    const auto n = static_cast<Index>(vcv.angles(node).size());
+    if (n < 3 || random.index(2) == 0) continue;
+    std::vector<double> lengths;
+    for (Index k = 0; k < n; ++k) lengths.push_back(random.uniform(0.5, 2));
+    vcv.set(node, random_angles(random, n), lengths);
+  }
+}
+
+/// A mesh of each kind, its nodes moved at random, with VCVs of random shape.
+struct Sample {
+  Mesh mesh;
+  VirtualControlVolumes vcv;
+};
+
+Sample make_sample(std::uint64_t seed, Cells cells, bool tangled) {
+  Random random(seed);
+  Mesh mesh = make_mesh(square(6, cells));
+  if (tangled) {
+    tangle(mesh, random);
+  } else {
+    perturb(mesh, random);
+  }
+  VirtualControlVolumes vcv(mesh.topology);
+  randomise(vcv, random);
+  return {std::move(mesh), std::move(vcv)};
+}
+
+constexpr std::array<Cells, 3> all_cells{Cells::triangles, Cells::quads, Cells::mixed};
+
+}  // namespace
+
+TEST_CASE("coefficients, weights and residual agree with an integration triangle by triangle") {
+  for (const Cells cells : all_cells) {
+    for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+      CAPTURE(name_of(cells));
+      CAPTURE(seed);
+      const Sample s = make_sample(seed, cells, seed % 2 == 0);
+      const Topology& topology = *s.mesh.topology;
+      const PointwiseWinslow winslow(s.vcv, 1);
+      std::vector<double> residual(2 * topology.free_nodes().size());
+      winslow.residual(s.mesh.coordinates, false, residual);
+      for (std::size_t i = 0; i < topology.free_nodes().size(); ++i) {
+        const Index node = topology.free_nodes()[i];
+        const auto points = vcv_points(s.vcv, node);
+        const auto ring = ring_of(topology, s.mesh.coordinates, node);
+        const Vec2 r0 = s.mesh.coordinates.xy(node);
+        const auto mean_gradient =
+            integrate(points, r0, ring, Eigen::Matrix2d::Identity()).gradient;
+        Eigen::Matrix2d k = winslow_matrix(mean_gradient);
+        k /= 0.5 * k.trace();
+        const WinslowCoefficients c = winslow.coefficients(s.mesh.coordinates, node);
+        CHECK(c.alpha == doctest::Approx(k(0, 0)).epsilon(1e-9));
+        CHECK(c.beta == doctest::Approx(-k(0, 1)).epsilon(1e-9));
+        CHECK(c.gamma == doctest::Approx(k(1, 1)).epsilon(1e-9));
+        CHECK(c.alpha + c.gamma == doctest::Approx(2));
+        const Vec2 expected = integrate(points, r0, ring, k).residual;
+        CHECK((Vec2(residual[2 * i], residual[2 * i + 1]) - expected).norm() <
+              1e-10 * (1 + expected.norm()));
+      }
+    }
+  }
+}
+
+TEST_CASE("an affine map of the VCVs has zero residual, clipped or not where weights allow") {
+  for (std::uint64_t seed = 21; seed <= 30; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const Index n = 3 + random.index(7);
+    Mesh mesh = make_mesh(regular_star(n));
+    VirtualControlVolumes vcv(mesh.topology);
+    if (seed % 2 == 0) randomise(vcv, random);
+    Eigen::Matrix2d a;
+    a << 1 + random.uniform(), random.vector().x(), 0, 1 + random.uniform();
+    const Vec2 b = random.vector(-3, 3);
+    mesh.coordinates.set_xy(0, b);
+    const auto row = mesh.topology->neighbours(0);
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      mesh.coordinates.set_xy(row[k], a * vcv.point(0, static_cast<Index>(k)) + b);
+    }
+    const PointwiseWinslow winslow(vcv, 1);
+    CHECK(winslow.residual(mesh.coordinates, false, {}).max < 1e-14);
+    std::vector<double> w(row.size());
+    if (winslow.weights(mesh.coordinates, 0, true, w) == 0) {
+      CHECK(winslow.residual(mesh.coordinates, true, {}).max < 1e-14);
+    }
+  }
+}
+
+TEST_CASE("clipping sets negative weights to zero, leaves the others and counts them") {
+  Index met = 0;
+  for (const Cells cells : all_cells) {
+    for (const std::uint64_t seed : {41u, 42u}) {
+      CAPTURE(name_of(cells));
+      CAPTURE(seed);
+      const Sample s = make_sample(seed, cells, true);
+      const PointwiseWinslow winslow(s.vcv, 1);
+      Index total = 0;
+      for (const Index node : s.mesh.topology->free_nodes()) {
+        const std::size_t n = s.mesh.topology->neighbours(node).size();
+        std::vector<double> raw(n), clipped(n);
+        const Index negative = winslow.weights(s.mesh.coordinates, node, false, raw);
+        CHECK(winslow.weights(s.mesh.coordinates, node, true, clipped) == negative);
+        CHECK(negative == std::count_if(raw.begin(), raw.end(), [](double w) { return w < 0; }));
+        for (std::size_t k = 0; k < n; ++k) CHECK(clipped[k] == std::max(raw[k], 0.0));
+        total += negative;
+      }
+      SparseSystem system;
+      CHECK(winslow.freeze(s.mesh.coordinates, true, system) == total);
+      CHECK(winslow.freeze(s.mesh.coordinates, false, system) == total);
+      met += total;
+    }
+  }
+  CHECK(met > 0);
+}
+
+TEST_CASE("a frozen system's right-hand side is the residual over the sum of absolute weights") {
+  for (const Cells cells : all_cells) {
+    for (const bool clip : {false, true}) {
+      CAPTURE(name_of(cells));
+      CAPTURE(clip);
+      constexpr std::uint64_t seed = 51;
+      const Sample s = make_sample(seed, cells, true);
+      const Topology& topology = *s.mesh.topology;
+      const PointwiseWinslow winslow(s.vcv, 1);
+      SparseSystem system;
+      winslow.freeze(s.mesh.coordinates, clip, system);
+      const auto free = topology.free_nodes();
+      REQUIRE(system.columns == 2);
+      REQUIRE(system.pattern->rows() == static_cast<Index>(free.size()));
+      std::vector<double> residual(2 * free.size());
+      winslow.residual(s.mesh.coordinates, clip, residual);
+      for (std::size_t i = 0; i < free.size(); ++i) {
+        std::vector<double> w(topology.neighbours(free[i]).size());
+        winslow.weights(s.mesh.coordinates, free[i], clip, w);
+        double absolute = 0, sum = 0, to_boundary = 0;
+        for (std::size_t k = 0; k < w.size(); ++k) {
+          absolute += std::abs(w[k]);
+          sum += w[k];
+          if (topology.constrained(topology.neighbours(free[i])[k])) to_boundary += w[k];
+        }
+        CHECK(system.rhs[2 * i] == doctest::Approx(residual[2 * i] / absolute));
+        CHECK(system.rhs[2 * i + 1] == doctest::Approx(residual[2 * i + 1] / absolute));
+        double row_sum = 0;
+        for (Index e = system.pattern->offsets[i]; e < system.pattern->offsets[i + 1]; ++e) {
+          row_sum += system.values[at(e)];
+        }
+        CHECK(std::abs(row_sum - to_boundary / absolute) < 1e-13);
+        CHECK(system.values[at(system.pattern->diagonal[i])] == doctest::Approx(sum / absolute));
+      }
+    }
+  }
+}
+
+TEST_CASE("the frozen matrix is minus the derivative of the residual, coefficients held") {
+  for (const Cells cells : all_cells) {
+    CAPTURE(name_of(cells));
+    constexpr std::uint64_t seed = 61;
+    CAPTURE(seed);
+    const Sample s = make_sample(seed, cells, false);
+    const Topology& topology = *s.mesh.topology;
+    const PointwiseWinslow winslow(s.vcv, 1);
+    const auto free = topology.free_nodes();
+    SparseSystem system;
+    winslow.freeze(s.mesh.coordinates, false, system);
+    Random random(seed);
+    std::vector<double> move(2 * free.size());
+    Coordinates moved = s.mesh.coordinates;
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      const Vec2 d = random.vector();
+      move[2 * i] = d.x();
+      move[2 * i + 1] = d.y();
+      moved.set_xy(free[i], moved.xy(free[i]) + d);
+    }
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      // The frozen residual is linear in the positions: one difference is its derivative.
+      std::vector<double> w(topology.neighbours(free[i]).size());
+      winslow.weights(s.mesh.coordinates, free[i], false, w);
+      Vec2 change(0, 0);
+      double absolute = 0;
+      for (std::size_t k = 0; k < w.size(); ++k) {
+        const Index other = topology.neighbours(free[i])[k];
+        const Vec2 after = moved.xy(other) - moved.xy(free[i]);
+        const Vec2 before = s.mesh.coordinates.xy(other) - s.mesh.coordinates.xy(free[i]);
+        change += w[k] * (after - before);
+        absolute += std::abs(w[k]);
+      }
+      Vec2 product(0, 0);
+      for (Index e = system.pattern->offsets[i]; e < system.pattern->offsets[i + 1]; ++e) {
+        const auto column = at(system.pattern->columns[at(e)]);
+        product += system.values[at(e)] * Vec2(move[2 * column], move[2 * column + 1]);
+      }
+      CHECK((product + change / absolute).norm() < 1e-13);
+    }
+  }
+}
+
+TEST_CASE("norms: the largest and the mean square of the scaled residuals") {
+  constexpr std::uint64_t seed = 71;
+  CAPTURE(seed);
+  const Sample s = make_sample(seed, Cells::mixed, false);
+  const Topology& topology = *s.mesh.topology;
+  const PointwiseWinslow winslow(s.vcv, 1);
+  SparseSystem system;
+  winslow.freeze(s.mesh.coordinates, true, system);
+  double max = 0, sum = 0;
+  for (std::size_t i = 0; i < topology.free_nodes().size(); ++i) {
+    const Index node = topology.free_nodes()[i];
+    double edge = 0;
+    for (const Vec2& p : ring_of(topology, s.mesh.coordinates, node)) {
+      edge += (p - s.mesh.coordinates.xy(node)).norm();
+    }
+    edge /= static_cast<double>(topology.neighbours(node).size());
+    const double scaled = Vec2(system.rhs[2 * i], system.rhs[2 * i + 1]).norm() / edge;
+    max = std::max(max, scaled);
+    sum += scaled * scaled;
+  }
+  const ResidualNorms norms = winslow.residual(s.mesh.coordinates, true, {});
+  CHECK(norms.max == doctest::Approx(max));
+  CHECK(norms.rms ==
+        doctest::Approx(std::sqrt(sum / static_cast<double>(topology.free_nodes().size()))));
+}
+
+TEST_CASE("norms do not depend on the size, place or orientation of the mesh") {
+  constexpr std::uint64_t seed = 72;
+  CAPTURE(seed);
+  const Sample s = make_sample(seed, Cells::triangles, false);
+  const PointwiseWinslow winslow(s.vcv, 1);
+  const double expected = winslow.residual(s.mesh.coordinates, false, {}).max;
+  Coordinates x = s.mesh.coordinates;
+  for (Index i = 0; i < x.size(); ++i) {
+    const Vec2 p = x.xy(i);
+    x.set_xy(i, 300 * Vec2(0.6 * p.x() - 0.8 * p.y(), 0.8 * p.x() + 0.6 * p.y()) + Vec2(7, -9));
+  }
+  CHECK(winslow.residual(x, false, {}).max == doctest::Approx(expected).epsilon(1e-9));
+}
+
+TEST_CASE("a neighbourhood collapsed into one point gives finite numbers") {
+  Mesh mesh = make_mesh(square(5, Cells::triangles));
+  for (Index i = 0; i < mesh.coordinates.size(); ++i) mesh.coordinates.set_xy(i, {0.25, 0.5});
+  const PointwiseWinslow winslow(VirtualControlVolumes(mesh.topology), 1);
+  SparseSystem system;
+  for (const bool clip : {false, true}) {
+    std::vector<double> residual(2 * mesh.topology->free_nodes().size(), 1.0);
+    CHECK(winslow.residual(mesh.coordinates, clip, residual).max == 0);
+    for (const double r : residual) CHECK(r == 0);
+    winslow.freeze(mesh.coordinates, clip, system);
+    for (const double v : system.values) CHECK(std::isfinite(v));
+    for (const double v : system.rhs) CHECK(v == 0);
+  }
+  const WinslowCoefficients c = winslow.coefficients(mesh.coordinates, 7);
+  CHECK(c.alpha == 1);
+  CHECK(c.beta == 0);
+  CHECK(c.gamma == 1);
+}
+
+TEST_CASE("a NaN in one node shows in the norm, wherever the node comes in the order") {
+  const Mesh mesh = make_mesh(square(6, Cells::triangles));
+  const PointwiseWinslow winslow(VirtualControlVolumes(mesh.topology), 1);
+  for (Index i = 0; i < mesh.coordinates.size(); ++i) {
+    // The corners of the square are no neighbours of free nodes.
+    if (!mesh.topology->used(i)) continue;
+    const auto row = mesh.topology->neighbours(i);
+    const bool felt = !mesh.topology->constrained(i) ||
+                      std::any_of(row.begin(), row.end(),
+                                  [&](Index k) { return !mesh.topology->constrained(k); });
+    CAPTURE(i);
+    Coordinates x = mesh.coordinates;
+    x.point(i)[0] = std::numeric_limits<double>::quiet_NaN();
+    CHECK(std::isnan(winslow.residual(x, false, {}).max) == felt);
+  }
+}
+
+TEST_CASE("the residual and the frozen system are bitwise the same at any number of threads") {
+  constexpr std::uint64_t seed = 81;
+  CAPTURE(seed);
+  Mesh mesh = make_mesh(square(110, Cells::quads));
+  Random random(seed);
+  tangle(mesh, random);
+  const VirtualControlVolumes vcv(mesh.topology);
+  const std::size_t size = 2 * mesh.topology->free_nodes().size();
+  REQUIRE(size / 2 > 2 * at(parallel_block));
+  std::vector<double> first(size);
+  SparseSystem system;
+  const PointwiseWinslow single(vcv, 1);
+  const ResidualNorms norms = single.residual(mesh.coordinates, true, first);
+  const Index negative = single.freeze(mesh.coordinates, true, system);
+  for (const int threads : {2, 5, 0}) {
+    CAPTURE(threads);
+    const PointwiseWinslow several(vcv, threads);
+    std::vector<double> residual(size);
+    const ResidualNorms other = several.residual(mesh.coordinates, true, residual);
+    CHECK(other.max == norms.max);
+    CHECK(other.rms == norms.rms);
+    CHECK(residual == first);
+    SparseSystem again;
+    CHECK(several.freeze(mesh.coordinates, true, again) == negative);
+    CHECK(again.values == system.values);
+    CHECK(again.rhs == system.rhs);
+  }
+}
+
+TEST_CASE("formulations are made by name") {
+  const VirtualControlVolumes vcv(Topology::build(regular_star(5)));
+  for (const std::string& name : formulation_names()) {
+    CHECK(make_formulation(name, vcv, 1)->name() == name);
+  }
+  CHECK_THROWS_WITH_AS(make_formulation("magic", vcv, 1),
+                       "unknown formulation 'magic', expected: pointwise", UsageError);
+}

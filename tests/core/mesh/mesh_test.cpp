@@ -1,0 +1,178 @@
+#include "core/mesh/mesh.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <limits>
+
+#include "core/error.h"
+#include "support/meshes.h"
+
+using namespace winslow;
+using namespace winslow::test;
+
+namespace {
+
+MeshError refusal(const MeshData& data) {
+  try {
+    make_mesh(data);
+  } catch (const MeshError& error) {
+    return error;
+  }
+  FAIL("the mesh was accepted");
+  return {MeshEntity::mesh, -1, ""};
+}
+
+bool says(const std::string& message, const std::string& text) {
+  return message.find(text) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("good meshes pass without a warning") {
+  for (const Cells cells : {Cells::triangles, Cells::quads, Cells::mixed}) {
+    CAPTURE(name_of(cells));
+    for (const MeshData& data :
+         {square(4, cells), annulus(9, 3, 1.5, cells), square_with_two_holes(10, cells)}) {
+      std::vector<std::string> warnings;
+      const Mesh mesh = make_mesh(data, &warnings);
+      CHECK(warnings.empty());
+      CHECK(mesh.coordinates == data.coordinates);
+      CHECK(check_validity(*mesh.topology, mesh.coordinates).inverted == 0);
+    }
+  }
+}
+
+TEST_CASE("a coordinate that is not finite is refused") {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+        -std::numeric_limits<double>::infinity()}) {
+    for (const int component : {0, 1}) {
+      MeshData data = square(2, Cells::quads);
+      data.coordinates.point(3)[component] = bad;
+      const MeshError error = refusal(data);
+      CHECK(error.entity() == MeshEntity::node);
+      CHECK(error.index() == 3);
+    }
+  }
+}
+
+TEST_CASE("an element without area is refused") {
+  SUBCASE("triangle") {
+    MeshData data;
+    for (const Vec2& p : {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1), Vec2(0.5, 0.5)}) {
+      data.coordinates.push_xy(p);
+    }
+    add_triangle(data, 0, 1, 2);
+    add_triangle(data, 1, 3, 2);
+    const MeshError error = refusal(data);
+    CHECK(error.entity() == MeshEntity::element);
+    CHECK(error.index() == 1);
+    CHECK(says(error.what(), "no area"));
+  }
+  SUBCASE("quadrilateral") {
+    MeshData data;
+    for (const Vec2& p : {Vec2(0, 0), Vec2(1, 0), Vec2(2, 0), Vec2(3, 0)}) {
+      data.coordinates.push_xy(p);
+    }
+    add_quad(data, 0, 1, 2, 3);
+    CHECK(refusal(data).index() == 0);
+  }
+}
+
+TEST_CASE("thin elements have an area: they pass") {
+  MeshData data = square(3, Cells::triangles);
+  for (Index i = 0; i < data.node_count(); ++i) {
+    data.coordinates.point(i)[1] *= 1e-9;
+  }
+  CHECK_NOTHROW(make_mesh(data));
+}
+
+TEST_CASE("two nodes in one place are refused") {
+  MeshData data = square(3, Cells::quads);
+  const auto topology = Topology::build(data);
+  data.coordinates.set_xy(topology->free_nodes()[1],
+                          data.coordinates.xy(topology->free_nodes()[0]));
+  const MeshError error = refusal(data);
+  CHECK(error.entity() == MeshEntity::node);
+  CHECK(says(error.what(), "duplicate"));
+}
+
+TEST_CASE("an unused node may lie on a used one: it is only a warning") {
+  MeshData data = square(3, Cells::quads);
+  data.coordinates.push_xy(data.coordinates.xy(0));
+  std::vector<std::string> warnings;
+  make_mesh(data, &warnings);
+  REQUIRE(warnings.size() == 1);
+  CHECK(says(warnings[0], "1 nodes belong to no element"));
+}
+
+TEST_CASE("a hanging node is refused") {
+  // Two columns of quads; the middle of the right column is cut in half and the left one is not,
+  // so that node 9 hangs on the edge between nodes 4 and 7.
+  MeshData data;
+  const std::array<Vec2, 14> p{Vec2(0, -1),  Vec2(1, -1), Vec2(2, -1), Vec2(0, 0), Vec2(1, 0),
+                               Vec2(2, 0),   Vec2(0, 1),  Vec2(1, 1),  Vec2(2, 1), Vec2(1, 0.5),
+                               Vec2(2, 0.5), Vec2(0, 2),  Vec2(1, 2),  Vec2(2, 2)};
+  for (const Vec2& q : p) data.coordinates.push_xy(q);
+  add_quad(data, 0, 1, 4, 3);
+  add_quad(data, 1, 2, 5, 4);
+  add_quad(data, 3, 4, 7, 6);
+  add_quad(data, 4, 5, 10, 9);
+  add_quad(data, 9, 10, 8, 7);
+  add_quad(data, 6, 7, 12, 11);
+  add_quad(data, 7, 8, 13, 12);
+  const MeshError error = refusal(data);
+  CHECK(error.entity() == MeshEntity::node);
+  CHECK(error.index() == 9);
+  CHECK(says(error.what(), "hanging"));
+}
+
+TEST_CASE("an element that shares no edge is refused, a single element is a mesh") {
+  MeshData data = square(2, Cells::quads);
+  const Index o = data.node_count();
+  for (const Vec2& q : {Vec2(5, 5), Vec2(6, 5), Vec2(5, 6)}) data.coordinates.push_xy(q);
+  add_triangle(data, o, o + 1, o + 2);
+  const MeshError error = refusal(data);
+  CHECK(error.entity() == MeshEntity::element);
+  CHECK(error.index() == 4);
+  CHECK(says(error.what(), "isolated"));
+
+  CHECK_NOTHROW(make_mesh(square(1, Cells::quads)));
+}
+
+TEST_CASE("harmless faults are warnings, one sentence each") {
+  MeshData data = square(3, Cells::quads);
+  data.coordinates.push_xy({9, 9});
+  data.markers.erase(data.markers.begin());
+  std::swap(data.element_nodes[1], data.element_nodes[3]);
+  std::vector<std::string> warnings;
+  const Mesh mesh = make_mesh(data, &warnings);
+  REQUIRE(warnings.size() == 3);
+  CHECK(says(warnings[0], "1 nodes belong to no element"));
+  CHECK(says(warnings[1], "3 boundary edges belong to no marker"));
+  CHECK(says(warnings[2], "1 clockwise elements"));
+  CHECK(mesh.topology->node_count() == 17);
+}
+
+TEST_CASE("an inverted element is no error") {
+  MeshData data = square(3, Cells::quads);
+  const auto topology = Topology::build(data);
+  data.coordinates.set_xy(topology->free_nodes()[0], {0.9, 0.95});
+  const Mesh mesh = make_mesh(data);
+  CHECK(check_validity(*mesh.topology, mesh.coordinates).inverted > 0);
+}
+
+TEST_CASE("bounds cover the used nodes and no others") {
+  MeshData data = square(3, Cells::triangles);
+  data.coordinates.push_xy({50, -70});
+  const Mesh mesh = make_mesh(data);
+  const Bounds box = bounds(mesh);
+  CHECK(box.min == Vec2(0, 0));
+  CHECK(box.max == Vec2(1, 1));
+  CHECK(box.centre() == Vec2(0.5, 0.5));
+  CHECK(box.size() == Vec2(1, 1));
+  const std::vector<std::string> top{"top"};
+  CHECK(bounds(mesh.coordinates, mesh.topology->nodes_of_markers(top)).min == Vec2(0, 1));
+  CHECK_THROWS_AS(bounds(mesh.coordinates, {}), UsageError);
+}
