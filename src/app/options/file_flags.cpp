@@ -95,7 +95,7 @@ void check_distinct(const std::vector<std::string>& paths) {
   std::set<fs::path> seen;
   for (const std::string& path : paths) {
     if (path.empty()) continue;
-    if (!seen.insert(fs::weakly_canonical(path)).second) {
+    if (!seen.insert(fs::weakly_canonical(fs::absolute(path))).second) {
       throw UsageError(path + " would be written twice");
     }
   }

@@ -12,7 +12,12 @@ class ScrambleSubcommand : public Subcommand {
             "Put every interior node at a random place of the mesh's bounding box: a test of "
             "smoothing (needs --allow-inverted to be written)")) {
     add_input(app(), files_.input);
-    app().add_option("--seed", command_.seed, "Seed of the random numbers")->capture_default_str();
+    app()
+        .add_option("--seed", command_.seed, "Seed of the random numbers")
+        ->check([](const std::string& text) {  // the conversion would wrap a negative number
+          return text.starts_with("-") ? "found " + text + ", expected 0 or more" : std::string();
+        })
+        ->option_text("N [1]");
     add_job_flags(app(), files_);
     add_recipe_flag(app(), files_);
   }

@@ -1,0 +1,43 @@
+import support
+from support import INPUT, USAGE, ProgramTest
+
+
+class Convert(ProgramTest):
+    def test_there_and_back_again(self):
+        self.ring()
+        original = support.read_su2(self.path("ring.su2"))
+        for name in ("m.msh", "m.vtk", "m.vtu"):
+            for flag in ("--ascii", "--binary"):
+                self.winslow("convert", "ring.su2", name, flag)
+                self.winslow("convert", name, "back.su2")
+                self.assertEqual(support.read_su2(self.path("back.su2")), original, (name, flag))
+
+    def test_gmsh_versions(self):
+        self.ring()
+        for version in ("2.2", "4.1"):
+            self.winslow("convert", "ring.su2", "m.msh", "--gmsh-version", version)
+            self.assertEqual(self.path("m.msh").read_text().split()[:2], ["$MeshFormat", version])
+
+    def test_lost_markers_are_a_warning(self):
+        self.ring()
+        run = self.winslow("convert", "ring.su2", "m.obj")
+        self.assertIn("warning", run.stderr)
+        self.assertIn("marker", run.stderr)
+
+    def test_says_what_it_wrote(self):
+        self.ring()
+        run = self.winslow("convert", "ring.su2", "m.msh")
+        self.assertIn("216 nodes, 384 elements, 2 markers", run.stdout)
+        self.assertEqual(self.winslow("convert", "ring.su2", "m.msh", "--quiet").stdout, "")
+
+    def test_errors(self):
+        self.ring()
+        self.winslow("convert", "ring.su2", "m.docx", code=USAGE)
+        self.winslow("convert", "ring.su2", "m.msh", "--binary", "--ascii", code=USAGE)
+        self.path("empty.su2").write_text("")
+        self.winslow("convert", "empty.su2", "m.msh", code=INPUT)
+        self.assertEqual(self.files(), ["empty.su2", "ring.su2"])
+
+
+if __name__ == "__main__":
+    support.main()

@@ -1,0 +1,139 @@
+import struct
+import unittest
+import zlib
+
+import support
+from support import HAS_GUI, INPUT, INTERNAL, INVERTED, USAGE, ProgramTest
+
+# Without a display, whatever the machine that runs the tests has.
+HEADLESS = {"DISPLAY": "", "WAYLAND_DISPLAY": ""}
+
+
+def read_png(path):
+    """Width, height and rows of RGB tuples of an 8-bit RGB or RGBA picture."""
+    data = path.read_bytes()
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    position, packed = 8, b""
+    while position < len(data):
+        length, kind = struct.unpack(">I4s", data[position:position + 8])
+        body = data[position + 8:position + 8 + length]
+        if kind == b"IHDR":
+            width, height, depth, color = struct.unpack(">IIBB", body[:10])
+        elif kind == b"IDAT":
+            packed += body
+        position += 12 + length
+    assert depth == 8 and color in (2, 6)
+    size = 3 if color == 2 else 4
+    raw, previous, rows = zlib.decompress(packed), bytes(width * size), []
+    for y in range(height):
+        start = y * (width * size + 1)
+        previous = unfilter(raw[start], raw[start + 1:start + 1 + width * size], previous, size)
+        rows.append([tuple(previous[k:k + 3]) for k in range(0, len(previous), size)])
+    return width, height, rows
+
+
+def unfilter(kind, line, above, size):
+    out = bytearray(line)
+    for k, value in enumerate(line):
+        left = out[k - size] if k >= size else 0
+        corner = above[k - size] if k >= size else 0
+        guess = left + above[k] - corner
+        paeth = min((left, above[k], corner), key=lambda v: abs(guess - v))
+        out[k] = (value + (0, left, above[k], (left + above[k]) // 2, paeth)[kind]) & 255
+    return bytes(out)
+
+
+@unittest.skipUnless(HAS_GUI, "built without graphics")
+class Render(ProgramTest):
+    def render(self, *args, code=support.DONE):
+        return self.winslow("render", *args, code=code, env=HEADLESS)
+
+    def test_draws_a_mesh_at_the_size_asked_for(self):
+        self.ring()
+        self.render("ring.su2", "-o", "p.png", "--size", "320", "200")
+        width, height, rows = read_png(self.path("p.png"))
+        self.assertEqual((width, height), (320, 200))
+        colours = {pixel for row in rows for pixel in row}
+        self.assertIn((255, 255, 255), colours)
+        self.assertGreater(len(colours), 5)
+
+    def test_bounds_choose_the_part_that_is_shown(self):
+        self.ring(quads=True)
+        base = ("ring.su2", "--size", "200", "200", "--color", "aspect_ratio", "--no-wireframe",
+                "--no-legend")
+        self.render(*base, "-o", "cells.png", "--bounds", "1", "1", "1.5", "1.5")
+        _, _, rows = read_png(self.path("cells.png"))
+        self.assertNotIn((255, 255, 255), set(rows[100]))  # inside the ring: cells everywhere
+        self.render(*base, "-o", "hole.png", "--bounds", "-0.2", "-0.2", "0.2", "0.2")
+        _, _, rows = read_png(self.path("hole.png"))
+        self.assertEqual(rows[100][100], (255, 255, 255))  # inside the body: nothing
+
+    def test_options_change_the_picture(self):
+        self.ring()
+        base = ("ring.su2", "-o", "p.png", "--size", "320", "240", "--color",
+                "normalized_jacobian")
+        seen = set()
+        for extra in ((), ("--dark",), ("--no-wireframe",), ("--no-legend",), ("--title", "Ring"),
+                      ("--map", "cividis"), ("--range", "0.2", "0.4"),
+                      ("--bounds", "-1", "-1", "1", "1")):
+            self.render(*base, *extra)
+            seen.add(self.path("p.png").read_bytes())
+        self.assertEqual(len(seen), 8)
+
+    def test_inverted_elements_are_red(self):
+        self.ring()
+        self.winslow("move", "ring.su2", "-o", "t.su2", "--marker", "body", "--translate", "1.5",
+                     "0", "--no-smooth", "--allow-inverted", code=INVERTED)
+        for name, expected in (("ring.su2", False), ("t.su2", True)):
+            self.render(name, "-o", "p.png", "--size", "400", "400", "--no-wireframe")
+            _, _, rows = read_png(self.path("p.png"))
+            red = sum(r > 150 and g < 90 and b < 90 for row in rows for r, g, b in row)
+            self.assertEqual(red > 200, expected, (name, red))
+
+    def test_bad_usage(self):
+        self.ring()
+        for args in (("--color", "beauty"), ("--size", "0", "10"), ("--bounds", "1", "0", "0", "1"),
+                     ("--bounds", "0", "0", "1"), ("--bounds", "0", "0", "nan", "1"),
+                     ("--color", "area", "--range", "2", "1"), ("--range", "0", "1"),
+                     ("--map", "rainbow")):
+            with self.subTest(args=args):
+                self.render("ring.su2", "-o", "p.png", *args, code=USAGE)
+        self.render("none.su2", "-o", "p.png", code=INPUT)
+        self.render("ring.su2", "-o", "no/p.png", code=INPUT)
+        self.assertEqual(self.files(), ["ring.su2"])
+
+
+@unittest.skipUnless(HAS_GUI, "built without graphics")
+class Studio(ProgramTest):
+    def test_screenshot_without_a_display(self):
+        self.ring()
+        self.winslow("studio", "--screenshot", "empty.png", "--size", "800", "500", env=HEADLESS)
+        self.winslow("studio", "--screenshot", "ring.png", "--size", "800", "500", "ring.su2",
+                     env=HEADLESS)
+        width, height, rows = read_png(self.path("ring.png"))
+        self.assertEqual((width, height), (800, 500))
+        self.assertNotEqual(rows, read_png(self.path("empty.png"))[2])
+
+    def test_no_display_says_what_to_do(self):
+        run = self.winslow("studio", code=INTERNAL, env=HEADLESS)
+        self.assertIn("winslow studio --screenshot", run.stderr)
+
+    def test_errors(self):
+        self.winslow("studio", "--screenshot", "p.png", "none.su2", code=INPUT, env=HEADLESS)
+        self.winslow("studio", "--screenshot", "no/p.png", code=INPUT, env=HEADLESS)
+        self.winslow("studio", "--size", "1", "1", code=USAGE, env=HEADLESS)
+
+
+@unittest.skipIf(HAS_GUI, "built with graphics")
+class WithoutGraphics(ProgramTest):
+    def test_render_and_studio_say_so(self):
+        self.ring()
+        for args in (("render", "ring.su2", "-o", "p.png"), ("studio", "ring.su2"),
+                     ("studio", "--screenshot", "p.png")):
+            run = self.winslow(*args, code=INTERNAL)
+            self.assertIn("built without graphics", run.stderr)
+        self.assertEqual(self.files(), ["ring.su2"])
+
+
+if __name__ == "__main__":
+    support.main()
