@@ -29,10 +29,13 @@ void HistoryPanel::draw(const PanelContext& context) {
   const float row = ImGui::GetTextLineHeight() + context.theme.px(12);
   const auto rows = static_cast<float>(std::clamp<std::size_t>(document->history().size(), 3, 8));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(2, 2));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   ImGui::BeginChild("steps", ImVec2(0, row * rows + context.theme.px(6)), true);
-  ImGui::PopStyleVar();
   for (std::size_t k = 0; k < document->history().size(); ++k) draw_step(context, k);
+  if (shown_size_ != document->history().size()) ImGui::SetScrollHereY(1.0f);
+  shown_size_ = document->history().size();
   ImGui::EndChild();
+  ImGui::PopStyleVar(2);
 }
 
 void HistoryPanel::draw_step(const PanelContext& context, std::size_t position) {
@@ -47,9 +50,7 @@ void HistoryPanel::draw_step(const PanelContext& context, std::size_t position) 
   const ImVec2 start = ImGui::GetCursorScreenPos();
   const ImVec2 size(ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight() + 2 * pad);
   const ImVec2 end(start.x + size.x, start.y + size.y);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   const bool pressed = ImGui::InvisibleButton(id.c_str(), size);
-  ImGui::PopStyleVar();
   ui::note(id);
   const std::string about = position == 0 ? "" : summary(history.result(position));
   ui::tooltip(title + (about.empty() ? "" : "\n" + about) +

@@ -11,6 +11,8 @@ class HistoryPanel : public Panel {
 
  private:
   void draw_step(const PanelContext& context, std::size_t position);
+
+  std::size_t shown_size_ = 0;  // a new step scrolls into view
 };
 
 }  // namespace winslow::gui

@@ -20,10 +20,11 @@ void MarkersPanel::draw(const PanelContext& context) {
   const float row = ImGui::GetTextLineHeight() + 2 * context.theme.px(6);
   const float height = row * static_cast<float>(std::clamp(count, 1, 8)) + context.theme.px(4);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(2, 2));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   ImGui::BeginChild("markers", ImVec2(0, height), true);
-  ImGui::PopStyleVar();
   for (Index m = 0; m < count; ++m) draw_row(context, m);
   ImGui::EndChild();
+  ImGui::PopStyleVar(2);
 }
 
 void MarkersPanel::draw_row(const PanelContext& context, Index marker) {

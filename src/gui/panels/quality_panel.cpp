@@ -25,32 +25,32 @@ constexpr std::array<Row, 3> rows{
      {Metric::condition_number, "Condition number",
       "Weighted condition number of the corners. 1 is best. Inverted elements are left out."}}};
 
-void numbers(const Statistics& s, ImU32 c) {
-  for (double value : {s.min, s.avg, s.max}) {
-    ImGui::TableNextColumn();
-    ui::text_right(table_number(value), c);
-  }
-}
+/// Lines of a table whose labels may run on beneath the heads of the columns.
+class Table {
+ public:
+  explicit Table(const Theme& theme)
+      : theme_(theme), left_(ImGui::GetCursorPosX()), width_(ImGui::GetContentRegionAvail().x) {}
 
-void header() {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  for (const char* name : {"min", "avg", "max"}) {
-    ImGui::TableNextColumn();
-    ui::text_right(name, color::text_dim);
+  void label(const char* text, ImU32 c) { ui::text_colored(c, text); }
+  /// One of three columns at the right.
+  void cell(int column, const std::string& text, ImU32 c) {
+    const float end = left_ + width_ - theme_.px(column_width) * static_cast<float>(2 - column);
+    ImGui::SameLine(end - ImGui::CalcTextSize(text.c_str()).x);
+    ui::text_colored(c, text);
   }
-}
+  void numbers(const char* text, const Statistics& s, ImU32 c) {
+    ImGui::SetCursorPosX(left_ + theme_.px(12));
+    label(text, c);
+    cell(0, table_number(s.min), c);
+    cell(1, table_number(s.avg), c);
+    cell(2, table_number(s.max), c);
+  }
 
-void inverted_row(const QualityReport& before, const QualityReport& now) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::TextUnformatted("Inverted");
-  ImGui::TableNextColumn();
-  ImGui::TableNextColumn();
-  ui::text_right(grouped(before.inverted), color::text_dim);
-  ImGui::TableNextColumn();
-  ui::text_right(grouped(now.inverted), now.inverted > 0 ? color::danger : color::text);
-}
+ private:
+  static constexpr float column_width = 66;
+  const Theme& theme_;
+  float left_, width_;
+};
 
 }  // namespace
 
@@ -68,31 +68,25 @@ void QualityPanel::draw_table(const PanelContext& context) {
   const QualityReport& loaded = context.session.document()->loaded_quality();
   const auto& measured = context.session.quality().latest();
   const QualityReport& now = measured ? measured->report : loaded;
-  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(context.theme.px(5), context.theme.px(2)));
-  constexpr auto flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoHostExtendX;
-  if (ImGui::BeginTable("quality", 4, flags)) {
-    ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthStretch);
-    for (const char* name : {"min", "avg", "max"})
-      ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed, context.theme.px(62));
-    header();
-    for (const Row& row : rows) {
-      ImGui::TableNextRow();
-      ImGui::TableNextColumn();
-      ImGui::TextUnformatted(row.name);
-      ui::tooltip(row.tip);
-      ImGui::TableNextRow();
-      ImGui::TableNextColumn();
-      ui::text_dim("   loaded");
-      numbers(loaded.of(row.metric).statistics, color::text_dim);
-      ImGui::TableNextRow();
-      ImGui::TableNextColumn();
-      ImGui::TextUnformatted("   now");
-      numbers(now.of(row.metric).statistics, color::text);
-    }
-    inverted_row(loaded, now);
-    ImGui::EndTable();
-    ui::note("quality/table");
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(8), context.theme.px(4)));
+  ImGui::BeginGroup();
+  Table table(context.theme);
+  table.label("", color::text_dim);
+  for (int column = 0; column < 3; ++column)
+    table.cell(column, std::array{"min", "avg", "max"}[static_cast<std::size_t>(column)],
+               color::text_dim);
+  for (const Row& row : rows) {
+    table.label(row.name, color::text);
+    ui::tooltip(row.tip);
+    table.numbers("as loaded", loaded.of(row.metric).statistics, color::text_dim);
+    table.numbers("now", now.of(row.metric).statistics, color::text);
   }
+  table.label("Inverted elements", color::text);
+  table.cell(1, grouped(loaded.inverted), color::text_dim);
+  table.cell(2, grouped(now.inverted), now.inverted > 0 ? color::danger : color::text);
+  ui::tooltip("As loaded, and now.");
+  ImGui::EndGroup();
+  ui::note("quality/table");
   ImGui::PopStyleVar();
 }
 

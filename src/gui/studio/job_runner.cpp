@@ -23,6 +23,8 @@ void JobRunner::retarget(Command command) {
   pause_requested_ = false;
   solver_.retarget(command_);
   solver_.resume();
+  // A job that had ended starts again under a new number.
+  job_ = solver_.latest()->job;
 }
 
 void JobRunner::pause() {

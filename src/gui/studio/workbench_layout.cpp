@@ -31,7 +31,11 @@ void begin_region(const char* name, const Area& area, const RegionStyle& style) 
 void end_region() {
   const ImVec2 min = ImGui::GetWindowPos();
   const ImVec2 size = ImGui::GetWindowSize();
-  ImGui::GetWindowDrawList()->AddRect(min, ImVec2(min.x + size.x, min.y + size.y), color::border);
+  const ImVec2 max(min.x + size.x, min.y + size.y);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(min, max, false);
+  list.AddRect(min, max, color::border);
+  list.PopClipRect();
   ImGui::End();
   ImGui::PopStyleVar(2);
   ImGui::PopStyleColor();

@@ -132,15 +132,28 @@ bool combo(std::string_view id, const std::vector<std::string>& items, std::size
 }
 
 bool section(std::string_view id, const std::string& title) {
-  ImGui::PushStyleColor(ImGuiCol_Header, ImVec4(0, 0, 0, 0));
-  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0);
-  ImGui::PushFont(UiLayer::current().theme().bold);
-  const bool open = ImGui::CollapsingHeader((title + "###" + std::string(id)).c_str(),
-                                            ImGuiTreeNodeFlags_DefaultOpen);
-  ImGui::PopFont();
-  ImGui::PopStyleVar();
-  ImGui::PopStyleColor();
+  const Theme& theme = UiLayer::current().theme();
+  ImGuiStorage& state = *ImGui::GetStateStorage();
+  const std::string name(id);
+  const ImGuiID key = ImGui::GetID(name.c_str());
+  const bool first = ImGui::GetCursorPosY() < ImGui::GetStyle().WindowPadding.y + 1;
+  if (!first) ImGui::Dummy(ImVec2(0, theme.px(6)));
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 size(std::max(ImGui::GetContentRegionAvail().x, 1.0f), theme.px(24));
+  bool open = state.GetBool(key, true);
+  if (ImGui::InvisibleButton(name.c_str(), size)) state.SetBool(key, open = !open);
   note(id);
+  const bool over = ImGui::IsItemHovered();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (!first)
+    list.AddLine(ImVec2(min.x, min.y - theme.px(4)), ImVec2(min.x + size.x, min.y - theme.px(4)),
+                 color::border);
+  const float font = theme.bold->FontSize;
+  list.AddText(theme.bold, font, ImVec2(min.x, min.y + (size.y - font) / 2), color::text,
+               title.c_str());
+  ImGui::RenderArrow(&list, ImVec2(min.x + size.x - font, min.y + (size.y - 0.7f * font) / 2),
+                     over ? color::text : color::text_faint, open ? ImGuiDir_Down : ImGuiDir_Right,
+                     0.7f);
   return open;
 }
 

@@ -48,7 +48,12 @@ Frame make_frame(const ConvergencePlot& plot, const ImVec2& min, const ImVec2& m
   }
   f.low = static_cast<int>(std::floor(std::log10(smallest) - 0.15));
   f.high = std::max(f.low + 1, static_cast<int>(std::ceil(std::log10(largest) + 0.15)));
-  if (!plot.history.empty()) f.last = std::max(1, plot.history.back().iteration);
+  if (plot.history.empty()) {
+    f.last = 100;
+    f.high = std::max(f.high, 0);
+  } else {
+    f.last = std::max(1, plot.history.back().iteration);
+  }
   if (f.inverted > 0) f.inverted *= 1.08;
   const float right = f.inverted > 0 ? 52 * scale : 14 * scale;
   f.min = ImVec2(min.x + 54 * scale, min.y + 26 * scale);

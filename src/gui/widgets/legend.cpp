@@ -54,10 +54,16 @@ std::string short_number(double value) {
   return text.data();
 }
 
+constexpr int fewest_ticks = 2;
+constexpr int most_ticks = 8;
+
+int ticks_for(float bar_height, float font_size) {
+  return std::clamp(static_cast<int>(bar_height / (3.5f * font_size)), fewest_ticks, most_ticks);
+}
+
 /// Round ticks, and both ends of the range where no round tick is close to them.
-std::vector<Tick> find_ticks(const Legend& legend, float bar_height, float font_size) {
+std::vector<Tick> find_ticks(const Legend& legend, int wanted) {
   const ColorScale& scale = legend.scale;
-  const int wanted = std::clamp(static_cast<int>(bar_height / (3.5f * font_size)), 2, 8);
   std::vector<double> values = nice_ticks(scale.low, scale.high, wanted);
   const double span = scale.high - scale.low;
   const double step = values.size() > 1 ? values[1] - values[0] : span;
@@ -116,13 +122,16 @@ void draw_histogram(ImDrawList& list, const Box& box, const Legend& legend) {
     const double value = legend.scale.low + span * (static_cast<double>(k) + 0.5) / n;
     list.AddRectFilled({box.left, y0 + 0.5f}, {box.left + length, y1 - 0.5f},
                        to_color(legend.scale.color(value)));
+    // An edge, for colours close to that of the ground.
+    list.AddLine({box.left + length, y0 + 0.5f}, {box.left + length, y1 - 0.5f},
+                 IM_COL32(90, 95, 105, 110));
   }
 }
 
 void draw_ticks(ImDrawList& list, const Box& box, const Legend& legend, const LegendStyle& style) {
   const ImFont& font = font_of(style);
   const double span = legend.scale.high - legend.scale.low;
-  for (const Tick& tick : find_ticks(legend, box.height(), style.font_size)) {
+  for (const Tick& tick : find_ticks(legend, ticks_for(box.height(), style.font_size))) {
     const double t = span > 0 ? (tick.value - legend.scale.low) / span : 0.5;
     const float y = std::round(box.bottom - box.height() * static_cast<float>(t));
     list.AddLine({box.right, y}, {box.right + tick_length, y}, to_color(style.line_color), 1.0f);
@@ -136,9 +145,12 @@ void draw_ticks(ImDrawList& list, const Box& box, const Legend& legend, const Le
 }  // namespace
 
 float legend_width(const Legend& legend, const LegendStyle& style) {
+  // Of whichever ticks the height will have room for.
   float ticks = 0;
-  for (const Tick& tick : find_ticks(legend, 12 * style.font_size, style.font_size)) {
-    ticks = std::max(ticks, text_size(font_of(style), style.font_size, tick.text).x);
+  for (int wanted = fewest_ticks; wanted <= most_ticks; ++wanted) {
+    for (const Tick& tick : find_ticks(legend, wanted)) {
+      ticks = std::max(ticks, text_size(font_of(style), style.font_size, tick.text).x);
+    }
   }
   const float bar = bars_width(legend, style) + tick_length + tick_gap + ticks;
   return std::ceil(std::max(bar, text_size(title_font_of(style), style.font_size, legend.title).x));
