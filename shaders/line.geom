@@ -9,6 +9,7 @@ uniform float width;            // pixels
 uniform float round_caps;       // 1: round ends, 0: straight ends
 uniform float pixels_per_unit;
 uniform float fade_below;       // spacing in pixels below which lines fade; 0: never
+uniform float vanishing_share;  // of that spacing, where they are gone
 uniform samplerBuffer line_spacing;
 uniform int first_line;
 
@@ -27,9 +28,13 @@ void main() {
   opacity = min(width, 1.0);
   if (fade_below > 0.0) {
     float spacing = texelFetch(line_spacing, first_line + gl_PrimitiveIDIn).r * pixels_per_unit;
-    opacity *= clamp(spacing / fade_below, 0.0, 1.0);
+    float share = spacing / fade_below;
+    opacity *= clamp((share - vanishing_share) / (1.0 - vanishing_share), 0.0, 1.0);
   }
   if (opacity < 0.004) return;
+  // Outside on one side with both ends, rim included: the greater part of a mesh that is zoomed.
+  vec2 reach = vec2(width + 2.0);
+  if (any(lessThan(max(a, b), -reach)) || any(greaterThan(min(a, b), viewport + reach))) return;
 
   float rim = 0.5 * drawn_width + 1.0;
   float cap = round_caps * rim;

@@ -1,11 +1,16 @@
 #include "gui/render/mesh_buffers.h"
 
+#include <algorithm>
+
+#include "gui/render/line_density.h"
+
 namespace winslow::gui {
 namespace {
 
-/// Lines closer together than this many times their width fade in proportion: triangles have three
-/// families of lines, which then cover half of the surface together, however small they get.
+/// Lines closer together than this many times their width fade, to nothing at a fifth of it:
+/// triangles have three families of lines, which never cover more than half of the surface.
 constexpr float fade_distance = 6.0f;
+constexpr float vanishing_share = 0.2f;
 
 template <class T>
 std::span<const T> view(const std::vector<T>& values) {
@@ -99,6 +104,7 @@ void MeshBuffers::prepare_lines(const LineStyle& style, std::size_t first_line) 
   line_.set("round_caps", style.round_caps ? 1.0f : 0.0f);
   line_.set("pixels_per_unit", pixels_per_unit_);
   line_.set("fade_below", style.fade ? fade_distance * style.width : 0.0f);
+  line_.set("vanishing_share", vanishing_share);
   line_.set("first_line", static_cast<int>(first_line));
   line_.set("line_spacing", 0);
   line_.set("color", style.color);
@@ -110,6 +116,15 @@ void MeshBuffers::draw_lines(const DrawList::Range& range, const LineStyle& styl
   prepare_lines(style, range.first);
   lines_.bind();
   draw_elements(GL_LINES, 2 * range.first, 2 * range.count);
+}
+
+void MeshBuffers::draw_interior_lines(const LineStyle& style) {
+  DrawList::Range range = list_.interior;
+  if (style.fade) {
+    const float vanishing = vanishing_share * fade_distance * style.width / pixels_per_unit_;
+    range.count = std::min(range.count, lines_spaced(list_, vanishing));
+  }
+  draw_lines(range, style);
 }
 
 void MeshBuffers::draw_inverted_outlines(const LineStyle& style) {

@@ -35,6 +35,7 @@ class MeshBuffers {
   void draw_fill(const Rgba& color, bool use_element_colors);
   void draw_inverted_fill(const Rgba& color);
   void draw_inverted_outlines(const LineStyle& style);
+  void draw_interior_lines(const LineStyle& style);
   void draw_lines(const DrawList::Range& range, const LineStyle& style);
   void draw_nodes(const Rgba& color, float size);
 

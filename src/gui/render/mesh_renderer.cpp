@@ -136,7 +136,7 @@ class MeshRenderer::Impl {
   void draw_lines(const MeshStyle& style) {
     const auto& list = buffers_.list();
     if (style.wireframe) {
-      buffers_.draw_lines(list.interior, {style.edge_color, style.edge_width, false, true});
+      buffers_.draw_interior_lines({style.edge_color, style.edge_width, false, true});
     }
     if (style.show_inverted) {
       Rgba outline = style.inverted_color;

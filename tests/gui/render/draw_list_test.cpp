@@ -2,7 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "gui/render/element_shape.h"
+#include "gui/render/line_density.h"
 #include "support/meshes.h"
 
 using namespace winslow;
@@ -71,6 +74,29 @@ TEST_CASE("The spacing of lines is the height of the cells, whatever their lengt
   const DrawList list = whole_draw_list(*mesh.topology, groups, mesh.coordinates, Vec2(0, 0));
   REQUIRE(list.interior.count == 9);
   for (std::size_t k = 0; k < 9; ++k) CHECK(list.line_spacing[k] == doctest::Approx(0.01));
+}
+
+TEST_CASE(
+    "Interior lines come with the widest spaced first, and can be counted from a spacing on") {
+  const Mesh mesh = make_mesh(test::annulus(32, 20, 1.3, test::Cells::triangles));
+  const EdgeGroups groups = group_edges(*mesh.topology);
+  const DrawList list = whole_draw_list(*mesh.topology, groups, mesh.coordinates, Vec2(0, 0));
+  REQUIRE(list.interior.first == 0);
+  const auto first = list.line_spacing.begin();
+  const auto last = first + static_cast<std::ptrdiff_t>(list.interior.count);
+  for (auto it = first; it + 1 < last; ++it) CHECK(*it > *(it + 1) / 1.126f);
+  for (const float spacing : {0.0f, 0.1f, 1.0f, 10.0f, 1e9f}) {
+    CAPTURE(spacing);
+    const std::size_t counted = lines_spaced(list, spacing);
+    const auto wanted = std::count_if(first, last, [&](float s) { return s >= spacing; });
+    CHECK(counted >= static_cast<std::size_t>(wanted));
+    for (std::size_t k = 0; k < list.interior.count; ++k) {
+      if (list.line_spacing[k] >= spacing) CHECK(k < counted);
+      if (k < counted) CHECK(list.line_spacing[k] > spacing / 1.126f);
+    }
+  }
+  CHECK(lines_spaced(list, 0) == list.interior.count);
+  CHECK(lines_spaced(list, 1e9f) == 0);
 }
 
 TEST_CASE("A quadrilateral with a corner turned in is cut from that corner") {

@@ -170,18 +170,28 @@ TEST_CASE("A millionfold zoom fills both sides of a slanted edge exactly") {
   }
 }
 
-TEST_CASE("Where cells are smaller than pixels, lines fade and the colours remain") {
+TEST_CASE("Lines fade as cells shrink, until only the colours remain") {
   Scene scene(100, 4);
-  const Mesh mesh = make_mesh(winslow::test::square(300, Cells::quads));
-  scene.show(mesh);
   MeshStyle style;
   style.edge_color = {0, 0, 0, 1};
   style.fill_color = {1, 1, 1, 1};
-  const Image image = scene.draw(style);
-  double dark = 0;
-  for (int x = 30; x < 70; ++x) dark += 1 - color_at(image, Vec2(x, 50))[1];
-  CHECK(dark / 40 < 0.5);
-  CHECK(dark / 40 > 0.02);
+  std::vector<double> dark;
+  for (const Index cells : {10, 30, 45, 300}) {
+    scene.show(make_mesh(winslow::test::square(cells, Cells::quads)));
+    const Image image = scene.draw(style);
+    double sum = 0;
+    for (int y = 30; y < 70; ++y) {
+      for (int x = 30; x < 70; ++x) sum += 1 - color_at(image, Vec2(x, y))[1];
+    }
+    dark.push_back(sum / 1600);
+  }
+  // A line a pixel wide every 9 pixels, in two directions; every 3 pixels, fading; every 2; gone.
+  CHECK(dark[0] == doctest::Approx(1 - std::pow(8.0 / 9.0, 2)).epsilon(0.15));
+  CHECK(dark[1] > 0.1);
+  CHECK(dark[1] < 0.4);
+  CHECK(dark[2] > 0.02);
+  CHECK(dark[2] < dark[1]);
+  CHECK(dark[3] == 0);
 }
 
 TEST_CASE("Markers wear their own colour and width") {

@@ -1,0 +1,65 @@
+#include "gui/render/line_density.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "gui/render/element_shape.h"
+
+namespace winslow::gui {
+namespace {
+
+constexpr std::size_t class_count = 2048;
+
+/// Exponent and the first three bits of the fraction: grows with the value.
+std::size_t spacing_class(float spacing) {
+  return (std::bit_cast<std::uint32_t>(std::max(spacing, 0.0f)) >> 20U) & (class_count - 1);
+}
+
+}  // namespace
+
+double edge_spacing(const Topology& topology, const Coordinates& coordinates,
+                    const Topology::Edge& edge) {
+  const double length = (coordinates.xy(edge.nodes[1]) - coordinates.xy(edge.nodes[0])).norm();
+  if (!(length > 0)) return 0;
+  double spacing = std::numeric_limits<double>::infinity();
+  for (const Index e : edge.elements) {
+    if (e < 0) continue;
+    const auto corners = topology.element(e);
+    const Vec2 a = coordinates.xy(corners[0]);
+    double area = std::abs(twice_area(a, coordinates.xy(corners[1]), coordinates.xy(corners[2])));
+    if (corners.size() == 4) {
+      area += std::abs(twice_area(a, coordinates.xy(corners[2]), coordinates.xy(corners[3])));
+      area *= 0.5;
+    }
+    spacing = std::min(spacing, area / length);
+  }
+  return spacing;
+}
+
+void sort_by_spacing(DrawList& list) {
+  const std::size_t count = list.line_spacing.size();
+  std::vector<std::uint32_t> at_least(class_count + 1, 0);
+  for (const float s : list.line_spacing) ++at_least[spacing_class(s)];
+  for (std::size_t k = class_count; k-- > 0;) at_least[k] += at_least[k + 1];
+  std::vector<std::uint32_t> next(at_least.begin() + 1, at_least.end());
+  std::vector<std::uint32_t> lines(2 * count);
+  std::vector<float> spacing(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t to = next[spacing_class(list.line_spacing[k])]++;
+    lines[2 * to] = list.lines[2 * k];
+    lines[2 * to + 1] = list.lines[2 * k + 1];
+    spacing[to] = list.line_spacing[k];
+  }
+  list.lines = std::move(lines);
+  list.line_spacing = std::move(spacing);
+  list.interior_at_least = std::move(at_least);
+}
+
+std::size_t lines_spaced(const DrawList& list, float spacing) {
+  if (list.interior_at_least.empty()) return list.interior.count;
+  return list.interior_at_least[spacing_class(spacing)];
+}
+
+}  // namespace winslow::gui
