@@ -43,13 +43,15 @@ struct ElementMetrics {
 
 ElementMetrics measure_triangle(const Coordinates& x, std::span<const Index> element) {
   ElementMetrics m;
-  for (std::size_t k = 0; k < 3; ++k)
-    m.min_sine = std::min(m.min_sine, corner_of(x, element, k).sine());
-  const Corner corner = corner_of(x, element, 0);
-  m.inverted = corner.inverted();
-  m.aspect_ratio = corner.radius_ratio();
-  m.condition_number = corner.triangle_condition();
-  m.area = 0.5 * corner.area2;
+  // The three corners have one area, but for a flat triangle round-off may disagree on its sign.
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Corner corner = corner_of(x, element, k);
+    m.min_sine = std::min(m.min_sine, corner.sine());
+    m.inverted = m.inverted || corner.inverted();
+    m.aspect_ratio = std::max(m.aspect_ratio, corner.radius_ratio());
+    m.condition_number = std::max(m.condition_number, corner.triangle_condition());
+  }
+  m.area = 0.5 * corner_of(x, element, 0).area2;
   return m;
 }
 
