@@ -15,6 +15,12 @@ using nlohmann::json;
 /// Deeper than any recipe; keeps the parser from running out of stack on "[[[[...".
 constexpr int deepest = 100;
 
+/// Line of the character that was read last.
+struct LineCount {
+  int line = 1;
+  bool ended = false;  ///< that character was a newline: a number is known to end only after it
+};
+
 /// Reads characters and counts lines. All copies of one iterator share the count.
 class CountingIterator {
  public:
@@ -24,10 +30,11 @@ class CountingIterator {
   using pointer = const char*;
   using reference = const char&;
 
-  CountingIterator(pointer position, int* line) : position_(position), line_(line) {}
+  CountingIterator(pointer position, LineCount* count) : position_(position), count_(count) {}
   reference operator*() const { return *position_; }
   CountingIterator& operator++() {
-    if (*position_ == '\n') ++*line_;
+    if (count_->ended) ++count_->line;
+    count_->ended = *position_ == '\n';
     ++position_;
     return *this;
   }
@@ -40,13 +47,14 @@ class CountingIterator {
 
  private:
   pointer position_;
-  int* line_;
+  LineCount* count_;
 };
 
 /// Follows the parser: the path and line of what it reads.
 class Tracker {
  public:
-  Tracker(const int* line, std::map<std::string, int>* lines) : line_(line), lines_(lines) {}
+  Tracker(const LineCount* count, std::map<std::string, int>* lines)
+      : count_(count), lines_(lines) {}
 
   bool operator()(json::parse_event_t event, const json& parsed) {
     switch (event) {
@@ -86,7 +94,7 @@ class Tracker {
   void begin_item() {
     if (stack_.empty() || !stack_.back().array) return;
     ++stack_.back().count;
-    (*lines_)[item_path()] = *line_;
+    (*lines_)[item_path()] = count_->line;
   }
 
   void enter(bool array) {
@@ -100,13 +108,13 @@ class Tracker {
     Level& level = stack_.back();
     level.key = std::move(key);
     const std::string path = item_path();
-    (*lines_)[path] = *line_;
+    (*lines_)[path] = count_->line;
     if (!level.keys.insert(level.key).second) {
       throw JsonValueError(path, "found this key twice, expected it once");
     }
   }
 
-  const int* line_;
+  const LineCount* count_;
   std::map<std::string, int>* lines_;
   std::vector<Level> stack_;
 };
@@ -146,12 +154,12 @@ JsonSource read_json(const std::filesystem::path& file) {
     throw InputError(file.string() + ':' + std::to_string(line) + ": " + message);
   };
   JsonSource source;
-  int line = 1;
-  Tracker tracker(&line, &source.lines);
+  LineCount count;
+  Tracker tracker(&count, &source.lines);
   try {
     const char* begin = text.data();
     source.document = json::parse(
-        CountingIterator(begin, &line), CountingIterator(begin + text.size(), &line),
+        CountingIterator(begin, &count), CountingIterator(begin + text.size(), &count),
         [&](int, json::parse_event_t event, json& parsed) { return tracker(event, parsed); });
   } catch (const json::parse_error& error) {
     const auto bytes = static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
@@ -159,7 +167,7 @@ JsonSource read_json(const std::filesystem::path& file) {
     const auto end = text.begin() + std::max<std::ptrdiff_t>(0, bytes - 1);
     fail(1 + static_cast<int>(std::count(text.begin(), end, '\n')), plain(error.what()));
   } catch (const json::exception& error) {
-    fail(line, plain(error.what()));
+    fail(count.line, plain(error.what()));
   } catch (const JsonValueError& error) {
     fail(source.line_of(error.path()), error.what());
   }
