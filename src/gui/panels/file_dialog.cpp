@@ -127,6 +127,7 @@ void FileDialog::draw(const PanelContext& context) {
                          ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
                       ImVec2(context.theme.px(18), context.theme.px(14)));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.theme.px(8));
   if (ImGui::BeginPopupModal(popup, nullptr, flags)) {
     ImGui::PushFont(context.theme.bold);
     ImGui::TextUnformatted(look_of(purpose_).title);
@@ -136,7 +137,7 @@ void FileDialog::draw(const PanelContext& context) {
     draw_footer(context);
     ImGui::EndPopup();
   }
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(2);
 }
 
 void FileDialog::draw_places(const PanelContext& context) {

@@ -50,6 +50,7 @@ void HelpPanel::draw(const PanelContext& context) {
                          ImGuiWindowFlags_NoSavedSettings;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
                       ImVec2(context.theme.px(20), context.theme.px(16)));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.theme.px(8));
   if (ImGui::BeginPopupModal(popup, nullptr, flags)) {
     ImGui::PushFont(context.theme.bold);
     ImGui::TextUnformatted("Keys and mouse");
@@ -66,7 +67,7 @@ void HelpPanel::draw(const PanelContext& context) {
     if (closed || ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(2);
 }
 
 }  // namespace winslow::gui

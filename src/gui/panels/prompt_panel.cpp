@@ -72,13 +72,14 @@ void PromptPanel::draw(const PanelContext& context) {
                       ImVec2(context.theme.px(20), context.theme.px(16)));
   constexpr auto flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize |
                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.theme.px(8));
   if (ImGui::BeginPopupModal(popup, nullptr, flags)) {
     ImGui::Dummy(ImVec2(context.theme.px(360), 0));
     draw_text(*prompt, context.theme);
     draw_choices(context, *prompt);
     ImGui::EndPopup();
   }
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(2);
 }
 
 }  // namespace winslow::gui

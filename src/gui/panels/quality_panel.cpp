@@ -35,7 +35,8 @@ class Table {
   /// One of three columns at the right.
   void cell(int column, const std::string& text, ImU32 c) {
     const float end = left_ + width_ - theme_.px(column_width) * static_cast<float>(2 - column);
-    ImGui::SameLine(end - ImGui::CalcTextSize(text.c_str()).x);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(end - ImGui::CalcTextSize(text.c_str()).x);
     ui::text_colored(c, text);
   }
   void numbers(const char* text, const Statistics& s, ImU32 c) {

@@ -107,11 +107,11 @@ void draw_axes(ImDrawList& list, const Frame& f, float scale) {
 void draw_inverted(ImDrawList& list, const Frame& f, std::span<const IterationRecord> history) {
   if (!(f.inverted > 0)) return;
   for (std::size_t i = 0; i < history.size(); ++i) {
-    if (history[i].inverted == 0) continue;
     const double next = i + 1 < history.size() ? history[i + 1].iteration : f.last;
+    // A new target of a drag starts with a second record of the same iteration.
+    if (history[i].inverted == 0 || next <= history[i].iteration) continue;
     list.AddRectFilled(ImVec2(f.x(history[i].iteration), f.y_inverted(history[i].inverted)),
-                       ImVec2(std::max(f.x(next), f.x(history[i].iteration) + 1), f.max.y),
-                       IM_COL32(201, 34, 43, 48));
+                       ImVec2(f.x(next), f.max.y), IM_COL32(201, 34, 43, 48));
   }
 }
 
@@ -130,7 +130,7 @@ void draw_tolerance(ImDrawList& list, const Frame& f, double tolerance, float sc
   for (float x = f.min.x; x < f.max.x; x += 9 * scale)
     list.AddLine(ImVec2(x, y), ImVec2(std::min(x + 5 * scale, f.max.x), y), color::success,
                  1.4f * scale);
-  text_at(list, ImVec2(f.max.x - 5 * scale, y - 2 * scale), 1, 1, color::success, "tolerance");
+  text_at(list, ImVec2(f.min.x + 6 * scale, y - 2 * scale), 0, 1, color::success, "tolerance");
 }
 
 void draw_key(ImDrawList& list, const Frame& f, float scale) {

@@ -57,9 +57,7 @@ Mesh two_body_mesh() {
   };
   std::array<Marker, 3> markers{Marker{"outer", 1, {}}, Marker{"left", 2, {}},
                                 Marker{"right", 3, {}}};
-  const auto inside = [&](Index i, Index j) {
-    return i >= 0 && j >= 0 && i < columns && j < rows;
-  };
+  const auto inside = [&](Index i, Index j) { return i >= 0 && j >= 0 && i < columns && j < rows; };
   for (Index j = 0; j < rows; ++j)
     for (Index i = 0; i < columns; ++i) {
       if (hole(i, j)) continue;

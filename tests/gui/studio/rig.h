@@ -42,7 +42,9 @@ class Rig {
   /// Types into a field in place of what is there.
   void fill(const std::string& widget, const std::string& text);
 
-  bool visible(const std::string& widget) const { return bench->widgets().find(widget).has_value(); }
+  bool visible(const std::string& widget) const {
+    return bench->widgets().find(widget).has_value();
+  }
   const Session& session() const { return bench->session(); }
   const Document& document() const { return *session().document(); }
   const Mesh& mesh() const { return document().state().mesh; }

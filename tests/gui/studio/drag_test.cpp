@@ -1,0 +1,205 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "gui/studio/keys.h"
+#include "gui/studio/rig.h"
+#include "gui/studio/rigid_motion.h"
+
+namespace winslow::gui::test {
+
+namespace {
+
+/// Largest distance of a marker's nodes from where a motion should have taken them.
+double error_of_marker(const Mesh& before, const Mesh& after, const std::string& marker,
+                       const RigidMotion& motion) {
+  double error = 0;
+  for (Index node : before.topology->marker_nodes(*before.topology->find_marker(marker)))
+    error = std::max(
+        error,
+        (transform(motion, before.coordinates.xy(node)) - after.coordinates.xy(node)).norm());
+  return error;
+}
+
+const MoveCommand& last_move(const Rig& rig) {
+  const History& history = rig.document().history();
+  return std::get<MoveCommand>(history.command(history.position()));
+}
+
+}  // namespace
+
+TEST_CASE("dragging a body moves its boundary by exactly the drag and repairs the mesh") {
+  Rig rig;
+  rig.open(ring_mesh());
+  const Mesh before = rig.mesh();
+  const Vec2 from = rig.pixel(Vec2(0, 0));
+  const Vec2 to = from + Vec2(37, -23);
+  const Vec2 by(37 * rig.bench->camera().units_per_pixel(),
+                23 * rig.bench->camera().units_per_pixel());
+  rig.drag(from, to);
+  CHECK(rig.session().dragging());
+  rig.release();
+  CHECK_FALSE(rig.session().dragging());
+  REQUIRE(rig.settle());
+
+  REQUIRE(rig.document().history().size() == 2);
+  CHECK(last_move(rig).markers == std::vector<std::string>{"flap"});
+  CHECK(last_move(rig).motion.rotate == 0);
+  CHECK((last_move(rig).motion.translate - by).norm() < 1e-12);
+  const Mesh& after = rig.mesh();
+  CHECK(after.topology == before.topology);
+  CHECK(error_of_marker(before, after, "flap", {0, {0, 0}, by}) < 1e-12);
+  CHECK(error_of_marker(before, after, "farfield", {}) == 0);
+  CHECK(check_validity(*after.topology, after.coordinates).inverted == 0);
+  CHECK(rig.document().history().result(1).converged);
+  const Index inner = after.topology->free_nodes().front();
+  CHECK((after.coordinates.xy(inner) - before.coordinates.xy(inner)).norm() > 1e-3);
+}
+
+TEST_CASE("the mesh follows while the body is still held") {
+  Rig rig;
+  rig.open(ring_mesh());
+  const Mesh before = rig.mesh();
+  rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + Vec2(40, 0));
+  const double by = 40 * rig.bench->camera().units_per_pixel();
+  const Index node = before.topology->marker_nodes(rig.marker("flap"))[0];
+  const bool followed = rig.wait([&] {
+    const double moved = rig.session().coordinates().xy(node).x() - before.coordinates.xy(node).x();
+    return std::abs(moved - by) < 1e-9 && rig.session().convergence().size() > 2;
+  });
+  CHECK(followed);
+  CHECK(rig.document().history().size() == 1);
+  rig.release();
+  CHECK(rig.settle());
+  CHECK(rig.document().history().size() == 2);
+}
+
+TEST_CASE("Esc cancels a drag and puts the mesh back") {
+  Rig rig;
+  rig.open(ring_mesh());
+  const Mesh before = rig.mesh();
+  rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + Vec2(50, 10));
+  REQUIRE(rig.wait([&] { return rig.session().convergence().size() > 1; }));
+  rig.key(keys::escape);
+  CHECK_FALSE(rig.session().dragging());
+  rig.release();
+  REQUIRE(rig.settle());
+  CHECK(rig.document().history().size() == 1);
+  CHECK(rig.session().coordinates() == before.coordinates);
+}
+
+TEST_CASE("the ring turns the selection about its pivot by the angle the mouse goes round") {
+  Rig rig;
+  rig.open(ring_mesh());
+  rig.click(rig.pixel(Vec2(0, 0)));
+  REQUIRE(rig.session().selected(rig.marker("flap")));
+  const Mesh before = rig.mesh();
+  ViewportScene scene{rig.session().boundary(), rig.session().selection(), rig.session().pivot()};
+  scene.reach = rig.session().boundary()->reach(scene.selection, scene.pivot);
+  const auto handles = Viewport::handles(scene, rig.bench->camera());
+  REQUIRE(handles.has_value());
+  // From the knob at 45 degrees to 75 degrees on the ring.
+  const double end = radians(75);
+  const Vec2 target = handles->pivot + handles->radius * Vec2(std::cos(end), -std::sin(end));
+  rig.drag(handles->knob(), target, 8);
+  rig.release();
+  REQUIRE(rig.settle());
+  REQUIRE(rig.document().history().size() == 2);
+  const RigidMotion motion = last_move(rig).motion;
+  CHECK(motion.rotate == doctest::Approx(30).epsilon(1e-6));
+  CHECK(motion.translate.norm() < 1e-12);
+  CHECK(motion.pivot.norm() < 1e-12);
+  CHECK(error_of_marker(before, rig.mesh(), "flap", motion) < 1e-12);
+}
+
+TEST_CASE("with Shift a drag keeps to one axis") {
+  Rig rig;
+  rig.open(ring_mesh());
+  rig.input.key(keys::shift, true);
+  rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + Vec2(45, 12));
+  rig.release();
+  rig.input.key(keys::shift, false);
+  REQUIRE(rig.settle());
+  REQUIRE(rig.document().history().size() == 2);
+  CHECK(last_move(rig).motion.translate.y() == 0);
+  CHECK(last_move(rig).motion.translate.x() ==
+        doctest::Approx(45 * rig.bench->camera().units_per_pixel()));
+}
+
+TEST_CASE("a second drag before the first has converged adds to it") {
+  Rig rig;
+  rig.open(ring_mesh());
+  const Mesh before = rig.mesh();
+  const double unit = rig.bench->camera().units_per_pixel();
+  rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + Vec2(30, 0));
+  rig.release();
+  rig.bench->apply(action::PauseSolver{});
+  REQUIRE(rig.session().job().active());
+  rig.frames(3);
+  rig.drag(rig.pixel(rig.session().pivot()), rig.pixel(rig.session().pivot()) + Vec2(0, -20));
+  rig.release();
+  REQUIRE(rig.settle());
+  REQUIRE(rig.document().history().size() == 2);
+  const RigidMotion total{0, {0, 0}, Vec2(30 * unit, 20 * unit)};
+  CHECK(error_of_marker(before, rig.mesh(), "flap", total) < 1e-9);
+}
+
+TEST_CASE("typed numbers move the selection on Apply") {
+  Rig rig;
+  rig.open(ring_mesh());
+  rig.click("marker/flap");
+  const Mesh before = rig.mesh();
+  rig.fill("motion/dx", "0.25");
+  rig.fill("motion/dy", "-0.125");
+  rig.fill("motion/rotate", "-20");
+  rig.fill("motion/pivot_x", "0.4");
+  rig.click("motion/apply");
+  REQUIRE(rig.settle());
+  REQUIRE(rig.document().history().size() == 2);
+  const RigidMotion wanted{-20, Vec2(0.4, 0), Vec2(0.25, -0.125)};
+  CHECK(same_motion(last_move(rig).motion, wanted));
+  CHECK(error_of_marker(before, rig.mesh(), "flap", wanted) < 1e-12);
+  CHECK(error_of_marker(before, rig.mesh(), "farfield", {}) == 0);
+}
+
+TEST_CASE("two selected bodies move together") {
+  Rig rig;
+  rig.open(two_body_mesh());
+  rig.click("marker/left");
+  rig.input.key(keys::control, true);
+  rig.click("marker/right");
+  rig.input.key(keys::control, false);
+  const Mesh before = rig.mesh();
+  rig.fill("motion/dy", "0.2");
+  rig.click("motion/apply");
+  REQUIRE(rig.settle());
+  REQUIRE(rig.document().history().size() == 2);
+  const RigidMotion wanted{0, Vec2(0, 0), Vec2(0, 0.2)};
+  CHECK(error_of_marker(before, rig.mesh(), "left", wanted) < 1e-12);
+  CHECK(error_of_marker(before, rig.mesh(), "right", wanted) < 1e-12);
+  CHECK(error_of_marker(before, rig.mesh(), "outer", {}) == 0);
+}
+
+TEST_CASE("a motion that cannot work leaves an inverted mesh, says so and can be undone") {
+  Rig rig;
+  rig.open(ring_mesh());
+  const Mesh before = rig.mesh();
+  rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
+  // Straight through the far field: no mesh of this connectivity is valid.
+  rig.bench->apply(action::SetMotionOptions{{1, true}});
+  SmoothOptions quick;
+  quick.max_iterations = 5;
+  rig.bench->apply(action::SetSmoothOptions{quick});
+  rig.bench->apply(action::ApplyMotion{{0, Vec2(0, 0), Vec2(4, 0)}});
+  REQUIRE(rig.settle());
+  rig.frames();
+  REQUIRE(rig.session().banner().has_value());
+  CHECK(rig.session().banner()->kind == Banner::Kind::inverted_result);
+  CHECK(rig.document().history().result(1).inverted > 0);
+  REQUIRE(rig.visible("banner/undo"));
+  rig.click("banner/undo");
+  CHECK(rig.mesh().coordinates == before.coordinates);
+  CHECK_FALSE(rig.session().banner().has_value());
+}
+
+}  // namespace winslow::gui::test
