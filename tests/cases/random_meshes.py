@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+"""Foreign meshes, random motions: python3 random_meshes.py PATH/TO/winslow [--count N] [--seed S]
+
+Gmsh meshes random polygons with holes (triangles, quadrilaterals, mixed); every motion must end
+valid (status 0) or say that it did not (status 4 or 5). What the program says is checked
+independently, and the share that ends valid is printed.
+"""
+import argparse
+import collections
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from winslow_cases import ROOT, count_inverted, run
+
+
+def run_motion(winslow, folder, mesh, motion, name):
+    out, report = folder / f"{name}.su2", folder / f"{name}.json"
+    done = run(winslow, ["move", folder / mesh["file"], "-o", out, "--marker", motion["marker"],
+                         "--rotate", motion["rotate"], "--pivot", *motion["pivot"],
+                         "--translate", *motion["translate"], "--report", report, "--quiet"])
+    said = json.loads(report.read_text()) if report.exists() else {}
+    return done, said, out
+
+
+def verdict(done, said, out):
+    """Empty if the run kept its promises, else what is wrong with it."""
+    if done.returncode not in (0, 4, 5):
+        return f"status {done.returncode}: {done.stderr.strip()}"
+    if done.returncode == 4 and (out.exists() or said["inverted"] == 0):
+        return "status 4, but a mesh was written or no element is inverted"
+    if done.returncode == 0 and not said["converged"]:
+        return "status 0, but not converged"
+    if done.returncode in (0, 5) and out.exists() and count_inverted(out) > 0:
+        return f"status {done.returncode}, but the mesh written has inverted elements"
+    if done.returncode == 0 and not out.exists():
+        return "status 0, but nothing was written"
+    return ""
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("winslow")
+    parser.add_argument("--count", type=int, default=20)
+    parser.add_argument("--seed", type=int, default=1)
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        subprocess.run([sys.executable, ROOT / "tests/meshes/make_random.py", folder, "--count",
+                        str(options.count), "--seed", str(options.seed)], check=True)
+        meshes = json.loads((folder / "meshes.json").read_text())["meshes"]
+        statuses, wrong = collections.Counter(), []
+        for mesh in meshes:
+            for k, motion in enumerate(mesh["motions"]):
+                done, said, out = run_motion(options.winslow, folder, mesh, motion,
+                                             f"{Path(mesh['file']).stem}_{k}")
+                statuses[done.returncode] += 1
+                fault = verdict(done, said, out)
+                print(f"{mesh['file']} (seed {mesh['seed']}, {mesh['elements']}, {mesh['nodes']} nodes): "
+                      f"{motion['marker']} by {motion['rotate']:.0f} deg: status {done.returncode}, "
+                      f"{said.get('outer_iterations')} iterations, {said.get('inverted')} inverted"
+                      + (f"  WRONG: {fault}" if fault else ""), flush=True)
+                if fault:
+                    wrong.append((mesh["file"], k, fault))
+    total = sum(statuses.values())
+    print(f"{statuses[0]} of {total} motions ended valid and converged "
+          f"({100 * statuses[0] / total:.0f} %); by status: {dict(sorted(statuses.items()))}")
+    print(f"{total - len(wrong)} passed, {len(wrong)} failed")
+    return 1 if wrong or total == 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
