@@ -137,6 +137,10 @@ double PicardSolver::apply_step(Coordinates& x, const std::vector<double>& step)
 }
 
 IterationRecord PicardSolver::step(Coordinates& x) {
+  if (topology_.free_nodes().empty()) {
+    ++record_.iteration;
+    return record_;
+  }
   formulation_.freeze(x, record_.clipped, system_);
   std::vector<double> plain(system_.rhs.size(), 0.0);
   record_.linear_iterations = linear_.solve(system_, plain).iterations;
