@@ -1,0 +1,271 @@
+#include "core/motion/motion.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.h"
+#include "core/mesh/mesh.h"
+#include "support/meshes.h"
+
+using namespace winslow;
+using namespace winslow::test;
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Coordinates applied(const Motion& motion, const Coordinates& rest, double fraction) {
+  Coordinates out = rest;
+  motion.apply(rest, fraction, out);
+  return out;
+}
+
+Vec2 turned(const Vec2& p, const Vec2& pivot, double degrees) {
+  const double c = std::cos(degrees * pi / 180), s = std::sin(degrees * pi / 180);
+  const Vec2 d = p - pivot;
+  return pivot + Vec2(c * d.x() - s * d.y(), s * d.x() + c * d.y());
+}
+
+template <typename Options>
+std::unique_ptr<Motion> motion_of(const Mesh& mesh, const Names& names, const Options& options) {
+  return make_motion(*mesh.topology, mesh.coordinates, names, options);
+}
+
+Mesh two_holes() { return make_mesh(square_with_two_holes(20, Cells::quads)); }
+
+}  // namespace
+
+TEST_CASE("a rigid motion moves the nodes of its markers and no others") {
+  const Mesh mesh = two_holes();
+  const RigidMotion options{-90, {0.5, 0}, {2, -2}};
+  const auto motion = motion_of(mesh, {"hole_a", "hole_b"}, options);
+  const Names names{"hole_a", "hole_b"};
+  const auto expected = mesh.topology->nodes_of_markers(names);
+  CHECK(std::ranges::equal(motion->nodes(), expected));
+  const Coordinates out = applied(*motion, mesh.coordinates, 1);
+  for (Index i = 0; i < mesh.coordinates.size(); ++i) {
+    const Vec2 p = mesh.coordinates.xy(i);
+    if (std::binary_search(expected.begin(), expected.end(), i)) {
+      CHECK((out.xy(i) - (turned(p, {0.5, 0}, -90) + Vec2(2, -2))).norm() < 1e-14);
+    } else {
+      CHECK(out.xy(i) == p);
+    }
+  }
+}
+
+TEST_CASE("fractions follow the rotation, counter-clockwise positive, past a full turn too") {
+  const Mesh mesh = two_holes();
+  const RigidMotion options{720, {0.3, 0.4}, {1, 3}};
+  const auto motion = motion_of(mesh, {"hole_a"}, options);
+  for (const double fraction : {0.0, 0.125, 0.3, 0.5, 1.0}) {
+    CAPTURE(fraction);
+    const Coordinates out = applied(*motion, mesh.coordinates, fraction);
+    for (const Index i : motion->nodes()) {
+      const Vec2 expected =
+          turned(mesh.coordinates.xy(i), {0.3, 0.4}, 720 * fraction) + fraction * Vec2(1, 3);
+      CHECK((out.xy(i) - expected).norm() < 1e-13);
+    }
+  }
+  // A quarter turn takes +x to +y.
+  const auto quarter = motion_of(mesh, {"hole_a"}, RigidMotion{90, mesh.coordinates.xy(0), {0, 0}});
+  const Index node = quarter->nodes().front();
+  const Vec2 d = mesh.coordinates.xy(node) - mesh.coordinates.xy(0);
+  const Vec2 after = applied(*quarter, mesh.coordinates, 1).xy(node) - mesh.coordinates.xy(0);
+  CHECK((after - Vec2(-d.y(), d.x())).norm() < 1e-14);
+}
+
+TEST_CASE("a pure translation is exact: no rounding through the pivot") {
+  const Mesh mesh = two_holes();
+  const auto motion = motion_of(mesh, {"hole_b"}, RigidMotion{0, {1e9, -3e8}, {0.1, -0.7}});
+  const Coordinates out = applied(*motion, mesh.coordinates, 1);
+  for (const Index i : motion->nodes()) {
+    CHECK(out.xy(i) == Vec2(mesh.coordinates.xy(i) + Vec2(0.1, -0.7)));
+  }
+  const auto none = motion_of(mesh, {"hole_b"}, RigidMotion{0, {1e9, -3e8}, {0, 0}});
+  CHECK(applied(*none, mesh.coordinates, 1) == mesh.coordinates);
+}
+
+TEST_CASE("a rigid motion refuses numbers that are not finite and missing markers") {
+  const Mesh mesh = two_holes();
+  const Names hole{"hole_a"};
+  CHECK_THROWS_AS(motion_of(mesh, hole, RigidMotion{nan_value, {0, 0}, {0, 0}}), UsageError);
+  CHECK_THROWS_AS(motion_of(mesh, hole, RigidMotion{0, {infinity, 0}, {0, 0}}), UsageError);
+  CHECK_THROWS_AS(motion_of(mesh, hole, RigidMotion{0, {infinity, -infinity}, {0, 0}}), UsageError);
+  CHECK_THROWS_AS(motion_of(mesh, hole, RigidMotion{0, {0, 0}, {0, nan_value}}), UsageError);
+  CHECK_THROWS_AS(motion_of(mesh, {}, RigidMotion{}), UsageError);
+  CHECK_THROWS_AS(motion_of(mesh, {"wing"}, RigidMotion{}), UsageError);
+  MeshData data = square(3, Cells::quads);
+  data.markers.push_back({"empty", 9, {}});
+  CHECK_THROWS_AS(motion_of(make_mesh(data), {"empty"}, RigidMotion{}), UsageError);
+}
+
+TEST_CASE("a sine displaces by its formula, s running across the direction") {
+  const Mesh mesh = two_holes();
+  // hole_a is [0.2, 0.4] by [0.4, 0.6].
+  const SineDeformation up{0.03, 1.5, {0, 4}, Fade::none, 0.2};
+  const auto vertical = motion_of(mesh, {"hole_a"}, up);
+  for (const double fraction : {0.25, 1.0}) {
+    const Coordinates out = applied(*vertical, mesh.coordinates, fraction);
+    for (const Index i : vertical->nodes()) {
+      const Vec2 p = mesh.coordinates.xy(i);
+      const double s = (p.x() - 0.2) / 0.2;
+      const Vec2 d(0, fraction * 0.03 * std::sin(2 * pi * 1.5 * s));
+      CHECK((out.xy(i) - p - d).norm() < 1e-14);
+    }
+  }
+  const SineDeformation sideways{0.02, 1, {1, 0}, Fade::none, 0.2};
+  const auto horizontal = motion_of(mesh, {"hole_a"}, sideways);
+  const Coordinates out = applied(*horizontal, mesh.coordinates, 1);
+  for (const Index i : horizontal->nodes()) {
+    const Vec2 p = mesh.coordinates.xy(i);
+    // Right angles to (1, 0) is (0, -1): s runs downwards.
+    const double s = (0.6 - p.y()) / 0.2;
+    CHECK((out.xy(i) - p - Vec2(0.02 * std::sin(2 * pi * s), 0)).norm() < 1e-14);
+  }
+}
+
+TEST_CASE("fading takes the sine smoothly to zero at the chosen ends") {
+  const Mesh mesh = make_mesh(square_with_hole(40, Cells::quads));  // hole [0.4, 0.6] squared
+  const auto smooth = [](double t) {
+    t = std::clamp(t, 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+  };
+  for (const Fade fade : {Fade::none, Fade::start, Fade::end, Fade::both}) {
+    const SineDeformation options{0.05, 0.75, {0, 1}, fade, 0.3};
+    const auto motion = motion_of(mesh, {"hole"}, options);
+    const Coordinates out = applied(*motion, mesh.coordinates, 1);
+    for (const Index i : motion->nodes()) {
+      const double s = (mesh.coordinates.xy(i).x() - 0.4) / 0.2;
+      double f = 1;
+      if (fade == Fade::start || fade == Fade::both) f *= smooth(s / 0.3);
+      if (fade == Fade::end || fade == Fade::both) f *= smooth((1 - s) / 0.3);
+      const double expected = 0.05 * f * std::sin(2 * pi * 0.75 * s);
+      CHECK(out.xy(i).y() - mesh.coordinates.xy(i).y() == doctest::Approx(expected).epsilon(1e-9));
+      if ((fade == Fade::end || fade == Fade::both) && s > 1 - 1e-9) {
+        CHECK(std::abs(out.xy(i).y() - mesh.coordinates.xy(i).y()) < 1e-12);
+      }
+    }
+  }
+}
+
+TEST_CASE("a sine refuses senseless options") {
+  const Mesh mesh = two_holes();
+  SineDeformation options{0.1, 1, {0, 1}, Fade::both, 0.2};
+  Names names{"hole_a"};
+  SUBCASE("amplitude") { options.amplitude = nan_value; }
+  SUBCASE("waves") { options.waves = infinity; }
+  SUBCASE("direction of length zero") { options.direction = {0, 0}; }
+  SUBCASE("direction not finite") { options.direction = {nan_value, 1}; }
+  SUBCASE("fade length zero") { options.fade_length = 0; }
+  SUBCASE("fade length beyond a half") { options.fade_length = 0.51; }
+  SUBCASE("fade length not a number") { options.fade_length = nan_value; }
+  SUBCASE("unknown marker") { names = {"slat"}; }
+  SUBCASE("no marker") { names = {}; }
+  SUBCASE("no extent across the direction") {
+    // Displacing the straight top along itself: every node has the same s.
+    const Mesh plain = make_mesh(square(3, Cells::quads));
+    CHECK_THROWS_AS(motion_of(plain, {"top"}, SineDeformation{0.1, 1, {1, 0}, Fade::none, 0.2}),
+                    UsageError);
+    names = {};
+  }
+  CHECK_THROWS_AS(motion_of(mesh, names, options), UsageError);
+}
+
+TEST_CASE("a displacement table moves nodes by id and by position, the others stay") {
+  const Mesh mesh = two_holes();
+  const Names names{"hole_a"};
+  const auto nodes = mesh.topology->nodes_of_markers(names);
+  DisplacementTable table;
+  table.entries.push_back({nodes[2], {0, 0}, {0.01, 0.02}, 3});
+  // Positions as a file with six digits would give them.
+  table.entries.push_back(
+      {std::nullopt, mesh.coordinates.xy(nodes[5]) + Vec2(1e-8, -1e-8), {-0.01, 0}, 4});
+  const auto motion = motion_of(mesh, names, table);
+  for (const double fraction : {0.5, 1.0}) {
+    const Coordinates out = applied(*motion, mesh.coordinates, fraction);
+    for (Index i = 0; i < mesh.coordinates.size(); ++i) {
+      Vec2 expected(0, 0);
+      if (i == nodes[2]) expected = fraction * Vec2(0.01, 0.02);
+      if (i == nodes[5]) expected = fraction * Vec2(-0.01, 0);
+      CHECK((out.xy(i) - mesh.coordinates.xy(i) - expected).norm() < 1e-15);
+    }
+  }
+}
+
+TEST_CASE("of several nodes within the tolerance the nearest is taken") {
+  // Nodes of the inner circle 1e-7 apart in a domain of size 2.
+  MeshData data = annulus(8, 2, 2, Cells::quads);
+  const Vec2 a = data.coordinates.xy(0);
+  data.coordinates.set_xy(1, a + Vec2(0, 1e-7));
+  const Mesh mesh = make_mesh(data);
+  DisplacementTable table;
+  table.entries.push_back({std::nullopt, a + Vec2(0, 0.9e-7), {1, 0}, 1});
+  const auto motion = motion_of(mesh, {"inner"}, table);
+  const Coordinates out = applied(*motion, mesh.coordinates, 1);
+  CHECK(out.xy(0) == mesh.coordinates.xy(0));
+  CHECK(out.xy(1).x() == doctest::Approx(a.x() + 1));
+}
+
+TEST_CASE("a table's refusals name file and line") {
+  const Mesh mesh = two_holes();
+  Names names{"hole_a"};
+  const auto nodes = mesh.topology->nodes_of_markers(names);
+  DisplacementTable table{{{nodes[0], {0, 0}, {0.1, 0}, 2}}, "wing.csv"};
+  std::string expected;
+  SUBCASE("another marker's node") {
+    const Names other{"hole_b"};
+    const Index node = mesh.topology->nodes_of_markers(other)[0];
+    table.entries.push_back({node, {0, 0}, {0, 0}, 7});
+    expected =
+        "wing.csv:7: node " + std::to_string(node) + " does not belong to the chosen markers";
+  }
+  SUBCASE("a node that does not exist") {
+    table.entries.push_back({100000, {0, 0}, {0, 0}, 8});
+    expected = "wing.csv:8: node 100000 does not belong to the chosen markers";
+  }
+  SUBCASE("a negative node") {
+    table.entries.push_back({-1, {0, 0}, {0, 0}, 8});
+    expected = "wing.csv:8: node -1 does not belong to the chosen markers";
+  }
+  SUBCASE("a position without a node") {
+    table.entries.push_back({std::nullopt, {0.25, 0.5}, {0, 0}, 9});
+    expected = "wing.csv:9: position (0.250000, 0.500000) matches no node of the chosen markers";
+  }
+  SUBCASE("a position that is not a number") {
+    table.entries.push_back({std::nullopt, {nan_value, 0.5}, {0, 0}, 9});
+    expected = "wing.csv:9: position (nan, 0.500000) matches no node of the chosen markers";
+  }
+  SUBCASE("given twice, by id and by position") {
+    table.entries.push_back({std::nullopt, mesh.coordinates.xy(nodes[0]), {0, 0}, 10});
+    expected = "is given twice";
+  }
+  SUBCASE("a displacement that is not finite") {
+    table.entries.push_back({nodes[1], {0, 0}, {0, infinity}, 11});
+    expected =
+        "wing.csv:11: node " + std::to_string(nodes[1]) + " has a displacement that is not finite";
+  }
+  SUBCASE("unknown file and line") {
+    table = {{{nodes[1], {0, 0}, {nan_value, 0}, 0}}, ""};
+    expected = "displacements: node " + std::to_string(nodes[1]);
+  }
+  SUBCASE("no entries") {
+    table.entries.clear();
+    expected = "the displacement table is empty";
+  }
+  SUBCASE("no markers") {
+    names = {};
+    expected = "no marker given";
+  }
+  try {
+    motion_of(mesh, names, table);
+    FAIL("accepted");
+  } catch (const UsageError& error) {
+    CHECK(std::string(error.what()).find(expected) != std::string::npos);
+  }
+}
