@@ -103,7 +103,8 @@ Index checked_count(const Source& source, std::size_t offset, std::int64_t count
   const auto most = static_cast<std::int64_t>(bytes_left / bytes_each + 1);
   if (count > most) {
     source.fail(offset, std::to_string(count) + " as " + expected.text(),
-                "no more than the " + std::to_string(most) + " that the rest of the file can hold");
+                "no more than the " + std::to_string(most) +
+                    " that the rest of the file can hold (a wrong count, or a truncated file)");
   }
   if (count > std::numeric_limits<Index>::max()) {
     source.fail(offset, std::to_string(count) + " as " + expected.text(), "at most 2147483647");

@@ -1,0 +1,119 @@
+#include <cstring>
+
+#include "io/parsed_mesh.h"
+#include "io/support/samples.h"
+
+namespace winslow::test {
+namespace {
+
+const std::vector<std::string>& seeds() {
+  static const std::vector<std::string> names{
+      "square.su2", "square_22.msh", "square_22b.msh", "square_41.msh", "square_41b.msh",
+      "square.vtk", "square_b.vtk",  "square.vtu",     "square_b.vtu",  "square.obj",
+      "square.off", "square.ply",    "square_b.ply",   "square.stl",    "square_b.stl"};
+  return names;
+}
+
+/// Numbers that tend to break readers.
+std::string nasty_number(Random& random) {
+  static const std::vector<std::string> numbers{
+      "-1",    "0",   "2147483648", "4294967296", "9223372036854775807",  "99999999999999999999",
+      "1e308", "nan", "-inf",       "1e-400",     "18446744073709551615", "",
+      "x",     "\"",  "0x7f"};
+  return numbers[at(random.index(static_cast<Index>(numbers.size())))];
+}
+
+std::string mutated(std::string text, Random& random) {
+  const Index times = 1 + random.index(4);
+  for (Index k = 0; k < times && !text.empty(); ++k) {
+    const auto size = static_cast<Index>(text.size());
+    const auto place = at(random.index(size));
+    switch (random.index(7)) {
+      case 0:
+        text[place] = static_cast<char>(random.index(256));
+        break;
+      case 1:
+        text[place] = static_cast<char>(text[place] ^ (1 << random.index(8)));
+        break;
+      case 2:
+        text.resize(place);
+        break;
+      case 3:
+        text.insert(place, 1, static_cast<char>(random.index(256)));
+        break;
+      case 4:
+        text.erase(place, at(random.index(20)));
+        break;
+      case 5:  // a piece moves to another place
+        text.insert(at(random.index(size)), text.substr(place, at(random.index(40))));
+        break;
+      default: {  // a word becomes a nasty number
+        const auto begin = text.find_first_of(" \n\"", place);
+        if (begin == std::string::npos) break;
+        const auto end = std::min(text.find_first_of(" \n\"", begin + 1), text.size());
+        text.replace(begin + 1, end - begin - 1, nasty_number(random));
+      }
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("no damaged file does anything but give a mesh or an InputError") {
+  const TemporaryFolder folder;
+  int meshes = 0;
+  int refused = 0;
+  for (const std::string& name : seeds()) {
+    const std::string original = read_text(std::string(WINSLOW_TEST_DATA "/") + name);
+    const auto path = folder / name;
+    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+      CAPTURE(name);
+      CAPTURE(seed);
+      Random random(seed);
+      const std::string text = mutated(original, random);
+      write_text(path, text);
+      try {
+        const io::MeshFile file = io::read_mesh(path);
+        ++meshes;
+        // What was read can be written and read again.
+        const auto again = folder / ("again" + std::filesystem::path(name).extension().string());
+        io::write_mesh(again, file.mesh, file.details.get());
+        CHECK(io::read_mesh(again).mesh.topology->element_count() >=
+              file.mesh.topology->element_count());
+      } catch (const InputError& error) {
+        ++refused;
+        const std::string what = error.what();
+        CHECK(what.find(path.string()) == 0);
+        CHECK(what.size() < 1000);
+      }
+    }
+  }
+  MESSAGE(meshes, " meshes, ", refused, " refused");
+  CHECK(meshes > 100);
+  CHECK(refused > 1000);
+}
+
+TEST_CASE("every beginning of a file is refused, or a mesh") {
+  const TemporaryFolder folder;
+  for (const std::string& name : seeds()) {
+    const std::string original = read_text(std::string(WINSLOW_TEST_DATA "/") + name);
+    const auto path = folder / name;
+    int meshes = 0;
+    for (std::size_t size = 0; size < original.size(); size += 3) {
+      CAPTURE(name);
+      CAPTURE(size);
+      write_text(path, original.substr(0, size));
+      try {
+        io::read_mesh(path);
+        ++meshes;
+      } catch (const InputError&) {
+        continue;
+      }
+    }
+    // Where the mesh comes first, what is cut off may be markers, names or a last newline only.
+    CHECK(meshes < static_cast<int>(original.size()) / 6);
+  }
+}
+
+}  // namespace winslow::test

@@ -1,0 +1,266 @@
+#include <cstdint>
+#include <cstring>
+
+#include "io/support/samples.h"
+
+namespace winslow::test {
+namespace {
+
+const std::string square_2 = read_text(WINSLOW_TEST_DATA "/square_22.msh");
+const std::string square_4 = read_text(WINSLOW_TEST_DATA "/square_41.msh");
+const std::string binary_2 = read_text(WINSLOW_TEST_DATA "/square_22b.msh");
+const std::string binary_4 = read_text(WINSLOW_TEST_DATA "/square_41b.msh");
+
+/// A file by hand: points, node tags with gaps and out of order, a line in no group, a curve in
+/// two groups of which one is reversed, groups without a name.
+const std::string odd_4 = R"($MeshFormat
+4.1 0 8
+$EndMeshFormat
+$Comments
+hello
+$EndComments
+$PhysicalNames
+3
+0 8 "corner"
+1 6 "a wall"
+1 9 "nothing here"
+$EndPhysicalNames
+$Entities
+1 3 1 0
+5 0 0 0 1 8
+1 0 0 0 1 0 0 2 6 -3 2 5 -5
+2 1 0 0 1 1 0 0 0
+7 0 1 0 1 1 0 1 4 0
+3 0 0 0 1 1 0 0 0
+$EndEntities
+$Nodes
+3 4 10 1000000000000
+0 5 0 1
+10
+0 0 0
+1 1 0 1
+700
+1 0 0
+2 3 0 2
+1000000000000
+12
+0 1 0
+1 1 0
+$EndNodes
+$Elements
+5 6 1 99
+0 5 15 1
+1 10
+1 1 1 1
+4 10 700
+1 2 1 1
+2 700 12
+1 7 1 1
+3 12 1000000000000
+2 3 2 2
+99 10 700 12
+98 10 12 1000000000000
+$EndElements
+$NodeData
+1
+"pressure"
+1
+0.5
+3
+0
+1
+1
+10 0.25
+$EndNodeData
+)";
+
+std::string set_int(std::string bytes, std::size_t at, std::int32_t value) {
+  REQUIRE(at + sizeof value <= bytes.size());
+  std::memcpy(bytes.data() + at, &value, sizeof value);
+  return bytes;
+}
+
+}  // namespace
+
+TEST_CASE("MSH: the four kinds of file hold the same mesh") {
+  const io::MeshFile su2 = io::read_mesh(WINSLOW_TEST_DATA "/square.su2");
+  Comparison what;
+  what.regions = false;
+  for (const char* name : {"square_22.msh", "square_22b.msh", "square_41.msh", "square_41b.msh"}) {
+    CAPTURE(name);
+    const io::MeshFile file = io::read_mesh(std::string(WINSLOW_TEST_DATA "/") + name);
+    check_same_mesh(file.mesh, su2.mesh, what);
+    REQUIRE(file.mesh.topology->regions().size() == 1);
+    CHECK(file.mesh.topology->regions()[0].name == "domain");
+    CHECK(file.details->binary == contains(name, "b.msh"));
+  }
+}
+
+TEST_CASE("MSH: tags, entities, points, comments and unknown sections come back") {
+  const io::MeshFile file = read_from_text("a.msh", odd_4);
+  const auto& markers = file.mesh.topology->markers();
+  REQUIRE(markers.size() == 4);
+  CHECK(markers[0].name == "a wall");
+  CHECK(markers[0].tag == 6);
+  CHECK(markers[0].edges == std::vector<std::array<Index, 2>>{{0, 1}});
+  CHECK(markers[1].name == "nothing here");
+  CHECK(markers[1].edges.empty());
+  CHECK(markers[2].name == "curve_3");
+  CHECK(markers[2].edges == std::vector<std::array<Index, 2>>{{1, 0}});
+  CHECK(markers[3].name == "curve_4");
+  CHECK(markers[3].edges == std::vector<std::array<Index, 2>>{{3, 2}});
+  CHECK(any_contains(file.warnings, "section $NodeData"));
+  CHECK(any_contains(file.warnings, "1 line elements are in no physical group"));
+
+  const TemporaryFolder folder;
+  io::write_mesh(folder / "b.msh", file.mesh, file.details.get());
+  CHECK(read_text(folder / "b.msh") == odd_4);
+
+  // A binary copy cannot take the unknown section along, and says so.
+  io::WriteOptions binary;
+  binary.binary = true;
+  const auto warnings = io::write_mesh(folder / "c.msh", file.mesh, file.details.get(), binary);
+  CHECK(any_contains(warnings, "unknown sections are not converted"));
+  const io::MeshFile c = io::read_mesh(folder / "c.msh");
+  check_same_mesh(c.mesh, file.mesh);
+  io::WriteOptions ascii;
+  ascii.keep_encoding = false;
+  io::write_mesh(folder / "d.msh", c.mesh, c.details.get(), ascii);
+  CHECK(read_text(folder / "d.msh") == odd_4.substr(0, odd_4.find("$NodeData")));
+}
+
+TEST_CASE("MSH: boxes of entities follow the nodes, and stay where no node moved") {
+  const io::MeshFile file = read_from_text("a.msh", odd_4);
+  Mesh moved = file.mesh;
+  moved.coordinates.set_xy(1, {1.5, -0.25});
+  const TemporaryFolder folder;
+  io::write_mesh(folder / "b.msh", moved, file.details.get());
+  const std::string text = read_text(folder / "b.msh");
+  CHECK_CONTAINS(text, "\n5 0 0 0 1 8\n");
+  CHECK_CONTAINS(text, "\n1 0 -0.25 0 1.5 0 0 2 6 -3 2 5 -5\n");
+  CHECK_CONTAINS(text, "\n7 0 1 0 1 1 0 1 4 0\n");
+}
+
+TEST_CASE("MSH 2.2: an element in two groups is there twice in the file, once in the mesh") {
+  std::string text = replaced(square_2, "$Elements\n10\n", "$Elements\n11\n");
+  text = replaced(text, "10 2 2 3 1 6 9 8\n", "10 2 2 3 1 6 9 8\n11 2 2 44 1 6 9 8\n");
+  const TemporaryFolder folder;
+  write_text(folder / "a.msh", text);
+  const io::MeshFile file = io::read_mesh(folder / "a.msh");
+  CHECK(file.mesh.topology->element_count() == 6);
+  CHECK(file.mesh.topology->regions().size() == 2);
+  io::write_mesh(folder / "b.msh", file.mesh, file.details.get());
+  CHECK(read_text(folder / "b.msh") == text);
+}
+
+TEST_CASE("MSH: the version asked for is written") {
+  const io::MeshFile file = io::read_mesh(WINSLOW_TEST_DATA "/square_22.msh");
+  const TemporaryFolder folder;
+  io::WriteOptions options;
+  options.gmsh_version = "4.1";
+  io::write_mesh(folder / "a.msh", file.mesh, file.details.get(), options);
+  CHECK(read_text(folder / "a.msh") == square_4);
+  options.gmsh_version = "3";
+  CHECK_THROWS_AS(io::write_mesh(folder / "b.msh", file.mesh, nullptr, options), UsageError);
+  CHECK_FALSE(std::filesystem::exists(folder / "b.msh"));
+}
+
+TEST_CASE("MSH: CRLF is accepted") {
+  for (const std::string& text : {square_2, square_4}) {
+    std::string crlf;
+    for (const char c : text) crlf += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    check_same_mesh(read_from_text("a.msh", crlf).mesh, read_from_text("a.msh", text).mesh);
+  }
+}
+
+TEST_CASE("MSH 4.1: bad input is refused with file and line") {
+  const auto error = [](const std::string& part, const std::string& by) {
+    return input_error("a.msh", replaced(square_4, part, by));
+  };
+  CHECK_CONTAINS(input_error("a.msh", square_4.substr(0, square_4.find("0.5 0.5 0"))),
+                 "a.msh:17: found 9 as the number of nodes, expected no more than the 8");
+  CHECK_CONTAINS(error("1 9 1 9", "1 10 1 9"),
+                 "a.msh:17: found 10 as the number of nodes, expected 9");
+  CHECK_CONTAINS(error("2 1 0 9", "2 1 0 10"), "a.msh:18: found 10 nodes in a block");
+  CHECK_CONTAINS(error("2 1 0 9", "2 1 0 8"), "a.msh:27: found the end of the line");
+  CHECK_CONTAINS(error("4 10 1 10", "4 11 1 10"), "a.msh:39: found 11 as the number of elements");
+  CHECK_CONTAINS(error("1 1 1 2", "1 1 1 3"), "a.msh:");
+  CHECK(error("7 4 5 7\n", "7 4 5 70\n") ==
+        "a.msh:50: found node 70, expected the tag of a node in $Nodes");
+  CHECK_CONTAINS(input_error("a.msh", square_4.substr(0, square_4.find("1 1 0\n$EndN"))),
+                 "a.msh:35: found the end of the file, expected coordinates of node 9 of 9");
+  CHECK_CONTAINS(error("0.5 0.5 0", "0.5 nan 0"), "a.msh:32: found nan as a coordinate");
+  CHECK_CONTAINS(error("0.5 0.5 0", "0.5 0.5 0.25"),
+                 "a.msh:32: found z = 0.25 after z = 0 (a 3D mesh)");
+  CHECK_CONTAINS(error("0.5 0.5 0", "0.5 0.5"), "a.msh:32: found the end of the line, expected");
+  CHECK_CONTAINS(error("0.5 0.5 0", "0.5 0.5 0 0"), "a.msh:32: found '0', expected the end");
+  CHECK_CONTAINS(error("0.5 0.5 0", "0.5 0 0"), "a.msh:32: node 4 lies exactly where node 1");
+  CHECK_CONTAINS(error("1\n2\n3\n", "1\n2\n2\n"), "node tag 2 a second time");
+  CHECK_CONTAINS(error("1\n2\n3\n", "1\n2\n-3\n"), "a.msh:21: found -3 as a node tag");
+  CHECK_CONTAINS(error("2 1 2 4", "2 1 4 4"), "a.msh:49: found element type 4 (a 3D mesh)");
+  CHECK_CONTAINS(error("2 1 2 4", "2 1 9 4"), "a.msh:49: found element type 9 (second or higher");
+  CHECK_CONTAINS(error("7 4 5 7\n", "7 4 4 7\n"), "a.msh:50: element 2 uses node 3 twice");
+  CHECK_CONTAINS(error("1 9 1 9", "1 1000000000000 1 9"), "a.msh:17: found 1000000000000");
+  CHECK_CONTAINS(error("2 1 0 9", "2 1 0 1000000000000"), "a.msh:18: found 1000000000000");
+  CHECK_CONTAINS(error("4 10 1 10", "4 900000000000 1 10"), "a.msh:39: found 900000000000");
+  CHECK_CONTAINS(error("0 2 1 0\n", "0 2 1 999999999\n"), "a.msh:11: found 999999999");
+  CHECK_CONTAINS(error("$PhysicalNames\n3", "$PhysicalNames\n300000000"),
+                 "a.msh:5: found 300000000");
+  CHECK_CONTAINS(error("\"lower\"", "lower"), "a.msh:6: found 'lower', expected a name in quotes");
+  CHECK_CONTAINS(error("4.1 0 8", "4.0 0 8"), "a.msh:2: found '4.0', expected MSH version");
+  CHECK_CONTAINS(error("4.1 0 8", "4.1 0 4"), "a.msh:2: found '4', expected 8");
+  CHECK_CONTAINS(error("$EndNodes", "$EndElements"), "found '$EndElements', expected $EndNodes");
+  CHECK_CONTAINS(error("$Nodes", "$PartitionedEntities"), "found $PartitionedEntities");
+  CHECK_CONTAINS(error("$Nodes", "$Other"), "section $Other without end");
+  CHECK_CONTAINS(input_error("a.msh", square_4.substr(0, square_4.find("$Elements"))),
+                 "found no section $Elements");
+  CHECK_CONTAINS(input_error("a.msh", "$NOD\n1\n"), "a.msh:1: found $NOD (MSH 1)");
+}
+
+TEST_CASE("MSH 2.2: bad input is refused with file and line") {
+  const auto error = [](const std::string& part, const std::string& by) {
+    return input_error("a.msh", replaced(square_2, part, by));
+  };
+  CHECK_CONTAINS(input_error("a.msh", square_2.substr(0, square_2.find("5 0.5 0.5"))),
+                 "a.msh:11: found 9 as the number of nodes, expected no more than the 5");
+  CHECK(
+      contains(error("$Nodes\n9", "$Nodes\n10"), "a.msh:21: found '$EndNodes', expected node 10"));
+  CHECK_CONTAINS(error("$Nodes\n9", "$Nodes\n8"), "a.msh:20: found '9', expected $EndNodes");
+  CHECK_CONTAINS(error("$Elements\n10", "$Elements\n11"), "expected element 11 of 11");
+  CHECK_CONTAINS(error("$Elements\n10", "$Elements\n9"), "expected $EndElements");
+  CHECK_CONTAINS(error("6 9 8\n", "6 9 99\n"), "found node 99, expected the tag of a node");
+  CHECK_CONTAINS(error("5 0.5 0.5 0", "5 0.5 inf 0"), "a.msh:16: found inf as a coordinate");
+  CHECK_CONTAINS(error("5 0.5 0.5 0", "5 0.5 0.5 1"), "a.msh:16: found z = 1");
+  CHECK_CONTAINS(error("5 0.5 0.5 0", "4 0.5 0.5 0"), "a.msh:16: found node tag 4 a second time");
+  CHECK_CONTAINS(error("$Nodes\n9", "$Nodes\n99999999999"), "a.msh:11: found 99999999999");
+  CHECK_CONTAINS(error("10 2 2 3 1 6 9 8", "10 4 2 3 1 6 9 8 7"), "element type 4 (a 3D mesh)");
+  CHECK_CONTAINS(error("10 2 2 3 1 6 9 8", "10 2 2 3 1 6 9"), "found the end of the line");
+}
+
+TEST_CASE("MSH binary: bad input is refused with the byte") {
+  for (const std::string& bytes : {binary_2, binary_4}) {
+    const std::size_t one = bytes.find("8\n") + 2;
+    CHECK_CONTAINS(
+        input_error("a.msh", set_int(bytes, one, 0x01000000)),
+        "a.msh: byte " + std::to_string(one) + ": found numbers in big-endian byte order");
+    CHECK(
+        contains(input_error("a.msh", set_int(bytes, one, 7)), "found 7, expected the integer 1"));
+    for (const std::size_t keep : {bytes.size() - 30, bytes.size() / 2, bytes.size() / 3}) {
+      CHECK_CONTAINS(input_error("a.msh", bytes.substr(0, keep)), "a.msh: byte ");
+    }
+  }
+  // 4.1: blocks (8 bytes), nodes (8), smallest, largest.
+  const std::size_t nodes = binary_4.find("$Nodes\n") + 7;
+  std::string huge = binary_4;
+  const std::int64_t count = 1LL << 60;
+  std::memcpy(huge.data() + nodes + 8, &count, sizeof count);
+  CHECK_CONTAINS(input_error("a.msh", huge),
+                 "a.msh: byte " + std::to_string(nodes + 8) + ": found 1152921504606846976");
+  // 2.2: the first element block: type, number of elements, number of tags.
+  const std::size_t block = binary_2.find("$Elements\n10\n") + 13;
+  CHECK_CONTAINS(input_error("a.msh", set_int(binary_2, block, 4)), "element type 4 (a 3D mesh)");
+  CHECK_CONTAINS(input_error("a.msh", set_int(binary_2, block + 4, 11)), "found 11 elements");
+  CHECK_CONTAINS(input_error("a.msh", set_int(binary_2, block + 8, -1)), "found -1 tags");
+}
+
+}  // namespace winslow::test

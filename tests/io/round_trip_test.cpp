@@ -1,0 +1,149 @@
+#include <cstring>
+
+#include "io/format_detection.h"
+#include "io/support/samples.h"
+
+namespace winslow::test {
+namespace {
+
+bool is_surface(const Kind& kind) {
+  return !io::keeps_markers(*io::format_of_extension("mesh." + std::string(kind.extension)));
+}
+bool is_stl(const Kind& kind) { return std::string(kind.extension) == "stl"; }
+bool is_su2(const Kind& kind) { return std::string(kind.extension) == "su2"; }
+
+}  // namespace
+
+TEST_CASE("every format gives back what it got, in order and to the last bit") {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const Mesh mesh = make_mesh(shuffled_mesh(random, seed % 2 == 0));
+    for (const Kind& kind : kinds()) {
+      if (is_stl(kind)) continue;  // has no node numbers: a test of its own
+      CAPTURE(text_of(kind));
+      const TemporaryFolder folder;
+      const auto path = folder / ("mesh." + std::string(kind.extension));
+      const auto warnings = io::write_mesh(path, mesh, nullptr, options_of(kind));
+      const io::MeshFile first = io::read_mesh(path);
+      Comparison what;
+      what.markers = !is_surface(kind);
+      what.tags = !is_su2(kind);
+      // Without regions MSH gets one of ours, or Gmsh would not save the elements.
+      what.regions = !is_su2(kind) && !is_surface(kind) &&
+                     (seed % 2 == 0 || std::string(kind.extension) != "msh");
+      check_same_mesh(first.mesh, mesh, what);
+      CHECK(any_contains(warnings, "markers: they are lost") == is_surface(kind));
+
+      // With the details of the source, a second file is the same, byte for byte.
+      const auto again = folder / ("again." + std::string(kind.extension));
+      io::write_mesh(again, first.mesh, first.details.get());
+      CHECK(read_text(again) == read_text(path));
+    }
+  }
+}
+
+TEST_CASE("SU2 to MSH and back keeps everything that SU2 can say") {
+  for (std::uint64_t seed = 100; seed < 110; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const Mesh mesh = make_mesh(shuffled_mesh(random, false));
+    const TemporaryFolder folder;
+    io::write_mesh(folder / "a.su2", mesh, nullptr);
+    for (const char* version : {"2.2", "4.1"}) {
+      for (const bool binary : {false, true}) {
+        io::WriteOptions options;
+        options.binary = binary;
+        options.gmsh_version = version;
+        const io::MeshFile a = io::read_mesh(folder / "a.su2");
+        io::write_mesh(folder / "b.msh", a.mesh, a.details.get(), options);
+        const io::MeshFile b = io::read_mesh(folder / "b.msh");
+        io::write_mesh(folder / "c.su2", b.mesh, b.details.get());
+        CHECK(read_text(folder / "c.su2") == read_text(folder / "a.su2"));
+      }
+    }
+  }
+}
+
+TEST_CASE("coordinates with every bit pattern of a finite number come back") {
+  Random random(7);
+  MeshData data = grid_with_holes(2, Cells::triangles, [](Index, Index) { return false; });
+  const std::vector<double> odd{5e-324, -2.2250738585072014e-308, 0.1, 1.0 / 3, 1e300, -0.0};
+  // Unused nodes are not looked at by any check of the geometry.
+  for (const double x : odd) data.coordinates.push_xy({x, -x});
+  for (int i = 0; i < 200; ++i) {
+    data.coordinates.push_xy(
+        {random.uniform(-1, 1) * std::pow(10, random.uniform(-300, 300)), random.uniform(-1, 1)});
+  }
+  const Mesh mesh = make_mesh(data);
+  for (const Kind& kind : kinds()) {
+    if (is_stl(kind)) continue;
+    CAPTURE(text_of(kind));
+    const TemporaryFolder folder;
+    const auto path = folder / ("mesh." + std::string(kind.extension));
+    io::write_mesh(path, mesh, nullptr, options_of(kind));
+    const io::MeshFile file = io::read_mesh(path);
+    const auto found = file.mesh.coordinates.values();
+    const auto expected = mesh.coordinates.values();
+    REQUIRE(found.size() == expected.size());
+    CHECK(std::memcmp(found.data(), expected.data(), found.size_bytes()) == 0);
+    CHECK(any_contains(file.warnings, "belong to no element"));
+  }
+}
+
+TEST_CASE("a plane z = constant is kept, also across formats") {
+  const std::string source = read_text(WINSLOW_TEST_DATA "/square.obj");
+  std::string raised;
+  for (std::size_t at = 0; at < source.size();) {
+    const auto end = source.find('\n', at);
+    std::string line = source.substr(at, end - at);
+    if (line.starts_with("v ")) line = line.substr(0, line.rfind(' ')) + " 0.7";
+    raised += line + "\n";
+    at = end + 1;
+  }
+  const TemporaryFolder folder;
+  write_text(folder / "a.obj", raised);
+  const io::MeshFile a = io::read_mesh(folder / "a.obj");
+  for (const char* name : {"b.msh", "b.vtk", "b.vtu", "b.off", "b.ply", "b.stl", "b.obj"}) {
+    CAPTURE(name);
+    io::write_mesh(folder / name, a.mesh, a.details.get());
+    const io::MeshFile b = io::read_mesh(folder / name);
+    REQUIRE(b.details->plane_z.size() == 1);
+    CHECK(b.details->plane_z[0] == 0.7);
+  }
+}
+
+TEST_CASE("STL: the same triangles come back, corners at one place become one node") {
+  Random random(3);
+  const Mesh mesh = make_mesh(shuffled_mesh(random, false));
+  for (const bool binary : {false, true}) {
+    const TemporaryFolder folder;
+    io::WriteOptions options;
+    options.binary = binary;
+    const auto warnings = io::write_mesh(folder / "a.stl", mesh, nullptr, options);
+    CHECK(any_contains(warnings, "single precision") == binary);
+    const io::MeshFile a = io::read_mesh(folder / "a.stl");
+    CHECK(a.mesh.coordinates.size() == mesh.coordinates.size());
+    Index triangles = 0;
+    for (Index e = 0; e < mesh.topology->element_count(); ++e) {
+      triangles += static_cast<Index>(mesh.topology->element(e).size()) - 2;
+    }
+    CHECK(a.mesh.topology->element_count() == triangles);
+    CHECK(io::write_mesh(folder / "b.stl", a.mesh, a.details.get()).empty());
+    CHECK(read_text(folder / "b.stl") == read_text(folder / "a.stl"));
+  }
+}
+
+TEST_CASE("a changed mesh does not get the details of its source") {
+  const io::MeshFile square = io::read_mesh(WINSLOW_TEST_DATA "/square_41.msh");
+  MeshData data = grid_with_holes(3, Cells::mixed, [](Index, Index) { return false; });
+  const Mesh other = make_mesh(data);
+  const TemporaryFolder folder;
+  const auto warnings = io::write_mesh(folder / "a.msh", other, square.details.get());
+  CHECK(any_contains(warnings, "the mesh has changed"));
+  Comparison what;
+  what.regions = false;
+  check_same_mesh(io::read_mesh(folder / "a.msh").mesh, other, what);
+}
+
+}  // namespace winslow::test

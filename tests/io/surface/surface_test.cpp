@@ -1,0 +1,173 @@
+#include <cstdint>
+#include <cstring>
+
+#include <OpenMesh/Core/IO/MeshIO.hh>
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+
+#include "io/format_detection.h"
+#include "io/support/samples.h"
+
+namespace winslow::test {
+namespace {
+
+using OpenMeshPolygons = OpenMesh::PolyMesh_ArrayKernelT<>;
+
+std::string data(const char* name) { return read_text(std::string(WINSLOW_TEST_DATA "/") + name); }
+
+}  // namespace
+
+TEST_CASE("OBJ, OFF, PLY: the elements of the SU2 file; STL: its triangles") {
+  const io::MeshFile expected = io::read_mesh(WINSLOW_TEST_DATA "/square.su2");
+  Comparison plain;
+  plain.markers = false;
+  for (const char* name : {"square.obj", "square.off", "square.ply", "square_b.ply"}) {
+    CAPTURE(name);
+    const io::MeshFile file = io::read_mesh(std::string(WINSLOW_TEST_DATA "/") + name);
+    check_same_mesh(file.mesh, expected.mesh, plain);
+    CHECK_FALSE(file.mesh.topology->markers_from_file());
+  }
+  for (const char* name : {"square.stl", "square_b.stl"}) {
+    const io::MeshFile file = io::read_mesh(std::string(WINSLOW_TEST_DATA "/") + name);
+    CHECK(file.mesh.topology->element_count() == 8);
+    CHECK(file.mesh.coordinates.size() == 9);
+  }
+}
+
+TEST_CASE("OpenMesh reads what we write, and we read what OpenMesh writes") {
+  const io::MeshFile square = io::read_mesh(WINSLOW_TEST_DATA "/square.su2");
+  const TemporaryFolder folder;
+  for (const Kind& kind : kinds()) {
+    if (io::keeps_markers(*io::format_of_extension("x." + std::string(kind.extension)))) continue;
+    CAPTURE(text_of(kind));
+    const std::string extension = kind.extension;
+    const bool stl = extension == "stl";
+    const auto ours = folder / ("ours." + extension);
+    io::write_mesh(ours, square.mesh, nullptr, options_of(kind));
+    OpenMeshPolygons mesh;
+    OpenMesh::IO::Options options;
+    if (kind.binary) options += OpenMesh::IO::Options::Binary;
+    REQUIRE(OpenMesh::IO::read_mesh(mesh, ours.string(), options));
+    CHECK(mesh.n_vertices() == 9);
+    CHECK(mesh.n_faces() == (stl ? 8U : 6U));
+
+    const auto theirs = folder / ("theirs." + extension);
+    OpenMesh::IO::Options out;
+    if (kind.binary) out += OpenMesh::IO::Options::Binary;
+    REQUIRE(OpenMesh::IO::write_mesh(mesh, theirs.string(), out, 17));
+    const io::MeshFile back = io::read_mesh(theirs);
+    CHECK(back.mesh.coordinates.size() == 9);
+    CHECK(back.mesh.topology->element_count() == (stl ? 8 : 6));
+    if (!stl) CHECK(back.mesh.coordinates == square.mesh.coordinates);
+  }
+}
+
+TEST_CASE("OBJ: references of every form, comments, other keywords") {
+  const io::MeshFile file = read_from_text(
+      "a.obj",
+      "# square\nmtllib none\no it\nv 0 0 0\nv 1 0 0 1\nvt 0 0\nvn 0 0 1\nv 1 1 0\nv 0 1 0\ns off\n"
+      "f 1/1 2/1/1 3//1\nf -4 -2 -1 # the other half\nl 1 2\n");
+  CHECK(file.mesh.topology->element_count() == 2);
+  CHECK(any_contains(file.warnings, "line elements are not kept"));
+}
+
+TEST_CASE("OBJ: bad input is refused with file and line") {
+  const std::string text = data("square.obj");
+  const auto error = [&](const std::string& part, const std::string& by) {
+    return input_error("a.obj", replaced(text, part, by));
+  };
+  CHECK_CONTAINS(error("f 6 9 8", "f 6 10 8"), "a.obj:15: element 5 uses node 9, expected 0 to 8");
+  CHECK_CONTAINS(error("f 6 9 8", "f 6 0 8"),
+                 "a.obj:15: found '0', expected the number of a vertex");
+  CHECK_CONTAINS(error("f 6 9 8", "f 6 -10 8"), "a.obj:15: found '-10'");
+  CHECK_CONTAINS(error("f 6 9 8", "f 6 9"), "a.obj:15: found a face with 2 corners");
+  CHECK_CONTAINS(error("f 6 9 8", "f 6 9 8 7 1"), "a.obj:15: found a face with 5 corners");
+  CHECK_CONTAINS(error("v 1 0.5 0", "v 1 0.5"), "a.obj:6: found the end of the line");
+  CHECK_CONTAINS(error("v 1 0.5 0", "v 1 nan 0"), "a.obj:6: found nan");
+  CHECK_CONTAINS(error("v 1 0.5 0", "v 1 0.5 2"), "a.obj:6: found z = 2 after z = 0 (a 3D mesh)");
+  CHECK_CONTAINS(error("v 1 0.5 0", "w 1 0.5 0"), "a.obj:6: found 'w'");
+  CHECK_CONTAINS(input_error("a.obj", text.substr(0, text.find("f "))), "found no faces");
+}
+
+TEST_CASE("OFF: bad input is refused with file and line; comments and colours are accepted") {
+  const std::string text = data("square.off");
+  const auto error = [&](const std::string& part, const std::string& by) {
+    return input_error("a.off", replaced(text, part, by));
+  };
+  CHECK_CONTAINS(error("9 6 0", "10 6 0"),
+                 "a.off:17: found the end of the file, expected face 6 of 6");
+  CHECK_CONTAINS(error("9 6 0", "9 7 0"),
+                 "a.off:17: found the end of the file, expected face 7 of 7");
+  CHECK_CONTAINS(error("9 6 0", "9 5 0"), "a.off:17: found '3', expected the end of the file");
+  CHECK_CONTAINS(error("9 6 0", "9000000000 6 0"), "a.off:2: found 9000000000");
+  CHECK_CONTAINS(error("3 5 8 7", "3 5 9 7"), "a.off:17: element 5 uses node 9");
+  CHECK_CONTAINS(error("3 5 8 7", "5 5 8 7 1 2"), "a.off:17: found a face with 5 corners");
+  CHECK_CONTAINS(error("3 5 8 7", "3 5 8"), "a.off:17: found the end of the");
+  CHECK_CONTAINS(error("1 0.5 0", "1 nan 0"), "a.off:8: found nan");
+  CHECK_CONTAINS(error("OFF\n", "OFF BINARY\n"), "found a binary OFF file");
+  const io::MeshFile file = read_from_text(
+      "a.off",
+      "COFF\n# four\n4 2 0\n0 0 0 255 0 0 255\n1 0 0 0 0 0 0\n1 1 0 1 1 1 1\n0 1 0 1 1 1 1\n\n"
+      "3 0 1 2 9 9 9\n# last\n3 0 2 3\n");
+  CHECK(file.mesh.topology->element_count() == 2);
+}
+
+TEST_CASE("PLY: properties in any order, extra elements, big-endian; bad input is refused") {
+  const std::string text = data("square.ply");
+  const auto error = [&](const std::string& part, const std::string& by) {
+    return input_error("a.ply", replaced(text, part, by));
+  };
+  const std::string odd =
+      "ply\nformat ascii 1.0\ncomment odd\nelement material 1\nproperty list uchar float c\n"
+      "element vertex 4\nproperty float nx\nproperty float y\nproperty double x\n"
+      "element face 2\nproperty uchar flag\nproperty list uint8 int32 vertex_index\nend_header\n"
+      "2 0.5 0.5\n9 0 0\n9 0 1\n9 1 1\n9 1 0\n7 3 0 1 2\n7 3 0 2 3\n";
+  const io::MeshFile file = read_from_text("a.ply", odd);
+  CHECK(file.mesh.coordinates.xy(1) == Vec2(1, 0));
+  CHECK(file.mesh.topology->element_count() == 2);
+
+  std::string big =
+      "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty float x\n"
+      "property float y\nelement face 1\nproperty list uchar short vertex_indices\n"
+      "end_header\n";
+  const auto put = [&](const char* bytes, std::size_t n) { big.append(bytes, n); };
+  for (int i = 0; i < 3; ++i) {
+    put(i == 1 ? "\x3f\x80\0\0" : "\0\0\0\0", 4);
+    put(i == 2 ? "\x3f\x80\0\0" : "\0\0\0\0", 4);
+  }
+  put("\3\0\0\0\1\0\2", 7);
+  CHECK(read_from_text("a.ply", big).mesh.coordinates.xy(2) == Vec2(0, 1));
+  CHECK_CONTAINS(input_error("a.ply", big.substr(0, big.size() - 1)), "the end of the file");
+  CHECK_CONTAINS(input_error("a.ply", replaced(big, "big", "little")), "a.ply: byte ");
+
+  CHECK_CONTAINS(error("vertex 9", "vertex 10"), "a.ply:19: found '4'");
+  CHECK(
+      contains(error("face 6", "face 7"), "a.ply:24: found the end of the file, expected face 7"));
+  CHECK_CONTAINS(error("vertex 9", "vertex 2000000000"), "a.ply:3: found 2000000000");
+  CHECK_CONTAINS(error("3 5 8 7", "3 5 -8 7"), "a.ply:24: found -8");
+  CHECK_CONTAINS(error("3 5 8 7", "2000000000 5 8 7"), "a.ply:24: found the end of the line");
+  CHECK_CONTAINS(error("3 5 8 7", "3 5 9 7"), "a.ply:24: element 5 uses node 9");
+  CHECK_CONTAINS(error("1 0.5 0", "1 nan 0"), "a.ply:15: found nan");
+  CHECK_CONTAINS(error("format ascii 1.0\n", ""), "found no line \"format\"");
+  CHECK_CONTAINS(error("ascii", "utf8"), "a.ply:2: found 'utf8'");
+  CHECK_CONTAINS(error("double x", "quad x"), "a.ply:4: found 'quad'");
+  CHECK_CONTAINS(error("end_header", "the_end"), "found 'the_end'");
+}
+
+TEST_CASE("STL: bad input is refused with line or byte") {
+  const std::string text = data("square.stl");
+  CHECK_CONTAINS(input_error("a.stl", replaced(text, "vertex 0.5 0 0", "vertex 0.5 0")),
+                 "a.stl:5: found the end of the line");
+  CHECK_CONTAINS(input_error("a.stl", replaced(text, "vertex 0.5 0 0", "vertex nan 0 0")),
+                 "a.stl:5: found nan");
+  CHECK_CONTAINS(input_error("a.stl", replaced(text, "endloop", "end")), "a.stl:7: found 'end'");
+  CHECK_CONTAINS(input_error("a.stl", text.substr(0, text.size() / 2)),
+                 "a.stl:30: found 'f', expected facet");
+  std::string binary = data("square_b.stl");
+  CHECK_CONTAINS(input_error("a.stl", binary.substr(0, binary.size() - 3)),
+                 "a.stl: byte 80: found 8 as the number of facets, expected 7");
+  const std::uint32_t huge = 0xffffffff;
+  std::memcpy(binary.data() + 80, &huge, sizeof huge);
+  CHECK_CONTAINS(input_error("a.stl", binary), "a.stl: byte 80: found 4294967295");
+}
+
+}  // namespace winslow::test

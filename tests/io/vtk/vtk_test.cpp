@@ -1,0 +1,220 @@
+#include <cstdint>
+#include <cstring>
+
+#include "io/support/samples.h"
+#include "io/vtk/base64.h"
+
+namespace winslow::test {
+namespace {
+
+const std::string legacy = read_text(WINSLOW_TEST_DATA "/square.vtk");
+const std::string legacy_binary = read_text(WINSLOW_TEST_DATA "/square_b.vtk");
+const std::string xml = read_text(WINSLOW_TEST_DATA "/square.vtu");
+const std::string xml_binary = read_text(WINSLOW_TEST_DATA "/square_b.vtu");
+
+const io::MeshFile& expected() {
+  static const io::MeshFile file = io::read_mesh(WINSLOW_TEST_DATA "/square.su2");
+  return file;
+}
+
+const std::string points =
+    "0 0 0\n0.5 0 0\n1 0 0\n0 0.5 0\n0.5 0.5 0\n1 0.5 0\n0 1 0\n0.5 1 0\n1 1 0\n";
+
+}  // namespace
+
+TEST_CASE("VTK and VTU hold the mesh of the SU2 file, markers included") {
+  for (const char* name : {"square.vtk", "square_b.vtk", "square.vtu", "square_b.vtu"}) {
+    CAPTURE(name);
+    const io::MeshFile file = io::read_mesh(std::string(WINSLOW_TEST_DATA "/") + name);
+    check_same_mesh(file.mesh, expected().mesh);
+    CHECK(file.details->binary == contains(name, "_b."));
+  }
+}
+
+TEST_CASE("VTK: cells may come in any order, with vertices and lines of no marker, and keep it") {
+  std::string text = replaced(legacy, "CELLS 10 38\n", "CELLS 12 43\n1 4\n2 3 6\n");
+  text = replaced(text, "CELL_TYPES 10\n", "CELL_TYPES 12\n1\n3\n");
+  text = replaced(text, "CELL_DATA 10", "CELL_DATA 12");
+  text = replaced(text, "marker 1 10 int\n", "marker 1 12 int\n0\n0\n");
+  const TemporaryFolder folder;
+  write_text(folder / "a.vtk", text);
+  const io::MeshFile file = io::read_mesh(folder / "a.vtk");
+  check_same_mesh(file.mesh, expected().mesh);
+  CHECK(any_contains(file.warnings, "1 line cells have no marker tag"));
+  io::write_mesh(folder / "b.vtk", file.mesh, file.details.get());
+  CHECK(read_text(folder / "b.vtk") == text);
+}
+
+TEST_CASE("VTK: version 5 with offsets, attributes of every kind, metadata, encoded names") {
+  const std::string text =
+      "# vtk DataFile Version 5.1\nvtk output\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+      "FIELD FieldData 2\nmarker:lower%20wall 1 1 int\n1\nTITLE 1 1 string\nany%20title\n"
+      "METADATA\nINFORMATION 0\n\n"
+      "POINTS 9 float\n" +
+      points +
+      "METADATA\nINFORMATION 1\nNAME L2 LOCATION vtk\nDATA 2 0 1\n\n"
+      "CELLS 9 26\nOFFSETS vtktypeint64\n0 4 8 11 14 17 20 22 24\n"
+      "CONNECTIVITY vtktypeint64\n0 1 4 3 1 2 5 4 3 4 6 4 7 6 4 5 7 5 8 7 0 1 1 2\n"
+      "CELL_TYPES 8\n9 9 5 5 5 5 3 3\n"
+      "POINT_DATA 9\nSCALARS p float 1\nLOOKUP_TABLE mine\n1 2 3 4 5 6 7 8 9\n"
+      "LOOKUP_TABLE mine 1\n0 0 0 1\nVECTORS v float\n"
+      "0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n"
+      "CELL_DATA 8\nFIELD FieldData 1\nmarker 1 8 int\n0 0 0 0 0 0 1 1\n"
+      "GLOBAL_IDS id int\n0 1 2 3 4 5 6 7\n";
+  const io::MeshFile file = read_from_text("a.vtk", replaced(text, "CELLS 9 26", "CELLS 9 24"));
+  CHECK(file.mesh.topology->element_count() == 6);
+  REQUIRE(file.mesh.topology->markers().size() == 1);
+  CHECK(file.mesh.topology->markers()[0].name == "lower wall");
+  CHECK(any_contains(file.warnings, "data on points, cells and the field are not kept"));
+  CHECK_CONTAINS(input_error("a.vtk", text), "a.vtk:33: found 'CELL_TYPES', expected a node");
+}
+
+TEST_CASE("VTK: polygon data, pixels and polylines become elements and marker edges") {
+  const std::string head = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET ";
+  const io::MeshFile polygons = read_from_text(
+      "a.vtk", head + "POLYDATA\nPOINTS 9 double\n" + points +
+                   "POLYGONS 6 26\n4 0 1 4 3\n4 1 2 5 4\n3 3 4 6\n3 4 7 6\n3 4 5 7\n3 5 8 7\n");
+  Comparison plain;
+  plain.markers = false;
+  check_same_mesh(polygons.mesh, expected().mesh, plain);
+  CHECK_FALSE(polygons.mesh.topology->markers_from_file());
+  const io::MeshFile pixels =
+      read_from_text("a.vtk", head + "UNSTRUCTURED_GRID\nPOINTS 9 double\n" + points +
+                                  "CELLS 3 14\n4 0 1 3 4\n4 1 2 4 5\n3 0 1 2\nCELL_TYPES 3\n8 8 4\n"
+                                  "CELL_DATA 3\nSCALARS marker int\nLOOKUP_TABLE default\n0 0 9\n");
+  const auto corners = pixels.mesh.topology->element(1);
+  CHECK(std::vector<Index>(corners.begin(), corners.end()) == std::vector<Index>{1, 2, 5, 4});
+  REQUIRE(pixels.mesh.topology->markers().size() == 1);
+  CHECK(pixels.mesh.topology->markers()[0].name == "marker_9");
+  CHECK(pixels.mesh.topology->markers()[0].edges.size() == 2);
+}
+
+TEST_CASE("VTK: bad input is refused with file and line") {
+  const auto error = [](const std::string& part, const std::string& by) {
+    return input_error("a.vtk", replaced(legacy, part, by));
+  };
+  CHECK_CONTAINS(input_error("a.vtk", legacy.substr(0, legacy.find("1 0.5 0"))),
+                 "a.vtk:10: found 9 as the number of points, expected no more than the 8");
+  CHECK_CONTAINS(error("POINTS 9", "POINTS 10"), "a.vtk:20: found 'CELLS', expected a coordinate");
+  CHECK_CONTAINS(error("POINTS 9", "POINTS 8"), "a.vtk:19: found '1', expected a keyword");
+  CHECK_CONTAINS(error("POINTS 9", "POINTS 900000000000"), "a.vtk:10: found 900000000000");
+  CHECK_CONTAINS(error("CELLS 10 38", "CELLS 10 39"), "found 'CELL_TYPES', expected a number");
+  CHECK_CONTAINS(error("CELLS 10 38", "CELLS 11 38"), "expected 11 cells");
+  CHECK(
+      contains(error("CELLS 10 38", "CELLS 10 38000000000000"), "a.vtk:20: found 38000000000000"));
+  CHECK_CONTAINS(error("CELL_TYPES 10\n9\n", "CELL_TYPES 9\n"), "found 9 cell types, expected 10");
+  CHECK(error("3 5 8 7", "3 5 9 7") == "a.vtk:26: found node 9, expected 0 to 8");
+  CHECK(error("3 5 8 7", "3 5 -1 7") == "a.vtk:26: found node -1, expected 0 to 8");
+  CHECK_CONTAINS(error("3 5 8 7", "3 5 5 7"), "a.vtk:26: element 5 uses node 5 twice");
+  CHECK_CONTAINS(error("3 5 8 7", "99 5 8 7"), "a.vtk:26: found 99 as the size of a cell");
+  CHECK_CONTAINS(error("1 0.5 0", "1 nan 0"), "a.vtk:16: found nan");
+  CHECK_CONTAINS(error("1 0.5 0", "1 0.5 3"), "a.vtk:16: found z = 3 after z = 0 (a 3D mesh)");
+  CHECK_CONTAINS(error("CELL_TYPES 10\n9", "CELL_TYPES 10\n10"),
+                 "a.vtk:21: found cell type 10 (a 3D mesh)");
+  CHECK_CONTAINS(error("CELL_TYPES 10\n9", "CELL_TYPES 10\n22"), "(second or higher order)");
+  CHECK_CONTAINS(error("CELL_TYPES 10\n9", "CELL_TYPES 10\n5"), "a.vtk:21: found 4 nodes");
+  CHECK_CONTAINS(error("CELL_DATA 10", "CELL_DATA 9"), "found data for 9 cells, expected 10");
+  CHECK(
+      contains(error("UNSTRUCTURED_GRID", "STRUCTURED_GRID"), "a.vtk:4: found 'STRUCTURED_GRID'"));
+  CHECK_CONTAINS(error("marker 1 10 int", "marker 1 10 thing"), "found 'thing', expected a type");
+}
+
+TEST_CASE("VTK binary: bad input is refused with the byte") {
+  const std::size_t data = legacy_binary.find("POINTS 9 double\n") + 16;
+  // Little-endian numbers in a file that is big-endian by definition: 0.5 becomes another number.
+  std::string swapped = legacy_binary;
+  for (std::size_t i = 0; i < 27; ++i) {
+    std::reverse(swapped.begin() + static_cast<std::ptrdiff_t>(data + 8 * i),
+                 swapped.begin() + static_cast<std::ptrdiff_t>(data + 8 * i + 8));
+  }
+  CHECK_CONTAINS(input_error("a.vtk", swapped), "a.vtk: byte ");
+  const std::size_t cells = legacy_binary.find("CELLS 10 38\n") + 12;
+  swapped = legacy_binary;
+  std::reverse(swapped.begin() + static_cast<std::ptrdiff_t>(cells),
+               swapped.begin() + static_cast<std::ptrdiff_t>(cells) + 4);
+  CHECK_CONTAINS(input_error("a.vtk", swapped),
+                 "a.vtk: byte " + std::to_string(cells) + ": found 67108864 as the size of a cell");
+  for (const std::size_t keep : {data + 100, cells + 10, legacy_binary.size() - 20}) {
+    CHECK_CONTAINS(input_error("a.vtk", legacy_binary.substr(0, keep)), "the file");
+  }
+}
+
+TEST_CASE("VTU: bad input is refused with file and line") {
+  const auto error = [](const std::string& part, const std::string& by) {
+    return input_error("a.vtu", replaced(xml, part, by));
+  };
+  CHECK_CONTAINS(input_error("a.vtu", xml.substr(0, xml.find("1 0.5 0"))), "malformed XML");
+  CHECK_CONTAINS(error("</Points>", "</Point>"), "a.vtu:25: found malformed XML");
+  CHECK_CONTAINS(error("1 0.5 0\n", "1 0.5\n"), "found 26 coordinates, expected three");
+  CHECK_CONTAINS(error("1 0.5 0\n", "1 x 0\n"), "a.vtu:20: found 'x', expected a number");
+  CHECK_CONTAINS(error("1 0.5 0\n", "1 nan 0\n"), "a.vtu:20: found nan");
+  CHECK_CONTAINS(error("1 0.5 0\n", "1 0.5 1\n"), "a.vtu:20: found z = 1 after z = 0 (a 3D mesh)");
+  CHECK_CONTAINS(error("Points=\"9\"", "Points=\"8\""), "found NumberOfPoints='8', expected 9");
+  CHECK_CONTAINS(error("Cells=\"10\"", "Cells=\"99999999999\""), "found NumberOfCells=");
+  CHECK_CONTAINS(error("0 1 4 3", "0 1 4 9"), "a.vtu:28: found node 9, expected 0 to 8");
+  CHECK_CONTAINS(error("4 8 11", "4 3 11"), "a.vtu:33: found 3 as the offset of a cell");
+  CHECK_CONTAINS(error("26 28", "26 29"), "a.vtu:33: found 29 as the offset of a cell");
+  CHECK_CONTAINS(error("26 28", "26 27"), "expected 27, the last offset");
+  CHECK_CONTAINS(error("9 9 5 5", "10 9 5 5"), "found cell type 10 (a 3D mesh)");
+  CHECK_CONTAINS(error("9 9 5 5", "9 9 5"), "found 9 cell types, expected 10");
+  CHECK_CONTAINS(error("0 0 0 0 0 0 1", "0 0 0 0 0 1"), "9 values in cell array \"marker\"");
+  CHECK_CONTAINS(error("type=\"UnstructuredGrid\"", "type=\"PolyData\""),
+                 "a.vtu:2: found VTKFile type");
+  CHECK_CONTAINS(error("LittleEndian", "MiddleEndian"), "byte_order 'MiddleEndian'");
+  CHECK_CONTAINS(error("Float64", "Float65"), "type 'Float65'");
+  CHECK_CONTAINS(error("Name=\"offsets\"", "Name=\"other\""), "no array \"offsets\"");
+}
+
+TEST_CASE("VTU appended: truncated data, wrong sizes and offsets are refused") {
+  const std::size_t data = xml_binary.find("_", xml_binary.find("<AppendedData")) + 1;
+  CHECK_CONTAINS(input_error("a.vtu", xml_binary.substr(0, data + 100)), "a.vtu:");
+  std::string huge = xml_binary;
+  const std::uint64_t size = 1ULL << 62;
+  std::memcpy(huge.data() + data, &size, sizeof size);
+  CHECK_CONTAINS(input_error("a.vtu", huge), "found 4611686018427387904 bytes in array");
+  CHECK_CONTAINS(input_error("a.vtu", replaced(xml_binary, "offset=\"0\"", "offset=\"100000\"")),
+                 "offset '100000'");
+  CHECK(
+      contains(input_error("a.vtu", replaced(xml_binary, "LittleEndian", "BigEndian")), "a.vtu:"));
+}
+
+TEST_CASE("VTU: inline base64, appended base64, both byte orders, zlib blocks") {
+  const std::string x = "AAAAAAAA8D8=";  // 1.0, little-endian
+  CHECK(io::vtk::decode_base64(x)->size() == 8);
+  CHECK(io::vtk::encode_base64(*io::vtk::decode_base64(x)) == x);
+  CHECK(*io::vtk::decode_base64("YQ==YmM= ZGVm") == "abcdef");
+  CHECK_FALSE(io::vtk::decode_base64("YQ=a"));
+  CHECK_FALSE(io::vtk::decode_base64("YQ="));
+  CHECK_FALSE(io::vtk::decode_base64("Y!=="));
+  // Written by VTK-like writers (see tests/interop for those of meshio): header apart from data.
+  const auto bytes = [](const auto& value) {
+    return std::string(reinterpret_cast<const char*>(&value), sizeof value);
+  };
+  std::string coordinates;
+  const auto& mesh = expected().mesh;
+  for (Index i = 0; i < mesh.coordinates.size(); ++i) {
+    coordinates +=
+        bytes(mesh.coordinates.xy(i).x()) + bytes(mesh.coordinates.xy(i).y()) + bytes(0.0);
+  }
+  const auto size = static_cast<std::uint64_t>(coordinates.size());
+  const std::string apart =
+      io::vtk::encode_base64(bytes(size)) + io::vtk::encode_base64(coordinates);
+  const std::string together = io::vtk::encode_base64(bytes(size) + coordinates);
+  const std::size_t begin = xml.find("0 0 0\n0.5");
+  const std::size_t end = xml.find("</DataArray>", begin);
+  for (const std::string& text : {apart, together}) {
+    std::string inlined = xml.substr(0, begin) + text + xml.substr(end);
+    const std::string open = "NumberOfComponents=\"3\" format=";
+    check_same_mesh(
+        read_from_text("a.vtu", replaced(inlined, open + "\"ascii\"", open + "\"binary\"")).mesh,
+        mesh);
+    std::string appended = xml.substr(0, begin) + xml.substr(end);
+    appended = replaced(appended, open + "\"ascii\"", open + "\"appended\" offset=\"0\"");
+    appended = replaced(appended, "</VTKFile>",
+                        "<AppendedData encoding=\"base64\">\n _" + text +
+                            "QUFBQUFBQUE=\n</AppendedData>\n</VTKFile>");
+    check_same_mesh(read_from_text("a.vtu", appended).mesh, mesh);
+  }
+}
+
+}  // namespace winslow::test
