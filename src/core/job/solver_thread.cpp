@@ -63,9 +63,11 @@ class SolverThread::Impl final : public SolverMonitor {
       if (!base_) return;
       if (request_) {
         request_->command = std::move(command);
+        cancel_ = false;
         return;
       }
-      if (active_) {
+      // A job that was told to stop would take its new target with it.
+      if (active_ && !cancel_) {
         retarget_ = std::move(command);
       } else {
         again.emplace(*base_, latest_->coordinates);
