@@ -1,0 +1,396 @@
+#include "core/command/command.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/command/workspace.h"
+#include "core/error.h"
+#include "support/meshes.h"
+
+using namespace winslow;
+using namespace winslow::test;
+
+namespace {
+
+MeshState hole_state(Cells cells = Cells::triangles) {
+  return make_state(make_mesh(square_with_hole(20, cells)));
+}
+
+/// The hole turned and shifted a little: smoothing it at once succeeds.
+MoveCommand small_move() {
+  MoveCommand command;
+  command.markers = {"hole"};
+  command.motion = {15, {0.5, 0.5}, {0.05, -0.05}};
+  command.smooth.threads = 1;
+  return command;
+}
+
+/// An annulus whose inner ring is turned.
+MoveCommand turn(double degrees) {
+  MoveCommand command;
+  command.markers = {"inner"};
+  command.motion.rotate = degrees;
+  command.smooth.threads = 1;
+  return command;
+}
+
+MeshState annulus_state() {
+  return make_state(make_mesh(annulus(24, 16, std::pow(20.0, 1.0 / 16), Cells::triangles)));
+}
+
+/// Cancels at a given call, and remembers all records.
+class Watcher final : public SolverMonitor {
+ public:
+  explicit Watcher(int cancel_at = -1) : cancel_at_(cancel_at) {}
+  bool on_iteration(const IterationRecord& record, const Coordinates& coordinates) override {
+    records.push_back(record);
+    last = coordinates;
+    return static_cast<int>(records.size()) != cancel_at_;
+  }
+  std::vector<IterationRecord> records;
+  Coordinates last;
+
+ private:
+  int cancel_at_;
+};
+
+Index inverted(const MeshState& state) {
+  return check_validity(*state.mesh.topology, state.mesh.coordinates).inverted;
+}
+
+Coordinates boundary_moved(const MeshState& state, const MoveCommand& command) {
+  const auto motion =
+      make_motion(*state.mesh.topology, state.mesh.coordinates, command.markers, command.motion);
+  Coordinates x = state.mesh.coordinates;
+  motion->apply(state.mesh.coordinates, 1, x);
+  return x;
+}
+
+void check_boundary(const MeshState& state, const Coordinates& expected) {
+  for (Index i = 0; i < expected.size(); ++i) {
+    if (state.mesh.topology->constrained(i)) {
+      CHECK((state.mesh.coordinates.xy(i) - expected.xy(i)).norm() < 1e-14);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("move: the boundary ends where it was sent, the interior follows, the input stays") {
+  for (const Cells cells : {Cells::triangles, Cells::quads, Cells::mixed}) {
+    CAPTURE(name_of(cells));
+    const MeshState state = hole_state(cells);
+    const Coordinates before = state.mesh.coordinates;
+    const CommandResult result = execute(small_move(), state);
+    CHECK(state.mesh.coordinates == before);
+    CHECK(result.smooth.converged);
+    CHECK(result.smooth.inverted == 0);
+    CHECK(result.smooth.increments == 1);
+    CHECK(result.smooth.fraction_reached == 1);
+    CHECK(result.smooth.outer_iterations > 0);
+    CHECK(result.smooth.linear_solves == result.smooth.outer_iterations);
+    CHECK(result.smooth.residual <= 1e-10);
+    CHECK(inverted(result.state) == 0);
+    CHECK(result.state.mesh.topology == state.mesh.topology);
+    CHECK(result.state.vcv == state.vcv);
+    check_boundary(result.state, boundary_moved(state, small_move()));
+  }
+}
+
+TEST_CASE("smooth: only free nodes move, and a second time changes nothing") {
+  MeshState state = hole_state();
+  constexpr std::uint64_t seed = 1;
+  CAPTURE(seed);
+  Random random(seed);
+  perturb(state.mesh, random);
+  const CommandResult once = execute(SmoothCommand{}, state);
+  CHECK(once.smooth.converged);
+  check_boundary(once.state, state.mesh.coordinates);
+  const CommandResult twice = execute(SmoothCommand{}, once.state);
+  CHECK(twice.smooth.converged);
+  CHECK(twice.smooth.outer_iterations == 0);
+  CHECK(twice.state.mesh.coordinates == once.state.mesh.coordinates);
+}
+
+TEST_CASE("deform by a sine and by a table") {
+  const MeshState state = hole_state(Cells::quads);
+  DeformCommand command;
+  command.markers = {"hole"};
+  SUBCASE("sine") { command.shape = SineDeformation{0.02, 1, {0, 1}, Fade::both, 0.2}; }
+  SUBCASE("table") {
+    DisplacementTable table;
+    const std::vector<std::string> hole{"hole"};
+    for (const Index node : state.mesh.topology->nodes_of_markers(hole)) {
+      table.entries.push_back({node, {0, 0}, {0.03, -0.01}, 0});
+    }
+    command.shape = table;
+  }
+  const CommandResult result = execute(command, state);
+  CHECK(result.smooth.converged);
+  CHECK(result.smooth.inverted == 0);
+  const auto motion = std::visit(
+      [&](const auto& shape) {
+        return make_motion(*state.mesh.topology, state.mesh.coordinates, command.markers, shape);
+      },
+      command.shape);
+  Coordinates expected = state.mesh.coordinates;
+  motion->apply(state.mesh.coordinates, 1, expected);
+  CHECK(largest_difference(expected, state.mesh.coordinates) > 0.01);
+  check_boundary(result.state, expected);
+}
+
+TEST_CASE("scramble: the same mesh for the same seed, inside the box, boundary untouched") {
+  const MeshState state = hole_state(Cells::mixed);
+  const CommandResult first = execute(ScrambleCommand{5}, state);
+  const CommandResult again = execute(ScrambleCommand{5}, state);
+  const CommandResult other = execute(ScrambleCommand{6}, state);
+  CHECK(first.state.mesh.coordinates == again.state.mesh.coordinates);
+  CHECK_FALSE(first.state.mesh.coordinates == other.state.mesh.coordinates);
+  CHECK(first.smooth.inverted == inverted(first.state));
+  CHECK(first.smooth.inverted > 0);
+  CHECK(first.smooth.converged);
+  CHECK(first.smooth.outer_iterations == 0);
+  check_boundary(first.state, state.mesh.coordinates);
+  const Bounds box = bounds(state.mesh);
+  Index moved = 0;
+  for (const Index node : state.mesh.topology->free_nodes()) {
+    const Vec2 p = first.state.mesh.coordinates.xy(node);
+    CHECK((p.array() >= box.min.array()).all());
+    CHECK((p.array() <= box.max.array()).all());
+    moved += p != state.mesh.coordinates.xy(node) ? 1 : 0;
+  }
+  CHECK(moved == static_cast<Index>(state.mesh.topology->free_nodes().size()));
+}
+
+TEST_CASE("a scrambled seed means these coordinates on every machine") {
+  const MeshState state = make_state(make_mesh(regular_star(4)));
+  const CommandResult result = execute(ScrambleCommand{1}, state);
+  // The first two numbers of mt19937_64 with seed 1, over the box [-1, 1] squared.
+  std::mt19937_64 generator(1);
+  const double u = static_cast<double>(generator() >> 11) / 9007199254740992.0;
+  const double v = static_cast<double>(generator() >> 11) / 9007199254740992.0;
+  CHECK(result.state.mesh.coordinates.xy(0).x() == doctest::Approx(2 * u - 1));
+  CHECK(result.state.mesh.coordinates.xy(0).y() == doctest::Approx(2 * v - 1));
+}
+
+TEST_CASE("scramble and smooth give the mesh that smoothing alone gives") {
+  const MeshState state = hole_state(Cells::mixed);
+  const Coordinates expected = execute(SmoothCommand{}, state).state.mesh.coordinates;
+  const CommandResult scrambled = execute(ScrambleCommand{3}, state);
+  const CommandResult result = execute(SmoothCommand{}, scrambled.state);
+  CHECK(result.smooth.converged);
+  CHECK(result.smooth.inverted == 0);
+  CHECK(largest_difference(result.state.mesh.coordinates, expected) < 1e-6);
+}
+
+TEST_CASE("moving the boundary only leaves the interior where it is") {
+  const MeshState state = hole_state();
+  MoveCommand command = small_move();
+  command.how.smooth_after = false;
+  const CommandResult result = execute(command, state);
+  CHECK(result.state.mesh.coordinates == boundary_moved(state, command));
+  CHECK(result.smooth.converged);
+  CHECK(result.smooth.outer_iterations == 0);
+  CHECK(result.smooth.history.empty());
+  CHECK(result.smooth.inverted == inverted(result.state));
+  CHECK(result.smooth.inverted > 0);
+}
+
+TEST_CASE("a warm start changes the way, not the result") {
+  const MeshState state = hole_state();
+  const CommandResult cold = execute(small_move(), state);
+  Coordinates start = cold.state.mesh.coordinates;
+  for (Index i = 0; i < start.size(); ++i) {
+    // The boundary part of a start is ignored.
+    if (state.mesh.topology->constrained(i)) start.set_xy(i, {99, 99});
+  }
+  ExecuteOptions options;
+  options.start = &start;
+  const CommandResult warm = execute(small_move(), state, options);
+  CHECK(warm.smooth.converged);
+  CHECK(warm.smooth.outer_iterations < cold.smooth.outer_iterations);
+  CHECK(largest_difference(warm.state.mesh.coordinates, cold.state.mesh.coordinates) < 1e-8);
+  const Coordinates wrong(2, 3);
+  options.start = &wrong;
+  CHECK_THROWS_AS(execute(small_move(), state, options), UsageError);
+}
+
+TEST_CASE("a workspace kept over commands, meshes and options changes no bit of the result") {
+  SmoothingWorkspace workspace;
+  const MeshState states[] = {hole_state(), annulus_state(), hole_state(Cells::quads)};
+  for (int round = 0; round < 2; ++round) {
+    for (const MeshState& state : states) {
+      for (const std::string& name : linear_solver_names()) {
+        CAPTURE(name);
+        SmoothCommand command;
+        command.smooth.linear.solver = name;
+        command.smooth.threads = 1 + round;
+        MeshState start = state;
+        Random random(9);
+        tangle(start.mesh, random);
+        command.smooth.max_iterations = 12;
+        ExecuteOptions options;
+        options.workspace = &workspace;
+        const CommandResult kept = execute(command, start, options);
+        const CommandResult fresh = execute(command, start);
+        CHECK(kept.state.mesh.coordinates == fresh.state.mesh.coordinates);
+      }
+    }
+  }
+}
+
+TEST_CASE("cancelling throws, and leaves the state as it was") {
+  const MeshState state = hole_state();
+  const Coordinates before = state.mesh.coordinates;
+  for (const int at_call : {1, 2, 5}) {
+    Watcher watcher(at_call);
+    ExecuteOptions options;
+    options.monitor = &watcher;
+    CHECK_THROWS_AS(execute(small_move(), state, options), Cancelled);
+    CHECK(static_cast<int>(watcher.records.size()) == at_call);
+    CHECK(state.mesh.coordinates == before);
+  }
+}
+
+TEST_CASE("the monitor sees every record of the history, and the coordinates of each") {
+  const MeshState state = hole_state();
+  MoveCommand command = small_move();
+  command.how.increments = 3;
+  Watcher watcher;
+  ExecuteOptions options;
+  options.monitor = &watcher;
+  const CommandResult result = execute(command, state, options);
+  REQUIRE(watcher.records.size() == result.smooth.history.size());
+  CHECK(watcher.last == result.state.mesh.coordinates);
+  CHECK(result.smooth.increments == 3);
+  int last_iteration = 0;
+  double fraction = 0;
+  for (std::size_t k = 0; k < watcher.records.size(); ++k) {
+    const IterationRecord& record = watcher.records[k];
+    CHECK(record.residual == result.smooth.history[k].residual);
+    CHECK(record.iteration >= last_iteration);
+    CHECK(record.iteration <= last_iteration + 1);
+    CHECK(record.fraction >= fraction);
+    last_iteration = record.iteration;
+    fraction = record.fraction;
+  }
+  CHECK(fraction == 1);
+  CHECK(watcher.records.front().fraction == doctest::Approx(1.0 / 3));
+  CHECK(last_iteration == result.smooth.outer_iterations);
+}
+
+TEST_CASE("explicit increments reach the mesh that one step reaches") {
+  const MeshState state = hole_state();
+  const CommandResult once = execute(small_move(), state);
+  for (const int increments : {1, 2, 5}) {
+    CAPTURE(increments);
+    MoveCommand command = small_move();
+    command.how.increments = increments;
+    const CommandResult result = execute(command, state);
+    CHECK(result.smooth.converged);
+    CHECK(result.smooth.increments == increments);
+    CHECK(largest_difference(result.state.mesh.coordinates, once.state.mesh.coordinates) < 1e-8);
+  }
+}
+
+TEST_CASE("a winding that cannot be done at once is done in steps, automatically") {
+  const MeshState state = annulus_state();
+  MoveCommand direct = turn(200);
+  direct.how.increments = 1;
+  const CommandResult at_once = execute(direct, state);
+  CHECK(at_once.smooth.inverted > 0);
+  CHECK(at_once.smooth.increments == 1);
+  // How far the mesh turns from the inner to the outer ring, along one chain of edges.
+  const auto inner_to_outer = [&](const Coordinates& x) {
+    double winding = 0;
+    Index node = 0;
+    for (int ring = 0; ring < 16; ++ring) {
+      const auto row = state.mesh.topology->neighbours(node);
+      Index next = -1;
+      for (const Index k : row) {
+        if (k > node && (next < 0 || k < next) && k >= (ring + 1) * 24) next = k;
+      }
+      REQUIRE(next >= 0);
+      const Vec2 a = x.xy(node), b = x.xy(next);
+      winding += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+      node = next;
+    }
+    return winding * 180 / pi;
+  };
+  const double rest = inner_to_outer(state.mesh.coordinates);
+  const CommandResult automatic = execute(turn(200), state);
+  CHECK(automatic.smooth.increments > 1);
+  CHECK(automatic.smooth.inverted == 0);
+  CHECK(automatic.smooth.converged);
+  CHECK(inverted(automatic.state) == 0);
+  CHECK(inner_to_outer(automatic.state.mesh.coordinates) - rest == doctest::Approx(-200));
+  check_boundary(automatic.state, boundary_moved(state, turn(200)));
+}
+
+TEST_CASE("the limit of iterations is kept, and said") {
+  const MeshState state = hole_state();
+  MoveCommand command = small_move();
+  command.smooth.max_iterations = 3;
+  command.how.increments = 1;
+  const CommandResult result = execute(command, state);
+  CHECK_FALSE(result.smooth.converged);
+  CHECK(result.smooth.outer_iterations == 3);
+  CHECK(result.smooth.residual > 1e-10);
+  CHECK(result.smooth.history.size() == 4);
+  CHECK(result.smooth.inverted == inverted(result.state));
+}
+
+TEST_CASE("senseless commands are refused") {
+  const MeshState state = hole_state();
+  MoveCommand command = small_move();
+  SUBCASE("unknown marker") { command.markers = {"wing"}; }
+  SUBCASE("no marker") { command.markers = {}; }
+  SUBCASE("negative increments") { command.how.increments = -1; }
+  SUBCASE("damping") { command.smooth.damping = 0; }
+  SUBCASE("formulation") { command.smooth.formulation = "magic"; }
+  SUBCASE("linear solver") { command.smooth.linear.solver = "magic"; }
+  CHECK_THROWS_AS(execute(command, state), UsageError);
+  DeformCommand deform;
+  deform.markers = {"hole"};
+  deform.smooth.tolerance = -1;
+  CHECK_THROWS_AS(execute(deform, state), UsageError);
+  SmoothCommand smooth;
+  smooth.smooth.threads = -1;
+  CHECK_THROWS_AS(execute(smooth, state), UsageError);
+}
+
+TEST_CASE("commands have names and one-line descriptions") {
+  MoveCommand move;
+  move.markers = {"slat", "flap"};
+  move.motion.rotate = -40;
+  CHECK(describe(move) == "Rotate slat, flap by -40 deg");
+  move.motion.translate = {0.5, -2};
+  CHECK(describe(move) == "Rotate slat, flap by -40 deg and move it by (0.5, -2)");
+  move.motion.rotate = 0;
+  CHECK(describe(move) == "Move slat, flap by (0.5, -2)");
+  CHECK(command_name(move) == "move");
+  DeformCommand deform;
+  deform.markers = {"main"};
+  deform.shape = SineDeformation{0.05, 2, {0, 1}, Fade::none, 0.2};
+  CHECK(describe(deform) == "Deform main: sine, amplitude 0.05, 2 waves");
+  deform.shape = DisplacementTable{{{1, {0, 0}, {1, 1}, 0}, {2, {0, 0}, {1, 1}, 0}}, "f.csv"};
+  CHECK(describe(deform) == "Displace 2 nodes of main");
+  CHECK(command_name(deform) == "deform");
+  CHECK(describe(ScrambleCommand{12}) == "Scramble, seed 12");
+  CHECK(command_name(ScrambleCommand{}) == "scramble");
+  CHECK(describe(SmoothCommand{}) == "Smooth");
+  CHECK(command_name(SmoothCommand{}) == "smooth");
+}
+
+TEST_CASE("the smoothing options of a command can be reached, where there are any") {
+  Command move = MoveCommand{};
+  REQUIRE(smooth_options(move) != nullptr);
+  smooth_options(move)->damping = 0.125;
+  CHECK(std::get<MoveCommand>(move).smooth.damping == 0.125);
+  Command smooth = SmoothCommand{}, deform = DeformCommand{}, scramble = ScrambleCommand{};
+  CHECK(smooth_options(smooth) != nullptr);
+  CHECK(smooth_options(deform) != nullptr);
+  CHECK(smooth_options(scramble) == nullptr);
+}
