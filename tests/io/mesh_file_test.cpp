@@ -1,7 +1,5 @@
 #include "io/mesh_file.h"
 
-#include <sys/stat.h>
-
 #include "io/support/samples.h"
 
 namespace winslow::test {
@@ -50,6 +48,20 @@ TEST_CASE("the content decides the format, whatever the name") {
                             (std::string(other) == "a.OBJ" && file.format != io::Format::obj);
       CHECK(any_contains(file.warnings, "the content is that of") == mismatch);
     }
+  }
+}
+
+TEST_CASE("lines that end in CR LF are accepted in every text format") {
+  for (const char* name : {"square.su2", "square_22.msh", "square_41.msh", "square.vtk",
+                           "square.vtu", "square.obj", "square.off", "square.ply", "square.stl"}) {
+    CAPTURE(name);
+    const std::string original = std::string(WINSLOW_TEST_DATA "/") + name;
+    std::string crlf;
+    for (const char c : read_text(original)) crlf += c == '\n' ? "\r\n" : std::string(1, c);
+    const io::MeshFile file = read_from_text(name, crlf);
+    const io::MeshFile expected = io::read_mesh(original);
+    check_same_mesh(file.mesh, expected.mesh);
+    CHECK(file.warnings.size() == expected.warnings.size());
   }
 }
 
