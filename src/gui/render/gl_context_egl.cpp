@@ -40,35 +40,19 @@ EGLDisplay find_display() {
   return eglGetDisplay(EGL_DEFAULT_DISPLAY);
 }
 
-/// EGL gives every caller the same display: it is closed when its last user has gone.
-class DisplayUse {
- public:
-  DisplayUse() {
-    const std::lock_guard lock(mutex());
-    display_ = find_display();
-    if (display_ == EGL_NO_DISPLAY) fail("no EGL display");
-    if (eglInitialize(display_, nullptr, nullptr) == EGL_FALSE) fail("EGL does not start");
-    ++users();
-  }
-  ~DisplayUse() {
-    const std::lock_guard lock(mutex());
-    if (--users() == 0) eglTerminate(display_);
-  }
-  DisplayUse(const DisplayUse&) = delete;
-  DisplayUse& operator=(const DisplayUse&) = delete;
-  EGLDisplay get() const { return display_; }
-
- private:
-  static std::mutex& mutex() {
-    static std::mutex instance;
-    return instance;
-  }
-  static int& users() {
-    static int count = 0;
-    return count;
-  }
-  EGLDisplay display_;
-};
+/// The display is the process's: EGL gives every caller the same one, and Mesa, closed and opened
+/// again, loads its driver anew and loses the memory of the one before. So it is opened once.
+EGLDisplay open_display() {
+  static std::mutex mutex;
+  static EGLDisplay display = EGL_NO_DISPLAY;
+  const std::lock_guard lock(mutex);
+  if (display != EGL_NO_DISPLAY) return display;
+  const EGLDisplay found = find_display();
+  if (found == EGL_NO_DISPLAY) fail("no EGL display");
+  if (eglInitialize(found, nullptr, nullptr) == EGL_FALSE) fail("EGL does not start");
+  display = found;
+  return display;
+}
 
 class EglContext : public HeadlessContext {
  public:
@@ -77,7 +61,7 @@ class EglContext : public HeadlessContext {
         previous_context_(eglGetCurrentContext()),
         previous_draw_(eglGetCurrentSurface(EGL_DRAW)),
         previous_read_(eglGetCurrentSurface(EGL_READ)) {
-    if (!has_extension(eglQueryString(use_.get(), EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
+    if (!has_extension(eglQueryString(display_, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
       fail("EGL cannot draw without a surface");
     }
     if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) fail("EGL offers no desktop OpenGL");
@@ -89,10 +73,10 @@ class EglContext : public HeadlessContext {
                                                EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                                EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                                EGL_NONE};
-    context_ = eglCreateContext(use_.get(), config, EGL_NO_CONTEXT, attributes.data());
+    context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, attributes.data());
     if (context_ == EGL_NO_CONTEXT) fail("EGL has no OpenGL 3.3 core context");
     try {
-      if (eglMakeCurrent(use_.get(), EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) {
+      if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) {
         fail("EGL cannot make its context current");
       }
       load_gl(eglGetProcAddress);
@@ -118,7 +102,7 @@ class EglContext : public HeadlessContext {
                                            EGL_PBUFFER_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint found = 0;
-    if (eglChooseConfig(use_.get(), wanted.data(), &config, 1, &found) == EGL_TRUE && found > 0) {
+    if (eglChooseConfig(display_, wanted.data(), &config, 1, &found) == EGL_TRUE && found > 0) {
       return config;
     }
     return EGL_NO_CONFIG_KHR;
@@ -128,12 +112,12 @@ class EglContext : public HeadlessContext {
     if (previous_context_ != EGL_NO_CONTEXT) {
       eglMakeCurrent(previous_display_, previous_draw_, previous_read_, previous_context_);
     } else {
-      eglMakeCurrent(use_.get(), EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+      eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     }
-    eglDestroyContext(use_.get(), context_);
+    eglDestroyContext(display_, context_);
   }
 
-  DisplayUse use_;
+  EGLDisplay display_ = open_display();
   EGLDisplay previous_display_;
   EGLContext previous_context_;
   EGLSurface previous_draw_, previous_read_;
