@@ -17,7 +17,17 @@ void emit_show_inverted(const PanelContext& context) {
   context.emit(action::LookAt{box.centre(), 6 * box.size().norm()});
 }
 
+/// The text and up to three buttons do not fit on one line.
+bool two_lines(const PanelContext& context, float width) {
+  const float text = ImGui::CalcTextSize(context.session.banner()->text.c_str()).x;
+  return text + context.theme.px(310) > width;
+}
+
 }  // namespace
+
+float BannerPanel::height(const PanelContext& context, float width) {
+  return context.theme.px(two_lines(context, width) ? 78.0f : 44.0f);
+}
 
 void BannerPanel::draw(const PanelContext& context) {
   const auto& banner = context.session.banner();
@@ -25,10 +35,13 @@ void BannerPanel::draw(const PanelContext& context) {
   const bool bad = banner->kind != Banner::Kind::not_converged;
   ImGui::AlignTextToFramePadding();
   const std::string icon = context.theme.icon(Icon::warning);
+  const bool wide = !two_lines(context, ImGui::GetWindowWidth());
+  const std::string text = icon.empty() ? banner->text : icon + "  " + banner->text;
   ui::text_colored(bad ? color::danger : color::warning,
-                   icon.empty() ? banner->text : icon + "  " + banner->text);
+                   ui::elided(text, ImGui::GetContentRegionAvail().x));
   ui::note("banner");
-  ImGui::SameLine(0, context.theme.px(16));
+  ui::tooltip(banner->text);
+  if (wide) ImGui::SameLine(0, context.theme.px(16));
   if (banner->kind == Banner::Kind::inverted_result) {
     if (ui::button("banner/undo", "Undo", {"Back to the mesh before this command."}))
       context.emit(action::Undo{});

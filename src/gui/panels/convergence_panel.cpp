@@ -28,8 +28,11 @@ void ConvergencePanel::draw(const PanelContext& context) {
   size.x = std::max(size.x, 1.0f);
   size.y = std::max(size.y, 1.0f);
   const ImVec2 start = ImGui::GetCursorScreenPos();
-  draw_convergence_plot("convergence/plot", {history, session.smooth_options().tolerance}, size,
-                        context.theme.scale);
+  // A field being typed in holds all sorts of numbers.
+  const double tolerance = session.smooth_options().tolerance;
+  ConvergencePlot plot{history, {}};
+  if (tolerance > 0) plot.tolerance = tolerance;
+  draw_convergence_plot("convergence/plot", plot, size, context.theme.scale);
   if (!history.empty()) return;
   const char* hint = "Move a body or press Smooth: the residual of every iteration appears here.";
   const ImVec2 text = ImGui::CalcTextSize(hint);

@@ -11,6 +11,8 @@ namespace {
 constexpr double drag_threshold = 4;
 constexpr double pick_radius = 7;
 constexpr double handle_radius = 9;
+// Small, so that a body is taken by its middle without catching the pivot.
+constexpr double pivot_radius = 6;
 constexpr double ring_gap = 26;
 constexpr double smallest_ring = 44;
 constexpr double zoom_per_notch = 1.2;
@@ -26,7 +28,7 @@ double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
 Handle handle_at(const Handles& handles, const Vec2& p, double scale) {
   const double r = handle_radius * scale;
   if ((p - handles.knob()).norm() <= r) return Handle::ring;
-  if ((p - handles.pivot).norm() <= r) return Handle::pivot;
+  if ((p - handles.pivot).norm() <= pivot_radius * scale) return Handle::pivot;
   const double off_ring = std::abs((p - handles.pivot).norm() - handles.radius);
   return off_ring <= 0.7 * r ? Handle::ring : Handle::none;
 }

@@ -135,7 +135,7 @@ void Workbench::draw_viewport() {
   draw_legend_card(*ImGui::GetBackgroundDrawList());
   if (!session_.banner()) return;
   const bool bad = session_.banner()->kind != Banner::Kind::not_converged;
-  begin_region("banner", {v.x, v.y, v.width, theme.px(44)},
+  begin_region("banner", {v.x, v.y, v.width, BannerPanel::height(context(), v.width)},
                {ImVec2(theme.px(14), theme.px(7)), bad ? color::danger_soft : color::warning_soft,
                 ImGuiWindowFlags_NoScrollbar});
   banner_.draw(context());
@@ -146,7 +146,8 @@ void Workbench::draw_legend_card(ImDrawList& list) {
   const auto& legend = mesh_view_.legend();
   const Area& v = layout_.viewport;
   const Theme& theme = ui_->theme();
-  const float height = std::min(theme.px(260), v.height - theme.px(90));
+  const float banner = session_.banner() ? BannerPanel::height(context(), v.width) : 0;
+  const float height = std::min(theme.px(260), v.height - banner - theme.px(48));
   if (!legend || !view_.legend || height < theme.px(90)) return;
   LegendStyle style;
   style.font = theme.small;
@@ -157,7 +158,7 @@ void Workbench::draw_legend_card(ImDrawList& list) {
   const float width = legend_width(*legend, style);
   const float pad = theme.px(12);
   const float x = v.x + v.width - width - 2 * pad - theme.px(12);
-  const float y = v.y + theme.px(session_.banner() ? 56 : 12);
+  const float y = v.y + banner + theme.px(12);
   list.AddRectFilled(ImVec2(x, y), ImVec2(x + width + 2 * pad, y + height + 2 * pad),
                      IM_COL32(255, 255, 255, 235), theme.px(6));
   list.AddRect(ImVec2(x, y), ImVec2(x + width + 2 * pad, y + height + 2 * pad), color::border,

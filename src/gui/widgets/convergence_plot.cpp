@@ -14,7 +14,11 @@ namespace winslow::gui {
 
 namespace {
 
-constexpr double floor_value = 1e-16;  // what is smaller, zero above all, is drawn here
+// What lies beyond, zero and infinity above all, is drawn here.
+constexpr double floor_value = 1e-16;
+constexpr double ceiling_value = 1e16;
+
+double within_range(double v) { return std::clamp(v, floor_value, ceiling_value); }
 
 struct Frame {
   ImVec2 min, max;          // of the plotting area
@@ -26,7 +30,7 @@ struct Frame {
     return min.x + static_cast<float>(iteration / last) * (max.x - min.x);
   }
   float y(double value) const {
-    const double t = (std::log10(std::max(value, floor_value)) - low) / (high - low);
+    const double t = (std::log10(within_range(value)) - low) / (high - low);
     return max.y - static_cast<float>(std::clamp(t, 0.0, 1.0)) * (max.y - min.y);
   }
   float y_inverted(double count) const {
@@ -36,13 +40,13 @@ struct Frame {
 
 Frame make_frame(const ConvergencePlot& plot, const ImVec2& min, const ImVec2& max, float scale) {
   Frame f;
-  double smallest = plot.tolerance.value_or(1e-3);
+  double smallest = within_range(plot.tolerance.value_or(1e-3));
   double largest = smallest;
   for (const IterationRecord& r : plot.history) {
     for (double v : {r.residual, r.largest_move}) {
       if (!(v > 0)) continue;
-      smallest = std::min(smallest, std::max(v, floor_value));
-      largest = std::max(largest, v);
+      smallest = std::min(smallest, within_range(v));
+      largest = std::max(largest, within_range(v));
     }
     f.inverted = std::max(f.inverted, static_cast<double>(r.inverted));
   }

@@ -136,7 +136,8 @@ TEST_CASE("a second drag before the first has converged adds to it") {
   rig.bench->apply(action::PauseSolver{});
   REQUIRE(rig.session().job().active());
   rig.frames(3);
-  rig.drag(rig.pixel(rig.session().pivot()), rig.pixel(rig.session().pivot()) + Vec2(0, -20));
+  const Vec2 on_body = rig.pixel(rig.session().pivot() + Vec2(0.3, 0));
+  rig.drag(on_body, on_body + Vec2(0, -20));
   rig.release();
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);

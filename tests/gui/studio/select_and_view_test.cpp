@@ -145,7 +145,7 @@ TEST_CASE("the colour of elements is chosen in the view panel") {
   Rig rig(1100, 1000);
   rig.open(ring_mesh());
   rig.click("view/color");
-  rig.click("view/color/Aspect Ratio");
+  rig.click("view/color/" + std::string(metric_label(Metric::aspect_ratio)));
   REQUIRE(rig.bench->view().color.has_value());
   CHECK(*rig.bench->view().color == Metric::aspect_ratio);
   REQUIRE(rig.settle());

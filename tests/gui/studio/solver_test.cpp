@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "gui/studio/keys.h"
 #include "gui/studio/rig.h"
@@ -200,6 +201,18 @@ TEST_CASE("settings of the solver that make no sense are refused with a reason")
   REQUIRE(rig.visible("prompt/OK"));
   rig.click("prompt/OK");
   CHECK(rig.session().prompt() == nullptr);
+}
+
+TEST_CASE("the plot survives numbers that no run should have") {
+  Rig rig;
+  rig.open(ring_mesh());
+  for (double tolerance : {0.0, -1.0, 1e-300, 1e300, std::nan(""), HUGE_VAL}) {
+    SmoothOptions odd;
+    odd.tolerance = tolerance;
+    rig.bench->apply(action::SetSmoothOptions{odd});
+    rig.frames();
+    CHECK(rig.visible("convergence/plot"));
+  }
 }
 
 TEST_CASE("an iteration limit that is too small is said, and going on converges") {
