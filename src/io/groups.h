@@ -30,8 +30,8 @@ class GroupIndex {
   std::vector<Region> groups_;
 };
 
-/// Notes that a line element (coded as in LineDetails::marker_lines), found at `offset` in the file,
-/// belongs to a marker.
+/// Notes that a line element (coded as in LineDetails::marker_lines), found at `offset` in the
+/// file, belongs to a marker.
 void add_marker_line(std::size_t marker, Index line, std::size_t offset, LineDetails& details,
                      ParsedMesh& mesh);
 /// Makes the markers of the mesh from the groups and from the lines that were noted.
