@@ -24,8 +24,12 @@ class GmresSolver final : public LinearSolver {
   std::string_view name() const override { return "gmres"; }
 
   LinearResult solve(const SparseSystem& system, std::span<double> x) override {
-    if (matrix_.assign(system)) gmres_.analyzePattern(matrix_.matrix());
-    gmres_.factorize(matrix_.matrix());
+    if (matrix_.assign(system)) {
+      // Not analyzePattern: Eigen's ILUT would be asked for a status that it has not set yet.
+      gmres_.compute(matrix_.matrix());
+    } else {
+      gmres_.factorize(matrix_.matrix());
+    }
     if (gmres_.info() != Eigen::Success) {
       throw NumericError("the linear system is singular (incomplete LU failed)");
     }
