@@ -13,6 +13,8 @@ bool either(const std::bitset<512>& keys, int left, int right) {
   return keys[static_cast<std::size_t>(left)] || keys[static_cast<std::size_t>(right)];
 }
 
+bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
+
 }  // namespace
 
 bool InputState::control() const {
@@ -38,6 +40,8 @@ struct InputQueue::Frame {
   std::array<bool, 3> button_changed{};
   bool any_button = false;
   std::bitset<512> key_changed;
+  // A key went down: what Control and Shift do after that is no part of it.
+  bool settled = false;
 };
 
 bool InputQueue::take(const Event& event, Frame& frame) {
@@ -47,15 +51,16 @@ bool InputQueue::take(const Event& event, Frame& frame) {
     state_.mouse_inside = move->inside;
   } else if (const auto* button = std::get_if<Button>(&event)) {
     const auto i = static_cast<std::size_t>(button->button);
-    if (frame.button_changed[i]) return false;
+    if (frame.settled || frame.button_changed[i]) return false;
     frame.button_changed[i] = frame.any_button = true;
     state_.buttons[i] = button->down;
   } else if (const auto* wheel = std::get_if<Wheel>(&event)) {
     state_.wheel += wheel->notches;
   } else if (const auto* key = std::get_if<Key>(&event)) {
     const auto k = static_cast<std::size_t>(key->key);
-    if (frame.key_changed[k]) return false;
+    if (frame.settled || frame.any_button || frame.key_changed[k]) return false;
     frame.key_changed[k] = true;
+    frame.settled = key->down && !is_modifier(key->key);
     state_.keys[k] = key->down;
   } else if (const auto* text = std::get_if<Text>(&event)) {
     state_.text.push_back(text->character);

@@ -34,7 +34,8 @@ struct InputState {
 };
 
 /// Events in the order in which they came. Several events may fall into one frame, but never two
-/// that a frame could not tell apart: a press and its release, or a press and a motion after it.
+/// that a frame could not tell apart: a press and its release, a press and a motion after it, a key
+/// and the release of the Control key that was held with it.
 class InputQueue {
  public:
   void move(const Vec2& position);

@@ -54,6 +54,27 @@ TEST_CASE("keys and text are counted once") {
   CHECK(queue.empty());
 }
 
+TEST_CASE("Control that goes up before its key still counts") {
+  InputQueue queue;
+  queue.key(keys::control, true);
+  CHECK(queue.next_frame().control());
+  // Both in one frame: a fast hand, or a program that types.
+  queue.key(keys::q, true);
+  queue.key(keys::control, false);
+  queue.key(keys::q, false);
+  const InputState pressed = queue.next_frame();
+  CHECK(pressed.keys[keys::q]);
+  CHECK(pressed.control());
+  CHECK_FALSE(queue.next_frame().control());
+  // Nor does Control that comes after a key or a button belong to it.
+  queue.key(keys::w, true);
+  queue.key(keys::control, true);
+  CHECK_FALSE(queue.next_frame().control());
+  queue.button(MouseButton::left, true);
+  queue.key(keys::control, false);
+  CHECK(queue.next_frame().control());
+}
+
 TEST_CASE("composed rigid motions act one after the other") {
   const RigidMotion first{30, Vec2(1, 2), Vec2(0.5, -0.25)};
   for (const RigidMotion& second :
