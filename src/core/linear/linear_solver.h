@@ -12,7 +12,7 @@ namespace winslow {
 
 struct LinearOptions {
   std::string solver = "direct";  ///< one of linear_solver_names()
-  /// Relative residual |B - A X| / |B| at which an iterative solver stops. The outer iteration is
+  /// Relative residual at which an iterative solver stops (gmres: preconditioned). The iteration is
   /// damped anyway, so a loose one costs no accuracy: the converged mesh is the same.
   double tolerance = 1e-3;
   int max_iterations = 200;  ///< Gauss-Seidel sweeps or Krylov iterations per solve

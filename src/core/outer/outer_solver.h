@@ -38,7 +38,7 @@ class OuterSolver {
   virtual IterationRecord start(const Coordinates& x) = 0;
   /// One outer iteration.
   virtual IterationRecord step(Coordinates& x) = 0;
-  /// True if the last record meets the tolerance on a valid mesh's equations.
+  /// True if the last record meets the tolerance, also on a mesh whose solution is tangled.
   virtual bool converged() const = 0;
 };
 

@@ -36,6 +36,14 @@ std::span<const double> VirtualControlVolumes::lengths(Index node) const {
   return topology_->constrained(node) ? std::span<const double>{} : row(lengths_, node);
 }
 
+void VirtualControlVolumes::require_free(Index node) const {
+  if (node < 0 || node >= topology_->node_count() || topology_->constrained(node) ||
+      !topology_->used(node)) {
+    throw UsageError("VCV of node " + std::to_string(node) +
+                     ": the node is not a free node of the mesh");
+  }
+}
+
 Vec2 VirtualControlVolumes::point(Index node, Index k) const {
   const auto angle = angles(node).first(static_cast<std::size_t>(k));
   const double phi = std::accumulate(angle.begin(), angle.end(), 0.0);
@@ -44,11 +52,8 @@ Vec2 VirtualControlVolumes::point(Index node, Index k) const {
 
 void VirtualControlVolumes::set(Index node, std::span<const double> angles,
                                 std::span<const double> lengths) {
+  require_free(node);
   const std::string who = "VCV of node " + std::to_string(node);
-  if (node < 0 || node >= topology_->node_count() || topology_->constrained(node) ||
-      !topology_->used(node)) {
-    throw UsageError(who + ": the node is not a free node of the mesh");
-  }
   const std::size_t n = topology_->neighbours(node).size();
   if (angles.size() != n || lengths.size() != n) {
     throw UsageError(who + ": expected " + std::to_string(n) + " angles and lengths");
@@ -71,6 +76,7 @@ void VirtualControlVolumes::set(Index node, std::span<const double> angles,
 }
 
 void VirtualControlVolumes::reset(Index node) {
+  require_free(node);
   const auto angles = row(angles_, node);
   std::fill(angles.begin(), angles.end(), 2 * pi / static_cast<double>(angles.size()));
   const auto lengths = row(lengths_, node);

@@ -30,16 +30,17 @@ class VirtualControlVolumes {
   std::span<const double> angles(Index node) const;
   /// Length of edge k. Only ratios within one VCV act. Empty for nodes that are not free.
   std::span<const double> lengths(Index node) const;
-  /// Computational position of neighbour k: edge 0 lies on the positive x axis.
+  /// Computational position of neighbour k of a free node: edge 0 lies on the positive x axis.
   Vec2 point(Index node, Index k) const;
 
   /// Replaces the VCV of one free node. Angles are in (0, pi) (exactly 2 edges: pi each) and sum to
   /// 2 pi within 1e-9; lengths are positive. Throws UsageError otherwise.
   void set(Index node, std::span<const double> angles, std::span<const double> lengths);
-  /// Back to equal angles and unit edges.
+  /// Back to equal angles and unit edges. Throws UsageError for a node that is not free.
   void reset(Index node);
 
  private:
+  void require_free(Index node) const;
   std::span<double> row(std::vector<double>& values, Index node);
   std::span<const double> row(const std::vector<double>& values, Index node) const;
 

@@ -1,0 +1,114 @@
+// The parts of one outer iteration, on triangulated squares of growing size.
+#include <benchmark/benchmark.h>
+
+#include "core/command/command.h"
+#include "core/formulation/formulation.h"
+#include "core/linear/linear_solver.h"
+#include "core/quality/quality.h"
+#include "core/vcv/stencil_functionals.h"
+#include "support/meshes.h"
+#include "support/random.h"
+
+namespace {
+
+using namespace winslow;
+
+MeshState perturbed_square(std::int64_t cells) {
+  Mesh mesh = make_mesh(test::square(static_cast<Index>(cells), test::Cells::triangles));
+  test::Random random(1);
+  const double reach = 0.2 / static_cast<double>(cells);  // of a cell of the unit square
+  for (const Index node : mesh.topology->free_nodes()) {
+    mesh.coordinates.set_xy(node, mesh.coordinates.xy(node) + random.vector(-reach, reach));
+  }
+  return make_state(std::move(mesh));
+}
+
+void set_nodes(benchmark::State& run, const MeshState& state) {
+  const auto nodes = state.mesh.topology->node_count();
+  run.counters["nodes"] = static_cast<double>(nodes);
+  run.SetItemsProcessed(run.iterations() * nodes);
+}
+
+void build_topology(benchmark::State& run) {
+  const MeshData data = test::square(static_cast<Index>(run.range(0)), test::Cells::triangles);
+  for (auto _ : run) benchmark::DoNotOptimize(Topology::build(data));
+  run.SetItemsProcessed(run.iterations() * data.node_count());
+}
+
+void build_functionals(benchmark::State& run) {
+  const MeshState state = perturbed_square(run.range(0));
+  for (auto _ : run) benchmark::DoNotOptimize(StencilFunctionals(*state.vcv));
+  set_nodes(run, state);
+}
+
+void freeze(benchmark::State& run) {
+  const MeshState state = perturbed_square(run.range(0));
+  const auto formulation =
+      make_formulation("pointwise", *state.vcv, static_cast<int>(run.range(1)));
+  SparseSystem system;
+  for (auto _ : run) {
+    benchmark::DoNotOptimize(formulation->freeze(state.mesh.coordinates, true, system));
+  }
+  set_nodes(run, state);
+}
+
+void residual(benchmark::State& run) {
+  const MeshState state = perturbed_square(run.range(0));
+  const auto formulation =
+      make_formulation("pointwise", *state.vcv, static_cast<int>(run.range(1)));
+  for (auto _ : run) {
+    benchmark::DoNotOptimize(formulation->residual(state.mesh.coordinates, true, {}));
+  }
+  set_nodes(run, state);
+}
+
+void validity(benchmark::State& run) {
+  const MeshState state = perturbed_square(run.range(0));
+  for (auto _ : run) {
+    benchmark::DoNotOptimize(check_validity(*state.mesh.topology, state.mesh.coordinates,
+                                            static_cast<int>(run.range(1))));
+  }
+  set_nodes(run, state);
+}
+
+void solve(benchmark::State& run, const char* name) {
+  const MeshState state = perturbed_square(run.range(0));
+  const auto formulation = make_formulation("pointwise", *state.vcv, 0);
+  SparseSystem system;
+  formulation->freeze(state.mesh.coordinates, true, system);
+  LinearOptions options;
+  options.solver = name;
+  const auto solver = make_linear_solver(options);
+  std::vector<double> x(system.rhs.size(), 0.0);
+  solver->solve(system, x);  // the symbolic factorisation is not what is measured
+  for (auto _ : run) {
+    std::fill(x.begin(), x.end(), 0.0);
+    benchmark::DoNotOptimize(solver->solve(system, x));
+  }
+  set_nodes(run, state);
+}
+
+BENCHMARK(build_topology)->Arg(70)->Arg(300)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(build_functionals)->Arg(70)->Arg(300)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(freeze)->ArgsProduct({{70, 300}, {1, 2}})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(residual)->ArgsProduct({{70, 300}, {1, 2}})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(validity)->ArgsProduct({{70, 300}, {1, 2}})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(solve, direct, "direct")
+    ->Arg(70)
+    ->Arg(150)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(solve, gmres, "gmres")
+    ->Arg(70)
+    ->Arg(150)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(solve, point_implicit, "point-implicit")
+    ->Arg(70)
+    ->Arg(150)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+}  // namespace
+
+BENCHMARK_MAIN();
