@@ -148,7 +148,11 @@ class SolverThread::Impl final : public SolverMonitor {
 
   /// Called with the mutex held.
   void publish_progress(JobState state) {
-    if (request_) return;
+    if (!request_) publish_locked(picture(state));
+  }
+
+  /// Where the job stands, as the worker sees it.
+  Snapshot picture(JobState state) const {
     Snapshot snapshot;
     snapshot.job = current_.job;
     snapshot.state = state;
@@ -156,7 +160,7 @@ class SolverThread::Impl final : public SolverMonitor {
     snapshot.coordinates = reached_;
     snapshot.history = history_;
     snapshot.command = current_.command;
-    publish_locked(std::move(snapshot));
+    return snapshot;
   }
 
   void work() {
@@ -207,13 +211,7 @@ class SolverThread::Impl final : public SolverMonitor {
     retarget_.reset();
     active_ = false;
     if (request_) return false;
-    Snapshot snapshot;
-    snapshot.job = current_.job;
-    snapshot.state = state;
-    snapshot.topology = current_.state.mesh.topology;
-    snapshot.coordinates = reached_;
-    snapshot.history = history_;
-    snapshot.command = current_.command;
+    Snapshot snapshot = picture(state);
     snapshot.result = std::move(result);
     snapshot.error = std::move(error);
     publish_locked(std::move(snapshot));
