@@ -21,7 +21,8 @@ std::string title_of(const Session& session) {
 void ConvergencePanel::draw(const PanelContext& context) {
   const Session& session = context.session;
   ImGui::PushFont(context.theme.bold);
-  ImGui::TextUnformatted(title_of(session).c_str());
+  const std::string title = title_of(session);
+  ImGui::TextUnformatted(ui::elided(title, ImGui::GetContentRegionAvail().x).c_str());
   ImGui::PopFont();
   const auto history = session.convergence();
   ImVec2 size = ImGui::GetContentRegionAvail();

@@ -53,6 +53,12 @@ class Table {
   float left_, width_;
 };
 
+/// Brings an element into view with some of what surrounds it.
+void show_element(const PanelContext& context, Index element) {
+  const Bounds box = bounds(context.session.coordinates(), context.topology()->element(element));
+  context.emit(action::LookAt{box.centre(), 6 * box.size().norm()});
+}
+
 }  // namespace
 
 void QualityPanel::draw(const PanelContext& context) {
@@ -100,13 +106,12 @@ void QualityPanel::draw_worst(const PanelContext& context) {
   const auto& worst = measured->report.of(metric).worst;
   if (worst.empty()) return;
   ui::text_dim("Worst elements, by " + std::string(metric_label(metric)));
-  const Bounds all = bounds(context.session.document()->state().mesh);
   for (std::size_t i = 0; i < worst.size() && i < 5; ++i) {
     const std::string label =
         "#" + std::to_string(worst[i].element) + "   " + table_number(worst[i].value);
     const std::string id = "quality/worst/" + std::to_string(i);
     if (ui::button(id, label, {"Show this element.", ui::ButtonStyle::flat, true, 0}))
-      context.emit(action::LookAt{worst[i].centre, 0.002 * all.size().norm()});
+      show_element(context, worst[i].element);
     if (i % 2 == 0 && i + 1 < worst.size() && i + 1 < 5)
       ImGui::SameLine(ImGui::GetWindowContentRegionMax().x * 0.5f);
   }

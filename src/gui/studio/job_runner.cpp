@@ -66,7 +66,8 @@ bool JobRunner::meets_target(const Snapshot& snapshot) const {
   if (!target) return true;
   if (!snapshot.command) return false;
   const auto* reached = std::get_if<MoveCommand>(&*snapshot.command);
-  return reached && same_motion(reached->motion, target->motion);
+  return reached && same_motion(reached->motion, target->motion) &&
+         reached->how.increments == target->how.increments;
 }
 
 std::optional<JobRunner::Outcome> JobRunner::take_outcome() {

@@ -1,6 +1,7 @@
 #include "gui/studio/session.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "gui/studio/rigid_motion.h"
@@ -162,7 +163,12 @@ void Session::centre_pivot() {
   if (!document_ || selection_.empty()) return;
   const Mesh& mesh = document_->state().mesh;
   const std::vector<Index> nodes = mesh.topology->nodes_of_markers(selected_names());
-  if (!nodes.empty()) pivot_ = bounds(mesh.coordinates, nodes).centre();
+  if (nodes.empty()) return;
+  const Bounds box = bounds(mesh.coordinates, nodes);
+  pivot_ = box.centre();
+  // 6.9e-18 would be the centre of a symmetric body in numbers, but not to a reader.
+  for (int axis : {0, 1})
+    if (std::abs(pivot_[axis]) < 1e-12 * box.size().maxCoeff()) pivot_[axis] = 0;
 }
 
 std::vector<std::string> Session::selected_names() const {

@@ -65,7 +65,10 @@ void Session::on(const action::BeginDrag&) {
 
 void Session::on(const action::DragTo& a) {
   if (!dragging_) return;
-  const MoveCommand command = move_command(drag_base_ ? compose(*drag_base_, a.motion) : a.motion);
+  MoveCommand command = move_command(drag_base_ ? compose(*drag_base_, a.motion) : a.motion);
+  // Under the mouse the body goes where the mouse is, at once; the steps that the user chose are
+  // for the place where it is let go.
+  command.how.increments = 1;
   if (job_.active()) {
     job_.retarget(command);
     return;
@@ -82,6 +85,7 @@ void Session::on(const action::EndDrag&) {
   dragging_ = false;
   drag_base_.reset();
   job_.hold(false);
+  if (const auto motion = live_motion()) job_.retarget(move_command(*motion));
 }
 
 void Session::on(const action::CancelDrag&) {

@@ -148,14 +148,17 @@ void Workbench::draw_legend_card(ImDrawList& list) {
   const Theme& theme = ui_->theme();
   const float banner = session_.banner() ? BannerPanel::height(context(), v.width) : 0;
   const float height = std::min(theme.px(260), v.height - banner - theme.px(48));
-  if (!legend || !view_.legend || height < theme.px(90)) return;
+  // The mesh matters more where there is little room.
+  if (!legend || !view_.legend || height < theme.px(90) || v.width < theme.px(330)) return;
+  Legend shown = *legend;
+  if (v.width < theme.px(560)) shown.histogram.reset();
   LegendStyle style;
   style.font = theme.small;
   style.title_font = theme.small;
   style.font_size = theme.px(13);
   style.bar_width = theme.px(14);
   style.histogram_width = theme.px(44);
-  const float width = legend_width(*legend, style);
+  const float width = legend_width(shown, style);
   const float pad = theme.px(12);
   const float x = v.x + v.width - width - 2 * pad - theme.px(12);
   const float y = v.y + banner + theme.px(12);
@@ -163,7 +166,7 @@ void Workbench::draw_legend_card(ImDrawList& list) {
                      IM_COL32(255, 255, 255, 235), theme.px(6));
   list.AddRect(ImVec2(x, y), ImVec2(x + width + 2 * pad, y + height + 2 * pad), color::border,
                theme.px(6));
-  draw_legend(list, x + pad, y + pad, height, *legend, style);
+  draw_legend(list, x + pad, y + pad, height, shown, style);
 }
 
 void Workbench::draw_dialogs() {

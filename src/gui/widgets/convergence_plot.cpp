@@ -145,17 +145,19 @@ void draw_key(ImDrawList& list, const Frame& f, float scale) {
   };
   std::vector<Entry> entries{{color::accent, "residual", false},
                              {color::move_line, "largest move", false}};
-  if (f.inverted > 0) entries.push_back({color::danger, "inverted elements (right axis)", true});
+  if (f.inverted > 0) entries.push_back({color::danger, "inverted elements", true});
   float x = f.min.x;
   const float y = f.min.y - 13 * scale;
   for (const Entry& e : entries) {
+    const float width = 22 * scale + ImGui::CalcTextSize(e.label).x;
+    if (x + width > f.max.x) break;
     if (e.block)
       list.AddRectFilled(ImVec2(x, y - 4 * scale), ImVec2(x + 16 * scale, y + 4 * scale),
                          IM_COL32(201, 34, 43, 90));
     else
       list.AddLine(ImVec2(x, y), ImVec2(x + 16 * scale, y), e.color, 2 * scale);
     text_at(list, ImVec2(x + 22 * scale, y), 0, 0.5f, color::text_dim, e.label);
-    x += 40 * scale + ImGui::CalcTextSize(e.label).x;
+    x += width + 18 * scale;
   }
 }
 

@@ -174,6 +174,27 @@ TEST_CASE("inverted elements are red") {
   CHECK(rig.session().banner()->kind == Banner::Kind::inverted_input);
 }
 
+TEST_CASE("a click on one of the worst elements shows it") {
+  Rig rig(1100, 900);
+  rig.open(ring_mesh());
+  REQUIRE(rig.settle());
+  rig.frames();
+  const auto& worst =
+      rig.session().quality().latest()->report.of(Metric::normalized_jacobian).worst;
+  REQUIRE_FALSE(worst.empty());
+  rig.click("quality/worst/0");
+  const Bounds seen = rig.bench->camera().visible();
+  CHECK((seen.centre() - worst[0].centre).norm() < 0.2 * seen.size().norm());
+  CHECK(seen.size().x() < 10);
+}
+
+TEST_CASE("the pivot of a symmetric body is written as it is read") {
+  Rig rig;
+  rig.open(ring_mesh());
+  rig.click("marker/flap");
+  CHECK(rig.session().pivot() == Vec2(0, 0));
+}
+
 TEST_CASE("panels can be hidden, and the mesh takes their room") {
   Rig rig;
   rig.open(ring_mesh());
