@@ -73,7 +73,8 @@ class SolverThread::Impl final : public SolverMonitor {
         again.emplace(*base_, latest_->coordinates);
       }
     }
-    if (again) {
+    if (again) {  // the command was not moved from then
+      // NOLINTNEXTLINE(bugprone-use-after-move)
       run(std::move(again->first), std::move(command), std::move(again->second), false);
     } else {
       wake_.notify_all();
