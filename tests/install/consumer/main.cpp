@@ -1,9 +1,10 @@
-// Smooths a square of 4 x 4 cells whose interior was scrambled; exits with 0 if it comes out regular.
+// Smooths a square of 4 x 4 cells whose interior was scrambled; exits with 0 if it comes out
+// regular.
+#include <winslow/core/command/command.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <winslow/core/command/command.h>
 
 int main() {
   constexpr winslow::Index n = 5;
@@ -20,8 +21,8 @@ int main() {
       data.add_element(winslow::ElementType::quadrilateral, quad);
     }
   }
-  const auto scrambled = winslow::execute(winslow::ScrambleCommand{7},
-                                          winslow::make_state(winslow::make_mesh(data)));
+  const auto scrambled =
+      winslow::execute(winslow::ScrambleCommand{7}, winslow::make_state(winslow::make_mesh(data)));
   const auto result = winslow::execute(winslow::SmoothCommand{}, scrambled.state);
   double error = 0;
   for (winslow::Index node = 0; node < n * n; ++node) {
