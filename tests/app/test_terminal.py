@@ -15,7 +15,10 @@ SLOW = ("--damping", "1e-9", "--fixed-damping", "--acceleration", "0", "--max-it
 class Terminal(ProgramTest):
     def on_terminal(self, *args):
         """Output of a run whose standard error is a terminal."""
-        master, slave = pty.openpty()
+        try:
+            master, slave = pty.openpty()
+        except OSError as error:  # a chroot without /dev/pts
+            self.skipTest(str(error))
         with subprocess.Popen([WINSLOW, *args], cwd=self.folder, stderr=slave,
                               stdout=subprocess.DEVNULL) as run:
             os.close(slave)
