@@ -132,7 +132,7 @@ std::string read_text(const std::filesystem::path& file) {
 }
 
 /// The parser's message without its own prefix "[json.exception...] parse error at line 3, ...: ".
-std::string plain(std::string message) {
+std::string plain(const std::string& message) {
   const std::size_t end = message.find("syntax error");
   return end == std::string::npos ? message.substr(message.find("] ") + 2) : message.substr(end);
 }
