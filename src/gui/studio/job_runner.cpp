@@ -27,6 +27,12 @@ void JobRunner::retarget(Command command) {
   job_ = solver_.latest()->job;
 }
 
+bool JobRunner::converged() const {
+  if (!snapshot_ || snapshot_->state != JobState::done || !meets_target(*snapshot_)) return false;
+  const auto& result = snapshot_->result;
+  return result && result->smooth.converged && result->smooth.inverted == 0;
+}
+
 void JobRunner::pause() {
   if (!active_) return;
   pause_requested_ = true;
@@ -66,8 +72,7 @@ bool JobRunner::meets_target(const Snapshot& snapshot) const {
   if (!target) return true;
   if (!snapshot.command) return false;
   const auto* reached = std::get_if<MoveCommand>(&*snapshot.command);
-  return reached && same_motion(reached->motion, target->motion) &&
-         reached->how.increments == target->how.increments;
+  return reached && same_motion(reached->motion, target->motion);
 }
 
 std::optional<JobRunner::Outcome> JobRunner::take_outcome() {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/job/solver_thread.h"
 
@@ -31,6 +32,10 @@ class JobRunner {
 
   void run(MeshState base, Command command, bool paused);
   void retarget(Command command);
+  /// The solver has reached the present target with a valid, converged mesh.
+  bool converged() const;
+  /// Another way to say the present target: the solver is not told.
+  void rename(Command command) { command_ = std::move(command); }
   void hold(bool held) { held_ = held; }
   void pause();
   void resume();

@@ -85,7 +85,14 @@ void Session::on(const action::EndDrag&) {
   dragging_ = false;
   drag_base_.reset();
   job_.hold(false);
-  if (const auto motion = live_motion()) job_.retarget(move_command(*motion));
+  const auto motion = live_motion();
+  if (!motion) return;
+  const MoveCommand wanted = move_command(*motion);
+  // What has converged under the mouse needs no second run, unless other steps were asked for.
+  if (wanted.how.increments <= 1 && job_.converged())
+    job_.rename(wanted);
+  else
+    job_.retarget(wanted);
 }
 
 void Session::on(const action::CancelDrag&) {

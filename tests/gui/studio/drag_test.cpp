@@ -125,6 +125,20 @@ TEST_CASE("a drag goes at once while held, and in the steps chosen when let go")
   CHECK(rig.document().history().result(1).increments == 8);
 }
 
+TEST_CASE("a mesh that has converged under the mouse is kept as it is") {
+  Rig rig;
+  rig.open(ring_mesh());
+  rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + Vec2(40, 0));
+  REQUIRE(rig.wait([&] { return rig.session().job().converged(); }));
+  const Coordinates held = rig.session().coordinates();
+  rig.release();
+  REQUIRE(rig.settle());
+  REQUIRE(rig.document().history().size() == 2);
+  CHECK(rig.mesh().coordinates == held);
+  CHECK(last_move(rig).how.increments == 0);
+  CHECK(rig.session().convergence().size() > 1);
+}
+
 TEST_CASE("with Shift a drag keeps to one axis") {
   Rig rig;
   rig.open(ring_mesh());
