@@ -16,6 +16,39 @@ constexpr std::array<const char*, 2> icon_files{
     "/usr/share/fonts/truetype/fork-awesome/forkawesome-webfont.ttf",
     "/usr/share/fonts-fork-awesome/fonts/forkawesome-webfont.ttf"};
 
+// By Icon. Fork Awesome keeps Font Awesome 4's code points.
+constexpr std::array<const char*, 29> glyphs{
+    "\xEF\x81\xBC",  // open
+    "\xEF\x83\x87",  // save
+    "\xEF\x83\xA2",  // undo
+    "\xEF\x80\x9E",  // redo
+    "\xEF\x82\xB2",  // fit
+    "\xEF\x81\x8B",  // run
+    "\xEF\x81\x8C",  // pause
+    "\xEF\x81\x91",  // step
+    "\xEF\x81\x8D",  // stop
+    "\xEF\x81\x88",  // reset
+    "\xEF\x80\xB0",  // camera
+    "\xEF\x81\xB1",  // warning
+    "\xEF\x80\x8C",  // check
+    "\xEF\x80\x8D",  // close
+    "\xEF\x81\x9A",  // info
+    "\xEF\x81\xBB",  // folder
+    "\xEF\x80\x96",  // file
+    "\xEF\x81\xA2",  // up
+    "\xEF\x80\x95",  // home
+    "\xEF\x81\xB4",  // random
+    "\xEF\x80\x8E",  // search
+    "\xEF\x81\x9B",  // bodies
+    "\xEF\x81\x87",  // motion
+    "\xEF\x87\x9E",  // solver
+    "\xEF\x82\x80",  // quality
+    "\xEF\x87\x9A",  // history
+    "\xEF\x81\xAE",  // view
+    "\xEF\x88\x81",  // plot
+    "\xEF\x81\x9B",  // target
+};
+
 bool exists(const char* path) {
   std::error_code ignored;
   return std::filesystem::exists(std::filesystem::path(path), ignored);
@@ -114,69 +147,7 @@ ImU32 marker_swatch(Index marker) {
 }
 
 const char* Theme::icon(Icon icon) const {
-  if (!has_icons) return "";
-  // Fork Awesome keeps Font Awesome 4's code points.
-  switch (icon) {
-    case Icon::open:
-      return "\xEF\x81\xBC";
-    case Icon::save:
-      return "\xEF\x83\x87";
-    case Icon::undo:
-      return "\xEF\x83\xA2";
-    case Icon::redo:
-      return "\xEF\x80\x9E";
-    case Icon::fit:
-      return "\xEF\x82\xB2";
-    case Icon::run:
-      return "\xEF\x81\x8B";
-    case Icon::pause:
-      return "\xEF\x81\x8C";
-    case Icon::step:
-      return "\xEF\x81\x91";
-    case Icon::stop:
-      return "\xEF\x81\x8D";
-    case Icon::reset:
-      return "\xEF\x81\x88";
-    case Icon::camera:
-      return "\xEF\x80\xB0";
-    case Icon::warning:
-      return "\xEF\x81\xB1";
-    case Icon::check:
-      return "\xEF\x80\x8C";
-    case Icon::close:
-      return "\xEF\x80\x8D";
-    case Icon::info:
-      return "\xEF\x81\x9A";
-    case Icon::folder:
-      return "\xEF\x81\xBB";
-    case Icon::file:
-      return "\xEF\x80\x96";
-    case Icon::up:
-      return "\xEF\x81\xA2";
-    case Icon::home:
-      return "\xEF\x80\x95";
-    case Icon::random:
-      return "\xEF\x81\xB4";
-    case Icon::search:
-      return "\xEF\x80\x8E";
-    case Icon::bodies:
-      return "\xEF\x81\x9B";
-    case Icon::motion:
-      return "\xEF\x81\x87";
-    case Icon::solver:
-      return "\xEF\x87\x9E";
-    case Icon::quality:
-      return "\xEF\x82\x80";
-    case Icon::history:
-      return "\xEF\x87\x9A";
-    case Icon::view:
-      return "\xEF\x81\xAE";
-    case Icon::plot:
-      return "\xEF\x88\x81";
-    case Icon::target:
-      return "\xEF\x81\x9B";
-  }
-  return "";
+  return has_icons ? glyphs[static_cast<std::size_t>(icon)] : "";
 }
 
 Theme make_theme(float scale) {
