@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Foreign meshes, random motions: python3 random_meshes.py PATH/TO/winslow [--count N] [--seed S]
+                                     [--max-rotation DEGREES]
 
 Gmsh meshes random polygons with holes (triangles, quadrilaterals, mixed); every motion must end
 valid (status 0) or say that it did not (status 4 or 5). What the program says is checked
@@ -45,11 +46,13 @@ def main():
     parser.add_argument("winslow")
     parser.add_argument("--count", type=int, default=20)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--max-rotation", type=float, default=120, help="degrees")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         subprocess.run([sys.executable, ROOT / "tests/meshes/make_random.py", folder, "--count",
-                        str(options.count), "--seed", str(options.seed)], check=True)
+                        str(options.count), "--seed", str(options.seed),
+                        "--max-rotation", str(options.max_rotation)], check=True)
         meshes = json.loads((folder / "meshes.json").read_text())["meshes"]
         statuses, wrong = collections.Counter(), []
         for mesh in meshes:
