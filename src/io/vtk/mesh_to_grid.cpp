@@ -7,7 +7,7 @@ namespace {
 class Builder {
  public:
   Builder(const Mesh& mesh, const FormatDetails* source, std::vector<std::string>& warnings)
-      : mesh_(mesh), topology_(*mesh.topology) {
+      : topology_(*mesh.topology) {
     if (topology_.markers_from_file()) {
       markers_ = usable_tags(tags_of(topology_.markers()), "markers", warnings);
     }
@@ -65,7 +65,6 @@ class Builder {
                    region < 0 ? 0 : regions_[static_cast<std::size_t>(region)]);
   }
 
-  const Mesh& mesh_;
   const Topology& topology_;
   std::vector<int> markers_;
   std::vector<int> regions_;
