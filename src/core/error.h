@@ -59,6 +59,13 @@ class NumericError : public Error {
   using Error::Error;
 };
 
+/// A symmetric matrix that a solver needs to be positive definite is not: Cholesky met a pivot that
+/// is not positive, or conjugate gradients a direction of negative curvature.
+class NotPositiveDefinite : public NumericError {
+ public:
+  using NumericError::NumericError;
+};
+
 /// The user cancelled; nothing was changed.
 class Cancelled : public Error {
  public:

@@ -12,8 +12,9 @@ OuterSolver& SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualCont
       options_.threads != options.threads) {
     formulation_ = make_formulation(options.formulation, *vcv, options.threads);
   }
-  if (!linear_ || !same_vcv || !(options.linear == options_.linear)) {
-    linear_ = make_linear_solver(options.linear);
+  if (!linear_ || !same_vcv || !(options.linear == options_.linear) ||
+      options_.threads != options.threads) {
+    linear_ = make_linear_solver(options.linear, options.threads);
   }
   vcv_ = vcv;
   options_ = options;

@@ -120,9 +120,12 @@ ResidualNorms PointwiseWinslow::residual(const Coordinates& x, bool clip,
 Index PointwiseWinslow::freeze(const Coordinates& x, bool clip, SparseSystem& out) const {
   const auto free = topology_->free_nodes();
   const auto n = static_cast<Index>(free.size());
-  out.pattern = pattern_.pattern;
+  SparseMatrix& matrix = out.matrix;
+  matrix.pattern = pattern_.pattern;
+  matrix.block = 1;
+  matrix.symmetric = false;
+  matrix.values.resize(matrix.pattern->columns.size());
   out.columns = 2;
-  out.values.resize(out.pattern->columns.size());
   out.rhs.resize(2 * free.size());
   std::vector<Index> negative(at((n + parallel_block - 1) / parallel_block), 0);
   parallel_for(threads_, n, [&](Index begin, Index end) {
@@ -135,12 +138,12 @@ Index PointwiseWinslow::freeze(const Coordinates& x, bool clip, SparseSystem& ou
       const Row row = evaluate_row(x, node, neighbours, w);
       // Rows are scaled to a diagonal near one: w carries the square of the local size otherwise.
       const double scale = row.absolute_sum > 0 ? 1 / row.absolute_sum : 1;
-      out.values[at(out.pattern->diagonal[at(i)])] =
+      matrix.values[at(matrix.pattern->diagonal[at(i)])] =
           row.absolute_sum > 0 ? row.weight_sum * scale : 1;
       const auto first = at(topology_->neighbour_rows().offsets[at(node)]);
       for (std::size_t k = 0; k < neighbours.size(); ++k) {
         const Index entry = pattern_.entry_of_neighbour[first + k];
-        if (entry >= 0) out.values[at(entry)] = -w[k] * scale;
+        if (entry >= 0) matrix.values[at(entry)] = -w[k] * scale;
       }
       out.rhs[2 * at(i)] = row.residual.x() * scale;
       out.rhs[2 * at(i) + 1] = row.residual.y() * scale;

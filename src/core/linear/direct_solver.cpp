@@ -1,62 +1,83 @@
 #include "core/linear/direct_solver.h"
 
-#include <Eigen/SparseLU>
-#if defined(WINSLOW_HAS_KLU)
-#include <Eigen/KLUSupport>
-#elif defined(WINSLOW_HAS_UMFPACK)
-#include <Eigen/UmfPackSupport>
-#endif
+#include <algorithm>
+#include <vector>
 
 #include "core/error.h"
-#include "core/linear/eigen_matrix.h"
+#include "core/linear/factorisation.h"
+#include "core/linear/krylov.h"
 #include "core/linear/residual.h"
 
 namespace winslow {
 
 namespace {
 
-using Matrix = Eigen::SparseMatrix<double>;
-#if defined(WINSLOW_HAS_KLU)
-using Factorisation = Eigen::KLU<Matrix>;
-constexpr std::string_view backend = "KLU";
-#elif defined(WINSLOW_HAS_UMFPACK)
-using Factorisation = Eigen::UmfPackLU<Matrix>;
-constexpr std::string_view backend = "UMFPACK";
-#else
-using Factorisation = Eigen::SparseLU<Matrix>;
-constexpr std::string_view backend = "Eigen SparseLU";
-#endif
-
 class DirectSolver final : public LinearSolver {
  public:
-  std::string_view name() const override { return "direct"; }
+  DirectSolver(const LinearOptions& options, int threads)
+      : krylov_{options.tolerance, options.max_iterations, options.restart, threads} {}
 
-  LinearResult solve(const SparseSystem& system, std::span<double> x) override {
-    if (matrix_.assign(system)) lu_.analyzePattern(matrix_.matrix());
-    lu_.factorize(matrix_.matrix());
-    if (lu_.info() != Eigen::Success) {
-      throw NumericError("the linear system is singular (sparse LU failed)");
+  std::string_view name() const override { return "direct"; }
+  std::string description() const override {
+    return factor_ ? factor_->description() : "sparse factorisation";
+  }
+  void set_tolerance(double relative_residual) override { krylov_.tolerance = relative_residual; }
+
+  void set_matrix(const SparseMatrix& matrix, bool keep) override {
+    matrix_ = &matrix;
+    if (keep && factorised_ && pattern_ == matrix.pattern && block_ == matrix.block &&
+        symmetric_ == matrix.symmetric) {
+      outdated_ = true;
+      return;
     }
-    const Index n = system.pattern->rows();
-    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const Eigen::MatrixXd b = Eigen::Map<const RowMajor>(system.rhs.data(), n, system.columns);
-    const Eigen::MatrixXd solution = lu_.solve(b);
-    if (!solution.allFinite()) {
-      throw NumericError("the linear system is singular to working precision");
+    factorise();
+  }
+
+  LinearResult solve(std::span<const double> rhs, int columns, std::span<double> x) override {
+    if (matrix_->rows() == 0) return {1, 0};
+    if (outdated_) {
+      const std::vector<double> guess(x.begin(), x.end());
+      const LinearResult corrected = krylov_solve(
+          *matrix_,
+          [&](std::span<const double> r, std::span<double> z) { factor_->solve(r, 1, z); }, krylov_,
+          rhs, columns, x);
+      // Slack for what round-off makes of the residual that the iteration updates.
+      if (corrected.relative_residual <= 2 * krylov_.tolerance) return corrected;
+      std::copy(guess.begin(), guess.end(), x.begin());
+      factorise();
     }
-    Eigen::Map<RowMajor>(x.data(), n, system.columns) = solution;
-    return {1, relative_residual(system, x)};
+    factor_->solve(rhs, columns, x);
+    return {1, relative_residual(*matrix_, rhs, columns, x, krylov_.threads)};
   }
 
  private:
-  EigenMatrix matrix_;
-  Factorisation lu_;
+  void factorise() {
+    factorised_ = false;
+    outdated_ = false;
+    if (!factor_ || symmetric_ != matrix_->symmetric) {
+      factor_ = matrix_->symmetric ? make_cholesky() : make_lu();
+    }
+    pattern_ = matrix_->pattern;
+    block_ = matrix_->block;
+    symmetric_ = matrix_->symmetric;
+    if (matrix_->rows() > 0) factor_->factorise(*matrix_);
+    factorised_ = true;
+  }
+
+  KrylovOptions krylov_;
+  std::unique_ptr<Factorisation> factor_;
+  std::shared_ptr<const SparsityPattern> pattern_;  // of the factor, as the two below
+  int block_ = 0;
+  bool symmetric_ = false;
+  bool factorised_ = false;
+  bool outdated_ = false;  // the factor is that of an earlier matrix
+  const SparseMatrix* matrix_ = nullptr;
 };
 
 }  // namespace
 
-std::unique_ptr<LinearSolver> make_direct_solver() { return std::make_unique<DirectSolver>(); }
-
-std::string_view direct_solver_backend() { return backend; }
+std::unique_ptr<LinearSolver> make_direct_solver(const LinearOptions& options, int threads) {
+  return std::make_unique<DirectSolver>(options, threads);
+}
 
 }  // namespace winslow

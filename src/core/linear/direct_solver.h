@@ -6,11 +6,9 @@
 
 namespace winslow {
 
-/// Sparse LU: UMFPACK or KLU where the build has them, else Eigen's. The symbolic factorisation is
-/// kept for as long as the pattern stays.
-std::unique_ptr<LinearSolver> make_direct_solver();
-
-/// "UMFPACK", "KLU" or "Eigen SparseLU": what make_direct_solver uses.
-std::string_view direct_solver_backend();
+/// Sparse Cholesky for symmetric matrices, sparse LU for others. With the factor of an earlier
+/// matrix (set_matrix with keep) it solves by conjugate gradients or GMRES preconditioned by that
+/// factor, and factorises after all where that does not converge.
+std::unique_ptr<LinearSolver> make_direct_solver(const LinearOptions& options, int threads);
 
 }  // namespace winslow

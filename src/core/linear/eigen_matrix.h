@@ -8,47 +8,32 @@
 
 namespace winslow {
 
-/// Copies systems into Eigen's column-major matrices, the form its solvers take. Where each value
-/// goes is worked out once per pattern.
+/// Expands block matrices into the compressed scalar columns that Eigen and SuiteSparse take. The
+/// structure is worked out once per pattern and block size.
 class EigenMatrix {
  public:
-  /// Returns true if the pattern is a new one.
-  bool assign(const SparseSystem& system) {
-    const bool fresh = pattern_ != system.pattern;
-    if (fresh) adopt(system.pattern);
-    double* values = matrix_.valuePtr();
-    for (std::size_t e = 0; e < target_.size(); ++e) values[target_[e]] = system.values[e];
-    return fresh;
-  }
+  enum class Part {
+    all,
+    lower  ///< lower triangle of a symmetric matrix
+  };
+  explicit EigenMatrix(Part part) : part_(part) {}
+
+  /// Returns true if the structure is a new one.
+  bool assign(const SparseMatrix& source);
   const Eigen::SparseMatrix<double>& matrix() const { return matrix_; }
 
  private:
-  void adopt(std::shared_ptr<const SparsityPattern> pattern) {
-    pattern_ = std::move(pattern);
-    const Index n = pattern_->rows();
-    matrix_ = Eigen::SparseMatrix<double>(n, n);
-    matrix_.resizeNonZeros(static_cast<Index>(pattern_->columns.size()));
-    Index* starts = matrix_.outerIndexPtr();
-    std::fill(starts, starts + n + 1, 0);
-    for (const Index column : pattern_->columns) ++starts[column + 1];
-    for (Index c = 0; c < n; ++c) starts[c + 1] += starts[c];
-    std::vector<Index> next(starts, starts + n);
-    target_.resize(pattern_->columns.size());
-    for (Index row = 0; row < n; ++row) {
-      const auto begin = static_cast<std::size_t>(pattern_->offsets[static_cast<std::size_t>(row)]);
-      const auto end =
-          static_cast<std::size_t>(pattern_->offsets[static_cast<std::size_t>(row) + 1]);
-      for (std::size_t e = begin; e < end; ++e) {
-        const Index slot = next[static_cast<std::size_t>(pattern_->columns[e])]++;
-        matrix_.innerIndexPtr()[slot] = row;
-        target_[e] = slot;
-      }
-    }
-  }
+  void adopt(const SparseMatrix& source);
+  void structure_all();
+  void structure_lower();
+  void values_all(const SparseMatrix& source);
+  void values_lower(const SparseMatrix& source);
 
+  Part part_;
   std::shared_ptr<const SparsityPattern> pattern_;
+  std::size_t block_ = 0;
   Eigen::SparseMatrix<double> matrix_;
-  std::vector<Index> target_;  // slot of each entry in the column-major matrix
+  std::vector<std::size_t> first_slot_;  // all: where the upper left scalar of each block goes
 };
 
 }  // namespace winslow

@@ -3,8 +3,9 @@
 #include <array>
 
 #include "core/error.h"
+#include "core/linear/automatic_solver.h"
 #include "core/linear/direct_solver.h"
-#include "core/linear/gmres_solver.h"
+#include "core/linear/krylov_solver.h"
 #include "core/linear/point_implicit_solver.h"
 
 namespace winslow {
@@ -14,16 +15,20 @@ namespace {
 struct Entry {
   std::string_view name;
   std::string_view summary;
-  std::unique_ptr<LinearSolver> (*make)(const LinearOptions&);
+  bool needs_symmetry;
+  std::unique_ptr<LinearSolver> (*make)(const LinearOptions&, int threads);
 };
 
-constexpr std::array<Entry, 3> solvers{{
-    {"direct", "Sparse LU, ordering reused: the fastest up to about 100,000 nodes in 2D.",
-     [](const LinearOptions&) { return make_direct_solver(); }},
-    {"gmres", "Restarted GMRES with incomplete LU: less memory than direct on large meshes.",
+constexpr std::array<Entry, 4> solvers{{
+    {"automatic", "The fastest for the size and the symmetry of the matrix.", false,
+     make_automatic_solver},
+    {"direct",
+     "Sparse Cholesky or LU, ordering reused: the fastest up to some 100,000 nodes in 2D.", false,
+     make_direct_solver},
+    {"gmres", "Restarted GMRES with incomplete LU: less memory than direct on large meshes.", false,
      make_gmres_solver},
     {"point-implicit", "Gauss-Seidel sweeps: the paper's simple solver; slow on large meshes.",
-     make_point_implicit_solver},
+     false, make_point_implicit_solver},
 }};
 
 const Entry& find(std::string_view name) {
@@ -45,8 +50,10 @@ std::vector<std::string> linear_solver_names() {
 
 std::string_view linear_solver_summary(std::string_view name) { return find(name).summary; }
 
-std::unique_ptr<LinearSolver> make_linear_solver(const LinearOptions& options) {
-  return find(options.solver).make(options);
+bool linear_solver_needs_symmetry(std::string_view name) { return find(name).needs_symmetry; }
+
+std::unique_ptr<LinearSolver> make_linear_solver(const LinearOptions& options, int threads) {
+  return find(options.solver).make(options, threads);
 }
 
 }  // namespace winslow

@@ -2,34 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
+
+#include "core/linear/columns.h"
+#include "core/linear/vector_operations.h"
 
 namespace winslow {
 
-double relative_residual(const SparseSystem& system, std::span<const double> x) {
-  const SparsityPattern& p = *system.pattern;
-  const auto columns = static_cast<std::size_t>(system.columns);
-  std::vector<double> defect2(columns, 0.0), rhs2(columns, 0.0);
-  for (std::size_t row = 0; row + 1 < p.offsets.size(); ++row) {
-    for (std::size_t c = 0; c < columns; ++c) {
-      const double b = system.rhs[row * columns + c];
-      double defect = b;
-      for (auto e = static_cast<std::size_t>(p.offsets[row]);
-           e < static_cast<std::size_t>(p.offsets[row + 1]); ++e) {
-        defect -= system.values[e] * x[static_cast<std::size_t>(p.columns[e]) * columns + c];
-      }
-      defect2[c] += defect * defect;
-      rhs2[c] += b * b;
-    }
-  }
+double relative_residual(const SparseMatrix& matrix, std::span<const double> rhs, int columns,
+                         std::span<const double> x, int threads) {
+  std::vector<double> solution(x.begin(), x.end()), r(static_cast<std::size_t>(matrix.rows()));
   double worst = 0;
-  for (std::size_t c = 0; c < columns; ++c) {
-    const double relative = std::sqrt(rhs2[c] > 0 ? defect2[c] / rhs2[c] : defect2[c]);
+  bool finite = true;
+  for_each_column(rhs, columns, solution, [&](std::span<const double> b, std::span<double> y) {
+    const double defect2 = defect(matrix, b, y, r, threads);
+    const double rhs2 = dot(b, b, threads);
+    const double relative = std::sqrt(rhs2 > 0 ? defect2 / rhs2 : defect2);
     // A solution that is not finite must not pass for an exact one.
-    if (std::isnan(relative)) return relative;
+    finite = finite && std::isfinite(relative);
     worst = std::max(worst, relative);
-  }
-  return worst;
+  });
+  return finite ? worst : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace winslow

@@ -17,12 +17,26 @@ struct SparsityPattern {
   Index rows() const { return static_cast<Index>(offsets.size()) - 1; }
 };
 
+/// A square matrix of dense blocks. The pattern is that of the blocks, so `block` unknowns belong
+/// to each of its rows (the displacement components of a node, say).
+struct SparseMatrix {
+  std::shared_ptr<const SparsityPattern> pattern;  ///< block rows
+  int block = 1;                                   ///< blocks are block by block
+  /// The matrix equals its transpose, value by value; the whole of it is stored all the same.
+  bool symmetric = false;
+  /// #entries by block by block, row-major within a block: entry e, row r, column c of it lies at
+  /// values[(e * block + r) * block + c].
+  std::vector<double> values;
+
+  /// Scalar rows.
+  Index rows() const { return pattern ? pattern->rows() * block : 0; }
+};
+
 /// A X = B with several right-hand sides.
 struct SparseSystem {
-  std::shared_ptr<const SparsityPattern> pattern;
-  std::vector<double> values;  ///< #entries of A
-  int columns = 1;             ///< right-hand sides
-  std::vector<double> rhs;     ///< #rows by columns, row after row
+  SparseMatrix matrix;
+  int columns = 1;          ///< right-hand sides
+  std::vector<double> rhs;  ///< #scalar rows by columns, row after row
 };
 
 /// Pattern of the free nodes of a mesh: row i is free node i and its free neighbours.

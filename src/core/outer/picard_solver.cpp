@@ -143,7 +143,8 @@ IterationRecord PicardSolver::step(Coordinates& x) {
   }
   formulation_.freeze(x, record_.clipped, system_);
   std::vector<double> plain(system_.rhs.size(), 0.0);
-  record_.linear_iterations = linear_.solve(system_, plain).iterations;
+  linear_.set_matrix(system_.matrix);
+  record_.linear_iterations = linear_.solve(system_.rhs, system_.columns, plain).iterations;
   for (double& s : plain) s *= record_.damping;
 
   const bool was_valid = record_.inverted == 0;

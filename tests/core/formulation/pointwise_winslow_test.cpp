@@ -162,7 +162,7 @@ TEST_CASE("a frozen system's right-hand side is the residual over the sum of abs
       winslow.freeze(s.mesh.coordinates, clip, system);
       const auto free = topology.free_nodes();
       REQUIRE(system.columns == 2);
-      REQUIRE(system.pattern->rows() == static_cast<Index>(free.size()));
+      REQUIRE(system.matrix.pattern->rows() == static_cast<Index>(free.size()));
       std::vector<double> residual(2 * free.size());
       winslow.residual(s.mesh.coordinates, clip, residual);
       for (std::size_t i = 0; i < free.size(); ++i) {
@@ -177,11 +177,13 @@ TEST_CASE("a frozen system's right-hand side is the residual over the sum of abs
         CHECK(system.rhs[2 * i] == doctest::Approx(residual[2 * i] / absolute));
         CHECK(system.rhs[2 * i + 1] == doctest::Approx(residual[2 * i + 1] / absolute));
         double row_sum = 0;
-        for (Index e = system.pattern->offsets[i]; e < system.pattern->offsets[i + 1]; ++e) {
-          row_sum += system.values[at(e)];
+        for (Index e = system.matrix.pattern->offsets[i]; e < system.matrix.pattern->offsets[i + 1];
+             ++e) {
+          row_sum += system.matrix.values[at(e)];
         }
         CHECK(std::abs(row_sum - to_boundary / absolute) < 1e-13);
-        CHECK(system.values[at(system.pattern->diagonal[i])] == doctest::Approx(sum / absolute));
+        CHECK(system.matrix.values[at(system.matrix.pattern->diagonal[i])] ==
+              doctest::Approx(sum / absolute));
       }
     }
   }
@@ -221,9 +223,10 @@ TEST_CASE("the frozen matrix is minus the derivative of the residual, coefficien
         absolute += std::abs(w[k]);
       }
       Vec2 product(0, 0);
-      for (Index e = system.pattern->offsets[i]; e < system.pattern->offsets[i + 1]; ++e) {
-        const auto column = at(system.pattern->columns[at(e)]);
-        product += system.values[at(e)] * Vec2(move[2 * column], move[2 * column + 1]);
+      for (Index e = system.matrix.pattern->offsets[i]; e < system.matrix.pattern->offsets[i + 1];
+           ++e) {
+        const auto column = at(system.matrix.pattern->columns[at(e)]);
+        product += system.matrix.values[at(e)] * Vec2(move[2 * column], move[2 * column + 1]);
       }
       CHECK((product + change / absolute).norm() < 1e-13);
     }
@@ -280,7 +283,7 @@ TEST_CASE("a neighbourhood collapsed into one point gives finite numbers") {
     CHECK(winslow.residual(mesh.coordinates, clip, residual).max == 0);
     for (const double r : residual) CHECK(r == 0);
     winslow.freeze(mesh.coordinates, clip, system);
-    for (const double v : system.values) CHECK(std::isfinite(v));
+    for (const double v : system.matrix.values) CHECK(std::isfinite(v));
     for (const double v : system.rhs) CHECK(v == 0);
   }
   const WinslowCoefficients c = winslow.coefficients(mesh.coordinates, 7);
@@ -330,7 +333,7 @@ TEST_CASE("the residual and the frozen system are bitwise the same at any number
     CHECK(residual == first);
     SparseSystem again;
     CHECK(several.freeze(mesh.coordinates, true, again) == negative);
-    CHECK(again.values == system.values);
+    CHECK(again.matrix.values == system.matrix.values);
     CHECK(again.rhs == system.rhs);
   }
 }

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "core/linear/linear_solver.h"
+
+/// Krylov methods for one right-hand side: what the iterative solvers, and direct ones with an old
+/// factor, are made of.
+namespace winslow {
+
+/// z = M^-1 r with a fixed linear M close to A; symmetric and positive definite for conjugate
+/// gradients. r and z are different arrays.
+using ApplyPreconditioner = std::function<void(std::span<const double> r, std::span<double> z)>;
+
+struct KrylovOptions {
+  double tolerance = 1e-3;  ///< stop at |b - A x| <= tolerance |b|
+  int max_iterations = 200;
+  int restart = 30;  ///< of GMRES
+  int threads = 0;   ///< 0 for all cores; the result does not depend on it
+};
+
+/// Preconditioned conjugate gradients on a symmetric matrix; x: first guess, then solution. Returns
+/// the number of iterations. Throws NotPositiveDefinite on a direction of negative curvature,
+/// NumericError where the numbers are no longer finite.
+int conjugate_gradients(const SparseMatrix& matrix, const ApplyPreconditioner& precondition,
+                        const KrylovOptions& options, std::span<const double> b,
+                        std::span<double> x);
+
+/// Restarted GMRES, preconditioned from the right so that the residual it watches is the true one
+/// (Y. Saad, Iterative Methods for Sparse Linear Systems, 2nd edition, section 9.3.2). As above.
+int gmres(const SparseMatrix& matrix, const ApplyPreconditioner& precondition,
+          const KrylovOptions& options, std::span<const double> b, std::span<double> x);
+
+/// One of the two, by the symmetry of the matrix, for every right-hand side; rhs and x row after
+/// row as in LinearSolver::solve. The residual returned is the true one.
+LinearResult krylov_solve(const SparseMatrix& matrix, const ApplyPreconditioner& precondition,
+                          const KrylovOptions& options, std::span<const double> rhs, int columns,
+                          std::span<double> x);
+
+}  // namespace winslow
