@@ -1,8 +1,8 @@
-# Finds the parts of SuiteSparse that winslow uses: targets SuiteSparse::UMFPACK and
-# SuiteSparse::KLU; variables SuiteSparse_UMFPACK_FOUND and SuiteSparse_KLU_FOUND.
+# Finds the parts of SuiteSparse that winslow uses: targets SuiteSparse::UMFPACK, SuiteSparse::KLU
+# and SuiteSparse::CHOLMOD; variables SuiteSparse_UMFPACK_FOUND and so on.
 include(FindPackageHandleStandardArgs)
-find_path(SuiteSparse_INCLUDE_DIR klu.h umfpack.h PATH_SUFFIXES suitesparse)
-foreach(part UMFPACK KLU)
+find_path(SuiteSparse_INCLUDE_DIR klu.h umfpack.h cholmod.h PATH_SUFFIXES suitesparse)
+foreach(part UMFPACK KLU CHOLMOD)
   string(TOLOWER ${part} lower)
   find_library(SuiteSparse_${part}_LIBRARY ${lower})
   mark_as_advanced(SuiteSparse_${part}_LIBRARY)

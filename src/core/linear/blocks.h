@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <string>
 #include <type_traits>
@@ -47,6 +48,14 @@ inline void multiply_subtract(const A* a, const X* x, Y* y) {
   }
 }
 
+/// y -= A^T x.
+template <int B, typename A, typename X, typename Y>
+inline void subtract_transposed(const A* a, const X* x, Y* y) {
+  for (int r = 0; r < B; ++r) {
+    for (int c = 0; c < B; ++c) y[c] -= a[r * B + c] * x[r];
+  }
+}
+
 /// y = A x.
 template <int B, typename A, typename X, typename Y>
 inline void multiply(const A* a, const X* x, Y* y) {
@@ -54,6 +63,14 @@ inline void multiply(const A* a, const X* x, Y* y) {
     y[r] = 0;
     for (int c = 0; c < B; ++c) y[r] += a[r * B + c] * x[c];
   }
+}
+
+/// Of a symmetric block; its lower triangle is read. NaN if the block is not finite.
+template <int B>
+double smallest_eigenvalue(const Block<double, B>& a) {
+  if constexpr (B == 1) return a(0, 0);
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, B, B>> eigen;
+  return eigen.computeDirect(a, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
 }  // namespace winslow

@@ -6,7 +6,6 @@
 
 #include "core/error.h"
 #include "core/linear/columns.h"
-#include "core/linear/residual.h"
 #include "core/linear/vector_operations.h"
 
 namespace winslow {
@@ -105,15 +104,17 @@ bool trivial(std::span<const double> b, std::span<double> x) {
 
 }  // namespace
 
-int conjugate_gradients(const SparseMatrix& matrix, const ApplyPreconditioner& precondition,
-                        const KrylovOptions& options, std::span<const double> b,
-                        std::span<double> x) {
-  if (trivial(b, x)) return 0;
+LinearResult conjugate_gradients(const SparseMatrix& matrix,
+                                 const ApplyPreconditioner& precondition,
+                                 const KrylovOptions& options, std::span<const double> b,
+                                 std::span<double> x) {
+  if (trivial(b, x)) return {};
   const int threads = options.threads;
   Vector r(b.size()), z(b.size()), q(b.size());
-  const double goal2 = options.tolerance * options.tolerance * dot(b, b, threads);
+  const double b2 = dot(b, b, threads);
+  const double goal2 = options.tolerance * options.tolerance * b2;
   double r2 = defect(matrix, b, x, r, threads);
-  if (r2 <= goal2) return 0;
+  if (r2 <= goal2) return {0, std::sqrt(r2 / b2)};
   precondition(r, z);
   Vector p = z;
   double rz = dot(r, z, threads);
@@ -126,7 +127,10 @@ int conjugate_gradients(const SparseMatrix& matrix, const ApplyPreconditioner& p
       throw NotPositiveDefinite("the matrix is not positive definite (conjugate gradients)");
     }
     r2 = advance(rz / curvature, p, q, x, r, threads);
-    if (r2 <= goal2 || k == options.max_iterations) return k;
+    if (r2 <= goal2 || k == options.max_iterations) {
+      // Not the one that the iteration updates: round-off makes them drift apart.
+      return {k, std::sqrt(defect(matrix, b, x, r, threads) / b2)};
+    }
     precondition(r, z);
     const double next = dot(r, z, threads);
     scale_and_add(next / rz, z, p, threads);
@@ -134,21 +138,21 @@ int conjugate_gradients(const SparseMatrix& matrix, const ApplyPreconditioner& p
   }
 }
 
-int gmres(const SparseMatrix& matrix, const ApplyPreconditioner& precondition,
-          const KrylovOptions& options, std::span<const double> b, std::span<double> x) {
-  if (trivial(b, x)) return 0;
-  const double goal = options.tolerance * std::sqrt(dot(b, b, options.threads));
+LinearResult gmres(const SparseMatrix& matrix, const ApplyPreconditioner& precondition,
+                   const KrylovOptions& options, std::span<const double> b, std::span<double> x) {
+  if (trivial(b, x)) return {};
+  const double b_norm = std::sqrt(dot(b, b, options.threads));
+  const double goal = options.tolerance * b_norm;
   std::vector<Vector> basis(1, Vector(b.size()));
   int done = 0;
-  while (done < options.max_iterations) {
+  for (;;) {
     const double beta = std::sqrt(defect(matrix, b, x, basis[0], options.threads));
     if (!std::isfinite(beta)) throw NumericError("GMRES broke down");
-    if (beta <= goal) break;
+    if (beta <= goal || done == options.max_iterations) return {done, beta / b_norm};
     done += gmres_cycle(matrix, precondition, beta, goal,
                         std::min(options.restart, options.max_iterations - done), options.threads,
                         basis, x);
   }
-  return done;
 }
 
 LinearResult krylov_solve(const SparseMatrix& matrix, const ApplyPreconditioner& precondition,
@@ -157,9 +161,8 @@ LinearResult krylov_solve(const SparseMatrix& matrix, const ApplyPreconditioner&
   LinearResult result;
   const auto solve_one = matrix.symmetric ? conjugate_gradients : gmres;
   for_each_column(rhs, columns, x, [&](std::span<const double> b, std::span<double> y) {
-    result.iterations = std::max(result.iterations, solve_one(matrix, precondition, options, b, y));
+    result.worsen(solve_one(matrix, precondition, options, b, y));
   });
-  result.relative_residual = relative_residual(matrix, rhs, columns, x, options.threads);
   return result;
 }
 

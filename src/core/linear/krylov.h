@@ -20,20 +20,21 @@ struct KrylovOptions {
   int threads = 0;   ///< 0 for all cores; the result does not depend on it
 };
 
-/// Preconditioned conjugate gradients on a symmetric matrix; x: first guess, then solution. Returns
-/// the number of iterations. Throws NotPositiveDefinite on a direction of negative curvature,
-/// NumericError where the numbers are no longer finite.
-int conjugate_gradients(const SparseMatrix& matrix, const ApplyPreconditioner& precondition,
-                        const KrylovOptions& options, std::span<const double> b,
-                        std::span<double> x);
+/// Preconditioned conjugate gradients on a symmetric matrix; x: first guess, then solution. The
+/// residual returned is the true one. Throws NotPositiveDefinite on a direction of negative
+/// curvature, NumericError where the numbers are no longer finite.
+LinearResult conjugate_gradients(const SparseMatrix& matrix,
+                                 const ApplyPreconditioner& precondition,
+                                 const KrylovOptions& options, std::span<const double> b,
+                                 std::span<double> x);
 
 /// Restarted GMRES, preconditioned from the right so that the residual it watches is the true one
 /// (Y. Saad, Iterative Methods for Sparse Linear Systems, 2nd edition, section 9.3.2). As above.
-int gmres(const SparseMatrix& matrix, const ApplyPreconditioner& precondition,
-          const KrylovOptions& options, std::span<const double> b, std::span<double> x);
+LinearResult gmres(const SparseMatrix& matrix, const ApplyPreconditioner& precondition,
+                   const KrylovOptions& options, std::span<const double> b, std::span<double> x);
 
 /// One of the two, by the symmetry of the matrix, for every right-hand side; rhs and x row after
-/// row as in LinearSolver::solve. The residual returned is the true one.
+/// row as in LinearSolver::solve.
 LinearResult krylov_solve(const SparseMatrix& matrix, const ApplyPreconditioner& precondition,
                           const KrylovOptions& options, std::span<const double> rhs, int columns,
                           std::span<double> x);

@@ -1,5 +1,6 @@
 #include "core/linear/linear_solver.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/error.h"
@@ -19,12 +20,16 @@ struct Entry {
   std::unique_ptr<LinearSolver> (*make)(const LinearOptions&, int threads);
 };
 
-constexpr std::array<Entry, 4> solvers{{
+constexpr std::array<Entry, 6> solvers{{
     {"automatic", "The fastest for the size and the symmetry of the matrix.", false,
      make_automatic_solver},
     {"direct",
      "Sparse Cholesky or LU, ordering reused: the fastest up to some 100,000 nodes in 2D.", false,
      make_direct_solver},
+    {"cg", "Conjugate gradients with incomplete Cholesky: little memory; symmetric systems only.",
+     true, make_cg_solver},
+    {"multigrid", "Conjugate gradients with multigrid: for large meshes; symmetric systems only.",
+     true, make_multigrid_solver},
     {"gmres", "Restarted GMRES with incomplete LU: less memory than direct on large meshes.", false,
      make_gmres_solver},
     {"point-implicit", "Gauss-Seidel sweeps: the paper's simple solver; slow on large meshes.",
@@ -41,6 +46,11 @@ const Entry& find(std::string_view name) {
 }
 
 }  // namespace
+
+void LinearResult::worsen(const LinearResult& other) {
+  iterations = std::max(iterations, other.iterations);
+  if (!(other.relative_residual <= relative_residual)) relative_residual = other.relative_residual;
+}
 
 std::vector<std::string> linear_solver_names() {
   std::vector<std::string> names;

@@ -24,6 +24,9 @@ struct LinearOptions {
 struct LinearResult {
   int iterations = 0;            ///< 1 for a direct solve; else of the worst right-hand side
   double relative_residual = 0;  ///< |B - A X| / |B|, worst right-hand side
+
+  /// Takes over the worse of each, from another right-hand side. A NaN is the worst.
+  void worsen(const LinearResult& other);
 };
 
 /// Solves A X = B. First set_matrix, then solve as often as there are right-hand sides.

@@ -8,6 +8,7 @@
 #include "core/command/workspace.h"
 #include "core/error.h"
 #include "support/meshes.h"
+#include "support/systems.h"
 
 using namespace winslow;
 using namespace winslow::test;
@@ -222,7 +223,7 @@ TEST_CASE("a workspace kept over commands, meshes and options changes no bit of 
   const MeshState states[] = {hole_state(), annulus_state(), hole_state(Cells::quads)};
   for (int round = 0; round < 2; ++round) {
     for (const MeshState& state : states) {
-      for (const std::string& name : linear_solver_names()) {
+      for (const std::string& name : general_solver_names()) {
         CAPTURE(name);
         SmoothCommand command;
         command.smooth.linear.solver = name;

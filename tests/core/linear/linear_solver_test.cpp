@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,106 +9,15 @@
 #include "core/error.h"
 #include "core/linear/residual.h"
 #include "support/random.h"
+#include "support/systems.h"
 
 using namespace winslow;
 using namespace winslow::test;
 
-namespace {
-
-using Dense = Eigen::MatrixXd;
-
-/// About `per_row` entries a row, not symmetric, neither in pattern nor in values.
-std::shared_ptr<const SparsityPattern> random_pattern(Random& random, Index n, Index per_row) {
-  auto pattern = std::make_shared<SparsityPattern>();
-  for (Index i = 0; i < n; ++i) {
-    std::vector<Index> row{i};
-    for (Index k = 0; k < per_row; ++k) row.push_back(random.index(n));
-    std::sort(row.begin(), row.end());
-    row.erase(std::unique(row.begin(), row.end()), row.end());
-    const auto diagonal = std::find(row.begin(), row.end(), i) - row.begin();
-    pattern->diagonal.push_back(pattern->offsets.back() + static_cast<Index>(diagonal));
-    pattern->columns.insert(pattern->columns.end(), row.begin(), row.end());
-    pattern->offsets.push_back(static_cast<Index>(pattern->columns.size()));
-  }
-  return pattern;
-}
-
-/// Values with a diagonal that outweighs the rest of its row.
-void randomise(SparseSystem& system, Random& random) {
-  const SparsityPattern& p = *system.matrix.pattern;
-  system.matrix.values.assign(p.columns.size(), 0.0);
-  for (std::size_t i = 0; i + 1 < p.offsets.size(); ++i) {
-    double sum = 0;
-    for (auto e = static_cast<std::size_t>(p.offsets[i]);
-         e < static_cast<std::size_t>(p.offsets[i + 1]); ++e) {
-      system.matrix.values[e] = random.uniform(-1, 1);
-      sum += std::abs(system.matrix.values[e]);
-    }
-    system.matrix.values[static_cast<std::size_t>(p.diagonal[i])] = 1.1 * sum + 0.1;
-  }
-  system.rhs.resize(static_cast<std::size_t>(system.columns) * (p.offsets.size() - 1));
-  for (double& b : system.rhs) b = random.uniform(-1, 1);
-}
-
-SparseSystem random_system(Random& random, Index n, int columns = 2) {
-  SparseSystem system;
-  system.matrix.pattern = random_pattern(random, n, 6);
-  system.columns = columns;
-  randomise(system, random);
-  return system;
-}
-
-Dense dense_matrix(const SparseSystem& system) {
-  const Index n = system.matrix.pattern->rows();
-  Dense a = Dense::Zero(n, n);
-  for (Index i = 0; i < n; ++i) {
-    for (Index e = system.matrix.pattern->offsets[static_cast<std::size_t>(i)];
-         e < system.matrix.pattern->offsets[static_cast<std::size_t>(i) + 1]; ++e) {
-      a(i, system.matrix.pattern->columns[static_cast<std::size_t>(e)]) =
-          system.matrix.values[static_cast<std::size_t>(e)];
-    }
-  }
-  return a;
-}
-
-Dense as_matrix(const SparseSystem& system, std::span<const double> x) {
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  return Eigen::Map<const RowMajor>(x.data(), system.matrix.pattern->rows(), system.columns);
-}
-
-Dense dense_solution(const SparseSystem& system) {
-  return dense_matrix(system).partialPivLu().solve(as_matrix(system, system.rhs));
-}
-
-double dense_relative_residual(const SparseSystem& system, std::span<const double> x) {
-  const Dense b = as_matrix(system, system.rhs);
-  const Dense defect = b - dense_matrix(system) * as_matrix(system, x);
-  double worst = 0;
-  for (Eigen::Index c = 0; c < b.cols(); ++c) {
-    worst = std::max(worst, defect.col(c).norm() / b.col(c).norm());
-  }
-  return worst;
-}
-
-LinearResult solve(LinearSolver& solver, const SparseSystem& system, std::span<double> x) {
-  solver.set_matrix(system.matrix);
-  return solver.solve(system.rhs, system.columns, x);
-}
-
-LinearOptions tight(const std::string& name) {
-  LinearOptions options;
-  options.solver = name;
-  options.tolerance = 1e-12;
-  options.max_iterations = 2000;
-  return options;
-}
-
-}  // namespace
-
 TEST_CASE("every solver solves what a dense solver solves, with the same object again and again") {
-  for (const std::string& name : linear_solver_names()) {
+  for (const std::string& name : general_solver_names()) {
     CAPTURE(name);
-    const auto solver = make_linear_solver(tight(name));
+    const auto solver = make_linear_solver(tight_linear(name));
     CHECK(solver->name() == name);
     for (const std::uint64_t seed : {1u, 2u, 3u}) {
       CAPTURE(seed);
@@ -138,7 +46,7 @@ TEST_CASE("the reported residual is the true one also when the solver stops earl
     CAPTURE(seed);
     Random random(seed);
     const SparseSystem system = random_system(random, 300);
-    LinearOptions options = tight(name);
+    LinearOptions options = tight_linear(name);
     options.max_iterations = 2;
     std::vector<double> x(system.rhs.size(), 0.0);
     const LinearResult result = solve(*make_linear_solver(options), system, x);
@@ -156,7 +64,7 @@ TEST_CASE("iterative solvers stop at the tolerance and start from the guess") {
     CAPTURE(seed);
     Random random(seed);
     const SparseSystem system = random_system(random, 300);
-    LinearOptions options = tight(name);
+    LinearOptions options = tight_linear(name);
     std::vector<double> x(system.rhs.size(), 0.0);
     const LinearResult cold = solve(*make_linear_solver(options), system, x);
     std::vector<double> again = x;
@@ -176,7 +84,7 @@ TEST_CASE("iterative solvers stop at the tolerance and start from the guess") {
 }
 
 TEST_CASE("a right-hand side of zero gives zero") {
-  for (const std::string& name : linear_solver_names()) {
+  for (const std::string& name : general_solver_names()) {
     CAPTURE(name);
     constexpr std::uint64_t seed = 29;
     CAPTURE(seed);
@@ -185,19 +93,19 @@ TEST_CASE("a right-hand side of zero gives zero") {
     // One column of zeros beside one that is not, then both.
     for (std::size_t i = 0; i < system.rhs.size(); i += 2) system.rhs[i] = 0;
     std::vector<double> x(system.rhs.size(), 0.0);
-    const LinearResult one = solve(*make_linear_solver(tight(name)), system, x);
+    const LinearResult one = solve(*make_linear_solver(tight_linear(name)), system, x);
     CHECK(one.relative_residual < 1e-10);
     for (std::size_t i = 0; i < x.size(); i += 2) CHECK(x[i] == 0);
     std::fill(system.rhs.begin(), system.rhs.end(), 0.0);
     std::fill(x.begin(), x.end(), 0.0);
-    const LinearResult both = solve(*make_linear_solver(tight(name)), system, x);
+    const LinearResult both = solve(*make_linear_solver(tight_linear(name)), system, x);
     CHECK(both.relative_residual == 0);
     for (const double v : x) CHECK(v == 0);
   }
 }
 
 TEST_CASE("one right-hand side or three are as good as two") {
-  for (const std::string& name : linear_solver_names()) {
+  for (const std::string& name : general_solver_names()) {
     for (const int columns : {1, 3}) {
       CAPTURE(name);
       CAPTURE(columns);
@@ -206,14 +114,14 @@ TEST_CASE("one right-hand side or three are as good as two") {
       Random random(seed);
       const SparseSystem system = random_system(random, 60, columns);
       std::vector<double> x(system.rhs.size(), 0.0);
-      solve(*make_linear_solver(tight(name)), system, x);
+      solve(*make_linear_solver(tight_linear(name)), system, x);
       CHECK((as_matrix(system, x) - dense_solution(system)).norm() < 1e-9);
     }
   }
 }
 
 TEST_CASE("a singular matrix throws or owns up to its residual, and the solver lives on") {
-  for (const std::string& name : linear_solver_names()) {
+  for (const std::string& name : general_solver_names()) {
     for (const bool zero_row : {true, false}) {
       CAPTURE(name);
       CAPTURE(zero_row);
@@ -243,7 +151,7 @@ TEST_CASE("a singular matrix throws or owns up to its residual, and the solver l
         }
         std::fill(system.rhs.begin(), system.rhs.end(), 1.0);
       }
-      const auto solver = make_linear_solver(tight(name));
+      const auto solver = make_linear_solver(tight_linear(name));
       std::vector<double> x(system.rhs.size(), 0.0);
       bool threw = false;
       LinearResult result;
@@ -274,7 +182,7 @@ TEST_CASE("a solution that is not finite never passes for an exact one") {
 }
 
 TEST_CASE("a system of one unknown") {
-  for (const std::string& name : linear_solver_names()) {
+  for (const std::string& name : general_solver_names()) {
     CAPTURE(name);
     auto pattern = std::make_shared<SparsityPattern>();
     pattern->offsets = {0, 1};
@@ -282,23 +190,23 @@ TEST_CASE("a system of one unknown") {
     pattern->diagonal = {0};
     const SparseSystem system{{pattern, 1, false, {4.0}}, 2, {8.0, -2.0}};
     std::vector<double> x(2, 0.0);
-    solve(*make_linear_solver(tight(name)), system, x);
+    solve(*make_linear_solver(tight_linear(name)), system, x);
     CHECK(x[0] == doctest::Approx(2));
     CHECK(x[1] == doctest::Approx(-0.5));
   }
 }
 
 TEST_CASE("solvers are known by name and described") {
-  CHECK(linear_solver_names() ==
-        std::vector<std::string>{"automatic", "direct", "gmres", "point-implicit"});
+  CHECK(linear_solver_names() == std::vector<std::string>{"automatic", "direct", "cg", "multigrid",
+                                                          "gmres", "point-implicit"});
   for (const std::string& name : linear_solver_names()) {
     CHECK(linear_solver_summary(name).size() > 20);
   }
   LinearOptions options;
   options.solver = "magic";
-  CHECK_THROWS_WITH_AS(
-      make_linear_solver(options),
-      "unknown linear solver 'magic', expected one of: automatic, direct, gmres, point-implicit",
-      UsageError);
+  CHECK_THROWS_WITH_AS(make_linear_solver(options),
+                       "unknown linear solver 'magic', expected one of: automatic, direct, cg, "
+                       "multigrid, gmres, point-implicit",
+                       UsageError);
   CHECK_THROWS_AS(linear_solver_summary(""), UsageError);
 }

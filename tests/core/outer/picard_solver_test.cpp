@@ -10,6 +10,7 @@
 #include "core/formulation/pointwise_winslow.h"
 #include "core/parallel/parallel_for.h"
 #include "support/meshes.h"
+#include "support/systems.h"
 
 using namespace winslow;
 using namespace winslow::test;
@@ -105,7 +106,7 @@ TEST_CASE("the three linear solvers give the same converged mesh") {
     Random random(seed);
     perturb(mesh, random);
     Coordinates reference;
-    for (const std::string& name : linear_solver_names()) {
+    for (const std::string& name : general_solver_names()) {
       CAPTURE(name);
       SmoothOptions options = tight();
       options.linear.solver = name;
@@ -348,7 +349,7 @@ TEST_CASE("a mesh without free nodes is converged from the start") {
 }
 
 TEST_CASE("one free node") {
-  for (const std::string& name : linear_solver_names()) {
+  for (const std::string& name : general_solver_names()) {
     CAPTURE(name);
     Mesh mesh = make_mesh(regular_star(6));
     mesh.coordinates.set_xy(0, {0.4, -0.3});

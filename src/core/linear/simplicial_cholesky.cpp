@@ -1,3 +1,4 @@
+#if !defined(WINSLOW_HAS_CHOLMOD)
 #include <Eigen/SparseCholesky>
 
 #include "core/error.h"
@@ -41,3 +42,4 @@ class SimplicialCholesky final : public Factorisation {
 std::unique_ptr<Factorisation> make_cholesky() { return std::make_unique<SimplicialCholesky>(); }
 
 }  // namespace winslow
+#endif
