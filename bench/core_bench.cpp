@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/command/command.h"
-#include "core/formulation/formulation.h"
+#include "core/formulation/pointwise_winslow.h"
 #include "core/linear/linear_solver.h"
 #include "core/quality/quality.h"
 #include "core/vcv/stencil_functionals.h"
@@ -44,7 +44,7 @@ void build_functionals(benchmark::State& run) {
 void freeze(benchmark::State& run) {
   const MeshState state = perturbed_square(run.range(0));
   const auto formulation =
-      make_formulation("pointwise", *state.vcv, static_cast<int>(run.range(1)));
+      std::make_unique<PointwiseWinslow>(*state.vcv, static_cast<int>(run.range(1)));
   SparseSystem system;
   for (auto _ : run) {
     benchmark::DoNotOptimize(formulation->freeze(state.mesh.coordinates, true, system));
@@ -55,7 +55,7 @@ void freeze(benchmark::State& run) {
 void residual(benchmark::State& run) {
   const MeshState state = perturbed_square(run.range(0));
   const auto formulation =
-      make_formulation("pointwise", *state.vcv, static_cast<int>(run.range(1)));
+      std::make_unique<PointwiseWinslow>(*state.vcv, static_cast<int>(run.range(1)));
   for (auto _ : run) {
     benchmark::DoNotOptimize(formulation->residual(state.mesh.coordinates, true, {}));
   }
@@ -73,7 +73,7 @@ void validity(benchmark::State& run) {
 
 void solve(benchmark::State& run, const char* name) {
   const MeshState state = perturbed_square(run.range(0));
-  const auto formulation = make_formulation("pointwise", *state.vcv, 0);
+  const auto formulation = std::make_unique<PointwiseWinslow>(*state.vcv, 0);
   SparseSystem system;
   formulation->freeze(state.mesh.coordinates, true, system);
   LinearOptions options;

@@ -10,7 +10,7 @@ OuterSolver& SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualCont
   outer_.reset();
   if (!formulation_ || !same_vcv || formulation_->name() != options.formulation ||
       options_.threads != options.threads) {
-    formulation_ = make_formulation(options.formulation, *vcv, options.threads);
+    formulation_ = std::make_unique<PointwiseWinslow>(*vcv, options.threads);
   }
   if (!linear_ || !same_vcv || !(options.linear == options_.linear) ||
       options_.threads != options.threads) {

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "core/formulation/formulation.h"
+#include "core/formulation/pointwise_winslow.h"
 #include "core/linear/linear_solver.h"
 #include "core/outer/outer_solver.h"
 #include "core/outer/smooth_options.h"
@@ -21,7 +21,7 @@ class SmoothingWorkspace {
  private:
   std::shared_ptr<const VirtualControlVolumes> vcv_;
   SmoothOptions options_;
-  std::unique_ptr<Formulation> formulation_;
+  std::unique_ptr<PointwiseWinslow> formulation_;
   std::unique_ptr<LinearSolver> linear_;
   std::unique_ptr<OuterSolver> outer_;
 };

@@ -5,6 +5,7 @@
 #include "core/formulation/formulation.h"
 #include "core/linear/sparse_system.h"
 #include "core/vcv/stencil_functionals.h"
+#include "core/vcv/virtual_control_volumes.h"
 
 namespace winslow {
 
@@ -21,7 +22,7 @@ struct WinslowCoefficients {
 /// with nodal coefficients outside the integral, so that at every free node
 ///
 ///   sum_k w_k (r_k - r_0) = 0,   w_k = alpha lxx_k - beta lxy_k + gamma lyy_k.
-class PointwiseWinslow final : public Formulation {
+class PointwiseWinslow final : public FixedPointFormulation {
  public:
   PointwiseWinslow(const VirtualControlVolumes& vcv, int threads);
 

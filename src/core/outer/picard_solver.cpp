@@ -36,7 +36,7 @@ double residual_round_off(const Topology& topology, const Coordinates& x) {
 
 }  // namespace
 
-PicardSolver::PicardSolver(const Topology& topology, const Formulation& formulation,
+PicardSolver::PicardSolver(const Topology& topology, const FixedPointFormulation& formulation,
                            LinearSolver& linear, const SmoothOptions& options)
     : topology_(topology), formulation_(formulation), linear_(linear), options_(options) {}
 

@@ -20,8 +20,8 @@ namespace winslow {
 class PicardSolver final : public OuterSolver {
  public:
   /// The three references outlive the solver.
-  PicardSolver(const Topology& topology, const Formulation& formulation, LinearSolver& linear,
-               const SmoothOptions& options);
+  PicardSolver(const Topology& topology, const FixedPointFormulation& formulation,
+               LinearSolver& linear, const SmoothOptions& options);
 
   IterationRecord start(const Coordinates& x) override;
   IterationRecord step(Coordinates& x) override;
@@ -36,7 +36,7 @@ class PicardSolver final : public OuterSolver {
   double apply_step(Coordinates& x, const std::vector<double>& step) const;
 
   const Topology& topology_;
-  const Formulation& formulation_;
+  const FixedPointFormulation& formulation_;
   LinearSolver& linear_;
   SmoothOptions options_;
   SparseSystem system_;

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/formulation/variational_winslow.h"
 #include "core/linear/linear_solver.h"
 
 namespace winslow {
@@ -13,9 +14,27 @@ enum class Clip {
   off
 };
 
+/// How the outer iteration goes.
+enum class OuterMethod {
+  automatic,  ///< Newton
+  newton,     ///< Newton's method, safeguarded
+  picard      ///< the paper's: coefficients frozen, damped (pointwise form only)
+};
+
+/// How a mesh with inverted elements is untangled before Newton's method can begin.
+enum class Untangle {
+  automatic,  ///< both: fixed point first, the energy where that does not end valid
+  picard,     ///< damped fixed point of the pointwise form, negative weights clipped
+  energy      ///< the variational form with a regularised determinant
+};
+
 /// How a mesh is smoothed. The defaults need no touch.
 struct SmoothOptions {
-  std::string formulation = "pointwise";  ///< one of formulation_names()
+  std::string formulation = "variational";  ///< one of formulation_names()
+  TargetBlend targets;     ///< variational: shapes that the elements are driven towards
+  PenaltyOptions penalty;  ///< variational: how much more the worst elements count
+  OuterMethod outer = OuterMethod::automatic;
+  Untangle untangle = Untangle::automatic;
   LinearOptions linear;
   double damping = 0.3;       ///< share of each linear solution that is taken, (0, 1]
   bool adapt_damping = true;  ///< halve the damping where the iteration makes no progress

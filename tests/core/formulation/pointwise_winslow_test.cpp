@@ -337,12 +337,3 @@ TEST_CASE("the residual and the frozen system are bitwise the same at any number
     CHECK(again.rhs == system.rhs);
   }
 }
-
-TEST_CASE("formulations are made by name") {
-  const VirtualControlVolumes vcv(Topology::build(regular_star(5)));
-  for (const std::string& name : formulation_names()) {
-    CHECK(make_formulation(name, vcv, 1)->name() == name);
-  }
-  CHECK_THROWS_WITH_AS(make_formulation("magic", vcv, 1),
-                       "unknown formulation 'magic', expected: pointwise", UsageError);
-}

@@ -1,0 +1,185 @@
+#include "core/formulation/target_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/error.h"
+
+namespace winslow {
+
+namespace {
+
+/// Metric of a target triangle over its two edges m1, m2 from the corner: symmetric, determinant 1.
+struct Metric2 {
+  double a11 = 0, a12 = 0, a22 = 0;
+
+  static Metric2 of(const Vec2& m1, const Vec2& m2) {
+    const double det = m1.x() * m2.y() - m1.y() * m2.x();
+    return {m2.squaredNorm() / det, -m1.dot(m2) / det, m1.squaredNorm() / det};
+  }
+  static Metric2 of_angle(double angle) {
+    return of(Vec2(1, 0), Vec2(std::cos(angle), std::sin(angle)));
+  }
+  Metric2& add(double share, const Metric2& other) {
+    a11 += share * other.a11;
+    a12 += share * other.a12;
+    a22 += share * other.a22;
+    return *this;
+  }
+  /// A sum of such metrics, scaled back to determinant 1, lies on the geodesic between them.
+  Metric2 normalized() const {
+    const double scale = 1 / std::sqrt(a11 * a22 - a12 * a12);
+    return {a11 * scale, a12 * scale, a22 * scale};
+  }
+  ShapeTerm term(double weight) const { return {a11 + a12, a22 + a12, -a12, weight}; }
+};
+
+class Builder {
+ public:
+  Builder(const VirtualControlVolumes& vcv, const TargetBlend& blend, const Coordinates* rest)
+      : vcv_(vcv), topology_(vcv.topology()), blend_(blend), rest_(rest) {
+    const double sum = blend.element + blend.vcv + blend.rest;
+    if (!(blend.element >= 0 && blend.vcv >= 0 && blend.rest >= 0) || !(sum > 0) ||
+        !std::isfinite(sum)) {
+      throw UsageError("the shares of the target shapes must not be negative, nor all zero");
+    }
+    if (blend.rest > 0 && !rest) throw UsageError("no rest mesh given for the rest targets");
+    blend_.element /= sum;
+    blend_.vcv /= sum;
+    blend_.rest /= sum;
+  }
+
+  TargetShapes build() {
+    for (Index e = 0; e < topology_.element_count(); ++e) {
+      if (topology_.element_type(e) == ElementType::triangle) {
+        add_triangle(e);
+      } else {
+        add_quadrilateral(e);
+      }
+    }
+    return std::move(shapes_);
+  }
+
+ private:
+  bool movable(const std::array<Index, 3>& nodes) const {
+    return std::any_of(nodes.begin(), nodes.end(),
+                       [&](Index node) { return !topology_.constrained(node); });
+  }
+
+  static std::array<Index, 3> corner_nodes(std::span<const Index> element, std::size_t k) {
+    const std::size_t n = element.size();
+    return {element[k], element[(k + 1) % n], element[(k + n - 1) % n]};
+  }
+
+  /// Rest metric of a corner, times the share.
+  void add_rest(Metric2& metric, const std::array<Index, 3>& nodes, Index e) const {
+    if (blend_.rest == 0) return;
+    const Vec2 m1 = rest_->xy(nodes[1]) - rest_->xy(nodes[0]);
+    const Vec2 m2 = rest_->xy(nodes[2]) - rest_->xy(nodes[0]);
+    if (!(m1.x() * m2.y() - m1.y() * m2.x() > 0)) {
+      throw MeshError(MeshEntity::element, e,
+                      "element " + std::to_string(e) +
+                          " is inverted in the rest mesh, which is to be the target; choose other "
+                          "targets");
+    }
+    metric.add(blend_.rest, Metric2::of(m1, m2));
+  }
+
+  /// VCV metric of the corner at a free node, times the share. A VCV of two edges has straight
+  /// angles, which are no shape to strive for: there the element's own target stands in.
+  void add_vcv(Metric2& metric, Index e, Index node) const {
+    const auto star = topology_.star(node);
+    const auto k = static_cast<Index>(std::find(star.begin(), star.end(), e) - star.begin());
+    const auto count = static_cast<Index>(topology_.neighbours(node).size());
+    const double ideal = topology_.element_type(e) == ElementType::triangle ? pi / 3 : pi / 2;
+    metric.add(blend_.vcv,
+               count == 2 ? Metric2::of_angle(ideal)
+                          : Metric2::of(vcv_.point(node, k), vcv_.point(node, (k + 1) % count)));
+  }
+
+  void add_triangle(Index e) {
+    const auto element = topology_.element(e);
+    const auto first = corner_nodes(element, 0);
+    if (!movable(first)) return;
+    shapes_.triangles.push_back(first);
+    Metric2 common;
+    common.add(blend_.element, Metric2::of_angle(pi / 3));
+    add_rest(common, first, e);
+    if (blend_.vcv == 0) {
+      shapes_.terms.push_back(common.normalized().term(1));
+    } else {
+      add_vcv_terms(e, common);
+    }
+    shapes_.offsets.push_back(static_cast<Index>(shapes_.terms.size()));
+  }
+
+  void add_vcv_terms(Index e, const Metric2& common) {
+    const auto element = topology_.element(e);
+    const auto free = std::count_if(element.begin(), element.end(),
+                                    [&](Index node) { return !topology_.constrained(node); });
+    const double weight = 1 / static_cast<double>(free);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (topology_.constrained(element[k])) continue;
+      // The VCV's metric belongs to the edges at corner k: express the common part there too.
+      Metric2 metric = rotated(common, k);
+      add_vcv(metric, e, element[k]);
+      const ShapeTerm t = metric.normalized().term(weight);
+      shapes_.terms.push_back(k == 0   ? t
+                              : k == 1 ? ShapeTerm{t.ac, t.bc, t.ab, weight}
+                                       : ShapeTerm{t.bc, t.ab, t.ac, weight});
+    }
+  }
+
+  /// A metric over the edges at corner 0, over those at corner k of the same triangle.
+  static Metric2 rotated(const Metric2& m, std::size_t k) {
+    if (k == 0) return m;
+    // Edges from corner 1 are (c - b, a - b), from corner 2 (a - c, b - c). The form is the same
+    // function of the three edge vectors.
+    const double ab = m.a11 + m.a12, ac = m.a22 + m.a12, bc = -m.a12;
+    if (k == 1) return {bc + ac, -ac, ab + ac};
+    return {ac + ab, -ab, bc + ab};
+  }
+
+  void add_quadrilateral(Index e) {
+    const auto element = topology_.element(e);
+    std::array<bool, 4> live{};
+    int count = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      live[k] = movable(corner_nodes(element, k));
+      count += live[k] ? 1 : 0;
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!live[k]) continue;
+      const auto nodes = corner_nodes(element, k);
+      Metric2 metric;
+      metric.add(blend_.element, Metric2::of_angle(pi / 2));
+      if (blend_.vcv > 0) {
+        if (topology_.constrained(nodes[0])) {
+          metric.add(blend_.vcv, Metric2::of_angle(pi / 2));  // there is no VCV at the boundary
+        } else {
+          add_vcv(metric, e, nodes[0]);
+        }
+      }
+      add_rest(metric, nodes, e);
+      shapes_.triangles.push_back(nodes);
+      shapes_.terms.push_back(metric.normalized().term(1.0 / count));
+      shapes_.offsets.push_back(static_cast<Index>(shapes_.terms.size()));
+    }
+  }
+
+  const VirtualControlVolumes& vcv_;
+  const Topology& topology_;
+  TargetBlend blend_;
+  const Coordinates* rest_;
+  TargetShapes shapes_;
+};
+
+}  // namespace
+
+TargetShapes TargetShapes::build(const VirtualControlVolumes& vcv, const TargetBlend& blend,
+                                 const Coordinates* rest) {
+  return Builder(vcv, blend, rest).build();
+}
+
+}  // namespace winslow

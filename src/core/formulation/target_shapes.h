@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/mesh/coordinates.h"
+#include "core/types.h"
+#include "core/vcv/virtual_control_volumes.h"
+
+namespace winslow {
+
+/// Which shapes the variational form drives elements towards. The shares are relative; a blend lies
+/// between its parts (on the geodesic of the metrics, see TargetShapes).
+struct TargetBlend {
+  double element = 1;  ///< equilateral triangles, square corners
+  double vcv = 0;      ///< the triangles of the virtual control volumes: angles, edge lengths
+  double rest = 0;     ///< the element's own shape in the mesh as given
+
+  bool operator==(const TargetBlend&) const = default;
+};
+
+/// One target of one triangle (a, b, c), as the quadratic form that measures the physical triangle
+/// in the target's metric:
+///
+///   N = ab |b - a|^2 + ac |c - a|^2 + bc |c - b|^2,   |J|_F^2 / det J = N / (2 area),
+///
+/// J being the linear map from the target to the physical triangle. Scaled so that N = 4 area if
+/// the two are similar. The three numbers are the cotangents of the target's angles, at c, b and a.
+struct ShapeTerm {
+  double ab = 0, ac = 0, bc = 0;
+  double weight = 0;  ///< share in the energy
+};
+
+/// All targets of a mesh: triangles, and corners of quadrilaterals, each with one or more terms.
+/// The terms of an element have weights that sum to one, however many of its nodes lie at the
+/// boundary. Triangles whose three nodes are constrained are left out: they cannot change.
+struct TargetShapes {
+  std::vector<std::array<Index, 3>> triangles;  ///< nodes, counter-clockwise; a is the corner
+  std::vector<Index> offsets{0};                ///< #triangles + 1, into terms
+  std::vector<ShapeTerm> terms;
+
+  /// Targets over the VCVs as the blend says. rest: coordinates (#nodes by 2) that the share `rest`
+  /// refers to; may be null if that is zero. Throws UsageError for shares that are negative or all
+  /// zero, MeshError if `rest` has an inverted element.
+  static TargetShapes build(const VirtualControlVolumes& vcv, const TargetBlend& blend,
+                            const Coordinates* rest);
+};
+
+}  // namespace winslow

@@ -1,0 +1,158 @@
+#include "core/outer/energy_newton.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/outer/round_off.h"
+#include "core/outer/shifted_matrix.h"
+#include "core/quality/valid_step.h"
+
+namespace winslow {
+
+namespace {
+
+/// Adds step * direction (#free by 2) to the free nodes; returns the longest move.
+double advance(const Topology& topology, std::span<const double> direction, double step,
+               Coordinates& x) {
+  const auto free = topology.free_nodes();
+  double largest2 = 0;
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    const Vec2 move(step * direction[2 * i], step * direction[2 * i + 1]);
+    x.set_xy(free[i], x.xy(free[i]) + move);
+    largest2 = std::max(largest2, move.squaredNorm());
+  }
+  return std::sqrt(largest2);
+}
+
+double dot(std::span<const double> a, std::span<const double> b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+}  // namespace
+
+EnergyNewton::EnergyNewton(const Topology& topology, const VariationalWinslow& formulation,
+                           LinearSolver& linear, const SmoothOptions& options)
+    : topology_(topology),
+      formulation_(formulation),
+      linear_(linear),
+      options_(options),
+      residual_(2 * topology.free_nodes().size()),
+      direction_(2 * topology.free_nodes().size()) {}
+
+void EnergyNewton::assess(const Coordinates& x) {
+  const Validity validity = check_validity(topology_, x, options_.threads);
+  record_.inverted = validity.inverted;
+  record_.min_sine = validity.min_sine;
+  record_.residual = formulation_.residual(x, false, {}).max;
+  round_off_ = residual_round_off(topology_, x);
+}
+
+IterationRecord EnergyNewton::start(const Coordinates& x) {
+  record_ = {};
+  record_.damping = 1;
+  stalled_ = false;
+  energy_ = formulation_.energy(x);
+  if (!std::isfinite(energy_)) {
+    throw UsageError("Newton's method on the energy starts from a mesh without inverted elements");
+  }
+  assess(x);
+  return record_;
+}
+
+void EnergyNewton::factorise(const Coordinates& x) {
+  // Where the last exact Hessian was indefinite, the next one mostly is too, until the steps are
+  // full again.
+  factorised_at_ = x;
+  const bool try_exact = exact_ || record_.damping >= 1;
+  if (try_exact) {
+    formulation_.linearise(x, Curvature::exact, hessian_, residual_);
+    try {
+      linear_.set_matrix(hessian_);
+      exact_ = true;
+      factorised_ = true;
+      return;
+    } catch (const NotPositiveDefinite&) {
+      exact_ = false;
+    }
+  }
+  formulation_.linearise(x, Curvature::projected, hessian_, residual_);
+  set_shifted_matrix(linear_, hessian_);
+  factorised_ = true;
+}
+
+bool EnergyNewton::search(Coordinates& x, double slope) {
+  constexpr double margin = 0.9;  // share of the largest valid step that is tried first
+  constexpr double armijo = 1e-4;
+  constexpr double flat = 1e-11;  // relative change of the energy that round-off can make
+  constexpr int most_trials = 30;
+  Coordinates full = x;
+  advance(topology_, direction_, 1, full);
+  double t = std::min(1.0, margin * largest_valid_step(topology_, x, full, options_.threads));
+  for (int trial = 0; trial < most_trials; ++trial) {
+    Coordinates candidate = x;
+    const double move = advance(topology_, direction_, t, candidate);
+    const double energy = formulation_.energy(candidate);
+    bool good = energy <= energy_ - armijo * t * slope;
+    if (!good && std::abs(energy - energy_) <= flat * energy_) {
+      good = formulation_.residual(candidate, false, {}).max < record_.residual;
+    }
+    if (good) {
+      x = std::move(candidate);
+      energy_ = energy;
+      record_.damping = t;
+      record_.largest_move = move;
+      return true;
+    }
+    // Minimum of the parabola through the energy and slope here and the energy there.
+    const double rise = energy - energy_ + t * slope;
+    const double shorter = std::isfinite(rise) && rise > 0 ? 0.5 * slope * t * t / rise : 0;
+    t = std::clamp(shorter, 0.1 * t, 0.5 * t);
+  }
+  return false;
+}
+
+IterationRecord EnergyNewton::step(Coordinates& x) {
+  ++record_.iteration;
+  if (topology_.free_nodes().empty()) return record_;
+  factorise(x);
+  std::fill(direction_.begin(), direction_.end(), 0.0);
+  record_.linear_iterations = linear_.solve(residual_, 1, direction_).iterations;
+  ++linear_solves_;
+  double slope = dot(residual_, direction_);
+  if (!(slope > 0)) {  // an inexact solve of an indefinite system
+    exact_ = false;
+    record_.damping = 0;
+    factorise(x);
+    std::fill(direction_.begin(), direction_.end(), 0.0);
+    record_.linear_iterations = linear_.solve(residual_, 1, direction_).iterations;
+    ++linear_solves_;
+    slope = dot(residual_, direction_);
+  }
+  stalled_ = !search(x, slope);
+  assess(x);
+  return record_;
+}
+
+bool EnergyNewton::converged() const {
+  return record_.residual <= std::max(options_.tolerance, round_off_);
+}
+
+void EnergyNewton::predict(const Coordinates& x, const Coordinates& displacement,
+                           std::span<double> out) {
+  if (!factorised_ || !exact_) {
+    exact_ = true;
+    factorise(x);
+  }
+  // Both sides belong to the same coordinates: only then does the mesh at a body follow it rigidly,
+  // however far it moves.
+  std::vector<double> response(out.size());
+  formulation_.boundary_response(factorised_at_, displacement, response);
+  std::fill(out.begin(), out.end(), 0.0);
+  linear_.solve(response, 1, out);
+  ++linear_solves_;
+}
+
+}  // namespace winslow

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/formulation/variational_winslow.h"
+#include "core/linear/linear_solver.h"
+#include "core/outer/smooth_options.h"
+#include "core/outer/steady_solver.h"
+
+namespace winslow {
+
+/// Newton's method on the variational form, from a valid mesh and through valid meshes only.
+///
+/// Each step: the exact Hessian, or where that is not positive definite the projected one; a line
+/// search that starts below the exact largest valid step and demands sufficient decrease of the
+/// energy, or, where the energy no longer shows it (round-off), of the residual.
+class EnergyNewton final : public SteadySolver {
+ public:
+  /// The three references outlive the solver.
+  EnergyNewton(const Topology& topology, const VariationalWinslow& formulation,
+               LinearSolver& linear, const SmoothOptions& options);
+
+  /// Throws UsageError for a mesh with inverted elements.
+  IterationRecord start(const Coordinates& x) override;
+  IterationRecord step(Coordinates& x) override;
+  bool converged() const override;
+  /// True if the last step found no way down although the tolerance is not met.
+  bool stalled() const { return stalled_; }
+
+  void predict(const Coordinates& x, const Coordinates& displacement,
+               std::span<double> out) override;
+  void forget_factorisation() override { factorised_ = false; }
+  int linear_solves() const override { return linear_solves_; }
+
+ private:
+  void factorise(const Coordinates& x);
+  bool search(Coordinates& x, double slope);
+  void assess(const Coordinates& x);
+
+  const Topology& topology_;
+  const VariationalWinslow& formulation_;
+  LinearSolver& linear_;
+  SmoothOptions options_;
+  IterationRecord record_;
+  SparseMatrix hessian_;
+  std::vector<double> residual_, direction_;
+  double energy_ = 0;
+  double round_off_ = 0;
+  Coordinates factorised_at_;
+  bool factorised_ = false;
+  bool exact_ = true;  // the last factorisation was of the exact Hessian
+  bool stalled_ = false;
+  int linear_solves_ = 0;
+};
+
+}  // namespace winslow

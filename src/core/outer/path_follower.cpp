@@ -1,0 +1,74 @@
+#include "core/outer/path_follower.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/quality/quality.h"
+#include "core/quality/valid_step.h"
+
+namespace winslow {
+
+PathFollower::Trial PathFollower::attempt(const Motion& motion, const Coordinates& rest, double to,
+                                          Coordinates& x, IterationRecord& record) {
+  const auto free = topology_.free_nodes();
+  Coordinates moved = x;
+  motion.apply(rest, to, moved);
+  Coordinates displacement(x.dimension(), x.size());
+  for (const Index node : motion.nodes()) {
+    displacement.set_xy(node, moved.xy(node) - x.xy(node));
+  }
+  std::vector<double> answer(2 * free.size());
+  solver_.predict(x, displacement, answer);
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    moved.set_xy(free[i], x.xy(free[i]) + Vec2(answer[2 * i], answer[2 * i + 1]));
+  }
+  Trial trial;
+  trial.possible = largest_valid_step(topology_, x, moved);
+  if (trial.possible <= 1 || check_validity(topology_, moved).inverted > 0) return trial;
+  trial.valid = true;
+  record = solver_.start(moved);
+  trial.trusted = record.residual <= options_.trusted_residual;
+  if (!trial.trusted) return trial;
+  x = std::move(moved);
+  while (record.residual > options_.loose_tolerance &&
+         trial.corrections < options_.most_corrections) {
+    record = solver_.step(x);
+    ++trial.corrections;
+    if (record.damping < 1) trial.trusted = false;
+  }
+  if (record.residual > options_.loose_tolerance) trial.trusted = false;
+  return trial;
+}
+
+double PathFollower::follow(const Motion& motion, const Coordinates& rest, Coordinates& x,
+                            const Accept& accept) {
+  double fraction = 0;
+  double step = options_.first_step;
+  while (fraction < 1) {
+    // A last step that is a little longer saves a very short one.
+    constexpr double stretch = 1.05;
+    const double to = fraction + stretch * step >= 1 ? 1.0 : fraction + step;
+    Coordinates trial_x = x;
+    IterationRecord record;
+    const Trial trial = attempt(motion, rest, to, trial_x, record);
+    if (!trial.valid) {
+      constexpr double margin = 0.7;
+      step = (to - fraction) * std::clamp(margin * trial.possible, 0.1, 0.7);
+      if (step < options_.smallest_step) return fraction;
+      continue;
+    }
+    if (!trial.trusted && to - fraction > options_.cautious_step) {
+      if (trial.corrections > 0) solver_.forget_factorisation();
+      step = 0.5 * (to - fraction);
+      continue;
+    }
+    x = std::move(trial_x);
+    fraction = to;
+    record.fraction = fraction;
+    accept(record, x);
+    if (trial.corrections <= 1) step *= options_.growth;
+  }
+  return fraction;
+}
+
+}  // namespace winslow

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+
+#include "core/motion/motion.h"
+#include "core/outer/steady_solver.h"
+
+namespace winslow {
+
+/// How a path is followed. The defaults need no touch.
+struct PathOptions {
+  double first_step = 0.1;        ///< share of the motion tried first
+  double smallest_step = 1e-5;    ///< share of the motion below which the path counts as blocked
+  double growth = 1.5;            ///< of the step after an easy one
+  int most_corrections = 4;       ///< Newton steps after each prediction
+  double loose_tolerance = 0.05;  ///< scaled residual that is near enough to the path on the way
+  double trusted_residual = 0.3;  ///< of a prediction, above which the step is shortened
+  double cautious_step = 1e-3;    ///< share of the motion below which any valid mesh is accepted
+};
+
+/// Follows the steady mesh while the boundary moves: tangent predictor, exact validity check,
+/// Newton corrector, adaptive step. Every accepted mesh is valid.
+class PathFollower {
+ public:
+  /// Told of every accepted intermediate mesh.
+  using Accept = std::function<void(IterationRecord, const Coordinates&)>;
+
+  /// The references outlive the follower.
+  PathFollower(const Topology& topology, SteadySolver& solver, const PathOptions& options)
+      : topology_(topology), solver_(solver), options_(options) {}
+
+  /// Moves the boundary from x (valid; where the motion begins) as far towards the end of `motion`
+  /// as valid meshes lead. rest: what the motion refers to. Returns the fraction reached; x is the
+  /// mesh there, near the path but not converged.
+  double follow(const Motion& motion, const Coordinates& rest, Coordinates& x,
+                const Accept& accept);
+
+ private:
+  struct Trial {
+    bool valid = false;
+    double possible = 0;  // share of the prediction that is valid
+    int corrections = 0;
+    bool trusted = false;  // the path was met by full Newton steps
+  };
+  Trial attempt(const Motion& motion, const Coordinates& rest, double to, Coordinates& x,
+                IterationRecord& record);
+
+  const Topology& topology_;
+  SteadySolver& solver_;
+  PathOptions options_;
+};
+
+}  // namespace winslow

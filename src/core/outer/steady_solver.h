@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+
+#include "core/mesh/coordinates.h"
+#include "core/outer/outer_solver.h"
+
+namespace winslow {
+
+/// An outer solver that can also say, to first order, how its solution answers when the boundary
+/// moves: what path following and dragging need.
+class SteadySolver : public OuterSolver {
+ public:
+  /// Moves of the free nodes (#free by 2) that keep the equations satisfied to first order while
+  /// the constrained nodes move by `displacement` (#nodes by 2; the free nodes' part is ignored).
+  /// Uses the factorisation at hand where there is one for this topology: one linear solve.
+  virtual void predict(const Coordinates& x, const Coordinates& displacement,
+                       std::span<double> out) = 0;
+  /// Forgets the factorisation, so that the next prediction is made at its own coordinates.
+  virtual void forget_factorisation() = 0;
+  /// Linear solves since the solver was made.
+  virtual int linear_solves() const = 0;
+};
+
+}  // namespace winslow

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/mesh/coordinates.h"
+#include "core/mesh/topology.h"
+
+namespace winslow {
+
+/// Smallest t > 0 at which d0 + d1 t + d2 t^2 vanishes, d0 > 0; infinite if it never does.
+double first_positive_root(double d0, double d1, double d2);
+
+/// How far a valid mesh can go on the straight line from one set of coordinates to another: the
+/// largest t such that from + s (to - from) has no inverted corner for any s in [0, t). Exact: the
+/// area of each corner triangle is a quadratic in s. Infinite if nothing ever inverts; 0 if `from`
+/// is not valid. threads: 0 for all cores; the result does not depend on it.
+double largest_valid_step(const Topology& topology, const Coordinates& from, const Coordinates& to,
+                          int threads = 0);
+
+}  // namespace winslow
