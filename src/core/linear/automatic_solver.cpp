@@ -42,7 +42,7 @@ class AutomaticSolver final : public LinearSolver {
 std::string_view suitable_solver(const SparseMatrix& matrix) {
   // Unknowns up to which a factorisation is the faster, as measured by bench/linear_bench. Three
   // unknowns a row are those of a mesh in space, where factors fill in much more.
-  constexpr Index cholesky_limit = 30'000, cholesky_limit_in_space = 5'000, lu_limit = 400'000;
+  constexpr Index cholesky_limit = 20'000, cholesky_limit_in_space = 5'000, lu_limit = 400'000;
   if (!matrix.symmetric) return matrix.rows() <= lu_limit ? "direct" : "gmres";
   const Index limit = matrix.block < 3 ? cholesky_limit : cholesky_limit_in_space;
   return matrix.rows() <= limit ? "direct" : "multigrid";

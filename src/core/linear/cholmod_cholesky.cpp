@@ -20,7 +20,7 @@ constexpr bool supernodal = false;
 #endif
 
 /// Block rows from which METIS finds orderings with less fill than AMD does, in the plane.
-constexpr Index metis_limit = 5'000;
+constexpr Index metis_limit = 20'000;
 
 /// CHOLMOD's settings, memory statistics and last error.
 class Common {

@@ -54,8 +54,9 @@ class DirectSolver final : public LinearSolver {
   void factorise() {
     factorised_ = false;
     outdated_ = false;
-    if (!factor_ || symmetric_ != matrix_->symmetric) {
-      factor_ = matrix_->symmetric ? make_cholesky() : make_lu();
+    if (!factor_ || symmetric_ != matrix_->symmetric || pattern_ != matrix_->pattern ||
+        block_ != matrix_->block) {
+      factor_ = matrix_->symmetric ? make_cholesky() : make_lu(matrix_->rows());
     }
     pattern_ = matrix_->pattern;
     block_ = matrix_->block;

@@ -24,7 +24,8 @@ class Factorisation {
 /// Sparse Cholesky, L L^T, of symmetric positive definite matrices.
 std::unique_ptr<Factorisation> make_cholesky();
 
-/// Sparse LU: KLU or UMFPACK where the build has them, else Eigen's.
-std::unique_ptr<Factorisation> make_lu();
+/// Sparse LU for matrices of about so many scalar rows: KLU for small ones, UMFPACK for large ones,
+/// as far as the build has them; else Eigen's.
+std::unique_ptr<Factorisation> make_lu(Index rows);
 
 }  // namespace winslow

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/linear/blocks.h"
+#include "core/linear/worthwhile.h"
 #include "core/parallel/parallel_for.h"
 
 namespace winslow {
@@ -35,14 +36,14 @@ class IncompleteCholesky final : public Preconditioner {
     lower_.resize(matrix.values.size());
     inverse_pivot_.resize(at(matrix.rows()) * at(matrix.block));
     with_block(block_, [&](auto size) {
-      parallel_for(threads_, pattern_->rows(),
+      parallel_for(worthwhile(threads_, lower_.size()), pattern_->rows(),
                    [&](Index begin, Index end) { factorise_run<size()>(matrix, begin, end); });
     });
   }
 
   void apply(std::span<const double> r, std::span<double> z) override {
     with_block(block_, [&](auto size) {
-      parallel_for(threads_, pattern_->rows(),
+      parallel_for(worthwhile(threads_, lower_.size()), pattern_->rows(),
                    [&](Index begin, Index end) { solve_run<size()>(r, z, begin, end); });
     });
   }

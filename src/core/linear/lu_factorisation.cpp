@@ -1,7 +1,8 @@
 #include <Eigen/SparseLU>
 #if defined(WINSLOW_HAS_KLU)
 #include <Eigen/KLUSupport>
-#elif defined(WINSLOW_HAS_UMFPACK)
+#endif
+#if defined(WINSLOW_HAS_UMFPACK)
 #include <Eigen/UmfPackSupport>
 #endif
 
@@ -14,20 +15,20 @@ namespace winslow {
 namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
-#if defined(WINSLOW_HAS_KLU)
-using Lu = Eigen::KLU<Matrix>;
-constexpr const char* backend = "KLU sparse LU";
-#elif defined(WINSLOW_HAS_UMFPACK)
-using Lu = Eigen::UmfPackLU<Matrix>;
-constexpr const char* backend = "UMFPACK sparse LU";
-#else
-using Lu = Eigen::SparseLU<Matrix>;
-constexpr const char* backend = "Eigen sparse LU";
-#endif
 
+template <typename Lu>
 class LuFactorisation final : public Factorisation {
  public:
-  std::string description() const override { return backend; }
+  explicit LuFactorisation(const char* name) : name_(name) {
+#if defined(WINSLOW_HAS_UMFPACK)
+    // No steps of iterative refinement: residuals are at round-off without.
+    if constexpr (std::is_same_v<Lu, Eigen::UmfPackLU<Matrix>>) {
+      lu_.umfpackControl()(UMFPACK_IRSTEP) = 0;
+    }
+#endif
+  }
+
+  std::string description() const override { return name_; }
 
   void factorise(const SparseMatrix& matrix) override {
     if (matrix_.assign(matrix)) lu_.analyzePattern(matrix_.matrix());
@@ -49,12 +50,27 @@ class LuFactorisation final : public Factorisation {
   }
 
  private:
+  const char* name_;
   EigenMatrix matrix_{EigenMatrix::Part::all};
   Lu lu_;
 };
 
 }  // namespace
 
-std::unique_ptr<Factorisation> make_lu() { return std::make_unique<LuFactorisation>(); }
+std::unique_ptr<Factorisation> make_lu([[maybe_unused]] Index rows) {
+#if defined(WINSLOW_HAS_UMFPACK)
+#if defined(WINSLOW_HAS_KLU)
+  // Below, dense kernels do not pay for themselves.
+  constexpr Index umfpack_limit = 8'000;
+  if (rows < umfpack_limit)
+    return std::make_unique<LuFactorisation<Eigen::KLU<Matrix>>>("KLU sparse LU");
+#endif
+  return std::make_unique<LuFactorisation<Eigen::UmfPackLU<Matrix>>>("UMFPACK sparse LU");
+#elif defined(WINSLOW_HAS_KLU)
+  return std::make_unique<LuFactorisation<Eigen::KLU<Matrix>>>("KLU sparse LU");
+#else
+  return std::make_unique<LuFactorisation<Eigen::SparseLU<Matrix>>>("Eigen sparse LU");
+#endif
+}
 
 }  // namespace winslow

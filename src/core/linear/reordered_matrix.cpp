@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/linear/aggregation.h"
+#include "core/linear/worthwhile.h"
 #include "core/parallel/parallel_for.h"
 
 namespace winslow {
@@ -20,11 +21,13 @@ void ReorderedMatrix::assign(const SparseMatrix& source, int threads) {
   matrix_.symmetric = source.symmetric;
   matrix_.values.resize(source.values.size());
   const std::size_t size = at(source.block) * at(source.block);
-  parallel_for(threads, static_cast<Index>(source_entry_.size()), [&](Index begin, Index end) {
-    for (auto e = at(begin); e < at(end); ++e) {
-      std::copy_n(&source.values[at(source_entry_[e]) * size], size, &matrix_.values[e * size]);
-    }
-  });
+  parallel_for(worthwhile(threads, source.values.size()), static_cast<Index>(source_entry_.size()),
+               [&](Index begin, Index end) {
+                 for (auto e = at(begin); e < at(end); ++e) {
+                   std::copy_n(&source.values[at(source_entry_[e]) * size], size,
+                               &matrix_.values[e * size]);
+                 }
+               });
 }
 
 void ReorderedMatrix::adopt(std::shared_ptr<const SparsityPattern> pattern) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/linear/blocks.h"
+#include "core/linear/worthwhile.h"
 #include "core/parallel/parallel_for.h"
 
 namespace winslow {
@@ -13,10 +14,10 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// Sum over [0, n) of what body(begin, end) returns for each block of it.
 template <typename Body>
-double blocked_sum(int threads, Index n, Body&& body) {
+double blocked_sum(int threads, std::size_t numbers, Index n, Body&& body) {
   if (n <= parallel_block) return body(Index{0}, n);
   std::vector<double> sums(at((n + parallel_block - 1) / parallel_block), 0.0);
-  parallel_for(threads, n, [&](Index begin, Index end) {
+  parallel_for(worthwhile(threads, numbers), n, [&](Index begin, Index end) {
     sums[at(begin / parallel_block)] = body(begin, end);
   });
   double sum = 0;
@@ -49,7 +50,7 @@ Index length(std::span<const double> x) { return static_cast<Index>(x.size()); }
 }  // namespace
 
 double dot(std::span<const double> a, std::span<const double> b, int threads) {
-  return blocked_sum(threads, length(a), [&](Index begin, Index end) {
+  return blocked_sum(threads, 2 * a.size(), length(a), [&](Index begin, Index end) {
     double sum = 0;
     for (auto i = at(begin); i < at(end); ++i) sum += a[i] * b[i];
     return sum;
@@ -57,20 +58,20 @@ double dot(std::span<const double> a, std::span<const double> b, int threads) {
 }
 
 void add_scaled(double factor, std::span<const double> x, std::span<double> y, int threads) {
-  parallel_for(threads, length(x), [&](Index begin, Index end) {
+  parallel_for(worthwhile(threads, 2 * x.size()), length(x), [&](Index begin, Index end) {
     for (auto i = at(begin); i < at(end); ++i) y[i] += factor * x[i];
   });
 }
 
 void scale_and_add(double factor, std::span<const double> x, std::span<double> y, int threads) {
-  parallel_for(threads, length(x), [&](Index begin, Index end) {
+  parallel_for(worthwhile(threads, 2 * x.size()), length(x), [&](Index begin, Index end) {
     for (auto i = at(begin); i < at(end); ++i) y[i] = x[i] + factor * y[i];
   });
 }
 
 double advance(double step, std::span<const double> p, std::span<const double> q,
                std::span<double> x, std::span<double> r, int threads) {
-  return blocked_sum(threads, length(x), [&](Index begin, Index end) {
+  return blocked_sum(threads, 4 * x.size(), length(x), [&](Index begin, Index end) {
     double sum = 0;
     for (auto i = at(begin); i < at(end); ++i) {
       x[i] += step * p[i];
@@ -85,7 +86,7 @@ double multiply(const SparseMatrix& a, std::span<const double> x, std::span<doub
                 int threads) {
   return with_block(a.block, [&](auto size) {
     constexpr int B = size();
-    return blocked_sum(threads, a.pattern->rows(), [&](Index begin, Index end) {
+    return blocked_sum(threads, a.values.size(), a.pattern->rows(), [&](Index begin, Index end) {
       return rows_product<B>(
           a, x, begin, end, y, [](std::size_t) { return 0.0; },
           multiply_add<B, double, double, double>,
@@ -98,7 +99,7 @@ double defect(const SparseMatrix& a, std::span<const double> b, std::span<const 
               std::span<double> r, int threads) {
   return with_block(a.block, [&](auto size) {
     constexpr int B = size();
-    return blocked_sum(threads, a.pattern->rows(), [&](Index begin, Index end) {
+    return blocked_sum(threads, a.values.size(), a.pattern->rows(), [&](Index begin, Index end) {
       return rows_product<B>(
           a, x, begin, end, r, [&](std::size_t i) { return b[i]; },
           multiply_subtract<B, double, double, double>,

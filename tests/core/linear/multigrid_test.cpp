@@ -78,7 +78,7 @@ TEST_CASE("the preconditioners for conjugate gradients are symmetric and positiv
         const Eigen::VectorXd spectrum =
             Eigen::SelfAdjointEigenSolver<Dense>(product).eigenvalues();
         CHECK(spectrum[0] > 0.001);
-        // A V-cycle never overshoots: its smoother and its coarse level are contractions.
+        // The cycle never overshoots: its smoother and its coarse level are contractions.
         if (preconditioner->description().starts_with("smoothed")) {
           CHECK(spectrum[spectrum.size() - 1] < 1 + 1e-4);
         }

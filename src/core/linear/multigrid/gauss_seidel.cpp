@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/linear/blocks.h"
+#include "core/linear/worthwhile.h"
 #include "core/parallel/parallel_for.h"
 
 namespace winslow {
@@ -57,7 +58,7 @@ void GaussSeidel::build(const SparseMatrix& matrix, int threads) {
   inverse_.resize(rows * at(block_) * at(block_));
   excess_.resize(rows);
   with_block(block_, [&](auto size) {
-    parallel_for(threads, pattern_->rows(),
+    parallel_for(worthwhile(threads, values_.size()), pattern_->rows(),
                  [&](Index begin, Index end) { build_rows<size()>(matrix, begin, end); });
   });
 }
@@ -98,8 +99,8 @@ void GaussSeidel::forward_rows(std::span<const Real> b, std::span<Real> x, Index
 
 /// After the forward sweep b - A x = D (C - 1) x - (L^T + O) x.
 template <int B>
-void GaussSeidel::defect_rows(std::span<const Real> x, std::span<Real> r, Index begin,
-                              Index end) const {
+void GaussSeidel::defect_after_forward(std::span<const Real> x, std::span<Real> r, Index begin,
+                                       Index end) const {
   const SparsityPattern& p = *pattern_;
   for (auto i = at(begin); i < at(end); ++i) {
     const auto diagonal = at(p.diagonal[i]);
@@ -138,18 +139,36 @@ void GaussSeidel::forward(std::span<const Real> b, std::span<Real> x, std::span<
                           int threads) const {
   with_block(block_, [&](auto size) {
     const Index n = pattern_->rows();
-    parallel_for(threads, n,
+    parallel_for(worthwhile(threads, values_.size()), n,
                  [&](Index begin, Index end) { forward_rows<size()>(b, x, begin, end); });
-    parallel_for(threads, n,
-                 [&](Index begin, Index end) { defect_rows<size()>(x, r, begin, end); });
+    parallel_for(worthwhile(threads, values_.size()), n,
+                 [&](Index begin, Index end) { defect_after_forward<size()>(x, r, begin, end); });
   });
 }
 
 void GaussSeidel::backward(std::span<const Real> b, std::span<const Real> before, std::span<Real> x,
                            int threads) const {
   with_block(block_, [&](auto size) {
-    parallel_for(threads, pattern_->rows(),
+    parallel_for(worthwhile(threads, values_.size()), pattern_->rows(),
                  [&](Index begin, Index end) { backward_rows<size()>(b, before, x, begin, end); });
+  });
+}
+
+void GaussSeidel::defect(std::span<const Real> b, std::span<const Real> x, std::span<Real> r,
+                         int threads) const {
+  const SparsityPattern& p = *pattern_;
+  with_block(block_, [&](auto size) {
+    constexpr int B = size();
+    parallel_for(worthwhile(threads, values_.size()), p.rows(), [&](Index begin, Index end) {
+      for (auto i = at(begin); i < at(end); ++i) {
+        Real sum[B];
+        std::copy_n(&b[i * B], B, sum);
+        for (auto e = at(p.offsets[i]); e < at(p.offsets[i + 1]); ++e) {
+          multiply_subtract<B>(&values_[e * B * B], &x[at(p.columns[e]) * B], sum);
+        }
+        std::copy_n(sum, B, &r[i * B]);
+      }
+    });
   });
 }
 

@@ -29,13 +29,18 @@ class GaussSeidel {
   void backward(std::span<const Real> b, std::span<const Real> before, std::span<Real> x,
                 int threads) const;
 
+  /// r = b - A x; b and r may be the same.
+  void defect(std::span<const Real> b, std::span<const Real> x, std::span<Real> r,
+              int threads) const;
+
  private:
   template <int B>
   void build_rows(const SparseMatrix& matrix, Index begin, Index end);
   template <int B>
   void forward_rows(std::span<const Real> b, std::span<Real> x, Index begin, Index end) const;
   template <int B>
-  void defect_rows(std::span<const Real> x, std::span<Real> r, Index begin, Index end) const;
+  void defect_after_forward(std::span<const Real> x, std::span<Real> r, Index begin,
+                            Index end) const;
   template <int B>
   void backward_rows(std::span<const Real> b, std::span<const Real> before, std::span<Real> x,
                      Index begin, Index end) const;

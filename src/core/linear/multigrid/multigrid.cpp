@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/linear/multigrid/gauss_seidel.h"
 #include "core/linear/multigrid/prolongation.h"
+#include "core/linear/worthwhile.h"
 #include "core/parallel/parallel_for.h"
 
 namespace winslow {
@@ -20,7 +21,7 @@ namespace {
 /// Rows of blocks at and below which a level is solved by dense Cholesky.
 constexpr Index dense_rows = 100;
 /// Entries weaker than this do not interpolate; halved from level to level, as stencils widen.
-constexpr double finest_strength = 0.08;
+constexpr double finest_strength = 0.04;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
@@ -29,7 +30,7 @@ struct Level {
   GaussSeidel smoother;
   std::optional<Prolongation> prolongation;  // from the next level, if there is one
   Eigen::LLT<Eigen::MatrixXd> dense;         // of the last level, if it is small
-  std::vector<Real> b, x, r, before;
+  std::vector<Real> b, x, r, before, first_visit;
 };
 
 Eigen::MatrixXd dense_matrix(const SparseMatrix& matrix) {
@@ -78,11 +79,11 @@ class Multigrid final : public Preconditioner {
     const double scale =
         largest > 0 && std::isfinite(largest) ? std::exp2(-std::ilogb(largest)) : 1;
     const auto n = static_cast<Index>(r.size());
-    parallel_for(threads_, n, [&](Index begin, Index end) {
+    parallel_for(worthwhile(threads_, r.size()), n, [&](Index begin, Index end) {
       for (auto i = at(begin); i < at(end); ++i) finest.b[i] = static_cast<Real>(r[i] * scale);
     });
     cycle(0);
-    parallel_for(threads_, n, [&](Index begin, Index end) {
+    parallel_for(worthwhile(threads_, r.size()), n, [&](Index begin, Index end) {
       for (auto i = at(begin); i < at(end); ++i) z[i] = static_cast<double>(finest.x[i]) / scale;
     });
   }
@@ -92,7 +93,9 @@ class Multigrid final : public Preconditioner {
   bool build_level(std::size_t l, const SparseMatrix& finest, bool fresh, double strength) {
     Level& level = levels_[l];
     const SparseMatrix& matrix = l == 0 ? finest : level.own;
-    for (auto* v : {&level.b, &level.x, &level.r, &level.before}) v->resize(at(matrix.rows()));
+    for (auto* v : {&level.b, &level.x, &level.r, &level.before, &level.first_visit}) {
+      v->resize(at(matrix.rows()));
+    }
     if (matrix.pattern->rows() <= dense_rows) {
       level.dense.compute(dense_matrix(matrix));
       if (level.dense.info() != Eigen::Success) {
@@ -130,12 +133,24 @@ class Multigrid final : public Preconditioner {
     if (level.prolongation) {
       Level& coarse = levels_[l + 1];
       level.prolongation->restrict(level.r, coarse.b, threads_);
-      cycle(l + 1);
+      visit_twice(l + 1);
       level.prolongation->prolong(coarse.x, level.x, level.before, threads_);
     } else {
       level.before = level.x;
     }
     level.smoother.backward(level.b, level.before, level.x, threads_);
+  }
+
+  /// A second cycle on what the first has left over. Coarsening is so fast that it costs little,
+  /// and it keeps the iterations from growing with the number of levels.
+  void visit_twice(std::size_t l) {
+    cycle(l);
+    Level& level = levels_[l];
+    if (level.dense.rows() > 0) return;
+    level.smoother.defect(level.b, level.x, level.b, threads_);
+    level.first_visit = level.x;
+    cycle(l);
+    for (std::size_t i = 0; i < level.x.size(); ++i) level.x[i] += level.first_visit[i];
   }
 
   int threads_;

@@ -6,7 +6,7 @@
 
 namespace winslow {
 
-/// One V-cycle of algebraic multigrid by smoothed aggregation (P. Vanek, J. Mandel and M. Brezina,
+/// One W-cycle of algebraic multigrid by smoothed aggregation (P. Vanek, J. Mandel and M. Brezina,
 /// Computing 56, 1996) with block Gauss-Seidel smoothing, forward on the way down and backward on
 /// the way up, so that it is symmetric. The components of the constant vector are what the coarse
 /// levels represent exactly: the rigid translations of a mesh.
