@@ -10,7 +10,7 @@ enum class ExitCode {
   internal = 1,       ///< a fault of the program or the machine (out of memory, no OpenGL)
   usage = 2,          ///< options or arguments that make no sense
   input = 3,          ///< a file that cannot be read, is wrong, or cannot be written
-  inverted = 4,       ///< the result has inverted elements
+  inverted = 4,       ///< the result has inverted elements, or the motion was not completed
   not_converged = 5,  ///< not converged within the limit
   interrupted = 130,  ///< stopped by Ctrl-C or SIGTERM
 };
@@ -18,7 +18,9 @@ enum class ExitCode {
 /// The same for the foot of help texts.
 inline constexpr std::string_view exit_code_help =
     "Exit status: 0 done and valid; 2 wrong usage; 3 a file cannot be read, is wrong or cannot be\n"
-    "written; 4 the result has inverted elements (nothing is written unless --allow-inverted);\n"
-    "5 not converged within the limit (written if valid); 130 interrupted (nothing written).";
+    "written; 4 the result has inverted elements (nothing is written unless --allow-inverted), or\n"
+    "the motion could not be completed (nothing is written unless --accept-partial); 5 not "
+    "converged\n"
+    "within the limit (written if valid); 130 interrupted (nothing written).";
 
 }  // namespace winslow::app

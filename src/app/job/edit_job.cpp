@@ -1,5 +1,6 @@
 #include "app/job/edit_job.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -66,8 +67,17 @@ MeshState apply(const EditJob& job, MeshState state, RunReport& run) {
   return state;
 }
 
+double fraction_reached(const RunReport& run) {
+  double fraction = 1;
+  for (const CommandRecord& c : run.commands) {
+    fraction = std::min(fraction, c.result.fraction_reached);
+  }
+  return fraction;
+}
+
 ExitCode judge(const RunReport& run, const QualityReport& quality) {
   if (quality.inverted > 0) return ExitCode::inverted;
+  if (fraction_reached(run) < 1) return ExitCode::inverted;
   return all_converged(run.commands) ? ExitCode::done : ExitCode::not_converged;
 }
 
@@ -89,7 +99,9 @@ void write_recipe(const EditJob& job) {
 /// Writes mesh, history and recipe; the report comes last, since it tells how long the rest took.
 void save(const EditJob& job, const Mesh& mesh, const io::MeshFile& source,
           const QualityReport& quality, RunReport& run) {
-  if (quality.inverted == 0 || job.files.allow_inverted) {
+  const bool valid = quality.inverted == 0 || job.files.allow_inverted;
+  const bool complete = fraction_reached(run) >= 1 || job.files.accept_partial;
+  if (valid && complete) {
     const auto warnings =
         io::write_mesh(job.files.output, mesh, source.details.get(), job.files.encoding);
     warn(job.files, warnings);
@@ -110,6 +122,7 @@ void print_outcome(const EditJob& job, const Mesh& mesh, const QualityReport& qu
       std::cout << (c.result.converged ? "converged" : "NOT converged") << " after "
                 << c.result.outer_iterations << " iterations, residual " << c.result.residual;
     }
+    if (c.result.linear_solves > 0) std::cout << ", " << c.result.linear_solves << " linear solves";
     if (c.result.increments > 1) std::cout << ", in " << c.result.increments << " steps";
     std::cout << '\n';
   }
@@ -126,7 +139,13 @@ void print_outcome(const EditJob& job, const Mesh& mesh, const QualityReport& qu
 /// Why the exit code is not 0; said even with --quiet.
 void print_verdict(const EditJob& job, const Mesh& mesh, const QualityReport& quality,
                    const RunReport& run, ExitCode code) {
-  if (code == ExitCode::inverted) {
+  if (code == ExitCode::inverted && quality.inverted == 0) {
+    std::cerr << "winslow: the motion could be followed to " << 100 * fraction_reached(run)
+              << " % only: no valid mesh was found beyond"
+              << (run.written ? "; the mesh there was written"
+                              : "; nothing was written (--accept-partial writes the mesh there)")
+              << '\n';
+  } else if (code == ExitCode::inverted) {
     std::cerr << "winslow: the result has " << quality.inverted << " inverted element"
               << (quality.inverted == 1 ? "" : "s")
               << (run.written ? "" : "; nothing was written (--allow-inverted writes it)") << '\n';

@@ -33,6 +33,10 @@ void add_job_flags(CLI::App& app, JobFiles& files) {
   app.add_flag("--allow-inverted", files.allow_inverted,
                "Write OUT even if elements are inverted (the exit status is still 4)")
       ->group(group);
+  app.add_flag("--accept-partial", files.accept_partial,
+               "Write the last valid mesh of a motion that could not be completed (the exit status "
+               "is still 4)")
+      ->group(group);
   add_encoding_flags(app, files.encoding);
   add_quiet_flag(app, files.quiet);
 }

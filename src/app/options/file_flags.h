@@ -17,12 +17,14 @@ struct JobFiles {
   std::string history;      ///< CSV; empty: none
   std::string save_recipe;  ///< JSON; empty: none
   bool allow_inverted = false;
+  bool accept_partial = false;  ///< write the last valid mesh of a motion that was not completed
   bool quiet = false;
   io::WriteOptions encoding;
 };
 
 void add_input(CLI::App& app, std::string& input);
-/// Declares -o, --report, --history, --allow-inverted, --quiet and those of add_encoding_flags.
+/// Declares -o, --report, --history, --allow-inverted, --accept-partial, --quiet and those of
+/// add_encoding_flags.
 void add_job_flags(CLI::App& app, JobFiles& files);
 /// Declares --save-recipe.
 void add_recipe_flag(CLI::App& app, JobFiles& files);

@@ -30,7 +30,7 @@ class Exact {
 void write_history(const std::filesystem::path& path, const std::vector<CommandRecord>& commands) {
   io::write_atomically(path, [&](std::ostream& out) {
     out << "iteration,residual,largest_move,inverted,min_sine,damping,clipped,linear_iterations,"
-           "fraction,command\n";
+           "fraction,command,stage\n";
     int number = 0;
     for (const CommandRecord& command : commands) {
       ++number;
@@ -38,7 +38,7 @@ void write_history(const std::filesystem::path& path, const std::vector<CommandR
         out << r.iteration << ',' << Exact(r.residual) << ',' << Exact(r.largest_move) << ','
             << r.inverted << ',' << Exact(r.min_sine) << ',' << Exact(r.damping) << ','
             << (r.clipped ? 1 : 0) << ',' << r.linear_iterations << ',' << Exact(r.fraction) << ','
-            << number << '\n';
+            << number << ',' << stage_name(r.stage) << '\n';
       }
     }
   });

@@ -36,6 +36,7 @@ json describe_result(const CommandRecord& record) {
           {"residual", r.residual},
           {"fraction_reached", r.fraction_reached},
           {"increments", r.increments},
+          {"linear_solver", r.linear_solver},
           {"inverted", r.inverted}};
 }
 

@@ -26,7 +26,8 @@ struct SmoothCommand {
 /// How a boundary motion is carried out.
 struct MotionOptions {
   /// Steps in which the boundary moves, each followed by smoothing; 1: at once, as in the paper;
-  /// 0: automatic (at once; if that ends tangled, again in 8 and then in 32 steps).
+  /// 0: follow the path through valid meshes in steps as long as they can be (fixed-point
+  /// iteration: at once; if that ends tangled, again in 8 and then in 32 steps).
   int increments = 0;
   bool smooth_after = true;  ///< false: move the boundary only
 };

@@ -1,25 +1,72 @@
 #include "core/command/workspace.h"
 
-#include "core/outer/picard_solver.h"
-
 namespace winslow {
 
-OuterSolver& SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualControlVolumes>& vcv,
-                                         const SmoothOptions& options) {
-  const bool same_vcv = vcv == vcv_;
-  outer_.reset();
-  if (!formulation_ || !same_vcv || formulation_->name() != options.formulation ||
-      options_.threads != options.threads) {
-    formulation_ = std::make_unique<PointwiseWinslow>(*vcv, options.threads);
+void SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualControlVolumes>& vcv,
+                                 const SmoothOptions& options, const Coordinates& rest) {
+  const bool same_vcv = vcv == vcv_ && options_.threads == options.threads;
+  const bool same_targets = same_vcv && options_.targets == options.targets &&
+                            (options.targets.rest == 0 || (rest_ && *rest_ == rest));
+  picard_.reset();
+  newton_.reset();
+  if (!same_vcv) pointwise_.reset();
+  if (!same_targets) energy_.reset();
+  if (!same_vcv || !(options.linear == options_.linear)) {
+    linear_.reset();
+    symmetric_linear_.reset();
   }
-  if (!linear_ || !same_vcv || !(options.linear == options_.linear) ||
-      options_.threads != options.threads) {
-    linear_ = make_linear_solver(options.linear, options.threads);
+  if (options.targets.rest > 0) {
+    if (!same_targets) rest_ = rest;
+  } else {
+    rest_.reset();
   }
   vcv_ = vcv;
   options_ = options;
-  outer_ = std::make_unique<PicardSolver>(vcv_->topology(), *formulation_, *linear_, options_);
-  return *outer_;
+  if (energy_) energy_->set_penalty(options.penalty);
+}
+
+LinearSolver& SmoothingWorkspace::linear() {
+  if (!linear_) {
+    // One that takes symmetric matrices only still serves the variational form; the pointwise
+    // form's systems, needed for untangling, then go to the automatic choice.
+    LinearOptions chosen = options_.linear;
+    if (linear_solver_needs_symmetry(chosen.solver)) chosen.solver = "automatic";
+    linear_ = make_linear_solver(chosen, options_.threads);
+  }
+  return *linear_;
+}
+
+LinearSolver& SmoothingWorkspace::symmetric_linear() {
+  if (!symmetric_linear_) {
+    symmetric_linear_ = make_linear_solver(options_.linear, options_.threads);
+  }
+  return *symmetric_linear_;
+}
+
+PicardSolver& SmoothingWorkspace::picard() {
+  if (!pointwise_) pointwise_ = std::make_unique<PointwiseWinslow>(*vcv_, options_.threads);
+  if (!picard_) {
+    picard_ = std::make_unique<PicardSolver>(vcv_->topology(), *pointwise_, linear(), options_);
+  }
+  return *picard_;
+}
+
+VariationalWinslow& SmoothingWorkspace::energy() {
+  if (!energy_) {
+    energy_ = std::make_unique<VariationalWinslow>(
+        vcv_->shared_topology(),
+        TargetShapes::build(*vcv_, options_.targets, rest_ ? &*rest_ : nullptr), options_.penalty,
+        options_.threads);
+  }
+  return *energy_;
+}
+
+EnergyNewton& SmoothingWorkspace::newton() {
+  if (!newton_) {
+    newton_ =
+        std::make_unique<EnergyNewton>(vcv_->topology(), energy(), symmetric_linear(), options_);
+  }
+  return *newton_;
 }
 
 }  // namespace winslow

@@ -1,29 +1,48 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "core/formulation/pointwise_winslow.h"
+#include "core/formulation/variational_winslow.h"
 #include "core/linear/linear_solver.h"
-#include "core/outer/outer_solver.h"
+#include "core/outer/energy_newton.h"
+#include "core/outer/picard_solver.h"
 #include "core/outer/smooth_options.h"
 
 namespace winslow {
 
-/// Prepared solvers for one set of VCVs: stencil functionals and symbolic factorisations outlive a
-/// command, so that a drag does not pay for them at every move of the mouse.
+/// Prepared solvers for one set of VCVs: stencil functionals, target shapes and symbolic
+/// factorisations outlive a command, so that a drag does not pay for them at every move of the
+/// mouse.
 class SmoothingWorkspace {
  public:
-  /// Outer solver for these VCVs and options; parts that are still good are kept. Valid until the
-  /// next call.
-  OuterSolver& prepare(const std::shared_ptr<const VirtualControlVolumes>& vcv,
-                       const SmoothOptions& options);
+  /// Says what is to be solved; parts that are still good are kept. rest: the mesh that the share
+  /// `rest` of the targets refers to; kept by value where that is not zero. Throws UsageError.
+  void prepare(const std::shared_ptr<const VirtualControlVolumes>& vcv,
+               const SmoothOptions& options, const Coordinates& rest);
+
+  // Each is made at its first use after prepare, and valid until the next prepare.
+  PicardSolver& picard();
+  VariationalWinslow& energy();
+  EnergyNewton& newton();
+  /// For the variational form's symmetric systems.
+  LinearSolver& symmetric_linear();
+  /// For the pointwise form's systems.
+  LinearSolver& linear();
+
+  const VirtualControlVolumes& vcv() const { return *vcv_; }
+  const SmoothOptions& options() const { return options_; }
 
  private:
   std::shared_ptr<const VirtualControlVolumes> vcv_;
   SmoothOptions options_;
-  std::unique_ptr<PointwiseWinslow> formulation_;
-  std::unique_ptr<LinearSolver> linear_;
-  std::unique_ptr<OuterSolver> outer_;
+  std::optional<Coordinates> rest_;  // only where the targets refer to it
+  std::unique_ptr<PointwiseWinslow> pointwise_;
+  std::unique_ptr<VariationalWinslow> energy_;
+  std::unique_ptr<LinearSolver> linear_, symmetric_linear_;
+  std::unique_ptr<PicardSolver> picard_;
+  std::unique_ptr<EnergyNewton> newton_;
 };
 
 }  // namespace winslow

@@ -182,6 +182,19 @@ double VariationalWinslow::energy(const Coordinates& x,
   return total;
 }
 
+double VariationalWinslow::worst_distortion(const Coordinates& x) const {
+  double worst = 0;
+  for (std::size_t t = 0; t < shapes_.triangles.size(); ++t) {
+    const auto& nodes = shapes_.triangles[t];
+    const Corner2 q(x.point(nodes[0]), x.point(nodes[1]), x.point(nodes[2]));
+    if (!(q.d > 0)) return std::numeric_limits<double>::infinity();
+    for (Index k = shapes_.offsets[t]; k < shapes_.offsets[t + 1]; ++k) {
+      worst = std::max(worst, 0.5 * q.form(distortion::form_at(shapes_.terms[at(k)], 0)) / q.d);
+    }
+  }
+  return worst;
+}
+
 ResidualNorms VariationalWinslow::residual(const Coordinates& x, bool,
                                            std::span<double> out) const {
   const PenaltyFunction psi(penalty_.exponent, penalty_.knee);

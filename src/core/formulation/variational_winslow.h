@@ -56,6 +56,8 @@ class VariationalWinslow final : public Formulation {
 
   /// Infinite if a triangle is inverted or has no area (regularised: never).
   double energy(const Coordinates& x, const Regularisation* regularisation = nullptr) const;
+  /// Largest f of any triangle; infinite if one is inverted.
+  double worst_distortion(const Coordinates& x) const;
   /// R = -dE/dx (#free by 2) and -dR/dx as a symmetric matrix of 2x2 blocks. Regularised: the part
   /// of the Hessian that is positive semidefinite by construction, whatever `curvature`. Returns
   /// the norms of R as residual() does.

@@ -132,6 +132,7 @@ IterationRecord EnergyNewton::step(Coordinates& x) {
     slope = dot(residual_, direction_);
   }
   stalled_ = !search(x, slope);
+  if (stalled_) record_.damping = record_.largest_move = 0;
   assess(x);
   return record_;
 }

@@ -23,7 +23,7 @@ class EnergyNewton final : public SteadySolver {
   IterationRecord step(Coordinates& x) override;
   bool converged() const override;
   /// True if the last step found no way down although the tolerance is not met.
-  bool stalled() const { return stalled_; }
+  bool stalled() const override { return stalled_; }
 
   void predict(const Coordinates& x, const Coordinates& displacement,
                std::span<double> out) override;

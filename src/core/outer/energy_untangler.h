@@ -24,7 +24,8 @@ class EnergyUntangler final : public OuterSolver {
   IterationRecord step(Coordinates& x) override;
   /// True once no element is inverted.
   bool converged() const override { return record_.inverted == 0; }
-  int linear_solves() const { return linear_solves_; }
+  bool stalled() const override { return record_.damping == 0; }
+  int linear_solves() const override { return linear_solves_; }
 
  private:
   void choose_regularisation(const Coordinates& x);

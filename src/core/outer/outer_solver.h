@@ -1,6 +1,7 @@
 #pragma once
 
-#include <memory>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/formulation/formulation.h"
@@ -8,6 +9,16 @@
 #include "core/quality/quality.h"
 
 namespace winslow {
+
+/// What an outer iteration was part of.
+enum class Stage {
+  picard,    ///< fixed-point iteration of the pointwise form
+  untangle,  ///< towards a mesh without inverted elements
+  relax,     ///< getting near a solution before the path or the last steps
+  path,      ///< following the boundary's motion
+  newton     ///< Newton's method towards the tolerance
+};
+std::string_view stage_name(Stage stage);  ///< "picard", "untangle", ...
 
 /// One row of a convergence history. Iteration 0 is the mesh as given.
 struct IterationRecord {
@@ -20,6 +31,7 @@ struct IterationRecord {
   bool clipped = false;     ///< negative weights were set to zero
   int linear_iterations = 0;
   double fraction = 1;  ///< share of the boundary motion applied so far
+  Stage stage = Stage::picard;
 };
 
 /// Told about every outer iteration, on the solver's thread.
@@ -40,6 +52,10 @@ class OuterSolver {
   virtual IterationRecord step(Coordinates& x) = 0;
   /// True if the last record meets the tolerance, also on a mesh whose solution is tangled.
   virtual bool converged() const = 0;
+  /// True if the last step made no headway and further ones would not either.
+  virtual bool stalled() const { return false; }
+  /// Linear systems solved since the solver was made.
+  virtual int linear_solves() const = 0;
 };
 
 /// What a smoothing run came to.
@@ -50,6 +66,7 @@ struct SmoothResult {
   double residual = 0;
   double fraction_reached = 1;  ///< share of the boundary motion in the result
   int increments = 1;           ///< steps in which the boundary was moved
+  std::string linear_solver;    ///< what solved the linear systems, e.g. "CHOLMOD ..."
   Index inverted = 0;
   std::vector<IterationRecord> history;
 };

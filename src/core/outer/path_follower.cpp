@@ -40,9 +40,9 @@ PathFollower::Trial PathFollower::attempt(const Motion& motion, const Coordinate
   return trial;
 }
 
-double PathFollower::follow(const Motion& motion, const Coordinates& rest, Coordinates& x,
-                            const Accept& accept) {
-  double fraction = 0;
+double PathFollower::follow(const Motion& motion, const Coordinates& rest, double from,
+                            Coordinates& x, const Accept& accept) {
+  double fraction = from;
   double step = options_.first_step;
   while (fraction < 1) {
     // A last step that is a little longer saves a very short one.
@@ -56,6 +56,10 @@ double PathFollower::follow(const Motion& motion, const Coordinates& rest, Coord
       step = (to - fraction) * std::clamp(margin * trial.possible, 0.1, 0.7);
       if (step < options_.smallest_step) return fraction;
       continue;
+    }
+    if (!trial.trusted && to - fraction <= options_.cautious_step && !options_.greedy) {
+      solver_.forget_factorisation();
+      return fraction;
     }
     if (!trial.trusted && to - fraction > options_.cautious_step) {
       if (trial.corrections > 0) solver_.forget_factorisation();

@@ -15,7 +15,9 @@ struct PathOptions {
   int most_corrections = 4;       ///< Newton steps after each prediction
   double loose_tolerance = 0.05;  ///< scaled residual that is near enough to the path on the way
   double trusted_residual = 0.3;  ///< of a prediction, above which the step is shortened
-  double cautious_step = 1e-3;    ///< share of the motion below which any valid mesh is accepted
+  double cautious_step = 2e-3;    ///< share of the motion below which no step is shortened for
+                                  ///< lack of trust: see greedy
+  bool greedy = false;  ///< accept any valid mesh after a step that short, instead of giving up
 };
 
 /// Follows the steady mesh while the boundary moves: tangent predictor, exact validity check,
@@ -29,10 +31,10 @@ class PathFollower {
   PathFollower(const Topology& topology, SteadySolver& solver, const PathOptions& options)
       : topology_(topology), solver_(solver), options_(options) {}
 
-  /// Moves the boundary from x (valid; where the motion begins) as far towards the end of `motion`
-  /// as valid meshes lead. rest: what the motion refers to. Returns the fraction reached; x is the
-  /// mesh there, near the path but not converged.
-  double follow(const Motion& motion, const Coordinates& rest, Coordinates& x,
+  /// Moves the boundary from x (valid; the boundary at fraction `from` of the motion) as far
+  /// towards the end of `motion` as valid meshes lead. rest: what the motion refers to. Returns the
+  /// fraction reached; x is the mesh there, near the path but not converged.
+  double follow(const Motion& motion, const Coordinates& rest, double from, Coordinates& x,
                 const Accept& accept);
 
  private:

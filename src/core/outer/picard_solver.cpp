@@ -145,6 +145,7 @@ IterationRecord PicardSolver::step(Coordinates& x) {
   std::vector<double> plain(system_.rhs.size(), 0.0);
   linear_.set_matrix(system_.matrix);
   record_.linear_iterations = linear_.solve(system_.rhs, system_.columns, plain).iterations;
+  ++linear_solves_;
   for (double& s : plain) s *= record_.damping;
 
   const bool was_valid = record_.inverted == 0;

@@ -26,6 +26,7 @@ class PicardSolver final : public OuterSolver {
   IterationRecord start(const Coordinates& x) override;
   IterationRecord step(Coordinates& x) override;
   bool converged() const override;
+  int linear_solves() const override { return linear_solves_; }
 
  private:
   bool choose_clip(Index inverted);
@@ -48,6 +49,8 @@ class PicardSolver final : public OuterSolver {
 
   std::optional<AndersonAcceleration> acceleration_;
   double best_accelerated_ = 0;
+
+  int linear_solves_ = 0;
 
   double best_residual_ = 0;  // for adapt_damping
   Index least_inverted_ = 0;

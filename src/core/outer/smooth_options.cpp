@@ -1,5 +1,7 @@
 #include "core/outer/smooth_options.h"
 
+#include <cmath>
+
 #include <algorithm>
 
 #include "core/error.h"
@@ -26,6 +28,24 @@ void require(bool good, const std::string& message) {
 void validate(const SmoothOptions& options) {
   require_known(formulation_names(), options.formulation, "formulation");
   require_known(linear_solver_names(), options.linear.solver, "linear solver");
+  const bool variational = options.formulation == "variational";
+  require(!(variational && options.outer == OuterMethod::picard),
+          "the variational form has no fixed-point iteration: choose the outer method newton, or "
+          "the formulation pointwise");
+  require(
+      variational || !linear_solver_needs_symmetry(options.linear.solver),
+      "the linear solver " + options.linear.solver +
+          " takes symmetric systems only: choose automatic, direct or gmres, or the formulation "
+          "variational");
+  require(options.penalty.exponent >= 1 && options.penalty.exponent <= 64,
+          "the exponent is not between 1 and 64");
+  require(options.penalty.knee == 0 ||
+              (options.penalty.knee > 1 && std::isfinite(options.penalty.knee)),
+          "the knee is neither 0 nor a number greater than 1");
+  const TargetBlend& t = options.targets;
+  require(t.element >= 0 && t.vcv >= 0 && t.rest >= 0 && t.element + t.vcv + t.rest > 0 &&
+              std::isfinite(t.element + t.vcv + t.rest),
+          "the shares of the target shapes must not be negative, nor all zero");
   require(
       options.damping > 0 && options.damping <= 1,
       "the damping is " + std::to_string(options.damping) + ", expected more than 0, at most 1");

@@ -18,8 +18,6 @@ class SteadySolver : public OuterSolver {
                        std::span<double> out) = 0;
   /// Forgets the factorisation, so that the next prediction is made at its own coordinates.
   virtual void forget_factorisation() = 0;
-  /// Linear solves since the solver was made.
-  virtual int linear_solves() const = 0;
 };
 
 }  // namespace winslow

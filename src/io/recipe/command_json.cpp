@@ -25,6 +25,15 @@ void linear_fields(Archive& archive, Options& options) {
 template <class Archive, class Options>
 void smooth_fields(Archive& archive, Options& options) {
   archive.field("formulation", options.formulation);
+  archive.object("targets", [&](auto& inner) {
+    inner.field("element", options.targets.element);
+    inner.field("vcv", options.targets.vcv);
+    inner.field("rest", options.targets.rest);
+  });
+  archive.field("exponent", options.penalty.exponent);
+  archive.field("knee", options.penalty.knee);
+  archive.field("outer", options.outer);
+  archive.field("untangle", options.untangle);
   archive.object("linear", [&](auto& inner) { linear_fields(inner, options.linear); });
   archive.field("damping", options.damping);
   archive.field("adapt_damping", options.adapt_damping);

@@ -20,6 +20,13 @@ constexpr std::array clip_names{Name<Clip>{Clip::automatic, "auto"}, Name<Clip>{
 constexpr std::array fade_names{Name<Fade>{Fade::none, "none"}, Name<Fade>{Fade::start, "start"},
                                 Name<Fade>{Fade::end, "end"}, Name<Fade>{Fade::both, "both"}};
 
+constexpr std::array outer_names{Name<OuterMethod>{OuterMethod::automatic, "auto"},
+                                 Name<OuterMethod>{OuterMethod::newton, "newton"},
+                                 Name<OuterMethod>{OuterMethod::picard, "picard"}};
+constexpr std::array untangle_names{Name<Untangle>{Untangle::automatic, "auto"},
+                                    Name<Untangle>{Untangle::picard, "picard"},
+                                    Name<Untangle>{Untangle::energy, "energy"}};
+
 [[noreturn]] void refuse(const json& found, const std::string& path, const std::string& expected) {
   constexpr std::size_t longest = 40;
   std::string text = found.dump(-1, ' ', false, json::error_handler_t::replace);
@@ -130,7 +137,18 @@ void ObjectReader::read(const json& value, const std::string& path, Fade& out) {
   read_enum(value, path, fade_names, out);
 }
 
+void ObjectReader::read(const json& value, const std::string& path, OuterMethod& out) {
+  read_enum(value, path, outer_names, out);
+}
+
+void ObjectReader::read(const json& value, const std::string& path, Untangle& out) {
+  read_enum(value, path, untangle_names, out);
+}
+
 json ObjectWriter::write(Clip value) { return name_of(value, clip_names); }
 json ObjectWriter::write(Fade value) { return name_of(value, fade_names); }
+
+json ObjectWriter::write(OuterMethod value) { return name_of(value, outer_names); }
+json ObjectWriter::write(Untangle value) { return name_of(value, untangle_names); }
 
 }  // namespace winslow::io

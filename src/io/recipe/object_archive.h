@@ -56,6 +56,8 @@ class ObjectReader {
   static void read(const nlohmann::json& json, const std::string& path, Vec2& value);
   static void read(const nlohmann::json& json, const std::string& path, Clip& value);
   static void read(const nlohmann::json& json, const std::string& path, Fade& value);
+  static void read(const nlohmann::json& json, const std::string& path, OuterMethod& value);
+  static void read(const nlohmann::json& json, const std::string& path, Untangle& value);
 
  private:
   const nlohmann::json* find(const char* key);
@@ -93,6 +95,8 @@ class ObjectWriter {
   }
   static nlohmann::json write(Clip value);
   static nlohmann::json write(Fade value);
+  static nlohmann::json write(OuterMethod value);
+  static nlohmann::json write(Untangle value);
 
  private:
   nlohmann::json json_ = nlohmann::json::object();

@@ -68,7 +68,7 @@ Mesh with_moved_hole(double degrees) {
 }
 
 /// One node that is asked to move along x by 0.1 - 0.01 x: the solution is at x = 10.
-class CreepingFormulation final : public Formulation {
+class CreepingFormulation final : public FixedPointFormulation {
  public:
   explicit CreepingFormulation(const Topology& topology) : pattern_(topology) {}
   static double step_at(double x) { return 0.1 - 0.01 * x; }

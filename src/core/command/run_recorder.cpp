@@ -1,0 +1,36 @@
+#include "core/command/run_recorder.h"
+
+#include "core/error.h"
+
+namespace winslow {
+
+void RunRecorder::report(IterationRecord record, const Coordinates& x, Stage stage, double fraction,
+                         bool advance) {
+  if (advance) ++result_.outer_iterations;
+  record.iteration = result_.outer_iterations;
+  record.stage = stage;
+  record.fraction = fraction;
+  result_.history.push_back(record);
+  result_.residual = record.residual;
+  result_.inverted = record.inverted;
+  result_.fraction_reached = fraction;
+  if (monitor_ && !monitor_->on_iteration(record, x)) throw Cancelled();
+}
+
+IterationRecord RunRecorder::iterate(OuterSolver& solver, Coordinates& x, Stage stage,
+                                     double fraction, int limit, const Enough& enough) {
+  int counted = solver.linear_solves();
+  IterationRecord record = solver.start(x);
+  report(record, x, stage, fraction, false);
+  for (int done = 0; done < limit && !solver.converged() && !solver.stalled(); ++done) {
+    if (enough && enough(record)) break;
+    record = solver.step(x);
+    result_.linear_solves += solver.linear_solves() - counted;
+    counted = solver.linear_solves();
+    report(record, x, stage, fraction, true);
+  }
+  result_.converged = solver.converged();
+  return record;
+}
+
+}  // namespace winslow

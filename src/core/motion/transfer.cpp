@@ -1,0 +1,66 @@
+#include "core/motion/transfer.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace winslow {
+
+namespace {
+
+class Transfer final : public Motion {
+ public:
+  Transfer(std::vector<Index> nodes, const Coordinates& from, const Coordinates& to)
+      : nodes_(std::move(nodes)) {
+    for (const Index node : nodes_) {
+      centre_ += from.xy(node);
+      target_centre_ += to.xy(node);
+      target_.push_back(to.xy(node));
+    }
+    if (nodes_.empty()) return;
+    centre_ /= static_cast<double>(nodes_.size());
+    target_centre_ /= static_cast<double>(nodes_.size());
+    // The rotation that brings the two nearest (orthogonal Procrustes problem in the plane).
+    double cosine = 0, sine = 0;
+    for (const Index node : nodes_) {
+      const Vec2 a = from.xy(node) - centre_, b = to.xy(node) - target_centre_;
+      cosine += a.dot(b);
+      sine += a.x() * b.y() - a.y() * b.x();
+    }
+    angle_ = std::atan2(sine, cosine);
+  }
+
+  std::span<const Index> nodes() const override { return nodes_; }
+  void apply(const Coordinates& rest, double fraction, Coordinates& out) const override {
+    const Eigen::Rotation2D<double> part(angle_ * fraction), whole(angle_);
+    const Vec2 centre = centre_ + fraction * (target_centre_ - centre_);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (fraction == 1) {
+        out.set_xy(nodes_[i], target_[i]);
+        continue;
+      }
+      const Vec2 arm = rest.xy(nodes_[i]) - centre_;
+      // What is not rigid turns with the body.
+      const Vec2 bend = whole.inverse() * Vec2(target_[i] - target_centre_) - arm;
+      out.set_xy(nodes_[i], centre + part * Vec2(arm + fraction * bend));
+    }
+  }
+
+ private:
+  std::vector<Index> nodes_;
+  Vec2 centre_{0, 0}, target_centre_{0, 0};
+  double angle_ = 0;
+  std::vector<Vec2> target_;
+};
+
+}  // namespace
+
+std::unique_ptr<Motion> make_transfer(const Topology& topology, const Coordinates& from,
+                                      const Coordinates& to) {
+  std::vector<Index> nodes;
+  for (Index node = 0; node < topology.node_count(); ++node) {
+    if (topology.constrained(node) && from.xy(node) != to.xy(node)) nodes.push_back(node);
+  }
+  return std::make_unique<Transfer>(std::move(nodes), from, to);
+}
+
+}  // namespace winslow

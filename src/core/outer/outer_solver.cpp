@@ -1,0 +1,12 @@
+#include "core/outer/outer_solver.h"
+
+#include <array>
+
+namespace winslow {
+
+std::string_view stage_name(Stage stage) {
+  constexpr std::array<std::string_view, 5> names{"picard", "untangle", "relax", "path", "newton"};
+  return names[static_cast<std::size_t>(stage)];
+}
+
+}  // namespace winslow

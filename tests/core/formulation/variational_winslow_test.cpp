@@ -1,0 +1,303 @@
+#include "core/formulation/variational_winslow.h"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/formulation/distortion.h"
+#include "core/parallel/parallel_for.h"
+#include "support/meshes.h"
+#include "support/vcv.h"
+
+using namespace winslow;
+using namespace winslow::test;
+
+namespace {
+
+struct Sample {
+  Mesh mesh;
+  VirtualControlVolumes vcv;
+};
+
+/// A valid mesh, its nodes moved at random, with VCVs of random angles and lengths.
+Sample make_sample(std::uint64_t seed, Cells cells) {
+  Random random(seed);
+  Mesh mesh = make_mesh(square_with_hole(10, cells));
+  perturb(mesh, random);
+  VirtualControlVolumes vcv(mesh.topology);
+  for (const Index node : mesh.topology->free_nodes()) {
+    const auto n = static_cast<Index>(vcv.angles(node).size());
+    if (n < 3) continue;
+    std::vector<double> lengths;
+    for (Index k = 0; k < n; ++k) lengths.push_back(random.uniform(0.5, 2));
+    vcv.set(node, random_angles(random, n), lengths);
+  }
+  return {std::move(mesh), std::move(vcv)};
+}
+
+VariationalWinslow formulation(const Sample& sample, const TargetBlend& blend,
+                               const PenaltyOptions& penalty, int threads = 1) {
+  return {sample.mesh.topology, TargetShapes::build(sample.vcv, blend, &sample.mesh.coordinates),
+          penalty, threads};
+}
+
+std::vector<double> random_direction(const Topology& topology, Random& random, double length) {
+  std::vector<double> direction(2 * topology.free_nodes().size());
+  for (double& d : direction) d = random.uniform(-length, length);
+  return direction;
+}
+
+Coordinates moved(const Mesh& mesh, const std::vector<double>& direction, double step) {
+  Coordinates x = mesh.coordinates;
+  const auto free = mesh.topology->free_nodes();
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    x.set_xy(free[i], x.xy(free[i]) + step * Vec2(direction[2 * i], direction[2 * i + 1]));
+  }
+  return x;
+}
+
+std::vector<double> product(const SparseMatrix& matrix, const std::vector<double>& v) {
+  std::vector<double> out(v.size(), 0.0);
+  for (std::size_t row = 0; row + 1 < matrix.pattern->offsets.size(); ++row) {
+    for (Index e = matrix.pattern->offsets[row]; e < matrix.pattern->offsets[row + 1]; ++e) {
+      const double* b = &matrix.values[4 * at(e)];
+      const std::size_t column = at(matrix.pattern->columns[at(e)]);
+      out[2 * row] += b[0] * v[2 * column] + b[1] * v[2 * column + 1];
+      out[2 * row + 1] += b[2] * v[2 * column] + b[3] * v[2 * column + 1];
+    }
+  }
+  return out;
+}
+
+double norm(const std::vector<double>& v) {
+  double sum = 0;
+  for (const double a : v) sum += a * a;
+  return std::sqrt(sum);
+}
+
+const std::array<TargetBlend, 4> blends{TargetBlend{1, 0, 0}, TargetBlend{0, 1, 0},
+                                        TargetBlend{0, 0, 1}, TargetBlend{0.5, 0.3, 0.2}};
+const std::array<PenaltyOptions, 4> penalties{PenaltyOptions{8, 1.78}, PenaltyOptions{1, 0},
+                                              PenaltyOptions{4, 0}, PenaltyOptions{2.5, 0}};
+
+/// A displacement of all constrained nodes.
+Coordinates boundary_displacement(const Topology& topology, Random& random) {
+  Coordinates displacement(2, topology.node_count());
+  for (Index node = 0; node < topology.node_count(); ++node) {
+    if (!topology.constrained(node)) continue;
+    displacement.set_xy(node, Vec2(random.uniform(-1, 1), random.uniform(-1, 1)));
+  }
+  return displacement;
+}
+
+}  // namespace
+
+TEST_CASE("the gradient is that of the energy, the Hessian that of the gradient") {
+  std::uint64_t seed = 0;
+  for (const Cells cells : {Cells::triangles, Cells::quads, Cells::mixed}) {
+    for (const TargetBlend& blend : blends) {
+      for (const PenaltyOptions& penalty : penalties) {
+        CAPTURE(name_of(cells));
+        CAPTURE(penalty.exponent);
+        const Sample sample = make_sample(++seed, cells);
+        Random random(seed);
+        const VariationalWinslow energy = formulation(sample, blend, penalty);
+        const auto direction = random_direction(*sample.mesh.topology, random, 1);
+        constexpr double h = 1e-6;
+        const Coordinates plus = moved(sample.mesh, direction, h);
+        const Coordinates minus = moved(sample.mesh, direction, -h);
+
+        SparseMatrix hessian;
+        std::vector<double> residual(direction.size());
+        energy.linearise(sample.mesh.coordinates, Curvature::exact, hessian, residual);
+        double slope = 0;
+        for (std::size_t i = 0; i < direction.size(); ++i) slope -= residual[i] * direction[i];
+        const double difference = (energy.energy(plus) - energy.energy(minus)) / (2 * h);
+        CHECK(std::abs(slope - difference) <= 1e-6 * (std::abs(slope) + norm(residual)));
+
+        std::vector<double> at_plus(direction.size()), at_minus(direction.size());
+        energy.residual(plus, false, at_plus);
+        energy.residual(minus, false, at_minus);
+        std::vector<double> error = product(hessian, direction);
+        const double size = norm(error);
+        for (std::size_t i = 0; i < error.size(); ++i) {
+          error[i] += (at_plus[i] - at_minus[i]) / (2 * h);
+        }
+        CHECK(norm(error) <= 1e-6 * size);
+      }
+    }
+  }
+}
+
+TEST_CASE("the answer to a moving boundary is the derivative of the residual") {
+  for (const Cells cells : {Cells::triangles, Cells::quads, Cells::mixed}) {
+    const Sample sample = make_sample(7, cells);
+    Random random(3);
+    const VariationalWinslow energy = formulation(sample, {0.5, 0.5, 0}, {});
+    const Topology& topology = *sample.mesh.topology;
+    const Coordinates displacement = boundary_displacement(topology, random);
+    constexpr double h = 1e-6;
+    Coordinates plus = sample.mesh.coordinates, minus = plus;
+    for (Index node = 0; node < topology.node_count(); ++node) {
+      plus.set_xy(node, plus.xy(node) + h * displacement.xy(node));
+      minus.set_xy(node, minus.xy(node) - h * displacement.xy(node));
+    }
+    const std::size_t n = 2 * topology.free_nodes().size();
+    std::vector<double> at_plus(n), at_minus(n), response(n);
+    energy.residual(plus, false, at_plus);
+    energy.residual(minus, false, at_minus);
+    energy.boundary_response(sample.mesh.coordinates, displacement, response);
+    const double size = norm(response);
+    for (std::size_t i = 0; i < n; ++i) response[i] -= (at_plus[i] - at_minus[i]) / (2 * h);
+    CHECK(norm(response) <= 1e-6 * size);
+  }
+}
+
+TEST_CASE("a triangle's projected Hessian is its Hessian without the negative eigenvalues") {
+  Random random(11);
+  for (int trial = 0; trial < 200; ++trial) {
+    const std::array<std::array<double, 2>, 3> corner{{
+        {random.uniform(-1, 1), random.uniform(-1, 1)},
+        {random.uniform(-1, 1), random.uniform(-1, 1)},
+        {random.uniform(-1, 1), random.uniform(-1, 1)},
+    }};
+    const distortion::Corner2 q(corner[0].data(), corner[1].data(), corner[2].data());
+    if (q.d < 0.05) continue;
+    const PenaltyOptions options = penalties[random.index(4)];
+    const distortion::PenaltyFunction psi(options.exponent, options.knee);
+    // The projection belongs to J = [u v] root, so it is compared there: in a target whose edges
+    // are orthonormal, J is the pair of edges itself.
+    const distortion::Form unit{1, 1, 0};
+    Eigen::Matrix4d exact, projected;
+    const auto fill = [&](Eigen::Matrix4d& out, bool project) {
+      // The rows of corners j and k: blocks over the two edges.
+      const std::array<distortion::Form, 3> forms{unit, distortion::Form{0, 1, 1},
+                                                  distortion::Form{1, 0, 1}};
+      std::array<distortion::Block, 3> first, second;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const distortion::Corner2 at_i(corner[i].data(), corner[(i + 1) % 3].data(),
+                                       corner[(i + 2) % 3].data());
+        const distortion::RowTerm row =
+            project ? distortion::projected_row_term(at_i, forms[i], 1, psi)
+                    : distortion::row_term(at_i, forms[i], 1, psi, {at_i.d, 1}, 1);
+        first[i] = row.ij;
+        second[i] = row.ik;
+      }
+      const auto set = [&](int r, int c, const distortion::Block& b) {
+        out(r, c) = b.xx;
+        out(r, c + 1) = b.xy;
+        out(r + 1, c) = b.yx;
+        out(r + 1, c + 1) = b.yy;
+      };
+      const auto negative_sum = [](const distortion::Block& a, const distortion::Block& b) {
+        return distortion::Block{-a.xx - b.xx, -a.xy - b.xy, -a.yx - b.yx, -a.yy - b.yy};
+      };
+      set(0, 0, negative_sum(first[1], second[1]));
+      set(0, 2, first[1]);
+      set(2, 0, second[2]);
+      set(2, 2, negative_sum(first[2], second[2]));
+    };
+    fill(exact, false);
+    fill(projected, true);
+    CHECK((exact - exact.transpose()).norm() <= 1e-9 * exact.norm());
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(exact);
+    const Eigen::Matrix4d expected = eigen.eigenvectors() *
+                                     eigen.eigenvalues().cwiseMax(0.0).asDiagonal() *
+                                     eigen.eigenvectors().transpose();
+    CHECK((projected - expected).norm() <= 1e-8 * expected.norm());
+  }
+}
+
+TEST_CASE("perfect elements have distortion one and no force") {
+  const Mesh mesh = make_mesh(square(6, Cells::quads));
+  const VirtualControlVolumes vcv(mesh.topology);
+  for (const TargetBlend& blend : {TargetBlend{1, 0, 0}, TargetBlend{0, 1, 0}}) {
+    const VariationalWinslow energy(mesh.topology, TargetShapes::build(vcv, blend, nullptr), {4, 0},
+                                    1);
+    // Every element has weight one, however many of its nodes lie at the boundary; the four of the
+    // corners have one corner triangle that cannot change.
+    CHECK(energy.energy(mesh.coordinates) == doctest::Approx(36));
+    CHECK(energy.residual(mesh.coordinates, false, {}).max < 1e-13);
+    CHECK(energy.worst_distortion(mesh.coordinates) == doctest::Approx(1));
+  }
+}
+
+TEST_CASE("the rest mesh is the solution where its own shapes are the target") {
+  for (const Cells cells : {Cells::triangles, Cells::quads, Cells::mixed}) {
+    const Sample sample = make_sample(5, cells);
+    const VariationalWinslow energy = formulation(sample, {0, 0, 1}, {});
+    CHECK(energy.residual(sample.mesh.coordinates, false, {}).max < 1e-12);
+    CHECK(energy.worst_distortion(sample.mesh.coordinates) == doctest::Approx(1));
+  }
+}
+
+TEST_CASE("an inverted element has infinite energy, and a finite one when regularised") {
+  Random random(2);
+  Mesh mesh = make_mesh(square(6, Cells::triangles));
+  tangle(mesh, random);
+  const VirtualControlVolumes vcv(mesh.topology);
+  const VariationalWinslow energy(mesh.topology, TargetShapes::build(vcv, {}, nullptr), {1, 0}, 1);
+  CHECK(std::isinf(energy.energy(mesh.coordinates)));
+  const Regularisation regularisation{0.01,
+                                      std::vector<double>(energy.shapes().triangles.size(), 1)};
+  const double value = energy.energy(mesh.coordinates, &regularisation);
+  CHECK(std::isfinite(value));
+
+  // Its gradient against differences, its Hessian positive semidefinite.
+  const auto direction = random_direction(*mesh.topology, random, 1);
+  SparseMatrix hessian;
+  std::vector<double> residual(direction.size());
+  energy.linearise(mesh.coordinates, Curvature::exact, hessian, residual, &regularisation);
+  double slope = 0;
+  for (std::size_t i = 0; i < direction.size(); ++i) slope -= residual[i] * direction[i];
+  constexpr double h = 1e-7;
+  const double difference = (energy.energy(moved(mesh, direction, h), &regularisation) -
+                             energy.energy(moved(mesh, direction, -h), &regularisation)) /
+                            (2 * h);
+  CHECK(slope == doctest::Approx(difference).epsilon(1e-5));
+  for (int trial = 0; trial < 20; ++trial) {
+    const auto v = random_direction(*mesh.topology, random, 1);
+    const auto hv = product(hessian, v);
+    double curvature = 0;
+    for (std::size_t i = 0; i < v.size(); ++i) curvature += v[i] * hv[i];
+    CHECK(curvature >= -1e-10 * norm(v) * norm(hv));
+  }
+}
+
+TEST_CASE("no result depends on the number of threads, to the last bit") {
+  Mesh mesh = make_mesh(square(100, Cells::mixed));
+  for (const Index node : mesh.topology->free_nodes()) {
+    const Vec2 p = mesh.coordinates.xy(node);
+    mesh.coordinates.set_xy(node, p + 0.002 * Vec2(std::sin(50 * p.y()), std::cos(70 * p.x())));
+  }
+  REQUIRE(mesh.topology->free_nodes().size() > 2 * parallel_block);
+  const VirtualControlVolumes vcv(mesh.topology);
+  const TargetShapes shapes = TargetShapes::build(vcv, {0.5, 0.5, 0}, nullptr);
+  const VariationalWinslow one(mesh.topology, shapes, {}, 1), four(mesh.topology, shapes, {}, 4);
+  CHECK(one.energy(mesh.coordinates) == four.energy(mesh.coordinates));
+  const std::size_t n = 2 * mesh.topology->free_nodes().size();
+  SparseMatrix a, b;
+  std::vector<double> ra(n), rb(n);
+  for (const Curvature curvature : {Curvature::exact, Curvature::projected}) {
+    const ResidualNorms na = one.linearise(mesh.coordinates, curvature, a, ra);
+    const ResidualNorms nb = four.linearise(mesh.coordinates, curvature, b, rb);
+    CHECK(na.max == nb.max);
+    CHECK(na.rms == nb.rms);
+    CHECK(a.values == b.values);
+    CHECK(ra == rb);
+  }
+}
+
+TEST_CASE("targets that make no sense are refused") {
+  const Mesh mesh = make_mesh(square(3, Cells::triangles));
+  const VirtualControlVolumes vcv(mesh.topology);
+  CHECK_THROWS_AS(TargetShapes::build(vcv, {0, 0, 0}, nullptr), UsageError);
+  CHECK_THROWS_AS(TargetShapes::build(vcv, {-1, 2, 0}, nullptr), UsageError);
+  CHECK_THROWS_AS(TargetShapes::build(vcv, {0, 0, 1}, nullptr), UsageError);
+  Random random(1);
+  Mesh tangled = mesh;
+  tangle(tangled, random);
+  CHECK_THROWS_AS(TargetShapes::build(vcv, {0, 0, 1}, &tangled.coordinates), MeshError);
+}

@@ -1,0 +1,197 @@
+#include "core/outer/energy_newton.h"
+
+#include <doctest/doctest.h>
+
+#include "core/error.h"
+#include "core/outer/energy_untangler.h"
+#include "core/outer/path_follower.h"
+#include "core/quality/quality.h"
+#include "core/quality/valid_step.h"
+#include "support/meshes.h"
+
+using namespace winslow;
+using namespace winslow::test;
+
+namespace {
+
+/// A Newton solver with everything it needs.
+struct Solver {
+  explicit Solver(const Mesh& mesh, const std::string& linear_name = "direct",
+                  const PenaltyOptions& penalty = {})
+      : vcv(mesh.topology),
+        energy(mesh.topology, TargetShapes::build(vcv, {}, nullptr), penalty, 0) {
+    LinearOptions linear_options;
+    linear_options.solver = linear_name;
+    linear_options.tolerance = 1e-8;
+    linear = make_linear_solver(linear_options);
+    newton = std::make_unique<EnergyNewton>(*mesh.topology, energy, *linear, SmoothOptions{});
+  }
+
+  std::vector<IterationRecord> run(Coordinates& x) const {
+    std::vector<IterationRecord> history{newton->start(x)};
+    while (!newton->converged() && !newton->stalled() && history.size() < 100) {
+      history.push_back(newton->step(x));
+      CHECK(history.back().inverted == 0);
+    }
+    return history;
+  }
+
+  VirtualControlVolumes vcv;
+  VariationalWinslow energy;
+  std::unique_ptr<LinearSolver> linear;
+  std::unique_ptr<EnergyNewton> newton;
+};
+
+}  // namespace
+
+TEST_CASE("Newton's method ends quadratically and lowers the energy at every step") {
+  for (const Cells cells : {Cells::triangles, Cells::quads, Cells::mixed}) {
+    CAPTURE(name_of(cells));
+    Random random(1);
+    Mesh mesh = make_mesh(annulus(32, 8, 1.2, cells));
+    perturb(mesh, random);
+    const Solver solver(mesh);
+    Coordinates x = mesh.coordinates;
+    double energy = solver.energy.energy(x);
+    solver.newton->start(x);
+    std::vector<double> residuals;
+    while (!solver.newton->converged() && residuals.size() < 40) {
+      residuals.push_back(solver.newton->step(x).residual);
+      const double next = solver.energy.energy(x);
+      CHECK(next <= energy * (1 + 1e-12));
+      energy = next;
+    }
+    CHECK(solver.newton->converged());
+    CHECK(residuals.size() <= 20);
+    // Once the residual is small, each one is about the square of the one before.
+    bool seen = false;
+    for (std::size_t i = 1; i < residuals.size(); ++i) {
+      if (residuals[i - 1] < 1e-2 && residuals[i - 1] > 1e-6) {
+        CHECK(residuals[i] < 30 * residuals[i - 1] * residuals[i - 1]);
+        seen = true;
+      }
+    }
+    CHECK(seen);
+  }
+}
+
+TEST_CASE("every linear solver leads to the same mesh") {
+  Random random(3);
+  Mesh mesh = make_mesh(square_with_hole(15, Cells::mixed));
+  perturb(mesh, random);
+  Coordinates expected = mesh.coordinates;
+  Solver(mesh).run(expected);
+  for (const std::string& name : linear_solver_names()) {
+    if (name == "point-implicit") continue;  // too slow an inner solver for Newton's method
+    CAPTURE(name);
+    const Solver solver(mesh, name);
+    Coordinates x = mesh.coordinates;
+    solver.run(x);
+    CHECK(solver.newton->converged());
+    CHECK(largest_difference(x, expected) < 1e-9);
+  }
+}
+
+TEST_CASE("Newton's method refuses a tangled mesh") {
+  Random random(3);
+  Mesh mesh = make_mesh(square(8, Cells::triangles));
+  tangle(mesh, random);
+  const Solver solver(mesh);
+  CHECK_THROWS_AS(solver.newton->start(mesh.coordinates), UsageError);
+}
+
+TEST_CASE("the predictor is the derivative of the solution with respect to the boundary") {
+  Mesh mesh = make_mesh(annulus(24, 6, 1.25, Cells::triangles));
+  const Topology& topology = *mesh.topology;
+  const Solver solver(mesh);
+  Coordinates x = mesh.coordinates;
+  solver.run(x);
+  solver.newton->step(x);  // the factorisation belongs to the solution
+  Coordinates displacement(2, x.size());
+  const Index marker = *topology.find_marker("inner");
+  for (const Index node : topology.marker_nodes(marker)) displacement.set_xy(node, Vec2(1, 0.5));
+  std::vector<double> predicted(2 * topology.free_nodes().size());
+  solver.newton->predict(x, displacement, predicted);
+
+  constexpr double h = 1e-4;
+  const auto solution = [&](double step) {
+    Coordinates y = x;
+    for (const Index node : topology.marker_nodes(marker)) {
+      y.set_xy(node, y.xy(node) + step * displacement.xy(node));
+    }
+    solver.run(y);
+    return y;
+  };
+  const Coordinates plus = solution(h), minus = solution(-h);
+  const auto free = topology.free_nodes();
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    const Vec2 difference = (plus.xy(free[i]) - minus.xy(free[i])) / (2 * h);
+    CHECK((difference - Vec2(predicted[2 * i], predicted[2 * i + 1])).norm() < 1e-5);
+  }
+}
+
+TEST_CASE("a path leads through valid meshes to the solution, however far the body turns") {
+  for (const Cells cells : {Cells::triangles, Cells::quads, Cells::mixed}) {
+    for (const double degrees : {90.0, -178.0, 360.0}) {
+      CAPTURE(name_of(cells));
+      CAPTURE(degrees);
+      const Mesh mesh = make_mesh(annulus(40, 12, 1.18, cells));
+      const Solver solver(mesh);
+      Coordinates x = mesh.coordinates;
+      const auto motion = make_motion(*mesh.topology, x, {"inner"}, RigidMotion{degrees, {}, {}});
+      solver.run(x);
+      double last = 0;
+      const double reached =
+          PathFollower(*mesh.topology, *solver.newton, {})
+              .follow(*motion, mesh.coordinates, 0, x,
+                      [&](const IterationRecord& record, const Coordinates& at) {
+                        CHECK(record.fraction > last);
+                        last = record.fraction;
+                        CHECK(check_validity(*mesh.topology, at, 1).inverted == 0);
+                      });
+      CHECK(reached == 1);
+      solver.run(x);
+      CHECK(solver.newton->converged());
+      Coordinates boundary = mesh.coordinates;
+      motion->apply(mesh.coordinates, 1, boundary);
+      for (const Index node : motion->nodes()) CHECK(x.xy(node) == boundary.xy(node));
+    }
+  }
+}
+
+TEST_CASE("a path that is blocked ends at the last valid mesh") {
+  // The inner circle cannot leave the outer one.
+  const Mesh mesh = make_mesh(annulus(24, 6, 1.2, Cells::triangles));
+  const Solver solver(mesh);
+  Coordinates x = mesh.coordinates;
+  const auto motion = make_motion(*mesh.topology, x, {"inner"}, RigidMotion{0, {}, Vec2(10, 0)});
+  solver.run(x);
+  const double reached = PathFollower(*mesh.topology, *solver.newton, {})
+                             .follow(*motion, mesh.coordinates, 0, x,
+                                     [](const IterationRecord&, const Coordinates&) {});
+  const double contact = (std::pow(1.2, 6) - 1) / 10;
+  CHECK(reached < contact);
+  CHECK(reached > 0.8 * contact);
+  CHECK(check_validity(*mesh.topology, x, 1).inverted == 0);
+}
+
+TEST_CASE("the regularised energy untangles a boundary that was turned at once") {
+  for (const Cells cells : {Cells::triangles, Cells::quads, Cells::mixed}) {
+    CAPTURE(name_of(cells));
+    const Mesh mesh = make_mesh(annulus(32, 10, 1.2, cells));
+    VirtualControlVolumes vcv(mesh.topology);
+    const VariationalWinslow energy(mesh.topology, TargetShapes::build(vcv, {}, nullptr), {1, 0},
+                                    0);
+    LinearOptions linear_options;
+    linear_options.solver = "direct";
+    const auto linear = make_linear_solver(linear_options);
+    Coordinates x = mesh.coordinates;
+    make_motion(*mesh.topology, x, {"inner"}, RigidMotion{100, {}, {}})
+        ->apply(mesh.coordinates, 1, x);
+    EnergyUntangler untangler(*mesh.topology, energy, *linear, {}, &mesh.coordinates);
+    CHECK(untangler.start(x).inverted > 0);
+    for (int i = 0; i < 200 && !untangler.converged(); ++i) untangler.step(x);
+    CHECK(untangler.converged());
+    CHECK(check_validity(*mesh.topology, x, 1).inverted == 0);
+  }
+}
