@@ -79,8 +79,8 @@ class SmoothingWorkspace;  // prepared solvers, kept between commands on one top
 
 struct ExecuteOptions {
   SolverMonitor* monitor = nullptr;
-  /// Interior positions to start from instead of the state's own (all nodes; the boundary part is
-  /// ignored). For dragging: the solution is the same, only nearer.
+  /// A mesh to start from instead of the state's own (all nodes). For dragging: the solution is the
+  /// same, only nearer. Paths begin at its boundary where it is valid; all else uses the interior.
   const Coordinates* start = nullptr;
   SmoothingWorkspace* workspace = nullptr;  ///< null: a new one for this call
 };

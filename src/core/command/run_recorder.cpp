@@ -1,5 +1,7 @@
 #include "core/command/run_recorder.h"
 
+#include <algorithm>
+
 #include "core/error.h"
 
 namespace winslow {
@@ -22,7 +24,8 @@ IterationRecord RunRecorder::iterate(OuterSolver& solver, Coordinates& x, Stage 
   int counted = solver.linear_solves();
   IterationRecord record = solver.start(x);
   report(record, x, stage, fraction, false);
-  for (int done = 0; done < limit && !solver.converged() && !solver.stalled(); ++done) {
+  const int most = std::min(limit, remaining());
+  for (int done = 0; done < most && !solver.converged() && !solver.stalled(); ++done) {
     if (enough && enough(record)) break;
     record = solver.step(x);
     result_.linear_solves += solver.linear_solves() - counted;

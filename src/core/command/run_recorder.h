@@ -10,7 +10,9 @@ namespace winslow {
 /// reports each to the monitor, and fills in the result.
 class RunRecorder {
  public:
-  RunRecorder(SolverMonitor* monitor, SmoothResult& result) : monitor_(monitor), result_(result) {}
+  /// budget: outer iterations that all stages may take together.
+  RunRecorder(SolverMonitor* monitor, SmoothResult& result, int budget)
+      : monitor_(monitor), result_(result), budget_(budget) {}
 
   /// One record. Throws Cancelled if the monitor says so. advance: it is an outer iteration, not
   /// the assessment of a start.
@@ -18,16 +20,24 @@ class RunRecorder {
               bool advance);
 
   using Enough = std::function<bool(const IterationRecord&)>;
-  /// Starts a solver at x and iterates until it has converged, `enough` says so, or `limit`
-  /// iterations are done. Returns the last record; outcome and counts go into the result.
+  /// Starts a solver at x and iterates until it has converged, `enough` says so, `limit`
+  /// iterations are done, or the budget is spent. Returns the last record; outcome and counts go
+  /// into the result.
   IterationRecord iterate(OuterSolver& solver, Coordinates& x, Stage stage, double fraction,
                           int limit, const Enough& enough = {});
+  IterationRecord iterate(OuterSolver& solver, Coordinates& x, Stage stage, double fraction,
+                          const Enough& enough = {}) {
+    return iterate(solver, x, stage, fraction, budget_, enough);
+  }
 
+  /// Outer iterations left of the budget.
+  int remaining() const { return budget_ - result_.outer_iterations; }
   SmoothResult& result() { return result_; }
 
  private:
   SolverMonitor* monitor_;
   SmoothResult& result_;
+  int budget_;
 };
 
 }  // namespace winslow

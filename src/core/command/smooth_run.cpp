@@ -1,5 +1,7 @@
 #include "core/command/smooth_run.h"
 
+#include <limits>
+
 #include "core/command/picard_run.h"
 #include "core/command/run_recorder.h"
 #include "core/command/variational_run.h"
@@ -12,9 +14,39 @@ namespace {
 
 bool variational(const SmoothOptions& options) { return options.formulation == "variational"; }
 
-/// A mesh on the way, whose boundary lies anywhere between rest and target: where to go on from.
-bool usable(const MeshState& state, const Coordinates* start, int threads) {
-  return start && check_validity(*state.mesh.topology, *start, threads).inverted == 0;
+bool valid(const MeshState& state, const Coordinates& x, int threads) {
+  return check_validity(*state.mesh.topology, x, threads).inverted == 0;
+}
+
+/// The interior of one mesh within the boundary of another.
+Coordinates interior_within(const Topology& topology, const Coordinates& interior,
+                            Coordinates boundary) {
+  for (const Index node : topology.free_nodes()) boundary.set_xy(node, interior.xy(node));
+  return boundary;
+}
+
+/// A motion that is begun from a mesh near its end: along the path from there where that mesh is
+/// valid as it stands, at once where it is valid within the boundary's last position.
+bool move_from(const MeshState& state, const Motion& motion, const Coordinates& start, int threads,
+               VariationalRun& steps, Coordinates& x) {
+  const Topology& topology = *state.mesh.topology;
+  Coordinates target = state.mesh.coordinates;
+  motion.apply(state.mesh.coordinates, 1, target);
+  if (valid(state, start, threads)) {
+    x = start;
+    steps.follow(*make_transfer(topology, start, target), start, x);
+    return true;
+  }
+  Coordinates within = interior_within(topology, start, target);
+  if (!valid(state, within, threads)) return false;
+  x = std::move(within);
+  steps.smooth(x, 1, nullptr);
+  return true;
+}
+
+/// The fixed point may need several attempts at a motion; each has the whole limit.
+int budget(const SmoothOptions& options) {
+  return variational(options) ? options.max_iterations : std::numeric_limits<int>::max();
 }
 
 }  // namespace
@@ -25,7 +57,7 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& option
   SmoothingWorkspace own;
   SmoothingWorkspace& workspace = run.workspace ? *run.workspace : own;
   workspace.prepare(state.vcv, options, state.mesh.coordinates);
-  RunRecorder recorder(run.monitor, result);
+  RunRecorder recorder(run.monitor, result, budget(options));
   if (variational(options)) {
     VariationalRun(state, workspace, recorder).smooth(x, 1, nullptr);
   } else {
@@ -48,7 +80,7 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const M
   SmoothingWorkspace own;
   SmoothingWorkspace& workspace = run.workspace ? *run.workspace : own;
   workspace.prepare(state.vcv, options, state.mesh.coordinates);
-  RunRecorder recorder(run.monitor, result);
+  RunRecorder recorder(run.monitor, result, budget(options));
   if (!variational(options)) {
     move_by_fixed_point(state, motion, how.increments, options.max_iterations, workspace.picard(),
                         recorder, x);
@@ -58,12 +90,7 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const M
   VariationalRun steps(state, workspace, recorder);
   if (how.increments > 0) {
     steps.move_in_steps(motion, state.mesh.coordinates, how.increments, x);
-  } else if (usable(state, run.start, options.threads)) {
-    Coordinates target = state.mesh.coordinates;
-    motion.apply(state.mesh.coordinates, 1, target);
-    x = *run.start;
-    steps.follow(*make_transfer(*state.mesh.topology, *run.start, target), *run.start, x);
-  } else {
+  } else if (!run.start || !move_from(state, motion, *run.start, options.threads, steps, x)) {
     x = state.mesh.coordinates;
     steps.follow(motion, state.mesh.coordinates, x);
   }

@@ -38,9 +38,7 @@ class Stagnation {
 
 bool VariationalRun::untangle_by_picard(Coordinates& x, double fraction) {
   constexpr int limit = 150;
-  return recorder_
-             .iterate(workspace_.picard(), x, Stage::picard, fraction,
-                      std::min(limit, workspace_.options().max_iterations), Stagnation())
+  return recorder_.iterate(workspace_.picard(), x, Stage::picard, fraction, limit, Stagnation())
              .inverted == 0;
 }
 
@@ -51,8 +49,7 @@ bool VariationalRun::untangle_by_energy(Coordinates& x, double fraction,
   workspace_.energy().set_penalty({1, 0});
   EnergyUntangler untangler(*state_.mesh.topology, workspace_.energy(),
                             workspace_.symmetric_linear(), workspace_.options(), reference);
-  recorder_.iterate(untangler, x, Stage::untangle, fraction,
-                    std::min(limit, workspace_.options().max_iterations));
+  recorder_.iterate(untangler, x, Stage::untangle, fraction, limit);
   workspace_.energy().set_penalty(workspace_.options().penalty);
   return untangler.converged();
 }
@@ -86,8 +83,7 @@ void VariationalRun::relax(Coordinates& x, double fraction) {
   if (penalty.exponent <= 2 || workspace_.energy().worst_distortion(x) < far * knee) return;
   workspace_.energy().set_penalty({2, 0});
   workspace_.newton().forget_factorisation();
-  recorder_.iterate(workspace_.newton(), x, Stage::relax, fraction,
-                    std::min(limit, workspace_.options().max_iterations),
+  recorder_.iterate(workspace_.newton(), x, Stage::relax, fraction, limit,
                     [](const IterationRecord& record) { return record.residual < near_enough; });
   workspace_.energy().set_penalty(penalty);
 }
@@ -95,15 +91,13 @@ void VariationalRun::relax(Coordinates& x, double fraction) {
 void VariationalRun::approach(Coordinates& x, double fraction) {
   constexpr int limit = 30;
   relax(x, fraction);
-  recorder_.iterate(workspace_.newton(), x, Stage::relax, fraction,
-                    std::min(limit, workspace_.options().max_iterations),
+  recorder_.iterate(workspace_.newton(), x, Stage::relax, fraction, limit,
                     [](const IterationRecord& record) { return record.residual < near_enough; });
 }
 
 void VariationalRun::converge(Coordinates& x, double fraction) {
   relax(x, fraction);
-  recorder_.iterate(workspace_.newton(), x, Stage::newton, fraction,
-                    workspace_.options().max_iterations);
+  recorder_.iterate(workspace_.newton(), x, Stage::newton, fraction);
   recorder_.result().linear_solver = workspace_.symmetric_linear().description();
 }
 
@@ -124,13 +118,14 @@ void VariationalRun::follow(const Motion& motion, const Coordinates& rest, Coord
   EnergyNewton& newton = workspace_.newton();
   const auto accept = [&](const IterationRecord& record, const Coordinates& at) {
     recorder_.report(record, at, Stage::path, record.fraction, true);
+    return recorder_.remaining() > 0;
   };
   // Where the path is lost, the way back to it is Newton's method with the boundary held; then it
   // goes on from there. Only where that gains nothing, twice, is the motion blocked.
   constexpr double worthwhile = 1e-5;
   PathOptions options;
   double reached = 0;
-  for (int failures = 0; reached < 1 && failures < 2;) {
+  for (int failures = 0; reached < 1 && failures < 2 && recorder_.remaining() > 0;) {
     const int before = newton.linear_solves();
     const double last = reached;
     reached = PathFollower(*state_.mesh.topology, newton, options)

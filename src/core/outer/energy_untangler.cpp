@@ -88,6 +88,10 @@ IterationRecord EnergyUntangler::start(const Coordinates& x) {
   least_inverted_ = std::numeric_limits<Index>::max();
   last_progress_ = 0;
   assess(x);
+  choose_regularisation(x);
+  std::vector<double> residual(2 * topology_.free_nodes().size());
+  record_.residual =
+      formulation_.linearise(x, Curvature::projected, hessian_, residual, &regularisation_).max;
   return record_;
 }
 

@@ -69,7 +69,7 @@ double PathFollower::follow(const Motion& motion, const Coordinates& rest, doubl
     x = std::move(trial_x);
     fraction = to;
     record.fraction = fraction;
-    accept(record, x);
+    if (!accept(record, x)) break;
     if (trial.corrections <= 1) step *= options_.growth;
   }
   return fraction;

@@ -24,8 +24,8 @@ struct PathOptions {
 /// Newton corrector, adaptive step. Every accepted mesh is valid.
 class PathFollower {
  public:
-  /// Told of every accepted intermediate mesh.
-  using Accept = std::function<void(IterationRecord, const Coordinates&)>;
+  /// Told of every accepted intermediate mesh. Returns false to go no further.
+  using Accept = std::function<bool(IterationRecord, const Coordinates&)>;
 
   /// The references outlive the follower.
   PathFollower(const Topology& topology, SteadySolver& solver, const PathOptions& options)

@@ -91,7 +91,7 @@ TEST_CASE("move: the boundary ends where it was sent, the interior follows, the 
     CHECK(result.smooth.increments == 1);
     CHECK(result.smooth.fraction_reached == 1);
     CHECK(result.smooth.outer_iterations > 0);
-    CHECK(result.smooth.linear_solves == result.smooth.outer_iterations);
+    CHECK(result.smooth.linear_solves >= result.smooth.outer_iterations);
     CHECK(result.smooth.residual <= 1e-10);
     CHECK(inverted(result.state) == 0);
     CHECK(result.state.mesh.topology == state.mesh.topology);
@@ -299,6 +299,8 @@ TEST_CASE("explicit increments reach the mesh that one step reaches") {
 TEST_CASE("a winding that cannot be done at once is done in steps, automatically") {
   const MeshState state = annulus_state();
   MoveCommand direct = turn(200);
+  direct.smooth.formulation = "pointwise";
+  direct.smooth.outer = OuterMethod::picard;
   direct.how.increments = 1;
   const CommandResult at_once = execute(direct, state);
   CHECK(at_once.smooth.inverted > 0);
@@ -321,26 +323,41 @@ TEST_CASE("a winding that cannot be done at once is done in steps, automatically
     return winding * 180 / pi;
   };
   const double rest = inner_to_outer(state.mesh.coordinates);
-  const CommandResult automatic = execute(turn(200), state);
+  MoveCommand stepped = direct;
+  stepped.how.increments = 0;
+  const CommandResult automatic = execute(stepped, state);
   CHECK(automatic.smooth.increments > 1);
   CHECK(automatic.smooth.inverted == 0);
   CHECK(automatic.smooth.converged);
   CHECK(inverted(automatic.state) == 0);
   CHECK(inner_to_outer(automatic.state.mesh.coordinates) - rest == doctest::Approx(-200));
   check_boundary(automatic.state, boundary_moved(state, turn(200)));
+  // Along a path the winding needs no steps to be chosen.
+  const CommandResult followed = execute(turn(200), state);
+  CHECK(followed.smooth.converged);
+  CHECK(followed.smooth.inverted == 0);
+  CHECK(inner_to_outer(followed.state.mesh.coordinates) - rest == doctest::Approx(-200));
 }
 
 TEST_CASE("the limit of iterations is kept, and said") {
   const MeshState state = hole_state();
-  MoveCommand command = small_move();
-  command.smooth.max_iterations = 3;
-  command.how.increments = 1;
-  const CommandResult result = execute(command, state);
-  CHECK_FALSE(result.smooth.converged);
-  CHECK(result.smooth.outer_iterations == 3);
-  CHECK(result.smooth.residual > 1e-10);
-  CHECK(result.smooth.history.size() == 4);
-  CHECK(result.smooth.inverted == inverted(result.state));
+  for (const std::string& formulation : formulation_names()) {
+    for (const int increments : {0, 1}) {
+      CAPTURE(formulation);
+      CAPTURE(increments);
+      // The fixed point may begin anew with more steps, each time with the whole limit.
+      if (formulation == "pointwise" && increments == 0) continue;
+      MoveCommand command = small_move();
+      command.smooth.formulation = formulation;
+      command.smooth.max_iterations = 3;
+      command.how.increments = increments;
+      const CommandResult result = execute(command, state);
+      CHECK_FALSE(result.smooth.converged);
+      CHECK(result.smooth.outer_iterations == 3);
+      CHECK(result.smooth.residual > 1e-10);
+      CHECK(result.smooth.inverted == inverted(result.state));
+    }
+  }
 }
 
 TEST_CASE("senseless commands are refused") {

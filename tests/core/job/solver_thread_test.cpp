@@ -32,6 +32,8 @@ MoveCommand shift(double by) {
 /// A job that goes on for minutes if it is let.
 SmoothCommand endless() {
   SmoothCommand command;
+  command.smooth.formulation = "pointwise";
+  command.smooth.outer = OuterMethod::picard;
   command.smooth.threads = 1;
   command.smooth.damping = 1e-6;
   command.smooth.acceleration = 0;
