@@ -136,13 +136,38 @@ class Verdicts(ProgramTest):
     def test_too_few_iterations_write_the_valid_mesh(self):
         self.ring()
         run = self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--translate",
-                           "0.05", "0", "--max-iterations", "2", "--report", "r.json",
+                           "0.2", "0", "--direct", "--max-iterations", "2", "--report", "r.json",
                            code=NOT_CONVERGED)
         self.assertIn("not converged", run.stderr)
         report = self.json("r.json")
         self.assertFalse(report["converged"])
         self.assertEqual(report["inverted"], 0)
         self.assertEqual(report["output"], "out.su2")
+        nodes, elements, _ = support.read_su2(self.path("out.su2"))
+        self.assertGreater(support.smallest_corner_area(nodes, elements), 0)
+
+    def test_a_motion_cut_short_is_not_written_unless_asked_for(self):
+        self.ring()
+        move = ("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--translate", "0.2", "0",
+                "--max-iterations", "2", "--report", "r.json")
+        run = self.winslow(*move, code=INVERTED)
+        self.assertIn("the limit of iterations was reached", run.stderr)
+        self.assertNotIn("out.su2", self.files())
+        reached = self.json("r.json")["fraction_reached"]
+        self.assertTrue(0 < reached < 1)
+        self.winslow(*move, "--accept-partial", code=INVERTED)
+        nodes, elements, _ = support.read_su2(self.path("out.su2"))
+        before, _, _ = support.read_su2(self.path("ring.su2"))
+        self.assertGreater(support.smallest_corner_area(nodes, elements), 0)
+        self.assertAlmostEqual(nodes[0][0] - before[0][0], 0.2 * reached, delta=1e-12)
+
+    def test_a_motion_that_is_blocked_ends_at_the_last_valid_mesh(self):
+        self.ring()
+        run = self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--translate",
+                           "9", "0", "--report", "r.json", "--accept-partial", code=INVERTED)
+        self.assertIn("the motion could be followed to", run.stderr)
+        reached = self.json("r.json")["fraction_reached"]
+        self.assertTrue(0.3 < reached < 3.5 / 9, reached)  # contact: the rings' gap is 3.5
         nodes, elements, _ = support.read_su2(self.path("out.su2"))
         self.assertGreater(support.smallest_corner_area(nodes, elements), 0)
 

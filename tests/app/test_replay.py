@@ -68,7 +68,8 @@ class Replay(ProgramTest):
         self.winslow("replay", "t.json", code=INVERTED)
         self.assertNotIn("o.su2", self.files())
         self.recipe("t.json", input="ring.su2", output="o.su2",
-                    commands=[{"command": "smooth", "smooth": {"max_iterations": 1}}])
+                    commands=[{"command": "smooth", "smooth": {"formulation": "pointwise", "outer": "picard",
+                                            "max_iterations": 1}}])
         self.winslow("replay", "t.json", code=NOT_CONVERGED)
         self.recipe("t.json", commands=[])
         self.assertIn("--input", self.winslow("replay", "t.json", "-o", "o.su2", code=USAGE).stderr)

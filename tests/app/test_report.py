@@ -24,7 +24,7 @@ class Report(ProgramTest):
         self.assertEqual(set(seconds), {"load", "solve", "save", "total"})
         self.assertGreaterEqual(seconds["total"] + 1e-9,
                                 seconds["load"] + seconds["solve"] + seconds["save"])
-        self.assertEqual(report["formulation"], "pointwise")
+        self.assertEqual(report["formulation"], "variational")
         self.assertIs(report["converged"], True)
         self.assertGreater(report["outer_iterations"], 0)
         self.assertGreaterEqual(report["linear_solves"], report["outer_iterations"])
@@ -73,18 +73,20 @@ class History(ProgramTest):
         rows, report = self.rows("h.csv"), self.json("r.json")
         for column in ("iteration", "residual", "largest_move", "inverted", "min_sine"):
             self.assertIn(column, rows[0])
-        self.assertEqual([int(r["iteration"]) for r in rows],
+        # A stage begins with a line for its start, numbered as the last iteration before.
+        self.assertEqual(sorted({int(r["iteration"]) for r in rows}),
                          list(range(report["outer_iterations"] + 1)))
+        self.assertEqual([r["stage"] for r in rows][-1], "newton")
         self.assertEqual(float(rows[-1]["residual"]), report["residual"])
-        self.assertLess(float(rows[-1]["residual"]), float(rows[0]["residual"]))
+        self.assertLess(float(rows[-1]["residual"]), 1e-3 * max(float(r["residual"]) for r in rows))
         self.assertEqual(float(rows[0]["largest_move"]), 0)
-        self.assertGreater(float(rows[1]["largest_move"]), 0)
+        self.assertGreater(max(float(r["largest_move"]) for r in rows), 0)
         self.assertAlmostEqual(float(rows[-1]["min_sine"]),
                                report["quality"]["normalized_jacobian"]["min"], delta=1e-12)
 
     def test_is_written_when_the_solve_falls_short(self):
         self.ring()
-        self.winslow("smooth", "ring.su2", "-o", "o.su2", "--tolerance", "1e-14",
+        self.winslow(*MOVE, "--direct", "--tolerance", "1e-14",
                      "--max-iterations", "1", "--history", "h.csv", code=NOT_CONVERGED)
         self.assertEqual(len(self.rows("h.csv")), 2)
 

@@ -9,7 +9,7 @@ import support
 from support import INTERRUPTED, NOT_CONVERGED, WINSLOW, ProgramTest
 
 # So little of each step is taken that the solver is busy for as long as a test may need.
-SLOW = ("--damping", "1e-9", "--fixed-damping", "--acceleration", "0", "--max-iterations")
+SLOW = ("--formulation", "pointwise", "--outer", "picard", "--damping", "1e-9", "--fixed-damping", "--acceleration", "0", "--max-iterations")
 
 
 class Terminal(ProgramTest):

@@ -30,8 +30,11 @@ def verdict(done, said, out):
     """Empty if the run kept its promises, else what is wrong with it."""
     if done.returncode not in (0, 4, 5):
         return f"status {done.returncode}: {done.stderr.strip()}"
-    if done.returncode == 4 and (out.exists() or said["inverted"] == 0):
-        return "status 4, but a mesh was written or no element is inverted"
+    complete = said.get("fraction_reached") == 1
+    if done.returncode == 4 and (out.exists() or (said["inverted"] == 0 and complete)):
+        return "status 4, but a mesh was written, or it is valid and the motion complete"
+    if done.returncode == 0 and not complete:
+        return "status 0, but the motion is not complete"
     if done.returncode == 0 and not said["converged"]:
         return "status 0, but not converged"
     if done.returncode in (0, 5) and out.exists() and count_inverted(out) > 0:

@@ -75,6 +75,11 @@ double fraction_reached(const RunReport& run) {
   return fraction;
 }
 
+bool out_of_iterations(const RunReport& run) {
+  return std::any_of(run.commands.begin(), run.commands.end(),
+                     [](const CommandRecord& c) { return c.result.out_of_iterations; });
+}
+
 ExitCode judge(const RunReport& run, const QualityReport& quality) {
   if (quality.inverted > 0) return ExitCode::inverted;
   if (fraction_reached(run) < 1) return ExitCode::inverted;
@@ -141,7 +146,9 @@ void print_verdict(const EditJob& job, const Mesh& mesh, const QualityReport& qu
                    const RunReport& run, ExitCode code) {
   if (code == ExitCode::inverted && quality.inverted == 0) {
     std::cerr << "winslow: the motion could be followed to " << 100 * fraction_reached(run)
-              << " % only: no valid mesh was found beyond"
+              << " % only: "
+              << (out_of_iterations(run) ? "the limit of iterations was reached"
+                                         : "no valid mesh was found beyond")
               << (run.written ? "; the mesh there was written"
                               : "; nothing was written (--accept-partial writes the mesh there)")
               << '\n';

@@ -16,6 +16,7 @@ void RunRecorder::report(IterationRecord record, const Coordinates& x, Stage sta
   result_.residual = record.residual;
   result_.inverted = record.inverted;
   result_.fraction_reached = fraction;
+  result_.out_of_iterations = remaining() <= 0;
   if (monitor_ && !monitor_->on_iteration(record, x)) throw Cancelled();
 }
 
@@ -33,6 +34,7 @@ IterationRecord RunRecorder::iterate(OuterSolver& solver, Coordinates& x, Stage 
     report(record, x, stage, fraction, true);
   }
   result_.converged = solver.converged();
+  if (result_.converged) result_.out_of_iterations = false;
   return record;
 }
 

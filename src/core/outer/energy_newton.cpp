@@ -77,10 +77,49 @@ void EnergyNewton::factorise(const Coordinates& x) {
     } catch (const NotPositiveDefinite&) {
       exact_ = false;
     }
+    if (factorise_raised()) return;
   }
+  factorise_projected(x);
+}
+
+void EnergyNewton::factorise_projected(const Coordinates& x) {
+  exact_ = false;
   formulation_.linearise(x, Curvature::projected, hessian_, residual_);
   set_shifted_matrix(linear_, hessian_);
   factorised_ = true;
+}
+
+/// Returns the slope of the energy along the direction, downhill.
+double EnergyNewton::solve_for_direction(const Coordinates& x) {
+  factorise(x);
+  std::fill(direction_.begin(), direction_.end(), 0.0);
+  ++linear_solves_;
+  try {
+    record_.linear_iterations = linear_.solve(residual_, 1, direction_).iterations;
+    if (const double slope = dot(residual_, direction_); slope > 0) return slope;
+  } catch (const NotPositiveDefinite&) {
+    // An iterative solver finds out only now.
+  }
+  factorise_projected(x);
+  ++linear_solves_;
+  record_.linear_iterations = solve_shifted(linear_, hessian_, residual_, direction_).iterations;
+  return dot(residual_, direction_);
+}
+
+bool EnergyNewton::factorise_raised() {
+  constexpr double close = 0.05;  // scaled residual
+  if (record_.residual > close) return false;
+  for (const double share : {1e-4, 1e-2}) {
+    shift_diagonal(hessian_, share);
+    try {
+      linear_.set_matrix(hessian_);
+      factorised_ = true;
+      return true;
+    } catch (const NotPositiveDefinite&) {
+      continue;
+    }
+  }
+  return false;
 }
 
 bool EnergyNewton::search(Coordinates& x, double slope) {
@@ -117,21 +156,7 @@ bool EnergyNewton::search(Coordinates& x, double slope) {
 IterationRecord EnergyNewton::step(Coordinates& x) {
   ++record_.iteration;
   if (topology_.free_nodes().empty()) return record_;
-  factorise(x);
-  std::fill(direction_.begin(), direction_.end(), 0.0);
-  record_.linear_iterations = linear_.solve(residual_, 1, direction_).iterations;
-  ++linear_solves_;
-  double slope = dot(residual_, direction_);
-  if (!(slope > 0)) {  // an inexact solve of an indefinite system
-    exact_ = false;
-    record_.damping = 0;
-    factorise(x);
-    std::fill(direction_.begin(), direction_.end(), 0.0);
-    record_.linear_iterations = linear_.solve(residual_, 1, direction_).iterations;
-    ++linear_solves_;
-    slope = dot(residual_, direction_);
-  }
-  stalled_ = !search(x, slope);
+  stalled_ = !search(x, solve_for_direction(x));
   if (stalled_) record_.damping = record_.largest_move = 0;
   assess(x);
   return record_;
@@ -152,8 +177,13 @@ void EnergyNewton::predict(const Coordinates& x, const Coordinates& displacement
   std::vector<double> response(out.size());
   formulation_.boundary_response(factorised_at_, displacement, response);
   std::fill(out.begin(), out.end(), 0.0);
-  linear_.solve(response, 1, out);
   ++linear_solves_;
+  try {
+    linear_.solve(response, 1, out);
+  } catch (const NotPositiveDefinite&) {
+    factorise_projected(factorised_at_);
+    solve_shifted(linear_, hessian_, response, out);
+  }
 }
 
 }  // namespace winslow

@@ -9,7 +9,9 @@ namespace winslow {
 
 /// Newton's method on the variational form, from a valid mesh and through valid meshes only.
 ///
-/// Each step: the exact Hessian, or where that is not positive definite the projected one; a line
+/// Each step: the exact Hessian, or where that is not positive definite, close to the solution
+/// one with a slightly raised diagonal (a few weak directions bend the wrong way there, and the
+/// projected one would creep along them), else the projected one; a line
 /// search that starts below the exact largest valid step and demands sufficient decrease of the
 /// energy, or, where the energy no longer shows it (round-off), of the residual.
 class EnergyNewton final : public SteadySolver {
@@ -32,6 +34,9 @@ class EnergyNewton final : public SteadySolver {
 
  private:
   void factorise(const Coordinates& x);
+  bool factorise_raised();
+  void factorise_projected(const Coordinates& x);
+  double solve_for_direction(const Coordinates& x);
   bool search(Coordinates& x, double slope);
   void assess(const Coordinates& x);
 

@@ -102,8 +102,7 @@ IterationRecord EnergyUntangler::step(Coordinates& x) {
   std::vector<double> residual(2 * free.size()), direction(2 * free.size(), 0.0);
   record_.residual =
       formulation_.linearise(x, Curvature::projected, hessian_, residual, &regularisation_).max;
-  set_shifted_matrix(linear_, hessian_);
-  record_.linear_iterations = linear_.solve(residual, 1, direction).iterations;
+  record_.linear_iterations = solve_shifted(linear_, hessian_, residual, direction).iterations;
   ++linear_solves_;
   double slope = 0;
   for (std::size_t i = 0; i < residual.size(); ++i) slope += residual[i] * direction[i];

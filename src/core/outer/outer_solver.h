@@ -64,6 +64,7 @@ struct SmoothResult {
   int outer_iterations = 0;
   int linear_solves = 0;
   double residual = 0;
+  bool out_of_iterations = false;  ///< ended by the limit of outer iterations
   double fraction_reached = 1;  ///< share of the boundary motion in the result
   int increments = 1;           ///< steps in which the boundary was moved
   std::string linear_solver;    ///< what solved the linear systems, e.g. "CHOLMOD ..."

@@ -13,6 +13,8 @@ class SolverPanel : public Panel {
   void draw_state(const PanelContext& context);
   void draw_buttons(const PanelContext& context);
   bool draw_options(SmoothOptions& options);
+  bool draw_variational(SmoothOptions& options);
+  bool draw_pointwise(SmoothOptions& options);
 };
 
 }  // namespace winslow::gui
