@@ -65,9 +65,9 @@ struct SmoothResult {
   int linear_solves = 0;
   double residual = 0;
   bool out_of_iterations = false;  ///< ended by the limit of outer iterations
-  double fraction_reached = 1;  ///< share of the boundary motion in the result
-  int increments = 1;           ///< steps in which the boundary was moved
-  std::string linear_solver;    ///< what solved the linear systems, e.g. "CHOLMOD ..."
+  double fraction_reached = 1;     ///< share of the boundary motion in the result
+  int increments = 1;              ///< steps in which the boundary was moved
+  std::string linear_solver;       ///< what solved the linear systems, e.g. "CHOLMOD ..."
   Index inverted = 0;
   std::vector<IterationRecord> history;
 };
