@@ -15,5 +15,7 @@ inline constexpr double pi = 3.14159265358979323846;
 
 /// Radians of an angle given in degrees.
 constexpr double radians(double degrees) { return degrees * (pi / 180.0); }
+/// Degrees of an angle given in radians.
+constexpr double degrees(double radians) { return radians * (180.0 / pi); }
 
 }  // namespace winslow

@@ -1,7 +1,8 @@
 #include "core/motion/transfer.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
+
+#include "core/motion/rigid_motion.h"
 
 namespace winslow {
 
@@ -11,22 +12,11 @@ class Transfer final : public Motion {
  public:
   Transfer(std::vector<Index> nodes, const Coordinates& from, const Coordinates& to)
       : nodes_(std::move(nodes)) {
-    for (const Index node : nodes_) {
-      centre_ += from.xy(node);
-      target_centre_ += to.xy(node);
-      target_.push_back(to.xy(node));
-    }
-    if (nodes_.empty()) return;
-    centre_ /= static_cast<double>(nodes_.size());
-    target_centre_ /= static_cast<double>(nodes_.size());
-    // The rotation that brings the two nearest (orthogonal Procrustes problem in the plane).
-    double cosine = 0, sine = 0;
-    for (const Index node : nodes_) {
-      const Vec2 a = from.xy(node) - centre_, b = to.xy(node) - target_centre_;
-      cosine += a.dot(b);
-      sine += a.x() * b.y() - a.y() * b.x();
-    }
-    angle_ = std::atan2(sine, cosine);
+    for (const Index node : nodes_) target_.push_back(to.xy(node));
+    const RigidMotion fit = fit_rigid_motion(nodes_, from, to);
+    centre_ = fit.pivot;
+    target_centre_ = fit.pivot + fit.translate;
+    angle_ = radians(fit.rotate);
   }
 
   std::span<const Index> nodes() const override { return nodes_; }

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "gui/studio/rigid_motion.h"
+#include "core/motion/rigid_motion.h"
 
 namespace winslow::gui {
 

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-#include "gui/studio/rigid_motion.h"
+#include "core/motion/rigid_motion.h"
 
 namespace winslow::gui {
 

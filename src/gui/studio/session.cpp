@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "gui/studio/rigid_motion.h"
+#include "core/motion/rigid_motion.h"
 
 namespace winslow::gui {
 

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "gui/studio/rigid_motion.h"
+#include "core/motion/rigid_motion.h"
 #include "gui/studio/session.h"
 #include "gui/studio/text.h"
 
@@ -66,9 +66,9 @@ void Session::on(const action::BeginDrag&) {
 void Session::on(const action::DragTo& a) {
   if (!dragging_) return;
   MoveCommand command = move_command(drag_base_ ? compose(*drag_base_, a.motion) : a.motion);
-  // Under the mouse the body goes where the mouse is, at once; the steps that the user chose are
-  // for the place where it is let go.
-  command.how.increments = 1;
+  // Under the mouse the mesh follows its path, through valid meshes only. Steps that the user chose
+  // are for the place where the body is let go; until then it goes there at once.
+  command.how.increments = motion_.increments == 0 ? 0 : 1;
   if (job_.active()) {
     job_.retarget(command);
     return;

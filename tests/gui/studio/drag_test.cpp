@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "core/motion/rigid_motion.h"
 #include "gui/studio/keys.h"
 #include "gui/studio/rig.h"
-#include "gui/studio/rigid_motion.h"
 
 namespace winslow::gui::test {
 

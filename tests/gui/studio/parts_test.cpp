@@ -2,11 +2,11 @@
 
 #include <cmath>
 
+#include "core/motion/rigid_motion.h"
 #include "gui/studio/boundary_index.h"
 #include "gui/studio/input.h"
 #include "gui/studio/keys.h"
 #include "gui/studio/meshes.h"
-#include "gui/studio/rigid_motion.h"
 #include "gui/studio/text.h"
 #include "gui/studio/viewport.h"
 

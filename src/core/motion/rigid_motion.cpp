@@ -1,8 +1,8 @@
-#include "gui/studio/rigid_motion.h"
+#include "core/motion/rigid_motion.h"
 
 #include <cmath>
 
-namespace winslow::gui {
+namespace winslow {
 
 namespace {
 
@@ -36,8 +36,36 @@ RigidMotion compose(const RigidMotion& first, const RigidMotion& second) {
   return total;
 }
 
+RigidMotion inverse(const RigidMotion& motion) {
+  return {-motion.rotate, motion.pivot + motion.translate, -motion.translate};
+}
+
+RigidMotion fit_rigid_motion(std::span<const Index> nodes, const Coordinates& from,
+                             const Coordinates& to) {
+  RigidMotion motion;
+  if (nodes.empty()) return motion;
+  Vec2 centre(0, 0), target(0, 0);
+  for (const Index node : nodes) {
+    centre += from.xy(node);
+    target += to.xy(node);
+  }
+  centre /= static_cast<double>(nodes.size());
+  target /= static_cast<double>(nodes.size());
+  // The orthogonal Procrustes problem in the plane.
+  double cosine = 0, sine = 0;
+  for (const Index node : nodes) {
+    const Vec2 a = from.xy(node) - centre, b = to.xy(node) - target;
+    cosine += a.dot(b);
+    sine += a.x() * b.y() - a.y() * b.x();
+  }
+  motion.pivot = centre;
+  motion.translate = target - centre;
+  motion.rotate = degrees(std::atan2(sine, cosine));
+  return motion;
+}
+
 bool same_motion(const RigidMotion& a, const RigidMotion& b) {
   return a.rotate == b.rotate && a.pivot == b.pivot && a.translate == b.translate;
 }
 
-}  // namespace winslow::gui
+}  // namespace winslow

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "core/motion/motion.h"
+#include "core/outer/steady_solver.h"
+
+namespace winslow {
+
+/// How a smoothed mesh answers, to first order, when some of its boundary moves rigidly: the
+/// tangent fields of a translation along x, one along y and a rotation, from one factorisation and
+/// three solves. After that every position under the mouse is a linear combination of them.
+///
+/// With U_x, U_y, U_r the fields of a node and a rotation by a about the pivot,
+///
+///   x(a, t) = x + t_x U_x + t_y U_y + sin a U_r + (1 - cos a) P U_r,   P = [[0, -1], [1, 0]]:
+///
+/// exact on the body itself, where U_r = P (x - pivot), so that the nodes around it turn with it;
+/// of first order elsewhere. Immutable once made.
+class DragPredictor {
+ public:
+  /// solver: at its solution x. nodes: the constrained nodes that move together. Throws
+  /// NumericError where the equations at x have no regular derivative.
+  DragPredictor(const Topology& topology, SteadySolver& solver, const Coordinates& x,
+                std::vector<Index> nodes, int threads = 0);
+
+  /// The mesh after `motion`, seen from the mesh that the predictor was made at. The boundary is
+  /// exactly where the motion takes it; whether the mesh is valid is the caller's to check.
+  void evaluate(const RigidMotion& motion, Coordinates& out) const;
+
+  const Coordinates& base() const { return base_; }
+
+ private:
+  /// U_x, U_y, U_r of one node.
+  struct Tangents {
+    Vec2 x{0, 0}, y{0, 0}, r{0, 0};
+  };
+
+  Coordinates base_;
+  std::vector<Index> nodes_;
+  std::vector<Tangents> tangents_;  // #nodes
+  Vec2 pivot_{0, 0};
+  int threads_;
+};
+
+}  // namespace winslow

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/command/command.h"
+
+namespace winslow {
+
+/// What is shown under the mouse.
+struct DragFrame {
+  Coordinates coordinates;  ///< a valid mesh, always
+  RigidMotion motion;       ///< where the body is in it, seen from the state
+  bool held = false;        ///< the mesh cannot go where the mouse is (yet): the last valid one
+  double min_sine = 0;      ///< of the frame's elements
+};
+
+/// A drag with the mouse: every position asked for is answered at once, by the tangent fields of
+/// the last mesh that was solved for and an exact check of validity. Meanwhile a thread follows the
+/// path to the last position and prepares the fields anew there. Members are called from one
+/// thread and never wait, except the destructor, which cancels and joins.
+class DragSession {
+ public:
+  /// state: a valid mesh, which the motions refer to. markers: the bodies that move together.
+  /// Throws UsageError for unknown markers, senseless options or a tangled state.
+  DragSession(MeshState state, const std::vector<std::string>& markers,
+              const SmoothOptions& options);
+  ~DragSession();
+  DragSession(const DragSession&) = delete;
+  DragSession& operator=(const DragSession&) = delete;
+
+  /// The mesh with the body moved by `motion` from where it is in the state, or as near to it as
+  /// was valid so far.
+  const DragFrame& to(const RigidMotion& motion);
+  /// False until the first fields are prepared; to() holds the state until then.
+  bool ready() const;
+  /// True if the fields belong to the position last asked for: the frame is the solution itself.
+  bool settled() const;
+  /// Number of meshes solved for so far.
+  int corrections() const;
+  /// Why no more corrections come; empty as long as they do.
+  std::string error() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace winslow
