@@ -76,7 +76,7 @@ bool VariationalRun::untangle(Coordinates& x, double fraction, const Coordinates
 
 /// Far from a solution the steep penalty makes Newton's method creep: a gentle one first.
 void VariationalRun::relax(Coordinates& x, double fraction) {
-  constexpr double far = 3;  // knees
+  constexpr double far = 1.5;  // knees
   constexpr int limit = 40;
   const PenaltyOptions& penalty = workspace_.options().penalty;
   const double knee = penalty.knee > 0 ? penalty.knee : 2;

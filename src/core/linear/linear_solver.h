@@ -13,7 +13,8 @@ namespace winslow {
 struct LinearOptions {
   std::string solver = "automatic";  ///< one of linear_solver_names()
   /// Relative residual at which an iterative solver stops. The outer iteration corrects what is
-  /// left, so a loose one costs no accuracy: the converged mesh is the same.
+  /// left, so a loose one costs no accuracy: the converged mesh is the same. Newton's method on the
+  /// energy uses 1e-6 at most.
   double tolerance = 1e-3;
   int max_iterations = 200;  ///< Gauss-Seidel sweeps or Krylov iterations per solve
   int restart = 30;          ///< Krylov vectors before GMRES restarts

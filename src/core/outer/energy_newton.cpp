@@ -40,7 +40,12 @@ EnergyNewton::EnergyNewton(const Topology& topology, const VariationalWinslow& f
       linear_(linear),
       options_(options),
       residual_(2 * topology.free_nodes().size()),
-      direction_(2 * topology.free_nodes().size()) {}
+      direction_(2 * topology.free_nodes().size()) {
+  // The entries of one matrix lie many orders of magnitude apart where an element is near to
+  // inversion: what is left of a looser residual can be all that matters there.
+  constexpr double loosest = 1e-6;
+  linear_.set_tolerance(std::min(options_.linear.tolerance, loosest));
+}
 
 void EnergyNewton::assess(const Coordinates& x) {
   const Validity validity = check_validity(topology_, x, options_.threads);
@@ -63,10 +68,12 @@ IterationRecord EnergyNewton::start(const Coordinates& x) {
 }
 
 void EnergyNewton::factorise(const Coordinates& x) {
-  // Where the last exact Hessian was indefinite, the next one mostly is too, until the steps are
-  // full again.
+  // Far from the solution the exact Hessian is mostly indefinite, which costs a factorisation to
+  // find out, and which an inexact solver may never do. Where the last one was, the next one mostly
+  // is too, until the steps are full again.
+  constexpr double far = 0.1;  // scaled residual
   factorised_at_ = x;
-  const bool try_exact = exact_ || record_.damping >= 1;
+  const bool try_exact = record_.residual <= far && (exact_ || record_.damping >= 1);
   if (try_exact) {
     formulation_.linearise(x, Curvature::exact, hessian_, residual_);
     try {
