@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Foreign meshes, random motions: python3 random_meshes.py PATH/TO/winslow [--count N] [--seed S]
-                                     [--max-rotation DEGREES]
+                                     [--max-rotation DEGREES] [--formulation NAME]
 
 Gmsh meshes random polygons with holes (triangles, quadrilaterals, mixed); every motion must end
 valid (status 0) or say that it did not (status 4 or 5). What the program says is checked
@@ -17,11 +17,12 @@ from pathlib import Path
 from winslow_cases import ROOT, count_inverted, run
 
 
-def run_motion(winslow, folder, mesh, motion, name):
+def run_motion(winslow, folder, mesh, motion, name, formulation):
     out, report = folder / f"{name}.su2", folder / f"{name}.json"
     done = run(winslow, ["move", folder / mesh["file"], "-o", out, "--marker", motion["marker"],
                          "--rotate", motion["rotate"], "--pivot", *motion["pivot"],
-                         "--translate", *motion["translate"], "--report", report, "--quiet"])
+                         "--translate", *motion["translate"], "--formulation", formulation,
+                         "--report", report, "--quiet"])
     said = json.loads(report.read_text()) if report.exists() else {}
     return done, said, out
 
@@ -50,6 +51,7 @@ def main():
     parser.add_argument("--count", type=int, default=20)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--max-rotation", type=float, default=120, help="degrees")
+    parser.add_argument("--formulation", default="variational")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -61,7 +63,7 @@ def main():
         for mesh in meshes:
             for k, motion in enumerate(mesh["motions"]):
                 done, said, out = run_motion(options.winslow, folder, mesh, motion,
-                                             f"{Path(mesh['file']).stem}_{k}")
+                                             f"{Path(mesh['file']).stem}_{k}", options.formulation)
                 statuses[done.returncode] += 1
                 fault = verdict(done, said, out)
                 print(f"{mesh['file']} (seed {mesh['seed']}, {mesh['elements']}, {mesh['nodes']} nodes): "
