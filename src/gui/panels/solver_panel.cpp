@@ -43,7 +43,7 @@ struct NamedTargets {
   TargetBlend blend;
 };
 const std::array<NamedTargets, 3> pure_targets{
-    {{"Regular elements", {0, 1, 0}}, {"VCV stencils", {1, 0, 0}}, {"Rest mesh", {0, 0, 1}}}};
+    {{"Regular elements", {1, 0, 0}}, {"VCV stencils", {0, 1, 0}}, {"Rest mesh", {0, 0, 1}}}};
 
 }  // namespace
 
