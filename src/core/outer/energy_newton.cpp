@@ -71,26 +71,37 @@ void EnergyNewton::factorise(const Coordinates& x) {
   // Far from the solution the exact Hessian is mostly indefinite, which costs a factorisation to
   // find out, and which an inexact solver may never do. Where the last one was, the next one mostly
   // is too, until the steps are full again.
-  constexpr double far = 0.1;  // scaled residual
-  factorised_at_ = x;
+  constexpr double far = 0.1, close = 0.05;  // scaled residual
   const bool try_exact = record_.residual <= far && (exact_ || record_.damping >= 1);
-  if (try_exact) {
-    formulation_.linearise(x, Curvature::exact, hessian_, residual_);
-    try {
-      linear_.set_matrix(hessian_);
-      exact_ = true;
-      factorised_ = true;
-      return;
-    } catch (const NotPositiveDefinite&) {
-      exact_ = false;
-    }
-    if (factorise_raised()) return;
+  if (!try_exact || !factorise_exact(x, record_.residual <= close)) factorise_projected(x);
+}
+
+bool EnergyNewton::factorise_exact(const Coordinates& x, bool may_raise) {
+  factorised_ = false;
+  factorised_at_ = x;
+  formulation_.linearise(x, Curvature::exact, hessian_, residual_);
+  exact_ = try_matrix();
+  if (exact_ || !may_raise) return exact_;
+  for (const double share : {1e-4, 1e-2}) {
+    shift_diagonal(hessian_, share);
+    if (try_matrix()) return true;
   }
-  factorise_projected(x);
+  return false;
+}
+
+bool EnergyNewton::try_matrix() {
+  try {
+    linear_.set_matrix(hessian_);
+    factorised_ = true;
+  } catch (const NotPositiveDefinite&) {
+    factorised_ = false;
+  }
+  return factorised_;
 }
 
 void EnergyNewton::factorise_projected(const Coordinates& x) {
   exact_ = false;
+  factorised_at_ = x;
   formulation_.linearise(x, Curvature::projected, hessian_, residual_);
   set_shifted_matrix(linear_, hessian_);
   factorised_ = true;
@@ -111,22 +122,6 @@ double EnergyNewton::solve_for_direction(const Coordinates& x) {
   ++linear_solves_;
   record_.linear_iterations = solve_shifted(linear_, hessian_, residual_, direction_).iterations;
   return dot(residual_, direction_);
-}
-
-bool EnergyNewton::factorise_raised() {
-  constexpr double close = 0.05;  // scaled residual
-  if (record_.residual > close) return false;
-  for (const double share : {1e-4, 1e-2}) {
-    shift_diagonal(hessian_, share);
-    try {
-      linear_.set_matrix(hessian_);
-      factorised_ = true;
-      return true;
-    } catch (const NotPositiveDefinite&) {
-      continue;
-    }
-  }
-  return false;
 }
 
 bool EnergyNewton::search(Coordinates& x, double slope) {
@@ -176,8 +171,7 @@ bool EnergyNewton::converged() const {
 void EnergyNewton::predict(const Coordinates& x, const Coordinates& displacement,
                            std::span<double> out) {
   if (!factorised_ || !exact_) {
-    exact_ = true;
-    factorise(x);
+    if (!factorise_exact(x, true)) factorise_projected(x);
   }
   // Both sides belong to the same coordinates: only then does the mesh at a body follow it rigidly,
   // however far it moves.

@@ -34,7 +34,8 @@ class EnergyNewton final : public SteadySolver {
 
  private:
   void factorise(const Coordinates& x);
-  bool factorise_raised();
+  bool factorise_exact(const Coordinates& x, bool may_raise);
+  bool try_matrix();
   void factorise_projected(const Coordinates& x);
   double solve_for_direction(const Coordinates& x);
   bool search(Coordinates& x, double slope);
