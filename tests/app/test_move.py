@@ -1,3 +1,6 @@
+import csv
+import math
+
 import support
 from support import INVERTED, NOT_CONVERGED, USAGE, ProgramTest
 
@@ -85,6 +88,24 @@ class Move(ProgramTest):
             for a, b in zip(results[0], other):
                 self.assertAlmostEqual(a[0], b[0], delta=1e-6)
                 self.assertAlmostEqual(a[1], b[1], delta=1e-6)
+
+    def test_the_pointwise_form_by_newton_and_by_picard(self):
+        self.ring()
+        results, solves = {}, {}
+        for outer in ("picard", "newton", "auto"):
+            self.winslow("move", "ring.su2", "-o", f"{outer}.su2", "--marker", "body", "--rotate",
+                         "90", "--formulation", "pointwise", "--outer", outer, "--report", "r.json",
+                         "--history", f"{outer}.csv")
+            results[outer] = support.read_su2(self.path(f"{outer}.su2"))[0]
+            solves[outer] = self.json("r.json")["linear_solves"]
+            with self.path(f"{outer}.csv").open() as file:
+                stages = [row["stage"] for row in csv.DictReader(file)]
+            self.assertEqual("picard" in stages, outer == "picard")
+            self.assertEqual("path" in stages, outer != "picard")
+        for outer in ("newton", "auto"):
+            self.assertLess(solves[outer], solves["picard"] / 2)
+            for a, b in zip(results["picard"], results[outer]):
+                self.assertLess(math.dist(a, b), 1e-8)
 
     def test_boundary_only(self):
         self.ring()

@@ -84,7 +84,10 @@ void add_smooth_flags(CLI::App& app, SmoothOptions& options) {
       ->group(group);
   app.add_option_function<std::string>(
          "--outer", [&options](const std::string& text) { options.outer = parse_outer(text); },
-         "Outer iteration; picard: the paper's, with frozen coefficients (pointwise only)")
+         "Outer iteration:\n"
+         "  newton: Newton's method; boundary motions along the path of valid meshes\n"
+         "  picard: the paper's, with frozen coefficients (pointwise only)\n"
+         "  auto: newton; pointwise: picard where that does not end converged")
       ->check(one_of({"auto", "newton", "picard"}))
       ->option_text("auto|newton|picard [auto]")
       ->group(group);

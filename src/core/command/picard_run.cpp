@@ -15,9 +15,9 @@ bool hopeless(const IterationRecord& record) {
 
 class FixedPointMotion {
  public:
-  FixedPointMotion(const MeshState& state, const Motion& motion, int max_iterations,
+  FixedPointMotion(const Coordinates& rest, const Motion& motion, int max_iterations,
                    OuterSolver& solver, RunRecorder& recorder)
-      : state_(state),
+      : rest_(rest),
         motion_(motion),
         max_iterations_(max_iterations),
         solver_(solver),
@@ -31,14 +31,14 @@ class FixedPointMotion {
     recorder_.result().increments = increments;
     for (int k = 1; k < increments; ++k) {
       const double fraction = static_cast<double>(k) / increments;
-      motion_.apply(state_.mesh.coordinates, fraction, x);
+      motion_.apply(rest_, fraction, x);
       recorder_.iterate(solver_, x, Stage::picard, fraction, std::min(step_limit, max_iterations_),
                         [](const IterationRecord& record) {
                           return record.inverted == 0 && record.residual < loose;
                         });
       if (give_up && recorder_.result().inverted > 0) return false;
     }
-    motion_.apply(state_.mesh.coordinates, 1, x);
+    motion_.apply(rest_, 1, x);
     recorder_.iterate(solver_, x, Stage::picard, 1, max_iterations_,
                       give_up ? RunRecorder::Enough(hopeless) : RunRecorder::Enough());
     return recorder_.result().inverted == 0;
@@ -50,20 +50,15 @@ class FixedPointMotion {
     const SmoothResult direct = recorder_.result();
     constexpr std::array<int, 2> attempts{8, 32};
     for (const int increments : attempts) {
-      x = state_.mesh.coordinates;
+      x = rest_;
       if (move_in_steps(increments, true, x)) return;
     }
     x = direct_x;
-    SmoothResult& result = recorder_.result();
-    result.increments = direct.increments;
-    result.converged = direct.converged;
-    result.residual = direct.residual;
-    result.inverted = direct.inverted;
-    result.fraction_reached = direct.fraction_reached;
+    recorder_.restore_outcome(direct);
   }
 
  private:
-  const MeshState& state_;
+  const Coordinates& rest_;
   const Motion& motion_;
   int max_iterations_;
   OuterSolver& solver_;
@@ -72,10 +67,10 @@ class FixedPointMotion {
 
 }  // namespace
 
-void move_by_fixed_point(const MeshState& state, const Motion& motion, int increments,
+void move_by_fixed_point(const Coordinates& rest, const Motion& motion, int increments,
                          int max_iterations, OuterSolver& solver, RunRecorder& recorder,
                          Coordinates& x) {
-  FixedPointMotion run(state, motion, max_iterations, solver, recorder);
+  FixedPointMotion run(rest, motion, max_iterations, solver, recorder);
   if (increments > 0) {
     run.move_in_steps(increments, false, x);
   } else {

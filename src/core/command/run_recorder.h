@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 
 #include "core/outer/outer_solver.h"
 
@@ -32,7 +33,12 @@ class RunRecorder {
 
   /// Outer iterations left of the budget.
   int remaining() const { return budget_ - result_.outer_iterations; }
+  /// From here on stages have their own limits only.
+  void lift_budget() { budget_ = std::numeric_limits<int>::max(); }
+
   SmoothResult& result() { return result_; }
+  /// Puts back how an earlier attempt ended; counts and history stay those of all attempts.
+  void restore_outcome(const SmoothResult& earlier);
 
  private:
   SolverMonitor* monitor_;

@@ -1,8 +1,10 @@
 #include "core/command/smooth_run.h"
 
 #include <limits>
+#include <memory>
 
 #include "core/command/picard_run.h"
+#include "core/command/pointwise_run.h"
 #include "core/command/run_recorder.h"
 #include "core/command/variational_run.h"
 #include "core/command/workspace.h"
@@ -12,7 +14,15 @@ namespace winslow {
 
 namespace {
 
-bool variational(const SmoothOptions& options) { return options.formulation == "variational"; }
+bool by_fixed_point(const SmoothOptions& options) { return options.outer == OuterMethod::picard; }
+
+std::unique_ptr<NewtonRun> make_newton_run(const MeshState& state, SmoothingWorkspace& workspace,
+                                           RunRecorder& recorder) {
+  if (workspace.options().formulation == "variational") {
+    return std::make_unique<VariationalRun>(state, workspace, recorder);
+  }
+  return std::make_unique<PointwiseRun>(state, workspace, recorder);
+}
 
 bool valid(const MeshState& state, const Coordinates& x, int threads) {
   return check_validity(*state.mesh.topology, x, threads).inverted == 0;
@@ -28,7 +38,7 @@ Coordinates interior_within(const Topology& topology, const Coordinates& interio
 /// A motion that is begun from a mesh near its end: along the path from there where that mesh is
 /// valid as it stands, at once where it is valid within the boundary's last position.
 bool move_from(const MeshState& state, const Motion& motion, const Coordinates& start, int threads,
-               VariationalRun& steps, Coordinates& x) {
+               NewtonRun& steps, Coordinates& x) {
   const Topology& topology = *state.mesh.topology;
   Coordinates target = state.mesh.coordinates;
   motion.apply(state.mesh.coordinates, 1, target);
@@ -46,7 +56,7 @@ bool move_from(const MeshState& state, const Motion& motion, const Coordinates& 
 
 /// The fixed point may need several attempts at a motion; each has the whole limit.
 int budget(const SmoothOptions& options) {
-  return variational(options) ? options.max_iterations : std::numeric_limits<int>::max();
+  return by_fixed_point(options) ? std::numeric_limits<int>::max() : options.max_iterations;
 }
 
 }  // namespace
@@ -58,11 +68,11 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& option
   SmoothingWorkspace& workspace = run.workspace ? *run.workspace : own;
   workspace.prepare(state.vcv, options, state.mesh.coordinates);
   RunRecorder recorder(run.monitor, result, budget(options));
-  if (variational(options)) {
-    VariationalRun(state, workspace, recorder).smooth(x, 1, nullptr);
-  } else {
+  if (by_fixed_point(options)) {
     recorder.iterate(workspace.picard(), x, Stage::picard, 1, options.max_iterations);
     result.linear_solver = workspace.linear().description();
+  } else {
+    make_newton_run(state, workspace, recorder)->smooth(x, 1, nullptr);
   }
   return result;
 }
@@ -81,18 +91,18 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const M
   SmoothingWorkspace& workspace = run.workspace ? *run.workspace : own;
   workspace.prepare(state.vcv, options, state.mesh.coordinates);
   RunRecorder recorder(run.monitor, result, budget(options));
-  if (!variational(options)) {
-    move_by_fixed_point(state, motion, how.increments, options.max_iterations, workspace.picard(),
-                        recorder, x);
+  if (by_fixed_point(options)) {
+    move_by_fixed_point(state.mesh.coordinates, motion, how.increments, options.max_iterations,
+                        workspace.picard(), recorder, x);
     result.linear_solver = workspace.linear().description();
     return result;
   }
-  VariationalRun steps(state, workspace, recorder);
+  const auto steps = make_newton_run(state, workspace, recorder);
   if (how.increments > 0) {
-    steps.move_in_steps(motion, state.mesh.coordinates, how.increments, x);
-  } else if (!run.start || !move_from(state, motion, *run.start, options.threads, steps, x)) {
+    steps->move_in_steps(motion, state.mesh.coordinates, how.increments, x);
+  } else if (!run.start || !move_from(state, motion, *run.start, options.threads, *steps, x)) {
     x = state.mesh.coordinates;
-    steps.follow(motion, state.mesh.coordinates, x);
+    steps->follow(motion, state.mesh.coordinates, x);
   }
   return result;
 }

@@ -9,11 +9,13 @@ void SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualControlVolum
                             (options.targets.rest == 0 || (rest_ && *rest_ == rest));
   picard_.reset();
   newton_.reset();
+  pointwise_newton_.reset();
   if (!same_vcv) pointwise_.reset();
   if (!same_targets) energy_.reset();
   if (!same_vcv || !(options.linear == options_.linear)) {
     linear_.reset();
     symmetric_linear_.reset();
+    newton_linear_.reset();
   }
   if (options.targets.rest > 0) {
     if (!same_targets) rest_ = rest;
@@ -25,15 +27,22 @@ void SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualControlVolum
   if (energy_) energy_->set_penalty(options.penalty);
 }
 
+std::unique_ptr<LinearSolver> SmoothingWorkspace::make_general_solver() const {
+  // One that takes symmetric matrices only still serves the variational form; the pointwise form's
+  // systems, needed for untangling, then go to the automatic choice.
+  LinearOptions chosen = options_.linear;
+  if (linear_solver_needs_symmetry(chosen.solver)) chosen.solver = "automatic";
+  return make_linear_solver(chosen, options_.threads);
+}
+
 LinearSolver& SmoothingWorkspace::linear() {
-  if (!linear_) {
-    // One that takes symmetric matrices only still serves the variational form; the pointwise
-    // form's systems, needed for untangling, then go to the automatic choice.
-    LinearOptions chosen = options_.linear;
-    if (linear_solver_needs_symmetry(chosen.solver)) chosen.solver = "automatic";
-    linear_ = make_linear_solver(chosen, options_.threads);
-  }
+  if (!linear_) linear_ = make_general_solver();
   return *linear_;
+}
+
+LinearSolver& SmoothingWorkspace::newton_linear() {
+  if (!newton_linear_) newton_linear_ = make_general_solver();
+  return *newton_linear_;
 }
 
 LinearSolver& SmoothingWorkspace::symmetric_linear() {
@@ -43,10 +52,14 @@ LinearSolver& SmoothingWorkspace::symmetric_linear() {
   return *symmetric_linear_;
 }
 
-PicardSolver& SmoothingWorkspace::picard() {
+PointwiseWinslow& SmoothingWorkspace::pointwise() {
   if (!pointwise_) pointwise_ = std::make_unique<PointwiseWinslow>(*vcv_, options_.threads);
+  return *pointwise_;
+}
+
+PicardSolver& SmoothingWorkspace::picard() {
   if (!picard_) {
-    picard_ = std::make_unique<PicardSolver>(vcv_->topology(), *pointwise_, linear(), options_);
+    picard_ = std::make_unique<PicardSolver>(vcv_->topology(), pointwise(), linear(), options_);
   }
   return *picard_;
 }
@@ -67,6 +80,14 @@ EnergyNewton& SmoothingWorkspace::newton() {
         std::make_unique<EnergyNewton>(vcv_->topology(), energy(), symmetric_linear(), options_);
   }
   return *newton_;
+}
+
+PointwiseNewton& SmoothingWorkspace::pointwise_newton() {
+  if (!pointwise_newton_) {
+    pointwise_newton_ =
+        std::make_unique<PointwiseNewton>(vcv_->topology(), pointwise(), newton_linear(), options_);
+  }
+  return *pointwise_newton_;
 }
 
 }  // namespace winslow

@@ -8,6 +8,7 @@
 #include "core/linear/linear_solver.h"
 #include "core/outer/energy_newton.h"
 #include "core/outer/picard_solver.h"
+#include "core/outer/pointwise_newton.h"
 #include "core/outer/smooth_options.h"
 
 namespace winslow {
@@ -26,23 +27,30 @@ class SmoothingWorkspace {
   PicardSolver& picard();
   VariationalWinslow& energy();
   EnergyNewton& newton();
+  PointwiseNewton& pointwise_newton();
   /// For the variational form's symmetric systems.
   LinearSolver& symmetric_linear();
-  /// For the pointwise form's systems.
+  /// For the pointwise form's systems with frozen coefficients.
   LinearSolver& linear();
+  /// For the pointwise form's Jacobians.
+  LinearSolver& newton_linear();
 
   const VirtualControlVolumes& vcv() const { return *vcv_; }
   const SmoothOptions& options() const { return options_; }
 
  private:
+  PointwiseWinslow& pointwise();
+  std::unique_ptr<LinearSolver> make_general_solver() const;
+
   std::shared_ptr<const VirtualControlVolumes> vcv_;
   SmoothOptions options_;
   std::optional<Coordinates> rest_;  // only where the targets refer to it
   std::unique_ptr<PointwiseWinslow> pointwise_;
   std::unique_ptr<VariationalWinslow> energy_;
-  std::unique_ptr<LinearSolver> linear_, symmetric_linear_;
+  std::unique_ptr<LinearSolver> linear_, symmetric_linear_, newton_linear_;
   std::unique_ptr<PicardSolver> picard_;
   std::unique_ptr<EnergyNewton> newton_;
+  std::unique_ptr<PointwiseNewton> pointwise_newton_;
 };
 
 }  // namespace winslow

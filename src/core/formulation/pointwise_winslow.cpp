@@ -9,6 +9,8 @@ namespace winslow {
 
 namespace {
 
+using Matrix2 = Eigen::Matrix2d;
+
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// Maximum that a NaN does not get lost in, whichever side it is on.
@@ -23,9 +25,40 @@ struct Row {
 
   /// Distance by which the node alone would move, its neighbours held, over the mean edge.
   double scaled() const {
-    const double scale = absolute_sum * mean_edge;
-    return scale > 0 ? residual.norm() / scale : residual.norm();
+    const double size = absolute_sum * mean_edge;
+    return size > 0 ? residual.norm() / size : residual.norm();
   }
+  /// Rows are scaled to a diagonal near one: w carries the square of the local size otherwise.
+  double scale() const { return absolute_sum > 0 ? 1 / absolute_sum : 1; }
+};
+
+/// Maxima and sums of squares of scaled residuals, block of rows by block of rows: added up in the
+/// order of the blocks they do not depend on the number of threads.
+class BlockNorms {
+ public:
+  explicit BlockNorms(Index rows)
+      : rows_(rows),
+        max_(at((rows + parallel_block - 1) / parallel_block), 0.0),
+        squares_(max_.size(), 0.0) {}
+
+  void add(Index begin_of_block, double scaled) {
+    const auto block = at(begin_of_block / parallel_block);
+    max_[block] = larger(max_[block], scaled);
+    squares_[block] += scaled * scaled;
+  }
+  ResidualNorms total() const {
+    ResidualNorms norms;
+    for (std::size_t b = 0; b < max_.size(); ++b) {
+      norms.max = larger(norms.max, max_[b]);
+      norms.rms += squares_[b];
+    }
+    norms.rms = rows_ > 0 ? std::sqrt(norms.rms / rows_) : 0;
+    return norms;
+  }
+
+ private:
+  Index rows_;
+  std::vector<double> max_, squares_;
 };
 
 Row evaluate_row(const Coordinates& x, Index node, std::span<const Index> neighbours,
@@ -88,33 +121,23 @@ ResidualNorms PointwiseWinslow::residual(const Coordinates& x, bool clip,
                                          std::span<double> out) const {
   const auto free = topology_->free_nodes();
   const auto n = static_cast<Index>(free.size());
-  const auto blocks = at((n + parallel_block - 1) / parallel_block);
-  std::vector<double> block_max(blocks, 0.0), block_sum(blocks, 0.0);
+  BlockNorms norms(n);
   parallel_for(threads_, n, [&](Index begin, Index end) {
     std::vector<double> w;
-    const auto block = at(begin / parallel_block);
     for (Index i = begin; i < end; ++i) {
       const Index node = free[at(i)];
       const auto neighbours = topology_->neighbours(node);
       w.resize(neighbours.size());
       weights(x, node, clip, w);
       const Row row = evaluate_row(x, node, neighbours, w);
-      const double scaled = row.scaled();
-      block_max[block] = larger(block_max[block], scaled);
-      block_sum[block] += scaled * scaled;
+      norms.add(begin, row.scaled());
       if (!out.empty()) {
         out[2 * at(i)] = row.residual.x();
         out[2 * at(i) + 1] = row.residual.y();
       }
     }
   });
-  ResidualNorms norms;
-  for (std::size_t b = 0; b < blocks; ++b) {
-    norms.max = larger(norms.max, block_max[b]);
-    norms.rms += block_sum[b];
-  }
-  norms.rms = n > 0 ? std::sqrt(norms.rms / n) : 0;
-  return norms;
+  return norms.total();
 }
 
 Index PointwiseWinslow::freeze(const Coordinates& x, bool clip, SparseSystem& out) const {
@@ -136,8 +159,7 @@ Index PointwiseWinslow::freeze(const Coordinates& x, bool clip, SparseSystem& ou
       w.resize(neighbours.size());
       negative[at(begin / parallel_block)] += weights(x, node, clip, w);
       const Row row = evaluate_row(x, node, neighbours, w);
-      // Rows are scaled to a diagonal near one: w carries the square of the local size otherwise.
-      const double scale = row.absolute_sum > 0 ? 1 / row.absolute_sum : 1;
+      const double scale = row.scale();
       matrix.values[at(matrix.pattern->diagonal[at(i)])] =
           row.absolute_sum > 0 ? row.weight_sum * scale : 1;
       const auto first = at(topology_->neighbour_rows().offsets[at(node)]);
@@ -152,6 +174,138 @@ Index PointwiseWinslow::freeze(const Coordinates& x, bool clip, SparseSystem& ou
   Index total = 0;
   for (const Index count : negative) total += count;
   return total;
+}
+
+/// Derivative of one row, times its scale, by the position of each neighbour. With primes for
+/// unnormalised coefficients and m = (alpha' + gamma') / 2,
+///
+///   dR = sum_k w_k (dr_k - dr_0) + (dalpha' Lxx - dbeta' Lxy + dgamma' Lyy - R dm) / m,
+///
+/// where Lxx, Lxy, Lyy are the flux functionals applied to r over the edges that are not clipped,
+/// and every change of a coefficient is a change of r_x = sum_k dx_k (r_k - r_0) or of r_y.
+class PointwiseWinslow::RowDerivative {
+ public:
+  /// weights: memory to work in, which belongs to this until it is gone.
+  RowDerivative(const PointwiseWinslow& form, const Coordinates& x, Index node, bool clip,
+                std::vector<double>& weights)
+      : functionals_(form.functionals_[node]), weights_(weights) {
+    const auto neighbours = form.topology_->neighbours(node);
+    weights_.resize(neighbours.size());
+    form.weights(x, node, false, weights_);
+    const Vec2 r0 = x.xy(node);
+    Vec2 rx(0, 0), ry(0, 0), lxx(0, 0), lxy(0, 0), lyy(0, 0);
+    for (std::size_t k = 0; k < weights_.size(); ++k) {
+      const NeighbourFunctionals& f = functionals_[k];
+      const Vec2 d = x.xy(neighbours[k]) - r0;
+      rx += f.dx * d;
+      ry += f.dy * d;
+      if (clip && weights_[k] < 0) {
+        weights_[k] = 0;
+        continue;
+      }
+      lxx += f.lxx * d;
+      lxy += f.lxy * d;
+      lyy += f.lyy * d;
+    }
+    row_ = evaluate_row(x, node, neighbours, weights_);
+    scale_ = row_.scale();
+    const double mean = 0.5 * (rx.squaredNorm() + ry.squaredNorm());
+    if (!(mean > 0)) return;  // the coefficients are constants there
+    const Vec2& r = row_.residual;
+    by_rx_ = ((2 * lyy - r) * rx.transpose() - lxy * ry.transpose()) / mean;
+    by_ry_ = ((2 * lxx - r) * ry.transpose() - lxy * rx.transpose()) / mean;
+  }
+
+  const Row& row() const { return row_; }
+  Vec2 residual() const { return scale_ * row_.residual; }
+  Matrix2 by_neighbour(std::size_t k) const {
+    const Matrix2 of_weights = functionals_[k].dx * by_rx_ + functionals_[k].dy * by_ry_;
+    return scale_ * (weights_[k] * Matrix2::Identity() + of_weights);
+  }
+
+ private:
+  std::span<const NeighbourFunctionals> functionals_;
+  std::vector<double>& weights_;
+  Row row_;
+  double scale_ = 1;
+  Matrix2 by_rx_ = Matrix2::Zero(), by_ry_ = Matrix2::Zero();
+};
+
+ResidualNorms PointwiseWinslow::linearise(const Coordinates& x, bool clip, SparseMatrix& out,
+                                          std::span<double> residual) const {
+  const auto free = topology_->free_nodes();
+  const auto n = static_cast<Index>(free.size());
+  out.pattern = pattern_.pattern;
+  out.block = 2;
+  out.symmetric = false;
+  out.values.resize(4 * out.pattern->columns.size());
+  BlockNorms norms(n);
+  const auto set = [&](Index entry, const Matrix2& block) {
+    double* v = out.values.data() + 4 * at(entry);
+    v[0] = block(0, 0);
+    v[1] = block(0, 1);
+    v[2] = block(1, 0);
+    v[3] = block(1, 1);
+  };
+  parallel_for(threads_, n, [&](Index begin, Index end) {
+    std::vector<double> w;
+    for (Index i = begin; i < end; ++i) {
+      const Index node = free[at(i)];
+      const RowDerivative derivative(*this, x, node, clip, w);
+      const auto first = at(topology_->neighbour_rows().offsets[at(node)]);
+      const std::size_t count = topology_->neighbours(node).size();
+      Matrix2 diagonal = Matrix2::Zero();
+      for (std::size_t k = 0; k < count; ++k) {
+        const Matrix2 block = derivative.by_neighbour(k);
+        diagonal += block;
+        const Index entry = pattern_.entry_of_neighbour[first + k];
+        if (entry >= 0) set(entry, -block);
+      }
+      const bool empty = !(derivative.row().absolute_sum > 0);
+      set(out.pattern->diagonal[at(i)], empty ? Matrix2(Matrix2::Identity()) : diagonal);
+      norms.add(begin, derivative.row().scaled());
+      residual[2 * at(i)] = derivative.residual().x();
+      residual[2 * at(i) + 1] = derivative.residual().y();
+    }
+  });
+  return norms.total();
+}
+
+void PointwiseWinslow::boundary_response(const Coordinates& x, bool clip,
+                                         const Coordinates& displacement,
+                                         std::span<double> out) const {
+  const auto free = topology_->free_nodes();
+  parallel_for(threads_, static_cast<Index>(free.size()), [&](Index begin, Index end) {
+    std::vector<double> w;
+    for (Index i = begin; i < end; ++i) {
+      const Index node = free[at(i)];
+      const auto neighbours = topology_->neighbours(node);
+      Vec2 change(0, 0);
+      if (std::any_of(neighbours.begin(), neighbours.end(),
+                      [&](Index k) { return topology_->constrained(k); })) {
+        const RowDerivative derivative(*this, x, node, clip, w);
+        for (std::size_t k = 0; k < neighbours.size(); ++k) {
+          if (!topology_->constrained(neighbours[k])) continue;
+          change += derivative.by_neighbour(k) * displacement.xy(neighbours[k]);
+        }
+      }
+      out[2 * at(i)] = change.x();
+      out[2 * at(i) + 1] = change.y();
+    }
+  });
+}
+
+void PointwiseWinslow::row_scales(const Coordinates& x, bool clip, std::span<double> out) const {
+  const auto free = topology_->free_nodes();
+  parallel_for(threads_, static_cast<Index>(free.size()), [&](Index begin, Index end) {
+    std::vector<double> w;
+    for (Index i = begin; i < end; ++i) {
+      const auto neighbours = topology_->neighbours(free[at(i)]);
+      w.resize(neighbours.size());
+      weights(x, free[at(i)], clip, w);
+      out[at(i)] = evaluate_row(x, free[at(i)], neighbours, w).scale();
+    }
+  });
 }
 
 }  // namespace winslow

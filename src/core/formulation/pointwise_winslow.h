@@ -30,6 +30,23 @@ class PointwiseWinslow final : public FixedPointFormulation {
   ResidualNorms residual(const Coordinates& x, bool clip, std::span<double> out) const override;
   Index freeze(const Coordinates& x, bool clip, SparseSystem& out) const override;
 
+  /// Newton's system J delta = S R: the exact J = -S dR/dx as an unsymmetric matrix of 2x2 blocks
+  /// (pattern of FreeNodePattern) and S R (#free by 2), a length. S holds the row_scales() at x and
+  /// counts as constant. R is differentiated as residual() gives it, the division of the
+  /// coefficients by (alpha + gamma) / 2 included. clip: edges with negative weights are left out
+  /// of the derivative of the weights, too (an element of the generalised Jacobian, L. Qi and
+  /// J. Sun, "A nonsmooth version of Newton's method", Math. Program. 58, 1993). A row without
+  /// weights becomes that of the identity. Returns the norms of R as residual() does.
+  ResidualNorms linearise(const Coordinates& x, bool clip, SparseMatrix& out,
+                          std::span<double> residual) const;
+  /// Change of S R (#free by 2), to first order, when the constrained nodes move by `displacement`
+  /// (#nodes by 2; the free nodes' part is ignored).
+  void boundary_response(const Coordinates& x, bool clip, const Coordinates& displacement,
+                         std::span<double> out) const;
+  /// 1 / sum_k |w_k| at every free node (#free), by which rows are multiplied: it takes R to the
+  /// size of the distance by which the node alone would move. 1 where all weights are zero.
+  void row_scales(const Coordinates& x, bool clip, std::span<double> out) const;
+
   /// Coefficients at a free node. Where the nodal Jacobian vanishes: those of the Laplacian.
   WinslowCoefficients coefficients(const Coordinates& x, Index node) const;
   /// Weights of a free node's neighbours (as many as it has). Returns the number of negative ones;
@@ -37,6 +54,8 @@ class PointwiseWinslow final : public FixedPointFormulation {
   Index weights(const Coordinates& x, Index node, bool clip, std::span<double> out) const;
 
  private:
+  class RowDerivative;
+
   std::shared_ptr<const Topology> topology_;
   StencilFunctionals functionals_;
   FreeNodePattern pattern_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/outer/advance.h"
 #include "core/outer/round_off.h"
 #include "core/outer/shifted_matrix.h"
 #include "core/quality/valid_step.h"
@@ -11,19 +12,6 @@
 namespace winslow {
 
 namespace {
-
-/// Adds step * direction (#free by 2) to the free nodes; returns the longest move.
-double advance(const Topology& topology, std::span<const double> direction, double step,
-               Coordinates& x) {
-  const auto free = topology.free_nodes();
-  double largest2 = 0;
-  for (std::size_t i = 0; i < free.size(); ++i) {
-    const Vec2 move(step * direction[2 * i], step * direction[2 * i + 1]);
-    x.set_xy(free[i], x.xy(free[i]) + move);
-    largest2 = std::max(largest2, move.squaredNorm());
-  }
-  return std::sqrt(largest2);
-}
 
 double dot(std::span<const double> a, std::span<const double> b) {
   double sum = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/outer/advance.h"
 #include "core/outer/shifted_matrix.h"
 
 namespace winslow {
@@ -112,16 +113,11 @@ IterationRecord EnergyUntangler::step(Coordinates& x) {
   constexpr int most_trials = 20;
   for (int trial = 0; trial < most_trials; ++trial, t *= 0.5) {
     Coordinates candidate = x;
-    double largest2 = 0;
-    for (std::size_t i = 0; i < free.size(); ++i) {
-      const Vec2 move(t * direction[2 * i], t * direction[2 * i + 1]);
-      candidate.set_xy(free[i], x.xy(free[i]) + move);
-      largest2 = std::max(largest2, move.squaredNorm());
-    }
+    const double move = advance(topology_, direction, t, candidate);
     if (formulation_.energy(candidate, &regularisation_) > energy - armijo * t * slope) continue;
     x = std::move(candidate);
     record_.damping = t;
-    record_.largest_move = std::sqrt(largest2);
+    record_.largest_move = move;
     assess(x);
     return record_;
   }

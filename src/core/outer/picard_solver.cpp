@@ -2,37 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/error.h"
+#include "core/outer/advance.h"
+#include "core/outer/round_off.h"
 
 namespace winslow {
 
 namespace {
 
-double mean_edge(const Topology& topology, const Coordinates& x, Index node) {
-  double sum = 0;
-  const auto neighbours = topology.neighbours(node);
-  for (const Index k : neighbours) sum += (x.xy(k) - x.xy(node)).norm();
-  return sum / static_cast<double>(neighbours.size());
-}
-
 /// A mesh that is tangled by its unclipped solution would otherwise switch to and fro for ever:
 /// after this many times it stays clipped.
 constexpr int most_relapses = 3;
-
-/// Residuals are differences of coordinates over edge lengths, so they carry the round-off of the
-/// coordinates in units of the edges.
-double residual_round_off(const Topology& topology, const Coordinates& x) {
-  constexpr double safety = 16;
-  double worst = 0;
-  for (const Index node : topology.free_nodes()) {
-    const double edge = mean_edge(topology, x, node);
-    if (edge > 0) worst = std::max(worst, x.xy(node).lpNorm<Eigen::Infinity>() / edge);
-  }
-  // A tangled start can have edges of almost no length; it must not pass for converged.
-  return std::min(safety * std::numeric_limits<double>::epsilon() * worst, 1e-7);
-}
 
 }  // namespace
 
@@ -125,17 +106,6 @@ bool PicardSolver::accelerate(const Coordinates& x, std::vector<double>& step) {
   return true;
 }
 
-double PicardSolver::apply_step(Coordinates& x, const std::vector<double>& step) const {
-  const auto free = topology_.free_nodes();
-  double largest2 = 0;
-  for (std::size_t i = 0; i < free.size(); ++i) {
-    const Vec2 move(step[2 * i], step[2 * i + 1]);
-    x.set_xy(free[i], x.xy(free[i]) + move);
-    largest2 = std::max(largest2, move.squaredNorm());
-  }
-  return std::sqrt(largest2);
-}
-
 IterationRecord PicardSolver::step(Coordinates& x) {
   if (topology_.free_nodes().empty()) {
     ++record_.iteration;
@@ -152,11 +122,11 @@ IterationRecord PicardSolver::step(Coordinates& x) {
   std::vector<double> step = plain;
   const bool accelerated = accelerate(x, step);
   Coordinates trial = x;
-  record_.largest_move = apply_step(trial, step);
+  record_.largest_move = advance(topology_, step, 1, trial);
   if (was_valid && accelerated && check_validity(topology_, trial, options_.threads).inverted > 0) {
     acceleration_.reset();
     trial = x;
-    record_.largest_move = apply_step(trial, plain);
+    record_.largest_move = advance(topology_, plain, 1, trial);
   }
   x = std::move(trial);
   ++record_.iteration;

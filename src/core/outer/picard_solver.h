@@ -34,7 +34,6 @@ class PicardSolver final : public OuterSolver {
   void adapt_damping();
   bool accelerate(const Coordinates& x, std::vector<double>& step);
   std::vector<double> inverse_edge_lengths(const Coordinates& x) const;
-  double apply_step(Coordinates& x, const std::vector<double>& step) const;
 
   const Topology& topology_;
   const FixedPointFormulation& formulation_;

@@ -16,9 +16,9 @@ enum class Clip {
 
 /// How the outer iteration goes.
 enum class OuterMethod {
-  automatic,  ///< Newton
+  automatic,  ///< Newton; pointwise form: the fixed point where Newton does not end converged
   newton,     ///< Newton's method, safeguarded
-  picard      ///< the paper's: coefficients frozen, damped (pointwise form only)
+  picard      ///< the paper's fixed point: coefficients frozen, damped (pointwise form only)
 };
 
 /// How a mesh with inverted elements is untangled before Newton's method can begin.

@@ -10,8 +10,7 @@
 
 #include "core/error.h"
 #include "core/parallel/parallel_for.h"
-#include "support/meshes.h"
-#include "support/vcv.h"
+#include "support/samples.h"
 
 using namespace winslow;
 using namespace winslow::test;
@@ -31,37 +30,6 @@ std::vector<Vec2> ring_of(const Topology& topology, const Coordinates& x, Index 
   for (const Index k : topology.neighbours(node)) ring.push_back(x.xy(k));
   return ring;
 }
-
-void randomise(VirtualControlVolumes& vcv, Random& random) {
-  for (const Index node : vcv.topology().free_nodes()) {
-    const auto n = static_cast<Index>(vcv.angles(node).size());
-    if (n < 3 || random.index(2) == 0) continue;
-    std::vector<double> lengths;
-    for (Index k = 0; k < n; ++k) lengths.push_back(random.uniform(0.5, 2));
-    vcv.set(node, random_angles(random, n), lengths);
-  }
-}
-
-/// A mesh of each kind, its nodes moved at random, with VCVs of random shape.
-struct Sample {
-  Mesh mesh;
-  VirtualControlVolumes vcv;
-};
-
-Sample make_sample(std::uint64_t seed, Cells cells, bool tangled) {
-  Random random(seed);
-  Mesh mesh = make_mesh(square(6, cells));
-  if (tangled) {
-    tangle(mesh, random);
-  } else {
-    perturb(mesh, random);
-  }
-  VirtualControlVolumes vcv(mesh.topology);
-  randomise(vcv, random);
-  return {std::move(mesh), std::move(vcv)};
-}
-
-constexpr std::array<Cells, 3> all_cells{Cells::triangles, Cells::quads, Cells::mixed};
 
 }  // namespace
 
