@@ -1,5 +1,7 @@
 #include "core/command/untangling.h"
 
+#include <vector>
+
 #include "core/outer/energy_untangler.h"
 #include "core/quality/quality.h"
 
@@ -7,25 +9,23 @@ namespace winslow {
 
 namespace {
 
-/// Stops a fixed-point iteration that no longer untangles anything.
+/// Stops a fixed-point iteration that no longer untangles anything. A boundary moved at once
+/// inverts few elements at first, and spreads: only later does the count tell.
 class Stagnation {
  public:
   bool operator()(const IterationRecord& record) {
-    constexpr int patience = 25;
+    constexpr std::size_t window = 40;
+    constexpr double worthwhile = 0.8;  // of the count a window ago
     constexpr double settled = 1e-4;
     if (record.inverted == 0) return true;
-    if (record.iteration == 0 || record.inverted < least_) {
-      least_ = record.inverted;
-      since_ = 0;
-    } else {
-      ++since_;
-    }
-    return since_ >= patience || record.residual < settled;
+    counts_.push_back(record.inverted);
+    if (record.residual < settled) return true;
+    return counts_.size() > 2 * window &&
+           counts_.back() > worthwhile * counts_[counts_.size() - 1 - window];
   }
 
  private:
-  Index least_ = 0;
-  int since_ = 0;
+  std::vector<Index> counts_;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "core/drag/drag_session.h"
 
+#include <algorithm>
 #include <cmath>
 #include <condition_variable>
 #include <mutex>
@@ -129,8 +130,12 @@ class DragSession::Impl final : public SolverMonitor {
       Coordinates solved = state_.mesh.coordinates;
       while (const auto wanted = next_target()) {
         const RigidMotion target = next_part(pose(), *wanted);
+        const Coordinates start = solved;
         solve(target, solved);
-        publish(target, solved);
+        if (solved == start && !reached(target, solved)) restart(target, solved);
+        // Where it was no use, the next try waits for another position.
+        const bool settled = reached(target, solved) || solved == start;
+        publish(settled ? target : fitted_pose(solved), solved);
       }
     } catch (const Cancelled&) {
       return;
@@ -153,24 +158,36 @@ class DragSession::Impl final : public SolverMonitor {
     if (validity_of(x).inverted > 0) x = start;
   }
 
+  /// A mesh pressed against a wall may find no way back: the way from the state may be open.
+  void restart(const RigidMotion& target, Coordinates& x) {
+    const auto motion =
+        make_motion(*state_.mesh.topology, state_.mesh.coordinates, markers_, target);
+    ExecuteOptions run;
+    run.monitor = this;
+    run.workspace = &workspace_;
+    Coordinates other = state_.mesh.coordinates;
+    smooth_motion(state_, *motion, {}, options_, other, run);
+    if (reached(target, other) && validity_of(other).inverted == 0) x = std::move(other);
+  }
+
   void publish(const RigidMotion& target, const Coordinates& x) {
     auto prepared = std::make_shared<const Prepared>(Prepared{
         DragPredictor(*state_.mesh.topology, workspace_.newton(), x, nodes_, options_.threads),
-        pose_near(target, x), target});
+        reached(target, x) ? target : fitted_pose(x), target});
     const std::lock_guard lock(mutex_);
     prepared_ = std::move(prepared);
     ++corrections_;
   }
 
-  /// The target itself where the body got there, however often it was turned; else what fits.
-  RigidMotion pose_near(const RigidMotion& target, const Coordinates& x) const {
-    for (const Index node : nodes_) {
+  bool reached(const RigidMotion& target, const Coordinates& x) const {
+    constexpr double round_off = 1e-12;
+    return std::all_of(nodes_.begin(), nodes_.end(), [&](Index node) {
       const Vec2 there = transform(target, state_.mesh.coordinates.xy(node));
-      if ((there - x.xy(node)).norm() > 1e-12 * there.norm()) {
-        return fit_rigid_motion(nodes_, state_.mesh.coordinates, x);
-      }
-    }
-    return target;
+      return (there - x.xy(node)).norm() <= round_off * (1 + there.norm());
+    });
+  }
+  RigidMotion fitted_pose(const Coordinates& x) const {
+    return fit_rigid_motion(nodes_, state_.mesh.coordinates, x);
   }
 
   MeshState state_;

@@ -39,6 +39,9 @@ struct Corner2 {
         vy(xk[1] - xi[1]),
         d(ux * vy - uy * vx) {}
 
+  /// |u| + |v|.
+  double edges() const { return std::sqrt(ux * ux + uy * uy) + std::sqrt(vx * vx + vy * vy); }
+
   double form(const Form& c) const {
     const double wx = vx - ux, wy = vy - uy;
     return c.ij * (ux * ux + uy * uy) + c.ik * (vx * vx + vy * vy) + c.jk * (wx * wx + wy * wy);

@@ -62,7 +62,7 @@ struct RowSum {
   double scaled() const {
     const double mean_edge = edges / (2 * std::max(triangles, 1));
     const double scale = 0.5 * (diagonal.xx + diagonal.yy) * mean_edge;
-    const double g = std::hypot(gx, gy);
+    const double g = std::sqrt(gx * gx + gy * gy);
     return scale > 0 ? g / scale : g;
   }
 };
@@ -210,7 +210,7 @@ ResidualNorms VariationalWinslow::residual(const Coordinates& x, bool,
             sum.add(distortion::row_term(q, distortion::form_at(term, in.local), term.weight, psi,
                                          {q.d, 1}, 0));
           }
-          sum.edges += std::hypot(q.ux, q.uy) + std::hypot(q.vx, q.vy);
+          sum.edges += q.edges();
           ++sum.triangles;
         }
         norms[block].add(sum.scaled());
@@ -263,7 +263,7 @@ ResidualNorms VariationalWinslow::linearise(const Coordinates& x, Curvature curv
         add(in.slot_j, r.ij);
         add(in.slot_k, r.ik);
       }
-      sum.edges += std::hypot(q.ux, q.uy) + std::hypot(q.vx, q.vy);
+      sum.edges += q.edges();
       ++sum.triangles;
     }
     // The blocks of one row are rounded apart from those of the other: make the diagonal symmetric.

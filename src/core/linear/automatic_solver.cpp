@@ -1,5 +1,7 @@
 #include "core/linear/automatic_solver.h"
 
+#include "core/error.h"
+
 namespace winslow {
 
 namespace {
@@ -24,16 +26,40 @@ class AutomaticSolver final : public LinearSolver {
       options_.solver = suitable;
       chosen_ = make_linear_solver(options_, threads_);
     }
+    matrix_ = &matrix;
+    factorised_ = false;
     chosen_->set_matrix(matrix, keep);
   }
 
+  /// Where an iteration fails, a factorisation knows: it solves, or says what the matrix is.
   LinearResult solve(std::span<const double> rhs, int columns, std::span<double> x) override {
-    return chosen_->solve(rhs, columns, x);
+    if (factorised_) return fallback_->solve(rhs, columns, x);
+    if (chosen_->name() == direct) return chosen_->solve(rhs, columns, x);
+    constexpr double usable = 10;  // tolerances
+    try {
+      const LinearResult result = chosen_->solve(rhs, columns, x);
+      if (result.relative_residual <= usable * options_.tolerance) return result;
+    } catch (const NumericError&) {
+      // Broken down, or not positive definite after all.
+    }
+    if (!fallback_) {
+      LinearOptions options = options_;
+      options.solver = direct;
+      fallback_ = make_linear_solver(options, threads_);
+    }
+    fallback_->set_matrix(*matrix_, false);
+    factorised_ = true;
+    return fallback_->solve(rhs, columns, x);
   }
 
  private:
+  static constexpr std::string_view direct = "direct";
+
   LinearOptions options_;
   int threads_;
+  const SparseMatrix* matrix_ = nullptr;
+  std::unique_ptr<LinearSolver> fallback_;  // made when first needed
+  bool factorised_ = false;                 // the fallback has the present matrix
   std::unique_ptr<LinearSolver> chosen_;
 };
 
@@ -42,7 +68,7 @@ class AutomaticSolver final : public LinearSolver {
 std::string_view suitable_solver(const SparseMatrix& matrix) {
   // Unknowns up to which a factorisation is the faster, as measured by bench/linear_bench. Three
   // unknowns a row are those of a mesh in space, where factors fill in much more.
-  constexpr Index cholesky_limit = 20'000, cholesky_limit_in_space = 5'000, lu_limit = 400'000;
+  constexpr Index cholesky_limit = 10'000, cholesky_limit_in_space = 5'000, lu_limit = 400'000;
   if (!matrix.symmetric) return matrix.rows() <= lu_limit ? "direct" : "gmres";
   const Index limit = matrix.block < 3 ? cholesky_limit : cholesky_limit_in_space;
   return matrix.rows() <= limit ? "direct" : "multigrid";
