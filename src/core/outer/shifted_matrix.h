@@ -16,8 +16,8 @@ void shift_diagonal(SparseMatrix& matrix, double share);
 /// Throws NotPositiveDefinite if even a share of one does not help.
 void set_shifted_matrix(LinearSolver& solver, SparseMatrix& matrix);
 
-/// The same, and solves for one right-hand side: an iterative solver finds out only then. `solution`
-/// is written from zero on.
+/// The same, and solves for one right-hand side: an iterative solver finds out only then.
+/// `solution` is written from zero on.
 LinearResult solve_shifted(LinearSolver& solver, SparseMatrix& matrix, std::span<const double> rhs,
                            std::span<double> solution);
 
