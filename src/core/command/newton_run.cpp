@@ -28,17 +28,31 @@ void NewtonRun::smooth(Coordinates& x, double fraction, const Coordinates* refer
   if (untangle(x, fraction, reference)) converge(x, fraction);
 }
 
+/// Back to the solution, near enough to follow the path from there. False if it is not found.
+bool NewtonRun::settle(Coordinates& x, double fraction) {
+  constexpr int limit = 25;
+  constexpr double settled = 1e-4;
+  relax(x, fraction);
+  const IterationRecord last =
+      recorder_.iterate(newton(), x, Stage::newton, fraction, limit,
+                        [](const IterationRecord& record) { return record.residual < settled; });
+  return last.residual < settled;
+}
+
 void NewtonRun::follow(const Motion& motion, const Coordinates& rest, Coordinates& x) {
   if (!untangle(x, 0, nullptr)) return;
   approach(x, 0);
   SteadySolver& solver = newton();
+  double min_sine = 1;
   const auto accept = [&](const IterationRecord& record, const Coordinates& at) {
     recorder_.report(record, at, Stage::path, record.fraction, true);
-    return recorder_.remaining() > 0;
+    min_sine = record.min_sine;
+    return recorder_.remaining() > 0 && !strained(at);
   };
   // Where the path is lost, the way back to it is Newton's method with the boundary held; then it
-  // goes on from there. Only where that gains nothing, twice, is the motion blocked.
-  constexpr double worthwhile = 1e-5;
+  // goes on from there. Only where that gains nothing, twice, is the motion blocked. Pressed
+  // against a wall it could go on for ever, in steps that are worth less and less.
+  constexpr double pressed = 0.01, worthwhile = 1e-5, worthwhile_pressed = 5e-3;
   PathOptions options;
   double reached = 0;
   for (int failures = 0; reached < 1 && failures < 2 && recorder_.remaining() > 0;) {
@@ -48,10 +62,10 @@ void NewtonRun::follow(const Motion& motion, const Coordinates& rest, Coordinate
                   .follow(motion, rest, reached, x, accept);
     recorder_.result().linear_solves += solver.linear_solves() - before;
     if (reached >= 1) break;
-    failures = reached - last > worthwhile ? 0 : failures + 1;
+    const double least = min_sine < pressed ? worthwhile_pressed : worthwhile;
+    failures = reached - last > least ? 0 : failures + 1;
     Coordinates end_of_path = x;
-    converge(x, reached);
-    if (!recorder_.result().converged && !insists()) {
+    if (!settle(x, reached) && !insists()) {
       x = std::move(end_of_path);
       recorder_.iterate(solver, x, Stage::newton, reached, 0);
       break;

@@ -33,6 +33,8 @@ class NewtonRun {
   virtual const LinearSolver& linear() = 0;  ///< that newton() uses
   /// Before Newton's method, from a valid mesh that may be far from the solution.
   virtual void relax(Coordinates& /*x*/, double /*fraction*/) {}
+  /// Whether a mesh on the path has left the range that relax() made Newton's method fit for.
+  virtual bool strained(const Coordinates& /*x*/) { return false; }
   /// Whether to go on from a lost path to which Newton's method does not lead back.
   virtual bool insists() const { return true; }
 
@@ -45,6 +47,7 @@ class NewtonRun {
  private:
   bool untangle(Coordinates& x, double fraction, const Coordinates* reference);
   void approach(Coordinates& x, double fraction);
+  bool settle(Coordinates& x, double fraction);
   void converge(Coordinates& x, double fraction);
 
   const MeshState& state_;
