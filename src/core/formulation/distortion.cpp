@@ -52,25 +52,26 @@ struct Scaling {
   }
 };
 
-/// Rank-one part lambda q q^T: its two off-diagonal blocks in row i. m: eigenvector over J.
-void add_rank_one(double lambda, const Matrix2& m, const Matrix2& root, RowTerm& out) {
+/// Rank-one part lambda q q^T. m: eigenvector over J.
+void add_rank_one(double lambda, const Matrix2& m, const Matrix2& root, TriangleTerm& out) {
   if (!(lambda > 0)) return;
   // <m, dJ> = <m, [du dv] root> = <m root^T, [du dv]>: one vector for each edge.
   const Matrix2 q = times_transposed(m, root);
-  const Vector qj{q.a, q.c}, qk{q.b, q.d}, qi{-q.a - q.b, -q.c - q.d};
-  out.ij +=
-      {lambda * qi.x * qj.x, lambda * qi.x * qj.y, lambda * qi.y * qj.x, lambda * qi.y * qj.y};
-  out.ik +=
-      {lambda * qi.x * qk.x, lambda * qi.x * qk.y, lambda * qi.y * qk.x, lambda * qi.y * qk.y};
+  const Vector b{q.a, q.c}, c{q.b, q.d}, a{-q.a - q.b, -q.c - q.d};
+  const auto outer = [lambda](const Vector& v, const Vector& w) {
+    return Block{lambda * v.x * w.x, lambda * v.x * w.y, lambda * v.y * w.x, lambda * v.y * w.y};
+  };
+  out.ab += outer(a, b);
+  out.ac += outer(a, c);
+  out.bc += outer(b, c);
 }
 
 }  // namespace
 
-RowTerm projected_row_term(const Corner2& q, const Form& c, double weight,
-                           const PenaltyFunction& psi) {
-  RowTerm out = row_term(q, c, weight, psi, {q.d, 1}, 0);
-  out.ij = {};
-  out.ik = {};
+TriangleTerm projected_triangle_term(const Corner2& q, const Form& c, double weight,
+                                     const PenaltyFunction& psi) {
+  TriangleTerm out = triangle_term(q, c, weight, psi, {q.d, 1}, 0);
+  out.ab = out.ac = out.bc = {};
   // The metric over the edges (u, v) is A = root root^T: J = [u v] root.
   const double a11 = c.ij + c.jk, a12 = -c.jk, a22 = c.ik + c.jk;
   const double r11 = std::sqrt(a11), r21 = a12 / r11, r22 = std::sqrt(a22 - r21 * r21);

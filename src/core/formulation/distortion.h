@@ -39,9 +39,6 @@ struct Corner2 {
         vy(xk[1] - xi[1]),
         d(ux * vy - uy * vx) {}
 
-  /// |u| + |v|.
-  double edges() const { return std::sqrt(ux * ux + uy * uy) + std::sqrt(vx * vx + vy * vy); }
-
   double form(const Form& c) const {
     const double wx = vx - ux, wy = vy - uy;
     return c.ij * (ux * ux + uy * uy) + c.ik * (vx * vx + vy * vy) + c.jk * (wx * wx + wy * wy);
@@ -118,55 +115,61 @@ struct Block {
   }
 };
 
-/// Row i of one term: gradient and the two off-diagonal blocks, weight and power included. The
-/// diagonal block is minus their sum.
-struct RowTerm {
+/// One term of the triangle (a, b, c): gradient at its corners and the off-diagonal blocks of its
+/// Hessian, weight and power included. The others are their transposes; blocks of a row sum to
+/// zero.
+struct TriangleTerm {
   double value;
-  Vector gradient;
-  Block ij, ik;
+  Vector a, b, c;
+  Block ab, ac, bc;
 };
 
 /// curvature_share: of the term -f S in the Hessian: 1 for the exact one, 0 for the part that is
 /// convex by construction (f is quadratic over linear in the edges and in d).
-inline RowTerm row_term(const Corner2& q, const Form& c, double weight, const PenaltyFunction& psi,
-                        const Determinant& chi, double curvature_share) {
+inline TriangleTerm triangle_term(const Corner2& q, const Form& c, double weight,
+                                  const PenaltyFunction& psi, const Determinant& chi,
+                                  double curvature_share) {
   const double inverse = 1 / chi.value;
   const double f = 0.5 * q.form(c) * inverse;
   const Penalty h = psi(f);
   const double wx = q.vx - q.ux, wy = q.vy - q.uy;
   // D times the slope of chi: gradient of chi.
-  const Vector Di{-chi.slope * wy, chi.slope * wx};
-  const Vector Dj{chi.slope * q.vy, -chi.slope * q.vx};
-  const Vector Dk{-chi.slope * q.uy, chi.slope * q.ux};
-  const Vector gj{(c.ij * q.ux - c.jk * wx - f * Dj.x) * inverse,
-                  (c.ij * q.uy - c.jk * wy - f * Dj.y) * inverse};
-  const Vector gk{(c.ik * q.vx + c.jk * wx - f * Dk.x) * inverse,
-                  (c.ik * q.vy + c.jk * wy - f * Dk.y) * inverse};
-  const Vector gi{-gj.x - gk.x, -gj.y - gk.y};
-  const double first = weight * h.slope * inverse;
+  const Vector Da{-chi.slope * wy, chi.slope * wx};
+  const Vector Db{chi.slope * q.vy, -chi.slope * q.vx};
+  const Vector Dc{-chi.slope * q.uy, chi.slope * q.ux};
+  const Vector gb{(c.ij * q.ux - c.jk * wx - f * Db.x) * inverse,
+                  (c.ij * q.uy - c.jk * wy - f * Db.y) * inverse};
+  const Vector gc{(c.ik * q.vx + c.jk * wx - f * Dc.x) * inverse,
+                  (c.ik * q.vy + c.jk * wy - f * Dc.y) * inverse};
+  const Vector ga{-gb.x - gc.x, -gb.y - gc.y};
+  const double slope = weight * h.slope;
+  const double first = slope * inverse;
   const double second = weight * h.curvature;
   const double s = first * curvature_share * f;
-  const auto block = [&](double l, double sij, const Vector& gb, const Vector& Db) {
-    return Block{first * (l - (gi.x * Db.x + Di.x * gb.x)) + second * gi.x * gb.x,
-                 first * -(gi.x * Db.y + Di.x * gb.y) + second * gi.x * gb.y - sij,
-                 first * -(gi.y * Db.x + Di.y * gb.x) + second * gi.y * gb.x + sij,
-                 first * (l - (gi.y * Db.y + Di.y * gb.y)) + second * gi.y * gb.y};
+  const auto block = [&](double l, double sij, const Vector& g, const Vector& D, const Vector& k,
+                         const Vector& E) {
+    return Block{first * (l - (g.x * E.x + D.x * k.x)) + second * g.x * k.x,
+                 first * -(g.x * E.y + D.x * k.y) + second * g.x * k.y - sij,
+                 first * -(g.y * E.x + D.y * k.x) + second * g.y * k.x + sij,
+                 first * (l - (g.y * E.y + D.y * k.y)) + second * g.y * k.y};
   };
-  const double slope = weight * h.slope;
   return {weight * h.value,
-          {slope * gi.x, slope * gi.y},
-          block(-c.ij, s, gj, Dj),
-          block(-c.ik, -s, gk, Dk)};
+          {slope * ga.x, slope * ga.y},
+          {slope * gb.x, slope * gb.y},
+          {slope * gc.x, slope * gc.y},
+          block(-c.ij, s, ga, Da, gb, Db),
+          block(-c.ik, -s, ga, Da, gc, Dc),
+          block(-c.jk, s, gb, Db, gc, Dc)};
 }
 
-/// Row i of a term with its Hessian projected to positive semidefinite, in closed form.
+/// A term with its Hessian projected to positive semidefinite, in closed form.
 ///
 /// psi(f) depends on the singular values s1 >= s2 of J alone, so the eigenvectors of its Hessian
 /// over J are known (B. Smith, F. de Goes, T. Kim, "Analytic Eigensystems for Isotropic Distortion
 /// Energies", ACM TOG 38(1), 2019): a twist (eigenvalue (psi_1 + psi_2) / (s1 + s2), never positive
 /// here), a flip ((psi_1 - psi_2) / (s1 - s2), always positive) and two scalings, of which
 /// exactly one is positive because psi does not change with size.
-RowTerm projected_row_term(const Corner2& q, const Form& c, double weight,
-                           const PenaltyFunction& psi);
+TriangleTerm projected_triangle_term(const Corner2& q, const Form& c, double weight,
+                                     const PenaltyFunction& psi);
 
 }  // namespace winslow::distortion

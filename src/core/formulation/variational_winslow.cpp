@@ -1,7 +1,9 @@
 #include "core/formulation/variational_winslow.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/formulation/distortion.h"
 #include "core/parallel/parallel_for.h"
@@ -13,8 +15,10 @@ namespace {
 using distortion::Block;
 using distortion::Corner2;
 using distortion::Determinant;
+using distortion::Form;
 using distortion::PenaltyFunction;
-using distortion::RowTerm;
+using distortion::TriangleTerm;
+using distortion::Vector;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
@@ -43,20 +47,66 @@ struct NormSum {
   }
 };
 
+Block transposed(const Block& b) { return {b.xx, b.yx, b.xy, b.yy}; }
+
+void accumulate(Vector& sum, const Vector& v) {
+  sum.x += v.x;
+  sum.y += v.y;
+}
+
+std::vector<Index> make_row_of_node(const Topology& topology) {
+  std::vector<Index> row(at(topology.node_count()), -1);
+  const auto free = topology.free_nodes();
+  for (std::size_t i = 0; i < free.size(); ++i) row[at(free[i])] = static_cast<Index>(i);
+  return row;
+}
+
+}  // namespace
+
+/// All terms of one triangle (a, b, c), and the lengths of its edges.
+struct VariationalWinslow::TriangleSum {
+  std::array<Vector, 3> gradient;
+  Block ab, ac, bc;
+  double length_ab, length_ac, length_bc;
+
+  void add(const TriangleTerm& term) {
+    accumulate(gradient[0], term.a);
+    accumulate(gradient[1], term.b);
+    accumulate(gradient[2], term.c);
+    ab += term.ab;
+    ac += term.ac;
+    bc += term.bc;
+  }
+  /// The triangle as its corner `local` sees it: blocks towards the next corner and the one after.
+  std::pair<Block, Block> row(Index local) const {
+    if (local == 0) return {ab, ac};
+    if (local == 1) return {bc, transposed(ab)};
+    return {transposed(ac), transposed(bc)};
+  }
+  double edges(Index local) const {
+    if (local == 0) return length_ab + length_ac;
+    return local == 1 ? length_ab + length_bc : length_ac + length_bc;
+  }
+};
+
+namespace {
+
 /// One row as it is summed up.
 struct RowSum {
   double gx = 0, gy = 0;
   Block diagonal;
-  double edges = 0;  // sum of |u| + |v|
+  double edges = 0;  // sum of the two at the node, over its triangles
   int triangles = 0;
 
-  void add(const RowTerm& term) {
-    gx += term.gradient.x;
-    gy += term.gradient.y;
-    diagonal.xx -= term.ij.xx + term.ik.xx;
-    diagonal.xy -= term.ij.xy + term.ik.xy;
-    diagonal.yx -= term.ij.yx + term.ik.yx;
-    diagonal.yy -= term.ij.yy + term.ik.yy;
+  void add(const Vector& gradient, const Block& ij, const Block& ik, double lengths) {
+    gx += gradient.x;
+    gy += gradient.y;
+    diagonal.xx -= ij.xx + ik.xx;
+    diagonal.xy -= ij.xy + ik.xy;
+    diagonal.yx -= ij.yx + ik.yx;
+    diagonal.yy -= ij.yy + ik.yy;
+    edges += lengths;
+    ++triangles;
   }
   /// Distance by which the node alone would move, over the mean edge.
   double scaled() const {
@@ -76,79 +126,44 @@ VariationalWinslow::VariationalWinslow(std::shared_ptr<const Topology> topology,
       shapes_(std::move(shapes)),
       penalty_(penalty),
       threads_(threads),
-      row_of_node_(at(topology_->node_count()), -1) {
-  const auto free = topology_->free_nodes();
-  for (std::size_t i = 0; i < free.size(); ++i) row_of_node_[at(free[i])] = static_cast<Index>(i);
-  build_incidences();
-}
+      row_of_node_(make_row_of_node(*topology_)),
+      rows_(shapes_.triangles, row_of_node_, static_cast<Index>(topology_->free_nodes().size())) {}
 
-void VariationalWinslow::build_incidences() {
-  const auto rows = topology_->free_nodes().size();
-  incidence_offsets_.assign(rows + 1, 0);
-  for (const auto& nodes : shapes_.triangles) {
-    for (const Index node : nodes) {
-      if (const Index row = row_of_node_[at(node)]; row >= 0) ++incidence_offsets_[at(row) + 1];
-    }
-  }
-  for (std::size_t i = 0; i < rows; ++i) incidence_offsets_[i + 1] += incidence_offsets_[i];
-  incidences_.resize(at(incidence_offsets_[rows]));
-  std::vector<Index> next(incidence_offsets_.begin(), incidence_offsets_.end() - 1);
-  for (std::size_t t = 0; t < shapes_.triangles.size(); ++t) {
-    const auto& nodes = shapes_.triangles[t];
-    for (std::size_t l = 0; l < 3; ++l) {
-      const Index row = row_of_node_[at(nodes[l])];
-      if (row < 0) continue;
-      incidences_[at(next[at(row)]++)] = {static_cast<Index>(t),
-                                          static_cast<Index>(l),
-                                          nodes[(l + 1) % 3],
-                                          nodes[(l + 2) % 3],
-                                          -1,
-                                          -1};
-    }
-  }
-  auto pattern = std::make_shared<SparsityPattern>();
-  std::vector<Index> columns;
-  for (std::size_t i = 0; i < rows; ++i) {
-    const auto begin = incidences_.begin() + incidence_offsets_[i];
-    const auto end = incidences_.begin() + incidence_offsets_[i + 1];
-    columns.assign(1, static_cast<Index>(i));
-    for (auto it = begin; it != end; ++it) {
-      for (const Index node : {it->j, it->k}) {
-        if (const Index row = row_of_node_[at(node)]; row >= 0) columns.push_back(row);
-      }
-    }
-    std::sort(columns.begin(), columns.end());
-    columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
-    const auto slot = [&](Index row) {
-      if (row < 0) return Index{-1};
-      return pattern->offsets.back() +
-             static_cast<Index>(std::lower_bound(columns.begin(), columns.end(), row) -
-                                columns.begin());
-    };
-    for (auto it = begin; it != end; ++it) {
-      it->slot_j = slot(row_of_node_[at(it->j)]);
-      it->slot_k = slot(row_of_node_[at(it->k)]);
-    }
-    pattern->diagonal.push_back(slot(static_cast<Index>(i)));
-    pattern->columns.insert(pattern->columns.end(), columns.begin(), columns.end());
-    pattern->offsets.push_back(static_cast<Index>(pattern->columns.size()));
-  }
-  pattern_ = std::move(pattern);
-}
-
-/// visit(block, row, node, incidences of the row), blocks of rows in parallel.
+/// visit(part, block, first and last position of the block's rows, memory to work in), blocks in
+/// parallel; a part is what one sum of norms covers.
 template <typename Visit>
-void VariationalWinslow::for_each_row(Visit&& visit) const {
-  const auto free = topology_->free_nodes();
-  parallel_for(threads_, static_cast<Index>(free.size()), [&](Index begin, Index end) {
-    const auto block = at(begin / parallel_block);
-    for (Index i = begin; i < end; ++i) {
-      const auto first = at(incidence_offsets_[at(i)]);
-      const auto count = at(incidence_offsets_[at(i) + 1]) - first;
-      visit(block, at(i), free[at(i)],
-            std::span<const Incidence>(incidences_.data() + first, count));
+void VariationalWinslow::for_each_block(Visit&& visit) const {
+  static_assert(parallel_block % RowBlocks::rows_per_block == 0);
+  parallel_for(threads_, rows_.rows(), [&](Index begin, Index end) {
+    TriangleSums memory;
+    for (Index first = begin; first < end; first += RowBlocks::rows_per_block) {
+      visit(at(begin / parallel_block), first / RowBlocks::rows_per_block, first,
+            std::min(end, first + RowBlocks::rows_per_block), memory);
     }
   });
+}
+
+/// term(triangle, its edges and determinant, target's form, weight) gives a TriangleTerm.
+template <typename Term>
+void VariationalWinslow::sum_triangles(Index block, const Coordinates& x, const Term& term,
+                                       TriangleSums& out) const {
+  const auto triangles = rows_.triangles(block);
+  out.resize(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const Index t = triangles[i];
+    const auto& nodes = shapes_.triangles[at(t)];
+    const Corner2 q(x.point(nodes[0]), x.point(nodes[1]), x.point(nodes[2]));
+    TriangleSum& sum = out[i];
+    sum = {};
+    for (Index k = shapes_.offsets[at(t)]; k < shapes_.offsets[at(t) + 1]; ++k) {
+      const ShapeTerm& shape = shapes_.terms[at(k)];
+      sum.add(term(t, q, distortion::form_at(shape, 0), shape.weight));
+    }
+    const double wx = q.vx - q.ux, wy = q.vy - q.uy;
+    sum.length_ab = std::sqrt(q.ux * q.ux + q.uy * q.uy);
+    sum.length_ac = std::sqrt(q.vx * q.vx + q.vy * q.vy);
+    sum.length_bc = std::sqrt(wx * wx + wy * wy);
+  }
 }
 
 double VariationalWinslow::energy(const Coordinates& x,
@@ -198,80 +213,78 @@ double VariationalWinslow::worst_distortion(const Coordinates& x) const {
 ResidualNorms VariationalWinslow::residual(const Coordinates& x, bool,
                                            std::span<double> out) const {
   const PenaltyFunction psi(penalty_.exponent, penalty_.knee);
-  std::vector<NormSum> norms(block_count(static_cast<Index>(topology_->free_nodes().size())));
-  for_each_row(
-      [&](std::size_t block, std::size_t row, Index node, std::span<const Incidence> incidences) {
-        RowSum sum;
-        for (const Incidence& in : incidences) {
-          const Corner2 q(x.point(node), x.point(in.j), x.point(in.k));
-          for (Index k = shapes_.offsets[at(in.triangle)]; k < shapes_.offsets[at(in.triangle) + 1];
-               ++k) {
-            const ShapeTerm& term = shapes_.terms[at(k)];
-            sum.add(distortion::row_term(q, distortion::form_at(term, in.local), term.weight, psi,
-                                         {q.d, 1}, 0));
-          }
-          sum.edges += q.edges();
-          ++sum.triangles;
-        }
-        norms[block].add(sum.scaled());
-        if (!out.empty()) {
-          out[2 * row] = -sum.gx;
-          out[2 * row + 1] = -sum.gy;
-        }
-      });
+  std::vector<NormSum> norms(block_count(rows_.rows()));
+  for_each_block([&](std::size_t part, Index block, Index first, Index last, TriangleSums& sums) {
+    sum_triangles(
+        block, x,
+        [&](Index, const Corner2& q, const Form& form, double weight) {
+          return distortion::triangle_term(q, form, weight, psi, {q.d, 1}, 0);
+        },
+        sums);
+    for (Index p = first; p < last; ++p) {
+      RowSum sum;
+      for (const RowBlocks::Incidence& in : rows_.incidences(p)) {
+        const TriangleSum& triangle = sums[at(in.triangle)];
+        const auto [ij, ik] = triangle.row(in.local);
+        sum.add(triangle.gradient[at(in.local)], ij, ik, triangle.edges(in.local));
+      }
+      norms[part].add(sum.scaled());
+      if (out.empty()) continue;
+      out[2 * at(rows_.row(p))] = -sum.gx;
+      out[2 * at(rows_.row(p)) + 1] = -sum.gy;
+    }
+  });
   return NormSum::total(norms);
 }
 
 ResidualNorms VariationalWinslow::linearise(const Coordinates& x, Curvature curvature,
                                             SparseMatrix& out, std::span<double> residual,
                                             const Regularisation* regularisation) const {
-  out.pattern = pattern_;
+  const SparsityPattern& pattern = *rows_.pattern();
+  out.pattern = rows_.pattern();
   out.block = 2;
   out.symmetric = true;
-  out.values.resize(4 * pattern_->columns.size());
-  std::vector<NormSum> norms(block_count(static_cast<Index>(topology_->free_nodes().size())));
+  out.values.resize(4 * pattern.columns.size());
+  std::vector<NormSum> norms(block_count(rows_.rows()));
   const PenaltyFunction psi(penalty_.exponent, penalty_.knee);
   const bool project = curvature == Curvature::projected && !regularisation;
-  const double share = regularisation ? 0.0 : 1.0;
-  for_each_row([&](std::size_t block, std::size_t row, Index node,
-                   std::span<const Incidence> incidences) {
-    double* values = out.values.data();
-    std::fill(values + 4 * pattern_->offsets[row], values + 4 * pattern_->offsets[row + 1], 0.0);
-    const auto add = [&](Index slot, const Block& b) {
-      if (slot < 0) return;
-      double* v = values + 4 * slot;
-      v[0] += b.xx;
-      v[1] += b.xy;
-      v[2] += b.yx;
-      v[3] += b.yy;
-    };
-    RowSum sum;
-    for (const Incidence& in : incidences) {
-      const Corner2 q(x.point(node), x.point(in.j), x.point(in.k));
-      Determinant chi{q.d, 1};
-      if (regularisation) {
-        chi = distortion::regularised(
-            q.d, regularisation->epsilon * regularisation->size[at(in.triangle)]);
+  const auto term = [&](Index t, const Corner2& q, const Form& form, double weight) {
+    if (project) return distortion::projected_triangle_term(q, form, weight, psi);
+    if (!regularisation) return distortion::triangle_term(q, form, weight, psi, {q.d, 1}, 1);
+    const Determinant chi =
+        distortion::regularised(q.d, regularisation->epsilon * regularisation->size[at(t)]);
+    return distortion::triangle_term(q, form, weight, psi, chi, 0);
+  };
+  double* values = out.values.data();
+  const auto add = [values](Index slot, const Block& b) {
+    if (slot < 0) return;
+    double* v = values + 4 * static_cast<std::ptrdiff_t>(slot);
+    v[0] += b.xx;
+    v[1] += b.xy;
+    v[2] += b.yx;
+    v[3] += b.yy;
+  };
+  for_each_block([&](std::size_t part, Index block, Index first, Index last, TriangleSums& sums) {
+    sum_triangles(block, x, term, sums);
+    for (Index p = first; p < last; ++p) {
+      const std::size_t row = at(rows_.row(p));
+      std::fill(values + 4 * static_cast<std::ptrdiff_t>(pattern.offsets[row]),
+                values + 4 * static_cast<std::ptrdiff_t>(pattern.offsets[row + 1]), 0.0);
+      RowSum sum;
+      for (const RowBlocks::Incidence& in : rows_.incidences(p)) {
+        const TriangleSum& triangle = sums[at(in.triangle)];
+        const auto [ij, ik] = triangle.row(in.local);
+        sum.add(triangle.gradient[at(in.local)], ij, ik, triangle.edges(in.local));
+        add(in.slot_j, ij);
+        add(in.slot_k, ik);
       }
-      for (Index k = shapes_.offsets[at(in.triangle)]; k < shapes_.offsets[at(in.triangle) + 1];
-           ++k) {
-        const ShapeTerm& term = shapes_.terms[at(k)];
-        const distortion::Form form = distortion::form_at(term, in.local);
-        const RowTerm r = project ? distortion::projected_row_term(q, form, term.weight, psi)
-                                  : distortion::row_term(q, form, term.weight, psi, chi, share);
-        sum.add(r);
-        add(in.slot_j, r.ij);
-        add(in.slot_k, r.ik);
-      }
-      sum.edges += q.edges();
-      ++sum.triangles;
+      // Its parts are rounded apart: make the diagonal symmetric.
+      sum.diagonal.xy = sum.diagonal.yx = 0.5 * (sum.diagonal.xy + sum.diagonal.yx);
+      add(pattern.diagonal[row], sum.diagonal);
+      norms[part].add(sum.scaled());
+      residual[2 * row] = -sum.gx;
+      residual[2 * row + 1] = -sum.gy;
     }
-    // The blocks of one row are rounded apart from those of the other: make the diagonal symmetric.
-    sum.diagonal.xy = sum.diagonal.yx = 0.5 * (sum.diagonal.xy + sum.diagonal.yx);
-    add(pattern_->diagonal[row], sum.diagonal);
-    norms[block].add(sum.scaled());
-    residual[2 * row] = -sum.gx;
-    residual[2 * row + 1] = -sum.gy;
   });
   return NormSum::total(norms);
 }
@@ -279,29 +292,32 @@ ResidualNorms VariationalWinslow::linearise(const Coordinates& x, Curvature curv
 void VariationalWinslow::boundary_response(const Coordinates& x, const Coordinates& displacement,
                                            std::span<double> out) const {
   const PenaltyFunction psi(penalty_.exponent, penalty_.knee);
-  for_each_row(
-      [&](std::size_t, std::size_t row, Index node, std::span<const Incidence> incidences) {
-        double rx = 0, ry = 0;
-        for (const Incidence& in : incidences) {
-          if (in.slot_j >= 0 && in.slot_k >= 0) continue;
-          const Corner2 q(x.point(node), x.point(in.j), x.point(in.k));
-          for (Index k = shapes_.offsets[at(in.triangle)]; k < shapes_.offsets[at(in.triangle) + 1];
-               ++k) {
-            const ShapeTerm& term = shapes_.terms[at(k)];
-            const RowTerm r = distortion::row_term(q, distortion::form_at(term, in.local),
-                                                   term.weight, psi, {q.d, 1}, 1);
-            const auto subtract = [&](const Block& b, Index moved) {
-              const double* m = displacement.point(moved);
-              rx -= b.xx * m[0] + b.xy * m[1];
-              ry -= b.yx * m[0] + b.yy * m[1];
-            };
-            if (in.slot_j < 0) subtract(r.ij, in.j);
-            if (in.slot_k < 0) subtract(r.ik, in.k);
-          }
-        }
-        out[2 * row] = rx;
-        out[2 * row + 1] = ry;
-      });
+  for_each_block([&](std::size_t, Index block, Index first, Index last, TriangleSums& sums) {
+    const auto triangles = rows_.triangles(block);
+    sum_triangles(
+        block, x,
+        [&](Index, const Corner2& q, const Form& form, double weight) {
+          return distortion::triangle_term(q, form, weight, psi, {q.d, 1}, 1);
+        },
+        sums);
+    for (Index p = first; p < last; ++p) {
+      double rx = 0, ry = 0;
+      for (const RowBlocks::Incidence& in : rows_.incidences(p)) {
+        if (in.slot_j >= 0 && in.slot_k >= 0) continue;
+        const auto& nodes = shapes_.triangles[at(triangles[at(in.triangle)])];
+        const auto [ij, ik] = sums[at(in.triangle)].row(in.local);
+        const auto subtract = [&](const Block& b, Index step) {
+          const double* m = displacement.point(nodes[at((in.local + step) % 3)]);
+          rx -= b.xx * m[0] + b.xy * m[1];
+          ry -= b.yx * m[0] + b.yy * m[1];
+        };
+        if (in.slot_j < 0) subtract(ij, 1);
+        if (in.slot_k < 0) subtract(ik, 2);
+      }
+      out[2 * at(rows_.row(p))] = rx;
+      out[2 * at(rows_.row(p)) + 1] = ry;
+    }
+  });
 }
 
 }  // namespace winslow

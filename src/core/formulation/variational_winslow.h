@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/formulation/formulation.h"
+#include "core/formulation/row_blocks.h"
 #include "core/formulation/target_shapes.h"
 #include "core/linear/sparse_system.h"
 
@@ -74,26 +75,20 @@ class VariationalWinslow final : public Formulation {
   int threads() const { return threads_; }
 
  private:
-  /// One triangle as a free node sees it: the node first, the others counter-clockwise.
-  struct Incidence {
-    Index triangle;
-    Index local;           // place of the node in the triangle
-    Index j, k;            // the other two nodes
-    Index slot_j, slot_k;  // entries of the matrix, -1 for constrained nodes
-  };
+  struct TriangleSum;
+  using TriangleSums = std::vector<TriangleSum>;
 
-  void build_incidences();
+  template <typename Term>
+  void sum_triangles(Index block, const Coordinates& x, const Term& term, TriangleSums& out) const;
   template <typename Visit>
-  void for_each_row(Visit&& visit) const;
+  void for_each_block(Visit&& visit) const;
 
   std::shared_ptr<const Topology> topology_;
   TargetShapes shapes_;
   PenaltyOptions penalty_;
   int threads_;
-  std::shared_ptr<const SparsityPattern> pattern_;
   std::vector<Index> row_of_node_;
-  std::vector<Index> incidence_offsets_;
-  std::vector<Incidence> incidences_;
+  RowBlocks rows_;
 };
 
 }  // namespace winslow

@@ -183,11 +183,11 @@ TEST_CASE("a triangle's projected Hessian is its Hessian without the negative ei
       for (std::size_t i = 0; i < 3; ++i) {
         const distortion::Corner2 at_i(corner[i].data(), corner[(i + 1) % 3].data(),
                                        corner[(i + 2) % 3].data());
-        const distortion::RowTerm row =
-            project ? distortion::projected_row_term(at_i, forms[i], 1, psi)
-                    : distortion::row_term(at_i, forms[i], 1, psi, {at_i.d, 1}, 1);
-        first[i] = row.ij;
-        second[i] = row.ik;
+        const distortion::TriangleTerm row =
+            project ? distortion::projected_triangle_term(at_i, forms[i], 1, psi)
+                    : distortion::triangle_term(at_i, forms[i], 1, psi, {at_i.d, 1}, 1);
+        first[i] = row.ab;
+        second[i] = row.ac;
       }
       const auto set = [&](int r, int c, const distortion::Block& b) {
         out(r, c) = b.xx;
