@@ -9,7 +9,7 @@ namespace winslow {
 
 /// How a path is followed. The defaults need no touch.
 struct PathOptions {
-  double first_step = 0.1;        ///< share of the motion tried first
+  double first_step = 0.2;        ///< share of the motion tried first
   double smallest_step = 1e-5;    ///< share of the motion below which the path counts as blocked
   double growth = 1.5;            ///< of the step after an easy one
   int most_corrections = 4;       ///< Newton steps after each prediction
