@@ -57,4 +57,9 @@ function(winslow_tests name)
                           WINSLOW_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data")
   winslow_compile_options(${name}_tests)
   add_test(NAME ${name} COMMAND ${name}_tests)
+  if(WINSLOW_SANITIZE STREQUAL "thread")
+    set_tests_properties(
+      ${name} PROPERTIES ENVIRONMENT
+                         "TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/support/tsan.supp")
+  endif()
 endfunction()
