@@ -58,8 +58,7 @@ function(winslow_tests name)
   winslow_compile_options(${name}_tests)
   add_test(NAME ${name} COMMAND ${name}_tests)
   if(WINSLOW_SANITIZE STREQUAL "thread")
-    set_tests_properties(
-      ${name} PROPERTIES ENVIRONMENT
-                         "TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/support/tsan.supp")
+    # CHOLMOD asks for OpenMP threads whose runtime is not instrumented: its barriers look like races.
+    set_tests_properties(${name} PROPERTIES ENVIRONMENT "OMP_THREAD_LIMIT=1")
   endif()
 endfunction()

@@ -74,6 +74,7 @@ void NewtonRun::follow(const Motion& motion, const Coordinates& rest, Coordinate
     options.greedy = failures > 0;
   }
   if (reached >= 1) converge(x, reached);
+  recorder_.result().linear_solver = linear().description();
 }
 
 void NewtonRun::move_in_steps(const Motion& motion, const Coordinates& rest, int increments,

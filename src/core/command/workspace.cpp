@@ -82,6 +82,11 @@ EnergyNewton& SmoothingWorkspace::newton() {
   return *newton_;
 }
 
+SteadySolver& SmoothingWorkspace::steady_solver() {
+  if (options_.formulation == "variational") return newton();
+  return pointwise_newton();
+}
+
 PointwiseNewton& SmoothingWorkspace::pointwise_newton() {
   if (!pointwise_newton_) {
     pointwise_newton_ =

@@ -27,6 +27,8 @@ class SmoothingWorkspace {
   PicardSolver& picard();
   VariationalWinslow& energy();
   EnergyNewton& newton();
+  /// Newton's method on the formulation of the options.
+  SteadySolver& steady_solver();
   PointwiseNewton& pointwise_newton();
   /// For the variational form's symmetric systems.
   LinearSolver& symmetric_linear();

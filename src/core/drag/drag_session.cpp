@@ -171,9 +171,10 @@ class DragSession::Impl final : public SolverMonitor {
   }
 
   void publish(const RigidMotion& target, const Coordinates& x) {
-    auto prepared = std::make_shared<const Prepared>(Prepared{
-        DragPredictor(*state_.mesh.topology, workspace_.newton(), x, nodes_, options_.threads),
-        reached(target, x) ? target : fitted_pose(x), target});
+    auto prepared = std::make_shared<const Prepared>(
+        Prepared{DragPredictor(*state_.mesh.topology, workspace_.steady_solver(), x, nodes_,
+                               options_.threads),
+                 reached(target, x) ? target : fitted_pose(x), target});
     const std::lock_guard lock(mutex_);
     prepared_ = std::move(prepared);
     ++corrections_;

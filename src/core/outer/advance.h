@@ -12,4 +12,13 @@ namespace winslow {
 double advance(const Topology& topology, std::span<const double> direction, double step,
                Coordinates& x);
 
+/// Step that a line search from the valid mesh x begins with: `longest`, or 0.9 of the exact
+/// largest valid one where that is shorter.
+double first_valid_step(const Topology& topology, std::span<const double> direction, double longest,
+                        const Coordinates& x, int threads);
+
+/// Step to try after t has failed: the minimum of the parabola that falls by `slope` per unit at 0
+/// and lies `rise` above that line at t, but between 0.1 t and 0.5 t.
+double shorter_step(double t, double slope, double rise);
+
 }  // namespace winslow

@@ -7,7 +7,7 @@
 #include "core/outer/advance.h"
 #include "core/outer/round_off.h"
 #include "core/outer/shifted_matrix.h"
-#include "core/quality/valid_step.h"
+#include "core/quality/quality.h"
 
 namespace winslow {
 
@@ -113,13 +113,10 @@ double EnergyNewton::solve_for_direction(const Coordinates& x) {
 }
 
 bool EnergyNewton::search(Coordinates& x, double slope) {
-  constexpr double margin = 0.9;  // share of the largest valid step that is tried first
   constexpr double armijo = 1e-4;
   constexpr double flat = 1e-11;  // relative change of the energy that round-off can make
   constexpr int most_trials = 30;
-  Coordinates full = x;
-  advance(topology_, direction_, 1, full);
-  double t = std::min(1.0, margin * largest_valid_step(topology_, x, full, options_.threads));
+  double t = first_valid_step(topology_, direction_, 1, x, options_.threads);
   for (int trial = 0; trial < most_trials; ++trial) {
     Coordinates candidate = x;
     const double move = advance(topology_, direction_, t, candidate);
@@ -135,10 +132,7 @@ bool EnergyNewton::search(Coordinates& x, double slope) {
       record_.largest_move = move;
       return true;
     }
-    // Minimum of the parabola through the energy and slope here and the energy there.
-    const double rise = energy - energy_ + t * slope;
-    const double shorter = std::isfinite(rise) && rise > 0 ? 0.5 * slope * t * t / rise : 0;
-    t = std::clamp(shorter, 0.1 * t, 0.5 * t);
+    t = shorter_step(t, slope, energy - energy_ + t * slope);
   }
   return false;
 }

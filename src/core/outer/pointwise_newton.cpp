@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "core/outer/advance.h"
 #include "core/outer/round_off.h"
-#include "core/quality/valid_step.h"
+#include "core/quality/quality.h"
 
 namespace winslow {
 
@@ -87,16 +87,10 @@ double PointwiseNewton::merit(const Coordinates& x) {
 
 bool PointwiseNewton::search(Coordinates& x, std::span<const double> direction, double first,
                              double smallest) {
-  constexpr double margin = 0.9;  // share of the largest valid step that is tried first
   constexpr double armijo = 1e-4;
   const double here = merit(x);
   const bool valid = record_.inverted == 0;
-  double t = first;
-  if (valid) {
-    Coordinates full = x;
-    advance(topology_, direction, 1, full);
-    t = std::min(first, margin * largest_valid_step(topology_, x, full, options_.threads));
-  }
+  double t = valid ? first_valid_step(topology_, direction, first, x, options_.threads) : first;
   while (t >= smallest) {
     Coordinates candidate = x;
     const double move = advance(topology_, direction, t, candidate);
@@ -110,10 +104,7 @@ bool PointwiseNewton::search(Coordinates& x, std::span<const double> direction, 
       record_.largest_move = move;
       return true;
     }
-    // Minimum of the parabola through the merit and slope (-2 here) at 0 and the merit there.
-    const double rise = there - (1 - 2 * t) * here;
-    const double shorter = std::isfinite(rise) && rise > 0 ? here * t * t / rise : 0;
-    t = std::clamp(shorter, 0.1 * t, 0.5 * t);
+    t = shorter_step(t, 2 * here, there - (1 - 2 * t) * here);
   }
   return false;
 }
