@@ -1,12 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
+
+#include "core/index.h"
 
 namespace winslow {
-
-/// Index of a node, an element, or an entry of a compressed row.
-using Index = std::int32_t;
 
 /// A point or a vector of the plane.
 using Vec2 = Eigen::Vector2d;

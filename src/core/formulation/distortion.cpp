@@ -1,7 +1,5 @@
 #include "core/formulation/distortion.h"
 
-#include <algorithm>
-
 namespace winslow::distortion {
 
 namespace {
@@ -53,45 +51,47 @@ struct Scaling {
 };
 
 /// Rank-one part lambda q q^T. m: eigenvector over J.
-void add_rank_one(double lambda, const Matrix2& m, const Matrix2& root, TriangleTerm& out) {
+void add_rank_one(double lambda, const Matrix2& m, const Matrix2& root, double* blocks) {
   if (!(lambda > 0)) return;
   // <m, dJ> = <m, [du dv] root> = <m root^T, [du dv]>: one vector for each edge.
   const Matrix2 q = times_transposed(m, root);
-  const Vector b{q.a, q.c}, c{q.b, q.d}, a{-q.a - q.b, -q.c - q.d};
-  const auto outer = [lambda](const Vector& v, const Vector& w) {
-    return Block{lambda * v.x * w.x, lambda * v.x * w.y, lambda * v.y * w.x, lambda * v.y * w.y};
+  const double b[2] = {q.a, q.c}, c[2] = {q.b, q.d}, a[2] = {-q.a - q.b, -q.c - q.d};
+  const auto add_outer = [&](int place, const double* v, const double* w) {
+    double* block = blocks + place;
+    block[0] += lambda * v[0] * w[0];
+    block[1] += lambda * v[0] * w[1];
+    block[2] += lambda * v[1] * w[0];
+    block[3] += lambda * v[1] * w[1];
   };
-  out.ab += outer(a, b);
-  out.ac += outer(a, c);
-  out.bc += outer(b, c);
+  add_outer(TriangleSum::ab, a, b);
+  add_outer(TriangleSum::ac, a, c);
+  add_outer(TriangleSum::bc, b, c);
 }
 
 }  // namespace
 
-TriangleTerm projected_triangle_term(const Corner2& q, const Form& c, double weight,
-                                     const PenaltyFunction& psi) {
-  TriangleTerm out = triangle_term(q, c, weight, psi, {q.d, 1}, 0);
-  out.ab = out.ac = out.bc = {};
+void add_projected_blocks(const Corner2& q, const ShapeTerm& term, const PenaltyFunction& psi,
+                          double* blocks) {
   // The metric over the edges (u, v) is A = root root^T: J = [u v] root.
-  const double a11 = c.ij + c.jk, a12 = -c.jk, a22 = c.ik + c.jk;
+  const double a11 = term.ab + term.bc, a12 = -term.bc, a22 = term.ac + term.bc;
   const double r11 = std::sqrt(a11), r21 = a12 / r11, r22 = std::sqrt(a22 - r21 * r21);
   const Matrix2 root{r11, 0, r21, r22};
   const SingularValues svd(product({q.ux, q.vx, q.uy, q.vy}, root));
 
   const double s1 = svd.s1, s2 = svd.s2;
   const double f = 0.5 * (s1 / s2 + s2 / s1);
-  const Penalty h = psi(f);
+  const PenaltySlopes h = psi.slopes(f);
   const double f1 = 0.5 * (s1 - s2) * (s1 + s2) / (s1 * s1 * s2);
   const double f2 = -0.5 * (s1 - s2) * (s1 + s2) / (s1 * s2 * s2);
   const double f12 = -0.5 * (1 / (s1 * s1) + 1 / (s2 * s2));
-  const Scaling scaling(h.slope * s2 / (s1 * s1 * s1) + h.curvature * f1 * f1,
-                        h.slope * f12 + h.curvature * f1 * f2,
-                        h.slope * s1 / (s2 * s2 * s2) + h.curvature * f2 * f2);
-  const double flip = h.slope * (s1 + s2) * (s1 + s2) / (2 * s1 * s1 * s2 * s2);
+  const Scaling scaling(h.first * s2 / (s1 * s1 * s1) + h.second * f1 * f1,
+                        h.first * f12 + h.second * f1 * f2,
+                        h.first * s1 / (s2 * s2 * s2) + h.second * f2 * f2);
+  const double flip = h.first * (s1 + s2) * (s1 + s2) / (2 * s1 * s1 * s2 * s2);
   const double half_root = std::sqrt(0.5);
-  add_rank_one(weight * flip, svd.between({0, half_root, half_root, 0}), root, out);
-  add_rank_one(weight * scaling.eigenvalue, svd.between({scaling.x, 0, 0, scaling.y}), root, out);
-  return out;
+  add_rank_one(term.weight * flip, svd.between({0, half_root, half_root, 0}), root, blocks);
+  add_rank_one(term.weight * scaling.eigenvalue, svd.between({scaling.x, 0, 0, scaling.y}), root,
+               blocks);
 }
 
 }  // namespace winslow::distortion

@@ -1,6 +1,7 @@
 #include "core/formulation/row_blocks.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/linear/aggregation.h"
 
@@ -12,32 +13,28 @@ using Triangles = std::vector<std::array<Index, 3>>;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-/// Triangle and place in it, row after row.
+/// The triangles at each row.
 struct Stars {
-  struct Corner {
-    Index triangle, local;
-  };
   std::vector<Index> offsets;
-  std::vector<Corner> corners;
+  std::vector<Index> entries;
 
   Stars(const Triangles& triangles, std::span<const Index> row_of_node, Index rows)
       : offsets(at(rows) + 1, 0) {
     const auto each = [&](const auto& visit) {
       for (std::size_t t = 0; t < triangles.size(); ++t) {
-        for (std::size_t l = 0; l < 3; ++l) {
-          const Index row = row_of_node[at(triangles[t][l])];
-          if (row >= 0) visit(at(row), Corner{static_cast<Index>(t), static_cast<Index>(l)});
+        for (const Index node : triangles[t]) {
+          if (const Index row = row_of_node[at(node)]; row >= 0) visit(at(row), t);
         }
       }
     };
-    each([&](std::size_t row, const Corner&) { ++offsets[row + 1]; });
+    each([&](std::size_t row, std::size_t) { ++offsets[row + 1]; });
     for (std::size_t i = 0; i < at(rows); ++i) offsets[i + 1] += offsets[i];
-    corners.resize(at(offsets.back()));
+    entries.resize(at(offsets.back()));
     std::vector<Index> next(offsets.begin(), offsets.end() - 1);
-    each([&](std::size_t row, const Corner& corner) { corners[at(next[row]++)] = corner; });
+    each([&](std::size_t row, std::size_t t) { entries[at(next[row]++)] = static_cast<Index>(t); });
   }
-  std::span<const Corner> of(Index row) const {
-    return {corners.data() + offsets[at(row)], at(offsets[at(row) + 1] - offsets[at(row)])};
+  std::span<const Index> of(Index row) const {
+    return {entries.data() + offsets[at(row)], at(offsets[at(row) + 1] - offsets[at(row)])};
   }
 };
 
@@ -47,8 +44,8 @@ std::shared_ptr<SparsityPattern> make_pattern(const Triangles& triangles, const 
   std::vector<Index> columns;
   for (Index i = 0; i < rows; ++i) {
     columns.assign(1, i);
-    for (const Stars::Corner& corner : stars.of(i)) {
-      for (const Index node : triangles[at(corner.triangle)]) {
+    for (const Index t : stars.of(i)) {
+      for (const Index node : triangles[at(t)]) {
         if (const Index row = row_of_node[at(node)]; row >= 0) columns.push_back(row);
       }
     }
@@ -62,12 +59,56 @@ std::shared_ptr<SparsityPattern> make_pattern(const Triangles& triangles, const 
   return pattern;
 }
 
-Index slot(const SparsityPattern& pattern, Index row, Index column) {
-  if (column < 0) return -1;
-  const auto begin = pattern.columns.begin() + pattern.offsets[at(row)];
-  const auto end = pattern.columns.begin() + pattern.offsets[at(row) + 1];
-  return static_cast<Index>(std::lower_bound(begin, end, column) - pattern.columns.begin());
-}
+/// Places in the matrix of one block of rows.
+class BlockPlaces {
+ public:
+  BlockPlaces(const SparsityPattern& pattern, const std::vector<Index>& order, Index rows)
+      : pattern_(pattern), order_(order), position_(at(rows), -1), start_(at(rows), 0) {}
+
+  /// The rows at the positions [begin, end). Returns the number of entries.
+  Index set_block(Index begin, Index end) {
+    begin_ = begin;
+    end_ = end;
+    Index entries = 1;
+    for (Index p = begin; p < end; ++p) {
+      const std::size_t row = at(order_[at(p)]);
+      position_[row] = p;
+      start_[row] = entries;
+      entries += pattern_.offsets[row + 1] - pattern_.offsets[row];
+    }
+    return entries;
+  }
+  distortion::TrianglePlaces of(const std::array<Index, 3>& rows) const {
+    distortion::TrianglePlaces places{};
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const Index row = rows[corner];
+      places.rows[corner] = static_cast<std::uint16_t>(
+          is_in_block(row) ? position_[at(row)] - begin_ : RowBlocks::rows_per_block);
+    }
+    constexpr std::array<std::array<std::size_t, 2>, 6> pairs{
+        {{0, 1}, {1, 0}, {0, 2}, {2, 0}, {1, 2}, {2, 1}}};
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      places.blocks[k] = entry(rows[pairs[k][0]], rows[pairs[k][1]]);
+    }
+    return places;
+  }
+
+ private:
+  bool is_in_block(Index row) const {
+    return row >= 0 && position_[at(row)] >= begin_ && position_[at(row)] < end_;
+  }
+  Index entry(Index row, Index column) const {
+    if (!is_in_block(row) || column < 0) return 0;
+    const auto begin = pattern_.columns.begin() + pattern_.offsets[at(row)];
+    const auto end = pattern_.columns.begin() + pattern_.offsets[at(row) + 1];
+    return start_[at(row)] + static_cast<Index>(std::lower_bound(begin, end, column) - begin);
+  }
+
+  const SparsityPattern& pattern_;
+  const std::vector<Index>& order_;
+  std::vector<Index> position_, start_;
+  Index begin_ = 0, end_ = 0;
+};
 
 }  // namespace
 
@@ -75,29 +116,41 @@ RowBlocks::RowBlocks(const Triangles& triangles, std::span<const Index> row_of_n
   const Stars stars(triangles, row_of_node, rows);
   pattern_ = make_pattern(triangles, stars, row_of_node, rows);
   order_ = locality_ordering(*pattern_);
-  std::vector<Index> place(triangles.size()), seen_by(triangles.size(), -1);
+  BlockPlaces places(*pattern_, order_, rows);
+  std::vector<Index> seen_by(triangles.size(), -1);
   for (Index begin = 0; begin < rows; begin += rows_per_block) {
+    const Index end = std::min(rows, begin + rows_per_block);
     const Index block = begin / rows_per_block;
-    for (Index p = begin; p < std::min(rows, begin + rows_per_block); ++p) {
-      const Index row = order_[at(p)];
-      for (const Stars::Corner& corner : stars.of(row)) {
-        const std::size_t t = at(corner.triangle);
-        if (seen_by[t] != block) {
-          seen_by[t] = block;
-          place[t] = static_cast<Index>(triangles_.size()) - triangle_offsets_.back();
-          triangles_.push_back(corner.triangle);
-        }
-        const auto& nodes = triangles[t];
-        const auto column = [&](Index step) {
-          return row_of_node[at(nodes[at((corner.local + step) % 3)])];
-        };
-        incidences_.push_back({place[t], corner.local, slot(*pattern_, row, column(1)),
-                               slot(*pattern_, row, column(2))});
+    entries_.push_back(places.set_block(begin, end));
+    for (Index p = begin; p < end; ++p) {
+      for (const Index t : stars.of(order_[at(p)])) {
+        if (std::exchange(seen_by[at(t)], block) == block) continue;
+        const auto& nodes = triangles[at(t)];
+        triangles_.push_back(t);
+        places_.push_back(places.of(
+            {row_of_node[at(nodes[0])], row_of_node[at(nodes[1])], row_of_node[at(nodes[2])]}));
       }
-      incidence_offsets_.push_back(static_cast<Index>(incidences_.size()));
     }
     triangle_offsets_.push_back(static_cast<Index>(triangles_.size()));
   }
+}
+
+std::vector<Index> RowBlocks::renumber_triangles() {
+  const Index most =
+      triangles_.empty() ? -1 : *std::max_element(triangles_.begin(), triangles_.end());
+  std::vector<Index> number(at(most + 1), -1), old_number;
+  for (std::size_t block = 0; block + 1 < triangle_offsets_.size(); ++block) {
+    first_new_.push_back(static_cast<Index>(old_number.size()));
+    for (Index i = triangle_offsets_[block]; i < triangle_offsets_[block + 1]; ++i) {
+      Index& t = triangles_[at(i)];
+      if (number[at(t)] < 0) {
+        number[at(t)] = static_cast<Index>(old_number.size());
+        old_number.push_back(t);
+      }
+      t = number[at(t)];
+    }
+  }
+  return old_number;
 }
 
 }  // namespace winslow

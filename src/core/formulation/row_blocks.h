@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/formulation/triangle_kernel.h"
 #include "core/linear/sparse_system.h"
 #include "core/types.h"
 
@@ -18,13 +19,6 @@ class RowBlocks {
  public:
   static constexpr Index rows_per_block = 256;  // a divisor of parallel_block
 
-  /// One triangle as a row sees it.
-  struct Incidence {
-    Index triangle;        ///< place in the block's list
-    Index local;           ///< place of the row's node in the triangle
-    Index slot_j, slot_k;  ///< entries of the matrix at the next two nodes; -1: constrained
-  };
-
   /// triangles: nodes, counter-clockwise. row_of_node: -1 for constrained nodes.
   RowBlocks(const std::vector<std::array<Index, 3>>& triangles, std::span<const Index> row_of_node,
             Index rows);
@@ -34,26 +28,41 @@ class RowBlocks {
   Index rows() const { return static_cast<Index>(order_.size()); }
   /// The row at a position of the blocks' order.
   Index row(Index position) const { return order_[static_cast<std::size_t>(position)]; }
-  std::span<const Incidence> incidences(Index position) const {
-    const auto p = static_cast<std::size_t>(position);
-    const auto first = static_cast<std::size_t>(incidence_offsets_[p]);
-    return {incidences_.data() + first,
-            static_cast<std::size_t>(incidence_offsets_[p + 1]) - first};
-  }
+  /// The rows from a position on.
+  const Index* order(Index position) const { return order_.data() + position; }
   /// The triangles around a block.
-  std::span<const Index> triangles(Index block) const {
-    const auto b = static_cast<std::size_t>(block);
-    const auto first = static_cast<std::size_t>(triangle_offsets_[b]);
-    return {triangles_.data() + first, static_cast<std::size_t>(triangle_offsets_[b + 1]) - first};
+  std::span<const Index> triangles(Index block) const { return part(triangles_, block); }
+  /// Where each of them belongs. The block's own matrix has its rows one after the other, in the
+  /// order of positions and each as in the pattern, after one entry that nobody needs.
+  std::span<const distortion::TrianglePlaces> places(Index block) const {
+    return part(places_, block);
+  }
+  /// Entries of a block's own matrix.
+  Index entries(Index block) const { return entries_[static_cast<std::size_t>(block)]; }
+
+  /// Number from which a block's triangles are in no earlier block, once they are renumbered.
+  Index first_new_triangle(Index block) const {
+    return first_new_[static_cast<std::size_t>(block)];
   }
 
+  /// Numbers the triangles as the blocks meet them. Returns the old number of each.
+  std::vector<Index> renumber_triangles();
+
  private:
+  template <typename T>
+  std::span<const T> part(const std::vector<T>& all, Index block) const {
+    const auto b = static_cast<std::size_t>(block);
+    const auto first = static_cast<std::size_t>(triangle_offsets_[b]);
+    return {all.data() + first, static_cast<std::size_t>(triangle_offsets_[b + 1]) - first};
+  }
+
   std::shared_ptr<const SparsityPattern> pattern_;
   std::vector<Index> order_;
-  std::vector<Index> incidence_offsets_{0};
-  std::vector<Incidence> incidences_;
   std::vector<Index> triangle_offsets_{0};
   std::vector<Index> triangles_;
+  std::vector<distortion::TrianglePlaces> places_;
+  std::vector<Index> entries_;
+  std::vector<Index> first_new_;
 };
 
 }  // namespace winslow

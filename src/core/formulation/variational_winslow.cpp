@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "core/formulation/distortion.h"
@@ -12,15 +13,13 @@ namespace winslow {
 
 namespace {
 
-using distortion::Block;
 using distortion::Corner2;
-using distortion::Determinant;
-using distortion::Form;
 using distortion::PenaltyFunction;
-using distortion::TriangleTerm;
-using distortion::Vector;
+using distortion::TriangleData;
+using distortion::TrianglePlaces;
+using distortion::TriangleSum;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+constexpr std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 std::size_t block_count(Index n) { return at((n + parallel_block - 1) / parallel_block); }
 
@@ -47,13 +46,6 @@ struct NormSum {
   }
 };
 
-Block transposed(const Block& b) { return {b.xx, b.yx, b.xy, b.yy}; }
-
-void accumulate(Vector& sum, const Vector& v) {
-  sum.x += v.x;
-  sum.y += v.y;
-}
-
 std::vector<Index> make_row_of_node(const Topology& topology) {
   std::vector<Index> row(at(topology.node_count()), -1);
   const auto free = topology.free_nodes();
@@ -61,73 +53,85 @@ std::vector<Index> make_row_of_node(const Topology& topology) {
   return row;
 }
 
-}  // namespace
-
-/// All terms of one triangle (a, b, c), and the lengths of its edges.
-struct VariationalWinslow::TriangleSum {
-  std::array<Vector, 3> gradient;
-  Block ab, ac, bc;
-  double length_ab, length_ac, length_bc;
-
-  void add(const TriangleTerm& term) {
-    accumulate(gradient[0], term.a);
-    accumulate(gradient[1], term.b);
-    accumulate(gradient[2], term.c);
-    ab += term.ab;
-    ac += term.ac;
-    bc += term.bc;
+/// Targets in the order of `old_number`.
+TargetShapes reordered(const TargetShapes& shapes, const std::vector<Index>& old_number) {
+  TargetShapes out;
+  out.triangles.reserve(old_number.size());
+  out.terms.reserve(shapes.terms.size());
+  for (const Index t : old_number) {
+    out.triangles.push_back(shapes.triangles[at(t)]);
+    out.terms.insert(out.terms.end(), shapes.terms.begin() + shapes.offsets[at(t)],
+                     shapes.terms.begin() + shapes.offsets[at(t) + 1]);
+    out.offsets.push_back(static_cast<Index>(out.terms.size()));
   }
-  /// The triangle as its corner `local` sees it: blocks towards the next corner and the one after.
-  std::pair<Block, Block> row(Index local) const {
-    if (local == 0) return {ab, ac};
-    if (local == 1) return {bc, transposed(ab)};
-    return {transposed(ac), transposed(bc)};
-  }
-  double edges(Index local) const {
-    if (local == 0) return length_ab + length_ac;
-    return local == 1 ? length_ab + length_bc : length_ac + length_bc;
-  }
-};
+  return out;
+}
 
-namespace {
-
-/// One row as it is summed up.
+/// What the triangles around one row came to: diagonal block, gradient, length of their edges at
+/// the node, number.
 struct RowSum {
-  double gx = 0, gy = 0;
-  Block diagonal;
-  double edges = 0;  // sum of the two at the node, over its triangles
-  int triangles = 0;
+  static constexpr std::size_t size = 8;
+  const double* v;
 
-  void add(const Vector& gradient, const Block& ij, const Block& ik, double lengths) {
-    gx += gradient.x;
-    gy += gradient.y;
-    diagonal.xx -= ij.xx + ik.xx;
-    diagonal.xy -= ij.xy + ik.xy;
-    diagonal.yx -= ij.yx + ik.yx;
-    diagonal.yy -= ij.yy + ik.yy;
-    edges += lengths;
-    ++triangles;
-  }
+  double gx() const { return v[4]; }
+  double gy() const { return v[5]; }
   /// Distance by which the node alone would move, over the mean edge.
   double scaled() const {
-    const double mean_edge = edges / (2 * std::max(triangles, 1));
-    const double scale = 0.5 * (diagonal.xx + diagonal.yy) * mean_edge;
-    const double g = std::sqrt(gx * gx + gy * gy);
+    const double mean_edge = v[6] / (2 * std::max(v[7], 1.0));
+    const double scale = 0.5 * (v[0] + v[3]) * mean_edge;
+    const double g = std::sqrt(gx() * gx() + gy() * gy());
     return scale > 0 ? g / scale : g;
   }
 };
 
 }  // namespace
 
+/// One block of rows as it is summed up.
+struct VariationalWinslow::BlockMemory {
+  static constexpr std::size_t chunk = 64;  // triangles whose sums stay in the first-level cache
+  static constexpr std::size_t row_count = at(RowBlocks::rows_per_block) + 1;
+
+  std::vector<double> sums = std::vector<double>(chunk * TriangleSum::size);
+  std::vector<double> rows = std::vector<double>(row_count * RowSum::size);
+  std::vector<double> matrix;  // entries of the block by 4
+
+  RowSum row(Index i) const { return {rows.data() + RowSum::size * at(i)}; }
+};
+
 VariationalWinslow::VariationalWinslow(std::shared_ptr<const Topology> topology,
                                        TargetShapes shapes, const PenaltyOptions& penalty,
                                        int threads)
     : topology_(std::move(topology)),
-      shapes_(std::move(shapes)),
       penalty_(penalty),
       threads_(threads),
       row_of_node_(make_row_of_node(*topology_)),
-      rows_(shapes_.triangles, row_of_node_, static_cast<Index>(topology_->free_nodes().size())) {}
+      rows_(shapes.triangles, row_of_node_, static_cast<Index>(topology_->free_nodes().size())) {
+  shapes_ = reordered(shapes, rows_.renumber_triangles());
+  for (std::size_t t = 0; t < shapes_.triangles.size(); ++t) {
+    const auto& nodes = shapes_.triangles[t];
+    if (std::any_of(nodes.begin(), nodes.end(), [&](Index n) { return row_of_node_[at(n)] < 0; })) {
+      half_free_.push_back(static_cast<Index>(t));
+    }
+  }
+}
+
+TriangleData VariationalWinslow::data(const Coordinates& x,
+                                      const Regularisation* regularisation) const {
+  static_assert(sizeof(ShapeTerm) == 4 * sizeof(double));
+  static_assert(sizeof(shapes_.triangles[0]) == 3 * sizeof(Index));
+  TriangleData data;
+  data.x = x.values().data();
+  data.nodes = shapes_.triangles.empty() ? nullptr : shapes_.triangles.front().data();
+  data.offsets = shapes_.offsets.data();
+  data.terms = shapes_.terms.empty() ? nullptr : &shapes_.terms.front().ab;
+  data.penalty = PenaltyFunction(penalty_.exponent, penalty_.knee).constants();
+  if (regularisation) {
+    data.size = regularisation->size.data();
+    data.epsilon = regularisation->epsilon;
+    data.curvature_share = 0;
+  }
+  return data;
+}
 
 /// visit(part, block, first and last position of the block's rows, memory to work in), blocks in
 /// parallel; a part is what one sum of norms covers.
@@ -135,7 +139,7 @@ template <typename Visit>
 void VariationalWinslow::for_each_block(Visit&& visit) const {
   static_assert(parallel_block % RowBlocks::rows_per_block == 0);
   parallel_for(threads_, rows_.rows(), [&](Index begin, Index end) {
-    TriangleSums memory;
+    BlockMemory memory;
     for (Index first = begin; first < end; first += RowBlocks::rows_per_block) {
       visit(at(begin / parallel_block), first / RowBlocks::rows_per_block, first,
             std::min(end, first + RowBlocks::rows_per_block), memory);
@@ -143,58 +147,52 @@ void VariationalWinslow::for_each_block(Visit&& visit) const {
   });
 }
 
-/// term(triangle, its edges and determinant, target's form, weight) gives a TriangleTerm.
-template <typename Term>
-void VariationalWinslow::sum_triangles(Index block, const Coordinates& x, const Term& term,
-                                       TriangleSums& out) const {
-  const auto triangles = rows_.triangles(block);
-  out.resize(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const Index t = triangles[i];
+void VariationalWinslow::add_projected(const TriangleData& data, std::span<const Index> triangles,
+                                       double* sums) const {
+  const PenaltyFunction psi(penalty_.exponent, penalty_.knee);
+  for (const Index t : triangles) {
+    std::fill(sums, sums + TriangleSum::corners, 0.0);
     const auto& nodes = shapes_.triangles[at(t)];
-    const Corner2 q(x.point(nodes[0]), x.point(nodes[1]), x.point(nodes[2]));
-    TriangleSum& sum = out[i];
-    sum = {};
+    const auto point = [&](Index node) { return data.x + 2 * static_cast<std::ptrdiff_t>(node); };
+    const Corner2 q(point(nodes[0]), point(nodes[1]), point(nodes[2]));
     for (Index k = shapes_.offsets[at(t)]; k < shapes_.offsets[at(t) + 1]; ++k) {
-      const ShapeTerm& shape = shapes_.terms[at(k)];
-      sum.add(term(t, q, distortion::form_at(shape, 0), shape.weight));
+      distortion::add_projected_blocks(q, shapes_.terms[at(k)], psi, sums);
     }
-    const double wx = q.vx - q.ux, wy = q.vy - q.uy;
-    sum.length_ab = std::sqrt(q.ux * q.ux + q.uy * q.uy);
-    sum.length_ac = std::sqrt(q.vx * q.vx + q.vy * q.vy);
-    sum.length_bc = std::sqrt(wx * wx + wy * wy);
+    sums += TriangleSum::size;
   }
+}
+
+/// The sums of a block's rows and, with_matrix, its part of the Hessian. Returns the energy of the
+/// triangles that no earlier block has.
+double VariationalWinslow::sum_block(const TriangleData& data, bool project, bool with_matrix,
+                                     Index block, BlockMemory& memory) const {
+  std::fill(memory.rows.begin(), memory.rows.end(), 0.0);
+  if (with_matrix) memory.matrix.assign(4 * at(rows_.entries(block)), 0.0);
+  const auto triangles = rows_.triangles(block);
+  const auto places = rows_.places(block);
+  double energy = 0;
+  for (std::size_t first = 0; first < triangles.size(); first += BlockMemory::chunk) {
+    const auto part =
+        triangles.subspan(first, std::min(BlockMemory::chunk, triangles.size() - first));
+    const auto count = static_cast<Index>(part.size());
+    energy +=
+        kernel_.sum(data, part.data(), count, rows_.first_new_triangle(block), memory.sums.data());
+    if (project) add_projected(data, part, memory.sums.data());
+    kernel_.scatter(memory.sums.data(), places.data() + first, count, memory.rows.data(),
+                    with_matrix ? memory.matrix.data() : nullptr);
+  }
+  return energy;
 }
 
 double VariationalWinslow::energy(const Coordinates& x,
                                   const Regularisation* regularisation) const {
-  const PenaltyFunction psi(penalty_.exponent, penalty_.knee);
+  const TriangleData triangles = data(x, regularisation);
   const auto n = static_cast<Index>(shapes_.triangles.size());
   std::vector<double> sums(block_count(n), 0.0);
   parallel_for(threads_, n, [&](Index begin, Index end) {
-    double sum = 0;
-    for (Index t = begin; t < end; ++t) {
-      const auto& nodes = shapes_.triangles[at(t)];
-      const Corner2 q(x.point(nodes[0]), x.point(nodes[1]), x.point(nodes[2]));
-      double d = q.d;
-      if (regularisation) {
-        d = distortion::regularised(d, regularisation->epsilon * regularisation->size[at(t)]).value;
-      }
-      if (!(d > 0)) {
-        sum = std::numeric_limits<double>::infinity();
-        break;
-      }
-      for (Index k = shapes_.offsets[at(t)]; k < shapes_.offsets[at(t) + 1]; ++k) {
-        const ShapeTerm& term = shapes_.terms[at(k)];
-        const double f = 0.5 * q.form(distortion::form_at(term, 0)) / d;
-        sum += term.weight * psi(f).value;
-      }
-    }
-    sums[at(begin / parallel_block)] = sum;
+    sums[at(begin / parallel_block)] = kernel_.energy(triangles, begin, end);
   });
-  double total = 0;
-  for (const double sum : sums) total += sum;
-  return total;
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 double VariationalWinslow::worst_distortion(const Coordinates& x) const {
@@ -204,7 +202,7 @@ double VariationalWinslow::worst_distortion(const Coordinates& x) const {
     const Corner2 q(x.point(nodes[0]), x.point(nodes[1]), x.point(nodes[2]));
     if (!(q.d > 0)) return std::numeric_limits<double>::infinity();
     for (Index k = shapes_.offsets[t]; k < shapes_.offsets[t + 1]; ++k) {
-      worst = std::max(worst, 0.5 * q.form(distortion::form_at(shapes_.terms[at(k)], 0)) / q.d);
+      worst = std::max(worst, q.distortion(shapes_.terms[at(k)]));
     }
   }
   return worst;
@@ -212,32 +210,22 @@ double VariationalWinslow::worst_distortion(const Coordinates& x) const {
 
 ResidualNorms VariationalWinslow::residual(const Coordinates& x, bool,
                                            std::span<double> out) const {
-  const PenaltyFunction psi(penalty_.exponent, penalty_.knee);
+  const TriangleData triangles = data(x, nullptr);
   std::vector<NormSum> norms(block_count(rows_.rows()));
-  for_each_block([&](std::size_t part, Index block, Index first, Index last, TriangleSums& sums) {
-    sum_triangles(
-        block, x,
-        [&](Index, const Corner2& q, const Form& form, double weight) {
-          return distortion::triangle_term(q, form, weight, psi, {q.d, 1}, 0);
-        },
-        sums);
+  for_each_block([&](std::size_t part, Index block, Index first, Index last, BlockMemory& memory) {
+    sum_block(triangles, false, false, block, memory);
     for (Index p = first; p < last; ++p) {
-      RowSum sum;
-      for (const RowBlocks::Incidence& in : rows_.incidences(p)) {
-        const TriangleSum& triangle = sums[at(in.triangle)];
-        const auto [ij, ik] = triangle.row(in.local);
-        sum.add(triangle.gradient[at(in.local)], ij, ik, triangle.edges(in.local));
-      }
+      const RowSum sum = memory.row(p - first);
       norms[part].add(sum.scaled());
       if (out.empty()) continue;
-      out[2 * at(rows_.row(p))] = -sum.gx;
-      out[2 * at(rows_.row(p)) + 1] = -sum.gy;
+      out[2 * at(rows_.row(p))] = -sum.gx();
+      out[2 * at(rows_.row(p)) + 1] = -sum.gy();
     }
   });
   return NormSum::total(norms);
 }
 
-ResidualNorms VariationalWinslow::linearise(const Coordinates& x, Curvature curvature,
+Linearisation VariationalWinslow::linearise(const Coordinates& x, Curvature curvature,
                                             SparseMatrix& out, std::span<double> residual,
                                             const Regularisation* regularisation) const {
   const SparsityPattern& pattern = *rows_.pattern();
@@ -246,78 +234,56 @@ ResidualNorms VariationalWinslow::linearise(const Coordinates& x, Curvature curv
   out.symmetric = true;
   out.values.resize(4 * pattern.columns.size());
   std::vector<NormSum> norms(block_count(rows_.rows()));
-  const PenaltyFunction psi(penalty_.exponent, penalty_.knee);
+  std::vector<double> energies(norms.size(), 0.0);
+  const TriangleData triangles = data(x, regularisation);
   const bool project = curvature == Curvature::projected && !regularisation;
-  const auto term = [&](Index t, const Corner2& q, const Form& form, double weight) {
-    if (project) return distortion::projected_triangle_term(q, form, weight, psi);
-    if (!regularisation) return distortion::triangle_term(q, form, weight, psi, {q.d, 1}, 1);
-    const Determinant chi =
-        distortion::regularised(q.d, regularisation->epsilon * regularisation->size[at(t)]);
-    return distortion::triangle_term(q, form, weight, psi, chi, 0);
-  };
-  double* values = out.values.data();
-  const auto add = [values](Index slot, const Block& b) {
-    if (slot < 0) return;
-    double* v = values + 4 * static_cast<std::ptrdiff_t>(slot);
-    v[0] += b.xx;
-    v[1] += b.xy;
-    v[2] += b.yx;
-    v[3] += b.yy;
-  };
-  for_each_block([&](std::size_t part, Index block, Index first, Index last, TriangleSums& sums) {
-    sum_triangles(block, x, term, sums);
+  for_each_block([&](std::size_t part, Index block, Index first, Index last, BlockMemory& memory) {
+    energies[part] += sum_block(triangles, project, true, block, memory);
+    kernel_.write_rows(memory.matrix.data() + 4, rows_.order(first), pattern.offsets.data(),
+                       last - first, out.values.data());
     for (Index p = first; p < last; ++p) {
       const std::size_t row = at(rows_.row(p));
-      std::fill(values + 4 * static_cast<std::ptrdiff_t>(pattern.offsets[row]),
-                values + 4 * static_cast<std::ptrdiff_t>(pattern.offsets[row + 1]), 0.0);
-      RowSum sum;
-      for (const RowBlocks::Incidence& in : rows_.incidences(p)) {
-        const TriangleSum& triangle = sums[at(in.triangle)];
-        const auto [ij, ik] = triangle.row(in.local);
-        sum.add(triangle.gradient[at(in.local)], ij, ik, triangle.edges(in.local));
-        add(in.slot_j, ij);
-        add(in.slot_k, ik);
-      }
+      const RowSum sum = memory.row(p - first);
       // Its parts are rounded apart: make the diagonal symmetric.
-      sum.diagonal.xy = sum.diagonal.yx = 0.5 * (sum.diagonal.xy + sum.diagonal.yx);
-      add(pattern.diagonal[row], sum.diagonal);
+      const double off_diagonal = 0.5 * (sum.v[1] + sum.v[2]);
+      double* diagonal = out.values.data() + 4 * static_cast<std::ptrdiff_t>(pattern.diagonal[row]);
+      diagonal[0] = sum.v[0];
+      diagonal[1] = diagonal[2] = off_diagonal;
+      diagonal[3] = sum.v[3];
       norms[part].add(sum.scaled());
-      residual[2 * row] = -sum.gx;
-      residual[2 * row + 1] = -sum.gy;
+      residual[2 * row] = -sum.gx();
+      residual[2 * row + 1] = -sum.gy();
     }
   });
-  return NormSum::total(norms);
+  return {NormSum::total(norms), std::accumulate(energies.begin(), energies.end(), 0.0)};
 }
 
 void VariationalWinslow::boundary_response(const Coordinates& x, const Coordinates& displacement,
                                            std::span<double> out) const {
-  const PenaltyFunction psi(penalty_.exponent, penalty_.knee);
-  for_each_block([&](std::size_t, Index block, Index first, Index last, TriangleSums& sums) {
-    const auto triangles = rows_.triangles(block);
-    sum_triangles(
-        block, x,
-        [&](Index, const Corner2& q, const Form& form, double weight) {
-          return distortion::triangle_term(q, form, weight, psi, {q.d, 1}, 1);
-        },
-        sums);
-    for (Index p = first; p < last; ++p) {
-      double rx = 0, ry = 0;
-      for (const RowBlocks::Incidence& in : rows_.incidences(p)) {
-        if (in.slot_j >= 0 && in.slot_k >= 0) continue;
-        const auto& nodes = shapes_.triangles[at(triangles[at(in.triangle)])];
-        const auto [ij, ik] = sums[at(in.triangle)].row(in.local);
-        const auto subtract = [&](const Block& b, Index step) {
-          const double* m = displacement.point(nodes[at((in.local + step) % 3)]);
-          rx -= b.xx * m[0] + b.xy * m[1];
-          ry -= b.yx * m[0] + b.yy * m[1];
-        };
-        if (in.slot_j < 0) subtract(ij, 1);
-        if (in.slot_k < 0) subtract(ik, 2);
-      }
-      out[2 * at(rows_.row(p))] = rx;
-      out[2 * at(rows_.row(p)) + 1] = ry;
-    }
-  });
+  const TriangleData triangles = data(x, nullptr);
+  std::vector<double> sums(TriangleSum::size * 4 * ((half_free_.size() + 3) / 4));
+  kernel_.sum(triangles, half_free_.data(), static_cast<Index>(half_free_.size()), 0, sums.data());
+  std::fill(out.begin(), out.end(), 0.0);
+  // out_i -= H_ij m_j for free i and constrained j.
+  const auto subtract = [&](Index i, Index j, const double* h, bool is_transposed) {
+    const Index row = row_of_node_[at(i)];
+    if (row < 0 || row_of_node_[at(j)] >= 0) return;
+    const double* m = displacement.point(j);
+    out[2 * at(row)] -= h[0] * m[0] + h[is_transposed ? 2 : 1] * m[1];
+    out[2 * at(row) + 1] -= h[is_transposed ? 1 : 2] * m[0] + h[3] * m[1];
+  };
+  const double* sum = sums.data();
+  for (const Index t : half_free_) {
+    const auto& [a, b, c] = shapes_.triangles[at(t)];
+    const auto both = [&](Index i, Index j, int place) {
+      subtract(i, j, sum + place, false);
+      subtract(j, i, sum + place, true);
+    };
+    both(a, b, TriangleSum::ab);
+    both(a, c, TriangleSum::ac);
+    both(b, c, TriangleSum::bc);
+    sum += TriangleSum::size;
+  }
 }
 
 }  // namespace winslow

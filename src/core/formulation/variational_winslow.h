@@ -34,6 +34,12 @@ struct PenaltyOptions {
   bool operator==(const PenaltyOptions&) const = default;
 };
 
+/// What an assembly of the Newton system finds out besides.
+struct Linearisation {
+  ResidualNorms norms;
+  double energy;
+};
+
 /// Winslow smoothing as a minimisation: the harmonic energy of the inverse map, summed over target
 /// triangles,
 ///
@@ -60,26 +66,28 @@ class VariationalWinslow final : public Formulation {
   /// Largest f of any triangle; infinite if one is inverted.
   double worst_distortion(const Coordinates& x) const;
   /// R = -dE/dx (#free by 2) and -dR/dx as a symmetric matrix of 2x2 blocks. Regularised: the part
-  /// of the Hessian that is positive semidefinite by construction, whatever `curvature`. Returns
-  /// the norms of R as residual() does.
-  ResidualNorms linearise(const Coordinates& x, Curvature curvature, SparseMatrix& out,
+  /// of the Hessian that is positive semidefinite by construction, whatever `curvature`.
+  Linearisation linearise(const Coordinates& x, Curvature curvature, SparseMatrix& out,
                           std::span<double> residual,
                           const Regularisation* regularisation = nullptr) const;
   /// Change of R (#free by 2), to first order, when the constrained nodes move by `displacement`
   /// (#nodes by 2; the free nodes' part is ignored).
   void boundary_response(const Coordinates& x, const Coordinates& displacement,
                          std::span<double> out) const;
+  /// The targets, in an order of the formulation's own.
   const TargetShapes& shapes() const { return shapes_; }
   const PenaltyOptions& penalty() const { return penalty_; }
   void set_penalty(const PenaltyOptions& penalty) { penalty_ = penalty; }
   int threads() const { return threads_; }
 
  private:
-  struct TriangleSum;
-  using TriangleSums = std::vector<TriangleSum>;
+  struct BlockMemory;
 
-  template <typename Term>
-  void sum_triangles(Index block, const Coordinates& x, const Term& term, TriangleSums& out) const;
+  distortion::TriangleData data(const Coordinates& x, const Regularisation* regularisation) const;
+  double sum_block(const distortion::TriangleData& data, bool project, bool with_matrix,
+                   Index block, BlockMemory& memory) const;
+  void add_projected(const distortion::TriangleData& data, std::span<const Index> triangles,
+                     double* sums) const;
   template <typename Visit>
   void for_each_block(Visit&& visit) const;
 
@@ -89,6 +97,8 @@ class VariationalWinslow final : public Formulation {
   int threads_;
   std::vector<Index> row_of_node_;
   RowBlocks rows_;
+  std::vector<Index> half_free_;  // triangles with free and constrained nodes
+  const distortion::TriangleKernel& kernel_ = distortion::triangle_kernel();
 };
 
 }  // namespace winslow

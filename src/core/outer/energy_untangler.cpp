@@ -92,7 +92,8 @@ IterationRecord EnergyUntangler::start(const Coordinates& x) {
   choose_regularisation(x);
   std::vector<double> residual(2 * topology_.free_nodes().size());
   record_.residual =
-      formulation_.linearise(x, Curvature::projected, hessian_, residual, &regularisation_).max;
+      formulation_.linearise(x, Curvature::projected, hessian_, residual, &regularisation_)
+          .norms.max;
   return record_;
 }
 
@@ -102,7 +103,8 @@ IterationRecord EnergyUntangler::step(Coordinates& x) {
   const auto free = topology_.free_nodes();
   std::vector<double> residual(2 * free.size()), direction(2 * free.size(), 0.0);
   record_.residual =
-      formulation_.linearise(x, Curvature::projected, hessian_, residual, &regularisation_).max;
+      formulation_.linearise(x, Curvature::projected, hessian_, residual, &regularisation_)
+          .norms.max;
   record_.linear_iterations = solve_shifted(linear_, hessian_, residual, direction).iterations;
   ++linear_solves_;
   double slope = 0;

@@ -1,0 +1,28 @@
+#include "core/formulation/triangle_kernel.h"
+
+#define WINSLOW_KERNEL portable_kernel
+#include "core/formulation/triangle_kernel_impl.h"
+
+namespace winslow::distortion {
+
+#ifdef WINSLOW_HAS_AVX2
+extern const TriangleKernel avx2_kernel;
+#endif
+
+const TriangleKernel& portable_triangle_kernel() { return portable_kernel; }
+
+const TriangleKernel* avx2_triangle_kernel() {
+#ifdef WINSLOW_HAS_AVX2
+  static const bool runs = __builtin_cpu_supports("avx2") != 0;
+  return runs ? &avx2_kernel : nullptr;
+#else
+  return nullptr;
+#endif
+}
+
+const TriangleKernel& triangle_kernel() {
+  const TriangleKernel* best = avx2_triangle_kernel();
+  return best ? *best : portable_kernel;
+}
+
+}  // namespace winslow::distortion
