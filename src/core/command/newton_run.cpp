@@ -21,6 +21,14 @@ void NewtonRun::approach(Coordinates& x, double fraction) {
 void NewtonRun::converge(Coordinates& x, double fraction) {
   relax(x, fraction);
   recorder_.iterate(newton(), x, Stage::newton, fraction);
+  while (recorder_.result().converged && sharpen(x)) {
+    const Coordinates solution = x;
+    const SmoothResult outcome = recorder_.result();
+    recorder_.iterate(newton(), x, Stage::newton, fraction);
+    if (recorder_.result().converged) continue;
+    x = solution;
+    recorder_.restore_outcome(outcome);
+  }
   recorder_.result().linear_solver = linear().description();
 }
 

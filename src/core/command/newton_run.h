@@ -33,6 +33,8 @@ class NewtonRun {
   virtual const LinearSolver& linear() = 0;  ///< that newton() uses
   /// Before Newton's method, from a valid mesh that may be far from the solution.
   virtual void relax(Coordinates& /*x*/, double /*fraction*/) {}
+  /// At a solution: whether Newton's method should go on to a better one that relax() set aside.
+  virtual bool sharpen(const Coordinates& /*x*/) { return false; }
   /// Whether a mesh on the path has left the range that relax() made Newton's method fit for.
   virtual bool strained(const Coordinates& /*x*/) { return false; }
   /// Whether to go on from a lost path to which Newton's method does not lead back.

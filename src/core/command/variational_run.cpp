@@ -1,9 +1,11 @@
 #include "core/command/variational_run.h"
 
+#include <cmath>
+
 namespace winslow {
 
 void VariationalRun::relax(Coordinates& x, double fraction) {
-  constexpr double far = 1.5, beyond = 2;  // knees
+  constexpr double far = 1.5;  // knees
   constexpr int limit = 40;
   VariationalWinslow& energy = workspace().energy();
   PenaltyOptions penalty = workspace().options().penalty;
@@ -14,12 +16,28 @@ void VariationalRun::relax(Coordinates& x, double fraction) {
   energy.set_penalty({2, 0});
   newton().forget_factorisation();
   recorder().iterate(newton(), x, Stage::relax, fraction, limit, near_enough);
+  energy.set_penalty(fitting(x));
+  newton().forget_factorisation();
+}
+
+PenaltyOptions VariationalRun::fitting(const Coordinates& x) {
+  constexpr double beyond = 2;  // knees
+  PenaltyOptions penalty = workspace().options().penalty;
   if (penalty.knee > 0) {
-    const double worst = energy.worst_distortion(x);
-    while (worst > beyond * penalty.knee) penalty.knee *= 2;
+    const double worst = workspace().energy().worst_distortion(x);
+    while (worst > beyond * penalty.knee && std::isfinite(worst)) penalty.knee *= 2;
   }
+  return penalty;
+}
+
+bool VariationalRun::sharpen(const Coordinates& x) {
+  VariationalWinslow& energy = workspace().energy();
+  if (energy.penalty().knee == workspace().options().penalty.knee) return false;
+  const PenaltyOptions penalty = fitting(x);
+  if (penalty.knee >= energy.penalty().knee) return false;
   energy.set_penalty(penalty);
   newton().forget_factorisation();
+  return true;
 }
 
 double VariationalRun::knee() {

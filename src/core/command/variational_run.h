@@ -16,11 +16,15 @@ class VariationalRun final : public NewtonRun {
   const LinearSolver& linear() override { return workspace().symmetric_linear(); }
   /// Far from a solution the steep penalty makes Newton's method creep: a gentle one first. Where
   /// even the mesh that this leads to has elements far beyond the knee, the knee is doubled until
-  /// it has none: a rule that depends on where the boundary is, not on the way there.
+  /// it has none.
   void relax(Coordinates& x, double fraction) override;
+  /// The mesh that the knee was doubled for was not a solution yet: a solution may do with less.
+  bool sharpen(const Coordinates& x) override;
   bool strained(const Coordinates& x) override;
 
   double knee();
+  /// The penalty asked for, with a knee that no element is far beyond.
+  PenaltyOptions fitting(const Coordinates& x);
 };
 
 }  // namespace winslow
