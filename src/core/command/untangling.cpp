@@ -2,15 +2,14 @@
 
 #include <vector>
 
-#include "core/outer/energy_untangler.h"
 #include "core/quality/quality.h"
 
 namespace winslow {
 
 namespace {
 
-/// Stops a fixed-point iteration that no longer untangles anything. A boundary moved at once
-/// inverts few elements at first, and spreads: only later does the count tell.
+/// Stops an iteration that no longer untangles anything. A boundary moved at once inverts few
+/// elements at first, and spreads: only later does the count tell.
 class Stagnation {
  public:
   bool operator()(const IterationRecord& record) {
@@ -36,15 +35,41 @@ bool Untangling::by_picard(Coordinates& x, double fraction) {
              .inverted == 0;
 }
 
-bool Untangling::by_energy(Coordinates& x, double fraction, const Coordinates* reference) {
+bool Untangling::by_energy(Coordinates& x, double fraction, const Coordinates* reference,
+                           Interior interior, const RunRecorder::Enough& enough) {
   constexpr int limit = 200;
   // Winslow's own functional: without a barrier, a steep penalty would only stiffen the system.
   workspace_.energy().set_penalty({1, 0});
   EnergyUntangler untangler(*state_.mesh.topology, workspace_.energy(),
-                            workspace_.symmetric_linear(), workspace_.options(), reference);
-  recorder_.iterate(untangler, x, Stage::untangle, fraction, limit);
+                            workspace_.symmetric_linear(), workspace_.options(), reference,
+                            interior);
+  recorder_.iterate(untangler, x, Stage::untangle, fraction, limit, enough);
   workspace_.energy().set_penalty(workspace_.options().penalty);
   return untangler.converged();
+}
+
+/// From x as it stands where it is tangled in places only, or from the harmonic interior: nothing
+/// of a scramble is worth keeping, and as it stands the energy would draw its nodes together in
+/// heaps.
+bool Untangling::by_energy_from_either(Coordinates& x, double fraction,
+                                       const Coordinates* reference) {
+  const Coordinates start = x;
+  bool tried = false;
+  if (!reference) {
+    tried = true;
+    const int threads = workspace_.options().threads;
+    const Index given = check_validity(*state_.mesh.topology, x, threads).inverted;
+    const auto no_better = [&](const IterationRecord& record) {
+      if (record.iteration == 1 && record.inverted >= given) tried = false;
+      return !tried;
+    };
+    if (by_energy(x, fraction, reference, Interior::harmonic, no_better)) return true;
+    x = start;
+  }
+  if (by_energy(x, fraction, reference, Interior::as_given, Stagnation())) return true;
+  if (tried) return false;
+  x = start;
+  return by_energy(x, fraction, reference, Interior::harmonic);
 }
 
 bool Untangling::run(Coordinates& x, double fraction, const Coordinates* reference) {
@@ -55,11 +80,11 @@ bool Untangling::run(Coordinates& x, double fraction, const Coordinates* referen
   const Coordinates start = x;
   if (how != Untangle::energy && by_picard(x, fraction)) return true;
   if (how == Untangle::picard) return false;
-  if (by_energy(x, fraction, reference)) return true;
-  if (how == Untangle::energy) return false;
+  if (how == Untangle::energy) return by_energy_from_either(x, fraction, reference);
+  if (by_energy(x, fraction, reference, Interior::as_given)) return true;
   // Where the fixed point leads astray, the energy alone may do better from the start itself.
   Coordinates other = start;
-  if (!by_energy(other, fraction, reference)) {
+  if (!by_energy_from_either(other, fraction, reference)) {
     recorder_.result().inverted = check_validity(topology, x, threads).inverted;
     return false;
   }

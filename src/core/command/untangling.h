@@ -3,6 +3,7 @@
 #include "core/command/command.h"
 #include "core/command/run_recorder.h"
 #include "core/command/workspace.h"
+#include "core/outer/energy_untangler.h"
 
 namespace winslow {
 
@@ -19,7 +20,9 @@ class Untangling {
 
  private:
   bool by_picard(Coordinates& x, double fraction);
-  bool by_energy(Coordinates& x, double fraction, const Coordinates* reference);
+  bool by_energy(Coordinates& x, double fraction, const Coordinates* reference, Interior interior,
+                 const RunRecorder::Enough& enough = {});
+  bool by_energy_from_either(Coordinates& x, double fraction, const Coordinates* reference);
 
   const MeshState& state_;
   SmoothingWorkspace& workspace_;

@@ -48,21 +48,43 @@ std::vector<double> neighbourhood_sizes(const Topology& topology, const TargetSh
 
 EnergyUntangler::EnergyUntangler(const Topology& topology, const VariationalWinslow& formulation,
                                  LinearSolver& linear, const SmoothOptions& options,
-                                 const Coordinates* reference)
-    : topology_(topology), formulation_(formulation), linear_(linear), options_(options) {
-  if (reference) reference_ = neighbourhood_sizes(topology, formulation.shapes(), *reference);
+                                 const Coordinates* reference, Interior interior)
+    : topology_(topology),
+      formulation_(formulation),
+      linear_(linear),
+      options_(options),
+      reference_(reference),
+      interior_(interior) {
   regularisation_.epsilon = 1;
+  // What is left of a looser residual may be larger than the triangles at a small body.
+  constexpr double loosest = 1e-6;
+  linear_.set_tolerance(std::min(options_.linear.tolerance, loosest));
+}
+
+/// Once and for all: sizes measured anew as the mesh changes would let nodes that draw together go
+/// on to one point, the regularisation shrinking with their triangles.
+void EnergyUntangler::measure_sizes(const Coordinates& x) {
+  sizes_ = neighbourhood_sizes(topology_, formulation_.shapes(), reference_ ? *reference_ : x);
+}
+
+/// So much, and the same for all triangles, that nothing is left of their determinants: the energy
+/// is the sum of the targets' quadratic forms, and one Newton step leads to its only minimum.
+void EnergyUntangler::regularise_away(const Coordinates& x) {
+  constexpr double far_beyond = 1e6;  // the largest determinant
+  const auto& triangles = formulation_.shapes().triangles;
+  double largest = std::numeric_limits<double>::min();
+  for (const auto& nodes : triangles) largest = std::max(largest, std::abs(determinant(nodes, x)));
+  regularisation_.size.assign(triangles.size(), far_beyond * largest);
 }
 
 void EnergyUntangler::choose_regularisation(const Coordinates& x) {
+  if (harmonic_step()) return regularise_away(x);
   constexpr double share = 1;  // of an inverted triangle's determinant
   const auto& triangles = formulation_.shapes().triangles;
-  const std::vector<double> sizes =
-      reference_.empty() ? neighbourhood_sizes(topology_, formulation_.shapes(), x) : reference_;
   regularisation_.size.resize(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const double negative = std::min(0.0, determinant(triangles[t], x));
-    regularisation_.size[t] = std::hypot(softness_ * sizes[t], share * negative);
+    regularisation_.size[t] = std::hypot(softness_ * sizes_[t], share * negative);
   }
 }
 
@@ -88,6 +110,7 @@ IterationRecord EnergyUntangler::start(const Coordinates& x) {
   softness_ = softest;
   least_inverted_ = std::numeric_limits<Index>::max();
   last_progress_ = 0;
+  measure_sizes(x);
   assess(x);
   choose_regularisation(x);
   std::vector<double> residual(2 * topology_.free_nodes().size());
@@ -99,6 +122,11 @@ IterationRecord EnergyUntangler::start(const Coordinates& x) {
 
 IterationRecord EnergyUntangler::step(Coordinates& x) {
   ++record_.iteration;
+  if (interior_ == Interior::harmonic && record_.iteration == 2) {
+    measure_sizes(x);
+    least_inverted_ = record_.inverted;
+    last_progress_ = 1;
+  }
   choose_regularisation(x);
   const auto free = topology_.free_nodes();
   std::vector<double> residual(2 * free.size()), direction(2 * free.size(), 0.0);
@@ -116,7 +144,11 @@ IterationRecord EnergyUntangler::step(Coordinates& x) {
   for (int trial = 0; trial < most_trials; ++trial, t *= 0.5) {
     Coordinates candidate = x;
     const double move = advance(topology_, direction, t, candidate);
-    if (formulation_.energy(candidate, &regularisation_) > energy - armijo * t * slope) continue;
+    // To the minimum of a quadratic form needs no search, which round-off would end if x is there.
+    if (!harmonic_step() &&
+        formulation_.energy(candidate, &regularisation_) > energy - armijo * t * slope) {
+      continue;
+    }
     x = std::move(candidate);
     record_.damping = t;
     record_.largest_move = move;
