@@ -1,5 +1,6 @@
 #include "core/command/untangling.h"
 
+#include <utility>
 #include <vector>
 
 #include "core/quality/quality.h"
@@ -48,26 +49,26 @@ bool Untangling::by_energy(Coordinates& x, double fraction, const Coordinates* r
   return untangler.converged();
 }
 
-/// From x as it stands where it is tangled in places only, or from the harmonic interior: nothing
-/// of a scramble is worth keeping, and as it stands the energy would draw its nodes together in
-/// heaps.
+/// From the harmonic interior if that has fewer inverted elements: nothing of a scramble is worth
+/// keeping, and as it stands the energy would draw its nodes together in heaps.
+bool Untangling::by_harmonic_start(Coordinates& x, double fraction) {
+  constexpr int limit = 60;  // what it does not do soon it mostly never does
+  const int threads = workspace_.options().threads;
+  const Index given = check_validity(*state_.mesh.topology, x, threads).inverted;
+  const auto hopeless = [given](const IterationRecord& record) {
+    return record.iteration > limit || (record.iteration == 1 && record.inverted >= given);
+  };
+  Coordinates harmonic = x;
+  if (!by_energy(harmonic, fraction, nullptr, Interior::harmonic, hopeless)) return false;
+  x = std::move(harmonic);
+  return true;
+}
+
+/// Both ways to begin, each to the end.
 bool Untangling::by_energy_from_either(Coordinates& x, double fraction,
                                        const Coordinates* reference) {
   const Coordinates start = x;
-  bool tried = false;
-  if (!reference) {
-    tried = true;
-    const int threads = workspace_.options().threads;
-    const Index given = check_validity(*state_.mesh.topology, x, threads).inverted;
-    const auto no_better = [&](const IterationRecord& record) {
-      if (record.iteration == 1 && record.inverted >= given) tried = false;
-      return !tried;
-    };
-    if (by_energy(x, fraction, reference, Interior::harmonic, no_better)) return true;
-    x = start;
-  }
   if (by_energy(x, fraction, reference, Interior::as_given, Stagnation())) return true;
-  if (tried) return false;
   x = start;
   return by_energy(x, fraction, reference, Interior::harmonic);
 }
@@ -77,10 +78,15 @@ bool Untangling::run(Coordinates& x, double fraction, const Coordinates* referen
   const int threads = workspace_.options().threads;
   if (check_validity(topology, x, threads).inverted == 0) return true;
   const Untangle how = workspace_.options().untangle;
-  const Coordinates start = x;
-  if (how != Untangle::energy && by_picard(x, fraction)) return true;
-  if (how == Untangle::picard) return false;
+  // The pointwise form has the fixed point for its own, which leads nearer to its solution.
+  const bool energy_first =
+      how == Untangle::energy ||
+      (how == Untangle::automatic && workspace_.options().formulation == "variational");
+  if (energy_first && !reference && by_harmonic_start(x, fraction)) return true;
   if (how == Untangle::energy) return by_energy_from_either(x, fraction, reference);
+  const Coordinates start = x;
+  if (by_picard(x, fraction)) return true;
+  if (how == Untangle::picard) return false;
   if (by_energy(x, fraction, reference, Interior::as_given)) return true;
   // Where the fixed point leads astray, the energy alone may do better from the start itself.
   Coordinates other = start;

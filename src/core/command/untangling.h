@@ -22,6 +22,7 @@ class Untangling {
   bool by_picard(Coordinates& x, double fraction);
   bool by_energy(Coordinates& x, double fraction, const Coordinates* reference, Interior interior,
                  const RunRecorder::Enough& enough = {});
+  bool by_harmonic_start(Coordinates& x, double fraction);
   bool by_energy_from_either(Coordinates& x, double fraction, const Coordinates* reference);
 
   const MeshState& state_;

@@ -23,7 +23,7 @@ enum class OuterMethod {
 
 /// How a mesh with inverted elements is untangled before Newton's method can begin.
 enum class Untangle {
-  automatic,  ///< both: fixed point first, the energy where that does not end valid
+  automatic,  ///< both: a scramble by the energy first, a moved boundary by the fixed point
   picard,     ///< damped fixed point of the pointwise form, negative weights clipped
   energy      ///< the variational form with a regularised determinant
 };
