@@ -94,7 +94,8 @@ void add_smooth_flags(CLI::App& app, SmoothOptions& options) {
   app.add_option_function<std::string>(
          "--untangle",
          [&options](const std::string& text) { options.untangle = parse_untangle(text); },
-         "How inverted elements are untangled; auto: scrambles by energy first, moved boundaries by picard, then the other")
+         "How inverted elements are untangled; auto: scrambles by energy first, moved boundaries "
+         "by picard, then the other")
       ->check(one_of({"auto", "picard", "energy"}))
       ->option_text("auto|picard|energy [auto]")
       ->group(group);
