@@ -22,7 +22,7 @@ void store(double* p, const Pack& v) { __builtin_memcpy(p, &v, sizeof v); }
 void add(double* p, const Pack& v) { store(p, load(p) + v); }
 
 Pack square_root(const Pack& v) {
-  Pack r;
+  Pack r{};
   for (Index l = 0; l < lanes; ++l) r[l] = sqrt(v[l]);
   return r;
 }
@@ -51,10 +51,10 @@ Pack4 transposed(const Pack4& m) {
 
 /// Edges and determinants of four triangles, with chi(d) and its slope in place of d.
 struct Corners {
-  Pack ux, uy, vx, vy, determinant, slope, half_inverse;
+  Pack ux{}, uy{}, vx{}, vy{}, determinant, slope, half_inverse;
 
   Corners(const TriangleData& data, const Index* triangle) {
-    Pack ax, ay;
+    Pack ax{}, ay{};
     for (Index l = 0; l < lanes; ++l) {
       const Index* n = data.nodes + 3 * static_cast<long>(triangle[l]);
       const double* a = data.x + 2 * static_cast<long>(n[0]);
@@ -79,7 +79,7 @@ struct Corners {
       return;
     }
     // chi(d) = (d + root) / 2; for d < 0 the sum cancels: chi = e^2 / (2 (root - d)).
-    Pack e;
+    Pack e{};
     for (Index l = 0; l < lanes; ++l) e[l] = data.epsilon * data.size[triangle[l]];
     const Pack root = square_root(e * e + d * d);
     const Pack sum = root + (d < 0 ? -d : d);
@@ -111,7 +111,7 @@ struct Term {
   /// Term number k of each; a triangle without one takes its first again, with weight zero.
   Term(const TriangleData& data, const Index* triangle, Index k) {
     const double* row[lanes];
-    Pack share;
+    Pack share{};
     for (Index l = 0; l < lanes; ++l) {
       const Index first = data.offsets[triangle[l]];
       const bool used = first + k < data.offsets[triangle[l] + 1];
