@@ -28,11 +28,21 @@ EnergyNewton::EnergyNewton(const Topology& topology, const VariationalWinslow& f
       linear_(linear),
       options_(options),
       residual_(2 * topology.free_nodes().size()),
-      direction_(2 * topology.free_nodes().size()) {
-  // The entries of one matrix lie many orders of magnitude apart where an element is near to
-  // inversion: what is left of a looser residual can be all that matters there.
-  constexpr double loosest = 1e-6;
-  linear_.set_tolerance(std::min(options_.linear.tolerance, loosest));
+      direction_(2 * topology.free_nodes().size()),
+      tight_(std::min(options.linear.tolerance, 1e-6)) {
+  linear_.set_tolerance(tight_);
+}
+
+/// Relative residual to which the next step is solved. Far from the solution the linear model is
+/// worth no more than a digit beyond the residual; falling with it, the tolerance leaves the end of
+/// the iteration as fast as exact solves would. But the entries of one matrix lie many orders of
+/// magnitude apart where an element is near to inversion: what is left of a loose residual can be
+/// all that matters there.
+double EnergyNewton::forcing() const {
+  constexpr double share = 0.1, loosest = 1e-2;
+  constexpr double slender = 0.1;  // sine
+  if (record_.min_sine < slender || record_.damping < 1) return tight_;
+  return std::clamp(share * record_.residual, tight_, std::max(tight_, loosest));
 }
 
 void EnergyNewton::assess(const Coordinates& x) {
@@ -140,7 +150,10 @@ bool EnergyNewton::search(Coordinates& x, double slope) {
 IterationRecord EnergyNewton::step(Coordinates& x) {
   ++record_.iteration;
   if (topology_.free_nodes().empty()) return record_;
-  stalled_ = !search(x, solve_for_direction(x));
+  linear_.set_tolerance(forcing());
+  const double slope = solve_for_direction(x);
+  linear_.set_tolerance(tight_);  // over a long way, what else is left exceeds small elements
+  stalled_ = !search(x, slope);
   if (stalled_) record_.damping = record_.largest_move = 0;
   assess(x);
   return record_;
@@ -152,6 +165,16 @@ bool EnergyNewton::converged() const {
 
 void EnergyNewton::predict(const Coordinates& x, const Coordinates& displacement,
                            std::span<double> out) {
+  respond(x, displacement, false, out);
+}
+
+void EnergyNewton::predict_and_correct(const Coordinates& x, const Coordinates& displacement,
+                                       std::span<double> out) {
+  respond(x, displacement, true, out);
+}
+
+void EnergyNewton::respond(const Coordinates& x, const Coordinates& displacement, bool correct,
+                           std::span<double> out) {
   if (!factorised_ || !exact_) {
     if (!factorise_exact(x, true)) factorise_projected(x);
   }
@@ -159,6 +182,11 @@ void EnergyNewton::predict(const Coordinates& x, const Coordinates& displacement
   // however far it moves.
   std::vector<double> response(out.size());
   formulation_.boundary_response(factorised_at_, displacement, response);
+  if (correct) {
+    std::vector<double> rest = residual_;
+    if (!(factorised_at_ == x)) formulation_.residual(x, false, rest);
+    for (std::size_t i = 0; i < rest.size(); ++i) response[i] += rest[i];
+  }
   std::fill(out.begin(), out.end(), 0.0);
   ++linear_solves_;
   try {
