@@ -40,8 +40,7 @@ EnergyNewton::EnergyNewton(const Topology& topology, const VariationalWinslow& f
 /// all that matters there.
 double EnergyNewton::forcing() const {
   constexpr double share = 0.1, loosest = 1e-2;
-  constexpr double slender = 0.1;  // sine
-  if (record_.min_sine < slender || record_.damping < 1) return tight_;
+  if (slender() || record_.damping < 1) return tight_;
   return std::clamp(share * record_.residual, tight_, std::max(tight_, loosest));
 }
 
@@ -75,21 +74,25 @@ void EnergyNewton::factorise(const Coordinates& x) {
 }
 
 bool EnergyNewton::factorise_exact(const Coordinates& x, bool may_raise) {
+  // So near to the solution the last exact Hessian still makes a good preconditioner: 10 % of the
+  // time of a motion with Cholesky factors, 3 % with multigrid. Further away it costs more.
+  constexpr double near = 0.01;  // scaled residual
+  const bool keep = factorised_ && exact_ && record_.residual <= near && !slender();
   factorised_ = false;
   factorised_at_ = x;
   formulation_.linearise(x, Curvature::exact, hessian_, residual_);
-  exact_ = try_matrix();
+  exact_ = try_matrix(keep);
   if (exact_ || !may_raise) return exact_;
   for (const double share : {1e-4, 1e-2}) {
     shift_diagonal(hessian_, share);
-    if (try_matrix()) return true;
+    if (try_matrix(false)) return true;
   }
   return false;
 }
 
-bool EnergyNewton::try_matrix() {
+bool EnergyNewton::try_matrix(bool keep) {
   try {
-    linear_.set_matrix(hessian_);
+    linear_.set_matrix(hessian_, keep);
     factorised_ = true;
   } catch (const NotPositiveDefinite&) {
     factorised_ = false;

@@ -36,11 +36,13 @@ class EnergyNewton final : public SteadySolver {
 
  private:
   double forcing() const;
+  /// Whether an element is so near to inversion that only exact solves are to be trusted.
+  bool slender() const { return record_.min_sine < 0.1; }
   void respond(const Coordinates& x, const Coordinates& displacement, bool correct,
                std::span<double> out);
   void factorise(const Coordinates& x);
   bool factorise_exact(const Coordinates& x, bool may_raise);
-  bool try_matrix();
+  bool try_matrix(bool keep);
   void factorise_projected(const Coordinates& x);
   double solve_for_direction(const Coordinates& x);
   bool search(Coordinates& x, double slope);
