@@ -58,10 +58,14 @@ double PathFollower::follow(const Motion& motion, const Coordinates& rest, doubl
     const double to = fraction + stretch * step >= 1 ? 1.0 : fraction + step;
     Coordinates trial_x = x;
     IterationRecord record;
+    // A correction does not get shorter with the step: where the path is hard to follow it would
+    // outweigh the prediction, and lead astray.
+    constexpr double long_step = 0.02;
+    const bool may_correct = correct && to - fraction > long_step;
     const bool may_shorten = to - fraction > options_.cautious_step;
-    const Trial trial = attempt(motion, rest, {to, correct, may_shorten}, trial_x, record);
+    const Trial trial = attempt(motion, rest, {to, may_correct, may_shorten}, trial_x, record);
     if (!trial.valid) {
-      correct = false;  // a correction does not get shorter with the step
+      correct = false;
       constexpr double margin = 0.7;
       step = (to - fraction) * std::clamp(margin * trial.possible, 0.1, 0.7);
       if (step < options_.smallest_step) return fraction;
@@ -72,6 +76,7 @@ double PathFollower::follow(const Motion& motion, const Coordinates& rest, doubl
       return fraction;
     }
     if (!trial.trusted && may_shorten) {
+      correct = false;
       if (trial.corrections > 0) solver_.forget_factorisation();
       step = 0.5 * (to - fraction);
       continue;
