@@ -29,13 +29,20 @@ class EnergyNewton final : public SteadySolver {
 
   void predict(const Coordinates& x, const Coordinates& displacement,
                std::span<double> out) override;
+  void predict_and_correct(const Coordinates& x, const Coordinates& displacement,
+                           std::span<double> out) override;
   void forget_factorisation() override { factorised_ = false; }
   int linear_solves() const override { return linear_solves_; }
 
  private:
+  double forcing() const;
+  /// Whether an element is so near to inversion that only exact solves are to be trusted.
+  bool slender() const { return record_.min_sine < 0.1; }
+  void respond(const Coordinates& x, const Coordinates& displacement, bool correct,
+               std::span<double> out);
   void factorise(const Coordinates& x);
   bool factorise_exact(const Coordinates& x, bool may_raise);
-  bool try_matrix();
+  bool try_matrix(bool keep);
   void factorise_projected(const Coordinates& x);
   double solve_for_direction(const Coordinates& x);
   bool search(Coordinates& x, double slope);
@@ -48,6 +55,7 @@ class EnergyNewton final : public SteadySolver {
   IterationRecord record_;
   SparseMatrix hessian_;
   std::vector<double> residual_, direction_;
+  double tight_;  // tolerance of the linear solver where a looser one would not do
   double energy_ = 0;
   double round_off_ = 0;
   Coordinates factorised_at_;

@@ -8,17 +8,22 @@
 
 namespace winslow {
 
-PathFollower::Trial PathFollower::attempt(const Motion& motion, const Coordinates& rest, double to,
-                                          Coordinates& x, IterationRecord& record) {
+PathFollower::Trial PathFollower::attempt(const Motion& motion, const Coordinates& rest,
+                                          const Goal& goal, Coordinates& x,
+                                          IterationRecord& record) {
   const auto free = topology_.free_nodes();
   Coordinates moved = x;
-  motion.apply(rest, to, moved);
+  motion.apply(rest, goal.fraction, moved);
   Coordinates displacement(x.dimension(), x.size());
   for (const Index node : motion.nodes()) {
     displacement.set_xy(node, moved.xy(node) - x.xy(node));
   }
   std::vector<double> answer(2 * free.size());
-  solver_.predict(x, displacement, answer);
+  if (goal.correct) {
+    solver_.predict_and_correct(x, displacement, answer);
+  } else {
+    solver_.predict(x, displacement, answer);
+  }
   for (std::size_t i = 0; i < free.size(); ++i) {
     moved.set_xy(free[i], x.xy(free[i]) + Vec2(answer[2 * i], answer[2 * i + 1]));
   }
@@ -35,6 +40,8 @@ PathFollower::Trial PathFollower::attempt(const Motion& motion, const Coordinate
     record = solver_.step(x);
     ++trial.corrections;
     if (record.damping < 1) trial.trusted = false;
+    // Steps cut short creep, at the cost of the worst conditioned systems: rather less at once.
+    if (!trial.trusted && goal.may_shorten) return trial;
   }
   if (record.residual > options_.loose_tolerance) trial.trusted = false;
   return trial;
@@ -44,30 +51,39 @@ double PathFollower::follow(const Motion& motion, const Coordinates& rest, doubl
                             Coordinates& x, const Accept& accept) {
   double fraction = from;
   double step = options_.first_step;
+  bool correct = true;
   while (fraction < 1) {
     // A last step that is a little longer saves a very short one.
     constexpr double stretch = 1.05;
     const double to = fraction + stretch * step >= 1 ? 1.0 : fraction + step;
     Coordinates trial_x = x;
     IterationRecord record;
-    const Trial trial = attempt(motion, rest, to, trial_x, record);
+    // A correction does not get shorter with the step: where the path is hard to follow it would
+    // outweigh the prediction, and lead astray.
+    constexpr double long_step = 0.02;
+    const bool may_correct = correct && to - fraction > long_step;
+    const bool may_shorten = to - fraction > options_.cautious_step;
+    const Trial trial = attempt(motion, rest, {to, may_correct, may_shorten}, trial_x, record);
     if (!trial.valid) {
+      correct = false;
       constexpr double margin = 0.7;
       step = (to - fraction) * std::clamp(margin * trial.possible, 0.1, 0.7);
       if (step < options_.smallest_step) return fraction;
       continue;
     }
-    if (!trial.trusted && to - fraction <= options_.cautious_step && !options_.greedy) {
+    if (!trial.trusted && !may_shorten && !options_.greedy) {
       solver_.forget_factorisation();
       return fraction;
     }
-    if (!trial.trusted && to - fraction > options_.cautious_step) {
+    if (!trial.trusted && may_shorten) {
+      correct = false;
       if (trial.corrections > 0) solver_.forget_factorisation();
       step = 0.5 * (to - fraction);
       continue;
     }
     x = std::move(trial_x);
     fraction = to;
+    correct = true;
     record.fraction = fraction;
     if (!accept(record, x)) break;
     if (trial.corrections <= 1) step *= options_.growth;

@@ -38,13 +38,18 @@ class PathFollower {
                 const Accept& accept);
 
  private:
+  struct Goal {
+    double fraction;   // of the motion
+    bool correct;      // on the way, what x lacks to be on the path
+    bool may_shorten;  // another trial with a shorter step is an option
+  };
   struct Trial {
     bool valid = false;
     double possible = 0;  // share of the prediction that is valid
     int corrections = 0;
     bool trusted = false;  // the path was met by full Newton steps
   };
-  Trial attempt(const Motion& motion, const Coordinates& rest, double to, Coordinates& x,
+  Trial attempt(const Motion& motion, const Coordinates& rest, const Goal& goal, Coordinates& x,
                 IterationRecord& record);
 
   const Topology& topology_;

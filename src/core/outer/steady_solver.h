@@ -16,6 +16,12 @@ class SteadySolver : public OuterSolver {
   /// Uses the factorisation at hand where there is one for this topology: one linear solve.
   virtual void predict(const Coordinates& x, const Coordinates& displacement,
                        std::span<double> out) = 0;
+  /// The same, plus what leads back to the solution where x is only near one: still one linear
+  /// solve. Solvers that know no such correction predict.
+  virtual void predict_and_correct(const Coordinates& x, const Coordinates& displacement,
+                                   std::span<double> out) {
+    predict(x, displacement, out);
+  }
   /// Forgets the factorisation, so that the next prediction is made at its own coordinates.
   virtual void forget_factorisation() = 0;
 };
