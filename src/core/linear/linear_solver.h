@@ -14,7 +14,7 @@ struct LinearOptions {
   std::string solver = "automatic";  ///< one of linear_solver_names()
   /// Relative residual at which an iterative solver stops. The outer iteration corrects what is
   /// left, so a loose one costs no accuracy: the converged mesh is the same. Newton's method on the
-  /// energy uses 1e-6 at most.
+  /// energy chooses its own, between 1e-2 and 1e-6 (or this one, if it is tighter still).
   double tolerance = 1e-3;
   int max_iterations = 200;  ///< Gauss-Seidel sweeps or Krylov iterations per solve
   int restart = 30;          ///< Krylov vectors before GMRES restarts

@@ -130,6 +130,31 @@ TEST_CASE("the predictor is the derivative of the solution with respect to the b
   }
 }
 
+TEST_CASE("a correcting prediction is a prediction and a Newton step in one") {
+  Random random(5);
+  Mesh mesh = make_mesh(annulus(24, 6, 1.25, Cells::triangles));
+  const Topology& topology = *mesh.topology;
+  const Solver solver(mesh);
+  Coordinates steady = mesh.coordinates;
+  solver.run(steady);
+  constexpr double shaken = 1e-4;
+  Coordinates x = steady;
+  for (const Index node : topology.free_nodes()) {
+    x.set_xy(node, x.xy(node) + random.vector(-shaken, shaken));
+  }
+  std::vector<double> answer(2 * topology.free_nodes().size());
+  solver.newton->start(x);
+  solver.newton->forget_factorisation();
+  solver.newton->predict_and_correct(x, Coordinates(2, x.size()), answer);
+  double worst = 0;
+  for (std::size_t i = 0; i < topology.free_nodes().size(); ++i) {
+    const Index node = topology.free_nodes()[i];
+    const Vec2 corrected = x.xy(node) + Vec2(answer[2 * i], answer[2 * i + 1]);
+    worst = std::max(worst, (corrected - steady.xy(node)).norm());
+  }
+  CHECK(worst < 0.05 * shaken);
+}
+
 TEST_CASE("a path leads through valid meshes to the solution, however far the body turns") {
   for (const Cells cells : {Cells::triangles, Cells::quads, Cells::mixed}) {
     for (const double degrees : {90.0, -178.0, 225.0}) {
