@@ -57,8 +57,4 @@ function(winslow_tests name)
                           WINSLOW_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data")
   winslow_compile_options(${name}_tests)
   add_test(NAME ${name} COMMAND ${name}_tests)
-  if(WINSLOW_SANITIZE STREQUAL "thread")
-    # CHOLMOD asks for OpenMP threads whose runtime is not instrumented: its barriers look like races.
-    set_tests_properties(${name} PROPERTIES ENVIRONMENT "OMP_THREAD_LIMIT=1")
-  endif()
 endfunction()

@@ -1,5 +1,6 @@
 #if defined(WINSLOW_HAS_CHOLMOD)
 #include <cholmod.h>
+#include <dlfcn.h>
 
 #include <new>
 #include <string>
@@ -57,6 +58,37 @@ class Common {
   cholmod_common common_;
 };
 
+/// Has the calling thread's CHOLMOD work alone while it exists. CHOLMOD asks OpenMP for four
+/// threads for every supernode, whatever OMP_NUM_THREADS says: on two cores the motion of a small
+/// mesh took twice as long, most of it waiting. The OpenMP runtime is CHOLMOD's, if it was built
+/// with one.
+class WithoutOpenMP {
+ public:
+  WithoutOpenMP() {
+    if (set()) set()(0);
+  }
+  ~WithoutOpenMP() {
+    if (set()) set()(levels_);
+  }
+  WithoutOpenMP(const WithoutOpenMP&) = delete;
+  WithoutOpenMP& operator=(const WithoutOpenMP&) = delete;
+
+ private:
+  using Get = int (*)();
+  using Set = void (*)(int);
+
+  static int most_levels() {
+    static const auto get = reinterpret_cast<Get>(dlsym(RTLD_DEFAULT, "omp_get_max_active_levels"));
+    return get ? get() : 1;
+  }
+  static Set set() {
+    static const auto set = reinterpret_cast<Set>(dlsym(RTLD_DEFAULT, "omp_set_max_active_levels"));
+    return set;
+  }
+
+  int levels_ = most_levels();
+};
+
 /// A view of compressed columns as the lower triangle of a symmetric matrix. values: null for the
 /// pattern alone.
 cholmod_sparse lower_view(Index rows, const Index* outer, const Index* inner, const double* values,
@@ -95,6 +127,7 @@ class CholmodCholesky final : public Factorisation {
   void factorise(const SparseMatrix& matrix) override {
     if (matrix_.assign(matrix) || !factor_) analyse(matrix);
     cholmod_sparse a = view();
+    const WithoutOpenMP alone;
     cholmod_factorize(&a, factor_, common_.get());
     common_.check();
     if (common_.status() == CHOLMOD_NOT_POSDEF || factor_->minor < factor_->n) {
@@ -113,6 +146,7 @@ class CholmodCholesky final : public Factorisation {
     view.x = b.data();
     view.xtype = CHOLMOD_REAL;
     view.dtype = CHOLMOD_DOUBLE;
+    const WithoutOpenMP alone;
     cholmod_solve2(CHOLMOD_A, factor_, &view, nullptr, &solution_, nullptr, &work_y_, &work_e_,
                    common_.get());
     common_.check();
