@@ -2,9 +2,10 @@
 """Makes random test meshes.
 
 python3 make_random.py OUT_FOLDER [--count N] [--seed S] [--max-rotation DEG]
+                                  [--max-holes H]
 
 Needs numpy and the gmsh program. Mesh k is drawn from seed S + k alone: an outer polygon (convex or
-not) with one to three holes (polygons or ellipses), meshed with triangles, recombined
+not) with one to H (default 3) holes (polygons or ellipses), meshed with triangles, recombined
 quadrilaterals, or both (quadrilaterals in a disc around the first hole), and written as .su2, .msh
 (4.1) or .msh (2.2) with the markers `outer`, `hole1`, `hole2`, ...  OUT_FOLDER/meshes.json lists
 for each mesh
@@ -69,9 +70,9 @@ def inside(point, loop):
     return bool(np.count_nonzero(crosses & (at > x)) % 2)
 
 
-def draw_holes(rng, outer):
-    """One to three holes as (centre, radius of the disc around it, loop)."""
-    holes, wanted = [], int(rng.integers(1, 4))
+def draw_holes(rng, outer, most):
+    """One to `most` holes, as far as there is room, as (centre, radius of the disc around it, loop)."""
+    holes, wanted = [], int(rng.integers(1, most + 1))
     for _ in range(400):
         if len(holes) == wanted:
             break
@@ -177,7 +178,7 @@ def draw_motion(rng, outer, holes, max_rotation):
             "translate": [float(step * np.cos(way)), float(step * np.sin(way))]}
 
 
-def make(folder, index, seed, max_rotation):
+def make(folder, index, seed, max_rotation, max_holes):
     rng = np.random.default_rng(seed)
     holes = []
     while not holes:
@@ -185,7 +186,7 @@ def make(folder, index, seed, max_rotation):
             outer = convex_polygon(rng, int(rng.integers(4, 9)), 1.0)
         else:
             outer = star_polygon(rng, int(rng.integers(5, 10)), 0.7, 1.0)
-        holes = draw_holes(rng, outer)
+        holes = draw_holes(rng, outer, max_holes)
     kind = KINDS[index % len(KINDS)]
     suffix, fmt = FORMATS[index // len(KINDS) % len(FORMATS)]
     target, shares = rng.uniform(800, 4000), (rng.uniform(0.25, 0.6), rng.uniform(0.06, 0.15))
@@ -210,9 +211,11 @@ def main():
     parser.add_argument("--count", type=int, default=20)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--max-rotation", type=float, default=120.0, help="degrees, either way")
+    parser.add_argument("--max-holes", type=int, default=3)
     args = parser.parse_args()
     args.folder.mkdir(parents=True, exist_ok=True)
-    made = [make(args.folder, k, args.seed + k, args.max_rotation) for k in range(args.count)]
+    made = [make(args.folder, k, args.seed + k, args.max_rotation, args.max_holes)
+            for k in range(args.count)]
     (args.folder / "meshes.json").write_text(json.dumps({"meshes": made}, indent=2) + "\n")
 
 
