@@ -56,7 +56,7 @@ void add_rank_one(double lambda, const Matrix2& m, const Matrix2& root, double* 
   // <m, dJ> = <m, [du dv] root> = <m root^T, [du dv]>: one vector for each edge.
   const Matrix2 q = times_transposed(m, root);
   const double b[2] = {q.a, q.c}, c[2] = {q.b, q.d}, a[2] = {-q.a - q.b, -q.c - q.d};
-  const auto add_outer = [&](int place, const double* v, const double* w) {
+  const auto add_outer = [&](std::ptrdiff_t place, const double* v, const double* w) {
     double* block = blocks + place;
     block[0] += lambda * v[0] * w[0];
     block[1] += lambda * v[0] * w[1];

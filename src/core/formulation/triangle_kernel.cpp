@@ -1,7 +1,7 @@
 #include "core/formulation/triangle_kernel.h"
 
 #define WINSLOW_KERNEL portable_kernel
-#include "core/formulation/triangle_kernel_impl.h"
+#include "core/formulation/triangle_kernel.inc"
 
 namespace winslow::distortion {
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include "core/index.h"
 
 /// The innermost loops of the variational form, four triangles at a time, in machine code for the
@@ -39,7 +42,7 @@ struct TriangleData {
 /// c, b's at c; then for each of a, b, c the gradient (x, y), the length of the two edges there,
 /// and 1.
 struct TriangleSum {
-  static constexpr int ab = 0, ac = 4, bc = 8, corners = 12, size = 24;
+  static constexpr std::ptrdiff_t ab = 0, ac = 4, bc = 8, corners = 12, size = 24;
 };
 
 /// Where a triangle's sum belongs in a block of rows. Blocks of the matrix: 4 numbers each; row

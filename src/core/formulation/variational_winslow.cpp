@@ -16,7 +16,6 @@ namespace {
 using distortion::Corner2;
 using distortion::PenaltyFunction;
 using distortion::TriangleData;
-using distortion::TrianglePlaces;
 using distortion::TriangleSum;
 
 constexpr std::size_t at(Index i) { return static_cast<std::size_t>(i); }
@@ -99,7 +98,7 @@ struct VariationalWinslow::BlockMemory {
 };
 
 VariationalWinslow::VariationalWinslow(std::shared_ptr<const Topology> topology,
-                                       TargetShapes shapes, const PenaltyOptions& penalty,
+                                       const TargetShapes& shapes, const PenaltyOptions& penalty,
                                        int threads)
     : topology_(std::move(topology)),
       penalty_(penalty),
@@ -261,7 +260,7 @@ Linearisation VariationalWinslow::linearise(const Coordinates& x, Curvature curv
 void VariationalWinslow::boundary_response(const Coordinates& x, const Coordinates& displacement,
                                            std::span<double> out) const {
   const TriangleData triangles = data(x, nullptr);
-  std::vector<double> sums(TriangleSum::size * 4 * ((half_free_.size() + 3) / 4));
+  std::vector<double> sums((half_free_.size() + 3) / 4 * 4 * TriangleSum::size);
   kernel_.sum(triangles, half_free_.data(), static_cast<Index>(half_free_.size()), 0, sums.data());
   std::fill(out.begin(), out.end(), 0.0);
   // out_i -= H_ij m_j for free i and constrained j.
@@ -275,7 +274,7 @@ void VariationalWinslow::boundary_response(const Coordinates& x, const Coordinat
   const double* sum = sums.data();
   for (const Index t : half_free_) {
     const auto& [a, b, c] = shapes_.triangles[at(t)];
-    const auto both = [&](Index i, Index j, int place) {
+    const auto both = [&](Index i, Index j, std::ptrdiff_t place) {
       subtract(i, j, sum + place, false);
       subtract(j, i, sum + place, true);
     };

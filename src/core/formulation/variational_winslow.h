@@ -53,7 +53,7 @@ struct Linearisation {
 class VariationalWinslow final : public Formulation {
  public:
   /// threads: 0 for all cores; no result depends on it.
-  VariationalWinslow(std::shared_ptr<const Topology> topology, TargetShapes shapes,
+  VariationalWinslow(std::shared_ptr<const Topology> topology, const TargetShapes& shapes,
                      const PenaltyOptions& penalty, int threads);
 
   std::string_view name() const override { return "variational"; }

@@ -147,7 +147,7 @@ TEST_CASE("sums are scattered to their rows and blocks") {
   kernel.scatter(sums.data(), places.data(), 2, rows_alone.data(), nullptr);
   CHECK(rows == rows_alone);
 
-  const auto block = [&](std::size_t t, int place, std::size_t r, std::size_t c) {
+  const auto block = [&](std::size_t t, std::ptrdiff_t place, std::size_t r, std::size_t c) {
     return sums[t * TriangleSum::size + static_cast<std::size_t>(place) + 2 * r + c];
   };
   using S = TriangleSum;
