@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """The robustness figure of docs/performance.md: python3 robustness.py PATH/TO/winslow [--meshes N]
-                                                    [--seed S] [--failures OUT.json]
+                                     [--seed S] [--failures OUT.json] [--again IN.json]
 
 Five cases on each of N random meshes with one to four holes (make_random.py): two motions with
 rotations up to 180 degrees, two translations of a hole straight towards the nearest other boundary,
 over 50 to 95 % of the way to contact, and one scramble. A case ends valid if the program writes a mesh
 that has no inverted element by an independent count, with status 0, or 5 where it had not converged
-within the limit of iterations. All that did not end with status 0 are listed, and written as JSON.
+within the limit of iterations. All that did not end with status 0 are listed, and written as JSON
+(robustness_open.json: those of the last run); --again runs only what such a file lists.
 """
 import argparse
 import json
@@ -79,8 +80,10 @@ def main():
     parser.add_argument("--meshes", type=int, default=100)
     parser.add_argument("--seed", type=int, default=1000)
     parser.add_argument("--failures", type=Path)
+    parser.add_argument("--again", type=Path)
     options = parser.parse_args()
     tally, failures = {}, []
+    listed = json.loads(options.again.read_text()) if options.again else None
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         subprocess.run([sys.executable, ROOT / "tests/meshes/make_random.py", folder, "--count",
@@ -88,10 +91,15 @@ def main():
                         "--max-holes", "4"],
                        check=True)
         for mesh in json.loads((folder / "meshes.json").read_text())["meshes"]:
+            wanted = [f for f in listed or [] if f["seed"] == mesh["seed"]]
+            if listed is not None and not wanted:
+                continue
             plain = folder / "plain.su2"
             run(options.winslow, ["convert", folder / mesh["file"], plain]).check_returncode()
             nodes, markers = read_nodes(plain), read_markers(plain)
             for kind, steps in cases_of(mesh, nodes, markers):
+                if listed is not None and not any(f["steps"] == steps for f in wanted):
+                    continue
                 valid, fault = run_case(options.winslow, folder, plain, steps)
                 so_far = tally.get(kind, (0, 0, 0))
                 tally[kind] = tuple(n + more for n, more in zip(so_far, (not fault, valid, 1)))
