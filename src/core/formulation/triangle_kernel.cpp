@@ -1,5 +1,7 @@
 #include "core/formulation/triangle_kernel.h"
 
+#include "core/simd/instruction_set.h"
+
 #define WINSLOW_KERNEL portable_kernel
 #include "core/formulation/triangle_kernel.inc"
 
@@ -13,11 +15,9 @@ const TriangleKernel& portable_triangle_kernel() { return portable_kernel; }
 
 const TriangleKernel* avx2_triangle_kernel() {
 #ifdef WINSLOW_HAS_AVX2
-  static const bool runs = __builtin_cpu_supports("avx2") != 0;
-  return runs ? &avx2_kernel : nullptr;
-#else
-  return nullptr;
+  if (has_avx2()) return &avx2_kernel;
 #endif
+  return nullptr;
 }
 
 const TriangleKernel& triangle_kernel() {

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/parallel/parallel_for.h"
 #include "core/quality/corner.h"
+#include "core/quality/corner_kernel.h"
 
 namespace winslow {
 
@@ -224,23 +225,17 @@ std::vector<double> element_values(const Mesh& mesh, Metric metric) {
 }
 
 Validity check_validity(const Topology& topology, const Coordinates& coordinates, int threads) {
+  const CornerData data{coordinates.values().data(), topology.elements().offsets.data(),
+                        topology.elements().values.data()};
+  const CornerKernel avx2 = avx2_corner_kernel();
+  const CornerKernel summarise = avx2 ? avx2 : portable_corner_kernel();
   const Index n = topology.element_count();
-  std::vector<Validity> blocks(at((n + parallel_block - 1) / parallel_block), {0, 1.0});
+  std::vector<CornerSummary> blocks(at((n + parallel_block - 1) / parallel_block));
   parallel_for(threads, n, [&](Index begin, Index end) {
-    Validity& v = blocks[at(begin / parallel_block)];
-    for (Index e = begin; e < end; ++e) {
-      const auto element = topology.element(e);
-      bool inverted = false;
-      for (std::size_t k = 0; k < element.size(); ++k) {
-        const Corner corner = corner_of(coordinates, element, k);
-        inverted = inverted || corner.inverted();
-        v.min_sine = std::min(v.min_sine, corner.sine());
-      }
-      v.inverted += inverted ? 1 : 0;
-    }
+    blocks[at(begin / parallel_block)] = summarise(data, begin, end);
   });
   Validity total{0, 1.0};
-  for (const Validity& v : blocks) {
+  for (const CornerSummary& v : blocks) {
     total.inverted += v.inverted;
     total.min_sine = std::min(total.min_sine, v.min_sine);
   }

@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/parallel/parallel_for.h"
+#include "core/quality/corner_kernel.h"
 #include "support/meshes.h"
 
 using namespace winslow;
@@ -323,6 +324,27 @@ TEST_CASE("the two agree also where round-off decides whether a triangle is flat
   }
   CHECK(inverted > 0);
   CHECK(inverted < 3000);
+}
+
+TEST_CASE("every version of the quick check gives the same bits") {
+  const CornerKernel fast = avx2_corner_kernel();
+  if (!fast) {
+    MESSAGE("no AVX2 here: one version only");
+    return;
+  }
+  for (const Cells cells : {Cells::triangles, Cells::quads, Cells::mixed}) {
+    CAPTURE(name_of(cells));
+    const Mesh mesh = moved_at_random(19, cells, true);
+    const CompressedRows& elements = mesh.topology->elements();
+    const CornerData data{mesh.coordinates.values().data(), elements.offsets.data(),
+                          elements.values.data()};
+    for (Index begin = 0; begin + 7 < elements.rows(); begin += 5) {
+      const CornerSummary a = fast(data, begin, begin + 7);
+      const CornerSummary b = portable_corner_kernel()(data, begin, begin + 7);
+      CHECK(a.inverted == b.inverted);
+      CHECK(a.min_sine == b.min_sine);
+    }
+  }
 }
 
 TEST_CASE("metrics are known by name") {
