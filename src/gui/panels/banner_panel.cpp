@@ -37,7 +37,7 @@ void BannerPanel::draw(const PanelContext& context) {
   const std::string icon = context.theme.icon(Icon::warning);
   const bool wide = !two_lines(context, ImGui::GetWindowWidth());
   const std::string text = icon.empty() ? banner->text : icon + "  " + banner->text;
-  ui::text_colored(bad ? color::danger : color::warning,
+  ui::text_colored(bad ? palette().danger : palette().warning,
                    ui::elided(text, ImGui::GetContentRegionAvail().x));
   ui::note("banner");
   ui::tooltip(banner->text);

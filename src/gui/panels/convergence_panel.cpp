@@ -39,8 +39,8 @@ void ConvergencePanel::draw(const PanelContext& context) {
   const ImVec2 text = ImGui::CalcTextSize(hint);
   if (text.x > size.x) return;
   ImGui::GetWindowDrawList()->AddText(
-      ImVec2(start.x + (size.x - text.x) / 2, start.y + (size.y - text.y) / 2), color::text_faint,
-      hint);
+      ImVec2(start.x + (size.x - text.x) / 2, start.y + (size.y - text.y) / 2),
+      palette().text_faint, hint);
 }
 
 }  // namespace winslow::gui

@@ -186,7 +186,7 @@ void FileDialog::draw_entry(const PanelContext& context, const Entry& entry) {
   const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   if (!entry.folder) {
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - context.theme.px(80));
-    ui::text_right(size_text(entry.size), color::text_faint);
+    ui::text_right(size_text(entry.size), palette().text_faint);
   }
   if (!pressed) return;
   if (entry.folder) return go(folder_ / entry.name);
@@ -214,7 +214,7 @@ void FileDialog::draw_footer(const PanelContext& context) {
   ui::checkbox("dialog/all", "All files", all_files_, "Show files of other kinds too");
   if (!error_.empty()) {
     ImGui::SameLine();
-    ui::text_colored(color::danger, error_);
+    ui::text_colored(palette().danger, error_);
   }
   if ((pressed || entered) && !name_.empty()) accept(context);
   if (cancelled || ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) close();

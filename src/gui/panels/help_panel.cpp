@@ -57,7 +57,7 @@ void HelpPanel::draw(const PanelContext& context) {
     ImGui::PopFont();
     ImGui::Spacing();
     for (const Line& line : lines) {
-      ui::text_colored(color::text, line.keys);
+      ui::text_colored(palette().text, line.keys);
       ImGui::SameLine(context.theme.px(210));
       ui::text_dim(line.what);
     }

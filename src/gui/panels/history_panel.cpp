@@ -59,7 +59,7 @@ void HistoryPanel::draw_step(const PanelContext& context, std::size_t position) 
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (present)
-    list.AddRectFilled(start, end, color::accent_soft, context.theme.px(4));
+    list.AddRectFilled(start, end, palette().accent_soft, context.theme.px(4));
   else if (ImGui::IsItemHovered())
     list.AddRectFilled(start, end, IM_COL32(37, 99, 235, 18), context.theme.px(4));
   bool bad = false;
@@ -67,12 +67,13 @@ void HistoryPanel::draw_step(const PanelContext& context, std::size_t position) 
     const SmoothResult& result = history.result(position);
     bad = result.inverted > 0 || !result.converged;
   }
-  const ImU32 dot = undone ? color::border : bad ? color::warning : color::accent;
+  const ImU32 dot = undone ? palette().border : bad ? palette().warning : palette().accent;
   list.AddCircleFilled(ImVec2(start.x + pad + context.theme.px(4), (start.y + end.y) / 2),
                        context.theme.px(3.5f), dot);
   const float x = start.x + pad + context.theme.px(16);
   const std::string text = ui::elided(title, end.x - pad - x);
-  list.AddText(ImVec2(x, start.y + pad), undone ? color::text_faint : color::text, text.c_str());
+  list.AddText(ImVec2(x, start.y + pad), undone ? palette().text_faint : palette().text,
+               text.c_str());
 }
 
 }  // namespace winslow::gui

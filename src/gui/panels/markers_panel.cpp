@@ -50,7 +50,7 @@ void MarkersPanel::draw_row(const PanelContext& context, Index marker) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end(start.x + size.x, start.y + size.y);
   const float round = context.theme.px(4);
-  if (selected) list.AddRectFilled(start, end, color::accent_soft, round);
+  if (selected) list.AddRectFilled(start, end, palette().accent_soft, round);
   if (over || lit) list.AddRectFilled(start, end, IM_COL32(37, 99, 235, 18), round);
   const float middle = (start.y + end.y) / 2;
   list.AddRectFilled(ImVec2(start.x + pad, middle - context.theme.px(6)),
@@ -60,12 +60,12 @@ void MarkersPanel::draw_row(const PanelContext& context, Index marker) {
   const float role_width = ImGui::CalcTextSize(role).x + 2 * pad;
   const float name_x = start.x + pad + context.theme.px(22);
   const std::string name = ui::elided(data.name, end.x - role_width - 2 * pad - name_x);
-  list.AddText(ImVec2(name_x, start.y + pad), color::text, name.c_str());
+  list.AddText(ImVec2(name_x, start.y + pad), palette().text, name.c_str());
   const ImVec2 pill(end.x - pad - role_width, start.y + pad / 2);
   if (selected)
-    list.AddRectFilled(pill, ImVec2(end.x - pad, end.y - pad / 2), color::accent, round);
-  list.AddText(ImVec2(pill.x + pad, start.y + pad), selected ? IM_COL32_WHITE : color::text_faint,
-               role);
+    list.AddRectFilled(pill, ImVec2(end.x - pad, end.y - pad / 2), palette().accent, round);
+  list.AddText(ImVec2(pill.x + pad, start.y + pad),
+               selected ? IM_COL32_WHITE : palette().text_faint, role);
 }
 
 }  // namespace winslow::gui

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* popup = "###prompt";
 
 ImU32 title_color(Prompt::Kind kind) {
-  return kind == Prompt::Kind::error ? color::danger : color::text;
+  return kind == Prompt::Kind::error ? palette().danger : palette().text;
 }
 
 void choose(const PanelContext& context, const Prompt::Choice& choice) {

@@ -78,19 +78,19 @@ void QualityPanel::draw_table(const PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(8), context.theme.px(4)));
   ImGui::BeginGroup();
   Table table(context.theme);
-  table.label("", color::text_dim);
+  table.label("", palette().text_dim);
   for (int column = 0; column < 3; ++column)
     table.cell(column, std::array{"min", "avg", "max"}[static_cast<std::size_t>(column)],
-               color::text_dim);
+               palette().text_dim);
   for (const Row& row : rows) {
-    table.label(row.name, color::text);
+    table.label(row.name, palette().text);
     ui::tooltip(row.tip);
-    table.numbers("as loaded", loaded.of(row.metric).statistics, color::text_dim);
-    table.numbers("now", now.of(row.metric).statistics, color::text);
+    table.numbers("as loaded", loaded.of(row.metric).statistics, palette().text_dim);
+    table.numbers("now", now.of(row.metric).statistics, palette().text);
   }
-  table.label("Inverted elements", color::text);
-  table.cell(1, grouped(loaded.inverted), color::text_dim);
-  table.cell(2, grouped(now.inverted), now.inverted > 0 ? color::danger : color::text);
+  table.label("Inverted elements", palette().text);
+  table.cell(1, grouped(loaded.inverted), palette().text_dim);
+  table.cell(2, grouped(now.inverted), now.inverted > 0 ? palette().danger : palette().text);
   ui::tooltip("As loaded, and now.");
   ImGui::EndGroup();
   ui::note("quality/table");

@@ -73,7 +73,7 @@ void SolverPanel::draw_state(const PanelContext& context) {
   ui::text_dim("iteration " + std::to_string(last.iteration) + ", residual " +
                short_number(last.residual));
   if (last.inverted > 0)
-    ui::text_colored(color::danger, counted(last.inverted, "inverted element"));
+    ui::text_colored(palette().danger, counted(last.inverted, "inverted element"));
 }
 
 void SolverPanel::draw_buttons(const PanelContext& context) {

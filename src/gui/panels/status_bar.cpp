@@ -16,27 +16,27 @@ struct State {
 
 State state_of(const Session& session) {
   if (session.loading())
-    return {"Reading " + session.loading_path().filename().string() + " ...", color::accent};
-  if (session.saving()) return {"Saving ...", color::accent};
+    return {"Reading " + session.loading_path().filename().string() + " ...", palette().accent};
+  if (session.saving()) return {"Saving ...", palette().accent};
   const JobRunner& job = session.job();
-  if (session.dragging()) return {"Dragging; Esc cancels", color::accent};
+  if (session.dragging()) return {"Dragging; Esc cancels", palette().accent};
   if (job.active()) {
     const auto history = session.convergence();
     const std::string where =
         history.empty() ? "" : ", iteration " + std::to_string(history.back().iteration);
-    return {(job.paused() ? "Paused" : "Solving") + where, color::accent};
+    return {(job.paused() ? "Paused" : "Solving") + where, palette().accent};
   }
-  return {"Ready", color::text_dim};
+  return {"Ready", palette().text_dim};
 }
 
 ImU32 notice_color(Notice::Kind kind) {
-  if (kind == Notice::Kind::success) return color::success;
-  return kind == Notice::Kind::warning ? color::warning : color::text_dim;
+  if (kind == Notice::Kind::success) return palette().success;
+  return kind == Notice::Kind::warning ? palette().warning : palette().text_dim;
 }
 
 void separator() {
   ImGui::SameLine(0, ImGui::GetFontSize());
-  ui::text_colored(color::border, "|");
+  ui::text_colored(palette().border, "|");
   ImGui::SameLine(0, ImGui::GetFontSize());
 }
 
@@ -58,7 +58,7 @@ void draw_mesh(const Session& session) {
   ui::tooltip("Smallest sine of any corner angle. Positive: every element is valid.");
   separator();
   if (inverted > 0)
-    ui::text_colored(color::danger, grouped(inverted) + " inverted");
+    ui::text_colored(palette().danger, grouped(inverted) + " inverted");
   else
     ui::text_dim("0 inverted");
 }

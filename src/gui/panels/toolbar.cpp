@@ -26,7 +26,7 @@ void gap(const PanelContext& context) {
   const float x = at.x + context.theme.px(5);
   ImGui::GetWindowDrawList()->AddLine(
       ImVec2(x, at.y + context.theme.px(4)),
-      ImVec2(x, at.y + ImGui::GetFrameHeight() - context.theme.px(4)), color::border);
+      ImVec2(x, at.y + ImGui::GetFrameHeight() - context.theme.px(4)), palette().border);
   ImGui::Dummy(ImVec2(context.theme.px(10), 1));
   ImGui::SameLine(0, context.theme.px(3));
 }

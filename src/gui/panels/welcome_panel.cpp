@@ -19,15 +19,15 @@ void WelcomePanel::draw(const PanelContext& context) {
   const float line = ImGui::GetTextLineHeightWithSpacing();
   ImGui::SetCursorPosY((ImGui::GetWindowHeight() - 6 * line) / 2);
   ImGui::PushFont(context.theme.title);
-  centred(loading ? "Reading the mesh ..." : "Open a mesh", color::text);
+  centred(loading ? "Reading the mesh ..." : "Open a mesh", palette().text);
   ImGui::PopFont();
   if (loading) {
     const std::string name = context.session.loading_path().filename().string();
-    centred(name.c_str(), color::text_dim);
+    centred(name.c_str(), palette().text_dim);
     return;
   }
-  centred("Drop a file here, or choose one.", color::text_dim);
-  centred("SU2, Gmsh MSH, VTK, VTU, OBJ, OFF, PLY, STL", color::text_faint);
+  centred("Drop a file here, or choose one.", palette().text_dim);
+  centred("SU2, Gmsh MSH, VTK, VTU, OBJ, OFF, PLY, STL", palette().text_faint);
   ImGui::Spacing();
   const float width = context.theme.px(150);
   ImGui::SetCursorPosX((ImGui::GetWindowWidth() - width) / 2);

@@ -107,16 +107,27 @@ struct ShowHelp {};
 
 namespace winslow::gui {
 
-using Action =
-    std::variant<action::OpenMesh, action::SaveMesh, action::ExportRecipe, action::Quit,
-                 action::SelectMarkers, action::HoverMarkers, action::SetPivot, action::ApplyMotion,
-                 action::BeginDrag, action::DragTo, action::EndDrag, action::CancelDrag,
-                 action::SetMotionOptions, action::RunSmooth, action::Scramble, action::PauseSolver,
-                 action::ResumeSolver, action::StepSolver, action::CancelSolver,
-                 action::SetSmoothOptions, action::Undo, action::Redo, action::GoToStep,
-                 action::DismissPrompt, action::DismissBanner, action::SetView, action::FitView,
-                 action::FitSelection, action::LookAt, action::ShowFileDialog,
-                 action::TakeScreenshot, action::ShowHelp>;
+// A group a line, as above.
+// clang-format off
+using Action = std::variant<
+    // Files
+    action::OpenMesh, action::SaveMesh, action::ExportRecipe, action::Quit,
+    // Bodies and their motion
+    action::SelectMarkers, action::HoverMarkers, action::SetPivot, action::ApplyMotion,
+    action::BeginDrag, action::DragTo, action::EndDrag, action::CancelDrag,
+    action::SetMotionOptions,
+    // Solver
+    action::RunSmooth, action::Scramble, action::PauseSolver, action::ResumeSolver,
+    action::StepSolver, action::CancelSolver, action::SetSmoothOptions,
+    // History
+    action::Undo, action::Redo, action::GoToStep,
+    // Messages
+    action::DismissPrompt, action::DismissBanner,
+    // View
+    action::SetView, action::FitView, action::FitSelection, action::LookAt,
+    // Pictures and dialogs
+    action::ShowFileDialog, action::TakeScreenshot, action::ShowHelp>;
+// clang-format on
 
 using ActionQueue = std::vector<Action>;
 

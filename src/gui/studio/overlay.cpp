@@ -37,7 +37,7 @@ void draw_outline(ImDrawList& list, const Overlay& o) {
     for (const auto& [a, b] : base.topology->markers()[static_cast<std::size_t>(m)].edges) {
       const Vec2 p = o.camera.to_screen(transform(*motion, base.coordinates.xy(a)));
       const Vec2 q = o.camera.to_screen(transform(*motion, base.coordinates.xy(b)));
-      list.AddLine(pixel(p), pixel(q), color::accent, o.theme.px(1.5f));
+      list.AddLine(pixel(p), pixel(q), palette().accent, o.theme.px(1.5f));
     }
 }
 
@@ -48,7 +48,7 @@ void draw_ring(ImDrawList& list, const Overlay& o, const Handles& h) {
   const auto radius = static_cast<float>(h.radius);
   const float width = o.theme.px(hot ? 3.0f : 1.8f);
   list.AddCircle(centre, radius, IM_COL32(255, 255, 255, 190), 96, width + o.theme.px(2));
-  list.AddCircle(centre, radius, hot ? color::accent : IM_COL32(37, 99, 235, 170), 96, width);
+  list.AddCircle(centre, radius, hot ? palette().accent : IM_COL32(37, 99, 235, 170), 96, width);
   if (o.viewport.gesture() == Viewport::Gesture::rotate) {
     const auto from = static_cast<float>(-pi / 4);
     const auto to = static_cast<float>(-h.angle);
@@ -58,7 +58,7 @@ void draw_ring(ImDrawList& list, const Overlay& o, const Handles& h) {
   }
   const ImVec2 knob = pixel(h.knob());
   list.AddCircleFilled(knob, o.theme.px(hot ? 8.0f : 6.5f), IM_COL32_WHITE);
-  list.AddCircleFilled(knob, o.theme.px(hot ? 6.5f : 5.0f), color::accent);
+  list.AddCircleFilled(knob, o.theme.px(hot ? 6.5f : 5.0f), palette().accent);
 }
 
 void draw_pivot(ImDrawList& list, const Overlay& o, const Handles& h) {
@@ -67,7 +67,7 @@ void draw_pivot(ImDrawList& list, const Overlay& o, const Handles& h) {
   const ImVec2 c = pixel(h.pivot);
   const float r = o.theme.px(hot ? 7.0f : 5.5f);
   const float arm = r + o.theme.px(4);
-  const ImU32 dark = color::accent;
+  const ImU32 dark = palette().accent;
   for (const auto& [paint, width] :
        {std::pair{IM_COL32_WHITE, o.theme.px(4)}, std::pair{dark, o.theme.px(1.6f)}}) {
     list.AddCircle(c, r, paint, 32, width);

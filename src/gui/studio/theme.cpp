@@ -97,52 +97,93 @@ void set_sizes(ImGuiStyle& style) {
   style.WindowTitleAlign = ImVec2(0.0f, 0.5f);
 }
 
+const Palette* current = nullptr;
+
 void set_colors(ImGuiStyle& style) {
-  ImGui::StyleColorsLight(&style);
+  if (palette().dark)
+    ImGui::StyleColorsDark(&style);
+  else
+    ImGui::StyleColorsLight(&style);
   const auto set = [&style](ImGuiCol which, const ImVec4& c) { style.Colors[which] = c; };
-  const ImVec4 hover = mix(color::card, color::accent, 0.08f);
-  const ImVec4 active = mix(color::card, color::accent, 0.18f);
-  set(ImGuiCol_Text, rgba(color::text));
-  set(ImGuiCol_TextDisabled, rgba(color::text_faint));
-  set(ImGuiCol_WindowBg, rgba(color::panel));
-  set(ImGuiCol_ChildBg, rgba(color::card));
-  set(ImGuiCol_PopupBg, rgba(color::card));
-  set(ImGuiCol_Border, rgba(color::border));
-  set(ImGuiCol_FrameBg, rgba(color::card));
+  const ImVec4 hover = mix(palette().card, palette().accent, 0.08f);
+  const ImVec4 active = mix(palette().card, palette().accent, 0.18f);
+  set(ImGuiCol_Text, rgba(palette().text));
+  set(ImGuiCol_TextDisabled, rgba(palette().text_faint));
+  set(ImGuiCol_WindowBg, rgba(palette().panel));
+  set(ImGuiCol_ChildBg, rgba(palette().card));
+  set(ImGuiCol_PopupBg, rgba(palette().card));
+  set(ImGuiCol_Border, rgba(palette().border));
+  set(ImGuiCol_FrameBg, rgba(palette().card));
   set(ImGuiCol_FrameBgHovered, hover);
   set(ImGuiCol_FrameBgActive, active);
-  set(ImGuiCol_TitleBg, rgba(color::card));
-  set(ImGuiCol_TitleBgActive, rgba(color::card));
-  set(ImGuiCol_MenuBarBg, rgba(color::card));
+  set(ImGuiCol_TitleBg, rgba(palette().card));
+  set(ImGuiCol_TitleBgActive, rgba(palette().card));
+  set(ImGuiCol_MenuBarBg, rgba(palette().card));
   set(ImGuiCol_ScrollbarBg, ImVec4(0, 0, 0, 0));
-  set(ImGuiCol_ScrollbarGrab, mix(color::border, color::text_faint, 0.3f));
-  set(ImGuiCol_ScrollbarGrabHovered, rgba(color::text_faint));
-  set(ImGuiCol_ScrollbarGrabActive, rgba(color::text_dim));
-  set(ImGuiCol_CheckMark, rgba(color::accent));
-  set(ImGuiCol_SliderGrab, rgba(color::accent));
-  set(ImGuiCol_SliderGrabActive, mix(color::accent, color::text, 0.3f));
-  set(ImGuiCol_Button, rgba(color::card));
+  set(ImGuiCol_ScrollbarGrab, mix(palette().border, palette().text_faint, 0.3f));
+  set(ImGuiCol_ScrollbarGrabHovered, rgba(palette().text_faint));
+  set(ImGuiCol_ScrollbarGrabActive, rgba(palette().text_dim));
+  set(ImGuiCol_CheckMark, rgba(palette().accent));
+  set(ImGuiCol_SliderGrab, rgba(palette().accent));
+  set(ImGuiCol_SliderGrabActive, mix(palette().accent, palette().text, 0.3f));
+  set(ImGuiCol_Button, rgba(palette().card));
   set(ImGuiCol_ButtonHovered, hover);
   set(ImGuiCol_ButtonActive, active);
   set(ImGuiCol_Header, active);
   set(ImGuiCol_HeaderHovered, hover);
   set(ImGuiCol_HeaderActive, active);
-  set(ImGuiCol_Separator, rgba(color::border));
-  set(ImGuiCol_SeparatorHovered, rgba(color::accent));
-  set(ImGuiCol_SeparatorActive, rgba(color::accent));
-  set(ImGuiCol_TableHeaderBg, rgba(color::panel));
-  set(ImGuiCol_TableBorderLight, rgba(color::grid));
-  set(ImGuiCol_TableBorderStrong, rgba(color::border));
-  set(ImGuiCol_TableRowBgAlt, mix(color::card, color::panel, 0.6f));
-  set(ImGuiCol_TextSelectedBg, mix(color::card, color::accent, 0.25f));
-  set(ImGuiCol_NavHighlight, rgba(color::accent));
+  set(ImGuiCol_Separator, rgba(palette().border));
+  set(ImGuiCol_SeparatorHovered, rgba(palette().accent));
+  set(ImGuiCol_SeparatorActive, rgba(palette().accent));
+  set(ImGuiCol_TableHeaderBg, rgba(palette().panel));
+  set(ImGuiCol_TableBorderLight, rgba(palette().grid));
+  set(ImGuiCol_TableBorderStrong, rgba(palette().border));
+  set(ImGuiCol_TableRowBgAlt, mix(palette().card, palette().panel, 0.6f));
+  set(ImGuiCol_TextSelectedBg, mix(palette().card, palette().accent, 0.25f));
+  set(ImGuiCol_NavHighlight, rgba(palette().accent));
   set(ImGuiCol_ModalWindowDimBg, ImVec4(0.10f, 0.13f, 0.18f, 0.35f));
 }
 
 }  // namespace
 
+const Palette& light_palette() {
+  static const Palette light;
+  return light;
+}
+
+const Palette& dark_palette() {
+  static const Palette dark = [] {
+    Palette p;
+    p.dark = true;
+    p.accent = IM_COL32(96, 156, 255, 255);
+    p.accent_soft = IM_COL32(96, 156, 255, 48);
+    p.text = IM_COL32(226, 230, 236, 255);
+    p.text_dim = IM_COL32(160, 168, 180, 255);
+    p.text_faint = IM_COL32(112, 121, 135, 255);
+    p.panel = IM_COL32(30, 33, 39, 255);
+    p.card = IM_COL32(38, 42, 50, 255);
+    p.border = IM_COL32(60, 66, 77, 255);
+    p.grid = IM_COL32(52, 57, 67, 255);
+    p.danger = IM_COL32(248, 113, 113, 255);
+    p.danger_soft = IM_COL32(74, 33, 36, 255);
+    p.warning = IM_COL32(240, 185, 80, 255);
+    p.warning_soft = IM_COL32(70, 56, 26, 255);
+    p.success = IM_COL32(86, 196, 124, 255);
+    p.move_line = IM_COL32(45, 200, 184, 255);
+    return p;
+  }();
+  return dark;
+}
+
+const Palette& palette() { return current ? *current : light_palette(); }
+
+void use_palette(const Palette& colors) {
+  current = &colors;
+  set_colors(ImGui::GetStyle());
+}
+
 ImU32 marker_swatch(Index marker) {
-  const Rgb c = marker_color(marker);
+  const Rgb c = marker_color(marker, palette().dark);
   return ImGui::ColorConvertFloat4ToU32(ImVec4(c[0], c[1], c[2], 1));
 }
 
@@ -150,7 +191,7 @@ const char* Theme::icon(Icon icon) const {
   return has_icons ? glyphs[static_cast<std::size_t>(icon)] : "";
 }
 
-Theme make_theme(float scale) {
+Theme make_theme(float scale, const Palette& colors) {
   ImGuiIO& io = ImGui::GetIO();
   io.Fonts->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
   io.Fonts->FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
@@ -168,7 +209,7 @@ Theme make_theme(float scale) {
   ImGuiStyle& style = ImGui::GetStyle();
   style = ImGuiStyle();
   set_sizes(style);
-  set_colors(style);
+  use_palette(colors);
   style.ScaleAllSizes(scale);
   return theme;
 }

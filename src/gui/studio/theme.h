@@ -7,23 +7,29 @@
 /// Colours, fonts and sizes of the studio: one place decides how it looks.
 namespace winslow::gui {
 
-namespace color {
-inline constexpr ImU32 accent = IM_COL32(37, 99, 235, 255);
-inline constexpr ImU32 accent_soft = IM_COL32(37, 99, 235, 36);
-inline constexpr ImU32 text = IM_COL32(31, 41, 55, 255);
-inline constexpr ImU32 text_dim = IM_COL32(96, 107, 123, 255);
-inline constexpr ImU32 text_faint = IM_COL32(148, 158, 172, 255);
-inline constexpr ImU32 panel = IM_COL32(247, 248, 250, 255);
-inline constexpr ImU32 card = IM_COL32(255, 255, 255, 255);
-inline constexpr ImU32 border = IM_COL32(221, 226, 233, 255);
-inline constexpr ImU32 grid = IM_COL32(232, 236, 241, 255);
-inline constexpr ImU32 danger = IM_COL32(201, 34, 43, 255);
-inline constexpr ImU32 danger_soft = IM_COL32(254, 236, 236, 255);
-inline constexpr ImU32 warning = IM_COL32(161, 98, 7, 255);
-inline constexpr ImU32 warning_soft = IM_COL32(255, 247, 224, 255);
-inline constexpr ImU32 success = IM_COL32(21, 128, 61, 255);
-inline constexpr ImU32 move_line = IM_COL32(13, 148, 136, 255);  // "largest move" of the plot
-}  // namespace color
+/// The colours of one look. IM_COL32 values; what is laid over the mesh is chosen by the renderer.
+struct Palette {
+  bool dark = false;
+  ImU32 accent = IM_COL32(37, 99, 235, 255);
+  ImU32 accent_soft = IM_COL32(37, 99, 235, 36);
+  ImU32 text = IM_COL32(31, 41, 55, 255);
+  ImU32 text_dim = IM_COL32(96, 107, 123, 255);
+  ImU32 text_faint = IM_COL32(148, 158, 172, 255);
+  ImU32 panel = IM_COL32(247, 248, 250, 255);
+  ImU32 card = IM_COL32(255, 255, 255, 255);
+  ImU32 border = IM_COL32(221, 226, 233, 255);
+  ImU32 grid = IM_COL32(232, 236, 241, 255);
+  ImU32 danger = IM_COL32(201, 34, 43, 255);
+  ImU32 danger_soft = IM_COL32(254, 236, 236, 255);
+  ImU32 warning = IM_COL32(161, 98, 7, 255);
+  ImU32 warning_soft = IM_COL32(255, 247, 224, 255);
+  ImU32 success = IM_COL32(21, 128, 61, 255);
+  ImU32 move_line = IM_COL32(13, 148, 136, 255);  ///< "largest move" of the plot
+};
+const Palette& light_palette();
+const Palette& dark_palette();
+/// Of the interface being drawn.
+const Palette& palette();
 
 /// Colour of a marker in lists, the same as in the picture.
 ImU32 marker_swatch(Index marker);
@@ -76,6 +82,8 @@ struct Theme {
 
 /// Loads fonts into the current ImGui context and sets its style. Falls back to ImGui's own font
 /// where Inter is not installed.
-Theme make_theme(float scale);
+Theme make_theme(float scale, const Palette& colors = light_palette());
+/// Makes a look that of the current ImGui context, and what palette() gives from now on.
+void use_palette(const Palette& colors);
 
 }  // namespace winslow::gui

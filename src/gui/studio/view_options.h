@@ -8,6 +8,9 @@
 
 namespace winslow::gui {
 
+/// What the column on the right shows.
+enum class SideTab { quality, view, vcv, history };
+
 /// How the mesh is shown; no part of the document.
 struct ViewOptions {
   std::optional<Metric> color = Metric::normalized_jacobian;  ///< none: plain
@@ -20,6 +23,7 @@ struct ViewOptions {
   bool mark_inverted = true;
   bool left_panel = true;
   bool right_panel = true;
+  SideTab side_tab = SideTab::quality;
   bool plot_panel = true;
 
   bool operator==(const ViewOptions&) const = default;

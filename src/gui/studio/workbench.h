@@ -68,6 +68,7 @@ class Workbench {
   void take_input(const InputState& input);
   void draw_menu();
   void draw_regions();
+  void draw_side_tab();
   void draw_splitters();
   void draw_viewport();
   void draw_legend_card(ImDrawList& list);

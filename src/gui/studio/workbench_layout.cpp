@@ -15,7 +15,7 @@ constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlag
 /// A window that fills an area, with a line along chosen sides.
 struct RegionStyle {
   ImVec2 padding;
-  ImU32 background = color::panel;
+  ImU32 background = palette().panel;
   ImGuiWindowFlags flags = 0;
 };
 
@@ -34,7 +34,7 @@ void end_region() {
   const ImVec2 max(min.x + size.x, min.y + size.y);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(min, max, false);
-  list.AddRect(min, max, color::border);
+  list.AddRect(min, max, palette().border);
   list.PopClipRect();
   ImGui::End();
   ImGui::PopStyleVar(2);
@@ -50,7 +50,7 @@ float splitter(const char* name, const Area& area, bool upright) {
     ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
     ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(area.x, area.y),
                                               ImVec2(area.x + area.width, area.y + area.height),
-                                              color::accent_soft);
+                                              palette().accent_soft);
   }
   const ImVec2 delta = ImGui::GetIO().MouseDelta;
   const float moved = ImGui::IsItemActive() ? (upright ? delta.x : delta.y) : 0;
@@ -77,11 +77,11 @@ void Workbench::draw_regions() {
   const PanelContext all = context();
   const ImVec2 roomy(theme.px(12), theme.px(10));
   begin_region("toolbar", layout_.toolbar,
-               {ImVec2(theme.px(8), theme.px(8)), color::card, ImGuiWindowFlags_NoScrollbar});
+               {ImVec2(theme.px(8), theme.px(8)), palette().card, ImGuiWindowFlags_NoScrollbar});
   toolbar_.draw(all);
   end_region();
   begin_region("status", layout_.status,
-               {ImVec2(theme.px(10), theme.px(6)), color::card, ImGuiWindowFlags_NoScrollbar});
+               {ImVec2(theme.px(10), theme.px(6)), palette().card, ImGuiWindowFlags_NoScrollbar});
   status_.draw(all);
   end_region();
   if (!layout_.left.empty()) {
@@ -93,16 +93,44 @@ void Workbench::draw_regions() {
   }
   if (!layout_.right.empty()) {
     begin_region("right", layout_.right, {roomy});
-    quality_.draw(all);
-    view_panel_.draw(all);
-    history_.draw(all);
+    draw_side_tab();
     end_region();
   }
   if (!layout_.plot.empty()) {
     begin_region("plot", layout_.plot,
-                 {ImVec2(theme.px(12), theme.px(8)), color::card, ImGuiWindowFlags_NoScrollbar});
+                 {ImVec2(theme.px(12), theme.px(8)), palette().card, ImGuiWindowFlags_NoScrollbar});
     convergence_.draw(all);
     end_region();
+  }
+}
+
+void Workbench::draw_side_tab() {
+  const PanelContext all = context();
+  static const std::vector<std::pair<SideTab, ui::Tab>> tabs{
+      {SideTab::quality,
+       {"Quality", "How good the mesh is, before and now, and where it is worst."}},
+      {SideTab::view, {"View", "What is drawn, and how."}},
+      {SideTab::history, {"History", "What was done to the mesh; go back to any point."}}};
+  std::vector<ui::Tab> labels;
+  std::size_t chosen = 0;
+  for (std::size_t k = 0; k < tabs.size(); ++k) {
+    labels.push_back(tabs[k].second);
+    if (tabs[k].first == view_.side_tab) chosen = k;
+  }
+  if (ui::tabs("tab", labels, chosen)) {
+    ViewOptions view = view_;
+    view.side_tab = tabs[chosen].first;
+    all.emit(action::SetView{view});
+  }
+  switch (view_.side_tab) {
+    case SideTab::quality:
+      return quality_.draw(all);
+    case SideTab::view:
+      return view_panel_.draw(all);
+    case SideTab::history:
+      return history_.draw(all);
+    case SideTab::vcv:
+      return;
   }
 }
 
@@ -127,7 +155,7 @@ void Workbench::draw_viewport() {
   const Theme& theme = ui_->theme();
   const Area& v = layout_.viewport;
   if (!session_.document()) {
-    begin_region("welcome", v, {ImVec2(0, 0), color::card});
+    begin_region("welcome", v, {ImVec2(0, 0), palette().card});
     welcome_.draw(context());
     end_region();
     return;
@@ -135,9 +163,10 @@ void Workbench::draw_viewport() {
   draw_legend_card(*ImGui::GetBackgroundDrawList());
   if (!session_.banner()) return;
   const bool bad = session_.banner()->kind != Banner::Kind::not_converged;
-  begin_region("banner", {v.x, v.y, v.width, BannerPanel::height(context(), v.width)},
-               {ImVec2(theme.px(14), theme.px(7)), bad ? color::danger_soft : color::warning_soft,
-                ImGuiWindowFlags_NoScrollbar});
+  begin_region(
+      "banner", {v.x, v.y, v.width, BannerPanel::height(context(), v.width)},
+      {ImVec2(theme.px(14), theme.px(7)), bad ? palette().danger_soft : palette().warning_soft,
+       ImGuiWindowFlags_NoScrollbar});
   banner_.draw(context());
   end_region();
 }
@@ -164,7 +193,7 @@ void Workbench::draw_legend_card(ImDrawList& list) {
   const float y = v.y + banner + theme.px(12);
   list.AddRectFilled(ImVec2(x, y), ImVec2(x + width + 2 * pad, y + height + 2 * pad),
                      IM_COL32(255, 255, 255, 235), theme.px(6));
-  list.AddRect(ImVec2(x, y), ImVec2(x + width + 2 * pad, y + height + 2 * pad), color::border,
+  list.AddRect(ImVec2(x, y), ImVec2(x + width + 2 * pad, y + height + 2 * pad), palette().border,
                theme.px(6));
   draw_legend(list, x + pad, y + pad, height, shown, style);
 }

@@ -3,6 +3,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "gui/studio/ui_layer.h"
 
@@ -30,7 +31,7 @@ int push_button_style(ButtonStyle style) {
     ImGui::PushStyleColor(ImGuiCol_Border, ImVec4(0, 0, 0, 0));
     return 2;
   }
-  const ImU32 base = style == ButtonStyle::primary ? color::accent : color::danger;
+  const ImU32 base = style == ButtonStyle::primary ? palette().accent : palette().danger;
   ImGui::PushStyleColor(ImGuiCol_Button, rgba(base));
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, shaded(base, 0.9f));
   ImGui::PushStyleColor(ImGuiCol_ButtonActive, shaded(base, 0.8f));
@@ -87,7 +88,7 @@ void row(const std::string& label, std::string_view tip, float label_share) {
   const float start = ImGui::GetCursorPosX();
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::AlignTextToFramePadding();
-  ImGui::PushStyleColor(ImGuiCol_Text, color::text_dim);
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_dim);
   ImGui::TextUnformatted(label.c_str());
   ImGui::PopStyleColor();
   tooltip(tip);
@@ -131,6 +132,45 @@ bool combo(std::string_view id, const std::vector<std::string>& items, std::size
   return changed;
 }
 
+bool tabs(std::string_view id, const std::vector<Tab>& items, std::size_t& chosen) {
+  const Theme& theme = UiLayer::current().theme();
+  const ImVec2 start = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x / static_cast<float>(items.size());
+  const float height = theme.px(28);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddLine(ImVec2(start.x, start.y + height),
+               ImVec2(start.x + width * static_cast<float>(items.size()), start.y + height),
+               palette().border);
+  bool changed = false;
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    std::string name(id);
+    name += '/';
+    for (char c : items[k].label)
+      name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const ImVec2 min(start.x + width * static_cast<float>(k), start.y);
+    ImGui::SetCursorScreenPos(min);
+    if (ImGui::InvisibleButton(name.c_str(), ImVec2(std::max(width, 1.0f), height)) &&
+        k != chosen) {
+      chosen = k;
+      changed = true;
+    }
+    note(name);
+    const bool over = ImGui::IsItemHovered();
+    tooltip(items[k].tooltip);
+    const bool present = k == chosen;
+    ImFont* font = present ? theme.bold : theme.regular;
+    const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e6f, 0, items[k].label.c_str());
+    list.AddText(font, font->FontSize,
+                 ImVec2(min.x + (width - size.x) / 2, min.y + (height - size.y) / 2),
+                 present || over ? palette().text : palette().text_dim, items[k].label.c_str());
+    if (present)
+      list.AddRectFilled(ImVec2(min.x, min.y + height - theme.px(2)),
+                         ImVec2(min.x + width, min.y + height), palette().accent);
+  }
+  ImGui::SetCursorScreenPos(ImVec2(start.x, start.y + height + theme.px(8)));
+  return changed;
+}
+
 bool section(std::string_view id, const std::string& title) {
   const Theme& theme = UiLayer::current().theme();
   ImGuiStorage& state = *ImGui::GetStateStorage();
@@ -147,17 +187,17 @@ bool section(std::string_view id, const std::string& title) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (!first)
     list.AddLine(ImVec2(min.x, min.y - theme.px(4)), ImVec2(min.x + size.x, min.y - theme.px(4)),
-                 color::border);
+                 palette().border);
   const float font = theme.bold->FontSize;
-  list.AddText(theme.bold, font, ImVec2(min.x, min.y + (size.y - font) / 2), color::text,
+  list.AddText(theme.bold, font, ImVec2(min.x, min.y + (size.y - font) / 2), palette().text,
                title.c_str());
   ImGui::RenderArrow(&list, ImVec2(min.x + size.x - font, min.y + (size.y - 0.7f * font) / 2),
-                     over ? color::text : color::text_faint, open ? ImGuiDir_Down : ImGuiDir_Right,
-                     0.7f);
+                     over ? palette().text : palette().text_faint,
+                     open ? ImGuiDir_Down : ImGuiDir_Right, 0.7f);
   return open;
 }
 
-void text_dim(std::string_view text) { text_colored(color::text_dim, text); }
+void text_dim(std::string_view text) { text_colored(palette().text_dim, text); }
 
 void text_colored(ImU32 c, std::string_view text) {
   ImGui::PushStyleColor(ImGuiCol_Text, c);

@@ -38,6 +38,13 @@ bool number(std::string_view id, int& value, std::string_view tip = {});
 bool combo(std::string_view id, const std::vector<std::string>& items, std::size_t& chosen,
            std::string_view tip = {});
 
+/// A strip of tabs across the row; tab k has the id "ID/k's name in lower case". True when another
+/// one was chosen.
+struct Tab {
+  std::string label, tooltip;
+};
+bool tabs(std::string_view id, const std::vector<Tab>& items, std::size_t& chosen);
+
 /// Header of a part of a panel. False if it is folded.
 bool section(std::string_view id, const std::string& title);
 

@@ -81,31 +81,31 @@ std::vector<double> whole_ticks(double high, int wanted) {
 }
 
 void draw_axes(ImDrawList& list, const Frame& f, float scale) {
-  list.AddRectFilled(f.min, f.max, color::card);
+  list.AddRectFilled(f.min, f.max, palette().card);
   const int rows = std::max(2, static_cast<int>((f.max.y - f.min.y) / (22 * scale)));
   const int step = std::max(1, (f.high - f.low + rows - 1) / rows);
   for (int decade = f.low; decade <= f.high; ++decade) {
     if (decade % step != 0) continue;
     const float y = f.y(std::pow(10.0, decade));
-    list.AddLine(ImVec2(f.min.x, y), ImVec2(f.max.x, y), color::grid, scale);
-    text_at(list, ImVec2(f.min.x - 6 * scale, y), 1, 0.5f, color::text_dim,
+    list.AddLine(ImVec2(f.min.x, y), ImVec2(f.max.x, y), palette().grid, scale);
+    text_at(list, ImVec2(f.min.x - 6 * scale, y), 1, 0.5f, palette().text_dim,
             "1e" + std::to_string(decade));
   }
   const int columns = std::max(2, static_cast<int>((f.max.x - f.min.x) / (80 * scale)));
   for (const double value : whole_ticks(f.last, columns)) {
     const float x = f.x(value);
-    list.AddLine(ImVec2(x, f.min.y), ImVec2(x, f.max.y), color::grid, scale);
-    text_at(list, ImVec2(x, f.max.y + 4 * scale), 0.5f, 0, color::text_dim,
+    list.AddLine(ImVec2(x, f.min.y), ImVec2(x, f.max.y), palette().grid, scale);
+    text_at(list, ImVec2(x, f.max.y + 4 * scale), 0.5f, 0, palette().text_dim,
             grouped(static_cast<long long>(value)));
   }
-  text_at(list, ImVec2((f.min.x + f.max.x) / 2, f.max.y + 19 * scale), 0.5f, 0, color::text_dim,
+  text_at(list, ImVec2((f.min.x + f.max.x) / 2, f.max.y + 19 * scale), 0.5f, 0, palette().text_dim,
           "outer iteration");
   if (f.inverted > 0) {
     for (const double value : whole_ticks(f.inverted, std::max(2, rows / 2)))
-      text_at(list, ImVec2(f.max.x + 6 * scale, f.y_inverted(value)), 0, 0.5f, color::danger,
+      text_at(list, ImVec2(f.max.x + 6 * scale, f.y_inverted(value)), 0, 0.5f, palette().danger,
               grouped(static_cast<long long>(value)));
   }
-  list.AddRect(f.min, f.max, color::border, 0, 0, scale);
+  list.AddRect(f.min, f.max, palette().border, 0, 0, scale);
 }
 
 void draw_inverted(ImDrawList& list, const Frame& f, std::span<const IterationRecord> history) {
@@ -132,9 +132,9 @@ void draw_line(ImDrawList& list, const Frame& f, std::span<const IterationRecord
 void draw_tolerance(ImDrawList& list, const Frame& f, double tolerance, float scale) {
   const float y = f.y(tolerance);
   for (float x = f.min.x; x < f.max.x; x += 9 * scale)
-    list.AddLine(ImVec2(x, y), ImVec2(std::min(x + 5 * scale, f.max.x), y), color::success,
+    list.AddLine(ImVec2(x, y), ImVec2(std::min(x + 5 * scale, f.max.x), y), palette().success,
                  1.4f * scale);
-  text_at(list, ImVec2(f.min.x + 6 * scale, y - 2 * scale), 0, 1, color::success, "tolerance");
+  text_at(list, ImVec2(f.min.x + 6 * scale, y - 2 * scale), 0, 1, palette().success, "tolerance");
 }
 
 void draw_key(ImDrawList& list, const Frame& f, float scale) {
@@ -143,9 +143,9 @@ void draw_key(ImDrawList& list, const Frame& f, float scale) {
     const char* label;
     bool block;
   };
-  std::vector<Entry> entries{{color::accent, "residual", false},
-                             {color::move_line, "largest move", false}};
-  if (f.inverted > 0) entries.push_back({color::danger, "inverted elements", true});
+  std::vector<Entry> entries{{palette().accent, "residual", false},
+                             {palette().move_line, "largest move", false}};
+  if (f.inverted > 0) entries.push_back({palette().danger, "inverted elements", true});
   float x = f.min.x;
   const float y = f.min.y - 13 * scale;
   for (const Entry& e : entries) {
@@ -156,7 +156,7 @@ void draw_key(ImDrawList& list, const Frame& f, float scale) {
                          IM_COL32(201, 34, 43, 90));
     else
       list.AddLine(ImVec2(x, y), ImVec2(x + 16 * scale, y), e.color, 2 * scale);
-    text_at(list, ImVec2(x + 22 * scale, y), 0, 0.5f, color::text_dim, e.label);
+    text_at(list, ImVec2(x + 22 * scale, y), 0, 0.5f, palette().text_dim, e.label);
     x += width + 18 * scale;
   }
 }
@@ -176,15 +176,15 @@ const IterationRecord* record_at(const Frame& f, std::span<const IterationRecord
 
 void draw_readout(ImDrawList& list, const Frame& f, const IterationRecord& r, float scale) {
   const float x = f.x(r.iteration);
-  list.AddLine(ImVec2(x, f.min.y), ImVec2(x, f.max.y), color::text_faint, scale);
-  if (r.residual > 0) list.AddCircleFilled(ImVec2(x, f.y(r.residual)), 4 * scale, color::accent);
+  list.AddLine(ImVec2(x, f.min.y), ImVec2(x, f.max.y), palette().text_faint, scale);
+  if (r.residual > 0) list.AddCircleFilled(ImVec2(x, f.y(r.residual)), 4 * scale, palette().accent);
   if (r.largest_move > 0)
-    list.AddCircleFilled(ImVec2(x, f.y(r.largest_move)), 4 * scale, color::move_line);
+    list.AddCircleFilled(ImVec2(x, f.y(r.largest_move)), 4 * scale, palette().move_line);
   ImGui::BeginTooltip();
   ImGui::Text("Iteration %d", r.iteration);
-  ui::text_colored(color::accent, "residual         " + short_number(r.residual));
-  ui::text_colored(color::move_line, "largest move  " + short_number(r.largest_move));
-  ui::text_colored(r.inverted > 0 ? color::danger : color::text_dim,
+  ui::text_colored(palette().accent, "residual         " + short_number(r.residual));
+  ui::text_colored(palette().move_line, "largest move  " + short_number(r.largest_move));
+  ui::text_colored(r.inverted > 0 ? palette().danger : palette().text_dim,
                    counted(r.inverted, "inverted element"));
   ui::text_dim("smallest sine " + short_number(r.min_sine));
   if (r.fraction < 1) ui::text_dim("motion applied " + short_number(100 * r.fraction) + " %");
@@ -209,9 +209,9 @@ std::optional<IterationRecord> draw_convergence_plot(std::string_view id,
   list.PushClipRect(frame.min, frame.max, true);
   draw_inverted(list, frame, plot.history);
   if (plot.tolerance) draw_tolerance(list, frame, *plot.tolerance, scale);
-  draw_line(list, frame, plot.history, &IterationRecord::largest_move, color::move_line, 1.5f,
+  draw_line(list, frame, plot.history, &IterationRecord::largest_move, palette().move_line, 1.5f,
             scale);
-  draw_line(list, frame, plot.history, &IterationRecord::residual, color::accent, 2.0f, scale);
+  draw_line(list, frame, plot.history, &IterationRecord::residual, palette().accent, 2.0f, scale);
   list.PopClipRect();
   draw_key(list, frame, scale);
   const IterationRecord* record =

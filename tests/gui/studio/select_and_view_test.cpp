@@ -144,6 +144,7 @@ TEST_CASE("colouring by quality changes the pixels of the mesh, and the legend s
 TEST_CASE("the colour of elements is chosen in the view panel") {
   Rig rig(1100, 1000);
   rig.open(ring_mesh());
+  rig.click("tab/view");
   rig.click("view/color");
   rig.click("view/color/" + std::string(metric_label(Metric::aspect_ratio)));
   REQUIRE(rig.bench->view().color.has_value());

@@ -127,6 +127,7 @@ TEST_CASE("undo and redo walk the history, by keys and by the list") {
   CHECK(rig.session().coordinates() == meshes[0]);
   rig.click("tool/redo");
   CHECK(rig.session().coordinates() == meshes[1]);
+  rig.click("tab/history");
   REQUIRE(rig.visible("history/2"));
   rig.click("history/2");
   CHECK(rig.session().coordinates() == meshes[2]);
