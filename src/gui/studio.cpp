@@ -1,6 +1,7 @@
 #include "gui/studio.h"
 
 #include <chrono>
+#include <cstdlib>
 #include <thread>
 
 #include "core/error.h"
@@ -57,9 +58,26 @@ class StudioLoop {
 
 }  // namespace
 
+namespace {
+
+/// Where the desktop's conventions put a program's own files (XDG Base Directory Specification).
+std::filesystem::path profile_folder() {
+  const auto variable = [](const char* name) -> std::filesystem::path {
+    const char* value = std::getenv(name);
+    return value && *value ? value : "";
+  };
+  if (const auto given = variable("WINSLOW_PROFILE"); !given.empty()) return given;
+  if (const auto config = variable("XDG_CONFIG_HOME"); config.is_absolute())
+    return config / "winslow";
+  const auto home = variable("HOME");
+  return home.is_absolute() ? home / ".config" / "winslow" : std::filesystem::path();
+}
+
+}  // namespace
+
 void run_studio(const StudioOptions& options) {
   Window window(options.width, options.height, "winslow");
-  Workbench workbench(window.scale());
+  Workbench workbench({window.scale(), profile_folder()});
   if (options.mesh) workbench.apply(action::OpenMesh{*options.mesh});
   StudioLoop(window, workbench).run();
 }

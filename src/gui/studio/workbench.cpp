@@ -35,7 +35,8 @@ std::filesystem::path new_picture_name() {
 
 }  // namespace
 
-Workbench::Workbench(float scale) : ui_(std::make_unique<UiLayer>(scale)) {}
+Workbench::Workbench(const WorkbenchOptions& options)
+    : options_(options), ui_(std::make_unique<UiLayer>(options.scale)) {}
 
 void Workbench::set_scale(float scale) {
   if (scale != ui_->theme().scale) ui_ = std::make_unique<UiLayer>(scale);

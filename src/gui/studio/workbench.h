@@ -30,11 +30,18 @@
 
 namespace winslow::gui {
 
+struct WorkbenchOptions {
+  float scale = 1;  ///< pixels per unit of the layout
+  /// Folder for what outlives the studio: settings, recent files, the autosaved session. Empty:
+  /// nothing is kept, nothing is read.
+  std::filesystem::path profile;
+};
+
 /// The studio without its window: turns input into frames. The window, the headless screenshot and
 /// the tests all drive this one class. Needs a current OpenGL context throughout.
 class Workbench {
  public:
-  explicit Workbench(float scale = 1);
+  explicit Workbench(const WorkbenchOptions& options = {});
 
   /// Pixels per unit of the layout. Keeps the session.
   void set_scale(float scale);
@@ -93,6 +100,7 @@ class Workbench {
   void look_at_start();
   void save_screenshot();
 
+  WorkbenchOptions options_;
   std::unique_ptr<UiLayer> ui_;
   Session session_;
   ViewOptions view_;
