@@ -1,5 +1,6 @@
 #include "gui/studio.h"
 
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <thread>
@@ -7,6 +8,7 @@
 #include "core/error.h"
 #include "gui/render/gl_context.h"
 #include "gui/render/image.h"
+#include "gui/studio/settings.h"
 #include "gui/studio/window.h"
 #include "gui/studio/workbench.h"
 
@@ -73,11 +75,20 @@ std::filesystem::path profile_folder() {
   return home.is_absolute() ? home / ".config" / "winslow" : std::filesystem::path();
 }
 
+/// As asked for, or as it was, or as designed.
+std::array<int, 2> window_size(const StudioOptions& options, const Settings& settings) {
+  if (options.width > 0 && options.height > 0) return {options.width, options.height};
+  if (settings.window[0] > 0) return settings.window;
+  return {1440, 900};
+}
+
 }  // namespace
 
 void run_studio(const StudioOptions& options) {
-  Window window(options.width, options.height, "winslow");
-  Workbench workbench({window.scale(), profile_folder()});
+  const auto profile = profile_folder();
+  const std::array<int, 2> size = window_size(options, SettingsFile(profile).initial());
+  Window window(size[0], size[1], "winslow");
+  Workbench workbench({window.scale(), profile});
   if (options.mesh) workbench.apply(action::OpenMesh{*options.mesh});
   StudioLoop(window, workbench).run();
 }
@@ -86,9 +97,8 @@ void screenshot_studio(const StudioOptions& options, const std::filesystem::path
   const auto context = make_headless_context();
   Workbench workbench;
   if (options.mesh) workbench.apply(action::OpenMesh{*options.mesh});
-  const auto frame = [&] {
-    workbench.update(InputState{}, options.width, options.height, 1.0 / 60);
-  };
+  const std::array<int, 2> size = window_size(options, Settings());
+  const auto frame = [&] { workbench.update(InputState{}, size[0], size[1], 1.0 / 60); };
   frame();
   while (workbench.session().loading() || !workbench.settled()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));

@@ -7,7 +7,7 @@ namespace winslow::gui {
 
 struct StudioOptions {
   std::optional<std::filesystem::path> mesh;  ///< opened at the start
-  int width = 1440, height = 900;             ///< of the window, in screen units
+  int width = 0, height = 0;                  ///< of the window, in screen units; 0: as last time
 };
 
 /// Opens the studio's window and runs it until it is closed. Throws Error, saying what to do, where

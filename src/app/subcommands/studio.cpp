@@ -1,5 +1,5 @@
-#include <array>
 #include <iostream>
+#include <vector>
 
 #include "app/options/file_flags.h"
 #include "app/subcommands/subcommand.h"
@@ -24,8 +24,10 @@ class StudioSubcommand : public Subcommand {
                     "Draw the window once, without a display, as a PNG picture")
         ->type_name("OUT.png");
     app()
-        .add_option("--size", size_, "Width and height of the window [1440 900]")
-        ->type_name("W H");
+        .add_option("--size", size_,
+                    "Width and height of the window [as last time, 1440 900 at first]")
+        ->type_name("W H")
+        ->expected(2);
     add_quiet_flag(app(), quiet_);
   }
 
@@ -47,8 +49,10 @@ class StudioSubcommand : public Subcommand {
   void open() const {
     gui::StudioOptions options;
     if (!input_.empty()) options.mesh = input_;
-    options.width = size_[0];
-    options.height = size_[1];
+    if (!size_.empty()) {
+      options.width = size_[0];
+      options.height = size_[1];
+    }
     if (screenshot_.empty()) {
       gui::run_studio(options);
     } else {
@@ -62,7 +66,7 @@ class StudioSubcommand : public Subcommand {
 #endif
 
   std::string input_, screenshot_;
-  std::array<int, 2> size_{1440, 900};
+  std::vector<int> size_;
   bool quiet_ = false;
 };
 

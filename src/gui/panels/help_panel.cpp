@@ -16,7 +16,7 @@ struct Line {
   const char* what;
 };
 
-constexpr std::array<Line, 20> lines{
+constexpr std::array lines = std::to_array<Line>(
     {{"Click a body", "select it; Ctrl or Shift adds to the selection"},
      {"Drag a body", "move it; the mesh follows; Shift keeps to one axis"},
      {"Drag the ring", "rotate about the pivot; Shift goes in steps of 5 degrees"},
@@ -32,11 +32,13 @@ constexpr std::array<Line, 20> lines{
      {"Ctrl+O", "open a mesh; or drop a file on the window"},
      {"Ctrl+S, Ctrl+Shift+S", "save, save as"},
      {"Ctrl+E", "export the commands as a recipe"},
-     {"W, L", "edges, legend"},
+     {"W, L", "surfaces, edges or both; legend"},
+     {"Ctrl+D", "light or dark"},
+     {"Ctrl+plus, minus, 0", "size of the interface; 0: as the screen wants it"},
      {"F2, F3, F4", "show or hide the panels"},
      {"F12, Shift+F12", "save a picture, save it as"},
      {"Ctrl+Q", "quit"},
-     {"F1", "this list"}}};
+     {"F1", "this list"}});
 
 }  // namespace
 

@@ -20,7 +20,6 @@ std::string summary(const SmoothResult& result) {
 }  // namespace
 
 void HistoryPanel::draw(const PanelContext& context) {
-  if (!ui::section("section/history", "History")) return;
   const Document* document = context.session.document();
   if (!document) {
     ui::text_dim("No mesh is open.");
@@ -61,7 +60,7 @@ void HistoryPanel::draw_step(const PanelContext& context, std::size_t position) 
   if (present)
     list.AddRectFilled(start, end, palette().accent_soft, context.theme.px(4));
   else if (ImGui::IsItemHovered())
-    list.AddRectFilled(start, end, IM_COL32(37, 99, 235, 18), context.theme.px(4));
+    list.AddRectFilled(start, end, faded(palette().accent, 0.07f), context.theme.px(4));
   bool bad = false;
   if (position > 0) {
     const SmoothResult& result = history.result(position);

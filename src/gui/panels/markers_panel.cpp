@@ -51,7 +51,7 @@ void MarkersPanel::draw_row(const PanelContext& context, Index marker) {
   const ImVec2 end(start.x + size.x, start.y + size.y);
   const float round = context.theme.px(4);
   if (selected) list.AddRectFilled(start, end, palette().accent_soft, round);
-  if (over || lit) list.AddRectFilled(start, end, IM_COL32(37, 99, 235, 18), round);
+  if (over || lit) list.AddRectFilled(start, end, faded(palette().accent, 0.07f), round);
   const float middle = (start.y + end.y) / 2;
   list.AddRectFilled(ImVec2(start.x + pad, middle - context.theme.px(6)),
                      ImVec2(start.x + pad + context.theme.px(12), middle + context.theme.px(6)),
@@ -65,7 +65,7 @@ void MarkersPanel::draw_row(const PanelContext& context, Index marker) {
   if (selected)
     list.AddRectFilled(pill, ImVec2(end.x - pad, end.y - pad / 2), palette().accent, round);
   list.AddText(ImVec2(pill.x + pad, start.y + pad),
-               selected ? IM_COL32_WHITE : palette().text_faint, role);
+               selected ? palette().on_accent : palette().text_faint, role);
 }
 
 }  // namespace winslow::gui

@@ -123,13 +123,24 @@ void MenuBar::draw_view(const PanelContext& context) {
     value = !value;
     changed = true;
   };
-  toggle("wireframe", "Edges", "W", view.wireframe);
+  if (item("style", "Next style of elements", "W")) {
+    step_style(view);
+    changed = true;
+  }
   toggle("nodes", "Nodes", nullptr, view.nodes);
   toggle("legend", "Legend", "L", view.legend);
   ImGui::Separator();
   toggle("left", "Bodies and solver", "F2", view.left_panel);
   toggle("right", "Quality and history", "F3", view.right_panel);
   toggle("plot", "Convergence", "F4", view.plot_panel);
+  ImGui::Separator();
+  bool dark = view.lightness == Lightness::dark;
+  toggle("dark", "Dark theme", "Ctrl+D", dark);
+  view.lightness = dark ? Lightness::dark : Lightness::light;
+  if (item("larger", "Larger interface", "Ctrl+plus")) context.emit(action::StepScale{1});
+  if (item("smaller", "Smaller interface", "Ctrl+minus")) context.emit(action::StepScale{-1});
+  if (item("scale", "Scale of the screen", "Ctrl+0", view.scale > 0))
+    context.emit(action::StepScale{0});
   if (changed) context.emit(action::SetView{view});
 }
 

@@ -6,6 +6,7 @@
 #include "gui/studio/session.h"
 #include "gui/studio/theme.h"
 #include "gui/studio/view_options.h"
+#include "gui/studio/view_state.h"
 
 namespace winslow::gui {
 
@@ -13,6 +14,7 @@ namespace winslow::gui {
 struct PanelContext {
   const Session& session;
   const ViewOptions& view;
+  const ViewState& view_state;
   const Theme& theme;
   ActionQueue& actions;
 

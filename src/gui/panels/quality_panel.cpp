@@ -62,7 +62,6 @@ void show_element(const PanelContext& context, Index element) {
 }  // namespace
 
 void QualityPanel::draw(const PanelContext& context) {
-  if (!ui::section("section/quality", "Quality")) return;
   if (!context.session.document()) {
     ui::text_dim("No mesh is open.");
     return;

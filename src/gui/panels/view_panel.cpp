@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "gui/render/color_map.h"
 #include "gui/widgets/controls.h"
@@ -12,21 +13,24 @@ namespace {
 
 constexpr std::array<Metric, 4> metrics{Metric::normalized_jacobian, Metric::aspect_ratio,
                                         Metric::condition_number, Metric::area};
+constexpr std::array<double, 5> line_widths{0.5, 1, 1.5, 2, 3};
+
+template <std::size_t count>
+std::size_t nearest(const std::array<double, count>& values, double value) {
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < count; ++k)
+    if (std::abs(values[k] - value) < std::abs(values[best] - value)) best = k;
+  return best;
+}
 
 }  // namespace
 
 void ViewPanel::draw(const PanelContext& context) {
-  if (!ui::section("section/view", "View")) return;
   ViewOptions view = context.view;
   bool changed = draw_color(view);
   if (view.color) changed |= draw_range(view);
-  changed |= ui::checkbox("view/wireframe", "Edges", view.wireframe);
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x * 0.5f);
-  changed |= ui::checkbox("view/nodes", "Nodes", view.nodes);
-  changed |= ui::checkbox("view/inverted", "Inverted in red", view.mark_inverted,
-                          "Draw inverted elements in red above all others.");
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x * 0.5f);
-  changed |= ui::checkbox("view/legend", "Legend", view.legend);
+  changed |= draw_elements(view);
+  changed |= draw_appearance(view);
   if (changed) context.emit(action::SetView{view});
 }
 
@@ -50,10 +54,23 @@ bool ViewPanel::draw_range(ViewOptions& view) {
   const auto maps = color_map_names();
   auto map =
       static_cast<std::size_t>(std::find(maps.begin(), maps.end(), view.color_map) - maps.begin());
-  ui::row("Colour map");
-  if (ui::combo("view/map", maps, map,
-                "All maps are even steps to the eye and colour-blind safe.")) {
+  constexpr const char* map_tip =
+      "Every map goes from dark to bright in even steps to the eye, and can be told apart by the "
+      "colour-blind. Plasma, magma and inferno contain red, which inverted elements wear.";
+  ui::row("Colour map", map_tip);
+  if (ui::combo("view/map", maps, map, map_tip)) {
     view.color_map = maps[map];
+    changed = true;
+  }
+  constexpr std::array<int, 7> band_counts{0, 4, 5, 8, 10, 16, 20};
+  const std::vector<std::string> band_names{"Continuous", "4 bands",  "5 bands", "8 bands",
+                                            "10 bands",   "16 bands", "20 bands"};
+  auto bands =
+      static_cast<std::size_t>(std::ranges::find(band_counts, view.bands) - band_counts.begin());
+  constexpr const char* bands_tip = "Colours run into each other, or come in steps.";
+  ui::row("Bands", bands_tip);
+  if (ui::combo("view/bands", band_names, bands, bands_tip)) {
+    view.bands = band_counts[bands];
     changed = true;
   }
   bool automatic = !view.range;
@@ -73,6 +90,57 @@ bool ViewPanel::draw_range(ViewOptions& view) {
     ImGui::SetNextItemWidth(width);
     changed |= ui::number("view/range_high", (*view.range)[1], "Colour of the high end");
   }
+  return changed;
+}
+
+bool ViewPanel::draw_elements(ViewOptions& view) {
+  if (!ui::section("section/elements", "Elements")) return false;
+  constexpr const char* tip = "Draw surfaces, edges or both (W).";
+  auto style = static_cast<std::size_t>(style_of(view));
+  ui::row("Draw", tip);
+  bool changed = ui::combo("view/style", {"Surfaces and edges", "Surfaces", "Edges"}, style, tip);
+  if (changed) set_style(view, static_cast<ElementStyle>(style));
+  constexpr const char* width_tip =
+      "Of edges. Where elements are smaller than a few pixels, edges fade so that the picture does "
+      "not turn black.";
+  ui::row("Line width", width_tip);
+  std::size_t width = nearest(line_widths, view.line_width);
+  if (ui::combo("view/line_width", {"0.5", "1", "1.5", "2", "3"}, width, width_tip)) {
+    view.line_width = line_widths[width];
+    changed = true;
+  }
+  changed |= ui::checkbox("view/inverted", "Inverted in red", view.mark_inverted,
+                          "Draw inverted elements in red above all others.");
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x * 0.5f);
+  changed |= ui::checkbox("view/legend", "Legend", view.legend, "Colours and their values (L).");
+  changed |= ui::checkbox("view/nodes", "Nodes", view.nodes, "A dot on every node.");
+  return changed;
+}
+
+bool ViewPanel::draw_appearance(ViewOptions& view) {
+  if (!ui::section("section/appearance", "Appearance")) return false;
+  auto look = static_cast<std::size_t>(view.lightness);
+  constexpr const char* look_tip = "Light or dark, for the interface and the mesh (Ctrl+D).";
+  ui::row("Theme", look_tip);
+  bool changed = ui::combo("view/look", {"Light", "Dark"}, look, look_tip);
+  auto backdrop = static_cast<std::size_t>(view.backdrop);
+  constexpr const char* backdrop_tip = "What lies behind the mesh. Automatic goes with the theme.";
+  ui::row("Background", backdrop_tip);
+  changed |= ui::combo("view/backdrop", {"Automatic", "White", "Grey", "Gradient", "Black"},
+                       backdrop, backdrop_tip);
+  std::vector<std::string> names{"Automatic"};
+  for (double s : scales) names.push_back(std::to_string(std::lround(100 * s)) + " %");
+  std::size_t scale = view.scale > 0 ? nearest(scales, view.scale) + 1 : 0;
+  constexpr const char* scale_tip =
+      "Size of the interface. Automatic is what the screen asks for. Ctrl+plus and Ctrl+minus step "
+      "it, Ctrl+0 goes back to automatic.";
+  ui::row("Scale", scale_tip);
+  if (ui::combo("view/scale", names, scale, scale_tip)) {
+    view.scale = scale == 0 ? 0 : scales[scale - 1];
+    changed = true;
+  }
+  view.lightness = static_cast<Lightness>(look);
+  view.backdrop = static_cast<Backdrop>(backdrop);
   return changed;
 }
 

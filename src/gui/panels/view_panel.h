@@ -12,6 +12,8 @@ class ViewPanel : public Panel {
  private:
   bool draw_color(ViewOptions& view);
   bool draw_range(ViewOptions& view);
+  bool draw_elements(ViewOptions& view);
+  bool draw_appearance(ViewOptions& view);
 };
 
 }  // namespace winslow::gui

@@ -8,6 +8,7 @@
 
 #include "core/command/command.h"
 #include "gui/studio/view_options.h"
+#include "gui/studio/view_state.h"
 
 /// What a user can ask for. Panels and the viewport emit actions; the session and the workbench
 /// carry them out. Nothing else changes the state of the studio.
@@ -93,6 +94,20 @@ struct LookAt {
   Vec2 point;
   double radius = 0;  ///< shown around the point, in units of the mesh
 };
+/// The next drag of the mouse draws the box to zoom to; again: it does not.
+struct BoxZoom {};
+struct BackView {};
+struct ForwardView {};
+/// Highlights a node or an element and centres it; none: nothing is highlighted any more.
+struct GoTo {
+  std::optional<MeshItem> item;
+};
+/// Puts the keyboard into the field "Go to".
+struct AskGoTo {};
+/// Steps the scale of the interface up (1) or down (-1), or back to the screen's own (0).
+struct StepScale {
+  int by = 0;
+};
 enum class FilePurpose { open_mesh, save_mesh, export_recipe, screenshot };
 struct ShowFileDialog {
   FilePurpose purpose = FilePurpose::open_mesh;
@@ -124,7 +139,8 @@ using Action = std::variant<
     // Messages
     action::DismissPrompt, action::DismissBanner,
     // View
-    action::SetView, action::FitView, action::FitSelection, action::LookAt,
+    action::SetView, action::FitView, action::FitSelection, action::LookAt, action::BoxZoom,
+    action::BackView, action::ForwardView, action::GoTo, action::AskGoTo, action::StepScale,
     // Pictures and dialogs
     action::ShowFileDialog, action::TakeScreenshot, action::ShowHelp>;
 // clang-format on

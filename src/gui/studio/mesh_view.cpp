@@ -4,6 +4,7 @@
 #include <string>
 
 #include "gui/render/metric_scale.h"
+#include "gui/studio/mesh_colors.h"
 
 namespace winslow::gui {
 
@@ -55,15 +56,18 @@ void MeshView::update(const Session& session, const ViewOptions& view, float sca
     renderer_.set_mesh(session.document()->topology(), session.coordinates());
   }
   update_colors(session, view);
-  update_markers(session, scale);
+  update_markers(session, view, scale);
+  const MeshColors colors = mesh_colors(view);
+  backdrop_ = backdrop_colors(view);
+  style_.fill = view.fill;
   style_.wireframe = view.wireframe;
-  style_.edge_width = scale;
+  style_.edge_width = scale * static_cast<float>(view.line_width);
   style_.boundary_width = 2 * scale;
   style_.node_size = view.nodes ? 4 * scale : 0;
   style_.show_inverted = view.mark_inverted;
-  style_.fill_color = {0.955f, 0.963f, 0.975f, 1};
-  // Dark edges on dark colours would be lost, and black ones would drown the colours.
-  style_.edge_color = view.color ? Rgba{0.08f, 0.10f, 0.14f, 0.55f} : Rgba{0.30f, 0.35f, 0.42f, 1};
+  style_.fill_color = colors.fill;
+  style_.edge_color = colors.edge;
+  style_.inverted_color = colors.inverted;
 }
 
 void MeshView::update_colors(const Session& session, const ViewOptions& view) {
@@ -84,11 +88,12 @@ void MeshView::update_colors(const Session& session, const ViewOptions& view) {
   legend_ = legend_of(*measured, scale);
 }
 
-void MeshView::update_markers(const Session& session, float scale) {
+void MeshView::update_markers(const Session& session, const ViewOptions& view, float scale) {
+  const bool dark = mesh_colors(view).dark;
   const auto count = static_cast<Index>(session.document()->topology()->markers().size());
   std::vector<MeshRenderer::MarkerStyle> styles;
   for (Index m = 0; m < count; ++m) {
-    const Rgb c = marker_color(m);
+    const Rgb c = marker_color(m, dark);
     const auto& hovered = session.hovered();
     const bool lit = std::find(hovered.begin(), hovered.end(), m) != hovered.end();
     float width = 2.2f;
@@ -100,7 +105,9 @@ void MeshView::update_markers(const Session& session, float scale) {
 }
 
 void MeshView::draw(const Camera& camera, int width, int height) {
-  if (has_mesh_) renderer_.draw(camera, style_, width, height);
+  if (!has_mesh_) return;
+  draw_backdrop(camera, backdrop_, height);
+  renderer_.draw(camera, style_, width, height);
 }
 
 }  // namespace winslow::gui

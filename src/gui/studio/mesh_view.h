@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "gui/render/backdrop.h"
 #include "gui/render/camera.h"
 #include "gui/render/mesh_renderer.h"
 #include "gui/studio/session.h"
@@ -22,10 +23,11 @@ class MeshView {
 
  private:
   void update_colors(const Session& session, const ViewOptions& view);
-  void update_markers(const Session& session, float scale);
+  void update_markers(const Session& session, const ViewOptions& view, float scale);
 
   MeshRenderer renderer_;
   MeshStyle style_;
+  BackdropColors backdrop_;
   std::optional<Legend> legend_;
   bool has_mesh_ = false;
   std::uint64_t generation_ = 0, shape_ = 0;

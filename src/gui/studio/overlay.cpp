@@ -24,8 +24,8 @@ void draw_label(ImDrawList& list, const Theme& theme, const ImVec2& at, const st
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const float pad = theme.px(7);
   const ImVec2 end(at.x + size.x + 2 * pad, at.y + size.y + 1.4f * pad);
-  list.AddRectFilled(at, end, IM_COL32(31, 41, 55, 225), theme.px(5));
-  list.AddText(ImVec2(at.x + pad, at.y + 0.7f * pad), IM_COL32_WHITE, text.c_str());
+  list.AddRectFilled(at, end, faded(palette().text, 0.88f), theme.px(5));
+  list.AddText(ImVec2(at.x + pad, at.y + 0.7f * pad), palette().card, text.c_str());
 }
 
 /// The selected markers where the mouse wants them: the solver is a step behind.
@@ -47,17 +47,18 @@ void draw_ring(ImDrawList& list, const Overlay& o, const Handles& h) {
   const ImVec2 centre = pixel(h.pivot);
   const auto radius = static_cast<float>(h.radius);
   const float width = o.theme.px(hot ? 3.0f : 1.8f);
-  list.AddCircle(centre, radius, IM_COL32(255, 255, 255, 190), 96, width + o.theme.px(2));
-  list.AddCircle(centre, radius, hot ? palette().accent : IM_COL32(37, 99, 235, 170), 96, width);
+  list.AddCircle(centre, radius, faded(palette().card, 0.75f), 96, width + o.theme.px(2));
+  list.AddCircle(centre, radius, hot ? palette().accent : faded(palette().accent, 0.67f), 96,
+                 width);
   if (o.viewport.gesture() == Viewport::Gesture::rotate) {
     const auto from = static_cast<float>(-pi / 4);
     const auto to = static_cast<float>(-h.angle);
     list.PathLineTo(centre);
     list.PathArcTo(centre, radius, from, to, 64);
-    list.PathFillConvex(IM_COL32(37, 99, 235, 26));
+    list.PathFillConvex(faded(palette().accent, 0.1f));
   }
   const ImVec2 knob = pixel(h.knob());
-  list.AddCircleFilled(knob, o.theme.px(hot ? 8.0f : 6.5f), IM_COL32_WHITE);
+  list.AddCircleFilled(knob, o.theme.px(hot ? 8.0f : 6.5f), palette().card);
   list.AddCircleFilled(knob, o.theme.px(hot ? 6.5f : 5.0f), palette().accent);
 }
 
@@ -69,7 +70,7 @@ void draw_pivot(ImDrawList& list, const Overlay& o, const Handles& h) {
   const float arm = r + o.theme.px(4);
   const ImU32 dark = palette().accent;
   for (const auto& [paint, width] :
-       {std::pair{IM_COL32_WHITE, o.theme.px(4)}, std::pair{dark, o.theme.px(1.6f)}}) {
+       {std::pair{palette().card, o.theme.px(4)}, std::pair{dark, o.theme.px(1.6f)}}) {
     list.AddCircle(c, r, paint, 32, width);
     list.AddLine(ImVec2(c.x - arm, c.y), ImVec2(c.x + arm, c.y), paint, width);
     list.AddLine(ImVec2(c.x, c.y - arm), ImVec2(c.x, c.y + arm), paint, width);

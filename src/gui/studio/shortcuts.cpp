@@ -23,6 +23,14 @@ void with_control(const PanelContext& context, bool shift) {
   if (!shift && pressed(GLFW_KEY_Z)) context.emit(action::Undo{});
   if ((shift && pressed(GLFW_KEY_Z)) || pressed(GLFW_KEY_Y)) context.emit(action::Redo{});
   if (pressed(GLFW_KEY_Q)) context.emit(action::Quit{});
+  if (pressed(GLFW_KEY_EQUAL) || pressed(GLFW_KEY_KP_ADD)) context.emit(action::StepScale{1});
+  if (pressed(GLFW_KEY_MINUS) || pressed(GLFW_KEY_KP_SUBTRACT)) context.emit(action::StepScale{-1});
+  if (pressed(GLFW_KEY_0) || pressed(GLFW_KEY_KP_0)) context.emit(action::StepScale{0});
+  if (pressed(GLFW_KEY_D)) {
+    ViewOptions view = context.view;
+    view.lightness = view.lightness == Lightness::dark ? Lightness::light : Lightness::dark;
+    context.emit(action::SetView{view});
+  }
 }
 
 void of_view(const PanelContext& context, bool shift) {
@@ -33,7 +41,7 @@ void of_view(const PanelContext& context, bool shift) {
       context.emit(action::FitView{});
   }
   ViewOptions view = context.view;
-  if (pressed(GLFW_KEY_W)) view.wireframe = !view.wireframe;
+  if (pressed(GLFW_KEY_W)) step_style(view);
   if (pressed(GLFW_KEY_L)) view.legend = !view.legend;
   if (pressed(GLFW_KEY_F2)) view.left_panel = !view.left_panel;
   if (pressed(GLFW_KEY_F3)) view.right_panel = !view.right_panel;

@@ -157,6 +157,7 @@ const Palette& dark_palette() {
     p.dark = true;
     p.accent = IM_COL32(96, 156, 255, 255);
     p.accent_soft = IM_COL32(96, 156, 255, 48);
+    p.on_accent = IM_COL32(15, 20, 30, 255);
     p.text = IM_COL32(226, 230, 236, 255);
     p.text_dim = IM_COL32(160, 168, 180, 255);
     p.text_faint = IM_COL32(112, 121, 135, 255);
@@ -180,6 +181,12 @@ const Palette& palette() { return current ? *current : light_palette(); }
 void use_palette(const Palette& colors) {
   current = &colors;
   set_colors(ImGui::GetStyle());
+}
+
+ImU32 faded(ImU32 color, float share) {
+  ImVec4 c = rgba(color);
+  c.w *= share;
+  return ImGui::ColorConvertFloat4ToU32(c);
 }
 
 ImU32 marker_swatch(Index marker) {

@@ -12,6 +12,7 @@ struct Palette {
   bool dark = false;
   ImU32 accent = IM_COL32(37, 99, 235, 255);
   ImU32 accent_soft = IM_COL32(37, 99, 235, 36);
+  ImU32 on_accent = IM_COL32(255, 255, 255, 255);  ///< text on accent and danger
   ImU32 text = IM_COL32(31, 41, 55, 255);
   ImU32 text_dim = IM_COL32(96, 107, 123, 255);
   ImU32 text_faint = IM_COL32(148, 158, 172, 255);
@@ -30,6 +31,9 @@ const Palette& light_palette();
 const Palette& dark_palette();
 /// Of the interface being drawn.
 const Palette& palette();
+
+/// A colour with its opacity multiplied by a share of 0 to 1.
+ImU32 faded(ImU32 color, float share);
 
 /// Colour of a marker in lists, the same as in the picture.
 ImU32 marker_swatch(Index marker);

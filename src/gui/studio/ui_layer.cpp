@@ -65,6 +65,14 @@ UiLayer::~UiLayer() {
   ImGui::DestroyContext(context_);
 }
 
+void UiLayer::set_scale(float scale) {
+  if (scale == theme_.scale) return;
+  ImGui::SetCurrentContext(context_);
+  ImGui::GetIO().Fonts->Clear();
+  theme_ = make_theme(scale, *palette_);
+  renderer_->upload_fonts();
+}
+
 UiLayer& UiLayer::current() { return *static_cast<UiLayer*>(ImGui::GetIO().UserData); }
 
 void UiLayer::begin(const InputState& input, int width, int height, double seconds) {
@@ -86,6 +94,7 @@ void UiLayer::begin(const InputState& input, int width, int height, double secon
   io.KeySuper = input.super();
   for (char32_t c : input.text) io.AddInputCharacter(static_cast<unsigned>(c));
   widgets_.clear();
+  use_palette(*palette_);
   ImGui::NewFrame();
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -46,6 +47,12 @@ class UiLayer {
   void paint();
 
   const Theme& theme() const { return theme_; }
+  /// Pixels per unit of the layout, from the next frame on: between frames only.
+  void set_scale(float scale);
+  /// The colours from the next frame on.
+  void set_palette(const Palette& colors) { palette_ = &colors; }
+  /// Sections of panels that are folded, by id.
+  std::set<std::string>& folded() { return folded_; }
   const WidgetMap& widgets() const { return widgets_; }
   WidgetMap& widgets() { return widgets_; }
   /// The layer whose context is current: for widgets, which are drawn within a frame.
@@ -59,6 +66,8 @@ class UiLayer {
  private:
   ImGuiContext* context_;
   Theme theme_;
+  const Palette* palette_ = &light_palette();
+  std::set<std::string> folded_;
   WidgetMap widgets_;
   std::unique_ptr<ImGuiRenderer> renderer_;
 };

@@ -11,16 +11,64 @@ namespace winslow::gui {
 /// What the column on the right shows.
 enum class SideTab { quality, view, vcv, history };
 
+/// Light or dark interface.
+enum class Lightness { light, dark };
+
+/// What lies behind the mesh; automatic: white or nearly black, as the interface is.
+enum class Backdrop { automatic, white, grey, gradient, black };
+
+/// The state with which the present mesh is compared.
+enum class BeforeState { loaded, last_command };
+
+/// How the state before is shown in the viewport: not, as edges under the mesh, or left of a
+/// divider.
+enum class Comparison { none, ghost, split };
+
+/// Elements of one side of a threshold drawn in full, the others faint.
+struct Isolation {
+  bool on = false;
+  double threshold = 0.5;  ///< of the metric that is shown
+  bool above = false;      ///< the elements above it stay; else those below
+  double rest = 0.12;      ///< opacity of the others; 0 hides them
+
+  bool operator==(const Isolation&) const = default;
+};
+
+/// An inset that shows a place at a larger scale.
+struct Magnifier {
+  bool on = false;
+  double factor = 6;                         ///< scale of the inset over that of the viewport
+  std::optional<std::array<double, 2>> pin;  ///< place that it shows; none: under the mouse
+
+  bool operator==(const Magnifier&) const = default;
+};
+
 /// How the mesh is shown; no part of the document.
 struct ViewOptions {
   std::optional<Metric> color = Metric::normalized_jacobian;  ///< none: plain
   std::string color_map = "viridis";
   int bands = 0;                               ///< 0: continuous
   std::optional<std::array<double, 2>> range;  ///< of the colours; none: automatic
-  bool wireframe = true;
-  bool nodes = false;
+  Isolation isolation;
+  bool fill = true;         ///< surfaces of the elements
+  bool wireframe = true;    ///< edges of the elements
+  double line_width = 1;    ///< of edges, units of the layout
+  bool nodes = false;       ///< of the whole mesh
+  bool rim_nodes = false;   ///< of the markers
+  bool directions = false;  ///< arrows along markers, the mesh on their left
+  bool node_ids = false;
+  bool element_ids = false;
   bool legend = true;
   bool mark_inverted = true;
+  Comparison comparison = Comparison::none;
+  double divider = 0.5;  ///< share of the viewport left of the divider
+  BeforeState before = BeforeState::loaded;
+  Magnifier magnifier;
+  std::optional<Metric> worst_by;  ///< metric of the list of worst elements; none: as coloured
+  int worst_count = 20;            ///< length of that list
+  Lightness lightness = Lightness::light;
+  Backdrop backdrop = Backdrop::automatic;
+  double scale = 0;  ///< pixels per unit of the layout; 0: as the screen wants it
   bool left_panel = true;
   bool right_panel = true;
   SideTab side_tab = SideTab::quality;
@@ -28,5 +76,15 @@ struct ViewOptions {
 
   bool operator==(const ViewOptions&) const = default;
 };
+
+/// The ways to draw elements, in the order in which one steps through them.
+enum class ElementStyle { both, surfaces, edges };
+ElementStyle style_of(const ViewOptions& view);
+void set_style(ViewOptions& view, ElementStyle style);
+/// The next way.
+void step_style(ViewOptions& view);
+
+/// Scales of the interface that one can step through, pixels per unit of the layout.
+inline constexpr std::array<double, 10> scales{0.75, 0.9, 1, 1.1, 1.25, 1.5, 1.75, 2, 2.5, 3};
 
 }  // namespace winslow::gui

@@ -36,10 +36,10 @@ std::filesystem::path new_picture_name() {
 }  // namespace
 
 Workbench::Workbench(const WorkbenchOptions& options)
-    : options_(options), ui_(std::make_unique<UiLayer>(options.scale)) {}
-
-void Workbench::set_scale(float scale) {
-  if (scale != ui_->theme().scale) ui_ = std::make_unique<UiLayer>(scale);
+    : options_(options),
+      settings_file_(options.profile),
+      ui_(std::make_unique<UiLayer>(options.scale)) {
+  take_settings(settings_file_.initial());
 }
 
 void Workbench::apply(const Action& action) {
@@ -59,6 +59,8 @@ void Workbench::update(const InputState& input, int width, int height, double se
   width_ = std::max(width, 1);
   height_ = std::max(height, 1);
   session_.poll();
+  ui_->set_scale(scale());
+  ui_->set_palette(view_.lightness == Lightness::dark ? dark_palette() : light_palette());
   ui_->begin(input, width_, height_, seconds);
   take_input(input);
   draw_menu();
@@ -72,6 +74,7 @@ void Workbench::update(const InputState& input, int width, int height, double se
   drive_viewport(input);
   dispatch();
   finish_frame();
+  keep_settings(seconds);
 }
 
 void Workbench::take_input(const InputState& input) {
@@ -133,7 +136,9 @@ void Workbench::finish_frame() {
 void Workbench::paint() {
   glViewport(0, 0, width_, height_);
   glDisable(GL_SCISSOR_TEST);
-  glClearColor(1, 1, 1, 1);
+  const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(
+      (view_.lightness == Lightness::dark ? dark_palette() : light_palette()).card);
+  glClearColor(ground.x, ground.y, ground.z, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   mesh_view_.draw(camera_, width_, height_);
   ui_->paint();

@@ -25,6 +25,7 @@
 #include "gui/studio/layout.h"
 #include "gui/studio/mesh_view.h"
 #include "gui/studio/session.h"
+#include "gui/studio/settings.h"
 #include "gui/studio/ui_layer.h"
 #include "gui/studio/viewport.h"
 
@@ -43,8 +44,8 @@ class Workbench {
  public:
   explicit Workbench(const WorkbenchOptions& options = {});
 
-  /// Pixels per unit of the layout. Keeps the session.
-  void set_scale(float scale);
+  /// Pixels per unit of the layout that the screen wants; the user may want another scale.
+  void set_scale(float scale) { options_.scale = scale; }
   void apply(const Action& action);
 
   /// One frame: takes input, collects what threads have done, lays out the interface.
@@ -62,6 +63,9 @@ class Workbench {
 
   const Session& session() const { return session_; }
   const ViewOptions& view() const { return view_; }
+  const ViewState& view_state() const { return view_state_; }
+  /// As they would be kept now.
+  Settings settings() const;
   const Camera& camera() const { return camera_; }
   const Layout& layout() const { return layout_; }
   const WidgetMap& widgets() const { return ui_->widgets(); }
@@ -84,12 +88,16 @@ class Workbench {
   void dispatch();
   void finish_frame();
   ViewportScene scene() const;
-  PanelContext context() { return {session_, view_, ui_->theme(), actions_}; }
+  PanelContext context() { return {session_, view_, view_state_, ui_->theme(), actions_}; }
+  float scale() const;
+  void take_settings(const Settings& settings);
+  void keep_settings(double seconds);
 
   void on(const action::SetView& a) { view_ = a.view; }
   void on(const action::FitView&);
   void on(const action::FitSelection&);
   void on(const action::LookAt& a);
+  void on(const action::StepScale& a);
   void on(const action::ShowFileDialog& a);
   void on(const action::TakeScreenshot& a);
   void on(const action::ShowHelp&) { help_.open(); }
@@ -101,9 +109,11 @@ class Workbench {
   void save_screenshot();
 
   WorkbenchOptions options_;
+  SettingsFile settings_file_;
   std::unique_ptr<UiLayer> ui_;
   Session session_;
   ViewOptions view_;
+  ViewState view_state_;
   Camera camera_;
   Layout layout_;
   Viewport viewport_;

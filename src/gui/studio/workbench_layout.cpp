@@ -178,7 +178,8 @@ void Workbench::draw_legend_card(ImDrawList& list) {
   const float banner = session_.banner() ? BannerPanel::height(context(), v.width) : 0;
   const float height = std::min(theme.px(260), v.height - banner - theme.px(48));
   // The mesh matters more where there is little room.
-  if (!legend || !view_.legend || height < theme.px(90) || v.width < theme.px(330)) return;
+  if (!legend || !view_.legend || !view_.fill || height < theme.px(90) || v.width < theme.px(330))
+    return;
   Legend shown = *legend;
   if (v.width < theme.px(560)) shown.histogram.reset();
   LegendStyle style;
@@ -187,12 +188,16 @@ void Workbench::draw_legend_card(ImDrawList& list) {
   style.font_size = theme.px(13);
   style.bar_width = theme.px(14);
   style.histogram_width = theme.px(44);
+  const ImVec4 ink = ImGui::ColorConvertU32ToFloat4(palette().text);
+  const ImVec4 line = ImGui::ColorConvertU32ToFloat4(palette().text_faint);
+  style.text_color = {ink.x, ink.y, ink.z, 1};
+  style.line_color = {line.x, line.y, line.z, 1};
   const float width = legend_width(shown, style);
   const float pad = theme.px(12);
   const float x = v.x + v.width - width - 2 * pad - theme.px(12);
   const float y = v.y + banner + theme.px(12);
   list.AddRectFilled(ImVec2(x, y), ImVec2(x + width + 2 * pad, y + height + 2 * pad),
-                     IM_COL32(255, 255, 255, 235), theme.px(6));
+                     faded(palette().card, 0.92f), theme.px(6));
   list.AddRect(ImVec2(x, y), ImVec2(x + width + 2 * pad, y + height + 2 * pad), palette().border,
                theme.px(6));
   draw_legend(list, x + pad, y + pad, height, shown, style);

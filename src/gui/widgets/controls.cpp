@@ -36,7 +36,7 @@ int push_button_style(ButtonStyle style) {
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, shaded(base, 0.9f));
   ImGui::PushStyleColor(ImGuiCol_ButtonActive, shaded(base, 0.8f));
   ImGui::PushStyleColor(ImGuiCol_Border, ImVec4(0, 0, 0, 0));
-  ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1, 1, 1, 1));
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().on_accent);
   return 5;
 }
 
@@ -173,15 +173,20 @@ bool tabs(std::string_view id, const std::vector<Tab>& items, std::size_t& chose
 
 bool section(std::string_view id, const std::string& title) {
   const Theme& theme = UiLayer::current().theme();
-  ImGuiStorage& state = *ImGui::GetStateStorage();
+  std::set<std::string>& folded = UiLayer::current().folded();
   const std::string name(id);
-  const ImGuiID key = ImGui::GetID(name.c_str());
   const bool first = ImGui::GetCursorPosY() < ImGui::GetStyle().WindowPadding.y + 1;
   if (!first) ImGui::Dummy(ImVec2(0, theme.px(6)));
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const ImVec2 size(std::max(ImGui::GetContentRegionAvail().x, 1.0f), theme.px(24));
-  bool open = state.GetBool(key, true);
-  if (ImGui::InvisibleButton(name.c_str(), size)) state.SetBool(key, open = !open);
+  bool open = !folded.contains(name);
+  if (ImGui::InvisibleButton(name.c_str(), size)) {
+    open = !open;
+    if (open)
+      folded.erase(name);
+    else
+      folded.insert(name);
+  }
   note(id);
   const bool over = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -115,7 +115,7 @@ void draw_inverted(ImDrawList& list, const Frame& f, std::span<const IterationRe
     // A new target of a drag starts with a second record of the same iteration.
     if (history[i].inverted == 0 || next <= history[i].iteration) continue;
     list.AddRectFilled(ImVec2(f.x(history[i].iteration), f.y_inverted(history[i].inverted)),
-                       ImVec2(f.x(next), f.max.y), IM_COL32(201, 34, 43, 48));
+                       ImVec2(f.x(next), f.max.y), faded(palette().danger, 0.19f));
   }
 }
 
@@ -153,7 +153,7 @@ void draw_key(ImDrawList& list, const Frame& f, float scale) {
     if (x + width > f.max.x) break;
     if (e.block)
       list.AddRectFilled(ImVec2(x, y - 4 * scale), ImVec2(x + 16 * scale, y + 4 * scale),
-                         IM_COL32(201, 34, 43, 90));
+                         faded(palette().danger, 0.35f));
     else
       list.AddLine(ImVec2(x, y), ImVec2(x + 16 * scale, y), e.color, 2 * scale);
     text_at(list, ImVec2(x + 22 * scale, y), 0, 0.5f, palette().text_dim, e.label);

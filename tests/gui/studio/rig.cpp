@@ -19,9 +19,9 @@ double now() {
 
 }  // namespace
 
-Rig::Rig(int width, int height)
+Rig::Rig(int width, int height, const std::filesystem::path& profile)
     : context(make_headless_context()),
-      bench(std::make_unique<Workbench>()),
+      bench(std::make_unique<Workbench>(WorkbenchOptions{1, profile})),
       width_(width),
       height_(height) {
   frames();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -15,7 +16,8 @@ namespace winslow::gui::test {
 /// through.
 class Rig {
  public:
-  explicit Rig(int width = 1100, int height = 720);
+  /// profile: folder of the studio's settings; empty: it keeps nothing.
+  explicit Rig(int width = 1100, int height = 720, const std::filesystem::path& profile = {});
 
   /// Runs frames until all input is taken, then `more` of them.
   void frames(int more = 2);

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "gui/render/camera.h"
+#include "gui/render/mesh_renderer.h"
+
+namespace winslow::gui {
+
+/// What lies behind a mesh: one colour, or two that run into each other.
+struct BackdropColors {
+  Rgba top{1, 1, 1, 1}, bottom{1, 1, 1, 1};
+  /// Lines on it must be light.
+  bool dark() const;
+};
+
+/// Fills the camera's part of the bound framebuffer, `framebuffer_height` pixels high.
+void draw_backdrop(const Camera& camera, const BackdropColors& colors, int framebuffer_height);
+
+}  // namespace winslow::gui

@@ -1,0 +1,51 @@
+#include <algorithm>
+#include <cmath>
+
+#include "gui/studio/workbench.h"
+
+namespace winslow::gui {
+
+float Workbench::scale() const {
+  return view_.scale > 0 ? static_cast<float>(view_.scale) : options_.scale;
+}
+
+void Workbench::on(const action::StepScale& a) {
+  if (a.by == 0) {
+    view_.scale = 0;
+    return;
+  }
+  const auto now = static_cast<double>(scale());
+  const auto up = std::ranges::find_if(scales, [&](double s) { return s > now + 1e-3; });
+  const auto here = std::ranges::find_if(scales, [&](double s) { return s > now - 1e-3; });
+  if (a.by > 0 && up != scales.end()) view_.scale = *up;
+  if (a.by < 0 && here != scales.begin()) view_.scale = *(here - 1);
+}
+
+Settings Workbench::settings() const {
+  Settings settings;
+  settings.view = view_;
+  settings.left_width = layout_.left_width;
+  settings.right_width = layout_.right_width;
+  settings.plot_height = layout_.plot_height;
+  settings.folded = ui_->folded();
+  // The screen's own scale: a window has its size whatever the user makes of what is in it.
+  settings.window = {static_cast<int>(std::lround(static_cast<float>(width_) / options_.scale)),
+                     static_cast<int>(std::lround(static_cast<float>(height_) / options_.scale))};
+  return settings;
+}
+
+void Workbench::take_settings(const Settings& settings) {
+  view_ = settings.view;
+  if (settings.left_width > 0) layout_.left_width = settings.left_width;
+  if (settings.right_width > 0) layout_.right_width = settings.right_width;
+  if (settings.plot_height > 0) layout_.plot_height = settings.plot_height;
+  ui_->folded() = settings.folded;
+}
+
+void Workbench::keep_settings(double seconds) {
+  settings_file_.keep(settings(), seconds);
+  if (const std::string problem = settings_file_.take_problem(); !problem.empty())
+    session_.tell(Notice::Kind::warning, problem);
+}
+
+}  // namespace winslow::gui

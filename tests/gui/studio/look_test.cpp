@@ -1,0 +1,108 @@
+#include <doctest/doctest.h>
+
+#include "gui/studio/keys.h"
+#include "gui/studio/mesh_colors.h"
+#include "gui/studio/pixels.h"
+#include "gui/studio/rig.h"
+
+namespace winslow::gui::test {
+
+namespace {
+
+void set(Rig& rig, const std::function<void(ViewOptions&)>& change) {
+  ViewOptions view = rig.bench->view();
+  change(view);
+  rig.bench->apply(action::SetView{view});
+  REQUIRE(rig.settle());
+  rig.frames();
+}
+
+}  // namespace
+
+TEST_CASE("the dark theme darkens panels, menus and what lies behind the mesh") {
+  Rig rig;
+  rig.open(ring_mesh());
+  // A place beside the mesh, one in a panel, one in the toolbar.
+  const Vec2 beside = rig.pixel(Vec2(3.3, 0));
+  const Vec2 panel(20, 700 - 40);
+  const Image light = rig.bench->picture();
+  rig.key(GLFW_KEY_D, {keys::control});
+  const Image dark = rig.bench->picture();
+  for (const Vec2& p : {beside, panel, Vec2(700, 40)}) {
+    CHECK(brightness(light, p) > 0.9);
+    CHECK(brightness(dark, p) < 0.25);
+  }
+  rig.key(GLFW_KEY_D, {keys::control});
+  CHECK(rig.bench->picture().rgba == light.rgba);
+}
+
+TEST_CASE("the background can be grey, black or a gradient whatever the theme") {
+  Rig rig;
+  rig.open(ring_mesh());
+  const Area v = rig.bench->layout().viewport;
+  const Vec2 top(v.x + 10, v.y + 10);
+  const Vec2 bottom(v.x + 10, v.y + v.height - 10);
+  set(rig, [](ViewOptions& view) { view.backdrop = Backdrop::black; });
+  CHECK(brightness(rig.bench->picture(), top) == 0);
+  set(rig, [](ViewOptions& view) { view.backdrop = Backdrop::grey; });
+  CHECK(brightness(rig.bench->picture(), top) == doctest::Approx(0.81).epsilon(0.03));
+  set(rig, [](ViewOptions& view) { view.backdrop = Backdrop::gradient; });
+  const Image gradient = rig.bench->picture();
+  CHECK(brightness(gradient, top) > brightness(gradient, bottom) + 0.1);
+}
+
+TEST_CASE("edges are light where the background is dark") {
+  ViewOptions view;
+  view.color.reset();
+  const MeshColors light = mesh_colors(view);
+  view.lightness = Lightness::dark;
+  const MeshColors dark = mesh_colors(view);
+  CHECK(light.edge[0] + 0.3f < light.fill[0]);
+  CHECK(dark.edge[0] > dark.fill[0] + 0.3f);
+  view.backdrop = Backdrop::white;
+  CHECK_FALSE(mesh_colors(view).dark);
+}
+
+TEST_CASE("the scale of the interface is chosen, or the screen's own") {
+  Rig rig;
+  rig.open(ring_mesh());
+  const auto height = [&] {
+    const auto r = rig.bench->widgets().find("solver/run");
+    REQUIRE(r.has_value());
+    return r->max.y() - r->min.y();
+  };
+  const double before = height();
+  for (int i = 0; i < 3; ++i) rig.key(GLFW_KEY_EQUAL, {keys::control});
+  CHECK(rig.bench->view().scale == 1.5);
+  CHECK(height() == doctest::Approx(1.5 * before).epsilon(0.1));
+  rig.key(GLFW_KEY_MINUS, {keys::control});
+  CHECK(rig.bench->view().scale == 1.25);
+  rig.key(GLFW_KEY_0, {keys::control});
+  CHECK(height() == before);
+  // Moved to a screen that wants two pixels for one.
+  rig.bench->set_scale(2);
+  rig.frames();
+  CHECK(height() == doctest::Approx(2 * before).epsilon(0.1));
+}
+
+TEST_CASE("W steps through surfaces and edges, surfaces, edges") {
+  Rig rig;
+  rig.open(two_body_mesh());
+  const Vec2 middle = rig.pixel(Vec2(0.25, 0.3));
+  const Vec2 edge = rig.pixel(Vec2(0.0, 0.25));
+  const auto picture = [&] { return rig.bench->picture(); };
+  Image both = picture();
+  CHECK(brightness(both, edge) < brightness(both, middle) - 0.1);
+  rig.key(keys::w);
+  CHECK(rig.bench->view().fill);
+  const Image surfaces = picture();
+  CHECK(brightness(surfaces, edge) == doctest::Approx(brightness(surfaces, middle)).epsilon(0.02));
+  rig.key(keys::w);
+  const Image edges = picture();
+  CHECK(brightness(edges, middle) == 1);
+  CHECK(brightness(edges, edge) < 0.8);
+  rig.key(keys::w);
+  CHECK(picture().rgba == both.rgba);
+}
+
+}  // namespace winslow::gui::test
