@@ -19,10 +19,11 @@ namespace winslow {
 /// of first order elsewhere. Immutable once made.
 class DragPredictor {
  public:
-  /// solver: at its solution x. nodes: the constrained nodes that move together. Throws
-  /// NumericError where the equations at x have no regular derivative.
+  /// solver: at its solution x. nodes: the constrained nodes that move together. shares: of a
+  /// translation that each of them takes, if they are no rigid body; there is no rotation then.
+  /// Throws NumericError where the equations at x have no regular derivative.
   DragPredictor(const Topology& topology, SteadySolver& solver, const Coordinates& x,
-                std::vector<Index> nodes, int threads = 0);
+                std::vector<Index> nodes, std::vector<double> shares = {}, int threads = 0);
 
   /// The mesh after `motion`, seen from the mesh that the predictor was made at. The boundary is
   /// exactly where the motion takes it; whether the mesh is valid is the caller's to check.
@@ -38,6 +39,7 @@ class DragPredictor {
 
   Coordinates base_;
   std::vector<Index> nodes_;
+  std::vector<double> shares_;      // empty: a rigid body
   std::vector<Tangents> tangents_;  // #nodes
   Vec2 pivot_{0, 0};
   int threads_;

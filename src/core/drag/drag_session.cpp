@@ -42,18 +42,24 @@ RigidMotion next_part(const RigidMotion& pose, const RigidMotion& target) {
 /// The thread and what it shares with its owner. What lies below `mutex_` is guarded by it.
 class DragSession::Impl final : public SolverMonitor {
  public:
-  Impl(MeshState state, const std::vector<std::string>& markers, const SmoothOptions& options)
-      : state_(std::move(state)), markers_(markers), options_(options) {
+  Impl(MeshState state, DragGrip grip, const SmoothOptions& options, std::optional<Start> start)
+      : state_(std::move(state)), grip_(std::move(grip)), options_(options) {
     validate(options_);
     const auto motion =
-        make_motion(*state_.mesh.topology, state_.mesh.coordinates, markers_, RigidMotion{});
-    nodes_.assign(motion->nodes().begin(), motion->nodes().end());
-    const Validity validity = validity_of(state_.mesh.coordinates);
+        make_motion(*state_.mesh.topology, state_.mesh.coordinates, grip_, RigidMotion{});
+    if (grip_.rigid())
+      nodes_.assign(motion->nodes().begin(), motion->nodes().end());
+    else
+      nodes_ = grip_.nodes;
+    frame_.coordinates = start ? std::move(start->coordinates) : state_.mesh.coordinates;
+    frame_.motion = start ? start->motion : RigidMotion{};
+    const Validity validity = validity_of(frame_.coordinates);
     if (validity.inverted > 0)
       throw UsageError("a drag starts from a mesh without inverted elements");
-    frame_.coordinates = state_.mesh.coordinates;
     frame_.min_sine = validity.min_sine;
     frame_.held = true;
+    wanted_ = frame_.motion;
+    solved_ = frame_.coordinates;
     worker_ = std::thread([this] { work(); });
   }
   ~Impl() override {
@@ -74,7 +80,7 @@ class DragSession::Impl final : public SolverMonitor {
     }
     wake_.notify_all();
     if (!prepared) return frame_;
-    prepared->predictor.evaluate(compose(inverse(prepared->pose), motion), candidate_);
+    prepared->predictor.evaluate(motion_between(grip_, prepared->pose, motion), candidate_);
     const Validity validity = validity_of(candidate_);
     frame_.held = validity.inverted > 0;
     if (frame_.held) return frame_;
@@ -122,20 +128,19 @@ class DragSession::Impl final : public SolverMonitor {
 
   RigidMotion pose() const {
     const std::lock_guard lock(mutex_);
-    return prepared_ ? prepared_->pose : RigidMotion{};
+    return prepared_ ? prepared_->pose : wanted_;
   }
 
   void work() {
     try {
-      Coordinates solved = state_.mesh.coordinates;
       while (const auto wanted = next_target()) {
-        const RigidMotion target = next_part(pose(), *wanted);
-        const Coordinates start = solved;
-        solve(target, solved);
-        if (solved == start && !reached(target, solved)) restart(target, solved);
+        const RigidMotion target = grip_.rigid() ? next_part(pose(), *wanted) : *wanted;
+        const Coordinates start = solved_;
+        solve(target, solved_);
+        if (solved_ == start && !reached(target, solved_)) restart(target, solved_);
         // Where it was no use, the next try waits for another position.
-        const bool settled = reached(target, solved) || solved == start;
-        publish(settled ? target : fitted_pose(solved), solved);
+        const bool settled = reached(target, solved_) || solved_ == start;
+        publish(settled ? target : fitted_pose(solved_), solved_);
       }
     } catch (const Cancelled&) {
       return;
@@ -147,8 +152,7 @@ class DragSession::Impl final : public SolverMonitor {
 
   /// From the mesh solved for last along the path to where the body is wanted.
   void solve(const RigidMotion& target, Coordinates& x) {
-    const auto motion =
-        make_motion(*state_.mesh.topology, state_.mesh.coordinates, markers_, target);
+    const auto motion = make_motion(*state_.mesh.topology, state_.mesh.coordinates, grip_, target);
     const Coordinates start = x;
     ExecuteOptions run;
     run.monitor = this;
@@ -160,8 +164,7 @@ class DragSession::Impl final : public SolverMonitor {
 
   /// A mesh pressed against a wall may find no way back: the way from the state may be open.
   void restart(const RigidMotion& target, Coordinates& x) {
-    const auto motion =
-        make_motion(*state_.mesh.topology, state_.mesh.coordinates, markers_, target);
+    const auto motion = make_motion(*state_.mesh.topology, state_.mesh.coordinates, grip_, target);
     ExecuteOptions run;
     run.monitor = this;
     run.workspace = &workspace_;
@@ -173,7 +176,7 @@ class DragSession::Impl final : public SolverMonitor {
   void publish(const RigidMotion& target, const Coordinates& x) {
     auto prepared = std::make_shared<const Prepared>(
         Prepared{DragPredictor(*state_.mesh.topology, workspace_.steady_solver(), x, nodes_,
-                               options_.threads),
+                               grip_.shares, options_.threads),
                  reached(target, x) ? target : fitted_pose(x), target});
     const std::lock_guard lock(mutex_);
     prepared_ = std::move(prepared);
@@ -182,20 +185,24 @@ class DragSession::Impl final : public SolverMonitor {
 
   bool reached(const RigidMotion& target, const Coordinates& x) const {
     constexpr double round_off = 1e-12;
-    return std::all_of(nodes_.begin(), nodes_.end(), [&](Index node) {
-      const Vec2 there = transform(target, state_.mesh.coordinates.xy(node));
-      return (there - x.xy(node)).norm() <= round_off * (1 + there.norm());
-    });
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      const Vec2 rest = state_.mesh.coordinates.xy(nodes_[i]);
+      const Vec2 there =
+          grip_.rigid() ? transform(target, rest) : Vec2(rest + grip_.shares[i] * target.translate);
+      if ((there - x.xy(nodes_[i])).norm() > round_off * (1 + there.norm())) return false;
+    }
+    return true;
   }
   RigidMotion fitted_pose(const Coordinates& x) const {
-    return fit_rigid_motion(nodes_, state_.mesh.coordinates, x);
+    return fit_motion(nodes_, grip_.shares, state_.mesh.coordinates, x);
   }
 
   MeshState state_;
-  std::vector<std::string> markers_;
+  DragGrip grip_;
   SmoothOptions options_;
   std::vector<Index> nodes_;
   SmoothingWorkspace workspace_;  // the worker's
+  Coordinates solved_;            // the worker's: the mesh solved for last
   DragFrame frame_;               // the owner's
   Coordinates candidate_;         // the owner's
 
@@ -210,9 +217,9 @@ class DragSession::Impl final : public SolverMonitor {
   std::thread worker_;
 };
 
-DragSession::DragSession(MeshState state, const std::vector<std::string>& markers,
-                         const SmoothOptions& options)
-    : impl_(std::make_unique<Impl>(std::move(state), markers, options)) {}
+DragSession::DragSession(MeshState state, DragGrip grip, const SmoothOptions& options,
+                         std::optional<Start> start)
+    : impl_(std::make_unique<Impl>(std::move(state), std::move(grip), options, std::move(start))) {}
 DragSession::~DragSession() = default;
 
 const DragFrame& DragSession::to(const RigidMotion& motion) { return impl_->to(motion); }

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "core/command/command.h"
+#include "core/drag/drag_grip.h"
 
 namespace winslow {
 
@@ -22,10 +23,16 @@ struct DragFrame {
 /// thread and never wait, except the destructor, which cancels and joins.
 class DragSession {
  public:
-  /// state: a valid mesh, which the motions refer to. markers: the bodies that move together.
-  /// Throws UsageError for unknown markers, senseless options or a tangled state.
-  DragSession(MeshState state, const std::vector<std::string>& markers,
-              const SmoothOptions& options);
+  /// A mesh to go on from: valid, the grip moved by `motion` from where it is in the state.
+  struct Start {
+    Coordinates coordinates;
+    RigidMotion motion;
+  };
+  /// state: a valid mesh, which the motions refer to. grip: what is held. start: where the drag
+  /// goes on from, if not from the state itself. Throws UsageError for unknown markers, senseless
+  /// options or a tangled mesh.
+  DragSession(MeshState state, DragGrip grip, const SmoothOptions& options,
+              std::optional<Start> start = {});
   ~DragSession();
   DragSession(const DragSession&) = delete;
   DragSession& operator=(const DragSession&) = delete;
@@ -36,6 +43,7 @@ class DragSession {
   /// False until the first fields are prepared; to() holds the state until then.
   bool ready() const;
   /// True if the fields belong to the position last asked for: the frame is the solution itself.
+  /// A frame that is held even then has met its limit: no valid mesh was found beyond it.
   bool settled() const;
   /// Number of meshes solved for so far.
   int corrections() const;

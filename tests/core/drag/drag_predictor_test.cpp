@@ -72,9 +72,9 @@ TEST_CASE("no motion predicts the mesh itself, and threads change no bit") {
   Solved solved(Cells::mixed);
   const Mesh& mesh = solved.state.mesh;
   const DragPredictor one(*mesh.topology, solved.workspace.newton(), mesh.coordinates, solved.nodes,
-                          1);
+                          {}, 1);
   const DragPredictor four(*mesh.topology, solved.workspace.newton(), mesh.coordinates,
-                           solved.nodes, 4);
+                           solved.nodes, {}, 4);
   Coordinates a, b;
   one.evaluate({}, a);
   CHECK(a == mesh.coordinates);

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <thread>
@@ -40,7 +41,7 @@ TEST_CASE("a drag ends at the mesh that the command gives") {
   for (const Cells cells : {Cells::triangles, Cells::quads, Cells::mixed}) {
     CAPTURE(name_of(cells));
     const MeshState state = annulus_state(cells);
-    DragSession drag(state, {"inner"}, {});
+    DragSession drag(state, DragGrip{{"inner"}, {}, {}}, {});
     MoveCommand command;
     command.markers = {"inner"};
     for (int k = 1; k <= 20; ++k) {
@@ -69,7 +70,7 @@ TEST_CASE("by the paper's operator a drag ends at that operator's mesh") {
   command.markers = {"inner"};
   command.motion = {30, Vec2(0, 0), Vec2(0.2, 0)};
   command.smooth.formulation = "pointwise";
-  DragSession drag(state, {"inner"}, command.smooth);
+  DragSession drag(state, DragGrip{{"inner"}, {}, {}}, command.smooth);
   REQUIRE(wait_until([&] {
     const DragFrame& frame = drag.to(command.motion);
     CHECK(inverted(state, frame.coordinates) == 0);
@@ -86,7 +87,7 @@ TEST_CASE("by the paper's operator a drag ends at that operator's mesh") {
 
 TEST_CASE("a frame that would invert an element is held at the last valid position") {
   const MeshState state = annulus_state();
-  DragSession drag(state, {"inner"}, {});
+  DragSession drag(state, DragGrip{{"inner"}, {}, {}}, {});
   REQUIRE(wait_until([&] { return drag.ready(); }));
   const RigidMotion easy{0, Vec2(0, 0), Vec2(0.3, 0)};
   CHECK_FALSE(drag.to(easy).held);
@@ -104,7 +105,7 @@ TEST_CASE("a frame that would invert an element is held at the last valid positi
 
 TEST_CASE("turning on and on winds the mesh up, and back") {
   const MeshState state = annulus_state(Cells::triangles, 24);
-  DragSession drag(state, {"inner"}, {});
+  DragSession drag(state, DragGrip{{"inner"}, {}, {}}, {});
   const auto turn_to = [&](double degrees) {
     const RigidMotion motion{degrees, Vec2(0, 0), Vec2(0, 0)};
     return wait_until([&] {
@@ -127,16 +128,101 @@ TEST_CASE("turning on and on winds the mesh up, and back") {
 
 TEST_CASE("a drag that cannot begin says why; one that is under way can be dropped at any time") {
   MeshState state = annulus_state();
-  CHECK_THROWS_AS(DragSession(state, {"wing"}, {}), UsageError);
+  CHECK_THROWS_AS(DragSession(state, DragGrip{{"wing"}, {}, {}}, {}), UsageError);
   SmoothOptions bad;
   bad.damping = 7;
-  CHECK_THROWS_AS(DragSession(state, {"inner"}, bad), UsageError);
+  CHECK_THROWS_AS(DragSession(state, DragGrip{{"inner"}, {}, {}}, bad), UsageError);
   for (int k = 0; k < 6; ++k) {
-    DragSession drag(state, {"inner"}, {});
+    DragSession drag(state, DragGrip{{"inner"}, {}, {}}, {});
     drag.to(RigidMotion{30.0 * k, Vec2(0, 0), Vec2(0, 0)});
     std::this_thread::sleep_for(std::chrono::milliseconds(k));
   }
   Random random(1);
   tangle(state.mesh, random);
-  CHECK_THROWS_AS(DragSession(state, {"inner"}, {}), UsageError);
+  CHECK_THROWS_AS(DragSession(state, DragGrip{{"inner"}, {}, {}}, {}), UsageError);
+}
+
+TEST_CASE("a part of a boundary is dragged by its shares and ends at the command's mesh") {
+  const MeshState state = annulus_state();
+  const Mesh& mesh = state.mesh;
+  const auto span = mesh.topology->marker_nodes(*mesh.topology->find_marker("inner"));
+  std::vector<Index> loop;
+  for (const auto& candidate : mesh.topology->boundary_loops())
+    if (std::find(candidate.begin(), candidate.end(), span[0]) != candidate.end()) loop = candidate;
+  const FadedArc arc = faded_arc(loop, mesh.coordinates, 3, 5, 0.6);
+  REQUIRE(arc.nodes.size() > 5);
+  const DragGrip grip{{"inner"}, arc.nodes, arc.shares};
+  DragSession drag(state, grip, {});
+  const RigidMotion motion{0, Vec2(0, 0), Vec2(0.15, 0.1)};
+  REQUIRE(wait_until([&] {
+    const DragFrame& frame = drag.to(motion);
+    CHECK(inverted(state, frame.coordinates) == 0);
+    return drag.settled() && !frame.held;
+  }));
+  const Coordinates there = drag.to(motion).coordinates;
+  const Command command = drag_command(grip, motion, {}, {});
+  CHECK(std::holds_alternative<DeformCommand>(command));
+  CHECK(largest_difference(there, execute(command, state).state.mesh.coordinates) < 1e-8);
+  for (std::size_t i = 0; i < arc.nodes.size(); ++i) {
+    const Vec2 wanted = mesh.coordinates.xy(arc.nodes[i]) + arc.shares[i] * motion.translate;
+    CHECK((there.xy(arc.nodes[i]) - wanted).norm() < 1e-14);
+  }
+  // From there the frames are exact to first order, whatever the shares.
+  RigidMotion further = motion;
+  further.translate.x() += 1e-3;
+  const Coordinates next = drag.to(further).coordinates;
+  const Coordinates exact =
+      execute(drag_command(grip, further, {}, {}), state).state.mesh.coordinates;
+  CHECK(largest_difference(next, exact) < 2e-5);
+  CHECK_THROWS_AS(drag_command({{"inner"}, arc.nodes, {}}, motion, {}, {}), UsageError);
+  CHECK_THROWS_AS(drag_command(grip, {5, Vec2(0, 0), Vec2(0, 0)}, {}, {}), UsageError);
+}
+
+TEST_CASE("a drag goes on from a mesh on the way, not from the state") {
+  const MeshState state = annulus_state();
+  MoveCommand command;
+  command.markers = {"inner"};
+  command.motion = {25, Vec2(0, 0), Vec2(0.2, 0)};
+  const Coordinates there = execute(command, state).state.mesh.coordinates;
+  DragSession drag(state, DragGrip{{"inner"}, {}, {}}, {},
+                   DragSession::Start{there, command.motion});
+  CHECK(drag.to(command.motion).coordinates == there);
+  CHECK(same_motion(drag.to(command.motion).motion, command.motion));
+  REQUIRE(wait_until([&] { return drag.ready(); }));
+  RigidMotion next = command.motion;
+  next.translate.y() += 0.01;
+  const DragFrame& frame = drag.to(next);
+  CHECK_FALSE(frame.held);
+  CHECK(largest_difference(frame.coordinates, there) < 0.02);
+}
+
+TEST_CASE("shares fade along the loop, not through the body") {
+  // A square of side 1 with nodes every 0.25, counter-clockwise from (0, 0).
+  Coordinates x(2, 16);
+  std::vector<Index> loop(16);
+  for (Index i = 0; i < 16; ++i) {
+    const double s = 0.25 * static_cast<double>(i % 4);
+    const Vec2 corner[4] = {{s, 0}, {1, s}, {1 - s, 1}, {0, 1 - s}};
+    x.set_xy(i, corner[i / 4]);
+    loop[static_cast<std::size_t>(i)] = i;
+  }
+  const auto share_of = [](const FadedArc& arc, Index node) {
+    for (std::size_t i = 0; i < arc.nodes.size(); ++i)
+      if (arc.nodes[i] == node) return arc.shares[i];
+    return 0.0;
+  };
+  const FadedArc one = faded_arc(loop, x, 0, 0, 0);
+  CHECK(one.nodes == std::vector<Index>{0});
+  CHECK(one.shares == std::vector<double>{1});
+  // Over the corner and over the end of the list.
+  const FadedArc arc = faded_arc(loop, x, 15, 1, 0.5);
+  for (const Index node : {15, 0, 1}) CHECK(share_of(arc, node) == 1);
+  CHECK(share_of(arc, 2) == doctest::Approx(0.5));
+  CHECK(share_of(arc, 14) == doctest::Approx(0.5));
+  CHECK(arc.nodes.size() == 5);
+  // A radius longer than the loop reaches every node once, from its nearer end.
+  const FadedArc all = faded_arc(loop, x, 0, 0, 4);
+  CHECK(all.nodes.size() == 16);
+  CHECK(share_of(all, 4) == doctest::Approx(share_of(all, 12)));
+  CHECK(share_of(all, 8) == doctest::Approx(0.5));
 }

@@ -1,0 +1,100 @@
+#include "core/drag/drag_grip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/motion/rigid_motion.h"
+
+namespace winslow {
+
+namespace {
+
+DisplacementTable displacements(const DragGrip& grip, const Vec2& translate) {
+  DisplacementTable table;
+  table.source = "drag";
+  table.entries.reserve(grip.nodes.size());
+  for (std::size_t i = 0; i < grip.nodes.size(); ++i)
+    table.entries.push_back({grip.nodes[i], Vec2(0, 0), grip.shares[i] * translate, 0});
+  return table;
+}
+
+void check_shares(const DragGrip& grip, const RigidMotion& motion) {
+  if (grip.shares.size() != grip.nodes.size())
+    throw UsageError("a part of a boundary needs a share of the motion for each of its nodes");
+  if (motion.rotate != 0) throw UsageError("a part of a boundary can be moved, but not turned");
+}
+
+/// Distances along a loop from a position, in one direction, until they pass `radius`.
+template <class Visit>
+void walk(const std::vector<Index>& loop, const Coordinates& x, std::size_t from, bool forward,
+          double radius, const Visit& visit) {
+  const std::size_t n = loop.size();
+  double distance = 0;
+  std::size_t at = from;
+  for (std::size_t step = 1; step < n; ++step) {
+    const std::size_t next = forward ? (at + 1) % n : (at + n - 1) % n;
+    distance += (x.xy(loop[next]) - x.xy(loop[at])).norm();
+    if (distance >= radius) return;
+    visit(next, distance);
+    at = next;
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
+                                    const DragGrip& grip, const RigidMotion& motion) {
+  if (grip.rigid()) return make_motion(topology, rest, grip.markers, motion);
+  check_shares(grip, motion);
+  return make_motion(topology, rest, grip.markers, displacements(grip, motion.translate));
+}
+
+Command drag_command(const DragGrip& grip, const RigidMotion& motion, const MotionOptions& how,
+                     const SmoothOptions& smooth) {
+  if (grip.rigid()) return MoveCommand{grip.markers, motion, how, smooth};
+  check_shares(grip, motion);
+  return DeformCommand{grip.markers, displacements(grip, motion.translate), how, smooth};
+}
+
+RigidMotion motion_between(const DragGrip& grip, const RigidMotion& from, const RigidMotion& to) {
+  if (grip.rigid()) return compose(inverse(from), to);
+  return {0, Vec2(0, 0), to.translate - from.translate};
+}
+
+RigidMotion fit_motion(std::span<const Index> nodes, std::span<const double> shares,
+                       const Coordinates& rest, const Coordinates& x) {
+  if (shares.empty()) return fit_rigid_motion(nodes, rest, x);
+  Vec2 sum(0, 0);
+  double weight = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    sum += shares[i] * (x.xy(nodes[i]) - rest.xy(nodes[i]));
+    weight += shares[i] * shares[i];
+  }
+  return {0, Vec2(0, 0), weight > 0 ? Vec2(sum / weight) : Vec2(0, 0)};
+}
+
+FadedArc faded_arc(const std::vector<Index>& loop, const Coordinates& x, std::size_t first,
+                   std::size_t last, double radius) {
+  const std::size_t n = loop.size();
+  std::vector<double> share(n, 0.0);
+  for (std::size_t at = first;; at = (at + 1) % n) {
+    share[at] = 1;
+    if (at == last) break;
+  }
+  const auto fade = [&](std::size_t at, double distance) {
+    const double t = distance / radius;
+    share[at] = std::max(share[at], 1 - t * t * (3 - 2 * t));
+  };
+  walk(loop, x, last, true, radius, fade);
+  walk(loop, x, first, false, radius, fade);
+  FadedArc arc;
+  for (std::size_t at = 0; at < n; ++at) {
+    if (share[at] <= 0) continue;
+    arc.nodes.push_back(loop[at]);
+    arc.shares.push_back(share[at]);
+  }
+  return arc;
+}
+
+}  // namespace winslow

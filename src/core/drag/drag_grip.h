@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/command/command.h"
+
+namespace winslow {
+
+/// What the mouse holds: whole bodies, which move rigidly, or a part of their boundary, of which
+/// every node takes a share of the translation (shape editing).
+struct DragGrip {
+  std::vector<std::string> markers;  ///< that may move; all other boundary stays
+  std::vector<Index> nodes;          ///< held nodes, of the markers; empty: all, as a rigid body
+  std::vector<double> shares;        ///< of the translation, in [0, 1], one per node of `nodes`
+
+  bool rigid() const { return nodes.empty(); }
+};
+
+/// The motion of a grip from a state's rest coordinates. Throws UsageError: unknown markers, nodes
+/// of other markers, shares that do not fit, a rotation of what is not rigid.
+std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
+                                    const DragGrip& grip, const RigidMotion& motion);
+
+/// The command that does for good what a drag has shown.
+Command drag_command(const DragGrip& grip, const RigidMotion& motion, const MotionOptions& how,
+                     const SmoothOptions& smooth);
+
+/// What remains from `from` to `to`: compose(inverse(from), to) of a body, the difference of the
+/// translations of a part.
+RigidMotion motion_between(const DragGrip& grip, const RigidMotion& from, const RigidMotion& to);
+
+/// The motion that brings `nodes` nearest to where they are in `x` (least squares).
+/// shares: as of the grip; empty: rigid.
+RigidMotion fit_motion(std::span<const Index> nodes, std::span<const double> shares,
+                       const Coordinates& rest, const Coordinates& x);
+
+/// Shares that fade from 1 on the arc `first` .. `last` of a closed boundary loop to 0 at
+/// `radius` beyond its ends, measured along the loop, with continuous slope:
+/// 1 - t^2 (3 - 2t), t = distance / radius.
+/// loop: nodes in order. first, last: positions in it; the arc goes forward from first to last.
+/// radius >= 0, in units of the mesh. Nodes without a share are left out.
+struct FadedArc {
+  std::vector<Index> nodes;
+  std::vector<double> shares;
+};
+FadedArc faded_arc(const std::vector<Index>& loop, const Coordinates& x, std::size_t first,
+                   std::size_t last, double radius);
+
+}  // namespace winslow
