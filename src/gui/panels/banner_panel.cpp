@@ -32,7 +32,10 @@ float BannerPanel::height(const PanelContext& context, float width) {
 void BannerPanel::draw(const PanelContext& context) {
   const auto& banner = context.session.banner();
   if (!banner) return;
-  const bool bad = banner->kind != Banner::Kind::not_converged;
+  const bool bad =
+      banner->kind == Banner::Kind::inverted_result || banner->kind == Banner::Kind::inverted_input;
+  const bool undo =
+      banner->kind == Banner::Kind::inverted_result || banner->kind == Banner::Kind::partial_motion;
   ImGui::AlignTextToFramePadding();
   const std::string icon = context.theme.icon(Icon::warning);
   const bool wide = !two_lines(context, ImGui::GetWindowWidth());
@@ -42,7 +45,7 @@ void BannerPanel::draw(const PanelContext& context) {
   ui::note("banner");
   ui::tooltip(banner->text);
   if (wide) ImGui::SameLine(0, context.theme.px(16));
-  if (banner->kind == Banner::Kind::inverted_result) {
+  if (undo) {
     if (ui::button("banner/undo", "Undo", {"Back to the mesh before this command."}))
       context.emit(action::Undo{});
     ImGui::SameLine();

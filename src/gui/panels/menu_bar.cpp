@@ -48,7 +48,7 @@ void MenuBar::draw(const PanelContext& context) {
 
 void MenuBar::draw_file(const PanelContext& context) {
   const Document* document = context.session.document();
-  const bool can_save = document && !context.session.job().active() && !context.session.saving();
+  const bool can_save = document && !context.session.in_motion() && !context.session.saving();
   const auto dialog = [&](action::FilePurpose purpose) {
     context.emit(action::ShowFileDialog{purpose});
   };
@@ -70,7 +70,7 @@ void MenuBar::draw_file(const PanelContext& context) {
 
 void MenuBar::draw_edit(const PanelContext& context) {
   const Document* document = context.session.document();
-  const bool busy = context.session.job().active();
+  const bool busy = context.session.in_motion();
   const History* history = document ? &document->history() : nullptr;
   std::string undo = "Undo";
   std::string redo = "Redo";

@@ -19,7 +19,13 @@ State state_of(const Session& session) {
     return {"Reading " + session.loading_path().filename().string() + " ...", palette().accent};
   if (session.saving()) return {"Saving ...", palette().accent};
   const JobRunner& job = session.job();
-  if (session.dragging()) return {"Dragging; Esc cancels", palette().accent};
+  if (const BodyDrag* drag = session.body_drag()) {
+    if (drag->reach() == BodyDrag::Reach::limit)
+      return {"Dragging: no valid mesh beyond here; Esc cancels", palette().danger};
+    if (drag->reach() == BodyDrag::Reach::catching_up)
+      return {"Dragging: the mesh is catching up; Esc cancels", palette().accent};
+  }
+  if (session.dragging()) return {"Dragging; Enter accepts, Esc cancels", palette().accent};
   if (job.active()) {
     const auto history = session.convergence();
     const std::string where =
@@ -46,9 +52,13 @@ void draw_mesh(const Session& session) {
       session.job().active() ? session.convergence() : std::span<const IterationRecord>{};
   const auto& measured = session.quality().latest();
   const QualityReport& report = measured ? measured->report : session.document()->loaded_quality();
-  const Index inverted = history.empty() ? report.inverted : history.back().inverted;
-  const double sine =
+  Index inverted = history.empty() ? report.inverted : history.back().inverted;
+  double sine =
       history.empty() ? report.normalized_jacobian.statistics.min : history.back().min_sine;
+  if (const BodyDrag* drag = session.body_drag()) {
+    inverted = 0;  // its frames are valid, always
+    sine = drag->frame().min_sine;
+  }
   separator();
   ui::text_dim(counted(topology.node_count(), "node"));
   separator();

@@ -52,7 +52,7 @@ void Toolbar::draw(const PanelContext& context) {
 
 void Toolbar::draw_files(const PanelContext& context) {
   const Document* document = context.session.document();
-  const bool busy = context.session.job().active();
+  const bool busy = context.session.in_motion();
   if (tool(context, "tool/open", Icon::open, "Open", "Open a mesh (Ctrl+O)", true))
     context.emit(action::ShowFileDialog{action::FilePurpose::open_mesh});
   if (tool(context, "tool/save", Icon::save, "Save", "Save the mesh (Ctrl+S)",

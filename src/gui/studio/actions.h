@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/command/command.h"
+#include "core/drag/drag_grip.h"
 #include "gui/studio/view_options.h"
 #include "gui/studio/view_state.h"
 
@@ -48,7 +49,9 @@ struct ApplyMotion {
 };
 /// A motion under the mouse: the mesh follows every DragTo until EndDrag. Motions are total, seen
 /// from BeginDrag.
-struct BeginDrag {};
+struct BeginDrag {
+  DragGrip part;  ///< without markers: the selected bodies, as they are
+};
 struct DragTo {
   RigidMotion motion;
 };

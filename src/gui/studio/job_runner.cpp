@@ -8,14 +8,21 @@ namespace winslow::gui {
 
 bool JobRunner::paused() const { return active_ && pause_requested_; }
 
-void JobRunner::run(MeshState base, Command command, bool paused) {
+void JobRunner::run(MeshState base, Command command, bool paused,
+                    std::optional<Coordinates> start) {
   base_ = std::move(base);
   command_ = std::move(command);
   snapshot_.reset();
   active_ = true;
   held_ = false;
   pause_requested_ = paused;
-  job_ = solver_.run(base_, command_, {}, paused);
+  start_ = start;
+  job_ = solver_.run(base_, command_, std::move(start), paused);
+}
+
+const Coordinates& JobRunner::coordinates() const {
+  if (snapshot_ && !snapshot_->coordinates.empty()) return snapshot_->coordinates;
+  return start_ ? *start_ : base_.mesh.coordinates;
 }
 
 void JobRunner::retarget(Command command) {

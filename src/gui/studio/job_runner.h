@@ -30,7 +30,11 @@ class JobRunner {
   /// Latest snapshot of this job; null before the first and without a job.
   const std::shared_ptr<const Snapshot>& snapshot() const { return snapshot_; }
 
-  void run(MeshState base, Command command, bool paused);
+  /// start: see ExecuteOptions::start.
+  void run(MeshState base, Command command, bool paused, std::optional<Coordinates> start = {});
+  /// The mesh of this job now: of its latest snapshot, or what it starts from.
+  const Coordinates& coordinates() const;
+  bool started_elsewhere() const { return start_.has_value(); }
   void retarget(Command command);
   /// The solver has reached the present target with a valid, converged mesh.
   bool converged() const;
@@ -59,6 +63,7 @@ class JobRunner {
   Command command_;
   std::uint64_t job_ = 0;
   std::shared_ptr<const Snapshot> snapshot_;
+  std::optional<Coordinates> start_;  // shown until the first snapshot
 };
 
 }  // namespace winslow::gui

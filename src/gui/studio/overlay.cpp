@@ -32,7 +32,7 @@ void draw_label(ImDrawList& list, const Theme& theme, const ImVec2& at, const st
 void draw_outline(ImDrawList& list, const Overlay& o) {
   const auto motion = o.session.live_motion();
   if (!motion) return;
-  const Mesh& base = o.session.job().base().mesh;
+  const Mesh& base = o.session.motion_base().mesh;
   for (Index m : o.session.selection())
     for (const auto& [a, b] : base.topology->markers()[static_cast<std::size_t>(m)].edges) {
       const Vec2 p = o.camera.to_screen(transform(*motion, base.coordinates.xy(a)));

@@ -22,6 +22,10 @@ bool Session::poll() {
     shape_changed();
     changed = true;
   }
+  if (drag_.poll()) {
+    shape_changed();
+    changed = true;
+  }
   if (auto outcome = job_.take_outcome()) {
     finish_job(std::move(*outcome));
     changed = true;
@@ -34,18 +38,24 @@ bool Session::working() const {
                                           job_.snapshot()->state == JobState::done);
   const bool paused =
       job_.paused() && job_.snapshot() && job_.snapshot()->state == JobState::paused;
-  return loader_.busy() || saver_.busy() || quality_.busy() || (solving && !paused);
+  const bool following = drag_.active() && !drag_.settled();
+  return following || loader_.busy() || saver_.busy() || quality_.busy() || (solving && !paused);
 }
 
 const Coordinates& Session::coordinates() const {
   static const Coordinates none;
   if (!document_) return none;
-  const auto& snapshot = job_.snapshot();
-  if (snapshot && !snapshot->coordinates.empty()) return snapshot->coordinates;
-  return document_->state().mesh.coordinates;
+  if (drag_.active()) return drag_.frame().coordinates;
+  return job_.active() ? job_.coordinates() : document_->state().mesh.coordinates;
+}
+
+const MeshState& Session::motion_base() const {
+  if (drag_.active()) return drag_state_;
+  return job_.active() ? job_.base() : document_->state();
 }
 
 std::optional<RigidMotion> Session::live_motion() const {
+  if (drag_.active()) return drag_.grip().rigid() ? std::optional(drag_.wanted()) : std::nullopt;
   if (!job_.active()) return std::nullopt;
   const auto* move = std::get_if<MoveCommand>(&job_.command());
   if (!move) return std::nullopt;
@@ -72,7 +82,8 @@ Vec2 Session::pivot() const {
 
 void Session::watch_quality(std::optional<Metric> metric) {
   if (!document_) return;
-  quality_.request(shape_, Mesh{document_->topology(), coordinates()}, metric, job_.active());
+  quality_.request(shape_, Mesh{document_->topology(), coordinates()}, metric,
+                   job_.active() || drag_.active());
 }
 
 void Session::tell(Notice::Kind kind, std::string text) {
@@ -122,13 +133,14 @@ void Session::on(const action::SetSmoothOptions& a) { smooth_ = a.options; }
 
 void Session::on(const action::Undo&) {
   if (!document_) return;
+  if (dragging_) return on(action::CancelDrag{});
   if (job_.active()) return on(action::CancelSolver{});
   document_->undo();
   position_changed();
 }
 
 void Session::on(const action::Redo&) {
-  if (!document_ || job_.active()) return;
+  if (!document_ || job_.active() || dragging_) return;
   document_->redo();
   position_changed();
 }

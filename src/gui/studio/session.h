@@ -11,6 +11,7 @@
 
 #include "gui/studio/actions.h"
 #include "gui/studio/background.h"
+#include "gui/studio/body_drag.h"
 #include "gui/studio/boundary_index.h"
 #include "gui/studio/document.h"
 #include "gui/studio/job_runner.h"
@@ -47,6 +48,13 @@ class Session {
 
   const JobRunner& job() const { return job_; }
   bool dragging() const { return dragging_; }
+  /// The mesh on screen is not (yet) one of the history.
+  bool in_motion() const { return job_.active() || drag_.active(); }
+  /// The drag under the mouse that shows valid meshes only; null without one, and in the paper's
+  /// direct mode, where the job shows what the solver has.
+  const BodyDrag* body_drag() const { return drag_.active() ? &drag_ : nullptr; }
+  /// State that live_motion() is seen from.
+  const MeshState& motion_base() const;
   /// Motion of the job under way, from the state it started from.
   std::optional<RigidMotion> live_motion() const;
   /// Of the job under way, or else of the command that led to the present mesh.
@@ -88,7 +96,7 @@ class Session {
   void on(const action::HoverMarkers& a);
   void on(const action::SetPivot& a);
   void on(const action::ApplyMotion& a);
-  void on(const action::BeginDrag&);
+  void on(const action::BeginDrag& a);
   void on(const action::DragTo& a);
   void on(const action::EndDrag&);
   void on(const action::CancelDrag&);
@@ -108,7 +116,10 @@ class Session {
   template <class ViewAction>
   void on(const ViewAction&) {}
 
-  bool start_job(Command command, bool paused);
+  bool start_job(Command command, bool paused, std::optional<Coordinates> start = {});
+  bool begin_body_drag(DragGrip grip);
+  void end_body_drag();
+  void settle_motion(JobRunner::Outcome& outcome);
   bool can_join(const std::vector<std::string>& markers) const;
   MoveCommand move_command(const RigidMotion& motion) const;
   void finish_job(JobRunner::Outcome outcome);
@@ -144,6 +155,9 @@ class Session {
   MotionOptions motion_;
   bool dragging_ = false;
   std::optional<RigidMotion> drag_base_;  // motion of the job that the drag joined
+  BodyDrag drag_;
+  MeshState drag_state_;                   // that the drag's motions are seen from
+  std::optional<Coordinates> drag_start_;  // mesh that the drag took over from a job
 
   std::deque<Prompt> prompts_;
   std::optional<Banner> banner_;

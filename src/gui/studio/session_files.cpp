@@ -40,7 +40,7 @@ bool is_there(const std::filesystem::path& path) {
 
 void Session::on(const action::OpenMesh& a) {
   if (a.path.empty()) return;
-  const bool unsaved = document_ && (document_->modified() || job_.active());
+  const bool unsaved = document_ && (document_->modified() || in_motion());
   if (unsaved && !a.discard_changes) {
     ask({Prompt::Kind::question,
          "Discard the changes?",
@@ -107,7 +107,7 @@ void Session::adopt(Document::Loaded loaded) {
 
 void Session::on(const action::SaveMesh& a) {
   if (!document_) return;
-  if (job_.active() || saver_.busy()) {
+  if (in_motion() || saver_.busy()) {
     tell(Notice::Kind::warning, "Wait until the solver is done, or cancel it, before saving.");
     return;
   }

@@ -8,8 +8,12 @@
 
 namespace winslow::gui {
 
-bool Session::start_job(Command command, bool paused) {
+bool Session::start_job(Command command, bool paused, std::optional<Coordinates> start) {
   if (!document_) return false;
+  if (drag_.active()) {
+    tell(Notice::Kind::warning, "A body is being dragged. Let it go first, or cancel with Esc.");
+    return false;
+  }
   if (job_.active()) {
     tell(Notice::Kind::warning, "The solver is at work on \"" + describe(job_.command()) +
                                     "\". Wait until it is done, or cancel it.");
@@ -24,7 +28,7 @@ bool Session::start_job(Command command, bool paused) {
     }
   }
   banner_.reset();
-  job_.run(document_->state(), std::move(command), paused);
+  job_.run(document_->state(), std::move(command), paused, std::move(start));
   shape_changed();
   return true;
 }
@@ -46,66 +50,6 @@ void Session::on(const action::ApplyMotion& a) {
     return;
   }
   start_job(move_command(a.motion), false);
-}
-
-void Session::on(const action::BeginDrag&) {
-  if (!document_ || selection_.empty() || dragging_) return;
-  drag_base_.reset();
-  if (job_.active()) {
-    if (!can_join(selected_names())) {
-      tell(Notice::Kind::warning,
-           "The solver is at work on another body. Wait until it is done, or cancel it.");
-      return;
-    }
-    drag_base_ = live_motion();
-    job_.hold(true);
-  }
-  dragging_ = true;
-}
-
-void Session::on(const action::DragTo& a) {
-  if (!dragging_) return;
-  MoveCommand command = move_command(drag_base_ ? compose(*drag_base_, a.motion) : a.motion);
-  // Under the mouse the mesh follows its path, through valid meshes only. Steps that the user chose
-  // are for the place where the body is let go; until then it goes there at once.
-  command.how.increments = motion_.increments == 0 ? 0 : 1;
-  if (job_.active()) {
-    job_.retarget(command);
-    return;
-  }
-  if (!start_job(command, false)) {
-    dragging_ = false;
-    return;
-  }
-  job_.hold(true);
-}
-
-void Session::on(const action::EndDrag&) {
-  if (!dragging_) return;
-  dragging_ = false;
-  drag_base_.reset();
-  job_.hold(false);
-  const auto motion = live_motion();
-  if (!motion) return;
-  const MoveCommand wanted = move_command(*motion);
-  // What has converged under the mouse needs no second run, unless other steps were asked for.
-  if (wanted.how.increments <= 1 && job_.converged())
-    job_.rename(wanted);
-  else
-    job_.retarget(wanted);
-}
-
-void Session::on(const action::CancelDrag&) {
-  if (!dragging_) return;
-  dragging_ = false;
-  job_.hold(false);
-  if (drag_base_) {
-    job_.retarget(move_command(*drag_base_));
-    drag_base_.reset();
-  } else {
-    stop_job();
-  }
-  tell(Notice::Kind::information, "Drag cancelled");
 }
 
 void Session::on(const action::RunSmooth&) {
@@ -135,6 +79,10 @@ void Session::on(const action::CancelSolver&) {
 void Session::stop_job() {
   dragging_ = false;
   drag_base_.reset();
+  if (drag_.active()) {
+    drag_.end();
+    shape_changed();
+  }
   if (!job_.active()) return;
   job_.cancel();
   shape_changed();
@@ -148,6 +96,8 @@ void Session::finish_job(JobRunner::Outcome outcome) {
       report_error("The command failed; the mesh is as it was before", outcome.error);
     return;
   }
+  banner_.reset();
+  settle_motion(outcome);
   const std::string what = describe(outcome.command);
   const SmoothResult smooth = outcome.result->smooth;
   if (const auto* move = std::get_if<MoveCommand>(&outcome.command))
@@ -159,6 +109,7 @@ void Session::finish_job(JobRunner::Outcome outcome) {
 }
 
 void Session::update_banner(const SmoothResult& smooth) {
+  if (banner_ && banner_->kind == Banner::Kind::partial_motion && smooth.inverted == 0) return;
   if (smooth.inverted > 0) {
     banner_ = Banner{Banner::Kind::inverted_result,
                      "The result has " + counted(smooth.inverted, "inverted element") +

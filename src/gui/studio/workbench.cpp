@@ -123,7 +123,7 @@ void Workbench::dispatch() {
 
 void Workbench::finish_frame() {
   if (generation_ != session_.generation()) look_at_start();
-  if (session_.boundary() && !session_.job().active())
+  if (session_.boundary() && !session_.in_motion())
     reach_ = session_.boundary()->reach(session_.selection(), session_.pivot());
   session_.watch_quality(view_.color);
   mesh_view_.update(session_, view_, ui_->theme().scale);

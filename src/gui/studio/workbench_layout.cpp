@@ -162,7 +162,8 @@ void Workbench::draw_viewport() {
   }
   draw_legend_card(*ImGui::GetBackgroundDrawList());
   if (!session_.banner()) return;
-  const bool bad = session_.banner()->kind != Banner::Kind::not_converged;
+  const Banner::Kind kind = session_.banner()->kind;
+  const bool bad = kind == Banner::Kind::inverted_result || kind == Banner::Kind::inverted_input;
   begin_region(
       "banner", {v.x, v.y, v.width, BannerPanel::height(context(), v.width)},
       {ImVec2(theme.px(14), theme.px(7)), bad ? palette().danger_soft : palette().warning_soft,
