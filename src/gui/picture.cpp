@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/command/command.h"
 #include "core/error.h"
 #include "gui/picture_frame.h"
 #include "gui/render/gl_context.h"
@@ -44,9 +45,10 @@ ColorScale choose_scale(const PictureOptions& options, std::span<const double> v
   return scale;
 }
 
-Legend make_legend(Metric metric, std::span<const double> values, const ColorScale& scale) {
+Legend make_legend(const ElementField& field, std::span<const double> values,
+                   const ColorScale& scale) {
   Legend legend;
-  legend.title = std::string(metric_label(metric));
+  legend.title = std::string(field_label(field));
   legend.scale = scale;
   legend.histogram = histogram_over(values, scale, histogram_bins);
   const auto finite = [](double v) { return std::isfinite(v); };
@@ -87,7 +89,7 @@ Image draw_picture(const Mesh& mesh, const PictureOptions& options) {
   text.title = options.title;
   text.warning = warning_text(check_validity(*mesh.topology, mesh.coordinates).inverted);
   if (options.color) {
-    values = element_values(mesh, *options.color);
+    values = element_values(*make_state(mesh).vcv, mesh.coordinates, *options.color);
     scale = choose_scale(options, values);
     if (options.legend) text.legend = make_legend(*options.color, values, scale);
   }

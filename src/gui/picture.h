@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/quality/quality.h"
+#include "core/inspect/element_field.h"
 #include "gui/render/image.h"
 
 namespace winslow::gui {
@@ -12,7 +12,7 @@ namespace winslow::gui {
 /// A picture of a mesh, drawn without a display.
 struct PictureOptions {
   int width = 1200, height = 900;              ///< pixels
-  std::optional<Metric> color;                 ///< colour elements by this metric
+  std::optional<ElementField> color;           ///< colour elements by this
   std::optional<Bounds> bounds;                ///< shown whole; default: the whole mesh
   std::optional<std::array<double, 2>> range;  ///< of the colours; default: automatic
   std::string color_map = "viridis";

@@ -7,7 +7,7 @@
 #include "app/options/suggestion.h"
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"
-#include "core/quality/quality.h"
+#include "core/inspect/element_field.h"
 #include "io/mesh_file.h"
 #ifdef WINSLOW_HAS_GUI
 #include "gui/picture.h"
@@ -37,7 +37,7 @@ gui::PictureOptions picture_options(const RenderFlags& flags) {
   gui::PictureOptions options;
   options.width = flags.size[0];
   options.height = flags.size[1];
-  if (!flags.color.empty()) options.color = parse_metric(flags.color);
+  if (!flags.color.empty()) options.color = parse_field(flags.color);
   if (flags.bounds) {
     const auto& b = *flags.bounds;
     options.bounds = Bounds{Vec2(b[0], b[1]), Vec2(b[2], b[3])};
@@ -107,10 +107,7 @@ class RenderSubcommand : public Subcommand {
  private:
   void add_color_flags() {
     std::vector<std::string> names;
-    for (const Metric m : {Metric::normalized_jacobian, Metric::aspect_ratio,
-                           Metric::condition_number, Metric::area}) {
-      names.emplace_back(metric_name(m));
-    }
+    for (const ElementField& f : all_element_fields()) names.emplace_back(field_name(f));
     const char* group = "Colour";
     auto* color =
         app()

@@ -16,22 +16,6 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 /// Maximum that a NaN does not get lost in, whichever side it is on.
 double larger(double a, double b) { return std::isnan(a) || a >= b ? a : b; }
 
-/// What one row of the operator amounts to.
-struct Row {
-  Vec2 residual{0, 0};
-  double weight_sum = 0;
-  double absolute_sum = 0;
-  double mean_edge = 0;
-
-  /// Distance by which the node alone would move, its neighbours held, over the mean edge.
-  double scaled() const {
-    const double size = absolute_sum * mean_edge;
-    return size > 0 ? residual.norm() / size : residual.norm();
-  }
-  /// Rows are scaled to a diagonal near one: w carries the square of the local size otherwise.
-  double scale() const { return absolute_sum > 0 ? 1 / absolute_sum : 1; }
-};
-
 /// Maxima and sums of squares of scaled residuals, block of rows by block of rows: added up in the
 /// order of the blocks they do not depend on the number of threads.
 class BlockNorms {
@@ -61,21 +45,6 @@ class BlockNorms {
   std::vector<double> max_, squares_;
 };
 
-Row evaluate_row(const Coordinates& x, Index node, std::span<const Index> neighbours,
-                 std::span<const double> weights) {
-  Row row;
-  const Vec2 r0 = x.xy(node);
-  for (std::size_t k = 0; k < neighbours.size(); ++k) {
-    const Vec2 d = x.xy(neighbours[k]) - r0;
-    row.residual += weights[k] * d;
-    row.weight_sum += weights[k];
-    row.absolute_sum += std::abs(weights[k]);
-    row.mean_edge += d.norm();
-  }
-  row.mean_edge /= static_cast<double>(neighbours.size());
-  return row;
-}
-
 }  // namespace
 
 PointwiseWinslow::PointwiseWinslow(const VirtualControlVolumes& vcv, int threads)
@@ -85,20 +54,8 @@ PointwiseWinslow::PointwiseWinslow(const VirtualControlVolumes& vcv, int threads
       threads_(threads) {}
 
 WinslowCoefficients PointwiseWinslow::coefficients(const Coordinates& x, Index node) const {
-  const auto neighbours = topology_->neighbours(node);
-  const auto functionals = functionals_[node];
-  const Vec2 r0 = x.xy(node);
-  Vec2 rx(0, 0), ry(0, 0);
-  for (std::size_t k = 0; k < neighbours.size(); ++k) {
-    const Vec2 d = x.xy(neighbours[k]) - r0;
-    rx += functionals[k].dx * d;
-    ry += functionals[k].dy * d;
-  }
-  const double alpha = ry.squaredNorm();
-  const double gamma = rx.squaredNorm();
-  const double mean = 0.5 * (alpha + gamma);
-  if (!(mean > 0)) return {};
-  return {alpha / mean, rx.dot(ry) / mean, gamma / mean};
+  return winslow_coefficients(
+      nodal_gradient(x, node, topology_->neighbours(node), functionals_[node]));
 }
 
 Index PointwiseWinslow::weights(const Coordinates& x, Index node, bool clip,
@@ -107,8 +64,7 @@ Index PointwiseWinslow::weights(const Coordinates& x, Index node, bool clip,
   const auto functionals = functionals_[node];
   Index negative = 0;
   for (std::size_t k = 0; k < functionals.size(); ++k) {
-    const auto& f = functionals[k];
-    out[k] = c.alpha * f.lxx - c.beta * f.lxy + c.gamma * f.lyy;
+    out[k] = winslow_weight(c, functionals[k]);
     if (out[k] < 0) {
       ++negative;
       if (clip) out[k] = 0;
@@ -129,7 +85,7 @@ ResidualNorms PointwiseWinslow::residual(const Coordinates& x, bool clip,
       const auto neighbours = topology_->neighbours(node);
       w.resize(neighbours.size());
       weights(x, node, clip, w);
-      const Row row = evaluate_row(x, node, neighbours, w);
+      const NodalRow row = evaluate_row(x, node, neighbours, w);
       norms.add(begin, row.scaled());
       if (!out.empty()) {
         out[2 * at(i)] = row.residual.x();
@@ -158,7 +114,7 @@ Index PointwiseWinslow::freeze(const Coordinates& x, bool clip, SparseSystem& ou
       const auto neighbours = topology_->neighbours(node);
       w.resize(neighbours.size());
       negative[at(begin / parallel_block)] += weights(x, node, clip, w);
-      const Row row = evaluate_row(x, node, neighbours, w);
+      const NodalRow row = evaluate_row(x, node, neighbours, w);
       const double scale = row.scale();
       matrix.values[at(matrix.pattern->diagonal[at(i)])] =
           row.absolute_sum > 0 ? row.weight_sum * scale : 1;
@@ -216,7 +172,7 @@ class PointwiseWinslow::RowDerivative {
     by_ry_ = ((2 * lxx - r) * ry.transpose() - lxy * rx.transpose()) / mean;
   }
 
-  const Row& row() const { return row_; }
+  const NodalRow& row() const { return row_; }
   Vec2 residual() const { return scale_ * row_.residual; }
   Matrix2 by_neighbour(std::size_t k) const {
     const Matrix2 of_weights = functionals_[k].dx * by_rx_ + functionals_[k].dy * by_ry_;
@@ -226,7 +182,7 @@ class PointwiseWinslow::RowDerivative {
  private:
   std::span<const NeighbourFunctionals> functionals_;
   std::vector<double>& weights_;
-  Row row_;
+  NodalRow row_;
   double scale_ = 1;
   Matrix2 by_rx_ = Matrix2::Zero(), by_ry_ = Matrix2::Zero();
 };

@@ -3,16 +3,12 @@
 #include <memory>
 
 #include "core/formulation/formulation.h"
+#include "core/formulation/nodal_operator.h"
 #include "core/linear/sparse_system.h"
 #include "core/vcv/stencil_functionals.h"
 #include "core/vcv/virtual_control_volumes.h"
 
 namespace winslow {
-
-/// Coefficients of the Winslow equations at one node, divided by (alpha + gamma) / 2.
-struct WinslowCoefficients {
-  double alpha = 1, beta = 0, gamma = 1;
-};
 
 /// The paper's operator (AIAA 2009-1362, equation 2, in integral form over each VCV):
 ///

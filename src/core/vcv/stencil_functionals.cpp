@@ -1,5 +1,6 @@
 #include "core/vcv/stencil_functionals.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
@@ -54,21 +55,37 @@ void compute_functionals(std::span<const Vec2> points, std::span<NeighbourFuncti
   }
 }
 
+std::vector<Vec2> vcv_points(std::span<const double> angles, std::span<const double> lengths) {
+  std::vector<Vec2> points(angles.size());
+  double phi = 0;
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    points[k] = lengths[k] * Vec2(std::cos(phi), std::sin(phi));
+    phi += angles[k];
+  }
+  return points;
+}
+
 StencilFunctionals::StencilFunctionals(const VirtualControlVolumes& vcv)
-    : offsets_(&vcv.topology().neighbour_rows().offsets),
-      values_(vcv.topology().neighbour_rows().values.size(), NeighbourFunctionals{}) {
-  std::vector<Vec2> points;
-  for (const Index node : vcv.topology().free_nodes()) {
-    const auto angles = vcv.angles(node);
-    const auto lengths = vcv.lengths(node);
-    points.resize(angles.size());
-    double phi = 0;
-    for (std::size_t k = 0; k < angles.size(); ++k) {
-      points[k] = lengths[k] * Vec2(std::cos(phi), std::sin(phi));
-      phi += angles[k];
+    : topology_(vcv.shared_topology()) {
+  const auto row_of = [&](Index node) {
+    const std::vector<Vec2> points = vcv_points(vcv.angles(node), vcv.lengths(node));
+    Row row(points.size());
+    compute_functionals(points, row);
+    return row;
+  };
+  std::size_t longest = 0;
+  for (Index node = 0; node < topology_->node_count(); ++node) {
+    longest = std::max(longest, topology_->neighbours(node).size());
+  }
+  zero_.assign(longest, NeighbourFunctionals{});
+  equal_.resize(longest + 1);
+  for (const Index node : topology_->free_nodes()) {
+    if (vcv.edited(node)) {
+      edited_[node] = row_of(node);
+      continue;
     }
-    const auto begin = static_cast<std::size_t>((*offsets_)[static_cast<std::size_t>(node)]);
-    compute_functionals(points, {values_.data() + begin, points.size()});
+    Row& equal = equal_[topology_->neighbours(node).size()];
+    if (equal.empty()) equal = row_of(node);
   }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -20,24 +22,35 @@ struct NeighbourFunctionals {
   double lxx, lxy, lyy;
 };
 
+/// Computational positions of the neighbours in one VCV: edge 0 on the positive x axis, the node at
+/// the origin.
+std::vector<Vec2> vcv_points(std::span<const double> angles, std::span<const double> lengths);
+
 /// Functionals of one VCV given by the computational positions of its neighbours,
 /// counter-clockwise around the origin. Throws NumericError if the VCV has no area.
 void compute_functionals(std::span<const Vec2> points, std::span<NeighbourFunctionals> out);
 
-/// Functionals of all VCVs: rows aligned with Topology::neighbour_rows(). Rows of nodes that are
-/// not free are zero.
+/// Functionals of all VCVs: rows as long as those of Topology::neighbour_rows(). Rows of nodes that
+/// are not free are zero. Nodes whose VCVs have equal angles and unit edges share a row.
 class StencilFunctionals {
  public:
   explicit StencilFunctionals(const VirtualControlVolumes& vcv);
   std::span<const NeighbourFunctionals> operator[](Index node) const {
-    const auto row = static_cast<std::size_t>(node);
-    const auto begin = static_cast<std::size_t>((*offsets_)[row]);
-    return {values_.data() + begin, static_cast<std::size_t>((*offsets_)[row + 1]) - begin};
+    if (!edited_.empty()) {
+      const auto found = edited_.find(node);
+      if (found != edited_.end()) return found->second;
+    }
+    const std::size_t n = topology_->neighbours(node).size();
+    return topology_->constrained(node) ? std::span(zero_).first(n) : std::span(equal_[n]);
   }
 
  private:
-  const std::vector<Index>* offsets_;  // of the topology, which outlives this
-  std::vector<NeighbourFunctionals> values_;
+  using Row = std::vector<NeighbourFunctionals>;
+
+  std::shared_ptr<const Topology> topology_;
+  std::vector<Row> equal_;  // by number of neighbours
+  std::map<Index, Row> edited_;
+  Row zero_;
 };
 
 }  // namespace winslow

@@ -9,31 +9,34 @@
 namespace winslow {
 
 VirtualControlVolumes::VirtualControlVolumes(std::shared_ptr<const Topology> topology)
-    : topology_(std::move(topology)),
-      angles_(topology_->neighbour_rows().values.size(), 0.0),
-      lengths_(topology_->neighbour_rows().values.size(), 0.0) {
-  for (const Index node : topology_->free_nodes()) reset(node);
+    : topology_(std::move(topology)) {
+  for (const Index node : topology_->free_nodes()) {
+    const std::size_t n = topology_->neighbours(node).size();
+    if (n >= equal_.size()) equal_.resize(n + 1);
+    if (!equal_[n].angles.empty()) continue;
+    equal_[n].angles.assign(n, 2 * pi / static_cast<double>(n));
+    equal_[n].lengths.assign(n, 1.0);
+  }
 }
 
-std::span<double> VirtualControlVolumes::row(std::vector<double>& values, Index node) {
-  const auto begin =
-      static_cast<std::size_t>(topology_->neighbour_rows().offsets[static_cast<std::size_t>(node)]);
-  return {values.data() + begin, topology_->neighbours(node).size()};
-}
-
-std::span<const double> VirtualControlVolumes::row(const std::vector<double>& values,
-                                                   Index node) const {
-  const auto begin =
-      static_cast<std::size_t>(topology_->neighbour_rows().offsets[static_cast<std::size_t>(node)]);
-  return {values.data() + begin, topology_->neighbours(node).size()};
+const VirtualControlVolumes::Stencil* VirtualControlVolumes::stencil(Index node) const {
+  if (topology_->constrained(node)) return nullptr;
+  if (!edited_.empty()) {
+    const auto found = edited_.find(node);
+    if (found != edited_.end()) return &found->second;
+  }
+  const std::size_t n = topology_->neighbours(node).size();
+  return n < equal_.size() ? &equal_[n] : nullptr;
 }
 
 std::span<const double> VirtualControlVolumes::angles(Index node) const {
-  return topology_->constrained(node) ? std::span<const double>{} : row(angles_, node);
+  const Stencil* s = stencil(node);
+  return s ? std::span<const double>(s->angles) : std::span<const double>{};
 }
 
 std::span<const double> VirtualControlVolumes::lengths(Index node) const {
-  return topology_->constrained(node) ? std::span<const double>{} : row(lengths_, node);
+  const Stencil* s = stencil(node);
+  return s ? std::span<const double>(s->lengths) : std::span<const double>{};
 }
 
 void VirtualControlVolumes::require_free(Index node) const {
@@ -71,16 +74,12 @@ void VirtualControlVolumes::set(Index node, std::span<const double> angles,
       throw UsageError(who + ": an edge length is not positive");
     }
   }
-  std::copy(angles.begin(), angles.end(), row(angles_, node).begin());
-  std::copy(lengths.begin(), lengths.end(), row(lengths_, node).begin());
+  edited_[node] = {{angles.begin(), angles.end()}, {lengths.begin(), lengths.end()}};
 }
 
 void VirtualControlVolumes::reset(Index node) {
   require_free(node);
-  const auto angles = row(angles_, node);
-  std::fill(angles.begin(), angles.end(), 2 * pi / static_cast<double>(angles.size()));
-  const auto lengths = row(lengths_, node);
-  std::fill(lengths.begin(), lengths.end(), 1.0);
+  edited_.erase(node);
 }
 
 }  // namespace winslow

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstdint>
+#include <map>
 #include <memory>
 #include <span>
 #include <vector>
@@ -16,7 +16,8 @@ namespace winslow {
 /// Karman & Sahasrabudhe, AIAA 2009-1362, section "Virtual Control Volume (2D)": the node lies at
 /// the origin, its edge neighbours on the unit circle in the order of connectivity, separated by
 /// equal angles; quadrilaterals are cut at the corner, so each element gives one triangle. Control
-/// of angles and spacing comes from changing these numbers.
+/// of angles and spacing comes from changing these numbers. Only those that were changed are stored
+/// for each node: a copy is cheap.
 class VirtualControlVolumes {
  public:
   /// Equal angles (2 pi / #neighbours) and unit edges.
@@ -39,14 +40,22 @@ class VirtualControlVolumes {
   /// Back to equal angles and unit edges. Throws UsageError for a node that is not free.
   void reset(Index node);
 
+  /// Angles and lengths of one node.
+  struct Stencil {
+    std::vector<double> angles, lengths;
+  };
+  /// True if the node's VCV was set and not reset since.
+  bool edited(Index node) const { return edited_.contains(node); }
+  /// What was set, by node.
+  const std::map<Index, Stencil>& edits() const { return edited_; }
+
  private:
   void require_free(Index node) const;
-  std::span<double> row(std::vector<double>& values, Index node);
-  std::span<const double> row(const std::vector<double>& values, Index node) const;
+  const Stencil* stencil(Index node) const;
 
   std::shared_ptr<const Topology> topology_;
-  std::vector<double> angles_;   // aligned with topology_->neighbour_rows().values
-  std::vector<double> lengths_;  // likewise
+  std::vector<Stencil> equal_;  // by number of neighbours
+  std::map<Index, Stencil> edited_;
 };
 
 }  // namespace winslow

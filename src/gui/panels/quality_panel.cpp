@@ -99,9 +99,8 @@ void QualityPanel::draw_table(const PanelContext& context) {
 void QualityPanel::draw_worst(const PanelContext& context) {
   const auto& measured = context.session.quality().latest();
   if (!measured) return;
-  const Metric metric = context.view.color && *context.view.color != Metric::area
-                            ? *context.view.color
-                            : Metric::normalized_jacobian;
+  const Metric* shown = context.view.color ? context.view.color->metric() : nullptr;
+  const Metric metric = shown && *shown != Metric::area ? *shown : Metric::normalized_jacobian;
   const auto& worst = measured->report.of(metric).worst;
   if (worst.empty()) return;
   ui::text_dim("Worst elements, by " + std::string(metric_label(metric)));

@@ -11,8 +11,6 @@ namespace winslow::gui {
 
 namespace {
 
-constexpr std::array<Metric, 4> metrics{Metric::normalized_jacobian, Metric::aspect_ratio,
-                                        Metric::condition_number, Metric::area};
 constexpr std::array<double, 5> line_widths{0.5, 1, 1.5, 2, 3};
 
 template <std::size_t count>
@@ -37,14 +35,17 @@ void ViewPanel::draw(const PanelContext& context) {
 bool ViewPanel::draw_color(ViewOptions& view) {
   std::vector<std::string> names{"None"};
   std::size_t chosen = 0;
-  for (std::size_t i = 0; i < metrics.size(); ++i) {
-    names.emplace_back(metric_label(metrics[i]));
-    if (view.color == metrics[i]) chosen = i + 1;
+  const auto& fields = all_element_fields();
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    names.emplace_back(field_label(fields[i]));
+    if (view.color == fields[i]) chosen = i + 1;
   }
-  constexpr const char* tip = "Colour each element by its quality.";
+  constexpr const char* tip =
+      "Colour each element by its quality, or by what the virtual control volumes of its nodes say "
+      "(the worst of them).";
   ui::row("Colour by", tip);
   if (!ui::combo("view/color", names, chosen, tip)) return false;
-  view.color = chosen == 0 ? std::nullopt : std::optional<Metric>(metrics[chosen - 1]);
+  view.color = chosen == 0 ? std::nullopt : std::optional<ElementField>(fields[chosen - 1]);
   view.range.reset();
   return true;
 }

@@ -26,16 +26,26 @@ double percentile(std::vector<double>& values, double share) {
 
 }  // namespace
 
-ColorScale automatic_scale(Metric metric, std::span<const double> values, const std::string& map) {
+ColorScale automatic_scale(const ElementField& field, std::span<const double> values,
+                           const std::string& map) {
   constexpr double robust = 0.995;
   ColorScale scale;
   scale.map = map;
-  if (metric == Metric::normalized_jacobian) return scale;
+  if (field == Metric::normalized_jacobian) return scale;
   std::vector<double> finite = finite_values(values);
   const double high = percentile(finite, robust);
-  if (metric == Metric::area) {
+  if (field == NodalField::smallest_weight) {
+    scale.low = std::min(0.0, percentile(finite, 1 - robust));
+    return scale;
+  }
+  if (field == Metric::area) {
     scale.low = std::min(0.0, percentile(finite, 1 - robust));
     scale.high = high > scale.low ? round_up_nicely(high) : scale.low + 1;
+    return scale;
+  }
+  if (field == NodalField::residual) {
+    scale.high = high > 0 ? round_up_nicely(high) : 1;
+    scale.reversed = true;
     return scale;
   }
   scale.low = 1;

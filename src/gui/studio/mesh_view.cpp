@@ -13,7 +13,7 @@ namespace {
 constexpr int histogram_bins = 40;
 
 ColorScale scale_of(const QualityMonitor::Measured& measured, const ViewOptions& view) {
-  ColorScale scale = automatic_scale(*measured.metric, measured.values, view.color_map);
+  ColorScale scale = automatic_scale(*measured.field, measured.values, view.color_map);
   if (view.range && (*view.range)[1] > (*view.range)[0]) {
     scale.low = (*view.range)[0];
     scale.high = (*view.range)[1];
@@ -24,7 +24,7 @@ ColorScale scale_of(const QualityMonitor::Measured& measured, const ViewOptions&
 
 Legend legend_of(const QualityMonitor::Measured& measured, const ColorScale& scale) {
   Legend legend;
-  legend.title = std::string(metric_label(*measured.metric));
+  legend.title = std::string(field_label(*measured.field));
   legend.scale = scale;
   legend.histogram = histogram_over(measured.values, scale, histogram_bins);
   for (double v : measured.values) {
@@ -78,8 +78,8 @@ void MeshView::update_colors(const Session& session, const ViewOptions& view) {
     legend_.reset();
     return;
   }
-  // Until the metric asked for is measured, the colours stay what they are.
-  if (!measured || measured->metric != view.color) return;
+  // Until the field asked for is measured, the colours stay what they are.
+  if (!measured || measured->field != view.color) return;
   if (colored_ == measured && same_colors(colored_view_, view)) return;
   colored_ = measured;
   colored_view_ = view;

@@ -9,20 +9,21 @@ constexpr std::chrono::milliseconds live_interval{120};
 
 }  // namespace
 
-void QualityMonitor::request(std::uint64_t shape, const Mesh& mesh, std::optional<Metric> metric,
-                             bool live) {
+void QualityMonitor::request(std::uint64_t shape, const MeshState& state,
+                             std::optional<ElementField> field, bool live) {
   if (worker_.busy()) return;
-  if (latest_ && latest_->shape == shape && latest_->metric == metric) return;
+  if (latest_ && latest_->shape == shape && latest_->field == field) return;
   const auto now = std::chrono::steady_clock::now();
-  const bool same_metric = latest_ && latest_->metric == metric;
-  if (live && same_metric && now - last_start_ < live_interval) return;
+  const bool same_field = latest_ && latest_->field == field;
+  if (live && same_field && now - last_start_ < live_interval) return;
   last_start_ = now;
-  worker_.start([shape, mesh, metric] {
+  worker_.start([shape, state, field] {
     auto measured = std::make_shared<Measured>();
     measured->shape = shape;
-    measured->metric = metric;
-    measured->report = measure_quality(mesh, {.histogram_bins = 40, .worst = 5, .threads = 1});
-    if (metric) measured->values = element_values(mesh, *metric);
+    measured->field = field;
+    measured->report =
+        measure_quality(state.mesh, {.histogram_bins = 40, .worst = 5, .threads = 1});
+    if (field) measured->values = element_values(*state.vcv, state.mesh.coordinates, *field, 1);
     return std::shared_ptr<const Measured>(std::move(measured));
   });
 }

@@ -6,7 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/quality/quality.h"
+#include "core/command/command.h"
+#include "core/inspect/element_field.h"
 #include "gui/studio/background.h"
 
 namespace winslow::gui {
@@ -17,12 +18,13 @@ class QualityMonitor {
   struct Measured {
     std::uint64_t shape = 0;  ///< Session::shape() that was measured
     QualityReport report;
-    std::optional<Metric> metric;
-    std::vector<double> values;  ///< of metric, one per element
+    std::optional<ElementField> field;
+    std::vector<double> values;  ///< of field, one per element
   };
 
   /// Asks for the quality of a mesh. live: a solver is changing it, so measure only now and then.
-  void request(std::uint64_t shape, const Mesh& mesh, std::optional<Metric> metric, bool live);
+  void request(std::uint64_t shape, const MeshState& state, std::optional<ElementField> field,
+               bool live);
   /// True if a newer measurement has come in.
   bool poll();
   /// The latest measurement; null if there is none of the present topology.

@@ -80,9 +80,9 @@ Vec2 Session::pivot() const {
   return motion ? transform(*motion, pivot_) : pivot_;
 }
 
-void Session::watch_quality(std::optional<Metric> metric) {
+void Session::watch_quality(std::optional<ElementField> field) {
   if (!document_) return;
-  quality_.request(shape_, Mesh{document_->topology(), coordinates()}, metric,
+  quality_.request(shape_, {{document_->topology(), coordinates()}, document_->state().vcv}, field,
                    job_.active() || drag_.active());
 }
 

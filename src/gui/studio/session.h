@@ -70,8 +70,8 @@ class Session {
   const SmoothOptions& smooth_options() const { return smooth_; }
   const MotionOptions& motion_options() const { return motion_; }
 
-  /// Measures the mesh on screen in the background, by this metric among others.
-  void watch_quality(std::optional<Metric> metric);
+  /// Measures the mesh on screen in the background, by this field among others.
+  void watch_quality(std::optional<ElementField> field);
   const QualityMonitor& quality() const { return quality_; }
 
   const Prompt* prompt() const { return prompts_.empty() ? nullptr : &prompts_.front(); }

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/quality/quality.h"
+#include "core/inspect/element_field.h"
 
 namespace winslow::gui {
 
@@ -45,7 +45,7 @@ struct Magnifier {
 
 /// How the mesh is shown; no part of the document.
 struct ViewOptions {
-  std::optional<Metric> color = Metric::normalized_jacobian;  ///< none: plain
+  std::optional<ElementField> color = Metric::normalized_jacobian;  ///< none: plain
   std::string color_map = "viridis";
   int bands = 0;                               ///< 0: continuous
   std::optional<std::array<double, 2>> range;  ///< of the colours; none: automatic

@@ -34,7 +34,7 @@ constexpr Names<BeforeState, 2> befores{
 /// Visits every value that is kept, with its key and, for numbers, its limits.
 template <class View, class Visitor>
 void visit(View& view, Visitor&& visitor) {
-  visitor.metric("color", view.color);
+  visitor.field("color", view.color);
   visitor.map("color_map", view.color_map);
   visitor.number("bands", view.bands, 0, 64);
   visitor.flag("fill", view.fill);
@@ -65,8 +65,8 @@ struct Writer {
   void flag(const char* key, bool value) { object[key] = value; }
   void number(const char* key, auto value, double, double) { object[key] = value; }
   void map(const char* key, const std::string& value) { object[key] = value; }
-  void metric(const char* key, const std::optional<Metric>& value) {
-    object[key] = value ? json(metric_name(*value)) : json();
+  void field(const char* key, const std::optional<ElementField>& value) {
+    object[key] = value ? json(field_name(*value)) : json();
   }
   template <class Choice, std::size_t count>
   void choice(const char* key, Choice value, const Names<Choice, count>& names) {
@@ -99,14 +99,14 @@ struct Reader {
     const auto read = found->get<std::string>();
     if (std::ranges::find(names, read) != names.end()) value = read;
   }
-  void metric(const char* key, std::optional<Metric>& value) {
+  void field(const char* key, std::optional<ElementField>& value) {
     const json* found = find(key);
     if (found && found->is_null()) value.reset();
     if (!found || !found->is_string()) return;
     try {
-      value = parse_metric(found->get<std::string>());
+      value = parse_field(found->get<std::string>());
     } catch (const UsageError&) {
-      // A metric of another version: the one that a new studio shows is as good as any.
+      // A field of another version: the one that a new studio shows is as good as any.
       return;
     }
   }

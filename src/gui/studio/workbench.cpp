@@ -52,7 +52,7 @@ bool Workbench::settled() const {
   if (session_.working() || screenshot_delay_ > 0) return false;
   if (!session_.document()) return true;
   const auto& measured = session_.quality().latest();
-  return measured && measured->shape == session_.shape() && measured->metric == view_.color;
+  return measured && measured->shape == session_.shape() && measured->field == view_.color;
 }
 
 void Workbench::update(const InputState& input, int width, int height, double seconds) {

@@ -79,7 +79,13 @@ class CreepingFormulation final : public FixedPointFormulation {
     return {r, r};
   }
   Index freeze(const Coordinates& x, bool, SparseSystem& out) const override {
-    out = {{pattern_.pattern, 1, false, {1.0}}, 2, {step_at(x.xy(0).x()), 0.0}};
+    out.matrix.pattern = pattern_.pattern;
+    out.matrix.block = 1;
+    out.matrix.symmetric = false;
+    out.matrix.values.assign(1, 1.0);
+    out.columns = 2;
+    out.rhs.assign(2, 0.0);
+    out.rhs[0] = step_at(x.xy(0).x());
     return 0;
   }
 

@@ -150,7 +150,7 @@ TEST_CASE("the colour of elements is chosen in the view panel") {
   REQUIRE(rig.bench->view().color.has_value());
   CHECK(*rig.bench->view().color == Metric::aspect_ratio);
   REQUIRE(rig.settle());
-  CHECK(rig.session().quality().latest()->metric == Metric::aspect_ratio);
+  CHECK(rig.session().quality().latest()->field == Metric::aspect_ratio);
 }
 
 TEST_CASE("inverted elements are red") {

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/quality/quality.h"
+#include "core/vcv/virtual_control_volumes.h"
+
+namespace winslow {
+
+/// What the paper's operator says of each free node (see NodalView):
+/// - kappa: ratio of the singular values of the nodal Jacobian. 1 (conformal) is best.
+/// - smallest_weight: of the neighbours' weights, over their mean magnitude. 1 (all equal) is best;
+///   a negative weight costs the row its maximum principle.
+/// - residual: distance to where the node alone would go, over its mean edge. 0 at the operator's
+///   own solution.
+/// Nodes without a VCV have NaN.
+enum class NodalField { kappa, smallest_weight, residual };
+
+/// Values of all nodes (#nodes). threads: 0 for all cores; the result does not depend on it.
+std::vector<double> node_values(const VirtualControlVolumes& vcv, const Coordinates& x,
+                                NodalField field, int threads = 0);
+
+/// A number for each element: a quality metric, or the worst value of a nodal field at its nodes.
+class ElementField {
+ public:
+  // Implicit: a metric is such a field.
+  ElementField(Metric metric) : field_(metric) {}    // NOLINT(google-explicit-constructor)
+  ElementField(NodalField field) : field_(field) {}  // NOLINT(google-explicit-constructor)
+
+  /// Null if it is a nodal field.
+  const Metric* metric() const { return std::get_if<Metric>(&field_); }
+  const NodalField* nodal() const { return std::get_if<NodalField>(&field_); }
+
+  bool operator==(const ElementField&) const = default;
+
+ private:
+  std::variant<Metric, NodalField> field_;
+};
+
+/// All of them, as lists show them.
+inline constexpr std::size_t element_field_count = 7;
+const std::array<ElementField, element_field_count>& all_element_fields();
+
+std::string_view field_name(const ElementField& field);   ///< "kappa", as in options
+std::string_view field_label(const ElementField& field);  ///< "VCV kappa", as on screen
+/// By field_name. Throws UsageError listing the names.
+ElementField parse_field(std::string_view name);
+
+/// Value for each element (#elements); NaN where no node has a VCV.
+std::vector<double> element_values(const VirtualControlVolumes& vcv, const Coordinates& x,
+                                   const ElementField& field, int threads = 0);
+
+}  // namespace winslow

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/formulation/nodal_operator.h"
+#include "core/vcv/virtual_control_volumes.h"
+
+namespace winslow {
+
+/// A star of triangles: edges from a node to its neighbours, counter-clockwise; triangle k and
+/// angle k lie between edge k and edge k + 1 (cyclic).
+struct Star {
+  std::vector<Vec2> points;     ///< neighbours relative to the node
+  std::vector<double> angles;   ///< radians; the physical star's are signed
+  std::vector<double> lengths;  ///< of the edges
+  std::vector<double> areas;    ///< of the triangles, signed
+
+  double mean_length() const;
+};
+/// Angles, lengths and areas from the points.
+Star make_star(std::vector<Vec2> points);
+
+/// All that the paper's operator knows at one free node.
+struct NodalView {
+  Index node = -1;
+  std::vector<Index> neighbours;  ///< counter-clockwise, as in Topology::neighbours()
+  Vec2 position{0, 0};            ///< of the node, physical
+  Star physical;                  ///< units of the mesh; cut at the corners of quadrilaterals
+  Star vcv;                       ///< edge 0 on the positive x axis
+  bool edited = false;            ///< the VCV is not the paper's (equal angles, unit edges)
+  NodalGradient gradient;         ///< columns of the nodal Jacobian, virtual to physical
+  /// Singular values of the nodal Jacobian, the larger first, and their ratio kappa (infinite where
+  /// the smaller is zero).
+  std::array<double, 2> singular_values{0, 0};
+  double kappa = 1;
+  WinslowCoefficients coefficients;
+  std::vector<double> weights;  ///< of the neighbours, not clipped
+  double smallest_weight = 0;   ///< over the mean magnitude of the weights
+  Vec2 residual{0, 0};          ///< sum_k w_k (r_k - r_0)
+  double scaled_residual = 0;   ///< distance to where the node alone would go, over its mean edge
+};
+
+/// Throws UsageError for a node that has no VCV: one on the boundary, on a marker, that no element
+/// uses, or that does not exist.
+NodalView inspect_node(const VirtualControlVolumes& vcv, const Coordinates& x, Index node);
+
+/// Angle (radians, counter-clockwise) by which a VCV is turned to lie over its physical star: that
+/// which brings the directions of its edges nearest to those of the star.
+double fitted_turn(const Star& vcv_star, const Star& physical);
+
+/// Singular values of the 2x2 matrix with these columns, the larger first.
+std::array<double, 2> singular_values(const NodalGradient& jacobian);
+
+}  // namespace winslow
