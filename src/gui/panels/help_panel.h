@@ -4,7 +4,7 @@
 
 namespace winslow::gui {
 
-/// The keys and the mouse, as a dialog.
+/// All keys and what the mouse does, over everything else; Esc or any click closes it.
 class HelpPanel : public Panel {
  public:
   void draw(const PanelContext& context) override;

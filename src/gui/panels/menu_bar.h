@@ -4,16 +4,10 @@
 
 namespace winslow::gui {
 
-/// The menu bar, with the keys of each command.
+/// The menu bar: the table of commands (gui/commands/user_command.h), a menu a group.
 class MenuBar : public Panel {
  public:
   void draw(const PanelContext& context) override;
-
- private:
-  void draw_file(const PanelContext& context);
-  void draw_edit(const PanelContext& context);
-  void draw_solver(const PanelContext& context);
-  void draw_view(const PanelContext& context);
 };
 
 }  // namespace winslow::gui

@@ -4,14 +4,10 @@
 
 namespace winslow::gui {
 
-/// The row of buttons beneath the menu.
+/// The row of buttons beneath the menu: the most frequent commands.
 class Toolbar : public Panel {
  public:
   void draw(const PanelContext& context) override;
-
- private:
-  void draw_files(const PanelContext& context);
-  void draw_solver(const PanelContext& context);
 };
 
 }  // namespace winslow::gui

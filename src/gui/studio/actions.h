@@ -120,6 +120,7 @@ struct TakeScreenshot {
   bool overwrite = false;
 };
 struct ShowHelp {};
+struct ShowPalette {};
 
 }  // namespace winslow::gui::action
 
@@ -145,7 +146,7 @@ using Action = std::variant<
     action::SetView, action::FitView, action::FitSelection, action::LookAt, action::BoxZoom,
     action::BackView, action::ForwardView, action::GoTo, action::AskGoTo, action::StepScale,
     // Pictures and dialogs
-    action::ShowFileDialog, action::TakeScreenshot, action::ShowHelp>;
+    action::ShowFileDialog, action::TakeScreenshot, action::ShowHelp, action::ShowPalette>;
 // clang-format on
 
 using ActionQueue = std::vector<Action>;

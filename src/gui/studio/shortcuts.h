@@ -4,8 +4,9 @@
 
 namespace winslow::gui {
 
-/// Emits the actions of the keys pressed in this frame. Call it within a frame, not while a dialog
-/// is open or a field is being typed in. dragging: Esc belongs to the drag.
+/// Runs the commands whose keys were pressed in this frame (gui/commands/user_command.h). Call it
+/// within a frame, not while a dialog is open or a field is being typed in. dragging: what happens
+/// then is the mouse's business, and only the view's keys count.
 void handle_shortcuts(const PanelContext& context, bool dragging);
 
 }  // namespace winslow::gui

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "gui/panels/banner_panel.h"
+#include "gui/panels/command_palette.h"
 #include "gui/panels/convergence_panel.h"
 #include "gui/panels/file_dialog.h"
 #include "gui/panels/help_panel.h"
@@ -101,6 +102,7 @@ class Workbench {
   void on(const action::ShowFileDialog& a);
   void on(const action::TakeScreenshot& a);
   void on(const action::ShowHelp&) { help_.open(); }
+  void on(const action::ShowPalette&) { command_palette_.open(); }
   template <class SessionAction>
   void on(const SessionAction& a) {
     session_.apply(a);
@@ -140,6 +142,7 @@ class Workbench {
   PromptPanel prompt_;
   FileDialog file_dialog_;
   HelpPanel help_;
+  CommandPalette command_palette_;
 };
 
 }  // namespace winslow::gui

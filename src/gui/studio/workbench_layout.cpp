@@ -209,6 +209,7 @@ void Workbench::draw_dialogs() {
   // One dialog at a time: what there is to say waits until a file is chosen.
   if (!file_dialog_.is_open()) prompt_.draw(context());
   help_.draw(context());
+  command_palette_.draw(context());
 }
 
 }  // namespace winslow::gui

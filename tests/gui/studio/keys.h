@@ -20,6 +20,7 @@ inline constexpr int e = GLFW_KEY_E;
 inline constexpr int f = GLFW_KEY_F;
 inline constexpr int n = GLFW_KEY_N;
 inline constexpr int o = GLFW_KEY_O;
+inline constexpr int p = GLFW_KEY_P;
 inline constexpr int q = GLFW_KEY_Q;
 inline constexpr int r = GLFW_KEY_R;
 inline constexpr int s = GLFW_KEY_S;

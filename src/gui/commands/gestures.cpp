@@ -1,0 +1,21 @@
+#include "gui/commands/gestures.h"
+
+#include <array>
+
+namespace winslow::gui {
+
+std::span<const Gesture> mouse_gestures() {
+  static constexpr std::array<Gesture, 9> gestures{
+      {{"Click a body", "select it"},
+       {"Ctrl or Shift + click", "add to the selection"},
+       {"Drag a body", "move it; the mesh follows"},
+       {"... with Shift", "keep to one axis"},
+       {"Drag the ring", "rotate about the pivot"},
+       {"... with Shift", "in steps of 5 degrees"},
+       {"Drag the pivot", "put it elsewhere"},
+       {"Drag elsewhere", "pan; also middle or right button"},
+       {"Wheel", "zoom at the cursor"}}};
+  return gestures;
+}
+
+}  // namespace winslow::gui
