@@ -8,11 +8,11 @@
 #include "app/job/interrupt.h"
 #include "app/job/markers.h"
 #include "app/job/progress.h"
-#include "app/output/history_csv.h"
 #include "app/output/quality_table.h"
 #include "app/output/report.h"
 #include "core/error.h"
 #include "core/quality/quality.h"
+#include "io/convergence_csv.h"
 #include "io/recipe.h"
 
 namespace winslow::app {
@@ -91,6 +91,13 @@ void warn(const JobFiles& files, const std::vector<std::string>& warnings) {
   for (const std::string& text : warnings) std::cerr << "winslow: warning: " << text << '\n';
 }
 
+void write_history(const std::string& path, const RunReport& run) {
+  std::vector<io::ConvergenceTable> tables;
+  int number = 0;
+  for (const CommandRecord& c : run.commands) tables.push_back({++number, c.result.history});
+  io::write_convergence_csv(path, tables);
+}
+
 void write_recipe(const EditJob& job) {
   namespace fs = std::filesystem;
   const fs::path recipe = job.files.save_recipe;
@@ -113,7 +120,7 @@ void save(const EditJob& job, const Mesh& mesh, const io::MeshFile& source,
     run.warnings.insert(run.warnings.end(), warnings.begin(), warnings.end());
     run.written = true;
   }
-  if (!job.files.history.empty()) write_history(job.files.history, run.commands);
+  if (!job.files.history.empty()) write_history(job.files.history, run);
   if (!job.files.save_recipe.empty()) write_recipe(job);
 }
 

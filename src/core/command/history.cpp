@@ -4,13 +4,15 @@
 
 namespace winslow {
 
-History::History(MeshState initial) { steps_.push_back({std::nullopt, {}, std::move(initial)}); }
+History::History(MeshState initial)
+    : steps_{std::make_shared<const Step>(Step{std::nullopt, {}, std::move(initial)})} {}
 
-const MeshState& History::state() const { return steps_[position_].state; }
+const MeshState& History::state() const { return steps_[position_]->state; }
 
 void History::push(Command command, CommandResult result) {
-  steps_.resize(position_ + 1, steps_.front());
-  steps_.push_back({std::move(command), std::move(result.smooth), std::move(result.state)});
+  forget_redo();
+  steps_.push_back(std::make_shared<const Step>(
+      Step{std::move(command), std::move(result.smooth), std::move(result.state)}));
   ++position_;
 }
 
@@ -29,19 +31,23 @@ void History::go_to(std::size_t position) {
   position_ = position;
 }
 
-const Command& History::command(std::size_t position) const {
-  if (position == 0 || position >= steps_.size()) throw UsageError("the history has no such step");
-  return *steps_[position].command;
+const History::Step& History::step(std::size_t position) const {
+  if (position >= steps_.size()) throw UsageError("the history has no such step");
+  return *steps_[position];
 }
 
-const SmoothResult& History::result(std::size_t position) const {
-  if (position >= steps_.size()) throw UsageError("the history has no such step");
-  return steps_[position].smooth;
+const Command& History::command(std::size_t position) const {
+  if (position == 0) throw UsageError("the history has no such step");
+  return *step(position).command;
 }
+
+const SmoothResult& History::result(std::size_t position) const { return step(position).smooth; }
+
+const MeshState& History::state(std::size_t position) const { return step(position).state; }
 
 std::vector<Command> History::recipe() const {
   std::vector<Command> commands;
-  for (std::size_t k = 1; k <= position_; ++k) commands.push_back(*steps_[k].command);
+  for (std::size_t k = 1; k <= position_; ++k) commands.push_back(*steps_[k]->command);
   return commands;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -8,16 +9,19 @@
 namespace winslow {
 
 /// The commands applied to a mesh, with undo and redo to any point. Topology is shared, so a step
-/// costs one copy of the coordinates.
+/// costs one copy of the coordinates. A copy of a history shares its steps.
 class History {
  public:
   explicit History(MeshState initial);
 
   const MeshState& state() const;
-  const MeshState& initial() const { return steps_.front().state; }
+  const MeshState& initial() const { return steps_.front()->state; }
 
   /// Appends a finished command; forgets what could have been redone.
   void push(Command command, CommandResult result);
+
+  /// Drops the steps after the present position.
+  void forget_redo() { steps_.resize(position_ + 1); }
 
   bool can_undo() const { return position_ > 0; }
   bool can_redo() const { return position_ + 1 < steps_.size(); }
@@ -32,6 +36,8 @@ class History {
   /// Command that led to a position (1 .. size() - 1), and how its solve went.
   const Command& command(std::size_t position) const;
   const SmoothResult& result(std::size_t position) const;
+  /// Mesh at a position (0 .. size() - 1).
+  const MeshState& state(std::size_t position) const;
   /// Commands up to the present position: a recipe.
   std::vector<Command> recipe() const;
 
@@ -41,7 +47,9 @@ class History {
     SmoothResult smooth;
     MeshState state;
   };
-  std::vector<Step> steps_;
+  const Step& step(std::size_t position) const;
+
+  std::vector<std::shared_ptr<const Step>> steps_;
   std::size_t position_ = 0;
 };
 

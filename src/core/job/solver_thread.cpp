@@ -1,5 +1,6 @@
 #include "core/job/solver_thread.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
@@ -13,6 +14,8 @@ namespace winslow {
 namespace {
 
 constexpr int unlimited = -1;
+
+using Clock = std::chrono::steady_clock;
 
 /// Long drags would otherwise make every snapshot longer than the one before.
 constexpr std::size_t longest_history = 4000;
@@ -97,6 +100,17 @@ class SolverThread::Impl final : public SolverMonitor {
     wake_.notify_all();
   }
 
+  void set_pace(double iterations_per_second) {
+    {
+      const std::lock_guard lock(mutex_);
+      interval_ = Clock::duration::zero();
+      if (iterations_per_second > 0)
+        interval_ = std::chrono::duration_cast<Clock::duration>(
+            std::chrono::duration<double>(1 / iterations_per_second));
+    }
+    wake_.notify_all();
+  }
+
   bool busy() const {
     const std::lock_guard lock(mutex_);
     return active_ || request_.has_value();
@@ -120,6 +134,7 @@ class SolverThread::Impl final : public SolverMonitor {
     std::unique_lock lock(mutex_);
     if (iterated && allowed_ > 0) --allowed_;
     publish_progress(JobState::running);
+    keep_pace(lock, opening);
     if (allowed_ == 0 && !interrupted(opening)) {
       publish_progress(JobState::paused);
       wake_.wait(lock, [&] { return allowed_ != 0 || interrupted(opening); });
@@ -140,6 +155,17 @@ class SolverThread::Impl final : public SolverMonitor {
   /// solver.
   bool interrupted(bool opening) const {
     return quit_ || cancel_ || request_.has_value() || (retarget_.has_value() && !opening);
+  }
+
+  /// Called with the mutex held: leaves what was just published on show for as long as the pace
+  /// says, unless there is something else to do. A pace that is changed meanwhile counts at once.
+  void keep_pace(std::unique_lock<std::mutex>& lock, bool opening) {
+    while (interval_ > Clock::duration::zero() && allowed_ != 0 && !interrupted(opening)) {
+      const Clock::time_point due = last_shown_ + interval_;
+      if (Clock::now() >= due) break;
+      wake_.wait_until(lock, due);
+    }
+    last_shown_ = Clock::now();
   }
 
   void publish_locked(Snapshot snapshot) {
@@ -232,7 +258,9 @@ class SolverThread::Impl final : public SolverMonitor {
   bool quit_ = false;
   bool cancel_ = false;
   bool active_ = false;
-  int allowed_ = unlimited;  // outer iterations until the next pause
+  Clock::duration interval_{};      // between two outer iterations; 0: none
+  Clock::time_point last_shown_{};  // when the worker last went on
+  int allowed_ = unlimited;         // outer iterations until the next pause
   std::uint64_t last_job_ = 0;
   std::optional<MeshState> base_;
   std::optional<Request> request_;
@@ -256,6 +284,7 @@ void SolverThread::step(int n) {
   if (n > 0) impl_->allow(n);
 }
 void SolverThread::cancel() { impl_->cancel(); }
+void SolverThread::set_pace(double rate) { impl_->set_pace(rate); }
 bool SolverThread::busy() const { return impl_->busy(); }
 std::shared_ptr<const Snapshot> SolverThread::latest() const { return impl_->latest(); }
 

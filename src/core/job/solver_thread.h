@@ -47,6 +47,9 @@ class SolverThread {
   /// Runs n more outer iterations, then pauses.
   void step(int n);
   void cancel();
+  /// At most this many outer iterations a second, for someone who watches; 0: as fast as they come.
+  /// Holds for all jobs until it is set again. Pause, step and cancel act at once all the same.
+  void set_pace(double iterations_per_second);
   /// True while a job is running or paused.
   bool busy() const;
 

@@ -32,6 +32,10 @@ Look look_of(action::FilePurpose purpose) {
       return {"Save the mesh as", "Save"};
     case action::FilePurpose::export_recipe:
       return {"Export the recipe", "Save"};
+    case action::FilePurpose::replay_recipe:
+      return {"Replay a recipe on this mesh", "Replay"};
+    case action::FilePurpose::export_convergence:
+      return {"Export the iterations as CSV", "Save"};
     case action::FilePurpose::screenshot:
       return {"Save a picture", "Save"};
   }
@@ -48,7 +52,10 @@ bool has_extension(const std::string& name, action::FilePurpose purpose) {
   static constexpr std::array<const char*, 8> meshes{".su2", ".msh", ".vtk", ".vtu",
                                                      ".obj", ".off", ".ply", ".stl"};
   const std::string extension = lower(fs::path(name).extension().string());
-  if (purpose == action::FilePurpose::export_recipe) return extension == ".json";
+  if (purpose == action::FilePurpose::export_recipe ||
+      purpose == action::FilePurpose::replay_recipe)
+    return extension == ".json";
+  if (purpose == action::FilePurpose::export_convergence) return extension == ".csv";
   if (purpose == action::FilePurpose::screenshot) return extension == ".png";
   return std::find(meshes.begin(), meshes.end(), extension) != meshes.end();
 }
@@ -79,7 +86,8 @@ void FileDialog::open(action::FilePurpose purpose, const fs::path& suggested) {
     const fs::path parent = fs::absolute(suggested, ignored).parent_path();
     if (fs::is_directory(parent, ignored)) folder_ = parent;
   }
-  if (purpose == action::FilePurpose::open_mesh) name_.clear();
+  if (purpose == action::FilePurpose::open_mesh || purpose == action::FilePurpose::replay_recipe)
+    name_.clear();
   all_files_ = false;
   open_ = wanted_ = focus_name_ = true;
   go(folder_);
@@ -171,7 +179,7 @@ void FileDialog::draw_list(const PanelContext& context) {
     ++count;
     draw_entry(context, entry);
   }
-  if (count == 0) ui::text_dim("No mesh files and no folders here.");
+  if (count == 0) ui::text_dim("No files of this kind and no folders here.");
   ImGui::EndChild();
 }
 
@@ -245,6 +253,17 @@ void FileDialog::accept(const PanelContext& context) {
     case action::FilePurpose::export_recipe:
       if (!path.has_extension()) path += ".json";
       context.emit(action::ExportRecipe{path});
+      break;
+    case action::FilePurpose::replay_recipe:
+      if (!fs::exists(path, ignored)) {
+        error_ = "There is no such file.";
+        return;
+      }
+      context.emit(action::ReplayRecipe{path});
+      break;
+    case action::FilePurpose::export_convergence:
+      if (!path.has_extension()) path += ".csv";
+      context.emit(action::ExportConvergence{path});
       break;
     case action::FilePurpose::screenshot:
       if (lower(path.extension().string()) != ".png") path += ".png";

@@ -2,59 +2,53 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+#include <vector>
 
-#include "core/formulation/formulation.h"
+#include "gui/studio/method.h"
 #include "gui/studio/text.h"
 #include "gui/widgets/controls.h"
+#include "gui/widgets/smooth_options_form.h"
 
 namespace winslow::gui {
 
-namespace {
-
-bool choose(const char* id, const std::vector<std::string>& names, std::string& value,
-            std::string_view tip) {
-  const auto it = std::find(names.begin(), names.end(), value);
-  auto chosen = static_cast<std::size_t>(it - names.begin());
-  if (!ui::combo(id, names, chosen, tip)) return false;
-  value = names[chosen];
-  return true;
-}
-
-std::string linear_tip() {
-  std::string text = "How each linear system is solved. The converged mesh is the same.";
-  for (const auto& name : linear_solver_names())
-    text += "\n" + name + ": " + std::string(linear_solver_summary(name));
-  return text;
-}
-
-/// A choice among the values of an enumeration, by their order.
-template <typename Enum>
-bool choose_value(const char* id, const char* label, const std::vector<std::string>& names,
-                  Enum& value, std::string_view tip) {
-  ui::row(label, tip);
-  auto chosen = static_cast<std::size_t>(value);
-  if (!ui::combo(id, names, chosen, tip)) return false;
-  value = static_cast<Enum>(chosen);
-  return true;
-}
-
-struct NamedTargets {
-  const char* name;
-  TargetBlend blend;
-};
-const std::array<NamedTargets, 3> pure_targets{
-    {{"Regular elements", {1, 0, 0}}, {"VCV stencils", {0, 1, 0}}, {"Rest mesh", {0, 0, 1}}}};
-
-}  // namespace
-
 void SolverPanel::draw(const PanelContext& context) {
   if (!ui::section("section/solver", "Solver")) return;
+  draw_method(context);
+  draw_pace(context);
   draw_state(context);
   draw_buttons(context);
-  SmoothOptions options = context.session.smooth_options();
+  draw_steps(context);
+  draw_resets(context);
+  draw_options(context);
+}
+
+void SolverPanel::draw_method(const PanelContext& context) {
+  SmoothOptions smooth = context.session.smooth_options();
+  MotionOptions motion = context.session.motion_options();
   ImGui::BeginDisabled(context.session.job().active());
-  if (draw_options(options)) context.emit(action::SetSmoothOptions{options});
+  if (ui::method_choice("solver", smooth, motion)) {
+    context.emit(action::SetSmoothOptions{smooth});
+    context.emit(action::SetMotionOptions{motion});
+  }
   ImGui::EndDisabled();
+}
+
+/// Stays enabled while the solver runs: that is when it is wanted.
+void SolverPanel::draw_pace(const PanelContext& context) {
+  const Session& session = context.session;
+  if (method_of(session.smooth_options(), session.motion_options()) != Method::direct) return;
+  constexpr std::array<double, 6> rates{1, 2, 5, 10, 30, 0};
+  const std::vector<std::string> names{"1 a second",  "2 a second",  "5 a second",
+                                       "10 a second", "30 a second", "Unlimited"};
+  std::size_t chosen = rates.size() - 1;
+  for (std::size_t i = 0; i < rates.size(); ++i)
+    if (rates[i] == session.pace()) chosen = i;
+  constexpr const char* tip =
+      "How many outer iterations a second are carried out and shown. Slow enough to watch the mesh "
+      "untangle; Unlimited when only the result matters. It can be changed while the solver runs.";
+  ui::row("Iterations", tip);
+  if (ui::combo("solver/pace", names, chosen, tip)) context.emit(action::SetPace{rates[chosen]});
 }
 
 void SolverPanel::draw_state(const PanelContext& context) {
@@ -87,9 +81,10 @@ void SolverPanel::draw_buttons(const PanelContext& context) {
                    {"Stop after the present iteration (Space).", ui::ButtonStyle::normal, !dragging,
                     width}))
       context.emit(action::PauseSolver{});
-  } else if (ui::button("solver/run", job.paused() ? "Resume" : "Smooth",
-                        {"Smooth the mesh, its boundary held (Space).", ui::ButtonStyle::primary,
-                         open, width})) {
+  } else if (ui::button(
+                 "solver/run", job.paused() ? "Resume" : "Smooth",
+                 {job.paused() ? "Go on (Space)." : "Smooth the mesh, its boundary held (Space).",
+                  ui::ButtonStyle::primary, open, width})) {
     context.emit(action::RunSmooth{});
   }
   ImGui::SameLine(0, gap);
@@ -104,90 +99,56 @@ void SolverPanel::draw_buttons(const PanelContext& context) {
     context.emit(action::CancelSolver{});
 }
 
-bool SolverPanel::draw_variational(SmoothOptions& options) {
-  bool changed = false;
-  constexpr const char* targets_tip =
-      "The shape that every element is driven towards.\n"
-      "Regular elements: equilateral triangles, square quadrilaterals; the best worst cells.\n"
-      "VCV stencils: the angles and edge lengths of the virtual control volumes.\n"
-      "Rest mesh: each element's own shape as it was before the motion, to keep a graded or "
-      "stretched mesh as it is.";
-  ui::row("Targets", targets_tip);
-  std::vector<std::string> names;
-  std::size_t chosen = pure_targets.size();
-  for (std::size_t i = 0; i < pure_targets.size(); ++i) {
-    names.emplace_back(pure_targets[i].name);
-    if (options.targets == pure_targets[i].blend) chosen = i;
-  }
-  if (chosen == names.size()) names.emplace_back("Blend");
-  if (ui::combo("solver/targets", names, chosen, targets_tip) && chosen < pure_targets.size()) {
-    options.targets = pure_targets[chosen].blend;
-    changed = true;
-  }
-  constexpr const char* exponent_tip =
-      "How much more the worst elements count than the average ones. 1: all alike; larger: better "
-      "worst cells.";
-  ui::row("Exponent", exponent_tip);
-  changed |= ui::number("solver/exponent", options.penalty.exponent, exponent_tip, "%g");
-  constexpr const char* knee_tip =
-      "Distortion (1 is perfect) at which the penalty begins to bite; 0: everywhere.";
-  ui::row("Knee", knee_tip);
-  changed |= ui::number("solver/knee", options.penalty.knee, knee_tip, "%g");
-  changed |= choose_value("solver/untangle", "Untangling", {"Automatic", "Fixed point", "Energy"},
-                          options.untangle,
-                          "How a tangled mesh is untangled before Newton's method begins.\n"
-                          "Fixed point: the paper's damped iteration. Energy: a regularised "
-                          "determinant. Automatic: the one, then the other.");
-  return changed;
+void SolverPanel::draw_steps(const PanelContext& context) {
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+  constexpr const char* tip = "How many outer iterations the button beside it runs.";
+  ImGui::SetNextItemWidth(width);
+  ui::number("solver/steps", steps_, tip);
+  steps_ = std::clamp(steps_, 1, 1000000);
+  ImGui::SameLine(0, gap);
+  if (ui::button(
+          "solver/step_n", "Step " + grouped(steps_),
+          {"That many outer iterations, then pause. Use it to look at the mesh on its way.",
+           ui::ButtonStyle::normal, context.session.document() && !context.session.dragging(), -1}))
+    context.emit(action::StepSolver{steps_});
 }
 
-bool SolverPanel::draw_pointwise(SmoothOptions& options) {
-  bool changed = choose_value(
-      "solver/outer", "Iteration", {"Automatic", "Newton", "Fixed point"}, options.outer,
-      "How the equations are solved. Fixed point: the paper's damped outer iteration. Newton: "
-      "quadratic close to the solution. Automatic: Newton, then the fixed point where it fails.");
-  constexpr const char* damping_tip =
-      "Share of each linear solution that is taken. Smaller is safer and slower.";
-  ui::row("Damping", damping_tip);
-  auto damping = static_cast<float>(options.damping);
-  if (ImGui::SliderFloat("##damping", &damping, 0.05f, 1.0f, "%.2f",
-                         ImGuiSliderFlags_AlwaysClamp)) {
-    options.damping = static_cast<double>(damping);
-    changed = true;
-  }
-  ui::note("solver/damping");
-  ui::tooltip(damping_tip);
-  changed |=
-      choose_value("solver/clip", "Clip weights", {"Automatic", "Always", "Never"}, options.clip,
-                   "Whether negative weights of the operator are set to zero. Automatic: "
-                   "while the mesh is tangled.");
-  return changed;
+void SolverPanel::draw_resets(const PanelContext& context) {
+  const Document* document = context.session.document();
+  const bool active = context.session.job().active();
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  if (ui::button(
+          "solver/reset_motion", "Before motion",
+          {"Back to the mesh before this motion: cancels the command under way, or takes "
+           "back the last one. Redo brings that back.",
+           ui::ButtonStyle::normal, document && (active || document->history().can_undo()), width}))
+    context.emit(action::Undo{});
+  ImGui::SameLine(0, gap);
+  if (ui::button("solver/reset_loaded", "As loaded",
+                 {"Back to the mesh as it was opened. The history keeps the commands (Ctrl+R).",
+                  ui::ButtonStyle::normal,
+                  document && (active || document->history().position() > 0), width}))
+    context.emit(action::GoToStep{0});
 }
 
-bool SolverPanel::draw_options(SmoothOptions& options) {
-  bool changed = false;
-  constexpr const char* formulation_tip =
-      "The equations solved over the virtual control volumes.\n"
-      "variational: an energy with a barrier against inversion; Newton's method through valid "
-      "meshes only. The default.\n"
-      "pointwise: the paper's operator, node by node.";
-  ui::row("Formulation", formulation_tip);
-  changed |=
-      choose("solver/formulation", formulation_names(), options.formulation, formulation_tip);
-  const std::string tip = linear_tip();
-  ui::row("Linear solver", tip);
-  changed |= choose("solver/linear", linear_solver_names(), options.linear.solver, tip);
-
-  changed |=
-      options.formulation == "variational" ? draw_variational(options) : draw_pointwise(options);
-  constexpr const char* iterations_tip = "Outer iterations after which the solver gives up.";
-  ui::row("Max. iterations", iterations_tip);
-  changed |= ui::number("solver/max_iterations", options.max_iterations, iterations_tip);
-  constexpr const char* tolerance_tip =
-      "Converged when the largest scaled residual is below this: the green line in the plot.";
-  ui::row("Tolerance", tolerance_tip);
-  changed |= ui::number("solver/tolerance", options.tolerance, tolerance_tip, "%.1e");
-  return changed;
+void SolverPanel::draw_options(const PanelContext& context) {
+  if (!ui::fold("solver/advanced", "Advanced",
+                "Equations, damping, clipping, linear solver, tolerance. The defaults need no "
+                "touch."))
+    return;
+  ImGui::BeginDisabled(context.session.job().active());
+  SmoothOptions options = context.session.smooth_options();
+  if (ui::smooth_options_form("solver", options)) context.emit(action::SetSmoothOptions{options});
+  if (ui::button("solver/defaults", "Reset to defaults",
+                 {"Method and options as they were when the studio was first started.",
+                  ui::ButtonStyle::normal, true, -1})) {
+    context.emit(action::SetSmoothOptions{});
+    context.emit(action::SetMotionOptions{});
+    context.emit(action::SetPace{default_pace});
+  }
+  ImGui::EndDisabled();
 }
 
 }  // namespace winslow::gui

@@ -4,17 +4,21 @@
 
 namespace winslow::gui {
 
-/// How the mesh is smoothed, and the switches to run, pause, step and cancel.
+/// How the mesh is smoothed, and the switches to run, pause, step, cancel and go back.
 class SolverPanel : public Panel {
  public:
   void draw(const PanelContext& context) override;
 
  private:
+  void draw_method(const PanelContext& context);
+  void draw_pace(const PanelContext& context);
   void draw_state(const PanelContext& context);
   void draw_buttons(const PanelContext& context);
-  bool draw_options(SmoothOptions& options);
-  bool draw_variational(SmoothOptions& options);
-  bool draw_pointwise(SmoothOptions& options);
+  void draw_steps(const PanelContext& context);
+  void draw_resets(const PanelContext& context);
+  void draw_options(const PanelContext& context);
+
+  int steps_ = 10;
 };
 
 }  // namespace winslow::gui

@@ -75,12 +75,50 @@ struct CancelSolver {};
 struct SetSmoothOptions {
   SmoothOptions options;
 };
+/// How fast the outer iterations of the direct method go by.
+struct SetPace {
+  double iterations_per_second = 0;  ///< 0: as fast as they come
+};
 
 // History
 struct Undo {};
 struct Redo {};
 struct GoToStep {
   std::size_t position = 0;
+};
+/// Another command in the place of one that was carried out; those after it are run again.
+struct EditStep {
+  std::size_t position = 0;
+  Command command;
+};
+/// Takes a command out; those after it are run again.
+struct DeleteStep {
+  std::size_t position = 0;
+};
+/// Puts a history back that an edit replaced; the present one is kept in its place.
+struct BringBack {
+  std::size_t kept = 0;  ///< index into Document::kept()
+};
+/// Applies the commands of a recipe to the open mesh, one after the other.
+struct ReplayRecipe {
+  std::filesystem::path path;
+};
+/// Writes the iterations that the convergence plot shows as CSV.
+struct ExportConvergence {
+  std::filesystem::path path;
+  bool overwrite = false;
+};
+struct ShowStepEditor {
+  std::size_t position = 0;
+};
+
+// Sessions that outlived a crash
+struct RestoreSession {
+  std::filesystem::path folder;
+  bool discard_changes = false;  ///< false: ask if the open mesh has unsaved changes
+};
+struct DiscardSession {
+  std::filesystem::path folder;
 };
 
 // Messages
@@ -111,7 +149,14 @@ struct AskGoTo {};
 struct StepScale {
   int by = 0;
 };
-enum class FilePurpose { open_mesh, save_mesh, export_recipe, screenshot };
+enum class FilePurpose {
+  open_mesh,
+  save_mesh,
+  export_recipe,
+  replay_recipe,
+  export_convergence,
+  screenshot
+};
 struct ShowFileDialog {
   FilePurpose purpose = FilePurpose::open_mesh;
 };
@@ -137,9 +182,12 @@ using Action = std::variant<
     action::SetMotionOptions,
     // Solver
     action::RunSmooth, action::Scramble, action::PauseSolver, action::ResumeSolver,
-    action::StepSolver, action::CancelSolver, action::SetSmoothOptions,
+    action::StepSolver, action::CancelSolver, action::SetSmoothOptions, action::SetPace,
     // History
-    action::Undo, action::Redo, action::GoToStep,
+    action::Undo, action::Redo, action::GoToStep, action::EditStep, action::DeleteStep,
+    action::BringBack, action::ReplayRecipe, action::ExportConvergence, action::ShowStepEditor,
+    // Sessions that outlived a crash
+    action::RestoreSession, action::DiscardSession,
     // Messages
     action::DismissPrompt, action::DismissBanner,
     // View

@@ -51,6 +51,29 @@ void Document::go_to(std::size_t position) {
   if (position < history_.size()) history_.go_to(position);
 }
 
+void Document::forget_redo() {
+  history_.forget_redo();
+  revisions_.resize(history_.size());
+}
+
+void Document::keep(std::string why) {
+  if (kept_.size() == most_kept) kept_.erase(kept_.begin());
+  kept_.push_back({std::move(why), history_, revisions_});
+}
+
+void Document::bring_back(std::size_t kept) {
+  Kept& other = kept_.at(kept);
+  std::swap(other.history, history_);
+  std::swap(other.revisions, revisions_);
+  other.why = "Before the other one was brought back";
+}
+
+void Document::take_back() {
+  history_ = std::move(kept_.back().history);
+  revisions_ = std::move(kept_.back().revisions);
+  kept_.pop_back();
+}
+
 void Document::mark_saved(const std::filesystem::path& path, std::uint64_t revision) {
   path_ = path;
   saved_revision_ = revision;

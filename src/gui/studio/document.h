@@ -46,6 +46,24 @@ class Document {
   void undo();
   void redo();
   void go_to(std::size_t position);
+  /// Drops the steps after the present position.
+  void forget_redo();
+
+  /// A history that a change of a past step replaced.
+  struct Kept {
+    std::string why;  ///< "Before step 2 was changed"
+    History history;
+    std::vector<std::uint64_t> revisions;
+  };
+  /// The last few, oldest first.
+  const std::vector<Kept>& kept() const { return kept_; }
+  static constexpr std::size_t most_kept = 8;
+  /// Keeps the present history beside itself; of more than most_kept the oldest goes.
+  void keep(std::string why);
+  /// Changes places with a kept one.
+  void bring_back(std::size_t kept);
+  /// Puts the one that was kept last in place of the present history, which goes.
+  void take_back();
 
   /// Identifies the present mesh among all that this document has had.
   std::uint64_t revision() const { return revisions_[history_.position()]; }
@@ -61,6 +79,7 @@ class Document {
   std::vector<std::string> warnings_;
   QualityReport loaded_quality_;
   History history_;
+  std::vector<Kept> kept_;
   std::vector<std::uint64_t> revisions_{0};  // of each position of the history
   std::uint64_t last_revision_ = 0;
   std::uint64_t saved_revision_ = 0;

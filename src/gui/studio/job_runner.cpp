@@ -58,6 +58,12 @@ void JobRunner::step(int count) {
   solver_.step(count);
 }
 
+void JobRunner::set_pace(double iterations_per_second) {
+  if (iterations_per_second == pace_) return;
+  pace_ = iterations_per_second;
+  solver_.set_pace(pace_);
+}
+
 void JobRunner::cancel() {
   if (!active_) return;
   solver_.cancel();
@@ -89,7 +95,7 @@ std::optional<JobRunner::Outcome> JobRunner::take_outcome() {
     return std::nullopt;
   // A drag may have moved on since this snapshot was published.
   if (!meets_target(*snapshot_)) return std::nullopt;
-  Outcome outcome{command_, snapshot_->result, snapshot_->error};
+  Outcome outcome{command_, snapshot_->result, snapshot_->error, pause_requested_};
   active_ = pause_requested_ = false;
   snapshot_.reset();
   return outcome;

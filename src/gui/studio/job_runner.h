@@ -18,6 +18,7 @@ class JobRunner {
     Command command;
     std::optional<CommandResult> result;  ///< none: it failed
     std::string error;
+    bool paused = false;  ///< the user had it wait after some steps
   };
 
   bool active() const { return active_; }
@@ -44,6 +45,8 @@ class JobRunner {
   void pause();
   void resume();
   void step(int count);
+  /// See SolverThread::set_pace.
+  void set_pace(double iterations_per_second);
   /// Ends the job at once, with no outcome.
   void cancel();
 
@@ -59,6 +62,7 @@ class JobRunner {
   bool active_ = false;
   bool held_ = false;
   bool pause_requested_ = false;
+  double pace_ = 0;
   MeshState base_;
   Command command_;
   std::uint64_t job_ = 0;

@@ -17,6 +17,8 @@ void Session::apply(const Action& action) {
 bool Session::poll() {
   bool changed = poll_loader();
   changed |= poll_saver();
+  changed |= poll_recipe();
+  changed |= poll_csv();
   changed |= quality_.poll();
   if (job_.poll()) {
     shape_changed();
@@ -39,7 +41,8 @@ bool Session::working() const {
   const bool paused =
       job_.paused() && job_.snapshot() && job_.snapshot()->state == JobState::paused;
   const bool following = drag_.active() && !drag_.settled();
-  return following || loader_.busy() || saver_.busy() || quality_.busy() || (solving && !paused);
+  return following || loader_.busy() || saver_.busy() || recipe_reader_.busy() ||
+         csv_writer_.busy() || quality_.busy() || (solving && !paused);
 }
 
 const Coordinates& Session::coordinates() const {
@@ -131,6 +134,11 @@ void Session::on(const action::SetMotionOptions& a) { motion_ = a.options; }
 
 void Session::on(const action::SetSmoothOptions& a) { smooth_ = a.options; }
 
+void Session::on(const action::SetPace& a) {
+  pace_ = std::max(a.iterations_per_second, 0.0);
+  if (job_.active()) job_.set_pace(pace_of(job_.command()));
+}
+
 void Session::on(const action::Undo&) {
   if (!document_) return;
   if (dragging_) return on(action::CancelDrag{});
@@ -140,7 +148,7 @@ void Session::on(const action::Undo&) {
 }
 
 void Session::on(const action::Redo&) {
-  if (!document_ || job_.active() || dragging_) return;
+  if (!document_ || job_.active() || dragging_ || !document_->history().can_redo()) return;
   document_->redo();
   position_changed();
 }

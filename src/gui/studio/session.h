@@ -13,9 +13,11 @@
 #include "gui/studio/background.h"
 #include "gui/studio/body_drag.h"
 #include "gui/studio/boundary_index.h"
+#include "gui/studio/command_queue.h"
 #include "gui/studio/document.h"
 #include "gui/studio/job_runner.h"
 #include "gui/studio/messages.h"
+#include "gui/studio/method.h"
 #include "gui/studio/quality_monitor.h"
 
 namespace winslow::gui {
@@ -69,6 +71,10 @@ class Session {
 
   const SmoothOptions& smooth_options() const { return smooth_; }
   const MotionOptions& motion_options() const { return motion_; }
+  /// Iterations a second of the direct method; 0: as fast as they come.
+  double pace() const { return pace_; }
+  /// Commands that wait for the one under way.
+  const CommandQueue& queue() const { return queue_; }
 
   /// Measures the mesh on screen in the background, by this field among others.
   void watch_quality(std::optional<ElementField> field);
@@ -108,9 +114,26 @@ class Session {
   void on(const action::StepSolver& a);
   void on(const action::CancelSolver&);
   void on(const action::SetSmoothOptions& a);
+  void on(const action::SetPace& a);
   void on(const action::Undo&);
   void on(const action::Redo&);
   void on(const action::GoToStep& a);
+
+  // Past commands, recipes and exports (session_history.cpp)
+  void on(const action::EditStep& a);
+  void on(const action::DeleteStep& a);
+  void on(const action::BringBack& a);
+  void on(const action::ReplayRecipe& a);
+  void on(const action::ExportConvergence& a);
+  bool poll_recipe();
+  bool poll_csv();
+  bool may_change_history();
+  void revise(std::size_t step, std::string why, CommandQueue::Plan plan);
+  void run_queue(bool paused);
+  void stop_queue_at(const std::string& error);
+  void abandon_queue();
+  std::string cancelled_text() const;
+
   void on(const action::DismissPrompt&);
   void on(const action::DismissBanner&);
   template <class ViewAction>
@@ -124,6 +147,7 @@ class Session {
   MoveCommand move_command(const RigidMotion& motion) const;
   void finish_job(JobRunner::Outcome outcome);
   void stop_job();
+  double pace_of(Command command) const;
   void shape_changed();
   void position_changed();
   void centre_pivot();
@@ -141,6 +165,17 @@ class Session {
     std::vector<std::string> warnings;
     std::string error;
   };
+  struct RecipeOutcome {
+    std::filesystem::path path;
+    std::uint64_t generation = 0;
+    std::vector<Command> commands;
+    std::string error;
+  };
+  struct CsvOutcome {
+    std::filesystem::path path;
+    std::size_t rows = 0;
+    std::string error;
+  };
 
   std::unique_ptr<Document> document_;
   std::unique_ptr<BoundaryIndex> boundary_;
@@ -153,6 +188,7 @@ class Session {
 
   SmoothOptions smooth_;
   MotionOptions motion_;
+  double pace_ = default_pace;
   bool dragging_ = false;
   std::optional<RigidMotion> drag_base_;  // motion of the job that the drag joined
   BodyDrag drag_;
@@ -167,8 +203,11 @@ class Session {
   std::filesystem::path next_path_;  // asked for while another mesh was being read
   QualityMonitor quality_;
   JobRunner job_;
+  CommandQueue queue_;
   Background<LoadOutcome> loader_;
   Background<SaveOutcome> saver_;
+  Background<RecipeOutcome> recipe_reader_;
+  Background<CsvOutcome> csv_writer_;
 };
 
 }  // namespace winslow::gui

@@ -28,9 +28,18 @@ bool Session::start_job(Command command, bool paused, std::optional<Coordinates>
     }
   }
   banner_.reset();
+  job_.set_pace(pace_of(command));
   job_.run(document_->state(), std::move(command), paused, std::move(start));
   shape_changed();
   return true;
+}
+
+/// The direct method is there to be watched; all else, and what is run again, goes at full speed.
+double Session::pace_of(Command command) const {
+  const SmoothOptions* smooth = winslow::smooth_options(command);
+  if (!smooth || queue_.active()) return 0;
+  const auto* move = std::get_if<MoveCommand>(&command);
+  return method_of(*smooth, move ? move->how : motion_) == Method::direct ? pace_ : 0;
 }
 
 MoveCommand Session::move_command(const RigidMotion& motion) const {
@@ -71,9 +80,9 @@ void Session::on(const action::StepSolver& a) {
 
 void Session::on(const action::CancelSolver&) {
   if (!job_.active()) return;
-  const std::string what = describe(job_.command());
+  const std::string what = cancelled_text();
   stop_job();
-  tell(Notice::Kind::information, "Cancelled: " + what + ". The mesh is as it was before.");
+  tell(Notice::Kind::information, what);
 }
 
 void Session::stop_job() {
@@ -86,12 +95,14 @@ void Session::stop_job() {
   if (!job_.active()) return;
   job_.cancel();
   shape_changed();
+  abandon_queue();
 }
 
 void Session::finish_job(JobRunner::Outcome outcome) {
   dragging_ = false;
   if (!outcome.result) {
     shape_changed();
+    if (queue_.active()) return stop_queue_at(outcome.error);
     if (!outcome.error.empty())
       report_error("The command failed; the mesh is as it was before", outcome.error);
     return;
@@ -105,6 +116,10 @@ void Session::finish_job(JobRunner::Outcome outcome) {
   document_->push(std::move(outcome.command), std::move(*outcome.result));
   shape_changed();
   update_banner(smooth);
+  if (queue_.active()) {
+    queue_.advance();
+    return run_queue(outcome.paused);
+  }
   tell_finished(what, smooth);
 }
 

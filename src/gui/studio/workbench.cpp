@@ -212,6 +212,7 @@ void Workbench::on(const action::ShowFileDialog& a) {
   const Document* document = session_.document();
   std::filesystem::path suggested = document ? document->path() : std::filesystem::path();
   if (a.purpose == FilePurpose::export_recipe) suggested.replace_extension(".json");
+  if (a.purpose == FilePurpose::export_convergence) suggested.replace_extension(".csv");
   if (a.purpose == FilePurpose::screenshot) suggested = new_picture_name();
   file_dialog_.open(a.purpose, suggested);
 }

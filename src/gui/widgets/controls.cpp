@@ -202,6 +202,26 @@ bool section(std::string_view id, const std::string& title) {
   return open;
 }
 
+bool fold(std::string_view id, const std::string& title, std::string_view tip) {
+  ImGuiStorage& state = *ImGui::GetStateStorage();
+  const std::string name(id);
+  const ImGuiID key = ImGui::GetID(name.c_str());
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 size(std::max(ImGui::GetContentRegionAvail().x, 1.0f), ImGui::GetFrameHeight());
+  bool open = state.GetBool(key, false);
+  if (ImGui::InvisibleButton(name.c_str(), size)) state.SetBool(key, open = !open);
+  note(id);
+  tooltip(tip);
+  const bool over = ImGui::IsItemHovered();
+  const float font = ImGui::GetFontSize();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 ink = over ? palette().text : palette().text_dim;
+  ImGui::RenderArrow(&list, ImVec2(min.x, min.y + (size.y - 0.7f * font) / 2), ink,
+                     open ? ImGuiDir_Down : ImGuiDir_Right, 0.7f);
+  list.AddText(ImVec2(min.x + 1.1f * font, min.y + (size.y - font) / 2), ink, title.c_str());
+  return open;
+}
+
 void text_dim(std::string_view text) { text_colored(palette().text_dim, text); }
 
 void text_colored(ImU32 c, std::string_view text) {

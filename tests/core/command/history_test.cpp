@@ -108,3 +108,20 @@ TEST_CASE("a recipe goes up to the present position, and repeats to the bit") {
   for (const Command& command : recipe) state = execute(command, state).state;
   CHECK(state.mesh.coordinates == history.state().mesh.coordinates);
 }
+
+TEST_CASE("a copy of a history goes its own way; its steps are shared") {
+  History history(hole_state());
+  for (const double by : {0.01, 0.02, 0.03}) apply(history, shift(by));
+  const History copy = history;
+  CHECK(&copy.state(2) == &history.state(2));
+  history.go_to(1);
+  history.forget_redo();
+  CHECK_FALSE(history.can_redo());
+  CHECK(history.size() == 2);
+  apply(history, shift(-0.04));
+  CHECK(copy.size() == 4);
+  CHECK(copy.position() == 3);
+  CHECK(describe(copy.command(2)) == "Move hole by (0.02, 0)");
+  CHECK(&copy.state(1) == &history.state(1));
+  CHECK_THROWS_AS(history.state(3), UsageError);
+}

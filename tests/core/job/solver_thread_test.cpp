@@ -389,3 +389,24 @@ TEST_CASE("no member waits for an iteration") {
   CHECK(thread.busy());
   thread.cancel();
 }
+
+TEST_CASE("a pace holds iterations back; pause, cancel and another pace act at once") {
+  const MeshState state = perturbed_state();
+  SolverThread thread;
+  thread.set_pace(50);
+  const auto start = Clock::now();
+  const std::uint64_t job = thread.run(state, endless());
+  wait_for(thread, [](const Snapshot& s) { return last_iteration(s) >= 5; });
+  CHECK(Clock::now() - start >= std::chrono::milliseconds(80));
+  // One in a thousand seconds: only what acts at once ends these waits.
+  thread.set_pace(1e-3);
+  thread.pause();
+  const int at = last_iteration(*wait_for(thread, job, JobState::paused));
+  thread.step(2);
+  thread.set_pace(0);
+  wait_paused_at(thread, at + 2);
+  thread.set_pace(1e-3);
+  thread.resume();
+  thread.cancel();
+  wait_for(thread, job, JobState::cancelled);
+}

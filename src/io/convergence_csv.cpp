@@ -1,4 +1,4 @@
-#include "app/output/history_csv.h"
+#include "io/convergence_csv.h"
 
 #include <array>
 #include <charconv>
@@ -7,7 +7,7 @@
 
 #include "io/atomic_file.h"
 
-namespace winslow::app {
+namespace winslow::io {
 namespace {
 
 /// A number that reads back to the same bits, whatever the locale.
@@ -27,21 +27,20 @@ class Exact {
 
 }  // namespace
 
-void write_history(const std::filesystem::path& path, const std::vector<CommandRecord>& commands) {
-  io::write_atomically(path, [&](std::ostream& out) {
+void write_convergence_csv(const std::filesystem::path& path,
+                           const std::vector<ConvergenceTable>& tables) {
+  write_atomically(path, [&](std::ostream& out) {
     out << "iteration,residual,largest_move,inverted,min_sine,damping,clipped,linear_iterations,"
            "fraction,command,stage\n";
-    int number = 0;
-    for (const CommandRecord& command : commands) {
-      ++number;
-      for (const IterationRecord& r : command.result.history) {
+    for (const ConvergenceTable& table : tables) {
+      for (const IterationRecord& r : table.records) {
         out << r.iteration << ',' << Exact(r.residual) << ',' << Exact(r.largest_move) << ','
             << r.inverted << ',' << Exact(r.min_sine) << ',' << Exact(r.damping) << ','
             << (r.clipped ? 1 : 0) << ',' << r.linear_iterations << ',' << Exact(r.fraction) << ','
-            << number << ',' << stage_name(r.stage) << '\n';
+            << table.command << ',' << stage_name(r.stage) << '\n';
       }
     }
   });
 }
 
-}  // namespace winslow::app
+}  // namespace winslow::io

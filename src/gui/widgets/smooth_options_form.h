@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "core/command/command.h"
+
+/// Fields for everything that SmoothOptions holds: one form for the solver panel and for commands
+/// that are edited. Ids begin with `prefix`: "solver/damping".
+namespace winslow::gui::ui {
+
+/// The method, as one choice: sets formulation, iteration and steps together. True if it changed.
+bool method_choice(const std::string& prefix, SmoothOptions& smooth, MotionOptions& motion);
+
+/// All other options; those that have no effect in the present combination are not shown. True if
+/// one changed.
+bool smooth_options_form(const std::string& prefix, SmoothOptions& options);
+
+}  // namespace winslow::gui::ui
