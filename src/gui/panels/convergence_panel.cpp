@@ -1,6 +1,8 @@
 #include "gui/panels/convergence_panel.h"
 
 #include <algorithm>
+#include <string>
+#include <variant>
 
 #include "gui/widgets/controls.h"
 #include "gui/widgets/convergence_plot.h"
@@ -16,22 +18,55 @@ std::string title_of(const Session& session) {
   return "Convergence: " + describe(document->history().command(document->history().position()));
 }
 
+/// Tolerance that the iterations shown were to reach: that of their command, or of the next one.
+double tolerance_of(const Session& session) {
+  const auto of = [&](const Command& command) {
+    return std::visit(
+        [&](const auto& c) {
+          if constexpr (requires { c.smooth; }) return c.smooth.tolerance;
+          return session.smooth_options().tolerance;
+        },
+        command);
+  };
+  if (session.job().active()) return of(session.job().command());
+  const Document* document = session.document();
+  if (!document || document->history().position() == 0) return session.smooth_options().tolerance;
+  return of(document->history().command(document->history().position()));
+}
+
 }  // namespace
+
+void ConvergencePanel::draw_header(const PanelContext& context) {
+  const Session& session = context.session;
+  const std::string label = "Export CSV";
+  const float button = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+  const float room = ImGui::GetContentRegionAvail().x;
+  ImGui::AlignTextToFramePadding();
+  const float start = ImGui::GetCursorPosX();
+  ImGui::PushFont(context.theme.bold);
+  ImGui::TextUnformatted(
+      ui::elided(title_of(session), room - button - context.theme.px(12)).c_str());
+  ImGui::PopFont();
+  ImGui::SameLine(start + room - button);
+  if (ui::button("convergence/export", label,
+                 {"Write every iteration shown here, with all its numbers, as a table for a "
+                  "spreadsheet or a plotting program.",
+                  ui::ButtonStyle::normal, !session.convergence().empty()}))
+    context.emit(action::ShowFileDialog{action::FilePurpose::export_convergence});
+  draw_convergence_key("convergence", series_, context.theme.scale);
+}
 
 void ConvergencePanel::draw(const PanelContext& context) {
   const Session& session = context.session;
-  ImGui::PushFont(context.theme.bold);
-  const std::string title = title_of(session);
-  ImGui::TextUnformatted(ui::elided(title, ImGui::GetContentRegionAvail().x).c_str());
-  ImGui::PopFont();
+  draw_header(context);
   const auto history = session.convergence();
   ImVec2 size = ImGui::GetContentRegionAvail();
   size.x = std::max(size.x, 1.0f);
   size.y = std::max(size.y, 1.0f);
   const ImVec2 start = ImGui::GetCursorScreenPos();
   // A field being typed in holds all sorts of numbers.
-  const double tolerance = session.smooth_options().tolerance;
-  ConvergencePlot plot{history, {}};
+  const double tolerance = tolerance_of(session);
+  ConvergencePlot plot{history, {}, series_};
   if (tolerance > 0) plot.tolerance = tolerance;
   draw_convergence_plot("convergence/plot", plot, size, context.theme.scale);
   if (!history.empty()) return;

@@ -1,13 +1,19 @@
 #pragma once
 
 #include "gui/panels/panel.h"
+#include "gui/widgets/convergence_plot.h"
 
 namespace winslow::gui {
 
-/// The convergence plot of the present job, or of the last one.
+/// The iterations of the job under way, or of the command that led to the present mesh.
 class ConvergencePanel : public Panel {
  public:
   void draw(const PanelContext& context) override;
+
+ private:
+  void draw_header(const PanelContext& context);
+
+  PlotSeries series_;
 };
 
 }  // namespace winslow::gui

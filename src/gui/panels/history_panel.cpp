@@ -1,6 +1,7 @@
 #include "gui/panels/history_panel.h"
 
 #include <algorithm>
+#include <variant>
 
 #include "gui/studio/text.h"
 #include "gui/widgets/controls.h"
@@ -17,33 +18,63 @@ std::string summary(const SmoothResult& result) {
   return text + (result.converged ? ", converged" : ", not converged");
 }
 
+std::string duration(double seconds) {
+  if (seconds <= 0) return {};
+  if (seconds < 0.0995) return short_number(std::max(1.0, std::round(1000 * seconds))) + " ms";
+  if (seconds < 99.5) return short_number(std::round(10 * seconds) / 10) + " s";
+  return short_number(std::round(seconds / 6) / 10) + " min";
+}
+
+std::string title_of(const Document& document, std::size_t position) {
+  if (position == 0) return "Opened " + document.source().filename().string();
+  return describe(document.history().command(position));
+}
+
+Icon icon_of(const Document& document, std::size_t position) {
+  if (position == 0) return Icon::open;
+  const Command& command = document.history().command(position);
+  if (std::holds_alternative<SmoothCommand>(command)) return Icon::solver;
+  if (std::holds_alternative<ScrambleCommand>(command)) return Icon::random;
+  return std::holds_alternative<MoveCommand>(command) ? Icon::motion : Icon::bodies;
+}
+
+bool went_badly(const SmoothResult& result) { return result.inverted > 0 || !result.converged; }
+
 }  // namespace
 
 void HistoryPanel::draw(const PanelContext& context) {
-  const Document* document = context.session.document();
-  if (!document) {
+  if (!ui::section("section/history", "History")) return;
+  if (!context.session.document()) {
     ui::text_dim("No mesh is open.");
     return;
   }
+  draw_steps(context);
+  draw_queue(context);
+  draw_buttons(context);
+  draw_recipes(context);
+  draw_kept(context);
+}
+
+void HistoryPanel::draw_steps(const PanelContext& context) {
+  const std::size_t size = context.session.document()->history().size();
   const float row = ImGui::GetTextLineHeight() + context.theme.px(12);
-  const auto rows = static_cast<float>(std::clamp<std::size_t>(document->history().size(), 3, 8));
+  const auto rows = static_cast<float>(std::clamp<std::size_t>(size, 3, 14));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(2, 2));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   ImGui::BeginChild("steps", ImVec2(0, row * rows + context.theme.px(6)), true);
-  for (std::size_t k = 0; k < document->history().size(); ++k) draw_step(context, k);
-  if (shown_size_ != document->history().size()) ImGui::SetScrollHereY(1.0f);
-  shown_size_ = document->history().size();
+  for (std::size_t k = 0; k < size; ++k) draw_step(context, k);
+  if (shown_size_ != size) ImGui::SetScrollHereY(1.0f);
+  shown_size_ = size;
   ImGui::EndChild();
   ImGui::PopStyleVar(2);
 }
 
 void HistoryPanel::draw_step(const PanelContext& context, std::size_t position) {
-  const History& history = context.session.document()->history();
+  const Document& document = *context.session.document();
+  const History& history = document.history();
   const bool present = position == history.position();
   const bool undone = position > history.position();
-  const std::string title =
-      position == 0 ? "Opened " + context.session.document()->source().filename().string()
-                    : describe(history.command(position));
+  const std::string title = title_of(document, position);
   const std::string id = "history/" + std::to_string(position);
   const float pad = context.theme.px(6);
   const ImVec2 start = ImGui::GetCursorScreenPos();
@@ -51,28 +82,128 @@ void HistoryPanel::draw_step(const PanelContext& context, std::size_t position) 
   const ImVec2 end(start.x + size.x, start.y + size.y);
   const bool pressed = ImGui::InvisibleButton(id.c_str(), size);
   ui::note(id);
+  const bool over = ImGui::IsItemHovered();
   const std::string about = position == 0 ? "" : summary(history.result(position));
-  ui::tooltip(title + (about.empty() ? "" : "\n" + about) +
-              (present ? "\nThis is the mesh shown." : "\nClick to go back to this mesh."));
+  const std::string took = position == 0 ? "" : duration(document.seconds(position));
+  ui::tooltip(title + (about.empty() ? "" : "\n" + about) + (took.empty() ? "" : "\ntook " + took) +
+              (present ? "\nThis is the mesh shown." : "\nClick to go to this mesh.") +
+              (position > 0 ? "\nRight click: edit or delete this step." : ""));
   if (pressed && !present) context.emit(action::GoToStep{position});
+  if (position > 0 && ImGui::BeginPopupContextItem(("menu/" + id).c_str())) {
+    draw_menu(context, position);
+    ImGui::EndPopup();
+  }
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (present)
-    list.AddRectFilled(start, end, palette().accent_soft, context.theme.px(4));
-  else if (ImGui::IsItemHovered())
-    list.AddRectFilled(start, end, faded(palette().accent, 0.07f), context.theme.px(4));
-  bool bad = false;
-  if (position > 0) {
-    const SmoothResult& result = history.result(position);
-    bad = result.inverted > 0 || !result.converged;
-  }
-  const ImU32 dot = undone ? palette().border : bad ? palette().warning : palette().accent;
-  list.AddCircleFilled(ImVec2(start.x + pad + context.theme.px(4), (start.y + end.y) / 2),
-                       context.theme.px(3.5f), dot);
-  const float x = start.x + pad + context.theme.px(16);
-  const std::string text = ui::elided(title, end.x - pad - x);
+  if (present || over) list.AddRectFilled(start, end, palette().accent_soft, context.theme.px(4));
+  const bool bad = position > 0 && went_badly(history.result(position));
+  const ImU32 ink = undone ? palette().text_faint : bad ? palette().warning : palette().accent;
+  const std::string glyph = context.theme.icon(icon_of(document, position));
+  if (glyph.empty())
+    list.AddCircleFilled(ImVec2(start.x + pad + context.theme.px(6), (start.y + end.y) / 2),
+                         context.theme.px(3.5f), ink);
+  else
+    list.AddText(ImVec2(start.x + pad, start.y + pad), ink, glyph.c_str());
+  // How many iterations, and how long: in columns of their own.
+  float right = end.x - pad;
+  const auto column = [&](const std::string& text, float width) {
+    const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
+    list.AddText(ImVec2(right - extent.x, start.y + pad), palette().text_faint, text.c_str());
+    right -= width;
+  };
+  column(took, context.theme.px(54));
+  const int iterations = position == 0 ? 0 : history.result(position).outer_iterations;
+  column(iterations > 0 ? grouped(iterations) + " it." : "", context.theme.px(56));
+  const float x = start.x + pad + context.theme.px(22);
+  const std::string text = ui::elided(title, right - x);
   list.AddText(ImVec2(x, start.y + pad), undone ? palette().text_faint : palette().text,
                text.c_str());
+}
+
+void HistoryPanel::draw_menu(const PanelContext& context, std::size_t position) {
+  const bool free = !context.session.in_motion();
+  const auto item = [&](const char* id, const char* label, bool enabled) {
+    const bool pressed = ImGui::MenuItem(label, nullptr, false, enabled);
+    ui::note(std::string("history/menu/") + id);
+    return pressed;
+  };
+  if (item("go", "Go to this mesh", true)) context.emit(action::GoToStep{position});
+  if (item("edit", "Edit...", free)) context.emit(action::ShowStepEditor{position});
+  if (item("delete", "Delete", free)) context.emit(action::DeleteStep{position});
+}
+
+void HistoryPanel::draw_buttons(const PanelContext& context) {
+  const std::size_t position = context.session.document()->history().position();
+  const bool can = position > 0 && !context.session.in_motion();
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  if (ui::button("history/edit", "Edit step...",
+                 {"Change the numbers and options of the step that led to the mesh shown, and run "
+                  "it and those after it again.",
+                  ui::ButtonStyle::normal, can, width}))
+    context.emit(action::ShowStepEditor{position});
+  ImGui::SameLine(0, gap);
+  if (ui::button("history/delete", "Delete step",
+                 {"Take this step out and run those after it again. The history as it is now is "
+                  "kept below.",
+                  ui::ButtonStyle::normal, can, width}))
+    context.emit(action::DeleteStep{position});
+}
+
+void HistoryPanel::draw_recipes(const PanelContext& context) {
+  const bool any = context.session.document()->history().position() > 0;
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  if (ui::button("history/save_recipe", "Save recipe...",
+                 {"Write the commands up to the mesh shown to a file, for this panel or \"winslow "
+                  "replay\" to run again.",
+                  ui::ButtonStyle::normal, any, width}))
+    context.emit(action::ShowFileDialog{action::FilePurpose::export_recipe});
+  ImGui::SameLine(0, gap);
+  if (ui::button("history/replay", "Replay recipe...",
+                 {"Apply the commands of a recipe to this mesh, one after the other.",
+                  ui::ButtonStyle::normal, !context.session.in_motion(), width}))
+    context.emit(action::ShowFileDialog{action::FilePurpose::replay_recipe});
+}
+
+void HistoryPanel::draw_queue(const PanelContext& context) {
+  const CommandQueue& queue = context.session.queue();
+  if (!queue.active()) return;
+  ui::text_wrapped(queue.plan().title + ": command " + std::to_string(queue.done() + 1) + " of " +
+                   std::to_string(queue.total()));
+  const float share = static_cast<float>(queue.done()) / static_cast<float>(queue.total());
+  ImGui::ProgressBar(share, ImVec2(-FLT_MIN, context.theme.px(6)), "");
+  ui::note("history/progress");
+  if (ui::button(
+          "history/cancel", "Cancel",
+          {queue.plan().revision ? "Stop and put the history back as it was before the change."
+                                 : "Stop; what was carried out stays in the history.",
+           ui::ButtonStyle::normal, true, -1}))
+    context.emit(action::CancelSolver{});
+}
+
+void HistoryPanel::draw_kept(const PanelContext& context) {
+  const auto& kept = context.session.document()->kept();
+  if (kept.empty()) return;
+  ImGui::Spacing();
+  ui::text_dim("Replaced histories");
+  ui::tooltip("What an edit replaced stays here: the last " + std::to_string(Document::most_kept) +
+              " of them, until another mesh is opened.");
+  const float button = context.theme.px(86);
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    const std::string text =
+        kept[k].why + " (" + counted(kept[k].history.size() - 1, "command") + ")";
+    ImGui::AlignTextToFramePadding();
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float start = ImGui::GetCursorPosX();
+    ImGui::TextUnformatted(ui::elided(text, room - button - context.theme.px(8)).c_str());
+    ui::tooltip(text);
+    ImGui::SameLine(start + room - button);
+    if (ui::button("history/kept/" + std::to_string(k), "Bring back",
+                   {"Put this history in place of the present one, which is kept here instead.",
+                    ui::ButtonStyle::normal, !context.session.in_motion(), button}))
+      context.emit(action::BringBack{k});
+  }
 }
 
 }  // namespace winslow::gui

@@ -33,10 +33,10 @@ Document::Document(Loaded loaded)
       loaded_quality_(std::move(loaded.quality)),
       history_(std::move(loaded.state)) {}
 
-void Document::push(Command command, CommandResult result) {
-  revisions_.resize(history_.position() + 1);
+void Document::push(Command command, CommandResult result, double seconds) {
+  tags_.resize(history_.position() + 1);
   history_.push(std::move(command), std::move(result));
-  revisions_.push_back(++last_revision_);
+  tags_.push_back({++last_revision_, seconds});
 }
 
 void Document::undo() {
@@ -53,24 +53,24 @@ void Document::go_to(std::size_t position) {
 
 void Document::forget_redo() {
   history_.forget_redo();
-  revisions_.resize(history_.size());
+  tags_.resize(history_.size());
 }
 
 void Document::keep(std::string why) {
   if (kept_.size() == most_kept) kept_.erase(kept_.begin());
-  kept_.push_back({std::move(why), history_, revisions_});
+  kept_.push_back({std::move(why), history_, tags_});
 }
 
 void Document::bring_back(std::size_t kept) {
   Kept& other = kept_.at(kept);
   std::swap(other.history, history_);
-  std::swap(other.revisions, revisions_);
+  std::swap(other.tags, tags_);
   other.why = "Before the other one was brought back";
 }
 
 void Document::take_back() {
   history_ = std::move(kept_.back().history);
-  revisions_ = std::move(kept_.back().revisions);
+  tags_ = std::move(kept_.back().tags);
   kept_.pop_back();
 }
 

@@ -42,18 +42,28 @@ class Document {
   const MeshState& state() const { return history_.state(); }
   const std::shared_ptr<const Topology>& topology() const { return state().mesh.topology; }
 
-  void push(Command command, CommandResult result);
+  /// seconds: what the command took, on the clock on the wall.
+  void push(Command command, CommandResult result, double seconds);
+  /// What the command that led to a position took.
+  double seconds(std::size_t position) const { return tags_[position].seconds; }
   void undo();
   void redo();
   void go_to(std::size_t position);
   /// Drops the steps after the present position.
   void forget_redo();
 
+  /// What is known of a position besides the mesh.
+  struct Tag {
+    std::uint64_t revision = 0;
+    double seconds = 0;
+  };
+  const std::vector<Tag>& tags() const { return tags_; }
+
   /// A history that a change of a past step replaced.
   struct Kept {
     std::string why;  ///< "Before step 2 was changed"
     History history;
-    std::vector<std::uint64_t> revisions;
+    std::vector<Tag> tags;
   };
   /// The last few, oldest first.
   const std::vector<Kept>& kept() const { return kept_; }
@@ -66,7 +76,7 @@ class Document {
   void take_back();
 
   /// Identifies the present mesh among all that this document has had.
-  std::uint64_t revision() const { return revisions_[history_.position()]; }
+  std::uint64_t revision() const { return tags_[history_.position()].revision; }
   bool modified() const { return revision() != saved_revision_; }
   void mark_saved(const std::filesystem::path& path, std::uint64_t revision);
   /// True if this document wrote that file before: it may be replaced without asking.
@@ -80,7 +90,7 @@ class Document {
   QualityReport loaded_quality_;
   History history_;
   std::vector<Kept> kept_;
-  std::vector<std::uint64_t> revisions_{0};  // of each position of the history
+  std::vector<Tag> tags_{Tag{}};  // of each position of the history
   std::uint64_t last_revision_ = 0;
   std::uint64_t saved_revision_ = 0;
   std::set<std::filesystem::path> written_;

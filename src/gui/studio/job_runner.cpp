@@ -16,6 +16,7 @@ void JobRunner::run(MeshState base, Command command, bool paused,
   active_ = true;
   held_ = false;
   pause_requested_ = paused;
+  started_ = std::chrono::steady_clock::now();
   start_ = start;
   job_ = solver_.run(base_, command_, std::move(start), paused);
 }
@@ -95,7 +96,8 @@ std::optional<JobRunner::Outcome> JobRunner::take_outcome() {
     return std::nullopt;
   // A drag may have moved on since this snapshot was published.
   if (!meets_target(*snapshot_)) return std::nullopt;
-  Outcome outcome{command_, snapshot_->result, snapshot_->error, pause_requested_};
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - started_;
+  Outcome outcome{command_, snapshot_->result, snapshot_->error, taken.count(), pause_requested_};
   active_ = pause_requested_ = false;
   snapshot_.reset();
   return outcome;

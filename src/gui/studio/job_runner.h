@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -18,6 +19,7 @@ class JobRunner {
     Command command;
     std::optional<CommandResult> result;  ///< none: it failed
     std::string error;
+    double seconds = 0;   ///< from its start, pauses included
     bool paused = false;  ///< the user had it wait after some steps
   };
 
@@ -63,6 +65,7 @@ class JobRunner {
   bool held_ = false;
   bool pause_requested_ = false;
   double pace_ = 0;
+  std::chrono::steady_clock::time_point started_;
   MeshState base_;
   Command command_;
   std::uint64_t job_ = 0;

@@ -12,7 +12,7 @@
 namespace winslow::gui {
 
 bool Session::may_change_history() {
-  if (!job_.active()) return true;
+  if (!in_motion() && !dragging_) return true;
   tell(Notice::Kind::warning, "Wait until the solver is done, or cancel it.");
   return false;
 }

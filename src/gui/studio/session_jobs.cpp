@@ -113,7 +113,7 @@ void Session::finish_job(JobRunner::Outcome outcome) {
   const SmoothResult smooth = outcome.result->smooth;
   if (const auto* move = std::get_if<MoveCommand>(&outcome.command))
     pivot_ = transform(move->motion, pivot_);
-  document_->push(std::move(outcome.command), std::move(*outcome.result));
+  document_->push(std::move(outcome.command), std::move(*outcome.result), outcome.seconds);
   shape_changed();
   update_banner(smooth);
   if (queue_.active()) {

@@ -1,223 +1,279 @@
 #include "gui/widgets/convergence_plot.h"
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
+#include <array>
 
 #include "gui/render/ticks.h"
 #include "gui/studio/text.h"
 #include "gui/studio/theme.h"
 #include "gui/widgets/controls.h"
+#include "gui/widgets/plot_frame.h"
 
 namespace winslow::gui {
 
 namespace {
 
-// What lies beyond, zero and infinity above all, is drawn here.
-constexpr double floor_value = 1e-16;
-constexpr double ceiling_value = 1e16;
+// A function each, since the colours change with the look.
+ImU32 residual_color() { return palette().accent; }
+ImU32 move_color() { return palette().move_line; }
+ImU32 inverted_color() { return palette().danger; }
+ImU32 sine_color() { return palette().warning; }
 
-double within_range(double v) { return std::clamp(v, floor_value, ceiling_value); }
+ImU32 faded(ImU32 color) { return (color & ~IM_COL32_A_MASK) | (90u << IM_COL32_A_SHIFT); }
 
-struct Frame {
-  ImVec2 min, max;          // of the plotting area
-  double last = 1;          // iterations run from 0 to this
-  int low = -12, high = 0;  // decades
-  double inverted = 0;      // top of the right axis; 0: no right axis
-
-  float x(double iteration) const {
-    return min.x + static_cast<float>(iteration / last) * (max.x - min.x);
-  }
-  float y(double value) const {
-    const double t = (std::log10(within_range(value)) - low) / (high - low);
-    return max.y - static_cast<float>(std::clamp(t, 0.0, 1.0)) * (max.y - min.y);
-  }
-  float y_inverted(double count) const {
-    return max.y - static_cast<float>(count / inverted) * (max.y - min.y);
-  }
-};
-
-Frame make_frame(const ConvergencePlot& plot, const ImVec2& min, const ImVec2& max, float scale) {
-  Frame f;
-  double smallest = within_range(plot.tolerance.value_or(1e-3));
-  double largest = smallest;
-  for (const IterationRecord& r : plot.history) {
-    for (double v : {r.residual, r.largest_move}) {
-      if (!(v > 0)) continue;
-      smallest = std::min(smallest, within_range(v));
-      largest = std::max(largest, within_range(v));
-    }
-    f.inverted = std::max(f.inverted, static_cast<double>(r.inverted));
-  }
-  f.low = static_cast<int>(std::floor(std::log10(smallest) - 0.15));
-  f.high = std::max(f.low + 1, static_cast<int>(std::ceil(std::log10(largest) + 0.15)));
-  if (plot.history.empty()) {
-    f.last = 100;
-    f.high = std::max(f.high, 0);
-  } else {
-    f.last = std::max(1, plot.history.back().iteration);
-  }
-  if (f.inverted > 0) f.inverted *= 1.08;
-  const float right = f.inverted > 0 ? 52 * scale : 14 * scale;
-  f.min = ImVec2(min.x + 54 * scale, min.y + 26 * scale);
-  f.max = ImVec2(max.x - right, max.y - 36 * scale);
-  return f;
-}
-
-void text_at(ImDrawList& list, const ImVec2& anchor, float align_x, float align_y, ImU32 c,
-             const std::string& text) {
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  list.AddText(
-      ImVec2(std::round(anchor.x - align_x * size.x), std::round(anchor.y - align_y * size.y)), c,
-      text.c_str());
-}
-
-/// Round whole numbers from 0 to `high`.
-std::vector<double> whole_ticks(double high, int wanted) {
-  std::vector<double> ticks = nice_ticks(0, high, wanted);
+/// Round whole numbers within a range.
+std::vector<double> whole_ticks(double low, double high, int wanted) {
+  std::vector<double> ticks = nice_ticks(low, high, wanted);
   std::erase_if(ticks, [](double t) { return t != std::round(t); });
   return ticks;
 }
 
-void draw_axes(ImDrawList& list, const Frame& f, float scale) {
-  list.AddRectFilled(f.min, f.max, palette().card);
-  const int rows = std::max(2, static_cast<int>((f.max.y - f.min.y) / (22 * scale)));
-  const int step = std::max(1, (f.high - f.low + rows - 1) / rows);
-  for (int decade = f.low; decade <= f.high; ++decade) {
-    if (decade % step != 0) continue;
-    const float y = f.y(std::pow(10.0, decade));
-    list.AddLine(ImVec2(f.min.x, y), ImVec2(f.max.x, y), palette().grid, scale);
-    text_at(list, ImVec2(f.min.x - 6 * scale, y), 1, 0.5f, palette().text_dim,
-            "1e" + std::to_string(decade));
+/// The two strips, their axes, and what is drawn in them.
+class Drawing {
+ public:
+  Drawing(const ConvergencePlot& plot, const ImVec2& min, const ImVec2& max, float scale)
+      : list_(*ImGui::GetWindowDrawList()), plot_(plot), scale_(scale) {
+    const bool wants_lower = plot.series.inverted || plot.series.sine;
+    const float height = max.y - min.y - 36 * scale;
+    lower_shown_ = wants_lower && height > 96 * scale;
+    top_.min = ImVec2(min.x + 54 * scale, min.y + 8 * scale);
+    top_.max = ImVec2(max.x - 48 * scale, max.y - 36 * scale);
+    if (!plot.history.empty()) {
+      top_.first = plot.history.front().iteration;
+      top_.last = std::max(top_.first + 1, static_cast<double>(plot.history.back().iteration));
+    } else {
+      top_.last = 100;
+    }
+    bottom_ = top_;
+    if (lower_shown_) {
+      top_.max.y = top_.min.y + 0.6f * (top_.max.y - top_.min.y) - 5 * scale;
+      bottom_.min.y = top_.max.y + 10 * scale;
+    }
+    values_ = residual_axis(plot.history, plot.tolerance.value_or(1e-3), plot.series.residual,
+                            plot.series.move);
+    inverted_ = inverted_axis(plot.history);
+    sine_ = sine_axis(plot.history);
   }
-  const int columns = std::max(2, static_cast<int>((f.max.x - f.min.x) / (80 * scale)));
-  for (const double value : whole_ticks(f.last, columns)) {
-    const float x = f.x(value);
-    list.AddLine(ImVec2(x, f.min.y), ImVec2(x, f.max.y), palette().grid, scale);
-    text_at(list, ImVec2(x, f.max.y + 4 * scale), 0.5f, 0, palette().text_dim,
-            grouped(static_cast<long long>(value)));
+
+  bool fits() const { return top_.max.x > top_.min.x && top_.max.y > top_.min.y; }
+
+  void draw() {
+    draw_columns();
+    draw_upper();
+    if (lower_shown_) draw_lower();
+    draw_numbers();
   }
-  text_at(list, ImVec2((f.min.x + f.max.x) / 2, f.max.y + 19 * scale), 0.5f, 0, palette().text_dim,
-          "outer iteration");
-  if (f.inverted > 0) {
-    for (const double value : whole_ticks(f.inverted, std::max(2, rows / 2)))
-      text_at(list, ImVec2(f.max.x + 6 * scale, f.y_inverted(value)), 0, 0.5f, palette().danger,
-              grouped(static_cast<long long>(value)));
+
+  const IterationRecord* record_at(float x) const {
+    const IterationRecord* best = nullptr;
+    for (const IterationRecord& r : plot_.history)
+      if (!best || std::abs(top_.x(r.iteration) - x) < std::abs(top_.x(best->iteration) - x))
+        best = &r;
+    return best;
   }
-  list.AddRect(f.min, f.max, palette().border, 0, 0, scale);
-}
 
-void draw_inverted(ImDrawList& list, const Frame& f, std::span<const IterationRecord> history) {
-  if (!(f.inverted > 0)) return;
-  for (std::size_t i = 0; i < history.size(); ++i) {
-    const double next = i + 1 < history.size() ? history[i + 1].iteration : f.last;
-    // A new target of a drag starts with a second record of the same iteration.
-    if (history[i].inverted == 0 || next <= history[i].iteration) continue;
-    list.AddRectFilled(ImVec2(f.x(history[i].iteration), f.y_inverted(history[i].inverted)),
-                       ImVec2(f.x(next), f.max.y), faded(palette().danger, 0.19f));
+  void draw_mark(const IterationRecord& r) {
+    const float x = top_.x(r.iteration);
+    const float foot = lower_shown_ ? bottom_.max.y : top_.max.y;
+    list_.AddLine(ImVec2(x, top_.min.y), ImVec2(x, foot), palette().text_faint, scale_);
+    const auto dot = [&](float y, ImU32 color) {
+      list_.AddCircleFilled(ImVec2(x, y), 4 * scale_, color);
+    };
+    if (plot_.series.residual && r.residual > 0) dot(top_.y(values_, r.residual), residual_color());
+    if (plot_.series.move && r.largest_move > 0) dot(top_.y(values_, r.largest_move), move_color());
+    if (lower_shown_ && plot_.series.sine) dot(bottom_.y(sine_, r.min_sine), sine_color());
   }
-}
 
-void draw_line(ImDrawList& list, const Frame& f, std::span<const IterationRecord> history,
-               double IterationRecord::*value, ImU32 c, float width, float scale) {
-  std::vector<ImVec2> points;
-  for (const IterationRecord& r : history)
-    if (r.*value > 0) points.emplace_back(f.x(r.iteration), f.y(r.*value));
-  list.AddPolyline(points.data(), static_cast<int>(points.size()), c, 0, width * scale);
-  if (points.size() <= 40)
-    for (const ImVec2& p : points) list.AddCircleFilled(p, 2.2f * scale, c);
-}
-
-void draw_tolerance(ImDrawList& list, const Frame& f, double tolerance, float scale) {
-  const float y = f.y(tolerance);
-  for (float x = f.min.x; x < f.max.x; x += 9 * scale)
-    list.AddLine(ImVec2(x, y), ImVec2(std::min(x + 5 * scale, f.max.x), y), palette().success,
-                 1.4f * scale);
-  text_at(list, ImVec2(f.min.x + 6 * scale, y - 2 * scale), 0, 1, palette().success, "tolerance");
-}
-
-void draw_key(ImDrawList& list, const Frame& f, float scale) {
-  struct Entry {
-    ImU32 color;
-    const char* label;
-    bool block;
-  };
-  std::vector<Entry> entries{{palette().accent, "residual", false},
-                             {palette().move_line, "largest move", false}};
-  if (f.inverted > 0) entries.push_back({palette().danger, "inverted elements", true});
-  float x = f.min.x;
-  const float y = f.min.y - 13 * scale;
-  for (const Entry& e : entries) {
-    const float width = 22 * scale + ImGui::CalcTextSize(e.label).x;
-    if (x + width > f.max.x) break;
-    if (e.block)
-      list.AddRectFilled(ImVec2(x, y - 4 * scale), ImVec2(x + 16 * scale, y + 4 * scale),
-                         faded(palette().danger, 0.35f));
-    else
-      list.AddLine(ImVec2(x, y), ImVec2(x + 16 * scale, y), e.color, 2 * scale);
-    text_at(list, ImVec2(x + 22 * scale, y), 0, 0.5f, palette().text_dim, e.label);
-    x += width + 18 * scale;
+ private:
+  void draw_columns() {
+    const int columns = std::max(2, static_cast<int>((top_.max.x - top_.min.x) / (80 * scale_)));
+    for (const PlotStrip* strip : {&top_, &bottom_}) {
+      if (strip == &bottom_ && !lower_shown_) continue;
+      list_.AddRectFilled(strip->min, strip->max, palette().card);
+      for (const double value : whole_ticks(top_.first, top_.last, columns))
+        list_.AddLine(ImVec2(top_.x(value), strip->min.y), ImVec2(top_.x(value), strip->max.y),
+                      palette().grid, scale_);
+    }
+    for (const double value : whole_ticks(top_.first, top_.last, columns))
+      text_at(list_, ImVec2(top_.x(value), bottom_.max.y + 4 * scale_), ImVec2(0.5f, 0),
+              palette().text_dim, grouped(static_cast<long long>(value)));
+    text_at(list_, ImVec2((top_.min.x + top_.max.x) / 2, bottom_.max.y + 19 * scale_),
+            ImVec2(0.5f, 0), palette().text_dim, "outer iteration");
   }
-}
 
-const IterationRecord* record_at(const Frame& f, std::span<const IterationRecord> history,
-                                 const ImVec2& mouse) {
-  const IterationRecord* best = nullptr;
-  float distance = 0;
-  for (const IterationRecord& r : history) {
-    const float d = std::abs(f.x(r.iteration) - mouse.x);
-    if (best && d >= distance) continue;
-    best = &r;
-    distance = d;
+  void draw_upper() {
+    const int rows = std::max(2, static_cast<int>((top_.max.y - top_.min.y) / (22 * scale_)));
+    const int low = static_cast<int>(values_.low);
+    const int high = static_cast<int>(values_.high);
+    const int step = std::max(1, (high - low + rows - 1) / rows);
+    for (int decade = low; decade <= high; ++decade) {
+      if (decade % step != 0) continue;
+      const float y = top_.y(values_, std::pow(10.0, decade));
+      list_.AddLine(ImVec2(top_.min.x, y), ImVec2(top_.max.x, y), palette().grid, scale_);
+      text_at(list_, ImVec2(top_.min.x - 6 * scale_, y), ImVec2(1, 0.5f), palette().text_dim,
+              "1e" + std::to_string(decade));
+    }
+    list_.AddRect(top_.min, top_.max, palette().border, 0, 0, scale_);
+    list_.PushClipRect(top_.min, top_.max, true);
+    if (plot_.tolerance) draw_tolerance(*plot_.tolerance);
+    if (plot_.series.move) draw_line(&IterationRecord::largest_move, move_color(), 1.5f);
+    if (plot_.series.residual) draw_line(&IterationRecord::residual, residual_color(), 2.0f);
+    list_.PopClipRect();
   }
-  return best;
-}
 
-void draw_readout(ImDrawList& list, const Frame& f, const IterationRecord& r, float scale) {
-  const float x = f.x(r.iteration);
-  list.AddLine(ImVec2(x, f.min.y), ImVec2(x, f.max.y), palette().text_faint, scale);
-  if (r.residual > 0) list.AddCircleFilled(ImVec2(x, f.y(r.residual)), 4 * scale, palette().accent);
-  if (r.largest_move > 0)
-    list.AddCircleFilled(ImVec2(x, f.y(r.largest_move)), 4 * scale, palette().move_line);
+  void draw_tolerance(double tolerance) {
+    const float y = top_.y(values_, tolerance);
+    for (float x = top_.min.x; x < top_.max.x; x += 9 * scale_)
+      list_.AddLine(ImVec2(x, y), ImVec2(std::min(x + 5 * scale_, top_.max.x), y),
+                    palette().success, 1.4f * scale_);
+    text_at(list_, ImVec2(top_.min.x + 6 * scale_, y - 2 * scale_), ImVec2(0, 1), palette().success,
+            "tolerance");
+  }
+
+  void draw_line(double IterationRecord::*value, ImU32 color, float width) {
+    std::vector<ImVec2> points;
+    for (const IterationRecord& r : plot_.history)
+      if (r.*value > 0) points.emplace_back(top_.x(r.iteration), top_.y(values_, r.*value));
+    draw_points(points, color, width);
+  }
+
+  void draw_points(const std::vector<ImVec2>& all, ImU32 color, float width) {
+    const std::vector<ImVec2> points = decimated(all);
+    list_.AddPolyline(points.data(), static_cast<int>(points.size()), color, 0, width * scale_);
+    if (points.size() <= 40)
+      for (const ImVec2& p : points) list_.AddCircleFilled(p, 2.2f * scale_, color);
+  }
+
+  void draw_lower() {
+    list_.AddRect(bottom_.min, bottom_.max, palette().border, 0, 0, scale_);
+    list_.PushClipRect(bottom_.min, bottom_.max, true);
+    if (plot_.series.inverted) draw_inverted();
+    if (plot_.series.sine) {
+      std::vector<ImVec2> points;
+      for (const IterationRecord& r : plot_.history)
+        if (std::isfinite(r.min_sine))
+          points.emplace_back(bottom_.x(r.iteration), bottom_.y(sine_, r.min_sine));
+      draw_points(points, sine_color(), 1.5f);
+    }
+    list_.PopClipRect();
+  }
+
+  /// Blocks, one for each column of pixels at most.
+  void draw_inverted() {
+    const auto& history = plot_.history;
+    for (std::size_t i = 0; i < history.size();) {
+      const float left = bottom_.x(history[i].iteration);
+      float right = left;
+      Index most = 0;
+      for (; i < history.size() && right < left + 1; ++i) {
+        most = std::max(most, history[i].inverted);
+        right = i + 1 < history.size() ? bottom_.x(history[i + 1].iteration)
+                                       : std::max(left + 2 * scale_, bottom_.max.x);
+      }
+      if (most > 0)
+        list_.AddRectFilled(ImVec2(left, bottom_.y(inverted_, most)), ImVec2(right, bottom_.max.y),
+                            faded(inverted_color()));
+    }
+  }
+
+  /// Of the lower strip: inverted elements at its left, sines at its right.
+  void draw_numbers() {
+    if (!lower_shown_ || plot_.history.empty()) return;
+    const int rows = std::max(2, static_cast<int>((bottom_.max.y - bottom_.min.y) / (24 * scale_)));
+    if (plot_.series.inverted)
+      for (const double value : whole_ticks(0, inverted_.high, rows))
+        text_at(list_, ImVec2(bottom_.min.x - 6 * scale_, bottom_.y(inverted_, value)),
+                ImVec2(1, 0.5f), inverted_color(), grouped(static_cast<long long>(value)));
+    if (!plot_.series.sine) return;
+    const std::vector<double> ticks = nice_ticks(sine_.low, sine_.high, rows);
+    const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : 0.1;
+    for (const double value : ticks)
+      text_at(list_, ImVec2(bottom_.max.x + 6 * scale_, bottom_.y(sine_, value)), ImVec2(0, 0.5f),
+              sine_color(), format_tick(value, step));
+  }
+
+  ImDrawList& list_;
+  const ConvergencePlot& plot_;
+  float scale_;
+  bool lower_shown_ = false;
+  PlotStrip top_, bottom_;
+  PlotAxis values_, inverted_, sine_;
+};
+
+void draw_readout(const IterationRecord& r) {
   ImGui::BeginTooltip();
-  ImGui::Text("Iteration %d", r.iteration);
-  ui::text_colored(palette().accent, "residual         " + short_number(r.residual));
-  ui::text_colored(palette().move_line, "largest move  " + short_number(r.largest_move));
-  ui::text_colored(r.inverted > 0 ? palette().danger : palette().text_dim,
+  ImGui::Text("Iteration %d, %s", r.iteration, std::string(stage_name(r.stage)).c_str());
+  ui::text_colored(residual_color(), "residual  " + short_number(r.residual));
+  ui::text_colored(move_color(), "largest move  " + short_number(r.largest_move));
+  ui::text_colored(r.inverted > 0 ? inverted_color() : palette().text_dim,
                    counted(r.inverted, "inverted element"));
-  ui::text_dim("smallest sine " + short_number(r.min_sine));
-  if (r.fraction < 1) ui::text_dim("motion applied " + short_number(100 * r.fraction) + " %");
+  ui::text_colored(sine_color(), "smallest sine  " + short_number(r.min_sine));
+  ui::text_dim("damping  " + short_number(r.damping));
+  ui::text_dim("linear iterations  " + std::to_string(r.linear_iterations));
+  if (r.fraction < 1) ui::text_dim("motion applied  " + short_number(100 * r.fraction) + " %");
   if (r.clipped) ui::text_dim("negative weights clipped");
   ImGui::EndTooltip();
 }
 
 }  // namespace
 
+bool draw_convergence_key(std::string_view id, PlotSeries& series, float scale) {
+  struct Entry {
+    const char *name, *label;
+    ImU32 color;
+    bool PlotSeries::*shown;
+    bool block;
+  };
+  const std::array<Entry, 4> entries{
+      {{"residual", "residual", residual_color(), &PlotSeries::residual, false},
+       {"move", "largest move", move_color(), &PlotSeries::move, false},
+       {"inverted", "inverted elements", inverted_color(), &PlotSeries::inverted, true},
+       {"sine", "smallest sine", sine_color(), &PlotSeries::sine, false}}};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float height = ImGui::GetTextLineHeight() + 2 * scale;
+  bool changed = false;
+  for (const Entry& e : entries) {
+    const float width = 22 * scale + ImGui::CalcTextSize(e.label).x;
+    if (&e != &entries.front()) ImGui::SameLine(0, 16 * scale);
+    if (&e != &entries.front() && ImGui::GetContentRegionAvail().x < width) {
+      ImGui::NewLine();
+      break;
+    }
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const std::string name = std::string(id) + '/' + e.name;
+    bool& shown = series.*e.shown;
+    if (ImGui::InvisibleButton(name.c_str(), ImVec2(width, height))) {
+      shown = !shown;
+      changed = true;
+    }
+    ui::note(name);
+    ui::tooltip(shown ? "Click to hide this curve." : "Click to show this curve.");
+    const float y = at.y + height / 2;
+    const ImU32 color = shown ? e.color : palette().border;
+    if (e.block)
+      list.AddRectFilled(ImVec2(at.x, y - 4 * scale), ImVec2(at.x + 16 * scale, y + 4 * scale),
+                         shown ? faded(color) : color);
+    else
+      list.AddLine(ImVec2(at.x, y), ImVec2(at.x + 16 * scale, y), color, 2 * scale);
+    text_at(list, ImVec2(at.x + 22 * scale, y), ImVec2(0, 0.5f),
+            shown ? palette().text_dim : palette().text_faint, e.label);
+  }
+  return changed;
+}
+
 std::optional<IterationRecord> draw_convergence_plot(std::string_view id,
                                                      const ConvergencePlot& plot,
                                                      const ImVec2& size, float scale) {
   const ImVec2 min = ImGui::GetCursorScreenPos();
-  const ImVec2 max(min.x + size.x, min.y + size.y);
   ImGui::InvisibleButton(std::string(id).c_str(), size);
   ui::note(id);
   const bool hovered = ImGui::IsItemHovered();
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const Frame frame = make_frame(plot, min, max, scale);
-  if (frame.max.x <= frame.min.x || frame.max.y <= frame.min.y) return std::nullopt;
-  draw_axes(list, frame, scale);
-  list.PushClipRect(frame.min, frame.max, true);
-  draw_inverted(list, frame, plot.history);
-  if (plot.tolerance) draw_tolerance(list, frame, *plot.tolerance, scale);
-  draw_line(list, frame, plot.history, &IterationRecord::largest_move, palette().move_line, 1.5f,
-            scale);
-  draw_line(list, frame, plot.history, &IterationRecord::residual, palette().accent, 2.0f, scale);
-  list.PopClipRect();
-  draw_key(list, frame, scale);
-  const IterationRecord* record =
-      hovered ? record_at(frame, plot.history, ImGui::GetIO().MousePos) : nullptr;
+  Drawing drawing(plot, min, ImVec2(min.x + size.x, min.y + size.y), scale);
+  if (!drawing.fits()) return std::nullopt;
+  drawing.draw();
+  const IterationRecord* record = hovered ? drawing.record_at(ImGui::GetIO().MousePos.x) : nullptr;
   if (!record) return std::nullopt;
-  draw_readout(list, frame, *record, scale);
+  drawing.draw_mark(*record);
+  draw_readout(*record);
   return *record;
 }
 

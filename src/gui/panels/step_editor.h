@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "gui/panels/panel.h"
+
+namespace winslow::gui {
+
+/// A dialog in which the numbers and options of a past command are changed.
+class StepEditor : public Panel {
+ public:
+  /// Shows the dialog from the next frame on. position: of the command in the history.
+  void open(std::size_t position, Command command);
+  bool is_open() const { return open_; }
+  void draw(const PanelContext& context) override;
+
+ private:
+  void draw_footer(const PanelContext& context);
+  void close();
+
+  bool open_ = false, wanted_ = false;
+  std::size_t position_ = 0;
+  std::string title_;
+  Command command_;
+};
+
+}  // namespace winslow::gui

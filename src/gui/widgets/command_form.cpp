@@ -1,0 +1,123 @@
+#include "gui/widgets/command_form.h"
+
+#include <limits>
+#include <vector>
+
+#include "gui/studio/text.h"
+#include "gui/widgets/controls.h"
+#include "gui/widgets/smooth_options_form.h"
+
+namespace winslow::gui::ui {
+
+namespace {
+
+class Form {
+ public:
+  explicit Form(const std::string& prefix) : prefix_(prefix) {}
+  bool changed() const { return changed_; }
+
+  void operator()(SmoothCommand& command) { options(command.smooth); }
+
+  void operator()(MoveCommand& command) {
+    vector("dx", "dy", "Translate", command.motion.translate,
+           "How far the body moves, x and y, in units of the mesh.");
+    field("rotate", "Rotate", command.motion.rotate,
+          "Degrees about the pivot, counter-clockwise positive.", "%.6g\xC2\xB0");
+    vector("pivot_x", "pivot_y", "Pivot", command.motion.pivot,
+           "The point about which the body turns, in units of the mesh.");
+    motion(command.how, command.smooth);
+  }
+
+  void operator()(DeformCommand& command) {
+    if (auto* sine = std::get_if<SineDeformation>(&command.shape)) {
+      deformation(*sine);
+    } else {
+      const auto& table = std::get<DisplacementTable>(command.shape);
+      text_wrapped(counted(table.entries.size(), "displacement") +
+                   (table.source.empty() ? "" : " from " + table.source) +
+                   "; they cannot be changed here.");
+    }
+    motion(command.how, command.smooth);
+  }
+
+  void operator()(ScrambleCommand& command) {
+    constexpr const char* tip = "Another seed, other random places.";
+    row("Seed", tip);
+    // The field holds whole numbers of 32 bits; a larger seed from a recipe stays until it is
+    // typed over.
+    auto seed = static_cast<int>(command.seed & 0x7fffffffu);
+    if (!number(prefix_ + "/seed", seed, tip) || seed < 0) return;
+    command.seed = static_cast<std::uint64_t>(seed);
+    changed_ = true;
+  }
+
+ private:
+  void deformation(SineDeformation& sine) {
+    field("amplitude", "Amplitude", sine.amplitude, "Largest displacement, in units of the mesh.");
+    field("waves", "Waves", sine.waves, "Full periods over the length of the body.");
+    vector("direction_x", "direction_y", "Direction", sine.direction,
+           "In which the nodes are displaced. Its length does not matter.");
+    constexpr const char* tip = "At which ends the displacement fades to nothing.";
+    row("Fade", tip);
+    auto chosen = static_cast<std::size_t>(sine.fade);
+    if (combo(prefix_ + "/fade", {"None", "Start", "End", "Both"}, chosen, tip)) {
+      sine.fade = static_cast<Fade>(chosen);
+      changed_ = true;
+    }
+    if (sine.fade != Fade::none)
+      field("fade_length", "Fade length", sine.fade_length,
+            "Share of the body's length over which it fades, at most 0.5.");
+  }
+
+  void motion(MotionOptions& how, SmoothOptions& smooth) {
+    changed_ |= method_choice(prefix_, smooth, how);
+    constexpr const char* tip =
+        "Steps in which the boundary moves, each followed by smoothing. 0: along the path through "
+        "valid meshes; 1: at once, as in the paper.";
+    row("Steps", tip);
+    int increments = how.increments;
+    if (number(prefix_ + "/increments", increments, tip) && increments >= 0) {
+      how.increments = increments;
+      changed_ = true;
+    }
+    row("");
+    changed_ |= checkbox(prefix_ + "/smooth_after", "Smooth afterwards", how.smooth_after,
+                         "Off: only the boundary moves, the interior stays.");
+    if (how.smooth_after) options(smooth);
+  }
+
+  void options(SmoothOptions& smooth) { changed_ |= smooth_options_form(prefix_, smooth); }
+
+  void field(const char* name, const char* label, double& value, std::string_view tip,
+             const char* format = "%.6g") {
+    row(label, tip);
+    changed_ |= number(prefix_ + '/' + name, value, tip, format);
+  }
+
+  void vector(const char* x, const char* y, const char* label, Vec2& value, std::string_view tip) {
+    row(label, tip);
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+    for (int axis : {0, 1}) {
+      if (axis == 1) ImGui::SameLine(0, gap);
+      ImGui::SetNextItemWidth(width);
+      double component = value[axis];
+      if (!number(prefix_ + '/' + (axis == 0 ? x : y), component, tip)) continue;
+      value[axis] = component;
+      changed_ = true;
+    }
+  }
+
+  const std::string& prefix_;
+  bool changed_ = false;
+};
+
+}  // namespace
+
+bool command_form(const std::string& prefix, Command& command) {
+  Form form(prefix);
+  std::visit(form, command);
+  return form.changed();
+}
+
+}  // namespace winslow::gui::ui

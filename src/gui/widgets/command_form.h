@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "core/command/command.h"
+
+namespace winslow::gui::ui {
+
+/// Fields for all that a command of any kind holds, except on which markers it acts and tables of
+/// displacements. Ids begin with `prefix`: "edit/rotate". True if something changed.
+bool command_form(const std::string& prefix, Command& command);
+
+}  // namespace winslow::gui::ui
