@@ -53,6 +53,23 @@ std::vector<UserCommand> file_commands() {
          return c.session.document()->history().position() > 0 ? "" : "Nothing was done yet.";
        },
        .run = dialog(FilePurpose::export_recipe)},
+      {.id = "replay",
+       .label = "Replay recipe...",
+       .group = group,
+       .tooltip = "Apply the commands of a recipe to the open mesh, one after the other.",
+       .blocked = [](const PanelContext& c) -> std::string {
+         if (!c.session.document()) return without_mesh(c);
+         return c.session.in_motion() ? "Wait until the solver is done, or cancel it." : "";
+       },
+       .run = dialog(FilePurpose::replay_recipe)},
+      {.id = "export_convergence",
+       .label = "Export iterations...",
+       .group = group,
+       .tooltip = "Write the iterations that the plot shows as a CSV table.",
+       .blocked = [](const PanelContext& c) -> std::string {
+         return c.session.convergence().empty() ? "There are no iterations yet." : "";
+       },
+       .run = dialog(FilePurpose::export_convergence)},
       {.id = "screenshot",
        .label = "Save picture",
        .group = group,

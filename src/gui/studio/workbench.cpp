@@ -217,6 +217,13 @@ void Workbench::on(const action::ShowFileDialog& a) {
   file_dialog_.open(a.purpose, suggested);
 }
 
+void Workbench::on(const action::ShowStepEditor& a) {
+  if (!session_.document()) return;
+  const History& history = session_.document()->history();
+  if (a.position > 0 && a.position < history.size())
+    step_editor_.open(a.position, history.command(a.position));
+}
+
 void Workbench::on(const action::TakeScreenshot& a) {
   screenshot_ = a.path.empty() ? new_picture_name() : a.path;
   std::error_code ignored;

@@ -18,6 +18,7 @@
 #include "gui/panels/quality_panel.h"
 #include "gui/panels/solver_panel.h"
 #include "gui/panels/status_bar.h"
+#include "gui/panels/step_editor.h"
 #include "gui/panels/toolbar.h"
 #include "gui/panels/view_panel.h"
 #include "gui/panels/welcome_panel.h"
@@ -100,6 +101,7 @@ class Workbench {
   void on(const action::LookAt& a);
   void on(const action::StepScale& a);
   void on(const action::ShowFileDialog& a);
+  void on(const action::ShowStepEditor& a);
   void on(const action::TakeScreenshot& a);
   void on(const action::ShowHelp&) { help_.open(); }
   void on(const action::ShowPalette&) { command_palette_.open(); }
@@ -141,6 +143,7 @@ class Workbench {
   WelcomePanel welcome_;
   PromptPanel prompt_;
   FileDialog file_dialog_;
+  StepEditor step_editor_;
   HelpPanel help_;
   CommandPalette command_palette_;
 };

@@ -206,8 +206,9 @@ void Workbench::draw_legend_card(ImDrawList& list) {
 
 void Workbench::draw_dialogs() {
   file_dialog_.draw(context());
+  step_editor_.draw(context());
   // One dialog at a time: what there is to say waits until a file is chosen.
-  if (!file_dialog_.is_open()) prompt_.draw(context());
+  if (!file_dialog_.is_open() && !step_editor_.is_open()) prompt_.draw(context());
   help_.draw(context());
   command_palette_.draw(context());
 }

@@ -26,6 +26,12 @@ class Rig {
   /// Until nothing is under way.
   bool settle();
 
+  /// Another size of the window, in pixels, from the next frame on.
+  void resize(int width, int height) {
+    width_ = width;
+    height_ = height;
+  }
+
   /// Opens a mesh and waits for it.
   void open(const Mesh& mesh, const std::string& name = "mesh.su2");
 

@@ -1,0 +1,93 @@
+#define DOCTEST_CONFIG_IMPLEMENT
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+
+#include "soak.h"
+
+#if defined(__SANITIZE_ADDRESS__)
+/// Freed memory held back for detection would look like growth.
+extern "C" const char* __asan_default_options() { return "quarantine_size_mb=4"; }
+#endif
+
+namespace {
+
+using namespace winslow::gui::test;
+
+/// Growth of memory between comparable states that chance explains, bytes.
+constexpr std::ptrdiff_t allowance = 24 << 20;
+
+double now() {
+  using namespace std::chrono;
+  return duration<double>(steady_clock::now().time_since_epoch()).count();
+}
+
+void print_trail(const Soak& soak) {
+  for (const auto& what : soak.trail()) std::fprintf(stderr, "  %s\n", what.c_str());
+}
+
+const Soak* running = nullptr;
+
+/// A widget that a script expects and does not find, and the like.
+void on_assert(const doctest::AssertData& data) {
+  std::fprintf(stderr, "soak: %s:%d: %s failed\n", data.m_file, data.m_line, data.m_expr);
+  if (running) print_trail(*running);
+  std::exit(1);
+}
+
+int run(double seconds, std::uint64_t seed) {
+  Soak soak(seed);
+  running = &soak;
+  const double start = now();
+  double said = start;
+  try {
+    while (now() - start < seconds) {
+      soak.step();
+      if (now() - said < 60) continue;
+      said = now();
+      std::printf("soak: %4.0f s, %d operations, %.0f MB\n", said - start, soak.operations(),
+                  static_cast<double>(resident_memory()) / (1 << 20));
+      std::fflush(stdout);
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "soak: seed %llu, operation %d: %s\n",
+                 static_cast<unsigned long long>(seed), soak.operations(), error.what());
+    print_trail(soak);
+    return 1;
+  }
+  const std::ptrdiff_t growth = soak.memory().growth();
+  const bool good = growth <= allowance;
+  std::printf(
+      "soak: seed %llu, %.0f s, %d operations, %d meshes opened, %d meshes compared bit by bit, "
+      "memory %.1f MB at first, %.1f MB at last, growth %+.1f MB over %zu samples: %s\n",
+      static_cast<unsigned long long>(seed), now() - start, soak.operations(), soak.meshes(),
+      soak.comparisons(), static_cast<double>(soak.memory().first()) / (1 << 20),
+      static_cast<double>(soak.memory().last()) / (1 << 20),
+      static_cast<double>(growth) / (1 << 20), soak.memory().count(), good ? "ok" : "MEMORY GROWS");
+  return good ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  double seconds = 10;
+  std::uint64_t seed = 1;
+  for (int i = 1; i + 1 < argc; i += 2) {
+    if (std::strcmp(argv[i], "--seconds") == 0) {
+      seconds = std::atof(argv[i + 1]);
+    } else if (std::strcmp(argv[i], "--seed") == 0) {
+      seed = std::strtoull(argv[i + 1], nullptr, 10);
+    } else {
+      std::fprintf(stderr, "usage: gui_soak [--seconds N] [--seed S]\n");
+      return 2;
+    }
+  }
+  doctest::Context context;
+  context.setAsDefaultForAssertsOutOfTestCases();
+  context.setAssertHandler(on_assert);
+  return run(seconds, seed);
+}
