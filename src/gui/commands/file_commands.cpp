@@ -1,6 +1,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "gui/capture/capture.h"
 #include "gui/commands/user_command.h"
 
 namespace winslow::gui {
@@ -10,6 +11,13 @@ namespace {
 std::string cannot_save(const PanelContext& context) {
   if (context.session.saving()) return "The mesh is being saved.";
   return while_busy(context);
+}
+
+std::string cannot_record_step(const PanelContext& context) {
+  if (const std::string busy = while_busy(context); !busy.empty()) return busy;
+  if (context.capture.recorder().state() != Recorder::State::idle)
+    return "A recording is under way already.";
+  return context.session.document()->history().position() > 0 ? "" : "Nothing was done yet.";
 }
 
 std::function<void(const PanelContext&)> dialog(action::FilePurpose purpose) {
@@ -81,8 +89,39 @@ std::vector<UserCommand> file_commands() {
        .label = "Save picture as...",
        .group = group,
        .keys = {shift(key(GLFW_KEY_F12))},
-       .tooltip = "Save a picture of this window under a name.",
-       .run = dialog(FilePurpose::screenshot)},
+       .tooltip =
+           "A picture of any size, with or without the panels, or vector graphics of the mesh.",
+       .run = [](const PanelContext& c) { c.emit(action::ShowPictureDialog{}); }},
+      {.id = "record",
+       .label = "Record...",
+       .group = group,
+       .tooltip = "Record the mesh as it moves: PNG frames, GIF or MP4.",
+       .blocked = [](const PanelContext& c) -> std::string {
+         if (!c.session.document()) return without_mesh(c);
+         return c.capture.recorder().state() == Recorder::State::idle
+                    ? ""
+                    : "A recording is under way already.";
+       },
+       .run = [](const PanelContext& c) { c.emit(action::ShowRecordDialog{}); }},
+      {.id = "record_step",
+       .label = "Record the last step again...",
+       .group = group,
+       .tooltip = "Carry out the last command again, from the mesh it found, and record it.",
+       .blocked = cannot_record_step,
+       .run =
+           [](const PanelContext& c) {
+             c.emit(action::ShowRecordDialog{c.session.document()->history().position()});
+           }},
+      {.id = "stop_recording",
+       .label = "Stop recording",
+       .group = group,
+       .tooltip = "End the recording and write it.",
+       .blocked = [](const PanelContext& c) -> std::string {
+         return c.capture.recorder().state() == Recorder::State::recording
+                    ? ""
+                    : "Nothing is being recorded.";
+       },
+       .run = [](const PanelContext& c) { c.emit(action::StopRecording{}); }},
       {.id = "quit",
        .label = "Quit",
        .group = group,

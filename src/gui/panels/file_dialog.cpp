@@ -36,8 +36,10 @@ Look look_of(action::FilePurpose purpose) {
       return {"Replay a recipe on this mesh", "Replay"};
     case action::FilePurpose::export_convergence:
       return {"Export the iterations as CSV", "Save"};
-    case action::FilePurpose::screenshot:
-      return {"Save a picture", "Save"};
+    case action::FilePurpose::picture:
+      return {"Save a picture: .png, or the mesh alone as .svg or .pdf", "Save"};
+    case action::FilePurpose::recording:
+      return {"Record to a film (.mp4, .gif), or to a folder of frames", "Record"};
   }
   return {"", ""};
 }
@@ -56,7 +58,9 @@ bool has_extension(const std::string& name, action::FilePurpose purpose) {
       purpose == action::FilePurpose::replay_recipe)
     return extension == ".json";
   if (purpose == action::FilePurpose::export_convergence) return extension == ".csv";
-  if (purpose == action::FilePurpose::screenshot) return extension == ".png";
+  if (purpose == action::FilePurpose::picture)
+    return extension == ".png" || extension == ".svg" || extension == ".pdf";
+  if (purpose == action::FilePurpose::recording) return extension == ".mp4" || extension == ".gif";
   return std::find(meshes.begin(), meshes.end(), extension) != meshes.end();
 }
 
@@ -78,8 +82,10 @@ FileDialog::FileDialog() {
   folder_ = fs::current_path(ignored);
 }
 
-void FileDialog::open(action::FilePurpose purpose, const fs::path& suggested) {
+void FileDialog::open(action::FilePurpose purpose, const fs::path& suggested,
+                      std::optional<std::size_t> step) {
   purpose_ = purpose;
+  step_ = step;
   std::error_code ignored;
   if (!suggested.empty()) {
     name_ = suggested.filename().string();
@@ -265,9 +271,12 @@ void FileDialog::accept(const PanelContext& context) {
       if (!path.has_extension()) path += ".csv";
       context.emit(action::ExportConvergence{path});
       break;
-    case action::FilePurpose::screenshot:
-      if (lower(path.extension().string()) != ".png") path += ".png";
-      context.emit(action::TakeScreenshot{path});
+    case action::FilePurpose::picture:
+      if (!has_extension(name_, purpose_)) path += ".png";
+      context.emit(action::SavePicture{path});
+      break;
+    case action::FilePurpose::recording:
+      context.emit(action::StartRecording{path, step_});
       break;
   }
   close();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,10 @@ namespace winslow::gui {
 class FileDialog : public Panel {
  public:
   FileDialog();
-  /// Shows the dialog from the next frame on. `suggested`: folder and name to start with.
-  void open(action::FilePurpose purpose, const std::filesystem::path& suggested);
+  /// Shows the dialog from the next frame on. `suggested`: folder and name to start with. `step`:
+  /// of the history, that a recording is to be made of.
+  void open(action::FilePurpose purpose, const std::filesystem::path& suggested,
+            std::optional<std::size_t> step = std::nullopt);
   bool is_open() const { return open_; }
   const std::filesystem::path& folder() const { return folder_; }
   void draw(const PanelContext& context) override;
@@ -37,6 +40,7 @@ class FileDialog : public Panel {
   bool open_ = false, wanted_ = false, focus_name_ = false;
   bool all_files_ = false;
   action::FilePurpose purpose_ = action::FilePurpose::open_mesh;
+  std::optional<std::size_t> step_;
   std::filesystem::path folder_;
   std::string typed_folder_, name_, error_;
   std::vector<Entry> entries_;

@@ -129,6 +129,7 @@ void HistoryPanel::draw_menu(const PanelContext& context, std::size_t position) 
   };
   if (item("go", "Go to this mesh", true)) context.emit(action::GoToStep{position});
   if (item("edit", "Edit...", free)) context.emit(action::ShowStepEditor{position});
+  if (item("record", "Record again...", free)) context.emit(action::ShowRecordDialog{position});
   if (item("delete", "Delete", free)) context.emit(action::DeleteStep{position});
 }
 

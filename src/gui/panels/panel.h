@@ -10,6 +10,8 @@
 
 namespace winslow::gui {
 
+class Capture;
+
 /// All that a panel sees, and where it puts what the user wants.
 struct PanelContext {
   const Session& session;
@@ -17,6 +19,7 @@ struct PanelContext {
   const ViewState& view_state;
   const Theme& theme;
   ActionQueue& actions;
+  const Capture& capture;
 
   template <class A>
   void emit(A a) const {

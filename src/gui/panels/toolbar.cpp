@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "gui/capture/capture.h"
 #include "gui/commands/user_command.h"
 #include "gui/widgets/controls.h"
 
@@ -55,6 +56,10 @@ void Toolbar::draw(const PanelContext& context) {
   tool(context, "fit", Icon::fit, "Fit");
   tool(context, "fit_selection", Icon::target, "Selection");
   tool(context, "screenshot", Icon::camera, "Picture");
+  if (context.capture.recorder().state() == Recorder::State::recording)
+    tool(context, "stop_recording", Icon::stop, "Stop recording");
+  else
+    tool(context, "record", Icon::record, "Record");
   gap(context);
   tool(context, "palette", Icon::search, "Find");
   ImGui::NewLine();

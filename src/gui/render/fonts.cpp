@@ -7,9 +7,7 @@
 #include <string>
 
 namespace winslow::gui {
-namespace {
-
-std::filesystem::path find_inter(FontWeight weight) {
+std::filesystem::path font_file(FontWeight weight) {
   const std::string style = weight == FontWeight::semibold ? "SemiBold" : "Regular";
   const std::array<std::string, 4> candidates{
       "/usr/share/fonts/opentype/inter/Inter-" + style + ".otf",
@@ -23,8 +21,6 @@ std::filesystem::path find_inter(FontWeight weight) {
   return {};
 }
 
-}  // namespace
-
 ImFont* add_font(FontWeight weight, float pixels) {
   // Latin-1, Greek, general punctuation, arrows, mathematical signs, geometric shapes; the atlas
   // keeps the pointer.
@@ -33,9 +29,11 @@ ImFont* add_font(FontWeight weight, float pixels) {
                                                   0x2200, 0x2265, 0x25A0, 0x25FF, 0};
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   ImFontConfig config;
-  config.OversampleH = 3;
-  config.OversampleV = 2;
-  const std::filesystem::path path = find_inter(weight);
+  // Large letters, of pictures at several times the window's size, need no finer grid.
+  const bool large = pixels > 28;
+  config.OversampleH = large ? 1 : 3;
+  config.OversampleV = large ? 1 : 2;
+  const std::filesystem::path path = font_file(weight);
   if (!path.empty()) {
     ImFont* font = atlas.AddFontFromFileTTF(path.c_str(), pixels, &config, ranges.data());
     if (font != nullptr) return font;

@@ -2,6 +2,7 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <csetjmp>
 #include <ostream>
 
@@ -19,10 +20,14 @@ void write_bytes(png_structp png, png_bytep data, png_size_t size) {
 void flush_bytes(png_structp) {}
 
 /// libpng reports errors by longjmp: no C++ object may live between setjmp and its calls.
-bool encode(png_structp png, png_infop info, const Image& image, std::ostream& out,
-            png_bytep* rows) {
+bool encode(png_structp png, png_infop info, const Image& image, std::ostream& out, png_bytep* rows,
+            PngEffort effort) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_set_write_fn(png, &out, write_bytes, flush_bytes);
+  if (effort == PngEffort::little) {
+    png_set_compression_level(png, 1);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+  }
   png_set_IHDR(png, info, static_cast<png_uint_32>(image.width),
                static_cast<png_uint_32>(image.height), 8, PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
@@ -33,7 +38,7 @@ bool encode(png_structp png, png_infop info, const Image& image, std::ostream& o
 
 }  // namespace
 
-void write_png(const std::filesystem::path& path, const Image& image) {
+void write_png(const std::filesystem::path& path, const Image& image, PngEffort effort) {
   const auto width = static_cast<std::size_t>(image.width);
   const auto height = static_cast<std::size_t>(image.height);
   if (image.width <= 0 || image.height <= 0 || image.rgba.size() != 4 * width * height) {
@@ -46,10 +51,21 @@ void write_png(const std::filesystem::path& path, const Image& image) {
   io::write_atomically(path, [&](std::ostream& out) {
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
     png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
-    const bool good = info != nullptr && encode(png, info, image, out, rows.data());
+    const bool good = info != nullptr && encode(png, info, image, out, rows.data(), effort);
     png_destroy_write_struct(&png, &info);
     if (!good) throw OutputError(path.string() + ": the picture could not be encoded as PNG");
   });
+}
+
+void divide_by_alpha(Image& image) {
+  for (std::size_t k = 0; k + 3 < image.rgba.size(); k += 4) {
+    const unsigned alpha = image.rgba[k + 3];
+    if (alpha == 0 || alpha == 255) continue;
+    for (std::size_t c = k; c < k + 3; ++c) {
+      const unsigned color = (image.rgba[c] * 255U + alpha / 2) / alpha;
+      image.rgba[c] = static_cast<std::uint8_t>(std::min(color, 255U));
+    }
+  }
 }
 
 }  // namespace winslow::gui

@@ -16,7 +16,15 @@ struct Image {
   }
 };
 
+/// Time spent on making the file small.
+enum class PngEffort { normal, little };
+
 /// Written to a temporary name and renamed. Throws OutputError.
-void write_png(const std::filesystem::path& path, const Image& image);
+void write_png(const std::filesystem::path& path, const Image& image,
+               PngEffort effort = PngEffort::normal);
+
+/// What was drawn over a transparent ground with OpenGL's blending has colours multiplied by their
+/// alpha; files hold them undivided.
+void divide_by_alpha(Image& image);
 
 }  // namespace winslow::gui

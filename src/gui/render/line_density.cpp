@@ -62,4 +62,10 @@ std::size_t lines_spaced(const DrawList& list, float spacing) {
   return list.interior_at_least[spacing_class(spacing)];
 }
 
+double line_opacity(double spacing, double width) {
+  const double share = spacing / (static_cast<double>(fade_distance) * width);
+  const auto gone = static_cast<double>(vanishing_share);
+  return std::clamp((share - gone) / (1 - gone), 0.0, 1.0);
+}
+
 }  // namespace winslow::gui

@@ -10,6 +10,15 @@ namespace winslow::gui {
 double edge_spacing(const Topology& topology, const Coordinates& coordinates,
                     const Topology::Edge& edge);
 
+/// Lines closer together than fade_distance times their width fade in proportion: triangles have
+/// three families of lines, which then cover half of the surface together. At the given share of
+/// that distance, a third of a pixel for thin lines, they are gone and only the colours remain.
+inline constexpr float fade_distance = 6.0f;
+inline constexpr float vanishing_share = 0.06f;
+
+/// Opacity, 0 to 1, of a line of that width among others at that distance (both in pixels).
+double line_opacity(double spacing, double width);
+
 /// Puts the interior lines of a list in the order of their spacing, the widest first, in one pass
 /// (a coarse order: 2048 classes). Seen from afar, a graded mesh then needs only its first lines.
 /// Call it while they are the list's only lines.

@@ -7,12 +7,6 @@
 namespace winslow::gui {
 namespace {
 
-/// Lines closer together than this many times their width fade in proportion: triangles have three
-/// families of lines, which then cover half of the surface together. At the given share of that
-/// distance, a third of a pixel for thin lines, they are gone and only the colours remain.
-constexpr float fade_distance = 6.0f;
-constexpr float vanishing_share = 0.06f;
-
 template <class T>
 std::span<const T> view(const std::vector<T>& values) {
   return values;

@@ -8,6 +8,7 @@
 
 #include "core/command/command.h"
 #include "core/drag/drag_grip.h"
+#include "gui/capture/picture_spec.h"
 #include "gui/studio/view_options.h"
 #include "gui/studio/view_state.h"
 
@@ -78,6 +79,16 @@ struct SetSmoothOptions {
 /// How fast the outer iterations of the direct method go by.
 struct SetPace {
   double iterations_per_second = 0;  ///< 0: as fast as they come
+};
+/// Any command, as a recipe has it.
+struct RunCommand {
+  Command command;
+  bool paused = false;  ///< wait before the first iteration
+};
+/// Carries out a command of the history again, from the mesh it found, to be watched; paused at
+/// first. The history stays what it is.
+struct RerunStep {
+  std::size_t position = 1;  ///< as History::command()
 };
 
 // History
@@ -155,14 +166,39 @@ enum class FilePurpose {
   export_recipe,
   replay_recipe,
   export_convergence,
-  screenshot
+  picture,
+  recording
 };
 struct ShowFileDialog {
   FilePurpose purpose = FilePurpose::open_mesh;
 };
+/// The window as it is.
 struct TakeScreenshot {
   std::filesystem::path path;  ///< empty: a new name in the working folder
   bool overwrite = false;
+};
+struct SetPictureSpec {
+  PictureSpec spec;
+};
+/// A picture by the settings of SetPictureSpec: .png, or the mesh alone as .svg or .pdf.
+struct SavePicture {
+  std::filesystem::path path;
+  bool overwrite = false;
+};
+struct ShowPictureDialog {};
+struct SetRecordingSpec {
+  RecordingSpec spec;
+};
+/// Records the mesh from now on, by the settings of SetRecordingSpec.
+struct StartRecording {
+  std::filesystem::path path;       ///< .mp4 or .gif: a film; else a folder of PNG frames
+  std::optional<std::size_t> step;  ///< carry out this step of the history again, and record that
+  bool overwrite = false;
+};
+struct StopRecording {};    ///< what was recorded is written
+struct CancelRecording {};  ///< what was recorded is thrown away
+struct ShowRecordDialog {
+  std::optional<std::size_t> step;  ///< as StartRecording
 };
 struct ShowHelp {};
 struct ShowPalette {};
@@ -183,6 +219,7 @@ using Action = std::variant<
     // Solver
     action::RunSmooth, action::Scramble, action::PauseSolver, action::ResumeSolver,
     action::StepSolver, action::CancelSolver, action::SetSmoothOptions, action::SetPace,
+    action::RunCommand, action::RerunStep,
     // History
     action::Undo, action::Redo, action::GoToStep, action::EditStep, action::DeleteStep,
     action::BringBack, action::ReplayRecipe, action::ExportConvergence, action::ShowStepEditor,
@@ -194,7 +231,10 @@ using Action = std::variant<
     action::SetView, action::FitView, action::FitSelection, action::LookAt, action::BoxZoom,
     action::BackView, action::ForwardView, action::GoTo, action::AskGoTo, action::StepScale,
     // Pictures and dialogs
-    action::ShowFileDialog, action::TakeScreenshot, action::ShowHelp, action::ShowPalette>;
+    action::ShowFileDialog, action::TakeScreenshot, action::SetPictureSpec, action::SavePicture,
+    action::ShowPictureDialog, action::SetRecordingSpec, action::StartRecording,
+    action::StopRecording, action::CancelRecording, action::ShowRecordDialog, action::ShowHelp,
+    action::ShowPalette>;
 // clang-format on
 
 using ActionQueue = std::vector<Action>;

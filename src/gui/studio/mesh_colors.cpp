@@ -13,14 +13,16 @@ BackdropColors backdrop_colors(const ViewOptions& view) {
     case Backdrop::grey:
       return {grey, grey};
     case Backdrop::gradient:
-      if (view.lightness == Lightness::dark) return {{0.19f, 0.22f, 0.28f, 1}, {0.04f, 0.05f, 0.07f, 1}};
+      if (view.lightness == Lightness::dark)
+        return {{0.19f, 0.22f, 0.28f, 1}, {0.04f, 0.05f, 0.07f, 1}};
       return {{0.97f, 0.98f, 1.0f, 1}, {0.74f, 0.79f, 0.87f, 1}};
     case Backdrop::black:
       return {black, black};
     case Backdrop::automatic:
       break;
   }
-  return view.lightness == Lightness::dark ? BackdropColors{night, night} : BackdropColors{white, white};
+  return view.lightness == Lightness::dark ? BackdropColors{night, night}
+                                           : BackdropColors{white, white};
 }
 
 MeshColors mesh_colors(const ViewOptions& view) {

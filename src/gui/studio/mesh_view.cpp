@@ -104,9 +104,9 @@ void MeshView::update_markers(const Session& session, const ViewOptions& view, f
   renderer_.set_marker_styles(std::move(styles));
 }
 
-void MeshView::draw(const Camera& camera, int width, int height) {
+void MeshView::draw(const Camera& camera, int width, int height, bool backdrop) {
   if (!has_mesh_) return;
-  draw_backdrop(camera, backdrop_, height);
+  if (backdrop) draw_backdrop(camera, backdrop_, height);
   renderer_.draw(camera, style_, width, height);
 }
 

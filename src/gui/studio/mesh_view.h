@@ -17,7 +17,7 @@ class MeshView {
  public:
   void update(const Session& session, const ViewOptions& view, float scale);
   /// Draws into the bound framebuffer, `height` pixels high.
-  void draw(const Camera& camera, int width, int height);
+  void draw(const Camera& camera, int width, int height, bool backdrop = true);
   /// Of the colours now shown; none if elements are plain.
   const std::optional<Legend>& legend() const { return legend_; }
 

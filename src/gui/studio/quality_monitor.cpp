@@ -7,6 +7,16 @@ namespace {
 // While a solver runs, measuring more often than the eye can follow would only slow it down.
 constexpr std::chrono::milliseconds live_interval{120};
 
+std::shared_ptr<const QualityMonitor::Measured> measure(std::uint64_t shape, const MeshState& state,
+                                                        std::optional<ElementField> field) {
+  auto measured = std::make_shared<QualityMonitor::Measured>();
+  measured->shape = shape;
+  measured->field = field;
+  measured->report = measure_quality(state.mesh, {.histogram_bins = 40, .worst = 5, .threads = 1});
+  if (field) measured->values = element_values(*state.vcv, state.mesh.coordinates, *field, 1);
+  return measured;
+}
+
 }  // namespace
 
 void QualityMonitor::request(std::uint64_t shape, const MeshState& state,
@@ -17,15 +27,13 @@ void QualityMonitor::request(std::uint64_t shape, const MeshState& state,
   const bool same_field = latest_ && latest_->field == field;
   if (live && same_field && now - last_start_ < live_interval) return;
   last_start_ = now;
-  worker_.start([shape, state, field] {
-    auto measured = std::make_shared<Measured>();
-    measured->shape = shape;
-    measured->field = field;
-    measured->report =
-        measure_quality(state.mesh, {.histogram_bins = 40, .worst = 5, .threads = 1});
-    if (field) measured->values = element_values(*state.vcv, state.mesh.coordinates, *field, 1);
-    return std::shared_ptr<const Measured>(std::move(measured));
-  });
+  worker_.start([shape, state, field] { return measure(shape, state, field); });
+}
+
+void QualityMonitor::measure_now(std::uint64_t shape, const MeshState& state,
+                                 std::optional<ElementField> field) {
+  if (latest_ && latest_->shape == shape && latest_->field == field) return;
+  latest_ = measure(shape, state, field);
 }
 
 bool QualityMonitor::poll() {
@@ -35,7 +43,8 @@ bool QualityMonitor::poll() {
     discard_ = false;
     return true;
   }
-  latest_ = std::move(*result);
+  // One that was taken at once may be newer.
+  if (!latest_ || (*result)->shape >= latest_->shape) latest_ = std::move(*result);
   return true;
 }
 

@@ -25,6 +25,8 @@ class QualityMonitor {
   /// Asks for the quality of a mesh. live: a solver is changing it, so measure only now and then.
   void request(std::uint64_t shape, const MeshState& state, std::optional<ElementField> field,
                bool live);
+  /// The same, before returning.
+  void measure_now(std::uint64_t shape, const MeshState& state, std::optional<ElementField> field);
   /// True if a newer measurement has come in.
   bool poll();
   /// The latest measurement; null if there is none of the present topology.

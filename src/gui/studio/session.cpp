@@ -89,6 +89,12 @@ void Session::watch_quality(std::optional<ElementField> field) {
                    job_.active() || drag_.active());
 }
 
+void Session::measure_quality_now(std::optional<ElementField> field) {
+  if (!document_) return;
+  quality_.measure_now(shape_, {{document_->topology(), coordinates()}, document_->state().vcv},
+                       field);
+}
+
 void Session::tell(Notice::Kind kind, std::string text) {
   notice_ = Notice{kind, std::move(text), std::chrono::steady_clock::now()};
 }

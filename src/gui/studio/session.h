@@ -78,6 +78,8 @@ class Session {
 
   /// Measures the mesh on screen in the background, by this field among others.
   void watch_quality(std::optional<ElementField> field);
+  /// Measures it before returning: for a picture whose colours must be those of its mesh.
+  void measure_quality_now(std::optional<ElementField> field);
   const QualityMonitor& quality() const { return quality_; }
 
   const Prompt* prompt() const { return prompts_.empty() ? nullptr : &prompts_.front(); }
@@ -115,6 +117,8 @@ class Session {
   void on(const action::CancelSolver&);
   void on(const action::SetSmoothOptions& a);
   void on(const action::SetPace& a);
+  void on(const action::RunCommand& a);
+  void on(const action::RerunStep& a);
   void on(const action::Undo&);
   void on(const action::Redo&);
   void on(const action::GoToStep& a);
@@ -146,6 +150,7 @@ class Session {
   bool can_join(const std::vector<std::string>& markers) const;
   MoveCommand move_command(const RigidMotion& motion) const;
   void finish_job(JobRunner::Outcome outcome);
+  void end_rerun();
   void stop_job();
   double pace_of(Command command) const;
   void shape_changed();
@@ -194,6 +199,7 @@ class Session {
   BodyDrag drag_;
   MeshState drag_state_;                   // that the drag's motions are seen from
   std::optional<Coordinates> drag_start_;  // mesh that the drag took over from a job
+  std::optional<std::size_t> rerun_;       // position of the history that the job leads to again
 
   std::deque<Prompt> prompts_;
   std::optional<Banner> banner_;

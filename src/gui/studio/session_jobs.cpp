@@ -47,7 +47,7 @@ MoveCommand Session::move_command(const RigidMotion& motion) const {
 }
 
 bool Session::can_join(const std::vector<std::string>& markers) const {
-  if (!job_.active()) return false;
+  if (!job_.active() || rerun_) return false;
   const auto* move = std::get_if<MoveCommand>(&job_.command());
   return move && move->markers == markers;
 }
@@ -67,6 +67,27 @@ void Session::on(const action::RunSmooth&) {
 }
 
 void Session::on(const action::Scramble& a) { start_job(ScrambleCommand{a.seed}, false); }
+
+void Session::on(const action::RunCommand& a) { start_job(a.command, a.paused); }
+
+void Session::on(const action::RerunStep& a) {
+  if (!document_ || dragging_ || a.position == 0 || a.position >= document_->history().size())
+    return;
+  if (job_.active()) {
+    tell(Notice::Kind::warning, "The solver is at work. Wait until it is done, or cancel it.");
+    return;
+  }
+  document_->go_to(a.position - 1);
+  position_changed();
+  start_job(document_->history().command(a.position), true);
+  rerun_ = a.position;
+}
+
+void Session::end_rerun() {
+  document_->go_to(*rerun_);
+  rerun_.reset();
+  position_changed();
+}
 
 void Session::on(const action::PauseSolver&) { job_.pause(); }
 
@@ -95,11 +116,13 @@ void Session::stop_job() {
   if (!job_.active()) return;
   job_.cancel();
   shape_changed();
+  if (rerun_) end_rerun();
   abandon_queue();
 }
 
 void Session::finish_job(JobRunner::Outcome outcome) {
   dragging_ = false;
+  if (rerun_) return end_rerun();
   if (!outcome.result) {
     shape_changed();
     if (queue_.active()) return stop_queue_at(outcome.error);

@@ -17,7 +17,7 @@ constexpr std::array<const char*, 2> icon_files{
     "/usr/share/fonts-fork-awesome/fonts/forkawesome-webfont.ttf"};
 
 // By Icon. Fork Awesome keeps Font Awesome 4's code points.
-constexpr std::array<const char*, 29> glyphs{
+constexpr std::array<const char*, 30> glyphs{
     "\xEF\x81\xBC",  // open
     "\xEF\x83\x87",  // save
     "\xEF\x83\xA2",  // undo
@@ -47,6 +47,7 @@ constexpr std::array<const char*, 29> glyphs{
     "\xEF\x81\xAE",  // view
     "\xEF\x88\x81",  // plot
     "\xEF\x81\x9B",  // target
+    "\xEF\x80\xBD",  // record
 };
 
 bool exists(const char* path) {

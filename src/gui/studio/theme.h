@@ -67,7 +67,8 @@ enum class Icon {
   history,
   view,
   plot,
-  target
+  target,
+  record
 };
 
 /// Fonts of one ImGui context.

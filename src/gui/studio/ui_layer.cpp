@@ -2,6 +2,7 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <limits>
@@ -103,6 +104,34 @@ void UiLayer::end() { ImGui::Render(); }
 void UiLayer::paint() {
   ImGui::SetCurrentContext(context_);
   if (ImDrawData* data = ImGui::GetDrawData()) renderer_->draw(*data);
+}
+
+void UiLayer::make_current() { ImGui::SetCurrentContext(context_); }
+
+void UiLayer::paint_part(float x, float y, float width, float height) {
+  ImGui::SetCurrentContext(context_);
+  ImDrawData* data = ImGui::GetDrawData();
+  if (!data) return;
+  const ImVec2 position = data->DisplayPos;
+  const ImVec2 size = data->DisplaySize;
+  data->DisplayPos = ImVec2(x, y);
+  data->DisplaySize = ImVec2(width, height);
+  renderer_->draw(*data);
+  data->DisplayPos = position;
+  data->DisplaySize = size;
+}
+
+void UiLayer::resemble(const UiLayer& other) {
+  folded_ = other.folded_;
+  palette_ = other.palette_;
+  const float ratio = theme_.scale / other.theme_.scale;
+  for (const ImGuiWindow* theirs : other.context_->Windows) {
+    for (ImGuiWindow* ours : context_->Windows) {
+      if (ours->ID != theirs->ID) continue;
+      ours->ScrollTarget = ImVec2(theirs->Scroll.x * ratio, theirs->Scroll.y * ratio);
+      ours->ScrollTargetCenterRatio = ImVec2(0, 0);
+    }
+  }
 }
 
 bool UiLayer::wants_mouse() const { return ImGui::GetIO().WantCaptureMouse; }

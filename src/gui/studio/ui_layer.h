@@ -46,6 +46,13 @@ class UiLayer {
   /// Draws the frame last ended into the bound framebuffer.
   void paint();
 
+  /// Makes this the context that widgets are drawn in. begin() and paint() do it too.
+  void make_current();
+  /// Draws a part of the frame last ended: what lies from (x, y) on, as large as given.
+  void paint_part(float x, float y, float width, float height);
+  /// Takes over colours, and what was folded and scrolled, from another layer.
+  void resemble(const UiLayer& other);
+
   const Theme& theme() const { return theme_; }
   /// Pixels per unit of the layout, from the next frame on: between frames only.
   void set_scale(float scale);

@@ -4,11 +4,9 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <system_error>
 #include <utility>
 
-#include "core/error.h"
 #include "gui/render/frame_buffer.h"
 #include "gui/render/gl.h"
 #include "gui/studio/overlay.h"
@@ -24,15 +22,6 @@ bool popup_open() {
   return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
-std::filesystem::path new_picture_name() {
-  for (int n = 1;; ++n) {
-    char name[32];
-    std::snprintf(name, sizeof name, "winslow-%03d.png", n);
-    std::error_code ignored;
-    if (!std::filesystem::exists(name, ignored)) return name;
-  }
-}
-
 }  // namespace
 
 Workbench::Workbench(const WorkbenchOptions& options)
@@ -46,10 +35,13 @@ void Workbench::apply(const Action& action) {
   std::visit([this](const auto& a) { on(a); }, action);
 }
 
-bool Workbench::poll() { return session_.poll(); }
+bool Workbench::poll() {
+  const bool news = session_.poll();
+  return capture_.poll() || news;
+}
 
 bool Workbench::settled() const {
-  if (session_.working() || screenshot_delay_ > 0) return false;
+  if (session_.working() || capture_.busy()) return false;
   if (!session_.document()) return true;
   const auto& measured = session_.quality().latest();
   return measured && measured->shape == session_.shape() && measured->field == view_.color;
@@ -58,7 +50,7 @@ bool Workbench::settled() const {
 void Workbench::update(const InputState& input, int width, int height, double seconds) {
   width_ = std::max(width, 1);
   height_ = std::max(height, 1);
-  session_.poll();
+  poll();
   ui_->set_scale(scale());
   ui_->set_palette(view_.lightness == Lightness::dark ? dark_palette() : light_palette());
   ui_->begin(input, width_, height_, seconds);
@@ -130,7 +122,7 @@ void Workbench::finish_frame() {
   draw_overlay(*ImGui::GetBackgroundDrawList(),
                {session_, viewport_, scene(), camera_, ui_->theme()});
   ui_->end();
-  if (screenshot_delay_ > 0 && --screenshot_delay_ == 0) save_screenshot();
+  capture_.after_frame(*this);
 }
 
 void Workbench::paint() {
@@ -213,8 +205,9 @@ void Workbench::on(const action::ShowFileDialog& a) {
   std::filesystem::path suggested = document ? document->path() : std::filesystem::path();
   if (a.purpose == FilePurpose::export_recipe) suggested.replace_extension(".json");
   if (a.purpose == FilePurpose::export_convergence) suggested.replace_extension(".csv");
-  if (a.purpose == FilePurpose::screenshot) suggested = new_picture_name();
-  file_dialog_.open(a.purpose, suggested);
+  if (a.purpose == FilePurpose::picture) suggested = Capture::new_picture_name();
+  if (a.purpose == FilePurpose::recording) suggested.replace_extension(".mp4");
+  file_dialog_.open(a.purpose, suggested, recorded_step_);
 }
 
 void Workbench::on(const action::ShowStepEditor& a) {
@@ -224,29 +217,9 @@ void Workbench::on(const action::ShowStepEditor& a) {
     step_editor_.open(a.position, history.command(a.position));
 }
 
-void Workbench::on(const action::TakeScreenshot& a) {
-  screenshot_ = a.path.empty() ? new_picture_name() : a.path;
-  std::error_code ignored;
-  if (!a.overwrite && std::filesystem::exists(screenshot_, ignored)) {
-    session_.ask(
-        {Prompt::Kind::question,
-         "Replace the file?",
-         screenshot_.filename().string() + " exists already.",
-         {{"Replace", {action::TakeScreenshot{screenshot_, true}}, false}, {"Cancel", {}, true}}});
-    return;
-  }
-  screenshot_delay_ = 3;
-}
-
-void Workbench::save_screenshot() {
-  try {
-    write_png(screenshot_, picture());
-    std::error_code ignored;
-    session_.tell(Notice::Kind::success,
-                  "Picture saved to " + std::filesystem::absolute(screenshot_, ignored).string());
-  } catch (const Error& error) {
-    session_.report_error("Cannot save the picture", error.what());
-  }
+void Workbench::on(const action::ShowRecordDialog& a) {
+  recorded_step_ = a.step;
+  record_dialog_.open(a.step);
 }
 
 }  // namespace winslow::gui

@@ -5,6 +5,8 @@
 #include <memory>
 #include <string>
 
+#include "gui/capture/capture.h"
+#include "gui/capture/picture_source.h"
 #include "gui/panels/banner_panel.h"
 #include "gui/panels/command_palette.h"
 #include "gui/panels/convergence_panel.h"
@@ -14,8 +16,11 @@
 #include "gui/panels/markers_panel.h"
 #include "gui/panels/menu_bar.h"
 #include "gui/panels/motion_panel.h"
+#include "gui/panels/picture_dialog.h"
 #include "gui/panels/prompt_panel.h"
 #include "gui/panels/quality_panel.h"
+#include "gui/panels/record_dialog.h"
+#include "gui/panels/recording_panel.h"
 #include "gui/panels/solver_panel.h"
 #include "gui/panels/status_bar.h"
 #include "gui/panels/step_editor.h"
@@ -42,7 +47,7 @@ struct WorkbenchOptions {
 
 /// The studio without its window: turns input into frames. The window, the headless screenshot and
 /// the tests all drive this one class. Needs a current OpenGL context throughout.
-class Workbench {
+class Workbench : public PictureSource {
  public:
   explicit Workbench(const WorkbenchOptions& options = {});
 
@@ -56,7 +61,10 @@ class Workbench {
   /// Draws the frame last updated into the bound framebuffer.
   void paint();
   /// The frame last updated, drawn off-screen.
-  Image picture();
+  Image picture() override;
+  Image picture(const PictureSpec& spec) override;
+  Vec2 picture_extent(const PictureSpec& spec) const override;
+  VectorFigure figure(bool legend) const override;
 
   /// Collects what threads have done. True if a new frame would look different.
   bool poll();
@@ -64,6 +72,7 @@ class Workbench {
   bool settled() const;
 
   const Session& session() const { return session_; }
+  const Capture& capture() const { return capture_; }
   const ViewOptions& view() const { return view_; }
   const ViewState& view_state() const { return view_state_; }
   /// As they would be kept now.
@@ -85,15 +94,26 @@ class Workbench {
   void draw_splitters();
   void draw_viewport();
   void draw_legend_card(ImDrawList& list);
+  void draw_recording();
   void draw_dialogs();
   void drive_viewport(const InputState& input);
   void dispatch();
   void finish_frame();
   ViewportScene scene() const;
-  PanelContext context() { return {session_, view_, view_state_, ui_->theme(), actions_}; }
+  PanelContext context() {
+    return {session_, view_, view_state_, ui_->theme(), actions_, capture_};
+  }
   float scale() const;
   void take_settings(const Settings& settings);
   void keep_settings(double seconds);
+
+  // Pictures at other sizes (workbench_pictures.cpp)
+  struct Kept;
+  Kept put_aside();
+  void bring_back(Kept kept);
+  void lay_out_picture(const Bounds& visible);
+  Image paint_tiles(bool transparent);
+  Camera camera_of_part(int x, int y, int width, int height) const;
 
   void on(const action::SetView& a) { view_ = a.view; }
   void on(const action::FitView&);
@@ -102,7 +122,15 @@ class Workbench {
   void on(const action::StepScale& a);
   void on(const action::ShowFileDialog& a);
   void on(const action::ShowStepEditor& a);
-  void on(const action::TakeScreenshot& a);
+  void on(const action::TakeScreenshot& a) { capture_.on(a); }
+  void on(const action::SetPictureSpec& a) { capture_.on(a); }
+  void on(const action::SavePicture& a) { capture_.on(a); }
+  void on(const action::ShowPictureDialog&) { picture_dialog_.open(); }
+  void on(const action::SetRecordingSpec& a) { capture_.on(a); }
+  void on(const action::StartRecording& a) { capture_.on(a); }
+  void on(const action::StopRecording& a) { capture_.on(a); }
+  void on(const action::CancelRecording& a) { capture_.on(a); }
+  void on(const action::ShowRecordDialog& a);
   void on(const action::ShowHelp&) { help_.open(); }
   void on(const action::ShowPalette&) { command_palette_.open(); }
   template <class SessionAction>
@@ -110,12 +138,12 @@ class Workbench {
     session_.apply(a);
   }
   void look_at_start();
-  void save_screenshot();
 
   WorkbenchOptions options_;
   SettingsFile settings_file_;
   std::unique_ptr<UiLayer> ui_;
   Session session_;
+  Capture capture_{session_};
   ViewOptions view_;
   ViewState view_state_;
   Camera camera_;
@@ -126,8 +154,10 @@ class Workbench {
   int width_ = 1, height_ = 1;
   std::uint64_t generation_ = 0;  // of the mesh that the camera was set up for
   double reach_ = 0;              // of the selection, when nothing was moving
-  std::filesystem::path screenshot_;
-  int screenshot_delay_ = 0;  // frames until menus and dialogs are gone from the picture
+  bool picturing_ = false;        // the frame being laid out is for a picture, not for the window
+  bool mesh_alone_ = false;       // and shows nothing but the mesh
+  std::unique_ptr<UiLayer> picture_ui_;       // of the last picture: the next often has its size
+  std::optional<std::size_t> recorded_step_;  // that the file dialog is open for
 
   MenuBar menu_bar_;
   Toolbar toolbar_;
@@ -146,6 +176,9 @@ class Workbench {
   StepEditor step_editor_;
   HelpPanel help_;
   CommandPalette command_palette_;
+  PictureDialog picture_dialog_;
+  RecordDialog record_dialog_;
+  RecordingPanel recording_panel_;
 };
 
 }  // namespace winslow::gui

@@ -161,7 +161,8 @@ void Workbench::draw_viewport() {
     return;
   }
   draw_legend_card(*ImGui::GetBackgroundDrawList());
-  if (!session_.banner()) return;
+  if (!picturing_) draw_recording();
+  if (!session_.banner() || mesh_alone_) return;
   const Banner::Kind kind = session_.banner()->kind;
   const bool bad = kind == Banner::Kind::inverted_result || kind == Banner::Kind::inverted_input;
   begin_region(
@@ -176,7 +177,8 @@ void Workbench::draw_legend_card(ImDrawList& list) {
   const auto& legend = mesh_view_.legend();
   const Area& v = layout_.viewport;
   const Theme& theme = ui_->theme();
-  const float banner = session_.banner() ? BannerPanel::height(context(), v.width) : 0;
+  const float banner =
+      session_.banner() && !mesh_alone_ ? BannerPanel::height(context(), v.width) : 0;
   const float height = std::min(theme.px(260), v.height - banner - theme.px(48));
   // The mesh matters more where there is little room.
   if (!legend || !view_.legend || !view_.fill || height < theme.px(90) || v.width < theme.px(330))
@@ -204,7 +206,25 @@ void Workbench::draw_legend_card(ImDrawList& list) {
   draw_legend(list, x + pad, y + pad, height, shown, style);
 }
 
+void Workbench::draw_recording() {
+  if (capture_.recorder().state() == Recorder::State::idle) return;
+  const Theme& theme = ui_->theme();
+  const Area& v = layout_.viewport;
+  const float banner = session_.banner() ? BannerPanel::height(context(), v.width) : 0;
+  begin_region("recording",
+               {v.x + theme.px(12), v.y + banner + theme.px(12), theme.px(360), theme.px(44)},
+               {ImVec2(theme.px(12), theme.px(8)), palette().card, ImGuiWindowFlags_NoScrollbar});
+  recording_panel_.draw(context());
+  end_region();
+}
+
 void Workbench::draw_dialogs() {
+  const Vec2 window(width_, height_);
+  const Vec2 mesh(layout_.viewport.width, layout_.viewport.height);
+  picture_dialog_.set_extents(window, mesh);
+  record_dialog_.set_extents(window, mesh);
+  picture_dialog_.draw(context());
+  record_dialog_.draw(context());
   file_dialog_.draw(context());
   step_editor_.draw(context());
   // One dialog at a time: what there is to say waits until a file is chosen.

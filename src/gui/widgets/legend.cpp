@@ -43,11 +43,6 @@ float title_height(const Legend& legend, const LegendStyle& style) {
   return legend.title.empty() ? 0.0f : 1.7f * style.font_size;
 }
 
-struct Tick {
-  double value;
-  std::string text;
-};
-
 std::string short_number(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.3g", value);
@@ -59,29 +54,6 @@ constexpr int most_ticks = 8;
 
 int ticks_for(float bar_height, float font_size) {
   return std::clamp(static_cast<int>(bar_height / (3.5f * font_size)), fewest_ticks, most_ticks);
-}
-
-/// Round ticks, and both ends of the range where no round tick is close to them.
-std::vector<Tick> find_ticks(const Legend& legend, int wanted) {
-  const ColorScale& scale = legend.scale;
-  std::vector<double> values = nice_ticks(scale.low, scale.high, wanted);
-  const double span = scale.high - scale.low;
-  const double step = values.size() > 1 ? values[1] - values[0] : span;
-  std::vector<Tick> ticks;
-  for (const double v : values) ticks.push_back({v, format_tick(v, step)});
-  // Further from its tick than this, the label of an end does not touch the next one.
-  const double clear = 0.6 * step;
-  if (values.empty() || values.front() - scale.low > clear) {
-    ticks.push_back({scale.low, short_number(scale.low)});
-  }
-  if (values.empty() || scale.high - values.back() > clear) {
-    ticks.push_back({scale.high, short_number(scale.high)});
-  }
-  for (auto& [v, text] : ticks) {
-    if (legend.more_above && std::abs(v - scale.high) < 1e-6 * span) text = "\u2265 " + text;
-    if (legend.more_below && std::abs(v - scale.low) < 1e-6 * span) text = "\u2264 " + text;
-  }
-  return ticks;
 }
 
 struct Box {
@@ -131,7 +103,7 @@ void draw_histogram(ImDrawList& list, const Box& box, const Legend& legend) {
 void draw_ticks(ImDrawList& list, const Box& box, const Legend& legend, const LegendStyle& style) {
   const ImFont& font = font_of(style);
   const double span = legend.scale.high - legend.scale.low;
-  for (const Tick& tick : find_ticks(legend, ticks_for(box.height(), style.font_size))) {
+  for (const LegendTick& tick : legend_ticks(legend, ticks_for(box.height(), style.font_size))) {
     const double t = span > 0 ? (tick.value - legend.scale.low) / span : 0.5;
     const float y = std::round(box.bottom - box.height() * static_cast<float>(t));
     list.AddLine({box.right, y}, {box.right + tick_length, y}, to_color(style.line_color), 1.0f);
@@ -144,11 +116,33 @@ void draw_ticks(ImDrawList& list, const Box& box, const Legend& legend, const Le
 
 }  // namespace
 
+std::vector<LegendTick> legend_ticks(const Legend& legend, int wanted) {
+  const ColorScale& scale = legend.scale;
+  std::vector<double> values = nice_ticks(scale.low, scale.high, wanted);
+  const double span = scale.high - scale.low;
+  const double step = values.size() > 1 ? values[1] - values[0] : span;
+  std::vector<LegendTick> ticks;
+  for (const double v : values) ticks.push_back({v, format_tick(v, step)});
+  // Further from its tick than this, the label of an end does not touch the next one.
+  const double clear = 0.6 * step;
+  if (values.empty() || values.front() - scale.low > clear) {
+    ticks.push_back({scale.low, short_number(scale.low)});
+  }
+  if (values.empty() || scale.high - values.back() > clear) {
+    ticks.push_back({scale.high, short_number(scale.high)});
+  }
+  for (auto& [v, text] : ticks) {
+    if (legend.more_above && std::abs(v - scale.high) < 1e-6 * span) text = "\u2265 " + text;
+    if (legend.more_below && std::abs(v - scale.low) < 1e-6 * span) text = "\u2264 " + text;
+  }
+  return ticks;
+}
+
 float legend_width(const Legend& legend, const LegendStyle& style) {
   // Of whichever ticks the height will have room for.
   float ticks = 0;
   for (int wanted = fewest_ticks; wanted <= most_ticks; ++wanted) {
-    for (const Tick& tick : find_ticks(legend, wanted)) {
+    for (const LegendTick& tick : legend_ticks(legend, wanted)) {
       ticks = std::max(ticks, text_size(font_of(style), style.font_size, tick.text).x);
     }
   }

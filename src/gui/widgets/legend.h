@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/quality/quality.h"
 #include "gui/render/color_map.h"
@@ -30,6 +31,13 @@ struct LegendStyle {
   ImFont* font = nullptr;        ///< null: the current font
   ImFont* title_font = nullptr;  ///< null: `font`
 };
+
+/// Round values along a legend's bar, about as many as wanted, and its ends.
+struct LegendTick {
+  double value;
+  std::string text;
+};
+std::vector<LegendTick> legend_ticks(const Legend& legend, int wanted);
 
 /// Width that a legend needs, ticks and title included (the current ImGui context's fonts).
 float legend_width(const Legend& legend, const LegendStyle& style);

@@ -1,0 +1,200 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/error.h"
+#include "gui/render/frame_buffer.h"
+#include "gui/render/gl.h"
+#include "gui/studio/mesh_colors.h"
+#include "gui/studio/overlay.h"
+#include "gui/studio/text.h"
+#include "gui/studio/workbench.h"
+
+namespace winslow::gui {
+
+namespace {
+
+constexpr int samples = 4;
+/// Side of the pieces that a picture is drawn in, pixels: multisampled, 130 MB.
+constexpr int tile_side = 2048;
+/// Windows of the interface need a frame or two to find their sizes.
+constexpr int frames_to_settle = 3;
+
+/// Copies a part to where it belongs, cut off where the whole ends.
+void copy_into(Image& whole, const Image& part, int x, int y) {
+  const auto columns = static_cast<std::size_t>(std::min(part.width, whole.width - x));
+  for (int row = 0; row < std::min(part.height, whole.height - y); ++row) {
+    const auto at = 4 * (static_cast<std::size_t>(y + row) * static_cast<std::size_t>(whole.width) +
+                         static_cast<std::size_t>(x));
+    std::copy_n(part.pixel(0, row), 4 * columns,
+                whole.rgba.begin() + static_cast<std::ptrdiff_t>(at));
+  }
+}
+
+}  // namespace
+
+/// What the window shows, while a picture is being laid out with other sizes.
+struct Workbench::Kept {
+  std::unique_ptr<UiLayer> ui;
+  Camera camera;
+  Layout layout;
+  ViewOptions view;
+  ActionQueue actions;
+  int width = 1, height = 1;
+};
+
+Workbench::Kept Workbench::put_aside() {
+  return {std::move(ui_), camera_, layout_, view_, std::exchange(actions_, {}), width_, height_};
+}
+
+void Workbench::bring_back(Kept kept) {
+  picture_ui_ = std::move(ui_);
+  ui_ = std::move(kept.ui);
+  camera_ = kept.camera;
+  layout_ = kept.layout;
+  view_ = kept.view;
+  actions_ = std::move(kept.actions);
+  width_ = kept.width;
+  height_ = kept.height;
+  picturing_ = mesh_alone_ = false;
+  ui_->make_current();
+  mesh_view_.update(session_, view_, ui_->theme().scale);
+}
+
+Vec2 Workbench::picture_extent(const PictureSpec& spec) const {
+  const Area& v = layout_.viewport;
+  return spec.panels ? Vec2(width_, height_) : Vec2(v.width, v.height);
+}
+
+Image Workbench::picture(const PictureSpec& spec) {
+  const Vec2 extent = picture_extent(spec);
+  const auto [width, height] = picture_size(spec, extent.x(), extent.y());
+  const double ratio = std::min({width / extent.x(), height / extent.y(), largest_picture_scale});
+  const float unit = ui_->theme().scale * static_cast<float>(ratio);
+  const Bounds visible = camera_.visible();
+  // Colours must be those of this mesh, not of one a moment ago.
+  session_.measure_quality_now(view_.color);
+
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  Kept kept = put_aside();
+  try {
+    const bool fits = picture_ui_ && picture_ui_->theme().scale == unit;
+    ui_ = fits ? std::move(picture_ui_) : std::make_unique<UiLayer>(unit);
+    picture_ui_.reset();
+    width_ = width;
+    height_ = height;
+    view_.legend = view_.legend && spec.legend;
+    picturing_ = true;
+    mesh_alone_ = !spec.panels;
+    for (int frame = 0; frame < (fits && mesh_alone_ ? 1 : frames_to_settle); ++frame) {
+      ui_->resemble(*kept.ui);
+      lay_out_picture(visible);
+    }
+    Image image = paint_tiles(spec.transparent && mesh_alone_);
+    bring_back(std::move(kept));
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+    return image;
+  } catch (...) {
+    bring_back(std::move(kept));
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+    throw;
+  }
+}
+
+void Workbench::lay_out_picture(const Bounds& visible) {
+  ui_->begin(InputState{}, width_, height_, 1.0 / 60);
+  if (mesh_alone_) {
+    layout_ = Layout();
+    layout_.viewport = {0, 0, static_cast<float>(width_), static_cast<float>(height_)};
+  } else {
+    draw_menu();
+  }
+  const Area& v = layout_.viewport;
+  camera_.set_viewport(v.x, v.y, v.width, v.height);
+  if (session_.document()) camera_.fit(visible, 0);
+  if (!mesh_alone_) draw_regions();
+  draw_viewport();
+  mesh_view_.update(session_, view_, ui_->theme().scale);
+  // Handles are for the mouse; a picture of the mesh alone has none.
+  if (!mesh_alone_)
+    draw_overlay(*ImGui::GetBackgroundDrawList(),
+                 {session_, viewport_, scene(), camera_, ui_->theme()});
+  ui_->end();
+  actions_.clear();  // nobody pressed anything
+}
+
+Camera Workbench::camera_of_part(int x, int y, int width, int height) const {
+  // In whole pixels, as the renderer draws it.
+  const double left = std::round(camera_.viewport_origin().x());
+  const double top = std::round(camera_.viewport_origin().y());
+  const double x0 = std::max<double>(x, left);
+  const double y0 = std::max<double>(y, top);
+  const double x1 = std::min<double>(x + width, left + std::round(camera_.viewport_width()));
+  const double y1 = std::min<double>(y + height, top + std::round(camera_.viewport_height()));
+  Camera part;
+  if (x1 <= x0 || y1 <= y0) {
+    part.set_viewport(0, 0, 0, 0);
+    return part;
+  }
+  part.set_viewport(x0 - x, y0 - y, x1 - x0, y1 - y0);
+  part.look_at(camera_.to_world(0.5 * Vec2(x0 + x1, y0 + y1)), camera_.units_per_pixel());
+  return part;
+}
+
+Image Workbench::paint_tiles(bool transparent) {
+  Image whole;
+  whole.width = width_;
+  whole.height = height_;
+  whole.rgba.resize(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  const int side_x = std::min(width_, tile_side);
+  const int side_y = std::min(height_, tile_side);
+  const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(palette().card);
+  const FrameBuffer buffer(side_x, side_y, samples);
+  for (int y = 0; y < height_; y += side_y)
+    for (int x = 0; x < width_; x += side_x) {
+      if (transparent)
+        buffer.clear({0, 0, 0, 0});
+      else
+        buffer.clear({ground.x, ground.y, ground.z, 1});
+      const Camera part = camera_of_part(x, y, side_x, side_y);
+      if (part.viewport_width() > 0) mesh_view_.draw(part, side_x, side_y, !transparent);
+      ui_->paint_part(static_cast<float>(x), static_cast<float>(y), static_cast<float>(side_x),
+                      static_cast<float>(side_y));
+      copy_into(whole, buffer.read(), x, y);
+    }
+  if (transparent) divide_by_alpha(whole);
+  return whole;
+}
+
+VectorFigure Workbench::figure(bool legend) const {
+  VectorFigure figure;
+  const Document* document = session_.document();
+  if (!document) throw Error("There is no mesh to draw.");
+  figure.mesh = Mesh{document->topology(), session_.coordinates()};
+  const double scale = static_cast<double>(ui_->theme().scale);
+  const Area& v = layout_.viewport;
+  figure.camera.set_viewport(0, 0, v.width / scale, v.height / scale);
+  figure.camera.look_at(camera_.centre(), camera_.units_per_pixel() * scale);
+  figure.wireframe = view_.wireframe;
+  figure.mark_inverted = view_.mark_inverted;
+  figure.framed = true;
+  figure.edge_width = 0.8 * view_.line_width;
+  figure.dark = mesh_colors(view_).dark;
+  figure.title = document->name();
+  if (view_.fill && view_.color && mesh_view_.legend()) {
+    figure.values = element_values(*document->state().vcv, figure.mesh.coordinates, *view_.color);
+    figure.scale = mesh_view_.legend()->scale;
+    if (legend) figure.legend = mesh_view_.legend();
+  }
+  const auto& markers = figure.mesh.topology->markers();
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    figure.marker_colors.push_back(marker_color(static_cast<Index>(m), figure.dark));
+    figure.key.emplace_back(markers[m].name, figure.marker_colors.back());
+  }
+  const Index inverted = check_validity(*figure.mesh.topology, figure.mesh.coordinates).inverted;
+  if (inverted > 0) figure.warning = counted(inverted, "inverted element");
+  return figure;
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "gui/vector/page.h"
+#include "gui/vector/vector_figure.h"
+
+namespace winslow::gui {
+
+/// Draws the mesh of a figure into its camera's viewport, shifted by `origin` on the page: elements
+/// in the colours of their values, inverted ones in red, edges, the boundary in its markers'
+/// colours. Each edge is drawn once; edges of one kind form one path.
+void draw_figure_mesh(Page& page, const VectorFigure& figure, const Vec2& origin);
+
+}  // namespace winslow::gui

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "gui/render/color_map.h"
+#include "gui/render/fonts.h"
+
+struct _cairo;
+struct _cairo_surface;
+
+namespace winslow::gui {
+
+enum class PageFormat { svg, pdf };
+
+/// A page of vector graphics being drawn with cairo, in points, y down.
+class Page {
+ public:
+  Page(PageFormat format, double width, double height);
+  ~Page();
+  Page(const Page&) = delete;
+  Page& operator=(const Page&) = delete;
+
+  double width() const { return width_; }
+  double height() const { return height_; }
+
+  void set_color(const Rgb& color, double alpha = 1);
+  void set_line(double width, bool round_ends);
+  void move_to(double x, double y);
+  void line_to(double x, double y);
+  void close_path();
+  void rectangle(double x, double y, double width, double height);
+  void stroke();
+  void fill();
+  /// Fills, and draws the rim in the same colour: between neighbours no ground shines through.
+  void fill_with_rim(double width);
+  /// Only what is inside this rectangle is drawn, until unclip().
+  void clip(double x, double y, double width, double height);
+  void unclip();
+
+  /// Left end of the line of text, and the height of its middle.
+  void text(double x, double middle, const std::string& text, double size, FontWeight weight);
+  double text_width(const std::string& text, double size, FontWeight weight);
+
+  /// Ends the page: the file's content. Throws Error if cairo failed.
+  std::string finish();
+
+ private:
+  void set_font(double size, FontWeight weight);
+
+  double width_, height_;
+  std::string content_;
+  _cairo_surface* surface_ = nullptr;
+  _cairo* cairo_ = nullptr;
+};
+
+}  // namespace winslow::gui

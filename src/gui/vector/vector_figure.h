@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+#include "gui/render/camera.h"
+#include "gui/render/mesh_renderer.h"
+#include "gui/widgets/legend.h"
+
+namespace winslow::gui {
+
+/// A mesh as vector graphics: what is drawn. Lengths are points, 1/72 of an inch, which stand for
+/// the pixels of the screen.
+struct VectorFigure {
+  Mesh mesh;
+  Camera camera;  ///< its viewport is where the mesh goes; what lies outside is cut off
+  std::vector<double> values;       ///< colour the elements, one each; none: plain
+  std::optional<Legend> legend;     ///< right of the mesh; its scale is that of the values
+  std::optional<ColorScale> scale;  ///< of the values
+  std::string title;                ///< above the mesh; empty: none
+  std::string warning;              ///< below it, in red; empty: none
+  std::vector<std::pair<std::string, Rgb>> key;  ///< names of markers in their colours, below it
+  std::vector<Rgb> marker_colors;                ///< of each marker of the mesh
+  bool wireframe = true;
+  bool mark_inverted = true;
+  bool dark = false;
+  bool framed = false;  ///< a thin line around the mesh's part of the page
+  double edge_width = 0.5, boundary_width = 1.4;
+  double font_size = 10;
+};
+
+/// Room on the page around the mesh, in points.
+struct FigureMargins {
+  double left = 0, top = 0, right = 0, bottom = 0;
+};
+FigureMargins figure_margins(const VectorFigure& figure);
+
+}  // namespace winslow::gui
