@@ -1,13 +1,9 @@
 #include "gui/studio.h"
 
 #include <array>
-#include <chrono>
 #include <cstdlib>
-#include <thread>
 
-#include "core/error.h"
-#include "gui/render/gl_context.h"
-#include "gui/render/image.h"
+#include "gui/headless/run_headless.h"
 #include "gui/studio/settings.h"
 #include "gui/studio/window.h"
 #include "gui/studio/workbench.h"
@@ -28,16 +24,21 @@ class StudioLoop {
 
   void run() {
     while (!workbench_.session().quit_accepted()) {
-      const bool lively = workbench_.session().working() || window_.time() < draw_until_;
+      const bool lively =
+          workbench_.session().working() || recording() || window_.time() < draw_until_;
       const bool events = window_.wait(lively ? busy_wait : idle_wait);
       if (window_.take_close_request()) workbench_.apply(action::Quit{});
       const bool news = workbench_.poll();
       if (events || news) draw_until_ = window_.time() + settle_seconds;
-      if (window_.time() < draw_until_ || !workbench_.settled()) frame();
+      if (window_.time() < draw_until_ || !workbench_.settled() || recording()) frame();
     }
   }
 
  private:
+  bool recording() const {
+    return workbench_.capture().recorder().state() != Recorder::State::idle;
+  }
+
   void frame() {
     if (window_.width() <= 0 || window_.height() <= 0) return;  // minimised
     const double now = window_.time();
@@ -94,21 +95,12 @@ void run_studio(const StudioOptions& options) {
 }
 
 void screenshot_studio(const StudioOptions& options, const std::filesystem::path& png) {
-  const auto context = make_headless_context();
-  Workbench workbench;
-  if (options.mesh) workbench.apply(action::OpenMesh{*options.mesh});
-  const std::array<int, 2> size = window_size(options, Settings());
-  const auto frame = [&] { workbench.update(InputState{}, size[0], size[1], 1.0 / 60); };
-  frame();
-  while (workbench.session().loading() || !workbench.settled()) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    frame();
-  }
-  if (options.mesh && !workbench.session().document())
-    throw InputError(workbench.session().prompt()->text);
-  // Windows of the interface take a frame or two to find their sizes.
-  for (int i = 0; i < 3; ++i) frame();
-  write_png(png, workbench.picture());
+  HeadlessOptions headless;
+  headless.mesh = options.mesh;
+  headless.width = options.width;
+  headless.height = options.height;
+  headless.picture = png;
+  run_headless(headless);
 }
 
 }  // namespace winslow::gui

@@ -1,10 +1,14 @@
+#include <array>
 #include <iostream>
-#include <vector>
 
+#include "app/job/markers.h"
 #include "app/options/file_flags.h"
+#include "app/options/suggestion.h"
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"
 #ifdef WINSLOW_HAS_GUI
+#include "gui/capture/film.h"
+#include "gui/headless/run_headless.h"
 #include "gui/studio.h"
 #endif
 
@@ -20,18 +24,69 @@ class StudioSubcommand : public Subcommand {
             "studio", "Open the window in which meshes are moved and repaired by hand")) {
     app().add_option("IN", input_, "Mesh to open")->type_name("");
     app()
-        .add_option("--screenshot", screenshot_,
-                    "Draw the window once, without a display, as a PNG picture")
-        ->type_name("OUT.png");
-    app()
-        .add_option("--size", size_,
-                    "Width and height of the window [as last time, 1440 900 at first]")
-        ->type_name("W H")
-        ->expected(2);
+        .add_option("--size", size_, "Width and height of the window [1440 900]")
+        ->type_name("W H");
     add_quiet_flag(app(), quiet_);
+    add_headless_flags();
   }
 
   ExitCode run() override {
+    check_flags();
+    return open();
+  }
+
+ private:
+  void add_headless_flags() {
+    const char* group = "Without a display";
+    app()
+        .add_flag("--headless", headless_,
+                  "Open no window; needs --screenshot, --frames or --script")
+        ->group(group);
+    app()
+        .add_option("--screenshot", screenshot_,
+                    "Draw the window at the end: .png, or the mesh alone as .svg or .pdf")
+        ->type_name("OUT.png")
+        ->group(group);
+    app()
+        .add_option("--replay", recipe_, "Carry out a recipe first")
+        ->type_name("FILE.json")
+        ->group(group);
+    app()
+        .add_option(
+            "--frames", frames_,
+            "Draw every mesh on the recipe's way: PNG files into a folder, or a film .mp4 or "
+            ".gif (by ffmpeg)")
+        ->type_name("DIR")
+        ->group(group);
+    app()
+        .add_option("--rate", rate_, "Frames a second of a film [20]")
+        ->check(CLI::Range(1, 60))
+        ->type_name("N")
+        ->group(group);
+    app()
+        .add_option("--panels", panels_, "What pictures show: all of the window, or the mesh alone")
+        ->check(one_of({"all", "none"}))
+        ->option_text("all|none [all]")
+        ->group(group);
+    app()
+        .add_option("--scale", scale_, "Pictures at this many times the window's size [1]")
+        ->check(CLI::Range(0.1, 8.0))
+        ->type_name("K")
+        ->group(group);
+    app()
+        .add_flag("--transparent", transparent_, "No background; with --panels none")
+        ->group(group);
+    app()
+        .add_option("--script", script_, "Play a script of mouse and keys (see docs/studio.md)")
+        ->type_name("FILE")
+        ->group(group);
+  }
+
+  bool headless() const {
+    return headless_ || !screenshot_.empty() || !frames_.empty() || !script_.empty();
+  }
+
+  void check_flags() const {
     check_output(screenshot_);
     for (const int pixels : size_) {
       if (pixels < 320 || pixels > largest_window) {
@@ -39,35 +94,96 @@ class StudioSubcommand : public Subcommand {
                          std::to_string(largest_window));
       }
     }
-    open();
-    if (!screenshot_.empty() && !quiet_) std::cout << "Wrote " << screenshot_ << '\n';
+    if (headless_ && screenshot_.empty() && frames_.empty() && script_.empty()) {
+      throw UsageError(
+          "--headless draws no window: say what to draw instead with --screenshot OUT.png, "
+          "--frames DIR or --script FILE");
+    }
+    if (!recipe_.empty() && !headless()) {
+      throw UsageError(
+          "--replay needs --headless and --screenshot OUT.png or --frames DIR; "
+          "\"winslow replay\" writes the mesh");
+    }
+    if (!frames_.empty() && recipe_.empty()) {
+      throw UsageError("--frames needs the recipe whose meshes are drawn: --replay FILE.json");
+    }
+    if (transparent_ && panels_ != "none") {
+      throw UsageError("--transparent is for the mesh alone: add --panels none");
+    }
+    check_distinct({screenshot_, input_, recipe_, script_});
+  }
+
+#ifdef WINSLOW_HAS_GUI
+  ExitCode open() const {
+    if (headless()) return run_headless();
+    gui::StudioOptions options;
+    if (!input_.empty()) options.mesh = input_;
+    options.width = size_[0];
+    options.height = size_[1];
+    gui::run_studio(options);
     return ExitCode::done;
   }
 
- private:
-#ifdef WINSLOW_HAS_GUI
-  void open() const {
-    gui::StudioOptions options;
+  ExitCode run_headless() const {
+    gui::HeadlessOptions options;
     if (!input_.empty()) options.mesh = input_;
-    if (!size_.empty()) {
-      options.width = size_[0];
-      options.height = size_[1];
+    options.recipe = recipe_;
+    options.script = script_;
+    options.picture = screenshot_;
+    options.frames = frames_;
+    options.width = size_[0];
+    options.height = size_[1];
+    options.recording.rate = rate_;
+    options.recording.picture.panels = panels_ == "all";
+    options.recording.picture.scale = scale_;
+    options.recording.picture.transparent = transparent_;
+    options.check = [](std::vector<Command> commands, const Topology& topology,
+                       const std::string& file) {
+      for (Command& command : commands) {
+        if (const SmoothOptions* smooth = smooth_options(command)) validate(*smooth);
+      }
+      check_markers(commands, topology, file);
+    };
+    if (gui::film_format(frames_)) check_output(frames_);
+    const gui::HeadlessResult result = gui::run_headless(options);
+    if (!quiet_) {
+      for (const std::string& text : result.warnings) {
+        std::cerr << "winslow: warning: " << text << '\n';
+      }
+      for (const std::string& line : result.written) std::cout << line << '\n';
     }
-    if (screenshot_.empty()) {
-      gui::run_studio(options);
-    } else {
-      gui::screenshot_studio(options, screenshot_);
+    return recipe_.empty() ? ExitCode::done : judge(result);
+  }
+
+  static ExitCode judge(const gui::HeadlessResult& result) {
+    if (result.inverted > 0) {
+      std::cerr << "winslow: the result has " << result.inverted << " inverted element"
+                << (result.inverted == 1 ? "" : "s") << '\n';
+      return ExitCode::inverted;
     }
+    if (result.fraction_reached < 1) {
+      std::cerr << "winslow: a motion could be followed to " << 100 * result.fraction_reached
+                << " % only\n";
+      return ExitCode::inverted;
+    }
+    if (!result.converged) {
+      std::cerr << "winslow: not converged within the limit; the mesh is valid\n";
+      return ExitCode::not_converged;
+    }
+    return ExitCode::done;
   }
 #else
-  void open() const {
+  ExitCode open() const {
     throw Error("this winslow was built without graphics (WINSLOW_BUILD_GUI=OFF): no studio");
   }
 #endif
 
-  std::string input_, screenshot_;
-  std::vector<int> size_;
-  bool quiet_ = false;
+  std::string input_, screenshot_, recipe_, frames_, script_;
+  std::string panels_ = "all";
+  std::array<int, 2> size_{1440, 900};
+  int rate_ = 20;
+  double scale_ = 1;
+  bool headless_ = false, transparent_ = false, quiet_ = false;
 };
 
 }  // namespace

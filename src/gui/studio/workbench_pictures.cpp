@@ -176,6 +176,7 @@ VectorFigure Workbench::figure(bool legend) const {
   const Area& v = layout_.viewport;
   figure.camera.set_viewport(0, 0, v.width / scale, v.height / scale);
   figure.camera.look_at(camera_.centre(), camera_.units_per_pixel() * scale);
+  figure.fill = view_.fill;
   figure.wireframe = view_.wireframe;
   figure.mark_inverted = view_.mark_inverted;
   figure.framed = true;

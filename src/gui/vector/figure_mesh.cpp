@@ -37,7 +37,7 @@ class MeshDrawing {
   void draw() {
     const Vec2 size = area_.size();
     page_.clip(area_.min.x(), area_.min.y(), size.x(), size.y());
-    draw_elements();
+    if (figure_.fill) draw_elements();
     const EdgeGroups groups = group_edges(topology());
     if (figure_.wireframe) draw_interior(groups.interior);
     draw_boundary(groups.unmarked_boundary);

@@ -24,6 +24,7 @@ struct VectorFigure {
   std::string warning;              ///< below it, in red; empty: none
   std::vector<std::pair<std::string, Rgb>> key;  ///< names of markers in their colours, below it
   std::vector<Rgb> marker_colors;                ///< of each marker of the mesh
+  bool fill = true;
   bool wireframe = true;
   bool mark_inverted = true;
   bool dark = false;

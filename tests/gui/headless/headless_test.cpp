@@ -1,0 +1,159 @@
+#include <doctest/doctest.h>
+
+#include <fstream>
+
+#include "core/error.h"
+#include "gui/headless/run_headless.h"
+#include "gui/headless/script.h"
+#include "gui/studio/keys.h"
+#include "gui/studio/rig.h"
+#include "io/recipe.h"
+
+namespace winslow::gui::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+MoveCommand turn_flap() { return {{"flap"}, {25, {0, 0}, {0.3, 0}}, {}, {}}; }
+
+fs::path write_recipe_file(const TemporaryFolder& folder, std::vector<Command> commands,
+                           const std::string& input = "mesh.su2") {
+  const fs::path path = folder / "recipe.json";
+  io::write_recipe(path, {input, "", std::move(commands)});
+  return path;
+}
+
+HeadlessOptions small_window() {
+  HeadlessOptions options;
+  options.width = 900;
+  options.height = 600;
+  return options;
+}
+
+std::string failure(const HeadlessOptions& options) {
+  try {
+    run_headless(options);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("a recipe replayed without a display gives what the studio gives") {
+  Rig rig(900, 600);
+  rig.open(ring_mesh());
+  rig.bench->apply(action::RunCommand{turn_flap(), false});
+  REQUIRE(rig.settle());
+  rig.frames(4);
+  const auto interactive = rig.folder / "interactive.png";
+  write_png(interactive, rig.bench->picture({.size = {}, .panels = false}));
+
+  HeadlessOptions options = small_window();
+  options.recipe = write_recipe_file(rig.folder, {turn_flap()});
+  options.recording.picture.panels = false;
+  options.picture = rig.folder / "headless.png";
+  const HeadlessResult result = run_headless(options);
+  CHECK(result.inverted == 0);
+  CHECK(result.converged);
+  CHECK(content(options.picture) == content(interactive));
+  const std::string once = content(options.picture);
+  run_headless(options);
+  CHECK(content(options.picture) == once);
+}
+
+TEST_CASE("frames of a replay lead from the mesh as it was to the mesh as it is") {
+  TemporaryFolder folder;
+  write(folder, ring_mesh());
+  HeadlessOptions options = small_window();
+  options.recipe = write_recipe_file(folder, {turn_flap(), ScrambleCommand{2}});
+  options.recording.picture = {.size = std::array{200, 150}, .panels = false};
+  options.frames = folder / "frames";
+  options.picture = folder / "end.png";
+  run_headless(options);
+  std::vector<fs::path> frames;
+  for (const auto& entry : fs::directory_iterator(options.frames)) frames.push_back(entry.path());
+  std::sort(frames.begin(), frames.end());
+  REQUIRE(frames.size() > 4);
+  for (std::size_t k = 1; k < frames.size(); ++k)
+    CHECK(content(frames[k]) != content(frames[k - 1]));
+}
+
+TEST_CASE("what is wrong with a replay is said before or where it happens") {
+  TemporaryFolder folder;
+  write(folder, ring_mesh());
+  HeadlessOptions options = small_window();
+  options.picture = folder / "p.png";
+  options.recipe = folder / "none.json";
+  CHECK(failure(options).find("none.json") != std::string::npos);
+  options.recipe = write_recipe_file(folder, {turn_flap()}, "none.su2");
+  CHECK(failure(options).find("none.su2") != std::string::npos);
+  MoveCommand wrong = turn_flap();
+  wrong.markers = {"rudder"};
+  options.recipe = write_recipe_file(folder, {wrong});
+  CHECK(failure(options).find("rudder") != std::string::npos);
+  options.recipe = write_recipe_file(folder, {}, "");
+  CHECK(failure(options).find("no mesh") != std::string::npos);
+  CHECK_FALSE(fs::exists(folder / "p.png"));
+}
+
+TEST_CASE("a script works the studio through its widgets, mouse and keys") {
+  TemporaryFolder folder;
+  write(folder, two_body_mesh());
+  std::ofstream(folder / "tour.txt") << R"(# a tour
+open mesh.su2
+click -2 0            # the body on the left
+fill motion/dx 0.25
+screenshot selected.png
+drag -2 0 -1.75 0.25
+wait
+key Ctrl+Z
+picture mesh.svg no-legend
+picture large.png mesh-alone 2
+widgets tool/run
+)";
+  HeadlessOptions options = small_window();
+  options.script = folder / "tour.txt";
+  options.folder = folder.path();
+  const HeadlessResult result = run_headless(options);
+  CHECK(fs::exists(folder / "selected.png"));
+  CHECK(fs::exists(folder / "mesh.svg"));
+  CHECK(fs::exists(folder / "large.png"));
+  REQUIRE(result.written.size() == 4);
+  CHECK(result.written.back() == "tool/run");
+}
+
+TEST_CASE("a script's mistakes name the line") {
+  TemporaryFolder folder;
+  const auto message = [&](const std::string& text) {
+    std::ofstream(folder / "s.txt") << text;
+    HeadlessOptions options = small_window();
+    options.script = folder / "s.txt";
+    return failure(options);
+  };
+  CHECK(message("wait\nclik tool/run\n").find("s.txt:2: found \"clik\"") != std::string::npos);
+  CHECK(message("drag 1 2 3\n").find("s.txt:1: ") != std::string::npos);
+  CHECK(message("type \"open\n").find("quote") != std::string::npos);
+  CHECK(message("\nclick no/such/widget\n").find("s.txt:2: ") != std::string::npos);
+  CHECK(message("key Hyper\n").find("Hyper") != std::string::npos);
+  CHECK(message("wheel 0 0 fast\n").find("fast") != std::string::npos);
+}
+
+TEST_CASE("keys are named as on the keyboard") {
+  CHECK(parse_keys("f") == std::vector{keys::f});
+  CHECK(parse_keys("Ctrl+Shift+Z") == std::vector{keys::control, keys::shift, keys::z});
+  CHECK(parse_keys("Escape") == std::vector{keys::escape});
+  CHECK(parse_keys("F12") == std::vector{keys::f12});
+  CHECK(parse_keys("Ctrl++") == std::vector{keys::control, static_cast<int>('+')});
+  CHECK_THROWS_AS(parse_keys("F13"), UsageError);
+  CHECK_THROWS_AS(parse_keys(""), UsageError);
+}
+
+}  // namespace winslow::gui::test

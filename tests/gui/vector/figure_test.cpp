@@ -1,0 +1,153 @@
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "core/error.h"
+#include "gui/studio/keys.h"
+#include "gui/studio/rig.h"
+#include "gui/vector/clip.h"
+#include "gui/vector/write_figure.h"
+
+namespace winslow::gui::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++found;
+  return found;
+}
+
+/// A ring seen whole, one point a unit of 1/50.
+VectorFigure ring_figure() {
+  VectorFigure figure;
+  figure.mesh = ring_mesh();
+  figure.camera.set_viewport(0, 0, 400, 300);
+  figure.camera.fit(bounds(figure.mesh));
+  figure.title = "Ring";
+  for (Index m = 0; m < 2; ++m) figure.marker_colors.push_back(marker_color(m));
+  return figure;
+}
+
+/// Lines stroked in a colour, over all paths.
+std::size_t lines_of_color(const pugi::xml_document& svg, const Rgb& color) {
+  std::size_t lines = 0;
+  for (const auto& path : svg.select_nodes("//*[local-name()='path']")) {
+    const std::string style = path.node().attribute("style").value();
+    const std::size_t at = style.find("stroke:rgb(");
+    if (at == std::string::npos) continue;
+    std::array<float, 3> percent{};
+    std::sscanf(style.c_str() + at, "stroke:rgb(%f%%,%f%%,%f%%)", &percent[0], &percent[1],
+                &percent[2]);
+    bool same = true;
+    for (std::size_t c = 0; c < 3; ++c) same &= std::abs(percent[c] - 100 * color[c]) < 0.5f;
+    if (same) lines += count(path.node().attribute("d").value(), "L ");
+  }
+  return lines;
+}
+
+}  // namespace
+
+TEST_CASE("an SVG figure is XML and holds each visible edge of the boundary once") {
+  TemporaryFolder folder;
+  const auto path = folder / "ring.svg";
+  VectorFigure figure = ring_figure();
+  write_figure(path, figure);
+  pugi::xml_document svg;
+  REQUIRE(svg.load_file(path.c_str()));
+  CHECK(std::string(svg.document_element().name()) == "svg");
+  CHECK(lines_of_color(svg, marker_color(0)) == 24);
+  CHECK(lines_of_color(svg, marker_color(1)) == 24);
+
+  // Nothing of the far field is in a view of the body.
+  figure.camera.fit({{-0.6, -0.3}, {0.6, 0.3}});
+  write_figure(path, figure);
+  REQUIRE(svg.load_file(path.c_str()));
+  CHECK(lines_of_color(svg, marker_color(0)) == 24);
+  CHECK(lines_of_color(svg, marker_color(1)) == 0);
+}
+
+TEST_CASE("a PDF figure is one page of the size of the view and its margins") {
+  TemporaryFolder folder;
+  const auto path = folder / "ring.pdf";
+  const VectorFigure figure = ring_figure();
+  write_figure(path, figure);
+  const std::string pdf = content(path);
+  CHECK(pdf.starts_with("%PDF-1."));
+  CHECK(pdf.find("%%EOF") != std::string::npos);
+  CHECK(count(pdf, "/Type /Page %") == 1);
+  const FigureMargins m = figure_margins(figure);
+  const std::size_t box = pdf.find("/MediaBox [ 0 0 ");
+  REQUIRE(box != std::string::npos);
+  double width = 0;
+  double height = 0;
+  std::sscanf(pdf.c_str() + box, "/MediaBox [ 0 0 %lf %lf", &width, &height);
+  CHECK(width == doctest::Approx(400 + m.left + m.right).epsilon(1e-4));
+  CHECK(height == doctest::Approx(300 + m.top + m.bottom).epsilon(1e-4));
+}
+
+TEST_CASE("a figure of a deep zoom has no coordinates off the page") {
+  TemporaryFolder folder;
+  VectorFigure figure = ring_figure();
+  figure.camera.look_at({0.5, 0}, 1e-12);
+  write_figure(folder / "deep.svg", figure);
+  pugi::xml_document svg;
+  REQUIRE(svg.load_file((folder / "deep.svg").c_str()));
+  for (const auto& path : svg.select_nodes("//*[local-name()='path']")) {
+    std::istringstream words(path.node().attribute("d").value());
+    for (std::string word; words >> word;)
+      if (std::isdigit(word[0]) || word[0] == '-') CHECK(std::abs(std::stod(word)) < 2000);
+  }
+}
+
+TEST_CASE("lines and polygons are cut at a box") {
+  const Bounds box{{0, 0}, {2, 1}};
+  const auto line = clip_line({-1, 0.5}, {3, 0.5}, box);
+  REQUIRE(line);
+  CHECK((*line)[0].isApprox(Vec2(0, 0.5)));
+  CHECK((*line)[1].isApprox(Vec2(2, 0.5)));
+  CHECK_FALSE(clip_line({-1, 2}, {3, 2}, box));
+  CHECK_FALSE(clip_line({-1, 0.5}, {-0.5, 3}, box));
+  const auto polygon = clip_polygon({{-5, -5}, {5, -5}, {5, 5}, {-5, 5}}, box);
+  REQUIRE(polygon.size() == 4);
+  CHECK(clip_polygon({{3, 0}, {4, 0}, {4, 1}}, box).size() < 3);
+}
+
+TEST_CASE("the studio saves its view as vector graphics, colours and legend included") {
+  Rig rig(900, 600);
+  rig.open(ring_mesh());
+  const auto path = rig.folder / "view.svg";
+  rig.bench->apply(action::SavePicture{path});
+  REQUIRE(rig.settle());
+  const std::string colored = content(path);
+  pugi::xml_document svg;
+  REQUIRE(svg.load_string(colored.c_str()));
+  CHECK(lines_of_color(svg, marker_color(0)) == 24 + 1);  // and its line in the key
+  // Without colours there is neither legend nor a path for each of them.
+  ViewOptions plain = rig.bench->view();
+  plain.color.reset();
+  rig.bench->apply(action::SetView{plain});
+  rig.bench->apply(action::SavePicture{path, true});
+  REQUIRE(rig.settle());
+  CHECK(content(path).size() < colored.size() / 2);
+}
+
+TEST_CASE("a figure that cannot be written leaves nothing behind") {
+  TemporaryFolder folder;
+  CHECK_THROWS_AS(write_figure(folder / "no" / "a.svg", ring_figure()), OutputError);
+  CHECK_THROWS_AS(write_figure(folder / "a.eps", ring_figure()), UsageError);
+  CHECK(fs::is_empty(folder.path()));
+}
+
+}  // namespace winslow::gui::test
