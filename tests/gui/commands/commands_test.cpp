@@ -14,7 +14,9 @@ namespace {
 
 /// What commands see of a studio, and where they put what is to happen.
 struct View {
-  explicit View(const Rig& rig) : context{rig.session(), rig.bench->view(), rig.bench->view_state(), theme, actions} {}
+  explicit View(const Rig& rig)
+      : context{rig.session(), rig.bench->view(), rig.bench->view_state(),
+                theme,         actions,           rig.bench->capture()} {}
   Theme theme;
   ActionQueue actions;
   PanelContext context;
