@@ -81,7 +81,7 @@ void Capture::on(const action::StartRecording& a) {
     return;
   }
   recorded_ = Coordinates();
-  shape_ = 0;
+  shape_ = left_ = 0;
   stepping_ = a.step.has_value();
   if (!stepping_) return;
   session_.apply(action::RerunStep{*a.step});
@@ -173,8 +173,11 @@ void Capture::record_frame(PictureSource& source) {
 void Capture::step_on() {
   const JobRunner& job = session_.job();
   if (!job.active()) return on(action::StopRecording{});
-  if (job.snapshot() && job.snapshot()->state == JobState::paused)
-    session_.apply(action::StepSolver{1});
+  const auto& snapshot = job.snapshot();
+  // A step that was asked for takes a while to be seen: each pause is left once.
+  if (!snapshot || snapshot->state != JobState::paused || snapshot->serial == left_) return;
+  left_ = snapshot->serial;
+  session_.apply(action::StepSolver{1});
 }
 
 bool Capture::poll() {

@@ -89,12 +89,17 @@ void HeadlessStudio::run_stepwise(const std::function<void()>& seen) {
     seen();
   };
   const JobRunner& job = bench_->session().job();
+  std::uint64_t left = 0;
   while (job.active()) {
     look();
-    if (job.snapshot() && job.snapshot()->state == JobState::paused)
+    const auto snapshot = job.snapshot();
+    // A step that was asked for takes a while to be seen: each pause is left once.
+    if (snapshot && snapshot->state == JobState::paused && snapshot->serial != left) {
+      left = snapshot->serial;
       bench_->apply(action::StepSolver{1});
-    else
+    } else {
       rest();
+    }
   }
   look();
 }

@@ -205,7 +205,8 @@ TEST_CASE("a step of the history is recorded from its start to its end") {
   rig.bench->apply(action::StartRecording{rig.folder / "film", 1});
   REQUIRE(rig.settle());
   const auto frames = names_in(rig.folder / "film");
-  CHECK(frames.size() > 3);
+  const auto iterations = rig.document().history().result(1).outer_iterations;
+  CHECK(frames.size() >= static_cast<std::size_t>(iterations));
   CHECK(rig.document().history().size() == steps);  // nothing that could be redone is lost
   CHECK(rig.document().history().position() == 1);
   CHECK(rig.mesh().coordinates == end);
