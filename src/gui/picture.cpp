@@ -121,4 +121,50 @@ Image draw_picture(const Mesh& mesh, const PictureOptions& options) {
   return target.read();
 }
 
+VectorFigure picture_figure(const Mesh& mesh, const PictureOptions& options) {
+  check(options);
+  VectorFigure figure;
+  figure.mesh = mesh;
+  figure.title = options.title;
+  figure.warning = warning_text(check_validity(*mesh.topology, mesh.coordinates).inverted);
+  figure.wireframe = options.wireframe;
+  figure.dark = options.dark;
+  figure.framed = options.bounds.has_value();
+  figure.font_size = std::clamp(0.02 * std::min(options.width, options.height), 8.0, 40.0);
+  figure.edge_width = 0.05 * figure.font_size;
+  figure.boundary_width = 0.13 * figure.font_size;
+  if (options.color) {
+    figure.values = element_values(*make_state(mesh).vcv, mesh.coordinates, *options.color);
+    figure.scale = choose_scale(options, figure.values);
+    if (options.legend) figure.legend = make_legend(*options.color, figure.values, *figure.scale);
+  }
+  const auto& markers = mesh.topology->markers();
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    figure.marker_colors.push_back(marker_color(static_cast<Index>(m), options.dark));
+    if (options.marker_key) figure.key.emplace_back(markers[m].name, figure.marker_colors.back());
+  }
+  const FigureMargins m = figure_margins(figure);
+  figure.camera.set_viewport(0, 0, std::max(options.width - m.left - m.right, 1.0),
+                             std::max(options.height - m.top - m.bottom, 1.0));
+  figure.camera.fit(options.bounds.value_or(bounds(mesh)), options.bounds ? 0.0 : 0.01);
+  return figure;
+}
+
+std::array<double, 2> picture_range(const Mesh& mesh, const PictureOptions& options) {
+  const auto values = element_values(*make_state(mesh).vcv, mesh.coordinates, *options.color);
+  const ColorScale scale = choose_scale(options, values);
+  return {scale.low, scale.high};
+}
+
+Image side_by_side(const Image& left, const Image& right) {
+  if (left.height != right.height) throw UsageError("pictures side by side have one height");
+  Image both{left.width + right.width, left.height, {}};
+  both.rgba.reserve(left.rgba.size() + right.rgba.size());
+  for (int y = 0; y < both.height; ++y)
+    for (const Image* part : {&left, &right})
+      both.rgba.insert(both.rgba.end(), part->pixel(0, y),
+                       part->pixel(0, y) + 4 * static_cast<std::size_t>(part->width));
+  return both;
+}
+
 }  // namespace winslow::gui

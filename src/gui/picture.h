@@ -6,6 +6,7 @@
 
 #include "core/inspect/element_field.h"
 #include "gui/render/image.h"
+#include "gui/vector/vector_figure.h"
 
 namespace winslow::gui {
 
@@ -27,5 +28,15 @@ struct PictureOptions {
 /// Inverted elements are red and counted in a caption. Throws Error where no OpenGL can be had, and
 /// UsageError for an unknown colour map, bounds or a range without extent, a size out of range.
 Image draw_picture(const Mesh& mesh, const PictureOptions& options);
+
+/// The same as vector graphics, a pixel of the options being a point. Throws UsageError.
+VectorFigure picture_figure(const Mesh& mesh, const PictureOptions& options);
+
+/// The range that the colours of a picture have: of several that are to be compared, take one.
+/// Needs options.color.
+std::array<double, 2> picture_range(const Mesh& mesh, const PictureOptions& options);
+
+/// Two pictures of one height side by side.
+Image side_by_side(const Image& left, const Image& right);
 
 }  // namespace winslow::gui

@@ -1,17 +1,25 @@
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <iostream>
 #include <limits>
 #include <optional>
+#include <thread>
 
+#include "app/job/markers.h"
+#include "app/job/motion_frames.h"
 #include "app/options/file_flags.h"
 #include "app/options/suggestion.h"
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"
 #include "core/inspect/element_field.h"
 #include "io/mesh_file.h"
+#include "io/recipe.h"
 #ifdef WINSLOW_HAS_GUI
+#include "gui/capture/recorder.h"
 #include "gui/picture.h"
 #include "gui/render/color_map.h"
+#include "gui/vector/write_figure.h"
 #endif
 
 namespace winslow::app {
@@ -26,6 +34,9 @@ struct RenderFlags {
   std::optional<std::array<double, 4>> bounds;
   std::optional<std::array<double, 2>> range;
   std::array<int, 2> size{1200, 900};
+  std::string before;          // mesh to put beside
+  std::string recipe, frames;  // frames of what the recipe does
+  int per_command = 12, rate = 20;
   bool dark = false, no_wireframe = false, no_legend = false, quiet = false;
 };
 
@@ -51,31 +62,93 @@ gui::PictureOptions picture_options(const RenderFlags& flags) {
   return options;
 }
 
+bool is_vector_format(const std::string& path) { return gui::is_vector_format(path); }
+bool is_film(const std::string& path) { return gui::film_format(path).has_value(); }
+
 void draw(const RenderFlags& flags, const Mesh& mesh) {
-  gui::write_png(flags.output, gui::draw_picture(mesh, picture_options(flags)));
+  if (is_vector_format(flags.output))
+    gui::write_figure(flags.output, gui::picture_figure(mesh, picture_options(flags)));
+  else
+    gui::write_png(flags.output, gui::draw_picture(mesh, picture_options(flags)));
+}
+
+/// Both meshes at the size asked for, in one range of colours.
+void draw_both(const RenderFlags& flags, const Mesh& before, const Mesh& after) {
+  gui::PictureOptions options = picture_options(flags);
+  if (!options.bounds) {
+    const Bounds a = bounds(before), b = bounds(after);
+    options.bounds = Bounds{a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)};
+  }
+  if (options.color && !options.range) {
+    const auto a = gui::picture_range(before, options), b = gui::picture_range(after, options);
+    options.range = {std::min(a[0], b[0]), std::max(a[1], b[1])};
+  }
+  const std::string title = options.title.empty() ? "" : options.title + ": ";
+  options.title = title + "before";
+  const gui::Image left = gui::draw_picture(before, options);
+  options.title = title + "after";
+  gui::write_png(flags.output, gui::side_by_side(left, gui::draw_picture(after, options)));
+}
+
+/// Frames of the meshes on a recipe's way, all of one part of the plane and in one range of
+/// colours. Returns what to tell the user.
+std::string draw_frames(const RenderFlags& flags, const Mesh& mesh,
+                        const std::vector<Coordinates>& meshes) {
+  gui::PictureOptions options = picture_options(flags);
+  if (!options.bounds) {
+    Bounds all = bounds(mesh);
+    for (const Coordinates& x : meshes) {
+      const Bounds b = bounds(Mesh{mesh.topology, x});
+      all = {all.min.cwiseMin(b.min), all.max.cwiseMax(b.max)};
+    }
+    options.bounds = all;
+  }
+  if (options.color && !options.range) options.range = gui::picture_range(mesh, options);
+  gui::Recorder recorder;
+  gui::RecordingSpec spec;
+  spec.rate = flags.rate;
+  recorder.start(flags.frames, spec);
+  for (const Coordinates& x : meshes)
+    recorder.add(gui::draw_picture(Mesh{mesh.topology, x}, options));
+  recorder.stop();
+  for (;;) {
+    if (const auto outcome = recorder.poll()) {
+      if (outcome->kind != gui::Recorder::Outcome::Kind::done) throw OutputError(outcome->text);
+      return outcome->text;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
 }
 
 #else
 
-std::vector<std::string> color_maps() { return {"viridis"}; }
+bool is_vector_format(const std::string&) { return false; }
+bool is_film(const std::string&) { return false; }
 
-void draw(const RenderFlags&, const Mesh&) {
+[[noreturn]] void refuse() {
   throw Error("this winslow was built without graphics (WINSLOW_BUILD_GUI=OFF): it cannot render");
 }
+void draw_both(const RenderFlags&, const Mesh&, const Mesh&) { refuse(); }
+std::string draw_frames(const RenderFlags&, const Mesh&, const std::vector<Coordinates>&) {
+  refuse();
+}
+
+std::vector<std::string> color_maps() { return {"viridis"}; }
+
+void draw(const RenderFlags&, const Mesh&) { refuse(); }
 
 #endif
 
 class RenderSubcommand : public Subcommand {
  public:
   explicit RenderSubcommand(CLI::App& program)
-      : Subcommand(program.add_subcommand(
-            "render",
-            "Draw a mesh as a PNG picture; needs no display, inverted elements are red")) {
+      : Subcommand(program.add_subcommand("render",
+                                          "Draw a mesh as a picture (PNG, SVG, PDF); needs no "
+                                          "display, inverted elements are red")) {
     add_input(app(), flags_.input);
     app()
-        .add_option("-o,--output", flags_.output, "Picture to write")
-        ->required()
-        ->type_name("PIC.png");
+        .add_option("-o,--output", flags_.output, "Picture to write: .png, .svg or .pdf")
+        ->type_name("PIC");
     app()
         .add_option("--size", flags_.size, "Width and height in pixels [1200 900]")
         ->type_name("W H");
@@ -88,6 +161,7 @@ class RenderSubcommand : public Subcommand {
     app().add_flag("--dark", flags_.dark, "Dark background");
     app().add_flag("--no-wireframe", flags_.no_wireframe, "Leave the edges of elements out");
     add_color_flags();
+    add_frame_flags();
     add_quiet_flag(app(), flags_.quiet);
   }
 
@@ -99,12 +173,74 @@ class RenderSubcommand : public Subcommand {
         std::cerr << "winslow: warning: " << text << '\n';
       }
     }
-    draw(flags_, file.mesh);
+    if (!flags_.frames.empty()) {
+      const std::string said = draw_frames(flags_, file.mesh, frames_of(file.mesh));
+      if (!flags_.quiet) std::cout << said << '\n';
+    }
+    if (flags_.output.empty()) return ExitCode::done;
+    if (flags_.before.empty())
+      draw(flags_, file.mesh);
+    else
+      draw_both(flags_, read_before(file.mesh), file.mesh);
     if (!flags_.quiet) std::cout << "Wrote " << flags_.output << '\n';
     return ExitCode::done;
   }
 
  private:
+  void add_frame_flags() {
+    const char* group = "Motion";
+    app()
+        .add_option("--before", flags_.before,
+                    "The mesh before, drawn on the left of IN; of the same nodes and elements")
+        ->type_name("MESH")
+        ->group(group);
+    auto* recipe =
+        app()
+            .add_option("--recipe", flags_.recipe, "Commands to carry out on IN, for --frames")
+            ->type_name("FILE.json")
+            ->group(group);
+    auto* frames =
+        app()
+            .add_option("--frames", flags_.frames,
+                        "Draw the meshes on the recipe's way: PNG files into a folder, or "
+                        "a film .mp4 or .gif (by ffmpeg)")
+            ->type_name("DIR")
+            ->group(group);
+    recipe->needs(frames);
+    frames->needs(recipe);
+    app()
+        .add_option("--per-command", flags_.per_command, "Most frames of one command [12]")
+        ->check(CLI::Range(1, 10000))
+        ->type_name("N")
+        ->group(group);
+    app()
+        .add_option("--rate", flags_.rate, "Frames a second of a film [20]")
+        ->check(CLI::Range(1, 60))
+        ->type_name("N")
+        ->group(group);
+  }
+
+  Mesh read_before(const Mesh& after) const {
+    Mesh before = io::read_mesh(flags_.before).mesh;
+    const Topology& a = *before.topology;
+    const Topology& b = *after.topology;
+    bool same = before.coordinates.size() == after.coordinates.size() &&
+                a.element_count() == b.element_count();
+    for (Index e = 0; same && e < a.element_count(); ++e)
+      same = std::ranges::equal(a.element(e), b.element(e));
+    if (!same) {
+      throw InputError(flags_.before + ": not the same nodes and elements as " + flags_.input +
+                       ", so it is no earlier state of it");
+    }
+    return before;
+  }
+
+  std::vector<Coordinates> frames_of(const Mesh& mesh) const {
+    const io::Recipe recipe = io::read_recipe(flags_.recipe);
+    check_markers(recipe.commands, *mesh.topology, flags_.input);
+    return motion_frames(recipe.commands, make_state(mesh), flags_.per_command);
+  }
+
   void add_color_flags() {
     std::vector<std::string> names;
     for (const ElementField& f : all_element_fields()) names.emplace_back(field_name(f));
@@ -131,6 +267,19 @@ class RenderSubcommand : public Subcommand {
   }
 
   void check_flags() const {
+    if (flags_.output.empty() && flags_.frames.empty()) {
+      throw UsageError(
+          "nothing to draw to: give a picture with -o PIC or frames with --frames DIR");
+    }
+    if (!flags_.before.empty() && flags_.output.empty()) {
+      throw UsageError("--before is for a picture: give one with -o PIC.png");
+    }
+    if (!flags_.before.empty() && is_vector_format(flags_.output)) {
+      throw UsageError(
+          "--before draws two pictures into one PNG file; for vector graphics draw them "
+          "one by one");
+    }
+    if (is_film(flags_.frames)) check_output(flags_.frames);
     check_output(flags_.output);
     check_distinct({flags_.output, flags_.input});
     for (const int pixels : flags_.size) {
