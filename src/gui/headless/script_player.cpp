@@ -34,6 +34,7 @@ class ScriptPlayer {
     if (what == "drag") return drag(mesh_point(words, 1), mesh_point(words, 3));
     if (what == "press") return press(mesh_point(words, 1));
     if (what == "release") return release();
+    if (what == "away") return away();
     if (what == "wheel") return wheel(mesh_point(words, 1), number(words[3]));
     if (what == "key") return key(words[1]);
     if (what == "type") return type(words[1]);
@@ -89,6 +90,11 @@ class ScriptPlayer {
   void move(const Vec2& to) {
     input().move(to);
     studio_.frames(2);
+  }
+  /// Off the window: no tooltip is in the way of a picture.
+  void away() {
+    input().leave();
+    studio_.frames(3);
   }
   void press(const Vec2& at) {
     move(at);

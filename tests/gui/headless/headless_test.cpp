@@ -119,6 +119,7 @@ drag -2 0 -1.75 0.25
 wait
 key Ctrl+Z
 picture mesh.svg no-legend
+away
 picture large.png mesh-alone 2
 widgets tool/run
 )";

@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+"""Draws the pictures of docs/studio.md from the program itself: make_tour.py WINSLOW [NAME ...]
+
+Each picture is a script of the studio ("winslow studio --headless --script"), so the tour shows what
+the program does today. With names, only those pictures are drawn. Needs no display; where ffmpeg is
+installed the files are made small with a palette of their own colours.
+"""
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PICTURES = ROOT / "docs" / "pictures" / "tour"
+SIZE = (1200, 750)
+NACA = ROOT / "assets" / "naca0012.su2"
+
+# Name: (mesh or None, script; the picture is taken at its end).
+TOUR = {
+    "welcome": (None, ""),
+    "window": (NACA, ""),
+    "drag": (NACA, "click 0.3 0.03\nwait\npress 0.3 0.03\nmove 0.32 -0.05\nmove 0.35 -0.12\n"
+                   "move 0.4 -0.2\nwait\n"),
+    "motion": (NACA, "click 0.5 0\nfill motion/rotate -90\nfill motion/dx 2\nfill motion/dy -2\n"
+                     "click motion/apply\naway\nlook 2.5 -2 1\nwait\n"),
+    "solver": (NACA, "click menu/Edit\nwait 2\nclick menu/scramble\nwait\nkey Shift+N\naway\nwait\n"),
+    "quality": (NACA, "click 0.5 0\nfill motion/rotate -40\nclick motion/apply\nwait\n"
+                      "click tab/quality\naway\nwait\n"),
+    "view": (NACA, "key Ctrl+D\nclick tab/view\naway\nlook 0.5 0 0.8\nwait\n"),
+    "vcv": (NACA, "click tab/vcv\nlook 0.05 0 0.12\nwait\nfill vcv/node 900\nkey Enter\naway\nwait\n"),
+    "history": (NACA, "click 0.5 0\nfill motion/rotate -20\nclick motion/apply\nwait\n"
+                      "fill motion/dx 0.3\nclick motion/apply\nwait\nkey Space\nwait\n"
+                      "click tab/history\naway\nwait\n"),
+    "commands": (NACA, "key Ctrl+P\nwait 3\ntype rec\nwait 3\n"),
+    "picture": (NACA, "key Shift+F12\nwait 3\nclick picture/mesh_alone\naway\nwait 3\n"),
+    "recording": (NACA, "click tool/record\naway\nwait 3\n"),
+}
+
+
+def shrink(path):
+    """256 colours of the picture's own, where that saves something."""
+    if not shutil.which("ffmpeg"):
+        return
+    small = path.with_suffix(".small.png")
+    done = subprocess.run(
+        ["ffmpeg", "-v", "error", "-y", "-i", path, "-vf",
+         "split[a][b];[a]palettegen=max_colors=256[p];[b][p]paletteuse=dither=none", small],
+        check=False)
+    if done.returncode == 0 and small.stat().st_size < path.stat().st_size:
+        small.replace(path)
+    small.unlink(missing_ok=True)
+
+
+def draw(winslow, name, mesh, script):
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / f"{name}.txt"
+        file.write_text(script)
+        picture = PICTURES / f"{name}.png"
+        command = [winslow, "studio", "--headless", "--quiet", "--size", *map(str, SIZE)]
+        # The picture is the script's own: --screenshot would wait until a drag has settled.
+        file.write_text(f'{script}screenshot "{picture}"\n')
+        command += ["--script", file, *([mesh] if mesh else [])]
+        done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
+        if done.returncode != 0:
+            sys.exit(f"{name}: {done.stderr}")
+        shrink(picture)
+        print(f"{picture.relative_to(ROOT)}: {picture.stat().st_size // 1024} kB")
+
+
+def main():
+    winslow = str(Path(sys.argv[1]).resolve())
+    PICTURES.mkdir(parents=True, exist_ok=True)
+    for name in sys.argv[2:] or TOUR:
+        draw(winslow, name, *TOUR[name])
+
+
+if __name__ == "__main__":
+    main()
