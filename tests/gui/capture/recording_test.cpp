@@ -190,6 +190,37 @@ TEST_CASE("a recording holds one frame for each shape of the mesh") {
   CHECK(names_in(rig.folder / "film").size() == 6);
 }
 
+TEST_CASE("by the clock frames come while the mesh rests, and the view may move") {
+  Rig rig(900, 600);
+  rig.open(ring_mesh());
+  RecordingSpec spec;
+  spec.when = RecordingSpec::When::timed;
+  spec.rate = 60;
+  spec.picture = {.size = std::array{160, 120}, .panels = false};
+  rig.bench->apply(action::SetRecordingSpec{spec});
+  rig.bench->apply(action::StartRecording{rig.folder / "film", std::nullopt});
+  const Recorder& recorder = rig.bench->capture().recorder();
+  REQUIRE(rig.wait([&] { return recorder.frames() >= 2; }));
+  rig.bench->apply(action::LookAt{{0.5, 0}, 0.1});
+  const int before = recorder.frames();
+  REQUIRE(rig.wait([&] { return recorder.frames() >= before + 2; }));
+  rig.bench->apply(action::StopRecording{});
+  REQUIRE(rig.settle());
+  const auto names = names_in(rig.folder / "film");
+  CHECK(content(rig.folder / "film" / *names.begin()) !=
+        content(rig.folder / "film" / *names.rbegin()));
+}
+
+TEST_CASE("frames left out are counted and said") {
+  TemporaryFolder folder;
+  Recorder recorder;
+  recorder.start(folder / "film", {});
+  recorder.add(frame(1));
+  recorder.drop();
+  recorder.drop();
+  CHECK(finish(recorder).text.find("2 more were left out") != std::string::npos);
+}
+
 TEST_CASE("a step of the history is recorded from its start to its end") {
   Rig rig(900, 600);
   rig.open(ring_mesh());
