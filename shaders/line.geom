@@ -12,6 +12,8 @@ uniform float fade_below;       // spacing in pixels below which lines fade; 0: 
 uniform float vanishing_share;  // of that spacing, where they are gone
 uniform samplerBuffer line_spacing;
 uniform int first_line;
+uniform int use_line_opacity;
+uniform samplerBuffer line_opacity;
 
 noperspective out vec2 along_across;  // pixels from the first end, and from the axis
 flat out float line_length;
@@ -31,6 +33,7 @@ void main() {
     float share = spacing / fade_below;
     opacity *= clamp((share - vanishing_share) / (1.0 - vanishing_share), 0.0, 1.0);
   }
+  if (use_line_opacity != 0) opacity *= texelFetch(line_opacity, first_line + gl_PrimitiveIDIn).r;
   if (opacity < 0.004) return;
   // Outside on one side with both ends, rim included: the greater part of a mesh that is zoomed.
   vec2 reach = vec2(width + 2.0);

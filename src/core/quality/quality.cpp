@@ -224,6 +224,10 @@ std::vector<double> element_values(const Mesh& mesh, Metric metric) {
   return values;
 }
 
+double element_value(const Mesh& mesh, Index element, Metric metric) {
+  return value_of(measure(mesh.coordinates, mesh.topology->element(element)), metric);
+}
+
 Validity check_validity(const Topology& topology, const Coordinates& coordinates, int threads) {
   const CornerData data{coordinates.values().data(), topology.elements().offsets.data(),
                         topology.elements().values.data()};

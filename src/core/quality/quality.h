@@ -70,6 +70,8 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options = 
 
 /// Value of a metric for each element (#elements).
 std::vector<double> element_values(const Mesh& mesh, Metric metric);
+/// The same of one element.
+double element_value(const Mesh& mesh, Index element, Metric metric);
 
 /// What every outer iteration needs to know, cheaply.
 struct Validity {

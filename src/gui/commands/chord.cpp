@@ -44,8 +44,8 @@ std::string key_name(int key) {
 
 std::string chord_text(const Chord& chord) {
   if (chord.key == 0) return {static_cast<char>(chord.character)};
-  return std::string(chord.control ? "Ctrl+" : "") + (chord.shift ? "Shift+" : "") +
-         key_name(chord.key);
+  return std::string(chord.control ? "Ctrl+" : "") + (chord.alt ? "Alt+" : "") +
+         (chord.shift ? "Shift+" : "") + key_name(chord.key);
 }
 
 std::string chords_text(const std::vector<Chord>& chords) {
@@ -63,7 +63,7 @@ bool pressed(const Chord& chord) {
                                       static_cast<ImWchar>(chord.character)) != typed.end();
   }
   return ImGui::IsKeyPressed(chord.key, false) && control_held == chord.control &&
-         io.KeyShift == chord.shift && !io.KeyAlt;
+         io.KeyShift == chord.shift && io.KeyAlt == chord.alt;
 }
 
 Chord key(int glfw_key) { return {glfw_key}; }
@@ -75,6 +75,11 @@ Chord control(Chord chord) {
 
 Chord shift(Chord chord) {
   chord.shift = true;
+  return chord;
+}
+
+Chord alt(Chord chord) {
+  chord.alt = true;
   return chord;
 }
 

@@ -5,13 +5,14 @@
 
 namespace winslow::gui {
 
-/// Keys pressed together: one key with Control or Shift held, or a character however the keyboard
-/// types it.
+/// Keys pressed together: one key with Control, Alt or Shift held, or a character however the
+/// keyboard types it.
 struct Chord {
   int key = 0;  ///< GLFW key code; 0: a character
   bool control = false;
   bool shift = false;
   char32_t character = 0;
+  bool alt = false;
 
   bool operator==(const Chord&) const = default;
 };
@@ -28,6 +29,7 @@ bool pressed(const Chord& chord);
 Chord key(int glfw_key);
 Chord control(Chord chord);
 Chord shift(Chord chord);
+Chord alt(Chord chord);
 Chord typed(char32_t character);
 
 }  // namespace winslow::gui

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "gui/studio/actions.h"
+#include "gui/studio/before_mesh.h"
 #include "gui/studio/session.h"
 #include "gui/studio/theme.h"
 #include "gui/studio/view_options.h"
@@ -20,6 +21,7 @@ struct PanelContext {
   const Theme& theme;
   ActionQueue& actions;
   const Capture& capture;
+  const BeforeMesh* before = nullptr;  ///< what the mesh is compared with
 
   template <class A>
   void emit(A a) const {

@@ -4,15 +4,15 @@
 
 namespace winslow::gui {
 
-/// The quality table: minimum, average and maximum of each metric, as loaded and now; the worst
-/// elements.
+/// The quality table as in the paper: minimum, average and maximum of each metric, before and now
+/// side by side.
 class QualityPanel : public Panel {
  public:
   void draw(const PanelContext& context) override;
 
  private:
+  void draw_choice(const PanelContext& context);
   void draw_table(const PanelContext& context);
-  void draw_worst(const PanelContext& context);
 };
 
 }  // namespace winslow::gui

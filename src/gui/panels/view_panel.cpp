@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gui/render/color_map.h"
+#include "gui/studio/isolated_elements.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -28,6 +29,9 @@ void ViewPanel::draw(const PanelContext& context) {
   bool changed = draw_color(view);
   if (view.color) changed |= draw_range(view);
   changed |= draw_elements(view);
+  changed |= draw_boundary(view);
+  changed |= draw_comparison(view);
+  changed |= draw_magnifier(context, view);
   changed |= draw_appearance(view);
   if (changed) context.emit(action::SetView{view});
 }
@@ -47,6 +51,12 @@ bool ViewPanel::draw_color(ViewOptions& view) {
   if (!ui::combo("view/color", names, chosen, tip)) return false;
   view.color = chosen == 0 ? std::nullopt : std::optional<ElementField>(fields[chosen - 1]);
   view.range.reset();
+  if (view.color) {
+    Isolation isolation = isolation_for(*view.color);
+    isolation.on = view.isolation.on;
+    isolation.rest = view.isolation.rest;
+    view.isolation = isolation;
+  }
   return true;
 }
 
@@ -115,6 +125,59 @@ bool ViewPanel::draw_elements(ViewOptions& view) {
   ImGui::SameLine(ImGui::GetWindowContentRegionMax().x * 0.5f);
   changed |= ui::checkbox("view/legend", "Legend", view.legend, "Colours and their values (L).");
   changed |= ui::checkbox("view/nodes", "Nodes", view.nodes, "A dot on every node.");
+  return changed;
+}
+
+bool ViewPanel::draw_boundary(ViewOptions& view) {
+  if (!ui::section("section/boundary", "Boundary and ids")) return false;
+  const float half = ImGui::GetWindowContentRegionMax().x * 0.5f;
+  bool changed = ui::checkbox("view/rim_nodes", "Boundary nodes", view.rim_nodes,
+                              "Dots along the boundary, as close as there is room for.");
+  ImGui::SameLine(half);
+  changed |= ui::checkbox("view/directions", "Directions", view.directions,
+                          "Arrows along the boundary, with the mesh on their left.");
+  changed |= ui::checkbox("view/node_ids", "Ids of nodes", view.node_ids,
+                          "Numbers of the nodes that are far enough apart on screen (Shift+I).");
+  ImGui::SameLine(half);
+  changed |= ui::checkbox("view/element_ids", "Ids of elements", view.element_ids,
+                          "Numbers of the elements that are large enough on screen (Shift+E).");
+  return changed;
+}
+
+bool ViewPanel::draw_comparison(ViewOptions& view) {
+  if (!ui::section("section/comparison", "Before and after")) return false;
+  constexpr const char* tip =
+      "Lay the edges of the state before over the mesh (G), or show it left of a divider that the "
+      "mouse drags (Shift+G).";
+  auto how = static_cast<std::size_t>(view.comparison);
+  ui::row("Show before", tip);
+  bool changed = ui::combo("view/comparison", {"No", "Its edges", "Side by side"}, how, tip);
+  view.comparison = static_cast<Comparison>(how);
+  auto which = static_cast<std::size_t>(view.before);
+  constexpr const char* before_tip = "The same state as in the table of the quality.";
+  ui::row("Before is", before_tip);
+  changed |= ui::combo("view/before", {"As loaded", "Before last command"}, which, before_tip);
+  view.before = static_cast<BeforeState>(which);
+  return changed;
+}
+
+bool ViewPanel::draw_magnifier(const PanelContext& context, ViewOptions& view) {
+  if (!ui::section("section/magnifier", "Magnifier")) return false;
+  const float half = ImGui::GetWindowContentRegionMax().x * 0.5f;
+  bool changed = ui::checkbox("view/magnifier", "Show", view.magnifier.on,
+                              "A lens under the mouse (M; held down, for as long).");
+  if (changed && !view.magnifier.on) view.magnifier.pin.reset();
+  ImGui::SameLine(half);
+  bool pinned = view.magnifier.pin.has_value();
+  if (ui::checkbox("view/pinned", "Pinned", pinned,
+                   "Goes on showing the middle of the viewport; Shift+M pins what is under the "
+                   "mouse."))
+    context.emit(action::PinMagnifier{});
+  constexpr const char* tip = "How much larger; the wheel over the magnifier sets it, too.";
+  ui::row("Factor", tip);
+  changed |= ui::number("view/magnification", view.magnifier.factor, tip, "%.4g");
+  if (!(view.magnifier.factor >= 2 && view.magnifier.factor <= 1000))
+    view.magnifier.factor = context.view.magnifier.factor;
   return changed;
 }
 

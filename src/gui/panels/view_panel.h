@@ -13,6 +13,9 @@ class ViewPanel : public Panel {
   bool draw_color(ViewOptions& view);
   bool draw_range(ViewOptions& view);
   bool draw_elements(ViewOptions& view);
+  bool draw_boundary(ViewOptions& view);
+  bool draw_comparison(ViewOptions& view);
+  bool draw_magnifier(const PanelContext& context, ViewOptions& view);
   bool draw_appearance(ViewOptions& view);
 };
 

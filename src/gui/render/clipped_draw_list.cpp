@@ -21,6 +21,8 @@ class ClippedMesh {
   DrawList build(const EdgeGroups& groups) {
     for (Index e = 0; e < topology_.element_count(); ++e) add_element(e);
     list_.interior = add_edges(groups.interior);
+    // Of the interior alone: what comes after is never hidden with its elements.
+    list_.line_edge = std::move(edges_);
     sort_by_spacing(list_);
     list_.boundary = add_edges(groups.unmarked_boundary);
     for (const Marker& marker : topology_.markers()) {
@@ -141,6 +143,7 @@ class ClippedMesh {
       if (misses_box(edge.nodes)) continue;
       if (!add_segment(edge.nodes[0], edge.nodes[1], list_.lines)) continue;
       list_.line_spacing.push_back(static_cast<float>(edge_spacing(topology_, coordinates_, edge)));
+      edges_.push_back(index);
     }
     return {first, list_.lines.size() / 2 - first};
   }
@@ -162,6 +165,7 @@ class ClippedMesh {
   const Coordinates& coordinates_;
   const Bounds box_;
   DrawList list_;
+  std::vector<Index> edges_;  // of the lines added by add_edges
 };
 
 }  // namespace

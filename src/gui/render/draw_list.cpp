@@ -30,6 +30,7 @@ class WholeMesh {
     add_nodes();
     add_elements();
     list_.interior = add_edges(groups.interior);
+    list_.line_edge = groups.interior;
     sort_by_spacing(list_);
     list_.boundary = add_edges(groups.unmarked_boundary);
     for (const Marker& marker : topology_.markers()) {

@@ -24,6 +24,7 @@ struct DrawList {
   std::vector<std::uint32_t> lines;  ///< 2 per line: interior, unmarked boundary, each marker
   std::vector<float> line_spacing;   ///< per line: distance to the next parallel line, world units;
                                      ///< interior lines come in its order, the widest first
+  std::vector<Index> line_edge;      ///< per interior line: index into Topology::edges()
   Range interior, boundary;
   std::vector<std::uint32_t> interior_at_least;  ///< see sort_by_spacing in line_density.h
   std::vector<Range> markers;

@@ -82,10 +82,7 @@ void ImGuiRenderer::upload_fonts() {
   atlas.SetTexID(texture_id(font_texture_));
 }
 
-void ImGuiRenderer::draw(const ImDrawData& data) {
-  const auto width = static_cast<int>(data.DisplaySize.x * data.FramebufferScale.x);
-  const auto height = static_cast<int>(data.DisplaySize.y * data.FramebufferScale.y);
-  if (width <= 0 || height <= 0) return;
+void ImGuiRenderer::prepare(const ImDrawData& data, int width, int height) {
   glViewport(0, 0, width, height);
   glEnable(GL_SCISSOR_TEST);
   glDisable(GL_DEPTH_TEST);
@@ -98,13 +95,24 @@ void ImGuiRenderer::draw(const ImDrawData& data) {
   shader_.set("to_clip", screen_matrix(data));
   shader_.set("glyphs", 0);
   glActiveTexture(GL_TEXTURE0);
+}
+
+void ImGuiRenderer::draw(const ImDrawData& data) {
+  const auto width = static_cast<int>(data.DisplaySize.x * data.FramebufferScale.x);
+  const auto height = static_cast<int>(data.DisplaySize.y * data.FramebufferScale.y);
+  if (width <= 0 || height <= 0) return;
+  prepare(data, width, height);
   for (int n = 0; n < data.CmdListsCount; ++n) {
     const ImDrawList& list = *data.CmdLists[n];
     vertices_.upload(std::span<const ImDrawVert>(list.VtxBuffer.begin(), list.VtxBuffer.end()));
     indices_.upload(std::span<const ImDrawIdx>(list.IdxBuffer.begin(), list.IdxBuffer.end()));
     for (const ImDrawCmd& command : list.CmdBuffer) {
       if (command.UserCallback != nullptr) {
+        // It may draw whatever it likes, however it likes.
         command.UserCallback(&list, &command);
+        prepare(data, width, height);
+        vertices_.bind();
+        indices_.bind();
         continue;
       }
       if (!set_scissor(data, command, width, height)) continue;

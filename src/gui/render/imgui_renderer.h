@@ -22,6 +22,8 @@ class ImGuiRenderer {
   void draw(const ImDrawData& data);
 
  private:
+  void prepare(const ImDrawData& data, int width, int height);
+
   Shader shader_{"ui.vert", "ui.frag"};
   GlBuffer vertices_{GL_ARRAY_BUFFER}, indices_{GL_ELEMENT_ARRAY_BUFFER};
   GLuint vertex_array_ = 0;

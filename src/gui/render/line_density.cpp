@@ -46,14 +46,17 @@ void sort_by_spacing(DrawList& list) {
   std::vector<std::uint32_t> next(at_least.begin() + 1, at_least.end());
   std::vector<std::uint32_t> lines(2 * count);
   std::vector<float> spacing(count);
+  std::vector<Index> edge(count);
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t to = next[spacing_class(list.line_spacing[k])]++;
     lines[2 * to] = list.lines[2 * k];
     lines[2 * to + 1] = list.lines[2 * k + 1];
     spacing[to] = list.line_spacing[k];
+    edge[to] = list.line_edge[k];
   }
   list.lines = std::move(lines);
   list.line_spacing = std::move(spacing);
+  list.line_edge = std::move(edge);
   list.interior_at_least = std::move(at_least);
 }
 

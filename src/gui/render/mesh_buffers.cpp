@@ -34,7 +34,7 @@ MeshBuffers::MeshBuffers() {
 
 MeshBuffers::~MeshBuffers() { glDeleteVertexArrays(1, &vertex_array_); }
 
-void MeshBuffers::upload(DrawList list) {
+bool MeshBuffers::upload(DrawList list) {
   glBindVertexArray(vertex_array_);
   positions_.upload(view(list.positions));
   node_spacing_.upload(view(list.node_spacing));
@@ -47,8 +47,10 @@ void MeshBuffers::upload(DrawList list) {
   if (list.inverted_lines != list_.inverted_lines) {
     inverted_lines_.upload(view(list.inverted_lines));
   }
+  const bool others = list.triangle_element != list_.triangle_element;
   list_ = std::move(list);
   glBindVertexArray(0);
+  return others;
 }
 
 void MeshBuffers::set_element_colors(std::span<const std::uint32_t> rgba) {
@@ -60,6 +62,11 @@ void MeshBuffers::set_element_colors(std::span<const std::uint32_t> rgba) {
     colors.push_back(rgba[static_cast<std::size_t>(e)]);
   }
   triangle_colors_.upload(view(colors));
+}
+
+void MeshBuffers::set_line_opacity(std::span<const float> opacity) {
+  has_opacity_ = !opacity.empty();
+  if (has_opacity_) line_opacity_.upload(opacity);
 }
 
 void MeshBuffers::begin(const Camera& camera) {
@@ -91,7 +98,7 @@ void MeshBuffers::draw_inverted_fill(const Rgba& color) {
   draw_elements(GL_TRIANGLES, 0, list_.inverted_triangles.size());
 }
 
-void MeshBuffers::prepare_lines(const LineStyle& style, std::size_t first_line) {
+void MeshBuffers::prepare_lines(const LineStyle& style, std::size_t first_line, bool use_opacity) {
   line_.use();
   line_.set("to_clip", to_clip_);
   line_.set("viewport", viewport_[0], viewport_[1]);
@@ -103,6 +110,9 @@ void MeshBuffers::prepare_lines(const LineStyle& style, std::size_t first_line) 
   line_.set("first_line", static_cast<int>(first_line));
   line_.set("line_spacing", 0);
   line_.set("color", style.color);
+  line_.set("use_line_opacity", use_opacity && has_opacity_ ? 1 : 0);
+  line_.set("line_opacity", 1);
+  if (use_opacity && has_opacity_) line_opacity_.bind(1);
   line_spacing_.bind(0);
 }
 
@@ -119,7 +129,10 @@ void MeshBuffers::draw_interior_lines(const LineStyle& style) {
     const float vanishing = vanishing_share * fade_distance * style.width / pixels_per_unit_;
     range.count = std::min(range.count, lines_spaced(list_, vanishing));
   }
-  draw_lines(range, style);
+  if (range.count == 0 || style.width <= 0) return;
+  prepare_lines(style, range.first, true);
+  lines_.bind();
+  draw_elements(GL_LINES, 2 * range.first, 2 * range.count);
 }
 
 void MeshBuffers::draw_inverted_outlines(const LineStyle& style) {

@@ -17,12 +17,16 @@ class MeshBuffers {
   MeshBuffers(const MeshBuffers&) = delete;
   MeshBuffers& operator=(const MeshBuffers&) = delete;
 
-  /// Uploads what differs from the list held: of a mesh that only moved, that is its positions.
-  void upload(DrawList list);
+  /// Uploads what differs from the list held: of a mesh that only moved, that is its positions and
+  /// the order of its lines. True if its triangles are those of other elements than before, so that
+  /// their colours have to be set anew.
+  bool upload(DrawList list);
   const DrawList& list() const { return list_; }
 
   /// One colour per element, spread over the list's triangles; empty: none.
   void set_element_colors(std::span<const std::uint32_t> rgba);
+  /// One opacity per interior line; empty: all are drawn in full.
+  void set_line_opacity(std::span<const float> opacity);
 
   /// How lines are drawn; fade: thin them out where they are denser than a few pixels.
   struct LineStyle {
@@ -40,15 +44,15 @@ class MeshBuffers {
   void draw_nodes(const Rgba& color, float size);
 
  private:
-  void prepare_lines(const LineStyle& style, std::size_t first_line);
+  void prepare_lines(const LineStyle& style, std::size_t first_line, bool use_opacity = false);
 
   DrawList list_;
   GLuint vertex_array_ = 0;
   GlBuffer positions_{GL_ARRAY_BUFFER}, node_spacing_{GL_ARRAY_BUFFER};
   GlBuffer triangles_{GL_ELEMENT_ARRAY_BUFFER}, lines_{GL_ELEMENT_ARRAY_BUFFER};
   GlBuffer inverted_triangles_{GL_ELEMENT_ARRAY_BUFFER}, inverted_lines_{GL_ELEMENT_ARRAY_BUFFER};
-  GlTextureBuffer triangle_colors_{GL_RGBA8}, line_spacing_{GL_R32F};
-  bool has_colors_ = false;
+  GlTextureBuffer triangle_colors_{GL_RGBA8}, line_spacing_{GL_R32F}, line_opacity_{GL_R32F};
+  bool has_colors_ = false, has_opacity_ = false;
   Shader fill_{"fill.vert", "fill.frag"};
   Shader line_{"fill.vert", "line.geom", "line.frag"};
   Shader node_{"node.vert", "node.frag"};

@@ -24,15 +24,45 @@ std::uint32_t pack(const Rgb& color) {
   return byte(color[0]) | (byte(color[1]) << 8U) | (byte(color[2]) << 16U) | 0xFF000000U;
 }
 
-/// Colours of all values. Sampling the map per element would dominate the update of a large mesh:
-/// a table of 1024 colours is finer than 8 bits can show.
-std::vector<std::uint32_t> pack_colors(std::span<const double> values, const ColorScale& scale) {
+bool contains(const Bounds& outer, const Bounds& inner) {
+  return (inner.min.array() >= outer.min.array()).all() &&
+         (inner.max.array() <= outer.max.array()).all();
+}
+
+/// Pixels of the framebuffer as OpenGL counts them, y up.
+struct PixelBox {
+  GLint x, y;
+  GLsizei width, height;
+};
+
+PixelBox pixel_box(const Bounds& box, int framebuffer_height) {
+  const auto x = static_cast<GLint>(std::lround(box.min.x()));
+  const auto top = static_cast<GLint>(std::lround(box.min.y()));
+  const auto width = static_cast<GLsizei>(std::lround(box.max.x())) - x;
+  const auto height = static_cast<GLsizei>(std::lround(box.max.y())) - top;
+  return {x, framebuffer_height - top - height, std::max(width, 0), std::max(height, 0)};
+}
+
+}  // namespace
+
+PreparedMesh prepare_mesh(const std::shared_ptr<const Topology>& topology,
+                          const Coordinates& coordinates,
+                          std::shared_ptr<const EdgeGroups> groups) {
+  if (!groups) groups = std::make_shared<const EdgeGroups>(group_edges(*topology));
+  const Bounds extent = bounds(Mesh{topology, coordinates});
+  DrawList whole = whole_draw_list(*topology, *groups, coordinates, extent.centre());
+  return {topology, std::move(groups), coordinates, extent, std::move(whole)};
+}
+
+/// Sampling the map per element would dominate the update of a large mesh: a table of 1024 colours
+/// is finer than 8 bits can show.
+std::vector<std::uint32_t> element_colors(std::span<const double> values, const ColorScale& scale,
+                                          std::span<const float> opacity) {
   constexpr std::size_t size = 1024;
   const double span = scale.high - scale.low;
   std::vector<std::uint32_t> table(size);
-  for (std::size_t k = 0; k < size; ++k) {
+  for (std::size_t k = 0; k < size; ++k)
     table[k] = pack(scale.color(scale.low + span * (static_cast<double>(k) + 0.5) / size));
-  }
   std::vector<std::uint32_t> colors;
   colors.reserve(values.size());
   for (const double value : values) {
@@ -43,123 +73,157 @@ std::vector<std::uint32_t> pack_colors(std::span<const double> values, const Col
     const double t = std::clamp((value - scale.low) / span, 0.0, 1.0);
     colors.push_back(table[std::min(static_cast<std::size_t>(t * size), size - 1)]);
   }
+  for (std::size_t e = 0; e < std::min(opacity.size(), colors.size()); ++e) {
+    const auto alpha = static_cast<std::uint32_t>(std::lround(255.0f * opacity[e]));
+    colors[e] = (colors[e] & 0x00FFFFFFU) | (alpha << 24U);
+  }
   return colors;
 }
 
-bool contains(const Bounds& outer, const Bounds& inner) {
-  return (inner.min.array() >= outer.min.array()).all() &&
-         (inner.max.array() <= outer.max.array()).all();
-}
-
-}  // namespace
-
 class MeshRenderer::Impl {
  public:
-  void set_mesh(const std::shared_ptr<const Topology>& topology, const Coordinates& coordinates) {
-    if (topology_ != topology) {
-      groups_ = group_edges(*topology);
-      clear_values();
-    }
-    topology_ = topology;
-    coordinates_ = coordinates;
-    extent_ = bounds(Mesh{topology, coordinates});
-    stale_ = true;
+  void set_mesh(PreparedMesh mesh) {
+    if (mesh_.topology != mesh.topology) clear_values();
+    mesh_ = std::move(mesh);
+    whole_.stale = true;
+    for (auto& cut : cuts_)
+      if (cut) cut->stale = true;
   }
 
-  void set_values(std::span<const double> values, const ColorScale& scale) {
-    if (topology_ == nullptr ||
-        values.size() != static_cast<std::size_t>(topology_->element_count())) {
+  void set_mesh(const std::shared_ptr<const Topology>& topology, const Coordinates& coordinates) {
+    set_mesh(
+        prepare_mesh(topology, coordinates, topology == mesh_.topology ? mesh_.groups : nullptr));
+  }
+
+  const std::shared_ptr<const EdgeGroups>& groups() const { return mesh_.groups; }
+
+  void set_colors(std::vector<std::uint32_t> colors, std::vector<float> opacity) {
+    const auto count =
+        static_cast<std::size_t>(mesh_.topology ? mesh_.topology->element_count() : 0);
+    if (colors.size() != count || (!opacity.empty() && opacity.size() != count))
       throw UsageError("colours need one value for each element");
-    }
-    colors_ = pack_colors(values, scale);
-    colors_stale_ = true;
+    colors_ = std::move(colors);
+    opacity_ = std::move(opacity);
+    recolor();
   }
 
   void clear_values() {
     colors_.clear();
-    colors_stale_ = true;
+    opacity_.clear();
+    recolor();
   }
 
   void set_marker_styles(std::vector<MarkerStyle> styles) { marker_styles_ = std::move(styles); }
 
-  void draw(const Camera& camera, const MeshStyle& style, int framebuffer_height) {
-    if (topology_ == nullptr) return;
-    prepare(camera);
-    const auto x = static_cast<GLint>(std::lround(camera.viewport_origin().x()));
-    const auto width = static_cast<GLsizei>(std::lround(camera.viewport_width()));
-    const auto height = static_cast<GLsizei>(std::lround(camera.viewport_height()));
-    const auto y =
-        framebuffer_height - static_cast<GLint>(std::lround(camera.viewport_origin().y())) - height;
-    glViewport(x, y, width, height);
-    glScissor(x, y, width, height);
+  void draw(const Camera& camera, const MeshStyle& style, int framebuffer_height, int view) {
+    if (mesh_.topology == nullptr) return;
+    MeshBuffers& buffers = prepare(camera, view).buffers;
+    const Bounds seen{
+        camera.viewport_origin(),
+        camera.viewport_origin() + Vec2(camera.viewport_width(), camera.viewport_height())};
+    const PixelBox port = pixel_box(seen, framebuffer_height);
+    const PixelBox part = pixel_box(style.clip.value_or(seen), framebuffer_height);
+    glViewport(port.x, port.y, port.width, port.height);
+    glScissor(part.x, part.y, part.width, part.height);
     glEnable(GL_SCISSOR_TEST);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    buffers_.begin(camera);
-    draw_surface(style);
-    draw_lines(style);
-    if (style.node_size > 0) buffers_.draw_nodes(style.edge_color, style.node_size);
+    buffers.begin(camera);
+    draw_surface(buffers, style);
+    draw_lines(buffers, style);
+    if (style.node_size > 0) buffers.draw_nodes(style.edge_color, style.node_size);
     glBindVertexArray(0);
     glDisable(GL_SCISSOR_TEST);
   }
 
  private:
-  /// Brings the draw list up to date with the mesh and with how deep the camera looks into it.
-  void prepare(const Camera& camera) {
-    const bool deep = extent_.size().maxCoeff() / camera.units_per_pixel() > most_pixels;
-    const Bounds view = camera.visible();
-    const bool outside = deep && (!contains(cut_, view) ||
-                                  view.size().maxCoeff() < smallest_share * cut_.size().maxCoeff());
-    if (stale_ || deep != deep_ || outside) {
-      deep_ = deep;
-      if (deep) {
-        cut_ = {view.min - room * view.size(), view.max + room * view.size()};
-        buffers_.upload(clipped_draw_list(*topology_, groups_, coordinates_, cut_));
-      } else {
-        buffers_.upload(whole_draw_list(*topology_, groups_, coordinates_, extent_.centre()));
+  /// What is on the graphics card: the whole mesh, or what one view has cut out of it.
+  struct Part {
+    MeshBuffers buffers;
+    Bounds cut;
+    bool stale = true, colors_stale = true, opacity_stale = true;
+  };
+
+  void recolor() {
+    whole_.colors_stale = whole_.opacity_stale = true;
+    for (auto& cut : cuts_)
+      if (cut) cut->colors_stale = cut->opacity_stale = true;
+  }
+
+  /// Brings a part up to date with the mesh and with how deep the camera looks into it.
+  Part& prepare(const Camera& camera, int view) {
+    const bool deep = mesh_.extent.size().maxCoeff() / camera.units_per_pixel() > most_pixels;
+    auto& own = cuts_[static_cast<std::size_t>(std::clamp(view, 0, 1))];
+    if (deep && !own) own = std::make_unique<Part>();
+    Part& part = deep ? *own : whole_;
+    if (deep) {
+      const Bounds seen = camera.visible();
+      if (part.stale || !contains(part.cut, seen) ||
+          seen.size().maxCoeff() < smallest_share * part.cut.size().maxCoeff()) {
+        part.cut = {seen.min - room * seen.size(), seen.max + room * seen.size()};
+        part.colors_stale |= part.buffers.upload(
+            clipped_draw_list(*mesh_.topology, *mesh_.groups, mesh_.coordinates, part.cut));
+        part.opacity_stale = true;
       }
-      stale_ = false;
-      colors_stale_ = true;
+    } else if (part.stale) {
+      part.colors_stale |= part.buffers.upload(std::move(mesh_.whole));
+      part.opacity_stale = true;  // lines come in another order
     }
-    if (colors_stale_) buffers_.set_element_colors(colors_);
-    colors_stale_ = false;
+    part.stale = false;
+    if (part.colors_stale) part.buffers.set_element_colors(colors_);
+    if (part.opacity_stale) upload_opacity(part.buffers);
+    part.colors_stale = part.opacity_stale = false;
+    return part;
   }
 
-  void draw_surface(const MeshStyle& style) {
-    if (style.fill) buffers_.draw_fill(style.fill_color, true);
-    if (style.show_inverted) buffers_.draw_inverted_fill(style.inverted_color);
+  void upload_opacity(MeshBuffers& buffers) const {
+    std::vector<float> lines;
+    if (!opacity_.empty()) {
+      lines.reserve(buffers.list().line_edge.size());
+      for (const Index index : buffers.list().line_edge) {
+        const auto& edge = mesh_.topology->edges()[static_cast<std::size_t>(index)];
+        float clearest = 0;
+        for (const Index e : edge.elements)
+          if (e >= 0) clearest = std::max(clearest, opacity_[static_cast<std::size_t>(e)]);
+        lines.push_back(clearest);
+      }
+    }
+    buffers.set_line_opacity(lines);
   }
 
-  void draw_lines(const MeshStyle& style) {
-    const auto& list = buffers_.list();
+  static void draw_surface(MeshBuffers& buffers, const MeshStyle& style) {
+    if (style.fill) buffers.draw_fill(style.fill_color, true);
+    if (style.show_inverted) buffers.draw_inverted_fill(style.inverted_color);
+  }
+
+  void draw_lines(MeshBuffers& buffers, const MeshStyle& style) const {
+    const auto& list = buffers.list();
     if (style.wireframe) {
-      buffers_.draw_interior_lines({style.edge_color, style.edge_width, false, true});
+      buffers.draw_interior_lines({style.edge_color, style.edge_width, false, true});
     }
     if (style.show_inverted) {
       Rgba outline = style.inverted_color;
       for (std::size_t c = 0; c < 3; ++c) outline[c] *= 0.7f;
-      buffers_.draw_inverted_outlines({outline, std::max(style.edge_width, 1.5f), true, false});
+      buffers.draw_inverted_outlines({outline, std::max(style.edge_width, 1.5f), true, false});
     }
-    buffers_.draw_lines(list.boundary, {style.edge_color, style.boundary_width, true, false});
+    if (!style.markers) return;
+    buffers.draw_lines(list.boundary, {style.edge_color, style.boundary_width, true, false});
     for (std::size_t m = 0; m < list.markers.size(); ++m) {
       MarkerStyle marker{style.edge_color, style.boundary_width};
       if (m < marker_styles_.size()) marker = marker_styles_[m];
-      buffers_.draw_lines(list.markers[m], {marker.color, marker.width, true, false});
+      buffers.draw_lines(list.markers[m], {marker.color, marker.width, true, false});
     }
   }
 
-  std::shared_ptr<const Topology> topology_;
-  Coordinates coordinates_;
-  Bounds extent_;
-  EdgeGroups groups_;
+  PreparedMesh mesh_;
   std::vector<std::uint32_t> colors_;
+  std::vector<float> opacity_;
   std::vector<MarkerStyle> marker_styles_;
-  bool stale_ = true, colors_stale_ = true, deep_ = false;
-  Bounds cut_;
-  MeshBuffers buffers_;
+  Part whole_;
+  std::array<std::unique_ptr<Part>, 2> cuts_;
 };
 
 MeshRenderer::MeshRenderer() : impl_(std::make_unique<Impl>()) {}
@@ -169,16 +233,21 @@ void MeshRenderer::set_mesh(const std::shared_ptr<const Topology>& topology,
                             const Coordinates& coordinates) {
   impl_->set_mesh(topology, coordinates);
 }
+void MeshRenderer::set_mesh(PreparedMesh mesh) { impl_->set_mesh(std::move(mesh)); }
+std::shared_ptr<const EdgeGroups> MeshRenderer::edge_groups() const { return impl_->groups(); }
 void MeshRenderer::set_values(std::span<const double> values, const ColorScale& scale) {
-  impl_->set_values(values, scale);
+  impl_->set_colors(element_colors(values, scale), {});
+}
+void MeshRenderer::set_colors(std::vector<std::uint32_t> colors, std::vector<float> opacity) {
+  impl_->set_colors(std::move(colors), std::move(opacity));
 }
 void MeshRenderer::clear_values() { impl_->clear_values(); }
 void MeshRenderer::set_marker_styles(std::vector<MarkerStyle> styles) {
   impl_->set_marker_styles(std::move(styles));
 }
 void MeshRenderer::draw(const Camera& camera, const MeshStyle& style, int /*framebuffer_width*/,
-                        int framebuffer_height) {
-  impl_->draw(camera, style, framebuffer_height);
+                        int framebuffer_height, int view) {
+  impl_->draw(camera, style, framebuffer_height, view);
 }
 
 }  // namespace winslow::gui

@@ -8,6 +8,7 @@
 #include "core/mesh/mesh.h"
 #include "gui/render/camera.h"
 #include "gui/render/color_map.h"
+#include "gui/render/draw_list.h"
 
 namespace winslow::gui {
 
@@ -24,7 +25,29 @@ struct MeshStyle {
   Rgba edge_color{0.25f, 0.28f, 0.33f, 1};
   Rgba inverted_color{0.90f, 0.10f, 0.12f, 1};
   bool show_inverted = true;  ///< inverted elements in inverted_color, above the others
+  bool markers = true;        ///< edges of the boundary
+  /// Part of the framebuffer to draw in, in pixels, y down; none: all of the camera's viewport.
+  std::optional<Bounds> clip;
 };
+
+/// A mesh ready to be drawn: what takes long, done on whichever thread has the time.
+struct PreparedMesh {
+  std::shared_ptr<const Topology> topology;
+  std::shared_ptr<const EdgeGroups> groups;
+  Coordinates coordinates;
+  Bounds extent;
+  DrawList whole;
+};
+/// groups: those of an earlier mesh of the same topology, which saves the time to find them; null:
+/// they are found.
+PreparedMesh prepare_mesh(const std::shared_ptr<const Topology>& topology,
+                          const Coordinates& coordinates,
+                          std::shared_ptr<const EdgeGroups> groups = nullptr);
+
+/// Colours of values as the renderer takes them (RGBA, 8 bits each), and how much of each is seen
+/// (opacity: one per value, or none: all is).
+std::vector<std::uint32_t> element_colors(std::span<const double> values, const ColorScale& scale,
+                                          std::span<const float> opacity = {});
 
 /// Draws one mesh into the bound framebuffer with the bound GL context. Buffers are updated, not
 /// rebuilt, when only positions or values change. Where cells are smaller than a pixel, edges fade
@@ -38,8 +61,15 @@ class MeshRenderer {
 
   /// Takes a mesh; cheap if its topology is the one already held.
   void set_mesh(const std::shared_ptr<const Topology>& topology, const Coordinates& coordinates);
+  void set_mesh(PreparedMesh mesh);
+  /// Of the mesh held; null without one.
+  std::shared_ptr<const EdgeGroups> edge_groups() const;
+
   /// One value per element and its scale; none: style.fill_color.
   void set_values(std::span<const double> values, const ColorScale& scale);
+  /// The same with colours of element_colors(), and the opacity of the edges between elements: one
+  /// per element, an edge is as clear as the clearer of its elements; or none.
+  void set_colors(std::vector<std::uint32_t> colors, std::vector<float> opacity);
   void clear_values();
   /// Colour of each marker (index into Topology::markers()) and how strongly it is emphasised.
   struct MarkerStyle {
@@ -48,8 +78,10 @@ class MeshRenderer {
   };
   void set_marker_styles(std::vector<MarkerStyle> styles);
 
+  /// view: where a mesh is drawn several times in a frame with cameras of its own (a magnifier),
+  /// each keeps what it cut out of the mesh under its own number, 0 or 1.
   void draw(const Camera& camera, const MeshStyle& style, int framebuffer_width,
-            int framebuffer_height);
+            int framebuffer_height, int view = 0);
 
  private:
   class Impl;

@@ -148,12 +148,17 @@ struct LookAt {
 };
 /// The next drag of the mouse draws the box to zoom to; again: it does not.
 struct BoxZoom {};
+struct ZoomTo {
+  Bounds box;  ///< fills the viewport
+};
 struct BackView {};
 struct ForwardView {};
 /// Highlights a node or an element and centres it; none: nothing is highlighted any more.
 struct GoTo {
   std::optional<MeshItem> item;
 };
+/// Pins the magnifier to the place under the mouse; pinned, it is put away.
+struct PinMagnifier {};
 /// Puts the keyboard into the field "Go to".
 struct AskGoTo {};
 /// Steps the scale of the interface up (1) or down (-1), or back to the screen's own (0).
@@ -229,7 +234,7 @@ using Action = std::variant<
     action::DismissPrompt, action::DismissBanner,
     // View
     action::SetView, action::FitView, action::FitSelection, action::LookAt, action::BoxZoom,
-    action::BackView, action::ForwardView, action::GoTo, action::AskGoTo, action::StepScale,
+    action::ZoomTo,    action::BackView, action::ForwardView, action::GoTo, action::AskGoTo, action::PinMagnifier, action::StepScale,
     // Pictures and dialogs
     action::ShowFileDialog, action::TakeScreenshot, action::SetPictureSpec, action::SavePicture,
     action::ShowPictureDialog, action::SetRecordingSpec, action::StartRecording,

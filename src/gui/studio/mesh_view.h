@@ -2,37 +2,49 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "gui/render/backdrop.h"
 #include "gui/render/camera.h"
-#include "gui/render/mesh_renderer.h"
+#include "gui/studio/before_mesh.h"
+#include "gui/studio/mesh_layer.h"
 #include "gui/studio/session.h"
 #include "gui/studio/view_options.h"
 #include "gui/widgets/legend.h"
 
 namespace winslow::gui {
 
-/// Keeps the renderer in step with the session: mesh, colours, markers. Uploads only what changed.
+/// Keeps the picture in step with the session: the mesh, its colours and markers, the state before
+/// where they are compared. Uploads only what changed.
 class MeshView {
  public:
-  void update(const Session& session, const ViewOptions& view, float scale);
-  /// Draws into the bound framebuffer, `height` pixels high.
+  void update(const Session& session, const BeforeMesh& before, const ViewOptions& view,
+              float scale);
+  /// Draws what lies behind (if asked to) and the mesh into the bound framebuffer, `height` pixels
+  /// high.
   void draw(const Camera& camera, int width, int height, bool backdrop = true);
+  /// Where the mesh before ends and the mesh now begins, if they are side by side: x of the mesh.
+  void set_divider(double x) { divider_ = x; }
+  /// The present mesh alone, with the camera of a magnifier.
+  void draw_magnified(const Camera& camera, int width, int height);
+  /// Takes what the background has prepared. True if the picture changes.
+  bool poll();
+  bool busy() const { return now_.busy() || before_.busy(); }
   /// Of the colours now shown; none if elements are plain.
-  const std::optional<Legend>& legend() const { return legend_; }
+  const std::optional<Legend>& legend() const { return now_.legend(); }
 
  private:
-  void update_colors(const Session& session, const ViewOptions& view);
   void update_markers(const Session& session, const ViewOptions& view, float scale);
+  void draw_split(const Camera& camera, int width, int height);
 
-  MeshRenderer renderer_;
+  MeshLayer now_, before_;
   MeshStyle style_;
+  MeshStyle ghost_;
   BackdropColors backdrop_;
-  std::optional<Legend> legend_;
+  Comparison comparison_ = Comparison::none;
+  double divider_ = 0;
   bool has_mesh_ = false;
-  std::uint64_t generation_ = 0, shape_ = 0;
-  std::shared_ptr<const QualityMonitor::Measured> colored_;  // what the colours show
-  ViewOptions colored_view_;
+  std::vector<MeshRenderer::MarkerStyle> markers_;
 };
 
 }  // namespace winslow::gui

@@ -1,5 +1,7 @@
 #include "gui/studio/quality_monitor.h"
 
+#include "gui/studio/worst_list.h"
+
 namespace winslow::gui {
 
 namespace {
@@ -12,21 +14,26 @@ std::shared_ptr<const QualityMonitor::Measured> measure(std::uint64_t shape, con
   auto measured = std::make_shared<QualityMonitor::Measured>();
   measured->shape = shape;
   measured->field = field;
-  measured->report = measure_quality(state.mesh, {.histogram_bins = 40, .worst = 5, .threads = 1});
+  measured->report =
+      measure_quality(state.mesh, {.histogram_bins = 40, .worst = most_worst, .threads = 1});
   if (field) measured->values = element_values(*state.vcv, state.mesh.coordinates, *field, 1);
   return measured;
 }
 
 }  // namespace
 
+bool QualityMonitor::wants(std::uint64_t shape, const std::optional<ElementField>& field,
+                           bool live) const {
+  if (worker_.busy()) return false;
+  if (latest_ && latest_->shape == shape && latest_->field == field) return false;
+  const bool same_field = latest_ && latest_->field == field;
+  return !live || !same_field || std::chrono::steady_clock::now() - last_start_ >= live_interval;
+}
+
 void QualityMonitor::request(std::uint64_t shape, const MeshState& state,
                              std::optional<ElementField> field, bool live) {
-  if (worker_.busy()) return;
-  if (latest_ && latest_->shape == shape && latest_->field == field) return;
-  const auto now = std::chrono::steady_clock::now();
-  const bool same_field = latest_ && latest_->field == field;
-  if (live && same_field && now - last_start_ < live_interval) return;
-  last_start_ = now;
+  if (!wants(shape, field, live)) return;
+  last_start_ = std::chrono::steady_clock::now();
   worker_.start([shape, state, field] { return measure(shape, state, field); });
 }
 

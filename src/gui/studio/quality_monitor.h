@@ -22,6 +22,8 @@ class QualityMonitor {
     std::vector<double> values;  ///< of field, one per element
   };
 
+  /// Whether a request would start a measurement: ask before a mesh is copied for it.
+  bool wants(std::uint64_t shape, const std::optional<ElementField>& field, bool live) const;
   /// Asks for the quality of a mesh. live: a solver is changing it, so measure only now and then.
   void request(std::uint64_t shape, const MeshState& state, std::optional<ElementField> field,
                bool live);

@@ -85,8 +85,9 @@ Vec2 Session::pivot() const {
 
 void Session::watch_quality(std::optional<ElementField> field) {
   if (!document_) return;
-  quality_.request(shape_, {{document_->topology(), coordinates()}, document_->state().vcv}, field,
-                   job_.active() || drag_.active());
+  if (quality_.wants(shape_, field, in_motion()))
+    quality_.request(shape_, {{document_->topology(), coordinates()}, document_->state().vcv},
+                     field, in_motion());
 }
 
 void Session::measure_quality_now(std::optional<ElementField> field) {

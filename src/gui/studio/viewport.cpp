@@ -51,7 +51,8 @@ std::optional<Handles> Viewport::handles(const ViewportScene& scene, const Camer
 
 void Viewport::update(const PointerState& p, const ViewportScene& scene, Camera& camera,
                       ActionQueue& actions) {
-  if (p.over && p.wheel != 0) camera.zoom_at(p.position, std::pow(zoom_per_notch, p.wheel));
+  if (p.over && p.wheel != 0 && !scene.wheel_is_lens)
+    camera.zoom_at(p.position, std::pow(zoom_per_notch, p.wheel));
   const bool pan_pressed = (p.middle && !last_.middle) || (p.right && !last_.right);
   const bool left_pressed = p.left && !last_.left;
 
@@ -59,19 +60,34 @@ void Viewport::update(const PointerState& p, const ViewportScene& scene, Camera&
     end(actions, true);
   } else if (gesture_ == Gesture::none) {
     hover(p, scene, camera, actions);
-    if (p.over && pan_pressed) {
+    if (p.over && start_box(p, scene)) {
+      press_ = p.position;
+      gesture_ = Gesture::box;
+    } else if (p.over && pan_pressed) {
       gesture_ = Gesture::pan;
       pan_button_ = true;
     } else if (p.over && left_pressed) {
       press(p, scene, camera, actions);
     }
-  } else if (gesture_ == Gesture::pan && pan_button_ ? !(p.middle || p.right) : !p.left) {
+  } else if (pan_button_ ? !(p.middle || p.right) : !p.left) {
     follow(p, scene, camera, actions);
-    release(p, actions);
+    release(p, camera, actions);
   } else {
     follow(p, scene, camera, actions);
   }
   last_ = p;
+}
+
+/// With the left button when asked for, or with Control and the right one at any time.
+bool Viewport::start_box(const PointerState& p, const ViewportScene& scene) {
+  if (!scene.boundary) return false;
+  if (p.control && p.right && !last_.right) return pan_button_ = true;
+  return scene.box_zoom && p.left && !last_.left;
+}
+
+std::optional<Bounds> Viewport::box() const {
+  if (gesture_ != Gesture::box) return std::nullopt;
+  return Bounds{press_.cwiseMin(last_.position), press_.cwiseMax(last_.position)};
 }
 
 void Viewport::hover(const PointerState& p, const ViewportScene& scene, const Camera& camera,
@@ -155,6 +171,7 @@ void Viewport::follow(const PointerState& p, const ViewportScene& scene, Camera&
       break;
     }
     case Gesture::none:
+    case Gesture::box:
     case Gesture::press_body:
     case Gesture::press_empty:
       break;
@@ -169,9 +186,18 @@ void Viewport::rotate_to(const PointerState& p, const Camera& camera, ActionQueu
   actions.emplace_back(action::DragTo{motion_});
 }
 
-void Viewport::release(const PointerState& p, ActionQueue& actions) {
+void Viewport::release(const PointerState& p, const Camera& camera, ActionQueue& actions) {
   const bool add = p.shift || p.control;
-  if (gesture_ == Gesture::press_body)
+  if (gesture_ == Gesture::box) {
+    last_.position = p.position;
+    const Bounds pixels = *box();
+    // A click is no box.
+    if (pixels.size().minCoeff() > drag_threshold) {
+      const Vec2 a = camera.to_world(pixels.min);
+      const Vec2 b = camera.to_world(pixels.max);
+      actions.emplace_back(action::ZoomTo{{a.cwiseMin(b), a.cwiseMax(b)}});
+    }
+  } else if (gesture_ == Gesture::press_body)
     actions.emplace_back(action::SelectMarkers{hit_->markers, add});
   else if (gesture_ == Gesture::press_empty && !add)
     actions.emplace_back(action::SelectMarkers{{}, false});

@@ -33,9 +33,11 @@ struct ViewportScene {
   const BoundaryIndex* boundary = nullptr;  ///< null: no mesh
   std::vector<Index> selection;
   Vec2 pivot{0, 0};
-  double reach = 0;   ///< of the selection around the pivot, in units of the mesh
-  double turned = 0;  ///< degrees by which a drag has turned the selection so far
-  double scale = 1;   ///< of the interface; sizes of handles and tolerances grow with it
+  double reach = 0;            ///< of the selection around the pivot, in units of the mesh
+  double turned = 0;           ///< degrees by which a drag has turned the selection so far
+  double scale = 1;            ///< of the interface; sizes of handles and tolerances grow with it
+  bool box_zoom = false;       ///< the next drag draws the box to zoom to
+  bool wheel_is_lens = false;  ///< the wheel belongs to the magnifier
 };
 
 /// Turns the mouse into actions: select, drag, rotate, set the pivot; pans and zooms the camera.
@@ -45,12 +47,14 @@ class Viewport {
   void update(const PointerState& pointer, const ViewportScene& scene, Camera& camera,
               ActionQueue& actions);
 
-  enum class Gesture { none, press_body, press_empty, pan, move, rotate, pivot };
+  enum class Gesture { none, press_body, press_empty, pan, box, move, rotate, pivot };
   Gesture gesture() const { return gesture_; }
   /// A body or a handle is being dragged.
   bool dragging() const { return gesture_ == Gesture::move || gesture_ == Gesture::rotate; }
   Handle hovered_handle() const { return hovered_handle_; }
   bool over_body() const { return hit_.has_value(); }
+  /// The box being drawn to zoom to, in pixels.
+  std::optional<Bounds> box() const;
   /// Motion of the drag so far.
   const RigidMotion& motion() const { return motion_; }
 
@@ -64,7 +68,8 @@ class Viewport {
              ActionQueue& actions);
   void follow(const PointerState& p, const ViewportScene& scene, Camera& camera,
               ActionQueue& actions);
-  void release(const PointerState& p, ActionQueue& actions);
+  bool start_box(const PointerState& p, const ViewportScene& scene);
+  void release(const PointerState& p, const Camera& camera, ActionQueue& actions);
   void begin_move(const ViewportScene& scene, ActionQueue& actions);
   void rotate_to(const PointerState& p, const Camera& camera, ActionQueue& actions);
   void end(ActionQueue& actions, bool cancelled);

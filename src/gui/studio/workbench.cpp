@@ -9,7 +9,6 @@
 
 #include "gui/render/frame_buffer.h"
 #include "gui/render/gl.h"
-#include "gui/studio/overlay.h"
 #include "gui/studio/shortcuts.h"
 
 namespace winslow::gui {
@@ -36,12 +35,14 @@ void Workbench::apply(const Action& action) {
 }
 
 bool Workbench::poll() {
-  const bool news = session_.poll();
-  return capture_.poll() || news;
+  const bool drawn = mesh_view_.poll();
+  const bool compared = before_.poll();
+  const bool captured = capture_.poll();
+  return session_.poll() || drawn || compared || captured;
 }
 
 bool Workbench::settled() const {
-  if (session_.working() || capture_.busy()) return false;
+  if (session_.working() || mesh_view_.busy() || before_.busy() || capture_.busy()) return false;
   if (!session_.document()) return true;
   const auto& measured = session_.quality().latest();
   return measured && measured->shape == session_.shape() && measured->field == view_.color;
@@ -51,6 +52,7 @@ void Workbench::update(const InputState& input, int width, int height, double se
   width_ = std::max(width, 1);
   height_ = std::max(height, 1);
   poll();
+  before_.update(session_, view_);
   ui_->set_scale(scale());
   ui_->set_palette(view_.lightness == Lightness::dark ? dark_palette() : light_palette());
   ui_->begin(input, width_, height_, seconds);
@@ -59,11 +61,14 @@ void Workbench::update(const InputState& input, int width, int height, double se
   const Area& v = layout_.viewport;
   camera_.set_viewport(v.x, v.y, v.width, v.height);
   if (generation_ != session_.generation()) look_at_start();
+  view_state_.can_go_back = view_history_.can_go_back(camera_);
+  view_state_.can_go_forward = view_history_.can_go_forward();
   draw_regions();
   draw_splitters();
   draw_viewport();
   draw_dialogs();
   drive_viewport(input);
+  view_history_.observe(camera_, viewport_.gesture() != Viewport::Gesture::none, seconds);
   dispatch();
   finish_frame();
   keep_settings(seconds);
@@ -72,39 +77,17 @@ void Workbench::update(const InputState& input, int width, int height, double se
 void Workbench::take_input(const InputState& input) {
   // One mesh at a time: of several files dropped, the first.
   if (!input.dropped.empty()) actions_.emplace_back(action::OpenMesh{input.dropped.front()});
-  if (!popup_open() && !ui_->wants_keyboard()) handle_shortcuts(context(), viewport_.dragging());
-}
-
-ViewportScene Workbench::scene() const {
-  ViewportScene scene;
-  scene.boundary = session_.boundary();
-  scene.selection = session_.selection();
-  scene.pivot = session_.pivot();
-  scene.reach = reach_;
-  scene.turned = viewport_.gesture() == Viewport::Gesture::rotate ? viewport_.motion().rotate : 0;
-  scene.scale = static_cast<double>(ui_->theme().scale);
-  return scene;
-}
-
-void Workbench::drive_viewport(const InputState& input) {
-  const Area& v = layout_.viewport;
-  const auto x = static_cast<float>(input.mouse.x());
-  const auto y = static_cast<float>(input.mouse.y());
-  PointerState pointer;
-  pointer.position = input.mouse;
-  pointer.over = input.mouse_inside && session_.document() && !ui_->wants_mouse() && x >= v.x &&
-                 x < v.x + v.width && y >= v.y && y < v.y + v.height;
-  pointer.left = input.down(MouseButton::left);
-  pointer.middle = input.down(MouseButton::middle);
-  pointer.right = input.down(MouseButton::right);
-  pointer.wheel = input.wheel.y();
-  pointer.shift = input.shift();
-  pointer.control = input.control();
-  pointer.cancel = input.keys[GLFW_KEY_ESCAPE];
-  viewport_.update(pointer, scene(), camera_, actions_);
+  if (popup_open() || ui_->wants_keyboard()) return;
+  if (view_state_.box_zoom_armed && ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
+    view_state_.box_zoom_armed = false;
+    return;
+  }
+  release_lens();
+  handle_shortcuts(context(), viewport_.dragging());
 }
 
 void Workbench::dispatch() {
+  view_state_.go_to_wanted = false;
   // Actions may bring forth others (a choice in a dialog); those come in the same frame.
   for (std::size_t i = 0; i < actions_.size(); ++i) {
     const Action action = actions_[i];
@@ -118,9 +101,8 @@ void Workbench::finish_frame() {
   if (session_.boundary() && !session_.in_motion())
     reach_ = session_.boundary()->reach(session_.selection(), session_.pivot());
   session_.watch_quality(view_.color);
-  mesh_view_.update(session_, view_, ui_->theme().scale);
-  draw_overlay(*ImGui::GetBackgroundDrawList(),
-               {session_, viewport_, scene(), camera_, ui_->theme()});
+  update_mesh_view();
+  draw_overlays(*ImGui::GetBackgroundDrawList());
   ui_->end();
   capture_.after_frame(*this);
 }
@@ -148,7 +130,9 @@ Image Workbench::picture() {
 }
 
 int Workbench::cursor() const {
-  if (viewport_.gesture() == Viewport::Gesture::pan) return ImGuiMouseCursor_ResizeAll;
+  if (viewport_.gesture() == Viewport::Gesture::pan ||
+      viewport_.gesture() == Viewport::Gesture::box)
+    return ImGuiMouseCursor_ResizeAll;
   if (viewport_.dragging() || viewport_.over_body() || viewport_.hovered_handle() != Handle::none)
     return ImGuiMouseCursor_Hand;
   return ui_->cursor();
@@ -158,45 +142,6 @@ std::string Workbench::title() const {
   const Document* document = session_.document();
   if (!document) return "winslow";
   return (document->modified() ? "* " : "") + document->name() + " - winslow";
-}
-
-void Workbench::look_at_start() {
-  generation_ = session_.generation();
-  const Document* document = session_.document();
-  if (!document) return;
-  const Bounds all = bounds(document->state().mesh);
-  std::vector<Index> holes;
-  for (const auto& body : session_.boundary()->bodies())
-    if (body.hole) holes.insert(holes.end(), body.nodes.begin(), body.nodes.end());
-  if (!holes.empty()) {
-    Bounds bodies = bounds(document->state().mesh.coordinates, holes);
-    // With a far field of a hundred chords the bodies would be a dot.
-    if (bodies.size().maxCoeff() < 0.15 * all.size().maxCoeff()) {
-      const Vec2 room = Vec2::Constant(0.6 * bodies.size().maxCoeff());
-      return camera_.fit({bodies.min - room, bodies.max + room});
-    }
-  }
-  camera_.fit(all);
-}
-
-void Workbench::on(const action::FitView&) {
-  if (const Document* document = session_.document())
-    camera_.fit(bounds(Mesh{document->topology(), session_.coordinates()}));
-}
-
-void Workbench::on(const action::FitSelection&) {
-  if (!session_.document() || session_.selection().empty()) return;
-  std::vector<Index> nodes;
-  for (Index m : session_.selection()) {
-    const auto of_marker = session_.document()->topology()->marker_nodes(m);
-    nodes.insert(nodes.end(), of_marker.begin(), of_marker.end());
-  }
-  camera_.fit(bounds(session_.coordinates(), nodes), 0.2);
-}
-
-void Workbench::on(const action::LookAt& a) {
-  const Vec2 half = Vec2::Constant(a.radius);
-  camera_.fit({a.point - half, a.point + half});
 }
 
 void Workbench::on(const action::ShowFileDialog& a) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "gui/capture/capture.h"
@@ -11,8 +12,10 @@
 #include "gui/panels/command_palette.h"
 #include "gui/panels/convergence_panel.h"
 #include "gui/panels/file_dialog.h"
+#include "gui/panels/go_to_panel.h"
 #include "gui/panels/help_panel.h"
 #include "gui/panels/history_panel.h"
+#include "gui/panels/isolate_panel.h"
 #include "gui/panels/markers_panel.h"
 #include "gui/panels/menu_bar.h"
 #include "gui/panels/motion_panel.h"
@@ -27,13 +30,19 @@
 #include "gui/panels/toolbar.h"
 #include "gui/panels/view_panel.h"
 #include "gui/panels/welcome_panel.h"
+#include "gui/panels/worst_panel.h"
 #include "gui/render/camera.h"
 #include "gui/render/image.h"
+#include "gui/studio/before_mesh.h"
+#include "gui/studio/id_labels.h"
 #include "gui/studio/layout.h"
+#include "gui/studio/legend_card.h"
+#include "gui/studio/magnifier.h"
 #include "gui/studio/mesh_view.h"
 #include "gui/studio/session.h"
 #include "gui/studio/settings.h"
 #include "gui/studio/ui_layer.h"
+#include "gui/studio/view_history.h"
 #include "gui/studio/viewport.h"
 
 namespace winslow::gui {
@@ -78,6 +87,8 @@ class Workbench : public PictureSource {
   /// As they would be kept now.
   Settings settings() const;
   const Camera& camera() const { return camera_; }
+  /// What the mesh is compared with, as of the last frame.
+  const BeforeMesh& before() const { return before_; }
   const Layout& layout() const { return layout_; }
   const WidgetMap& widgets() const { return ui_->widgets(); }
   const FileDialog& file_dialog() const { return file_dialog_; }
@@ -93,15 +104,20 @@ class Workbench : public PictureSource {
   void draw_side_tab();
   void draw_splitters();
   void draw_viewport();
-  void draw_legend_card(ImDrawList& list);
   void draw_recording();
   void draw_dialogs();
   void drive_viewport(const InputState& input);
+  void take_for_insets(PointerState& pointer);
+  void release_lens();
+  void draw_overlays(ImDrawList& list);
+  void update_mesh_view();
+  void draw_legend_card(ImDrawList& list);
+  void paint_lens();
   void dispatch();
   void finish_frame();
   ViewportScene scene() const;
   PanelContext context() {
-    return {session_, view_, view_state_, ui_->theme(), actions_, capture_};
+    return {session_, view_, view_state_, ui_->theme(), actions_, capture_, &before_};
   }
   float scale() const;
   void take_settings(const Settings& settings);
@@ -119,6 +135,13 @@ class Workbench : public PictureSource {
   void on(const action::FitView&);
   void on(const action::FitSelection&);
   void on(const action::LookAt& a);
+  void on(const action::ZoomTo& a);
+  void on(const action::BoxZoom&);
+  void on(const action::BackView&) { view_history_.back(camera_); }
+  void on(const action::ForwardView&) { view_history_.forward(camera_); }
+  void on(const action::GoTo& a);
+  void on(const action::AskGoTo&);
+  void on(const action::PinMagnifier&);
   void on(const action::StepScale& a);
   void on(const action::ShowFileDialog& a);
   void on(const action::ShowStepEditor& a);
@@ -147,9 +170,16 @@ class Workbench : public PictureSource {
   ViewOptions view_;
   ViewState view_state_;
   Camera camera_;
+  ViewHistory view_history_;
+  BeforeMesh before_;
   Layout layout_;
   Viewport viewport_;
   MeshView mesh_view_;
+  IdLabels id_labels_;
+  LegendCard legend_card_;
+  std::optional<Inset> lens_;
+  Vec2 pointer_{0, 0};  // pixels
+  bool pointer_over_ = false;
   ActionQueue actions_;
   int width_ = 1, height_ = 1;
   std::uint64_t generation_ = 0;  // of the mesh that the camera was set up for
@@ -166,6 +196,9 @@ class Workbench : public PictureSource {
   SolverPanel solver_;
   ViewPanel view_panel_;
   QualityPanel quality_;
+  WorstPanel worst_;
+  GoToPanel go_to_;
+  IsolatePanel isolate_;
   HistoryPanel history_;
   ConvergencePanel convergence_;
   StatusBar status_;

@@ -124,7 +124,10 @@ void Workbench::draw_side_tab() {
   }
   switch (view_.side_tab) {
     case SideTab::quality:
-      return quality_.draw(all);
+      quality_.draw(all);
+      go_to_.draw(all);
+      worst_.draw(all);
+      return isolate_.draw(all);
     case SideTab::view:
       return view_panel_.draw(all);
     case SideTab::history:
@@ -149,6 +152,12 @@ void Workbench::draw_splitters() {
   if (!p.empty())
     layout_.plot_height -=
         splitter("splitter/plot", {p.x, p.y - grip / 2, p.width, grip}, false) / scale;
+  if (view_.comparison != Comparison::split || !session_.document()) return;
+  const Area& v = layout_.viewport;
+  const float middle = v.x + static_cast<float>(view_.divider) * v.width;
+  const float wide = 14 * scale;
+  const float moved = splitter("splitter/compare", {middle - wide / 2, v.y, wide, v.height}, true);
+  view_.divider = std::clamp(view_.divider + static_cast<double>(moved / v.width), 0.02, 0.98);
 }
 
 void Workbench::draw_viewport() {
@@ -160,7 +169,6 @@ void Workbench::draw_viewport() {
     end_region();
     return;
   }
-  draw_legend_card(*ImGui::GetBackgroundDrawList());
   if (!picturing_) draw_recording();
   if (!session_.banner() || mesh_alone_) return;
   const Banner::Kind kind = session_.banner()->kind;
@@ -171,39 +179,6 @@ void Workbench::draw_viewport() {
        ImGuiWindowFlags_NoScrollbar});
   banner_.draw(context());
   end_region();
-}
-
-void Workbench::draw_legend_card(ImDrawList& list) {
-  const auto& legend = mesh_view_.legend();
-  const Area& v = layout_.viewport;
-  const Theme& theme = ui_->theme();
-  const float banner =
-      session_.banner() && !mesh_alone_ ? BannerPanel::height(context(), v.width) : 0;
-  const float height = std::min(theme.px(260), v.height - banner - theme.px(48));
-  // The mesh matters more where there is little room.
-  if (!legend || !view_.legend || !view_.fill || height < theme.px(90) || v.width < theme.px(330))
-    return;
-  Legend shown = *legend;
-  if (v.width < theme.px(560)) shown.histogram.reset();
-  LegendStyle style;
-  style.font = theme.small;
-  style.title_font = theme.small;
-  style.font_size = theme.px(13);
-  style.bar_width = theme.px(14);
-  style.histogram_width = theme.px(44);
-  const ImVec4 ink = ImGui::ColorConvertU32ToFloat4(palette().text);
-  const ImVec4 line = ImGui::ColorConvertU32ToFloat4(palette().text_faint);
-  style.text_color = {ink.x, ink.y, ink.z, 1};
-  style.line_color = {line.x, line.y, line.z, 1};
-  const float width = legend_width(shown, style);
-  const float pad = theme.px(12);
-  const float x = v.x + v.width - width - 2 * pad - theme.px(12);
-  const float y = v.y + banner + theme.px(12);
-  list.AddRectFilled(ImVec2(x, y), ImVec2(x + width + 2 * pad, y + height + 2 * pad),
-                     faded(palette().card, 0.92f), theme.px(6));
-  list.AddRect(ImVec2(x, y), ImVec2(x + width + 2 * pad, y + height + 2 * pad), palette().border,
-               theme.px(6));
-  draw_legend(list, x + pad, y + pad, height, shown, style);
 }
 
 void Workbench::draw_recording() {

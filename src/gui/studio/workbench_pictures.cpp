@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <thread>
 #include <utility>
 
 #include "core/error.h"
 #include "gui/render/frame_buffer.h"
 #include "gui/render/gl.h"
 #include "gui/studio/mesh_colors.h"
-#include "gui/studio/overlay.h"
 #include "gui/studio/text.h"
 #include "gui/studio/workbench.h"
 
@@ -58,7 +58,7 @@ void Workbench::bring_back(Kept kept) {
   height_ = kept.height;
   picturing_ = mesh_alone_ = false;
   ui_->make_current();
-  mesh_view_.update(session_, view_, ui_->theme().scale);
+  update_mesh_view();
 }
 
 Vec2 Workbench::picture_extent(const PictureSpec& spec) const {
@@ -115,11 +115,9 @@ void Workbench::lay_out_picture(const Bounds& visible) {
   if (session_.document()) camera_.fit(visible, 0);
   if (!mesh_alone_) draw_regions();
   draw_viewport();
-  mesh_view_.update(session_, view_, ui_->theme().scale);
-  // Handles are for the mouse; a picture of the mesh alone has none.
-  if (!mesh_alone_)
-    draw_overlay(*ImGui::GetBackgroundDrawList(),
-                 {session_, viewport_, scene(), camera_, ui_->theme()});
+  // A picture is of this mesh: here, unlike in a frame, what is prepared is waited for.
+  for (update_mesh_view(); mesh_view_.busy(); update_mesh_view()) std::this_thread::yield();
+  draw_overlays(*ImGui::GetBackgroundDrawList());
   ui_->end();
   actions_.clear();  // nobody pressed anything
 }

@@ -222,6 +222,8 @@ bool fold(std::string_view id, const std::string& title, std::string_view tip) {
   return open;
 }
 
+void unfold(std::string_view id) { UiLayer::current().folded().erase(std::string(id)); }
+
 void text_dim(std::string_view text) { text_colored(palette().text_dim, text); }
 
 void text_colored(ImU32 c, std::string_view text) {

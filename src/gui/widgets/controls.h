@@ -49,6 +49,8 @@ bool tabs(std::string_view id, const std::vector<Tab>& items, std::size_t& chose
 bool section(std::string_view id, const std::string& title);
 /// A smaller one within a part, folded at first.
 bool fold(std::string_view id, const std::string& title, std::string_view tip = {});
+/// Opens a section that is folded.
+void unfold(std::string_view id);
 
 /// Text in another colour or font.
 void text_dim(std::string_view text);

@@ -150,15 +150,21 @@ float legend_width(const Legend& legend, const LegendStyle& style) {
   return std::ceil(std::max(bar, text_size(title_font_of(style), style.font_size, legend.title).x));
 }
 
+LegendBars legend_bars(float x, float y, float height, const Legend& legend,
+                       const LegendStyle& style) {
+  // Half a line below, so that the lowest tick's label stays inside.
+  return {x, y + title_height(legend, style), x + bars_width(legend, style),
+          y + height - 0.5f * style.font_size};
+}
+
 void draw_legend(ImDrawList& list, float x, float y, float height, const Legend& legend,
                  const LegendStyle& style) {
   if (!legend.title.empty()) {
     list.AddText(&title_font_of(style), style.font_size, {std::round(x), std::round(y)},
                  to_color(style.text_color), legend.title.c_str());
   }
-  // Half a line below, so that the lowest tick's label stays inside.
-  const Box whole{x, y + title_height(legend, style), x + bars_width(legend, style),
-                  y + height - 0.5f * style.font_size};
+  const LegendBars bars = legend_bars(x, y, height, legend, style);
+  const Box whole{bars.left, bars.top, bars.right, bars.bottom};
   if (whole.height() < style.font_size) return;
   const Box bar{whole.left, whole.top, whole.left + style.bar_width, whole.bottom};
   draw_bar(list, bar, legend.scale, 1);

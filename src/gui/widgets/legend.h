@@ -42,6 +42,14 @@ std::vector<LegendTick> legend_ticks(const Legend& legend, int wanted);
 /// Width that a legend needs, ticks and title included (the current ImGui context's fonts).
 float legend_width(const Legend& legend, const LegendStyle& style);
 
+/// Where the colours and the histogram of a legend are, in pixels: its values go from bottom to
+/// top.
+struct LegendBars {
+  float left, top, right, bottom;
+};
+LegendBars legend_bars(float x, float y, float height, const Legend& legend,
+                       const LegendStyle& style);
+
 /// Draws a legend with its top left corner at (x, y), `height` high, title included.
 void draw_legend(ImDrawList& list, float x, float y, float height, const Legend& legend,
                  const LegendStyle& style);

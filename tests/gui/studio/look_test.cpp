@@ -7,18 +7,6 @@
 
 namespace winslow::gui::test {
 
-namespace {
-
-void set(Rig& rig, const std::function<void(ViewOptions&)>& change) {
-  ViewOptions view = rig.bench->view();
-  change(view);
-  rig.bench->apply(action::SetView{view});
-  REQUIRE(rig.settle());
-  rig.frames();
-}
-
-}  // namespace
-
 TEST_CASE("the dark theme darkens panels, menus and what lies behind the mesh") {
   Rig rig;
   rig.open(ring_mesh());
@@ -42,11 +30,11 @@ TEST_CASE("the background can be grey, black or a gradient whatever the theme") 
   const Area v = rig.bench->layout().viewport;
   const Vec2 top(v.x + 10, v.y + 10);
   const Vec2 bottom(v.x + 10, v.y + v.height - 10);
-  set(rig, [](ViewOptions& view) { view.backdrop = Backdrop::black; });
+  set_view(rig, [](ViewOptions& view) { view.backdrop = Backdrop::black; });
   CHECK(brightness(rig.bench->picture(), top) == 0);
-  set(rig, [](ViewOptions& view) { view.backdrop = Backdrop::grey; });
+  set_view(rig, [](ViewOptions& view) { view.backdrop = Backdrop::grey; });
   CHECK(brightness(rig.bench->picture(), top) == doctest::Approx(0.81).epsilon(0.03));
-  set(rig, [](ViewOptions& view) { view.backdrop = Backdrop::gradient; });
+  set_view(rig, [](ViewOptions& view) { view.backdrop = Backdrop::gradient; });
   const Image gradient = rig.bench->picture();
   CHECK(brightness(gradient, top) > brightness(gradient, bottom) + 0.1);
 }

@@ -125,4 +125,12 @@ void Rig::fill(const std::string& widget, const std::string& text) {
   key(keys::tab);
 }
 
+void set_view(Rig& rig, const std::function<void(ViewOptions&)>& change) {
+  ViewOptions view = rig.bench->view();
+  change(view);
+  rig.bench->apply(action::SetView{view});
+  REQUIRE(rig.settle());
+  rig.frames();
+}
+
 }  // namespace winslow::gui::test

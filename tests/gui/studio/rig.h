@@ -74,4 +74,7 @@ class Rig {
   double longest_frame_ = 0;
 };
 
+/// Changes how the mesh is shown, and waits until it is.
+void set_view(Rig& rig, const std::function<void(ViewOptions&)>& change);
+
 }  // namespace winslow::gui::test

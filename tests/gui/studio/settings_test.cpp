@@ -82,7 +82,7 @@ TEST_CASE("a second studio on the same profile looks as the first was left") {
   CHECK(rig.bench->view().side_tab == SideTab::view);
   CHECK(rig.bench->layout().left_width == doctest::Approx(332).epsilon(0.01));
   CHECK(rig.visible("section/solver"));
-  CHECK_FALSE(rig.visible("solver/max_iterations"));
+  CHECK_FALSE(rig.visible("solver/run"));
 }
 
 TEST_CASE("settings are written while the studio runs, once they rest") {

@@ -1,0 +1,97 @@
+#include "gui/panels/worst_panel.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "gui/studio/text.h"
+#include "gui/studio/worst_list.h"
+#include "gui/widgets/controls.h"
+
+namespace winslow::gui {
+
+namespace {
+
+constexpr std::array<int, 4> counts{10, 20, 50, 100};
+constexpr std::array<Metric, 3> metrics{Metric::normalized_jacobian, Metric::aspect_ratio,
+                                        Metric::condition_number};
+
+}  // namespace
+
+void WorstPanel::draw(const PanelContext& context) {
+  if (!context.session.document() || !ui::section("section/worst", "Worst elements")) return;
+  draw_choices(context);
+  draw_steps(context);
+  draw_list(context);
+}
+
+void WorstPanel::draw_choices(const PanelContext& context) {
+  ViewOptions view = context.view;
+  bool changed = false;
+  std::vector<std::string> names{"As coloured"};
+  std::size_t chosen = 0;
+  for (std::size_t k = 0; k < metrics.size(); ++k) {
+    names.emplace_back(metric_label(metrics[k]));
+    if (view.worst_by == metrics[k]) chosen = k + 1;
+  }
+  constexpr const char* metric_tip = "The metric by which elements are worst.";
+  ui::row("By", metric_tip);
+  if (ui::combo("worst/metric", names, chosen, metric_tip)) {
+    view.worst_by = chosen == 0 ? std::nullopt : std::optional(metrics[chosen - 1]);
+    changed = true;
+  }
+  auto length =
+      static_cast<std::size_t>(std::ranges::find(counts, view.worst_count) - counts.begin());
+  ui::row("Length", "How many elements are listed.");
+  if (ui::combo("worst/count", {"10", "20", "50", "100"}, length)) {
+    view.worst_count = counts[length];
+    changed = true;
+  }
+  if (changed) context.emit(action::SetView{view});
+}
+
+void WorstPanel::draw_steps(const PanelContext& context) {
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  const auto step = [&](const char* id, const char* label, const char* tip, int by) {
+    const auto item = next_worst(context.session, context.view, context.view_state.focus, by);
+    if (ui::button(id, label, {tip, ui::ButtonStyle::normal, item.has_value(), width}))
+      context.emit(action::GoTo{item});
+  };
+  step("worst/previous", "Previous", "Go to the next worse element ([).", -1);
+  ImGui::SameLine(0, gap);
+  step("worst/next", "Next", "Go to the next element of the list (]).", 1);
+}
+
+void WorstPanel::draw_list(const PanelContext& context) {
+  const auto worst = worst_elements(context.session, context.view);
+  const float line = ImGui::GetTextLineHeightWithSpacing();
+  const auto lines = static_cast<float>(std::clamp<std::size_t>(worst.size(), 1, 8));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                      ImVec2(context.theme.px(8), context.theme.px(6)));
+  ImGui::BeginChild("worst", ImVec2(0, lines * line + context.theme.px(12)), true);
+  for (std::size_t i = 0; i < worst.size(); ++i) {
+    const MeshItem item{MeshItem::Kind::element, worst[i].element};
+    const bool present = context.view_state.focus == item;
+    const std::string id = "quality/worst/" + std::to_string(i);
+    if (ImGui::Selectable(("##" + id).c_str(), present)) context.emit(action::GoTo{item});
+    ui::note(id);
+    ui::tooltip("Show this element.");
+    if (present && scrolled_to_ != item) {
+      ImGui::SetScrollHereY();
+      scrolled_to_ = item;
+    }
+    ImGui::SameLine(context.theme.px(8));
+    ui::text_dim(std::to_string(i + 1));
+    ImGui::SameLine(context.theme.px(44));
+    ImGui::TextUnformatted(("e" + std::to_string(worst[i].element)).c_str());
+    ImGui::SameLine();
+    ui::text_right(table_number(worst[i].value), palette().text);
+  }
+  if (worst.empty()) ui::text_dim("Measuring ...");
+  ImGui::EndChild();
+  ui::note("worst/list");
+  ImGui::PopStyleVar();
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/quality/quality.h"
+
+namespace winslow::gui {
+
+/// A line of the table of the paper, before and after side by side.
+struct QualityRow {
+  std::string name;         ///< "min", or "Normalized Jacobian" above its numbers
+  std::string tip;          ///< of a title
+  bool title = false;       ///< names the lines below; has no numbers
+  std::string before, now;  ///< as written in the table; "-" where not known yet
+  std::string change;       ///< with its sign; empty if too small to see or not known
+  int verdict = 0;          ///< 1: better than before, -1: worse, 0: neither
+};
+
+/// Normalized Jacobian, aspect ratio, condition number (minimum, average, maximum) and the number
+/// of inverted elements. before: null while it is being measured.
+std::vector<QualityRow> quality_table(const QualityReport* before, const QualityReport& now);
+
+}  // namespace winslow::gui
