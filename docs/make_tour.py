@@ -28,7 +28,7 @@ TOUR = {
     "quality": (NACA, "click 0.5 0\nfill motion/rotate -40\nclick motion/apply\nwait\n"
                       "click tab/quality\naway\nwait\n"),
     "view": (NACA, "key Ctrl+D\nclick tab/view\naway\nlook 0.5 0 0.8\nwait\n"),
-    "vcv": (NACA, "click tab/vcv\nlook 0.05 0 0.12\nwait\nfill vcv/node 900\nkey Enter\naway\nwait\n"),
+    "vcv": (NACA, "click tab/vcv\nwait\nlook 0.05 0 0.25\nwait\nclick 0.02 0.1\naway\nwait\n"),
     "history": (NACA, "click 0.5 0\nfill motion/rotate -20\nclick motion/apply\nwait\n"
                       "fill motion/dx 0.3\nclick motion/apply\nwait\nkey Space\nwait\n"
                       "click tab/history\naway\nwait\n"),
