@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 #include "gui/studio/keys.h"
 #include "gui/studio/method.h"
@@ -23,7 +24,8 @@ const std::vector<Soak::Choice>& Soak::choices() {
                                        {4, "write", &Soak::write_files},
                                        {2, "read", &Soak::read_files},
                                        {2, "resize", &Soak::resize_window},
-                                       {8, "settle", &Soak::settle_down}};
+                                       {8, "settle", &Soak::settle_down},
+                                       {1, "crash", &Soak::crash}};
   return all;
 }
 
@@ -273,6 +275,32 @@ void Soak::settle_down() {
   rig_->bench->apply(action::CancelDrag{});
   rig_->bench->apply(action::CancelSolver{});
   rig_->wait(done, 20);
+}
+
+/// The studio goes away without being closed; the next one must have the session, to the bit.
+void Soak::crash() {
+  settle_down();
+  answer_dialogs();
+  if (!rig_->session().document() || rig_->session().in_motion()) return;
+  if (!rig_->wait([this] { return !rig_->bench->autosave().busy(); }, 60))
+    throw std::runtime_error("the session is never kept");
+  const History before = rig_->document().history();
+  rig_.reset();
+  rig_ = std::make_unique<Rig>(width_, height_, folder_ / "profile");
+  if (!rig_->wait([this] { return rig_->session().prompt() != nullptr; }, 60))
+    throw std::runtime_error("the session is not offered after a crash");
+  rig_->frames(3);
+  rig_->click("prompt/Restore");
+  if (!rig_->wait([this] { return rig_->session().document() != nullptr; }, 60))
+    throw std::runtime_error("the session does not come back");
+  const History& after = rig_->document().history();
+  if (after.size() != before.size() || after.position() != before.position())
+    throw std::runtime_error("the history that came back is another one");
+  for (std::size_t k = 0; k < after.size(); ++k)
+    if (!(after.state(k).mesh.coordinates == before.state(k).mesh.coordinates))
+      throw std::runtime_error("position " + std::to_string(k) + " came back as another mesh");
+  ++restored_;
+  generation_ = 0;
 }
 
 }  // namespace winslow::gui::test

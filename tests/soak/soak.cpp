@@ -72,13 +72,21 @@ void Soak::answer_dialogs() {
     const std::string label = choice.label;
     note("answer " + label);
     rig_->frames(3);
-    if (!rig_->visible("prompt/" + label)) {
+    const auto button = rig_->bench->widgets().find("prompt/" + label);
+    // Another dialog goes first.
+    if (!button) {
+      note("  it is not shown");
       rig_->key(keys::escape);
       continue;
     }
-    rig_->click("prompt/" + label);
+    const Vec2 at = button->centre();
+    if (at.x() >= width_ || at.y() >= height_)
+      throw std::runtime_error("a button of a prompt is out of reach");
+    rig_->click(at);
   }
-  if (rig_->session().prompt()) throw std::runtime_error("prompts do not go away");
+  if (rig_->session().prompt()) {
+    throw std::runtime_error("prompts do not go away");
+  }
 }
 
 bool Soak::inside(const fs::path& folder) const {

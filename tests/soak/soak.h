@@ -27,6 +27,7 @@ class Soak {
   int operations() const { return operations_; }
   int comparisons() const { return comparisons_; }
   int meshes() const { return meshes_; }
+  int restored() const { return restored_; }
   const MemoryWatch& memory() const { return memory_; }
   /// What was done last, latest last.
   const std::vector<std::string>& trail() const { return trail_; }
@@ -57,6 +58,7 @@ class Soak {
   void read_files();
   void resize_window();
   void settle_down();
+  void crash();
 
   void open_next();
   void answer_dialogs();
@@ -79,7 +81,7 @@ class Soak {
   std::map<std::uint64_t, Coordinates> known_;  // mesh of each revision of the open document
   std::uint64_t generation_ = 0;
   int width_ = 1100, height_ = 720;
-  int operations_ = 0, comparisons_ = 0, meshes_ = 0, since_open_ = 0;
+  int operations_ = 0, comparisons_ = 0, meshes_ = 0, restored_ = 0, since_open_ = 0;
   MemoryWatch memory_;
   std::vector<std::string> trail_;
 };

@@ -150,6 +150,8 @@ void FileDialog::draw(const PanelContext& context) {
     draw_list(context);
     draw_footer(context);
     ImGui::EndPopup();
+  } else {
+    open_ = false;  // another dialog took its place
   }
   ImGui::PopStyleVar(2);
 }

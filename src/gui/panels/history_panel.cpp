@@ -89,9 +89,16 @@ void HistoryPanel::draw_step(const PanelContext& context, std::size_t position) 
               (present ? "\nThis is the mesh shown." : "\nClick to go to this mesh.") +
               (position > 0 ? "\nRight click: edit or delete this step." : ""));
   if (pressed && !present) context.emit(action::GoToStep{position});
-  if (position > 0 && ImGui::BeginPopupContextItem(("menu/" + id).c_str())) {
-    draw_menu(context, position);
-    ImGui::EndPopup();
+  if (position > 0) {
+    // The list has no gaps; its menu has.
+    const float gap = context.theme.px(8);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(gap, gap));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
+    if (ImGui::BeginPopupContextItem(("menu/" + id).c_str())) {
+      draw_menu(context, position);
+      ImGui::EndPopup();
+    }
+    ImGui::PopStyleVar(2);
   }
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -192,13 +199,12 @@ void HistoryPanel::draw_kept(const PanelContext& context) {
               " of them, until another mesh is opened.");
   const float button = context.theme.px(86);
   for (std::size_t k = 0; k < kept.size(); ++k) {
-    const std::string text =
-        kept[k].why + " (" + counted(kept[k].history.size() - 1, "command") + ")";
+    const std::string& text = kept[k].why;
     ImGui::AlignTextToFramePadding();
     const float room = ImGui::GetContentRegionAvail().x;
     const float start = ImGui::GetCursorPosX();
     ImGui::TextUnformatted(ui::elided(text, room - button - context.theme.px(8)).c_str());
-    ui::tooltip(text);
+    ui::tooltip(text + ": " + counted(kept[k].history.size() - 1, "command"));
     ImGui::SameLine(start + room - button);
     if (ui::button("history/kept/" + std::to_string(k), "Bring back",
                    {"Put this history in place of the present one, which is kept here instead.",

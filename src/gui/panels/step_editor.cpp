@@ -36,12 +36,14 @@ void StepEditor::open(std::size_t position, Command command) {
   position_ = position;
   command_ = std::move(command);
   title_ = "Step " + std::to_string(position) + ": " + describe(command_);
+  generation_ = 0;
   open_ = wanted_ = true;
 }
 
 void StepEditor::draw(const PanelContext& context) {
   if (!open_) return;
   if (wanted_) ImGui::OpenPopup(popup);
+  if (generation_ == 0) generation_ = context.session.generation();
   wanted_ = false;
   const ImVec2 screen = ImGui::GetMainViewport()->Size;
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always,
@@ -63,6 +65,8 @@ void StepEditor::draw(const PanelContext& context) {
     ui::command_form("edit", command_);
     ImGui::EndChild();
     draw_footer(context);
+    // A file was dropped on the window meanwhile.
+    if (generation_ != context.session.generation()) close();
     ImGui::EndPopup();
   } else {
     open_ = false;

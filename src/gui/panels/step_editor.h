@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "gui/panels/panel.h"
@@ -20,6 +21,7 @@ class StepEditor : public Panel {
 
   bool open_ = false, wanted_ = false;
   std::size_t position_ = 0;
+  std::uint64_t generation_ = 0;  // of the mesh whose command it is; 0: not known yet
   std::string title_;
   Command command_;
 };

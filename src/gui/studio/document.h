@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/command/history.h"
@@ -32,6 +33,8 @@ class Document {
   const std::filesystem::path& path() const { return path_; }
   /// The file that was opened.
   const std::filesystem::path& source() const { return source_; }
+  /// Where to save it from now on; nothing is saved there yet.
+  void set_path(std::filesystem::path path) { path_ = std::move(path); }
   std::string name() const { return path_.filename().string(); }
   io::Format format() const { return format_; }
   const std::shared_ptr<const io::FormatDetails>& details() const { return details_; }

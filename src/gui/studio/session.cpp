@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/motion/rigid_motion.h"
+#include "gui/studio/text.h"
 
 namespace winslow::gui {
 
@@ -183,7 +184,11 @@ void Session::position_changed() {
   if (!pivot_chosen_) centre_pivot();
   const History& history = document_->history();
   banner_.reset();
-  if (history.position() > 0) update_banner(history.result(history.position()));
+  if (history.position() > 0) return update_banner(history.result(history.position()));
+  if (const Index inverted = document_->loaded_quality().inverted; inverted > 0)
+    banner_ = Banner{Banner::Kind::inverted_input, "This mesh has " +
+                                                       counted(inverted, "inverted element") +
+                                                       ". Smoothing usually repairs it."};
 }
 
 void Session::centre_pivot() {

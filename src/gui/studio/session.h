@@ -19,6 +19,7 @@
 #include "gui/studio/messages.h"
 #include "gui/studio/method.h"
 #include "gui/studio/quality_monitor.h"
+#include "gui/studio/restored_session.h"
 
 namespace winslow::gui {
 
@@ -87,6 +88,8 @@ class Session {
   const std::optional<Notice>& notice() const { return notice_; }
   void tell(Notice::Kind kind, std::string text);
   void report_error(std::string title, std::string text);
+  /// Puts a session that outlived a crash in place of what is open.
+  void restore(RestoredSession restored);
   void ask(Prompt prompt) { prompts_.push_back(std::move(prompt)); }
 
  private:

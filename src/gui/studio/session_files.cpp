@@ -86,12 +86,7 @@ void Session::adopt(Document::Loaded loaded) {
   pivot_chosen_ = false;
   banner_.reset();
   ++generation_;
-  shape_changed();
-  const QualityReport& quality = document_->loaded_quality();
-  if (quality.inverted > 0)
-    banner_ = Banner{Banner::Kind::inverted_input,
-                     "This mesh has " + counted(quality.inverted, "inverted element") +
-                         ". Smoothing usually repairs it."};
+  position_changed();
   const auto& warnings = document_->warnings();
   if (warnings.empty()) {
     tell(Notice::Kind::success, "Opened " + document_->name());
@@ -103,6 +98,20 @@ void Session::adopt(Document::Loaded loaded) {
          joined(warnings),
          {{"OK", {}, true}}});
   }
+}
+
+void Session::restore(RestoredSession restored) {
+  restored.loaded.file.warnings.clear();  // they were read when the mesh was opened
+  adopt(std::move(restored.loaded));
+  const std::size_t count = restored.steps.size();
+  for (auto& step : restored.steps)
+    document_->push(std::move(step.command), std::move(step.result), step.seconds);
+  document_->go_to(restored.position);
+  document_->set_path(restored.path);
+  position_changed();
+  tell(Notice::Kind::success,
+       "The session of " + document_->name() + " is restored, with " + counted(count, "command"));
+  if (!restored.damage.empty()) report_error("Restored in part", restored.damage);
 }
 
 void Session::on(const action::SaveMesh& a) {

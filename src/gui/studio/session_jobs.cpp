@@ -115,7 +115,7 @@ void Session::stop_job() {
   }
   if (!job_.active()) return;
   job_.cancel();
-  shape_changed();
+  position_changed();
   if (rerun_) end_rerun();
   abandon_queue();
 }
@@ -124,7 +124,7 @@ void Session::finish_job(JobRunner::Outcome outcome) {
   dragging_ = false;
   if (rerun_) return end_rerun();
   if (!outcome.result) {
-    shape_changed();
+    position_changed();
     if (queue_.active()) return stop_queue_at(outcome.error);
     if (!outcome.error.empty())
       report_error("The command failed; the mesh is as it was before", outcome.error);

@@ -26,8 +26,13 @@ bool popup_open() {
 Workbench::Workbench(const WorkbenchOptions& options)
     : options_(options),
       settings_file_(options.profile),
-      ui_(std::make_unique<UiLayer>(options.scale)) {
+      ui_(std::make_unique<UiLayer>(options.scale)),
+      autosave_(options.profile) {
   take_settings(settings_file_.initial());
+}
+
+Workbench::~Workbench() {
+  if (session_.quit_accepted()) autosave_.finish();
 }
 
 void Workbench::apply(const Action& action) {
@@ -38,7 +43,8 @@ bool Workbench::poll() {
   const bool drawn = mesh_view_.poll();
   const bool compared = before_.poll();
   const bool captured = capture_.poll();
-  return session_.poll() || drawn || compared || captured;
+  const bool changed = session_.poll();
+  return autosave_.update(session_) || drawn || compared || captured || changed;
 }
 
 bool Workbench::settled() const {
@@ -160,6 +166,18 @@ void Workbench::on(const action::ShowStepEditor& a) {
   const History& history = session_.document()->history();
   if (a.position > 0 && a.position < history.size())
     step_editor_.open(a.position, history.command(a.position));
+}
+
+void Workbench::on(const action::RestoreSession& a) {
+  const Document* document = session_.document();
+  if (a.discard_changes || !document || !(document->modified() || session_.in_motion()))
+    return autosave_.restore(a.folder);
+  session_.ask(
+      {Prompt::Kind::question,
+       "Discard the changes?",
+       document->name() + " has changes that are not saved. Restoring the session would lose them.",
+       {{"Discard and restore", {action::RestoreSession{a.folder, true}}, false},
+        {"Cancel", {}, true}}});
 }
 
 void Workbench::on(const action::ShowRecordDialog& a) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "gui/autosave/autosave.h"
 #include "gui/capture/capture.h"
 #include "gui/capture/picture_source.h"
 #include "gui/panels/banner_panel.h"
@@ -59,6 +60,10 @@ struct WorkbenchOptions {
 class Workbench : public PictureSource {
  public:
   explicit Workbench(const WorkbenchOptions& options = {});
+  /// What is kept for the case of a crash goes if the user had quit, and stays if not.
+  ~Workbench() override;
+  Workbench(const Workbench&) = delete;
+  Workbench& operator=(const Workbench&) = delete;
 
   /// Pixels per unit of the layout that the screen wants; the user may want another scale.
   void set_scale(float scale) { options_.scale = scale; }
@@ -91,6 +96,7 @@ class Workbench : public PictureSource {
   const BeforeMesh& before() const { return before_; }
   const Layout& layout() const { return layout_; }
   const WidgetMap& widgets() const { return ui_->widgets(); }
+  const Autosave& autosave() const { return autosave_; }
   const FileDialog& file_dialog() const { return file_dialog_; }
   /// Shape of the mouse cursor (ImGuiMouseCursor).
   int cursor() const;
@@ -145,6 +151,8 @@ class Workbench : public PictureSource {
   void on(const action::StepScale& a);
   void on(const action::ShowFileDialog& a);
   void on(const action::ShowStepEditor& a);
+  void on(const action::RestoreSession& a);
+  void on(const action::DiscardSession& a) { autosave_.discard(a.folder); }
   void on(const action::TakeScreenshot& a) { capture_.on(a); }
   void on(const action::SetPictureSpec& a) { capture_.on(a); }
   void on(const action::SavePicture& a) { capture_.on(a); }
@@ -166,6 +174,7 @@ class Workbench : public PictureSource {
   SettingsFile settings_file_;
   std::unique_ptr<UiLayer> ui_;
   Session session_;
+  Autosave autosave_;
   Capture capture_{session_};
   ViewOptions view_;
   ViewState view_state_;

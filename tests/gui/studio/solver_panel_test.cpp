@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "gui/studio/keys.h"
@@ -91,22 +91,18 @@ TEST_CASE("the direct method shows tangled meshes on its way to a valid one") {
   CHECK(rig.document().history().result(1).increments == 1);
 }
 
-TEST_CASE("a paced direct run shows every iteration, and can be cancelled and sped up at once") {
+TEST_CASE("a paced direct run goes no faster, and can be slowed, cancelled and sped up at once") {
   Rig rig(1100, 1000);
   rig.open(ring_mesh());
   const Coordinates before = rig.mesh().coordinates;
   choose_direct(rig);
   choose(rig, "solver/pace", "30 a second");
   CHECK(rig.session().pace() == 30);
+  const auto start = std::chrono::steady_clock::now();
   turn(rig, 120);
-  std::vector<int> seen;
-  const bool watched = rig.wait([&] {
-    const int at = iterations(rig);
-    if (at >= 0 && (seen.empty() || seen.back() != at)) seen.push_back(at);
-    return at >= 5;
-  });
-  REQUIRE(watched);
-  CHECK(seen.size() >= 4);  // the machine may be too busy to see them all
+  REQUIRE(rig.wait([&] { return iterations(rig) >= 6; }));
+  // Never faster than that; how much slower is up to the machine.
+  CHECK(std::chrono::steady_clock::now() - start > std::chrono::milliseconds(5 * 33));
   choose(rig, "solver/pace", "1 a second");
   REQUIRE(rig.session().job().active());
   rig.click("solver/cancel");

@@ -1,0 +1,199 @@
+#include "gui/autosave/session_folder.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <utility>
+
+#include "core/error.h"
+#include "gui/autosave/step_file.h"
+#include "io/atomic_file.h"
+#include "io/recipe.h"
+
+namespace winslow::gui {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using nlohmann::json;
+
+constexpr int format_version = 1;
+
+std::string step_name(std::uint64_t generation, std::uint64_t revision) {
+  return "step-" + std::to_string(generation) + "-" + std::to_string(revision) + ".bin";
+}
+
+/// With the ending of the source, by which its format is known.
+std::string mesh_name(const SessionRecord& session) {
+  return "mesh-" + std::to_string(session.generation) + session.source.extension().string();
+}
+
+std::string local_time() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  localtime_r(&now, &parts);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &parts);
+  return text.data();
+}
+
+json manifest_of(const SessionRecord& session) {
+  json steps = json::array();
+  for (std::size_t k = 1; k < session.history.size(); ++k)
+    steps.push_back({{"file", step_name(session.generation, session.tags[k].revision)},
+                     {"command", io::to_json(session.history.command(k))},
+                     {"seconds", session.tags[k].seconds}});
+  return {{"winslow_session", format_version},
+          {"source", session.source.string()},
+          {"path", session.path.string()},
+          {"mesh", mesh_name(session)},
+          {"time", local_time()},
+          {"position", session.history.position()},
+          {"steps", std::move(steps)}};
+}
+
+json read_manifest(const fs::path& folder) {
+  const fs::path path = folder / manifest_name;
+  std::ifstream file(path);
+  json document = json::parse(file, nullptr, false);
+  if (document.is_discarded() || !document.is_object())
+    throw InputError(path.string() + ": found no JSON object, expected a saved session");
+  return document;
+}
+
+/// A value of the manifest. Throws InputError naming what is missing or of the wrong type.
+template <class Value>
+Value value_of(const json& object, const char* key, const fs::path& folder) {
+  try {
+    return object.at(key).get<Value>();
+  } catch (const json::exception&) {
+    throw InputError((folder / manifest_name).string() + ": found no fitting \"" + key +
+                     "\", expected a saved session");
+  }
+}
+
+/// A file of the folder; no path leads out of it.
+fs::path file_of(const json& object, const char* key, const fs::path& folder) {
+  return folder / fs::path(value_of<std::string>(object, key, folder)).filename();
+}
+
+RestoredSession::Step read_one(const json& step, const fs::path& folder, const MeshState& base) {
+  const fs::path file = file_of(step, "file", folder);
+  StepData data = read_step(file);
+  const Coordinates& rest = base.mesh.coordinates;
+  if (data.coordinates.size() != rest.size() || data.coordinates.dimension() != rest.dimension())
+    throw InputError(file.string() + ": found " + std::to_string(data.coordinates.size()) +
+                     " nodes, expected " + std::to_string(rest.size()));
+  RestoredSession::Step result;
+  result.command =
+      io::command_from_json(value_of<json>(step, "command", folder), folder, "command");
+  result.seconds = value_of<double>(step, "seconds", folder);
+  result.result = CommandResult{base, std::move(data.smooth)};
+  result.result.state.mesh.coordinates = std::move(data.coordinates);
+  return result;
+}
+
+}  // namespace
+
+void SessionFolder::make() {
+  const auto since = std::chrono::system_clock::now().time_since_epoch();
+  const auto stamp = std::chrono::duration_cast<std::chrono::microseconds>(since).count();
+  const fs::path path = root_ / (std::to_string(::getpid()) + "-" + std::to_string(stamp));
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) throw OutputError(path.string() + ": cannot be made: " + error.message());
+  lock_ = FolderLock::take(path);
+  if (!lock_) throw OutputError(path.string() + ": cannot be locked");
+  path_ = path;
+}
+
+void SessionFolder::write(const SessionRecord& session) {
+  if (path_.empty()) make();
+  std::set<std::string> needed{mesh_name(session)};
+  if (!written_.contains(mesh_name(session))) {
+    std::error_code error;
+    fs::copy_file(session.mesh, path_ / mesh_name(session), fs::copy_options::overwrite_existing,
+                  error);
+    if (error) throw OutputError(session.mesh.string() + ": cannot be copied: " + error.message());
+    written_.insert(mesh_name(session));
+  }
+  for (std::size_t k = 1; k < session.history.size(); ++k) {
+    const std::string name = step_name(session.generation, session.tags[k].revision);
+    needed.insert(name);
+    if (written_.contains(name)) continue;
+    write_step(path_ / name, session.history.state(k).mesh.coordinates, session.history.result(k));
+    written_.insert(name);
+  }
+  std::string text;
+  try {
+    text = manifest_of(session).dump(1);
+  } catch (const json::exception&) {
+    throw OutputError("a name in the session is not UTF-8 text");
+  }
+  io::write_atomically(path_ / manifest_name, [&](std::ostream& out) { out << text << '\n'; });
+  std::erase_if(written_, [&](const std::string& name) {
+    if (needed.contains(name)) return false;
+    std::error_code ignored;
+    fs::remove(path_ / name, ignored);
+    return true;
+  });
+}
+
+void SessionFolder::remove() {
+  if (path_.empty()) return;
+  std::error_code ignored;
+  // Without a manifest nobody takes it for a session, should the rest not go.
+  fs::remove(path_ / manifest_name, ignored);
+  fs::remove_all(path_, ignored);
+  lock_.reset();
+  path_.clear();
+  written_.clear();
+}
+
+SessionSummary read_summary(const fs::path& folder) {
+  const json manifest = read_manifest(folder);
+  if (value_of<int>(manifest, "winslow_session", folder) != format_version)
+    throw InputError((folder / manifest_name).string() +
+                     ": found the session of another version of winslow");
+  SessionSummary summary;
+  summary.name = fs::path(value_of<std::string>(manifest, "source", folder)).filename().string();
+  summary.commands = value_of<json::array_t>(manifest, "steps", folder).size();
+  summary.time = value_of<std::string>(manifest, "time", folder);
+  return summary;
+}
+
+fs::path kept_mesh(const fs::path& folder) {
+  return file_of(read_manifest(folder), "mesh", folder);
+}
+
+RestoredSession read_session(const fs::path& folder) {
+  read_summary(folder);  // checks the version
+  const json manifest = read_manifest(folder);
+  RestoredSession session;
+  session.loaded = Document::load(file_of(manifest, "mesh", folder));
+  session.loaded.path = value_of<std::string>(manifest, "source", folder);
+  session.path = value_of<std::string>(manifest, "path", folder);
+  const auto steps = value_of<json::array_t>(manifest, "steps", folder);
+  for (const json& step : steps) {
+    try {
+      session.steps.push_back(read_one(step, folder, session.loaded.state));
+    } catch (const Error& error) {
+      session.damage = "Step " + std::to_string(session.steps.size() + 1) + " of " +
+                       std::to_string(steps.size()) +
+                       " and those after it are lost: " + error.what();
+      break;
+    }
+  }
+  session.position =
+      std::min(value_of<std::size_t>(manifest, "position", folder), session.steps.size());
+  return session;
+}
+
+}  // namespace winslow::gui

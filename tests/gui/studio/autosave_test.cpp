@@ -1,0 +1,247 @@
+#include <doctest/doctest.h>
+
+#include <fstream>
+
+#include "core/error.h"
+#include "gui/autosave/step_file.h"
+#include "gui/studio/keys.h"
+#include "gui/studio/rig.h"
+
+namespace winslow::gui::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void wait_until_kept(Rig& rig) {
+  REQUIRE(rig.settle());
+  REQUIRE(rig.wait([&] { return !rig.bench->autosave().busy(); }));
+}
+
+void turn(Rig& rig, double degrees) {
+  rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
+  rig.bench->apply(action::ApplyMotion{{degrees, Vec2(0, 0), Vec2(0, 0)}});
+  REQUIRE(rig.settle());
+}
+
+std::vector<fs::path> kept_sessions(const TemporaryFolder& profile) {
+  std::vector<fs::path> folders;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(profile / "autosave", error))
+    folders.push_back(entry.path());
+  return folders;
+}
+
+/// Works a studio that then ends as if it were killed. Returns the mesh of each position; the
+/// history is left at position 2 of 3.
+std::vector<Coordinates> work_and_crash(const TemporaryFolder& profile,
+                                        const TemporaryFolder& meshes) {
+  Rig rig(1100, 720, profile.path());
+  rig.bench->apply(action::OpenMesh{write(meshes, ring_mesh(), "wing.su2")});
+  REQUIRE(rig.settle());
+  std::vector<Coordinates> positions{rig.mesh().coordinates};
+  for (double degrees : {10.0, -25.0, 5.0}) {
+    turn(rig, degrees);
+    positions.push_back(rig.mesh().coordinates);
+  }
+  rig.bench->apply(action::Undo{});
+  wait_until_kept(rig);
+  return positions;
+}
+
+bool offered(Rig& rig) {
+  return rig.wait([&] { return rig.session().prompt() != nullptr; }) && (rig.frames(3), true);
+}
+
+fs::path find(const fs::path& folder, const std::string& start, int number = 0) {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().filename().string().starts_with(start)) found.push_back(entry.path());
+  std::sort(found.begin(), found.end());
+  REQUIRE(static_cast<int>(found.size()) > number);
+  return found[static_cast<std::size_t>(number)];
+}
+
+void damage(const fs::path& file) {
+  std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+  stream.seekp(100);
+  stream.put('\x5a');
+}
+
+}  // namespace
+
+TEST_CASE("after a crash the session is offered back, every position to the bit") {
+  TemporaryFolder profile;
+  TemporaryFolder meshes;
+  const auto positions = work_and_crash(profile, meshes);
+  // The mesh file need not be there any more.
+  fs::remove(meshes / "wing.su2");
+  {
+    Rig rig(1100, 720, profile.path());
+    REQUIRE(offered(rig));
+    CHECK(rig.session().prompt()->text.find("wing.su2 (3 commands, 20") != std::string::npos);
+    rig.click("prompt/Restore");
+    REQUIRE(rig.wait([&] { return rig.session().document() != nullptr; }));
+    wait_until_kept(rig);
+    const History& history = rig.document().history();
+    REQUIRE(history.size() == 4);
+    CHECK(history.position() == 2);
+    CHECK(rig.document().source() == meshes / "wing.su2");
+    CHECK(rig.document().modified());
+    CHECK(history.result(3).converged);
+    CHECK(history.result(3).history.size() > 2);
+    CHECK(describe(history.command(1)) == "Rotate flap by 10 deg");
+    for (std::size_t k = positions.size(); k-- > 0;) {
+      rig.bench->apply(action::GoToStep{k});
+      CHECK(rig.session().coordinates() == positions[k]);
+    }
+    // It is this studio's session now, and there is one of it.
+    wait_until_kept(rig);
+    CHECK(kept_sessions(profile).size() == 1);
+  }
+  // That one was not closed either.
+  Rig rig(1100, 720, profile.path());
+  CHECK(offered(rig));
+}
+
+TEST_CASE("nothing is left after a clean quit, and nothing is offered") {
+  TemporaryFolder profile;
+  TemporaryFolder meshes;
+  {
+    Rig rig(1100, 720, profile.path());
+    rig.bench->apply(action::OpenMesh{write(meshes, ring_mesh())});
+    wait_until_kept(rig);
+    CHECK(kept_sessions(profile).size() == 1);
+    turn(rig, 10);
+    rig.bench->apply(action::Quit{true});
+  }
+  CHECK(kept_sessions(profile).empty());
+  Rig rig(1100, 720, profile.path());
+  wait_until_kept(rig);
+  CHECK(rig.session().prompt() == nullptr);
+}
+
+TEST_CASE("a session that is discarded is gone") {
+  TemporaryFolder profile;
+  TemporaryFolder meshes;
+  work_and_crash(profile, meshes);
+  Rig rig(1100, 720, profile.path());
+  REQUIRE(offered(rig));
+  rig.click("prompt/Discard");
+  REQUIRE(rig.wait([&] { return kept_sessions(profile).empty(); }));
+  CHECK(rig.session().document() == nullptr);
+  CHECK(rig.session().prompt() == nullptr);
+}
+
+TEST_CASE("two studios at the same time leave each other's sessions alone") {
+  TemporaryFolder profile;
+  TemporaryFolder meshes;
+  auto first = std::make_unique<Rig>(1100, 720, profile.path());
+  first->bench->apply(action::OpenMesh{write(meshes, ring_mesh(), "one.su2")});
+  REQUIRE(first->settle());
+  turn(*first, 10);
+  wait_until_kept(*first);
+  const Coordinates of_first = first->mesh().coordinates;
+  {
+    Rig second(1100, 720, profile.path());
+    second.frames(5);
+    wait_until_kept(second);
+    CHECK(second.session().prompt() == nullptr);
+    second.bench->apply(action::OpenMesh{write(meshes, two_body_mesh(), "two.su2")});
+    wait_until_kept(second);
+    CHECK(kept_sessions(profile).size() == 2);
+    second.bench->apply(action::Quit{true});
+  }
+  CHECK(kept_sessions(profile).size() == 1);
+  first.reset();
+  Rig third(1100, 720, profile.path());
+  REQUIRE(offered(third));
+  CHECK(third.session().prompt()->text.find("one.su2") != std::string::npos);
+  third.click("prompt/Restore");
+  REQUIRE(third.wait([&] { return third.session().document() != nullptr; }));
+  CHECK(third.session().coordinates() == of_first);
+}
+
+TEST_CASE("a damaged step costs that step and those after it, and is said") {
+  TemporaryFolder profile;
+  TemporaryFolder meshes;
+  const auto positions = work_and_crash(profile, meshes);
+  damage(find(kept_sessions(profile).at(0), "step-", 1));
+  Rig rig(1100, 720, profile.path());
+  REQUIRE(offered(rig));
+  rig.click("prompt/Restore");
+  REQUIRE(rig.wait([&] { return rig.session().document() && rig.session().prompt(); }));
+  CHECK(rig.session().prompt()->text.find("checksum") != std::string::npos);
+  CHECK(rig.document().history().size() == 2);
+  CHECK(rig.session().coordinates() == positions[1]);
+}
+
+TEST_CASE("a damaged manifest or mesh is reported, and can be deleted") {
+  for (const bool manifest : {true, false}) {
+    TemporaryFolder profile;
+    TemporaryFolder meshes;
+    work_and_crash(profile, meshes);
+    const fs::path folder = kept_sessions(profile).at(0);
+    std::ofstream(find(folder, manifest ? "session" : "mesh")) << "{ nonsense";
+    Rig rig(1100, 720, profile.path());
+    REQUIRE(offered(rig));
+    if (!manifest) {
+      rig.click("prompt/Restore");
+      REQUIRE(offered(rig));
+    }
+    CHECK(rig.session().prompt()->kind == Prompt::Kind::error);
+    CHECK(rig.session().document() == nullptr);
+    rig.click("prompt/Delete it");
+    CHECK(rig.wait([&] { return kept_sessions(profile).empty(); }));
+  }
+}
+
+TEST_CASE("what came after an undone step is written once and goes when it is forgotten") {
+  TemporaryFolder profile;
+  Rig rig(1100, 720, profile.path());
+  rig.open(ring_mesh());
+  turn(rig, 10);
+  turn(rig, 5);
+  wait_until_kept(rig);
+  const fs::path folder = kept_sessions(profile).at(0);
+  const fs::path first = find(folder, "step-", 0);
+  const fs::path second = find(folder, "step-", 1);
+  const auto time = fs::last_write_time(first);
+  rig.bench->apply(action::Undo{});
+  turn(rig, 8);
+  wait_until_kept(rig);
+  CHECK(fs::exists(first));
+  CHECK(fs::last_write_time(first) == time);
+  CHECK_FALSE(fs::exists(second));
+}
+
+TEST_CASE("the file of a step reads back to the bit and refuses every cut of it") {
+  TemporaryFolder folder;
+  Coordinates x(2, 3);
+  x.set_xy(0, Vec2(0.1, -0.0));
+  x.set_xy(1, Vec2(1e-310, 3));
+  SmoothResult smooth;
+  smooth.converged = true;
+  smooth.linear_solver = "KLU";
+  smooth.history.resize(2);
+  smooth.history[1].residual = 0.3;
+  smooth.history[1].stage = Stage::newton;
+  const auto path = folder / "step.bin";
+  write_step(path, x, smooth);
+  const StepData back = read_step(path);
+  CHECK(back.coordinates == x);
+  CHECK(std::signbit(back.coordinates.xy(0).y()));
+  CHECK(back.smooth.linear_solver == "KLU");
+  REQUIRE(back.smooth.history.size() == 2);
+  CHECK(back.smooth.history[1].residual == 0.3);
+  CHECK(back.smooth.history[1].stage == Stage::newton);
+  std::ifstream in(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    std::ofstream(path, std::ios::binary) << bytes.substr(0, size);
+    CHECK_THROWS_AS(read_step(path), InputError);
+  }
+  CHECK_THROWS_AS(read_step(folder / "none.bin"), InputError);
+}
+
+}  // namespace winslow::gui::test
