@@ -5,6 +5,8 @@
 
 #include "core/command/command.h"
 #include "core/error.h"
+#include "core/inspect/nodal_view.h"
+#include "gui/inspector/vcv_overlay.h"
 #include "gui/picture_frame.h"
 #include "gui/render/gl_context.h"
 #include "gui/render/metric_scale.h"
@@ -79,6 +81,9 @@ MeshStyle mesh_style(const PictureOptions& options, const PictureTheme& theme, f
 
 Image draw_picture(const Mesh& mesh, const PictureOptions& options) {
   check(options);
+  const std::shared_ptr<const VirtualControlVolumes> vcv = make_state(mesh).vcv;
+  std::vector<NodalView> nodes;
+  for (const Index node : options.vcvs) nodes.push_back(inspect_node(*vcv, mesh.coordinates, node));
   const std::unique_ptr<HeadlessContext> context = make_headless_context();
   const FrameBuffer target(options.width, options.height, options.samples);
   const PictureTheme& theme = picture_theme(options.dark);
@@ -89,7 +94,7 @@ Image draw_picture(const Mesh& mesh, const PictureOptions& options) {
   text.title = options.title;
   text.warning = warning_text(check_validity(*mesh.topology, mesh.coordinates).inverted);
   if (options.color) {
-    values = element_values(*make_state(mesh).vcv, mesh.coordinates, *options.color);
+    values = element_values(*vcv, mesh.coordinates, *options.color);
     scale = choose_scale(options, values);
     if (options.legend) text.legend = make_legend(*options.color, values, scale);
   }
@@ -117,7 +122,9 @@ Image draw_picture(const Mesh& mesh, const PictureOptions& options) {
   target.clear(theme.paper);
   renderer.draw(camera, mesh_style(options, theme, frame.font_size()), options.width,
                 options.height);
-  frame.draw(options.bounds.has_value());
+  frame.draw(options.bounds.has_value(), [&](ImDrawList& list, ImFont* font) {
+    draw_vcvs(list, camera, nodes, 0.06f * frame.font_size(), font);
+  });
   return target.read();
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/inspect/element_field.h"
 #include "gui/render/image.h"
@@ -22,11 +23,13 @@ struct PictureOptions {
   bool marker_key = true;  ///< names of the markers in their colours, bottom left
   std::string title;       ///< top left; empty: none
   bool dark = false;
-  int samples = 4;  ///< multisampling
+  std::vector<Index> vcvs;  ///< nodes whose virtual control volumes are drawn over the mesh
+  int samples = 4;          ///< multisampling
 };
 
 /// Inverted elements are red and counted in a caption. Throws Error where no OpenGL can be had, and
-/// UsageError for an unknown colour map, bounds or a range without extent, a size out of range.
+/// UsageError for an unknown colour map, a node without a VCV, bounds or a range without extent, a
+/// size out of range.
 Image draw_picture(const Mesh& mesh, const PictureOptions& options);
 
 /// The same as vector graphics, a pixel of the options being a point. Throws UsageError.

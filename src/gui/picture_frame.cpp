@@ -87,7 +87,7 @@ void PictureFrame::place() {
            std::max(height - top - bottom, 1.0)};
 }
 
-void PictureFrame::draw(bool framed) {
+void PictureFrame::draw(bool framed, const OverMesh& over_mesh) {
   ImGuiContext* const before = ImGui::GetCurrentContext();
   ImGui::SetCurrentContext(context_);
   ImGuiRenderer renderer;
@@ -97,6 +97,11 @@ void PictureFrame::draw(bool framed) {
   const auto top = static_cast<float>(area_[1]);
   const auto right = static_cast<float>(area_[0] + area_[2]);
   const auto bottom = static_cast<float>(area_[1] + area_[3]);
+  if (over_mesh) {
+    list.PushClipRect({left, top}, {right, bottom});
+    over_mesh(list, font_);
+    list.PopClipRect();
+  }
   if (framed) list.AddRect({left, top}, {right, bottom}, to_color(theme_.frame));
   if (!text_.title.empty()) {
     list.AddText(strong_, title_scale * font_size_, {left, std::round(0.85f * font_size_)},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,8 +43,10 @@ class PictureFrame {
   float font_size() const { return font_size_; }
   /// Where the mesh goes: left, top, width, height in pixels.
   const std::array<double, 4>& mesh_area() const { return area_; }
+  /// Draws over the mesh, within its area, with a font for labels.
+  using OverMesh = std::function<void(ImDrawList& list, ImFont* font)>;
   /// Draws into the bound framebuffer. framed: a thin line around the mesh's area.
-  void draw(bool framed);
+  void draw(bool framed, const OverMesh& over_mesh = {});
 
  private:
   void place();

@@ -281,3 +281,31 @@ TEST_CASE("recipe: a command without a file can be read from JSON") {
   CHECK_THROWS_WITH_AS(io::command_from_json(json::array(), ".", "here"),
                        "here: found [], expected an object", InputError);
 }
+
+TEST_CASE("edits of VCVs come back as they were written") {
+  EditVcvCommand command;
+  command.edits = {{12, {7, 3, 9}, {100.0 / 3, 360 - 100.0 / 3 - 150, 150}, {1, 0.1 + 0.2, 7}},
+                   {4, {}, {}, {1, 2, 3, 4}},
+                   {5, {}, {}, {}}};
+  command.smooth = odd_smoothing();
+  const EditVcvCommand back = round_trip(command);
+  CHECK(back.edits == command.edits);
+  check_equal(back.smooth, command.smooth);
+}
+
+TEST_CASE("what is wrong with an edit of VCVs is named") {
+  const auto of = [](const std::string& rest) {
+    return complaint(with_command("{\"command\": \"edit_vcv\"" + rest + "}"));
+  };
+  CHECK(contains(of(""), "commands[0]: the key \"nodes\" is missing"));
+  CHECK(contains(of(", \"nodes\": []"), "commands[0].nodes: expected a list of nodes"));
+  CHECK(contains(of(", \"nodes\": [{}]"), "commands[0].nodes[0]: the key \"node\" is missing"));
+  CHECK(contains(of(", \"nodes\": [{\"node\": 1.5}]"),
+                 "commands[0].nodes[0].node: found 1.5, expected a whole number"));
+  CHECK(contains(of(", \"nodes\": [{\"node\": 1, \"angles\": [90, \"x\"]}]"),
+                 "commands[0].nodes[0].angles[1]: found \"x\", expected a number"));
+  CHECK(contains(of(", \"nodes\": [{\"node\": 1, \"neighbours\": 3}]"),
+                 "commands[0].nodes[0].neighbours: found 3, expected a list of whole numbers"));
+  CHECK(contains(of(", \"nodes\": [{\"node\": 1, \"length\": [1]}]"),
+                 "commands[0].nodes[0].length: unknown key"));
+}

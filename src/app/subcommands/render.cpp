@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <thread>
+#include <vector>
 
 #include "app/job/markers.h"
 #include "app/job/motion_frames.h"
@@ -37,6 +38,7 @@ struct RenderFlags {
   std::string before;          // mesh to put beside
   std::string recipe, frames;  // frames of what the recipe does
   int per_command = 12, rate = 20;
+  std::vector<Index> vcvs;
   bool dark = false, no_wireframe = false, no_legend = false, quiet = false;
 };
 
@@ -56,6 +58,7 @@ gui::PictureOptions picture_options(const RenderFlags& flags) {
   options.range = flags.range;
   options.color_map = flags.map;
   options.title = flags.title;
+  options.vcvs = flags.vcvs;
   options.dark = flags.dark;
   options.wireframe = !flags.no_wireframe;
   options.legend = !flags.no_legend;
@@ -157,6 +160,11 @@ class RenderSubcommand : public Subcommand {
             "--bounds", [this](const std::array<double, 4>& b) { flags_.bounds = b; },
             "Part of the plane to show whole [all of the mesh]")
         ->type_name("X0 Y0 X1 Y1");
+    app()
+        .add_option("--vcv", flags_.vcvs,
+                    "Draw the virtual control volumes of these nodes over the mesh")
+        ->delimiter(',')
+        ->type_name("NODE,...");
     app().add_option("--title", flags_.title, "Line above the picture")->type_name("TEXT");
     app().add_flag("--dark", flags_.dark, "Dark background");
     app().add_flag("--no-wireframe", flags_.no_wireframe, "Leave the edges of elements out");

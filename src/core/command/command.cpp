@@ -52,6 +52,15 @@ std::string describe_one(const ScrambleCommand& command) {
   return "Scramble, seed " + std::to_string(command.seed);
 }
 
+std::string describe_one(const EditVcvCommand& command) {
+  const std::size_t count = command.edits.size();
+  const bool resets = std::all_of(command.edits.begin(), command.edits.end(),
+                                  [](const VcvEdit& edit) { return edit.resets(); });
+  const std::string verb = resets ? "Reset" : "Edit";
+  if (count == 1) return verb + " the VCV of node " + std::to_string(command.edits[0].node);
+  return verb + " the VCVs of " + std::to_string(count) + " nodes";
+}
+
 /// Interior to start from, boundary as the state has it.
 Coordinates starting_point(const MeshState& state, const ExecuteOptions& options) {
   if (!options.start) return state.mesh.coordinates;
@@ -128,11 +137,21 @@ CommandResult execute_one(const ScrambleCommand& command, const MeshState& state
   return finish(state, std::move(x), std::move(result));
 }
 
+CommandResult execute_one(const EditVcvCommand& command, const MeshState& state,
+                          const ExecuteOptions& options) {
+  validate(command.smooth);
+  if (command.edits.empty()) throw UsageError("no VCV is given to edit");
+  const MeshState edited{state.mesh, edit_vcvs(*state.vcv, command.edits)};
+  Coordinates x = starting_point(edited, options);
+  SmoothResult result = smooth_interior(edited, command.smooth, x, options);
+  return finish(edited, std::move(x), std::move(result));
+}
+
 }  // namespace
 
 std::string_view command_name(const Command& command) {
-  constexpr std::array<std::string_view, std::variant_size_v<Command>> names{"smooth", "move",
-                                                                             "deform", "scramble"};
+  constexpr std::array<std::string_view, std::variant_size_v<Command>> names{
+      "smooth", "move", "deform", "scramble", "edit_vcv"};
   return names[command.index()];
 }
 

@@ -12,6 +12,7 @@
 #include "core/motion/motion.h"
 #include "core/outer/outer_solver.h"
 #include "core/outer/smooth_options.h"
+#include "core/vcv/vcv_edit.h"
 #include "core/vcv/virtual_control_volumes.h"
 
 /// Every edit of a mesh is one of these commands. The command line, the studio, undo and recipes
@@ -53,9 +54,17 @@ struct ScrambleCommand {
   std::uint64_t seed = 1;
 };
 
-using Command = std::variant<SmoothCommand, MoveCommand, DeformCommand, ScrambleCommand>;
+/// Change virtual control volumes, then smooth towards them, the boundary held. The VCVs stay with
+/// the mesh: later commands smooth towards them, too.
+struct EditVcvCommand {
+  std::vector<VcvEdit> edits;
+  SmoothOptions smooth;
+};
 
-/// "smooth", "move", "deform", "scramble".
+using Command =
+    std::variant<SmoothCommand, MoveCommand, DeformCommand, ScrambleCommand, EditVcvCommand>;
+
+/// "smooth", "move", "deform", "scramble", "edit_vcv".
 std::string_view command_name(const Command& command);
 /// One line for lists and undo menus, e.g. "Rotate flap by -40 deg".
 std::string describe(const Command& command);

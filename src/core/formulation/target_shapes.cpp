@@ -48,6 +48,7 @@ class Builder {
     blend_.element /= sum;
     blend_.vcv /= sum;
     blend_.rest /= sum;
+    edited_blend_ = {0, blend_.element + blend_.vcv, blend_.rest};
   }
 
   TargetShapes build() {
@@ -72,6 +73,15 @@ class Builder {
     return {element[k], element[(k + 1) % n], element[(k + n - 1) % n]};
   }
 
+  /// The shares at a corner: an edited VCV takes the place of the element's own shape.
+  const TargetBlend& blend_at(Index node) const {
+    return vcv_.edited(node) ? edited_blend_ : blend_;
+  }
+  bool any_edited(std::span<const Index> nodes) const {
+    return !vcv_.edits().empty() &&
+           std::any_of(nodes.begin(), nodes.end(), [&](Index node) { return vcv_.edited(node); });
+  }
+
   /// Rest metric of a corner, times the share.
   void add_rest(Metric2& metric, const std::array<Index, 3>& nodes, Index e) const {
     if (blend_.rest == 0) return;
@@ -93,7 +103,7 @@ class Builder {
     const auto k = static_cast<Index>(std::find(star.begin(), star.end(), e) - star.begin());
     const auto count = static_cast<Index>(topology_.neighbours(node).size());
     const double ideal = topology_.element_type(e) == ElementType::triangle ? pi / 3 : pi / 2;
-    metric.add(blend_.vcv,
+    metric.add(blend_at(node).vcv,
                count == 2 ? Metric2::of_angle(ideal)
                           : Metric2::of(vcv_.point(node, k), vcv_.point(node, (k + 1) % count)));
   }
@@ -103,26 +113,35 @@ class Builder {
     const auto first = corner_nodes(element, 0);
     if (!movable(first)) return;
     shapes_.triangles.push_back(first);
-    Metric2 common;
-    common.add(blend_.element, Metric2::of_angle(pi / 3));
-    add_rest(common, first, e);
-    if (blend_.vcv == 0) {
-      shapes_.terms.push_back(common.normalized().term(1));
+    if (blend_.vcv > 0 || any_edited(element)) {
+      add_vcv_terms(e);
     } else {
-      add_vcv_terms(e, common);
+      shapes_.terms.push_back(common_metric(blend_, first, e).normalized().term(1));
     }
     shapes_.offsets.push_back(static_cast<Index>(shapes_.terms.size()));
   }
 
-  void add_vcv_terms(Index e, const Metric2& common) {
+  /// What a triangle's target has besides VCVs, over its edges at corner 0.
+  Metric2 common_metric(const TargetBlend& blend, const std::array<Index, 3>& first,
+                        Index e) const {
+    Metric2 common;
+    common.add(blend.element, Metric2::of_angle(pi / 3));
+    add_rest(common, first, e);
+    return common;
+  }
+
+  /// One term for each corner with a VCV that counts.
+  void add_vcv_terms(Index e) {
     const auto element = topology_.element(e);
-    const auto free = std::count_if(element.begin(), element.end(),
-                                    [&](Index node) { return !topology_.constrained(node); });
-    const double weight = 1 / static_cast<double>(free);
+    const auto counts = [&](Index node) {
+      return !topology_.constrained(node) && (blend_.vcv > 0 || vcv_.edited(node));
+    };
+    const auto corners = std::count_if(element.begin(), element.end(), counts);
+    const double weight = 1 / static_cast<double>(corners);
     for (std::size_t k = 0; k < 3; ++k) {
-      if (topology_.constrained(element[k])) continue;
+      if (!counts(element[k])) continue;
       // The VCV's metric belongs to the edges at corner k: express the common part there too.
-      Metric2 metric = rotated(common, k);
+      Metric2 metric = rotated(common_metric(blend_at(element[k]), corner_nodes(element, 0), e), k);
       add_vcv(metric, e, element[k]);
       const ShapeTerm t = metric.normalized().term(weight);
       shapes_.terms.push_back(k == 0   ? t
@@ -152,11 +171,12 @@ class Builder {
     for (std::size_t k = 0; k < 4; ++k) {
       if (!live[k]) continue;
       const auto nodes = corner_nodes(element, k);
+      const TargetBlend& blend = blend_at(nodes[0]);
       Metric2 metric;
-      metric.add(blend_.element, Metric2::of_angle(pi / 2));
-      if (blend_.vcv > 0) {
+      metric.add(blend.element, Metric2::of_angle(pi / 2));
+      if (blend.vcv > 0) {
         if (topology_.constrained(nodes[0])) {
-          metric.add(blend_.vcv, Metric2::of_angle(pi / 2));  // there is no VCV at the boundary
+          metric.add(blend.vcv, Metric2::of_angle(pi / 2));  // there is no VCV at the boundary
         } else {
           add_vcv(metric, e, nodes[0]);
         }
@@ -171,6 +191,7 @@ class Builder {
   const VirtualControlVolumes& vcv_;
   const Topology& topology_;
   TargetBlend blend_;
+  TargetBlend edited_blend_;  // at nodes whose VCVs were edited
   const Coordinates* rest_;
   TargetShapes shapes_;
 };

@@ -62,6 +62,26 @@ struct SetMotionOptions {
   MotionOptions options;
 };
 
+// Nodes and their virtual control volumes
+struct InspectNode {
+  std::optional<Index> node;
+};
+struct HoverNode {
+  std::optional<Index> node;
+};
+struct PinNodes {
+  std::vector<Index> nodes;
+  bool pinned = true;  ///< false: take the pins away
+};
+/// Changes VCVs and smooths. under_mouse: the mesh follows every further EditVcvs, which replaces
+/// the edits before, until EndVcvEdit.
+struct EditVcvs {
+  std::vector<VcvEdit> edits;
+  bool under_mouse = false;
+};
+struct EndVcvEdit {};
+struct CancelVcvEdit {};
+
 // Solver
 struct RunSmooth {};
 struct Scramble {
@@ -221,6 +241,9 @@ using Action = std::variant<
     action::SelectMarkers, action::HoverMarkers, action::SetPivot, action::ApplyMotion,
     action::BeginDrag, action::DragTo, action::EndDrag, action::CancelDrag,
     action::SetMotionOptions,
+    // Nodes and their virtual control volumes
+    action::InspectNode, action::HoverNode, action::PinNodes, action::EditVcvs,
+    action::EndVcvEdit, action::CancelVcvEdit,
     // Solver
     action::RunSmooth, action::Scramble, action::PauseSolver, action::ResumeSolver,
     action::StepSolver, action::CancelSolver, action::SetSmoothOptions, action::SetPace,

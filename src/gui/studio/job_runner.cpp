@@ -82,6 +82,10 @@ bool JobRunner::poll() {
 }
 
 bool JobRunner::meets_target(const Snapshot& snapshot) const {
+  if (const auto* edit = std::get_if<EditVcvCommand>(&command_)) {
+    const auto* done = snapshot.command ? std::get_if<EditVcvCommand>(&*snapshot.command) : nullptr;
+    return done && done->edits == edit->edits;
+  }
   const auto* target = std::get_if<MoveCommand>(&command_);
   if (!target) return true;
   if (!snapshot.command) return false;

@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <string>
 
+#include "core/inspect/nodal_view.h"
 #include "core/motion/rigid_motion.h"
+#include "gui/inspector/vcv_overlay.h"
 
 namespace winslow::gui {
 
@@ -89,9 +91,26 @@ void draw_motion(ImDrawList& list, const Overlay& o) {
         "x " + number(m.translate.x(), "%+.4g") + "   y " + number(m.translate.y(), "%+.4g"));
 }
 
+/// Pinned control volumes, and rings around the nodes inspected and under the mouse.
+void draw_nodes(ImDrawList& list, const Overlay& o) {
+  const NodeSelection& nodes = o.session.nodes();
+  if (!o.session.document()) return;
+  const Coordinates& x = o.session.coordinates();
+  std::vector<NodalView> pinned;
+  for (const Index node : nodes.pinned()) pinned.push_back(inspect_node(*o.session.vcv(), x, node));
+  draw_vcvs(list, o.camera, pinned, o.theme.px(1), o.theme.small);
+  if (nodes.inspected())
+    draw_node_ring(list, pixel(o.camera.to_screen(x.xy(*nodes.inspected()))), o.theme.px(6),
+                   o.theme.px(2), palette().accent);
+  if (nodes.hovered())
+    draw_node_ring(list, pixel(o.camera.to_screen(x.xy(*nodes.hovered()))), o.theme.px(8),
+                   o.theme.px(1.5f), palette().accent);
+}
+
 }  // namespace
 
 void draw_overlay(ImDrawList& list, const Overlay& o) {
+  draw_nodes(list, o);
   if (o.session.dragging()) draw_outline(list, o);
   if (const auto handles = Viewport::handles(o.scene, o.camera)) {
     draw_ring(list, o, *handles);

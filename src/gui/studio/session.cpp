@@ -87,14 +87,12 @@ Vec2 Session::pivot() const {
 void Session::watch_quality(std::optional<ElementField> field) {
   if (!document_) return;
   if (quality_.wants(shape_, field, in_motion()))
-    quality_.request(shape_, {{document_->topology(), coordinates()}, document_->state().vcv},
-                     field, in_motion());
+    quality_.request(shape_, {{document_->topology(), coordinates()}, vcv()}, field, in_motion());
 }
 
 void Session::measure_quality_now(std::optional<ElementField> field) {
   if (!document_) return;
-  quality_.measure_now(shape_, {{document_->topology(), coordinates()}, document_->state().vcv},
-                       field);
+  quality_.measure_now(shape_, {{document_->topology(), coordinates()}, vcv()}, field);
 }
 
 void Session::tell(Notice::Kind kind, std::string text) {

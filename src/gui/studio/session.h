@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "gui/inspector/node_selection.h"
 #include "gui/studio/actions.h"
 #include "gui/studio/background.h"
 #include "gui/studio/body_drag.h"
@@ -70,6 +71,10 @@ class Session {
   /// Point about which the selection turns, where it is on screen now.
   Vec2 pivot() const;
 
+  const NodeSelection& nodes() const { return nodes_; }
+  /// Virtual control volumes of the mesh on screen; null without a mesh.
+  std::shared_ptr<const VirtualControlVolumes> vcv() const;
+
   const SmoothOptions& smooth_options() const { return smooth_; }
   const MotionOptions& motion_options() const { return motion_; }
   /// Iterations a second of the direct method; 0: as fast as they come.
@@ -112,6 +117,15 @@ class Session {
   void on(const action::EndDrag&);
   void on(const action::CancelDrag&);
   void on(const action::SetMotionOptions& a);
+  // Nodes and their VCVs (session_vcv.cpp)
+  void on(const action::InspectNode& a);
+  void on(const action::HoverNode& a) { nodes_.hover(a.node); }
+  void on(const action::PinNodes& a);
+  void on(const action::EditVcvs& a);
+  void on(const action::EndVcvEdit&);
+  void on(const action::CancelVcvEdit&);
+  bool exists(Index node) const;
+
   void on(const action::RunSmooth&);
   void on(const action::Scramble& a);
   void on(const action::PauseSolver&);
@@ -203,6 +217,10 @@ class Session {
   MeshState drag_state_;                   // that the drag's motions are seen from
   std::optional<Coordinates> drag_start_;  // mesh that the drag took over from a job
   std::optional<std::size_t> rerun_;       // position of the history that the job leads to again
+
+  NodeSelection nodes_;
+  std::shared_ptr<const VirtualControlVolumes> edited_vcv_;  // of the edit under way
+  bool editing_vcv_ = false;                                 // under the mouse
 
   std::deque<Prompt> prompts_;
   std::optional<Banner> banner_;

@@ -83,6 +83,7 @@ void Session::adopt(Document::Loaded loaded) {
   boundary_ = std::make_unique<BoundaryIndex>(document_->topology());
   selection_.clear();
   hovered_.clear();
+  nodes_ = {};
   pivot_chosen_ = false;
   banner_.reset();
   ++generation_;

@@ -107,7 +107,7 @@ void Session::on(const action::CancelSolver&) {
 }
 
 void Session::stop_job() {
-  dragging_ = false;
+  dragging_ = editing_vcv_ = false;
   drag_base_.reset();
   if (drag_.active()) {
     drag_.end();
@@ -121,7 +121,7 @@ void Session::stop_job() {
 }
 
 void Session::finish_job(JobRunner::Outcome outcome) {
-  dragging_ = false;
+  dragging_ = editing_vcv_ = false;
   if (rerun_) return end_rerun();
   if (!outcome.result) {
     position_changed();

@@ -188,6 +188,7 @@ void Viewport::rotate_to(const PointerState& p, const Camera& camera, ActionQueu
 
 void Viewport::release(const PointerState& p, const Camera& camera, ActionQueue& actions) {
   const bool add = p.shift || p.control;
+  if (p.click_taken && gesture_ != Gesture::box) return end(actions, false);
   if (gesture_ == Gesture::box) {
     last_.position = p.position;
     const Bounds pixels = *box();

@@ -17,6 +17,8 @@ struct PointerState {
   double wheel = 0;  ///< notches; up zooms in
   bool shift = false, control = false;
   bool cancel = false;  ///< Esc
+  /// The click under way is another tool's: it selects nothing. A drag is the viewport's still.
+  bool click_taken = false;
 };
 
 /// Where the handles of the selection are on screen.

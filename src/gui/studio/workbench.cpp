@@ -150,6 +150,13 @@ std::string Workbench::title() const {
   return (document->modified() ? "* " : "") + document->name() + " - winslow";
 }
 
+void Workbench::on(const action::InspectNode& a) {
+  session_.apply(a);
+  if (!a.node) return;
+  view_.side_tab = SideTab::vcv;
+  view_.right_panel = true;
+}
+
 void Workbench::on(const action::ShowFileDialog& a) {
   using action::FilePurpose;
   const Document* document = session_.document();

@@ -9,6 +9,7 @@
 #include "gui/autosave/autosave.h"
 #include "gui/capture/capture.h"
 #include "gui/capture/picture_source.h"
+#include "gui/inspector/node_tool.h"
 #include "gui/panels/banner_panel.h"
 #include "gui/panels/command_palette.h"
 #include "gui/panels/convergence_panel.h"
@@ -29,6 +30,7 @@
 #include "gui/panels/status_bar.h"
 #include "gui/panels/step_editor.h"
 #include "gui/panels/toolbar.h"
+#include "gui/panels/vcv_panel.h"
 #include "gui/panels/view_panel.h"
 #include "gui/panels/welcome_panel.h"
 #include "gui/panels/worst_panel.h"
@@ -138,6 +140,7 @@ class Workbench : public PictureSource {
   Camera camera_of_part(int x, int y, int width, int height) const;
 
   void on(const action::SetView& a) { view_ = a.view; }
+  void on(const action::InspectNode& a);
   void on(const action::FitView&);
   void on(const action::FitSelection&);
   void on(const action::LookAt& a);
@@ -183,6 +186,7 @@ class Workbench : public PictureSource {
   BeforeMesh before_;
   Layout layout_;
   Viewport viewport_;
+  NodeTool node_tool_;
   MeshView mesh_view_;
   IdLabels id_labels_;
   LegendCard legend_card_;
@@ -204,6 +208,7 @@ class Workbench : public PictureSource {
   MotionPanel motion_;
   SolverPanel solver_;
   ViewPanel view_panel_;
+  VcvPanel vcv_panel_;
   QualityPanel quality_;
   WorstPanel worst_;
   GoToPanel go_to_;

@@ -110,6 +110,8 @@ void Workbench::draw_side_tab() {
       {SideTab::quality,
        {"Quality", "How good the mesh is, before and now, and where it is worst."}},
       {SideTab::view, {"View", "What is drawn, and how."}},
+      {SideTab::vcv,
+       {"VCV", "A node's virtual control volume: what it says, and how to change it."}},
       {SideTab::history, {"History", "What was done to the mesh; go back to any point."}}};
   std::vector<ui::Tab> labels;
   std::size_t chosen = 0;
@@ -133,7 +135,7 @@ void Workbench::draw_side_tab() {
     case SideTab::history:
       return history_.draw(all);
     case SideTab::vcv:
-      return;
+      return vcv_panel_.draw(all);
   }
 }
 

@@ -48,6 +48,10 @@ void Workbench::drive_viewport(const InputState& input) {
   pointer_ = input.mouse;
   pointer_over_ = pointer.over;
   if (viewport_.gesture() == Viewport::Gesture::none) take_for_insets(pointer);
+  const bool nodes = !view_state_.box_zoom_armed &&
+                     (input.alt() || (view_.right_panel && view_.side_tab == SideTab::vcv));
+  pointer.click_taken =
+      node_tool_.update(pointer, nodes, scene().scale, session_, camera_, actions_);
   viewport_.update(pointer, scene(), camera_, actions_);
   if (viewport_.gesture() == Viewport::Gesture::box) view_state_.box_zoom_armed = false;
   lens_ = magnifier_inset(view_.magnifier, camera_, pointer_, pointer_over_, scene().scale);

@@ -128,6 +128,29 @@ DisplacementTable read_table(const json& value, const std::string& path,
   return table;
 }
 
+VcvEdit read_vcv_edit(const json& value, const std::string& path) {
+  ObjectReader reader(value, path);
+  VcvEdit edit;
+  reader.required("node", edit.node);
+  reader.field("neighbours", edit.neighbours);
+  reader.field("angles", edit.angles);
+  reader.field("lengths", edit.lengths);
+  reader.finish();
+  return edit;
+}
+
+EditVcvCommand read_vcv_edits(ObjectReader& reader) {
+  EditVcvCommand command;
+  const json& nodes = reader.at("nodes");
+  const std::string path = reader.path_of("nodes");
+  if (!nodes.is_array() || nodes.empty()) throw JsonValueError(path, "expected a list of nodes");
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    command.edits.push_back(read_vcv_edit(nodes[i], path + '[' + std::to_string(i) + ']'));
+  }
+  smoothing_of(reader, command);
+  return command;
+}
+
 DeformCommand read_deform(ObjectReader& reader, const std::filesystem::path& folder) {
   DeformCommand command;
   motion_fields(reader, command);
@@ -165,9 +188,10 @@ Command read_command(ObjectReader& reader, const std::filesystem::path& folder) 
     reader.field("seed", command.seed);
     return command;
   }
+  if (name == "edit_vcv") return read_vcv_edits(reader);
   throw JsonValueError(reader.path_of("command"), "found \"" + name +
                                                       "\", expected one of smooth, move, deform, "
-                                                      "scramble");
+                                                      "scramble, edit_vcv");
 }
 
 void write_fields(ObjectWriter& writer, const SmoothCommand& command) {
@@ -190,6 +214,20 @@ void write_fields(ObjectWriter& writer, const DeformCommand& command) {
 
 void write_fields(ObjectWriter& writer, const ScrambleCommand& command) {
   writer.field("seed", command.seed);
+}
+
+void write_fields(ObjectWriter& writer, const EditVcvCommand& command) {
+  json nodes = json::array();
+  for (const VcvEdit& edit : command.edits) {
+    ObjectWriter item;
+    item.required("node", edit.node);
+    if (!edit.neighbours.empty()) item.field("neighbours", edit.neighbours);
+    if (!edit.angles.empty()) item.field("angles", edit.angles);
+    if (!edit.lengths.empty()) item.field("lengths", edit.lengths);
+    nodes.push_back(item.take());
+  }
+  writer.required("nodes", nodes);
+  smoothing_of(writer, command);
 }
 
 }  // namespace

@@ -54,6 +54,16 @@ const char* name_of(Enum value, const std::array<Name<Enum>, n>& names) {
       ->second;
 }
 
+template <class Value>
+void read_list(const json& value, const std::string& path, const char* expected,
+               std::vector<Value>& out) {
+  if (!value.is_array()) refuse(value, path, expected);
+  out.clear();
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    ObjectReader::read(value[i], path + '[' + std::to_string(i) + ']', out.emplace_back());
+  }
+}
+
 }  // namespace
 
 ObjectReader::ObjectReader(const json& object, std::string path)
@@ -115,11 +125,15 @@ void ObjectReader::read(const json& value, const std::string& path, std::string&
 }
 
 void ObjectReader::read(const json& value, const std::string& path, std::vector<std::string>& out) {
-  if (!value.is_array()) refuse(value, path, "a list of texts");
-  out.clear();
-  for (std::size_t i = 0; i < value.size(); ++i) {
-    read(value[i], path + '[' + std::to_string(i) + ']', out.emplace_back());
-  }
+  read_list(value, path, "a list of texts", out);
+}
+
+void ObjectReader::read(const json& value, const std::string& path, std::vector<int>& out) {
+  read_list(value, path, "a list of whole numbers", out);
+}
+
+void ObjectReader::read(const json& value, const std::string& path, std::vector<double>& out) {
+  read_list(value, path, "a list of numbers", out);
 }
 
 void ObjectReader::read(const json& value, const std::string& path, Vec2& out) {

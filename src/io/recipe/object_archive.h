@@ -53,6 +53,8 @@ class ObjectReader {
   static void read(const nlohmann::json& json, const std::string& path, std::string& value);
   static void read(const nlohmann::json& json, const std::string& path,
                    std::vector<std::string>& value);
+  static void read(const nlohmann::json& json, const std::string& path, std::vector<int>& value);
+  static void read(const nlohmann::json& json, const std::string& path, std::vector<double>& value);
   static void read(const nlohmann::json& json, const std::string& path, Vec2& value);
   static void read(const nlohmann::json& json, const std::string& path, Clip& value);
   static void read(const nlohmann::json& json, const std::string& path, Fade& value);

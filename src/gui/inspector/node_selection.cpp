@@ -1,0 +1,23 @@
+#include "gui/inspector/node_selection.h"
+
+#include <algorithm>
+
+namespace winslow::gui {
+
+bool NodeSelection::pinned(Index node) const {
+  return std::binary_search(pinned_.begin(), pinned_.end(), node);
+}
+
+void NodeSelection::pin(const std::vector<Index>& nodes) {
+  pinned_.insert(pinned_.end(), nodes.begin(), nodes.end());
+  std::sort(pinned_.begin(), pinned_.end());
+  pinned_.erase(std::unique(pinned_.begin(), pinned_.end()), pinned_.end());
+}
+
+void NodeSelection::unpin(const std::vector<Index>& nodes) {
+  std::erase_if(pinned_, [&](Index node) {
+    return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+  });
+}
+
+}  // namespace winslow::gui

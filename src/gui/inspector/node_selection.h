@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/types.h"
+
+namespace winslow::gui {
+
+/// Nodes that the user looks at: one in the inspector, one under the mouse, any number pinned.
+class NodeSelection {
+ public:
+  const std::optional<Index>& inspected() const { return inspected_; }
+  const std::optional<Index>& hovered() const { return hovered_; }
+  /// Ascending.
+  const std::vector<Index>& pinned() const { return pinned_; }
+  bool pinned(Index node) const;
+
+  void inspect(std::optional<Index> node) { inspected_ = node; }
+  void hover(std::optional<Index> node) { hovered_ = node; }
+  void pin(const std::vector<Index>& nodes);
+  void unpin(const std::vector<Index>& nodes);
+
+ private:
+  std::optional<Index> inspected_, hovered_;
+  std::vector<Index> pinned_;
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,233 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "core/command/command.h"
+#include "core/command/history.h"
+#include "core/error.h"
+#include "core/inspect/nodal_view.h"
+#include "support/samples.h"
+
+using namespace winslow;
+using namespace winslow::test;
+
+namespace {
+
+/// A node well inside with six neighbours.
+Index inner_node(const Topology& topology) {
+  for (const Index node : topology.free_nodes()) {
+    const auto ring = topology.neighbours(node);
+    if (ring.size() == 6 &&
+        std::none_of(ring.begin(), ring.end(), [&](Index k) { return topology.constrained(k); })) {
+      return node;
+    }
+  }
+  FAIL("no such node");
+  return -1;
+}
+
+MeshState smoothed(const MeshState& state, const SmoothOptions& options = {}) {
+  return execute(SmoothCommand{options}, state).state;
+}
+
+MeshState triangles() { return smoothed(make_state(make_mesh(square(8, Cells::triangles)))); }
+
+/// One wide angle, between neighbours 0 and 1.
+VcvEdit wide_angle(const Topology& topology, Index node) {
+  const auto ring = topology.neighbours(node);
+  return {node, {ring.begin(), ring.end()}, {90, 54, 54, 54, 54, 54}, {}};
+}
+
+/// Angle between edges k and k + 1 in the mesh, degrees.
+double angle_at(const MeshState& state, Index node, std::size_t k) {
+  return degrees(inspect_node(*state.vcv, state.mesh.coordinates, node).physical.angles[k]);
+}
+
+}  // namespace
+
+TEST_CASE("a wider angle of a VCV opens the angle of the mesh, in either formulation") {
+  const MeshState before = triangles();
+  const Topology& topology = *before.mesh.topology;
+  const Index node = inner_node(topology);
+  for (const char* formulation : {"variational", "pointwise"}) {
+    CAPTURE(formulation);
+    SmoothOptions options;
+    options.formulation = formulation;
+    const MeshState start = smoothed(before, options);
+    const CommandResult result =
+        execute(EditVcvCommand{{wide_angle(topology, node)}, options}, start);
+    CHECK(result.smooth.converged);
+    CHECK(result.smooth.inverted == 0);
+    CHECK(angle_at(result.state, node, 0) > angle_at(start, node, 0) + 5);
+    CHECK(result.state.vcv->edited(node));
+    CHECK(result.state.vcv->edits().size() == 1);
+    CHECK_FALSE(start.vcv->edited(node));
+    // The edit stays: smoothing again changes nothing.
+    const CommandResult again = execute(SmoothCommand{options}, result.state);
+    CHECK(std::abs(angle_at(again.state, node, 0) - angle_at(result.state, node, 0)) < 1e-6);
+    // Resetting it brings the mesh back.
+    const CommandResult reset =
+        execute(EditVcvCommand{{{node, {}, {}, {}}}, options}, result.state);
+    CHECK_FALSE(reset.state.vcv->edited(node));
+    for (Index i = 0; i < topology.node_count(); ++i) {
+      CHECK((reset.state.mesh.coordinates.xy(i) - start.mesh.coordinates.xy(i)).norm() < 1e-7);
+    }
+  }
+}
+
+TEST_CASE("a longer edge of a VCV moves the node away from that neighbour") {
+  const MeshState before = triangles();
+  const Index node = inner_node(*before.mesh.topology);
+  const VcvEdit edit{node, {}, {}, {2, 1, 1, 1, 1, 1}};
+  const CommandResult result = execute(EditVcvCommand{{edit}, {}}, before);
+  const auto share = [&](const MeshState& state) {
+    const NodalView view = inspect_node(*state.vcv, state.mesh.coordinates, node);
+    return view.physical.lengths[0] / view.physical.mean_length();
+  };
+  CHECK(result.smooth.inverted == 0);
+  CHECK(share(result.state) > 1.1 * share(before));
+}
+
+TEST_CASE("quadrilaterals answer to edited VCVs, too") {
+  const MeshState before = smoothed(make_state(make_mesh(square(8, Cells::quads))));
+  const Index node = before.mesh.topology->free_nodes()[24];
+  REQUIRE(before.mesh.topology->neighbours(node).size() == 4);
+  const CommandResult result =
+      execute(EditVcvCommand{{{node, {}, {120, 80, 80, 80}, {}}}, {}}, before);
+  CHECK(result.smooth.inverted == 0);
+  CHECK(angle_at(result.state, node, 0) > angle_at(before, node, 0) + 5);
+}
+
+TEST_CASE("numbers belong to the neighbours named, from whichever the list starts") {
+  const MeshState before = triangles();
+  const Topology& topology = *before.mesh.topology;
+  const Index node = inner_node(topology);
+  const VcvEdit plain{node, {}, {90, 40, 50, 60, 70, 50}, {1, 2, 3, 4, 5, 6}};
+  const auto ring = topology.neighbours(node);
+  for (std::size_t first = 0; first < 6; ++first) {
+    VcvEdit turned{node, {}, {}, {}};
+    for (std::size_t k = 0; k < 6; ++k) {
+      turned.neighbours.push_back(ring[(first + k) % 6]);
+      turned.angles.push_back(plain.angles[(first + k) % 6]);
+      turned.lengths.push_back(plain.lengths[(first + k) % 6]);
+    }
+    const auto vcv = edit_vcvs(*before.vcv, std::vector{turned});
+    for (std::size_t k = 0; k < 6; ++k) {
+      CHECK(vcv->angles(node)[k] == doctest::Approx(radians(plain.angles[k])));
+      CHECK(vcv->lengths(node)[k] == plain.lengths[k]);
+    }
+    const VcvEdit back = edit_of(*vcv, node);
+    CHECK(back.angles[0] == doctest::Approx(90));
+    CHECK(back.lengths == plain.lengths);
+  }
+  CHECK(edit_of(*before.vcv, node).resets());
+}
+
+TEST_CASE("edits that are no VCV are refused, with the node named") {
+  const MeshState state = triangles();
+  const Topology& topology = *state.mesh.topology;
+  const Index node = inner_node(topology);
+  const auto ring = topology.neighbours(node);
+  VcvEdit edit{node, {ring.begin(), ring.end()}, {90, 54, 54, 54, 54, 54}, {}};
+  std::string expected;
+  SUBCASE("a sum") {
+    edit.angles[1] = 60;
+    expected = "do not sum to 360";
+  }
+  SUBCASE("a number of angles") {
+    edit.angles = {120, 120, 120};
+    expected = "expected 6 angles";
+  }
+  SUBCASE("a reflex angle") {
+    edit.angles = {200, 32, 32, 32, 32, 32};
+    expected = "outside (0, pi)";
+  }
+  SUBCASE("a length") {
+    edit.lengths = {1, 1, 0, 1, 1, 1};
+    expected = "not positive";
+  }
+  SUBCASE("a stranger among the neighbours") {
+    edit.neighbours[2] = node;
+    expected = "the neighbours are not those of the mesh, which are";
+  }
+  SUBCASE("a node on the boundary") {
+    edit.node = topology.boundary_loops()[0][0];
+    expected = "not a free node";
+  }
+  SUBCASE("a node that does not exist") {
+    edit.node = topology.node_count();
+    expected = "not a free node";
+  }
+  CAPTURE(expected);
+  try {
+    execute(EditVcvCommand{{edit}, {}}, state);
+    FAIL("accepted");
+  } catch (const UsageError& error) {
+    const std::string text = error.what();
+    CHECK(text.find(expected) != std::string::npos);
+    CHECK(text.find(std::to_string(edit.node)) != std::string::npos);
+  }
+  CHECK_THROWS_AS(execute(EditVcvCommand{}, state), UsageError);
+}
+
+TEST_CASE("undo of an edit gives back mesh and VCVs, to the bit; its description names it") {
+  const MeshState before = triangles();
+  const Index node = inner_node(*before.mesh.topology);
+  History history(before);
+  const EditVcvCommand command{{wide_angle(*before.mesh.topology, node)}, {}};
+  history.push(command, execute(command, before));
+  CHECK(history.state().vcv->edited(node));
+  history.undo();
+  CHECK(history.state().mesh.coordinates == before.mesh.coordinates);
+  CHECK(history.state().vcv == before.vcv);
+  CHECK(describe(command) == "Edit the VCV of node " + std::to_string(node));
+  CHECK(describe(EditVcvCommand{{{3, {}, {}, {}}, {4, {}, {}, {}}}, {}}) ==
+        "Reset the VCVs of 2 nodes");
+  CHECK(command_name(command) == "edit_vcv");
+}
+
+TEST_CASE("an edited VCV counts although the blend has no share for VCVs, only around its node") {
+  const MeshState before = triangles();
+  const Topology& topology = *before.mesh.topology;
+  const Index node = inner_node(topology);
+  const auto vcv = edit_vcvs(*before.vcv, std::vector{wide_angle(topology, node)});
+  const TargetShapes plain = TargetShapes::build(*before.vcv, {1, 0, 0}, nullptr);
+  const TargetShapes edited = TargetShapes::build(*vcv, {1, 0, 0}, nullptr);
+  const TargetShapes of_vcv = TargetShapes::build(*vcv, {0, 1, 0}, nullptr);
+  REQUIRE(plain.triangles == edited.triangles);
+  std::size_t changed = 0;
+  for (std::size_t t = 0; t < plain.triangles.size(); ++t) {
+    const auto& nodes = plain.triangles[t];
+    const bool around = std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+    const auto first = static_cast<std::size_t>(edited.offsets[t]);
+    REQUIRE(edited.offsets[t + 1] - edited.offsets[t] == 1);
+    const ShapeTerm& a = plain.terms[first];
+    const ShapeTerm& b = edited.terms[first];
+    CHECK(b.weight == 1);
+    const bool same = a.ab == b.ab && a.ac == b.ac && a.bc == b.bc;
+    if (!around) CHECK(same);
+    changed += same ? 0 : 1;
+    if (!around) continue;
+    // The term is one of those that the VCVs alone give.
+    bool found = false;
+    for (Index k = of_vcv.offsets[t]; k < of_vcv.offsets[t + 1]; ++k) {
+      const ShapeTerm& c = of_vcv.terms[at(k)];
+      found =
+          found || (std::abs(c.ab - b.ab) + std::abs(c.ac - b.ac) + std::abs(c.bc - b.bc)) < 1e-12;
+    }
+    CHECK(found);
+  }
+  CHECK(changed == 6);
+}
+
+TEST_CASE("stars are matched by the directions of their edges") {
+  const std::vector<Vec2> from = regular_polygon(6);
+  for (std::size_t shift = 0; shift < 6; ++shift) {
+    std::vector<Vec2> to;
+    for (std::size_t k = 0; k < 6; ++k) {
+      const double phi = 2 * pi * static_cast<double>(k + 6 - shift) / 6 + 0.2;
+      to.push_back(3 * Vec2(std::cos(phi), std::sin(phi)));
+    }
+    CHECK(matching_shift(from, to) == shift);
+  }
+}
