@@ -93,9 +93,37 @@ class Render(ProgramTest):
         self.assertLess(red[0], 100)
         self.assertGreater(red[1], 1000)
 
+    def test_control_volumes_are_drawn_over_the_mesh(self):
+        self.ring()
+        pictures = []
+        for args in ((), ("--vcv", "84"), ("--vcv", "84,85,60")):
+            self.render("-o", "p.png", "--size", "300", "300", *args, "ring.su2")
+            pictures.append(read_png(self.path("p.png"))[2])
+
+        def differing(a, b):
+            return sum(p != q for r, s in zip(a, b) for p, q in zip(r, s))
+        self.assertGreater(differing(pictures[0], pictures[1]), 50)
+        self.assertGreater(differing(pictures[1], pictures[2]), 50)
+
+    def test_a_node_without_a_control_volume_is_named(self):
+        self.ring()
+        run = self.render("ring.su2", "-o", "p.png", "--vcv", "84,99999", code=USAGE)
+        self.assertIn("no node 99999: its nodes count from 0 to 215", run.stderr)
+        run = self.render("ring.su2", "-o", "p.png", "--vcv", "3", code=USAGE)
+        self.assertIn("node 3 lies on the boundary", run.stderr)
+        self.assertEqual(self.files(), ["ring.su2"])
+
+    def test_fields_of_the_control_volumes_colour_elements(self):
+        self.ring()
+        pictures = set()
+        for field in ("kappa", "smallest_weight", "residual"):
+            self.render("ring.su2", "-o", "p.png", "--size", "200", "200", "--color", field)
+            pictures.add(self.path("p.png").read_bytes())
+        self.assertEqual(len(pictures), 3)
+
     def test_bad_usage(self):
         self.ring()
-        for args in (("--color", "beauty"), ("--size", "0", "10"), ("--bounds", "1", "0", "0", "1"),
+        for args in (("--color", "beauty"), ("--vcv", "one"), ("--size", "0", "10"), ("--bounds", "1", "0", "0", "1"),
                      ("--bounds", "0", "0", "1"), ("--bounds", "0", "0", "nan", "1"),
                      ("--color", "area", "--range", "2", "1"), ("--range", "0", "1"),
                      ("--map", "rainbow")):

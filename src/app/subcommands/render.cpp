@@ -164,6 +164,7 @@ class RenderSubcommand : public Subcommand {
         .add_option("--vcv", flags_.vcvs,
                     "Draw the virtual control volumes of these nodes over the mesh")
         ->delimiter(',')
+        ->allow_extra_args(false)  // what follows is the mesh
         ->type_name("NODE,...");
     app().add_option("--title", flags_.title, "Line above the picture")->type_name("TEXT");
     app().add_flag("--dark", flags_.dark, "Dark background");

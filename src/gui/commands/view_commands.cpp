@@ -252,6 +252,11 @@ std::vector<UserCommand> view_commands() {
                              .label = "History tab",
                              .keys = {control(key(GLFW_KEY_3))},
                              .tooltip = "What was done to the mesh, in the column on the right."}),
+      tab(SideTab::vcv, {.id = "tab_vcv",
+                         .label = "VCV tab",
+                         .keys = {control(key(GLFW_KEY_4))},
+                         .tooltip = "A node and its virtual control volume, in the column on the "
+                                    "right."}),
       {.id = "dark",
        .label = "Dark theme",
        .group = group,

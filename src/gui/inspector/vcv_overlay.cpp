@@ -33,7 +33,7 @@ std::vector<Vec2> over_star(const NodalView& node) {
 void draw_number(ImDrawList& list, const ImVec2& centre, Index node, float room, ImFont* font) {
   const std::string text = std::to_string(node);
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e6f, 0, text.c_str());
-  if (size.x > 0.9f * room) return;
+  if (size.x > 1.1f * room) return;
   const ImVec2 at(centre.x - size.x / 2, centre.y - size.y / 2);
   list.AddRectFilled(ImVec2(at.x - 3, at.y - 1), ImVec2(at.x + size.x + 3, at.y + size.y + 1),
                      IM_COL32(255, 255, 255, 235), 3);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr float disc_size = 7.5f;    // radius of a neighbour's disc, units of the layout
 constexpr float star_share = 0.44f;  // of the row
-constexpr float filling = 0.68f;     // the longest edge, over half of the picture
+constexpr float filling = 0.76f;     // the longest edge, over half of the picture
 
 std::string text_of(double value, const char* format) {
   std::array<char, 32> buffer{};

@@ -22,7 +22,9 @@ std::string fixed(double value, const char* format) {
 
 void figure(const char* id, const char* label, const std::string& value, const char* tip,
             ImU32 color = palette().text) {
-  ui::row(label, tip);
+  ui::text_dim(label);
+  ui::tooltip(tip);
+  ImGui::SameLine();
   ui::text_right(value, color);
   ui::note(id);
 }
@@ -60,7 +62,7 @@ void VcvPanel::draw(const PanelContext& context) {
         inspect_node(*context.session.vcv(), context.session.coordinates(), *node);
     if (!plot_.dragging() || edge_ >= view.neighbours.size()) edge_ %= view.neighbours.size();
     draw_plot(context, view);
-    draw_figures(view);
+    draw_figures(view, context.theme);
     draw_neighbours(context, view);
     draw_edge_fields(context, view);
     draw_reset(context, view);
@@ -117,7 +119,8 @@ void VcvPanel::draw_plot(const PanelContext& context, const NodalView& view) {
       "circle.");
 }
 
-void VcvPanel::draw_figures(const NodalView& view) {
+void VcvPanel::draw_figures(const NodalView& view, const Theme& theme) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(theme.px(8), theme.px(4)));
   const WinslowCoefficients& c = view.coefficients;
   figure("vcv/coefficients", "\xCE\xB1  \xCE\xB2  \xCE\xB3",
          fixed(c.alpha, "%.3f") + "   " + fixed(c.beta, "%.3f") + "   " + fixed(c.gamma, "%.3f"),
@@ -134,6 +137,7 @@ void VcvPanel::draw_figures(const NodalView& view) {
   figure("vcv/residual", "Residual", short_number(view.scaled_residual),
          "Distance to where the paper's operator would move this node alone, over the mean length "
          "of its edges.");
+  ImGui::PopStyleVar();
 }
 
 void VcvPanel::draw_neighbours(const PanelContext& context, const NodalView& view) {

@@ -15,7 +15,7 @@ class VcvPanel : public Panel {
  private:
   void draw_header(const PanelContext& context);
   void draw_plot(const PanelContext& context, const NodalView& view);
-  void draw_figures(const NodalView& view);
+  void draw_figures(const NodalView& view, const Theme& theme);
   void draw_neighbours(const PanelContext& context, const NodalView& view);
   void draw_edge_fields(const PanelContext& context, const NodalView& view);
   void draw_reset(const PanelContext& context, const NodalView& view);

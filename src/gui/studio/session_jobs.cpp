@@ -28,6 +28,7 @@ bool Session::start_job(Command command, bool paused, std::optional<Coordinates>
     }
   }
   banner_.reset();
+  edited_vcv_.reset();
   job_.set_pace(pace_of(command));
   job_.run(document_->state(), std::move(command), paused, std::move(start));
   shape_changed();

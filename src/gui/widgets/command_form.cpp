@@ -51,6 +51,13 @@ class Form {
     changed_ = true;
   }
 
+  void operator()(EditVcvCommand& command) {
+    text_wrapped(counted(command.edits.size(), "virtual control volume") +
+                 (command.edits.size() == 1 ? "; its" : "; their") +
+                 " angles and lengths are changed in the tab VCV.");
+    options(command.smooth);
+  }
+
  private:
   void deformation(SineDeformation& sine) {
     field("amplitude", "Amplitude", sine.amplitude, "Largest displacement, in units of the mesh.");

@@ -7,6 +7,7 @@
 namespace winslow::gui::test::keys {
 
 inline constexpr int control = GLFW_KEY_LEFT_CONTROL;
+inline constexpr int alt = GLFW_KEY_LEFT_ALT;
 inline constexpr int shift = GLFW_KEY_LEFT_SHIFT;
 inline constexpr int escape = GLFW_KEY_ESCAPE;
 inline constexpr int space = GLFW_KEY_SPACE;
