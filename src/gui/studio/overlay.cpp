@@ -91,14 +91,11 @@ void draw_motion(ImDrawList& list, const Overlay& o) {
         "x " + number(m.translate.x(), "%+.4g") + "   y " + number(m.translate.y(), "%+.4g"));
 }
 
-/// Pinned control volumes, and rings around the nodes inspected and under the mouse.
-void draw_nodes(ImDrawList& list, const Overlay& o) {
+/// Rings around the nodes inspected and under the mouse.
+void draw_rings(ImDrawList& list, const Overlay& o) {
   const NodeSelection& nodes = o.session.nodes();
   if (!o.session.document()) return;
   const Coordinates& x = o.session.coordinates();
-  std::vector<NodalView> pinned;
-  for (const Index node : nodes.pinned()) pinned.push_back(inspect_node(*o.session.vcv(), x, node));
-  draw_vcvs(list, o.camera, pinned, o.theme.px(1), o.theme.small);
   if (nodes.inspected())
     draw_node_ring(list, pixel(o.camera.to_screen(x.xy(*nodes.inspected()))), o.theme.px(6),
                    o.theme.px(2), palette().accent);
@@ -109,8 +106,17 @@ void draw_nodes(ImDrawList& list, const Overlay& o) {
 
 }  // namespace
 
+void draw_pins(ImDrawList& list, const Overlay& o) {
+  if (!o.session.document()) return;
+  std::vector<NodalView> pinned;
+  for (const Index node : o.session.nodes().pinned())
+    pinned.push_back(inspect_node(*o.session.vcv(), o.session.coordinates(), node));
+  draw_vcvs(list, o.camera, pinned, o.theme.px(1), o.theme.small);
+}
+
 void draw_overlay(ImDrawList& list, const Overlay& o) {
-  draw_nodes(list, o);
+  draw_pins(list, o);
+  draw_rings(list, o);
   if (o.session.dragging()) draw_outline(list, o);
   if (const auto handles = Viewport::handles(o.scene, o.camera)) {
     draw_ring(list, o, *handles);

@@ -21,4 +21,7 @@ struct Overlay {
 
 void draw_overlay(ImDrawList& list, const Overlay& overlay);
 
+/// The part of it that belongs into a picture of the mesh alone: pinned control volumes.
+void draw_pins(ImDrawList& list, const Overlay& overlay);
+
 }  // namespace winslow::gui

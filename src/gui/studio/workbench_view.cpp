@@ -173,7 +173,12 @@ void Workbench::draw_overlays(ImDrawList& list) {
   if (!session_.document()) return;
   const Theme& theme = ui_->theme();
   // Handles are for the mouse; a picture of the mesh alone has none.
-  if (!mesh_alone_) draw_overlay(list, {session_, viewport_, scene(), camera_, theme});
+  const ViewportScene shown = scene();
+  const Overlay handles{session_, viewport_, shown, camera_, theme};
+  if (mesh_alone_)
+    draw_pins(list, handles);
+  else
+    draw_overlay(list, handles);
   const ViewOverlay overlay{session_, view_, view_state_, camera_, theme};
   draw_rim(list, overlay);
   id_labels_.draw(list, overlay);
