@@ -17,6 +17,9 @@ foreach(component ${installed_components})
 endforeach()
 if(WINSLOW_BUILD_APP)
   install(TARGETS winslow)
+  # The studio looks for its bundled meshes in ../share/winslow from where the program is.
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/ DESTINATION ${CMAKE_INSTALL_DATADIR}/winslow
+          FILES_MATCHING PATTERN "*.su2" PATTERN meshgen EXCLUDE)
 endif()
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/winslowConfig.cmake.in

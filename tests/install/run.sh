@@ -28,5 +28,9 @@ fi
 "$work/consumer/consumer"
 if [[ -x $work/prefix/bin/winslow ]]; then
   (cd "$work" && ./prefix/bin/winslow --version)
+  # The studio's bundled meshes come with it.
+  for mesh in naca0012 three_element circle quads; do
+    test -s "$work/prefix/share/winslow/$mesh.su2" -a -s "$work/prefix/share/winslow/coarse/$mesh.su2"
+  done
 fi
 echo "The installed winslow::core serves another project, without graphics."

@@ -26,6 +26,7 @@ for _ in $(seq 100); do [ -s "$work/display" ] && break; sleep 0.1; done
 DISPLAY=:$(cat "$work/display")
 export DISPLAY
 unset WAYLAND_DISPLAY
+export WINSLOW_PROFILE="$work/profile"
 
 cp "$mesh" "$work/mesh.su2"
 cd "$work"

@@ -2,6 +2,7 @@
 #include <GLFW/glfw3.h>
 
 #include "gui/commands/user_command.h"
+#include "gui/demos/demo_player.h"
 
 namespace winslow::gui {
 
@@ -119,6 +120,7 @@ std::vector<UserCommand> edit_commands() {
        .tooltip = "Select nothing.",
        .blocked = [](const PanelContext& c) -> std::string {
          if (c.session.job().active()) return "Esc cancels the solver now.";
+         if (c.demo.demo()) return "Esc ends the demo now.";
          return c.session.selection().empty() ? "Nothing is selected." : "";
        },
        .run = [](const PanelContext& c) { c.emit(action::SelectMarkers{}); }},

@@ -3,6 +3,8 @@
 
 #include "gui/capture/capture.h"
 #include "gui/commands/user_command.h"
+#include "gui/files/assets.h"
+#include "gui/files/file_kinds.h"
 
 namespace winslow::gui {
 
@@ -20,8 +22,65 @@ std::string cannot_record_step(const PanelContext& context) {
   return context.session.document()->history().position() > 0 ? "" : "Nothing was done yet.";
 }
 
-std::function<void(const PanelContext&)> dialog(action::FilePurpose purpose) {
-  return [purpose](const PanelContext& c) { c.emit(action::ShowFileDialog{purpose}); };
+std::function<void(const PanelContext&)> dialog(action::FilePurpose purpose,
+                                                const std::string& extension = {}) {
+  return [=](const PanelContext& c) { c.emit(action::ShowFileDialog{purpose, extension}); };
+}
+
+std::vector<UserCommand> recent_files(const PanelContext& context) {
+  std::vector<UserCommand> items;
+  for (const RecentFiles::File& file : context.recent.files())
+    items.push_back(
+        {.id = "recent/" + file.path.string(),
+         .label = file.path.filename().string(),
+         .group = CommandGroup::file,
+         .tooltip = file.path.string(),
+         .blocked = [missing = file.missing](const PanelContext&) -> std::string {
+           return missing ? "The file is not there any more." : "";
+         },
+         .run = [path = file.path](const PanelContext& c) { c.emit(action::OpenMesh{path}); }});
+  items.push_back({.id = "clear_recent",
+                   .label = "Clear this list",
+                   .group = CommandGroup::file,
+                   .tooltip = "Forget which files were open. The files stay.",
+                   .run = [](const PanelContext& c) { c.emit(action::ClearRecent{}); },
+                   .starts_section = true});
+  return items;
+}
+
+std::vector<UserCommand> bundled(const PanelContext&) {
+  std::vector<UserCommand> items;
+  for (const BundledMesh& mesh : bundled_meshes())
+    items.push_back({.id = "bundled/" + mesh.id,
+                     .label = mesh.title,
+                     .group = CommandGroup::file,
+                     .tooltip = mesh.about,
+                     .run = [path = assets_folder() / mesh.file](const PanelContext& c) {
+                       c.emit(action::OpenMesh{path});
+                     }});
+  return items;
+}
+
+std::vector<UserCommand> export_formats(const PanelContext&) {
+  using action::FilePurpose;
+  std::vector<UserCommand> items;
+  const auto add = [&](FilePurpose purpose, const char* what) {
+    for (const FileKind& kind : dialog_of(purpose).kinds) {
+      if (kind.extensions.size() != 1) continue;
+      const std::string& extension = kind.extensions[0];
+      items.push_back({.id = what + extension,
+                       .label = std::string(what) + " as " + kind.label + " (" + extension + ")...",
+                       .group = CommandGroup::file,
+                       .tooltip = dialog_of(purpose).title + ".",
+                       .blocked = cannot_save,
+                       .run = dialog(purpose, extension)});
+    }
+  };
+  add(FilePurpose::export_mesh, "Mesh");
+  const std::size_t meshes = items.size();
+  add(FilePurpose::export_markers, "Markers");
+  items[meshes].starts_section = true;
+  return items;
 }
 
 }  // namespace
@@ -36,6 +95,29 @@ std::vector<UserCommand> file_commands() {
        .keys = {control(key(GLFW_KEY_O))},
        .tooltip = "Choose a mesh file. A file dropped on the window opens, too.",
        .run = dialog(FilePurpose::open_mesh)},
+      {.id = "open_recent",
+       .label = "Open recent",
+       .group = group,
+       .tooltip = "Meshes that were open before.",
+       .blocked = [](const PanelContext& c) -> std::string {
+         return c.recent.files().empty() ? "No mesh was open yet." : "";
+       },
+       .items = recent_files},
+      {.id = "bundled",
+       .label = "Open a bundled mesh",
+       .group = group,
+       .tooltip = "Meshes that come with the program.",
+       .blocked = [](const PanelContext&) -> std::string {
+         return assets_folder().empty() ? "The bundled meshes are not installed." : "";
+       },
+       .items = bundled},
+      {.id = "close",
+       .label = "Close mesh",
+       .group = group,
+       .keys = {control(key(GLFW_KEY_W))},
+       .tooltip = "Close the mesh. It asks if there are changes that are not saved.",
+       .blocked = without_mesh,
+       .run = [](const PanelContext& c) { c.emit(action::CloseMesh{}); }},
       {.id = "save",
        .label = "Save",
        .group = group,
@@ -51,6 +133,12 @@ std::vector<UserCommand> file_commands() {
        .tooltip = "Save the mesh under another name or in another format.",
        .blocked = cannot_save,
        .run = dialog(FilePurpose::save_mesh)},
+      {.id = "export",
+       .label = "Export",
+       .group = group,
+       .tooltip = "Write a copy of the mesh in a format, or its markers as curves.",
+       .blocked = cannot_save,
+       .items = export_formats},
       {.id = "recipe",
        .label = "Export recipe...",
        .group = group,

@@ -20,6 +20,20 @@ std::vector<UserCommand> help_commands() {
        .keys = {typed(U'?'), key(GLFW_KEY_F1)},
        .tooltip = "All keys, and what the mouse does.",
        .run = [](const PanelContext& c) { c.emit(action::ShowHelp{}); }},
+      {.id = "welcome",
+       .label = "Welcome",
+       .group = group,
+       .tooltip = "Recent files, the bundled meshes and the guided demos.",
+       .blocked = [](const PanelContext& c) -> std::string {
+         return c.session.document() ? "" : "It is shown already.";
+       },
+       .run = [](const PanelContext& c) { c.emit(action::ShowWelcome{}); },
+       .starts_section = true},
+      {.id = "about",
+       .label = "About winslow",
+       .group = group,
+       .tooltip = "Versions, graphics and licence.",
+       .run = [](const PanelContext& c) { c.emit(action::ShowAbout{}); }},
   };
 }
 

@@ -9,8 +9,8 @@ namespace winslow::gui {
 const std::vector<UserCommand>& user_commands() {
   static const std::vector<UserCommand> all = [] {
     std::vector<UserCommand> commands;
-    for (auto make :
-         {file_commands, edit_commands, solver_commands, view_commands, help_commands}) {
+    for (auto make : {file_commands, edit_commands, solver_commands, view_commands, help_commands,
+                      demo_commands}) {
       auto group = make();
       std::move(group.begin(), group.end(), std::back_inserter(commands));
     }

@@ -12,7 +12,8 @@
 /// the toolbar's tooltips all read this one table: what is not in it has no key and no menu entry.
 ///
 /// TO ADD A COMMAND, add an entry to the table of its group: file_commands.cpp, edit_commands.cpp,
-/// solver_commands.cpp, view_commands.cpp or help_commands.cpp. Its order there is its order in the
+/// solver_commands.cpp, view_commands.cpp, help_commands.cpp or
+/// demo_commands.cpp. Its order there is its order in the
 /// menu. What the mouse does, for the list of keys, stands in gestures.cpp.
 namespace winslow::gui {
 
@@ -35,7 +36,8 @@ struct UserCommand {
   std::function<void(const PanelContext&)> run = {};
   Text label_now = {};  ///< label that says what would happen ("Undo: Smooth"); null: `label`
   bool starts_section = false;  ///< a line above it in the menu
-  /// A submenu: what it holds now, in place of `run`. The palette lists them one by one.
+  /// A submenu: what it holds now, in place of `run`. The palette lists them one by one,
+  /// unless the submenu is blocked.
   std::function<std::vector<UserCommand>(const PanelContext&)> items = {};
 };
 
@@ -57,6 +59,7 @@ std::vector<UserCommand> edit_commands();
 std::vector<UserCommand> solver_commands();
 std::vector<UserCommand> view_commands();
 std::vector<UserCommand> help_commands();
+std::vector<UserCommand> demo_commands();
 
 // What stands in the way of many commands.
 std::string without_mesh(const PanelContext& context);

@@ -39,6 +39,7 @@ std::vector<CommandPalette::Row> CommandPalette::rows(const PanelContext& contex
       add(command, "");
       continue;
     }
+    if (!why_blocked(command, context).empty()) continue;
     for (const UserCommand& item : command.items(context)) add(item, command.label + ": ");
   }
   std::stable_sort(found.begin(), found.end(),

@@ -16,7 +16,10 @@ void draw_entry(const UserCommand& command, const PanelContext& context) {
     const bool open = ImGui::BeginMenu(label.c_str(), reason.empty());
     ui::note("menu/" + command.id);
     if (!open) return ui::tooltip(reason.empty() ? command.tooltip : reason);
-    for (const UserCommand& item : command.items(context)) draw_entry(item, context);
+    for (const UserCommand& item : command.items(context)) {
+      if (item.starts_section) ImGui::Separator();
+      draw_entry(item, context);
+    }
     return ImGui::EndMenu();
   }
   const bool checked = command.checked && command.checked(context);

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "gui/files/recent_files.h"
 #include "gui/studio/actions.h"
 #include "gui/studio/before_mesh.h"
 #include "gui/studio/session.h"
@@ -12,6 +13,7 @@
 namespace winslow::gui {
 
 class Capture;
+class DemoPlayer;
 
 /// All that a panel sees, and where it puts what the user wants.
 struct PanelContext {
@@ -21,6 +23,8 @@ struct PanelContext {
   const Theme& theme;
   ActionQueue& actions;
   const Capture& capture;
+  const RecentFiles& recent;
+  const DemoPlayer& demo;
   const BeforeMesh* before = nullptr;  ///< what the mesh is compared with
 
   template <class A>

@@ -1,39 +1,149 @@
 #include "gui/panels/welcome_panel.h"
 
+#include <algorithm>
+
+#include "gui/commands/user_command.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
 
 namespace {
 
-void centred(const char* text, ImU32 c) {
-  const float width = ImGui::CalcTextSize(text).x;
-  ImGui::SetCursorPosX((ImGui::GetWindowWidth() - width) / 2);
-  ui::text_colored(c, text);
+void heading(const PanelContext& context, const char* text) {
+  ImGui::Dummy(ImVec2(0, context.theme.px(10)));
+  ImGui::PushFont(context.theme.bold);
+  ImGui::TextUnformatted(text);
+  ImGui::PopFont();
+}
+
+/// Text in a rectangle of a draw list.
+void put(ImDrawList& list, ImFont* font, const ImVec2& at, ImU32 color, const std::string& text) {
+  list.AddText(font, font->FontSize, at, color, text.c_str());
 }
 
 }  // namespace
 
 void WelcomePanel::draw(const PanelContext& context) {
-  const bool loading = context.session.loading();
-  const float line = ImGui::GetTextLineHeightWithSpacing();
-  ImGui::SetCursorPosY((ImGui::GetWindowHeight() - 6 * line) / 2);
-  ImGui::PushFont(context.theme.title);
-  centred(loading ? "Reading the mesh ..." : "Open a mesh", palette().text);
-  ImGui::PopFont();
-  if (loading) {
-    const std::string name = context.session.loading_path().filename().string();
-    centred(name.c_str(), palette().text_dim);
+  if (context.session.loading()) {
+    ImGui::PushFont(context.theme.title);
+    ImGui::TextUnformatted("Reading the mesh ...");
+    ImGui::PopFont();
+    ui::text_dim(context.session.loading_path().filename().string());
     return;
   }
-  centred("Drop a file here, or choose one.", palette().text_dim);
-  centred("SU2, Gmsh MSH, VTK, VTU, OBJ, OFF, PLY, STL", palette().text_faint);
+  thumbnails_.update(static_cast<double>(ImGui::GetIO().DeltaTime));
+  draw_head(context);
+  if (!context.recent.files().empty()) draw_recent(context);
+  if (assets_folder().empty()) return;
+  draw_bundled(context);
+  draw_demos(context);
+}
+
+void WelcomePanel::draw_head(const PanelContext& context) {
+  ImGui::PushFont(context.theme.title);
+  ImGui::TextUnformatted("Open a mesh");
+  ImGui::PopFont();
+  ui::text_wrapped("Drop a file here, choose one, or begin with one of those below.");
+  ui::text_colored(palette().text_faint, "SU2, Gmsh MSH, VTK, VTU, OBJ, OFF, PLY, STL");
   ImGui::Spacing();
-  const float width = context.theme.px(150);
-  ImGui::SetCursorPosX((ImGui::GetWindowWidth() - width) / 2);
   if (ui::button("welcome/open", "Open mesh...",
-                 {"Choose a mesh file (Ctrl+O).", ui::ButtonStyle::primary, true, width}))
+                 {tooltip_of(user_command("open")), ui::ButtonStyle::primary, true,
+                  context.theme.px(150)}))
     context.emit(action::ShowFileDialog{action::FilePurpose::open_mesh});
+  if (!context.session.document()) return;
+  ImGui::SameLine();
+  if (ui::button("welcome/back", "Back to the mesh", {"Leave this page."}))
+    context.emit(action::ShowWelcome{});
+}
+
+void WelcomePanel::draw_recent(const PanelContext& context) {
+  heading(context, "Recent");
+  std::size_t shown = 0;
+  for (const RecentFiles::File& file : context.recent.files()) {
+    if (++shown > 6) break;
+    const std::string name = file.path.filename().string();
+    ImGui::BeginDisabled(file.missing);
+    const bool pressed = ImGui::Selectable(("##recent/" + file.path.string()).c_str(), false);
+    ui::note("welcome/recent/" + name);
+    ImGui::EndDisabled();
+    ui::tooltip(file.path.string() + (file.missing ? "\nThe file is not there any more." : ""));
+    ImGui::SameLine(ImGui::GetStyle().WindowPadding.x);
+    ui::text_colored(file.missing ? palette().text_faint : palette().accent, name);
+    ImGui::SameLine(0, context.theme.px(12));
+    const std::string folder = file.path.parent_path().string();
+    ui::text_colored(palette().text_faint,
+                     ui::elided(folder, ImGui::GetContentRegionAvail().x - context.theme.px(4)));
+    if (pressed) context.emit(action::OpenMesh{file.path});
+  }
+}
+
+void WelcomePanel::draw_bundled(const PanelContext& context) {
+  heading(context, "Bundled meshes");
+  const float gap = context.theme.px(10);
+  const float room = ImGui::GetContentRegionAvail().x;
+  const std::size_t columns = room > context.theme.px(640) ? 4 : 2;
+  const auto n = static_cast<float>(columns);
+  const float width = std::min((room - (n - 1) * gap) / n, context.theme.px(230));
+  std::size_t k = 0;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
+  for (const BundledMesh& mesh : bundled_meshes()) {
+    if (k++ % columns != 0) ImGui::SameLine();
+    if (draw_card(context, mesh, width, 0.625f * width + context.theme.px(30)))
+      context.emit(action::OpenMesh{assets_folder() / mesh.file});
+  }
+  ImGui::PopStyleVar();
+}
+
+bool WelcomePanel::draw_card(const PanelContext& context, const BundledMesh& mesh, float width,
+                             float height) {
+  const Theme& theme = context.theme;
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 max(min.x + width, min.y + height);
+  const bool pressed = ImGui::InvisibleButton(mesh.id.c_str(), ImVec2(width, height));
+  ui::note("welcome/" + mesh.id);
+  const bool over = ImGui::IsItemHovered();
+  ui::tooltip(mesh.about);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float round = theme.px(6);
+  list.AddRectFilled(min, max, palette().panel, round);
+  const ImVec2 foot(max.x, max.y - theme.px(30));
+  if (const Texture* picture = thumbnails_.find(mesh.id))
+    list.AddImageRounded(picture->id(), min, foot, ImVec2(0, 0), ImVec2(1, 1), IM_COL32_WHITE,
+                         round, ImDrawFlags_RoundCornersTop);
+  list.AddRect(min, max, over ? palette().accent : palette().border, round, 0,
+               over ? theme.px(2) : theme.px(1));
+  put(list, theme.regular,
+      ImVec2(min.x + theme.px(10), foot.y + (theme.px(30) - theme.regular->FontSize) / 2),
+      palette().text, ui::elided(mesh.title, width - theme.px(20)));
+  return pressed;
+}
+
+void WelcomePanel::draw_demos(const PanelContext& context) {
+  heading(context, "Guided demos: the cases of the paper");
+  for (const Demo& demo : demos())
+    if (draw_demo(context, demo)) context.emit(action::StartDemo{demo.id});
+  ImGui::Dummy(ImVec2(0, context.theme.px(8)));
+}
+
+bool WelcomePanel::draw_demo(const PanelContext& context, const Demo& demo) {
+  const Theme& theme = context.theme;
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 size(std::max(ImGui::GetContentRegionAvail().x, 1.0f), theme.px(30));
+  const bool pressed = ImGui::InvisibleButton(("demo" + demo.id).c_str(), size);
+  ui::note("welcome/demo/" + demo.id);
+  ui::tooltip("Play this case step by step on " + demo.mesh + ".");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 max(min.x + size.x, min.y + size.y);
+  if (ImGui::IsItemHovered()) list.AddRectFilled(min, max, palette().accent_soft, theme.px(5));
+  const float middle = (min.y + max.y) / 2;
+  const ImVec2 badge(min.x + theme.px(16), middle);
+  list.AddCircleFilled(badge, theme.px(11), palette().accent);
+  const ImVec2 letter = theme.bold->CalcTextSizeA(theme.bold->FontSize, 1e6f, 0, demo.id.c_str());
+  put(list, theme.bold, ImVec2(badge.x - letter.x / 2, middle - letter.y / 2), palette().card,
+      demo.id);
+  put(list, theme.regular, ImVec2(min.x + theme.px(36), middle - theme.regular->FontSize / 2),
+      palette().text, ui::elided(demo.title, size.x - theme.px(44)));
+  return pressed;
 }
 
 }  // namespace winslow::gui

@@ -1,13 +1,36 @@
 #pragma once
 
+#include "gui/demos/demo.h"
+#include "gui/files/assets.h"
+#include "gui/files/thumbnails.h"
 #include "gui/panels/panel.h"
 
 namespace winslow::gui {
 
-/// What to do when no mesh is open.
+/// Where to begin: recent files, the bundled meshes, the cases of the paper as guided demos. Fills
+/// the viewport while no mesh is open, or when it is asked for.
 class WelcomePanel : public Panel {
  public:
   void draw(const PanelContext& context) override;
+
+  /// Shown over the open mesh, or no longer.
+  void toggle() { wanted_ = !wanted_; }
+  void close() { wanted_ = false; }
+  bool wanted() const { return wanted_; }
+  /// Pictures are still to come.
+  bool busy() const { return thumbnails_.busy(); }
+  const Thumbnails& thumbnails() const { return thumbnails_; }
+
+ private:
+  void draw_head(const PanelContext& context);
+  void draw_recent(const PanelContext& context);
+  void draw_bundled(const PanelContext& context);
+  bool draw_card(const PanelContext& context, const BundledMesh& mesh, float width, float height);
+  void draw_demos(const PanelContext& context);
+  bool draw_demo(const PanelContext& context, const Demo& demo);
+
+  bool wanted_ = false;
+  Thumbnails thumbnails_;
 };
 
 }  // namespace winslow::gui

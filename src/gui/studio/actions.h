@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -30,6 +31,22 @@ struct ExportRecipe {
   std::filesystem::path path;
   bool overwrite = false;
 };
+/// Closes the open mesh.
+struct CloseMesh {
+  bool discard_changes = false;  ///< false: ask if it has unsaved changes
+};
+/// Writes a copy: the open mesh stays the one it is, saved or not.
+struct ExportMesh {
+  std::filesystem::path path;
+  bool overwrite = false;
+};
+/// Writes markers as curves (io/boundary_file.h).
+struct ExportMarkers {
+  std::filesystem::path path;
+  std::vector<Index> markers;  ///< empty: those selected or, without a selection, all
+  bool overwrite = false;
+};
+struct ClearRecent {};
 struct Quit {
   bool discard_changes = false;
 };
@@ -188,6 +205,8 @@ struct StepScale {
 enum class FilePurpose {
   open_mesh,
   save_mesh,
+  export_mesh,
+  export_markers,
   export_recipe,
   replay_recipe,
   export_convergence,
@@ -196,6 +215,7 @@ enum class FilePurpose {
 };
 struct ShowFileDialog {
   FilePurpose purpose = FilePurpose::open_mesh;
+  std::string extension = {};  ///< ".vtu": of the name to start with; empty: as it is
 };
 /// The window as it is.
 struct TakeScreenshot {
@@ -227,6 +247,23 @@ struct ShowRecordDialog {
 };
 struct ShowHelp {};
 struct ShowPalette {};
+struct ShowWelcome {};
+struct ShowAbout {};
+
+// Guided demos
+struct StartDemo {
+  std::string id;
+  bool discard_changes = false;  ///< false: ask if the open mesh has unsaved changes
+};
+/// To the next step or, with -1, back to the one before.
+struct StepDemo {
+  int by = 1;
+};
+/// Goes on by itself, or waits at each step.
+struct PlayDemo {
+  bool automatic = true;
+};
+struct EndDemo {};
 
 }  // namespace winslow::gui::action
 
@@ -236,7 +273,8 @@ namespace winslow::gui {
 // clang-format off
 using Action = std::variant<
     // Files
-    action::OpenMesh, action::SaveMesh, action::ExportRecipe, action::Quit,
+    action::OpenMesh, action::SaveMesh, action::ExportRecipe, action::CloseMesh,
+    action::ExportMesh, action::ExportMarkers, action::ClearRecent, action::Quit,
     // Bodies and their motion
     action::SelectMarkers, action::HoverMarkers, action::SetPivot, action::ApplyMotion,
     action::BeginDrag, action::DragTo, action::EndDrag, action::CancelDrag,
@@ -262,7 +300,10 @@ using Action = std::variant<
     action::ShowFileDialog, action::TakeScreenshot, action::SetPictureSpec, action::SavePicture,
     action::ShowPictureDialog, action::SetRecordingSpec, action::StartRecording,
     action::StopRecording, action::CancelRecording, action::ShowRecordDialog, action::ShowHelp,
-    action::ShowPalette>;
+    action::ShowPalette,
+    action::ShowWelcome, action::ShowAbout,
+    // Guided demos
+    action::StartDemo, action::StepDemo, action::PlayDemo, action::EndDemo>;
 // clang-format on
 
 using ActionQueue = std::vector<Action>;

@@ -98,10 +98,13 @@ class Session {
   void ask(Prompt prompt) { prompts_.push_back(std::move(prompt)); }
 
  private:
-  // Files (session_files.cpp)
+  // Files (session_files.cpp, session_export.cpp)
   void on(const action::OpenMesh& a);
   void on(const action::SaveMesh& a);
   void on(const action::ExportRecipe& a);
+  void on(const action::CloseMesh& a);
+  void on(const action::ExportMesh& a);
+  void on(const action::ExportMarkers& a);
   void on(const action::Quit& a);
   bool poll_loader();
   bool poll_saver();
@@ -186,6 +189,7 @@ class Session {
     std::uint64_t generation = 0, revision = 0;
     std::vector<std::string> warnings;
     std::string error;
+    bool copy = false;  // the document is where it was
   };
   struct RecipeOutcome {
     std::filesystem::path path;

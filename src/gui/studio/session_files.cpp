@@ -3,40 +3,12 @@
 #include <utility>
 
 #include "core/error.h"
+#include "gui/studio/file_work.h"
 #include "gui/studio/session.h"
 #include "gui/studio/text.h"
 #include "io/recipe.h"
 
 namespace winslow::gui {
-
-namespace {
-
-std::string joined(const std::vector<std::string>& lines) {
-  std::string text;
-  for (const auto& line : lines) text += (text.empty() ? "" : "\n") + line;
-  return text;
-}
-
-/// `work`, whose failure is text rather than an exception. Running out of memory on a huge file is
-/// an error like another.
-template <class Work>
-std::string error_of(Work&& work) {
-  try {
-    work();
-    return {};
-  } catch (const std::bad_alloc&) {
-    return "There is not enough memory.";
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-}
-
-bool is_there(const std::filesystem::path& path) {
-  std::error_code ignored;
-  return std::filesystem::exists(path, ignored);
-}
-
-}  // namespace
 
 void Session::on(const action::OpenMesh& a) {
   if (a.path.empty()) return;
@@ -157,9 +129,9 @@ bool Session::poll_saver() {
     report_error("Cannot save " + name, outcome->error);
     return true;
   }
-  if (document_ && generation_ == outcome->generation)
+  if (document_ && generation_ == outcome->generation && !outcome->copy)
     document_->mark_saved(outcome->path, outcome->revision);
-  tell(Notice::Kind::success, "Saved " + name);
+  tell(Notice::Kind::success, (outcome->copy ? "Exported " : "Saved ") + name);
   if (!outcome->warnings.empty())
     ask({Prompt::Kind::information,
          "Saved with " + counted(outcome->warnings.size(), "warning"),

@@ -61,6 +61,7 @@ std::string write_settings(const Settings& settings, const std::string& previous
   layout["plot_height"] = settings.plot_height;
   layout["folded"] = settings.folded;
   layout["window"] = settings.window;
+  root["recent"] = settings.recent;
   // Names of files may hold any bytes.
   return root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
@@ -77,6 +78,9 @@ Settings read_settings(const std::string& text) {
   if (const auto it = layout.find("folded"); it != layout.end() && it->is_array())
     for (const json& id : *it)
       if (id.is_string()) settings.folded.insert(id.get<std::string>());
+  if (const auto it = root.find("recent"); it != root.end() && it->is_array())
+    for (const json& path : *it)
+      if (path.is_string()) settings.recent.push_back(path.get<std::string>());
   if (const auto it = layout.find("window"); it != layout.end() && it->is_array() &&
                                              it->size() == 2 && (*it)[0].is_number_integer() &&
                                              (*it)[1].is_number_integer()) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "gui/studio/background.h"
 #include "gui/studio/view_options.h"
@@ -17,6 +18,7 @@ struct Settings {
   /// Sizes of the panels, in units of the layout; 0: as designed.
   float left_width = 0, right_width = 0, plot_height = 0;
   std::set<std::string> folded;     ///< sections of panels that are folded, by id
+  std::vector<std::string> recent;  ///< meshes opened last, absolute paths, the last one first
   std::array<int, 2> window{0, 0};  ///< size of the window in units of the layout; 0: as designed
 
   bool operator==(const Settings&) const = default;

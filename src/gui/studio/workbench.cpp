@@ -43,12 +43,16 @@ bool Workbench::poll() {
   const bool drawn = mesh_view_.poll();
   const bool compared = before_.poll();
   const bool captured = capture_.poll();
+  const bool pictured = shows_welcome() && welcome_.busy();
   const bool changed = session_.poll();
-  return autosave_.update(session_) || drawn || compared || captured || changed;
+  return autosave_.update(session_) || drawn || compared || captured || pictured || changed;
 }
 
 bool Workbench::settled() const {
-  if (session_.working() || mesh_view_.busy() || before_.busy() || capture_.busy()) return false;
+  if (session_.working() || mesh_view_.busy() || before_.busy() || capture_.busy() ||
+      file_dialog_.busy())
+    return false;
+  if (demo_.demo() && (demo_.automatic() || !demo_.ready(session_))) return false;
   if (!session_.document()) return true;
   const auto& measured = session_.quality().latest();
   return measured && measured->shape == session_.shape() && measured->field == view_.color;
@@ -62,6 +66,7 @@ void Workbench::update(const InputState& input, int width, int height, double se
   ui_->set_scale(scale());
   ui_->set_palette(view_.lightness == Lightness::dark ? dark_palette() : light_palette());
   ui_->begin(input, width_, height_, seconds);
+  demo_.update(session_, seconds, actions_);
   take_input(input);
   draw_menu();
   const Area& v = layout_.viewport;
@@ -77,12 +82,12 @@ void Workbench::update(const InputState& input, int width, int height, double se
   view_history_.observe(camera_, viewport_.gesture() != Viewport::Gesture::none, seconds);
   dispatch();
   finish_frame();
+  follow_files(seconds);
   keep_settings(seconds);
 }
 
 void Workbench::take_input(const InputState& input) {
-  // One mesh at a time: of several files dropped, the first.
-  if (!input.dropped.empty()) actions_.emplace_back(action::OpenMesh{input.dropped.front()});
+  take_dropped(input);
   if (popup_open() || ui_->wants_keyboard()) return;
   if (view_state_.box_zoom_armed && ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
     view_state_.box_zoom_armed = false;
@@ -165,6 +170,9 @@ void Workbench::on(const action::ShowFileDialog& a) {
   if (a.purpose == FilePurpose::export_convergence) suggested.replace_extension(".csv");
   if (a.purpose == FilePurpose::picture) suggested = Capture::new_picture_name();
   if (a.purpose == FilePurpose::recording) suggested.replace_extension(".mp4");
+  if (a.purpose == FilePurpose::export_markers)
+    suggested.replace_filename(suggested.stem().string() + "_markers.csv");
+  if (!a.extension.empty()) suggested.replace_extension(a.extension);
   file_dialog_.open(a.purpose, suggested, recorded_step_);
 }
 

@@ -9,10 +9,14 @@
 #include "gui/autosave/autosave.h"
 #include "gui/capture/capture.h"
 #include "gui/capture/picture_source.h"
+#include "gui/demos/demo_player.h"
+#include "gui/files/recent_files.h"
 #include "gui/inspector/node_tool.h"
+#include "gui/panels/about_panel.h"
 #include "gui/panels/banner_panel.h"
 #include "gui/panels/command_palette.h"
 #include "gui/panels/convergence_panel.h"
+#include "gui/panels/demo_panel.h"
 #include "gui/panels/file_dialog.h"
 #include "gui/panels/go_to_panel.h"
 #include "gui/panels/help_panel.h"
@@ -55,6 +59,8 @@ struct WorkbenchOptions {
   /// Folder for what outlives the studio: settings, recent files, the autosaved session. Empty:
   /// nothing is kept, nothing is read.
   std::filesystem::path profile;
+  /// Folder of the meshes that guided demos open. Empty: the bundled meshes.
+  std::filesystem::path demo_meshes = {};
 };
 
 /// The studio without its window: turns input into frames. The window, the headless screenshot and
@@ -100,6 +106,9 @@ class Workbench : public PictureSource {
   const WidgetMap& widgets() const { return ui_->widgets(); }
   const Autosave& autosave() const { return autosave_; }
   const FileDialog& file_dialog() const { return file_dialog_; }
+  const RecentFiles& recent() const { return recent_; }
+  const DemoPlayer& demo() const { return demo_; }
+  const WelcomePanel& welcome() const { return welcome_; }
   /// Shape of the mouse cursor (ImGuiMouseCursor).
   int cursor() const;
   /// "* naca0012.su2 - winslow"
@@ -121,11 +130,16 @@ class Workbench : public PictureSource {
   void update_mesh_view();
   void draw_legend_card(ImDrawList& list);
   void paint_lens();
+  bool shows_welcome() const;
+  void draw_demo_card();
+  void take_dropped(const InputState& input);
+  void follow_files(double seconds);
   void dispatch();
   void finish_frame();
   ViewportScene scene() const;
   PanelContext context() {
-    return {session_, view_, view_state_, ui_->theme(), actions_, capture_, &before_};
+    return {session_, view_,   view_state_, ui_->theme(), actions_,
+            capture_, recent_, demo_,       &before_};
   }
   float scale() const;
   void take_settings(const Settings& settings);
@@ -165,6 +179,13 @@ class Workbench : public PictureSource {
   void on(const action::StopRecording& a) { capture_.on(a); }
   void on(const action::CancelRecording& a) { capture_.on(a); }
   void on(const action::ShowRecordDialog& a);
+  void on(const action::ClearRecent&) { recent_.clear(); }
+  void on(const action::ShowWelcome&);
+  void on(const action::ShowAbout&) { about_.open(); }
+  void on(const action::StartDemo& a);
+  void on(const action::StepDemo& a) { demo_.go(a.by, session_, actions_); }
+  void on(const action::PlayDemo& a) { demo_.play(a.automatic); }
+  void on(const action::EndDemo&) { demo_.end(); }
   void on(const action::ShowHelp&) { help_.open(); }
   void on(const action::ShowPalette&) { command_palette_.open(); }
   template <class SessionAction>
@@ -201,6 +222,10 @@ class Workbench : public PictureSource {
   bool mesh_alone_ = false;       // and shows nothing but the mesh
   std::unique_ptr<UiLayer> picture_ui_;       // of the last picture: the next often has its size
   std::optional<std::size_t> recorded_step_;  // that the file dialog is open for
+  RecentFiles recent_;
+  DemoPlayer demo_;
+  std::filesystem::path shown_path_;  // of the mesh that stands in recent_
+  std::size_t dropped_ = 0;           // files that the mesh being opened was dropped with
 
   MenuBar menu_bar_;
   Toolbar toolbar_;
@@ -222,6 +247,8 @@ class Workbench : public PictureSource {
   FileDialog file_dialog_;
   StepEditor step_editor_;
   HelpPanel help_;
+  AboutPanel about_;
+  DemoPanel demo_panel_;
   CommandPalette command_palette_;
   PictureDialog picture_dialog_;
   RecordDialog record_dialog_;

@@ -165,13 +165,14 @@ void Workbench::draw_splitters() {
 void Workbench::draw_viewport() {
   const Theme& theme = ui_->theme();
   const Area& v = layout_.viewport;
-  if (!session_.document()) {
-    begin_region("welcome", v, {ImVec2(0, 0), palette().card});
+  if (shows_welcome()) {
+    begin_region("welcome", v, {ImVec2(theme.px(22), theme.px(18)), palette().card});
     welcome_.draw(context());
     end_region();
     return;
   }
   if (!picturing_) draw_recording();
+  if (demo_.demo() && !picturing_) draw_demo_card();
   if (!session_.banner() || mesh_alone_) return;
   const Banner::Kind kind = session_.banner()->kind;
   const bool bad = kind == Banner::Kind::inverted_result || kind == Banner::Kind::inverted_input;
@@ -180,6 +181,20 @@ void Workbench::draw_viewport() {
       {ImVec2(theme.px(14), theme.px(7)), bad ? palette().danger_soft : palette().warning_soft,
        ImGuiWindowFlags_NoScrollbar});
   banner_.draw(context());
+  end_region();
+}
+
+void Workbench::draw_demo_card() {
+  const Theme& theme = ui_->theme();
+  const Area& v = layout_.viewport;
+  const float margin = theme.px(10);
+  const ImVec2 padding(theme.px(14), theme.px(10));
+  const float width = std::min(theme.px(460), v.width - 2 * margin);
+  const float height =
+      DemoPanel::height(context(), width - 2 * padding.x) + 2 * padding.y + theme.px(2);
+  begin_region("demo", {v.x + margin, v.y + v.height - height - margin, width, height},
+               {padding, palette().card, ImGuiWindowFlags_NoScrollbar});
+  demo_panel_.draw(context());
   end_region();
 }
 
@@ -208,6 +223,7 @@ void Workbench::draw_dialogs() {
   if (!file_dialog_.is_open() && !step_editor_.is_open()) prompt_.draw(context());
   help_.draw(context());
   command_palette_.draw(context());
+  about_.draw(context());
 }
 
 }  // namespace winslow::gui

@@ -28,6 +28,7 @@ Settings Workbench::settings() const {
   settings.right_width = layout_.right_width;
   settings.plot_height = layout_.plot_height;
   settings.folded = ui_->folded();
+  settings.recent = recent_.paths();
   // The screen's own scale: a window has its size whatever the user makes of what is in it.
   settings.window = {static_cast<int>(std::lround(static_cast<float>(width_) / options_.scale)),
                      static_cast<int>(std::lround(static_cast<float>(height_) / options_.scale))};
@@ -40,6 +41,7 @@ void Workbench::take_settings(const Settings& settings) {
   if (settings.right_width > 0) layout_.right_width = settings.right_width;
   if (settings.plot_height > 0) layout_.plot_height = settings.plot_height;
   ui_->folded() = settings.folded;
+  recent_.set(settings.recent);
 }
 
 void Workbench::keep_settings(double seconds) {

@@ -77,6 +77,7 @@ void Workbench::take_for_insets(PointerState& pointer) {
 void Workbench::look_at_start() {
   generation_ = session_.generation();
   view_history_.clear();
+  welcome_.close();
   view_state_ = ViewState();
   view_.magnifier.pin.reset();
   const Document* document = session_.document();

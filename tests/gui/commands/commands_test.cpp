@@ -15,8 +15,8 @@ namespace {
 /// What commands see of a studio, and where they put what is to happen.
 struct View {
   explicit View(const Rig& rig)
-      : context{rig.session(), rig.bench->view(), rig.bench->view_state(),
-                theme,         actions,           rig.bench->capture()} {}
+      : context{rig.session(), rig.bench->view(),    rig.bench->view_state(), theme,
+                actions,       rig.bench->capture(), rig.bench->recent(),     rig.bench->demo()} {}
   Theme theme;
   ActionQueue actions;
   PanelContext context;

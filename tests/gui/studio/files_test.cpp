@@ -40,8 +40,7 @@ TEST_CASE("the open dialog lists meshes alone and opens the one chosen") {
   rig.fill("dialog/folder", rig.folder.path().string());
   rig.click("dialog/folder");
   rig.key(keys::enter);
-  rig.frames();
-  CHECK(rig.visible("dialog/entry/chosen.su2"));
+  CHECK(rig.wait([&] { return rig.visible("dialog/entry/chosen.su2"); }));
   CHECK(rig.visible("dialog/entry/inner"));
   CHECK_FALSE(rig.visible("dialog/entry/notes.txt"));
   rig.click("dialog/entry/chosen.su2");

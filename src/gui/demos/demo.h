@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/command/command.h"
+
+namespace winslow::gui {
+
+/// What happens in a step of a demo, and what a card says about it meanwhile.
+struct DemoStep {
+  std::string title, text;
+  std::vector<std::string> select = {};            ///< markers
+  std::optional<Command> command = {};             ///< carried out when the step begins
+  bool afresh = false;                             ///< the command acts on the mesh as opened
+  std::optional<std::array<double, 4>> view = {};  ///< shown when it begins: x0, y0, x1, y1
+};
+
+/// A case of the paper, played step by step on a bundled mesh.
+struct Demo {
+  std::string id;  ///< the paper's letter
+  std::string title;
+  std::string mesh;  ///< file below the folder of the bundled meshes
+  std::vector<DemoStep> steps;
+};
+
+/// All demos. TO ADD ONE, add a function to demos.cpp.
+const std::vector<Demo>& demos();
+/// Null if there is none of that id.
+const Demo* find_demo(const std::string& id);
+
+}  // namespace winslow::gui

@@ -1,0 +1,35 @@
+#include "gui/files/assets.h"
+
+#include <system_error>
+
+namespace winslow::gui {
+
+namespace fs = std::filesystem;
+
+fs::path assets_folder(const fs::path& program) {
+  std::error_code ignored;
+  const fs::path installed = program.parent_path().parent_path() / "share" / "winslow";
+  if (fs::is_regular_file(installed / "naca0012.su2", ignored)) return installed;
+  const fs::path source = WINSLOW_SOURCE_ASSETS;
+  return fs::is_directory(source, ignored) ? source : fs::path();
+}
+
+fs::path assets_folder() {
+  static const fs::path folder = [] {
+    std::error_code ignored;
+    return assets_folder(fs::read_symlink("/proc/self/exe", ignored));
+  }();
+  return folder;
+}
+
+const std::vector<BundledMesh>& bundled_meshes() {
+  static const std::vector<BundledMesh> all{
+      {"naca0012", "naca0012.su2", "NACA 0012", "9,388 triangles, far field at 100 chords."},
+      {"three_element", "three_element.su2", "Three-element aerofoil",
+       "26,897 triangles around slat, main element and flap."},
+      {"circle", "circle.su2", "Circle", "4,802 triangles between two circles."},
+      {"quads", "quads.su2", "Quadrilaterals", "2,528 quadrilaterals, thin layers at the walls."}};
+  return all;
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace winslow::gui {
+
+/// Folder of the bundled meshes: share/winslow beside the program's bin where it is installed, else
+/// the source tree that it was built from. Empty if there is neither.
+std::filesystem::path assets_folder();
+/// The same for a program at a path; for tests.
+std::filesystem::path assets_folder(const std::filesystem::path& program);
+
+/// A mesh that comes with the program.
+struct BundledMesh {
+  std::string id;     ///< "naca0012"
+  std::string file;   ///< below assets_folder(): "naca0012.su2"
+  std::string title;  ///< "NACA 0012"
+  std::string about;  ///< a sentence
+};
+const std::vector<BundledMesh>& bundled_meshes();
+
+}  // namespace winslow::gui

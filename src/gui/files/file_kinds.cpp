@@ -1,0 +1,99 @@
+#include "gui/files/file_kinds.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "io/boundary_file.h"
+
+namespace winslow::gui {
+
+namespace {
+
+std::vector<FileKind> mesh_kinds() {
+  std::vector<FileKind> kinds{{"All meshes", {}},
+                              {"SU2", {".su2"}},
+                              {"Gmsh", {".msh"}},
+                              {"VTK", {".vtk"}},
+                              {"VTK, XML", {".vtu"}},
+                              {"Wavefront", {".obj"}},
+                              {"Object File Format", {".off"}},
+                              {"Stanford", {".ply"}},
+                              {"Stereolithography", {".stl"}}};
+  for (std::size_t k = 1; k < kinds.size(); ++k)
+    kinds[0].extensions.push_back(kinds[k].extensions[0]);
+  return kinds;
+}
+
+DialogKind single(const char* title, const char* label, const char* extension) {
+  return {title, "Save", true, {{label, {extension}}}, extension};
+}
+
+}  // namespace
+
+DialogKind dialog_of(action::FilePurpose purpose) {
+  switch (purpose) {
+    case action::FilePurpose::open_mesh: {
+      DialogKind open{"Open a mesh", "Open", false, mesh_kinds(), ""};
+      open.kinds.push_back({"All files", {}});
+      return open;
+    }
+    case action::FilePurpose::save_mesh:
+      return {"Save the mesh as", "Save", true, mesh_kinds(), ""};
+    case action::FilePurpose::export_mesh:
+      return {"Export a copy of the mesh", "Export", true, mesh_kinds(), ""};
+    case action::FilePurpose::export_markers:
+      return {"Export markers as curves",
+              "Export",
+              true,
+              {{"All curves", io::boundary_extensions()},
+               {"Table", {".csv"}},
+               {"Points", {".dat"}},
+               {"VTK lines", {".vtk"}}},
+              ".csv"};
+    case action::FilePurpose::export_recipe:
+      return single("Export the recipe", "Recipes", ".json");
+    case action::FilePurpose::replay_recipe:
+      return {"Replay a recipe on this mesh",
+              "Replay",
+              false,
+              {{"Recipes", {".json"}}, {"All files", {}}},
+              ""};
+    case action::FilePurpose::export_convergence:
+      return single("Export the iterations as CSV", "Tables", ".csv");
+    case action::FilePurpose::picture:
+      return {"Save a picture: .png, or the mesh alone as .svg or .pdf",
+              "Save",
+              true,
+              {{"All pictures", {".png", ".svg", ".pdf"}},
+               {"PNG", {".png"}},
+               {"SVG", {".svg"}},
+               {"PDF", {".pdf"}}},
+              ".png"};
+    case action::FilePurpose::recording:
+      return {"Record to a film (.mp4, .gif), or to a folder of frames",
+              "Record",
+              true,
+              {{"All films", {".mp4", ".gif"}}, {"MP4", {".mp4"}}, {"GIF", {".gif"}}},
+              "",
+              true};
+  }
+  return {};
+}
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+std::string extension_of(const std::string& name) {
+  return lower_case(std::filesystem::path(name).extension().string());
+}
+
+bool matches(const FileKind& kind, const std::string& name) {
+  return kind.extensions.empty() || std::find(kind.extensions.begin(), kind.extensions.end(),
+                                              extension_of(name)) != kind.extensions.end();
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gui/studio/actions.h"
+
+namespace winslow::gui {
+
+/// Files that belong together in a dialog's filter: "Gmsh" has ".msh".
+struct FileKind {
+  std::string label;
+  std::vector<std::string> extensions;  ///< in lower case, with their dots; empty: all files
+};
+
+/// What a file dialog says and accepts. TO ADD A PURPOSE, add it to dialog_of in file_kinds.cpp and
+/// say in FileDialog::choose which action it stands for.
+struct DialogKind {
+  std::string title;
+  std::string button;
+  bool saves = true;
+  /// The first stands for all that can be opened or written; when saving, the others are single
+  /// formats.
+  std::vector<FileKind> kinds;
+  std::string default_extension;  ///< added to a name without one; empty: none is
+  bool folders = false;           ///< a name without an extension stands for a folder to be made
+};
+DialogKind dialog_of(action::FilePurpose purpose);
+
+/// The name is of this kind.
+bool matches(const FileKind& kind, const std::string& name);
+/// In lower case, with its dot.
+std::string extension_of(const std::string& name);
+std::string lower_case(std::string text);
+
+}  // namespace winslow::gui

@@ -1,0 +1,88 @@
+#include "gui/files/thumbnails.h"
+
+#include <utility>
+
+#include "core/error.h"
+#include "core/quality/quality.h"
+#include "gui/files/assets.h"
+#include "gui/render/camera.h"
+#include "gui/render/frame_buffer.h"
+#include "gui/render/gl.h"
+#include "gui/render/mesh_renderer.h"
+#include "io/mesh_file.h"
+
+namespace winslow::gui {
+
+namespace {
+
+constexpr double seconds_before = 0.4;
+
+/// The bodies with some room around them; the whole mesh where they fill much of it.
+Bounds interesting(const Mesh& mesh) {
+  const Bounds all = bounds(mesh);
+  std::vector<Index> nodes;
+  for (const auto& loop : mesh.topology->boundary_loops()) {
+    const Bounds box = bounds(mesh.coordinates, loop);
+    if (box.size().maxCoeff() < 0.5 * all.size().maxCoeff())
+      nodes.insert(nodes.end(), loop.begin(), loop.end());
+  }
+  if (nodes.empty()) return all;
+  Bounds bodies = bounds(mesh.coordinates, nodes);
+  if (bodies.size().maxCoeff() > 0.3 * all.size().maxCoeff()) return all;
+  const Vec2 room = Vec2::Constant(0.25 * bodies.size().maxCoeff());
+  return {bodies.min - room, bodies.max + room};
+}
+
+}  // namespace
+
+std::vector<Thumbnails::Loaded> Thumbnails::read() {
+  std::vector<Loaded> all;
+  for (const BundledMesh& bundled : bundled_meshes()) {
+    try {
+      all.push_back({bundled.id, io::read_mesh(assets_folder() / "coarse" / bundled.file).mesh});
+    } catch (const std::exception&) {
+      // A card without a picture is no reason to complain: opening the mesh will say what is wrong.
+      continue;
+    }
+  }
+  return all;
+}
+
+Image Thumbnails::draw(const Mesh& mesh) {
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  FrameBuffer buffer(width, height, 4);
+  buffer.clear({1, 1, 1, 1});
+  Camera camera;
+  camera.set_viewport(0, 0, width, height);
+  camera.fit(interesting(mesh), 0.02);
+  MeshRenderer renderer;
+  renderer.set_mesh(mesh.topology, mesh.coordinates);
+  MeshStyle style;
+  style.fill_color = {0.90f, 0.93f, 0.98f, 1};
+  style.edge_color = {0.22f, 0.35f, 0.60f, 1};
+  style.boundary_width = 3;
+  renderer.draw(camera, style, width, height);
+  Image image = buffer.read();
+  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+  return image;
+}
+
+void Thumbnails::update(double seconds) {
+  shown_ += seconds;
+  if (!started_ && shown_ > seconds_before && !assets_folder().empty()) {
+    started_ = true;
+    reader_.start([] { return read(); });
+  }
+  if (auto loaded = reader_.poll()) waiting_ = std::move(*loaded);
+  if (waiting_.empty()) return;
+  textures_[waiting_.back().id] = std::make_unique<Texture>(draw(waiting_.back().mesh));
+  waiting_.pop_back();
+}
+
+const Texture* Thumbnails::find(const std::string& id) const {
+  const auto it = textures_.find(id);
+  return it == textures_.end() ? nullptr : it->second.get();
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+#include "gui/render/texture.h"
+#include "gui/studio/background.h"
+
+namespace winslow::gui {
+
+/// Small pictures of the bundled meshes, drawn by the studio's own renderer from the coarse ones.
+/// Meshes are read on a thread of their own, one is drawn a frame, and nothing begins before the
+/// first frames are on screen.
+class Thumbnails {
+ public:
+  static constexpr int width = 384, height = 240;  ///< pixels, twice as fine as shown
+
+  /// Once a frame in which pictures are wanted. seconds: since the last.
+  void update(double seconds);
+  /// Meshes are being read or wait to be drawn.
+  bool busy() const { return reader_.busy() || !waiting_.empty(); }
+  /// Null until it is drawn.
+  const Texture* find(const std::string& id) const;
+
+ private:
+  struct Loaded {
+    std::string id;
+    Mesh mesh;
+  };
+  static std::vector<Loaded> read();
+  static Image draw(const Mesh& mesh);
+
+  double shown_ = 0;  // seconds for which pictures were wanted
+  bool started_ = false;
+  Background<std::vector<Loaded>> reader_;
+  std::vector<Loaded> waiting_;
+  std::map<std::string, std::unique_ptr<Texture>> textures_;
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,106 @@
+#include "gui/demos/demo.h"
+
+#include <doctest/doctest.h>
+
+#include "gui/studio/keys.h"
+#include "gui/studio/rig.h"
+
+namespace winslow::gui::test {
+
+namespace {
+
+/// A studio whose demos play on the coarse meshes.
+struct DemoRig : Rig {
+  DemoRig() {
+    WorkbenchOptions options;
+    options.demo_meshes = std::string(WINSLOW_ASSETS) + "/coarse";
+    bench = std::make_unique<Workbench>(options);
+    frames();
+  }
+  void begin(const std::string& id) {
+    bench->apply(action::StartDemo{id});
+    REQUIRE(wait([&] { return bench->demo().ready(session()); }));
+  }
+  void next() {
+    const std::size_t before = bench->demo().step();
+    click("demo/next");
+    REQUIRE(wait([&] {
+      return !bench->demo().demo() ||
+             (bench->demo().step() == before + 1 && bench->demo().ready(session()));
+    }));
+  }
+};
+
+}  // namespace
+
+TEST_CASE("each demo plays through to a valid mesh") {
+  for (const Demo& demo : demos()) {
+    INFO("case ", demo.id);
+    DemoRig rig;
+    rig.begin(demo.id);
+    CHECK(rig.document().name() == demo.mesh);
+    std::size_t commands = 0;
+    for (std::size_t k = 1; k < demo.steps.size(); ++k) {
+      rig.next();
+      REQUIRE(rig.bench->demo().step() == k);
+      const DemoStep& step = demo.steps[k];
+      if (step.command) commands = step.afresh ? 1 : commands + 1;
+      CHECK(rig.document().history().size() == commands + 1);
+      for (const std::string& name : step.select) CHECK(rig.session().selected(rig.marker(name)));
+    }
+    CHECK(commands > 0);
+    const SmoothResult& result = rig.document().history().result(commands);
+    CHECK(result.inverted == 0);
+    CHECK(result.converged);
+    CHECK(check_validity(*rig.mesh().topology, rig.mesh().coordinates).inverted == 0);
+    rig.click("demo/next");  // "Finish"
+    CHECK(rig.bench->demo().demo() == nullptr);
+    CHECK(rig.session().document() != nullptr);
+  }
+}
+
+TEST_CASE("a demo goes back to where the step before had ended") {
+  DemoRig rig;
+  rig.begin("E");
+  const Coordinates opened = rig.mesh().coordinates;
+  rig.next();
+  CHECK_FALSE(rig.mesh().coordinates == opened);
+  rig.key(GLFW_KEY_PAGE_UP);
+  CHECK(rig.bench->demo().step() == 0);
+  CHECK(rig.mesh().coordinates == opened);
+  rig.key(GLFW_KEY_PAGE_DOWN);
+  REQUIRE(rig.wait([&] { return rig.bench->demo().ready(rig.session()); }));
+  CHECK_FALSE(rig.mesh().coordinates == opened);
+  CHECK(rig.document().history().size() == 2);
+}
+
+TEST_CASE("a demo that plays by itself takes its steps without a hand") {
+  DemoRig rig;
+  rig.begin("E");
+  rig.click("demo/play");
+  REQUIRE(rig.wait([&] { return rig.bench->demo().step() == 1; }));
+  REQUIRE(rig.wait([&] { return !rig.bench->demo().automatic(); }));
+  CHECK(rig.document().history().size() == 2);
+}
+
+TEST_CASE("Esc and opening another mesh end a demo; what is unsaved is asked for first") {
+  DemoRig rig;
+  rig.begin("E");
+  rig.key(keys::escape);
+  CHECK(rig.bench->demo().demo() == nullptr);
+  CHECK_FALSE(rig.visible("demo/next"));
+  rig.begin("E");
+  rig.next();
+  rig.bench->apply(action::StartDemo{"B"});
+  rig.frames();
+  REQUIRE(rig.visible("prompt/Cancel"));
+  rig.click("prompt/Cancel");
+  CHECK(rig.document().name() == "quads.su2");
+  rig.bench->apply(action::OpenMesh{write(rig.folder, ring_mesh()), true});
+  REQUIRE(rig.wait([&] { return rig.document().name() == "mesh.su2"; }));
+  rig.frames();
+  CHECK(rig.bench->demo().demo() == nullptr);
+  CHECK(find_demo("F") == nullptr);
+}
+
+}  // namespace winslow::gui::test

@@ -1,0 +1,102 @@
+#include <doctest/doctest.h>
+
+#include <fstream>
+
+#include "gui/files/assets.h"
+#include "gui/panels/about_panel.h"
+#include "gui/studio/keys.h"
+#include "gui/studio/rig.h"
+
+namespace winslow::gui::test {
+
+namespace fs = std::filesystem;
+
+TEST_CASE("the cards of the welcome page open the bundled meshes") {
+  for (const BundledMesh& mesh : bundled_meshes()) {
+    Rig rig(1400, 900);
+    INFO("mesh ", mesh.id);
+    CHECK(fs::is_regular_file(assets_folder() / mesh.file));
+    rig.click("welcome/" + mesh.id);
+    REQUIRE(rig.wait([&] { return rig.session().document() != nullptr; }));
+    CHECK(rig.document().name() == mesh.file);
+    CHECK_FALSE(rig.visible("welcome/open"));
+  }
+}
+
+TEST_CASE("pictures of the bundled meshes come after the first frames and not before") {
+  Rig rig(1400, 860);
+  CHECK(rig.bench->welcome().thumbnails().find("quads") == nullptr);
+  const Image before = rig.bench->picture();
+  const auto drawn = [&] {
+    for (const BundledMesh& mesh : bundled_meshes())
+      if (!rig.bench->welcome().thumbnails().find(mesh.id)) return false;
+    return true;
+  };
+  REQUIRE(rig.wait(drawn));
+  rig.frames();
+  const Image after = rig.bench->picture();
+  for (const BundledMesh& mesh : bundled_meshes()) {
+    const auto card = *rig.bench->widgets().find("welcome/" + mesh.id);
+    const Vec2 size = card.max - card.min;
+    int changed = 0;
+    for (int k = 1; k < 60; ++k) {
+      const auto x = static_cast<int>(card.min.x() + size.x() * k / 60);
+      const auto y = static_cast<int>(card.min.y() + 0.4 * size.y());
+      changed += before.pixel(x, y)[0] != after.pixel(x, y)[0];
+    }
+    CHECK(changed > 20);
+  }
+}
+
+TEST_CASE("the welcome page lists recent files and can be shown over a mesh") {
+  Rig rig;
+  rig.open(ring_mesh());
+  rig.bench->apply(action::ShowWelcome{});
+  rig.frames();
+  REQUIRE(rig.visible("welcome/back"));
+  rig.click("welcome/back");
+  CHECK_FALSE(rig.visible("welcome/open"));
+  rig.bench->apply(action::CloseMesh{});
+  rig.frames();
+  REQUIRE(rig.visible("welcome/recent/mesh.su2"));
+  rig.click("welcome/recent/mesh.su2");
+  REQUIRE(rig.settle());
+  CHECK(rig.document().name() == "mesh.su2");
+}
+
+TEST_CASE("a demo starts with one click on the welcome page") {
+  Rig rig(1400, 900);
+  rig.frames();
+  rig.click("welcome/demo/E");
+  REQUIRE(rig.wait([&] { return rig.bench->demo().ready(rig.session()); }));
+  CHECK(rig.bench->demo().demo()->id == "E");
+  REQUIRE(rig.settle());
+}
+
+TEST_CASE("About names versions and graphics, and copies them") {
+  Rig rig;
+  rig.bench->apply(action::ShowAbout{});
+  rig.frames(3);
+  for (const char* part : {"winslow", "OpenGL", "Renderer", "Dear ImGui", "GLFW", "Eigen"})
+    CHECK(rig.visible(std::string("about/") + part));
+  rig.click("about/copy");
+  const std::string copied = ImGui::GetClipboardText();
+  CHECK(copied.find(std::string("Dear ImGui: ") + ImGui::GetVersion()) != std::string::npos);
+  for (const auto& [part, version] : AboutPanel::facts()) {
+    INFO(part);
+    CHECK_FALSE(version.empty());
+    CHECK(copied.find(version) != std::string::npos);
+  }
+  rig.key(keys::escape);
+  CHECK_FALSE(rig.visible("about/copy"));
+}
+
+TEST_CASE("assets are found beside an installed program, else in the source tree") {
+  TemporaryFolder folder;
+  fs::create_directories(folder / "share" / "winslow");
+  CHECK(assets_folder(folder / "bin" / "winslow") == fs::path(WINSLOW_ASSETS));
+  std::ofstream(folder / "share" / "winslow" / "naca0012.su2") << "\n";
+  CHECK(assets_folder(folder / "bin" / "winslow") == folder / "share" / "winslow");
+}
+
+}  // namespace winslow::gui::test
