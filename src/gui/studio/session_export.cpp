@@ -35,6 +35,7 @@ void Session::on(const action::CloseMesh& a) {
   boundary_.reset();
   selection_.clear();
   hovered_.clear();
+  nodes_ = {};
   pivot_chosen_ = false;
   banner_.reset();
   notice_.reset();
