@@ -21,8 +21,8 @@ namespace {
 /// A solved mesh: its tangent fields and where the body is in it.
 struct Prepared {
   DragPredictor predictor;
-  RigidMotion pose;    // from the state
-  RigidMotion target;  // what was asked for; the pose where it could be reached
+  RigidMotion pose;      // from the state
+  RigidMotion answered;  // what was asked for; the pose where it could be reached
 };
 
 }  // namespace
@@ -96,7 +96,7 @@ class DragSession::Impl final : public SolverMonitor {
   }
   bool settled() const {
     const std::lock_guard lock(mutex_);
-    return prepared_ && same_motion(prepared_->target, wanted_);
+    return prepared_ && same_motion(prepared_->answered, wanted_);
   }
   int corrections() const {
     const std::lock_guard lock(mutex_);
@@ -121,7 +121,7 @@ class DragSession::Impl final : public SolverMonitor {
   std::optional<RigidMotion> next_target() {
     std::unique_lock lock(mutex_);
     wake_.wait(lock,
-               [&] { return quit_ || !prepared_ || !same_motion(wanted_, prepared_->target); });
+               [&] { return quit_ || !prepared_ || !same_motion(wanted_, prepared_->answered); });
     if (quit_) return std::nullopt;
     return wanted_;
   }
@@ -136,11 +136,13 @@ class DragSession::Impl final : public SolverMonitor {
       while (const auto wanted = next_target()) {
         const RigidMotion target = grip_.rigid() ? next_part(pose(), *wanted) : *wanted;
         const Coordinates start = solved_;
-        solve(target, solved_);
+        const bool whole = solve(target, solved_);
         if (solved_ == start && !reached(target, solved_)) restart(target, solved_);
-        // Where it was no use, the next try waits for another position.
-        const bool settled = reached(target, solved_) || solved_ == start;
-        publish(settled ? target : fitted_pose(solved_), solved_);
+        const bool there = reached(target, solved_);
+        // Where the path ended on the way, the next try waits for another position.
+        const bool limit = !there && (!whole || solved_ == start);
+        const RigidMotion pose = there ? target : fitted_pose(solved_);
+        publish(pose, limit ? *wanted : pose, solved_);
       }
     } catch (const Cancelled&) {
       return;
@@ -150,16 +152,18 @@ class DragSession::Impl final : public SolverMonitor {
     }
   }
 
-  /// From the mesh solved for last along the path to where the body is wanted.
-  void solve(const RigidMotion& target, Coordinates& x) {
+  /// From the mesh solved for last along the path to where the body is wanted. False if the path
+  /// could not be followed to its end.
+  bool solve(const RigidMotion& target, Coordinates& x) {
     const auto motion = make_motion(*state_.mesh.topology, state_.mesh.coordinates, grip_, target);
     const Coordinates start = x;
     ExecuteOptions run;
     run.monitor = this;
     run.start = &start;
     run.workspace = &workspace_;
-    smooth_motion(state_, *motion, {}, options_, x, run);
+    const SmoothResult result = smooth_motion(state_, *motion, {}, options_, x, run);
     if (validity_of(x).inverted > 0) x = start;
+    return result.fraction_reached >= 1;
   }
 
   /// A mesh pressed against a wall may find no way back: the way from the state may be open.
@@ -173,11 +177,12 @@ class DragSession::Impl final : public SolverMonitor {
     if (reached(target, other) && validity_of(other).inverted == 0) x = std::move(other);
   }
 
-  void publish(const RigidMotion& target, const Coordinates& x) {
+  /// answered: the position asked for that this mesh is the answer to.
+  void publish(const RigidMotion& pose, const RigidMotion& answered, const Coordinates& x) {
     auto prepared = std::make_shared<const Prepared>(
         Prepared{DragPredictor(*state_.mesh.topology, workspace_.steady_solver(), x, nodes_,
                                grip_.shares, options_.threads),
-                 reached(target, x) ? target : fitted_pose(x), target});
+                 pose, answered});
     const std::lock_guard lock(mutex_);
     prepared_ = std::move(prepared);
     ++corrections_;

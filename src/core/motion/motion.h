@@ -39,6 +39,8 @@ struct SineDeformation {
   Vec2 direction{0, 1};  ///< of the displacement; need not be normalised
   Fade fade = Fade::none;
   double fade_length = 0.2;  ///< share of the body's length, (0, 0.5]
+
+  bool operator==(const SineDeformation&) const = default;
 };
 
 /// One row of a displacement file: a node by its index (0-based, order of the file) or by where it

@@ -82,14 +82,6 @@ void select_all(const PanelContext& context) {
   context.emit(action::SelectMarkers{all});
 }
 
-void select_next(const PanelContext& context) {
-  const auto all = bodies(context);
-  std::size_t next = 0;
-  for (std::size_t k = 0; k < all.size(); ++k)
-    if (context.session.selected(all[k].front())) next = (k + 1) % all.size();
-  context.emit(action::SelectMarkers{all[next]});
-}
-
 }  // namespace
 
 std::vector<UserCommand> edit_commands() {
@@ -109,10 +101,17 @@ std::vector<UserCommand> edit_commands() {
       {.id = "select_next",
        .label = "Select the next body",
        .group = group,
-       .keys = {key(GLFW_KEY_B)},
+       .keys = {key(GLFW_KEY_TAB)},
        .tooltip = "Select the bodies one after the other.",
        .blocked = without_bodies,
-       .run = select_next},
+       .run = [](const PanelContext& c) { c.emit(action::CycleBody{1}); }},
+      {.id = "select_previous",
+       .label = "Select the body before",
+       .group = group,
+       .keys = {shift(key(GLFW_KEY_TAB))},
+       .tooltip = "Select the bodies one after the other, backwards.",
+       .blocked = without_bodies,
+       .run = [](const PanelContext& c) { c.emit(action::CycleBody{-1}); }},
       {.id = "select_none",
        .label = "Select nothing",
        .group = group,
@@ -121,9 +120,36 @@ std::vector<UserCommand> edit_commands() {
        .blocked = [](const PanelContext& c) -> std::string {
          if (c.session.job().active()) return "Esc cancels the solver now.";
          if (c.demo.demo()) return "Esc ends the demo now.";
+         if (c.session.shape_edit().active) return "Esc ends the editing of nodes now.";
          return c.session.selection().empty() ? "Nothing is selected." : "";
        },
        .run = [](const PanelContext& c) { c.emit(action::SelectMarkers{}); }},
+      {.id = "shape_edit",
+       .label = "Edit boundary nodes",
+       .group = group,
+       .keys = {key(GLFW_KEY_E)},
+       .tooltip = "Drag single nodes or arcs of a boundary instead of whole bodies.",
+       .blocked = without_mesh,
+       .checked = [](const PanelContext& c) { return c.session.shape_edit().active; },
+       .run =
+           [](const PanelContext& c) {
+             const ShapeEdit& edit = c.session.shape_edit();
+             c.emit(action::SetShapeEdit{!edit.active, edit.radius});
+           },
+       .starts_section = true},
+      {.id = "shape_done",
+       .label = "End the editing of boundary nodes",
+       .group = group,
+       .keys = {key(GLFW_KEY_ESCAPE)},
+       .tooltip = "Whole bodies are dragged again.",
+       .blocked = [](const PanelContext& c) -> std::string {
+         if (c.session.job().active()) return "Esc cancels the solver now.";
+         return c.session.shape_edit().active ? "" : "No nodes are being edited.";
+       },
+       .run =
+           [](const PanelContext& c) {
+             c.emit(action::SetShapeEdit{false, c.session.shape_edit().radius});
+           }},
       {.id = "scramble",
        .label = "Scramble the interior",
        .group = group,

@@ -85,12 +85,21 @@ void MotionPanel::draw_pivot(const PanelContext& context) {
   if (vector_fields({"motion/pivot_x", "motion/pivot_y"}, pivot,
                     "The point about which the body turns.") &&
       pivot.allFinite())
-    context.emit(action::SetPivot{pivot});
-  ui::row("", {}, 0.34f);
-  if (ui::button("motion/centre", "Pivot to centre",
-                 {"Put the pivot at the centre of the selected bodies.", ui::ButtonStyle::normal,
-                  true, -1}))
-    context.emit(action::SetPivot{});
+    context.emit(action::SetPivot{pivot, {}});
+  constexpr std::array<PivotPlace, 4> places{PivotPlace::centre, PivotPlace::centroid,
+                                             PivotPlace::leading_edge, PivotPlace::trailing_edge};
+  constexpr const char* tip =
+      "Where the pivot is: the centre of the bounding box, the centroid of the enclosed area, the "
+      "sharper end of the longest chord (trailing edge) or its other end (leading edge). Ctrl "
+      "snaps to these and to nodes while the pivot is dragged in the picture.";
+  ui::row("Pivot at", tip, 0.34f);
+  std::vector<std::string> names{"Centre", "Centroid", "Leading edge", "Trailing edge"};
+  std::size_t chosen = names.size();
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (context.session.pivot_place() == places[i]) chosen = i;
+  if (chosen == names.size()) names.emplace_back("As typed or dragged");
+  if (ui::combo("motion/pivot_place", names, chosen, tip) && chosen < places.size())
+    context.emit(action::SetPivot{{}, places[chosen]});
 }
 
 void MotionPanel::draw_steps(const PanelContext& context) {

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "core/command/command.h"
-#include "core/drag/drag_grip.h"
 #include "gui/capture/picture_spec.h"
+#include "gui/handles/body_anchors.h"
+#include "gui/handles/shape_edit.h"
 #include "gui/studio/view_options.h"
 #include "gui/studio/view_state.h"
 
@@ -59,8 +60,13 @@ struct SelectMarkers {
 struct HoverMarkers {
   std::vector<Index> markers;
 };
+/// Selects the next body in the flow, or the one before.
+struct CycleBody {
+  int step = 1;
+};
 struct SetPivot {
-  std::optional<Vec2> pivot;  ///< none: centre of the selected bodies
+  std::optional<Vec2> pivot;  ///< none: at the place named
+  PivotPlace place = PivotPlace::centre;
 };
 struct ApplyMotion {
   RigidMotion motion;
@@ -68,7 +74,7 @@ struct ApplyMotion {
 /// A motion under the mouse: the mesh follows every DragTo until EndDrag. Motions are total, seen
 /// from BeginDrag.
 struct BeginDrag {
-  DragGrip part;  ///< without markers: the selected bodies, as they are
+  bool shape = false;  ///< the arc of the shape edit instead of the selected bodies
 };
 struct DragTo {
   RigidMotion motion;
@@ -77,6 +83,21 @@ struct EndDrag {};
 struct CancelDrag {};
 struct SetMotionOptions {
   MotionOptions options;
+};
+/// Shape editing on or off, and how far a drag fades along the boundary, units of the mesh.
+struct SetShapeEdit {
+  bool active = false;
+  double radius = 0;
+};
+struct SelectArc {
+  std::optional<BoundaryArc> arc;
+};
+/// A deformation of the selected bodies, shown as an outline only; none: no more.
+struct PreviewDeformation {
+  std::optional<SineDeformation> shape;
+};
+struct ApplyDeformation {
+  SineDeformation shape;
 };
 
 // Nodes and their virtual control volumes
@@ -276,7 +297,9 @@ using Action = std::variant<
     action::OpenMesh, action::SaveMesh, action::ExportRecipe, action::CloseMesh,
     action::ExportMesh, action::ExportMarkers, action::ClearRecent, action::Quit,
     // Bodies and their motion
-    action::SelectMarkers, action::HoverMarkers, action::SetPivot, action::ApplyMotion,
+    action::SelectMarkers, action::HoverMarkers, action::CycleBody, action::SetPivot,
+    action::ApplyMotion, action::SetShapeEdit, action::SelectArc, action::PreviewDeformation,
+    action::ApplyDeformation,
     action::BeginDrag, action::DragTo, action::EndDrag, action::CancelDrag,
     action::SetMotionOptions,
     // Nodes and their virtual control volumes

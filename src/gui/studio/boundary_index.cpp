@@ -177,6 +177,27 @@ std::optional<BoundaryIndex::Hit> BoundaryIndex::pick(const Vec2& point, double 
   return std::nullopt;
 }
 
+std::optional<BoundaryIndex::NodeHit> BoundaryIndex::pick_node(const Vec2& point,
+                                                               double radius) const {
+  if (coordinates_.empty() || tree_.empty()) return std::nullopt;
+  Index at = -1;
+  double best = radius;
+  nearest(0, point, best, at);
+  if (at < 0) return std::nullopt;
+  const Edge& edge = edges_[static_cast<std::size_t>(at)];
+  const double to_a = (coordinates_.xy(edge.a) - point).norm();
+  const double to_b = (coordinates_.xy(edge.b) - point).norm();
+  if (std::min(to_a, to_b) > radius) return std::nullopt;
+  NodeHit hit{to_a <= to_b ? edge.a : edge.b, marker_body_[static_cast<std::size_t>(edge.marker)],
+              0};
+  if (hit.body < 0) return std::nullopt;
+  const auto& loop = bodies_[static_cast<std::size_t>(hit.body)].nodes;
+  const auto it = std::find(loop.begin(), loop.end(), hit.node);
+  if (it == loop.end()) return std::nullopt;
+  hit.position = static_cast<std::size_t>(it - loop.begin());
+  return hit;
+}
+
 const BoundaryIndex::Body* BoundaryIndex::body_of(Index marker) const {
   const Index body = marker_body_[static_cast<std::size_t>(marker)];
   return body < 0 ? nullptr : &bodies_[static_cast<std::size_t>(body)];

@@ -33,9 +33,20 @@ class BoundaryIndex {
   /// The boundary within `radius` of a point, or the body that the point lies inside.
   std::optional<Hit> pick(const Vec2& point, double radius) const;
 
+  /// A boundary node under the mouse.
+  struct NodeHit {
+    Index node = -1;
+    Index body = -1;           ///< of bodies()
+    std::size_t position = 0;  ///< in the body's nodes
+  };
+  /// The nearest node of a body within `radius` of a point.
+  std::optional<NodeHit> pick_node(const Vec2& point, double radius) const;
+
   const std::vector<Body>& bodies() const { return bodies_; }
   /// The body that a marker belongs to; null for one inside the mesh.
   const Body* body_of(Index marker) const;
+  /// Where a node is now.
+  Vec2 position(Index node) const { return coordinates_.xy(node); }
   /// Largest distance of a point from the markers' nodes.
   double reach(const std::vector<Index>& markers, const Vec2& point) const;
 

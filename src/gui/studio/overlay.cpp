@@ -8,6 +8,7 @@
 
 #include "core/inspect/nodal_view.h"
 #include "core/motion/rigid_motion.h"
+#include "gui/handles/gizmo_drawing.h"
 #include "gui/inspector/vcv_overlay.h"
 
 namespace winslow::gui {
@@ -22,73 +23,120 @@ std::string number(double value, const char* format = "%.4g") {
   return buffer.data();
 }
 
-void draw_label(ImDrawList& list, const Theme& theme, const ImVec2& at, const std::string& text) {
+void draw_label(ImDrawList& list, const Theme& theme, const ImVec2& at, const std::string& text,
+                ImU32 background) {
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const float pad = theme.px(7);
   const ImVec2 end(at.x + size.x + 2 * pad, at.y + size.y + 1.4f * pad);
-  list.AddRectFilled(at, end, faded(palette().text, 0.88f), theme.px(5));
+  list.AddRectFilled(at, end, faded(background, 0.88f), theme.px(5));
   list.AddText(ImVec2(at.x + pad, at.y + 0.7f * pad), palette().card, text.c_str());
 }
 
-/// The selected markers where the mouse wants them: the solver is a step behind.
-void draw_outline(ImDrawList& list, const Overlay& o) {
-  const auto motion = o.session.live_motion();
-  if (!motion) return;
-  const Mesh& base = o.session.motion_base().mesh;
-  for (Index m : o.session.selection())
-    for (const auto& [a, b] : base.topology->markers()[static_cast<std::size_t>(m)].edges) {
-      const Vec2 p = o.camera.to_screen(transform(*motion, base.coordinates.xy(a)));
-      const Vec2 q = o.camera.to_screen(transform(*motion, base.coordinates.xy(b)));
-      list.AddLine(pixel(p), pixel(q), palette().accent, o.theme.px(1.5f));
+/// Boundary edges moved by whatever `place` says of their nodes.
+template <class Place>
+void draw_edges(ImDrawList& list, const Overlay& o, const std::vector<Index>& markers,
+                const Place& place) {
+  const Topology& topology = *o.session.motion_base().mesh.topology;
+  for (Index m : markers)
+    for (const auto& [a, b] : topology.markers()[static_cast<std::size_t>(m)].edges)
+      list.AddLine(pixel(o.camera.to_screen(place(a))), pixel(o.camera.to_screen(place(b))),
+                   palette().accent, o.theme.px(1.5f));
+}
+
+/// The body where the mouse wants it: the mesh may be a step behind.
+void draw_wanted(ImDrawList& list, const Overlay& o) {
+  const Coordinates& rest = o.session.motion_base().mesh.coordinates;
+  if (const auto motion = o.session.live_motion())
+    return draw_edges(list, o, o.session.selection(),
+                      [&](Index node) { return transform(*motion, rest.xy(node)); });
+  const BodyDrag* drag = o.session.body_drag();
+  if (!drag || drag->grip().rigid()) return;
+  const auto& nodes = drag->grip().nodes;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Vec2 at = rest.xy(nodes[i]) + drag->grip().shares[i] * drag->wanted().translate;
+    list.AddCircleFilled(pixel(o.camera.to_screen(at)), o.theme.px(2.5f), palette().accent);
+  }
+}
+
+void draw_preview(ImDrawList& list, const Overlay& o) {
+  const auto& preview = o.session.deformation_preview();
+  if (!preview) return;
+  for (const auto& [a, b] : preview->outline)
+    list.AddLine(pixel(o.camera.to_screen(a)), pixel(o.camera.to_screen(b)), palette().accent,
+                 o.theme.px(1.5f));
+}
+
+/// While shapes are edited: the held arc, how far a drag of it fades, the node under the mouse.
+void draw_shape(ImDrawList& list, const Overlay& o) {
+  const ShapeEdit& edit = o.scene.shape;
+  const Coordinates& x = o.session.coordinates();
+  if (edit.arc && !o.session.dragging()) {
+    const DragGrip grip =
+        grip_of(*edit.arc, edit.radius, *o.scene.boundary, *o.session.document()->topology(), x);
+    for (std::size_t i = 0; i < grip.nodes.size(); ++i) {
+      const ImVec2 at = pixel(o.camera.to_screen(x.xy(grip.nodes[i])));
+      const auto share = static_cast<float>(grip.shares[i]);
+      list.AddCircleFilled(at, o.theme.px(2.0f + 3.0f * share), palette().card);
+      list.AddCircleFilled(at, o.theme.px(1.0f + 3.0f * share),
+                           faded(palette().accent, 0.35f + 0.65f * share));
     }
-}
-
-void draw_ring(ImDrawList& list, const Overlay& o, const Handles& h) {
-  const bool hot = o.viewport.hovered_handle() == Handle::ring ||
-                   o.viewport.gesture() == Viewport::Gesture::rotate;
-  const ImVec2 centre = pixel(h.pivot);
-  const auto radius = static_cast<float>(h.radius);
-  const float width = o.theme.px(hot ? 3.0f : 1.8f);
-  list.AddCircle(centre, radius, faded(palette().card, 0.75f), 96, width + o.theme.px(2));
-  list.AddCircle(centre, radius, hot ? palette().accent : faded(palette().accent, 0.67f), 96,
-                 width);
-  if (o.viewport.gesture() == Viewport::Gesture::rotate) {
-    const auto from = static_cast<float>(-pi / 4);
-    const auto to = static_cast<float>(-h.angle);
-    list.PathLineTo(centre);
-    list.PathArcTo(centre, radius, from, to, 64);
-    list.PathFillConvex(faded(palette().accent, 0.1f));
   }
-  const ImVec2 knob = pixel(h.knob());
-  list.AddCircleFilled(knob, o.theme.px(hot ? 8.0f : 6.5f), palette().card);
-  list.AddCircleFilled(knob, o.theme.px(hot ? 6.5f : 5.0f), palette().accent);
-}
-
-void draw_pivot(ImDrawList& list, const Overlay& o, const Handles& h) {
-  const bool hot = o.viewport.hovered_handle() == Handle::pivot ||
-                   o.viewport.gesture() == Viewport::Gesture::pivot;
-  const ImVec2 c = pixel(h.pivot);
-  const float r = o.theme.px(hot ? 7.0f : 5.5f);
-  const float arm = r + o.theme.px(4);
-  const ImU32 dark = palette().accent;
-  for (const auto& [paint, width] :
-       {std::pair{palette().card, o.theme.px(4)}, std::pair{dark, o.theme.px(1.6f)}}) {
-    list.AddCircle(c, r, paint, 32, width);
-    list.AddLine(ImVec2(c.x - arm, c.y), ImVec2(c.x + arm, c.y), paint, width);
-    list.AddLine(ImVec2(c.x, c.y - arm), ImVec2(c.x, c.y + arm), paint, width);
+  if (const auto& node = o.viewport.hovered_node()) {
+    const ImVec2 at = pixel(o.camera.to_screen(x.xy(node->node)));
+    list.AddCircle(at, o.theme.px(7), palette().card, 24, o.theme.px(4));
+    list.AddCircle(at, o.theme.px(7), palette().accent, 24, o.theme.px(2));
   }
 }
 
+std::string motion_text(const Overlay& o) {
+  const MotionGesture& drag = o.viewport.drag();
+  const RigidMotion& m = drag.motion();
+  if (drag.kind() == MotionGesture::Kind::rotate)
+    return number(m.rotate, "%+.2f") + "\xC2\xB0" + (drag.snapped() ? "   steps of 5\xC2\xB0" : "");
+  std::string text =
+      "x " + number(m.translate.x(), "%+.4g") + "   y " + number(m.translate.y(), "%+.4g");
+  if (drag.axis()) text += *drag.axis() == 0 ? "   along x" : "   along y";
+  if (drag.snapped()) text += "   grid " + number(MotionGesture::grid_step(o.camera));
+  return text;
+}
+
+/// Beside the mouse: the numbers of the drag, and whether the mesh can follow.
 void draw_motion(ImDrawList& list, const Overlay& o) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const ImVec2 at(mouse.x + o.theme.px(18), mouse.y + o.theme.px(14));
-  const RigidMotion& m = o.viewport.motion();
-  if (o.viewport.gesture() == Viewport::Gesture::rotate)
-    draw_label(list, o.theme, at, number(m.rotate, "%+.2f") + "\xC2\xB0");
+  draw_label(list, o.theme, at, motion_text(o), palette().text);
+  const BodyDrag* drag = o.session.body_drag();
+  if (!drag || drag->reach() == BodyDrag::Reach::there) return;
+  const ImVec2 below(at.x, at.y + ImGui::GetTextLineHeight() + o.theme.px(13));
+  if (drag->reach() == BodyDrag::Reach::limit)
+    draw_label(list, o.theme, below, "No valid mesh beyond here", palette().danger);
   else
-    draw_label(
-        list, o.theme, at,
-        "x " + number(m.translate.x(), "%+.4g") + "   y " + number(m.translate.y(), "%+.4g"));
+    draw_label(list, o.theme, below, "The mesh is catching up", palette().text_dim);
+}
+
+void draw_hint(ImDrawList& list, const Overlay& o) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const ImVec2 at(mouse.x + o.theme.px(18), mouse.y + o.theme.px(14));
+  if (o.viewport.gesture() == Viewport::Gesture::pivot) {
+    const std::string& snapped = o.viewport.snapped_to();
+    return draw_label(list, o.theme, at,
+                      snapped.empty() ? "Pivot; Ctrl snaps" : "Pivot: " + snapped, palette().text);
+  }
+  if (const char* hint = handle_hint(o.viewport.hovered_handle()); *hint)
+    draw_label(list, o.theme, at, hint, palette().text);
+  else if (const auto& node = o.viewport.hovered_node())
+    draw_label(list, o.theme, at,
+               "Node " + std::to_string(node->node) + ": drag; Shift+click takes the arc up to it",
+               palette().text);
+}
+
+Handle hot_handle(const Viewport& viewport) {
+  if (viewport.gesture() == Viewport::Gesture::rotate) return Handle::ring;
+  if (viewport.gesture() == Viewport::Gesture::pivot) return Handle::pivot;
+  if (viewport.gesture() != Viewport::Gesture::move) return viewport.hovered_handle();
+  const auto axis = viewport.drag().axis();
+  if (!axis) return Handle::centre;
+  return *axis == 0 ? Handle::arrow_x : Handle::arrow_y;
 }
 
 /// Rings around the nodes inspected and under the mouse.
@@ -115,14 +163,19 @@ void draw_pins(ImDrawList& list, const Overlay& o) {
 }
 
 void draw_overlay(ImDrawList& list, const Overlay& o) {
+  if (!o.session.document()) return;
   draw_pins(list, o);
   draw_rings(list, o);
-  if (o.session.dragging()) draw_outline(list, o);
-  if (const auto handles = Viewport::handles(o.scene, o.camera)) {
-    draw_ring(list, o, *handles);
-    draw_pivot(list, o, *handles);
-  }
-  if (o.session.dragging() && o.viewport.dragging()) draw_motion(list, o);
+  if (o.session.dragging()) draw_wanted(list, o);
+  draw_preview(list, o);
+  if (o.scene.shape.active) draw_shape(list, o);
+  if (const auto gizmo = Viewport::gizmo(o.scene, o.camera))
+    draw_gizmo(list, *gizmo, hot_handle(o.viewport),
+               o.viewport.gesture() == Viewport::Gesture::rotate, o.theme);
+  if (o.session.dragging() && o.viewport.dragging())
+    draw_motion(list, o);
+  else
+    draw_hint(list, o);
 }
 
 }  // namespace winslow::gui

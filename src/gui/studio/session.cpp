@@ -103,39 +103,6 @@ void Session::report_error(std::string title, std::string text) {
   ask({Prompt::Kind::error, std::move(title), std::move(text), {{"OK", {}, true}}});
 }
 
-void Session::on(const action::SelectMarkers& a) {
-  if (!document_) return;
-  std::vector<Index> wanted = a.markers;
-  const auto count = static_cast<Index>(document_->topology()->markers().size());
-  std::erase_if(wanted, [count](Index m) { return m < 0 || m >= count; });
-  std::sort(wanted.begin(), wanted.end());
-  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
-  if (a.toggle) {
-    std::vector<Index> toggled;
-    // Several markers of one body go together: out if all are in, else in.
-    if (std::includes(selection_.begin(), selection_.end(), wanted.begin(), wanted.end()))
-      std::set_difference(selection_.begin(), selection_.end(), wanted.begin(), wanted.end(),
-                          std::back_inserter(toggled));
-    else
-      std::set_union(selection_.begin(), selection_.end(), wanted.begin(), wanted.end(),
-                     std::back_inserter(toggled));
-    wanted = std::move(toggled);
-  }
-  if (wanted == selection_) return;
-  selection_ = std::move(wanted);
-  pivot_chosen_ = false;
-  centre_pivot();
-}
-
-void Session::on(const action::HoverMarkers& a) { hovered_ = a.markers; }
-
-void Session::on(const action::SetPivot& a) {
-  pivot_chosen_ = a.pivot.has_value();
-  if (!a.pivot) return centre_pivot();
-  const auto motion = live_motion();
-  pivot_ = motion ? transform_back(*motion, *a.pivot) : *a.pivot;
-}
-
 void Session::on(const action::SetMotionOptions& a) { motion_ = a.options; }
 
 void Session::on(const action::SetSmoothOptions& a) { smooth_ = a.options; }
@@ -179,7 +146,9 @@ void Session::shape_changed() {
 
 void Session::position_changed() {
   shape_changed();
-  if (!pivot_chosen_) centre_pivot();
+  preview_.reset();
+  update_anchors();
+  place_pivot();
   const History& history = document_->history();
   banner_.reset();
   if (history.position() > 0) return update_banner(history.result(history.position()));
@@ -187,18 +156,6 @@ void Session::position_changed() {
     banner_ = Banner{Banner::Kind::inverted_input, "This mesh has " +
                                                        counted(inverted, "inverted element") +
                                                        ". Smoothing usually repairs it."};
-}
-
-void Session::centre_pivot() {
-  if (!document_ || selection_.empty()) return;
-  const Mesh& mesh = document_->state().mesh;
-  const std::vector<Index> nodes = mesh.topology->nodes_of_markers(selected_names());
-  if (nodes.empty()) return;
-  const Bounds box = bounds(mesh.coordinates, nodes);
-  pivot_ = box.centre();
-  // 6.9e-18 would be the centre of a symmetric body in numbers, but not to a reader.
-  for (int axis : {0, 1})
-    if (std::abs(pivot_[axis]) < 1e-12 * box.size().maxCoeff()) pivot_[axis] = 0;
 }
 
 std::vector<std::string> Session::selected_names() const {

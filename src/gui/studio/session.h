@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gui/inspector/node_selection.h"
@@ -70,6 +71,18 @@ class Session {
   const std::vector<Index>& hovered() const { return hovered_; }
   /// Point about which the selection turns, where it is on screen now.
   Vec2 pivot() const;
+  /// Points of the selection where it stands between motions; none without a selection.
+  const std::optional<BodyAnchors>& anchors() const { return anchors_; }
+  /// Where the pivot was put; none: to a place of its own.
+  std::optional<PivotPlace> pivot_place() const { return pivot_place_; }
+
+  const ShapeEdit& shape_edit() const { return shape_edit_; }
+  /// A deformation of the selection that is not yet carried out.
+  struct DeformationPreview {
+    SineDeformation shape;
+    std::vector<std::pair<Vec2, Vec2>> outline;  ///< edges where it would put them
+  };
+  const std::optional<DeformationPreview>& deformation_preview() const { return preview_; }
 
   const NodeSelection& nodes() const { return nodes_; }
   /// Virtual control volumes of the mesh on screen; null without a mesh.
@@ -113,7 +126,12 @@ class Session {
   // Bodies, jobs, history (session.cpp, session_jobs.cpp)
   void on(const action::SelectMarkers& a);
   void on(const action::HoverMarkers& a);
+  void on(const action::CycleBody& a);
   void on(const action::SetPivot& a);
+  void on(const action::SetShapeEdit& a);
+  void on(const action::SelectArc& a);
+  void on(const action::PreviewDeformation& a);
+  void on(const action::ApplyDeformation& a);
   void on(const action::ApplyMotion& a);
   void on(const action::BeginDrag& a);
   void on(const action::DragTo& a);
@@ -175,7 +193,8 @@ class Session {
   double pace_of(Command command) const;
   void shape_changed();
   void position_changed();
-  void centre_pivot();
+  void place_pivot();
+  void update_anchors();
   void update_banner(const SmoothResult& smooth);
   void tell_finished(const std::string& what, const SmoothResult& smooth);
   std::vector<std::string> selected_names() const;
@@ -210,7 +229,10 @@ class Session {
 
   std::vector<Index> selection_, hovered_;
   Vec2 pivot_{0, 0};  // seen from the state before the job under way
-  bool pivot_chosen_ = false;
+  std::optional<PivotPlace> pivot_place_ = PivotPlace::centre;
+  std::optional<BodyAnchors> anchors_;
+  ShapeEdit shape_edit_;
+  std::optional<DeformationPreview> preview_;
 
   SmoothOptions smooth_;
   MotionOptions motion_;

@@ -20,8 +20,8 @@ bool stays(const RigidMotion& m) { return m.rotate == 0 && m.translate == Vec2(0
 
 void Session::on(const action::BeginDrag& a) {
   if (!document_ || dragging_) return;
-  const bool rigid = a.part.markers.empty();
-  if (rigid && selection_.empty()) return;
+  const bool rigid = !a.shape;
+  if (rigid ? selection_.empty() : !shape_edit_.arc.has_value()) return;
   drag_base_.reset();
   drag_start_.reset();
   if (job_.active()) {
@@ -30,11 +30,17 @@ void Session::on(const action::BeginDrag& a) {
   }
   // Where it was asked for, the boundary goes at once and the mesh may be tangled on the way.
   const bool direct = rigid && motion_.increments == 1;
-  if (!direct && begin_body_drag(rigid ? DragGrip{selected_names(), {}, {}} : a.part)) {
+  DragGrip grip{rigid ? selected_names() : std::vector<std::string>{}, {}, {}};
+  if (!rigid)
+    grip = grip_of(*shape_edit_.arc, shape_edit_.radius, *boundary_, *document_->topology(),
+                   document_->state().mesh.coordinates);
+  if (!direct && begin_body_drag(std::move(grip))) {
     dragging_ = true;
     return;
   }
-  if (!rigid) return;
+  if (!rigid)
+    return tell(Notice::Kind::warning,
+                "A tangled mesh cannot follow a change of shape. Smooth it first.");
   if (job_.active()) job_.hold(true);
   dragging_ = true;
 }
@@ -47,9 +53,7 @@ bool Session::begin_body_drag(DragGrip grip) {
   const MeshState base = motion_base();
   try {
     drag_.begin(base, std::move(grip), smooth_, start);
-  } catch (const UsageError& error) {
-    if (!dragging_ && !job_.active() && !grip.markers.empty())
-      tell(Notice::Kind::warning, error.what());
+  } catch (const UsageError&) {
     return false;
   }
   drag_state_ = base;

@@ -36,7 +36,10 @@ void Session::on(const action::CloseMesh& a) {
   selection_.clear();
   hovered_.clear();
   nodes_ = {};
-  pivot_chosen_ = false;
+  anchors_.reset();
+  pivot_place_ = PivotPlace::centre;
+  shape_edit_ = {};
+  preview_.reset();
   banner_.reset();
   notice_.reset();
   ++generation_;

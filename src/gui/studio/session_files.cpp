@@ -56,7 +56,10 @@ void Session::adopt(Document::Loaded loaded) {
   selection_.clear();
   hovered_.clear();
   nodes_ = {};
-  pivot_chosen_ = false;
+  anchors_.reset();
+  pivot_place_ = PivotPlace::centre;
+  shape_edit_ = {};
+  preview_.reset();
   banner_.reset();
   ++generation_;
   position_changed();

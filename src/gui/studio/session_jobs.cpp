@@ -139,6 +139,7 @@ void Session::finish_job(JobRunner::Outcome outcome) {
     pivot_ = transform(move->motion, pivot_);
   document_->push(std::move(outcome.command), std::move(*outcome.result), outcome.seconds);
   shape_changed();
+  update_anchors();
   update_banner(smooth);
   if (queue_.active()) {
     queue_.advance();

@@ -75,9 +75,11 @@ Settings read_settings(const std::string& text) {
   settings.left_width = size_of(layout, "left_width");
   settings.right_width = size_of(layout, "right_width");
   settings.plot_height = size_of(layout, "plot_height");
-  if (const auto it = layout.find("folded"); it != layout.end() && it->is_array())
+  if (const auto it = layout.find("folded"); it != layout.end() && it->is_array()) {
+    settings.folded.clear();
     for (const json& id : *it)
       if (id.is_string()) settings.folded.insert(id.get<std::string>());
+  }
   if (const auto it = root.find("recent"); it != root.end() && it->is_array())
     for (const json& path : *it)
       if (path.is_string()) settings.recent.push_back(path.get<std::string>());

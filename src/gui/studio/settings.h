@@ -17,7 +17,8 @@ struct Settings {
   ViewOptions view;
   /// Sizes of the panels, in units of the layout; 0: as designed.
   float left_width = 0, right_width = 0, plot_height = 0;
-  std::set<std::string> folded;     ///< sections of panels that are folded, by id
+  /// Sections of panels that are folded, by id; at first those that few need.
+  std::set<std::string> folded{"section/shape"};
   std::vector<std::string> recent;  ///< meshes opened last, absolute paths, the last one first
   std::array<int, 2> window{0, 0};  ///< size of the window in units of the layout; 0: as designed
 

@@ -172,6 +172,8 @@ const Palette& dark_palette() {
     p.warning_soft = IM_COL32(70, 56, 26, 255);
     p.success = IM_COL32(86, 196, 124, 255);
     p.move_line = IM_COL32(45, 200, 184, 255);
+    p.axis_x = IM_COL32(244, 112, 100, 255);
+    p.axis_y = IM_COL32(98, 200, 124, 255);
     return p;
   }();
   return dark;

@@ -10,54 +10,31 @@ namespace {
 // Framebuffer pixels at scale 1.
 constexpr double drag_threshold = 4;
 constexpr double pick_radius = 7;
-constexpr double handle_radius = 9;
-// Small, so that a body is taken by its middle without catching the pivot.
-constexpr double pivot_radius = 6;
-constexpr double ring_gap = 26;
-constexpr double smallest_ring = 44;
+constexpr double node_radius = 10;
+constexpr double snap_radius = 14;
 constexpr double zoom_per_notch = 1.2;
-// With Shift held a rotation goes in steps, a translation along one axis.
-constexpr double rotation_step = 5;
 
-double angle_about(const Vec2& pivot, const Vec2& point) {
-  return std::atan2(point.y() - pivot.y(), point.x() - pivot.x());
-}
-
-double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
-
-Handle handle_at(const Handles& handles, const Vec2& p, double scale) {
-  const double r = handle_radius * scale;
-  if ((p - handles.knob()).norm() <= r) return Handle::ring;
-  if ((p - handles.pivot).norm() <= pivot_radius * scale) return Handle::pivot;
-  const double off_ring = std::abs((p - handles.pivot).norm() - handles.radius);
-  return off_ring <= 0.7 * r ? Handle::ring : Handle::none;
+double world(double pixels, const ViewportScene& scene, const Camera& camera) {
+  return pixels * scene.scale * camera.units_per_pixel();
 }
 
 }  // namespace
 
-Vec2 Handles::knob() const { return pivot + radius * Vec2(std::cos(angle), -std::sin(angle)); }
-
-std::optional<Handles> Viewport::handles(const ViewportScene& scene, const Camera& camera) {
-  if (!scene.boundary || scene.selection.empty()) return std::nullopt;
-  const double reach = scene.reach / camera.units_per_pixel();
-  const double room = 0.42 * std::min(camera.viewport_width(), camera.viewport_height());
-  Handles h;
-  h.pivot = camera.to_screen(scene.pivot);
-  // Seen from afar the ring stays large enough to take, seen from near within the window.
-  h.radius = std::max(smallest_ring * scene.scale, std::min(reach + ring_gap * scene.scale, room));
-  h.angle = pi / 4 + radians(scene.turned);
-  return h;
+std::optional<Gizmo> Viewport::gizmo(const ViewportScene& scene, const Camera& camera) {
+  if (!scene.boundary || scene.selection.empty() || scene.shape.active) return std::nullopt;
+  return make_gizmo(camera, scene.pivot, scene.reach, scene.turned, scene.scale);
 }
 
 void Viewport::update(const PointerState& p, const ViewportScene& scene, Camera& camera,
                       ActionQueue& actions) {
-  if (p.over && p.wheel != 0 && !scene.wheel_is_lens)
-    camera.zoom_at(p.position, std::pow(zoom_per_notch, p.wheel));
+  if (p.over && p.wheel != 0 && !scene.wheel_is_lens) wheel(p, scene, camera, actions);
   const bool pan_pressed = (p.middle && !last_.middle) || (p.right && !last_.right);
   const bool left_pressed = p.left && !last_.left;
 
   if (p.cancel && gesture_ != Gesture::none) {
     end(actions, true);
+  } else if (p.accept && !last_.accept && dragging()) {
+    end(actions, false);
   } else if (gesture_ == Gesture::none) {
     hover(p, scene, camera, actions);
     if (p.over && start_box(p, scene)) {
@@ -67,11 +44,11 @@ void Viewport::update(const PointerState& p, const ViewportScene& scene, Camera&
       gesture_ = Gesture::pan;
       pan_button_ = true;
     } else if (p.over && left_pressed) {
-      press(p, scene, camera, actions);
+      press(p, scene, actions);
     }
   } else if (pan_button_ ? !(p.middle || p.right) : !p.left) {
     follow(p, scene, camera, actions);
-    release(p, camera, actions);
+    release(p, scene, camera, actions);
   } else {
     follow(p, scene, camera, actions);
   }
@@ -90,16 +67,28 @@ std::optional<Bounds> Viewport::box() const {
   return Bounds{press_.cwiseMin(last_.position), press_.cwiseMax(last_.position)};
 }
 
+void Viewport::wheel(const PointerState& p, const ViewportScene& scene, Camera& camera,
+                     ActionQueue& actions) {
+  const double factor = std::pow(zoom_per_notch, p.wheel);
+  if (gesture_ != Gesture::shape) return camera.zoom_at(p.position, factor);
+  // From nothing it grows to something that can be seen.
+  const double least = 10 * camera.units_per_pixel();
+  const double radius = std::max(scene.shape.radius * factor, p.wheel > 0 ? least : 0.0);
+  actions.emplace_back(action::SetShapeEdit{true, radius < 0.5 * least ? 0 : radius});
+}
+
 void Viewport::hover(const PointerState& p, const ViewportScene& scene, const Camera& camera,
                      ActionQueue& actions) {
   hit_.reset();
+  node_.reset();
   hovered_handle_ = Handle::none;
   if (p.over && scene.boundary) {
-    if (const auto h = handles(scene, camera))
-      hovered_handle_ = handle_at(*h, p.position, scene.scale);
-    if (hovered_handle_ == Handle::none)
-      hit_ = scene.boundary->pick(camera.to_world(p.position),
-                                  pick_radius * scene.scale * camera.units_per_pixel());
+    const Vec2 at = camera.to_world(p.position);
+    if (const auto g = gizmo(scene, camera)) hovered_handle_ = g->at(p.position);
+    if (scene.shape.active)
+      node_ = scene.boundary->pick_node(at, world(node_radius, scene, camera));
+    if (hovered_handle_ == Handle::none && !node_)
+      hit_ = scene.boundary->pick(at, world(pick_radius, scene, camera));
   }
   std::vector<Index> now = hit_ ? hit_->markers : std::vector<Index>{};
   if (now == last_hover_) return;
@@ -107,86 +96,122 @@ void Viewport::hover(const PointerState& p, const ViewportScene& scene, const Ca
   actions.emplace_back(action::HoverMarkers{std::move(now)});
 }
 
-void Viewport::press(const PointerState& p, const ViewportScene& scene, const Camera& camera,
-                     ActionQueue& actions) {
+void Viewport::press(const PointerState& p, const ViewportScene& scene, ActionQueue& actions) {
   press_ = p.position;
-  press_world_ = camera.to_world(p.position);
-  motion_ = RigidMotion{0, scene.pivot, Vec2(0, 0)};
-  if (hovered_handle_ == Handle::pivot) {
-    gesture_ = Gesture::pivot;
-  } else if (hovered_handle_ == Handle::ring) {
-    gesture_ = Gesture::rotate;
-    turned_ = 0;
-    last_angle_ = angle_about(scene.pivot, press_world_);
-    actions.emplace_back(action::BeginDrag{});
-  } else {
+  if (hovered_handle_ != Handle::none)
+    press_handle(p, scene, actions);
+  else if (node_)
+    gesture_ = Gesture::press_node;
+  else
     gesture_ = hit_ ? Gesture::press_body : Gesture::press_empty;
+}
+
+void Viewport::press_handle(const PointerState& p, const ViewportScene& scene,
+                            ActionQueue& actions) {
+  switch (hovered_handle_) {
+    case Handle::ring:
+      return begin(Gesture::rotate, scene, actions);
+    case Handle::arrow_x:
+      return begin(Gesture::move, scene, actions, 0);
+    case Handle::arrow_y:
+      return begin(Gesture::move, scene, actions, 1);
+    case Handle::centre:
+      if (!p.alt) return begin(Gesture::move, scene, actions);
+      [[fallthrough]];
+    case Handle::pivot:
+      gesture_ = Gesture::pivot;
+      pivot_before_ = scene.pivot;
+      return;
+    case Handle::none:
+      return;
   }
 }
 
-void Viewport::begin_move(const ViewportScene& scene, ActionQueue& actions) {
-  const bool selected = std::includes(scene.selection.begin(), scene.selection.end(),
-                                      hit_->markers.begin(), hit_->markers.end());
-  // The rim around the mesh moves only if it was selected first: a drag that starts on it by
-  // accident pans.
-  if (!selected && !hit_->hole) {
+void Viewport::begin(Gesture gesture, const ViewportScene& scene, ActionQueue& actions,
+                     std::optional<int> axis) {
+  gesture_ = gesture;
+  drag_.begin(gesture == Gesture::rotate ? MotionGesture::Kind::rotate : MotionGesture::Kind::move,
+              press_, scene.pivot, axis);
+  actions.emplace_back(action::BeginDrag{gesture == Gesture::shape});
+}
+
+/// The mouse has gone far enough from where it was pressed: this is no click.
+void Viewport::leave_press(const ViewportScene& scene, ActionQueue& actions) {
+  last_.position = press_;
+  if (gesture_ == Gesture::press_node) {
+    const auto& arc = scene.shape.arc;
+    if (!arc || arc->body != node_->body || !arc->contains(node_->position))
+      select_node(false, scene, actions);
+    return begin(Gesture::shape, scene, actions);
+  }
+  // Shapes are edited by their nodes; the rim around the mesh moves only if it was selected first:
+  // a drag that starts on it by accident pans.
+  const bool selected = hit_ && std::includes(scene.selection.begin(), scene.selection.end(),
+                                              hit_->markers.begin(), hit_->markers.end());
+  if (gesture_ == Gesture::press_empty || scene.shape.active || (!selected && !hit_->hole)) {
     gesture_ = Gesture::pan;
     pan_button_ = false;
     return;
   }
   if (!selected) actions.emplace_back(action::SelectMarkers{hit_->markers, false});
-  actions.emplace_back(action::BeginDrag{});
-  gesture_ = Gesture::move;
+  begin(Gesture::move, scene, actions);
 }
 
 void Viewport::follow(const PointerState& p, const ViewportScene& scene, Camera& camera,
                       ActionQueue& actions) {
-  const bool pressed = gesture_ == Gesture::press_body || gesture_ == Gesture::press_empty;
-  if (pressed && (p.position - press_).norm() > drag_threshold * scene.scale) {
-    if (gesture_ == Gesture::press_body) {
-      begin_move(scene, actions);
-    } else {
-      gesture_ = Gesture::pan;
-      pan_button_ = false;
-    }
-    if (gesture_ == Gesture::pan) last_.position = press_;
-  }
-  if (p.position == last_.position && gesture_ != Gesture::move) return;
-  switch (gesture_) {
-    case Gesture::pan:
-      camera.pan(p.position - last_.position);
-      break;
-    case Gesture::pivot:
-      actions.emplace_back(action::SetPivot{camera.to_world(p.position)});
-      break;
-    case Gesture::rotate:
-      rotate_to(p, camera, actions);
-      break;
-    case Gesture::move: {
-      Vec2 by = camera.to_world(p.position) - press_world_;
-      if (p.shift) by[std::abs(by.x()) >= std::abs(by.y()) ? 1 : 0] = 0;
-      if (by == motion_.translate) break;
-      motion_.translate = by;
-      actions.emplace_back(action::DragTo{motion_});
-      break;
-    }
-    case Gesture::none:
-    case Gesture::box:
-    case Gesture::press_body:
-    case Gesture::press_empty:
-      break;
-  }
+  const bool pressed = gesture_ == Gesture::press_body || gesture_ == Gesture::press_empty ||
+                       gesture_ == Gesture::press_node;
+  if (pressed && (p.position - press_).norm() > drag_threshold * scene.scale)
+    leave_press(scene, actions);
+  if (gesture_ == Gesture::pan)
+    camera.pan(p.position - last_.position);
+  else if (gesture_ == Gesture::pivot)
+    follow_pivot(p, scene, camera, actions);
+  else if (dragging())
+    follow_drag(p, camera, actions);
 }
 
-void Viewport::rotate_to(const PointerState& p, const Camera& camera, ActionQueue& actions) {
-  const double angle = angle_about(motion_.pivot, camera.to_world(p.position));
-  turned_ += wrapped(angle - last_angle_) * (180 / pi);
-  last_angle_ = angle;
-  motion_.rotate = p.shift ? rotation_step * std::round(turned_ / rotation_step) : turned_;
-  actions.emplace_back(action::DragTo{motion_});
+void Viewport::follow_drag(const PointerState& p, const Camera& camera, ActionQueue& actions) {
+  if (gesture_ != Gesture::rotate) {
+    if (p.key_x && !last_.key_x) drag_.toggle_axis(0);
+    if (p.key_y && !last_.key_y) drag_.toggle_axis(1);
+  }
+  if (drag_.follow(p.position, {p.shift, p.control}, camera))
+    actions.emplace_back(action::DragTo{drag_.motion()});
 }
 
-void Viewport::release(const PointerState& p, const Camera& camera, ActionQueue& actions) {
+void Viewport::follow_pivot(const PointerState& p, const ViewportScene& scene, const Camera& camera,
+                            ActionQueue& actions) {
+  if (p.position == last_.position && p.control == last_.control) return;
+  snapped_to_.clear();
+  Vec2 at = camera.to_world(p.position);
+  if (p.control) {
+    const Vec2 mouse = at;
+    double best = world(snap_radius, scene, camera);
+    const auto try_point = [&](const Vec2& point, const std::string& name) {
+      if ((point - mouse).norm() >= best) return;
+      best = (point - mouse).norm();
+      at = point;
+      snapped_to_ = name;
+    };
+    // Points with a name pull harder: a leading edge has nodes close by, and is one.
+    for (const auto& [point, name] : scene.snaps) try_point(point, name);
+    if (const auto hit = scene.boundary->pick_node(mouse, 0.5 * best))
+      try_point(scene.boundary->position(hit->node), "node " + std::to_string(hit->node));
+  }
+  actions.emplace_back(action::SetPivot{at, {}});
+}
+
+void Viewport::select_node(bool extend, const ViewportScene& scene, ActionQueue& actions) {
+  BoundaryArc arc{node_->body, node_->position, node_->position};
+  if (extend && scene.shape.arc && scene.shape.arc->body == node_->body)
+    arc = extended(*scene.shape.arc, node_->position,
+                   scene.boundary->bodies()[static_cast<std::size_t>(node_->body)].nodes.size());
+  actions.emplace_back(action::SelectArc{arc});
+}
+
+void Viewport::release(const PointerState& p, const ViewportScene& scene, const Camera& camera,
+                       ActionQueue& actions) {
   const bool add = p.shift || p.control;
   if (p.click_taken && gesture_ != Gesture::box) return end(actions, false);
   if (gesture_ == Gesture::box) {
@@ -200,12 +225,18 @@ void Viewport::release(const PointerState& p, const Camera& camera, ActionQueue&
     }
   } else if (gesture_ == Gesture::press_body)
     actions.emplace_back(action::SelectMarkers{hit_->markers, add});
+  else if (gesture_ == Gesture::press_node)
+    select_node(add, scene, actions);
+  else if (gesture_ == Gesture::press_empty && scene.shape.active && !add)
+    actions.emplace_back(action::SelectArc{});
   else if (gesture_ == Gesture::press_empty && !add)
     actions.emplace_back(action::SelectMarkers{{}, false});
   end(actions, false);
 }
 
 void Viewport::end(ActionQueue& actions, bool cancelled) {
+  if (gesture_ == Gesture::pivot && cancelled)
+    actions.emplace_back(action::SetPivot{pivot_before_, {}});
   if (dragging()) {
     if (cancelled)
       actions.emplace_back(action::CancelDrag{});
@@ -214,6 +245,7 @@ void Viewport::end(ActionQueue& actions, bool cancelled) {
   }
   gesture_ = Gesture::none;
   pan_button_ = false;
+  snapped_to_.clear();
 }
 
 }  // namespace winslow::gui

@@ -144,7 +144,8 @@ int Workbench::cursor() const {
   if (viewport_.gesture() == Viewport::Gesture::pan ||
       viewport_.gesture() == Viewport::Gesture::box)
     return ImGuiMouseCursor_ResizeAll;
-  if (viewport_.dragging() || viewport_.over_body() || viewport_.hovered_handle() != Handle::none)
+  if (viewport_.dragging() || viewport_.over_body() || viewport_.hovered_handle() != Handle::none ||
+      viewport_.hovered_node())
     return ImGuiMouseCursor_Hand;
   return ui_->cursor();
 }

@@ -30,6 +30,7 @@
 #include "gui/panels/quality_panel.h"
 #include "gui/panels/record_dialog.h"
 #include "gui/panels/recording_panel.h"
+#include "gui/panels/shape_panel.h"
 #include "gui/panels/solver_panel.h"
 #include "gui/panels/status_bar.h"
 #include "gui/panels/step_editor.h"
@@ -102,6 +103,9 @@ class Workbench : public PictureSource {
   const Camera& camera() const { return camera_; }
   /// What the mesh is compared with, as of the last frame.
   const BeforeMesh& before() const { return before_; }
+  const Viewport& viewport() const { return viewport_; }
+  /// What the mouse acts upon now.
+  ViewportScene scene() const;
   const Layout& layout() const { return layout_; }
   const WidgetMap& widgets() const { return ui_->widgets(); }
   const Autosave& autosave() const { return autosave_; }
@@ -136,7 +140,6 @@ class Workbench : public PictureSource {
   void follow_files(double seconds);
   void dispatch();
   void finish_frame();
-  ViewportScene scene() const;
   PanelContext context() {
     return {session_, view_,   view_state_, ui_->theme(), actions_,
             capture_, recent_, demo_,       &before_};
@@ -231,6 +234,7 @@ class Workbench : public PictureSource {
   Toolbar toolbar_;
   MarkersPanel markers_;
   MotionPanel motion_;
+  ShapePanel shape_;
   SolverPanel solver_;
   ViewPanel view_panel_;
   VcvPanel vcv_panel_;

@@ -88,6 +88,7 @@ void Workbench::draw_regions() {
     begin_region("left", layout_.left, {roomy});
     markers_.draw(all);
     motion_.draw(all);
+    shape_.draw(all);
     solver_.draw(all);
     end_region();
   }

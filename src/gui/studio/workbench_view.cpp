@@ -23,10 +23,16 @@ ViewportScene Workbench::scene() const {
   scene.selection = session_.selection();
   scene.pivot = session_.pivot();
   scene.reach = reach_;
-  scene.turned = viewport_.gesture() == Viewport::Gesture::rotate ? viewport_.motion().rotate : 0;
+  if (viewport_.gesture() == Viewport::Gesture::rotate)
+    scene.turned = viewport_.drag().motion().rotate;
   scene.scale = static_cast<double>(ui_->theme().scale);
   scene.box_zoom = view_state_.box_zoom_armed;
   scene.wheel_is_lens = lens_ && !lens_->pinned && !ImGui::GetIO().KeyCtrl;
+  scene.shape = session_.shape_edit();
+  if (const auto& anchors = session_.anchors())
+    for (const PivotPlace place : {PivotPlace::leading_edge, PivotPlace::trailing_edge,
+                                   PivotPlace::centroid, PivotPlace::centre})
+      scene.snaps.emplace_back(anchors->at(place), pivot_place_name(place));
   return scene;
 }
 
@@ -44,7 +50,11 @@ void Workbench::drive_viewport(const InputState& input) {
   pointer.wheel = input.wheel.y();
   pointer.shift = input.shift();
   pointer.control = input.control();
+  pointer.alt = input.alt();
   pointer.cancel = input.keys[GLFW_KEY_ESCAPE];
+  pointer.accept = input.keys[GLFW_KEY_ENTER] || input.keys[GLFW_KEY_KP_ENTER];
+  pointer.key_x = input.keys[GLFW_KEY_X];
+  pointer.key_y = input.keys[GLFW_KEY_Y];
   pointer_ = input.mouse;
   pointer_over_ = pointer.over;
   if (viewport_.gesture() == Viewport::Gesture::none) take_for_insets(pointer);

@@ -45,12 +45,12 @@ TEST_CASE("recent files outlive the studio and open from the menu and the palett
   const auto second = write(rig.folder, two_body_mesh(), "second.su2");
   const WorkbenchOptions options{1, rig.folder / "profile"};
   for (const auto& path : {first, second}) {
-    rig.bench.reset();  // writes the settings
     rig.bench = std::make_unique<Workbench>(options);
     rig.bench->apply(action::OpenMesh{path});
     REQUIRE(rig.settle());
+    rig.bench->apply(action::Quit{});
+    rig.bench.reset();  // writes the settings
   }
-  rig.bench.reset();  // writes the settings
   rig.bench = std::make_unique<Workbench>(options);
   rig.frames();
   REQUIRE(rig.bench->recent().files().size() == 2);

@@ -9,8 +9,8 @@ namespace winslow::gui::test {
 
 /// Mean of red, green and blue of a pixel, 0 to 1.
 inline double brightness(const Image& image, const Vec2& at) {
-  const auto* p = image.pixel(static_cast<int>(std::floor(at.x())),
-                              static_cast<int>(std::floor(at.y())));
+  const auto* p =
+      image.pixel(static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y())));
   return (p[0] + p[1] + p[2]) / (3 * 255.0);
 }
 

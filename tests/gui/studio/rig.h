@@ -59,6 +59,8 @@ class Rig {
   Index marker(const std::string& name) const { return *mesh().topology->find_marker(name); }
   /// Pixel of a point of the mesh.
   Vec2 pixel(const Vec2& world) const { return bench->camera().to_screen(world); }
+  /// The gizmo of the selection, which there must be.
+  Gizmo gizmo() const { return Viewport::gizmo(bench->scene(), bench->camera()).value(); }
   /// Longest time that one frame has taken so far, in seconds.
   double longest_frame() const { return longest_frame_; }
 

@@ -62,12 +62,14 @@ TEST_CASE("dragging the pivot puts it elsewhere without moving anything") {
   rig.click("marker/flap");
   const Mesh before = rig.mesh();
   const Vec2 target(0.5, 0.25);
-  rig.drag(rig.pixel(rig.session().pivot()), rig.pixel(target));
+  const Vec2 pin = rig.gizmo().pin();
+  rig.drag(pin, rig.pixel(target));
   rig.release();
   CHECK((rig.session().pivot() - target).norm() < 1e-9);
   CHECK(rig.document().history().size() == 1);
   CHECK(rig.mesh().coordinates == before.coordinates);
-  rig.click("motion/centre");
+  rig.click("motion/pivot_place");
+  rig.click("motion/pivot_place/Centre");
   CHECK(rig.session().pivot().norm() < 1e-12);
 }
 

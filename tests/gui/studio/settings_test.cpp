@@ -53,11 +53,11 @@ TEST_CASE("settings that belong to one mesh are not kept") {
 TEST_CASE("values that make no sense are as designed, unknown keys are kept") {
   const std::string text = R"({"view": {"bands": -3, "scale": "huge", "color_map": "jet",
       "lightness": "purple", "color": "beauty", "wireframe": 1, "later": 7},
-      "layout": {"left_width": -1, "window": [5, 1e9]}, "recent": ["a.su2"]})";
+      "layout": {"left_width": -1, "window": [5, 1e9]}, "plans": ["a.su2"]})";
   const Settings settings = read_settings(text);
   CHECK(settings == Settings());
   const auto again = nlohmann::json::parse(write_settings(settings, text));
-  CHECK(again["recent"][0] == "a.su2");
+  CHECK(again["plans"][0] == "a.su2");
   CHECK(again["view"]["later"] == 7);
   CHECK(again["view"]["bands"] == 0);
   CHECK_THROWS_AS(read_settings("[1, 2"), InputError);

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+
+#include "core/motion/motion.h"
+#include "gui/render/camera.h"
+
+namespace winslow::gui {
+
+/// The motion that the mouse describes while it drags a body, a handle or a piece of boundary.
+class MotionGesture {
+ public:
+  enum class Kind { move, rotate };
+  struct Modifiers {
+    bool fine = false;  ///< a tenth of the speed
+    bool snap = false;  ///< to the grid, or to steps of 5 degrees
+  };
+
+  /// pixel: where the mouse is. pivot: in units of the mesh. axis: 0 or 1 keeps a move to x or y.
+  void begin(Kind kind, const Vec2& pixel, const Vec2& pivot, std::optional<int> axis);
+  /// The mouse went to `pixel`. True if that changed the motion.
+  bool follow(const Vec2& pixel, Modifiers modifiers, const Camera& camera);
+  /// Keeps a move to an axis; the same one again sets it free.
+  void toggle_axis(int axis);
+
+  Kind kind() const { return kind_; }
+  std::optional<int> axis() const { return axis_; }
+  /// Total, since begin().
+  const RigidMotion& motion() const { return motion_; }
+  bool snapped() const { return modifiers_.snap; }
+  /// Step of the grid: a round number of mesh units that is 8 to 20 pixels on screen.
+  static double grid_step(const Camera& camera);
+
+ private:
+  Kind kind_ = Kind::move;
+  std::optional<int> axis_;
+  Modifiers modifiers_;
+  RigidMotion motion_;
+  Vec2 last_{0, 0};    // pixels
+  Vec2 moved_{0, 0};   // by the mouse, units of the mesh
+  double turned_ = 0;  // by the mouse, degrees, unwrapped
+};
+
+}  // namespace winslow::gui

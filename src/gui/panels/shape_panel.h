@@ -1,0 +1,21 @@
+#pragma once
+
+#include "gui/panels/panel.h"
+
+namespace winslow::gui {
+
+/// Changes of shape: by hand, or a sine along the body with a preview of its outline.
+class ShapePanel : public Panel {
+ public:
+  void draw(const PanelContext& context) override;
+
+ private:
+  void draw_by_hand(const PanelContext& context);
+  void draw_sine(const PanelContext& context);
+  bool draw_fields();
+
+  SineDeformation typed_;
+  bool preview_ = true;
+};
+
+}  // namespace winslow::gui
