@@ -119,6 +119,10 @@ void draw_comparison(ImDrawList& list, const ViewOverlay& o) {
     const std::string text = std::string("          ") + before;
     const ImVec2 size = draw_tag(list, o.theme, at, text.c_str());
     const float middle = at.y + size.y / 2;
+    // White edges would not be seen on a white card.
+    list.AddRectFilled(ImVec2(at.x + o.theme.px(5), middle - o.theme.px(5)),
+                       ImVec2(at.x + o.theme.px(9) + line, middle + o.theme.px(5)),
+                       faded(palette().text, 0.5f), o.theme.px(2));
     list.AddLine(ImVec2(at.x + o.theme.px(7), middle), ImVec2(at.x + o.theme.px(7) + line, middle),
                  color_of(mesh_colors(o.view).ghost) | IM_COL32_A_MASK, o.theme.px(2));
     return;

@@ -86,8 +86,9 @@ TEST_CASE("a ghost shows where the edges were") {
   Rig rig;
   open_and_move(rig);
   set_view(rig, [](ViewOptions& view) { view.color.reset(); });
-  const Image plain = rig.bench->picture();
   rig.move(Vec2(5, 5));
+  rig.frames();
+  const Image plain = rig.bench->picture();
   rig.key(GLFW_KEY_G);
   REQUIRE(rig.bench->view().comparison == Comparison::ghost);
   REQUIRE(rig.settle());
