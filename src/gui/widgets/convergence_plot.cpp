@@ -138,7 +138,9 @@ class Drawing {
 
   void draw_points(const std::vector<ImVec2>& all, ImU32 color, float width) {
     const std::vector<ImVec2> points = decimated(all);
-    list_.AddPolyline(points.data(), static_cast<int>(points.size()), color, 0, width * scale_);
+    // One by one: a polyline smears where two records of one iteration lie above one another.
+    for (std::size_t k = 1; k < points.size(); ++k)
+      list_.AddLine(points[k - 1], points[k], color, width * scale_);
     if (points.size() <= 40)
       for (const ImVec2& p : points) list_.AddCircleFilled(p, 2.2f * scale_, color);
   }
