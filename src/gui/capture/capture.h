@@ -64,7 +64,7 @@ class Capture {
   bool stepping_ = false;  // the job goes on when its frame is taken
   std::uint64_t shape_ = 0;
   std::uint64_t left_ = 0;  // serial of the pause that the last step went on from
-  Coordinates recorded_;  // of the last frame
+  Coordinates recorded_;    // of the last frame
   std::chrono::steady_clock::time_point last_frame_{};
 };
 

@@ -73,8 +73,10 @@ void ConvergencePanel::draw(const PanelContext& context) {
   const char* hint = "Move a body or press Smooth: the residual of every iteration appears here.";
   const ImVec2 text = ImGui::CalcTextSize(hint);
   if (text.x > size.x) return;
+  // In the upper strip, above the line of the tolerance.
+  constexpr float share = 0.3f;
   ImGui::GetWindowDrawList()->AddText(
-      ImVec2(start.x + (size.x - text.x) / 2, start.y + (size.y - text.y) / 2),
+      ImVec2(start.x + (size.x - text.x) / 2, start.y + share * size.y - text.y / 2),
       palette().text_faint, hint);
 }
 

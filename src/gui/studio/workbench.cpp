@@ -53,7 +53,7 @@ bool Workbench::settled() const {
       file_dialog_.busy())
     return false;
   if (demo_.demo() && (demo_.automatic() || !demo_.ready(session_))) return false;
-  if (!session_.document()) return true;
+  if (!session_.document()) return !(shows_welcome() && welcome_.busy());
   const auto& measured = session_.quality().latest();
   return measured && measured->shape == session_.shape() && measured->field == view_.color;
 }
