@@ -69,7 +69,7 @@ std::filesystem::path profile_folder() {
     const char* value = std::getenv(name);
     return value && *value ? value : "";
   };
-  if (const auto given = variable("WINSLOW_PROFILE"); !given.empty()) return given;
+  if (auto given = variable("WINSLOW_PROFILE"); !given.empty()) return given;
   if (const auto config = variable("XDG_CONFIG_HOME"); config.is_absolute())
     return config / "winslow";
   const auto home = variable("HOME");

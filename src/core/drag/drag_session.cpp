@@ -57,7 +57,6 @@ class DragSession::Impl final : public SolverMonitor {
     if (validity.inverted > 0)
       throw UsageError("a drag starts from a mesh without inverted elements");
     frame_.min_sine = validity.min_sine;
-    frame_.held = true;
     wanted_ = frame_.motion;
     solved_ = frame_.coordinates;
     worker_ = std::thread([this] { work(); });
@@ -79,10 +78,14 @@ class DragSession::Impl final : public SolverMonitor {
       prepared = prepared_;
     }
     wake_.notify_all();
-    if (!prepared) return frame_;
+    if (!prepared) {
+      frame_.held = !same_motion(frame_.motion, motion);
+      return frame_;
+    }
     prepared->predictor.evaluate(motion_between(grip_, prepared->pose, motion), candidate_);
     const Validity validity = validity_of(candidate_);
     frame_.held = validity.inverted > 0;
+    frame_.limit = frame_.held && same_motion(prepared->answered, motion);
     if (frame_.held) return frame_;
     std::swap(frame_.coordinates, candidate_);
     frame_.motion = motion;

@@ -14,6 +14,7 @@ struct DragFrame {
   Coordinates coordinates;  ///< a valid mesh, always
   RigidMotion motion;       ///< where the body is in it, seen from the state
   bool held = false;        ///< the mesh cannot go where the mouse is (yet): the last valid one
+  bool limit = false;       ///< held, and the path to where the mouse is ended on the way
   double min_sine = 0;      ///< of the frame's elements
 };
 
@@ -42,8 +43,8 @@ class DragSession {
   const DragFrame& to(const RigidMotion& motion);
   /// False until the first fields are prepared; to() holds the state until then.
   bool ready() const;
-  /// True if the fields belong to the position last asked for: the frame is the solution itself.
-  /// A frame that is held even then has met its limit: no valid mesh was found beyond it.
+  /// True if the fields belong to the position last asked for: the next frame there is the solution
+  /// itself, or the limit.
   bool settled() const;
   /// Number of meshes solved for so far.
   int corrections() const;

@@ -16,7 +16,7 @@ std::string cannot_save(const PanelContext& context) {
 }
 
 std::string cannot_record_step(const PanelContext& context) {
-  if (const std::string busy = while_busy(context); !busy.empty()) return busy;
+  if (std::string busy = while_busy(context); !busy.empty()) return busy;
   if (context.capture.recorder().state() != Recorder::State::idle)
     return "A recording is under way already.";
   return context.session.document()->history().position() > 0 ? "" : "Nothing was done yet.";
@@ -83,9 +83,7 @@ std::vector<UserCommand> export_formats(const PanelContext&) {
   return items;
 }
 
-}  // namespace
-
-std::vector<UserCommand> file_commands() {
+std::vector<UserCommand> opening_commands() {
   using action::FilePurpose;
   constexpr auto group = CommandGroup::file;
   return {
@@ -118,6 +116,13 @@ std::vector<UserCommand> file_commands() {
        .tooltip = "Close the mesh. It asks if there are changes that are not saved.",
        .blocked = without_mesh,
        .run = [](const PanelContext& c) { c.emit(action::CloseMesh{}); }},
+  };
+}
+
+std::vector<UserCommand> saving_commands() {
+  using action::FilePurpose;
+  constexpr auto group = CommandGroup::file;
+  return {
       {.id = "save",
        .label = "Save",
        .group = group,
@@ -166,6 +171,12 @@ std::vector<UserCommand> file_commands() {
          return c.session.convergence().empty() ? "There are no iterations yet." : "";
        },
        .run = dialog(FilePurpose::export_convergence)},
+  };
+}
+
+std::vector<UserCommand> picture_commands() {
+  constexpr auto group = CommandGroup::file;
+  return {
       {.id = "screenshot",
        .label = "Save picture",
        .group = group,
@@ -210,14 +221,27 @@ std::vector<UserCommand> file_commands() {
                     : "Nothing is being recorded.";
        },
        .run = [](const PanelContext& c) { c.emit(action::StopRecording{}); }},
-      {.id = "quit",
-       .label = "Quit",
-       .group = group,
-       .keys = {control(key(GLFW_KEY_Q))},
-       .tooltip = "Leave the studio. It asks if there are changes that are not saved.",
-       .run = [](const PanelContext& c) { c.emit(action::Quit{}); },
-       .starts_section = true},
   };
+}
+
+UserCommand quit() {
+  return {.id = "quit",
+          .label = "Quit",
+          .group = CommandGroup::file,
+          .keys = {control(key(GLFW_KEY_Q))},
+          .tooltip = "Leave the studio. It asks if there are changes that are not saved.",
+          .run = [](const PanelContext& c) { c.emit(action::Quit{}); },
+          .starts_section = true};
+}
+
+}  // namespace
+
+std::vector<UserCommand> file_commands() {
+  std::vector<UserCommand> all = opening_commands();
+  for (const auto& part : {saving_commands(), picture_commands()})
+    all.insert(all.end(), part.begin(), part.end());
+  all.push_back(quit());
+  return all;
 }
 
 }  // namespace winslow::gui

@@ -170,11 +170,9 @@ std::vector<UserCommand> detail_commands() {
   };
 }
 
-}  // namespace
-
-std::vector<UserCommand> view_commands() {
+std::vector<UserCommand> fit_commands() {
   constexpr auto group = CommandGroup::view;
-  std::vector<UserCommand> all{
+  return {
       {.id = "fit",
        .label = "Fit the whole mesh",
        .group = group,
@@ -192,6 +190,12 @@ std::vector<UserCommand> view_commands() {
          return c.session.selection().empty() ? "Nothing is selected." : "";
        },
        .run = [](const PanelContext& c) { c.emit(action::FitSelection{}); }},
+  };
+}
+
+std::vector<UserCommand> style_commands() {
+  constexpr auto group = CommandGroup::view;
+  return {
       {.id = "style",
        .label = "Next style of elements",
        .group = group,
@@ -226,6 +230,11 @@ std::vector<UserCommand> view_commands() {
                                     .label = "Legend",
                                     .keys = {key(GLFW_KEY_L)},
                                     .tooltip = "Show what the colours mean."}),
+  };
+}
+
+std::vector<UserCommand> panel_commands() {
+  return {
       toggle(&ViewOptions::left_panel, {.id = "left",
                                         .label = "Bodies and solver",
                                         .keys = {key(GLFW_KEY_F2)},
@@ -257,6 +266,12 @@ std::vector<UserCommand> view_commands() {
                          .keys = {control(key(GLFW_KEY_4))},
                          .tooltip = "A node and its virtual control volume, in the column on the "
                                     "right."}),
+  };
+}
+
+std::vector<UserCommand> look_commands() {
+  constexpr auto group = CommandGroup::view;
+  return {
       {.id = "dark",
        .label = "Dark theme",
        .group = group,
@@ -293,13 +308,15 @@ std::vector<UserCommand> view_commands() {
        },
        .run = [](const PanelContext& c) { c.emit(action::StepScale{0}); }},
   };
-  // After the two that fit, and before the columns.
-  const auto insert = [&](std::string_view before, std::vector<UserCommand> more) {
-    const auto at = std::ranges::find(all, before, &UserCommand::id);
-    all.insert(at, more.begin(), more.end());
-  };
-  insert("style", place_commands());
-  insert("left", detail_commands());
+}
+
+}  // namespace
+
+std::vector<UserCommand> view_commands() {
+  std::vector<UserCommand> all;
+  for (const auto& part : {fit_commands(), place_commands(), style_commands(), detail_commands(),
+                           panel_commands(), look_commands()})
+    all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 

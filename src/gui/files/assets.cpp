@@ -8,7 +8,7 @@ namespace fs = std::filesystem;
 
 fs::path assets_folder(const fs::path& program) {
   std::error_code ignored;
-  const fs::path installed = program.parent_path().parent_path() / "share" / "winslow";
+  fs::path installed = program.parent_path().parent_path() / "share" / "winslow";
   if (fs::is_regular_file(installed / "naca0012.su2", ignored)) return installed;
   const fs::path source = WINSLOW_SOURCE_ASSETS;
   return fs::is_directory(source, ignored) ? source : fs::path();

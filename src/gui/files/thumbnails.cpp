@@ -19,7 +19,7 @@ constexpr double seconds_before = 0.4;
 
 /// The bodies with some room around them; the whole mesh where they fill much of it.
 Bounds interesting(const Mesh& mesh) {
-  const Bounds all = bounds(mesh);
+  Bounds all = bounds(mesh);
   std::vector<Index> nodes;
   for (const auto& loop : mesh.topology->boundary_loops()) {
     const Bounds box = bounds(mesh.coordinates, loop);

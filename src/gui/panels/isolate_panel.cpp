@@ -1,5 +1,6 @@
 #include "gui/panels/isolate_panel.h"
 
+#include <cmath>
 #include <string>
 
 #include "gui/studio/isolated_elements.h"
@@ -36,7 +37,7 @@ bool IsolatePanel::draw_threshold(const PanelContext& context, Isolation& isolat
   changed |= ui::number("isolate/threshold", isolation.threshold, tip, "%.4g");
   constexpr const char* rest_tip = "How much of the other elements is seen; 0 hides them.";
   ui::row("Others", rest_tip, 0.5f);
-  int percent = static_cast<int>(100 * isolation.rest + 0.5);
+  int percent = static_cast<int>(std::lround(100 * isolation.rest));
   if (ImGui::SliderInt("##isolate/rest", &percent, 0, 60, "%d %%")) {
     isolation.rest = percent / 100.0;
     changed = true;

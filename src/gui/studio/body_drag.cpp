@@ -1,10 +1,7 @@
 #include "gui/studio/body_drag.h"
 
-#include <algorithm>
 #include <chrono>
 #include <utility>
-
-#include "core/motion/rigid_motion.h"
 
 namespace winslow::gui {
 
@@ -44,9 +41,9 @@ void BodyDrag::end() {
 }
 
 BodyDrag::Reach BodyDrag::reach() const {
-  if (!frame_->held || same_motion(frame_->motion, wanted_)) return Reach::there;
-  const bool done = session_->settled() || !session_->error().empty();
-  return done ? Reach::limit : Reach::catching_up;
+  if (!frame_->held) return Reach::there;
+  // Of the frame, not of the session: that may be a mesh ahead of what is on screen.
+  return frame_->limit || !session_->error().empty() ? Reach::limit : Reach::catching_up;
 }
 
 }  // namespace winslow::gui

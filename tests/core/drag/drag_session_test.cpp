@@ -98,8 +98,13 @@ TEST_CASE("a frame that would invert an element is held at the last valid positi
   CHECK(inverted(state, drag.to(outside).coordinates) == 0);
   CHECK(same_motion(drag.to(outside).motion, easy));
   CHECK(drag.to(outside).coordinates == last);
+  // Only the answer to this very position makes it the limit.
+  REQUIRE(wait_until([&] { return drag.to(outside).limit; }));
+  CHECK(drag.settled());
+  CHECK(drag.to(outside).held);
   // It comes back from there.
   REQUIRE(wait_until([&] { return !drag.to(easy).held && drag.settled(); }));
+  CHECK_FALSE(drag.to(easy).limit);
   CHECK(drag.error().empty());
 }
 
