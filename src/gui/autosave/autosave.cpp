@@ -99,7 +99,7 @@ Autosave::Mark Autosave::mark_of(const Document& document, std::uint64_t generat
 /// Has the session written if it has changed.
 void Autosave::keep(const Session& session) {
   const Document* document = session.document();
-  if (!document) return;
+  if (!document) return forget();
   // While commands run again after an edit, what is kept is the history from before it.
   if (session.queue().active() && session.queue().plan().revision) return;
   Mark mark = mark_of(*document, session.generation());
@@ -126,6 +126,16 @@ void Autosave::keep(const Session& session) {
     }
     std::error_code ignored;
     for (const Orphan& orphan : done) fs::remove_all(orphan.folder, ignored);
+    return {};
+  });
+}
+
+/// The mesh was closed, and its changes saved or given up: there is nothing to offer.
+void Autosave::forget() {
+  if (written_ == Mark{}) return;
+  written_ = {};
+  tasks_.push_back([folder = folder_]() -> Then {
+    folder->remove();
     return {};
   });
 }

@@ -54,6 +54,7 @@ class Autosave {
   void look_for_orphans();
   void ask_about_next(Session& session);
   void keep(const Session& session);
+  void forget();
   static Mark mark_of(const Document& document, std::uint64_t generation);
   static std::vector<Orphan> find_orphans(const std::filesystem::path& root);
 

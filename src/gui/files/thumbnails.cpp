@@ -35,6 +35,11 @@ Bounds interesting(const Mesh& mesh) {
 
 }  // namespace
 
+bool Thumbnails::possible() {
+  static const bool installed = !assets_folder().empty();
+  return installed;
+}
+
 std::vector<Thumbnails::Loaded> Thumbnails::read() {
   std::vector<Loaded> all;
   for (const BundledMesh& bundled : bundled_meshes()) {
@@ -70,7 +75,7 @@ Image Thumbnails::draw(const Mesh& mesh) {
 
 void Thumbnails::update(double seconds) {
   shown_ += seconds;
-  if (!started_ && shown_ > seconds_before && !assets_folder().empty()) {
+  if (!started_ && shown_ > seconds_before && possible()) {
     started_ = true;
     reader_.start([] { return read(); });
   }

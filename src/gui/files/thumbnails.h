@@ -21,8 +21,8 @@ class Thumbnails {
 
   /// Once a frame in which pictures are wanted. seconds: since the last.
   void update(double seconds);
-  /// Meshes are being read or wait to be drawn.
-  bool busy() const { return reader_.busy() || !waiting_.empty(); }
+  /// Pictures that are wanted are not all there yet.
+  bool busy() const { return (!started_ && possible()) || reader_.busy() || !waiting_.empty(); }
   /// Null until it is drawn.
   const Texture* find(const std::string& id) const;
 
@@ -31,6 +31,8 @@ class Thumbnails {
     std::string id;
     Mesh mesh;
   };
+  /// The bundled meshes are installed.
+  static bool possible();
   static std::vector<Loaded> read();
   static Image draw(const Mesh& mesh);
 

@@ -63,21 +63,12 @@ void ConvergencePanel::draw(const PanelContext& context) {
   ImVec2 size = ImGui::GetContentRegionAvail();
   size.x = std::max(size.x, 1.0f);
   size.y = std::max(size.y, 1.0f);
-  const ImVec2 start = ImGui::GetCursorScreenPos();
   // A field being typed in holds all sorts of numbers.
   const double tolerance = tolerance_of(session);
   ConvergencePlot plot{history, {}, series_};
+  plot.hint = "Move a body or press Smooth: the residual of every iteration appears here.";
   if (tolerance > 0) plot.tolerance = tolerance;
   draw_convergence_plot("convergence/plot", plot, size, context.theme.scale);
-  if (!history.empty()) return;
-  const char* hint = "Move a body or press Smooth: the residual of every iteration appears here.";
-  const ImVec2 text = ImGui::CalcTextSize(hint);
-  if (text.x > size.x) return;
-  // In the upper strip, above the line of the tolerance.
-  constexpr float share = 0.3f;
-  ImGui::GetWindowDrawList()->AddText(
-      ImVec2(start.x + (size.x - text.x) / 2, start.y + share * size.y - text.y / 2),
-      palette().text_faint, hint);
 }
 
 }  // namespace winslow::gui

@@ -44,7 +44,6 @@ bool went_badly(const SmoothResult& result) { return result.inverted > 0 || !res
 }  // namespace
 
 void HistoryPanel::draw(const PanelContext& context) {
-  if (!ui::section("section/history", "History")) return;
   if (!context.session.document()) {
     ui::text_dim("No mesh is open.");
     return;

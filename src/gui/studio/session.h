@@ -121,6 +121,7 @@ class Session {
   void on(const action::Quit& a);
   bool poll_loader();
   bool poll_saver();
+  void forget_mesh();
   void adopt(Document::Loaded loaded);
 
   // Bodies, jobs, history (session.cpp, session_jobs.cpp)

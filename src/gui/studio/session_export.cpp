@@ -29,20 +29,8 @@ void Session::on(const action::CloseMesh& a) {
          {{"Close without saving", {action::CloseMesh{true}}, false}, {"Cancel", {}, true}}});
     return;
   }
-  stop_job();
-  quality_.clear();
-  document_.reset();
-  boundary_.reset();
-  selection_.clear();
-  hovered_.clear();
-  nodes_ = {};
-  anchors_.reset();
-  pivot_place_ = PivotPlace::centre;
-  shape_edit_ = {};
-  preview_.reset();
-  banner_.reset();
+  forget_mesh();
   notice_.reset();
-  ++generation_;
   shape_changed();
 }
 

@@ -48,11 +48,12 @@ bool Session::poll_loader() {
   return true;
 }
 
-void Session::adopt(Document::Loaded loaded) {
+/// Lets go of the open mesh and of all that refers to it.
+void Session::forget_mesh() {
   stop_job();
   quality_.clear();
-  document_ = std::make_unique<Document>(std::move(loaded));
-  boundary_ = std::make_unique<BoundaryIndex>(document_->topology());
+  document_.reset();
+  boundary_.reset();
   selection_.clear();
   hovered_.clear();
   nodes_ = {};
@@ -62,6 +63,15 @@ void Session::adopt(Document::Loaded loaded) {
   preview_.reset();
   banner_.reset();
   ++generation_;
+}
+
+void Session::adopt(Document::Loaded loaded) {
+  // The new one stands before the old one goes.
+  auto document = std::make_unique<Document>(std::move(loaded));
+  auto boundary = std::make_unique<BoundaryIndex>(document->topology());
+  forget_mesh();
+  document_ = std::move(document);
+  boundary_ = std::move(boundary);
   position_changed();
   const auto& warnings = document_->warnings();
   if (warnings.empty()) {

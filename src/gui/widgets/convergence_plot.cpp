@@ -98,6 +98,17 @@ class Drawing {
               palette().text_dim, grouped(static_cast<long long>(value)));
     text_at(list_, ImVec2((top_.min.x + top_.max.x) / 2, bottom_.max.y + 19 * scale_),
             ImVec2(0.5f, 0), palette().text_dim, "outer iteration");
+    draw_hint();
+  }
+
+  /// In the lower strip: the upper one has the tolerance and its name.
+  void draw_hint() {
+    if (!plot_.history.empty() || plot_.hint.empty()) return;
+    const PlotStrip& strip = lower_shown_ ? bottom_ : top_;
+    const std::string hint(plot_.hint);
+    if (ImGui::CalcTextSize(hint.c_str()).x > strip.max.x - strip.min.x) return;
+    text_at(list_, ImVec2((strip.min.x + strip.max.x) / 2, (strip.min.y + strip.max.y) / 2),
+            ImVec2(0.5f, 0.5f), palette().text_faint, hint);
   }
 
   void draw_upper() {

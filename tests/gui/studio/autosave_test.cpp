@@ -121,6 +121,31 @@ TEST_CASE("nothing is left after a clean quit, and nothing is offered") {
   CHECK(rig.session().prompt() == nullptr);
 }
 
+TEST_CASE("nothing is kept of a mesh that was closed; the next one is kept again") {
+  TemporaryFolder profile;
+  TemporaryFolder meshes;
+  {
+    Rig rig(1100, 720, profile.path());
+    const auto mesh = write(meshes, ring_mesh());
+    rig.bench->apply(action::OpenMesh{mesh});
+    wait_until_kept(rig);
+    turn(rig, 10);
+    wait_until_kept(rig);
+    CHECK(kept_sessions(profile).size() == 1);
+    rig.bench->apply(action::CloseMesh{true});
+    wait_until_kept(rig);
+    CHECK(kept_sessions(profile).empty());
+    rig.bench->apply(action::OpenMesh{mesh});
+    wait_until_kept(rig);
+    CHECK(kept_sessions(profile).size() == 1);
+    rig.bench->apply(action::CloseMesh{true});
+    wait_until_kept(rig);
+  }
+  Rig rig(1100, 720, profile.path());
+  wait_until_kept(rig);
+  CHECK(rig.session().prompt() == nullptr);
+}
+
 TEST_CASE("a session that is discarded is gone") {
   TemporaryFolder profile;
   TemporaryFolder meshes;

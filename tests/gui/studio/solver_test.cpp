@@ -4,21 +4,11 @@
 #include <cmath>
 
 #include "gui/studio/keys.h"
-#include "gui/studio/rig.h"
+#include "gui/studio/solver_probes.h"
 
 namespace winslow::gui::test {
 
 namespace {
-
-int iterations(const Rig& rig) {
-  const auto history = rig.session().convergence();
-  return history.empty() ? -1 : history.back().iteration;
-}
-
-bool solver_paused(const Rig& rig) {
-  const auto& snapshot = rig.session().job().snapshot();
-  return snapshot && snapshot->state == JobState::paused;
-}
 
 double distance(const Coordinates& a, const Coordinates& b) {
   double largest = 0;
