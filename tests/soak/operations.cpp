@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <stdexcept>
 
 #include "gui/studio/keys.h"
@@ -7,6 +8,8 @@
 #include "soak.h"
 
 namespace winslow::gui::test {
+
+namespace fs = std::filesystem;
 
 const std::vector<Soak::Choice>& Soak::choices() {
   static const std::vector<Choice> all{{24, "click", &Soak::click_anything},
@@ -278,12 +281,24 @@ void Soak::settle_down() {
 }
 
 /// The studio goes away without being closed; the next one must have the session, to the bit.
+/// Some session is below the profile, whole.
+bool Soak::kept_somewhere() const {
+  const fs::path root = folder_ / "profile" / "autosave";
+  std::error_code none;
+  return std::ranges::any_of(fs::directory_iterator(root, none), [](const auto& entry) {
+    return fs::exists(entry.path() / "session.json");
+  });
+}
+
 void Soak::crash() {
   settle_down();
   answer_dialogs();
   if (!rig_->session().document() || rig_->session().in_motion()) return;
   if (!rig_->wait([this] { return !rig_->bench->autosave().busy(); }, 60))
     throw std::runtime_error("the session is never kept");
+  const std::string said = rig_->session().notice() ? rig_->session().notice()->text : "nothing";
+  if (!kept_somewhere())
+    throw std::runtime_error("the session is not kept; the studio says: " + said);
   const History before = rig_->document().history();
   rig_.reset();
   rig_ = std::make_unique<Rig>(width_, height_, folder_ / "profile");

@@ -59,6 +59,7 @@ class Soak {
   void resize_window();
   void settle_down();
   void crash();
+  bool kept_somewhere() const;
 
   void open_next();
   void answer_dialogs();

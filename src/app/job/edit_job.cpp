@@ -199,7 +199,11 @@ ExitCode run_edit_job(const EditJob& job) {
   run.seconds.save = lap.lap();
   run.seconds.total = total.seconds();
   if (!job.files.report.empty()) {
-    write_json(job.files.report, describe_run(run, result.mesh, quality));
+    nlohmann::json report = describe_run(run, result.mesh, quality);
+    if (result.layers) {
+      report["layers"] = describe_layers(*result.layers, result.mesh.coordinates);
+    }
+    write_json(job.files.report, report);
   }
   const ExitCode code = judge(run, quality);
   if (!job.files.quiet) print_outcome(job, result.mesh, quality, run);

@@ -6,10 +6,16 @@
 namespace winslow::app {
 namespace {
 
-const std::vector<std::string>* markers_of(const Command& command) {
-  if (const auto* move = std::get_if<MoveCommand>(&command)) return &move->markers;
-  if (const auto* deform = std::get_if<DeformCommand>(&command)) return &deform->markers;
-  return nullptr;
+std::vector<std::string> markers_of(const Command& command) {
+  if (const auto* move = std::get_if<MoveCommand>(&command)) return move->markers;
+  if (const auto* deform = std::get_if<DeformCommand>(&command)) return deform->markers;
+  std::vector<std::string> names;
+  if (const auto* insert = std::get_if<LayersCommand>(&command)) {
+    for (const LayerWall& wall : insert->layers.walls) {
+      names.insert(names.end(), wall.markers.begin(), wall.markers.end());
+    }
+  }
+  return names;
 }
 
 [[noreturn]] void refuse(const std::string& name, const Topology& topology,
@@ -30,9 +36,7 @@ const std::vector<std::string>* markers_of(const Command& command) {
 void check_markers(const std::vector<Command>& commands, const Topology& topology,
                    const std::string& file) {
   for (const Command& command : commands) {
-    const auto* names = markers_of(command);
-    if (!names) continue;
-    for (const std::string& name : *names) {
+    for (const std::string& name : markers_of(command)) {
       if (!topology.find_marker(name)) refuse(name, topology, file);
     }
   }

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "app/output/element_centre.h"
+#include "core/layers/layer_measures.h"
 #include "io/atomic_file.h"
 
 namespace winslow::app {
@@ -87,6 +88,34 @@ json describe_mesh(const Mesh& mesh, const QualityReport& quality) {
           {"inverted_elements", inverted},
           {"quality", metrics},
           {"worst", worst}};
+}
+
+json describe_layers(const LayerStack& stack, const Coordinates& x) {
+  const LayerMeasures m = measure_layers(stack, x);
+  json cut = json::array();
+  std::size_t most = 0, with_layers = 0;
+  for (const LayerColumn& column : stack.columns) {
+    most = std::max(most, column.count());
+    if (column.count() > 0) ++with_layers;
+    if (!cut_short(column)) continue;
+    const Vec2 p = x.xy(column.wall_node);
+    cut.push_back({{"node", column.wall_node},
+                   {"at", {p.x(), p.y()}},
+                   {"reason", limit_name(column.limit)},
+                   {"layers", column.count()},
+                   {"thickness", column.thickness()},
+                   {"asked", column.asked}});
+  }
+  return {{"columns", stack.columns.size()},
+          {"columns_with_layers", with_layers},
+          {"count", most},
+          {"held", stack.held},
+          {"first_height", describe_statistics(m.first_height)},
+          {"total_thickness", describe_statistics(m.thickness)},
+          {"spacing_error", describe_statistics(m.spacing_error)},
+          {"first_height_error", describe_statistics(m.first_error)},
+          {"orthogonality", describe_statistics(m.orthogonality)},
+          {"cut_short", cut}};
 }
 
 json describe_run(const RunReport& run, const Mesh& mesh, const QualityReport& quality) {

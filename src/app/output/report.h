@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/job/stopwatch.h"
+#include "core/layers/layer_stack.h"
 #include "core/mesh/mesh.h"
 #include "core/outer/outer_solver.h"
 #include "core/quality/quality.h"
@@ -34,6 +35,10 @@ struct RunReport {
 /// The block "quality", and what else is said of a mesh: "nodes", "elements", "inverted",
 /// "inverted_elements" (ids and centres of the first 100), "min_sine".
 nlohmann::json describe_mesh(const Mesh& mesh, const QualityReport& quality);
+
+/// The block "layers": statistics of first_height, thickness, spacing_error, first_error and
+/// orthogonality, counts, and the columns that were cut short.
+nlohmann::json describe_layers(const LayerStack& stack, const Coordinates& x);
 
 /// The whole report (docs/command-line.md lists the keys).
 nlohmann::json describe_run(const RunReport& run, const Mesh& mesh, const QualityReport& quality);

@@ -36,6 +36,7 @@ SubcommandList make_subcommands(CLI::App& program);
 std::unique_ptr<Subcommand> make_smooth_subcommand(CLI::App& program);
 std::unique_ptr<Subcommand> make_move_subcommand(CLI::App& program);
 std::unique_ptr<Subcommand> make_deform_subcommand(CLI::App& program);
+std::unique_ptr<Subcommand> make_layers_subcommand(CLI::App& program);
 std::unique_ptr<Subcommand> make_scramble_subcommand(CLI::App& program);
 std::unique_ptr<Subcommand> make_quality_subcommand(CLI::App& program);
 std::unique_ptr<Subcommand> make_render_subcommand(CLI::App& program);

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <random>
 
+#include "core/command/layers_run.h"
 #include "core/command/smooth_run.h"
 #include "core/error.h"
 
@@ -61,6 +62,16 @@ std::string describe_one(const EditVcvCommand& command) {
   return verb + " the VCVs of " + std::to_string(count) + " nodes";
 }
 
+std::string describe_one(const LayersCommand& command) {
+  std::vector<std::string> markers;
+  int count = 0;
+  for (const LayerWall& wall : command.layers.walls) {
+    markers.insert(markers.end(), wall.markers.begin(), wall.markers.end());
+    count = std::max(count, wall.spacing.count);
+  }
+  return "Insert " + std::to_string(count) + " layers at " + list(markers);
+}
+
 /// Interior to start from, boundary as the state has it.
 Coordinates starting_point(const MeshState& state, const ExecuteOptions& options) {
   if (!options.start) return state.mesh.coordinates;
@@ -87,7 +98,9 @@ CommandResult run_motion(const MeshState& state, const Motion& motion, const Mot
   validate(smooth);
   Coordinates x = starting_point(state, options);
   SmoothResult result = smooth_motion(state, motion, how, smooth, x, options);
-  return finish(state, std::move(x), std::move(result));
+  if (!state.layers || !state.layers->held || !how.smooth_after)
+    return finish(state, std::move(x), std::move(result));
+  return hold_spacing(finish(state, std::move(x), std::move(result)), smooth, options);
 }
 
 CommandResult execute_one(const SmoothCommand& command, const MeshState& state,
@@ -141,17 +154,23 @@ CommandResult execute_one(const EditVcvCommand& command, const MeshState& state,
                           const ExecuteOptions& options) {
   validate(command.smooth);
   if (command.edits.empty()) throw UsageError("no VCV is given to edit");
-  const MeshState edited{state.mesh, edit_vcvs(*state.vcv, command.edits)};
+  const MeshState edited{state.mesh, edit_vcvs(*state.vcv, command.edits), state.layers};
   Coordinates x = starting_point(edited, options);
   SmoothResult result = smooth_interior(edited, command.smooth, x, options);
   return finish(edited, std::move(x), std::move(result));
+}
+
+CommandResult execute_one(const LayersCommand& command, const MeshState& state,
+                          const ExecuteOptions& options) {
+  validate(command.smooth);
+  return insert_layers_and_smooth(command, state, options);
 }
 
 }  // namespace
 
 std::string_view command_name(const Command& command) {
   constexpr std::array<std::string_view, std::variant_size_v<Command>> names{
-      "smooth", "move", "deform", "scramble", "edit_vcv"};
+      "smooth", "move", "deform", "scramble", "edit_vcv", "layers"};
   return names[command.index()];
 }
 

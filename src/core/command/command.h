@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/layers/layer_plan.h"
 #include "core/mesh/mesh.h"
 #include "core/motion/motion.h"
 #include "core/outer/outer_solver.h"
@@ -61,10 +62,21 @@ struct EditVcvCommand {
   SmoothOptions smooth;
 };
 
-using Command =
-    std::variant<SmoothCommand, MoveCommand, DeformCommand, ScrambleCommand, EditVcvCommand>;
+/// Insert layers of quadrilaterals at walls, then smooth: the one command that changes the
+/// connectivity. AIAA 2009-1362, cases E and F.
+struct LayersCommand {
+  LayerOptions layers;
+  /// Hold the wanted heights, through the VCVs; false: smooth the new connectivity as it is.
+  bool control = true;
+  double tolerance = 2e-3;   ///< relative error of any height above which the VCVs are corrected
+  int most_corrections = 8;  ///< smoothing runs after the first
+  SmoothOptions smooth;
+};
 
-/// "smooth", "move", "deform", "scramble", "edit_vcv".
+using Command = std::variant<SmoothCommand, MoveCommand, DeformCommand, ScrambleCommand,
+                             EditVcvCommand, LayersCommand>;
+
+/// "smooth", "move", "deform", "scramble", "edit_vcv", "layers".
 std::string_view command_name(const Command& command);
 /// One line for lists and undo menus, e.g. "Rotate flap by -40 deg".
 std::string describe(const Command& command);
@@ -75,6 +87,8 @@ SmoothOptions* smooth_options(Command& command);
 struct MeshState {
   Mesh mesh;
   std::shared_ptr<const VirtualControlVolumes> vcv;
+  /// Layers that were inserted; if held, their spacing is kept whatever moves. Null: none.
+  std::shared_ptr<const LayerStack> layers = nullptr;
 };
 /// A state with the paper's VCVs: equal angles, unit edges.
 MeshState make_state(Mesh mesh);

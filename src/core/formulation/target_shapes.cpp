@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "core/error.h"
 
@@ -99,13 +100,50 @@ class Builder {
   /// VCV metric of the corner at a free node, times the share. A VCV of two edges has straight
   /// angles, which are no shape to strive for: there the element's own target stands in.
   void add_vcv(Metric2& metric, Index e, Index node) const {
+    const double ideal = topology_.element_type(e) == ElementType::triangle ? pi / 3 : pi / 2;
+    if (topology_.neighbours(node).size() == 2) {
+      metric.add(blend_at(node).vcv, Metric2::of_angle(ideal));
+    } else {
+      const auto [first, second] = vcv_edges(e, node);
+      metric.add(blend_at(node).vcv, Metric2::of(first, second));
+    }
+  }
+
+  /// VCV metric of a corner at the boundary, where there is no VCV, times the share: the corner of
+  /// the parallelogram that the VCVs of the adjacent corners span, or that of the opposite corner.
+  void add_parallelogram(Metric2& metric, Index e, std::size_t corner) const {
+    const auto element = topology_.element(e);
+    const auto node = [&](std::size_t step) { return element[(corner + step) % 4]; };
+    const double share = edited_blend_.vcv;
+    // Two edges are no shape, see add_vcv.
+    const auto counts = [&](std::size_t step) {
+      return vcv_.edited(node(step)) && topology_.neighbours(node(step)).size() > 2;
+    };
+    const bool next = counts(1), previous = counts(3);
+    const double each = next && previous ? share / 2 : share;
+    if (next) {
+      const auto [to_opposite, to_corner] = vcv_edges(e, node(1));
+      metric.add(each, Metric2::of(-to_corner, to_opposite));
+    }
+    if (previous) {
+      const auto [to_corner, to_opposite] = vcv_edges(e, node(3));
+      metric.add(each, Metric2::of(to_opposite, -to_corner));
+    }
+    if (next || previous) return;
+    if (counts(2)) {
+      const auto [to_previous, to_next] = vcv_edges(e, node(2));
+      metric.add(each, Metric2::of(-to_previous, -to_next));
+    } else {
+      metric.add(each, Metric2::of_angle(pi / 2));
+    }
+  }
+
+  /// The two edges of an element in the VCV of one of its nodes, counter-clockwise.
+  std::pair<Vec2, Vec2> vcv_edges(Index e, Index node) const {
     const auto star = topology_.star(node);
     const auto k = static_cast<Index>(std::find(star.begin(), star.end(), e) - star.begin());
     const auto count = static_cast<Index>(topology_.neighbours(node).size());
-    const double ideal = topology_.element_type(e) == ElementType::triangle ? pi / 3 : pi / 2;
-    metric.add(blend_at(node).vcv,
-               count == 2 ? Metric2::of_angle(ideal)
-                          : Metric2::of(vcv_.point(node, k), vcv_.point(node, (k + 1) % count)));
+    return {vcv_.point(node, k), vcv_.point(node, (k + 1) % count)};
   }
 
   void add_triangle(Index e) {
@@ -116,7 +154,7 @@ class Builder {
     if (blend_.vcv > 0 || any_edited(element)) {
       add_vcv_terms(e);
     } else {
-      shapes_.terms.push_back(common_metric(blend_, first, e).normalized().term(1));
+      shapes_.terms.push_back(common_metric(blend_, first, e).normalized().term(vcv_.weight(e)));
     }
     shapes_.offsets.push_back(static_cast<Index>(shapes_.terms.size()));
   }
@@ -137,7 +175,7 @@ class Builder {
       return !topology_.constrained(node) && (blend_.vcv > 0 || vcv_.edited(node));
     };
     const auto corners = std::count_if(element.begin(), element.end(), counts);
-    const double weight = 1 / static_cast<double>(corners);
+    const double weight = vcv_.weight(e) / static_cast<double>(corners);
     for (std::size_t k = 0; k < 3; ++k) {
       if (!counts(element[k])) continue;
       // The VCV's metric belongs to the edges at corner k: express the common part there too.
@@ -171,10 +209,13 @@ class Builder {
     for (std::size_t k = 0; k < 4; ++k) {
       if (!live[k]) continue;
       const auto nodes = corner_nodes(element, k);
-      const TargetBlend& blend = blend_at(nodes[0]);
+      const bool follows = topology_.constrained(nodes[0]) && any_edited(element);
+      const TargetBlend& blend = follows ? edited_blend_ : blend_at(nodes[0]);
       Metric2 metric;
       metric.add(blend.element, Metric2::of_angle(pi / 2));
-      if (blend.vcv > 0) {
+      if (follows) {
+        add_parallelogram(metric, e, k);
+      } else if (blend.vcv > 0) {
         if (topology_.constrained(nodes[0])) {
           metric.add(blend.vcv, Metric2::of_angle(pi / 2));  // there is no VCV at the boundary
         } else {
@@ -183,7 +224,7 @@ class Builder {
       }
       add_rest(metric, nodes, e);
       shapes_.triangles.push_back(nodes);
-      shapes_.terms.push_back(metric.normalized().term(1.0 / count));
+      shapes_.terms.push_back(metric.normalized().term(vcv_.weight(e) / count));
       shapes_.offsets.push_back(static_cast<Index>(shapes_.terms.size()));
     }
   }

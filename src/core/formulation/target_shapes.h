@@ -32,12 +32,13 @@ struct ShapeTerm {
 };
 
 /// All targets of a mesh: triangles, and corners of quadrilaterals, each with one or more terms.
-/// The terms of an element have weights that sum to one, however many of its nodes lie at the
-/// boundary. Triangles whose three nodes are constrained are left out: they cannot change.
+/// The terms of an element have weights that sum to its own
+/// (VirtualControlVolumes::weight, one as a rule), however many of its nodes lie at the boundary. Triangles whose three nodes are constrained are left out: they cannot change.
 ///
 /// A VCV that was edited (VirtualControlVolumes::edited) counts whatever the blend: in the corners
 /// at such a node the share `element` goes to the VCV, and where the blend has no share for VCVs at
-/// all, a triangle with such corners has the targets of these alone.
+/// all, a triangle with such corners has the targets of these alone. A corner at the boundary of a
+/// quadrilateral with such corners takes part: its target is the parallelogram of theirs.
 struct TargetShapes {
   std::vector<std::array<Index, 3>> triangles;  ///< nodes, counter-clockwise; a is the corner
   std::vector<Index> offsets{0};                ///< #triangles + 1, into terms

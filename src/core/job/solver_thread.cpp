@@ -121,6 +121,10 @@ class SolverThread::Impl final : public SolverMonitor {
     return latest_;
   }
 
+  void on_topology(const std::shared_ptr<const Topology>& topology) override {
+    topology_ = topology;
+  }
+
   bool on_iteration(const IterationRecord& record, const Coordinates& coordinates) override {
     const bool opening = std::exchange(fresh_target_, false);
     IterationRecord numbered = record;
@@ -183,7 +187,7 @@ class SolverThread::Impl final : public SolverMonitor {
     Snapshot snapshot;
     snapshot.job = current_.job;
     snapshot.state = state;
-    snapshot.topology = current_.state.mesh.topology;
+    snapshot.topology = topology_;
     snapshot.coordinates = reached_;
     snapshot.history = history_;
     snapshot.command = current_.command;
@@ -202,6 +206,7 @@ class SolverThread::Impl final : public SolverMonitor {
       }
       history_.clear();
       iterations_ = 0;
+      topology_ = current_.state.mesh.topology;
       reached_ = current_.start ? *current_.start : current_.state.mesh.coordinates;
       while (run_once()) {
       }
@@ -219,6 +224,7 @@ class SolverThread::Impl final : public SolverMonitor {
       const ExecuteOptions options{this, current_.start ? &*current_.start : nullptr, &workspace_};
       result = execute(current_.command, current_.state, options);
       reached_ = result->state.mesh.coordinates;
+      topology_ = result->state.mesh.topology;
     } catch (const Cancelled&) {
       state = JobState::cancelled;
     } catch (const std::bad_alloc&) {
@@ -247,6 +253,7 @@ class SolverThread::Impl final : public SolverMonitor {
 
   SmoothingWorkspace workspace_;
   Request current_;
+  std::shared_ptr<const Topology> topology_;  // that reached_ is of
   Coordinates reached_;
   std::vector<IterationRecord> history_;
   int iterations_ = 0;         // of this job, over all its targets

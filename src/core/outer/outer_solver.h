@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,8 @@ struct IterationRecord {
 class SolverMonitor {
  public:
   virtual ~SolverMonitor() = default;
+  /// Iterations are of another mesh from here on.
+  virtual void on_topology(const std::shared_ptr<const Topology>& /*topology*/) {}
   /// May block (pause). Returns false to cancel: the solver then throws Cancelled.
   virtual bool on_iteration(const IterationRecord& record, const Coordinates& coordinates) = 0;
 };

@@ -82,4 +82,16 @@ void VirtualControlVolumes::reset(Index node) {
   edited_.erase(node);
 }
 
+void VirtualControlVolumes::set_weights(std::shared_ptr<const std::vector<double>> weights) {
+  if (weights) {
+    if (static_cast<Index>(weights->size()) != topology_->element_count()) {
+      throw UsageError("the weights are not one for each element");
+    }
+    for (const double weight : *weights) {
+      if (!(weight > 0) || !std::isfinite(weight)) throw UsageError("weights must be positive");
+    }
+  }
+  weights_ = std::move(weights);
+}
+
 }  // namespace winslow

@@ -49,6 +49,14 @@ class VirtualControlVolumes {
   /// What was set, by node.
   const std::map<Index, Stencil>& edits() const { return edited_; }
 
+  /// How much more than others an element counts in a sum over VCVs (the variational form): 1, or
+  /// what was set. weights: #elements, positive; null: 1 for all. Throws UsageError otherwise.
+  void set_weights(std::shared_ptr<const std::vector<double>> weights);
+  double weight(Index element) const {
+    return weights_ ? (*weights_)[static_cast<std::size_t>(element)] : 1;
+  }
+  const std::shared_ptr<const std::vector<double>>& weights() const { return weights_; }
+
  private:
   void require_free(Index node) const;
   const Stencil* stencil(Index node) const;
@@ -56,6 +64,7 @@ class VirtualControlVolumes {
   std::shared_ptr<const Topology> topology_;
   std::vector<Stencil> equal_;  // by number of neighbours
   std::map<Index, Stencil> edited_;
+  std::shared_ptr<const std::vector<double>> weights_;
 };
 
 }  // namespace winslow

@@ -51,6 +51,13 @@ class Form {
     changed_ = true;
   }
 
+  void operator()(LayersCommand& command) {
+    for (std::size_t w = 0; w < command.layers.walls.size(); ++w) {
+      wall(command.layers.walls[w], "wall" + std::to_string(w) + "_");
+    }
+    options(command.smooth);
+  }
+
   void operator()(EditVcvCommand& command) {
     text_wrapped(counted(command.edits.size(), "virtual control volume") +
                  (command.edits.size() == 1 ? "; its" : "; their") +
@@ -59,6 +66,24 @@ class Form {
   }
 
  private:
+  void wall(LayerWall& wall, const std::string& name) {
+    std::string markers;
+    for (const std::string& marker : wall.markers)
+      markers += (markers.empty() ? "" : ", ") + marker;
+    text_wrapped("Layers at " + markers);
+    constexpr const char* tip = "Number of layers.";
+    row("Count", tip);
+    int count = wall.spacing.count;
+    if (number(prefix_ + '/' + name + "count", count, tip) && count > 0) {
+      wall.spacing.count = count;
+      changed_ = true;
+    }
+    field(name + "first", "First height", wall.spacing.first,
+          "Height of the layer at the wall, in units of the mesh.");
+    field(name + "ratio", "Ratio", wall.spacing.ratio, "Of the second height to the first.");
+    field(name + "growth", "Growth", wall.spacing.growth, "Of the ratio, from layer to layer.");
+  }
+
   void deformation(SineDeformation& sine) {
     field("amplitude", "Amplitude", sine.amplitude, "Largest displacement, in units of the mesh.");
     field("waves", "Waves", sine.waves, "Full periods over the length of the body.");
@@ -95,7 +120,7 @@ class Form {
 
   void options(SmoothOptions& smooth) { changed_ |= smooth_options_form(prefix_, smooth); }
 
-  void field(const char* name, const char* label, double& value, std::string_view tip,
+  void field(const std::string& name, const char* label, double& value, std::string_view tip,
              const char* format = "%.6g") {
     row(label, tip);
     changed_ |= number(prefix_ + '/' + name, value, tip, format);

@@ -168,6 +168,56 @@ DeformCommand read_deform(ObjectReader& reader, const std::filesystem::path& fol
   return command;
 }
 
+template <class Archive, class Spacing>
+void spacing_fields(Archive& archive, Spacing& spacing) {
+  archive.field("count", spacing.count);
+  archive.field("first", spacing.first);
+  archive.field("ratio", spacing.ratio);
+  archive.field("growth", spacing.growth);
+  archive.field("match_outside", spacing.match_outside);
+}
+
+template <class Archive, class Command>
+void layer_fields(Archive& archive, Command& command) {
+  archive.field("control", command.control);
+  archive.field("height_tolerance", command.tolerance);
+  archive.field("most_corrections", command.most_corrections);
+  archive.field("fans", command.layers.fans);
+  archive.field("fan_threshold", command.layers.fan_threshold);
+  archive.field("fan_angle", command.layers.fan_angle);
+  archive.field("clearance", command.layers.clearance);
+  archive.field("crossing", command.layers.crossing);
+  archive.field("steepest", command.layers.steepest);
+  smoothing_of(archive, command);
+}
+
+LayerWall read_wall(const json& value, const std::string& path) {
+  ObjectReader reader(value, path);
+  LayerWall wall;
+  reader.required("markers", wall.markers);
+  spacing_fields(reader, wall.spacing);
+  if (reader.has("total")) reader.required("total", wall.spacing.total.emplace());
+  reader.finish();
+  return wall;
+}
+
+LayersCommand read_layers(ObjectReader& reader) {
+  LayersCommand command;
+  const json& walls = reader.at("walls");
+  const std::string path = reader.path_of("walls");
+  if (!walls.is_array() || walls.empty()) throw JsonValueError(path, "expected a list of walls");
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    command.layers.walls.push_back(read_wall(walls[i], path + '[' + std::to_string(i) + ']'));
+  }
+  layer_fields(reader, command);
+  try {
+    validate(command.layers);
+  } catch (const UsageError& error) {
+    throw JsonValueError(reader.path(), error.what());
+  }
+  return command;
+}
+
 Command read_command(ObjectReader& reader, const std::filesystem::path& folder) {
   std::string name;
   reader.required("command", name);
@@ -189,9 +239,10 @@ Command read_command(ObjectReader& reader, const std::filesystem::path& folder) 
     return command;
   }
   if (name == "edit_vcv") return read_vcv_edits(reader);
+  if (name == "layers") return read_layers(reader);
   throw JsonValueError(reader.path_of("command"), "found \"" + name +
                                                       "\", expected one of smooth, move, deform, "
-                                                      "scramble, edit_vcv");
+                                                      "scramble, edit_vcv, layers");
 }
 
 void write_fields(ObjectWriter& writer, const SmoothCommand& command) {
@@ -228,6 +279,19 @@ void write_fields(ObjectWriter& writer, const EditVcvCommand& command) {
   }
   writer.required("nodes", nodes);
   smoothing_of(writer, command);
+}
+
+void write_fields(ObjectWriter& writer, const LayersCommand& command) {
+  json walls = json::array();
+  for (const LayerWall& wall : command.layers.walls) {
+    ObjectWriter item;
+    item.required("markers", wall.markers);
+    spacing_fields(item, wall.spacing);
+    if (wall.spacing.total) item.field("total", *wall.spacing.total);
+    walls.push_back(item.take());
+  }
+  writer.required("walls", walls);
+  layer_fields(writer, command);
 }
 
 }  // namespace

@@ -1,0 +1,158 @@
+#include "app/options/layer_flags.h"
+
+#include <cstdlib>
+
+#include "app/options/smooth_flags.h"
+#include "core/error.h"
+
+namespace winslow::app {
+
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (;;) {
+    const std::size_t end = text.find(separator, begin);
+    parts.push_back(text.substr(begin, end == std::string::npos ? end : end - begin));
+    if (end == std::string::npos) return parts;
+    begin = end + 1;
+  }
+}
+
+double parse_number(const std::string& text, const std::string& where) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0') {
+    throw UsageError("--wall " + where + ": found \"" + text + "\", expected a number");
+  }
+  return value;
+}
+
+void set(LayerSpacing& spacing, const std::string& setting, const std::string& where) {
+  const std::size_t equals = setting.find('=');
+  const std::string key = setting.substr(0, equals);
+  if (equals == std::string::npos) {
+    throw UsageError("--wall " + where + ": found \"" + setting + "\", expected KEY=NUMBER");
+  }
+  const double value = parse_number(setting.substr(equals + 1), where);
+  if (key == "count") {
+    spacing.count = static_cast<int>(value);
+    if (spacing.count != value) {
+      throw UsageError("--wall " + where + ": the number of layers must be whole");
+    }
+  } else if (key == "first") {
+    spacing.first = value;
+  } else if (key == "ratio") {
+    spacing.ratio = value;
+  } else if (key == "growth") {
+    spacing.growth = value;
+  } else if (key == "total") {
+    spacing.total = value;
+  } else {
+    throw UsageError("--wall " + where + ": found \"" + key +
+                     "\", expected one of count, first, ratio, growth, total");
+  }
+}
+
+}  // namespace
+
+LayerWall parse_wall(const std::string& text, const LayerSpacing& common) {
+  // A marker's name may hold a colon; settings hold none.
+  const std::size_t colon = text.rfind(':');
+  LayerWall wall{split(text.substr(0, colon), ','), common};
+  if (colon != std::string::npos) {
+    for (const std::string& setting : split(text.substr(colon + 1), ',')) {
+      set(wall.spacing, setting, text);
+    }
+  }
+  return wall;
+}
+
+void LayerFlags::declare(CLI::App& app) {
+  app.add_option("--marker", markers_, "Wall to insert layers at; may be given several times")
+      ->type_name("NAME")
+      ->group("Layers");
+  app.add_option(
+         "--wall", walls_,
+         "Wall with settings of its own, e.g. flap:count=20,first=2e-5 (keys: count, first, "
+         "ratio, growth, total); may be given several times")
+      ->type_name("NAME[,NAME]:KEY=NUMBER,...")
+      ->group("Layers");
+  declare_spacing(app);
+  declare_corners(app);
+}
+
+void LayerFlags::declare_spacing(CLI::App& app) {
+  app.add_option("--count", spacing_.count, "Number of layers")
+      ->option_text("N [15]")
+      ->group("Layers");
+  CLI::Option* first = app.add_option("--first", spacing_.first,
+                                      "Height of the layer at the wall, units of the mesh")
+                           ->option_text("HEIGHT [0.001]")
+                           ->group("Layers");
+  app.add_option("--ratio", spacing_.ratio, "Of the second height to the first")
+      ->option_text("RATIO [1.15]")
+      ->group("Layers");
+  app.add_option("--growth", spacing_.growth, "Of the ratio, from layer to layer")
+      ->option_text("FACTOR [1.01]")
+      ->group("Layers");
+  CLI::Option* total =
+      app.add_option("--total", spacing_.total, "Thickness of all layers; gives the ratio")
+          ->option_text("THICKNESS")
+          ->group("Layers");
+  app.add_flag("--match-outside", spacing_.match_outside,
+               "As many layers as it takes until the last is as high as the elements outside")
+      ->excludes(total)
+      ->group("Layers");
+  CLI::Option* reynolds = app.add_option("--reynolds", reynolds_,
+                                         "Reynolds number of the reference length, for --y-plus")
+                              ->option_text("RE")
+                              ->group("Layers");
+  app.add_option("--y-plus", y_plus_,
+                 "Wanted y+ of the first node: gives --first by the turbulent friction of a flat "
+                 "plate (White, Fluid Mechanics: 0.026 / Re^(1/7))")
+      ->option_text("Y+")
+      ->needs(reynolds)
+      ->excludes(first)
+      ->group("Layers");
+  app.add_option("--reference-length", length_, "Reference length (chord), units of the mesh")
+      ->option_text("LENGTH [1]")
+      ->needs(reynolds)
+      ->group("Layers");
+}
+
+void LayerFlags::declare_corners(CLI::App& app) {
+  app.add_flag_callback(
+         "--no-fans", [this] { corners_.fans = false; },
+         "One column at sharp convex corners, too, instead of a fan")
+      ->group("Corners and gaps");
+  app.add_option("--fan-threshold", corners_.fan_threshold,
+                 "Turning of the wall from which a corner gets a fan, degrees")
+      ->option_text("DEG [60]")
+      ->group("Corners and gaps");
+  app.add_option("--fan-angle", corners_.fan_angle, "Between the columns of a fan, degrees")
+      ->option_text("DEG [40]")
+      ->group("Corners and gaps");
+  app.add_option("--clearance", corners_.clearance,
+                 "Share of a gap's width that the layers of either side may take, below 0.5")
+      ->option_text("SHARE [0.35]")
+      ->group("Corners and gaps");
+  app.add_option("--steepest", corners_.steepest,
+                 "Change of thickness along the wall, per length of wall")
+      ->option_text("SLOPE [0.5]")
+      ->group("Corners and gaps");
+}
+
+LayerOptions LayerFlags::options() const {
+  LayerSpacing common = spacing_;
+  if (y_plus_) common.first = first_height_for_y_plus(*y_plus_, reynolds_.value_or(0), length_);
+  LayerOptions options = corners_;
+  if (!markers_.empty()) options.walls.push_back({markers_, common});
+  for (const std::string& text : walls_) options.walls.push_back(parse_wall(text, common));
+  if (options.walls.empty()) throw UsageError("no wall is given: use --marker NAME or --wall");
+  validate(options);
+  return options;
+}
+
+}  // namespace winslow::app

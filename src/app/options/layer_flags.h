@@ -1,0 +1,35 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/layers/layer_plan.h"
+
+namespace winslow::app {
+
+/// The options that say where layers go and how high they are.
+class LayerFlags {
+ public:
+  /// Declares --marker, --wall, --count, --first, ... This object must outlive the parsing.
+  void declare(CLI::App& app);
+  /// What was asked for. Throws UsageError.
+  LayerOptions options() const;
+
+ private:
+  void declare_spacing(CLI::App& app);
+  void declare_corners(CLI::App& app);
+
+  std::vector<std::string> markers_, walls_;
+  LayerSpacing spacing_;
+  std::optional<double> y_plus_, reynolds_;
+  double length_ = 1;
+  LayerOptions corners_;
+};
+
+/// "NAME[,NAME]:count=20,first=1e-5,...", what is not said as in `common`. Keys are those of
+/// LayerSpacing: count, first, ratio, growth, total. Throws UsageError.
+LayerWall parse_wall(const std::string& text, const LayerSpacing& common);
+
+}  // namespace winslow::app

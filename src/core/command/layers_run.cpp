@@ -1,0 +1,317 @@
+#include "core/command/layers_run.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/command/smooth_run.h"
+#include "core/error.h"
+#include "core/layers/layer_control.h"
+#include "core/layers/layer_insertion.h"
+#include "core/layers/layer_measures.h"
+#include "core/quality/quality.h"
+
+namespace winslow {
+
+namespace {
+
+/// Rims of layers on their way from the wall outwards.
+class RimMotion final : public Motion {
+ public:
+  /// From the share `begin` of the wanted thickness to all of it.
+  RimMotion(const LayerStack& stack, double begin) : stack_(stack), begin_(begin) {
+    for (const LayerColumn& column : stack_.columns) {
+      if (column.count() > 0) rims_.push_back({column.rim(), &column});
+    }
+    std::sort(rims_.begin(), rims_.end());
+    for (const auto& [node, column] : rims_) nodes_.push_back(node);
+  }
+
+  std::span<const Index> nodes() const override { return nodes_; }
+  void apply(const Coordinates& rest, double fraction, Coordinates& out) const override {
+    const double share = begin_ + (1 - begin_) * fraction;
+    for (const auto& [node, column] : rims_) {
+      const double length = share * column->thickness() * column->slant;
+      out.set_xy(node, rest.xy(column->wall_node) + length * column->direction);
+    }
+  }
+
+ private:
+  const LayerStack& stack_;
+  double begin_;
+  std::vector<std::pair<Index, const LayerColumn*>> rims_;
+  std::vector<Index> nodes_;
+};
+
+/// Hands iterations on with numbers that go on from those of earlier runs, and, while only the
+/// outside is smoothed, with the layers' nodes in their places.
+class RelayMonitor final : public SolverMonitor {
+ public:
+  explicit RelayMonitor(SolverMonitor* monitor) : monitor_(monitor) {}
+
+  void begin(int first, const LayerStack* fill) {
+    first_ = first;
+    fill_ = fill;
+  }
+  void on_topology(const std::shared_ptr<const Topology>& topology) override {
+    if (monitor_) monitor_->on_topology(topology);
+  }
+  bool on_iteration(const IterationRecord& record, const Coordinates& x) override {
+    if (!monitor_) return true;
+    IterationRecord numbered = record;
+    numbered.iteration += first_;
+    if (!fill_) return monitor_->on_iteration(numbered, x);
+    Coordinates filled = x;
+    for (const LayerColumn& column : fill_->columns) fill(column, filled);
+    return monitor_->on_iteration(numbered, filled);
+  }
+
+ private:
+  static void fill(const LayerColumn& column, Coordinates& x) {
+    const Vec2 wall = x.xy(column.wall_node), rim = x.xy(column.rim());
+    const double thickness = column.thickness();
+    double height = 0;
+    for (std::size_t k = 0; k + 1 < column.count(); ++k) {
+      height += column.heights[k];
+      x.set_xy(column.nodes[k + 1], wall + (height / thickness) * (rim - wall));
+    }
+  }
+
+  SolverMonitor* monitor_;
+  int first_ = 0;
+  const LayerStack* fill_ = nullptr;
+};
+
+/// What a run ended with.
+void take_outcome(SmoothResult& all, const SmoothResult& run) {
+  all.converged = run.converged;
+  all.residual = run.residual;
+  all.inverted = run.inverted;
+  all.out_of_iterations = run.out_of_iterations;
+  all.linear_solver = run.linear_solver;
+}
+
+/// How another run went, after those before it.
+void append(SmoothResult& all, SmoothResult more) {
+  for (IterationRecord& record : more.history) record.iteration += all.outer_iterations;
+  all.history.insert(all.history.end(), more.history.begin(), more.history.end());
+  all.outer_iterations += more.outer_iterations;
+  all.linear_solves += more.linear_solves;
+  take_outcome(all, more);
+}
+
+/// Smoothing runs that belong together.
+class Runs {
+ public:
+  explicit Runs(const ExecuteOptions& run, SmoothResult& result)
+      : relay_(run.monitor), options_(run), result_(result) {
+    options_.monitor = &relay_;
+    options_.start = nullptr;
+  }
+
+  /// Iterations are of this mesh from here on.
+  void show(const std::shared_ptr<const Topology>& topology) { relay_.on_topology(topology); }
+
+  SmoothResult smooth(const MeshState& state, const SmoothOptions& smooth, Coordinates& x) {
+    relay_.begin(result_.outer_iterations, nullptr);
+    SmoothResult result = smooth_interior(state, smooth, x, options_);
+    append(result_, result);
+    return result;
+  }
+
+  /// The share of the motion that was reached.
+  double open(const MeshState& outside, const LayerStack& stack, const Motion& motion,
+              const SmoothOptions& smooth, Coordinates& x) {
+    relay_.begin(result_.outer_iterations, &stack);
+    ExecuteOptions own = options_;
+    own.workspace = nullptr;  // another connectivity, for once
+    SmoothResult result = smooth_motion(outside, motion, {}, smooth, x, own);
+    const double reached = result.fraction_reached;
+    append(result_, std::move(result));
+    return reached;
+  }
+
+  /// The last run is not used: an earlier one is what counts.
+  void fall_back_to(const SmoothResult& run) { take_outcome(result_, run); }
+
+ private:
+  RelayMonitor relay_;
+  ExecuteOptions options_;
+  SmoothResult& result_;
+};
+
+bool corner_valid(const Vec2& p, const Vec2& next, const Vec2& previous) {
+  const Vec2 a = next - p, b = previous - p;
+  return a.x() * b.y() - a.y() * b.x() > 0;
+}
+
+/// Columns whose layers, laid out, have an inverted element between them.
+std::vector<std::size_t> crossing_columns(const LayerStack& stack, const Coordinates& x) {
+  const auto points = [&](const LayerColumn& column) {
+    std::vector<Vec2> all{x.xy(column.wall_node)};
+    for (std::size_t k = 0; k < column.count(); ++k) {
+      all.push_back(all.back() + wanted_length(column, k) * column.direction);
+    }
+    return all;
+  };
+  std::vector<std::size_t> crossing;
+  for (const ColumnPair& pair : stack.pairs) {
+    const auto a = points(stack.columns[pair.left]), b = points(stack.columns[pair.right]);
+    bool good = true;
+    for (std::size_t k = 0; k + 1 < std::max(a.size(), b.size()) && good; ++k) {
+      // At a shorter column's rim, and at the wall under a fan, the element is a triangle.
+      std::vector<Vec2> corners{a[std::min(k, a.size() - 1)], b[std::min(k, b.size() - 1)]};
+      if (corners[0] == corners[1]) corners.pop_back();
+      if (k + 1 < b.size()) corners.push_back(b[k + 1]);
+      if (k + 1 < a.size()) corners.push_back(a[k + 1]);
+      const std::size_t n = corners.size();
+      for (std::size_t c = 0; c < n; ++c) {
+        good = good && corner_valid(corners[c], corners[(c + 1) % n], corners[(c + n - 1) % n]);
+      }
+    }
+    if (good) continue;
+    crossing.push_back(pair.left);
+    crossing.push_back(pair.right);
+  }
+  std::sort(crossing.begin(), crossing.end());
+  crossing.erase(std::unique(crossing.begin(), crossing.end()), crossing.end());
+  return crossing;
+}
+
+/// A plan whose columns do not cross.
+LayerStack sound_plan(const Mesh& mesh, const LayerOptions& options) {
+  constexpr int most_rounds = 60;
+  LayerStack stack = plan_layers(mesh, options);
+  for (int round = 0; round < most_rounds; ++round) {
+    const auto crossing = crossing_columns(stack, mesh.coordinates);
+    if (crossing.empty()) break;
+    take_room(stack, crossing, 0.8, LayerLimit::crossing, options, mesh.coordinates);
+  }
+  return stack;
+}
+
+/// The largest of a falling sequence of shares of the thickness at which the elements outside are
+/// valid without any of them being moved; 0 if there is none.
+double first_share(const LayerInsertion& layers, const Coordinates& rest, Coordinates& x) {
+  constexpr double least = 1e-9;
+  for (double share = 1; share > least; share *= 0.5) {
+    x = rest;
+    RimMotion(layers.stack, share).apply(rest, 0, x);
+    if (check_validity(*layers.outside, x).inverted == 0) return share;
+  }
+  return 0;
+}
+
+/// Layers in a mesh where the elements outside have made room for them.
+LayerInsertion make_room(const LayersCommand& command, const MeshState& state, Runs& runs) {
+  const LayerOptions options = with_counts(command.layers, state.mesh);
+  LayerStack plan = sound_plan(state.mesh, options);
+  SmoothOptions smooth;  // only valid meshes on the way count: the default, whatever was asked for
+  smooth.threads = command.smooth.threads;
+  smooth.linear = command.smooth.linear;
+  smooth.tolerance = 1e-3;
+  constexpr int most_attempts = 6;
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    LayerInsertion layers = insert_layers(state.mesh, plan);
+    runs.show(layers.mesh.topology);
+    const Coordinates rest = layers.mesh.coordinates;
+    Coordinates x;
+    const double begin = first_share(layers, rest, x);
+    if (begin == 0) break;
+    double reached = 1;
+    if (begin < 1) {
+      const MeshState outside = make_state({layers.outside, x});
+      reached = begin + (1 - begin) * runs.open(outside, layers.stack,
+                                                RimMotion(layers.stack, begin), smooth, x);
+    }
+    if (reached >= 1) {
+      lay_out(layers.stack, 1, x);
+      layers.mesh.coordinates = std::move(x);
+      return layers;
+    }
+    std::vector<std::size_t> all(plan.columns.size());
+    for (std::size_t c = 0; c < all.size(); ++c) all[c] = c;
+    take_room(plan, all, 0.95 * reached, LayerLimit::room, options, state.mesh.coordinates);
+  }
+  throw NumericError("the elements outside cannot be pushed away to make room for the layers");
+}
+
+/// Smooths towards the wanted heights and corrects the VCVs until they are met. On return the state
+/// is the best one.
+void control_spacing(MeshState& state, const SmoothOptions& smooth, double tolerance, int most,
+                     bool smooth_first, const SmoothResult& so_far, Runs& runs) {
+  LayerStack stack = *state.layers;
+  const auto error = [&](const Coordinates& x) {
+    return measure_layers(stack, x).spacing_error.max;
+  };
+  Coordinates x = state.mesh.coordinates;
+  const std::shared_ptr<const VirtualControlVolumes> base = state.vcv;
+  SmoothResult outcome;  // of the last run
+  take_outcome(outcome, so_far);
+  const auto smooth_towards = [&] {
+    MeshState target{{state.mesh.topology, x}, layer_vcvs(state.mesh.topology, stack, *base, x)};
+    outcome = runs.smooth(target, smooth, x);
+    return target.vcv;
+  };
+  const auto good = [&] { return outcome.converged && outcome.inverted == 0; };
+  const auto keep = [&](const std::shared_ptr<const VirtualControlVolumes>& vcv) {
+    state.vcv = vcv;
+    state.mesh.coordinates = x;
+    state.layers = std::make_shared<const LayerStack>(stack);
+  };
+  if (smooth_first) {
+    keep(smooth_towards());
+    if (!good()) return;
+  }
+  double best = error(x);
+  for (int k = 0; k < most && best > tolerance; ++k) {
+    const SmoothResult before = outcome;
+    correct_layers(stack, x);
+    const auto vcv = smooth_towards();
+    const double now = error(x);
+    if (!good() || now >= best) {
+      runs.fall_back_to(before);
+      return;
+    }
+    keep(vcv);
+    const bool worthwhile = now < 0.9 * best;
+    best = now;
+    if (!worthwhile) return;
+  }
+}
+
+}  // namespace
+
+CommandResult insert_layers_and_smooth(const LayersCommand& command, const MeshState& state,
+                                       const ExecuteOptions& run) {
+  if (check_validity(*state.mesh.topology, state.mesh.coordinates).inverted > 0) {
+    throw UsageError("the mesh has inverted elements; smooth it before layers are inserted");
+  }
+  if (!(command.tolerance > 0)) throw UsageError("the tolerance of the heights must be positive");
+  CommandResult result{state, {}};
+  Runs runs(run, result.smooth);
+  LayerInsertion layers = make_room(command, state, runs);
+  result.state.mesh = std::move(layers.mesh);
+  layers.stack.held = command.control;
+  result.state.layers = std::make_shared<const LayerStack>(std::move(layers.stack));
+  if (command.control) {
+    control_spacing(result.state, command.smooth, command.tolerance, command.most_corrections, true,
+                    result.smooth, runs);
+  } else {
+    result.state.vcv = std::make_shared<const VirtualControlVolumes>(result.state.mesh.topology);
+    runs.smooth(result.state, command.smooth, result.state.mesh.coordinates);
+  }
+  return result;
+}
+
+CommandResult hold_spacing(CommandResult result, const SmoothOptions& smooth,
+                           const ExecuteOptions& run) {
+  constexpr double tolerance = 5e-3;
+  constexpr int most = 5;
+  if (result.smooth.inverted > 0 || !result.smooth.converged) return result;
+  Runs runs(run, result.smooth);
+  control_spacing(result.state, smooth, tolerance, most, false, result.smooth, runs);
+  return result;
+}
+
+}  // namespace winslow

@@ -1,0 +1,180 @@
+#include "core/layers/layer_control.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace winslow {
+
+namespace {
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+double angle_between(const Vec2& a, const Vec2& b) {
+  return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
+}
+
+/// Scales angles to fill the circle, none of them nearly straight.
+void fill_circle(std::vector<double>& angles) {
+  constexpr double most = 0.9 * pi;
+  const double scale = 2 * pi / std::accumulate(angles.begin(), angles.end(), 0.0);
+  double above = 0, below = 0;
+  for (double& angle : angles) {
+    angle *= scale;
+    if (angle > most) {
+      above += angle - most;
+      angle = most;
+    } else {
+      below += angle;
+    }
+  }
+  if (above == 0) return;
+  for (double& angle : angles) {
+    if (angle < most) angle *= 1 + above / below;
+  }
+}
+
+/// Which column each node belongs to (#nodes), -1 for none; wall nodes to none, either.
+std::vector<Index> columns_of_nodes(const Topology& topology, const LayerStack& stack) {
+  std::vector<Index> columns(at(topology.node_count()), -1);
+  for (std::size_t c = 0; c < stack.columns.size(); ++c) {
+    const auto& nodes = stack.columns[c].nodes;
+    for (std::size_t k = 1; k < nodes.size(); ++k) columns[at(nodes[k])] = static_cast<Index>(c);
+  }
+  return columns;
+}
+
+/// Angles and lengths of the VCVs of layers' nodes.
+class Stencils {
+ public:
+  Stencils(const Topology& topology, const LayerStack& stack, const Coordinates& x)
+      : topology_(topology),
+        stack_(stack),
+        straight_(straight_columns(stack, x)),
+        columns_(columns_of_nodes(topology, stack)) {}
+
+  /// Right angles at quadrilaterals between columns that stand side by side; in fans and in
+  /// triangles the angles of straight columns. What is left belongs to the elements outside.
+  std::vector<double> angles(Index node) const {
+    const auto row = topology_.neighbours(node);
+    const auto star = topology_.star(node);
+    std::vector<double> angles;
+    double inside = 0;
+    std::size_t outside = 0;
+    for (std::size_t k = 0; k < star.size(); ++k) {
+      const Index a = row[k], b = row[(k + 1) % row.size()];
+      double angle = 0;
+      if (!in_layers(k, star)) {
+        ++outside;
+      } else if (topology_.element_type(star[k]) == ElementType::quadrilateral &&
+                 !in_fan(node, a) && !in_fan(node, b)) {
+        angle = pi / 2;
+      } else {
+        const Vec2 p = straight_.xy(node);
+        angle = angle_between(straight_.xy(a) - p, straight_.xy(b) - p);
+      }
+      inside += angle;
+      angles.push_back(angle);
+    }
+    if (outside > 0) {
+      constexpr double least = pi / 6;
+      const double share = std::max(least, (2 * pi - inside) / static_cast<double>(outside));
+      std::replace(angles.begin(), angles.end(), 0.0, share);
+    }
+    fill_circle(angles);
+    return angles;
+  }
+
+  /// Of the node at a level (1: above the wall) of a column. Edges to the elements outside are as
+  /// long as those along the rim.
+  std::vector<double> lengths(const LayerColumn& column, std::size_t level) const {
+    const Index node = column.nodes[level];
+    const auto row = topology_.neighbours(node);
+    const auto star = topology_.star(node);
+    std::vector<double> lengths;
+    double sideways = 0;
+    int sides = 0;
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      double length = 0;
+      if (row[k] == column.nodes[level - 1]) {
+        length = height(column, level - 1);
+      } else if (level < column.count() && row[k] == column.nodes[level + 1]) {
+        length = height(column, level);
+      } else if (in_layers(k, star) || in_layers(k + star.size() - 1, star)) {
+        length = (straight_.xy(row[k]) - straight_.xy(node)).norm();
+        sideways += length;
+        ++sides;
+      }
+      lengths.push_back(length);
+    }
+    std::replace(lengths.begin(), lengths.end(), 0.0, sides > 0 ? sideways / sides : 1.0);
+    return lengths;
+  }
+
+ private:
+  bool in_layers(std::size_t k, std::span<const Index> star) const {
+    return stack_.layer_of_element[at(star[k % star.size()])] >= 0;
+  }
+  /// Two nodes of different columns above one wall node.
+  bool in_fan(Index node, Index other) const {
+    const Index a = columns_[at(node)], b = columns_[at(other)];
+    return a >= 0 && b >= 0 && a != b &&
+           stack_.columns[at(a)].wall_node == stack_.columns[at(b)].wall_node;
+  }
+  static double height(const LayerColumn& column, std::size_t layer) {
+    return wanted_length(column, layer) *
+           (column.corrections.empty() ? 1 : column.corrections[layer]);
+  }
+
+  const Topology& topology_;
+  const LayerStack& stack_;
+  Coordinates straight_;
+  std::vector<Index> columns_;
+};
+
+/// How much more the shape of an element of layers counts than that of one outside. All count
+/// relative to their size, so the elements outside, pressed together to make room, would otherwise
+/// press the layers by about as much and turn the columns of fans; this leaves a thousandth of it
+/// to the corrections.
+constexpr double stiffness = 1000;
+
+std::shared_ptr<const std::vector<double>> element_weights(const LayerStack& stack) {
+  auto weights = std::make_shared<std::vector<double>>();
+  for (const int layer : stack.layer_of_element) weights->push_back(layer < 0 ? 1 : stiffness);
+  return weights;
+}
+
+}  // namespace
+
+std::shared_ptr<const VirtualControlVolumes> layer_vcvs(
+    const std::shared_ptr<const Topology>& topology, const LayerStack& stack,
+    const VirtualControlVolumes& base, const Coordinates& x) {
+  VirtualControlVolumes vcv(topology);
+  for (const auto& [node, stencil] : base.edits()) {
+    if (node >= topology->node_count() || topology->constrained(node)) continue;
+    if (topology->neighbours(node).size() != stencil.angles.size()) continue;
+    vcv.set(node, stencil.angles, stencil.lengths);
+  }
+  const Stencils stencils(*topology, stack, x);
+  for (const LayerColumn& column : stack.columns) {
+    for (std::size_t k = 1; k < column.nodes.size(); ++k) {
+      const Index node = column.nodes[k];
+      if (topology->constrained(node)) continue;
+      vcv.set(node, stencils.angles(node), stencils.lengths(column, k));
+    }
+  }
+  vcv.set_weights(element_weights(stack));
+  return std::make_shared<const VirtualControlVolumes>(std::move(vcv));
+}
+
+void correct_layers(LayerStack& stack, const Coordinates& x) {
+  for (LayerColumn& column : stack.columns) {
+    column.corrections.resize(column.count(), 1.0);
+    for (std::size_t k = 0; k < column.count(); ++k) {
+      const double realised = (x.xy(column.nodes[k + 1]) - x.xy(column.nodes[k])).norm();
+      column.corrections[k] *= wanted_length(column, k) / realised;
+    }
+  }
+}
+
+}  // namespace winslow

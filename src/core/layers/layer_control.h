@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+
+#include "core/layers/layer_stack.h"
+#include "core/vcv/virtual_control_volumes.h"
+
+namespace winslow {
+
+/// VCVs that control the spacing of layers (AIAA 2009-1362: "the edge lengths of the corresponding
+/// computational stencils were modified to reflect the new distribution").
+///
+/// All edges of the VCVs of nodes in layers are lengths in the mesh, in one unit: along columns the
+/// wanted height of the layer times its correction, sideways the distance that straight columns
+/// have there. Corners of quadrilaterals have right angles; in fans and triangles the angles are
+/// those of straight columns; at the rim the elements outside share what is left of the circle.
+/// Elements of layers have a weight of a thousand.
+///
+/// base: of this topology, or of the one before the layers were inserted; nodes outside the layers
+/// keep its VCVs. x (#nodes by 2): gives the walls on which the columns stand.
+std::shared_ptr<const VirtualControlVolumes> layer_vcvs(
+    const std::shared_ptr<const Topology>& topology, const LayerStack& stack,
+    const VirtualControlVolumes& base, const Coordinates& x);
+
+/// Multiplies the corrections of all layers by their wanted height over the one that they have.
+void correct_layers(LayerStack& stack, const Coordinates& x);
+
+}  // namespace winslow

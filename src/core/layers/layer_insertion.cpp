@@ -1,0 +1,252 @@
+#include "core/layers/layer_insertion.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "core/error.h"
+
+namespace winslow {
+
+namespace {
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+/// Where the columns of one wall node stand in the list, in the order along the wall.
+struct Fan {
+  std::size_t first = 0, last = 0;
+  /// Between column first + k and the next one: the place among the node's neighbours at which its
+  /// star is split.
+  std::vector<Index> spokes;
+};
+
+class Inserter {
+ public:
+  Inserter(const Mesh& mesh, LayerStack plan)
+      : old_(mesh), topology_(*mesh.topology), stack_(std::move(plan)) {}
+
+  LayerInsertion insert() {
+    number_nodes();
+    find_fans();
+    LayerInsertion result;
+    add_old_elements();
+    add_fan_triangles();
+    const Index outside_count = data_.element_count();
+    data_.regions = topology_.regions();
+    move_markers();
+    MeshData outside = outside_data();
+    for (const ColumnPair& pair : stack_.pairs) add_cells(pair);
+    stack_.layer_of_element.assign(at(outside_count), -1);
+    stack_.layer_of_element.insert(stack_.layer_of_element.end(), layers_.begin(), layers_.end());
+
+    result.outside = Topology::build(outside);
+    result.mesh.topology = Topology::build(data_);
+    result.mesh.coordinates = data_.coordinates;
+    lay_out(stack_, 1, result.mesh.coordinates);
+    result.stack = std::move(stack_);
+    return result;
+  }
+
+ private:
+  void number_nodes() {
+    data_.coordinates = old_.coordinates;
+    bool any = false;
+    for (LayerColumn& column : stack_.columns) {
+      const Vec2 wall = old_.coordinates.xy(column.wall_node);
+      column.nodes = {column.wall_node};
+      for (std::size_t k = 0; k < column.count(); ++k) {
+        column.nodes.push_back(data_.coordinates.size());
+        data_.coordinates.push_xy(wall);
+      }
+      any = any || column.count() > 0;
+    }
+    if (!any) throw UsageError("there is no room for layers at any of the walls");
+  }
+
+  void find_fans() {
+    for (std::size_t c = 0; c < stack_.columns.size(); ++c) {
+      const auto [it, fresh] = fans_.try_emplace(stack_.columns[c].wall_node, Fan{c, c, {}});
+      if (!fresh) it->second.last = c;
+    }
+    for (auto& [node, fan] : fans_) {
+      for (std::size_t c = fan.first; c < fan.last; ++c) {
+        const Vec2 between = stack_.columns[c].direction + stack_.columns[c + 1].direction;
+        fan.spokes.push_back(spoke_towards(node, between));
+      }
+    }
+  }
+
+  /// The inner edge of a wall node that points most nearly in a direction.
+  Index spoke_towards(Index node, const Vec2& direction) const {
+    const auto row = topology_.neighbours(node);
+    Index best = 1;
+    double most = -2;
+    for (std::size_t k = 1; k + 1 < row.size(); ++k) {
+      const Vec2 edge = old_.coordinates.xy(row[k]) - old_.coordinates.xy(node);
+      const double cosine = edge.dot(direction) / (edge.norm() * direction.norm());
+      if (cosine <= most) continue;
+      most = cosine;
+      best = static_cast<Index>(k);
+    }
+    return best;
+  }
+
+  /// What stands in for a node in an element outside: the rim of the column in whose sector the
+  /// element lies.
+  Index stand_in(Index node, Index element) const {
+    const auto it = fans_.find(node);
+    if (it == fans_.end()) return node;
+    const Fan& fan = it->second;
+    std::size_t column = fan.last;
+    if (!fan.spokes.empty()) {
+      const auto star = topology_.star(node);
+      const auto k =
+          static_cast<Index>(std::find(star.begin(), star.end(), element) - star.begin());
+      // Stars go counter-clockwise, from the next wall node to the previous one.
+      for (const Index spoke : fan.spokes) column -= spoke <= k ? 1 : 0;
+    }
+    return stack_.columns[column].rim();
+  }
+
+  void add_element(std::span<const Index> corners, Index region) {
+    data_.add_element(corners.size() == 3 ? ElementType::triangle : ElementType::quadrilateral,
+                      corners);
+    if (!topology_.element_regions().empty()) data_.element_region.push_back(region);
+  }
+  Index region_of(Index element) const {
+    return topology_.element_regions().empty() ? -1 : topology_.element_regions()[at(element)];
+  }
+
+  void add_old_elements() {
+    std::vector<Index> corners;
+    for (Index e = 0; e < topology_.element_count(); ++e) {
+      corners.clear();
+      for (const Index node : topology_.element(e)) corners.push_back(stand_in(node, e));
+      add_element(corners, region_of(e));
+    }
+  }
+
+  void add_fan_triangles() {
+    for (const auto& [node, fan] : fans_) {
+      for (std::size_t k = 0; k < fan.spokes.size(); ++k) {
+        const Index left = stack_.columns[fan.first + k].rim();
+        const Index right = stack_.columns[fan.first + k + 1].rim();
+        const Index spoke = topology_.neighbours(node)[at(fan.spokes[k])];
+        const std::array<Index, 3> corners{left, right, far_end(spoke, node, fan.spokes[k])};
+        add_element(corners, region_of(topology_.star(node)[at(fan.spokes[k])]));
+      }
+    }
+  }
+
+  /// The other end of a split edge: a node that keeps its place, or, where the edge runs to another
+  /// wall, the rim there.
+  Index far_end(Index spoke, Index node, Index k) const {
+    return stand_in(spoke, topology_.star(node)[at(k)]);
+  }
+
+  /// The elements between two columns.
+  void add_cells(const ColumnPair& pair) {
+    const LayerColumn &a = stack_.columns[pair.left], &b = stack_.columns[pair.right];
+    const std::size_t both = std::min(a.count(), b.count());
+    const std::size_t most = std::max(a.count(), b.count());
+    const Index region = region_of(topology_.star(a.wall_node).front());
+    const auto add = [&](std::initializer_list<Index> corners, std::size_t layer) {
+      add_element(std::vector<Index>(corners), region);
+      layers_.push_back(static_cast<int>(layer));
+    };
+    for (std::size_t k = 0; k < both; ++k) {
+      if (a.nodes[k] == b.nodes[k]) {
+        add({a.nodes[k], b.nodes[k + 1], a.nodes[k + 1]}, k);
+      } else {
+        add({a.nodes[k], b.nodes[k], b.nodes[k + 1], a.nodes[k + 1]}, k);
+      }
+    }
+    for (std::size_t k = both; k < most; ++k) {
+      if (a.count() > b.count()) {
+        add({a.nodes[k], b.rim(), a.nodes[k + 1]}, k);
+      } else {
+        add({a.rim(), b.nodes[k], b.nodes[k + 1]}, k);
+      }
+    }
+  }
+
+  /// The boundary edge on which an end column lies is divided by the column's nodes.
+  void move_markers() {
+    std::map<std::array<Index, 2>, const LayerColumn*> divided;
+    for (const LayerColumn& column : stack_.columns) {
+      if (!column.along_boundary || column.count() == 0) continue;
+      const auto row = topology_.neighbours(column.wall_node);
+      // Of the two boundary edges at the end of a wall, the one that points along the column.
+      const Vec2 p = old_.coordinates.xy(column.wall_node);
+      const auto along = [&](Index node) {
+        return (old_.coordinates.xy(node) - p).normalized().dot(column.direction);
+      };
+      const Index other = along(row.front()) > along(row.back()) ? row.front() : row.back();
+      divided[{column.wall_node, other}] = &column;
+    }
+    if (!topology_.markers_from_file()) return;
+    for (Marker marker : topology_.markers()) {
+      std::vector<std::array<Index, 2>> edges;
+      for (const auto& [a, b] : marker.edges) {
+        if (const auto from_a = divided.find({a, b}); from_a != divided.end()) {
+          const auto& nodes = from_a->second->nodes;
+          for (std::size_t k = 0; k + 1 < nodes.size(); ++k)
+            edges.push_back({nodes[k], nodes[k + 1]});
+          edges.push_back({nodes.back(), b});
+        } else if (const auto from_b = divided.find({b, a}); from_b != divided.end()) {
+          const auto& nodes = from_b->second->nodes;
+          edges.push_back({a, nodes.back()});
+          for (std::size_t k = nodes.size() - 1; k > 0; --k)
+            edges.push_back({nodes[k], nodes[k - 1]});
+        } else {
+          edges.push_back({a, b});
+        }
+      }
+      marker.edges = std::move(edges);
+      data_.markers.push_back(std::move(marker));
+    }
+  }
+
+  /// The elements so far, with those marker edges that are theirs and lie inside: nodes on them are
+  /// held there, too.
+  MeshData outside_data() const {
+    MeshData outside = data_;
+    outside.markers.clear();
+    outside.regions.clear();
+    outside.element_region.clear();
+    Marker inside{"inside", 1, {}};
+    for (const Topology::Edge& edge : topology_.edges()) {
+      const auto [a, b] = edge.nodes;
+      if (edge.elements[1] < 0 || !topology_.constrained(a) || !topology_.constrained(b)) continue;
+      if (fans_.contains(a) || fans_.contains(b) || !on_marker(a, b)) continue;
+      inside.edges.push_back({a, b});
+    }
+    if (!inside.edges.empty()) outside.markers.push_back(std::move(inside));
+    return outside;
+  }
+
+  bool on_marker(Index a, Index b) const {
+    return std::any_of(topology_.markers().begin(), topology_.markers().end(),
+                       [&](const Marker& m) {
+                         return std::any_of(m.edges.begin(), m.edges.end(), [&](const auto& edge) {
+                           return (edge[0] == a && edge[1] == b) || (edge[0] == b && edge[1] == a);
+                         });
+                       });
+  }
+
+  const Mesh& old_;
+  const Topology& topology_;
+  LayerStack stack_;
+  std::map<Index, Fan> fans_;  // of all wall nodes
+  MeshData data_;
+  std::vector<int> layers_;  // of the elements that add_cells adds
+};
+
+}  // namespace
+
+LayerInsertion insert_layers(const Mesh& mesh, LayerStack plan) {
+  return Inserter(mesh, std::move(plan)).insert();
+}
+
+}  // namespace winslow

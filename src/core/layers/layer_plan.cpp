@@ -1,0 +1,318 @@
+#include "core/layers/layer_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/layers/clearance.h"
+#include "core/layers/wall_chain.h"
+
+namespace winslow {
+
+namespace {
+
+/// What a column of layers is to be before room is looked at.
+struct Wish {
+  double first = 0, thickness = 0;
+  int wall = 0;
+};
+
+/// Plans one chain: its columns, in order, behind those of the chains before.
+class ChainPlanner {
+ public:
+  ChainPlanner(const Mesh& mesh, const LayerOptions& options, const WallChain& chain)
+      : mesh_(mesh), options_(options), chain_(chain) {}
+
+  void plan(LayerStack& stack) {
+    make_wishes();
+    const std::size_t first = stack.columns.size();
+    for (std::size_t i = 0; i < chain_.nodes.size(); ++i) add_columns(i, stack);
+    for (std::size_t c = first; c + 1 < stack.columns.size(); ++c) {
+      stack.pairs.push_back({c, c + 1});
+    }
+    if (chain_.closed) stack.pairs.push_back({stack.columns.size() - 1, first});
+  }
+
+ private:
+  Vec2 at(Index node) const { return mesh_.coordinates.xy(node); }
+  Index previous(std::size_t i) const {
+    if (i > 0) return chain_.nodes[i - 1];
+    return chain_.closed ? chain_.nodes.back() : chain_.before;
+  }
+  Index next(std::size_t i) const {
+    if (i + 1 < chain_.nodes.size()) return chain_.nodes[i + 1];
+    return chain_.closed ? chain_.nodes.front() : chain_.after;
+  }
+  bool is_end(std::size_t i) const {
+    return !chain_.closed && (i == 0 || i + 1 == chain_.nodes.size());
+  }
+
+  /// Length of wall at a node: the mean of its edges that belong to the chain.
+  double spacing_at(std::size_t i) const {
+    const Vec2 p = at(chain_.nodes[i]);
+    const double back = (p - at(previous(i))).norm(), forth = (at(next(i)) - p).norm();
+    if (chain_.closed) return 0.5 * (back + forth);
+    if (i == 0) return forth;
+    return i + 1 == chain_.nodes.size() ? back : 0.5 * (back + forth);
+  }
+
+  Wish wish_of(int wall, std::size_t i) const {
+    const LayerSpacing& spacing = options_.walls[static_cast<std::size_t>(wall)].spacing;
+    Wish wish{spacing.first, 0, wall};
+    const auto heights = spacing.match_outside
+                             ? layer_heights_ending_with(spacing, std::sqrt(0.75) * spacing_at(i))
+                             : layer_heights(spacing);
+    for (const double h : heights) wish.thickness += h;
+    return wish;
+  }
+
+  /// Wishes of all nodes. Where two walls meet, heights go over into one another along the wall:
+  /// by diffusion of their logarithms, which leaves them as they are elsewhere.
+  void make_wishes() {
+    const std::size_t n = chain_.nodes.size();
+    const std::size_t edges = chain_.edge_count();
+    bool several = false;
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t after = std::min(i, edges - 1);
+      const std::size_t before = i > 0 ? i - 1 : (chain_.closed ? edges - 1 : 0);
+      const int a = static_cast<int>(chain_.wall[before]), b = static_cast<int>(chain_.wall[after]);
+      Wish wish = wish_of(a, i);
+      if (a != b) {
+        several = true;
+        const Wish other = wish_of(b, i);
+        const bool more = options_.walls[static_cast<std::size_t>(b)].spacing.count >
+                          options_.walls[static_cast<std::size_t>(a)].spacing.count;
+        wish = {std::sqrt(wish.first * other.first), std::sqrt(wish.thickness * other.thickness),
+                more ? b : a};
+      }
+      wishes_.push_back(wish);
+    }
+    if (several) blend();
+  }
+
+  void blend() {
+    constexpr int passes = 16;  // about 5 columns on either side
+    const std::size_t n = wishes_.size();
+    for (int pass = 0; pass < passes; ++pass) {
+      const std::vector<Wish> old = wishes_;
+      for (std::size_t i = 0; i < n; ++i) {
+        if (is_end(i)) continue;
+        const Wish &a = old[(i + n - 1) % n], &b = old[(i + 1) % n];
+        wishes_[i].first = std::pow(a.first * b.first, 0.25) * std::sqrt(old[i].first);
+        wishes_[i].thickness =
+            std::pow(a.thickness * b.thickness, 0.25) * std::sqrt(old[i].thickness);
+      }
+    }
+  }
+
+  void add_columns(std::size_t i, LayerStack& stack) const {
+    const Vec2 p = at(chain_.nodes[i]);
+    const Vec2 back = at(previous(i)) - p, forth = at(next(i)) - p;
+    LayerColumn column;
+    column.wall_node = chain_.nodes[i];
+    column.wall = wishes_[i].wall;
+    column.first = wishes_[i].first;
+    column.asked = column.room = wishes_[i].thickness;
+    const double angle = open_angle(back, forth);
+    if (is_end(i)) return add_end(angle, i == 0 ? back : forth, column, stack);
+
+    const double turning = angle - pi;  // convex positive
+    std::size_t count = 1;
+    if (options_.fans && turning > radians(options_.fan_threshold)) {
+      const long sectors = std::lround(turning / radians(options_.fan_angle));
+      count = static_cast<std::size_t>(std::max(1L, sectors)) + 1;
+    }
+    for (const ColumnStand& stand : stand_on(-back, forth, count)) {
+      column.direction = stand.direction;
+      column.slant = stand.slant;
+      stack.columns.push_back(column);
+    }
+  }
+
+  /// The column at an end of the wall lies on the boundary that follows, if that goes off upwards;
+  /// else the layers run out in a wedge.
+  static void add_end(double angle, const Vec2& other, LayerColumn column, LayerStack& stack) {
+    constexpr double most = 0.6;  // of the edge that it lies on
+    column.direction = other.normalized();
+    column.along_boundary = angle > radians(30) && angle < radians(150);
+    if (column.along_boundary) column.slant = 1 / std::sin(angle);
+    const double room = column.along_boundary ? most * other.norm() / column.slant : 0;
+    if (room < column.room) {
+      column.room = room;
+      column.limit = LayerLimit::end;
+    }
+    stack.columns.push_back(std::move(column));
+  }
+
+  const Mesh& mesh_;
+  const LayerOptions& options_;
+  const WallChain& chain_;
+  std::vector<Wish> wishes_;
+};
+
+/// Gives columns the room that there is. Every rule only takes room, so they can be applied again
+/// and again, in any order.
+class RoomKeeper {
+ public:
+  RoomKeeper(LayerStack& stack, const LayerOptions& options, const Coordinates& x)
+      : columns_(stack.columns), pairs_(stack.pairs), options_(options), x_(x) {}
+
+  /// Layers on both sides of a gap leave a part of it between them.
+  void keep_clear(const Topology& topology) {
+    double tallest = 0;
+    for (const LayerColumn& c : columns_) tallest = std::max(tallest, c.room * c.slant);
+    if (tallest == 0) return;
+    const Clearance clearance(topology, x_, tallest / (2 * options_.clearance));
+    for (LayerColumn& c : columns_) {
+      if (c.along_boundary) continue;
+      const double width = 2 * clearance.radius(c.wall_node, c.direction);
+      limit(c, options_.clearance * width / c.slant, LayerLimit::clearance);
+    }
+  }
+
+  /// Columns that lean towards one another leave a part of their wall edge between their tips, and
+  /// the change of thickness along the wall is gentle. One rule may call for the other.
+  void keep_gentle() {
+    constexpr int sweeps = 100;
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+      changed_ = false;
+      for (const ColumnPair& pair : pairs_) settle(columns_[pair.left], columns_[pair.right]);
+      for (auto pair = pairs_.rbegin(); pair != pairs_.rend(); ++pair) {
+        settle(columns_[pair->left], columns_[pair->right]);
+      }
+      if (!changed_) return;
+    }
+  }
+
+  /// Distributes the heights over the room.
+  void distribute() {
+    for (LayerColumn& c : columns_) {
+      LayerSpacing spacing = options_.walls[static_cast<std::size_t>(c.wall)].spacing;
+      spacing.first = c.first;
+      c.heights = layer_heights_within(spacing, c.room);
+    }
+  }
+
+ private:
+  void limit(LayerColumn& column, double room, LayerLimit reason) {
+    // A hair's breadth is no reason to go round again.
+    if (!(room < column.room * (1 - 1e-9))) return;
+    column.room = room;
+    column.limit = reason;
+    changed_ = true;
+  }
+
+  void settle(LayerColumn& a, LayerColumn& b) {
+    const Vec2 edge = x_.xy(b.wall_node) - x_.xy(a.wall_node);
+    const double length = edge.norm();
+    const double step = options_.steepest * length;  // none within a fan
+    limit(a, b.room + step, LayerLimit::neighbour);
+    limit(b, a.room + step, LayerLimit::neighbour);
+    if (length == 0) return;
+    // What each tip takes of the edge.
+    const double of_a = std::max(0.0, a.room * a.slant * a.direction.dot(edge) / length);
+    const double of_b = std::max(0.0, -b.room * b.slant * b.direction.dot(edge) / length);
+    const double most = (1 - options_.crossing) * length;
+    if (of_a + of_b <= most) return;
+    const double scale = most / (of_a + of_b);
+    if (of_a > 0) limit(a, a.room * scale, LayerLimit::crossing);
+    if (of_b > 0) limit(b, b.room * scale, LayerLimit::crossing);
+  }
+
+  std::vector<LayerColumn>& columns_;
+  const std::vector<ColumnPair>& pairs_;
+  const LayerOptions& options_;
+  const Coordinates& x_;
+  bool changed_ = false;
+};
+
+/// Columns of a fan that has no room for layers are one.
+void collapse_empty_fans(LayerStack& stack) {
+  for (std::size_t p = 0; p < stack.pairs.size();) {
+    const auto [left, right] = stack.pairs[p];
+    const LayerColumn &a = stack.columns[left], &b = stack.columns[right];
+    if (a.wall_node != b.wall_node || !a.heights.empty()) {
+      ++p;
+      continue;
+    }
+    stack.columns.erase(stack.columns.begin() + static_cast<std::ptrdiff_t>(right));
+    stack.pairs.erase(stack.pairs.begin() + static_cast<std::ptrdiff_t>(p));
+    for (ColumnPair& pair : stack.pairs) {
+      if (pair.left >= right) --pair.left;
+      if (pair.right >= right) --pair.right;
+    }
+  }
+}
+
+void require(bool good, const char* what) {
+  if (!good) throw UsageError(what);
+}
+
+}  // namespace
+
+LayerOptions with_counts(LayerOptions options, const Mesh& mesh) {
+  for (LayerWall& wall : options.walls) {
+    if (!wall.spacing.match_outside) continue;
+    std::vector<double> lengths;
+    for (const std::string& name : wall.markers) {
+      const auto marker = mesh.topology->find_marker(name);
+      if (!marker) continue;
+      for (const auto& [a, b] : mesh.topology->markers()[static_cast<std::size_t>(*marker)].edges) {
+        lengths.push_back((mesh.coordinates.xy(b) - mesh.coordinates.xy(a)).norm());
+      }
+    }
+    if (lengths.empty()) continue;
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    wall.spacing.count = layers_until(wall.spacing, std::sqrt(0.75) * *middle);
+  }
+  return options;
+}
+
+void validate(const LayerOptions& options) {
+  require(!options.walls.empty(), "no wall is given to insert layers at");
+  for (const LayerWall& wall : options.walls) {
+    require(!wall.markers.empty(), "a wall without markers");
+    validate(wall.spacing);
+  }
+  require(options.fan_threshold >= 10 && options.fan_threshold <= 180,
+          "the turning from which corners get a fan must be 10 to 180 degrees");
+  require(options.fan_angle >= 10 && options.fan_angle <= 90,
+          "the angle between the columns of a fan must be 10 to 90 degrees");
+  require(options.clearance > 0 && options.clearance < 0.5,
+          "the share of a gap for the layers of one side must be above 0 and below 0.5");
+  require(options.crossing > 0 && options.crossing < 1,
+          "the share of a wall edge that is left at the rim must be above 0 and below 1");
+  require(options.steepest > 0 && options.steepest <= 5,
+          "the steepest change of thickness must be above 0, and at most 5");
+}
+
+LayerStack plan_layers(const Mesh& mesh, const LayerOptions& given) {
+  validate(given);
+  const LayerOptions options = with_counts(given, mesh);
+  std::vector<std::vector<std::string>> walls;
+  for (const LayerWall& wall : options.walls) walls.push_back(wall.markers);
+  const std::vector<WallChain> chains = find_wall_chains(*mesh.topology, walls);
+  LayerStack stack;
+  for (const WallChain& chain : chains) ChainPlanner(mesh, options, chain).plan(stack);
+  RoomKeeper keeper(stack, options, mesh.coordinates);
+  keeper.keep_clear(*mesh.topology);
+  keeper.keep_gentle();
+  keeper.distribute();
+  collapse_empty_fans(stack);
+  return stack;
+}
+
+void take_room(LayerStack& stack, const std::vector<std::size_t>& columns, double factor,
+               LayerLimit limit, const LayerOptions& options, const Coordinates& x) {
+  for (const std::size_t c : columns) {
+    stack.columns[c].room *= factor;
+    stack.columns[c].limit = limit;
+  }
+  RoomKeeper keeper(stack, options, x);
+  keeper.keep_gentle();
+  keeper.distribute();
+  collapse_empty_fans(stack);
+}
+
+}  // namespace winslow

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/layers/layer_spacing.h"
+#include "core/layers/layer_stack.h"
+#include "core/mesh/mesh.h"
+
+namespace winslow {
+
+/// A wall and the layers that it is to have.
+struct LayerWall {
+  std::vector<std::string> markers;
+  LayerSpacing spacing;
+
+  bool operator==(const LayerWall&) const = default;
+};
+
+/// How layers go round corners and through gaps. The defaults need no touch.
+struct LayerOptions {
+  std::vector<LayerWall> walls;
+  bool fans = true;           ///< several columns at sharp convex corners
+  double fan_threshold = 60;  ///< turning of the wall from which there is a fan, degrees
+  double fan_angle = 40;      ///< between neighbouring columns of a fan, degrees
+  double clearance = 0.35;    ///< share of a gap's width that the layers of either side may take
+  double crossing = 0.35;     ///< share of a wall edge that has to be left of it at the rim
+  double steepest = 0.5;      ///< change of thickness along the wall, per length of wall
+
+  bool operator==(const LayerOptions&) const = default;
+};
+
+/// Throws UsageError naming the number that is out of range.
+void validate(const LayerOptions& options);
+
+/// The options with the number of layers that a match with the elements outside takes: as many as
+/// it is until the last layer is as high as the wall's edges (their median) are long.
+LayerOptions with_counts(LayerOptions options, const Mesh& mesh);
+
+/// Where columns will stand, in which direction, and how high each layer is to be; without nodes.
+/// Thickness is limited by the room there is: first heights stay as asked, the ratios give way.
+/// Throws UsageError: senseless options, an unknown marker, a marker inside the mesh.
+LayerStack plan_layers(const Mesh& mesh, const LayerOptions& options);
+
+/// Takes room from some columns: what is left of it is multiplied by `factor`. Their neighbours get
+/// less as well, as far as the steepest change of thickness wants, and heights are distributed
+/// anew. options: with counts.
+void take_room(LayerStack& stack, const std::vector<std::size_t>& columns, double factor,
+               LayerLimit limit, const LayerOptions& options, const Coordinates& x);
+
+}  // namespace winslow

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace winslow {
+
+/// Heights of the layers at a wall: h_0 = first, h_(k+1) = h_k r_k, r_k = ratio growth^k.
+///
+/// AIAA 2009-1362, section "Layers Added to Circle Mesh": "initial progression factor 1.15,
+/// multiplied by a growth rate of 1.01 for each subsequent layer".
+struct LayerSpacing {
+  int count = 15;        ///< layers
+  double first = 0.001;  ///< height of the layer at the wall, in units of the mesh
+  double ratio = 1.15;   ///< of the second height to the first
+  double growth = 1.01;  ///< of the ratio, from one layer to the next
+  /// Thickness of all layers together, in units of the mesh: `ratio` is then what gives it.
+  std::optional<double> total;
+  /// The last layer is as high as the elements outside: `count` is then what gives that, and the
+  /// ratio is adjusted for each column.
+  bool match_outside = false;
+
+  bool operator==(const LayerSpacing&) const = default;
+};
+
+/// Throws UsageError naming the number that is out of range.
+void validate(const LayerSpacing& spacing);
+
+/// Heights of all layers (#count) from the wall outwards. Throws UsageError if `total` is less than
+/// the layers take at a constant height.
+std::vector<double> layer_heights(const LayerSpacing& spacing);
+
+/// The same with all ratios scaled so that the heights add up to `thickness`, the first as it is.
+/// Where even constant heights are too thick, there are fewer layers; none if there is no room for
+/// one.
+std::vector<double> layer_heights_within(const LayerSpacing& spacing, double thickness);
+
+/// The same with all ratios scaled so that the last height is `last`; as layer_heights() if that
+/// would take ratios below 1.
+std::vector<double> layer_heights_ending_with(const LayerSpacing& spacing, double last);
+
+/// Layers that it takes at the given ratio and growth until one is at least `last` high.
+int layers_until(const LayerSpacing& spacing, double last);
+
+/// Height of the first node above a wall at a wanted y+ = u_tau y / nu, from the turbulent
+/// flat-plate friction C_f = 0.026 / Re^(1/7) (F. M. White, Fluid Mechanics, 5th ed., section 7.4),
+/// u_tau / U = sqrt(C_f / 2).
+/// reynolds: of the reference length; length: that length in units of the mesh. Throws UsageError
+/// for numbers that are not positive.
+double first_height_for_y_plus(double y_plus, double reynolds, double length);
+
+}  // namespace winslow

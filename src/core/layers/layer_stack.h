@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstddef>
+#include <numeric>
+#include <string_view>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+
+namespace winslow {
+
+/// Why a column of layers is thinner than asked, or has fewer layers.
+enum class LayerLimit {
+  none,
+  clearance,  ///< another wall, or another part of the same one, is near
+  crossing,   ///< neighbouring columns lean towards one another: a concave corner
+  neighbour,  ///< thickness may not change faster along the wall
+  end,        ///< the wall ends here
+  room        ///< the elements outside could be pushed no further
+};
+std::string_view limit_name(LayerLimit limit);  ///< "clearance", ...
+
+/// The nodes of layers above one place of a wall. At a sharp convex corner several columns stand on
+/// one wall node (a fan).
+struct LayerColumn {
+  Index wall_node = -1;
+  int wall = 0;                 ///< place of its wall in the list of walls
+  Vec2 direction{0, 0};         ///< unit vector from the wall
+  double slant = 1;             ///< length along the column for each unit of height
+  bool along_boundary = false;  ///< at the end of a wall: the column lies on the next boundary
+  double first = 0;             ///< height of the first layer that was asked for
+  double asked = 0;             ///< thickness that was asked for, in units of the mesh
+  double room = 0;              ///< thickness that there is room for
+  LayerLimit limit = LayerLimit::none;
+  std::vector<double> heights;  ///< wanted height of each layer; empty: the layers end here
+  /// What each wanted height is multiplied by in the VCVs so that it is met; empty: 1.
+  std::vector<double> corrections;
+  std::vector<Index> nodes;  ///< #heights + 1, the wall node first; filled by insertion
+
+  std::size_t count() const { return heights.size(); }
+  double thickness() const { return std::accumulate(heights.begin(), heights.end(), 0.0); }
+  Index rim() const { return nodes.back(); }
+};
+
+/// Two neighbouring columns; along the wall, elements on the left, `left` comes first.
+struct ColumnPair {
+  std::size_t left = 0, right = 0;
+};
+
+/// Layers of elements along walls.
+struct LayerStack {
+  std::vector<LayerColumn> columns;
+  std::vector<ColumnPair> pairs;
+  /// #elements: layer of each, 0 at the wall; -1 outside the layers. Filled by insertion.
+  std::vector<int> layer_of_element;
+  bool held = false;  ///< the VCVs of the layers' nodes ask for the wanted heights
+};
+
+/// Distance that is wanted between nodes k and k + 1 of a column.
+inline double wanted_length(const LayerColumn& column, std::size_t k) {
+  return column.heights[k] * column.slant;
+}
+
+/// How a column stands on its wall.
+struct ColumnStand {
+  Vec2 direction{0, 0};  ///< unit vector
+  double slant = 1;      ///< length along the column for each unit of height
+};
+
+/// How `count` columns stand on one wall node whose edges, on the way along the wall, are
+/// `arriving` and `leaving` (elements on the left): one halves the angle; several, a fan, stand
+/// from the normal of the one edge to that of the other.
+std::vector<ColumnStand> stand_on(const Vec2& arriving, const Vec2& leaving, std::size_t count);
+
+/// How all columns stand on the walls in x (#nodes by 2). Those at the end of a wall, on another
+/// boundary: along its edge.
+std::vector<ColumnStand> column_stands(const LayerStack& stack, const Coordinates& x);
+
+/// Puts the nodes of all columns at `scale` times their wanted distances from the wall, in the
+/// columns' directions as planned.
+void lay_out(const LayerStack& stack, double scale, Coordinates& x);
+
+/// x with all columns straight and of the wanted heights, as they stand on the walls in x.
+Coordinates straight_columns(const LayerStack& stack, const Coordinates& x);
+
+}  // namespace winslow
