@@ -18,7 +18,7 @@ NACA = ROOT / "assets" / "naca0012.su2"
 
 # Name: (mesh or None, script; the picture is taken at its end).
 TOUR = {
-    "welcome": (None, ""),
+    "welcome": (None, "away\nwait\n"),  # the pictures on its cards are drawn in time
     "window": (NACA, ""),
     "drag": (NACA, "click 0.3 0.03\nwait\npress 0.3 0.03\nmove 0.32 -0.05\nmove 0.35 -0.12\n"
                    "move 0.4 -0.2\nwait\n"),

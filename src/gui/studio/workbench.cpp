@@ -53,7 +53,8 @@ bool Workbench::settled() const {
       file_dialog_.busy())
     return false;
   if (demo_.demo() && (demo_.automatic() || !demo_.ready(session_))) return false;
-  if (!session_.document()) return !(shows_welcome() && welcome_.busy());
+  if (shows_welcome() && welcome_.busy()) return false;
+  if (!session_.document()) return true;
   const auto& measured = session_.quality().latest();
   return measured && measured->shape == session_.shape() && measured->field == view_.color;
 }
