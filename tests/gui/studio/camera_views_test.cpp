@@ -68,6 +68,34 @@ TEST_CASE("Control and the right button draw the box at any time; Esc and a clic
   CHECK((rig.bench->camera().centre() - Vec2(-1.5, -0.5)).norm() < 0.02);
 }
 
+TEST_CASE("the toolbar's arrows go back to the view before and forward again") {
+  Rig rig(1200, 750);
+  rig.open(two_body_mesh());
+  rest(rig);
+  const Camera whole = rig.bench->camera();
+  const auto enabled = [&](const char* id) { return rig.bench->widgets().find(id)->enabled; };
+  CHECK_FALSE(enabled("tool/view_back"));
+  CHECK_FALSE(enabled("tool/view_forward"));
+  rig.click("marker/right");
+  rig.key(keys::f, {keys::shift});
+  rest(rig);
+  const Camera right = rig.bench->camera();
+  REQUIRE(distance(whole, right) > 0.1);
+  CHECK(enabled("tool/view_back"));
+  rig.click("tool/view_back");
+  CHECK(distance(rig.bench->camera(), whole) < 1e-9);
+  CHECK(enabled("tool/view_forward"));
+  rig.click("tool/view_forward");
+  CHECK(distance(rig.bench->camera(), right) < 1e-9);
+  CHECK_FALSE(enabled("tool/view_forward"));
+  // The last of the row is on screen, too.
+  for (const int width : {1100, 1131, 1300}) {
+    rig.resize(width, 750);
+    rig.frames();
+    CHECK(rig.bench->widgets().find("tool/palette")->max.x() < width);
+  }
+}
+
 TEST_CASE("Alt+Left goes back through the views that rested, Alt+Right forward") {
   Rig rig;
   rig.open(two_body_mesh());
