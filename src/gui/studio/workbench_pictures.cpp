@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/inspect/nodal_view.h"
 #include "gui/render/frame_buffer.h"
 #include "gui/render/gl.h"
 #include "gui/studio/mesh_colors.h"
@@ -186,6 +187,8 @@ VectorFigure Workbench::figure(bool legend) const {
     figure.scale = mesh_view_.legend()->scale;
     if (legend) figure.legend = mesh_view_.legend();
   }
+  for (const Index node : session_.nodes().pinned())
+    figure.vcvs.push_back(inspect_node(*session_.vcv(), figure.mesh.coordinates, node));
   const auto& markers = figure.mesh.topology->markers();
   for (std::size_t m = 0; m < markers.size(); ++m) {
     figure.marker_colors.push_back(marker_color(static_cast<Index>(m), figure.dark));

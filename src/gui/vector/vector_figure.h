@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/inspect/nodal_view.h"
 #include "core/mesh/mesh.h"
 #include "gui/render/camera.h"
 #include "gui/render/mesh_renderer.h"
@@ -24,6 +25,7 @@ struct VectorFigure {
   std::string warning;              ///< below it, in red; empty: none
   std::vector<std::pair<std::string, Rgb>> key;  ///< names of markers in their colours, below it
   std::vector<Rgb> marker_colors;                ///< of each marker of the mesh
+  std::vector<NodalView> vcvs;                   ///< drawn over the mesh
   bool fill = true;
   bool wireframe = true;
   bool mark_inverted = true;

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "gui/picture_frame.h"
 #include "gui/vector/figure_mesh.h"
+#include "gui/vector/figure_vcvs.h"
 #include "gui/vector/page.h"
 #include "io/atomic_file.h"
 
@@ -47,6 +48,7 @@ class FigureDrawing {
     page_.rectangle(0, 0, page_.width(), page_.height());
     page_.fill();
     draw_figure_mesh(page_, figure_, {m.left, m.top});
+    draw_figure_vcvs(page_, figure_, {m.left, m.top});
     const double width = page_.width() - m.left - m.right;
     const double height = page_.height() - m.top - m.bottom;
     if (figure_.framed) {
