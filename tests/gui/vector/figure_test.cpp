@@ -120,6 +120,27 @@ TEST_CASE("a figure of a deep zoom has no coordinates off the page") {
   for (const double c : coordinates_of(svg)) CHECK(std::abs(c) < 2000);
 }
 
+TEST_CASE("an inset of a figure shows its place again, larger, and only there") {
+  TemporaryFolder folder;
+  VectorFigure figure = ring_figure();
+  write_figure(folder / "plain.svg", figure);
+  FigureInset inset;
+  inset.camera.set_viewport(10, 180, 110, 110);
+  inset.camera.look_at({0, 0}, figure.camera.units_per_pixel() / 2);
+  inset.source = {Vec2(172.5, 122.5), Vec2(227.5, 177.5)};
+  figure.inset = inset;
+  write_figure(folder / "inset.svg", figure);
+  pugi::xml_document plain, with;
+  REQUIRE(plain.load_file((folder / "plain.svg").c_str()));
+  REQUIRE(with.load_file((folder / "inset.svg").c_str()));
+  const Rgb& body = marker_color(0);
+  const Rgb& far_field = marker_color(1);
+  CHECK(lines_of_color(plain, body) == 24);
+  CHECK(lines_of_color(with, body) == 48);
+  CHECK(lines_of_color(with, far_field) == lines_of_color(plain, far_field));
+  CHECK(fs::file_size(folder / "inset.svg") > fs::file_size(folder / "plain.svg"));
+}
+
 TEST_CASE("VCVs of a figure are vectors: outline and edges in their colour, negative ones red") {
   TemporaryFolder folder;
   const auto path = folder / "vcv.svg";
