@@ -111,7 +111,7 @@ class FigureDrawing {
 
   void draw_bar(double x, double top, double width, double height, double alpha) {
     const ColorScale& scale = figure_.legend->scale;
-    const int strips = scale.bands > 0 ? scale.bands : 128;
+    const int strips = scale.strips(scale.diverges() ? 256 : 128);
     const double step = height / strips;
     for (int k = 0; k < strips; ++k) {
       const double t = (k + 0.5) / strips;
