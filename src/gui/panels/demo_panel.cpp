@@ -21,7 +21,7 @@ void draw_numbers(const PanelContext& context) {
   ImGui::SameLine();
   ui::text_dim(
       "smallest sine " + short_number(report.of(Metric::normalized_jacobian).statistics.min) +
-      ", largest aspect ratio " + short_number(report.of(Metric::aspect_ratio).statistics.max));
+      ", largest R/2r " + short_number(report.of(Metric::aspect_ratio).statistics.max));
 }
 
 void draw_buttons(const PanelContext& context) {
