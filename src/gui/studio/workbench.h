@@ -215,7 +215,7 @@ class Workbench : public PictureSource {
   IdLabels id_labels_;
   LegendCard legend_card_;
   std::optional<Inset> lens_;
-  Area tile_;  // part of the framebuffer that is being painted, pixels
+  Area tile_;           // part of the framebuffer that is being painted, pixels
   Vec2 pointer_{0, 0};  // pixels
   bool pointer_over_ = false;
   ActionQueue actions_;
