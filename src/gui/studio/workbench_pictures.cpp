@@ -153,7 +153,7 @@ void Workbench::paint_lens() {
   if (!lens_) return;
   const Camera camera = camera_of_part(lens_->camera, tile_);
   if (camera.viewport_width() > 0)
-    mesh_view_.draw_magnified(camera, static_cast<int>(tile_.width),
+    mesh_view_.draw_magnified(camera, lens_->camera, static_cast<int>(tile_.width),
                               static_cast<int>(tile_.height));
 }
 
@@ -175,7 +175,8 @@ Image Workbench::paint_tiles(bool transparent) {
       tile_ = {static_cast<float>(x), static_cast<float>(y), static_cast<float>(side_x),
                static_cast<float>(side_y)};
       const Camera part = camera_of_part(camera_, tile_);
-      if (part.viewport_width() > 0) mesh_view_.draw(part, side_x, side_y, !transparent);
+      if (part.viewport_width() > 0)
+        mesh_view_.draw(part, transparent ? nullptr : &camera_, side_x, side_y);
       ui_->paint_part(tile_.x, tile_.y, tile_.width, tile_.height);
       copy_into(whole, buffer.read(), x, y);
     }
