@@ -18,10 +18,14 @@ NACA = ROOT / "assets" / "naca0012.su2"
 
 # Name: (mesh or None, script; the picture is taken at its end).
 TOUR = {
-    "welcome": (None, ""),
+    "welcome": (None, "away\nwait\n"),  # the pictures on its cards are drawn in time
     "window": (NACA, ""),
     "drag": (NACA, "click 0.3 0.03\nwait\npress 0.3 0.03\nmove 0.32 -0.05\nmove 0.35 -0.12\n"
                    "move 0.4 -0.2\nwait\n"),
+    "gizmo": (NACA, "key Tab\nlook 0.8 0 0.6\nwait\npress 0.5 0\nmove 0.52 0.01\nmove 0.55 0.03\n"
+                    "key X\nmove 0.6 0.05\nmove 0.65 0.05\nwait\n"),
+    "shape": (NACA, "click section/shape\nkey E\nlook 0.65 0.05 0.5\nwait\npress 0.4 0.058\n"
+                    "move 0.4 0.08\nmove 0.4 0.11\nwheel 0.4 0.13 9\nmove 0.4 0.14\nwait\n"),
     "motion": (NACA, "click 0.5 0\nfill motion/rotate -90\nfill motion/dx 2\nfill motion/dy -2\n"
                      "click motion/apply\naway\nlook 2.5 -2 1\nwait\n"),
     "solver": (NACA, "click menu/Edit\nwait 2\nclick menu/scramble\nwait\nkey Shift+N\naway\nwait\n"),
@@ -29,6 +33,18 @@ TOUR = {
                       "click tab/quality\naway\nwait\n"),
     "view": (NACA, "key Ctrl+D\nclick tab/view\naway\nlook 0.5 0 0.8\nwait\n"),
     "vcv": (NACA, "click tab/vcv\nwait\nlook 0.05 0 0.25\nwait\nclick 0.02 0.1\naway\nwait\n"),
+    "vcv_edit": (NACA, "click tab/vcv\nwait\nlook 0.05 0.06 0.16\nwait\nclick 0.02 0.1\nwait 3\n"
+                       "click vcv/pin\nclick vcv/row/1\nfill vcv/angle 110\nwait\naway\nwait\n"),
+    "compare": (NACA, "click 0.5 0\nfill motion/rotate -40\nclick motion/apply\nwait\n"
+                      "key Shift+G\nlook 0.5 0 0.8\naway\nwait\n"),
+    "ghost": (NACA, "click 0.5 0\nfill motion/dy -0.2\nclick motion/apply\nwait\nkey Escape\n"
+                    "key G\nlook 0.7 -0.05 0.5\naway\nwait\n"),
+    "magnifier": (NACA, "click 0.5 0\nfill motion/rotate -40\nclick motion/apply\nwait\n"
+                        "key Escape\nlook 0.5 0 0.8\nmove 0.883 -0.321\nkey Shift+M\naway\nwait\n"),
+    "isolate": (NACA, "click 0.5 0\nfill motion/rotate -90\nclick motion/apply\nwait\n"
+                      "key Escape\nlook 0.5 0 1\nclick section/go_to\nclick section/worst\nwait 3\n"
+                      "key I\nwait\nfill isolate/threshold 0.7\naway\nwait\n"),
+    "demo": (None, "wait\nclick welcome/demo/C\nwait\nclick demo/next\nwait\naway\nwait\n"),
     "history": (NACA, "click 0.5 0\nfill motion/rotate -20\nclick motion/apply\nwait\n"
                       "fill motion/dx 0.3\nclick motion/apply\nwait\nkey Space\nwait\n"
                       "click tab/history\naway\nwait\n"),

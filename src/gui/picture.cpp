@@ -62,6 +62,13 @@ Legend make_legend(const ElementField& field, std::span<const double> values,
   return legend;
 }
 
+std::vector<NodalView> inspect_nodes(const VirtualControlVolumes& vcv, const Coordinates& x,
+                                     std::span<const Index> nodes) {
+  std::vector<NodalView> views;
+  for (const Index node : nodes) views.push_back(inspect_node(vcv, x, node));
+  return views;
+}
+
 MeshStyle mesh_style(const PictureOptions& options, const PictureTheme& theme, float unit) {
   MeshStyle style;
   style.wireframe = options.wireframe;
@@ -82,8 +89,7 @@ MeshStyle mesh_style(const PictureOptions& options, const PictureTheme& theme, f
 Image draw_picture(const Mesh& mesh, const PictureOptions& options) {
   check(options);
   const std::shared_ptr<const VirtualControlVolumes> vcv = make_state(mesh).vcv;
-  std::vector<NodalView> nodes;
-  for (const Index node : options.vcvs) nodes.push_back(inspect_node(*vcv, mesh.coordinates, node));
+  const std::vector<NodalView> nodes = inspect_nodes(*vcv, mesh.coordinates, options.vcvs);
   const std::unique_ptr<HeadlessContext> context = make_headless_context();
   const FrameBuffer target(options.width, options.height, options.samples);
   const PictureTheme& theme = picture_theme(options.dark);
@@ -140,8 +146,10 @@ VectorFigure picture_figure(const Mesh& mesh, const PictureOptions& options) {
   figure.font_size = std::clamp(0.02 * std::min(options.width, options.height), 8.0, 40.0);
   figure.edge_width = 0.05 * figure.font_size;
   figure.boundary_width = 0.13 * figure.font_size;
+  const std::shared_ptr<const VirtualControlVolumes> vcv = make_state(mesh).vcv;
+  figure.vcvs = inspect_nodes(*vcv, mesh.coordinates, options.vcvs);
   if (options.color) {
-    figure.values = element_values(*make_state(mesh).vcv, mesh.coordinates, *options.color);
+    figure.values = element_values(*vcv, mesh.coordinates, *options.color);
     figure.scale = choose_scale(options, figure.values);
     if (options.legend) figure.legend = make_legend(*options.color, figure.values, *figure.scale);
   }

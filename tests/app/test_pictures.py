@@ -105,8 +105,20 @@ class Render(ProgramTest):
         self.assertGreater(differing(pictures[0], pictures[1]), 50)
         self.assertGreater(differing(pictures[1], pictures[2]), 50)
 
+    def test_control_volumes_are_vectors_in_vector_graphics(self):
+        self.ring()
+        for name in ("p.svg", "p.pdf"):
+            sizes = []
+            for args in ((), ("--vcv", "84"), ("--vcv", "84,85,60")):
+                self.render("-o", name, *args, "ring.su2")
+                sizes.append(self.path(name).stat().st_size)
+            self.assertLess(sizes[0], sizes[1])
+            self.assertLess(sizes[1], sizes[2])
+        self.assertNotIn("<image", self.path("p.svg").read_text())
+
     def test_a_node_without_a_control_volume_is_named(self):
         self.ring()
+        self.render("ring.su2", "-o", "p.svg", "--vcv", "3", code=USAGE)
         run = self.render("ring.su2", "-o", "p.png", "--vcv", "84,99999", code=USAGE)
         self.assertIn("no node 99999: its nodes count from 0 to 215", run.stderr)
         run = self.render("ring.su2", "-o", "p.png", "--vcv", "3", code=USAGE)

@@ -4,79 +4,40 @@
 #   studio_window.sh WINSLOW MESH OUTPUT_FOLDER
 # Leaves studio_window.png in OUTPUT_FOLDER. Exit code 77: there is no Xvfb here.
 set -euo pipefail
-winslow=$(realpath "$1") mesh=$2 out=$(realpath "$3")
+winslow=$(realpath "$1") mesh=$(realpath "$2") out=$(realpath "$3")
+# shellcheck source=tests/xvfb/support.sh
+. "$(dirname "${BASH_SOURCE[0]}")/support.sh"
 
-command -v Xvfb > /dev/null || { echo "skipped: Xvfb is not installed"; exit 77; }
-command -v xdotool > /dev/null || { echo "xdotool is missing (Debian: xdotool)"; exit 1; }
-
-work=$(mktemp -d)
-studio='' server=''
-cleanup() {
-  if [ -n "$studio" ]; then kill "$studio" 2> /dev/null || true; fi
-  if [ -n "$server" ]; then kill "$server" 2> /dev/null || true; fi
-  rm -rf "$work"
-}
-trap cleanup EXIT
-fail() { echo "FAILED: $1"; cat "$work/log" 2> /dev/null || true; exit 1; }
-
-Xvfb -displayfd 3 -screen 0 1440x900x24 -nolisten tcp 3> "$work/display" 2> /dev/null &
-server=$!
-for _ in $(seq 100); do [ -s "$work/display" ] && break; sleep 0.1; done
-[ -s "$work/display" ] || fail "Xvfb does not start"
-DISPLAY=:$(cat "$work/display")
-export DISPLAY
-unset WAYLAND_DISPLAY
-export WINSLOW_PROFILE="$work/profile"
-
+start_display
 cp "$mesh" "$work/mesh.su2"
-cd "$work"
-"$winslow" studio mesh.su2 > log 2>&1 &
-studio=$!
-window=$(timeout 60 xdotool search --sync --onlyvisible --name winslow | head -1) ||
-  fail "no window appears"
-for _ in $(seq 200); do
-  [ "$(xdotool getwindowname "$window")" = "mesh.su2 - winslow" ] && break
-  sleep 0.1
-done
-[ "$(xdotool getwindowname "$window")" = "mesh.su2 - winslow" ] || fail "the mesh is not opened"
-sleep 1
+start_studio mesh.su2
+wait_title "mesh.su2 - winslow"
+wait_picture "the mesh"
 
 # The body is in the middle of the viewport; the panels around it have fixed sizes.
 x=704 y=358
-xdotool mousemove "$x" "$y"
-sleep 0.3
-xdotool mousedown 1
+xdotool mousemove --sync "$x" "$y" mousedown 1
 for step in 1 2 3 4 5 6; do
-  xdotool mousemove $((x + 12 * step)) $((y - 6 * step))
-  sleep 0.05
+  xdotool mousemove --sync $((x + 12 * step)) $((y - 6 * step))
 done
 xdotool mouseup 1
 # An edit that is not saved shows as an asterisk once the solver has converged.
-for _ in $(seq 600); do
-  [ "$(xdotool getwindowname "$window")" = "* mesh.su2 - winslow" ] && break
-  sleep 0.1
-done
-[ "$(xdotool getwindowname "$window")" = "* mesh.su2 - winslow" ] || fail "the drag moved nothing"
-sleep 0.5
+wait_title "* mesh.su2 - winslow"
+wait_picture "the body is moved"
 xdotool key F12
-for _ in $(seq 100); do [ -s winslow-001.png ] && break; sleep 0.1; done
-[ -s winslow-001.png ] || fail "F12 writes no picture"
+until_true 60 test -s winslow-001.png || fail "F12 writes no picture"
 mv winslow-001.png "$out/studio_window.png"
 
 xdotool key ctrl+shift+s
-sleep 1
-xdotool type --delay 60 moved.su2
+wait_picture "the dialog"
+xdotool type --delay 20 moved.su2
 xdotool key Return
-for _ in $(seq 100); do
-  [ "$(xdotool getwindowname "$window")" = "moved.su2 - winslow" ] && break
-  sleep 0.1
-done
-import -window root "$out/studio_saved.png" 2> /dev/null || true
+wait_title "moved.su2 - winslow"
+keep_picture studio_saved
 [ -s moved.su2 ] || fail "the dialog saves nothing"
 
 xdotool key ctrl+q
-for _ in $(seq 100); do kill -0 "$studio" 2> /dev/null || break; sleep 0.1; done
-kill -0 "$studio" 2> /dev/null && fail "Ctrl+Q does not quit"
+until_true 30 gone || fail "Ctrl+Q does not quit"
 wait "$studio" || fail "the studio ends with exit code $?"
 studio=''
 

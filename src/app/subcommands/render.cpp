@@ -288,9 +288,6 @@ class RenderSubcommand : public Subcommand {
           "--before draws two pictures into one PNG file; for vector graphics draw them "
           "one by one");
     }
-    if (!flags_.vcvs.empty() && is_vector_format(flags_.output)) {
-      throw UsageError("--vcv: control volumes are drawn into PNG files only");
-    }
     if (is_film(flags_.frames)) check_output(flags_.frames);
     check_output(flags_.output);
     check_distinct({flags_.output, flags_.input});

@@ -16,6 +16,6 @@ void draw_vcvs(ImDrawList& list, const Camera& camera, std::span<const NodalView
                ImFont* font);
 
 /// A ring around a node.
-void draw_node_ring(ImDrawList& list, const ImVec2& at, float radius, float width, ImU32 color);
+void draw_node_ring(ImDrawList& list, const ImVec2& at, float radius, float width, ImU32 ink);
 
 }  // namespace winslow::gui

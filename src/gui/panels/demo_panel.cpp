@@ -19,9 +19,9 @@ void draw_numbers(const PanelContext& context) {
   ui::text_colored(report.inverted > 0 ? palette().danger : palette().success, inverted);
   ui::note("demo/inverted");
   ImGui::SameLine();
-  ui::text_dim(
-      "smallest sine " + short_number(report.of(Metric::normalized_jacobian).statistics.min) +
-      ", largest aspect ratio " + short_number(report.of(Metric::aspect_ratio).statistics.max));
+  ui::text_dim("smallest sine " +
+               short_number(report.of(Metric::normalized_jacobian).statistics.min) +
+               ", largest R/2r " + short_number(report.of(Metric::aspect_ratio).statistics.max));
 }
 
 void draw_buttons(const PanelContext& context) {

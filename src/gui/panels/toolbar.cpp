@@ -12,12 +12,14 @@ namespace {
 
 /// A command as a button: icon and word where there is room, the icon alone where there is not, the
 /// word alone where the icon font is missing.
-void tool(const PanelContext& context, std::string_view id, Icon icon, const std::string& word) {
+enum class Word { where_room, where_no_icon };
+void tool(const PanelContext& context, std::string_view id, Icon icon, const std::string& word,
+          Word when = Word::where_room) {
   const UserCommand& command = user_command(id);
   const std::string glyph = context.theme.icon(icon);
-  const bool roomy = ImGui::GetWindowWidth() > context.theme.px(1020);
+  const bool roomy = ImGui::GetWindowWidth() > context.theme.px(1130);
   std::string label = word;
-  if (!glyph.empty()) label = roomy ? glyph + "  " + word : glyph;
+  if (!glyph.empty()) label = roomy && when == Word::where_room ? glyph + "  " + word : glyph;
   const std::string reason = why_blocked(command, context);
   if (ui::button("tool/" + command.id, label,
                  {tooltip_of(command), ui::ButtonStyle::flat, reason.empty(), 0}))
@@ -53,6 +55,9 @@ void Toolbar::draw(const PanelContext& context) {
   tool(context, "step", Icon::step, "Step");
   tool(context, "cancel", Icon::stop, "Cancel");
   gap(context);
+  // Everybody knows these arrows, from every browser.
+  tool(context, "view_back", Icon::back, "Back", Word::where_no_icon);
+  tool(context, "view_forward", Icon::forward, "Forward", Word::where_no_icon);
   tool(context, "fit", Icon::fit, "Fit");
   tool(context, "fit_selection", Icon::target, "Selection");
   tool(context, "screenshot", Icon::camera, "Picture");

@@ -201,12 +201,14 @@ void VcvPanel::draw_edge_fields(const PanelContext& context, const NodalView& vi
   ui::number("vcv/length", length_, {}, "%.4g");
   const bool length_done = ImGui::IsItemDeactivatedAfterEdit();
   typing_length_ = ImGui::IsItemActive();
-  if (angle_done && angle_ > 0 && angle_ < 180) {
+  // What is no number leaves the field as it was: that is no edit.
+  if (angle_done && angle_ > 0 && angle_ < 180 && angle_ != edit.angles[edge_]) {
     const double rest = 360 - edit.angles[edge_];
     for (double& angle : edit.angles) angle *= (360 - angle_) / rest;
     edit.angles[edge_] = angle_;
     edit_one(context, std::move(edit));
-  } else if (length_done && length_ > 0 && std::isfinite(length_)) {
+  } else if (length_done && length_ > 0 && std::isfinite(length_) &&
+             length_ != edit.lengths[edge_]) {
     edit.lengths[edge_] = length_;
     edit_one(context, std::move(edit));
   }

@@ -66,8 +66,10 @@ bool ViewPanel::draw_range(ViewOptions& view) {
   auto map =
       static_cast<std::size_t>(std::find(maps.begin(), maps.end(), view.color_map) - maps.begin());
   constexpr const char* map_tip =
-      "Every map goes from dark to bright in even steps to the eye, and can be told apart by the "
-      "colour-blind. Plasma, magma and inferno contain red, which inverted elements wear.";
+      "The colour-blind can read every map, too. They go from dark to bright in even steps to the "
+      "eye, but for puor, which is orange below zero and purple above it: for fields with a sign, "
+      "such as the smallest weight. Plasma, magma and inferno contain red, which inverted elements "
+      "wear.";
   ui::row("Colour map", map_tip);
   if (ui::combo("view/map", maps, map, map_tip)) {
     view.color_map = maps[map];

@@ -9,6 +9,24 @@ namespace winslow::gui {
 
 namespace {
 
+constexpr std::size_t most_recent = 6;
+// Widest card, and the gap between two: rows of text end where four cards do.
+constexpr float card_width = 190, card_gap = 10;
+constexpr float row_gap = 16, row_width = (4 * card_width + 3 * card_gap - row_gap) / 2;
+
+/// Rows of text stand in two columns where there is room.
+struct Columns {
+  std::size_t count;
+  float width, gap;  // pixels
+};
+
+Columns columns_of(const PanelContext& context) {
+  const float room = std::max(ImGui::GetContentRegionAvail().x, 1.0f);
+  const float gap = context.theme.px(row_gap);
+  if (room < context.theme.px(640)) return {1, room, gap};
+  return {2, std::min((room - gap) / 2, context.theme.px(row_width)), gap};
+}
+
 void heading(const PanelContext& context, const char* text) {
   ImGui::Dummy(ImVec2(0, context.theme.px(10)));
   ImGui::PushFont(context.theme.bold);
@@ -44,46 +62,68 @@ void WelcomePanel::draw_head(const PanelContext& context) {
   ImGui::TextUnformatted("Open a mesh");
   ImGui::PopFont();
   ui::text_wrapped("Drop a file here, choose one, or begin with one of those below.");
-  ui::text_colored(palette().text_faint, "SU2, Gmsh MSH, VTK, VTU, OBJ, OFF, PLY, STL");
   ImGui::Spacing();
   if (ui::button("welcome/open", "Open mesh...",
                  {tooltip_of(user_command("open")), ui::ButtonStyle::primary, true,
                   context.theme.px(150)}))
     context.emit(action::ShowFileDialog{action::FilePurpose::open_mesh});
-  if (!context.session.document()) return;
   ImGui::SameLine();
-  if (ui::button("welcome/back", "Back to the mesh", {"Leave this page."}))
-    context.emit(action::ShowWelcome{});
+  if (context.session.document()) {
+    if (ui::button("welcome/back", "Back to the mesh", {"Leave this page."}))
+      context.emit(action::ShowWelcome{});
+    ImGui::SameLine();
+  }
+  ImGui::AlignTextToFramePadding();
+  ui::text_colored(palette().text_faint, "SU2, Gmsh MSH, VTK, VTU, OBJ, OFF, PLY, STL");
 }
 
 void WelcomePanel::draw_recent(const PanelContext& context) {
   heading(context, "Recent");
+  const Columns columns = columns_of(context);
   std::size_t shown = 0;
   for (const RecentFiles::File& file : context.recent.files()) {
-    if (++shown > 6) break;
-    const std::string name = file.path.filename().string();
-    ImGui::BeginDisabled(file.missing);
-    const bool pressed = ImGui::Selectable(("##recent/" + file.path.string()).c_str(), false);
-    ui::note("welcome/recent/" + name);
-    ImGui::EndDisabled();
-    ui::tooltip(file.path.string() + (file.missing ? "\nThe file is not there any more." : ""));
-    ImGui::SameLine(ImGui::GetStyle().WindowPadding.x);
-    ui::text_colored(file.missing ? palette().text_faint : palette().accent, name);
-    ImGui::SameLine(0, context.theme.px(12));
-    const std::string folder = file.path.parent_path().string();
-    ui::text_colored(palette().text_faint,
-                     ui::elided(folder, ImGui::GetContentRegionAvail().x - context.theme.px(4)));
-    if (pressed) context.emit(action::OpenMesh{file.path});
+    if (shown == most_recent) break;
+    if (shown++ % columns.count != 0) ImGui::SameLine(0, columns.gap);
+    if (draw_file(context, file, columns.width)) context.emit(action::OpenMesh{file.path});
   }
+}
+
+bool WelcomePanel::draw_file(const PanelContext& context, const RecentFiles::File& file,
+                             float width) {
+  const Theme& theme = context.theme;
+  const std::string name = file.path.filename().string();
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 size(width, theme.px(24));
+  ImGui::BeginDisabled(file.missing);
+  const bool pressed = ImGui::InvisibleButton(("recent/" + file.path.string()).c_str(), size);
+  ui::note("welcome/recent/" + name);
+  ImGui::EndDisabled();
+  const bool over = ImGui::IsItemHovered();
+  ui::tooltip(file.path.string() + (file.missing ? "\nThe file is not there any more." : ""));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (over)
+    list.AddRectFilled(min, ImVec2(min.x + size.x, min.y + size.y), palette().accent_soft,
+                       theme.px(5));
+  ImFont* const font = theme.regular;
+  const float y = min.y + (size.y - font->FontSize) / 2;
+  const float room = width - theme.px(8);
+  const std::string title = ui::elided(name, room);
+  put(list, font, ImVec2(min.x + theme.px(4), y),
+      file.missing ? palette().text_faint : palette().accent, title);
+  const float used = font->CalcTextSizeA(font->FontSize, 1e6f, 0, title.c_str()).x + theme.px(12);
+  if (room - used > theme.px(30))
+    put(list, font, ImVec2(min.x + theme.px(4) + used, y), palette().text_faint,
+        ui::elided(file.path.parent_path().string(), room - used));
+  return pressed;
 }
 
 void WelcomePanel::draw_bundled(const PanelContext& context) {
   heading(context, "Bundled meshes");
-  const float gap = context.theme.px(10);
+  const float gap = context.theme.px(card_gap);
   const float room = ImGui::GetContentRegionAvail().x;
-  const std::size_t columns = room > context.theme.px(640) ? 4 : 2;
+  const std::size_t columns = room > context.theme.px(440) ? 4 : 2;
   const auto n = static_cast<float>(columns);
-  const float width = std::min((room - (n - 1) * gap) / n, context.theme.px(230));
+  const float width = std::min((room - (n - 1) * gap) / n, context.theme.px(card_width));
   std::size_t k = 0;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
   for (const BundledMesh& mesh : bundled_meshes()) {
@@ -120,15 +160,18 @@ bool WelcomePanel::draw_card(const PanelContext& context, const BundledMesh& mes
 
 void WelcomePanel::draw_demos(const PanelContext& context) {
   heading(context, "Guided demos: the cases of the paper");
-  for (const Demo& demo : demos())
-    if (draw_demo(context, demo)) context.emit(action::StartDemo{demo.id});
-  ImGui::Dummy(ImVec2(0, context.theme.px(8)));
+  const Columns columns = columns_of(context);
+  std::size_t k = 0;
+  for (const Demo& demo : demos()) {
+    if (k++ % columns.count != 0) ImGui::SameLine(0, columns.gap);
+    if (draw_demo(context, demo, columns.width)) context.emit(action::StartDemo{demo.id});
+  }
 }
 
-bool WelcomePanel::draw_demo(const PanelContext& context, const Demo& demo) {
+bool WelcomePanel::draw_demo(const PanelContext& context, const Demo& demo, float width) {
   const Theme& theme = context.theme;
   const ImVec2 min = ImGui::GetCursorScreenPos();
-  const ImVec2 size(std::max(ImGui::GetContentRegionAvail().x, 1.0f), theme.px(30));
+  const ImVec2 size(width, theme.px(30));
   const bool pressed = ImGui::InvisibleButton(("demo" + demo.id).c_str(), size);
   ui::note("welcome/demo/" + demo.id);
   ui::tooltip("Play this case step by step on " + demo.mesh + ".");

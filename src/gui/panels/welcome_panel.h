@@ -2,6 +2,7 @@
 
 #include "gui/demos/demo.h"
 #include "gui/files/assets.h"
+#include "gui/files/recent_files.h"
 #include "gui/files/thumbnails.h"
 #include "gui/panels/panel.h"
 
@@ -24,10 +25,11 @@ class WelcomePanel : public Panel {
  private:
   void draw_head(const PanelContext& context);
   void draw_recent(const PanelContext& context);
+  bool draw_file(const PanelContext& context, const RecentFiles::File& file, float width);
   void draw_bundled(const PanelContext& context);
   bool draw_card(const PanelContext& context, const BundledMesh& mesh, float width, float height);
   void draw_demos(const PanelContext& context);
-  bool draw_demo(const PanelContext& context, const Demo& demo);
+  bool draw_demo(const PanelContext& context, const Demo& demo, float width);
 
   bool wanted_ = false;
   Thumbnails thumbnails_;

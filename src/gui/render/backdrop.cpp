@@ -18,16 +18,22 @@ float luminance(const Rgba& c) { return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722
 
 bool BackdropColors::dark() const { return 0.5f * (luminance(top) + luminance(bottom)) < 0.4f; }
 
-void draw_backdrop(const Camera& camera, const BackdropColors& colors, int framebuffer_height) {
+void draw_backdrop(const Camera& camera, const Camera& whole, const BackdropColors& colors,
+                   int framebuffer_height) {
   const auto x = static_cast<GLint>(std::lround(camera.viewport_origin().x()));
   const auto y = static_cast<GLint>(std::lround(camera.viewport_origin().y()));
   const auto width = static_cast<GLsizei>(std::lround(camera.viewport_width()));
   const auto height = static_cast<GLsizei>(std::lround(camera.viewport_height()));
-  const int strips = colors.top == colors.bottom ? 1 : std::min(steps, height);
+  const double start = camera.to_screen(whole.to_world(whole.viewport_origin())).y();
+  const auto top = static_cast<int>(std::lround(start)) - y;
+  const auto full = static_cast<int>(std::lround(whole.viewport_height()));
+  const int strips = colors.top == colors.bottom ? 1 : std::min(steps, full);
   glEnable(GL_SCISSOR_TEST);
   for (int k = 0; k < strips; ++k) {
-    const int from = height * k / strips;
-    const int to = height * (k + 1) / strips;
+    // The first and the last go on to the rim: rounding must leave no gap.
+    const int from = k == 0 ? 0 : std::clamp(top + full * k / strips, 0, height);
+    const int to = k + 1 == strips ? height : std::clamp(top + full * (k + 1) / strips, 0, height);
+    if (to <= from) continue;
     const float t = strips > 1 ? static_cast<float>(k) / static_cast<float>(strips - 1) : 0;
     Rgba c{};
     for (std::size_t i = 0; i < 4; ++i)

@@ -12,7 +12,9 @@ struct BackdropColors {
   bool dark() const;
 };
 
-/// Fills the camera's part of the bound framebuffer, `framebuffer_height` pixels high.
-void draw_backdrop(const Camera& camera, const BackdropColors& colors, int framebuffer_height);
+/// Fills the camera's part of the bound framebuffer, `framebuffer_height` pixels high. whole: the
+/// view that the camera sees a part of, over all of which the colours run.
+void draw_backdrop(const Camera& camera, const Camera& whole, const BackdropColors& colors,
+                   int framebuffer_height);
 
 }  // namespace winslow::gui

@@ -9,17 +9,19 @@
 namespace winslow::gui {
 namespace {
 
-constexpr int stop_count = 10;
-
-/// Ten evenly spaced colours of a map (0xRRGGBB), published ones but for glacier, which is our own:
-/// its light end leaves the lines of a good mesh legible. Smooth interpolation between them stays
-/// within a few of 255 of the published tables.
+/// Evenly spaced colours of a map (0xRRGGBB), published ones but for glacier, which is our own: its
+/// light end leaves the lines of a good mesh legible. Smooth interpolation between them stays
+/// within a few of 255 of the published tables. A diverging map has an odd number: one is the
+/// middle.
 struct Map {
   std::string_view name;
-  std::array<std::uint32_t, stop_count> stops;
+  std::array<std::uint32_t, 11> stops;
+  int count = 10;
+
+  bool diverging() const { return count % 2 == 1; }
 };
 
-constexpr std::array<Map, 6> maps{{
+constexpr std::array<Map, 7> maps{{
     {"viridis",
      {0x440154, 0x482878, 0x3E4A89, 0x31688E, 0x26828E, 0x1F9E89, 0x35B779, 0x6DCD59, 0xB4DE2C,
       0xFDE725}},
@@ -38,6 +40,10 @@ constexpr std::array<Map, 6> maps{{
     {"inferno",
      {0x000004, 0x1B0C42, 0x4B0C6B, 0x781C6D, 0xA52C60, 0xCF4446, 0xED6925, 0xFB9A06, 0xF7D03C,
       0xFCFFA4}},
+    {"puor",
+     {0x7F3B08, 0xB35806, 0xE08214, 0xFDB863, 0xFEE0B6, 0xF7F7F7, 0xD8DAEB, 0xB2ABD2, 0x8073AC,
+      0x542788, 0x2D004B},
+     11},
 }};
 
 constexpr float channel(std::uint32_t color, int c) {
@@ -50,11 +56,11 @@ constexpr Rgb to_rgb(std::uint32_t color) {
 
 /// Catmull-Rom spline through the stops.
 Rgb interpolate(const Map& map, double t) {
-  const double position = std::clamp(t, 0.0, 1.0) * (stop_count - 1);
-  const int k = std::min(static_cast<int>(position), stop_count - 2);
+  const double position = std::clamp(t, 0.0, 1.0) * (map.count - 1);
+  const int k = std::min(static_cast<int>(position), map.count - 2);
   const auto u = static_cast<float>(position - k);
   const auto stop = [&](int i, int c) {
-    return channel(map.stops[static_cast<std::size_t>(std::clamp(i, 0, stop_count - 1))], c);
+    return channel(map.stops[static_cast<std::size_t>(std::clamp(i, 0, map.count - 1))], c);
   };
   Rgb result{};
   for (int c = 0; c < 3; ++c) {
@@ -80,6 +86,16 @@ const Map& find_map(std::string_view name) {
   return *found;
 }
 
+/// Share of a diverging map: each side of the centre has half of it, however short its range.
+double diverging_share(const ColorScale& scale, double centre, double value) {
+  const double side = (value < centre ? scale.low : scale.high) - centre;
+  const double away = value - centre;
+  if (away == 0) return 0.5;
+  // A side without extent is left at once.
+  const double share = side * away > 0 ? std::min(away / side, 1.0) : 1.0;
+  return 0.5 + std::copysign(0.5 * share, away);
+}
+
 }  // namespace
 
 std::vector<std::string> color_map_names() {
@@ -90,13 +106,27 @@ std::vector<std::string> color_map_names() {
 
 Rgb sample_color_map(std::string_view name, double t) { return interpolate(find_map(name), t); }
 
+bool is_diverging(std::string_view name) { return find_map(name).diverging(); }
+
+bool ColorScale::diverges() const { return centre && is_diverging(map); }
+
 Rgb ColorScale::color(double value) const {
   if (std::isnan(value)) return {0.6f, 0.6f, 0.6f};
   const double span = high - low;
   double t = span > 0 ? std::clamp((value - low) / span, 0.0, 1.0) : (value > low ? 1.0 : 0.0);
-  if (bands > 1) t = std::min(std::floor(t * bands), bands - 1.0) / (bands - 1.0);
-  if (bands == 1) t = 0.5;
+  int steps = bands;
+  if (diverges()) {
+    t = diverging_share(*this, *centre, value);
+    // An odd one would have both signs in it.
+    if (steps > 1) steps -= steps % 2;
+  }
+  if (steps > 1) t = std::min(std::floor(t * steps), steps - 1.0) / (steps - 1.0);
+  if (steps == 1) t = 0.5;
   return sample_color_map(map, reversed ? 1.0 - t : t);
+}
+
+int ColorScale::strips(int fine) const {
+  return std::max(bands > 0 && !diverges() ? bands : fine, 1);
 }
 
 Rgb marker_color(Index marker, bool dark_background) {

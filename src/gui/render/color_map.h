@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,11 +13,15 @@ namespace winslow::gui {
 /// Colour in [0, 1], as sent to the screen (sRGB values).
 using Rgb = std::array<float, 3>;
 
-/// Sequential maps from dark to bright, told apart by the colour-blind too: viridis, cividis,
-/// glacier, plasma, magma, inferno. The last three contain red, which inverted elements wear.
+/// Maps that the colour-blind can read, too. From dark to bright: viridis, cividis, glacier,
+/// plasma, magma, inferno; the last three contain red, which inverted elements wear. Diverging,
+/// from orange over white to purple, for fields with both signs: puor (ColorBrewer's PuOr).
 std::vector<std::string> color_map_names();
 /// Colour at t in [0, 1] (clamped). Throws UsageError for an unknown name.
 Rgb sample_color_map(std::string_view name, double t);
+
+/// White in the middle, a hue of its own on either side. Throws UsageError for an unknown name.
+bool is_diverging(std::string_view name);
 
 /// Values to colours: range, map, banding.
 struct ColorScale {
@@ -24,8 +29,16 @@ struct ColorScale {
   double low = 0, high = 1;
   bool reversed = false;  ///< low values get the map's end, high ones its start
   int bands = 0;          ///< 0: continuous
+  /// The value that a diverging map has in its middle: each side of it takes half of the map, and
+  /// an even number of bands. None: the middle of the range. Other maps take no notice.
+  std::optional<double> centre = {};
+
   /// Clamped to the range; a NaN is grey. Throws UsageError for an unknown map.
   Rgb color(double value) const;
+  /// Its map diverges, and from a centre.
+  bool diverges() const;
+  /// Strips of equal height in which a legend shows it exactly; `fine` where it takes many.
+  int strips(int fine) const;
 };
 
 /// Colour of the i-th marker: dark and distinguishable, by the colour-blind too; repeats.

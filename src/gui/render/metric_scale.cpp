@@ -24,6 +24,11 @@ double percentile(std::vector<double>& values, double share) {
   return values[static_cast<std::size_t>(k)];
 }
 
+bool has_sign(const ElementField& field) {
+  return field == Metric::normalized_jacobian || field == Metric::area ||
+         field == NodalField::smallest_weight;
+}
+
 }  // namespace
 
 ColorScale automatic_scale(const ElementField& field, std::span<const double> values,
@@ -31,6 +36,7 @@ ColorScale automatic_scale(const ElementField& field, std::span<const double> va
   constexpr double robust = 0.995;
   ColorScale scale;
   scale.map = map;
+  if (has_sign(field)) scale.centre = 0;
   if (field == Metric::normalized_jacobian) return scale;
   std::vector<double> finite = finite_values(values);
   const double high = percentile(finite, robust);

@@ -13,7 +13,8 @@ namespace winslow::gui {
 /// number above all but the worst half percent (at least 1.5), so that a single sliver does not
 /// wash out the rest; kappa likewise. Area: to the same percentile. Residual: from 0 to that
 /// percentile. Smallest weight: to 1, from 0 or the worst half percent if that is less. Values that
-/// are not finite are left out.
+/// are not finite are left out. Fields with a sign (sine, area, smallest weight) have the middle of
+/// a diverging map at zero: negative ones are orange.
 ColorScale automatic_scale(const ElementField& field, std::span<const double> values,
                            const std::string& map = "viridis");
 

@@ -76,9 +76,9 @@ void MeshView::update_markers(const Session& session, const ViewOptions& view, f
   if (comparison_ == Comparison::split) before_.renderer().set_marker_styles(markers_);
 }
 
-void MeshView::draw(const Camera& camera, int width, int height, bool backdrop) {
+void MeshView::draw(const Camera& camera, const Camera* whole, int width, int height) {
   if (!has_mesh_) return;
-  if (backdrop) draw_backdrop(camera, backdrop_, height);
+  if (whole) draw_backdrop(camera, *whole, backdrop_, height);
   if (!now_.has_mesh()) return;
   if (comparison_ == Comparison::split && before_.has_mesh())
     return draw_split(camera, width, height);
@@ -100,9 +100,9 @@ void MeshView::draw_split(const Camera& camera, int width, int height) {
   now_.renderer().draw(camera, right, width, height);
 }
 
-void MeshView::draw_magnified(const Camera& camera, int width, int height) {
+void MeshView::draw_magnified(const Camera& camera, const Camera& whole, int width, int height) {
   if (!has_mesh_ || !now_.has_mesh()) return;
-  draw_backdrop(camera, backdrop_, height);
+  draw_backdrop(camera, whole, backdrop_, height);
   now_.renderer().draw(camera, style_, width, height, 1);
   if (comparison_ == Comparison::ghost && before_.has_mesh())
     before_.renderer().draw(camera, ghost_, width, height, 1);

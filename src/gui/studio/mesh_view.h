@@ -20,13 +20,13 @@ class MeshView {
  public:
   void update(const Session& session, const BeforeMesh& before, const ViewOptions& view,
               float scale);
-  /// Draws what lies behind (if asked to) and the mesh into the bound framebuffer, `height` pixels
-  /// high.
-  void draw(const Camera& camera, int width, int height, bool backdrop = true);
+  /// Draws what lies behind and the mesh into the bound framebuffer, `height` pixels high. whole:
+  /// the view that the camera sees a part of; null: nothing lies behind.
+  void draw(const Camera& camera, const Camera* whole, int width, int height);
   /// Where the mesh before ends and the mesh now begins, if they are side by side: x of the mesh.
   void set_divider(double x) { divider_ = x; }
   /// The present mesh alone, with the camera of a magnifier.
-  void draw_magnified(const Camera& camera, int width, int height);
+  void draw_magnified(const Camera& camera, const Camera& whole, int width, int height);
   /// Takes what the background has prepared. True if the picture changes.
   bool poll();
   bool busy() const { return now_.busy() || before_.busy(); }

@@ -17,7 +17,7 @@ constexpr std::array<const char*, 2> icon_files{
     "/usr/share/fonts-fork-awesome/fonts/forkawesome-webfont.ttf"};
 
 // By Icon. Fork Awesome keeps Font Awesome 4's code points.
-constexpr std::array<const char*, 30> glyphs{
+constexpr std::array<const char*, 32> glyphs{
     "\xEF\x81\xBC",  // open
     "\xEF\x83\x87",  // save
     "\xEF\x83\xA2",  // undo
@@ -48,6 +48,8 @@ constexpr std::array<const char*, 30> glyphs{
     "\xEF\x88\x81",  // plot
     "\xEF\x81\x9B",  // target
     "\xEF\x80\xBD",  // record
+    "\xEF\x81\xA0",  // back
+    "\xEF\x81\xA1",  // forward
 };
 
 bool exists(const char* path) {

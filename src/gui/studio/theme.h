@@ -70,7 +70,9 @@ enum class Icon {
   view,
   plot,
   target,
-  record
+  record,
+  back,
+  forward
 };
 
 /// Fonts of one ImGui context.

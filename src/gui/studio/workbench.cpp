@@ -53,7 +53,8 @@ bool Workbench::settled() const {
       file_dialog_.busy())
     return false;
   if (demo_.demo() && (demo_.automatic() || !demo_.ready(session_))) return false;
-  if (!session_.document()) return !(shows_welcome() && welcome_.busy());
+  if (shows_welcome() && welcome_.busy()) return false;
+  if (!session_.document()) return true;
   const auto& measured = session_.quality().latest();
   return measured && measured->shape == session_.shape() && measured->field == view_.color;
 }
@@ -125,7 +126,8 @@ void Workbench::paint() {
       (view_.lightness == Lightness::dark ? dark_palette() : light_palette()).card);
   glClearColor(ground.x, ground.y, ground.z, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  mesh_view_.draw(camera_, width_, height_);
+  tile_ = {0, 0, static_cast<float>(width_), static_cast<float>(height_)};
+  mesh_view_.draw(camera_, &camera_, width_, height_);
   ui_->paint();
 }
 

@@ -154,7 +154,7 @@ class Workbench : public PictureSource {
   void bring_back(Kept kept);
   void lay_out_picture(const Bounds& visible);
   Image paint_tiles(bool transparent);
-  Camera camera_of_part(int x, int y, int width, int height) const;
+  std::optional<Inset> pinned_inset(const Camera& camera, double scale) const;
 
   void on(const action::SetView& a) { view_ = a.view; }
   void on(const action::InspectNode& a);
@@ -215,6 +215,7 @@ class Workbench : public PictureSource {
   IdLabels id_labels_;
   LegendCard legend_card_;
   std::optional<Inset> lens_;
+  Area tile_;           // part of the framebuffer that is being painted, pixels
   Vec2 pointer_{0, 0};  // pixels
   bool pointer_over_ = false;
   ActionQueue actions_;

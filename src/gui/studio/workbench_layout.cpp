@@ -69,7 +69,10 @@ void Workbench::draw_menu() {
     menu_bar_.draw(context());
     ImGui::EndMainMenuBar();
   }
-  layout_.arrange(width_, height_, view_, ui_->theme(), height);
+  ViewOptions shown = view_;
+  // The welcome page needs the room, and without a mesh the panels have nothing to say.
+  if (shows_welcome()) shown.left_panel = shown.right_panel = shown.plot_panel = false;
+  layout_.arrange(width_, height_, shown, ui_->theme(), height);
 }
 
 void Workbench::draw_regions() {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/inspect/nodal_view.h"
 #include "gui/render/frame_buffer.h"
 #include "gui/render/gl.h"
 #include "gui/studio/mesh_colors.h"
@@ -31,6 +32,28 @@ void copy_into(Image& whole, const Image& part, int x, int y) {
   }
 }
 
+/// Where a camera's viewport and a part of the framebuffer meet, in whole pixels, as the renderer
+/// draws them; pixels count from the part's corner. An empty viewport where they do not.
+Camera camera_of_part(const Camera& camera, const Area& part) {
+  const double left = std::round(camera.viewport_origin().x());
+  const double top = std::round(camera.viewport_origin().y());
+  const auto x = static_cast<double>(part.x), y = static_cast<double>(part.y);
+  const double x0 = std::max(x, left);
+  const double y0 = std::max(y, top);
+  const double x1 =
+      std::min(x + static_cast<double>(part.width), left + std::round(camera.viewport_width()));
+  const double y1 =
+      std::min(y + static_cast<double>(part.height), top + std::round(camera.viewport_height()));
+  Camera met;
+  if (x1 <= x0 || y1 <= y0) {
+    met.set_viewport(0, 0, 0, 0);
+    return met;
+  }
+  met.set_viewport(x0 - x, y0 - y, x1 - x0, y1 - y0);
+  met.look_at(camera.to_world(0.5 * Vec2(x0 + x1, y0 + y1)), camera.units_per_pixel());
+  return met;
+}
+
 }  // namespace
 
 /// What the window shows, while a picture is being laid out with other sizes.
@@ -39,12 +62,14 @@ struct Workbench::Kept {
   Camera camera;
   Layout layout;
   ViewOptions view;
+  std::optional<Inset> lens;
   ActionQueue actions;
   int width = 1, height = 1;
 };
 
 Workbench::Kept Workbench::put_aside() {
-  return {std::move(ui_), camera_, layout_, view_, std::exchange(actions_, {}), width_, height_};
+  return {std::move(ui_), camera_, layout_, view_, lens_, std::exchange(actions_, {}),
+          width_,         height_};
 }
 
 void Workbench::bring_back(Kept kept) {
@@ -53,6 +78,7 @@ void Workbench::bring_back(Kept kept) {
   camera_ = kept.camera;
   layout_ = kept.layout;
   view_ = kept.view;
+  lens_ = kept.lens;
   actions_ = std::move(kept.actions);
   width_ = kept.width;
   height_ = kept.height;
@@ -113,6 +139,7 @@ void Workbench::lay_out_picture(const Bounds& visible) {
   const Area& v = layout_.viewport;
   camera_.set_viewport(v.x, v.y, v.width, v.height);
   if (session_.document()) camera_.fit(visible, 0);
+  lens_ = pinned_inset(camera_, static_cast<double>(ui_->theme().scale));
   if (!mesh_alone_) draw_regions();
   draw_viewport();
   // A picture is of this mesh: here, unlike in a frame, what is prepared is waited for.
@@ -122,22 +149,12 @@ void Workbench::lay_out_picture(const Bounds& visible) {
   actions_.clear();  // nobody pressed anything
 }
 
-Camera Workbench::camera_of_part(int x, int y, int width, int height) const {
-  // In whole pixels, as the renderer draws it.
-  const double left = std::round(camera_.viewport_origin().x());
-  const double top = std::round(camera_.viewport_origin().y());
-  const double x0 = std::max<double>(x, left);
-  const double y0 = std::max<double>(y, top);
-  const double x1 = std::min<double>(x + width, left + std::round(camera_.viewport_width()));
-  const double y1 = std::min<double>(y + height, top + std::round(camera_.viewport_height()));
-  Camera part;
-  if (x1 <= x0 || y1 <= y0) {
-    part.set_viewport(0, 0, 0, 0);
-    return part;
-  }
-  part.set_viewport(x0 - x, y0 - y, x1 - x0, y1 - y0);
-  part.look_at(camera_.to_world(0.5 * Vec2(x0 + x1, y0 + y1)), camera_.units_per_pixel());
-  return part;
+void Workbench::paint_lens() {
+  if (!lens_) return;
+  const Camera camera = camera_of_part(lens_->camera, tile_);
+  if (camera.viewport_width() > 0)
+    mesh_view_.draw_magnified(camera, lens_->camera, static_cast<int>(tile_.width),
+                              static_cast<int>(tile_.height));
 }
 
 Image Workbench::paint_tiles(bool transparent) {
@@ -155,14 +172,22 @@ Image Workbench::paint_tiles(bool transparent) {
         buffer.clear({0, 0, 0, 0});
       else
         buffer.clear({ground.x, ground.y, ground.z, 1});
-      const Camera part = camera_of_part(x, y, side_x, side_y);
-      if (part.viewport_width() > 0) mesh_view_.draw(part, side_x, side_y, !transparent);
-      ui_->paint_part(static_cast<float>(x), static_cast<float>(y), static_cast<float>(side_x),
-                      static_cast<float>(side_y));
+      tile_ = {static_cast<float>(x), static_cast<float>(y), static_cast<float>(side_x),
+               static_cast<float>(side_y)};
+      const Camera part = camera_of_part(camera_, tile_);
+      if (part.viewport_width() > 0)
+        mesh_view_.draw(part, transparent ? nullptr : &camera_, side_x, side_y);
+      ui_->paint_part(tile_.x, tile_.y, tile_.width, tile_.height);
       copy_into(whole, buffer.read(), x, y);
     }
   if (transparent) divide_by_alpha(whole);
   return whole;
+}
+
+/// The magnifier as a picture has it: one that follows the mouse is none of the mesh's.
+std::optional<Inset> Workbench::pinned_inset(const Camera& camera, double scale) const {
+  if (!session_.document() || !view_.magnifier.pin) return std::nullopt;
+  return magnifier_inset(view_.magnifier, camera, Vec2(0, 0), false, scale);
 }
 
 VectorFigure Workbench::figure(bool legend) const {
@@ -174,6 +199,8 @@ VectorFigure Workbench::figure(bool legend) const {
   const Area& v = layout_.viewport;
   figure.camera.set_viewport(0, 0, v.width / scale, v.height / scale);
   figure.camera.look_at(camera_.centre(), camera_.units_per_pixel() * scale);
+  if (const auto inset = pinned_inset(figure.camera, 1))
+    figure.inset = FigureInset{inset->camera, inset->source};
   figure.fill = view_.fill;
   figure.wireframe = view_.wireframe;
   figure.mark_inverted = view_.mark_inverted;
@@ -186,6 +213,8 @@ VectorFigure Workbench::figure(bool legend) const {
     figure.scale = mesh_view_.legend()->scale;
     if (legend) figure.legend = mesh_view_.legend();
   }
+  for (const Index node : session_.nodes().pinned())
+    figure.vcvs.push_back(inspect_node(*session_.vcv(), figure.mesh.coordinates, node));
   const auto& markers = figure.mesh.topology->markers();
   for (std::size_t m = 0; m < markers.size(); ++m) {
     figure.marker_colors.push_back(marker_color(static_cast<Index>(m), figure.dark));

@@ -196,7 +196,7 @@ void Workbench::draw_overlays(ImDrawList& list) {
   draw_focus(list, overlay);
   draw_comparison(list, overlay);
   draw_legend_card(list);
-  if (lens_ && !picturing_) {
+  if (lens_) {
     draw_inset_source(list, theme, *lens_);
     list.AddCallback(
         [](const ImDrawList*, const ImDrawCmd* command) {
@@ -218,10 +218,6 @@ void Workbench::draw_legend_card(ImDrawList& list) {
     area.height -= banner;
   }
   legend_card_.draw(list, context(), area, *legend);
-}
-
-void Workbench::paint_lens() {
-  if (lens_) mesh_view_.draw_magnified(lens_->camera, width_, height_);
 }
 
 }  // namespace winslow::gui

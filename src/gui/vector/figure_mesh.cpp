@@ -26,9 +26,8 @@ Rgb rgb(const Rgba& c) { return {c[0], c[1], c[2]}; }
 
 class MeshDrawing {
  public:
-  MeshDrawing(Page& page, const VectorFigure& figure, const Vec2& origin)
-      : page_(page), figure_(figure), theme_(picture_theme(figure.dark)) {
-    const Camera& camera = figure.camera;
+  MeshDrawing(Page& page, const VectorFigure& figure, const Camera& camera, const Vec2& origin)
+      : page_(page), figure_(figure), camera_(camera), theme_(picture_theme(figure.dark)) {
     area_ = {origin, origin + Vec2(camera.viewport_width(), camera.viewport_height())};
     box_ = {area_.min - Vec2::Constant(beyond), area_.max + Vec2::Constant(beyond)};
     shift_ = origin - camera.viewport_origin();
@@ -47,7 +46,7 @@ class MeshDrawing {
  private:
   const Topology& topology() const { return *figure_.mesh.topology; }
   Vec2 at(Index node) const {
-    return figure_.camera.to_screen(figure_.mesh.coordinates.xy(node)) + shift_;
+    return camera_.to_screen(figure_.mesh.coordinates.xy(node)) + shift_;
   }
 
   void add_polygon(std::vector<Vec2> polygon) {
@@ -135,8 +134,8 @@ class MeshDrawing {
     for (const Index k : edges) {
       const auto& edge = topology().edges()[static_cast<std::size_t>(k)];
       if (!clip_line(at(edge.nodes[0]), at(edge.nodes[1]), area_)) continue;
-      const double spacing = edge_spacing(topology(), figure_.mesh.coordinates, edge) /
-                             figure_.camera.units_per_pixel();
+      const double spacing =
+          edge_spacing(topology(), figure_.mesh.coordinates, edge) / camera_.units_per_pixel();
       const double opacity = line_opacity(spacing, figure_.edge_width);
       by_shade[static_cast<std::size_t>(std::lround(opacity * shades))].push_back(k);
     }
@@ -180,6 +179,7 @@ class MeshDrawing {
 
   Page& page_;
   const VectorFigure& figure_;
+  const Camera& camera_;
   const PictureTheme& theme_;
   Bounds area_, box_;
   Vec2 shift_;
@@ -187,8 +187,9 @@ class MeshDrawing {
 
 }  // namespace
 
-void draw_figure_mesh(Page& page, const VectorFigure& figure, const Vec2& origin) {
-  MeshDrawing(page, figure, origin).draw();
+void draw_figure_mesh(Page& page, const VectorFigure& figure, const Camera& camera,
+                      const Vec2& origin) {
+  MeshDrawing(page, figure, camera, origin).draw();
 }
 
 }  // namespace winslow::gui

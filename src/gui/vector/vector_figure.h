@@ -5,12 +5,19 @@
 #include <utility>
 #include <vector>
 
+#include "core/inspect/nodal_view.h"
 #include "core/mesh/mesh.h"
 #include "gui/render/camera.h"
 #include "gui/render/mesh_renderer.h"
 #include "gui/widgets/legend.h"
 
 namespace winslow::gui {
+
+/// A place of the mesh drawn larger, over a part of it.
+struct FigureInset {
+  Camera camera;  ///< its viewport is where the inset goes, as the figure's
+  Bounds source;  ///< what it magnifies, in points
+};
 
 /// A mesh as vector graphics: what is drawn. Lengths are points, 1/72 of an inch, which stand for
 /// the pixels of the screen.
@@ -24,6 +31,8 @@ struct VectorFigure {
   std::string warning;              ///< below it, in red; empty: none
   std::vector<std::pair<std::string, Rgb>> key;  ///< names of markers in their colours, below it
   std::vector<Rgb> marker_colors;                ///< of each marker of the mesh
+  std::vector<NodalView> vcvs;                   ///< drawn over the mesh
+  std::optional<FigureInset> inset;
   bool fill = true;
   bool wireframe = true;
   bool mark_inverted = true;

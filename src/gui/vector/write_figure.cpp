@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "gui/picture_frame.h"
 #include "gui/vector/figure_mesh.h"
+#include "gui/vector/figure_vcvs.h"
 #include "gui/vector/page.h"
 #include "io/atomic_file.h"
 
@@ -46,7 +47,9 @@ class FigureDrawing {
     page_.set_color(rgb(theme_.paper));
     page_.rectangle(0, 0, page_.width(), page_.height());
     page_.fill();
-    draw_figure_mesh(page_, figure_, {m.left, m.top});
+    draw_figure_mesh(page_, figure_, figure_.camera, {m.left, m.top});
+    draw_figure_vcvs(page_, figure_, {m.left, m.top});
+    if (figure_.inset) draw_inset(*figure_.inset, {m.left, m.top});
     const double width = page_.width() - m.left - m.right;
     const double height = page_.height() - m.top - m.bottom;
     if (figure_.framed) {
@@ -108,7 +111,7 @@ class FigureDrawing {
 
   void draw_bar(double x, double top, double width, double height, double alpha) {
     const ColorScale& scale = figure_.legend->scale;
-    const int strips = scale.bands > 0 ? scale.bands : 128;
+    const int strips = scale.strips(scale.diverges() ? 256 : 128);
     const double step = height / strips;
     for (int k = 0; k < strips; ++k) {
       const double t = (k + 0.5) / strips;
@@ -138,6 +141,32 @@ class FigureDrawing {
                       std::max(share * room, 1.0), step - 0.4);
       page_.fill();
     }
+  }
+
+  /// A frame, a line to what it magnifies, a frame around that.
+  void draw_inset(const FigureInset& inset, const Vec2& origin) {
+    const Vec2 shift = origin - figure_.camera.viewport_origin();
+    const Vec2 at = inset.camera.viewport_origin() + shift;
+    const Vec2 size(inset.camera.viewport_width(), inset.camera.viewport_height());
+    const Vec2 from = inset.source.min + shift, extent = inset.source.size();
+    const Vec2 middle = from + 0.5 * extent, centre = at + 0.5 * size;
+    page_.clip(origin.x(), origin.y(), figure_.camera.viewport_width(),
+               figure_.camera.viewport_height());
+    page_.set_color(rgb(theme_.ink));
+    page_.set_line(0.1 * em_, true);
+    page_.rectangle(from.x(), from.y(), extent.x(), extent.y());
+    page_.move_to(centre.x(), centre.y());
+    page_.line_to(middle.x(), middle.y());
+    page_.stroke();
+    page_.set_color(rgb(theme_.paper));
+    page_.rectangle(at.x(), at.y(), size.x(), size.y());
+    page_.fill();
+    page_.unclip();
+    draw_figure_mesh(page_, figure_, inset.camera, at);
+    page_.set_color(rgb(theme_.ink));
+    page_.set_line(0.15 * em_, true);
+    page_.rectangle(at.x(), at.y(), size.x(), size.y());
+    page_.stroke();
   }
 
   void draw_bottom_line(double left) {

@@ -63,7 +63,7 @@ struct Box {
 
 /// The colours, one strip a pixel high or one a band, low values at the bottom.
 void draw_bar(ImDrawList& list, const Box& box, const ColorScale& scale, float alpha) {
-  const int strips = std::max(scale.bands > 0 ? scale.bands : static_cast<int>(box.height()), 1);
+  const int strips = scale.strips(static_cast<int>(box.height()));
   const double span = scale.high - scale.low;
   for (int k = 0; k < strips; ++k) {
     const double t = (k + 0.5) / strips;

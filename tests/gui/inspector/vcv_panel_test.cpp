@@ -3,54 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/inspect/nodal_view.h"
-#include "gui/studio/keys.h"
+#include "gui/inspector/vcv_rig.h"
 #include "gui/studio/pixels.h"
-#include "gui/studio/rig.h"
 
 namespace winslow::gui::test {
 
 namespace {
 
-/// A free node in the middle of the ring with six neighbours, none of them on the boundary.
-Index inner_node(const Rig& rig, std::size_t skip = 0) {
-  const Topology& topology = *rig.mesh().topology;
-  for (const Index node : topology.free_nodes()) {
-    const auto ring = topology.neighbours(node);
-    const bool inner = ring.size() == 6 &&
-                       std::ranges::none_of(ring, [&](Index k) { return topology.constrained(k); });
-    if (inner && skip-- == 0) return node;
-  }
-  FAIL("no such node");
-  return -1;
-}
-
-NodalView view_of(const Rig& rig, Index node) {
-  return inspect_node(*rig.session().vcv(), rig.session().coordinates(), node);
-}
-
-void open_ring(Rig& rig) {
-  rig.open(ring_mesh());
-  rig.bench->apply(action::RunSmooth{});
-  REQUIRE(rig.settle());
-  rig.click("tab/vcv");
-}
-
-bool valid(const Rig& rig) {
-  return check_validity(*rig.mesh().topology, rig.session().coordinates()).inverted == 0;
-}
-
 Vec2 end_of_edge(const Rig& rig, std::size_t k) {
   const auto rect = rig.bench->widgets().find("vcv/end/" + std::to_string(k));
   REQUIRE(rect.has_value());
   return rect->centre();
-}
-
-void enter_node(Rig& rig, const std::string& number) {
-  rig.click("vcv/node");
-  rig.key(keys::a, {keys::control});
-  rig.type(number);
-  rig.key(keys::enter);
 }
 
 /// Drags an end of the VCV across the picture and lets go.
@@ -204,47 +167,6 @@ TEST_CASE("Esc ends a drag of a VCV and puts the mesh back") {
   REQUIRE(rig.settle());
   CHECK(rig.session().coordinates() == before);
   CHECK(rig.document().history().size() == steps);
-}
-
-TEST_CASE("typed angle, Apply to pinned nodes, Reset and Reset all") {
-  Rig rig(1300, 1000);
-  open_ring(rig);
-  const Index node = inner_node(rig), second = inner_node(rig, 4), third = inner_node(rig, 9);
-  rig.bench->apply(action::InspectNode{node});
-  rig.bench->apply(action::PinNodes{{node, second, third}});
-  rig.frames(3);
-  rig.click("vcv/row/2");
-  rig.fill("vcv/angle", "85");
-  REQUIRE(rig.settle());
-  CHECK(degrees(rig.session().vcv()->angles(node)[2]) == doctest::Approx(85));
-  CHECK(degrees(rig.session().vcv()->angles(node)[0]) == doctest::Approx(55));
-  rig.frames(3);
-  rig.click("vcv/apply");
-  REQUIRE(rig.settle());
-  CHECK(rig.session().vcv()->edits().size() == 3);
-  // The wide angle lies the same way in the mesh, whatever the neighbours' numbers.
-  const auto direction = [&](Index of) {
-    const NodalView view = view_of(rig, of);
-    const auto widest = std::ranges::max_element(view.vcv.angles) - view.vcv.angles.begin();
-    const auto k = static_cast<std::size_t>(widest);
-    return (view.physical.points[k] / view.physical.lengths[k] +
-            view.physical.points[(k + 1) % 6] / view.physical.lengths[(k + 1) % 6])
-        .normalized()
-        .eval();
-  };
-  CHECK(direction(node).dot(direction(second)) > 0.5);
-  CHECK(valid(rig));
-  rig.frames(3);
-  rig.click("vcv/reset");
-  REQUIRE(rig.settle());
-  CHECK_FALSE(rig.session().vcv()->edited(node));
-  CHECK(rig.session().vcv()->edits().size() == 2);
-  rig.frames(3);
-  rig.click("vcv/reset_all");
-  REQUIRE(rig.settle());
-  CHECK(rig.session().vcv()->edits().empty());
-  CHECK(describe(rig.document().history().command(rig.document().history().position())) ==
-        "Reset the VCVs of 2 nodes");
 }
 
 TEST_CASE("a pinned VCV is drawn over the mesh, and gone when it is unpinned") {

@@ -1,8 +1,11 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <fstream>
 
+#include "gui/demos/demo.h"
 #include "gui/files/assets.h"
+#include "gui/headless/headless_studio.h"
 #include "gui/panels/about_panel.h"
 #include "gui/studio/keys.h"
 #include "gui/studio/rig.h"
@@ -62,6 +65,50 @@ TEST_CASE("the welcome page lists recent files and can be shown over a mesh") {
   rig.click("welcome/recent/mesh.su2");
   REQUIRE(rig.settle());
   CHECK(rig.document().name() == "mesh.su2");
+}
+
+TEST_CASE("meshes and demos of the welcome page are all on screen at 1100 by 720") {
+  Rig rig;
+  for (int k = 0; k < 6; ++k) rig.open(ring_mesh(), "mesh" + std::to_string(k) + ".su2");
+  CHECK(rig.visible("tab/quality"));
+  rig.bench->apply(action::CloseMesh{});
+  rig.frames();
+  CHECK_FALSE(rig.visible("tab/quality"));
+  std::vector<std::string> wanted;
+  for (const BundledMesh& mesh : bundled_meshes()) wanted.push_back(mesh.id);
+  for (const Demo& demo : demos()) wanted.push_back("demo/" + demo.id);
+  for (int k = 0; k < 6; ++k) wanted.push_back("recent/mesh" + std::to_string(k) + ".su2");
+  const Area& page = rig.bench->layout().viewport;
+  std::vector<WidgetMap::Rect> seen;
+  for (const std::string& id : wanted) {
+    INFO(id);
+    const auto rect = rig.bench->widgets().find("welcome/" + id);
+    REQUIRE(rect.has_value());
+    CHECK(rect->min.x() >= page.x);
+    CHECK(rect->min.y() >= page.y);
+    CHECK(rect->max.x() <= page.x + page.width);
+    CHECK(rect->max.y() <= page.y + page.height);
+    for (const WidgetMap::Rect& other : seen)
+      CHECK(((rect->min.array() >= other.max.array()).any() ||
+             (other.min.array() >= rect->max.array()).any()));
+    seen.push_back(*rect);
+  }
+}
+
+TEST_CASE("a script's wait waits for the pictures on the cards, over a mesh as well") {
+  HeadlessStudio studio(1100, 720);
+  const auto pictured = [&] {
+    return std::ranges::all_of(bundled_meshes(), [&](const BundledMesh& mesh) {
+      return studio.bench().welcome().thumbnails().find(mesh.id) != nullptr;
+    });
+  };
+  const TemporaryFolder folder;
+  studio.open(write(folder, ring_mesh(), "mesh.su2"));
+  studio.bench().apply(action::ShowWelcome{});
+  studio.frames();
+  CHECK_FALSE(pictured());
+  studio.settle();
+  CHECK(pictured());
 }
 
 TEST_CASE("a demo starts with one click on the welcome page") {

@@ -16,6 +16,17 @@ TEST_CASE("The sine is shown from 0 to 1 whatever the mesh") {
   CHECK_FALSE(scale.reversed);
 }
 
+TEST_CASE("Fields with a sign have the middle of a diverging map at zero") {
+  const std::vector<double> values{-0.5, 0.3, 0.8};
+  for (const ElementField& field : all_element_fields()) {
+    CAPTURE(field_name(field));
+    const bool sign = field == Metric::normalized_jacobian || field == Metric::area ||
+                      field == NodalField::smallest_weight;
+    CHECK(automatic_scale(field, values, "puor").diverges() == sign);
+    CHECK_FALSE(automatic_scale(field, values, "viridis").diverges());
+  }
+}
+
 TEST_CASE("One sliver and inverted elements do not stretch the colours of the aspect ratio") {
   std::vector<double> values(1000, 1.0);
   for (std::size_t k = 0; k < values.size(); ++k) values[k] = 1.0 + static_cast<double>(k) / 1000;

@@ -68,6 +68,34 @@ TEST_CASE("Control and the right button draw the box at any time; Esc and a clic
   CHECK((rig.bench->camera().centre() - Vec2(-1.5, -0.5)).norm() < 0.02);
 }
 
+TEST_CASE("the toolbar's arrows go back to the view before and forward again") {
+  Rig rig(1200, 750);
+  rig.open(two_body_mesh());
+  rest(rig);
+  const Camera whole = rig.bench->camera();
+  const auto enabled = [&](const char* id) { return rig.bench->widgets().find(id)->enabled; };
+  CHECK_FALSE(enabled("tool/view_back"));
+  CHECK_FALSE(enabled("tool/view_forward"));
+  rig.click("marker/right");
+  rig.key(keys::f, {keys::shift});
+  rest(rig);
+  const Camera right = rig.bench->camera();
+  REQUIRE(distance(whole, right) > 0.1);
+  CHECK(enabled("tool/view_back"));
+  rig.click("tool/view_back");
+  CHECK(distance(rig.bench->camera(), whole) < 1e-9);
+  CHECK(enabled("tool/view_forward"));
+  rig.click("tool/view_forward");
+  CHECK(distance(rig.bench->camera(), right) < 1e-9);
+  CHECK_FALSE(enabled("tool/view_forward"));
+  // The last of the row is on screen, too.
+  for (const int width : {1100, 1131, 1300}) {
+    rig.resize(width, 750);
+    rig.frames();
+    CHECK(rig.bench->widgets().find("tool/palette")->max.x() < width);
+  }
+}
+
 TEST_CASE("Alt+Left goes back through the views that rested, Alt+Right forward") {
   Rig rig;
   rig.open(two_body_mesh());
@@ -193,6 +221,50 @@ TEST_CASE("a pinned magnifier stays where it is while the view moves") {
                   Vec2(v.x + 480, v.y + 300)) > 500);
   rig.key(GLFW_KEY_M, {keys::shift});
   CHECK_FALSE(rig.bench->view().magnifier.on);
+}
+
+TEST_CASE("a pinned magnifier is in pictures of any size, one that follows the mouse is not") {
+  Rig rig;
+  rig.open(two_body_mesh());
+  const PictureSpec spec{.size = {}, .panels = false, .legend = false};
+  const Vec2 place(-1.5, 0.5);  // a corner of a body
+  rig.move(rig.pixel(place));
+  const Image plain = rig.bench->picture(spec);
+  rig.key(GLFW_KEY_M);
+  REQUIRE(rig.bench->view().magnifier.on);
+  CHECK(rig.bench->picture(spec).rgba == plain.rgba);
+  rig.key(GLFW_KEY_M, {keys::shift});
+  REQUIRE(rig.bench->view().magnifier.pin.has_value());
+  rig.move(Vec2(5, 5));
+  rig.frames();
+  const Area v = rig.bench->layout().viewport;
+  const Image window = rig.bench->picture();
+  const Image pinned = rig.bench->picture(spec);
+  // Its inside, bottom left.
+  const Vec2 min(30, v.height - 200), max(200, v.height - 40);
+  CHECK(differing(plain, pinned, min, max) > 2000);
+  const auto brightness_of = [](const Image& image, const Vec2& from, double ratio) {
+    double sum = 0;
+    for (int y = 0; y < 20 * ratio; ++y)
+      for (int x = 0; x < 20 * ratio; ++x) sum += brightness(image, from + Vec2(x, y));
+    return sum / (400 * ratio * ratio);
+  };
+  // At eight times the size the picture is made of several pieces, and the magnifier with it.
+  const double ratio = 8;
+  const Image large =
+      rig.bench->picture({.scale = ratio, .size = {}, .panels = false, .legend = false});
+  REQUIRE(large.height > 2048 + 800);
+  for (double y = min.y(); y < max.y() - 20; y += 20)
+    for (double x = min.x(); x < max.x() - 20; x += 20) {
+      const double shown = brightness_of(window, Vec2(v.x + x, v.y + y), 1);
+      CHECK(brightness_of(pinned, Vec2(x, y), 1) == doctest::Approx(shown).epsilon(0.03));
+      CHECK(brightness_of(large, ratio * Vec2(x, y), ratio) ==
+            doctest::Approx(shown).epsilon(0.05));
+    }
+  // The window has it still.
+  rig.frames();
+  CHECK(rig.bench->picture().rgba == window.rgba);
+  CHECK(rig.bench->figure(false).inset.has_value());
 }
 
 }  // namespace winslow::gui::test

@@ -173,6 +173,21 @@ TEST_CASE("the pivot goes to the edges and the centroid by name, and turns are a
   CHECK((rig.session().pivot() - expected).norm() < 1e-9);
 }
 
+TEST_CASE("with Alt the disc in the middle takes the pivot elsewhere and leaves the body") {
+  Rig rig;
+  open_ring(rig);
+  const Coordinates before = rig.session().coordinates();
+  const Vec2 disc = rig.gizmo().pivot;
+  rig.input.key(keys::alt, true);
+  rig.drag(disc, disc + Vec2(20, -12));
+  rig.release();
+  rig.input.key(keys::alt, false);
+  REQUIRE(rig.settle());
+  CHECK((rig.pixel(rig.session().pivot()) - disc - Vec2(20, -12)).norm() < 1.5);
+  CHECK(rig.session().coordinates() == before);
+  CHECK_FALSE(rig.session().nodes().inspected().has_value());
+}
+
 TEST_CASE("with Ctrl the pivot's pin snaps to the trailing edge and to nodes; Esc puts it back") {
   Rig rig;
   open_ring(rig);

@@ -112,6 +112,25 @@ TEST_CASE("a picture larger than a tile has no seams") {
   CHECK(difference(whole, pieces, 2, 20) < 20);
 }
 
+TEST_CASE("a background of two colours runs over the whole of a picture, not of its pieces") {
+  Rig rig(900, 600);
+  rig.open(ring_mesh());
+  set_view(rig, [](ViewOptions& view) {
+    view.backdrop = Backdrop::gradient;
+    view.fill = view.wireframe = false;
+  });
+  const Image image =
+      rig.bench->picture({.size = std::array{2400, 3000}, .panels = false, .legend = false});
+  double before = mean(image, 10, 0, 4)[0];
+  const double first = before;
+  for (int y = 4; y + 4 <= image.height; y += 4) {
+    const double now = mean(image, 10, y, 4)[0];
+    CHECK(std::abs(now - before) < 6);
+    before = now;
+  }
+  CHECK(std::abs(before - first) > 20);
+}
+
 TEST_CASE("the dialog chooses size and content, the file dialog the file") {
   Rig rig(1100, 720);
   rig.open(ring_mesh());

@@ -81,6 +81,7 @@ TEST_CASE("a second studio on the same profile looks as the first was left") {
   CHECK(rig.bench->view().lightness == Lightness::dark);
   CHECK(rig.bench->view().side_tab == SideTab::view);
   CHECK(rig.bench->layout().left_width == doctest::Approx(332).epsilon(0.01));
+  rig.open(ring_mesh());
   CHECK(rig.visible("section/solver"));
   CHECK_FALSE(rig.visible("solver/run"));
 }

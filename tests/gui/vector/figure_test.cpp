@@ -4,7 +4,9 @@
 #include <pugixml.hpp>
 #include <sstream>
 
+#include "core/command/command.h"
 #include "core/error.h"
+#include "gui/inspector/vcv_shape.h"
 #include "gui/studio/keys.h"
 #include "gui/studio/rig.h"
 #include "gui/vector/clip.h"
@@ -57,6 +59,17 @@ std::size_t lines_of_color(const pugi::xml_document& svg, const Rgb& color) {
   return lines;
 }
 
+std::vector<double> coordinates_of(const pugi::xml_document& svg) {
+  std::vector<double> found;
+  for (const auto& path : svg.select_nodes("//*[local-name()='path']")) {
+    std::istringstream words(path.node().attribute("d").value());
+    for (std::string word; words >> word;)
+      if (std::isdigit(word[0]) || word[0] == '-') found.push_back(std::stod(word));
+  }
+  REQUIRE_FALSE(found.empty());
+  return found;
+}
+
 }  // namespace
 
 TEST_CASE("an SVG figure is XML and holds each visible edge of the boundary once") {
@@ -104,11 +117,73 @@ TEST_CASE("a figure of a deep zoom has no coordinates off the page") {
   write_figure(folder / "deep.svg", figure);
   pugi::xml_document svg;
   REQUIRE(svg.load_file((folder / "deep.svg").c_str()));
-  for (const auto& path : svg.select_nodes("//*[local-name()='path']")) {
-    std::istringstream words(path.node().attribute("d").value());
-    for (std::string word; words >> word;)
-      if (std::isdigit(word[0]) || word[0] == '-') CHECK(std::abs(std::stod(word)) < 2000);
-  }
+  for (const double c : coordinates_of(svg)) CHECK(std::abs(c) < 2000);
+}
+
+TEST_CASE("an inset of a figure shows its place again, larger, and only there") {
+  TemporaryFolder folder;
+  VectorFigure figure = ring_figure();
+  write_figure(folder / "plain.svg", figure);
+  FigureInset inset;
+  inset.camera.set_viewport(10, 180, 110, 110);
+  inset.camera.look_at({0, 0}, figure.camera.units_per_pixel() / 2);
+  inset.source = {Vec2(172.5, 122.5), Vec2(227.5, 177.5)};
+  figure.inset = inset;
+  write_figure(folder / "inset.svg", figure);
+  pugi::xml_document plain, with;
+  REQUIRE(plain.load_file((folder / "plain.svg").c_str()));
+  REQUIRE(with.load_file((folder / "inset.svg").c_str()));
+  const Rgb& body = marker_color(0);
+  const Rgb& far_field = marker_color(1);
+  CHECK(lines_of_color(plain, body) == 24);
+  CHECK(lines_of_color(with, body) == 48);
+  CHECK(lines_of_color(with, far_field) == lines_of_color(plain, far_field));
+  CHECK(fs::file_size(folder / "inset.svg") > fs::file_size(folder / "plain.svg"));
+}
+
+TEST_CASE("VCVs of a figure are vectors: outline and edges in their colour, negative ones red") {
+  TemporaryFolder folder;
+  const auto path = folder / "vcv.svg";
+  VectorFigure figure = ring_figure();
+  const MeshState state = make_state(figure.mesh);
+  const Topology& topology = *figure.mesh.topology;
+  for (const Index node : topology.free_nodes())
+    if (topology.neighbours(node).size() == 6 && figure.vcvs.size() < 2)
+      figure.vcvs.push_back(inspect_node(*state.vcv, figure.mesh.coordinates, node));
+  REQUIRE(figure.vcvs.size() == 2);
+  figure.vcvs[0].weights.assign(6, 1);
+  figure.vcvs[1].weights = {1, 1, -1, 1, 1, 1};
+  write_figure(path, figure);
+  pugi::xml_document svg;
+  REQUIRE(svg.load_file(path.c_str()));
+  CHECK(lines_of_color(svg, VcvColors().line) == (6 + 6) + (6 + 5));
+  CHECK(lines_of_color(svg, VcvColors().negative) == 1);
+  CHECK(svg.select_nodes("//*[local-name()='image']").empty());
+  write_figure(folder / "vcv.pdf", figure);
+  const auto with = fs::file_size(folder / "vcv.pdf");
+
+  // Where they are not in sight nothing is drawn of them.
+  figure.camera.fit({{1.9, 1.9}, {1.95, 1.95}});
+  write_figure(path, figure);
+  REQUIRE(svg.load_file(path.c_str()));
+  CHECK(lines_of_color(svg, VcvColors().line) == 0);
+  figure = ring_figure();
+  write_figure(folder / "vcv.pdf", figure);
+  CHECK(fs::file_size(folder / "vcv.pdf") < with);
+}
+
+TEST_CASE("a VCV larger than the page is cut off at it") {
+  TemporaryFolder folder;
+  VectorFigure figure = ring_figure();
+  const MeshState state = make_state(figure.mesh);
+  const Index node = figure.mesh.topology->free_nodes()[0];
+  figure.vcvs.push_back(inspect_node(*state.vcv, figure.mesh.coordinates, node));
+  figure.camera.look_at(figure.vcvs[0].position, 1e-9);
+  write_figure(folder / "deep.svg", figure);
+  pugi::xml_document svg;
+  REQUIRE(svg.load_file((folder / "deep.svg").c_str()));
+  CHECK(lines_of_color(svg, VcvColors().line) > 0);
+  for (const double c : coordinates_of(svg)) CHECK(std::abs(c) < 2000);
 }
 
 TEST_CASE("lines and polygons are cut at a box") {
@@ -141,6 +216,26 @@ TEST_CASE("the studio saves its view as vector graphics, colours and legend incl
   rig.bench->apply(action::SavePicture{path, true});
   REQUIRE(rig.settle());
   CHECK(content(path).size() < colored.size() / 2);
+}
+
+TEST_CASE("pinned VCVs are in the studio's vector graphics") {
+  Rig rig(900, 600);
+  rig.open(ring_mesh());
+  const Topology& topology = *rig.mesh().topology;
+  Index node = -1;
+  for (const Index k : topology.free_nodes())
+    if (topology.neighbours(k).size() == 6) node = k;
+  REQUIRE(node >= 0);
+  const auto lines_when_pinned = [&](const std::string& name) {
+    rig.bench->apply(action::SavePicture{rig.folder / name});
+    REQUIRE(rig.settle());
+    pugi::xml_document svg;
+    REQUIRE(svg.load_file((rig.folder / name).c_str()));
+    return lines_of_color(svg, VcvColors().line) + lines_of_color(svg, VcvColors().negative);
+  };
+  CHECK(lines_when_pinned("none.svg") == 0);
+  rig.bench->apply(action::PinNodes{{node}});
+  CHECK(lines_when_pinned("one.svg") == 12);
 }
 
 TEST_CASE("a figure that cannot be written leaves nothing behind") {
