@@ -132,7 +132,7 @@ void LayerFlags::declare_corners(CLI::App& app) {
       ->option_text("DEG [60]")
       ->group("Corners and gaps");
   app.add_option("--fan-angle", corners_.fan_angle, "Between the columns of a fan, degrees")
-      ->option_text("DEG [40]")
+      ->option_text("DEG [50]")
       ->group("Corners and gaps");
   app.add_option("--clearance", corners_.clearance,
                  "Share of a gap's width that the layers of either side may take, below 0.5")
@@ -141,6 +141,10 @@ void LayerFlags::declare_corners(CLI::App& app) {
   app.add_option("--steepest", corners_.steepest,
                  "Change of thickness along the wall, per length of wall")
       ->option_text("SLOPE [0.5]")
+      ->group("Corners and gaps");
+  app.add_flag("--scale-all", corners_.scale_all,
+               "Where there is less room than asked, make all layers thinner, the first as well, "
+               "instead of the outer ones")
       ->group("Corners and gaps");
 }
 

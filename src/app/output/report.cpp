@@ -1,6 +1,7 @@
 #include "app/output/report.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -106,6 +107,15 @@ json describe_layers(const LayerStack& stack, const Coordinates& x) {
                    {"thickness", column.thickness()},
                    {"asked", column.asked}});
   }
+  json within;
+  for (const double share : {0.01, 0.02, 0.05, 0.1}) {
+    const auto near = std::count_if(m.columns.begin(), m.columns.end(), [&](const ColumnMeasure& c) {
+      return c.thickness > 0 && c.first_error <= share;
+    });
+    char key[16];
+    std::snprintf(key, sizeof key, "%g", share);
+    within[key] = static_cast<double>(near) / static_cast<double>(std::max<std::size_t>(with_layers, 1));
+  }
   return {{"columns", stack.columns.size()},
           {"columns_with_layers", with_layers},
           {"count", most},
@@ -113,6 +123,7 @@ json describe_layers(const LayerStack& stack, const Coordinates& x) {
           {"first_height", describe_statistics(m.first_height)},
           {"total_thickness", describe_statistics(m.thickness)},
           {"spacing_error", describe_statistics(m.spacing_error)},
+          {"first_height_within", within},
           {"first_height_error", describe_statistics(m.first_error)},
           {"orthogonality", describe_statistics(m.orthogonality)},
           {"cut_short", cut}};

@@ -204,7 +204,9 @@ double first_share(const LayerInsertion& layers, const Coordinates& rest, Coordi
 
 /// Layers in a mesh where the elements outside have made room for them.
 LayerInsertion make_room(const LayersCommand& command, const MeshState& state, Runs& runs) {
-  const LayerOptions options = with_counts(command.layers, state.mesh);
+  LayerOptions options = with_counts(command.layers, state.mesh);
+  // Heights that are not held afterwards are worth no layer.
+  options.scale_all = options.scale_all || !command.control;
   LayerStack plan = sound_plan(state.mesh, options);
   SmoothOptions smooth;  // only valid meshes on the way count: the default, whatever was asked for
   smooth.threads = command.smooth.threads;

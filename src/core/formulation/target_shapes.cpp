@@ -151,10 +151,10 @@ class Builder {
     const auto first = corner_nodes(element, 0);
     if (!movable(first)) return;
     shapes_.triangles.push_back(first);
-    if (blend_.vcv > 0 || any_edited(element)) {
+    if (blend_.vcv > 0 || (any_edited(element) && !vcv_.role(e).own_shape)) {
       add_vcv_terms(e);
     } else {
-      shapes_.terms.push_back(common_metric(blend_, first, e).normalized().term(vcv_.weight(e)));
+      shapes_.terms.push_back(common_metric(blend_, first, e).normalized().term(vcv_.role(e).weight));
     }
     shapes_.offsets.push_back(static_cast<Index>(shapes_.terms.size()));
   }
@@ -175,7 +175,7 @@ class Builder {
       return !topology_.constrained(node) && (blend_.vcv > 0 || vcv_.edited(node));
     };
     const auto corners = std::count_if(element.begin(), element.end(), counts);
-    const double weight = vcv_.weight(e) / static_cast<double>(corners);
+    const double weight = vcv_.role(e).weight / static_cast<double>(corners);
     for (std::size_t k = 0; k < 3; ++k) {
       if (!counts(element[k])) continue;
       // The VCV's metric belongs to the edges at corner k: express the common part there too.
@@ -224,7 +224,7 @@ class Builder {
       }
       add_rest(metric, nodes, e);
       shapes_.triangles.push_back(nodes);
-      shapes_.terms.push_back(metric.normalized().term(vcv_.weight(e) / count));
+      shapes_.terms.push_back(metric.normalized().term(vcv_.role(e).weight / count));
       shapes_.offsets.push_back(static_cast<Index>(shapes_.terms.size()));
     }
   }

@@ -138,10 +138,21 @@ class Stencils {
 /// to the corrections.
 constexpr double stiffness = 1000;
 
-std::shared_ptr<const std::vector<double>> element_weights(const LayerStack& stack) {
-  auto weights = std::make_shared<std::vector<double>>();
-  for (const int layer : stack.layer_of_element) weights->push_back(layer < 0 ? 1 : stiffness);
-  return weights;
+/// Elements of layers are stiff; those outside that touch the rim keep their own shape, which the
+/// rim's VCVs, made for the layers, would take from them.
+std::shared_ptr<const std::vector<VirtualControlVolumes::Role>> roles(const Topology& topology,
+                                                                     const LayerStack& stack) {
+  auto roles = std::make_shared<std::vector<VirtualControlVolumes::Role>>(
+      at(topology.element_count()));
+  for (std::size_t e = 0; e < roles->size(); ++e) {
+    if (stack.layer_of_element[e] >= 0) (*roles)[e].weight = stiffness;
+  }
+  for (const LayerColumn& column : stack.columns) {
+    for (const Index e : topology.star(column.rim())) {
+      if (stack.layer_of_element[at(e)] < 0) (*roles)[at(e)].own_shape = true;
+    }
+  }
+  return roles;
 }
 
 }  // namespace
@@ -163,7 +174,7 @@ std::shared_ptr<const VirtualControlVolumes> layer_vcvs(
       vcv.set(node, stencils.angles(node), stencils.lengths(column, k));
     }
   }
-  vcv.set_weights(element_weights(stack));
+  vcv.set_roles(roles(*topology, stack));
   return std::make_shared<const VirtualControlVolumes>(std::move(vcv));
 }
 

@@ -189,7 +189,12 @@ class RoomKeeper {
     for (LayerColumn& c : columns_) {
       LayerSpacing spacing = options_.walls[static_cast<std::size_t>(c.wall)].spacing;
       spacing.first = c.first;
-      c.heights = layer_heights_within(spacing, c.room);
+      if (options_.scale_all && c.room > 0) {
+        c.heights = layer_heights_within(spacing, c.asked);
+        for (double& h : c.heights) h *= c.room / c.asked;
+      } else {
+        c.heights = layer_heights_within(spacing, c.room);
+      }
     }
   }
 

@@ -22,10 +22,14 @@ struct LayerOptions {
   std::vector<LayerWall> walls;
   bool fans = true;           ///< several columns at sharp convex corners
   double fan_threshold = 60;  ///< turning of the wall from which there is a fan, degrees
-  double fan_angle = 40;      ///< between neighbouring columns of a fan, degrees
+  double fan_angle = 50;      ///< between neighbouring columns of a fan, degrees
   double clearance = 0.35;    ///< share of a gap's width that the layers of either side may take
   double crossing = 0.35;     ///< share of a wall edge that has to be left of it at the rim
   double steepest = 0.5;      ///< change of thickness along the wall, per length of wall
+  /// Where there is less room than asked: all heights in proportion, the first as well; false: the
+  /// first height stays, the ratios give way, and where even that is too thick there are fewer
+  /// layers.
+  bool scale_all = false;
 
   bool operator==(const LayerOptions&) const = default;
 };
@@ -38,7 +42,7 @@ void validate(const LayerOptions& options);
 LayerOptions with_counts(LayerOptions options, const Mesh& mesh);
 
 /// Where columns will stand, in which direction, and how high each layer is to be; without nodes.
-/// Thickness is limited by the room there is: first heights stay as asked, the ratios give way.
+/// Thickness is limited by the room there is.
 /// Throws UsageError: senseless options, an unknown marker, a marker inside the mesh.
 LayerStack plan_layers(const Mesh& mesh, const LayerOptions& options);
 

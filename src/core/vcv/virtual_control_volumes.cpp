@@ -82,16 +82,18 @@ void VirtualControlVolumes::reset(Index node) {
   edited_.erase(node);
 }
 
-void VirtualControlVolumes::set_weights(std::shared_ptr<const std::vector<double>> weights) {
-  if (weights) {
-    if (static_cast<Index>(weights->size()) != topology_->element_count()) {
-      throw UsageError("the weights are not one for each element");
+void VirtualControlVolumes::set_roles(std::shared_ptr<const std::vector<Role>> roles) {
+  if (roles) {
+    if (static_cast<Index>(roles->size()) != topology_->element_count()) {
+      throw UsageError("the roles are not one for each element");
     }
-    for (const double weight : *weights) {
-      if (!(weight > 0) || !std::isfinite(weight)) throw UsageError("weights must be positive");
+    for (const Role& role : *roles) {
+      if (!(role.weight > 0) || !std::isfinite(role.weight)) {
+        throw UsageError("weights must be positive");
+      }
     }
   }
-  weights_ = std::move(weights);
+  roles_ = std::move(roles);
 }
 
 }  // namespace winslow

@@ -49,13 +49,18 @@ class VirtualControlVolumes {
   /// What was set, by node.
   const std::map<Index, Stencil>& edits() const { return edited_; }
 
-  /// How much more than others an element counts in a sum over VCVs (the variational form): 1, or
-  /// what was set. weights: #elements, positive; null: 1 for all. Throws UsageError otherwise.
-  void set_weights(std::shared_ptr<const std::vector<double>> weights);
-  double weight(Index element) const {
-    return weights_ ? (*weights_)[static_cast<std::size_t>(element)] : 1;
+  /// What an element is in a sum over VCVs (the variational form).
+  struct Role {
+    double weight = 1;  ///< how much more than others it counts
+    bool own_shape = false;  ///< it strives for its own shape, whatever VCVs its nodes were given
+  };
+  /// roles: #elements, with positive weights; null: the default for all. Throws UsageError
+  /// otherwise.
+  void set_roles(std::shared_ptr<const std::vector<Role>> roles);
+  Role role(Index element) const {
+    return roles_ ? (*roles_)[static_cast<std::size_t>(element)] : Role{};
   }
-  const std::shared_ptr<const std::vector<double>>& weights() const { return weights_; }
+  const std::shared_ptr<const std::vector<Role>>& roles() const { return roles_; }
 
  private:
   void require_free(Index node) const;
@@ -64,7 +69,7 @@ class VirtualControlVolumes {
   std::shared_ptr<const Topology> topology_;
   std::vector<Stencil> equal_;  // by number of neighbours
   std::map<Index, Stencil> edited_;
-  std::shared_ptr<const std::vector<double>> weights_;
+  std::shared_ptr<const std::vector<Role>> roles_;
 };
 
 }  // namespace winslow

@@ -188,6 +188,7 @@ void layer_fields(Archive& archive, Command& command) {
   archive.field("clearance", command.layers.clearance);
   archive.field("crossing", command.layers.crossing);
   archive.field("steepest", command.layers.steepest);
+  archive.field("scale_all", command.layers.scale_all);
   smoothing_of(archive, command);
 }
 
