@@ -194,15 +194,22 @@ class MeshRenderer::Impl {
     buffers.set_line_opacity(lines);
   }
 
+  static MeshBuffers::LineStyle interior_style(const MeshStyle& style) {
+    return {style.edge_color, style.edge_width, false, true};
+  }
+
   static void draw_surface(MeshBuffers& buffers, const MeshStyle& style) {
-    if (style.fill) buffers.draw_fill(style.fill_color, true);
+    const MeshBuffers::LineStyle lines = interior_style(style);
+    const bool merges = style.wireframe && buffers.merges(lines);
+    if (style.fill || merges)
+      buffers.draw_fill(style.fill ? &style.fill_color : nullptr, merges ? &lines : nullptr);
     if (style.show_inverted) buffers.draw_inverted_fill(style.inverted_color);
   }
 
   void draw_lines(MeshBuffers& buffers, const MeshStyle& style) const {
     const auto& list = buffers.list();
     if (style.wireframe) {
-      buffers.draw_interior_lines({style.edge_color, style.edge_width, false, true});
+      buffers.draw_interior_lines(interior_style(style));
     }
     if (style.show_inverted) {
       Rgba outline = style.inverted_color;
