@@ -11,16 +11,18 @@ uniform samplerBuffer triangle_lines;  // spacing, and length per area, in units
 uniform vec4 line_color;
 uniform float line_width;       // pixels
 uniform float pixels_per_unit;
-uniform float merge_below;      // spacing in units of the mesh below which lines are merged
+uniform float merge_below;      // spacing in units of the mesh below which lines are merged whole;
+                                // from twice that on they are not
 uniform float fade_below;       // as in line.geom
 uniform float vanishing_share;
 out vec4 pixel;
 
 float covered_by_lines() {
   vec2 lines = texelFetch(triangle_lines, gl_PrimitiveID).rg;
-  if (lines.x >= merge_below) return 0.0;
+  if (lines.x >= 2.0 * merge_below) return 0.0;
   float share = lines.x * pixels_per_unit / fade_below;
   float opacity = clamp((share - vanishing_share) / (1.0 - vanishing_share), 0.0, 1.0);
+  opacity *= clamp(2.0 - lines.x / merge_below, 0.0, 1.0);
   return 1.0 - exp(-opacity * line_color.a * line_width * lines.y / pixels_per_unit);
 }
 

@@ -18,8 +18,8 @@ inline constexpr float vanishing_share = 0.06f;
 
 /// Lines closer together than this share of fade_distance times their width are no longer told
 /// apart: where there are very many, the surface takes on their mean colour instead, which costs
-/// next to nothing and does not flicker.
-inline constexpr float merging_share = 0.3f;
+/// next to nothing and does not flicker. Up to twice that spacing, surface and lines share.
+inline constexpr float merging_share = 0.25f;
 inline constexpr std::size_t many_lines = 150'000;
 
 /// The spacing below which a list's lines are merged into its triangles, in units of the mesh; 0:

@@ -121,7 +121,8 @@ void MeshBuffers::draw_inverted_fill(const Rgba& color) {
   draw_elements(GL_TRIANGLES, 0, list_.inverted_triangles.size());
 }
 
-void MeshBuffers::prepare_lines(const LineStyle& style, std::size_t first_line, bool use_opacity) {
+void MeshBuffers::prepare_lines(const LineStyle& style, std::size_t first_line, bool use_opacity,
+                                float merge_below) {
   line_.use();
   line_.set("to_clip", to_clip_);
   line_.set("viewport", viewport_[0], viewport_[1]);
@@ -130,6 +131,7 @@ void MeshBuffers::prepare_lines(const LineStyle& style, std::size_t first_line, 
   line_.set("pixels_per_unit", pixels_per_unit_);
   line_.set("fade_below", style.fade ? fade_distance * style.width : 0.0f);
   line_.set("vanishing_share", vanishing_share);
+  line_.set("merge_below", merge_below);
   line_.set("first_line", static_cast<int>(first_line));
   line_.set("line_spacing", 0);
   line_.set("color", style.color);
@@ -148,13 +150,13 @@ void MeshBuffers::draw_lines(const DrawList::Range& range, const LineStyle& styl
 
 void MeshBuffers::draw_interior_lines(const LineStyle& style) {
   DrawList::Range range = list_.interior;
+  const float merging = merging_below(style);
   if (style.fade) {
     const float vanishing = vanishing_share * fade_distance * style.width / pixels_per_unit_;
-    const float merging = merging_below(style);
     range.count = std::min(range.count, lines_spaced(list_, std::max(vanishing, merging)));
   }
   if (range.count == 0 || style.width <= 0) return;
-  prepare_lines(style, range.first, true);
+  prepare_lines(style, range.first, true, merging);
   lines_.bind();
   draw_elements(GL_LINES, 2 * range.first, 2 * range.count);
 }

@@ -50,7 +50,8 @@ class MeshBuffers {
  private:
   float merging_below(const LineStyle& style) const;
   void prepare_merged(const LineStyle& style);
-  void prepare_lines(const LineStyle& style, std::size_t first_line, bool use_opacity = false);
+  void prepare_lines(const LineStyle& style, std::size_t first_line, bool use_opacity = false,
+                     float merge_below = 0);
 
   DrawList list_;
   GLuint vertex_array_ = 0;
