@@ -125,7 +125,7 @@ void Workbench::paint() {
       (view_.lightness == Lightness::dark ? dark_palette() : light_palette()).card);
   glClearColor(ground.x, ground.y, ground.z, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  mesh_view_.draw(camera_, width_, height_);
+  mesh_view_.draw_kept(camera_, width_, height_);
   ui_->paint();
 }
 
