@@ -10,6 +10,7 @@ uniform float round_caps;       // 1: round ends, 0: straight ends
 uniform float pixels_per_unit;
 uniform float fade_below;       // spacing in pixels below which lines fade; 0: never
 uniform float vanishing_share;  // of that spacing, where they are gone
+uniform float merge_below;      // spacing in units of the mesh; see fill.frag; 0: no line is merged
 uniform samplerBuffer line_spacing;
 uniform int first_line;
 uniform int use_line_opacity;
@@ -29,8 +30,9 @@ void main() {
   float drawn_width = max(width, 1.0);
   opacity = min(width, 1.0);
   if (fade_below > 0.0) {
-    float spacing = texelFetch(line_spacing, first_line + gl_PrimitiveIDIn).r * pixels_per_unit;
-    float share = spacing / fade_below;
+    float spacing = texelFetch(line_spacing, first_line + gl_PrimitiveIDIn).r;
+    float share = spacing * pixels_per_unit / fade_below;
+    if (merge_below > 0.0) opacity *= clamp(spacing / merge_below - 1.0, 0.0, 1.0);
     opacity *= clamp((share - vanishing_share) / (1.0 - vanishing_share), 0.0, 1.0);
   }
   if (use_line_opacity != 0) opacity *= texelFetch(line_opacity, first_line + gl_PrimitiveIDIn).r;

@@ -81,7 +81,7 @@ def other_readers(winslow, mesh, folder):
     cells = len(read_elements(mesh))
     try:
         import meshio
-        read = meshio.read(msh)
+        read = meshio.read(msh, file_format="gmsh")
         found = sum(len(block.data) for block in read.cells if block.type in ("triangle", "quad"))
         if found != cells:
             return f"meshio reads {found} cells of {cells}"

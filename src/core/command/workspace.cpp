@@ -4,15 +4,21 @@ namespace winslow {
 
 void SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualControlVolumes>& vcv,
                                  const SmoothOptions& options, const Coordinates& rest) {
-  const bool same_vcv = vcv == vcv_ && options_.threads == options.threads;
+  const bool same_topology = vcv_ && vcv_->shared_topology() == vcv->shared_topology() &&
+                             options_.threads == options.threads;
+  const bool same_vcv = same_topology && vcv == vcv_;
   const bool same_targets = same_vcv && options_.targets == options.targets &&
                             (options.targets.rest == 0 || (rest_ && *rest_ == rest));
   picard_.reset();
   newton_.reset();
   pointwise_newton_.reset();
-  if (!same_vcv) pointwise_.reset();
-  if (!same_targets) energy_.reset();
-  if (!same_vcv || !(options.linear == options_.linear)) {
+  pointwise_stale_ |= !same_vcv;
+  energy_stale_ |= !same_targets;
+  if (!same_topology) {
+    pointwise_.reset();
+    energy_.reset();
+  }
+  if (!same_topology || !(options.linear == options_.linear)) {
     linear_.reset();
     symmetric_linear_.reset();
     newton_linear_.reset();
@@ -53,7 +59,11 @@ LinearSolver& SmoothingWorkspace::symmetric_linear() {
 }
 
 PointwiseWinslow& SmoothingWorkspace::pointwise() {
-  if (!pointwise_) pointwise_ = std::make_unique<PointwiseWinslow>(*vcv_, options_.threads);
+  if (!pointwise_)
+    pointwise_ = std::make_unique<PointwiseWinslow>(*vcv_, options_.threads);
+  else if (pointwise_stale_)
+    pointwise_->set_vcvs(*vcv_);
+  pointwise_stale_ = false;
   return *pointwise_;
 }
 
@@ -64,13 +74,18 @@ PicardSolver& SmoothingWorkspace::picard() {
   return *picard_;
 }
 
+TargetShapes SmoothingWorkspace::target_shapes() const {
+  return TargetShapes::build(*vcv_, options_.targets, rest_ ? &*rest_ : nullptr);
+}
+
 VariationalWinslow& SmoothingWorkspace::energy() {
   if (!energy_) {
-    energy_ = std::make_unique<VariationalWinslow>(
-        vcv_->shared_topology(),
-        TargetShapes::build(*vcv_, options_.targets, rest_ ? &*rest_ : nullptr), options_.penalty,
-        options_.threads);
+    energy_ = std::make_unique<VariationalWinslow>(vcv_->shared_topology(), target_shapes(),
+                                                   options_.penalty, options_.threads);
+  } else if (energy_stale_) {
+    energy_->set_shapes(target_shapes());
   }
+  energy_stale_ = false;
   return *energy_;
 }
 

@@ -13,9 +13,10 @@
 
 namespace winslow {
 
-/// Prepared solvers for one set of VCVs: stencil functionals, target shapes and symbolic
-/// factorisations outlive a command, so that a drag does not pay for them at every move of the
-/// mouse.
+/// Prepared solvers for one topology: what depends on the connectivity alone (matrix patterns,
+/// orderings, symbolic factorisations) outlives a command, so that a drag does not pay for it at
+/// every move of the mouse, be it of a body or of a VCV. Stencil functionals and target shapes are
+/// those of one set of VCVs and follow when it changes.
 class SmoothingWorkspace {
  public:
   /// Says what is to be solved; parts that are still good are kept. rest: the mesh that the share
@@ -42,6 +43,7 @@ class SmoothingWorkspace {
 
  private:
   PointwiseWinslow& pointwise();
+  TargetShapes target_shapes() const;
   std::unique_ptr<LinearSolver> make_general_solver() const;
 
   std::shared_ptr<const VirtualControlVolumes> vcv_;
@@ -49,6 +51,7 @@ class SmoothingWorkspace {
   std::optional<Coordinates> rest_;  // only where the targets refer to it
   std::unique_ptr<PointwiseWinslow> pointwise_;
   std::unique_ptr<VariationalWinslow> energy_;
+  bool pointwise_stale_ = false, energy_stale_ = false;  // they are of other VCVs or targets
   std::unique_ptr<LinearSolver> linear_, symmetric_linear_, newton_linear_;
   std::unique_ptr<PicardSolver> picard_;
   std::unique_ptr<EnergyNewton> newton_;

@@ -22,6 +22,9 @@ class PointwiseWinslow final : public FixedPointFormulation {
  public:
   PointwiseWinslow(const VirtualControlVolumes& vcv, int threads);
 
+  /// Other VCVs of the same topology; the pattern stays the same object.
+  void set_vcvs(const VirtualControlVolumes& vcv) { functionals_ = StencilFunctionals(vcv); }
+
   std::string_view name() const override { return "pointwise"; }
   ResidualNorms residual(const Coordinates& x, bool clip, std::span<double> out) const override;
   Index freeze(const Coordinates& x, bool clip, SparseSystem& out) const override;

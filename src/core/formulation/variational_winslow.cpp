@@ -104,14 +104,19 @@ VariationalWinslow::VariationalWinslow(std::shared_ptr<const Topology> topology,
       penalty_(penalty),
       threads_(threads),
       row_of_node_(make_row_of_node(*topology_)),
-      rows_(shapes.triangles, row_of_node_, static_cast<Index>(topology_->free_nodes().size())) {
-  shapes_ = reordered(shapes, rows_.renumber_triangles());
+      rows_(shapes.triangles, row_of_node_, static_cast<Index>(topology_->free_nodes().size())),
+      shape_order_(rows_.renumber_triangles()) {
+  set_shapes(shapes);
   for (std::size_t t = 0; t < shapes_.triangles.size(); ++t) {
     const auto& nodes = shapes_.triangles[t];
     if (std::any_of(nodes.begin(), nodes.end(), [&](Index n) { return row_of_node_[at(n)] < 0; })) {
       half_free_.push_back(static_cast<Index>(t));
     }
   }
+}
+
+void VariationalWinslow::set_shapes(const TargetShapes& shapes) {
+  shapes_ = reordered(shapes, shape_order_);
 }
 
 TriangleData VariationalWinslow::data(const Coordinates& x,

@@ -77,6 +77,9 @@ class VariationalWinslow final : public Formulation {
   /// The targets, in an order of the formulation's own.
   const TargetShapes& shapes() const { return shapes_; }
   const PenaltyOptions& penalty() const { return penalty_; }
+  /// Other targets of the same triangles, in the order of TargetShapes::build: the pattern stays
+  /// the same object.
+  void set_shapes(const TargetShapes& shapes);
   void set_penalty(const PenaltyOptions& penalty) { penalty_ = penalty; }
   int threads() const { return threads_; }
 
@@ -97,7 +100,8 @@ class VariationalWinslow final : public Formulation {
   int threads_;
   std::vector<Index> row_of_node_;
   RowBlocks rows_;
-  std::vector<Index> half_free_;  // triangles with free and constrained nodes
+  std::vector<Index> shape_order_;  // number in TargetShapes::build of each triangle of shapes_
+  std::vector<Index> half_free_;    // triangles with free and constrained nodes
   const distortion::TriangleKernel& kernel_ = distortion::triangle_kernel();
 };
 

@@ -32,6 +32,7 @@ struct Bounds {
   Vec2 max{0, 0};
   Vec2 centre() const { return 0.5 * (min + max); }
   Vec2 size() const { return max - min; }
+  bool operator==(const Bounds&) const = default;
 };
 Bounds bounds(const Mesh& mesh);
 /// The same around given nodes. Throws UsageError if there are none.

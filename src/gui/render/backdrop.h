@@ -10,6 +10,7 @@ struct BackdropColors {
   Rgba top{1, 1, 1, 1}, bottom{1, 1, 1, 1};
   /// Lines on it must be light.
   bool dark() const;
+  bool operator==(const BackdropColors&) const = default;
 };
 
 /// Fills the camera's part of the bound framebuffer, `framebuffer_height` pixels high. whole: the

@@ -35,6 +35,8 @@ class Camera {
   /// 1e6 shows no round-off of single precision.
   std::array<float, 16> matrix(const Vec2& origin) const;
 
+  bool operator==(const Camera&) const = default;
+
  private:
   double x_ = 0, y_ = 0, width_ = 1, height_ = 1;
   Vec2 centre_{0, 0};

@@ -28,7 +28,7 @@ class WholeMesh {
 
   DrawList build(const EdgeGroups& groups) {
     add_nodes();
-    add_elements();
+    add_elements(groups.interior.size() > many_lines);
     list_.interior = add_edges(groups.interior);
     list_.line_edge = groups.interior;
     sort_by_spacing(list_);
@@ -60,8 +60,11 @@ class WholeMesh {
     }
   }
 
-  void add_elements() {
-    list_.triangles.reserve(3 * static_cast<std::size_t>(topology_.element_count()));
+  void add_elements(bool with_lines) {
+    const auto elements = static_cast<std::size_t>(topology_.element_count());
+    list_.triangles.reserve(3 * elements);
+    list_.triangle_element.reserve(elements);
+    if (with_lines) list_.triangle_lines.reserve(2 * elements);
     for (Index e = 0; e < topology_.element_count(); ++e) {
       const auto corners = topology_.element(e);
       std::array<int, 6> cut{0, 1, 2, 0, 0, 0};
@@ -73,9 +76,28 @@ class WholeMesh {
         list_.triangles.push_back(node);
         if (inverted) list_.inverted_triangles.push_back(node);
         if (k % 3 == 0) list_.triangle_element.push_back(e);
+        if (k % 3 == 0 && with_lines) add_triangle_lines(corners, {cut[k], cut[k + 1], cut[k + 2]});
       }
       if (inverted) add_outline(corners);
     }
+  }
+
+  /// The diagonal that cuts a quadrilateral is no line.
+  void add_triangle_lines(std::span<const Index> corners, const std::array<int, 3>& cut) {
+    std::array<Vec2, 3> p;
+    for (std::size_t k = 0; k < 3; ++k)
+      p[k] = coordinates_.xy(corners[static_cast<std::size_t>(cut[k])]);
+    double longest = 0;
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (corners.size() == 4 && std::abs(cut[(k + 1) % 3] - cut[k]) == 2) continue;
+      const double length = (p[(k + 1) % 3] - p[k]).norm();
+      longest = std::max(longest, length);
+      sum += length;
+    }
+    const double area = std::abs(twice_area(p[0], p[1], p[2]));
+    list_.triangle_lines.push_back(longest > 0 ? static_cast<float>(area / longest) : 0.0f);
+    list_.triangle_lines.push_back(area > 0 ? static_cast<float>(sum / area) : 0.0f);
   }
 
   void add_outline(std::span<const Index> corners) {

@@ -25,6 +25,9 @@ struct DrawList {
   std::vector<float> line_spacing;   ///< per line: distance to the next parallel line, world units;
                                      ///< interior lines come in its order, the widest first
   std::vector<Index> line_edge;      ///< per interior line: index into Topology::edges()
+  /// Two per triangle: distance from its longest line to the corner opposite, and the length of its
+  /// lines per area, half of each. Only for lists worth merging, see line_density.h; else empty.
+  std::vector<float> triangle_lines;
   Range interior, boundary;
   std::vector<std::uint32_t> interior_at_least;  ///< see sort_by_spacing in line_density.h
   std::vector<Range> markers;

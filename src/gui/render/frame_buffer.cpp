@@ -25,6 +25,16 @@ void check_size(int width, int height) {
   }
 }
 
+void copy(GLuint from, GLuint to, const FrameBuffer::Part& part) {
+  const GLint right = part.x + part.width;
+  const GLint top = part.y + part.height;
+  glDisable(GL_SCISSOR_TEST);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
+  glBlitFramebuffer(part.x, part.y, right, top, part.x, part.y, right, top, GL_COLOR_BUFFER_BIT,
+                    GL_NEAREST);
+}
+
 }  // namespace
 
 FrameBuffer::FrameBuffer(int width, int height, int samples)
@@ -79,11 +89,15 @@ void FrameBuffer::clear(const std::array<float, 4>& color) const {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
+void FrameBuffer::resolve(const Part& part) const { copy(draw_fbo_, read_fbo_, part); }
+
+void FrameBuffer::show(const Part& part, unsigned target) const {
+  copy(read_fbo_, target, part);
+  glBindFramebuffer(GL_FRAMEBUFFER, target);
+}
+
 Image FrameBuffer::read() const {
-  glDisable(GL_SCISSOR_TEST);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, draw_fbo_);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, read_fbo_);
-  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  resolve({0, 0, width_, height_});
   glBindFramebuffer(GL_READ_FRAMEBUFFER, read_fbo_);
   Image image;
   image.width = width_;

@@ -22,6 +22,14 @@ class FrameBuffer {
   void bind() const;
   /// Binds and clears all of it.
   void clear(const std::array<float, 4>& color) const;
+  /// A part in pixels, y up as OpenGL counts them.
+  struct Part {
+    int x, y, width, height;
+  };
+  /// Averages the samples of a part, for show(); leaves another target bound.
+  void resolve(const Part& part) const;
+  /// Copies a part that is resolved to the same place of another target, which is bound then.
+  void show(const Part& part, unsigned target) const;
   /// Resolves and reads the colours; stays bound.
   Image read() const;
 

@@ -17,6 +17,11 @@ std::size_t spacing_class(float spacing) {
   return (std::bit_cast<std::uint32_t>(std::max(spacing, 0.0f)) >> 20U) & (class_count - 1);
 }
 
+/// The smallest spacing of the class of one: lines_spaced() is exact for those.
+float class_floor(float spacing) {
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(spacing) & ~((1U << 20U) - 1U));
+}
+
 }  // namespace
 
 double edge_spacing(const Topology& topology, const Coordinates& coordinates,
@@ -63,6 +68,14 @@ void sort_by_spacing(DrawList& list) {
 std::size_t lines_spaced(const DrawList& list, float spacing) {
   if (list.interior_at_least.empty()) return list.interior.count;
   return list.interior_at_least[spacing_class(spacing)];
+}
+
+float merging_spacing(const DrawList& list, float width, float pixels_per_unit) {
+  if (list.triangle_lines.empty() || !(width > 0)) return 0;
+  const float faded = fade_distance * width / pixels_per_unit;
+  const float merging = class_floor(merging_share * faded);
+  const std::size_t seen = lines_spaced(list, vanishing_share * faded);
+  return seen > lines_spaced(list, merging) + many_lines ? merging : 0;
 }
 
 double line_opacity(double spacing, double width) {

@@ -16,6 +16,16 @@ double edge_spacing(const Topology& topology, const Coordinates& coordinates,
 inline constexpr float fade_distance = 6.0f;
 inline constexpr float vanishing_share = 0.06f;
 
+/// Lines closer together than this share of fade_distance times their width are no longer told
+/// apart: where there are very many, the surface takes on their mean colour instead, which costs
+/// next to nothing and does not flicker. Up to twice that spacing, surface and lines share.
+inline constexpr float merging_share = 0.25f;
+inline constexpr std::size_t many_lines = 150'000;
+
+/// The spacing below which a list's lines are merged into its triangles, in units of the mesh; 0:
+/// none are, as there are few. pixels_per_unit: of the view.
+float merging_spacing(const DrawList& list, float width, float pixels_per_unit);
+
 /// Opacity, 0 to 1, of a line of that width among others at that distance (both in pixels).
 double line_opacity(double spacing, double width);
 

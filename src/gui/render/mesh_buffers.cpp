@@ -49,6 +49,7 @@ bool MeshBuffers::upload(DrawList list) {
   }
   const bool others = list.triangle_element != list_.triangle_element;
   list_ = std::move(list);
+  triangle_lines_stale_ = true;
   glBindVertexArray(0);
   return others;
 }
@@ -77,12 +78,32 @@ void MeshBuffers::begin(const Camera& camera) {
   pixels_per_unit_ = static_cast<float>(1.0 / camera.units_per_pixel());
 }
 
-void MeshBuffers::draw_fill(const Rgba& color, bool use_element_colors) {
+float MeshBuffers::merging_below(const LineStyle& style) const {
+  return style.fade ? merging_spacing(list_, style.width, pixels_per_unit_) : 0;
+}
+
+void MeshBuffers::prepare_merged(const LineStyle& style) {
+  if (triangle_lines_stale_) triangle_lines_.upload(view(list_.triangle_lines));
+  triangle_lines_stale_ = false;
+  fill_.set("line_color", style.color);
+  fill_.set("line_width", style.width);
+  fill_.set("pixels_per_unit", pixels_per_unit_);
+  fill_.set("merge_below", merging_below(style));
+  fill_.set("fade_below", fade_distance * style.width);
+  fill_.set("vanishing_share", vanishing_share);
+  fill_.set("triangle_lines", 1);
+  triangle_lines_.bind(1);
+}
+
+void MeshBuffers::draw_fill(const Rgba* color, const LineStyle* merged) {
   fill_.use();
   fill_.set("to_clip", to_clip_);
-  fill_.set("color", color);
-  fill_.set("use_triangle_colors", use_element_colors && has_colors_ ? 1 : 0);
+  fill_.set("color", color ? *color : Rgba{0, 0, 0, 1});
+  fill_.set("draw_surface", color ? 1 : 0);
+  fill_.set("use_triangle_colors", has_colors_ ? 1 : 0);
   fill_.set("triangle_colors", 0);
+  fill_.set("merge_lines", merged ? 1 : 0);
+  if (merged) prepare_merged(*merged);
   triangle_colors_.bind(0);
   triangles_.bind();
   draw_elements(GL_TRIANGLES, 0, list_.triangles.size());
@@ -92,13 +113,16 @@ void MeshBuffers::draw_inverted_fill(const Rgba& color) {
   fill_.use();
   fill_.set("to_clip", to_clip_);
   fill_.set("color", color);
+  fill_.set("draw_surface", 1);
+  fill_.set("merge_lines", 0);
   fill_.set("use_triangle_colors", 0);
   fill_.set("triangle_colors", 0);
   inverted_triangles_.bind();
   draw_elements(GL_TRIANGLES, 0, list_.inverted_triangles.size());
 }
 
-void MeshBuffers::prepare_lines(const LineStyle& style, std::size_t first_line, bool use_opacity) {
+void MeshBuffers::prepare_lines(const LineStyle& style, std::size_t first_line, bool use_opacity,
+                                float merge_below) {
   line_.use();
   line_.set("to_clip", to_clip_);
   line_.set("viewport", viewport_[0], viewport_[1]);
@@ -107,6 +131,7 @@ void MeshBuffers::prepare_lines(const LineStyle& style, std::size_t first_line, 
   line_.set("pixels_per_unit", pixels_per_unit_);
   line_.set("fade_below", style.fade ? fade_distance * style.width : 0.0f);
   line_.set("vanishing_share", vanishing_share);
+  line_.set("merge_below", merge_below);
   line_.set("first_line", static_cast<int>(first_line));
   line_.set("line_spacing", 0);
   line_.set("color", style.color);
@@ -125,12 +150,13 @@ void MeshBuffers::draw_lines(const DrawList::Range& range, const LineStyle& styl
 
 void MeshBuffers::draw_interior_lines(const LineStyle& style) {
   DrawList::Range range = list_.interior;
+  const float merging = merging_below(style);
   if (style.fade) {
     const float vanishing = vanishing_share * fade_distance * style.width / pixels_per_unit_;
-    range.count = std::min(range.count, lines_spaced(list_, vanishing));
+    range.count = std::min(range.count, lines_spaced(list_, std::max(vanishing, merging)));
   }
   if (range.count == 0 || style.width <= 0) return;
-  prepare_lines(style, range.first, true);
+  prepare_lines(style, range.first, true, merging);
   lines_.bind();
   draw_elements(GL_LINES, 2 * range.first, 2 * range.count);
 }

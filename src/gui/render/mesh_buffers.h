@@ -36,7 +36,11 @@ class MeshBuffers {
     bool fade;
   };
   void begin(const Camera& camera);
-  void draw_fill(const Rgba& color, bool use_element_colors);
+  /// color: of elements without colours; null: the surface is not drawn. merged: interior lines
+  /// whose faintest are drawn as part of the triangles, see merges(); null: none.
+  void draw_fill(const Rgba* color, const LineStyle* merged);
+  /// There are so many faint lines that draw_fill() draws them, and draw_interior_lines() does not.
+  bool merges(const LineStyle& style) const { return merging_below(style) > 0; }
   void draw_inverted_fill(const Rgba& color);
   void draw_inverted_outlines(const LineStyle& style);
   void draw_interior_lines(const LineStyle& style);
@@ -44,15 +48,20 @@ class MeshBuffers {
   void draw_nodes(const Rgba& color, float size);
 
  private:
-  void prepare_lines(const LineStyle& style, std::size_t first_line, bool use_opacity = false);
+  float merging_below(const LineStyle& style) const;
+  void prepare_merged(const LineStyle& style);
+  void prepare_lines(const LineStyle& style, std::size_t first_line, bool use_opacity = false,
+                     float merge_below = 0);
 
   DrawList list_;
   GLuint vertex_array_ = 0;
   GlBuffer positions_{GL_ARRAY_BUFFER}, node_spacing_{GL_ARRAY_BUFFER};
   GlBuffer triangles_{GL_ELEMENT_ARRAY_BUFFER}, lines_{GL_ELEMENT_ARRAY_BUFFER};
   GlBuffer inverted_triangles_{GL_ELEMENT_ARRAY_BUFFER}, inverted_lines_{GL_ELEMENT_ARRAY_BUFFER};
-  GlTextureBuffer triangle_colors_{GL_RGBA8}, line_spacing_{GL_R32F}, line_opacity_{GL_R32F};
+  GlTextureBuffer triangle_colors_{GL_RGBA8}, line_spacing_{GL_R32F}, line_opacity_{GL_R32F},
+      triangle_lines_{GL_RG32F};
   bool has_colors_ = false, has_opacity_ = false;
+  bool triangle_lines_stale_ = true;
   Shader fill_{"fill.vert", "fill.frag"};
   Shader line_{"fill.vert", "line.geom", "line.frag"};
   Shader node_{"node.vert", "node.frag"};

@@ -85,6 +85,7 @@ class MeshRenderer::Impl {
   void set_mesh(PreparedMesh mesh) {
     if (mesh_.topology != mesh.topology) clear_values();
     mesh_ = std::move(mesh);
+    ++revision_;
     whole_.stale = true;
     for (auto& cut : cuts_)
       if (cut) cut->stale = true;
@@ -96,6 +97,7 @@ class MeshRenderer::Impl {
   }
 
   const std::shared_ptr<const EdgeGroups>& groups() const { return mesh_.groups; }
+  std::uint64_t revision() const { return revision_; }
 
   void set_colors(std::vector<std::uint32_t> colors, std::vector<float> opacity) {
     const auto count =
@@ -148,6 +150,7 @@ class MeshRenderer::Impl {
   };
 
   void recolor() {
+    ++revision_;
     whole_.colors_stale = whole_.opacity_stale = true;
     for (auto& cut : cuts_)
       if (cut) cut->colors_stale = cut->opacity_stale = true;
@@ -194,15 +197,22 @@ class MeshRenderer::Impl {
     buffers.set_line_opacity(lines);
   }
 
+  static MeshBuffers::LineStyle interior_style(const MeshStyle& style) {
+    return {style.edge_color, style.edge_width, false, true};
+  }
+
   static void draw_surface(MeshBuffers& buffers, const MeshStyle& style) {
-    if (style.fill) buffers.draw_fill(style.fill_color, true);
+    const MeshBuffers::LineStyle lines = interior_style(style);
+    const bool merges = style.wireframe && buffers.merges(lines);
+    if (style.fill || merges)
+      buffers.draw_fill(style.fill ? &style.fill_color : nullptr, merges ? &lines : nullptr);
     if (style.show_inverted) buffers.draw_inverted_fill(style.inverted_color);
   }
 
   void draw_lines(MeshBuffers& buffers, const MeshStyle& style) const {
     const auto& list = buffers.list();
     if (style.wireframe) {
-      buffers.draw_interior_lines({style.edge_color, style.edge_width, false, true});
+      buffers.draw_interior_lines(interior_style(style));
     }
     if (style.show_inverted) {
       Rgba outline = style.inverted_color;
@@ -218,6 +228,7 @@ class MeshRenderer::Impl {
     }
   }
 
+  std::uint64_t revision_ = 0;
   PreparedMesh mesh_;
   std::vector<std::uint32_t> colors_;
   std::vector<float> opacity_;
@@ -235,6 +246,7 @@ void MeshRenderer::set_mesh(const std::shared_ptr<const Topology>& topology,
 }
 void MeshRenderer::set_mesh(PreparedMesh mesh) { impl_->set_mesh(std::move(mesh)); }
 std::shared_ptr<const EdgeGroups> MeshRenderer::edge_groups() const { return impl_->groups(); }
+std::uint64_t MeshRenderer::revision() const { return impl_->revision(); }
 void MeshRenderer::set_values(std::span<const double> values, const ColorScale& scale) {
   impl_->set_colors(element_colors(values, scale), {});
 }

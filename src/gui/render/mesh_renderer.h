@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -28,6 +29,8 @@ struct MeshStyle {
   bool markers = true;        ///< edges of the boundary
   /// Part of the framebuffer to draw in, in pixels, y down; none: all of the camera's viewport.
   std::optional<Bounds> clip;
+
+  bool operator==(const MeshStyle&) const = default;
 };
 
 /// A mesh ready to be drawn: what takes long, done on whichever thread has the time.
@@ -65,6 +68,9 @@ class MeshRenderer {
   /// Of the mesh held; null without one.
   std::shared_ptr<const EdgeGroups> edge_groups() const;
 
+  /// Grows whenever mesh or colours become others.
+  std::uint64_t revision() const;
+
   /// One value per element and its scale; none: style.fill_color.
   void set_values(std::span<const double> values, const ColorScale& scale);
   /// The same with colours of element_colors(), and the opacity of the edges between elements: one
@@ -75,6 +81,8 @@ class MeshRenderer {
   struct MarkerStyle {
     Rgba color{0, 0, 0, 1};
     float width = 2.0f;
+
+    bool operator==(const MarkerStyle&) const = default;
   };
   void set_marker_styles(std::vector<MarkerStyle> styles);
 

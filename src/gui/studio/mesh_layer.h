@@ -29,6 +29,8 @@ class MeshLayer {
 
   MeshRenderer& renderer() { return renderer_; }
   bool has_mesh() const { return ready_; }
+  /// The mesh is drawn faster than a picture of it could be kept.
+  bool small() const { return small_; }
   /// Of the colours shown; none if elements are plain.
   const std::optional<Legend>& legend() const { return legend_; }
 

@@ -1,12 +1,26 @@
 #include "gui/studio/mesh_view.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
+#include "gui/render/gl.h"
 #include "gui/studio/mesh_colors.h"
 
 namespace winslow::gui {
 
 namespace {
+
+constexpr int samples = 4;
+
+/// The camera's part of a framebuffer.
+FrameBuffer::Part pixels_of(const Camera& camera, int height) {
+  const auto x = static_cast<int>(std::lround(camera.viewport_origin().x()));
+  const auto y = static_cast<int>(std::lround(camera.viewport_origin().y()));
+  const auto part_width = static_cast<int>(std::lround(camera.viewport_width()));
+  const auto part_height = static_cast<int>(std::lround(camera.viewport_height()));
+  return {x, height - y - part_height, part_width, part_height};
+}
 
 MeshStyle style_for(const ViewOptions& view, float scale) {
   const MeshColors colors = mesh_colors(view);
@@ -86,6 +100,46 @@ void MeshView::draw(const Camera& camera, const Camera* whole, int width, int he
   // Over the surfaces, which would hide it; its colour keeps it apart from the present edges.
   if (comparison_ == Comparison::ghost && before_.has_mesh())
     before_.renderer().draw(camera, ghost_, width, height);
+}
+
+MeshView::PictureKey MeshView::picture_key(const Camera& camera, int width, int height) {
+  PictureKey key{camera, width, height, style_, ghost_, backdrop_, comparison_, divider_, 0, 0, {}};
+  key.now = now_.renderer().revision();
+  if (comparison_ != Comparison::none) key.before = before_.renderer().revision();
+  if (comparison_ != Comparison::split) key.divider = 0;
+  if (style_.markers) key.markers = markers_;
+  return key;
+}
+
+void MeshView::draw_kept(const Camera& camera, int width, int height) {
+  if (!has_mesh() || now_.small()) {
+    kept_.reset();
+    kept_key_.reset();
+    return draw(camera, &camera, width, height);
+  }
+  // The markers, which light up under the mouse, are drawn over the picture where nothing of it
+  // lies above them.
+  const bool markers_apart = comparison_ == Comparison::none && style_.node_size <= 0;
+  const bool markers = style_.markers;
+  style_.markers = markers && !markers_apart;
+  GLint target = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+  const FrameBuffer::Part part = pixels_of(camera, height);
+  PictureKey key = picture_key(camera, width, height);
+  if (kept_key_ != key) {
+    if (!kept_ || kept_->width() != width || kept_->height() != height)
+      kept_ = std::make_unique<FrameBuffer>(width, height, samples);
+    kept_->bind();
+    draw(camera, &camera, width, height);
+    kept_->resolve(part);
+    kept_key_ = std::move(key);
+  }
+  kept_->show(part, static_cast<GLuint>(target));
+  style_.markers = markers;
+  if (!markers || !markers_apart) return;
+  MeshStyle rim = style_;
+  rim.fill = rim.wireframe = rim.show_inverted = false;
+  now_.renderer().draw(camera, rim, width, height);
 }
 
 void MeshView::draw_split(const Camera& camera, int width, int height) {

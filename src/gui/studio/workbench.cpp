@@ -127,7 +127,7 @@ void Workbench::paint() {
   glClearColor(ground.x, ground.y, ground.z, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   tile_ = {0, 0, static_cast<float>(width_), static_cast<float>(height_)};
-  mesh_view_.draw(camera_, &camera_, width_, height_);
+  mesh_view_.draw_kept(camera_, width_, height_);
   ui_->paint();
 }
 

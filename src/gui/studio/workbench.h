@@ -83,6 +83,12 @@ class Workbench : public PictureSource {
   void update(const InputState& input, int width, int height, double seconds);
   /// Draws the frame last updated into the bound framebuffer.
   void paint();
+  /// Draws the mesh anew next time, even if the picture of it that is kept would do.
+  void forget_picture() { mesh_view_.forget_picture(); }
+  /// The mesh is drawn, though perhaps without its colours yet.
+  bool shows_mesh() const { return mesh_view_.has_mesh(); }
+  /// It has its colours, too.
+  bool shows_quality() const { return shows_mesh() && mesh_view_.legend().has_value(); }
   /// The frame last updated, drawn off-screen.
   Image picture() override;
   Image picture(const PictureSpec& spec) override;

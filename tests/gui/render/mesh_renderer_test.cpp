@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "core/error.h"
 #include "core/quality/quality.h"
 #include "gui/render/gl.h"
@@ -51,7 +53,41 @@ Mesh two_quads(double middle) {
   return make_mesh(data);
 }
 
+double mean_of_green(const Image& image) {
+  double sum = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) sum += image.pixel(x, y)[1] / 255.0;
+  return sum / (image.width * image.height);
+}
+
+/// Mean of a view that cells x cells quadrilaterals of some pixels fill.
+double mean_of_cells(int cells, double pixels, const MeshStyle& style) {
+  Scene scene(static_cast<int>(cells * pixels));
+  const Mesh mesh = make_mesh(winslow::test::square(cells, Cells::quads));
+  scene.show(mesh);
+  scene.camera.fit(bounds(mesh), 0);
+  return mean_of_green(scene.draw(style));
+}
+
 }  // namespace
+
+TEST_CASE("Where faint lines are very many, the surface is as dark as they would make it") {
+  MeshStyle style;
+  style.fill_color = {1, 1, 1, 1};
+  style.edge_color = {0, 0, 0, 0.8f};
+  style.boundary_width = 0;
+  for (const bool fill : {true, false}) {
+    style.fill = fill;
+    for (const double pixels : {0.8, 1.2, 2.0, 2.7, 4.0}) {
+      CAPTURE(pixels);
+      // The larger mesh has more than many_lines, the smaller one has not.
+      const double merged = mean_of_cells(300, pixels, style);
+      const double drawn = mean_of_cells(60, pixels, style);
+      CHECK(merged < 0.98);
+      CHECK(std::abs(merged - drawn) < 0.04);
+    }
+  }
+}
 
 TEST_CASE("Every element has the colour of its value") {
   Scene scene;

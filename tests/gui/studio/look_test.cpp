@@ -93,4 +93,40 @@ TEST_CASE("W steps through surfaces and edges, surfaces, edges") {
   CHECK(picture().rgba == both.rgba);
 }
 
+TEST_CASE("the picture kept of a large mesh is the one that would be drawn, whatever changes") {
+  Rig rig;
+  const Mesh mesh = ring_mesh(240, 60);
+  REQUIRE(mesh.topology->node_count() > 12000);
+  rig.open(mesh);
+  Image last;
+  const auto check_kept = [&](const char* what, bool changes) {
+    CAPTURE(what);
+    const Image kept = rig.bench->picture();
+    rig.bench->forget_picture();
+    CHECK((kept.rgba == rig.bench->picture().rgba));
+    CHECK((kept.rgba != last.rgba) == changes);
+    last = kept;
+  };
+  check_kept("opened", true);
+  check_kept("nothing", false);
+  set_view(rig, [](ViewOptions& view) { view.color_map = "plasma"; });
+  check_kept("another map", true);
+  rig.wheel(rig.pixel(Vec2(1.5, 0.3)), 2);
+  check_kept("zoom", true);
+  rig.move(rig.pixel(Vec2(0.5, 0)));
+  rig.frames();
+  REQUIRE_FALSE(rig.session().hovered().empty());
+  check_kept("a body under the mouse", true);
+  set_view(rig, [](ViewOptions& view) { view.nodes = true; });
+  check_kept("nodes", true);
+  set_view(rig, [](ViewOptions& view) { view.comparison = Comparison::split; });
+  check_kept("comparison", true);
+  rig.bench->apply(action::Scramble{});
+  REQUIRE(rig.settle());
+  check_kept("another mesh", true);
+  rig.resize(900, 600);
+  rig.frames();
+  check_kept("another size", true);
+}
+
 }  // namespace winslow::gui::test

@@ -1,0 +1,104 @@
+import math
+
+import support
+from support import INPUT, USAGE, ProgramTest
+
+
+class Layers(ProgramTest):
+    COUNT, FIRST, RATIO = 6, 0.004, 1.3
+
+    def insert(self, *more, marker="body", code=support.DONE):
+        return self.winslow("layers", "ring.su2", "-o", "out.su2", "--marker", marker, "--count",
+                            self.COUNT, "--first", self.FIRST, "--ratio", self.RATIO, "--growth", 1,
+                            "--report", "report.json", *more, code=code)
+
+    def test_heights_are_what_was_asked(self):
+        self.ring(around=32, rings=10)
+        self.insert()
+        before, after = support.read_su2(self.path("ring.su2")), support.read_su2(self.path("out.su2"))
+        self.assertEqual(before[2], after[2])  # the markers
+        for n in {n for edges in before[2].values() for edge in edges for n in edge}:
+            self.assertEqual(before[0][n], after[0][n])
+        self.assertEqual(len(after[1]), len(before[1]) + 32 * self.COUNT)
+        radii = sorted(math.hypot(x, y) for x, y in after[0])
+        expected = 0.5
+        for k in range(self.COUNT + 1):  # rings of 32 nodes from the wall outwards
+            for radius in radii[32 * k:32 * (k + 1)]:
+                self.assertAlmostEqual(radius, expected, delta=0.01 * self.FIRST * self.RATIO**k)
+            # Heights are normal to the edges of the wall, which is a polygon.
+            expected += self.FIRST * self.RATIO**k / math.cos(math.pi / 32)
+        layers = self.json("report.json")["layers"]
+        self.assertEqual(layers["columns"], 32)
+        self.assertEqual(layers["cut_short"], [])
+        self.assertEqual(layers["first_height_within"]["0.01"], 1)
+        self.assertLess(layers["spacing_error"]["max"], 0.01)
+        self.assertLess(layers["orthogonality"]["max"], 1)
+
+    def test_a_recipe_gives_the_same_mesh(self):
+        self.ring()
+        self.insert("--save-recipe", "recipe.json")
+        self.winslow("replay", "recipe.json", "-o", "again.su2")
+        self.assertEqual(self.path("out.su2").read_bytes(), self.path("again.su2").read_bytes())
+
+    def test_a_recipe_moves_the_body_with_its_layers(self):
+        self.ring(around=32, rings=10)
+        self.insert("--save-recipe", "recipe.json")
+        recipe = self.json("recipe.json")
+        recipe["commands"].append({"command": "move", "markers": ["body"], "rotate": 30,
+                                   "translate": [0.6, 0.2]})
+        self.path("recipe.json").write_text(support.json.dumps(recipe))
+        self.winslow("replay", "recipe.json", "-o", "moved.su2", "--report", "moved.json")
+        self.assertLess(self.json("moved.json")["layers"]["spacing_error"]["max"], 0.01)
+
+    def test_walls_with_settings_of_their_own(self):
+        self.ring(around=32, rings=10)
+        self.winslow("layers", "ring.su2", "-o", "out.su2", "--first", 0.01, "--ratio", 1.1, "--growth",
+                     1, "--wall", "body:count=3,first=0.005", "--wall", "farfield:count=2,total=0.05",
+                     "--report", "report.json")
+        heights = self.json("report.json")["layers"]["first_height"]
+        self.assertAlmostEqual(heights["min"], 0.005, delta=1e-4)
+        self.assertAlmostEqual(heights["max"], 0.01, delta=2e-4)
+
+    def test_y_plus(self):
+        self.ring(around=32, rings=10)
+        self.winslow("layers", "ring.su2", "-o", "out.su2", "--marker", "body", "--count", 4, "--y-plus",
+                     50, "--reynolds", 1e5, "--report", "report.json")
+        friction = 0.026 / 1e5 ** (1 / 7)
+        self.assertAlmostEqual(self.json("report.json")["layers"]["first_height"]["avg"],
+                               50 / (1e5 * math.sqrt(friction / 2)), delta=2e-5)
+
+    def test_without_control(self):
+        self.ring(quads=True)
+        self.insert("--no-control")
+        report = self.json("report.json")
+        self.assertEqual(report["inverted"], 0)
+        self.assertFalse(report["layers"]["held"])
+
+    def test_what_is_wrong_is_said(self):
+        self.ring()
+        for options, words in (
+                (("--marker", "bdy"), 'unknown marker "bdy"'),
+                (("--marker", "body", "--count", "0"), "number of layers is 0"),
+                (("--marker", "body", "--first", "-1"), "first layer's height"),
+                (("--marker", "body", "--wall", "body:count=3"), "asked for twice"),
+                (("--wall", "body:height=3"), 'found "height"'),
+                (("--wall", "body:count=x"), "expected a number"),
+                (("--wall", "body:count=2.5"), "must be whole"),
+                (("--marker", "body", "--y-plus", "1"), "--reynolds"),
+                ((), "no wall is given"),
+                (("--marker", "body", "--first", "50"), "no room")):
+            done = self.winslow("layers", "ring.su2", "-o", "out.su2", *options, code=USAGE)
+            self.assertIn(words, done.stderr)
+            self.assertFalse(self.path("out.su2").exists())
+
+    def test_a_recipe_with_a_fault_is_refused(self):
+        self.ring()
+        self.path("bad.json").write_text(
+            '{"winslow_recipe": 1, "input": "ring.su2", "output": "out.su2", "commands": '
+            '[{"command": "layers", "walls": [{"markers": ["body"], "counts": 3}]}]}')
+        done = self.winslow("replay", "bad.json", code=INPUT)
+        self.assertIn("counts", done.stderr)
+
+
+if __name__ == "__main__":
+    support.main()

@@ -1,0 +1,222 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/command/command.h"
+#include "core/command/history.h"
+#include "core/error.h"
+#include "core/layers/layer_measures.h"
+#include "core/layers/layer_plan.h"
+#include "support/meshes.h"
+
+using namespace winslow;
+using namespace winslow::test;
+
+namespace {
+
+LayersCommand layers_at(const std::string& marker, const LayerSpacing& spacing) {
+  LayersCommand command;
+  command.layers.walls.push_back({{marker}, spacing});
+  return command;
+}
+
+MeshState ring() { return make_state(make_mesh(annulus(32, 10, 1.2, Cells::triangles))); }
+
+LayerSpacing thin() { return {8, 0.002, 1.3, 1.0, {}, false}; }
+
+double area(const MeshState& state) {
+  double sum = 0;
+  for (Index e = 0; e < state.mesh.topology->element_count(); ++e) {
+    sum += element_value(state.mesh, e, Metric::area);
+  }
+  return sum;
+}
+
+Index inverted(const MeshState& state) {
+  return check_validity(*state.mesh.topology, state.mesh.coordinates).inverted;
+}
+
+/// Boundary edges, as they are in markers.
+std::map<std::string, std::set<std::array<Index, 2>>> edges_of(const Topology& topology) {
+  std::map<std::string, std::set<std::array<Index, 2>>> all;
+  for (const Marker& marker : topology.markers()) {
+    for (const auto& edge : marker.edges) all[marker.name].insert(edge);
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("layers around a circle: heights and angles as asked, the boundary as it was") {
+  const MeshState before = ring();
+  const CommandResult result = execute(layers_at("inner", thin()), before);
+  const Topology& topology = *result.state.mesh.topology;
+  CHECK(result.smooth.converged);
+  CHECK(inverted(result.state) == 0);
+  CHECK(topology.node_count() == before.mesh.topology->node_count() + 32 * 8);
+  CHECK(topology.element_count() == before.mesh.topology->element_count() + 32 * 8);
+  CHECK(edges_of(topology) == edges_of(*before.mesh.topology));
+  for (const auto& loop : before.mesh.topology->boundary_loops()) {
+    for (const Index node : loop) {
+      CHECK(result.state.mesh.coordinates.xy(node) == before.mesh.coordinates.xy(node));
+    }
+  }
+  CHECK(area(result.state) == doctest::Approx(area(before)).epsilon(1e-12));
+  REQUIRE(result.state.layers);
+  const LayerMeasures measures =
+      measure_layers(*result.state.layers, result.state.mesh.coordinates);
+  CHECK(measures.columns.size() == 32);
+  CHECK(measures.spacing_error.max < 0.01);
+  CHECK(measures.orthogonality.max < 1);
+  CHECK(measures.cut_short == 0);
+}
+
+TEST_CASE("the tail of the solve with layers is quadratic") {
+  const CommandResult result = execute(layers_at("inner", thin()), ring());
+  const auto& history = result.smooth.history;
+  int squared = 0;
+  for (std::size_t k = 1; k < history.size(); ++k) {
+    const double a = history[k - 1].residual, b = history[k].residual;
+    // Within a run, not over the start of the next one.
+    if (history[k].iteration != history[k - 1].iteration + 1) continue;
+    if (a < 1e-2 && a > 1e-6 && b < 10 * a * a + 1e-12) ++squared;
+  }
+  CHECK(squared >= 1);
+}
+
+TEST_CASE("a sharp corner has a fan: several columns, triangles at the wall, none inverted") {
+  const MeshState before = make_state(make_mesh(square_with_hole(20, Cells::triangles)));
+  const CommandResult result = execute(layers_at("hole", {6, 0.002, 1.3, 1, {}, false}), before);
+  CHECK(inverted(result.state) == 0);
+  std::map<Index, int> columns;
+  for (const LayerColumn& column : result.state.layers->columns) ++columns[column.wall_node];
+  int fans = 0;
+  for (const auto& [node, count] : columns) fans += count == 3 ? 1 : 0;
+  CHECK(fans == 4);  // the corners of the hole turn by 90 degrees: two sectors of 45
+  CHECK(measure_layers(*result.state.layers, result.state.mesh.coordinates).first_error.max < 0.02);
+
+  LayersCommand plain = layers_at("hole", {6, 0.002, 1.3, 1, {}, false});
+  plain.layers.fans = false;
+  const CommandResult without = execute(plain, before);
+  CHECK(inverted(without.state) == 0);
+  CHECK(without.state.layers->columns.size() == columns.size());
+}
+
+TEST_CASE("a wall that ends at other boundaries: its end columns lie on them") {
+  for (const Cells cells : {Cells::triangles, Cells::quads}) {
+    CAPTURE(name_of(cells));
+    const MeshState before = make_state(make_mesh(square(10, cells)));
+    const CommandResult result =
+        execute(layers_at("bottom", {5, 0.004, 1.2, 1, {}, false}), before);
+    CHECK(inverted(result.state) == 0);
+    CHECK(area(result.state) == doctest::Approx(1).epsilon(1e-12));
+    const auto edges = edges_of(*result.state.mesh.topology);
+    CHECK(edges.at("bottom") == edges_of(*before.mesh.topology).at("bottom"));
+    CHECK(edges.at("left").size() == 15);
+    CHECK(edges.at("right").size() == 15);
+    for (const auto& [a, b] : edges.at("left")) {
+      CHECK(result.state.mesh.coordinates.xy(a).x() == 0);
+      CHECK(result.state.mesh.coordinates.xy(b).x() == 0);
+    }
+    CHECK(result.state.mesh.topology->unmarked_boundary_edges() == 0);
+    CHECK(measure_layers(*result.state.layers, result.state.mesh.coordinates).first_error.max <
+          0.01);
+  }
+}
+
+TEST_CASE("walls in a narrow gap share it") {
+  const MeshState before = make_state(make_mesh(square(10, Cells::triangles)));
+  LayersCommand command;
+  command.layers.walls.push_back({{"bottom", "top"}, {10, 0.01, 1.3, 1, {}, false}});  // 0.43 thick
+  const CommandResult result = execute(command, before);
+  CHECK(inverted(result.state) == 0);
+  for (const LayerColumn& column : result.state.layers->columns) {
+    CHECK(column.thickness() <= 0.35 + 1e-9);
+    if (column.count() > 0) CHECK(column.heights[0] == doctest::Approx(0.01));
+  }
+  CHECK(measure_layers(*result.state.layers, result.state.mesh.coordinates).cut_short > 0);
+}
+
+TEST_CASE("two walls with layers of their own go over into one another") {
+  const MeshState before = make_state(make_mesh(square(20, Cells::triangles)));
+  LayersCommand command;
+  command.layers.walls.push_back({{"bottom"}, {6, 0.001, 1.2, 1, {}, false}});
+  command.layers.walls.push_back({{"right"}, {4, 0.004, 1.2, 1, {}, false}});
+  const CommandResult result = execute(command, before);
+  CHECK(inverted(result.state) == 0);
+  const auto& columns = result.state.layers->columns;
+  CHECK(columns[2].heights[0] == doctest::Approx(0.001).epsilon(0.01));
+  CHECK(columns[columns.size() - 3].heights[0] == doctest::Approx(0.004).epsilon(0.01));
+  for (std::size_t c = 1; c < columns.size(); ++c) {
+    if (columns[c].count() == 0 || columns[c - 1].count() == 0) continue;
+    CHECK(columns[c].heights[0] / columns[c - 1].heights[0] < 1.5);
+  }
+}
+
+TEST_CASE("layers are kept when the wall moves and when its shape changes") {
+  const MeshState layered = execute(layers_at("inner", thin()), ring()).state;
+  MoveCommand move;
+  move.markers = {"inner"};
+  move.motion.rotate = 40;
+  move.motion.translate = Vec2(0.5, 0.2);
+  const CommandResult moved = execute(move, layered);
+  CHECK(inverted(moved.state) == 0);
+  CHECK(measure_layers(*moved.state.layers, moved.state.mesh.coordinates).spacing_error.max < 0.01);
+  DeformCommand deform;
+  deform.markers = {"inner"};
+  SineDeformation sine;
+  sine.amplitude = 0.15;
+  deform.shape = sine;
+  const CommandResult deformed = execute(deform, layered);
+  CHECK(inverted(deformed.state) == 0);
+  CHECK(measure_layers(*deformed.state.layers, deformed.state.mesh.coordinates).first_error.max <
+        0.05);
+}
+
+TEST_CASE("undo of an insertion gives back the mesh without layers, to the bit") {
+  const MeshState before = ring();
+  History history(before);
+  const Command command = layers_at("inner", thin());
+  history.push(command, execute(command, history.state()));
+  CHECK(history.state().layers);
+  history.undo();
+  CHECK(history.state().mesh.topology == before.mesh.topology);
+  CHECK(history.state().mesh.coordinates == before.mesh.coordinates);
+  CHECK(!history.state().layers);
+}
+
+TEST_CASE("the same layers at one and at several threads") {
+  LayersCommand command = layers_at("inner", thin());
+  command.smooth.threads = 1;
+  const CommandResult one = execute(command, ring());
+  command.smooth.threads = 3;
+  const CommandResult three = execute(command, ring());
+  CHECK(one.state.mesh.coordinates == three.state.mesh.coordinates);
+}
+
+TEST_CASE("what cannot have layers is refused, and said why") {
+  CHECK_THROWS_AS(execute(layers_at("nothing", thin()), ring()), UsageError);
+  CHECK_THROWS_AS(execute(LayersCommand{}, ring()), UsageError);
+  LayersCommand twice = layers_at("inner", thin());
+  twice.layers.walls.push_back({{"inner"}, thin()});
+  CHECK_THROWS_AS(execute(twice, ring()), UsageError);
+  LayersCommand thick = layers_at("inner", {5, 100, 1.2, 1, {}, false});
+  CHECK_THROWS_AS(execute(thick, ring()), UsageError);
+  MeshState tangled = ring();
+  Random random(7);
+  tangle(tangled.mesh, random);
+  CHECK_THROWS_AS(execute(layers_at("inner", thin()), tangled), UsageError);
+}
+
+TEST_CASE("pure smoothing of inserted layers: valid, with all layers everywhere") {
+  LayersCommand command;
+  command.layers.walls.push_back({{"outer", "hole"}, {3, 0.05, 1, 1, {}, false}});
+  command.control = false;
+  const CommandResult result =
+      execute(command, make_state(make_mesh(square_with_hole(10, Cells::quads))));
+  CHECK(inverted(result.state) == 0);
+  CHECK(result.smooth.converged);
+  for (const LayerColumn& column : result.state.layers->columns) CHECK(column.count() == 3);
+}
