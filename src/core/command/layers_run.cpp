@@ -311,6 +311,14 @@ CommandResult hold_spacing(CommandResult result, const SmoothOptions& smooth,
   constexpr double tolerance = 5e-3;
   constexpr int most = 5;
   if (result.smooth.inverted > 0 || !result.smooth.converged) return result;
+  // The walls may have turned and changed their shape.
+  LayerStack stack = *result.state.layers;
+  const auto stands = column_stands(stack, result.state.mesh.coordinates);
+  for (std::size_t c = 0; c < stands.size(); ++c) {
+    stack.columns[c].direction = stands[c].direction;
+    stack.columns[c].slant = stands[c].slant;
+  }
+  result.state.layers = std::make_shared<const LayerStack>(std::move(stack));
   Runs runs(run, result.smooth);
   control_spacing(result.state, smooth, tolerance, most, false, result.smooth, runs);
   return result;

@@ -15,7 +15,7 @@ struct LayerSpacing {
   double ratio = 1.15;   ///< of the second height to the first
   double growth = 1.01;  ///< of the ratio, from one layer to the next
   /// Thickness of all layers together, in units of the mesh: `ratio` is then what gives it.
-  std::optional<double> total;
+  std::optional<double> total = std::nullopt;
   /// The last layer is as high as the elements outside: `count` is then what gives that, and the
   /// ratio is adjusted for each column.
   bool match_outside = false;
