@@ -32,7 +32,7 @@ struct PanelContext {
     actions.emplace_back(std::move(a));
   }
   const Topology* topology() const {
-    return session.document() ? session.document()->topology().get() : nullptr;
+    return session.topology().get();
   }
 };
 
