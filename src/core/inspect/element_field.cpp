@@ -69,7 +69,8 @@ std::vector<double> layer_values(const Topology& topology, const Coordinates& x,
     }
     for (const Index node : topology.element(e)) {
       const auto i = static_cast<std::size_t>(node);
-      if (layer_of_node[i] == layer) value = std::isnan(value) ? below[i] : std::max(value, below[i]);
+      if (layer_of_node[i] == layer)
+        value = std::isnan(value) ? below[i] : std::max(value, below[i]);
     }
   }
   return values;

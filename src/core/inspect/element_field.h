@@ -59,7 +59,8 @@ std::string_view field_label(const ElementField& field);  ///< "VCV kappa", as o
 /// By field_name. Throws UsageError listing the names.
 ElementField parse_field(std::string_view name);
 
-/// Value for each element (#elements); NaN where no node has a VCV. layers: of this mesh; null: none.
+/// Value for each element (#elements); NaN where no node has a VCV. layers: of this mesh; null:
+/// none.
 std::vector<double> element_values(const VirtualControlVolumes& vcv, const Coordinates& x,
                                    const ElementField& field, int threads = 0,
                                    const LayerStack* layers = nullptr);

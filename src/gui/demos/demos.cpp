@@ -186,8 +186,8 @@ Demo case_g() {
 }  // namespace
 
 const std::vector<Demo>& demos() {
-  static const std::vector<Demo> all{case_a(), case_b(), case_c(), case_d(), case_e(),
-                                     case_f(), case_g()};
+  static const std::vector<Demo> all{case_a(), case_b(), case_c(), case_d(),
+                                     case_e(), case_f(), case_g()};
   return all;
 }
 

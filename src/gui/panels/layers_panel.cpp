@@ -100,8 +100,9 @@ void LayersPanel::draw_y_plus() {
   if (!from_y_plus_)
     field("layers/first", "First height", spacing_.first,
           "Height of the layer at the wall, in units of the mesh.");
-  ui::checkbox("layers/from_y_plus", "First height from y+", from_y_plus_,
-               "Take the first height from a wanted y+, by the turbulent friction of a flat plate.");
+  ui::checkbox(
+      "layers/from_y_plus", "First height from y+", from_y_plus_,
+      "Take the first height from a wanted y+, by the turbulent friction of a flat plate.");
   if (!from_y_plus_) return;
   field("layers/y_plus", "y+", y_plus_, "Wanted y+ of the first node above the wall.");
   field("layers/reynolds", "Reynolds", reynolds_, "Reynolds number of the reference length.");
@@ -166,7 +167,8 @@ void LayersPanel::draw_insertion(const PanelContext& context) {
   if (shown && planned != wanted) context.emit(action::PreviewLayers{wanted});
   if (!shown && planned) context.emit(action::PreviewLayers{});
   if (shown) draw_plan(context);
-  const bool ready = !context.session.in_motion() && context.session.layer_preview().error().empty();
+  const bool ready =
+      !context.session.in_motion() && context.session.layer_preview().error().empty();
   if (ui::button("layers/insert", "Insert layers",
                  {"Insert layers at " + marker_list(wanted.walls.front().markers) +
                       ", make room for them and smooth.",

@@ -21,8 +21,8 @@ Isolation isolation_for(const ElementField& field) {
   Isolation isolation;
   const auto is = [&](const ElementField& other) { return field == other; };
   const bool ratio = is(Metric::aspect_ratio) || is(Metric::condition_number);
-  isolation.above = ratio || is(NodalField::kappa) || is(NodalField::residual) ||
-                    field.layer() != nullptr;
+  isolation.above =
+      ratio || is(NodalField::kappa) || is(NodalField::residual) || field.layer() != nullptr;
   isolation.threshold = 0.5;
   if (ratio || is(NodalField::kappa)) isolation.threshold = 1.5;
   if (is(NodalField::residual) || is(LayerField::spacing_error)) isolation.threshold = 0.01;

@@ -17,7 +17,9 @@ std::shared_ptr<const QualityMonitor::Measured> measure(std::uint64_t shape, con
   measured->field = field;
   measured->report =
       measure_quality(state.mesh, {.histogram_bins = 40, .worst = most_worst, .threads = 1});
-  if (field) measured->values = element_values(*state.vcv, state.mesh.coordinates, *field, 1, state.layers.get());
+  if (field)
+    measured->values =
+        element_values(*state.vcv, state.mesh.coordinates, *field, 1, state.layers.get());
   return measured;
 }
 

@@ -44,8 +44,7 @@ bool Session::working() const {
       job_.paused() && job_.snapshot() && job_.snapshot()->state == JobState::paused;
   const bool following = drag_.active() && !drag_.settled();
   return following || loader_.busy() || saver_.busy() || recipe_reader_.busy() ||
-         csv_writer_.busy() || quality_.busy() ||
-         layer_preview_.busy() || (solving && !paused);
+         csv_writer_.busy() || quality_.busy() || layer_preview_.busy() || (solving && !paused);
 }
 
 const Coordinates& Session::coordinates() const {
@@ -97,9 +96,7 @@ void Session::measure_quality_now(std::optional<ElementField> field) {
   quality_.measure_now(shape_, measured_state(), field);
 }
 
-MeshState Session::measured_state() const {
-  return {{topology(), coordinates()}, vcv(), layers()};
-}
+MeshState Session::measured_state() const { return {{topology(), coordinates()}, vcv(), layers()}; }
 
 void Session::tell(Notice::Kind kind, std::string text) {
   notice_ = Notice{kind, std::move(text), std::chrono::steady_clock::now()};

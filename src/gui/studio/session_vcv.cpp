@@ -24,9 +24,9 @@ void Session::on(const action::HoverNode& a) {
 void Session::on(const action::InspectNode& a) {
   if (a.node && !exists(*a.node)) {
     if (document_)
-      tell(Notice::Kind::warning,
-           "The mesh has no node " + std::to_string(*a.node) + ": they count from 0 to " +
-               std::to_string(topology()->node_count() - 1) + ".");
+      tell(Notice::Kind::warning, "The mesh has no node " + std::to_string(*a.node) +
+                                      ": they count from 0 to " +
+                                      std::to_string(topology()->node_count() - 1) + ".");
     return;
   }
   nodes_.inspect(a.node);
@@ -36,8 +36,7 @@ void Session::on(const action::PinNodes& a) {
   if (!a.pinned) return nodes_.unpin(a.nodes);
   std::vector<Index> with_vcv = a.nodes;
   std::erase_if(with_vcv, [this](Index node) {
-    return !exists(node) || topology()->constrained(node) ||
-           !topology()->used(node);
+    return !exists(node) || topology()->constrained(node) || !topology()->used(node);
   });
   nodes_.pin(with_vcv);
 }

@@ -22,8 +22,9 @@ void height_plot(std::string_view id, const LayerHeights& heights, const Theme& 
   const ImVec2 max(min.x + width, min.y + height);
   ImGui::Dummy(ImVec2(width, height));
   note(id);
-  tooltip("Height of each layer, from the wall outwards: wanted (line) and, where layers are in, "
-          "realised (dots).");
+  tooltip(
+      "Height of each layer, from the wall outwards: wanted (line) and, where layers are in, "
+      "realised (dots).");
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(min, max, palette().card, theme.px(4));
   list.AddRect(min, max, palette().border, theme.px(4));
