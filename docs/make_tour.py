@@ -15,6 +15,7 @@ ROOT = Path(__file__).resolve().parent.parent
 PICTURES = ROOT / "docs" / "pictures" / "tour"
 SIZE = (1200, 750)
 NACA = ROOT / "assets" / "naca0012.su2"
+CIRCLE = ROOT / "assets" / "circle.su2"
 
 # Name: (mesh or None, script; the picture is taken at its end).
 TOUR = {
@@ -26,6 +27,11 @@ TOUR = {
                     "key X\nmove 0.6 0.05\nmove 0.65 0.05\nwait\n"),
     "shape": (NACA, "click section/shape\nkey E\nlook 0.65 0.05 0.5\nwait\npress 0.4 0.058\n"
                     "move 0.4 0.08\nmove 0.4 0.11\nwheel 0.4 0.13 9\nmove 0.4 0.14\nwait\n"),
+    "layers": (CIRCLE, "click 0.5 0\nclick section/motion\nclick section/layers\n"
+                       "look 0.25 0.25 0.55\nwait\naway\nwait\n"),
+    "layers_in": (CIRCLE, "click 0.5 0\nclick section/motion\nclick section/layers\nwait\n"
+                          "click layers/preview\nclick layers/insert\nwait\nkey Escape\n"
+                          "click tab/view\nlook 0.25 0.25 0.55\naway\nwait\n"),
     "motion": (NACA, "click 0.5 0\nfill motion/rotate -90\nfill motion/dx 2\nfill motion/dy -2\n"
                      "click motion/apply\naway\nlook 2.5 -2 1\nwait\n"),
     "solver": (NACA, "click menu/Edit\nwait 2\nclick menu/scramble\nwait\nkey Shift+N\naway\nwait\n"),

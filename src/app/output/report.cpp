@@ -109,12 +109,13 @@ json describe_layers(const LayerStack& stack, const Coordinates& x) {
   }
   json within;
   for (const double share : {0.01, 0.02, 0.05, 0.1}) {
-    const auto near = std::count_if(m.columns.begin(), m.columns.end(), [&](const ColumnMeasure& c) {
-      return c.thickness > 0 && c.first_error <= share;
-    });
+    const auto near = std::count_if(
+        m.columns.begin(), m.columns.end(),
+        [&](const ColumnMeasure& c) { return c.thickness > 0 && c.first_error <= share; });
     char key[16];
     std::snprintf(key, sizeof key, "%g", share);
-    within[key] = static_cast<double>(near) / static_cast<double>(std::max<std::size_t>(with_layers, 1));
+    within[key] =
+        static_cast<double>(near) / static_cast<double>(std::max<std::size_t>(with_layers, 1));
   }
   return {{"columns", stack.columns.size()},
           {"columns_with_layers", with_layers},

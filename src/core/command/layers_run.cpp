@@ -241,15 +241,11 @@ LayerInsertion make_room(const LayersCommand& command, const MeshState& state, R
 /// Smooths towards the wanted heights and corrects the VCVs until they are met. On return the state
 /// is the best one.
 void control_spacing(MeshState& state, const SmoothOptions& smooth, double tolerance, int most,
-                     bool smooth_first, const SmoothResult& so_far, Runs& runs) {
+                     Runs& runs) {
   LayerStack stack = *state.layers;
-  const auto error = [&](const Coordinates& x) {
-    return measure_layers(stack, x).spacing_error.max;
-  };
   Coordinates x = state.mesh.coordinates;
   const std::shared_ptr<const VirtualControlVolumes> base = state.vcv;
   SmoothResult outcome;  // of the last run
-  take_outcome(outcome, so_far);
   const auto smooth_towards = [&] {
     MeshState target{{state.mesh.topology, x}, layer_vcvs(state.mesh.topology, stack, *base, x)};
     outcome = runs.smooth(target, smooth, x);
@@ -261,23 +257,23 @@ void control_spacing(MeshState& state, const SmoothOptions& smooth, double toler
     state.mesh.coordinates = x;
     state.layers = std::make_shared<const LayerStack>(stack);
   };
-  if (smooth_first) {
-    keep(smooth_towards());
-    if (!good()) return;
-  }
-  double best = error(x);
-  for (int k = 0; k < most && best > tolerance; ++k) {
+  keep(smooth_towards());
+  if (!good()) return;
+  LayerMeasures best = measure_layers(stack, x);
+  for (int k = 0; k < most && best.spacing_error.max > tolerance; ++k) {
     const SmoothResult before = outcome;
     correct_layers(stack, x);
     const auto vcv = smooth_towards();
-    const double now = error(x);
-    if (!good() || now >= best) {
+    LayerMeasures now = measure_layers(stack, x);
+    // Where the elements outside press a fan from the side, longer edges would turn its columns.
+    const bool turned = now.orthogonality.max > std::max(3.0, 1.2 * best.orthogonality.max);
+    if (!good() || turned || now.spacing_error.max >= best.spacing_error.max) {
       runs.fall_back_to(before);
       return;
     }
     keep(vcv);
-    const bool worthwhile = now < 0.9 * best;
-    best = now;
+    const bool worthwhile = now.spacing_error.max < 0.9 * best.spacing_error.max;
+    best = std::move(now);
     if (!worthwhile) return;
   }
 }
@@ -297,8 +293,8 @@ CommandResult insert_layers_and_smooth(const LayersCommand& command, const MeshS
   layers.stack.held = command.control;
   result.state.layers = std::make_shared<const LayerStack>(std::move(layers.stack));
   if (command.control) {
-    control_spacing(result.state, command.smooth, command.tolerance, command.most_corrections, true,
-                    result.smooth, runs);
+    control_spacing(result.state, command.smooth, command.tolerance, command.most_corrections,
+                    runs);
   } else {
     result.state.vcv = std::make_shared<const VirtualControlVolumes>(result.state.mesh.topology);
     runs.smooth(result.state, command.smooth, result.state.mesh.coordinates);
@@ -311,16 +307,18 @@ CommandResult hold_spacing(CommandResult result, const SmoothOptions& smooth,
   constexpr double tolerance = 5e-3;
   constexpr int most = 5;
   if (result.smooth.inverted > 0 || !result.smooth.converged) return result;
-  // The walls may have turned and changed their shape.
   LayerStack stack = *result.state.layers;
+  // The walls may have turned and changed their shape.
   const auto stands = column_stands(stack, result.state.mesh.coordinates);
   for (std::size_t c = 0; c < stands.size(); ++c) {
     stack.columns[c].direction = stands[c].direction;
     stack.columns[c].slant = stands[c].slant;
   }
+  const double error = measure_layers(stack, result.state.mesh.coordinates).spacing_error.max;
   result.state.layers = std::make_shared<const LayerStack>(std::move(stack));
+  if (error <= tolerance) return result;
   Runs runs(run, result.smooth);
-  control_spacing(result.state, smooth, tolerance, most, false, result.smooth, runs);
+  control_spacing(result.state, smooth, tolerance, most, runs);
   return result;
 }
 

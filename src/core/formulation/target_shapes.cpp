@@ -154,7 +154,8 @@ class Builder {
     if (blend_.vcv > 0 || (any_edited(element) && !vcv_.role(e).own_shape)) {
       add_vcv_terms(e);
     } else {
-      shapes_.terms.push_back(common_metric(blend_, first, e).normalized().term(vcv_.role(e).weight));
+      shapes_.terms.push_back(
+          common_metric(blend_, first, e).normalized().term(vcv_.role(e).weight));
     }
     shapes_.offsets.push_back(static_cast<Index>(shapes_.terms.size()));
   }

@@ -33,6 +33,49 @@ double kappa_of(const NodalGradient& jacobian) {
   return s[1] > 0 ? s[0] / s[1] : std::numeric_limits<double>::infinity();
 }
 
+/// Relative error of each layer of a column.
+std::vector<double> height_errors(const LayerColumn& column, const Coordinates& x) {
+  std::vector<double> errors;
+  for (std::size_t k = 0; k + 1 < column.nodes.size(); ++k) {
+    const double length = (x.xy(column.nodes[k + 1]) - x.xy(column.nodes[k])).norm();
+    errors.push_back(std::abs(length / wanted_length(column, k) - 1));
+  }
+  return errors;
+}
+
+/// Values of elements in layers: those of the columns on either side.
+std::vector<double> layer_values(const Topology& topology, const Coordinates& x, LayerField field,
+                                 const LayerStack* layers) {
+  std::vector<double> values(static_cast<std::size_t>(topology.element_count()), none);
+  if (!layers || layers->layer_of_element.size() != values.size()) return values;
+  // Nodes of a column but the first, which columns share: the layer below each.
+  std::vector<double> below(static_cast<std::size_t>(topology.node_count()), none);
+  for (const LayerColumn& column : layers->columns) {
+    const auto errors = height_errors(column, x);
+    for (std::size_t k = 0; k < errors.size(); ++k)
+      below[static_cast<std::size_t>(column.nodes[k + 1])] = errors[k];
+  }
+  std::vector<int> layer_of_node(below.size(), -1);
+  for (const LayerColumn& column : layers->columns)
+    for (std::size_t k = 1; k < column.nodes.size(); ++k)
+      layer_of_node[static_cast<std::size_t>(column.nodes[k])] = static_cast<int>(k) - 1;
+  for (Index e = 0; e < topology.element_count(); ++e) {
+    const int layer = layers->layer_of_element[static_cast<std::size_t>(e)];
+    if (layer < 0) continue;
+    double& value = values[static_cast<std::size_t>(e)];
+    if (field == LayerField::layer) {
+      value = layer + 1;
+      continue;
+    }
+    for (const Index node : topology.element(e)) {
+      const auto i = static_cast<std::size_t>(node);
+      if (layer_of_node[i] == layer)
+        value = std::isnan(value) ? below[i] : std::max(value, below[i]);
+    }
+  }
+  return values;
+}
+
 /// The worse of two values, of which one may be missing.
 double worse(NodalField field, double a, double b) {
   if (std::isnan(a)) return b;
@@ -75,15 +118,18 @@ const std::array<ElementField, element_field_count>& all_element_fields() {
       Metric::normalized_jacobian, Metric::aspect_ratio,
       Metric::condition_number,    Metric::area,
       NodalField::kappa,           NodalField::smallest_weight,
-      NodalField::residual};
+      NodalField::residual,        LayerField::layer,
+      LayerField::spacing_error};
   return fields;
 }
 
 std::string_view field_name(const ElementField& field) {
+  if (field.layer()) return *field.layer() == LayerField::layer ? "layer" : "spacing_error";
   return field.metric() ? metric_name(*field.metric()) : named(*field.nodal()).name;
 }
 
 std::string_view field_label(const ElementField& field) {
+  if (field.layer()) return *field.layer() == LayerField::layer ? "Layer" : "Layer spacing error";
   return field.metric() ? metric_label(*field.metric()) : named(*field.nodal()).label;
 }
 
@@ -97,8 +143,10 @@ ElementField parse_field(std::string_view name) {
 }
 
 std::vector<double> element_values(const VirtualControlVolumes& vcv, const Coordinates& x,
-                                   const ElementField& field, int threads) {
+                                   const ElementField& field, int threads,
+                                   const LayerStack* layers) {
   const Topology& topology = vcv.topology();
+  if (field.layer()) return layer_values(topology, x, *field.layer(), layers);
   if (field.metric()) return element_values(Mesh{vcv.shared_topology(), x}, *field.metric());
   const NodalField nodal = *field.nodal();
   const std::vector<double> at_nodes = node_values(vcv, x, nodal, threads);

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/layers/layer_stack.h"
 #include "core/quality/quality.h"
 #include "core/vcv/virtual_control_volumes.h"
 
@@ -24,25 +25,33 @@ enum class NodalField { kappa, smallest_weight, residual };
 std::vector<double> node_values(const VirtualControlVolumes& vcv, const Coordinates& x,
                                 NodalField field, int threads = 0);
 
-/// A number for each element: a quality metric, or the worst value of a nodal field at its nodes.
+/// What inserted layers are like: the layer of an element, 1 at the wall; the relative error of its
+/// height, the larger of its two sides'. Elements outside layers have NaN.
+enum class LayerField { layer, spacing_error };
+
+/// A number for each element: a quality metric, the worst value of a nodal field at its nodes, or
+/// of its layer.
 class ElementField {
  public:
   // Implicit: a metric is such a field.
   ElementField(Metric metric) : field_(metric) {}    // NOLINT(google-explicit-constructor)
   ElementField(NodalField field) : field_(field) {}  // NOLINT(google-explicit-constructor)
 
-  /// Null if it is a nodal field.
+  ElementField(LayerField field) : field_(field) {}  // NOLINT(google-explicit-constructor)
+
+  /// Null if it is another kind of field; so are the others.
   const Metric* metric() const { return std::get_if<Metric>(&field_); }
   const NodalField* nodal() const { return std::get_if<NodalField>(&field_); }
+  const LayerField* layer() const { return std::get_if<LayerField>(&field_); }
 
   bool operator==(const ElementField&) const = default;
 
  private:
-  std::variant<Metric, NodalField> field_;
+  std::variant<Metric, NodalField, LayerField> field_;
 };
 
 /// All of them, as lists show them.
-inline constexpr std::size_t element_field_count = 7;
+inline constexpr std::size_t element_field_count = 9;
 const std::array<ElementField, element_field_count>& all_element_fields();
 
 std::string_view field_name(const ElementField& field);   ///< "kappa", as in options
@@ -50,8 +59,10 @@ std::string_view field_label(const ElementField& field);  ///< "VCV kappa", as o
 /// By field_name. Throws UsageError listing the names.
 ElementField parse_field(std::string_view name);
 
-/// Value for each element (#elements); NaN where no node has a VCV.
+/// Value for each element (#elements); NaN where no node has a VCV. layers: of this mesh; null:
+/// none.
 std::vector<double> element_values(const VirtualControlVolumes& vcv, const Coordinates& x,
-                                   const ElementField& field, int threads = 0);
+                                   const ElementField& field, int threads = 0,
+                                   const LayerStack* layers = nullptr);
 
 }  // namespace winslow

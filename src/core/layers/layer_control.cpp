@@ -34,27 +34,18 @@ void fill_circle(std::vector<double>& angles) {
   }
 }
 
-/// Which column each node belongs to (#nodes), -1 for none; wall nodes to none, either.
-std::vector<Index> columns_of_nodes(const Topology& topology, const LayerStack& stack) {
-  std::vector<Index> columns(at(topology.node_count()), -1);
-  for (std::size_t c = 0; c < stack.columns.size(); ++c) {
-    const auto& nodes = stack.columns[c].nodes;
-    for (std::size_t k = 1; k < nodes.size(); ++k) columns[at(nodes[k])] = static_cast<Index>(c);
-  }
-  return columns;
-}
+/// Corners within this of a right angle are to be right; radians.
+constexpr double nearly_right = radians(10);
 
 /// Angles and lengths of the VCVs of layers' nodes.
 class Stencils {
  public:
   Stencils(const Topology& topology, const LayerStack& stack, const Coordinates& x)
-      : topology_(topology),
-        stack_(stack),
-        straight_(straight_columns(stack, x)),
-        columns_(columns_of_nodes(topology, stack)) {}
+      : topology_(topology), stack_(stack), straight_(straight_columns(stack, x)) {}
 
-  /// Right angles at quadrilaterals between columns that stand side by side; in fans and in
-  /// triangles the angles of straight columns. What is left belongs to the elements outside.
+  /// Right angles at quadrilaterals; where straight columns have none, where the wall turns, in
+  /// fans and in triangles, the angles that they have. What is left belongs to the elements
+  /// outside.
   std::vector<double> angles(Index node) const {
     const auto row = topology_.neighbours(node);
     const auto star = topology_.star(node);
@@ -66,12 +57,11 @@ class Stencils {
       double angle = 0;
       if (!in_layers(k, star)) {
         ++outside;
-      } else if (topology_.element_type(star[k]) == ElementType::quadrilateral &&
-                 !in_fan(node, a) && !in_fan(node, b)) {
-        angle = pi / 2;
       } else {
         const Vec2 p = straight_.xy(node);
         angle = angle_between(straight_.xy(a) - p, straight_.xy(b) - p);
+        const bool quad = topology_.element_type(star[k]) == ElementType::quadrilateral;
+        if (quad && std::abs(angle - pi / 2) < nearly_right) angle = pi / 2;
       }
       inside += angle;
       angles.push_back(angle);
@@ -115,12 +105,6 @@ class Stencils {
   bool in_layers(std::size_t k, std::span<const Index> star) const {
     return stack_.layer_of_element[at(star[k % star.size()])] >= 0;
   }
-  /// Two nodes of different columns above one wall node.
-  bool in_fan(Index node, Index other) const {
-    const Index a = columns_[at(node)], b = columns_[at(other)];
-    return a >= 0 && b >= 0 && a != b &&
-           stack_.columns[at(a)].wall_node == stack_.columns[at(b)].wall_node;
-  }
   static double height(const LayerColumn& column, std::size_t layer) {
     return wanted_length(column, layer) *
            (column.corrections.empty() ? 1 : column.corrections[layer]);
@@ -129,21 +113,20 @@ class Stencils {
   const Topology& topology_;
   const LayerStack& stack_;
   Coordinates straight_;
-  std::vector<Index> columns_;
 };
 
 /// How much more the shape of an element of layers counts than that of one outside. All count
 /// relative to their size, so the elements outside, pressed together to make room, would otherwise
-/// press the layers by about as much and turn the columns of fans; this leaves a thousandth of it
-/// to the corrections.
-constexpr double stiffness = 1000;
+/// press the layers by about as much and turn the columns of fans; this leaves a ten-thousandth of
+/// it to the corrections.
+constexpr double stiffness = 1e4;
 
 /// Elements of layers are stiff; those outside that touch the rim keep their own shape, which the
 /// rim's VCVs, made for the layers, would take from them.
 std::shared_ptr<const std::vector<VirtualControlVolumes::Role>> roles(const Topology& topology,
-                                                                     const LayerStack& stack) {
-  auto roles = std::make_shared<std::vector<VirtualControlVolumes::Role>>(
-      at(topology.element_count()));
+                                                                      const LayerStack& stack) {
+  auto roles =
+      std::make_shared<std::vector<VirtualControlVolumes::Role>>(at(topology.element_count()));
   for (std::size_t e = 0; e < roles->size(); ++e) {
     if (stack.layer_of_element[e] >= 0) (*roles)[e].weight = stiffness;
   }

@@ -51,7 +51,7 @@ class VirtualControlVolumes {
 
   /// What an element is in a sum over VCVs (the variational form).
   struct Role {
-    double weight = 1;  ///< how much more than others it counts
+    double weight = 1;       ///< how much more than others it counts
     bool own_shape = false;  ///< it strives for its own shape, whatever VCVs its nodes were given
   };
   /// roles: #elements, with positive weights; null: the default for all. Throws UsageError

@@ -84,19 +84,13 @@ fs::path file_of(const json& object, const char* key, const fs::path& folder) {
   return folder / fs::path(value_of<std::string>(object, key, folder)).filename();
 }
 
-RestoredSession::Step read_one(const json& step, const fs::path& folder, const MeshState& base) {
+RestoredSession::Step read_one(const json& step, const fs::path& folder, const MeshState& before) {
   const fs::path file = file_of(step, "file", folder);
-  StepData data = read_step(file);
-  const Coordinates& rest = base.mesh.coordinates;
-  if (data.coordinates.size() != rest.size() || data.coordinates.dimension() != rest.dimension())
-    throw InputError(file.string() + ": found " + std::to_string(data.coordinates.size()) +
-                     " nodes, expected " + std::to_string(rest.size()));
   RestoredSession::Step result;
+  result.result = read_step(file, before);
   result.command =
       io::command_from_json(value_of<json>(step, "command", folder), folder, "command");
   result.seconds = value_of<double>(step, "seconds", folder);
-  result.result = CommandResult{base, std::move(data.smooth)};
-  result.result.state.mesh.coordinates = std::move(data.coordinates);
   return result;
 }
 
@@ -128,7 +122,8 @@ void SessionFolder::write(const SessionRecord& session) {
     const std::string name = step_name(session.generation, session.tags[k].revision);
     needed.insert(name);
     if (written_.contains(name)) continue;
-    write_step(path_ / name, session.history.state(k).mesh.coordinates, session.history.result(k));
+    write_step(path_ / name, session.history.state(k), session.history.state(k - 1),
+               session.history.result(k));
     written_.insert(name);
   }
   std::string text;
@@ -183,7 +178,9 @@ RestoredSession read_session(const fs::path& folder) {
   const auto steps = value_of<json::array_t>(manifest, "steps", folder);
   for (const json& step : steps) {
     try {
-      session.steps.push_back(read_one(step, folder, session.loaded.state));
+      const MeshState& before =
+          session.steps.empty() ? session.loaded.state : session.steps.back().result.state;
+      session.steps.push_back(read_one(step, folder, before));
     } catch (const Error& error) {
       session.damage = "Step " + std::to_string(session.steps.size() + 1) + " of " +
                        std::to_string(steps.size()) +

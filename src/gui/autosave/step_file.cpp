@@ -1,19 +1,13 @@
 #include "gui/autosave/step_file.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
-#include <cstring>
-#include <fstream>
-#include <iterator>
-#include <ostream>
-#include <span>
+#include <memory>
 #include <string>
-#include <string_view>
-#include <type_traits>
-#include <vector>
+#include <utility>
 
 #include "core/error.h"
+#include "gui/autosave/archive.h"
 #include "io/atomic_file.h"
 
 namespace winslow::gui {
@@ -21,87 +15,7 @@ namespace winslow::gui {
 namespace {
 
 /// Also tells a machine with another order of bytes.
-constexpr std::uint64_t magic = 0x0001504554534e57;  // "WNSTEP", version 1
-
-/// FNV-1a, 64 bits.
-class Checksum {
- public:
-  void add(const char* bytes, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i)
-      value_ = (value_ ^ static_cast<unsigned char>(bytes[i])) * 0x100000001b3ull;
-  }
-  std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325ull;
-};
-
-class Writer {
- public:
-  explicit Writer(std::ostream& out) : out_(out) {}
-  template <class Number>
-  void number(Number value) {
-    static_assert(std::is_trivially_copyable_v<Number>);
-    bytes(reinterpret_cast<const char*>(&value), sizeof value);
-  }
-  void numbers(std::span<const double> values) {
-    number<std::uint64_t>(values.size());
-    bytes(reinterpret_cast<const char*>(values.data()), values.size_bytes());
-  }
-  void text(std::string_view text) {
-    number<std::uint64_t>(text.size());
-    bytes(text.data(), text.size());
-  }
-  void finish() {
-    const std::uint64_t sum = sum_.value();
-    out_.write(reinterpret_cast<const char*>(&sum), sizeof sum);
-  }
-
- private:
-  void bytes(const char* data, std::size_t count) {
-    sum_.add(data, count);
-    out_.write(data, static_cast<std::streamsize>(count));
-  }
-  std::ostream& out_;
-  Checksum sum_;
-};
-
-class Reader {
- public:
-  Reader(std::string_view bytes, const std::filesystem::path& path) : left_(bytes), path_(path) {}
-  template <class Number>
-  void number(Number& value) {
-    std::memcpy(&value, take(sizeof value).data(), sizeof value);
-  }
-  void numbers(std::vector<double>& values) {
-    const std::size_t count = length(sizeof(double));
-    values.resize(count);
-    if (count > 0)
-      std::memcpy(values.data(), take(count * sizeof(double)).data(), count * sizeof(double));
-  }
-  void text(std::string& text) { text = take(length(1)); }
-  /// A count of things of `size` bytes that follow.
-  std::size_t length(std::size_t size) {
-    std::uint64_t count = 0;
-    number(count);
-    if (count > left_.size() / size) fail("a length beyond its end");
-    return count;
-  }
-  bool empty() const { return left_.empty(); }
-  [[noreturn]] void fail(const std::string& found) const {
-    throw InputError(path_.string() + ": found " + found + ", expected a saved step");
-  }
-
- private:
-  std::string_view take(std::size_t count) {
-    if (count > left_.size()) fail("an early end");
-    const std::string_view taken = left_.substr(0, count);
-    left_.remove_prefix(count);
-    return taken;
-  }
-  std::string_view left_;
-  const std::filesystem::path& path_;
-};
+constexpr std::uint64_t magic = 0x0002504554534e57;  // "WNSTEP", version 2
 
 /// Every field of a record, named once for reading and writing.
 template <class Archive, class Record>
@@ -131,61 +45,187 @@ void result_fields(Archive& archive, Result& r) {
   archive.number(r.inverted);
 }
 
-/// Bytes of a file without the checksum at its end.
-std::string checked_content(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(path.string() + ": cannot be read: " + std::strerror(errno));
-  std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  std::uint64_t expected = 0;
-  if (bytes.size() < sizeof expected)
-    throw InputError(path.string() + ": found " + std::to_string(bytes.size()) +
-                     " bytes, expected a saved step");
-  const std::size_t size = bytes.size() - sizeof expected;
-  std::memcpy(&expected, bytes.data() + size, sizeof expected);
-  bytes.resize(size);
-  Checksum sum;
-  sum.add(bytes.data(), bytes.size());
-  if (sum.value() != expected)
-    throw InputError(path.string() + ": found another checksum than it had when it was written");
-  return bytes;
-}
-
-}  // namespace
-
-void write_step(const std::filesystem::path& path, const Coordinates& coordinates,
-                const SmoothResult& smooth) {
-  io::write_atomically(path, [&](std::ostream& out) {
-    Writer writer(out);
-    writer.number(magic);
-    writer.number(coordinates.dimension());
-    writer.numbers(coordinates.values());
-    result_fields(writer, smooth);
-    writer.number<std::uint64_t>(smooth.history.size());
-    for (const IterationRecord& record : smooth.history) record_fields(writer, record);
-    writer.finish();
+/// Connectivity as the arrays that it is built from.
+template <class Archive, class Data>
+void topology_fields(Archive& archive, Data& data) {
+  archive.numbers(data.types);
+  archive.numbers(data.element_offsets);
+  archive.numbers(data.element_nodes);
+  archive.list(data.markers, [](auto& a, auto& marker) {
+    a.text(marker.name);
+    a.number(marker.tag);
+    a.numbers(marker.edges);
   });
+  archive.list(data.regions, [](auto& a, auto& region) {
+    a.text(region.name);
+    a.number(region.tag);
+  });
+  archive.numbers(data.element_region);
 }
 
-StepData read_step(const std::filesystem::path& path) {
-  const std::string bytes = checked_content(path);
-  Reader reader(bytes, path);
-  std::uint64_t found = 0;
-  reader.number(found);
-  if (found != magic) reader.fail("something else");
+template <class Archive, class Stack>
+void layer_fields(Archive& archive, Stack& stack) {
+  archive.list(stack.columns, [](auto& a, auto& column) {
+    a.number(column.wall_node);
+    a.number(column.wall);
+    a.number(column.direction.x());
+    a.number(column.direction.y());
+    a.number(column.slant);
+    a.number(column.along_boundary);
+    a.number(column.first);
+    a.number(column.asked);
+    a.number(column.room);
+    a.number(column.limit);
+    a.numbers(column.heights);
+    a.numbers(column.corrections);
+    a.numbers(column.nodes);
+  });
+  archive.numbers(stack.pairs);
+  archive.numbers(stack.layer_of_element);
+  archive.number(stack.held);
+}
+
+/// What VCVs hold beyond equal angles and unit edges.
+struct VcvData {
+  struct Edit {
+    Index node = -1;
+    VirtualControlVolumes::Stencil stencil;
+  };
+  std::vector<Edit> edits;
+  bool with_roles = false;
+  std::vector<VirtualControlVolumes::Role> roles;  // #elements
+};
+
+template <class Archive, class Data>
+void vcv_fields(Archive& archive, Data& data) {
+  archive.list(data.edits, [](auto& a, auto& edit) {
+    a.number(edit.node);
+    a.numbers(edit.stencil.angles);
+    a.numbers(edit.stencil.lengths);
+  });
+  archive.number(data.with_roles);
+  archive.numbers(data.roles);
+}
+
+/// Without coordinates.
+MeshData data_of(const Topology& topology) {
+  MeshData data;
+  for (Index e = 0; e < topology.element_count(); ++e)
+    data.add_element(topology.element_type(e), topology.element(e));
+  // Markers that stand for loops come back by themselves.
+  if (topology.markers_from_file()) data.markers = topology.markers();
+  data.regions = topology.regions();
+  data.element_region.assign(topology.element_regions().begin(), topology.element_regions().end());
+  return data;
+}
+
+VcvData data_of(const VirtualControlVolumes& vcv) {
+  VcvData data;
+  for (const auto& [node, stencil] : vcv.edits()) data.edits.push_back({node, stencil});
+  data.with_roles = vcv.roles() != nullptr;
+  if (data.with_roles) data.roles = *vcv.roles();
+  return data;
+}
+
+std::shared_ptr<const VirtualControlVolumes> made_of(
+    const VcvData& data, const std::shared_ptr<const Topology>& topology) {
+  auto vcv = std::make_shared<VirtualControlVolumes>(topology);
+  for (const auto& [node, stencil] : data.edits) vcv->set(node, stencil.angles, stencil.lengths);
+  if (data.with_roles)
+    vcv->set_roles(std::make_shared<const std::vector<VirtualControlVolumes::Role>>(data.roles));
+  return vcv;
+}
+
+/// Which parts of a state follow.
+struct Parts {
+  bool topology = false, vcv = false, layers = false, any_layers = false;
+};
+
+Parts changed_parts(const MeshState& state, const MeshState& before) {
+  return {state.mesh.topology != before.mesh.topology, state.vcv != before.vcv,
+          state.layers != before.layers, state.layers != nullptr};
+}
+
+void read_coordinates(ArchiveReader& reader, Coordinates& x) {
   int dimension = 0;
-  reader.number(dimension);
   std::vector<double> values;
+  reader.number(dimension);
   reader.numbers(values);
   if (dimension < 2 || dimension > 3 || values.size() % static_cast<std::size_t>(dimension) != 0)
     reader.fail(std::to_string(values.size()) + " numbers in " + std::to_string(dimension) +
                 " dimensions");
-  StepData step;
-  step.coordinates = Coordinates(
-      dimension, static_cast<Index>(values.size() / static_cast<std::size_t>(dimension)));
-  std::copy(values.begin(), values.end(), step.coordinates.values().begin());
+  x = Coordinates(dimension,
+                  static_cast<Index>(values.size() / static_cast<std::size_t>(dimension)));
+  std::copy(values.begin(), values.end(), x.values().begin());
+}
+
+/// The state before, with all that was written of the one after it.
+MeshState read_state(ArchiveReader& reader, const MeshState& before) {
+  MeshState state = before;
+  read_coordinates(reader, state.mesh.coordinates);
+  Parts parts;
+  reader.number(parts);
+  if (parts.topology) {
+    MeshData data;
+    topology_fields(reader, data);
+    data.coordinates = state.mesh.coordinates;
+    state.mesh.topology = Topology::build(data);
+  }
+  if (state.mesh.coordinates.size() != state.mesh.topology->node_count())
+    reader.fail(std::to_string(state.mesh.coordinates.size()) + " nodes of " +
+                std::to_string(state.mesh.topology->node_count()));
+  if (parts.vcv) {
+    VcvData data;
+    vcv_fields(reader, data);
+    state.vcv = made_of(data, state.mesh.topology);
+  }
+  if (parts.layers) {
+    state.layers.reset();
+    if (parts.any_layers) {
+      LayerStack stack;
+      layer_fields(reader, stack);
+      state.layers = std::make_shared<const LayerStack>(std::move(stack));
+    }
+  }
+  return state;
+}
+
+}  // namespace
+
+void write_step(const std::filesystem::path& path, const MeshState& state, const MeshState& before,
+                const SmoothResult& smooth) {
+  io::write_atomically(path, [&](std::ostream& out) {
+    ArchiveWriter writer(out);
+    writer.number(magic);
+    writer.number(state.mesh.coordinates.dimension());
+    writer.numbers(state.mesh.coordinates.values());
+    const Parts parts = changed_parts(state, before);
+    writer.number(parts);
+    if (parts.topology) {
+      const MeshData data = data_of(*state.mesh.topology);
+      topology_fields(writer, data);
+    }
+    if (parts.vcv) {
+      const VcvData data = data_of(*state.vcv);
+      vcv_fields(writer, data);
+    }
+    if (parts.layers && parts.any_layers) layer_fields(writer, *state.layers);
+    result_fields(writer, smooth);
+    writer.list(smooth.history, [](auto& a, auto& record) { record_fields(a, record); });
+    writer.finish();
+  });
+}
+
+CommandResult read_step(const std::filesystem::path& path, const MeshState& before) {
+  const std::string bytes = checked_content(path);
+  ArchiveReader reader(bytes, path);
+  std::uint64_t found = 0;
+  reader.number(found);
+  if (found != magic) reader.fail("something else");
+  CommandResult step;
+  step.state = read_state(reader, before);
   result_fields(reader, step.smooth);
-  step.smooth.history.resize(reader.length(16));
-  for (IterationRecord& record : step.smooth.history) record_fields(reader, record);
+  reader.list(step.smooth.history, [](auto& a, auto& record) { record_fields(a, record); });
   if (!reader.empty()) reader.fail("more than one");
   return step;
 }

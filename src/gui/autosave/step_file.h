@@ -2,22 +2,18 @@
 
 #include <filesystem>
 
-#include "core/mesh/coordinates.h"
-#include "core/outer/outer_solver.h"
+#include "core/command/command.h"
 
 namespace winslow::gui {
 
-/// What a command led to, exactly: it reads back to the same bits. Files are for the machine that
+/// What commands led to, exactly: it reads back to the same bits. Files are for the machine that
 /// wrote them.
-struct StepData {
-  Coordinates coordinates;
-  SmoothResult smooth;
-};
-
-/// Atomically. Throws OutputError.
-void write_step(const std::filesystem::path& path, const Coordinates& coordinates,
+/// before: the state that the command was given; connectivity, VCVs and layers that the command
+/// left as they were are not written again. Atomically. Throws OutputError.
+void write_step(const std::filesystem::path& path, const MeshState& state, const MeshState& before,
                 const SmoothResult& smooth);
-/// Throws InputError for a file that is missing, cut short or changed.
-StepData read_step(const std::filesystem::path& path);
+/// before: as it was written with. Throws InputError for a file that is missing, cut short,
+/// changed, or does not fit the state before.
+CommandResult read_step(const std::filesystem::path& path, const MeshState& before);
 
 }  // namespace winslow::gui

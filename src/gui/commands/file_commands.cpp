@@ -15,6 +15,15 @@ std::string cannot_save(const PanelContext& context) {
   return while_busy(context);
 }
 
+/// Where it came from; a mesh that belongs to the program goes elsewhere.
+void save(const PanelContext& context) {
+  const Document* document = context.session.document();
+  if (document && bundled(document->path()))
+    context.emit(action::ShowFileDialog{action::FilePurpose::save_mesh});
+  else
+    context.emit(action::SaveMesh{});
+}
+
 std::string cannot_record_step(const PanelContext& context) {
   if (std::string busy = while_busy(context); !busy.empty()) return busy;
   if (context.capture.recorder().state() != Recorder::State::idle)
@@ -129,7 +138,7 @@ std::vector<UserCommand> saving_commands() {
        .keys = {control(key(GLFW_KEY_S))},
        .tooltip = "Save the mesh.",
        .blocked = cannot_save,
-       .run = [](const PanelContext& c) { c.emit(action::SaveMesh{}); },
+       .run = save,
        .starts_section = true},
       {.id = "save_as",
        .label = "Save as...",

@@ -118,25 +118,48 @@ Demo case_d() {
             view}}};
 }
 
+LayersCommand layers(const std::vector<std::string>& markers, int count, double first,
+                     bool control) {
+  LayersCommand command;
+  LayerWall wall{markers, {}};
+  wall.spacing.count = count;
+  wall.spacing.first = first;
+  command.layers.walls = {wall};
+  command.control = control;
+  return command;
+}
+
 Demo case_e() {
   const std::array<double, 4> view{-2.05, -1.55, 2.05, 1.55};
   return {
       "E",
       "Layers of quadrilaterals, pure smoothing",
       "quads.su2",
-      {{"Inserted layers",
-        "Rings of quadrilaterals were inserted along every boundary, each only a fiftieth of an "
-        "element thick.",
+      {{"The mesh", "Quadrilaterals in a box around a circle and an ellipse.", {}, {}, false, view},
+       {"Layers, spread evenly",
+        "Five rings of quadrilaterals are inserted along every boundary, and the mesh is smoothed. "
+        "No spacing is asked for: smoothing spreads the layers as evenly as it can.",
         {},
-        {},
-        false,
-        view},
-       {"Smoothed",
-        "Smoothing spreads the layers evenly. No spacing is asked for.",
-        {},
-        SmoothCommand{},
+        layers({"outer", "circle", "ellipse"}, 5, 0.004, false),
         false,
         view}}};
+}
+
+Demo case_f() {
+  const std::array<double, 4> near{-0.9, -0.75, 0.9, 0.75};
+  return {"F",
+          "Viscous layers at a circle, their spacing held",
+          "circle.su2",
+          {{"The mesh", "Triangles between two circles.", {"circle"}, {}, false, near},
+           {"Fifteen layers",
+            "Fifteen layers of quadrilaterals are inserted at the circle: the first 0.001 high, "
+            "each higher than the last by a ratio that begins with 1.15 and grows by 1.01. The "
+            "triangles make room, and the virtual control volumes of the layers ask for exactly "
+            "these heights.",
+            {"circle"},
+            layers({"circle"}, 15, 0.001, true),
+            false,
+            near}}};
 }
 
 Demo case_g() {
@@ -163,7 +186,8 @@ Demo case_g() {
 }  // namespace
 
 const std::vector<Demo>& demos() {
-  static const std::vector<Demo> all{case_a(), case_b(), case_c(), case_d(), case_e(), case_g()};
+  static const std::vector<Demo> all{case_a(), case_b(), case_c(), case_d(),
+                                     case_e(), case_f(), case_g()};
   return all;
 }
 

@@ -1,5 +1,6 @@
 #include "gui/files/assets.h"
 
+#include <algorithm>
 #include <system_error>
 
 namespace winslow::gui {
@@ -22,13 +23,23 @@ fs::path assets_folder() {
   return folder;
 }
 
+bool bundled(const fs::path& path) {
+  if (assets_folder().empty()) return false;
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(assets_folder(), error);
+  const fs::path whole = fs::weakly_canonical(fs::absolute(path, error), error);
+  if (error) return false;
+  return std::mismatch(folder.begin(), folder.end(), whole.begin(), whole.end()).first ==
+         folder.end();
+}
+
 const std::vector<BundledMesh>& bundled_meshes() {
   static const std::vector<BundledMesh> all{
       {"naca0012", "naca0012.su2", "NACA 0012", "9,388 triangles, far field at 100 chords."},
       {"three_element", "three_element.su2", "Three-element aerofoil",
        "26,897 triangles around slat, main element and flap."},
       {"circle", "circle.su2", "Circle", "4,802 triangles between two circles."},
-      {"quads", "quads.su2", "Quadrilaterals", "2,528 quadrilaterals, thin layers at the walls."}};
+      {"quads", "quads.su2", "Quadrilaterals", "2,528 quadrilaterals in a box around two bodies."}};
   return all;
 }
 

@@ -20,4 +20,10 @@ void NodeSelection::unpin(const std::vector<Index>& nodes) {
   });
 }
 
+void NodeSelection::keep_if(const std::function<bool(Index)>& keep) {
+  if (inspected_ && !keep(*inspected_)) inspected_.reset();
+  if (hovered_ && !keep(*hovered_)) hovered_.reset();
+  std::erase_if(pinned_, [&](Index node) { return !keep(node); });
+}
+
 }  // namespace winslow::gui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,8 @@ class NodeSelection {
   void hover(std::optional<Index> node) { hovered_ = node; }
   void pin(const std::vector<Index>& nodes);
   void unpin(const std::vector<Index>& nodes);
+  /// Lets go of all other nodes.
+  void keep_if(const std::function<bool(Index)>& keep);
 
  private:
   std::optional<Index> inspected_, hovered_;

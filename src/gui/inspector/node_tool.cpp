@@ -14,8 +14,8 @@ std::optional<Index> NodeTool::node_at(const PointerState& pointer, double scale
                                        const Session& session, const Camera& camera) {
   // The coordinates are looked at, not copied, unless they are to be indexed anew.
   if (!session.in_motion())
-    picker_.prepare(session.shape(), session.document()->topology(), session.coordinates());
-  return picker_.pick(session.shape(), *session.document()->topology(), session.coordinates(),
+    picker_.prepare(session.shape(), session.topology(), session.coordinates());
+  return picker_.pick(session.shape(), *session.topology(), session.coordinates(),
                       camera.to_world(pointer.position),
                       pick_radius * scale * camera.units_per_pixel());
 }

@@ -36,6 +36,7 @@ Icon icon_of(const Document& document, std::size_t position) {
   if (std::holds_alternative<SmoothCommand>(command)) return Icon::solver;
   if (std::holds_alternative<ScrambleCommand>(command)) return Icon::random;
   if (std::holds_alternative<EditVcvCommand>(command)) return Icon::target;
+  if (std::holds_alternative<LayersCommand>(command)) return Icon::view;
   return std::holds_alternative<MoveCommand>(command) ? Icon::motion : Icon::bodies;
 }
 

@@ -31,9 +31,7 @@ struct PanelContext {
   void emit(A a) const {
     actions.emplace_back(std::move(a));
   }
-  const Topology* topology() const {
-    return session.document() ? session.document()->topology().get() : nullptr;
-  }
+  const Topology* topology() const { return session.topology().get(); }
 };
 
 /// A part of the studio: draws itself into the current ImGui window from a view of the session and

@@ -47,7 +47,7 @@ void separator() {
 }
 
 void draw_mesh(const Session& session) {
-  const Topology& topology = *session.document()->topology();
+  const Topology& topology = *session.topology();
   const auto history =
       session.job().active() ? session.convergence() : std::span<const IterationRecord>{};
   const auto& measured = session.quality().latest();

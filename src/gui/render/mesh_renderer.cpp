@@ -98,6 +98,7 @@ class MeshRenderer::Impl {
 
   const std::shared_ptr<const EdgeGroups>& groups() const { return mesh_.groups; }
   std::uint64_t revision() const { return revision_; }
+  const std::shared_ptr<const Topology>& topology() const { return mesh_.topology; }
 
   void set_colors(std::vector<std::uint32_t> colors, std::vector<float> opacity) {
     const auto count =
@@ -239,6 +240,8 @@ class MeshRenderer::Impl {
 
 MeshRenderer::MeshRenderer() : impl_(std::make_unique<Impl>()) {}
 MeshRenderer::~MeshRenderer() = default;
+
+const std::shared_ptr<const Topology>& MeshRenderer::topology() const { return impl_->topology(); }
 
 void MeshRenderer::set_mesh(const std::shared_ptr<const Topology>& topology,
                             const Coordinates& coordinates) {

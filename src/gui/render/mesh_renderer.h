@@ -64,6 +64,8 @@ class MeshRenderer {
 
   /// Takes a mesh; cheap if its topology is the one already held.
   void set_mesh(const std::shared_ptr<const Topology>& topology, const Coordinates& coordinates);
+  /// Of the mesh that is drawn; null before the first.
+  const std::shared_ptr<const Topology>& topology() const;
   void set_mesh(PreparedMesh mesh);
   /// Of the mesh held; null without one.
   std::shared_ptr<const EdgeGroups> edge_groups() const;

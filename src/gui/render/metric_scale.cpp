@@ -49,7 +49,12 @@ ColorScale automatic_scale(const ElementField& field, std::span<const double> va
     scale.high = high > scale.low ? round_up_nicely(high) : scale.low + 1;
     return scale;
   }
-  if (field == NodalField::residual) {
+  if (field == LayerField::layer) {
+    scale.low = 1;
+    scale.high = std::max(percentile(finite, 1), 2.0);
+    return scale;
+  }
+  if (field == NodalField::residual || field == LayerField::spacing_error) {
     scale.high = high > 0 ? round_up_nicely(high) : 1;
     scale.reversed = true;
     return scale;

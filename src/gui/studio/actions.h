@@ -99,6 +99,10 @@ struct PreviewDeformation {
 struct ApplyDeformation {
   SineDeformation shape;
 };
+/// Layers of the mesh, planned and shown but not inserted; none: no more.
+struct PreviewLayers {
+  std::optional<LayerOptions> options;
+};
 
 // Nodes and their virtual control volumes
 struct InspectNode {
@@ -299,7 +303,7 @@ using Action = std::variant<
     // Bodies and their motion
     action::SelectMarkers, action::HoverMarkers, action::CycleBody, action::SetPivot,
     action::ApplyMotion, action::SetShapeEdit, action::SelectArc, action::PreviewDeformation,
-    action::ApplyDeformation,
+    action::ApplyDeformation, action::PreviewLayers,
     action::BeginDrag, action::DragTo, action::EndDrag, action::CancelDrag,
     action::SetMotionOptions,
     // Nodes and their virtual control volumes

@@ -19,6 +19,7 @@ void BeforeMesh::update(const Session& session, const ViewOptions& view) {
   document_ = session.document();
   if (!document_) {
     coordinates_ = nullptr;
+    topology_.reset();
     return;
   }
   if (generation_ != session.generation()) {
@@ -35,6 +36,7 @@ void BeforeMesh::update(const Session& session, const ViewOptions& view) {
   if (key != key_) ++shape_;
   key_ = key;
   coordinates_ = &now;
+  topology_ = state.mesh.topology;
   const bool values = view.comparison == Comparison::split && view.color;
   if (loaded_ && !values) return;
   const auto field = values ? view.color : std::nullopt;

@@ -19,6 +19,8 @@ class BeforeMesh {
 
   /// Null without a mesh.
   const Coordinates* coordinates() const { return coordinates_; }
+  /// That coordinates() are of: not the present one if a command in between changed it.
+  const std::shared_ptr<const Topology>& topology() const { return topology_; }
   /// Grows whenever coordinates() are others.
   std::uint64_t shape() const { return shape_; }
   /// Null until it is measured.
@@ -29,6 +31,7 @@ class BeforeMesh {
  private:
   QualityMonitor monitor_;
   const Coordinates* coordinates_ = nullptr;  // of the session's history
+  std::shared_ptr<const Topology> topology_;
   const Document* document_ = nullptr;
   bool loaded_ = true;  // the mesh as it was opened
   std::uint64_t generation_ = 0, shape_ = 0;

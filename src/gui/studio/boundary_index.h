@@ -27,6 +27,8 @@ class BoundaryIndex {
 
   explicit BoundaryIndex(std::shared_ptr<const Topology> topology);
 
+  const std::shared_ptr<const Topology>& topology() const { return topology_; }
+
   /// Takes new positions. The first call decides which loops are holes.
   void update(const Coordinates& coordinates);
 

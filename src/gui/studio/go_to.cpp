@@ -55,7 +55,7 @@ MeshItem nearest_node(const Vec2& point, const Session& session) {
   double least = std::numeric_limits<double>::infinity();
   for (Index i = 0; i < x.size(); ++i) {
     const double d = (x.xy(i) - point).squaredNorm();
-    if (d >= least || !session.document()->topology()->used(i)) continue;
+    if (d >= least || !session.topology()->used(i)) continue;
     least = d;
     best = i;
   }
@@ -84,8 +84,8 @@ std::string coordinate(double value) {
 }
 
 std::vector<std::pair<std::string, std::string>> describe_element(Index e, const Session& session) {
-  const Topology& topology = *session.document()->topology();
-  const Mesh mesh{session.document()->topology(), session.coordinates()};
+  const Topology& topology = *session.topology();
+  const Mesh mesh{session.topology(), session.coordinates()};
   std::vector<std::pair<std::string, std::string>> lines{
       {"Element " + std::to_string(e),
        topology.element(e).size() == 3 ? "triangle" : "quadrilateral"},
@@ -100,7 +100,7 @@ std::vector<std::pair<std::string, std::string>> describe_element(Index e, const
 }
 
 std::vector<std::pair<std::string, std::string>> describe_node(Index i, const Session& session) {
-  const Topology& topology = *session.document()->topology();
+  const Topology& topology = *session.topology();
   const Vec2 p = session.coordinates().xy(i);
   std::string markers;
   for (std::size_t m = 0; m < topology.markers().size(); ++m) {
@@ -124,7 +124,7 @@ std::vector<std::pair<std::string, std::string>> describe_node(Index i, const Se
 MeshItem parse_item(const std::string& text, const Session& session, const ViewOptions& view) {
   const std::string wanted = trimmed(text);
   if (wanted.empty()) throw UsageError(expected);
-  const Topology& topology = *session.document()->topology();
+  const Topology& topology = *session.topology();
   // A marker may be called "n1" or "worst": a name that exists wins.
   if (const auto marker = topology.find_marker(wanted); marker)
     if (const auto nodes = topology.marker_nodes(*marker); !nodes.empty())
@@ -154,7 +154,7 @@ std::vector<std::pair<std::string, std::string>> describe_item(const MeshItem& i
 }
 
 Bounds surroundings(const MeshItem& item, const Session& session) {
-  const Topology& topology = *session.document()->topology();
+  const Topology& topology = *session.topology();
   const Coordinates& x = session.coordinates();
   if (item.kind == MeshItem::Kind::element) return bounds(x, topology.element(item.id));
   const auto around = topology.neighbours(item.id);
@@ -168,7 +168,7 @@ Bounds surroundings(const MeshItem& item, const Session& session) {
 
 bool exists(const MeshItem& item, const Session& session) {
   if (!session.document() || item.id < 0) return false;
-  const Topology& topology = *session.document()->topology();
+  const Topology& topology = *session.topology();
   return item.id <
          (item.kind == MeshItem::Kind::node ? topology.node_count() : topology.element_count());
 }

@@ -46,7 +46,7 @@ void IdLabels::find(const ViewOverlay& o) {
 }
 
 void IdLabels::find_nodes(const ViewOverlay& o) {
-  const Topology& topology = *o.session.document()->topology();
+  const Topology& topology = *o.session.topology();
   const Coordinates& x = o.session.coordinates();
   const Bounds seen = o.camera.visible();
   for (Index i = 0; i < x.size() && labels_.size() < most_labels; ++i) {
@@ -64,7 +64,7 @@ void IdLabels::find_nodes(const ViewOverlay& o) {
 }
 
 void IdLabels::find_elements(const ViewOverlay& o) {
-  const Topology& topology = *o.session.document()->topology();
+  const Topology& topology = *o.session.topology();
   const Coordinates& x = o.session.coordinates();
   const Bounds seen = o.camera.visible();
   for (Index e = 0; e < topology.element_count() && labels_.size() < most_labels; ++e) {

@@ -26,6 +26,11 @@ const Coordinates& JobRunner::coordinates() const {
   return start_ ? *start_ : base_.mesh.coordinates;
 }
 
+const std::shared_ptr<const Topology>& JobRunner::topology() const {
+  if (snapshot_ && !snapshot_->coordinates.empty()) return snapshot_->topology;
+  return base_.mesh.topology;
+}
+
 void JobRunner::retarget(Command command) {
   command_ = std::move(command);
   pause_requested_ = false;

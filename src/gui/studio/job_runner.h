@@ -37,6 +37,8 @@ class JobRunner {
   void run(MeshState base, Command command, bool paused, std::optional<Coordinates> start = {});
   /// The mesh of this job now: of its latest snapshot, or what it starts from.
   const Coordinates& coordinates() const;
+  /// That coordinates() are of: the command may change it on its way.
+  const std::shared_ptr<const Topology>& topology() const;
   bool started_elsewhere() const { return start_.has_value(); }
   void retarget(Command command);
   /// The solver has reached the present target with a valid, converged mesh.

@@ -48,11 +48,11 @@ void MeshLayer::update(const std::shared_ptr<const Topology>& topology,
     ready_ = false;
     painted_.reset();
     legend_.reset();
-    small_ = topology->node_count() < small_mesh;
   }
   if (shape_ == shape || builder_.busy()) return;
   shape_ = shape;
-  auto groups = ready_ ? renderer_.edge_groups() : nullptr;
+  small_ = topology->node_count() < small_mesh;
+  auto groups = ready_ && renderer_.topology() == topology ? renderer_.edge_groups() : nullptr;
   if (small_)
     return take(Built{generation, prepare_mesh(topology, coordinates, std::move(groups))});
   builder_.start([topology, coordinates, groups = std::move(groups), generation] {
@@ -71,6 +71,7 @@ void MeshLayer::color(const std::shared_ptr<const QualityMonitor::Measured>& mea
   }
   // Until the field asked for is measured, the colours stay what they are.
   if (!measured || measured->field != view.color || painter_.busy()) return;
+  if (measured->topology != renderer_.topology()) return;
   ColorKey key{measured, view.color_map, view.bands, view.range, view.isolation};
   if (painted_ == key) return;
   painted_ = key;
@@ -84,6 +85,7 @@ MeshLayer::Colors MeshLayer::compute(const ColorKey& key, std::uint64_t generati
   const ColorScale scale = scale_of(*key.measured, key.map, key.bands, key.range);
   Colors colors;
   colors.generation = generation;
+  colors.topology = key.measured->topology;
   colors.opacity = element_opacity(key.measured->values, key.isolation);
   colors.rgba = element_colors(key.measured->values, scale, colors.opacity);
   colors.legend = legend_of(*key.measured, scale);
@@ -100,12 +102,18 @@ bool MeshLayer::poll() {
 
 void MeshLayer::take(Built built) {
   if (built.generation != generation_) return;  // of a mesh that is gone
+  // Colours of other elements are gone with the elements.
+  if (renderer_.topology() != built.mesh.topology) {
+    painted_.reset();
+    legend_.reset();
+  }
   renderer_.set_mesh(std::move(built.mesh));
   ready_ = true;
 }
 
 void MeshLayer::take(Colors colors) {
   if (colors.generation != generation_ || !painted_) return;
+  if (colors.topology != renderer_.topology()) return;
   renderer_.set_colors(std::move(colors.rgba), std::move(colors.opacity));
   legend_ = std::move(colors.legend);
 }

@@ -47,6 +47,7 @@ class MeshLayer {
   };
   struct Colors {
     std::uint64_t generation = 0;
+    std::shared_ptr<const Topology> topology;
     std::vector<std::uint32_t> rgba;
     std::vector<float> opacity;
     Legend legend;

@@ -47,11 +47,11 @@ void MeshView::update(const Session& session, const BeforeMesh& before, const Vi
   style_ = style_for(view, scale);
   comparison_ = view.comparison;
   poll();
-  const auto& topology = session.document()->topology();
+  const auto& topology = session.topology();
   now_.update(topology, session.coordinates(), session.generation(), session.shape());
   now_.color(view.color ? session.quality().latest() : nullptr, view);
   if (comparison_ != Comparison::none) {
-    before_.update(topology, *before.coordinates(), session.generation(), before.shape());
+    before_.update(before.topology(), *before.coordinates(), session.generation(), before.shape());
     ViewOptions of_before = view;
     if (comparison_ == Comparison::ghost) of_before.color.reset();
     // The same colour is the same value on both sides.
@@ -75,7 +75,7 @@ bool MeshView::poll() {
 
 void MeshView::update_markers(const Session& session, const ViewOptions& view, float scale) {
   const bool dark = mesh_colors(view).dark;
-  const auto count = static_cast<Index>(session.document()->topology()->markers().size());
+  const auto count = static_cast<Index>(session.topology()->markers().size());
   markers_.clear();
   for (Index m = 0; m < count; ++m) {
     const Rgb c = marker_color(m, dark);

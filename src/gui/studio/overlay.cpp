@@ -10,6 +10,7 @@
 #include "core/motion/rigid_motion.h"
 #include "gui/handles/gizmo_drawing.h"
 #include "gui/inspector/vcv_overlay.h"
+#include "gui/studio/layer_overlay.h"
 
 namespace winslow::gui {
 
@@ -72,7 +73,7 @@ void draw_shape(ImDrawList& list, const Overlay& o) {
   const Coordinates& x = o.session.coordinates();
   if (edit.arc && !o.session.dragging()) {
     const DragGrip grip =
-        grip_of(*edit.arc, edit.radius, *o.scene.boundary, *o.session.document()->topology(), x);
+        grip_of(*edit.arc, edit.radius, *o.scene.boundary, *o.session.topology(), x);
     for (std::size_t i = 0; i < grip.nodes.size(); ++i) {
       const ImVec2 at = pixel(o.camera.to_screen(x.xy(grip.nodes[i])));
       const auto share = static_cast<float>(grip.shares[i]);
@@ -81,7 +82,7 @@ void draw_shape(ImDrawList& list, const Overlay& o) {
                            faded(palette().accent, 0.35f + 0.65f * share));
     }
   }
-  if (const auto& node = o.viewport.hovered_node()) {
+  if (const auto& node = o.viewport.hovered_node(); node && node->node < x.size()) {
     const ImVec2 at = pixel(o.camera.to_screen(x.xy(node->node)));
     list.AddCircle(at, o.theme.px(7), palette().card, 24, o.theme.px(4));
     list.AddCircle(at, o.theme.px(7), palette().accent, 24, o.theme.px(2));
@@ -168,6 +169,7 @@ void draw_overlay(ImDrawList& list, const Overlay& o) {
   draw_rings(list, o);
   if (o.session.dragging()) draw_wanted(list, o);
   draw_preview(list, o);
+  draw_layer_preview(list, o);
   if (o.scene.shape.active) draw_shape(list, o);
   if (const auto gizmo = Viewport::gizmo(o.scene, o.camera))
     draw_gizmo(list, *gizmo, hot_handle(o.viewport),

@@ -13,10 +13,13 @@ std::shared_ptr<const QualityMonitor::Measured> measure(std::uint64_t shape, con
                                                         std::optional<ElementField> field) {
   auto measured = std::make_shared<QualityMonitor::Measured>();
   measured->shape = shape;
+  measured->topology = state.mesh.topology;
   measured->field = field;
   measured->report =
       measure_quality(state.mesh, {.histogram_bins = 40, .worst = most_worst, .threads = 1});
-  if (field) measured->values = element_values(*state.vcv, state.mesh.coordinates, *field, 1);
+  if (field)
+    measured->values =
+        element_values(*state.vcv, state.mesh.coordinates, *field, 1, state.layers.get());
   return measured;
 }
 

@@ -17,6 +17,7 @@ class QualityMonitor {
  public:
   struct Measured {
     std::uint64_t shape = 0;  ///< Session::shape() that was measured
+    std::shared_ptr<const Topology> topology;
     QualityReport report;
     std::optional<ElementField> field;
     std::vector<double> values;  ///< of field, one per element

@@ -21,6 +21,7 @@ bool Session::poll() {
   changed |= poll_recipe();
   changed |= poll_csv();
   changed |= quality_.poll();
+  changed |= layer_preview_.update(document_ && !in_motion() ? &document_->state().mesh : nullptr);
   if (job_.poll()) {
     shape_changed();
     changed = true;
@@ -43,7 +44,7 @@ bool Session::working() const {
       job_.paused() && job_.snapshot() && job_.snapshot()->state == JobState::paused;
   const bool following = drag_.active() && !drag_.settled();
   return following || loader_.busy() || saver_.busy() || recipe_reader_.busy() ||
-         csv_writer_.busy() || quality_.busy() || (solving && !paused);
+         csv_writer_.busy() || quality_.busy() || layer_preview_.busy() || (solving && !paused);
 }
 
 const Coordinates& Session::coordinates() const {
@@ -87,13 +88,15 @@ Vec2 Session::pivot() const {
 void Session::watch_quality(std::optional<ElementField> field) {
   if (!document_) return;
   if (quality_.wants(shape_, field, in_motion()))
-    quality_.request(shape_, {{document_->topology(), coordinates()}, vcv()}, field, in_motion());
+    quality_.request(shape_, measured_state(), field, in_motion());
 }
 
 void Session::measure_quality_now(std::optional<ElementField> field) {
   if (!document_) return;
-  quality_.measure_now(shape_, {{document_->topology(), coordinates()}, vcv()}, field);
+  quality_.measure_now(shape_, measured_state(), field);
 }
+
+MeshState Session::measured_state() const { return {{topology(), coordinates()}, vcv(), layers()}; }
 
 void Session::tell(Notice::Kind kind, std::string text) {
   notice_ = Notice{kind, std::move(text), std::chrono::steady_clock::now()};
@@ -141,6 +144,7 @@ void Session::on(const action::DismissBanner&) { banner_.reset(); }
 
 void Session::shape_changed() {
   ++shape_;
+  follow_topology();
   if (boundary_) boundary_->update(coordinates());
 }
 
@@ -161,7 +165,7 @@ void Session::position_changed() {
 std::vector<std::string> Session::selected_names() const {
   std::vector<std::string> names;
   for (Index m : selection_)
-    names.push_back(document_->topology()->markers()[static_cast<std::size_t>(m)].name);
+    names.push_back(topology()->markers()[static_cast<std::size_t>(m)].name);
   return names;
 }
 

@@ -18,6 +18,7 @@
 #include "gui/studio/command_queue.h"
 #include "gui/studio/document.h"
 #include "gui/studio/job_runner.h"
+#include "gui/studio/layer_preview.h"
 #include "gui/studio/messages.h"
 #include "gui/studio/method.h"
 #include "gui/studio/quality_monitor.h"
@@ -48,6 +49,10 @@ class Session {
 
   /// The mesh on screen: that of the history, or of the job under way.
   const Coordinates& coordinates() const;
+  /// That coordinates() are of: a job may change it on its way. Null without a mesh.
+  const std::shared_ptr<const Topology>& topology() const;
+  /// Layers of the mesh on screen; null where there are none, or not all of them yet.
+  std::shared_ptr<const LayerStack> layers() const;
   /// Grows whenever coordinates() may have changed.
   std::uint64_t shape() const { return shape_; }
 
@@ -83,6 +88,9 @@ class Session {
     std::vector<std::pair<Vec2, Vec2>> outline;  ///< edges where it would put them
   };
   const std::optional<DeformationPreview>& deformation_preview() const { return preview_; }
+
+  /// Layers that are planned for the mesh of the history.
+  const LayerPreview& layer_preview() const { return layer_preview_; }
 
   const NodeSelection& nodes() const { return nodes_; }
   /// Virtual control volumes of the mesh on screen; null without a mesh.
@@ -133,6 +141,7 @@ class Session {
   void on(const action::SelectArc& a);
   void on(const action::PreviewDeformation& a);
   void on(const action::ApplyDeformation& a);
+  void on(const action::PreviewLayers& a) { layer_preview_.want(a.options); }
   void on(const action::ApplyMotion& a);
   void on(const action::BeginDrag& a);
   void on(const action::DragTo& a);
@@ -141,7 +150,7 @@ class Session {
   void on(const action::SetMotionOptions& a);
   // Nodes and their VCVs (session_vcv.cpp)
   void on(const action::InspectNode& a);
-  void on(const action::HoverNode& a) { nodes_.hover(a.node); }
+  void on(const action::HoverNode& a);
   void on(const action::PinNodes& a);
   void on(const action::EditVcvs& a);
   void on(const action::EndVcvEdit&);
@@ -193,6 +202,8 @@ class Session {
   void stop_job();
   double pace_of(Command command) const;
   void shape_changed();
+  void follow_topology();
+  MeshState measured_state() const;
   void position_changed();
   void place_pivot();
   void update_anchors();
@@ -234,6 +245,7 @@ class Session {
   std::optional<BodyAnchors> anchors_;
   ShapeEdit shape_edit_;
   std::optional<DeformationPreview> preview_;
+  LayerPreview layer_preview_;
 
   SmoothOptions smooth_;
   MotionOptions motion_;
@@ -248,6 +260,8 @@ class Session {
   NodeSelection nodes_;
   std::shared_ptr<const VirtualControlVolumes> edited_vcv_;  // of the edit under way
   bool editing_vcv_ = false;                                 // under the mouse
+  // While a job shows a mesh of another connectivity than the document's.
+  std::shared_ptr<const VirtualControlVolumes> passing_vcv_;
 
   std::deque<Prompt> prompts_;
   std::optional<Banner> banner_;

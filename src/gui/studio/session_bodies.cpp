@@ -10,7 +10,7 @@ namespace winslow::gui {
 void Session::on(const action::SelectMarkers& a) {
   if (!document_) return;
   std::vector<Index> wanted = a.markers;
-  const auto count = static_cast<Index>(document_->topology()->markers().size());
+  const auto count = static_cast<Index>(topology()->markers().size());
   std::erase_if(wanted, [count](Index m) { return m < 0 || m >= count; });
   std::sort(wanted.begin(), wanted.end());
   wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
@@ -64,6 +64,8 @@ void Session::place_pivot() {
 void Session::update_anchors() {
   anchors_.reset();
   if (!document_ || selection_.empty()) return;
+  // A job shows a mesh that is none of the history: what it comes to has anchors of its own.
+  if (topology() != document_->topology()) return;
   const Mesh& mesh = document_->state().mesh;
   std::vector<Index> nodes = mesh.topology->nodes_of_markers(selected_names());
   if (nodes.empty()) return;
@@ -91,8 +93,7 @@ void Session::on(const action::SetShapeEdit& a) {
     // A first guess that shows what the radius is for: a tenth of the smallest body.
     double size = bounds(document_->state().mesh).size().maxCoeff();
     for (const auto& body : boundary_->bodies())
-      size =
-          std::min(size, bounds(document_->state().mesh.coordinates, body.nodes).size().maxCoeff());
+      size = std::min(size, bounds(coordinates(), body.nodes).size().maxCoeff());
     shape_edit_.radius = 0.1 * size;
   } else if (a.radius > 0 || shape_edit_.active) {
     shape_edit_.radius = std::max(a.radius, 0.0);
@@ -114,6 +115,7 @@ void Session::on(const action::SelectArc& a) { shape_edit_.arc = a.arc; }
 void Session::on(const action::PreviewDeformation& a) {
   preview_.reset();
   if (!a.shape || !document_ || selection_.empty()) return;
+  if (topology() != document_->topology()) return;
   const Mesh& mesh = document_->state().mesh;
   Coordinates moved = mesh.coordinates;
   try {

@@ -1,6 +1,7 @@
 #include <string>
 #include <utility>
 
+#include "gui/files/assets.h"
 #include "gui/studio/file_work.h"
 #include "gui/studio/session.h"
 #include "gui/studio/text.h"
@@ -40,6 +41,7 @@ void Session::on(const action::ExportMesh& a) {
     tell(Notice::Kind::warning, "Wait until the solver is done, or cancel it, before exporting.");
     return;
   }
+  if (bundled(a.path)) return tell(Notice::Kind::warning, bundled_text);
   if (!a.overwrite && is_there(a.path))
     return ask(may_replace(a.path, action::ExportMesh{a.path, true}));
   saver_.start([path = a.path, mesh = document_->state().mesh, details = document_->details(),
@@ -54,7 +56,7 @@ void Session::on(const action::ExportMarkers& a) {
   if (!document_ || a.path.empty()) return;
   if (!a.overwrite && is_there(a.path))
     return ask(may_replace(a.path, action::ExportMarkers{a.path, a.markers, true}));
-  const auto& markers = document_->topology()->markers();
+  const auto& markers = topology()->markers();
   std::vector<Index> wanted = a.markers.empty() ? selection_ : a.markers;
   if (wanted.empty())
     for (Index m = 0; m < static_cast<Index>(markers.size()); ++m) wanted.push_back(m);
@@ -62,7 +64,7 @@ void Session::on(const action::ExportMarkers& a) {
   for (Index m : wanted)
     if (m >= 0 && m < static_cast<Index>(markers.size()))
       names.push_back(markers[static_cast<std::size_t>(m)].name);
-  const Mesh mesh{document_->topology(), coordinates()};
+  const Mesh mesh{topology(), coordinates()};
   const std::string error = error_of([&] { io::write_boundary(a.path, mesh, names); });
   if (!error.empty()) return report_error("Cannot export the markers", error);
   tell(Notice::Kind::success,

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "gui/files/assets.h"
 #include "gui/studio/file_work.h"
 #include "gui/studio/session.h"
 #include "gui/studio/text.h"
@@ -54,6 +55,7 @@ void Session::forget_mesh() {
   quality_.clear();
   document_.reset();
   boundary_.reset();
+  passing_vcv_.reset();
   selection_.clear();
   hovered_.clear();
   nodes_ = {};
@@ -61,6 +63,7 @@ void Session::forget_mesh() {
   pivot_place_ = PivotPlace::centre;
   shape_edit_ = {};
   preview_.reset();
+  layer_preview_.want({});
   banner_.reset();
   ++generation_;
 }
@@ -107,6 +110,7 @@ void Session::on(const action::SaveMesh& a) {
     return;
   }
   const std::filesystem::path path = a.path.empty() ? document_->path() : a.path;
+  if (bundled(path)) return tell(Notice::Kind::warning, bundled_text);
   const Mesh& mesh = document_->state().mesh;
   const Validity validity = check_validity(*mesh.topology, mesh.coordinates);
   if (validity.inverted > 0 && !a.allow_inverted) {

@@ -7,20 +7,26 @@ namespace winslow::gui {
 
 std::shared_ptr<const VirtualControlVolumes> Session::vcv() const {
   if (!document_) return nullptr;
+  if (passing_vcv_) return passing_vcv_;
   const bool editing = job_.active() && std::holds_alternative<EditVcvCommand>(job_.command());
   return editing && edited_vcv_ ? edited_vcv_ : document_->state().vcv;
 }
 
 bool Session::exists(Index node) const {
-  return document_ && node >= 0 && node < document_->topology()->node_count();
+  return document_ && node >= 0 && node < topology()->node_count();
+}
+
+void Session::on(const action::HoverNode& a) {
+  // The mesh may have changed since the mouse was there.
+  nodes_.hover(a.node && exists(*a.node) ? a.node : std::nullopt);
 }
 
 void Session::on(const action::InspectNode& a) {
   if (a.node && !exists(*a.node)) {
     if (document_)
-      tell(Notice::Kind::warning,
-           "The mesh has no node " + std::to_string(*a.node) + ": they count from 0 to " +
-               std::to_string(document_->topology()->node_count() - 1) + ".");
+      tell(Notice::Kind::warning, "The mesh has no node " + std::to_string(*a.node) +
+                                      ": they count from 0 to " +
+                                      std::to_string(topology()->node_count() - 1) + ".");
     return;
   }
   nodes_.inspect(a.node);
@@ -30,8 +36,7 @@ void Session::on(const action::PinNodes& a) {
   if (!a.pinned) return nodes_.unpin(a.nodes);
   std::vector<Index> with_vcv = a.nodes;
   std::erase_if(with_vcv, [this](Index node) {
-    return !exists(node) || document_->topology()->constrained(node) ||
-           !document_->topology()->used(node);
+    return !exists(node) || topology()->constrained(node) || !topology()->used(node);
   });
   nodes_.pin(with_vcv);
 }

@@ -87,7 +87,7 @@ void draw_focus(ImDrawList& list, const ViewOverlay& o) {
     return;
   }
   std::array<ImVec2, 4> corners;
-  const auto nodes = o.session.document()->topology()->element(focus->id);
+  const auto nodes = o.session.topology()->element(focus->id);
   for (std::size_t k = 0; k < nodes.size(); ++k)
     corners[k] = pixel(o.camera.to_screen(x.xy(nodes[k])));
   const auto count = static_cast<int>(nodes.size());
@@ -99,7 +99,7 @@ void draw_rim(ImDrawList& list, const ViewOverlay& o) {
   if (!o.view.rim_nodes && !o.view.directions) return;
   const ImU32 color = color_of(mesh_colors(o.view).dark ? Rgba{0.95f, 0.96f, 1.0f, 1}
                                                         : Rgba{0.10f, 0.12f, 0.16f, 1});
-  for (const auto& loop : o.session.document()->topology()->boundary_loops())
+  for (const auto& loop : o.session.topology()->boundary_loops())
     if (!loop.empty()) draw_loop(list, o, loop, color);
 }
 

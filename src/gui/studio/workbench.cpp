@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "gui/files/assets.h"
 #include "gui/render/frame_buffer.h"
 #include "gui/render/gl.h"
 #include "gui/studio/shortcuts.h"
@@ -175,6 +176,11 @@ void Workbench::on(const action::ShowFileDialog& a) {
   if (a.purpose == FilePurpose::recording) suggested.replace_extension(".mp4");
   if (a.purpose == FilePurpose::export_markers)
     suggested.replace_filename(suggested.stem().string() + "_markers.csv");
+  // What is written does not belong among the meshes that come with the program.
+  std::error_code ignored;
+  const bool reads = a.purpose == FilePurpose::open_mesh || a.purpose == FilePurpose::replay_recipe;
+  if (!reads && bundled(suggested))
+    suggested = std::filesystem::current_path(ignored) / suggested.filename();
   if (!a.extension.empty()) suggested.replace_extension(a.extension);
   file_dialog_.open(a.purpose, suggested, recorded_step_);
 }

@@ -22,6 +22,7 @@
 #include "gui/panels/help_panel.h"
 #include "gui/panels/history_panel.h"
 #include "gui/panels/isolate_panel.h"
+#include "gui/panels/layers_panel.h"
 #include "gui/panels/markers_panel.h"
 #include "gui/panels/menu_bar.h"
 #include "gui/panels/motion_panel.h"
@@ -242,6 +243,7 @@ class Workbench : public PictureSource {
   MarkersPanel markers_;
   MotionPanel motion_;
   ShapePanel shape_;
+  LayersPanel layers_;
   SolverPanel solver_;
   ViewPanel view_panel_;
   VcvPanel vcv_panel_;

@@ -92,6 +92,7 @@ void Workbench::draw_regions() {
     markers_.draw(all);
     motion_.draw(all);
     shape_.draw(all);
+    layers_.draw(all);
     solver_.draw(all);
     end_region();
   }

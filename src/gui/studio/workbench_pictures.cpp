@@ -194,7 +194,7 @@ VectorFigure Workbench::figure(bool legend) const {
   VectorFigure figure;
   const Document* document = session_.document();
   if (!document) throw Error("There is no mesh to draw.");
-  figure.mesh = Mesh{document->topology(), session_.coordinates()};
+  figure.mesh = Mesh{session_.topology(), session_.coordinates()};
   const double scale = static_cast<double>(ui_->theme().scale);
   const Area& v = layout_.viewport;
   figure.camera.set_viewport(0, 0, v.width / scale, v.height / scale);

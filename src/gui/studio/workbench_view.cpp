@@ -111,7 +111,7 @@ void Workbench::on(const action::FitView&) {
   const Document* document = session_.document();
   if (!document) return;
   view_history_.leave(camera_);
-  camera_.fit(bounds(Mesh{document->topology(), session_.coordinates()}));
+  camera_.fit(bounds(Mesh{session_.topology(), session_.coordinates()}));
 }
 
 void Workbench::on(const action::FitSelection&) {
@@ -119,7 +119,7 @@ void Workbench::on(const action::FitSelection&) {
   view_history_.leave(camera_);
   std::vector<Index> nodes;
   for (Index m : session_.selection()) {
-    const auto of_marker = session_.document()->topology()->marker_nodes(m);
+    const auto of_marker = session_.topology()->marker_nodes(m);
     nodes.insert(nodes.end(), of_marker.begin(), of_marker.end());
   }
   camera_.fit(bounds(session_.coordinates(), nodes), 0.2);

@@ -55,6 +55,18 @@ class Form {
     for (std::size_t w = 0; w < command.layers.walls.size(); ++w) {
       wall(command.layers.walls[w], "wall" + std::to_string(w) + "_");
     }
+    row("");
+    changed_ |= checkbox(prefix_ + "/control", "Hold the spacing", command.control,
+                         "Ask for the heights through the virtual control volumes. Off: smoothing "
+                         "spreads the layers as it likes.");
+    row("");
+    changed_ |= checkbox(prefix_ + "/fans", "Fans at sharp corners", command.layers.fans,
+                         "Several columns at sharp convex corners, such as a trailing edge.");
+    if (command.layers.fans)
+      field("fan_angle", "Fan angle", command.layers.fan_angle,
+            "Between neighbouring columns of a fan, degrees.");
+    field("clearance", "Clearance", command.layers.clearance,
+          "Share of a gap's width that the layers of either side may take, below 0.5.");
     options(command.smooth);
   }
 
@@ -82,6 +94,9 @@ class Form {
           "Height of the layer at the wall, in units of the mesh.");
     field(name + "ratio", "Ratio", wall.spacing.ratio, "Of the second height to the first.");
     field(name + "growth", "Growth", wall.spacing.growth, "Of the ratio, from layer to layer.");
+    if (wall.spacing.total)
+      field(name + "total", "Thickness", *wall.spacing.total,
+            "Of all layers, in units of the mesh; it gives the ratio.");
   }
 
   void deformation(SineDeformation& sine) {

@@ -100,7 +100,7 @@ TEST_CASE("Esc and opening another mesh end a demo; what is unsaved is asked for
   REQUIRE(rig.wait([&] { return rig.document().name() == "mesh.su2"; }));
   rig.frames();
   CHECK(rig.bench->demo().demo() == nullptr);
-  CHECK(find_demo("F") == nullptr);
+  CHECK(find_demo("Z") == nullptr);
 }
 
 }  // namespace winslow::gui::test

@@ -242,7 +242,9 @@ TEST_CASE("what came after an undone step is written once and goes when it is fo
 
 TEST_CASE("the file of a step reads back to the bit and refuses every cut of it") {
   TemporaryFolder folder;
-  Coordinates x(2, 3);
+  const MeshState before = make_state(ring_mesh(4, 2));
+  MeshState after = before;
+  Coordinates& x = after.mesh.coordinates;
   x.set_xy(0, Vec2(0.1, -0.0));
   x.set_xy(1, Vec2(1e-310, 3));
   SmoothResult smooth;
@@ -252,10 +254,13 @@ TEST_CASE("the file of a step reads back to the bit and refuses every cut of it"
   smooth.history[1].residual = 0.3;
   smooth.history[1].stage = Stage::newton;
   const auto path = folder / "step.bin";
-  write_step(path, x, smooth);
-  const StepData back = read_step(path);
-  CHECK(back.coordinates == x);
-  CHECK(std::signbit(back.coordinates.xy(0).y()));
+  write_step(path, after, before, smooth);
+  const CommandResult back = read_step(path, before);
+  const Coordinates& there = back.state.mesh.coordinates;
+  CHECK(there == x);
+  CHECK(std::signbit(there.xy(0).y()));
+  CHECK(back.state.mesh.topology == before.mesh.topology);
+  CHECK(back.state.vcv == before.vcv);
   CHECK(back.smooth.linear_solver == "KLU");
   REQUIRE(back.smooth.history.size() == 2);
   CHECK(back.smooth.history[1].residual == 0.3);
@@ -264,9 +269,9 @@ TEST_CASE("the file of a step reads back to the bit and refuses every cut of it"
   const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     std::ofstream(path, std::ios::binary) << bytes.substr(0, size);
-    CHECK_THROWS_AS(read_step(path), InputError);
+    CHECK_THROWS_AS(read_step(path, before), InputError);
   }
-  CHECK_THROWS_AS(read_step(folder / "none.bin"), InputError);
+  CHECK_THROWS_AS(read_step(folder / "none.bin", before), InputError);
 }
 
 }  // namespace winslow::gui::test

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <ostream>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace winslow::gui {
+
+/// FNV-1a, 64 bits.
+class Checksum {
+ public:
+  void add(const char* bytes, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i)
+      value_ = (value_ ^ static_cast<unsigned char>(bytes[i])) * 0x100000001b3ull;
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325ull;
+};
+
+/// Writes numbers and text as they are in memory, a checksum at the end. ArchiveReader has the same
+/// members for reading, so that a list of fields serves for both.
+class ArchiveWriter {
+ public:
+  explicit ArchiveWriter(std::ostream& out) : out_(out) {}
+  template <class Number>
+  void number(const Number& value) {
+    static_assert(std::is_trivially_copyable_v<Number>);
+    bytes(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  template <class Number>
+  void numbers(const std::vector<Number>& values) {
+    numbers(std::span<const Number>(values));
+  }
+  template <class Number>
+  void numbers(std::span<const Number> values) {
+    static_assert(std::is_trivially_copyable_v<Number>);
+    number<std::uint64_t>(values.size());
+    bytes(reinterpret_cast<const char*>(values.data()), values.size_bytes());
+  }
+  void text(std::string_view text) {
+    number<std::uint64_t>(text.size());
+    bytes(text.data(), text.size());
+  }
+  /// A list; `fields` writes one of its values.
+  template <class Value, class Fields>
+  void list(const std::vector<Value>& values, const Fields& fields) {
+    number<std::uint64_t>(values.size());
+    for (const Value& value : values) fields(*this, value);
+  }
+  void finish() {
+    const std::uint64_t sum = sum_.value();
+    out_.write(reinterpret_cast<const char*>(&sum), sizeof sum);
+  }
+
+ private:
+  void bytes(const char* data, std::size_t count) {
+    sum_.add(data, count);
+    out_.write(data, static_cast<std::streamsize>(count));
+  }
+  std::ostream& out_;
+  Checksum sum_;
+};
+
+/// Throws InputError where the bytes end early or a length is beyond their end.
+class ArchiveReader {
+ public:
+  ArchiveReader(std::string_view bytes, const std::filesystem::path& path)
+      : left_(bytes), path_(path) {}
+  template <class Number>
+  void number(Number& value) {
+    static_assert(std::is_trivially_copyable_v<Number>);
+    std::memcpy(&value, take(sizeof value).data(), sizeof value);
+  }
+  template <class Number>
+  void numbers(std::vector<Number>& values) {
+    const std::size_t count = length(sizeof(Number));
+    values.resize(count);
+    if (count > 0)
+      std::memcpy(values.data(), take(count * sizeof(Number)).data(), count * sizeof(Number));
+  }
+  void text(std::string& text) { text = take(length(1)); }
+  template <class Value, class Fields>
+  void list(std::vector<Value>& values, const Fields& fields) {
+    values.resize(length(1));
+    for (Value& value : values) fields(*this, value);
+  }
+  bool empty() const { return left_.empty(); }
+  [[noreturn]] void fail(const std::string& found) const;
+
+ private:
+  /// A count of things of at least `size` bytes that follow.
+  std::size_t length(std::size_t size);
+  std::string_view take(std::size_t count);
+
+  std::string_view left_;
+  const std::filesystem::path& path_;
+};
+
+/// Bytes of a file without the checksum at its end. Throws InputError.
+std::string checked_content(const std::filesystem::path& path);
+
+}  // namespace winslow::gui
