@@ -11,11 +11,12 @@ namespace winslow {
 /// computational stencils were modified to reflect the new distribution").
 ///
 /// All edges of the VCVs of nodes in layers are lengths in the mesh, in one unit: along columns the
-/// wanted height of the layer times its correction, sideways the distance that straight columns have
-/// there. Corners of quadrilaterals have right angles; where those of straight columns are further
-/// than 10 degrees from that (where the wall turns, in fans), and in triangles, the angles are those
-/// of straight columns. At the rim the elements outside share what is left of the circle. Elements
-/// of layers have a weight of ten thousand; those outside that touch the rim keep their own shape.
+/// wanted height of the layer times its correction, sideways the distance that straight columns
+/// have there. Corners of quadrilaterals have right angles; where those of straight columns are
+/// further than 10 degrees from that (where the wall turns, in fans), and in triangles, the angles
+/// are those of straight columns. At the rim the elements outside share what is left of the circle.
+/// Elements of layers have a weight of ten thousand; those outside that touch the rim keep their
+/// own shape.
 ///
 /// base: of this topology, or of the one before the layers were inserted; nodes outside the layers
 /// keep its VCVs. x (#nodes by 2): gives the walls on which the columns stand.
