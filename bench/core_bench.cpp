@@ -3,6 +3,9 @@
 
 #include "core/command/command.h"
 #include "core/formulation/pointwise_winslow.h"
+#include "core/layers/layer_control.h"
+#include "core/layers/layer_insertion.h"
+#include "core/layers/layer_plan.h"
 #include "core/linear/linear_solver.h"
 #include "core/quality/quality.h"
 #include "core/vcv/stencil_functionals.h"
@@ -33,6 +36,23 @@ void build_topology(benchmark::State& run) {
   const MeshData data = test::square(static_cast<Index>(run.range(0)), test::Cells::triangles);
   for (auto _ : run) benchmark::DoNotOptimize(Topology::build(data));
   run.SetItemsProcessed(run.iterations() * data.node_count());
+}
+
+/// Thirty layers at the inner wall of an annulus of `rings` rings of 1000 nodes: planning, new
+/// connectivity, and the VCVs that hold the heights.
+void insert_thirty_layers(benchmark::State& run) {
+  const Mesh mesh = make_mesh(
+      test::annulus(1000, static_cast<Index>(run.range(0)), 1.006, test::Cells::triangles));
+  LayerOptions options;
+  options.walls.push_back({{"inner"}, {30, 1e-5, 1.2, 1.0, {}, false}});
+  const VirtualControlVolumes none(mesh.topology);
+  for (auto _ : run) {
+    const LayerInsertion layers = insert_layers(mesh, plan_layers(mesh, options));
+    benchmark::DoNotOptimize(
+        layer_vcvs(layers.mesh.topology, layers.stack, none, layers.mesh.coordinates));
+  }
+  run.counters["nodes"] = static_cast<double>(mesh.topology->node_count());
+  run.SetItemsProcessed(run.iterations() * mesh.topology->node_count());
 }
 
 void build_functionals(benchmark::State& run) {
@@ -90,6 +110,7 @@ void solve(benchmark::State& run, const char* name) {
 }
 
 BENCHMARK(build_topology)->Arg(70)->Arg(300)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(insert_thirty_layers)->Arg(25)->Arg(100)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(build_functionals)->Arg(70)->Arg(300)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(freeze)->ArgsProduct({{70, 300}, {1, 2}})->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(residual)->ArgsProduct({{70, 300}, {1, 2}})->Unit(benchmark::kMillisecond)->UseRealTime();

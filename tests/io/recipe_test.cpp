@@ -167,6 +167,29 @@ TEST_CASE("recipe: a scramble command survives") {
   CHECK(round_trip(ScrambleCommand{18446744073709551615u}).seed == 18446744073709551615u);
 }
 
+TEST_CASE("recipe: an insertion of layers survives") {
+  LayersCommand command;
+  command.layers.walls = {{{"slat", "main"}, {25, 1e-5, 1.2, 1.003, {}, true}},
+                          {{"flap"}, {7, 2e-5, 1.3, 1.0, 0.01, false}}};
+  command.layers.fans = false;
+  command.layers.fan_threshold = 70;
+  command.layers.fan_angle = 33;
+  command.layers.clearance = 0.2;
+  command.layers.crossing = 0.4;
+  command.layers.steepest = 0.7;
+  command.layers.scale_all = true;
+  command.control = false;
+  command.tolerance = 0.03;
+  command.most_corrections = 2;
+  command.smooth = odd_smoothing();
+  const LayersCommand read = round_trip(command);
+  CHECK(read.layers == command.layers);
+  CHECK(read.control == command.control);
+  CHECK(read.tolerance == command.tolerance);
+  CHECK(read.most_corrections == command.most_corrections);
+  check_equal(read.smooth, command.smooth);
+}
+
 TEST_CASE("recipe: displacements of a file are looked for beside the recipe") {
   const TemporaryFolder folder;
   folder.write("d.csv", "node,dx,dy\n4,0.5,-0.5\n");

@@ -63,10 +63,11 @@ int run(double seconds, std::uint64_t seed) {
   const bool good = growth <= allowance;
   std::printf(
       "soak: seed %llu, %.0f s, %d operations, %d meshes opened, %d meshes compared bit by bit, %d "
-      "crashes survived, "
+      "crashes survived, %d ends, "
       "memory %.1f MB at first, %.1f MB at last, growth %+.1f MB over %zu samples: %s\n",
       static_cast<unsigned long long>(seed), now() - start, soak.operations(), soak.meshes(),
-      soak.comparisons(), soak.restored(), static_cast<double>(soak.memory().first()) / (1 << 20),
+      soak.comparisons(), soak.restored(), soak.ended(),
+      static_cast<double>(soak.memory().first()) / (1 << 20),
       static_cast<double>(soak.memory().last()) / (1 << 20),
       static_cast<double>(growth) / (1 << 20), soak.memory().count(), good ? "ok" : "MEMORY GROWS");
   return good ? 0 : 1;

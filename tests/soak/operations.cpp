@@ -28,6 +28,7 @@ const std::vector<Soak::Choice>& Soak::choices() {
                                        {2, "read", &Soak::read_files},
                                        {2, "resize", &Soak::resize_window},
                                        {8, "settle", &Soak::settle_down},
+                                       {2, "layers", &Soak::insert_layers},
                                        {1, "crash", &Soak::crash}};
   return all;
 }
@@ -245,6 +246,22 @@ void Soak::write_files() {
   rig_->frames(4);
 }
 
+/// Another connectivity. A mesh that has layers gets no more, or it would grow for ever.
+void Soak::insert_layers() {
+  const Document* document = rig_->session().document();
+  if (!document || document->state().layers || document->topology()->markers().empty()) return;
+  const auto& markers = document->topology()->markers();
+  LayersCommand command;
+  LayerWall wall{{markers[static_cast<std::size_t>(pick(static_cast<int>(markers.size())))].name},
+                 {}};
+  wall.spacing.count = 1 + pick(6);
+  wall.spacing.first = between(0.001, 0.02);
+  command.layers.walls = {wall};
+  command.control = chance(80);
+  rig_->bench->apply(action::RunCommand{command, chance(20)});
+  rig_->frames(4);
+}
+
 void Soak::read_files() {
   const int way = pick(3);
   if (way == 0) {
@@ -294,6 +311,7 @@ void Soak::crash() {
   settle_down();
   answer_dialogs();
   if (!rig_->session().document() || rig_->session().in_motion()) return;
+  if (rig_->session().quit_accepted()) return;
   if (!rig_->wait([this] { return !rig_->bench->autosave().busy(); }, 60))
     throw std::runtime_error("the session is never kept");
   const std::string said = rig_->session().notice() ? rig_->session().notice()->text : "nothing";
@@ -316,6 +334,18 @@ void Soak::crash() {
       throw std::runtime_error("position " + std::to_string(k) + " came back as another mesh");
   ++restored_;
   generation_ = 0;
+}
+
+/// The studio was told to end, through the palette for one: the next one has nothing to offer.
+void Soak::begin_again() {
+  rig_.reset();
+  rig_ = std::make_unique<Rig>(width_, height_, folder_ / "profile");
+  if (!rig_->wait([this] { return !rig_->bench->autosave().busy(); }, 60))
+    throw std::runtime_error("what earlier studios left is never looked at");
+  if (rig_->session().prompt()) throw std::runtime_error("a session is offered after a clean end");
+  ++ended_;
+  generation_ = 0;
+  open_next();
 }
 
 }  // namespace winslow::gui::test

@@ -40,6 +40,7 @@ void Soak::step() {
     at -= choice.weight;
   }
   answer_dialogs();
+  if (rig_->session().quit_accepted()) return begin_again();
   check();
 }
 

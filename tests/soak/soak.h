@@ -28,6 +28,7 @@ class Soak {
   int comparisons() const { return comparisons_; }
   int meshes() const { return meshes_; }
   int restored() const { return restored_; }
+  int ended() const { return ended_; }
   const MemoryWatch& memory() const { return memory_; }
   /// What was done last, latest last.
   const std::vector<std::string>& trail() const { return trail_; }
@@ -58,8 +59,10 @@ class Soak {
   void read_files();
   void resize_window();
   void settle_down();
+  void insert_layers();
   void crash();
   bool kept_somewhere() const;
+  void begin_again();
 
   void open_next();
   void answer_dialogs();
@@ -82,7 +85,7 @@ class Soak {
   std::map<std::uint64_t, Coordinates> known_;  // mesh of each revision of the open document
   std::uint64_t generation_ = 0;
   int width_ = 1100, height_ = 720;
-  int operations_ = 0, comparisons_ = 0, meshes_ = 0, restored_ = 0, since_open_ = 0;
+  int operations_ = 0, comparisons_ = 0, meshes_ = 0, restored_ = 0, ended_ = 0, since_open_ = 0;
   MemoryWatch memory_;
   std::vector<std::string> trail_;
 };

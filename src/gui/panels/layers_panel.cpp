@@ -161,7 +161,6 @@ void LayersPanel::draw_insertion(const PanelContext& context) {
                "moves. Off: smoothing spreads the layers as it likes.");
   ui::checkbox("layers/preview", "Show where they will stand", preview_,
                "Draw the planned columns and layers; columns cut short in another colour.");
-  ui::height_plot("layers/plot", {wanted_heights(), {}}, context.theme);
   const bool shown = preview_ && !context.session.in_motion();
   const auto& planned = context.session.layer_preview().wanted();
   if (shown && planned != wanted) context.emit(action::PreviewLayers{wanted});
@@ -179,6 +178,7 @@ void LayersPanel::draw_insertion(const PanelContext& context) {
     command.smooth = context.session.smooth_options();
     context.emit(action::RunCommand{command, false});
   }
+  ui::height_plot("layers/plot", {wanted_heights(), {}}, context.theme);
 }
 
 void LayersPanel::draw_plan(const PanelContext& context) {
@@ -206,8 +206,8 @@ void LayersPanel::draw_result(const PanelContext& context) {
                    std::to_string(measures.cut_short) + " cut short, " +
                    short_number(measures.thickness.min) + " to " +
                    short_number(measures.thickness.max) + " thick; heights within " +
-                   short_number(100 * measures.spacing_error.max) + " % of those wanted" +
-                   (stack.held ? ", and held." : "."));
+                   short_number(std::round(1e4 * measures.spacing_error.max) / 100) +
+                   " % of those wanted" + (stack.held ? ", and held." : "."));
   ui::note("layers/result");
   const LayerColumn& tallest =
       *std::ranges::max_element(stack.columns, {}, [](const LayerColumn& c) { return c.count(); });
