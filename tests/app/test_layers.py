@@ -50,6 +50,25 @@ class Layers(ProgramTest):
         self.winslow("replay", "recipe.json", "-o", "moved.su2", "--report", "moved.json")
         self.assertLess(self.json("moved.json")["layers"]["spacing_error"]["max"], 0.01)
 
+    def test_layers_of_a_mesh_are_spaced_anew_and_held(self):
+        self.ring(around=32, rings=10)
+        self.insert()
+        self.winslow("layers", "out.su2", "-o", "finer.su2", "--marker", "body", "--respace",
+                     "--count", self.COUNT, "--first", 0.001, "--ratio", 1.4, "--growth", 1, "--report",
+                     "finer.json")
+        layers = self.json("finer.json")["layers"]
+        self.assertAlmostEqual(layers["first_height"]["avg"], 0.001, delta=1e-5)
+        self.assertLess(layers["spacing_error"]["max"], 0.01)
+        self.assertEqual(len(support.read_su2(self.path("finer.su2"))[1]),
+                         len(support.read_su2(self.path("out.su2"))[1]))
+        self.winslow("move", "out.su2", "-o", "moved.su2", "--marker", "body", "--rotate", 40,
+                     "--translate", 0.5, 0.2, "--hold-layers", "body", "--report", "moved.json")
+        layers = self.json("moved.json")["layers"]
+        self.assertAlmostEqual(layers["first_height"]["min"], self.FIRST, delta=0.01 * self.FIRST)
+        self.assertAlmostEqual(layers["first_height"]["max"], self.FIRST, delta=0.01 * self.FIRST)
+        self.winslow("move", "ring.su2", "-o", "no.su2", "--marker", "body", "--rotate", 4,
+                     "--hold-layers", "body", code=USAGE)
+
     def test_walls_with_settings_of_their_own(self):
         self.ring(around=32, rings=10)
         self.winslow("layers", "ring.su2", "-o", "out.su2", "--first", 0.01, "--ratio", 1.1, "--growth",

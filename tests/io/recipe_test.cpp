@@ -169,6 +169,7 @@ TEST_CASE("recipe: a scramble command survives") {
 
 TEST_CASE("recipe: an insertion of layers survives") {
   LayersCommand command;
+  command.task = LayerTask::respace;
   command.layers.walls = {{{"slat", "main"}, {25, 1e-5, 1.2, 1.003, {}, true}},
                           {{"flap"}, {7, 2e-5, 1.3, 1.0, 0.01, false}}};
   command.layers.fans = false;
@@ -183,6 +184,7 @@ TEST_CASE("recipe: an insertion of layers survives") {
   command.most_corrections = 2;
   command.smooth = odd_smoothing();
   const LayersCommand read = round_trip(command);
+  CHECK(read.task == command.task);
   CHECK(read.layers == command.layers);
   CHECK(read.control == command.control);
   CHECK(read.tolerance == command.tolerance);

@@ -1,6 +1,7 @@
 #include "app/options/layer_flags.h"
 
 #include <cstdlib>
+#include <utility>
 
 #include "app/options/smooth_flags.h"
 #include "core/error.h"
@@ -56,6 +57,26 @@ void set(LayerSpacing& spacing, const std::string& setting, const std::string& w
 }
 
 }  // namespace
+
+void add_hold_layers_flag(CLI::App& app, std::vector<std::string>& markers) {
+  app.add_option("--hold-layers", markers,
+                 "Wall whose layers of quadrilaterals keep their heights; may be given several "
+                 "times")
+      ->type_name("NAME");
+}
+
+std::vector<Command> holding_layers(const std::vector<std::string>& markers,
+                                    const SmoothOptions& smooth, Command command) {
+  if (markers.empty()) return {std::move(command)};
+  constexpr int all = 1000;
+  LayersCommand hold;
+  hold.task = LayerTask::hold;
+  LayerSpacing spacing;
+  spacing.count = all;
+  hold.layers.walls.push_back({markers, spacing});
+  hold.smooth = smooth;
+  return {hold, std::move(command)};
+}
 
 LayerWall parse_wall(const std::string& text, const LayerSpacing& common) {
   // A marker's name may hold a colon; settings hold none.

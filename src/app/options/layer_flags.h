@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/command/command.h"
 #include "core/layers/layer_plan.h"
 
 namespace winslow::app {
@@ -27,6 +28,12 @@ class LayerFlags {
   double length_ = 1;
   LayerOptions corners_;
 };
+
+/// Declares --hold-layers: walls whose layers keep their heights while bodies move.
+void add_hold_layers_flag(CLI::App& app, std::vector<std::string>& markers);
+/// A command that takes the layers at these walls in hand first, if there are any walls.
+std::vector<Command> holding_layers(const std::vector<std::string>& markers,
+                                    const SmoothOptions& smooth, Command command);
 
 /// "NAME[,NAME]:count=20,first=1e-5,...", what is not said as in `common`. Keys are those of
 /// LayerSpacing: count, first, ratio, growth, total. Throws UsageError.

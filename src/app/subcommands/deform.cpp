@@ -1,6 +1,7 @@
 #include <array>
 
 #include "app/job/edit_job.h"
+#include "app/options/layer_flags.h"
 #include "app/options/smooth_flags.h"
 #include "app/options/suggestion.h"
 #include "app/subcommands/subcommand.h"
@@ -24,6 +25,7 @@ class DeformSubcommand : public Subcommand {
     add_marker_flag(app(), command_.markers);
     add_shape_flags();
     add_motion_flags(app(), command_.how);
+    add_hold_layers_flag(app(), held_);
     add_smooth_flags(app(), command_.smooth);
     add_job_flags(app(), files_);
     add_recipe_flag(app(), files_);
@@ -39,7 +41,7 @@ class DeformSubcommand : public Subcommand {
     } else {
       command_.shape = io::read_displacements(table_);
     }
-    return run_edit_job({"deform", files_, {command_}});
+    return run_edit_job({"deform", files_, holding_layers(held_, command_.smooth, command_)});
   }
 
  private:
@@ -80,6 +82,7 @@ class DeformSubcommand : public Subcommand {
   }
 
   JobFiles files_;
+  std::vector<std::string> held_;
   DeformCommand command_;
   SineDeformation sine_;
   std::string table_;

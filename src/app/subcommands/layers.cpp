@@ -15,10 +15,18 @@ class LayersSubcommand : public Subcommand {
             "layers", "Insert viscous layers at walls: quadrilaterals of wanted heights")) {
     add_input(app(), files_.input);
     flags_.declare(app());
+    CLI::Option* respace =
+        app()
+            .add_flag_callback(
+                "--respace", [this] { command_.task = LayerTask::respace; },
+                "Give the layers that the mesh has at these walls other heights; --count is the "
+                "most of them that are taken in hand")
+            ->group("Layers");
     app()
         .add_flag_callback(
             "--no-control", [this] { command_.control = false; },
             "Smooth the new connectivity as it is, without holding heights")
+        ->excludes(respace)
         ->group("Layers");
     app()
         .add_option("--height-tolerance", command_.tolerance,

@@ -1,4 +1,5 @@
 #include "app/job/edit_job.h"
+#include "app/options/layer_flags.h"
 #include "app/options/smooth_flags.h"
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"
@@ -21,6 +22,7 @@ class MoveSubcommand : public Subcommand {
                                  "Shift, after the rotation")
                      ->type_name("DX DY");
     add_motion_flags(app(), command_.how);
+    add_hold_layers_flag(app(), held_);
     add_smooth_flags(app(), command_.smooth);
     add_job_flags(app(), files_);
     add_recipe_flag(app(), files_);
@@ -30,11 +32,12 @@ class MoveSubcommand : public Subcommand {
     if (rotate_->count() + translate_->count() == 0) {
       throw UsageError("nothing to do: give --rotate DEG, --translate DX DY, or both");
     }
-    return run_edit_job({"move", files_, {command_}});
+    return run_edit_job({"move", files_, holding_layers(held_, command_.smooth, command_)});
   }
 
  private:
   JobFiles files_;
+  std::vector<std::string> held_;
   MoveCommand command_;
   CLI::Option* rotate_ = nullptr;
   CLI::Option* translate_ = nullptr;

@@ -69,6 +69,8 @@ std::string describe_one(const LayersCommand& command) {
     markers.insert(markers.end(), wall.markers.begin(), wall.markers.end());
     count = std::max(count, wall.spacing.count);
   }
+  if (command.task == LayerTask::hold) return "Hold the layers at " + list(markers);
+  if (command.task == LayerTask::respace) return "Space the layers at " + list(markers) + " anew";
   return "Insert " + std::to_string(count) + " layers at " + list(markers);
 }
 
@@ -163,7 +165,7 @@ CommandResult execute_one(const EditVcvCommand& command, const MeshState& state,
 CommandResult execute_one(const LayersCommand& command, const MeshState& state,
                           const ExecuteOptions& options) {
   validate(command.smooth);
-  return insert_layers_and_smooth(command, state, options);
+  return run_layers(command, state, options);
 }
 
 }  // namespace

@@ -62,11 +62,20 @@ struct EditVcvCommand {
   SmoothOptions smooth;
 };
 
-/// Insert layers of quadrilaterals at walls, then smooth: the one command that changes the
-/// connectivity. AIAA 2009-1362, cases E and F.
+/// What is done about layers.
+enum class LayerTask {
+  insert,   ///< new layers: the one command that changes the connectivity
+  respace,  ///< the layers that the mesh has get other heights
+  hold      ///< the layers that the mesh has keep their heights from here on
+};
+
+/// Insert layers of quadrilaterals at walls, or take those that a mesh has in hand, then smooth.
+/// AIAA 2009-1362, cases E and F.
 struct LayersCommand {
+  LayerTask task = LayerTask::insert;
   LayerOptions layers;
-  /// Hold the wanted heights, through the VCVs; false: smooth the new connectivity as it is.
+  /// Hold the wanted heights, through the VCVs; false (insert only): smooth the new connectivity as
+  /// it is.
   bool control = true;
   double tolerance = 2e-3;   ///< relative error of any height above which the VCVs are corrected
   int most_corrections = 8;  ///< smoothing runs after the first

@@ -7,6 +7,7 @@
 #include "core/command/smooth_run.h"
 #include "core/error.h"
 #include "core/layers/layer_control.h"
+#include "core/layers/layer_detection.h"
 #include "core/layers/layer_insertion.h"
 #include "core/layers/layer_measures.h"
 #include "core/quality/quality.h"
@@ -278,16 +279,68 @@ void control_spacing(MeshState& state, const SmoothOptions& smooth, double toler
   }
 }
 
+/// Puts the nodes of columns where the wanted heights, scaled to the thickness that the column has,
+/// say: along the column as it runs. A start from which the thickness alone has to change.
+void slide_along_columns(const LayerStack& stack, Coordinates& x) {
+  for (const LayerColumn& column : stack.columns) {
+    std::vector<Vec2> points;
+    std::vector<double> reached{0};
+    for (const Index node : column.nodes) {
+      points.push_back(x.xy(node));
+      if (points.size() > 1) {
+        reached.push_back(reached.back() + (points.back() - points[points.size() - 2]).norm());
+      }
+    }
+    const double scale = reached.back() / std::max(column.thickness(), 1e-300);
+    double height = 0;
+    std::size_t k = 1;
+    for (std::size_t i = 0; i + 1 < column.count(); ++i) {
+      height += column.heights[i] * scale;
+      while (k + 1 < reached.size() && reached[k] < height) ++k;
+      const double share = (height - reached[k - 1]) / (reached[k] - reached[k - 1]);
+      x.set_xy(column.nodes[i + 1], points[k - 1] + share * (points[k] - points[k - 1]));
+    }
+  }
+}
+
+/// The layers that the mesh has, with the heights they are to have.
+void take_in_hand(const LayersCommand& command, MeshState& state) {
+  LayerStack stack = detect_layers(state.mesh, command.layers);
+  if (command.task == LayerTask::respace) {
+    LayerOptions options = command.layers;
+    for (LayerWall& wall : options.walls) {
+      if (wall.spacing.match_outside) {
+        throw UsageError("layers that are there cannot match the elements outside by their number");
+      }
+    }
+    respace_layers(stack, state.mesh, options);
+    Coordinates x = state.mesh.coordinates;
+    slide_along_columns(stack, x);
+    // Columns of very different shapes may cross on the way; the mesh as it is is a start as well.
+    if (check_validity(*state.mesh.topology, x).inverted == 0) {
+      state.mesh.coordinates = std::move(x);
+    }
+  }
+  stack.held = true;
+  state.layers = std::make_shared<const LayerStack>(std::move(stack));
+}
+
 }  // namespace
 
-CommandResult insert_layers_and_smooth(const LayersCommand& command, const MeshState& state,
-                                       const ExecuteOptions& run) {
+CommandResult run_layers(const LayersCommand& command, const MeshState& state,
+                         const ExecuteOptions& run) {
   if (check_validity(*state.mesh.topology, state.mesh.coordinates).inverted > 0) {
     throw UsageError("the mesh has inverted elements; smooth it before layers are inserted");
   }
   if (!(command.tolerance > 0)) throw UsageError("the tolerance of the heights must be positive");
   CommandResult result{state, {}};
   Runs runs(run, result.smooth);
+  if (command.task != LayerTask::insert) {
+    take_in_hand(command, result.state);
+    control_spacing(result.state, command.smooth, command.tolerance, command.most_corrections,
+                    runs);
+    return result;
+  }
   LayerInsertion layers = make_room(command, state, runs);
   result.state.mesh = std::move(layers.mesh);
   layers.stack.held = command.control;

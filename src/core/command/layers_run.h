@@ -4,11 +4,12 @@
 
 namespace winslow {
 
-/// Plans and inserts layers, makes room for them by pushing the elements outside along a path of
-/// valid meshes, then smooths towards VCVs that ask for the wanted heights, and corrects these
-/// until the heights are met. Throws UsageError, Cancelled; NumericError if no room can be made.
-CommandResult insert_layers_and_smooth(const LayersCommand& command, const MeshState& state,
-                                       const ExecuteOptions& run);
+/// Carries out the command. Insertion: plans and inserts layers, makes room for them by pushing the
+/// elements outside along a path of valid meshes, then smooths towards VCVs that ask for the wanted
+/// heights, and corrects these until the heights are met. Throws UsageError, Cancelled;
+/// NumericError if no room can be made.
+CommandResult run_layers(const LayersCommand& command, const MeshState& state,
+                         const ExecuteOptions& run);
 
 /// After a change of a mesh whose state has layers: corrects the VCVs until the wanted heights are
 /// met again. Counts and history of the result are those of all smoothing.

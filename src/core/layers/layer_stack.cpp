@@ -71,9 +71,9 @@ std::vector<ColumnStand> column_stands(const LayerStack& stack, const Coordinate
   const auto same_node = [&](const std::optional<std::size_t>& a, std::size_t b) {
     return a && columns[*a].wall_node == columns[b].wall_node;
   };
-  std::vector<ColumnStand> stands(columns.size());
+  std::vector<ColumnStand> stands;
+  for (const LayerColumn& column : columns) stands.push_back({column.direction, column.slant});
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    stands[c] = {columns[c].direction, columns[c].slant};
     if (columns[c].along_boundary && columns[c].count() > 0) {
       stands[c].direction = (x.xy(columns[c].rim()) - wall(c)).normalized();
     }

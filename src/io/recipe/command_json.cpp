@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <type_traits>
@@ -202,8 +204,18 @@ LayerWall read_wall(const json& value, const std::string& path) {
   return wall;
 }
 
+constexpr std::array<const char*, 3> layer_tasks{"insert", "respace", "hold"};
+
 LayersCommand read_layers(ObjectReader& reader) {
   LayersCommand command;
+  std::string task = layer_tasks[0];
+  reader.field("task", task);
+  const auto found = std::find(layer_tasks.begin(), layer_tasks.end(), task);
+  if (found == layer_tasks.end()) {
+    throw JsonValueError(reader.path_of("task"),
+                         "found \"" + task + "\", expected insert, respace or hold");
+  }
+  command.task = static_cast<LayerTask>(found - layer_tasks.begin());
   const json& walls = reader.at("walls");
   const std::string path = reader.path_of("walls");
   if (!walls.is_array() || walls.empty()) throw JsonValueError(path, "expected a list of walls");
@@ -283,6 +295,7 @@ void write_fields(ObjectWriter& writer, const EditVcvCommand& command) {
 }
 
 void write_fields(ObjectWriter& writer, const LayersCommand& command) {
+  writer.field("task", std::string(layer_tasks[static_cast<std::size_t>(command.task)]));
   json walls = json::array();
   for (const LayerWall& wall : command.layers.walls) {
     ObjectWriter item;

@@ -7,6 +7,7 @@
 #include "core/command/command.h"
 #include "core/command/history.h"
 #include "core/error.h"
+#include "core/layers/layer_detection.h"
 #include "core/layers/layer_measures.h"
 #include "core/layers/layer_plan.h"
 #include "support/meshes.h"
@@ -219,4 +220,74 @@ TEST_CASE("pure smoothing of inserted layers: valid, with all layers everywhere"
   CHECK(inverted(result.state) == 0);
   CHECK(result.smooth.converged);
   for (const LayerColumn& column : result.state.layers->columns) CHECK(column.count() == 3);
+}
+
+TEST_CASE("layers that a mesh has are found as they were inserted, fans included") {
+  struct Case {
+    MeshState state;
+    std::string marker;
+  };
+  for (const Case& c : {Case{ring(), "inner"},
+                        Case{make_state(make_mesh(square_with_hole(20, Cells::triangles))), "hole"},
+                        Case{make_state(make_mesh(square(10, Cells::triangles))), "bottom"}}) {
+    CAPTURE(c.marker);
+    const LayersCommand command = layers_at(c.marker, {6, 0.002, 1.3, 1, {}, false});
+    const MeshState layered = execute(command, c.state).state;
+    const LayerStack found = detect_layers(layered.mesh, command.layers);
+    REQUIRE(found.columns.size() == layered.layers->columns.size());
+    CHECK(found.layer_of_element == layered.layers->layer_of_element);
+    for (std::size_t k = 0; k < found.columns.size(); ++k) {
+      CHECK(found.columns[k].nodes == layered.layers->columns[k].nodes);
+      CHECK(found.columns[k].along_boundary == layered.layers->columns[k].along_boundary);
+    }
+  }
+}
+
+TEST_CASE("columns stand on the wall as it is, whichever way a body was turned") {
+  const MeshState layered = execute(layers_at("hole", {6, 0.002, 1.3, 1, {}, false}),
+                                    make_state(make_mesh(square_with_hole(20, Cells::triangles))))
+                                .state;
+  Coordinates turned = layered.mesh.coordinates;
+  const double c = std::cos(0.7), s = std::sin(0.7);
+  for (Index i = 0; i < turned.size(); ++i) {
+    const Vec2 p = turned.xy(i);
+    turned.set_xy(i, Vec2(c * p.x() - s * p.y(), s * p.x() + c * p.y()));
+  }
+  const auto before = column_stands(*layered.layers, layered.mesh.coordinates);
+  const auto after = column_stands(*layered.layers, turned);
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const Vec2 d = before[k].direction;
+    CHECK((after[k].direction - Vec2(c * d.x() - s * d.y(), s * d.x() + c * d.y())).norm() < 1e-12);
+    CHECK(after[k].slant == doctest::Approx(before[k].slant));
+  }
+}
+
+TEST_CASE("layers of a mesh get other heights, and keep them while the wall moves") {
+  const LayersCommand command = layers_at("inner", thin());
+  MeshState read = make_state(execute(command, ring()).state.mesh);  // as from a file: no VCVs
+  LayersCommand respace = layers_at("inner", {8, 0.0005, 1.4, 1, {}, false});
+  respace.task = LayerTask::respace;
+  const CommandResult finer = execute(respace, read);
+  CHECK(inverted(finer.state) == 0);
+  CHECK(finer.state.mesh.topology == read.mesh.topology);
+  const LayerMeasures measures = measure_layers(*finer.state.layers, finer.state.mesh.coordinates);
+  CHECK(measures.spacing_error.max < 0.01);
+  CHECK(measures.first_height.avg == doctest::Approx(0.0005).epsilon(0.01));
+
+  LayersCommand hold = layers_at("inner", thin());
+  hold.task = LayerTask::hold;
+  const MeshState held = execute(hold, read).state;
+  MoveCommand move;
+  move.markers = {"inner"};
+  move.motion.rotate = 60;
+  move.motion.translate = Vec2(0.5, 0);
+  const CommandResult moved = execute(move, held);
+  CHECK(inverted(moved.state) == 0);
+  CHECK(measure_layers(*moved.state.layers, moved.state.mesh.coordinates).spacing_error.max < 0.01);
+  // The heights that it keeps are those of the mesh as read.
+  CHECK(moved.state.layers->columns[0].heights[0] == doctest::Approx(0.002).epsilon(0.01));
+
+  LayersCommand none = layers_at("outer", thin());
+  none.task = LayerTask::hold;
+  CHECK_THROWS_AS(execute(none, read), UsageError);
 }
