@@ -262,7 +262,7 @@ void control_spacing(MeshState& state, const SmoothOptions& smooth, double toler
   if (!good()) return;
   LayerMeasures best = measure_layers(stack, x);
   for (int k = 0; k < most && best.spacing_error.max > tolerance; ++k) {
-    const SmoothResult before = outcome;
+    const SmoothResult before = std::exchange(outcome, {});
     correct_layers(stack, x);
     const auto vcv = smooth_towards();
     LayerMeasures now = measure_layers(stack, x);
