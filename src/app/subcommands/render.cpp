@@ -252,7 +252,10 @@ class RenderSubcommand : public Subcommand {
 
   void add_color_flags() {
     std::vector<std::string> names;
-    for (const ElementField& f : all_element_fields()) names.emplace_back(field_name(f));
+    // A mesh file says nothing of layers and of the heights that were wanted.
+    for (const ElementField& f : all_element_fields()) {
+      if (!f.layer()) names.emplace_back(field_name(f));
+    }
     const char* group = "Colour";
     auto* color =
         app()

@@ -370,9 +370,12 @@ CommandResult hold_spacing(CommandResult result, const SmoothOptions& smooth,
   const double error = measure_layers(stack, result.state.mesh.coordinates).spacing_error.max;
   result.state.layers = std::make_shared<const LayerStack>(std::move(stack));
   if (error <= tolerance) return result;
-  Runs runs(run, result.smooth);
-  control_spacing(result.state, smooth, tolerance, most, runs);
-  return result;
+  CommandResult held = result;
+  Runs runs(run, held.smooth);
+  control_spacing(held.state, smooth, tolerance, most, runs);
+  // A valid mesh is not given up for better heights.
+  const bool good = held.smooth.converged && held.smooth.inverted == 0;
+  return good ? held : result;
 }
 
 }  // namespace winslow
