@@ -78,6 +78,17 @@ class Layers(ProgramTest):
         self.assertAlmostEqual(heights["min"], 0.005, delta=1e-4)
         self.assertAlmostEqual(heights["max"], 0.01, delta=2e-4)
 
+    def test_a_column_of_its_own(self):
+        self.ring(around=32, rings=10)
+        wall = {n for edge in support.read_su2(self.path("ring.su2"))[2]["body"] for n in edge}
+        self.insert("--column", f"{min(wall)}:thickness=0.01", "--save-recipe", "recipe.json")
+        thickness = self.json("report.json")["layers"]["total_thickness"]
+        self.assertAlmostEqual(thickness["min"], 0.01, delta=1e-4)
+        asked = self.FIRST * (self.RATIO**self.COUNT - 1) / (self.RATIO - 1)
+        self.assertAlmostEqual(thickness["max"], asked, delta=0.01 * asked)
+        self.winslow("replay", "recipe.json", "-o", "again.su2")
+        self.assertEqual(self.path("out.su2").read_bytes(), self.path("again.su2").read_bytes())
+
     def test_y_plus(self):
         self.ring(around=32, rings=10)
         self.winslow("layers", "ring.su2", "-o", "out.su2", "--marker", "body", "--count", 4, "--y-plus",
@@ -103,6 +114,11 @@ class Layers(ProgramTest):
                 (("--wall", "body:height=3"), 'found "height"'),
                 (("--wall", "body:count=x"), "expected a number"),
                 (("--wall", "body:count=2.5"), "must be whole"),
+                (("--marker", "body", "--column", "3"), "expected NODE:columns=N,thickness=T"),
+                (("--marker", "body", "--column", "3:fan=1"), 'found "fan"'),
+                (("--marker", "body", "--column", "3:columns=1.5"), "must be whole"),
+                (("--marker", "body", "--column", "3:thickness=x"), "expected a number"),
+                (("--marker", "body", "--column", "999999:columns=1"), "is on none of the walls"),
                 (("--marker", "body", "--y-plus", "1"), "--reynolds"),
                 ((), "no wall is given"),
                 (("--marker", "body", "--first", "50"), "no room")):

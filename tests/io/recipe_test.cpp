@@ -179,6 +179,7 @@ TEST_CASE("recipe: an insertion of layers survives") {
   command.layers.crossing = 0.4;
   command.layers.steepest = 0.7;
   command.layers.scale_all = true;
+  command.layers.overrides = {{12, 3, std::nullopt}, {40, std::nullopt, 0.0}, {41, 1, 0.25}};
   command.control = false;
   command.tolerance = 0.03;
   command.most_corrections = 2;

@@ -1,6 +1,9 @@
 #include "app/options/layer_flags.h"
 
+#include <charconv>
+#include <cmath>
 #include <cstdlib>
+#include <system_error>
 #include <utility>
 
 #include "app/options/smooth_flags.h"
@@ -21,39 +24,32 @@ std::vector<std::string> split(const std::string& text, char separator) {
   }
 }
 
-double parse_number(const std::string& text, const std::string& where) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0') {
-    throw UsageError("--wall " + where + ": found \"" + text + "\", expected a number");
+/// "KEY=NUMBER,KEY=NUMBER": calls set(key, number) for each, which says whether the key is known.
+template <class Set>
+void read_settings(const std::string& text, const std::string& where, const char* keys,
+                   const Set& set) {
+  for (const std::string& setting : split(text, ',')) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos) {
+      throw UsageError(where + ": found \"" + setting + "\", expected KEY=NUMBER");
+    }
+    const std::string key = setting.substr(0, equals), number = setting.substr(equals + 1);
+    char* end = nullptr;
+    const double value = std::strtod(number.c_str(), &end);
+    if (number.empty() || *end != '\0') {
+      throw UsageError(where + ": found \"" + number + "\", expected a number");
+    }
+    if (!set(key, value)) {
+      throw UsageError(where + ": found \"" + key + "\", expected one of " + keys);
+    }
   }
-  return value;
 }
 
-void set(LayerSpacing& spacing, const std::string& setting, const std::string& where) {
-  const std::size_t equals = setting.find('=');
-  const std::string key = setting.substr(0, equals);
-  if (equals == std::string::npos) {
-    throw UsageError("--wall " + where + ": found \"" + setting + "\", expected KEY=NUMBER");
+int whole(double value, const std::string& where, const char* what) {
+  if (!(std::abs(value) < 1e9) || value != std::floor(value)) {
+    throw UsageError(where + ": the number of " + what + " must be whole");
   }
-  const double value = parse_number(setting.substr(equals + 1), where);
-  if (key == "count") {
-    spacing.count = static_cast<int>(value);
-    if (spacing.count != value) {
-      throw UsageError("--wall " + where + ": the number of layers must be whole");
-    }
-  } else if (key == "first") {
-    spacing.first = value;
-  } else if (key == "ratio") {
-    spacing.ratio = value;
-  } else if (key == "growth") {
-    spacing.growth = value;
-  } else if (key == "total") {
-    spacing.total = value;
-  } else {
-    throw UsageError("--wall " + where + ": found \"" + key +
-                     "\", expected one of count, first, ratio, growth, total");
-  }
+  return static_cast<int>(value);
 }
 
 }  // namespace
@@ -82,12 +78,51 @@ LayerWall parse_wall(const std::string& text, const LayerSpacing& common) {
   // A marker's name may hold a colon; settings hold none.
   const std::size_t colon = text.rfind(':');
   LayerWall wall{split(text.substr(0, colon), ','), common};
-  if (colon != std::string::npos) {
-    for (const std::string& setting : split(text.substr(colon + 1), ',')) {
-      set(wall.spacing, setting, text);
-    }
-  }
+  if (colon == std::string::npos) return wall;
+  const std::string where = "--wall " + text;
+  LayerSpacing& spacing = wall.spacing;
+  read_settings(text.substr(colon + 1), where, "count, first, ratio, growth, total",
+                [&](const std::string& key, double value) {
+                  if (key == "count") {
+                    spacing.count = whole(value, where, "layers");
+                  } else if (key == "first") {
+                    spacing.first = value;
+                  } else if (key == "ratio") {
+                    spacing.ratio = value;
+                  } else if (key == "growth") {
+                    spacing.growth = value;
+                  } else if (key == "total") {
+                    spacing.total = value;
+                  } else {
+                    return false;
+                  }
+                  return true;
+                });
   return wall;
+}
+
+ColumnOverride parse_column(const std::string& text) {
+  const std::string where = "--column " + text;
+  const std::size_t colon = text.find(':');
+  const std::string node = text.substr(0, colon);
+  ColumnOverride own;
+  const char* const end = node.data() + node.size();
+  const auto read = std::from_chars(node.data(), end, own.node);
+  if (colon == std::string::npos || read.ec != std::errc{} || read.ptr != end || own.node < 0) {
+    throw UsageError(where + ": expected NODE:columns=N,thickness=T");
+  }
+  read_settings(text.substr(colon + 1), where, "columns, thickness",
+                [&](const std::string& key, double value) {
+                  if (key == "columns") {
+                    own.columns = whole(value, where, "columns");
+                  } else if (key == "thickness") {
+                    own.thickness = value;
+                  } else {
+                    return false;
+                  }
+                  return true;
+                });
+  return own;
 }
 
 void LayerFlags::declare(CLI::App& app) {
@@ -167,6 +202,12 @@ void LayerFlags::declare_corners(CLI::App& app) {
                "Where there is less room than asked, make all layers thinner, the first as well, "
                "instead of the outer ones")
       ->group("Corners and gaps");
+  app.add_option("--column", columns_,
+                 "What one wall node is to have instead of what the rules choose, e.g. "
+                 "17:columns=1,thickness=0.01 (columns: 1 is no fan; thickness: 0 is no layers); "
+                 "may be given several times")
+      ->type_name("NODE:KEY=NUMBER,...")
+      ->group("Corners and gaps");
 }
 
 LayerOptions LayerFlags::options() const {
@@ -175,6 +216,7 @@ LayerOptions LayerFlags::options() const {
   LayerOptions options = corners_;
   if (!markers_.empty()) options.walls.push_back({markers_, common});
   for (const std::string& text : walls_) options.walls.push_back(parse_wall(text, common));
+  for (const std::string& text : columns_) options.overrides.push_back(parse_column(text));
   if (options.walls.empty()) throw UsageError("no wall is given: use --marker NAME or --wall");
   validate(options);
   return options;

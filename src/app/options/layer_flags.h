@@ -22,7 +22,7 @@ class LayerFlags {
   void declare_spacing(CLI::App& app);
   void declare_corners(CLI::App& app);
 
-  std::vector<std::string> markers_, walls_;
+  std::vector<std::string> markers_, walls_, columns_;
   LayerSpacing spacing_;
   std::optional<double> y_plus_, reynolds_;
   double length_ = 1;
@@ -38,5 +38,7 @@ std::vector<Command> holding_layers(const std::vector<std::string>& markers,
 /// "NAME[,NAME]:count=20,first=1e-5,...", what is not said as in `common`. Keys are those of
 /// LayerSpacing: count, first, ratio, growth, total. Throws UsageError.
 LayerWall parse_wall(const std::string& text, const LayerSpacing& common);
+/// "NODE:columns=3,thickness=0.01", of which one may be missing. Throws UsageError.
+ColumnOverride parse_column(const std::string& text);
 
 }  // namespace winslow::app

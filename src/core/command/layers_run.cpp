@@ -305,6 +305,9 @@ void slide_along_columns(const LayerStack& stack, Coordinates& x) {
 
 /// The layers that the mesh has, with the heights they are to have.
 void take_in_hand(const LayersCommand& command, MeshState& state) {
+  if (!command.layers.overrides.empty()) {
+    throw UsageError("single columns can be set when layers are inserted, not in layers there are");
+  }
   LayerStack stack = detect_layers(state.mesh, command.layers);
   if (command.task == LayerTask::respace) {
     LayerOptions options = command.layers;

@@ -48,32 +48,52 @@ std::size_t Clearance::Hash::operator()(const Cell& cell) const {
 }
 
 Clearance::Cell Clearance::cell_of(const Vec2& p) const {
-  const Vec2 scaled = p / (2 * reach_);
+  const Vec2 scaled = (p - corner_) / cell_;
   return {static_cast<int>(std::floor(scaled.x())), static_cast<int>(std::floor(scaled.y()))};
 }
 
 Clearance::Clearance(const Topology& topology, const Coordinates& x, double reach)
     : x_(x), reach_(reach) {
-  constexpr double most_cells = 4096;
   for (const auto& edge : topology.edges()) {
-    if (edge.elements[1] >= 0) continue;
-    const Segment segment{edge.nodes[0], edge.nodes[1]};
-    const auto s = static_cast<Index>(segments_.size());
-    segments_.push_back(segment);
-    const Vec2 from = x.xy(segment.a), along = x.xy(segment.b) - from;
-    const double pieces = std::ceil(along.norm() / (2 * reach_)) + 1;
-    if (pieces > most_cells) {
-      long_.push_back(s);
-      continue;
-    }
-    const auto steps = static_cast<int>(pieces);
-    std::optional<Cell> last;
-    for (int i = 0; i <= steps; ++i) {
-      const Cell cell = cell_of(from + along * (static_cast<double>(i) / steps));
-      if (cell == last) continue;
-      last = cell;
-      cells_[cell].push_back(s);
-    }
+    if (edge.elements[1] < 0) segments_.push_back({edge.nodes[0], edge.nodes[1]});
+  }
+  choose_cells();
+  for (std::size_t s = 0; s < segments_.size(); ++s) list(static_cast<Index>(s));
+}
+
+void Clearance::choose_cells() {
+  if (segments_.empty()) return;
+  Vec2 most = corner_ = x_.xy(segments_.front().a);
+  double length = 0;
+  for (const auto& [a, b] : segments_) {
+    const Vec2 p = x_.xy(a), q = x_.xy(b);
+    corner_ = corner_.cwiseMin(p).cwiseMin(q);
+    most = most.cwiseMax(p).cwiseMax(q);
+    length += (q - p).norm();
+  }
+  // However small the reach is, cells need not be smaller than segments, and their numbers have to
+  // be integers.
+  constexpr double finest = 1e-6;
+  cell_ = std::max({2 * reach_, length / static_cast<double>(segments_.size()),
+                    finest * (most - corner_).maxCoeff()});
+}
+
+void Clearance::list(Index segment) {
+  constexpr double most_cells = 4096;
+  const auto [a, b] = segments_[static_cast<std::size_t>(segment)];
+  const Vec2 from = x_.xy(a), along = x_.xy(b) - from;
+  const double pieces = std::ceil(along.norm() / cell_) + 1;
+  if (pieces > most_cells) {
+    long_.push_back(segment);
+    return;
+  }
+  const auto steps = static_cast<int>(pieces);
+  std::optional<Cell> last;
+  for (int i = 0; i <= steps; ++i) {
+    const Cell cell = cell_of(from + along * (static_cast<double>(i) / steps));
+    if (cell == last) continue;
+    last = cell;
+    cells_[cell].push_back(segment);
   }
 }
 

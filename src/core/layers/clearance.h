@@ -31,10 +31,14 @@ class Clearance {
     std::size_t operator()(const Cell& cell) const;
   };
 
+  void choose_cells();
+  void list(Index segment);
   Cell cell_of(const Vec2& p) const;
 
   const Coordinates& x_;
   double reach_;
+  double cell_ = 1;  // edge of a cell, at least twice the reach
+  Vec2 corner_{0, 0};
   std::vector<Segment> segments_;
   std::vector<Index> long_;                                   // through too many cells to list
   std::unordered_map<Cell, std::vector<Index>, Hash> cells_;  // segments near a cell's points

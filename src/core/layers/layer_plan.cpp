@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "core/error.h"
 #include "core/layers/clearance.h"
@@ -114,24 +115,49 @@ class ChainPlanner {
     column.first = wishes_[i].first;
     column.asked = column.room = wishes_[i].thickness;
     const double angle = open_angle(back, forth);
-    if (is_end(i)) return add_end(angle, i == 0 ? back : forth, column, stack);
+    const ColumnOverride* own = override_of(column.wall_node);
+    if (is_end(i)) return add_end(angle, i == 0 ? back : forth, column, own, stack);
 
-    const double turning = angle - pi;  // convex positive
-    std::size_t count = 1;
-    if (options_.fans && turning > radians(options_.fan_threshold)) {
-      const long sectors = std::lround(turning / radians(options_.fan_angle));
-      count = static_cast<std::size_t>(std::max(1L, sectors)) + 1;
+    if (own && own->thickness) {
+      column.prescribed = true;
+      column.asked = column.room = *own->thickness;
     }
-    for (const ColumnStand& stand : stand_on(-back, forth, count)) {
+    const double turning = angle - pi;  // convex positive
+    for (const ColumnStand& stand : stand_on(-back, forth, column_count(turning, own))) {
       column.direction = stand.direction;
       column.slant = stand.slant;
       stack.columns.push_back(column);
     }
   }
 
+  const ColumnOverride* override_of(Index node) const {
+    const auto own = std::ranges::find(options_.overrides, node, &ColumnOverride::node);
+    return own == options_.overrides.end() ? nullptr : &*own;
+  }
+
+  std::size_t column_count(double turning, const ColumnOverride* own) const {
+    constexpr double least_turning = 10;  // degrees; a fan on less has no width
+    if (own && own->columns) {
+      if (*own->columns > 1 && turning < radians(least_turning)) {
+        throw UsageError("node " + std::to_string(own->node) +
+                         " cannot have several columns: the wall is not a convex corner there");
+      }
+      return static_cast<std::size_t>(*own->columns);
+    }
+    if (!options_.fans || turning <= radians(options_.fan_threshold)) return 1;
+    const long sectors = std::lround(turning / radians(options_.fan_angle));
+    return static_cast<std::size_t>(std::max(1L, sectors)) + 1;
+  }
+
   /// The column at an end of the wall lies on the boundary that follows, if that goes off upwards;
   /// else the layers run out in a wedge.
-  static void add_end(double angle, const Vec2& other, LayerColumn column, LayerStack& stack) {
+  static void add_end(double angle, const Vec2& other, LayerColumn column,
+                      const ColumnOverride* own, LayerStack& stack) {
+    if (own && own->columns && *own->columns > 1) {
+      throw UsageError("node " + std::to_string(own->node) +
+                       " cannot have several columns: the wall ends there");
+    }
+    if (own && own->thickness) column.asked = column.room = std::min(column.room, *own->thickness);
     constexpr double most = 0.6;  // of the edge that it lies on
     column.direction = other.normalized();
     column.along_boundary = angle > radians(30) && angle < radians(150);
@@ -200,6 +226,7 @@ class RoomKeeper {
 
  private:
   void limit(LayerColumn& column, double room, LayerLimit reason) {
+    if (column.prescribed) return;
     // A hair's breadth is no reason to go round again.
     if (!(room < column.room * (1 - 1e-9))) return;
     column.room = room;
@@ -290,6 +317,7 @@ void validate(const LayerOptions& options) {
           "the share of a wall edge that is left at the rim must be above 0 and below 1");
   require(options.steepest > 0 && options.steepest <= 5,
           "the steepest change of thickness must be above 0, and at most 5");
+  validate(options.overrides);
 }
 
 LayerStack plan_layers(const Mesh& mesh, const LayerOptions& given) {
@@ -300,6 +328,7 @@ LayerStack plan_layers(const Mesh& mesh, const LayerOptions& given) {
   const std::vector<WallChain> chains = find_wall_chains(*mesh.topology, walls);
   LayerStack stack;
   for (const WallChain& chain : chains) ChainPlanner(mesh, options, chain).plan(stack);
+  require_columns(options.overrides, stack);
   RoomKeeper keeper(stack, options, mesh.coordinates);
   keeper.keep_clear(*mesh.topology);
   keeper.keep_gentle();

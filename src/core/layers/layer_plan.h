@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/layers/column_override.h"
 #include "core/layers/layer_spacing.h"
 #include "core/layers/layer_stack.h"
 #include "core/mesh/mesh.h"
@@ -30,6 +31,7 @@ struct LayerOptions {
   /// first height stays, the ratios give way, and where even that is too thick there are fewer
   /// layers.
   bool scale_all = false;
+  std::vector<ColumnOverride> overrides;
 
   bool operator==(const LayerOptions&) const = default;
 };
@@ -43,7 +45,8 @@ LayerOptions with_counts(LayerOptions options, const Mesh& mesh);
 
 /// Where columns will stand, in which direction, and how high each layer is to be; without nodes.
 /// Thickness is limited by the room there is.
-/// Throws UsageError: senseless options, an unknown marker, a marker inside the mesh.
+/// Throws UsageError: senseless options, an unknown marker, a marker inside the mesh, an override
+/// of a node that is on no wall.
 LayerStack plan_layers(const Mesh& mesh, const LayerOptions& options);
 
 /// Takes room from some columns: what is left of it is multiplied by `factor`. Their neighbours get

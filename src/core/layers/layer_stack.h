@@ -32,6 +32,7 @@ struct LayerColumn {
   double asked = 0;             ///< thickness that was asked for, in units of the mesh
   double room = 0;              ///< thickness that there is room for
   LayerLimit limit = LayerLimit::none;
+  bool prescribed = false;      ///< the thickness is an override: no rule takes of it
   std::vector<double> heights;  ///< wanted height of each layer; empty: the layers end here
   /// What each wanted height is multiplied by in the VCVs so that it is met; empty: 1.
   std::vector<double> corrections;

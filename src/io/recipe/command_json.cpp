@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <type_traits>
@@ -7,6 +5,7 @@
 #include "core/error.h"
 #include "io/displacement_file.h"
 #include "io/recipe.h"
+#include "io/recipe/layers_json.h"
 #include "io/recipe/object_archive.h"
 
 namespace winslow::io {
@@ -170,67 +169,6 @@ DeformCommand read_deform(ObjectReader& reader, const std::filesystem::path& fol
   return command;
 }
 
-template <class Archive, class Spacing>
-void spacing_fields(Archive& archive, Spacing& spacing) {
-  archive.field("count", spacing.count);
-  archive.field("first", spacing.first);
-  archive.field("ratio", spacing.ratio);
-  archive.field("growth", spacing.growth);
-  archive.field("match_outside", spacing.match_outside);
-}
-
-template <class Archive, class Command>
-void layer_fields(Archive& archive, Command& command) {
-  archive.field("control", command.control);
-  archive.field("height_tolerance", command.tolerance);
-  archive.field("most_corrections", command.most_corrections);
-  archive.field("fans", command.layers.fans);
-  archive.field("fan_threshold", command.layers.fan_threshold);
-  archive.field("fan_angle", command.layers.fan_angle);
-  archive.field("clearance", command.layers.clearance);
-  archive.field("crossing", command.layers.crossing);
-  archive.field("steepest", command.layers.steepest);
-  archive.field("scale_all", command.layers.scale_all);
-  smoothing_of(archive, command);
-}
-
-LayerWall read_wall(const json& value, const std::string& path) {
-  ObjectReader reader(value, path);
-  LayerWall wall;
-  reader.required("markers", wall.markers);
-  spacing_fields(reader, wall.spacing);
-  if (reader.has("total")) reader.required("total", wall.spacing.total.emplace());
-  reader.finish();
-  return wall;
-}
-
-constexpr std::array<const char*, 3> layer_tasks{"insert", "respace", "hold"};
-
-LayersCommand read_layers(ObjectReader& reader) {
-  LayersCommand command;
-  std::string task = layer_tasks[0];
-  reader.field("task", task);
-  const auto found = std::find(layer_tasks.begin(), layer_tasks.end(), task);
-  if (found == layer_tasks.end()) {
-    throw JsonValueError(reader.path_of("task"),
-                         "found \"" + task + "\", expected insert, respace or hold");
-  }
-  command.task = static_cast<LayerTask>(found - layer_tasks.begin());
-  const json& walls = reader.at("walls");
-  const std::string path = reader.path_of("walls");
-  if (!walls.is_array() || walls.empty()) throw JsonValueError(path, "expected a list of walls");
-  for (std::size_t i = 0; i < walls.size(); ++i) {
-    command.layers.walls.push_back(read_wall(walls[i], path + '[' + std::to_string(i) + ']'));
-  }
-  layer_fields(reader, command);
-  try {
-    validate(command.layers);
-  } catch (const UsageError& error) {
-    throw JsonValueError(reader.path(), error.what());
-  }
-  return command;
-}
-
 Command read_command(ObjectReader& reader, const std::filesystem::path& folder) {
   std::string name;
   reader.required("command", name);
@@ -252,7 +190,11 @@ Command read_command(ObjectReader& reader, const std::filesystem::path& folder) 
     return command;
   }
   if (name == "edit_vcv") return read_vcv_edits(reader);
-  if (name == "layers") return read_layers(reader);
+  if (name == "layers") {
+    LayersCommand command = read_layers(reader);
+    smoothing_of(reader, command);
+    return command;
+  }
   throw JsonValueError(reader.path_of("command"), "found \"" + name +
                                                       "\", expected one of smooth, move, deform, "
                                                       "scramble, edit_vcv, layers");
@@ -295,17 +237,8 @@ void write_fields(ObjectWriter& writer, const EditVcvCommand& command) {
 }
 
 void write_fields(ObjectWriter& writer, const LayersCommand& command) {
-  writer.field("task", std::string(layer_tasks[static_cast<std::size_t>(command.task)]));
-  json walls = json::array();
-  for (const LayerWall& wall : command.layers.walls) {
-    ObjectWriter item;
-    item.required("markers", wall.markers);
-    spacing_fields(item, wall.spacing);
-    if (wall.spacing.total) item.field("total", *wall.spacing.total);
-    walls.push_back(item.take());
-  }
-  writer.required("walls", walls);
-  layer_fields(writer, command);
+  write_layers(writer, command);
+  smoothing_of(writer, command);
 }
 
 }  // namespace

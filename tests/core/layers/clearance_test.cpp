@@ -40,7 +40,8 @@ TEST_CASE("between two rings the largest disc at the inner one reaches the outer
 
 TEST_CASE("a disc's radius is that of brute force, and never beyond the reach") {
   const Mesh mesh = make_mesh(square_with_two_holes(20, Cells::triangles));
-  for (const double reach : {0.02, 0.2, 3.0}) {
+  for (const double reach : {1e-300, 1e-12, 0.02, 0.2, 3.0}) {
+    CAPTURE(reach);
     const Clearance clearance(*mesh.topology, mesh.coordinates, reach);
     for (const auto& loop : mesh.topology->boundary_loops()) {
       for (std::size_t k = 0; k < loop.size(); ++k) {

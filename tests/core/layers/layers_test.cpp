@@ -1,8 +1,10 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
+#include <string>
 
 #include "core/command/command.h"
 #include "core/command/history.h"
@@ -103,6 +105,77 @@ TEST_CASE("a sharp corner has a fan: several columns, triangles at the wall, non
   const CommandResult without = execute(plain, before);
   CHECK(inverted(without.state) == 0);
   CHECK(without.state.layers->columns.size() == columns.size());
+}
+
+TEST_CASE(
+    "single columns: a corner without its fan, one with more, one without layers, a thinner one") {
+  const MeshState before = make_state(make_mesh(square_with_hole(20, Cells::triangles)));
+  LayersCommand command = layers_at("hole", {6, 0.002, 1.3, 1, {}, false});
+  std::map<Index, int> by_rules;
+  for (const LayerColumn& c : plan_layers(before.mesh, command.layers).columns)
+    ++by_rules[c.wall_node];
+  std::vector<Index> corners, others;
+  for (const auto& [node, count] : by_rules) (count == 3 ? corners : others).push_back(node);
+  REQUIRE(corners.size() == 4);
+  command.layers.overrides = {{corners[0], 1, std::nullopt},
+                              {corners[1], 5, std::nullopt},
+                              {corners[2], 1, 0.0},
+                              {others[0], std::nullopt, 0.004}};
+  const CommandResult result = execute(command, before);
+  CHECK(inverted(result.state) == 0);
+  std::map<Index, std::vector<double>> thicknesses;
+  for (const LayerColumn& c : result.state.layers->columns)
+    thicknesses[c.wall_node].push_back(c.thickness());
+  CHECK(thicknesses[corners[0]].size() == 1);
+  CHECK(thicknesses[corners[1]].size() == 5);
+  CHECK(thicknesses[corners[2]] == std::vector<double>{0});
+  CHECK(thicknesses[corners[3]].size() == 3);
+  CHECK(thicknesses[others[0]][0] == doctest::Approx(0.004));
+  CHECK(thicknesses[corners[1]][0] > 0.02);  // 6 layers of .002 / 1.3 are .0255 thick
+}
+
+TEST_CASE("a column may be thicker than the room that the rules see; its neighbours follow rules") {
+  const MeshState before = ring();
+  LayersCommand command = layers_at("inner", thin());
+  command.layers.clearance = 0.005;  // hardly any room
+  const LayerStack tight = plan_layers(before.mesh, command.layers);
+  const LayerColumn& first = tight.columns.front();
+  REQUIRE(first.limit == LayerLimit::clearance);
+  const double wanted = 4 * first.thickness();
+  command.layers.overrides = {{first.wall_node, std::nullopt, wanted}};
+  const LayerStack plan = plan_layers(before.mesh, command.layers);
+  CHECK(plan.columns[0].thickness() == doctest::Approx(wanted));
+  CHECK(plan.columns[0].limit == LayerLimit::none);
+  CHECK(plan.columns[1].thickness() == doctest::Approx(tight.columns[1].thickness()));
+}
+
+TEST_CASE("overrides that cannot be are refused, and say of which node") {
+  const MeshState before = make_state(make_mesh(square_with_hole(12, Cells::triangles)));
+  const auto says = [&](std::vector<ColumnOverride> overrides, const char* what) {
+    LayersCommand command = layers_at("hole", thin());
+    command.layers.overrides = std::move(overrides);
+    CHECK_THROWS_WITH_AS(plan_layers(before.mesh, command.layers), what, UsageError);
+  };
+  const LayerStack plan = plan_layers(before.mesh, layers_at("hole", thin()).layers);
+  std::map<Index, int> count;
+  for (const LayerColumn& c : plan.columns) ++count[c.wall_node];
+  const auto flat = std::ranges::find_if(count, [](const auto& c) { return c.second == 1; })->first;
+  const std::string node = "node " + std::to_string(flat);
+  says({{flat, 3, std::nullopt}},
+       (node + " cannot have several columns: the wall is not a convex corner there").c_str());
+  says({{flat, std::nullopt, std::nullopt}},
+       (node + ": neither a number of columns nor a thickness is given").c_str());
+  says({{flat, 0, std::nullopt}}, (node + ": the number of columns must be 1 to 20").c_str());
+  says({{flat, std::nullopt, -1.0}},
+       (node + ": the thickness of a column must be finite and not negative").c_str());
+  says({{flat, 1, std::nullopt}, {flat, std::nullopt, 0.1}},
+       (node + " is given columns of its own twice").c_str());
+  const Index far = before.mesh.topology->markers()[0].name == "hole"
+                        ? before.mesh.topology->markers()[1].edges[0][0]
+                        : before.mesh.topology->markers()[0].edges[0][0];
+  says({{far, 1, std::nullopt}},
+       ("node " + std::to_string(far) + " is given columns of its own, but is on none of the walls")
+           .c_str());
 }
 
 TEST_CASE("a wall that ends at other boundaries: its end columns lie on them") {
