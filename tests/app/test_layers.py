@@ -81,9 +81,9 @@ class Layers(ProgramTest):
     def test_a_column_of_its_own(self):
         self.ring(around=32, rings=10)
         wall = {n for edge in support.read_su2(self.path("ring.su2"))[2]["body"] for n in edge}
-        self.insert("--column", f"{min(wall)}:thickness=0.01", "--save-recipe", "recipe.json")
+        self.insert("--column", f"{min(wall)}:thickness=0.03", "--save-recipe", "recipe.json")
         thickness = self.json("report.json")["layers"]["total_thickness"]
-        self.assertAlmostEqual(thickness["min"], 0.01, delta=1e-4)
+        self.assertAlmostEqual(thickness["min"], 0.03, delta=3e-4)
         asked = self.FIRST * (self.RATIO**self.COUNT - 1) / (self.RATIO - 1)
         self.assertAlmostEqual(thickness["max"], asked, delta=0.01 * asked)
         self.winslow("replay", "recipe.json", "-o", "again.su2")
