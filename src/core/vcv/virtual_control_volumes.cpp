@@ -1,5 +1,6 @@
 #include "core/vcv/virtual_control_volumes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -73,6 +74,12 @@ void VirtualControlVolumes::set(Index node, std::span<const double> angles,
     if (!(length > 0) || !std::isfinite(length)) {
       throw UsageError(who + ": an edge length is not positive");
     }
+  }
+  // Beyond this the short edges are lost in the rounding of the long ones.
+  constexpr double most_stretched = 1e12;
+  const auto [shortest, longest] = std::ranges::minmax(lengths);
+  if (longest > most_stretched * shortest) {
+    throw UsageError(who + ": the longest edge is more than 1e12 times the shortest");
   }
   edited_[node] = {{angles.begin(), angles.end()}, {lengths.begin(), lengths.end()}};
 }

@@ -35,7 +35,8 @@ class VirtualControlVolumes {
   Vec2 point(Index node, Index k) const;
 
   /// Replaces the VCV of one free node. Angles are in (0, pi) (exactly 2 edges: pi each) and sum to
-  /// 2 pi within 1e-9; lengths are positive. Throws UsageError otherwise.
+  /// 2 pi within 1e-9; lengths are positive, the longest at most 1e12 times the shortest. Throws
+  /// UsageError otherwise.
   void set(Index node, std::span<const double> angles, std::span<const double> lengths);
   /// Back to equal angles and unit edges. Throws UsageError for a node that is not free.
   void reset(Index node);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr float disc_size = 7.5f;    // radius of a neighbour's disc, units of the layout
 constexpr float star_share = 0.44f;  // of the row
-constexpr float filling = 0.76f;     // the longest edge, over half of the picture
+constexpr double filling = 0.76;     // the longest edge, over half of the picture
 
 std::string text_of(double value, const char* format) {
   std::array<char, 32> buffer{};
@@ -124,12 +124,12 @@ std::vector<Vec2> ellipse_of(const NodalGradient& jacobian) {
 
 ImVec2 VcvPlot::Frame::pixel(const Vec2& p) const {
   const double c = std::cos(turn), s = std::sin(turn);
-  return {centre.x + scale * static_cast<float>(c * p.x() - s * p.y()),
-          centre.y - scale * static_cast<float>(s * p.x() + c * p.y())};
+  return {centre.x + static_cast<float>(scale * (c * p.x() - s * p.y())),
+          centre.y - static_cast<float>(scale * (s * p.x() + c * p.y()))};
 }
 
 Vec2 VcvPlot::Frame::point(const ImVec2& p) const {
-  const Vec2 q = Vec2(p.x - centre.x, centre.y - p.y) / static_cast<double>(scale);
+  const Vec2 q = Vec2(p.x - centre.x, centre.y - p.y) / scale;
   const double c = std::cos(turn), s = std::sin(turn);
   return {c * q.x() + s * q.y(), -s * q.x() + c * q.y()};
 }
@@ -142,7 +142,7 @@ VcvPlot::Frame VcvPlot::frame_of(const Star& star, const ImVec2& min, const ImVe
   frame.centre = ImVec2(min.x + size.x / 2, min.y + size.y / 2);
   const double longest = *std::max_element(star.lengths.begin(), star.lengths.end());
   if (longest > 0)
-    frame.scale = static_cast<float>(filling * 0.5 * std::min(size.x, size.y) / longest);
+    frame.scale = filling * 0.5 * static_cast<double>(std::min(size.x, size.y)) / longest;
   frame.turn = turn;
   return frame;
 }
@@ -188,7 +188,7 @@ void VcvPlot::drive_drag(const NodalView& view, const Frame& frame, float margin
                                        : VcvDrag::Constraint::none;
   const float room = 0.5f * std::min(frame.max.x - frame.min.x, frame.max.y - frame.min.y);
   VcvEdit wanted = drag_->to(drag_frame_.point(io.MousePos), constraint,
-                             static_cast<double>((room - margin) / drag_frame_.scale));
+                             static_cast<double>(room - margin) / drag_frame_.scale);
   if (wanted == edit_) return;
   edit_ = wanted;
   outcome.edit = std::move(wanted);

@@ -30,7 +30,7 @@ class VcvPlot {
   /// A picture of a star: where its node is, pixels per unit of length, how far it is turned.
   struct Frame {
     ImVec2 min, max, centre;
-    float scale = 1;
+    double scale = 1;  // an edge may be longer than a float can say
     double turn = 0;
     ImVec2 pixel(const Vec2& p) const;
     Vec2 point(const ImVec2& p) const;

@@ -178,6 +178,10 @@ TEST_CASE("edits that are no VCV are refused, with the node named") {
     edit.lengths = {1, 1, 0, 1, 1, 1};
     expected = "not positive";
   }
+  SUBCASE("lengths that arithmetic cannot tell apart") {
+    edit.lengths = {1, 1, 2e12, 1, 1, 1};
+    expected = "1e12 times the shortest";
+  }
   SUBCASE("a stranger among the neighbours") {
     edit.neighbours[2] = node;
     expected = "the neighbours are not those of the mesh, which are";

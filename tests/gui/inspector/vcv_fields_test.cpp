@@ -160,4 +160,36 @@ TEST_CASE("typed angles and lengths: taken by Enter and Tab, the rest shared, no
   CHECK(rig.session().prompt() == nullptr);
 }
 
+TEST_CASE(
+    "an edge length beyond all arithmetic is refused with a reason; a very long one is drawn") {
+  Rig rig(1300, 1000);
+  open_ring(rig);
+  const Index node = inner_node(rig);
+  enter_node(rig, std::to_string(node));
+  const std::size_t steps = rig.document().history().size();
+  rig.fill("vcv/length", "1e99");
+  REQUIRE(rig.settle());
+  REQUIRE(rig.session().prompt());
+  CHECK(rig.session().prompt()->text.find("1e12 times") != std::string::npos);
+  CHECK(rig.document().history().size() == steps);
+  rig.key(keys::enter);
+  rig.frames(3);
+  REQUIRE_FALSE(rig.session().prompt());
+
+  rig.fill("vcv/length", "5000");
+  REQUIRE(rig.settle());
+  CHECK(view_of(rig, node).vcv.lengths[0] == 5000);
+  rig.frames(3);
+  const auto plot = rig.bench->widgets().find("vcv/plot");
+  const auto end = rig.bench->widgets().find("vcv/end/0");
+  const auto other = rig.bench->widgets().find("vcv/end/3");
+  REQUIRE(plot);
+  REQUIRE(end);
+  REQUIRE(other);
+  // The long edge fills the picture; the others end where it begins.
+  const double size = (plot->max - plot->min).x();
+  CHECK((end->centre() - plot->centre()).norm() == doctest::Approx(0.38 * size).epsilon(0.01));
+  CHECK((other->centre() - plot->centre()).norm() < 1);
+}
+
 }  // namespace winslow::gui::test
