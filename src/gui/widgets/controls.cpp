@@ -24,6 +24,13 @@ bool disabled_now() {
   return (ImGui::GetCurrentContext()->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0;
 }
 
+bool in_sight(const ImVec2& min, const ImVec2& max) {
+  const ImGuiWindow* window = ImGui::GetCurrentContext()->CurrentWindow;
+  // What is drawn over the mesh belongs to no window of ours, and is not cut off by one.
+  if (window->IsFallbackWindow) return true;
+  return window->ClipRect.Contains(ImVec2((min.x + max.x) / 2, (min.y + max.y) / 2));
+}
+
 int push_button_style(ButtonStyle style) {
   if (style == ButtonStyle::normal) return 0;
   if (style == ButtonStyle::flat) {
@@ -45,7 +52,10 @@ int push_button_style(ButtonStyle style) {
 void note(std::string_view id) { note(id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()); }
 
 void note(std::string_view id, const ImVec2& min, const ImVec2& max) {
-  UiLayer::current().widgets().note(id, {Vec2(min.x, min.y), Vec2(max.x, max.y), !disabled_now()});
+  WidgetMap& widgets = UiLayer::current().widgets();
+  widgets.note(id, {Vec2(min.x, min.y), Vec2(max.x, max.y), !disabled_now(), in_sight(min, max)});
+  if (widgets.wanted(id))
+    ImGui::ScrollToBringRectIntoView(ImGui::GetCurrentContext()->CurrentWindow, ImRect(min, max));
 }
 
 void tooltip(std::string_view text) {
