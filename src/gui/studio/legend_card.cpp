@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "gui/widgets/controls.h"
 
@@ -33,7 +32,7 @@ void LegendCard::draw(ImDrawList& list, const PanelContext& context, const Area&
                       const Legend& legend) {
   bars_.reset();
   const Theme& theme = context.theme;
-  const float height = std::min(theme.px(260), area.height - theme.px(48));
+  const float height = std::min(theme.px(260), 0.55f * area.height);
   // The mesh matters more where there is little room.
   if (height < theme.px(90) || area.width < theme.px(330)) return;
   const LegendStyle style = style_of(theme);
@@ -42,7 +41,7 @@ void LegendCard::draw(ImDrawList& list, const PanelContext& context, const Area&
   // Under a long title there is room for the histogram in any case.
   const bool narrow = area.width < theme.px(560);
   const bool widens = legend_width(plain, style) < legend_width(legend, style);
-  const Legend shown = narrow && widens ? std::move(plain) : legend;
+  const Legend& shown = narrow && widens ? plain : legend;
   const float width = legend_width(shown, style);
   const float pad = theme.px(12);
   const float x = area.x + area.width - width - 2 * pad - theme.px(12);

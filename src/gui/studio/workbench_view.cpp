@@ -183,7 +183,7 @@ void Workbench::update_mesh_view() {
 void Workbench::draw_overlays(ImDrawList& list) {
   if (!session_.document()) return;
   const Theme& theme = ui_->theme();
-  // Handles are for the mouse; a picture of the mesh alone has none.
+  // What is for the mouse's sake: a picture of the mesh alone has none of it.
   const ViewportScene shown = scene();
   const Overlay handles{session_, viewport_, shown, camera_, theme};
   if (mesh_alone_)
@@ -196,6 +196,8 @@ void Workbench::draw_overlays(ImDrawList& list) {
   draw_focus(list, overlay);
   draw_comparison(list, overlay);
   draw_legend_card(list);
+  // Nothing covers what the mouse is about to take hold of, nor what it says of it.
+  if (!mesh_alone_) draw_handles(list, handles);
   if (lens_) {
     draw_inset_source(list, theme, *lens_);
     list.AddCallback(
@@ -206,6 +208,7 @@ void Workbench::draw_overlays(ImDrawList& list) {
     draw_inset_frame(list, overlay, *lens_);
   }
   if (const auto box = viewport_.box()) draw_zoom_box(list, theme, *box);
+  if (!mesh_alone_) draw_mouse_labels(list, handles);
 }
 
 void Workbench::draw_legend_card(ImDrawList& list) {
