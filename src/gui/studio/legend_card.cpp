@@ -40,7 +40,7 @@ void LegendCard::draw(ImDrawList& list, const PanelContext& context, const Area&
   plain.histogram.reset();
   // Under a long title there is room for the histogram in any case.
   const bool narrow = area.width < theme.px(560);
-  const bool widens = legend_width(plain, style) < legend_width(legend, style);
+  const bool widens = legend_width(plain, style) + theme.px(16) < legend_width(legend, style);
   const Legend& shown = narrow && widens ? plain : legend;
   const float width = legend_width(shown, style);
   const float pad = theme.px(12);
