@@ -171,6 +171,7 @@ class ScriptPlayer {
                          "\", expected mesh-alone, transparent, no-legend or a scale");
     }
     const std::filesystem::path path = out_ / words[1];
+    check_picture_name(path);
     if (is_vector_format(path))
       write_figure(path, bench().figure(spec.legend));
     else

@@ -174,6 +174,7 @@ TEST_CASE("a script's mistakes name the line") {
   CHECK(message("\nclick no/such/widget\n").find("s.txt:2: ") != std::string::npos);
   CHECK(message("key Hyper\n").find("Hyper") != std::string::npos);
   CHECK(message("wheel 0 0 fast\n").find("fast") != std::string::npos);
+  CHECK(message("screenshot p.jpg\n").find("p.jpg: pictures are written") != std::string::npos);
 }
 
 TEST_CASE("keys are named as on the keyboard") {
