@@ -10,6 +10,7 @@
 #include "gui/files/assets.h"
 #include "gui/render/frame_buffer.h"
 #include "gui/render/gl.h"
+#include "gui/studio/go_to.h"
 #include "gui/studio/shortcuts.h"
 
 namespace winslow::gui {
@@ -164,6 +165,14 @@ void Workbench::on(const action::InspectNode& a) {
   if (!a.node) return;
   view_.side_tab = SideTab::vcv;
   view_.right_panel = true;
+  // A number that was typed may be that of a node anywhere.
+  if (session_.nodes().inspected() != a.node) return;
+  const Vec2 pixel =
+      camera_.to_screen(session_.coordinates().xy(*a.node)) - camera_.viewport_origin();
+  const Vec2 size(camera_.viewport_width(), camera_.viewport_height());
+  if ((pixel.array() >= 0).all() && (pixel.array() <= size.array()).all()) return;
+  const Bounds box = surroundings({MeshItem::Kind::node, *a.node}, session_);
+  on(action::LookAt{box.centre(), 4 * box.size().norm()});
 }
 
 void Workbench::on(const action::ShowFileDialog& a) {
