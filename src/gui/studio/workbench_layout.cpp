@@ -205,6 +205,8 @@ void Workbench::draw_demo_card() {
   begin_region("demo", {v.x + margin, v.y + v.height - height - margin, width, height},
                {padding, palette().card, ImGuiWindowFlags_NoScrollbar});
   demo_panel_.draw(context());
+  const ImVec2 corner = ImGui::GetWindowPos();
+  ui::note("demo/card", corner, ImVec2(corner.x + width, corner.y + height));
   end_region();
 }
 

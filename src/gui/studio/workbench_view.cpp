@@ -15,6 +15,17 @@ namespace {
 // Held longer than this, the magnifier's key is let go of to be rid of it.
 constexpr float tap_seconds = 0.4f;
 
+/// Moves what is in the middle of the view up, and away, so that a card at its foot does not cover
+/// it. A card that does not reach the middle leaves it alone.
+void look_above(Camera& camera, const WidgetMap::Rect& card) {
+  const Vec2 origin = camera.viewport_origin();
+  const double width = camera.viewport_width(), height = camera.viewport_height();
+  const double free = card.min.y() - origin.y();
+  if (card.max.x() < origin.x() + width / 2 || free < height / 4) return;
+  const double unit = camera.units_per_pixel() * std::min(width, height) / std::min(width, free);
+  camera.look_at(camera.centre() - Vec2(0, (height - free) / 2 * unit), unit);
+}
+
 }  // namespace
 
 ViewportScene Workbench::scene() const {
@@ -129,6 +140,8 @@ void Workbench::on(const action::LookAt& a) {
   view_history_.leave(camera_);
   const Vec2 half = Vec2::Constant(a.radius);
   camera_.fit({a.point - half, a.point + half});
+  if (!demo_.demo()) return;
+  if (const auto card = ui_->widgets().find("demo/card")) look_above(camera_, *card);
 }
 
 void Workbench::on(const action::ZoomTo& a) {
