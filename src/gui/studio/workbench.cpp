@@ -2,8 +2,10 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -21,6 +23,19 @@ constexpr int samples = 4;
 
 bool popup_open() {
   return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
+
+/// Esc closes an open list or menu, and does nothing else then. Dear ImGui does so only where the
+/// keyboard moves through its widgets.
+void close_list() {
+  ImGuiContext& g = *ImGui::GetCurrentContext();
+  if (g.OpenPopupStack.empty() || !ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) return;
+  const ImGuiWindow* window = g.OpenPopupStack.back().Window;
+  if (!window) return;
+  const std::string_view name = window->Name;
+  if (!name.starts_with("##Combo_") && !name.starts_with("##Menu_")) return;
+  ImGui::ClosePopupToLevel(g.OpenPopupStack.Size - 1, true);
+  g.IO.KeysDownDuration[GLFW_KEY_ESCAPE] = g.IO.DeltaTime;  // no longer just pressed
 }
 
 }  // namespace
@@ -91,7 +106,9 @@ void Workbench::update(const InputState& input, int width, int height, double se
 
 void Workbench::take_input(const InputState& input) {
   take_dropped(input);
-  if (popup_open() || ui_->wants_keyboard()) return;
+  const bool listed = popup_open();
+  close_list();
+  if (listed || ui_->wants_keyboard()) return;
   if (view_state_.box_zoom_armed && ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
     view_state_.box_zoom_armed = false;
     return;

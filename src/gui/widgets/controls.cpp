@@ -28,7 +28,14 @@ bool in_sight(const ImVec2& min, const ImVec2& max) {
   const ImGuiWindow* window = ImGui::GetCurrentContext()->CurrentWindow;
   // What is drawn over the mesh belongs to no window of ours, and is not cut off by one.
   if (window->IsFallbackWindow) return true;
-  return window->ClipRect.Contains(ImVec2((min.x + max.x) / 2, (min.y + max.y) / 2));
+  const ImVec2 centre((min.x + max.x) / 2, (min.y + max.y) / 2);
+  if (window->ClipRect.Contains(centre)) return true;
+  // A row of a table is wider than the column that it is drawn in.
+  if (!ImGui::GetCurrentTable()) return false;
+  for (; window;
+       window = window->Flags & ImGuiWindowFlags_ChildWindow ? window->ParentWindow : nullptr)
+    if (!window->InnerClipRect.Contains(centre)) return false;
+  return true;
 }
 
 int push_button_style(ButtonStyle style) {

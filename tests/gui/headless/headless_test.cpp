@@ -155,6 +155,10 @@ TEST_CASE("a script's clicks scroll to the control they name, or say that they c
   const auto [after, shown] = play("click solver/advanced\nfill solver/max_iterations 37\n");
   CHECK(after == 37);
   CHECK(shown);
+  // A row of a table reaches beyond its first column.
+  CHECK(play("click tab/vcv\nclick vcv/node\nkey Ctrl+A\ntype 40\nkey Enter\n"
+             "click vcv/row/1\n")
+            .first == before);
   // A window without room for a control has nowhere to scroll it to.
   std::ofstream(options.script) << "open mesh.su2\nsize 320 240\nclick tool/record\n";
   CHECK(failure(options).find("s.txt:3: the widget \"tool/record\" cannot") != std::string::npos);
