@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Draws the pictures of docs/studio.md from the program itself: make_tour.py WINSLOW [NAME ...]
+"""Draws the pictures of docs/studio.md, and the README's of the studio, from the program itself:
+make_tour.py WINSLOW [NAME ...]
 
 Each picture is a script of the studio ("winslow studio --headless --script"), so the tour shows what
 the program does today. With names, only those pictures are drawn. Needs no display; where ffmpeg is
@@ -14,11 +15,17 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 PICTURES = ROOT / "docs" / "pictures" / "tour"
 SIZE = (1200, 750)
+README_PICTURE = "studio"  # one level up, and larger
+README_SIZE = (1440, 900)
 NACA = ROOT / "assets" / "naca0012.su2"
 CIRCLE = ROOT / "assets" / "circle.su2"
+WING = ROOT / "assets" / "three_element.su2"
 
 # Name: (mesh or None, script; the picture is taken at its end).
 TOUR = {
+    README_PICTURE: (WING, "click marker/flap\nfill motion/dx 0.03\nfill motion/dy -0.05\n"
+                           "fill motion/rotate -15\nclick motion/apply\nwait\n"
+                           "look 0.55 0 0.62\naway\nwait\n"),
     "welcome": (None, "away\nwait\n"),  # the pictures on its cards are drawn in time
     "window": (NACA, ""),
     "drag": (NACA, "click 0.3 0.03\nwait\npress 0.3 0.03\nmove 0.32 -0.05\nmove 0.35 -0.12\n"
@@ -78,8 +85,10 @@ def draw(winslow, name, mesh, script):
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / f"{name}.txt"
         file.write_text(script)
-        picture = PICTURES / f"{name}.png"
-        command = [winslow, "studio", "--headless", "--quiet", "--size", *map(str, SIZE)]
+        readme = name == README_PICTURE
+        picture = (PICTURES.parent if readme else PICTURES) / f"{name}.png"
+        size = README_SIZE if readme else SIZE
+        command = [winslow, "studio", "--headless", "--quiet", "--size", *map(str, size)]
         # The picture is the script's own: --screenshot would wait until a drag has settled.
         file.write_text(f'{script}screenshot "{picture}"\n')
         command += ["--script", file, *([mesh] if mesh else [])]

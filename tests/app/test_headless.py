@@ -43,6 +43,7 @@ class Headless(ProgramTest):
                 (("--replay", "none.json", "--screenshot", "p.png"), INPUT, "none.json"),
                 (("--replay", "r.json", "--screenshot", "no/p.png"), INPUT, "no"),
                 (("ring.su2", "--frames", "film"), USAGE, "--replay"),
+                (("ring.su2", "--screenshot", "p.jpg"), USAGE, ".png, .svg or .pdf"),
                 (("--replay", "r.json", "--screenshot", "p.png", "--transparent"), USAGE, "panels"),
                 (("--script", "none.txt"), INPUT, "none.txt")):
             with self.subTest(args=args):

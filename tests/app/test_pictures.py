@@ -116,6 +116,14 @@ class Render(ProgramTest):
             self.assertLess(sizes[1], sizes[2])
         self.assertNotIn("<image", self.path("p.svg").read_text())
 
+    def test_a_picture_is_what_its_name_says(self):
+        self.ring()
+        for name in ("p.bmp", "p.jpg", "p"):
+            run = self.render("ring.su2", "-o", name, code=USAGE)
+            self.assertIn(".png, .svg or .pdf", run.stderr)
+            self.assertFalse(self.path(name).exists())
+        self.render("ring.su2", "-o", "P.PNG")
+
     def test_a_node_without_a_control_volume_is_named(self):
         self.ring()
         self.render("ring.su2", "-o", "p.svg", "--vcv", "3", code=USAGE)

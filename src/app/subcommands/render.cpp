@@ -65,6 +65,9 @@ gui::PictureOptions picture_options(const RenderFlags& flags) {
   return options;
 }
 
+void check_picture(const std::string& path) {
+  if (!path.empty()) gui::check_picture_name(path);
+}
 bool is_vector_format(const std::string& path) { return gui::is_vector_format(path); }
 bool is_film(const std::string& path) { return gui::film_format(path).has_value(); }
 
@@ -125,6 +128,7 @@ std::string draw_frames(const RenderFlags& flags, const Mesh& mesh,
 
 #else
 
+void check_picture(const std::string&) {}
 bool is_vector_format(const std::string&) { return false; }
 bool is_film(const std::string&) { return false; }
 
@@ -293,6 +297,7 @@ class RenderSubcommand : public Subcommand {
     }
     if (is_film(flags_.frames)) check_output(flags_.frames);
     check_output(flags_.output);
+    check_picture(flags_.output);
     check_distinct({flags_.output, flags_.input});
     for (const int pixels : flags_.size) {
       if (pixels < 16 || pixels > largest_picture) {

@@ -10,6 +10,7 @@
 #include "gui/capture/film.h"
 #include "gui/headless/run_headless.h"
 #include "gui/studio.h"
+#include "gui/vector/write_figure.h"
 #endif
 
 namespace winslow::app {
@@ -88,6 +89,9 @@ class StudioSubcommand : public Subcommand {
 
   void check_flags() const {
     check_output(screenshot_);
+#ifdef WINSLOW_HAS_GUI
+    if (!screenshot_.empty()) gui::check_picture_name(screenshot_);
+#endif
     for (const int pixels : size_) {
       if (pixels < 320 || pixels > largest_window) {
         throw UsageError("--size: found " + std::to_string(pixels) + ", expected 320 to " +

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "gui/files/assets.h"
 #include "gui/vector/write_figure.h"
 
 namespace winslow::gui {
@@ -34,6 +35,12 @@ fs::path Capture::new_picture_name() {
   }
 }
 
+bool Capture::may_write(const fs::path& path) {
+  if (!bundled(path)) return true;
+  session_.tell(Notice::Kind::warning, bundled_text);
+  return false;
+}
+
 bool Capture::may_replace(const fs::path& path, const Action& again) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return true;
@@ -46,12 +53,13 @@ bool Capture::may_replace(const fs::path& path, const Action& again) {
 
 void Capture::on(const action::TakeScreenshot& a) {
   const fs::path path = a.path.empty() ? new_picture_name() : a.path;
+  if (!may_write(path)) return;
   if (!a.overwrite && !may_replace(path, action::TakeScreenshot{path, true})) return;
   due_ = Due{path, false, frames_until_clear};
 }
 
 void Capture::on(const action::SavePicture& a) {
-  if (a.path.empty()) return;
+  if (a.path.empty() || !may_write(a.path)) return;
   if (!a.overwrite && !may_replace(a.path, action::SavePicture{a.path, true})) return;
   due_ = Due{a.path, true, frames_until_clear};
 }
@@ -66,6 +74,7 @@ void Capture::on(const action::StartRecording& a) {
     session_.tell(Notice::Kind::warning, "There is no mesh to record.");
     return;
   }
+  if (!may_write(a.path)) return;
   if (!a.overwrite && Recorder::occupied(a.path)) {
     session_.ask({Prompt::Kind::question,
                   "Replace the recording?",

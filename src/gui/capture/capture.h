@@ -47,6 +47,7 @@ class Capture {
     bool as_set = false;  // by picture_, or the window as it is
     int delay = 0;        // frames until menus and dialogs are gone from the picture
   };
+  bool may_write(const std::filesystem::path& path);
   bool may_replace(const std::filesystem::path& path, const Action& again);
   void take(PictureSource& source, const std::filesystem::path& path, bool as_set);
   void record_frame(PictureSource& source);

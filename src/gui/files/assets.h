@@ -15,7 +15,7 @@ std::filesystem::path assets_folder(const std::filesystem::path& program);
 /// True below that folder: what is there belongs to the program and is never written over.
 bool bundled(const std::filesystem::path& path);
 constexpr const char* bundled_text =
-    "The meshes that come with the program stay as they are. Save it in another folder.";
+    "What comes with the program stays as it is. Choose another folder to write to.";
 
 /// A mesh that comes with the program.
 struct BundledMesh {

@@ -82,8 +82,16 @@ class ScriptPlayer {
     return words.size() == first + 2 ? mesh_point(words, first) : widget(words[first]);
   }
   Vec2 widget(const std::string& id) {
-    const auto found = bench().widgets().find(id);
+    auto found = bench().widgets().find(id);
+    if (found && !found->shown) {
+      bench().scroll_to(id);
+      studio_.frames(3);  // one asks for it, the next scrolls, the last is laid out there
+      bench().scroll_to({});
+      found = bench().widgets().find(id);
+    }
     if (!found) throw UsageError("there is no widget \"" + id + "\" on screen");
+    // A click there would hit what happens to lie at that place.
+    if (!found->shown) throw UsageError("the widget \"" + id + "\" cannot be scrolled into sight");
     return found->centre();
   }
 
@@ -163,6 +171,7 @@ class ScriptPlayer {
                          "\", expected mesh-alone, transparent, no-legend or a scale");
     }
     const std::filesystem::path path = out_ / words[1];
+    check_picture_name(path);
     if (is_vector_format(path))
       write_figure(path, bench().figure(spec.legend));
     else

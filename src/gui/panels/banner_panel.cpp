@@ -17,16 +17,27 @@ void emit_show_inverted(const PanelContext& context) {
   context.emit(action::LookAt{box.centre(), 6 * box.size().norm()});
 }
 
-/// The text and up to three buttons do not fit on one line.
-bool two_lines(const PanelContext& context, float width) {
+std::string text_of(const PanelContext& context) {
+  const std::string icon = context.theme.icon(Icon::warning);
+  return (icon.empty() ? "" : icon + "  ") + context.session.banner()->text;
+}
+
+/// The text and up to three buttons fit on one line.
+bool one_line(const PanelContext& context, float width) {
   const float text = ImGui::CalcTextSize(context.session.banner()->text.c_str()).x;
-  return text + context.theme.px(310) > width;
+  return text + context.theme.px(310) <= width;
 }
 
 }  // namespace
 
 float BannerPanel::height(const PanelContext& context, float width) {
-  return context.theme.px(two_lines(context, width) ? 78.0f : 44.0f);
+  const Theme& theme = context.theme;
+  if (one_line(context, width)) return theme.px(44);
+  // Above the buttons, on as many lines as it takes: what is cut off may be what matters.
+  const std::string text = text_of(context);
+  const float wrapped =
+      ImGui::CalcTextSize(text.c_str(), nullptr, false, width - theme.px(2 * side_padding)).y;
+  return theme.px(62) + wrapped;
 }
 
 void BannerPanel::draw(const PanelContext& context) {
@@ -37,14 +48,11 @@ void BannerPanel::draw(const PanelContext& context) {
   const bool undo =
       banner->kind == Banner::Kind::inverted_result || banner->kind == Banner::Kind::partial_motion;
   ImGui::AlignTextToFramePadding();
-  const std::string icon = context.theme.icon(Icon::warning);
-  const bool wide = !two_lines(context, ImGui::GetWindowWidth());
-  const std::string text = icon.empty() ? banner->text : icon + "  " + banner->text;
-  ui::text_colored(bad ? palette().danger : palette().warning,
-                   ui::elided(text, ImGui::GetContentRegionAvail().x));
+  ImGui::PushTextWrapPos(0);
+  ui::text_colored(bad ? palette().danger : palette().warning, text_of(context));
+  ImGui::PopTextWrapPos();
   ui::note("banner");
-  ui::tooltip(banner->text);
-  if (wide) ImGui::SameLine(0, context.theme.px(16));
+  if (one_line(context, ImGui::GetWindowWidth())) ImGui::SameLine(0, context.theme.px(16));
   if (undo) {
     if (ui::button("banner/undo", "Undo", {"Back to the mesh before this command."}))
       context.emit(action::Undo{});

@@ -8,7 +8,8 @@ namespace winslow::gui {
 class BannerPanel : public Panel {
  public:
   void draw(const PanelContext& context) override;
-  /// Height that the strip needs at a width, in pixels: one line, or two where there is no room.
+  static constexpr float side_padding = 14;  ///< of the strip, at scale 1
+  /// Height that the strip needs at a width, in pixels: one line, or more where there is no room.
   static float height(const PanelContext& context, float width);
 };
 

@@ -88,7 +88,8 @@ void FileDialog::draw_content(const PanelContext& context) {
   ImGui::PopFont();
   draw_bar(context);
   if (new_folder_) draw_new_folder(context);
-  const float footer = 2 * ImGui::GetFrameHeightWithSpacing() + context.theme.px(8);
+  const float message = error_.empty() ? 0 : ImGui::GetTextLineHeightWithSpacing();
+  const float footer = 2 * ImGui::GetFrameHeightWithSpacing() + message + context.theme.px(8);
   const float height = std::max(ImGui::GetContentRegionAvail().y - footer, context.theme.px(60));
   draw_places(context, height);
   ImGui::SameLine();
@@ -99,20 +100,18 @@ void FileDialog::draw_content(const PanelContext& context) {
 
 void FileDialog::draw_footer(const PanelContext& context) {
   const Theme& theme = context.theme;
+  if (!error_.empty()) {
+    ui::text_colored(palette().danger, ui::elided(error_, ImGui::GetContentRegionAvail().x));
+    ui::note("dialog/error");
+    ui::tooltip(error_);
+  }
   draw_filter(context);
   ImGui::SameLine(0, theme.px(12));
   ui::checkbox("dialog/hidden", "Hidden files", hidden_files_,
                "Show files whose names begin with a dot.");
   const float button = theme.px(96);
   const float buttons = 2 * button + ImGui::GetStyle().ItemSpacing.x;
-  ImGui::SameLine(0, theme.px(12));
-  const float room = ImGui::GetContentRegionAvail().x - buttons - theme.px(12);
-  if (!error_.empty()) {
-    ui::text_colored(palette().danger, ui::elided(error_, room));
-    ui::note("dialog/error");
-    ui::tooltip(error_);
-    ImGui::SameLine();
-  }
+  ImGui::SameLine();
   ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - buttons);
   const bool cancelled =
       ui::button("dialog/cancel", "Cancel", {"", ui::ButtonStyle::normal, true, button});

@@ -29,8 +29,10 @@ void GoToPanel::draw_field(const PanelContext& context) {
   const float go = context.theme.px(44);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - go -
                           ImGui::GetStyle().ItemInnerSpacing.x);
-  bool wanted = ImGui::InputTextWithHint("##go_to", "n123, e45, 0.5, 0.1 ...", text_.data(),
-                                         text_.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  // What is typed next is another place, not more of the last one.
+  bool wanted = ImGui::InputTextWithHint(
+      "##go_to", "n123, e45, 0.5, 0.1 ...", text_.data(), text_.size(),
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   ui::note("go_to/field");
   ui::tooltip(tip);
   ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);

@@ -234,22 +234,26 @@ void VcvPanel::draw_reset(const PanelContext& context, const NodalView& view) {
                              : grouped(static_cast<long long>(edits.size())) + " edited");
 }
 
-std::vector<Index> VcvPanel::spread_targets(const PanelContext& context,
-                                            const NodalView& view) const {
+const std::vector<Index>& VcvPanel::spread_targets(const PanelContext& context,
+                                                   const NodalView& view) {
+  const Session& session = context.session;
+  SpreadTo wanted{session.shape(), view.node, spread_to_, radius_, session.nodes().pinned()};
+  if (wanted == spread_) return targets_;
+  spread_ = std::move(wanted);
   const Topology& topology = *context.topology();
   const auto fits = [&](Index node) {
     return node != view.node && topology.neighbours(node).size() == view.neighbours.size();
   };
-  std::vector<Index> targets;
+  targets_.clear();
   if (spread_to_ == 0) {
-    std::ranges::copy_if(context.session.nodes().pinned(), std::back_inserter(targets), fits);
-    return targets;
+    std::ranges::copy_if(spread_.pinned, std::back_inserter(targets_), fits);
+    return targets_;
   }
   for (const Index node : topology.free_nodes()) {
-    const Vec2 away = context.session.coordinates().xy(node) - view.position;
-    if (away.norm() <= radius_ && fits(node)) targets.push_back(node);
+    const Vec2 away = session.coordinates().xy(node) - view.position;
+    if (away.norm() <= radius_ && fits(node)) targets_.push_back(node);
   }
-  return targets;
+  return targets_;
 }
 
 void VcvPanel::draw_spread(const PanelContext& context, const NodalView& view) {
@@ -262,14 +266,17 @@ void VcvPanel::draw_spread(const PanelContext& context, const NodalView& view) {
     if (radius_ == 0) radius_ = 3 * view.physical.mean_length();
     ui::number("vcv/radius", radius_, {}, "%.4g");
   }
-  const std::string count = std::to_string(view.neighbours.size());
-  const bool any = spread_to_ == 1 || !spread_targets(context, view).empty();
-  if (!ui::button("vcv/apply", "Apply",
-                  {"To nodes with " + count + " neighbours.", ui::ButtonStyle::normal, any, -1}))
-    return;
-  const std::vector<Index> targets = spread_targets(context, view);
-  context.emit(action::EditVcvs{
-      spread_vcv(*context.session.vcv(), context.session.coordinates(), view.node, targets)});
+  const std::vector<Index>& targets = spread_targets(context, view);
+  const std::string alike = "with " + std::to_string(view.neighbours.size()) + " neighbours";
+  const std::string tip = !targets.empty() ? "To the nodes " + alike + "."
+                          : spread_to_ == 0
+                              ? "Pin another node " + alike + " first."
+                              : "No other free node " + alike + " lies within this radius.";
+  const std::string label =
+      targets.empty() ? "Apply to no node" : "Apply to " + counted(targets.size(), "node");
+  if (ui::button("vcv/apply", label, {tip, ui::ButtonStyle::normal, !targets.empty(), -1}))
+    context.emit(action::EditVcvs{
+        spread_vcv(*context.session.vcv(), context.session.coordinates(), view.node, targets)});
 }
 
 }  // namespace winslow::gui

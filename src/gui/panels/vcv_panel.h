@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "core/inspect/nodal_view.h"
 #include "gui/inspector/vcv_plot.h"
 #include "gui/panels/panel.h"
@@ -20,7 +23,17 @@ class VcvPanel : public Panel {
   void draw_edge_fields(const PanelContext& context, const NodalView& view);
   void draw_reset(const PanelContext& context, const NodalView& view);
   void draw_spread(const PanelContext& context, const NodalView& view);
-  std::vector<Index> spread_targets(const PanelContext& context, const NodalView& view) const;
+  const std::vector<Index>& spread_targets(const PanelContext& context, const NodalView& view);
+
+  /// What the nodes depend on that a VCV is applied to.
+  struct SpreadTo {
+    std::uint64_t shape = 0;
+    Index node = -1;
+    std::size_t choice = 0;
+    double radius = 0;
+    std::vector<Index> pinned;
+    bool operator==(const SpreadTo&) const = default;
+  };
 
   VcvPlot plot_;
   int typed_node_ = 0;
@@ -32,6 +45,8 @@ class VcvPanel : public Panel {
   bool star_figures_ = false;  // the table shows the physical star
   std::size_t spread_to_ = 0;
   double radius_ = 0;
+  SpreadTo spread_;  // that targets_ were found for: all nodes are gone through
+  std::vector<Index> targets_;
 };
 
 }  // namespace winslow::gui

@@ -10,9 +10,8 @@ namespace winslow::gui {
 namespace {
 
 constexpr std::size_t most_recent = 6;
-// Widest card, and the gap between two: rows of text end where four cards do.
-constexpr float card_width = 190, card_gap = 10;
-constexpr float row_gap = 16, row_width = (4 * card_width + 3 * card_gap - row_gap) / 2;
+// Rows of text end where four cards do.
+constexpr float row_gap = 16, row_width = (WelcomePanel::page_width - row_gap) / 2;
 
 /// Rows of text stand in two columns where there is room.
 struct Columns {

@@ -12,6 +12,10 @@ namespace winslow::gui {
 /// the viewport while no mesh is open, or when it is asked for.
 class WelcomePanel : public Panel {
  public:
+  static constexpr float card_width = 190, card_gap = 10;
+  /// Room that all of it takes at scale 1; the height with recent files.
+  static constexpr float page_width = 4 * card_width + 3 * card_gap, page_height = 640;
+
   void draw(const PanelContext& context) override;
 
   /// Shown over the open mesh, or no longer.

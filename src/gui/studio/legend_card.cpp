@@ -32,12 +32,16 @@ void LegendCard::draw(ImDrawList& list, const PanelContext& context, const Area&
                       const Legend& legend) {
   bars_.reset();
   const Theme& theme = context.theme;
-  const float height = std::min(theme.px(260), area.height - theme.px(48));
+  const float height = std::min(theme.px(260), 0.55f * area.height);
   // The mesh matters more where there is little room.
   if (height < theme.px(90) || area.width < theme.px(330)) return;
-  Legend shown = legend;
-  if (area.width < theme.px(560)) shown.histogram.reset();
   const LegendStyle style = style_of(theme);
+  Legend plain = legend;
+  plain.histogram.reset();
+  // Under a long title there is room for the histogram in any case.
+  const bool narrow = area.width < theme.px(560);
+  const bool widens = legend_width(plain, style) + theme.px(16) < legend_width(legend, style);
+  const Legend& shown = narrow && widens ? plain : legend;
   const float width = legend_width(shown, style);
   const float pad = theme.px(12);
   const float x = area.x + area.width - width - 2 * pad - theme.px(12);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/inspect/nodal_view.h"
 #include "core/motion/rigid_motion.h"
@@ -24,13 +26,40 @@ std::string number(double value, const char* format = "%.4g") {
   return buffer.data();
 }
 
-void draw_label(ImDrawList& list, const Theme& theme, const ImVec2& at, const std::string& text,
-                ImU32 background) {
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  const float pad = theme.px(7);
-  const ImVec2 end(at.x + size.x + 2 * pad, at.y + size.y + 1.4f * pad);
-  list.AddRectFilled(at, end, faded(background, 0.88f), theme.px(5));
-  list.AddText(ImVec2(at.x + pad, at.y + 0.7f * pad), palette().card, text.c_str());
+struct Label {
+  std::string text;
+  ImU32 background;
+};
+
+/// Where labels of a size stand beside the mouse: on its other side where the view ends, since
+/// panels would cover them.
+ImVec2 beside_mouse(const Overlay& o, const ImVec2& size) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const ImVec2 start = pixel(o.camera.viewport_origin());
+  const float right = start.x + static_cast<float>(o.camera.viewport_width());
+  const float bottom = start.y + static_cast<float>(o.camera.viewport_height());
+  ImVec2 at(mouse.x + o.theme.px(18), mouse.y + o.theme.px(14));
+  if (at.x + size.x > right) at.x = std::max(start.x, mouse.x - o.theme.px(12) - size.x);
+  if (at.y + size.y > bottom) at.y = std::max(start.y, mouse.y - o.theme.px(8) - size.y);
+  return at;
+}
+
+/// Labels beside the mouse, below one another.
+void draw_labels(ImDrawList& list, const Overlay& o, const std::vector<Label>& labels) {
+  const float pad = o.theme.px(7);
+  const float height = ImGui::GetTextLineHeight() + 1.4f * pad;
+  const float step = height + o.theme.px(3);
+  float width = 0;
+  for (const Label& label : labels)
+    width = std::max(width, ImGui::CalcTextSize(label.text.c_str()).x + 2 * pad);
+  ImVec2 at = beside_mouse(o, ImVec2(width, static_cast<float>(labels.size()) * step));
+  for (const Label& label : labels) {
+    const ImVec2 size = ImGui::CalcTextSize(label.text.c_str());
+    list.AddRectFilled(at, ImVec2(at.x + size.x + 2 * pad, at.y + height),
+                       faded(label.background, 0.88f), o.theme.px(5));
+    list.AddText(ImVec2(at.x + pad, at.y + 0.7f * pad), palette().card, label.text.c_str());
+    at.y += step;
+  }
 }
 
 /// Boundary edges moved by whatever `place` says of their nodes.
@@ -101,34 +130,27 @@ std::string motion_text(const Overlay& o) {
   return text;
 }
 
-/// Beside the mouse: the numbers of the drag, and whether the mesh can follow.
-void draw_motion(ImDrawList& list, const Overlay& o) {
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const ImVec2 at(mouse.x + o.theme.px(18), mouse.y + o.theme.px(14));
-  draw_label(list, o.theme, at, motion_text(o), palette().text);
+/// The numbers of the drag, and whether the mesh can follow.
+std::vector<Label> motion_labels(const Overlay& o) {
+  std::vector<Label> labels{{motion_text(o), palette().text}};
   const BodyDrag* drag = o.session.body_drag();
-  if (!drag || drag->reach() == BodyDrag::Reach::there) return;
-  const ImVec2 below(at.x, at.y + ImGui::GetTextLineHeight() + o.theme.px(13));
+  if (!drag || drag->reach() == BodyDrag::Reach::there) return labels;
   if (drag->reach() == BodyDrag::Reach::limit)
-    draw_label(list, o.theme, below, "No valid mesh beyond here", palette().danger);
+    labels.push_back({"No valid mesh beyond here", palette().danger});
   else
-    draw_label(list, o.theme, below, "The mesh is catching up", palette().text_dim);
+    labels.push_back({"The mesh is catching up", palette().text_dim});
+  return labels;
 }
 
-void draw_hint(ImDrawList& list, const Overlay& o) {
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const ImVec2 at(mouse.x + o.theme.px(18), mouse.y + o.theme.px(14));
+std::string hint_text(const Overlay& o) {
   if (o.viewport.gesture() == Viewport::Gesture::pivot) {
     const std::string& snapped = o.viewport.snapped_to();
-    return draw_label(list, o.theme, at,
-                      snapped.empty() ? "Pivot; Ctrl snaps" : "Pivot: " + snapped, palette().text);
+    return snapped.empty() ? "Pivot; Ctrl snaps" : "Pivot: " + snapped;
   }
-  if (const char* hint = handle_hint(o.viewport.hovered_handle()); *hint)
-    draw_label(list, o.theme, at, hint, palette().text);
-  else if (const auto& node = o.viewport.hovered_node())
-    draw_label(list, o.theme, at,
-               "Node " + std::to_string(node->node) + ": drag; Shift+click takes the arc up to it",
-               palette().text);
+  if (const char* hint = handle_hint(o.viewport.hovered_handle()); *hint) return hint;
+  if (const auto& node = o.viewport.hovered_node())
+    return "Node " + std::to_string(node->node) + ": drag; Shift+click takes the arc up to it";
+  return {};
 }
 
 Handle hot_handle(const Viewport& viewport) {
@@ -171,13 +193,20 @@ void draw_overlay(ImDrawList& list, const Overlay& o) {
   draw_preview(list, o);
   draw_layer_preview(list, o);
   if (o.scene.shape.active) draw_shape(list, o);
+}
+
+void draw_handles(ImDrawList& list, const Overlay& o) {
+  if (!o.session.document()) return;
   if (const auto gizmo = Viewport::gizmo(o.scene, o.camera))
     draw_gizmo(list, *gizmo, hot_handle(o.viewport),
                o.viewport.gesture() == Viewport::Gesture::rotate, o.theme);
-  if (o.session.dragging() && o.viewport.dragging())
-    draw_motion(list, o);
-  else
-    draw_hint(list, o);
+}
+
+void draw_mouse_labels(ImDrawList& list, const Overlay& o) {
+  if (!o.session.document()) return;
+  if (o.session.dragging() && o.viewport.dragging()) return draw_labels(list, o, motion_labels(o));
+  if (std::string hint = hint_text(o); !hint.empty())
+    draw_labels(list, o, {{std::move(hint), palette().text}});
 }
 
 }  // namespace winslow::gui

@@ -9,8 +9,7 @@
 
 namespace winslow::gui {
 
-/// What is drawn over the mesh for the mouse's sake: pivot, ring, and during a drag the outline of
-/// the body where it will be and the numbers of the motion.
+/// What is drawn over the mesh for the mouse's sake.
 struct Overlay {
   const Session& session;
   const Viewport& viewport;
@@ -19,9 +18,15 @@ struct Overlay {
   const Theme& theme;
 };
 
+/// What belongs to the mesh: pinned control volumes, rings around nodes, and what a drag or a panel
+/// is about to do.
 void draw_overlay(ImDrawList& list, const Overlay& overlay);
+/// Pivot, arrows and ring of the selection.
+void draw_handles(ImDrawList& list, const Overlay& overlay);
+/// Beside the mouse: the numbers of a drag, or what a handle does.
+void draw_mouse_labels(ImDrawList& list, const Overlay& overlay);
 
-/// The part of it that belongs into a picture of the mesh alone: pinned control volumes.
+/// The part of draw_overlay that belongs into a picture of the mesh alone: pinned control volumes.
 void draw_pins(ImDrawList& list, const Overlay& overlay);
 
 }  // namespace winslow::gui

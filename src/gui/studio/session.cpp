@@ -119,14 +119,20 @@ void Session::on(const action::Undo&) {
   if (!document_) return;
   if (dragging_) return on(action::CancelDrag{});
   if (job_.active()) return on(action::CancelSolver{});
+  const History& history = document_->history();
+  if (!history.can_undo()) return;
+  const std::string undone = describe(history.command(history.position()));
   document_->undo();
   position_changed();
+  tell(Notice::Kind::information, "Undone: " + undone);
 }
 
 void Session::on(const action::Redo&) {
   if (!document_ || job_.active() || dragging_ || !document_->history().can_redo()) return;
   document_->redo();
   position_changed();
+  const History& history = document_->history();
+  tell(Notice::Kind::information, "Done again: " + describe(history.command(history.position())));
 }
 
 void Session::on(const action::GoToStep& a) {
@@ -134,6 +140,11 @@ void Session::on(const action::GoToStep& a) {
   stop_job();
   document_->go_to(a.position);
   position_changed();
+  const History& history = document_->history();
+  tell(Notice::Kind::information,
+       history.position() == 0
+           ? "The mesh is as it was opened."
+           : "The mesh is as it was after: " + describe(history.command(history.position())));
 }
 
 void Session::on(const action::DismissPrompt&) {

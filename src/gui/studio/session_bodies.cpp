@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/error.h"
@@ -58,7 +59,12 @@ void Session::on(const action::SetPivot& a) {
 }
 
 void Session::place_pivot() {
-  if (anchors_ && pivot_place_) pivot_ = anchors_->at(*pivot_place_);
+  if (!anchors_ || !pivot_place_) return;
+  pivot_ = anchors_->at(*pivot_place_);
+  // The panel would show what rounding leaves of a zero.
+  const double least = 1e-14 * (pivot_.norm() + boundary_->reach(selection_, pivot_));
+  for (int d = 0; d < 2; ++d)
+    if (std::abs(pivot_[d]) < least) pivot_[d] = 0;
 }
 
 void Session::update_anchors() {

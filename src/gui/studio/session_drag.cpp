@@ -14,6 +14,18 @@ namespace {
 constexpr const char* at_work =
     "The solver is at work on something else. Wait until it is done, or cancel it.";
 
+/// The same motion said as turning about `pivot`, without the rounding errors that a fit leaves:
+/// the history and recipes would show them. `size`: of the body.
+RigidMotion about(const Vec2& pivot, const RigidMotion& motion, double size) {
+  RigidMotion said{motion.rotate, pivot, transform(motion, pivot) - pivot};
+  constexpr double rounding = 1e-11;
+  if (std::abs(said.rotate) < 360 * rounding) said.rotate = 0;
+  const double least = rounding * (size + pivot.norm() + said.translate.norm());
+  for (int d = 0; d < 2; ++d)
+    if (std::abs(said.translate[d]) < least) said.translate[d] = 0;
+  return said;
+}
+
 bool stays(const RigidMotion& m) { return m.rotate == 0 && m.translate == Vec2(0, 0); }
 
 }  // namespace
@@ -151,7 +163,7 @@ void Session::settle_motion(JobRunner::Outcome& outcome) {
     // Full turns do not show in where the body is.
     const double turned = (job_.started_elsewhere() ? 1 : fraction) * move->motion.rotate;
     reached.rotate += 360 * std::round((turned - reached.rotate) / 360);
-    move->motion = reached;
+    move->motion = about(move->motion.pivot, reached, bounds(rest, nodes).size().norm());
   } else if (auto* deform = std::get_if<DeformCommand>(&outcome.command)) {
     if (auto* sine = std::get_if<SineDeformation>(&deform->shape)) sine->amplitude *= fraction;
     if (auto* table = std::get_if<DisplacementTable>(&deform->shape))

@@ -54,6 +54,7 @@ void Session::on(const action::ExportMesh& a) {
 
 void Session::on(const action::ExportMarkers& a) {
   if (!document_ || a.path.empty()) return;
+  if (bundled(a.path)) return tell(Notice::Kind::warning, bundled_text);
   if (!a.overwrite && is_there(a.path))
     return ask(may_replace(a.path, action::ExportMarkers{a.path, a.markers, true}));
   const auto& markers = topology()->markers();

@@ -159,6 +159,7 @@ bool Session::poll_saver() {
 
 void Session::on(const action::ExportRecipe& a) {
   if (!document_ || a.path.empty()) return;
+  if (bundled(a.path)) return tell(Notice::Kind::warning, bundled_text);
   if (!a.overwrite && is_there(a.path)) {
     ask({Prompt::Kind::question,
          "Replace the file?",

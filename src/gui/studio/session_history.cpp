@@ -1,9 +1,10 @@
 #include <algorithm>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include "core/error.h"
+#include "gui/files/assets.h"
+#include "gui/studio/file_work.h"
 #include "gui/studio/session.h"
 #include "gui/studio/text.h"
 #include "io/convergence_csv.h"
@@ -154,8 +155,8 @@ void Session::on(const action::ExportConvergence& a) {
   const auto shown = convergence();
   if (shown.empty() || a.path.empty()) return;
   if (csv_writer_.busy()) return tell(Notice::Kind::warning, "Still writing the last one.");
-  std::error_code ignored;
-  if (!a.overwrite && std::filesystem::exists(a.path, ignored)) {
+  if (bundled(a.path)) return tell(Notice::Kind::warning, bundled_text);
+  if (!a.overwrite && is_there(a.path)) {
     ask({Prompt::Kind::question,
          "Replace the file?",
          a.path.filename().string() + " exists already. Saving replaces what is in it.",

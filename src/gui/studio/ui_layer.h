@@ -21,15 +21,20 @@ class WidgetMap {
   struct Rect {
     Vec2 min, max;  ///< framebuffer pixels
     bool enabled = true;
+    bool shown = true;  ///< its centre is in sight: neither scrolled away nor cut off
     Vec2 centre() const { return 0.5 * (min + max); }
   };
   void clear() { rects_.clear(); }
   void note(std::string_view id, const Rect& rect) { rects_[std::string(id)] = rect; }
   std::optional<Rect> find(std::string_view id) const;
+  /// The widget that its window is to be scrolled to while frames are drawn; empty: none.
+  void want(std::string_view id) { wanted_ = id; }
+  bool wanted(std::string_view id) const { return !wanted_.empty() && wanted_ == id; }
   const std::map<std::string, Rect, std::less<>>& all() const { return rects_; }
 
  private:
   std::map<std::string, Rect, std::less<>> rects_;
+  std::string wanted_;
 };
 
 /// A Dear ImGui context of our own, fed from InputState alone. Needs a current OpenGL context.

@@ -2,14 +2,17 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "gui/files/assets.h"
 #include "gui/render/frame_buffer.h"
 #include "gui/render/gl.h"
+#include "gui/studio/go_to.h"
 #include "gui/studio/shortcuts.h"
 
 namespace winslow::gui {
@@ -20,6 +23,19 @@ constexpr int samples = 4;
 
 bool popup_open() {
   return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
+
+/// Esc closes an open list or menu, and does nothing else then. Dear ImGui does so only where the
+/// keyboard moves through its widgets.
+void close_list() {
+  ImGuiContext& g = *ImGui::GetCurrentContext();
+  if (g.OpenPopupStack.empty() || !ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) return;
+  const ImGuiWindow* window = g.OpenPopupStack.back().Window;
+  if (!window) return;
+  const std::string_view name = window->Name;
+  if (!name.starts_with("##Combo_") && !name.starts_with("##Menu_")) return;
+  ImGui::ClosePopupToLevel(g.OpenPopupStack.Size - 1, true);
+  g.IO.KeysDownDuration[GLFW_KEY_ESCAPE] = g.IO.DeltaTime;  // no longer just pressed
 }
 
 }  // namespace
@@ -90,7 +106,9 @@ void Workbench::update(const InputState& input, int width, int height, double se
 
 void Workbench::take_input(const InputState& input) {
   take_dropped(input);
-  if (popup_open() || ui_->wants_keyboard()) return;
+  const bool listed = popup_open();
+  close_list();
+  if (listed || ui_->wants_keyboard()) return;
   if (view_state_.box_zoom_armed && ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
     view_state_.box_zoom_armed = false;
     return;
@@ -164,6 +182,14 @@ void Workbench::on(const action::InspectNode& a) {
   if (!a.node) return;
   view_.side_tab = SideTab::vcv;
   view_.right_panel = true;
+  // A number that was typed may be that of a node anywhere.
+  if (session_.nodes().inspected() != a.node) return;
+  const Vec2 pixel =
+      camera_.to_screen(session_.coordinates().xy(*a.node)) - camera_.viewport_origin();
+  const Vec2 size(camera_.viewport_width(), camera_.viewport_height());
+  if ((pixel.array() >= 0).all() && (pixel.array() <= size.array()).all()) return;
+  const Bounds box = surroundings({MeshItem::Kind::node, *a.node}, session_);
+  on(action::LookAt{box.centre(), 4 * box.size().norm()});
 }
 
 void Workbench::on(const action::ShowFileDialog& a) {

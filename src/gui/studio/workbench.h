@@ -115,6 +115,8 @@ class Workbench : public PictureSource {
   ViewportScene scene() const;
   const Layout& layout() const { return layout_; }
   const WidgetMap& widgets() const { return ui_->widgets(); }
+  /// Scrolls a widget into sight in the frames to come; empty: no longer.
+  void scroll_to(std::string_view widget) { ui_->widgets().want(widget); }
   const Autosave& autosave() const { return autosave_; }
   const FileDialog& file_dialog() const { return file_dialog_; }
   const RecentFiles& recent() const { return recent_; }

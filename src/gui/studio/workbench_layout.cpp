@@ -171,7 +171,12 @@ void Workbench::draw_viewport() {
   const Theme& theme = ui_->theme();
   const Area& v = layout_.viewport;
   if (shows_welcome()) {
-    begin_region("welcome", v, {ImVec2(theme.px(22), theme.px(18)), palette().card});
+    // In the middle of a large window rather than in its corner.
+    const float side = (v.width - theme.px(WelcomePanel::page_width)) / 2;
+    const float top = (v.height - theme.px(WelcomePanel::page_height)) / 3;
+    begin_region(
+        "welcome", v,
+        {ImVec2(std::max(theme.px(22), side), std::max(theme.px(18), top)), palette().card});
     welcome_.draw(context());
     end_region();
     return;
@@ -183,8 +188,8 @@ void Workbench::draw_viewport() {
   const bool bad = kind == Banner::Kind::inverted_result || kind == Banner::Kind::inverted_input;
   begin_region(
       "banner", {v.x, v.y, v.width, BannerPanel::height(context(), v.width)},
-      {ImVec2(theme.px(14), theme.px(7)), bad ? palette().danger_soft : palette().warning_soft,
-       ImGuiWindowFlags_NoScrollbar});
+      {ImVec2(theme.px(BannerPanel::side_padding), theme.px(7)),
+       bad ? palette().danger_soft : palette().warning_soft, ImGuiWindowFlags_NoScrollbar});
   banner_.draw(context());
   end_region();
 }
@@ -200,6 +205,8 @@ void Workbench::draw_demo_card() {
   begin_region("demo", {v.x + margin, v.y + v.height - height - margin, width, height},
                {padding, palette().card, ImGuiWindowFlags_NoScrollbar});
   demo_panel_.draw(context());
+  const ImVec2 corner = ImGui::GetWindowPos();
+  ui::note("demo/card", corner, ImVec2(corner.x + width, corner.y + height));
   end_region();
 }
 

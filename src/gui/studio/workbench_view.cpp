@@ -15,6 +15,17 @@ namespace {
 // Held longer than this, the magnifier's key is let go of to be rid of it.
 constexpr float tap_seconds = 0.4f;
 
+/// Moves what is in the middle of the view up, and away, so that a card at its foot does not cover
+/// it. A card that does not reach the middle leaves it alone.
+void look_above(Camera& camera, const WidgetMap::Rect& card) {
+  const Vec2 origin = camera.viewport_origin();
+  const double width = camera.viewport_width(), height = camera.viewport_height();
+  const double free = card.min.y() - origin.y();
+  if (card.max.x() < origin.x() + width / 2 || free < height / 4) return;
+  const double unit = camera.units_per_pixel() * std::min(width, height) / std::min(width, free);
+  camera.look_at(camera.centre() - Vec2(0, (height - free) / 2 * unit), unit);
+}
+
 }  // namespace
 
 ViewportScene Workbench::scene() const {
@@ -129,6 +140,8 @@ void Workbench::on(const action::LookAt& a) {
   view_history_.leave(camera_);
   const Vec2 half = Vec2::Constant(a.radius);
   camera_.fit({a.point - half, a.point + half});
+  if (!demo_.demo()) return;
+  if (const auto card = ui_->widgets().find("demo/card")) look_above(camera_, *card);
 }
 
 void Workbench::on(const action::ZoomTo& a) {
@@ -183,7 +196,7 @@ void Workbench::update_mesh_view() {
 void Workbench::draw_overlays(ImDrawList& list) {
   if (!session_.document()) return;
   const Theme& theme = ui_->theme();
-  // Handles are for the mouse; a picture of the mesh alone has none.
+  // What is for the mouse's sake: a picture of the mesh alone has none of it.
   const ViewportScene shown = scene();
   const Overlay handles{session_, viewport_, shown, camera_, theme};
   if (mesh_alone_)
@@ -196,6 +209,8 @@ void Workbench::draw_overlays(ImDrawList& list) {
   draw_focus(list, overlay);
   draw_comparison(list, overlay);
   draw_legend_card(list);
+  // Nothing covers what the mouse is about to take hold of, nor what it says of it.
+  if (!mesh_alone_) draw_handles(list, handles);
   if (lens_) {
     draw_inset_source(list, theme, *lens_);
     list.AddCallback(
@@ -206,6 +221,7 @@ void Workbench::draw_overlays(ImDrawList& list) {
     draw_inset_frame(list, overlay, *lens_);
   }
   if (const auto box = viewport_.box()) draw_zoom_box(list, theme, *box);
+  if (!mesh_alone_) draw_mouse_labels(list, handles);
 }
 
 void Workbench::draw_legend_card(ImDrawList& list) {

@@ -207,6 +207,11 @@ bool is_vector_format(const std::filesystem::path& path) {
   return ending == ".svg" || ending == ".pdf";
 }
 
+void check_picture_name(const std::filesystem::path& path) {
+  if (is_vector_format(path) || lower_ending(path) == ".png") return;
+  throw UsageError(path.string() + ": pictures are written as .png, .svg or .pdf");
+}
+
 FigureMargins figure_margins(const VectorFigure& figure) {
   const std::lock_guard lock(drawing);
   Page page(PageFormat::svg, 1, 1);

@@ -24,6 +24,20 @@ bool disabled_now() {
   return (ImGui::GetCurrentContext()->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0;
 }
 
+bool in_sight(const ImVec2& min, const ImVec2& max) {
+  const ImGuiWindow* window = ImGui::GetCurrentContext()->CurrentWindow;
+  // What is drawn over the mesh belongs to no window of ours, and is not cut off by one.
+  if (window->IsFallbackWindow) return true;
+  const ImVec2 centre((min.x + max.x) / 2, (min.y + max.y) / 2);
+  if (window->ClipRect.Contains(centre)) return true;
+  // A row of a table is wider than the column that it is drawn in.
+  if (!ImGui::GetCurrentTable()) return false;
+  for (; window;
+       window = window->Flags & ImGuiWindowFlags_ChildWindow ? window->ParentWindow : nullptr)
+    if (!window->InnerClipRect.Contains(centre)) return false;
+  return true;
+}
+
 int push_button_style(ButtonStyle style) {
   if (style == ButtonStyle::normal) return 0;
   if (style == ButtonStyle::flat) {
@@ -45,7 +59,10 @@ int push_button_style(ButtonStyle style) {
 void note(std::string_view id) { note(id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()); }
 
 void note(std::string_view id, const ImVec2& min, const ImVec2& max) {
-  UiLayer::current().widgets().note(id, {Vec2(min.x, min.y), Vec2(max.x, max.y), !disabled_now()});
+  WidgetMap& widgets = UiLayer::current().widgets();
+  widgets.note(id, {Vec2(min.x, min.y), Vec2(max.x, max.y), !disabled_now(), in_sight(min, max)});
+  if (widgets.wanted(id))
+    ImGui::ScrollToBringRectIntoView(ImGui::GetCurrentContext()->CurrentWindow, ImRect(min, max));
 }
 
 void tooltip(std::string_view text) {

@@ -45,8 +45,10 @@ class Drawing {
     }
     bottom_ = top_;
     if (lower_shown_) {
-      top_.max.y = top_.min.y + 0.6f * (top_.max.y - top_.min.y) - 5 * scale;
-      bottom_.min.y = top_.max.y + 10 * scale;
+      // The lowest number of the one stands above the highest of the other.
+      const float gap = ImGui::GetTextLineHeight() + 2 * scale;
+      top_.max.y = top_.min.y + 0.6f * (top_.max.y - top_.min.y - gap);
+      bottom_.min.y = top_.max.y + gap;
     }
     values_ = residual_axis(plot.history, plot.tolerance.value_or(1e-3), plot.series.residual,
                             plot.series.move);

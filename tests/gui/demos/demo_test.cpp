@@ -74,6 +74,20 @@ TEST_CASE("a demo goes back to where the step before had ended") {
   CHECK(rig.document().history().size() == 2);
 }
 
+TEST_CASE("the card of a demo covers neither the body nor where it goes") {
+  DemoRig rig;
+  rig.begin("A");
+  for (int step = 0; step < 3; ++step) {
+    INFO("step ", step);
+    if (step > 0) rig.next();
+    rig.frames(2);
+    const auto card = rig.bench->widgets().find("demo/card");
+    REQUIRE(card.has_value());
+    for (const Index node : rig.mesh().topology->marker_nodes(rig.marker("airfoil")))
+      CHECK(rig.pixel(rig.session().coordinates().xy(node)).y() < card->min.y());
+  }
+}
+
 TEST_CASE("a demo that plays by itself takes its steps without a hand") {
   DemoRig rig;
   rig.begin("E");

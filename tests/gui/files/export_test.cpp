@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "gui/commands/user_command.h"
+#include "gui/files/assets.h"
 #include "gui/files/file_kinds.h"
 #include "gui/studio/keys.h"
 #include "gui/studio/rig.h"
@@ -51,6 +52,33 @@ TEST_CASE("exporting asks before it replaces a file") {
   rig.click("prompt/Replace");
   REQUIRE(rig.settle());
   CHECK(io::read_mesh(path).mesh.coordinates == rig.mesh().coordinates);
+}
+
+TEST_CASE("nothing is exported among the meshes that come with the program") {
+  Rig rig;
+  rig.open(ring_mesh());
+  rig.bench->apply(action::RunSmooth{});
+  REQUIRE(rig.settle());
+  const auto refused = [&](const std::string& name, auto&& action_at) {
+    INFO("file ", name);
+    const auto path = assets_folder() / name;
+    rig.bench->apply(action_at(path));
+    rig.frames(6);
+    CHECK(rig.settle());
+    REQUIRE(rig.session().notice().has_value());
+    CHECK(rig.session().notice()->text == bundled_text);
+    CHECK(rig.session().prompt() == nullptr);
+    CHECK_FALSE(fs::exists(path));
+    rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
+  };
+  using fs::path;
+  refused("never.vtk", [](const path& p) { return action::ExportMesh{p}; });
+  refused("never.csv", [](const path& p) { return action::ExportMarkers{p, {}}; });
+  refused("never.json", [](const path& p) { return action::ExportRecipe{p}; });
+  refused("iterations.csv", [](const path& p) { return action::ExportConvergence{p}; });
+  refused("never.png", [](const path& p) { return action::SavePicture{p}; });
+  refused("window.png", [](const path& p) { return action::TakeScreenshot{p}; });
+  refused("never.gif", [](const path& p) { return action::StartRecording{p, {}}; });
 }
 
 TEST_CASE("the menu exports the selected markers as a curve") {

@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "gui/headless/run_headless.h"
 #include "gui/headless/script.h"
+#include "gui/headless/script_player.h"
 #include "gui/studio/keys.h"
 #include "gui/studio/rig.h"
 #include "io/recipe.h"
@@ -134,6 +135,35 @@ widgets tool/run
   CHECK(result.written.back() == "tool/run");
 }
 
+TEST_CASE("a script's clicks scroll to the control they name, or say that they cannot") {
+  TemporaryFolder folder;
+  write(folder, two_body_mesh());
+  HeadlessOptions options = small_window();
+  options.script = folder / "s.txt";
+  const auto play = [&](const std::string& text) {
+    std::ofstream(options.script) << "open mesh.su2\nsize 900 420\n" << text;
+    HeadlessStudio studio(options.width, options.height);
+    std::vector<std::string> said;
+    play_script(read_script(options.script), studio, {}, said);
+    const auto field = studio.bench().widgets().find("solver/max_iterations");
+    return std::pair{studio.bench().session().smooth_options().max_iterations,
+                     field && field->shown};
+  };
+  const auto [before, shown_before] = play("click solver/advanced\n");
+  CHECK_FALSE(shown_before);
+  REQUIRE(before != 37);
+  const auto [after, shown] = play("click solver/advanced\nfill solver/max_iterations 37\n");
+  CHECK(after == 37);
+  CHECK(shown);
+  // A row of a table reaches beyond its first column.
+  CHECK(play("click tab/vcv\nclick vcv/node\nkey Ctrl+A\ntype 40\nkey Enter\n"
+             "click vcv/row/1\n")
+            .first == before);
+  // A window without room for a control has nowhere to scroll it to.
+  std::ofstream(options.script) << "open mesh.su2\nsize 320 240\nclick tool/record\n";
+  CHECK(failure(options).find("s.txt:3: the widget \"tool/record\" cannot") != std::string::npos);
+}
+
 TEST_CASE("a script's mistakes name the line") {
   TemporaryFolder folder;
   const auto message = [&](const std::string& text) {
@@ -148,6 +178,7 @@ TEST_CASE("a script's mistakes name the line") {
   CHECK(message("\nclick no/such/widget\n").find("s.txt:2: ") != std::string::npos);
   CHECK(message("key Hyper\n").find("Hyper") != std::string::npos);
   CHECK(message("wheel 0 0 fast\n").find("fast") != std::string::npos);
+  CHECK(message("screenshot p.jpg\n").find("p.jpg: pictures are written") != std::string::npos);
 }
 
 TEST_CASE("keys are named as on the keyboard") {

@@ -87,7 +87,7 @@ TEST_CASE(
   CHECK(rig.session().vcv()->edits().size() == 1);
 }
 
-TEST_CASE("a radius with no other node in it changes nothing") {
+TEST_CASE("the button says to how many nodes a VCV goes, and is off where there is none") {
   Rig rig(1300, 1000);
   open_ring(rig);
   enter_node(rig, std::to_string(inner_node(rig)));
@@ -99,11 +99,15 @@ TEST_CASE("a radius with no other node in it changes nothing") {
   for (const char* radius : {"1e-9", "-1"}) {
     rig.fill("vcv/radius", radius);
     rig.frames(3);
+    CHECK_FALSE(rig.bench->widgets().find("vcv/apply")->enabled);
     rig.click("vcv/apply");
     REQUIRE(rig.settle());
     CHECK(rig.document().history().size() == steps);
     CHECK(rig.session().vcv()->edits().empty());
   }
+  rig.fill("vcv/radius", "1e9");
+  rig.frames(3);
+  CHECK(rig.bench->widgets().find("vcv/apply")->enabled);
 }
 
 TEST_CASE("typed angles and lengths: taken by Enter and Tab, the rest shared, nonsense refused") {

@@ -68,6 +68,21 @@ TEST_CASE("a typed number inspects a node; one on the boundary has no VCV, and t
   CHECK(rig.session().nodes().inspected() == rim);
   CHECK(rig.visible("vcv/none"));
   CHECK_FALSE(rig.visible("vcv/plot"));
+  const Camera before = rig.bench->camera();
+  enter_node(rig, "99999");
+  CHECK(rig.bench->camera().centre() == before.centre());
+  // One out of sight is brought into it; one in sight leaves the view alone.
+  rig.bench->apply(action::LookAt{Vec2(50, 50), 1});
+  rig.frames();
+  enter_node(rig, std::to_string(node));
+  rig.frames();
+  const Vec2 seen = rig.pixel(rig.mesh().coordinates.xy(node));
+  const Area& v = rig.bench->layout().viewport;
+  CHECK((seen - Vec2(v.x + v.width / 2, v.y + v.height / 2)).norm() < 100);
+  const Vec2 centre = rig.bench->camera().centre();
+  enter_node(rig, std::to_string(rig.mesh().topology->neighbours(node)[0]));
+  CHECK(rig.bench->camera().centre() == centre);
+  enter_node(rig, std::to_string(rim));
   enter_node(rig, "99999");
   CHECK(rig.session().nodes().inspected() == rim);
   REQUIRE(rig.session().notice().has_value());

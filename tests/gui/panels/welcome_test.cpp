@@ -95,6 +95,16 @@ TEST_CASE("meshes and demos of the welcome page are all on screen at 1100 by 720
   }
 }
 
+TEST_CASE("the welcome page stands in the middle of a large window") {
+  Rig rig(2560, 1440);
+  const auto first = rig.bench->widgets().find("welcome/" + bundled_meshes().front().id);
+  const auto last = rig.bench->widgets().find("welcome/" + bundled_meshes().back().id);
+  REQUIRE(first.has_value());
+  REQUIRE(last.has_value());
+  CHECK(first->min.x() + last->max.x() == doctest::Approx(2560).epsilon(0.005));
+  CHECK(rig.bench->widgets().find("welcome/open")->min.y() > 200);
+}
+
 TEST_CASE("a script's wait waits for the pictures on the cards, over a mesh as well") {
   HeadlessStudio studio(1100, 720);
   const auto pictured = [&] {

@@ -192,8 +192,36 @@ TEST_CASE("a typed motion that ends on the way is recorded as far as it got") {
   CHECK(rig.session().banner()->kind == Banner::Kind::partial_motion);
   CHECK(last_move(rig).motion.translate.x() < 4);
   CHECK(error_of_marker(before, rig.mesh(), "flap", last_move(rig).motion) < 1e-9);
+  // A shift that was cut short has not become a turn by a rounding error.
+  CHECK(last_move(rig).motion.rotate == 0);
+  CHECK(last_move(rig).motion.translate.y() == 0);
   rig.click("banner/undo");
   CHECK(rig.mesh().coordinates == before.coordinates);
+  CHECK(rig.session().notice()->text.find("Undone: Move flap") == 0);
+}
+
+TEST_CASE("what a banner says wraps in a narrow window, above its buttons and within its strip") {
+  Rig rig(1100, 720);
+  rig.open(ring_mesh());
+  rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
+  rig.bench->apply(action::ApplyMotion{{0, Vec2(0, 0), Vec2(40, 0)}});
+  REQUIRE(rig.settle());
+  for (const int width : {1600, 1100, 800}) {
+    INFO("width ", width);
+    rig.resize(width, 720);
+    rig.frames(4);
+    const auto text = rig.bench->widgets().find("banner");
+    const auto button = rig.bench->widgets().find("banner/keep");
+    REQUIRE(text.has_value());
+    REQUIRE(button.has_value());
+    const Area& v = rig.bench->layout().viewport;
+    CHECK(text->max.x() <= v.x + v.width);
+    CHECK(button->max.x() <= v.x + v.width);
+    CHECK(button->shown);
+    const bool beside = text->max.x() <= button->min.x();
+    CHECK((beside || text->max.y() <= button->min.y()));
+    CHECK(beside == (width == 1600));
+  }
 }
 
 TEST_CASE("a second drag before the first has converged adds to it") {

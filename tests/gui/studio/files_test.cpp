@@ -129,6 +129,10 @@ TEST_CASE("save as goes through the dialog into another format") {
   rig.fill("dialog/name", "copy.xyz");
   rig.click("dialog/accept");
   CHECK(rig.bench->file_dialog().is_open());  // no format of ours
+  rig.frames(2);
+  const auto error = rig.bench->widgets().find("dialog/error");
+  REQUIRE(error.has_value());
+  CHECK(error->max.y() <= rig.bench->widgets().find("dialog/accept")->min.y());
   rig.fill("dialog/name", "copy.msh");
   rig.click("dialog/accept");
   REQUIRE(rig.settle());

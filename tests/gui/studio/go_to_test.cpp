@@ -45,6 +45,17 @@ TEST_CASE("Ctrl+G and an id go to an element, highlight it and say what it is") 
   CHECK(value(rig, item, "Element 45") == "triangle");
   CHECK(value(rig, item, "Normalized Jacobian").substr(0, 4) ==
         std::to_string(element_value(rig.mesh(), 45, Metric::normalized_jacobian)).substr(0, 4));
+  // Asked for again, it takes another place instead of adding to the last.
+  rig.key(GLFW_KEY_G, {keys::control});
+  rig.frames(2);
+  rig.type("e46");
+  rig.key(keys::enter);
+  CHECK(rig.bench->view_state().focus == MeshItem{MeshItem::Kind::element, 46});
+  rig.key(GLFW_KEY_G, {keys::control});
+  rig.frames(2);
+  rig.type("e45");
+  rig.key(keys::enter);
+  rig.frames();
   const Image lit = rig.bench->picture();
   rig.click("go_to/clear");
   rig.frames();

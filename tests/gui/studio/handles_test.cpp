@@ -224,6 +224,24 @@ TEST_CASE("hovering a handle says what it does") {
   CHECK(differing(before, hinted, at + Vec2(20, 16), at + Vec2(100, 36)) > 300);
 }
 
+TEST_CASE("the numbers of a drag stay in sight: over the legend, and where the view ends") {
+  Rig rig;
+  open_ring(rig);
+  const auto legend = rig.bench->widgets().find("legend");
+  REQUIRE(legend.has_value());
+  const Area& v = rig.bench->layout().viewport;
+  const Vec2 at(v.x + v.width - 8, legend->min.y() + 50);
+  rig.drag(rig.gizmo().pivot, at);
+  rig.frames();
+  const Image image = rig.bench->picture();
+  int dark = 0;
+  for (int x = 14; x < 120; ++x)
+    for (int y = 14; y < 32; ++y) dark += brightness(image, at + Vec2(-x, y)) < 0.35 ? 1 : 0;
+  CHECK(dark > 1000);
+  rig.key(keys::escape);
+  rig.release();
+}
+
 TEST_CASE("the status line and the handle say when no valid mesh lies beyond") {
   Rig rig;
   open_ring(rig);

@@ -48,6 +48,20 @@ Coordinates by_hand(const std::vector<double>& rotations) {
 
 }  // namespace
 
+TEST_CASE("the status line says where in the history the mesh is") {
+  Rig rig(1300, 900);
+  three_motions(rig);
+  const auto said = [&] { return rig.session().notice()->text; };
+  rig.key(keys::z, {keys::control});
+  CHECK(said() == "Undone: Rotate flap by 5 deg");
+  rig.key(keys::z, {keys::control, keys::shift});
+  CHECK(said() == "Done again: Rotate flap by 5 deg");
+  rig.click("history/1");
+  CHECK(said() == "The mesh is as it was after: Rotate flap by 10 deg");
+  rig.click("history/0");
+  CHECK(said() == "The mesh is as it was opened.");
+}
+
 TEST_CASE("editing a past command gives the mesh that doing it by hand gives") {
   Rig rig(1300, 900);
   const auto meshes = three_motions(rig);

@@ -120,6 +120,37 @@ TEST_CASE("Shift+F shows the selection") {
   CHECK(rig.bench->camera().visible().size().x() < 6);
 }
 
+TEST_CASE("Esc closes an open list or menu, and only that") {
+  Rig rig;
+  rig.open(ring_mesh());
+  rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
+  rig.click("menu/Edit");
+  rig.frames(2);
+  CHECK(rig.visible("menu/undo"));
+  rig.key(keys::escape);
+  rig.frames(2);
+  CHECK_FALSE(rig.visible("menu/undo"));
+  rig.click("tab/view");
+  rig.click("view/style");
+  rig.frames(2);
+  CHECK(rig.visible("view/style/Edges"));
+  rig.key(keys::escape);
+  rig.frames(2);
+  CHECK_FALSE(rig.visible("view/style/Edges"));
+  CHECK(rig.session().selection().size() == 1);
+  // The dialog stays that the list belongs to.
+  rig.key(keys::o, {keys::control});
+  rig.frames(3);
+  rig.click("dialog/filter");
+  rig.frames(2);
+  rig.key(keys::escape);
+  rig.frames(2);
+  CHECK(rig.bench->file_dialog().is_open());
+  rig.key(keys::escape);
+  rig.frames(2);
+  CHECK_FALSE(rig.bench->file_dialog().is_open());
+}
+
 TEST_CASE("colouring by quality changes the pixels of the mesh, and the legend shows it") {
   Rig rig;
   rig.open(ring_mesh());
