@@ -35,6 +35,7 @@ void LayersPanel::draw(const PanelContext& context) {
   if (!names_.empty()) draw_settings(context);
   draw_walls(context);
   draw_corners();
+  columns_.draw(context, command(context, LayerTask::insert).layers.walls);
   draw_insertion(context);
   draw_in_place(context);
   ImGui::EndDisabled();
@@ -44,6 +45,7 @@ void LayersPanel::draw(const PanelContext& context) {
 void LayersPanel::follow(const PanelContext& context) {
   if (generation_ != context.session.generation()) {
     walls_.clear();
+    columns_.clear();
     shown_.clear();
     generation_ = context.session.generation();
   }
@@ -108,6 +110,8 @@ LayersCommand LayersPanel::command(const PanelContext& context, LayerTask task) 
   command.layers = corners_;
   command.layers.walls = walls_.walls();
   if (command.layers.walls.empty()) command.layers.walls = {{names_, form_.spacing()}};
+  if (task == LayerTask::insert)  // layers that are there have the columns that they have
+    command.layers.overrides = columns_.on(*context.topology(), command.layers.walls);
   command.control = control_;
   command.smooth = context.session.smooth_options();
   return command;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "gui/panels/layers/column_list.h"
 #include "gui/panels/layers/layer_result.h"
 #include "gui/panels/layers/spacing_form.h"
 #include "gui/panels/layers/wall_list.h"
@@ -29,6 +30,7 @@ class LayersPanel : public Panel {
 
   SpacingForm form_;
   WallList walls_;
+  ColumnList columns_;
   LayerResult result_;
   LayerOptions corners_;
   bool control_ = true, preview_ = true;

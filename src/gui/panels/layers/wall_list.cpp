@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "gui/panels/layers/list_row.h"
 #include "gui/studio/text.h"
-#include "gui/widgets/controls.h"
 
 namespace winslow::gui {
 
@@ -51,52 +51,26 @@ void WallList::add(LayerWall wall) {
 }
 
 void WallList::draw(const PanelContext& context) {
-  if (walls_.empty()) return;
-  const Theme& theme = context.theme;
-  const float row = 2 * ImGui::GetTextLineHeight() + theme.px(10);
-  const auto rows = static_cast<float>(std::min<std::size_t>(walls_.size(), 5));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(2, 2));
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-  ImGui::BeginChild("walls", ImVec2(0, row * rows + theme.px(6)), true);
-  const std::size_t before = walls_.size();
-  for (std::size_t k = 0; k < walls_.size() && walls_.size() == before; ++k) draw_row(context, k);
-  ImGui::EndChild();
-  ImGui::PopStyleVar(2);
+  draw_list("walls", walls_.size(), context.theme,
+            [&](std::size_t k) { return draw_row(context, k); });
 }
 
-void WallList::draw_row(const PanelContext& context, std::size_t k) {
-  const Theme& theme = context.theme;
+/// False if the wall was taken out.
+bool WallList::draw_row(const PanelContext& context, std::size_t k) {
   const LayerWall& wall = walls_[k];
-  const std::string id = "layers/wall/" + std::to_string(k);
-  const float pad = theme.px(6), cross = theme.px(26), line = ImGui::GetTextLineHeight();
-  const ImVec2 start = ImGui::GetCursorScreenPos();
-  const ImVec2 size(ImGui::GetContentRegionAvail().x - cross, 2 * line + theme.px(10));
-  const bool pressed = ImGui::InvisibleButton(id.c_str(), size);
-  ui::note(id);
-  const bool over = ImGui::IsItemHovered();
-  ui::tooltip(marker_list(wall.markers) + "\n" + summary(wall.spacing) +
-              "\nClick to select these markers and change the settings of this wall.");
+  const std::string names = marker_list(wall.markers);
   std::vector<Index> markers = indices(wall.markers, *context.topology());
   std::ranges::sort(markers);
-  const bool shown = markers == context.session.selection();
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (shown || over)
-    list.AddRectFilled(start, ImVec2(start.x + size.x, start.y + size.y), palette().accent_soft,
-                       theme.px(4));
-  const auto text = [&](float y, const std::string& what, ImU32 color) {
-    list.AddText(ImVec2(start.x + pad, start.y + theme.px(4) + y), color,
-                 ui::elided(what, size.x - 2 * pad).c_str());
-  };
-  text(0, marker_list(wall.markers), palette().text);
-  text(line + theme.px(2), summary(wall.spacing), palette().text_dim);
-  if (pressed) context.emit(action::SelectMarkers{std::move(markers)});
-  ImGui::SetCursorScreenPos(
-      ImVec2(start.x + size.x, start.y + (size.y - ImGui::GetFrameHeight()) / 2));
-  if (ui::button(id + "/remove", "\xC3\x97",
-                 {"Take this wall out of the list.", ui::ButtonStyle::flat, true, cross}))
-    walls_.erase(walls_.begin() + static_cast<std::ptrdiff_t>(k));
-  ImGui::SetCursorScreenPos(ImVec2(start.x, start.y + size.y));
-  ImGui::Dummy(ImVec2(0, 0));  // the place of the next row counts as drawn
+  const RowAnswer answer =
+      draw_list_row({"layers/wall/" + std::to_string(k), names, summary(wall.spacing),
+                     names + "\n" + summary(wall.spacing) +
+                         "\nClick to select these markers and change the settings of this wall.",
+                     "Take this wall out of the list.", markers == context.session.selection()},
+                    context.theme);
+  if (answer == RowAnswer::pressed) context.emit(action::SelectMarkers{std::move(markers)});
+  if (answer != RowAnswer::removed) return true;
+  walls_.erase(walls_.begin() + static_cast<std::ptrdiff_t>(k));
+  return false;
 }
 
 }  // namespace winslow::gui

@@ -24,7 +24,7 @@ class WallList {
   void draw(const PanelContext& context);
 
  private:
-  void draw_row(const PanelContext& context, std::size_t k);
+  bool draw_row(const PanelContext& context, std::size_t k);
 
   std::vector<LayerWall> walls_;
 };
