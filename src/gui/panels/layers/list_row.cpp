@@ -51,6 +51,7 @@ void draw_list(const char* id, std::size_t count, const Theme& theme,
   }
   ImGui::EndChild();
   ImGui::PopStyleVar(2);
+  ImGui::Spacing();  // the list itself ends without a gap
 }
 
 }  // namespace winslow::gui
