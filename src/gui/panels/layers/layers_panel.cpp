@@ -32,12 +32,14 @@ void LayersPanel::draw(const PanelContext& context) {
     if (walls_.walls().empty()) return hide();
   }
   ImGui::BeginDisabled(context.session.in_motion());
-  if (!names_.empty()) draw_settings(context);
+  if (!names_.empty()) draw_settings();
   draw_walls(context);
   draw_corners();
   columns_.draw(context, command(context, LayerTask::insert).layers.walls);
   draw_insertion(context);
   draw_in_place(context);
+  // Below the buttons, so that these need no scrolling.
+  if (!names_.empty()) ui::height_plot("layers/plot", {form_.heights(), {}}, context.theme);
   ImGui::EndDisabled();
 }
 
@@ -57,7 +59,7 @@ void LayersPanel::follow(const PanelContext& context) {
   shown_ = wall ? names_ : std::vector<std::string>();
 }
 
-void LayersPanel::draw_settings(const PanelContext& context) {
+void LayersPanel::draw_settings() {
   if (!walls_.walls().empty()) {
     const std::string of = marker_list(names_);
     ui::text_dim(ui::elided(shown_.empty() ? of + ": not in the list yet" : "Settings of " + of,
@@ -67,7 +69,6 @@ void LayersPanel::draw_settings(const PanelContext& context) {
   }
   form_.draw();
   if (LayerWall* wall = walls_.find(names_)) wall->spacing = form_.spacing();
-  ui::height_plot("layers/plot", {form_.heights(), {}}, context.theme);
 }
 
 void LayersPanel::draw_walls(const PanelContext& context) {

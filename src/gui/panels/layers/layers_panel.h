@@ -19,7 +19,7 @@ class LayersPanel : public Panel {
 
  private:
   void follow(const PanelContext& context);
-  void draw_settings(const PanelContext& context);
+  void draw_settings();
   void draw_walls(const PanelContext& context);
   void draw_corners();
   void draw_insertion(const PanelContext& context);
