@@ -10,6 +10,7 @@
 #include "core/layers/layer_detection.h"
 #include "core/layers/layer_insertion.h"
 #include "core/layers/layer_measures.h"
+#include "core/layers/sound_plan.h"
 #include "core/quality/quality.h"
 
 namespace winslow {
@@ -141,56 +142,6 @@ class Runs {
   SmoothResult& result_;
 };
 
-bool corner_valid(const Vec2& p, const Vec2& next, const Vec2& previous) {
-  const Vec2 a = next - p, b = previous - p;
-  return a.x() * b.y() - a.y() * b.x() > 0;
-}
-
-/// Columns whose layers, laid out, have an inverted element between them.
-std::vector<std::size_t> crossing_columns(const LayerStack& stack, const Coordinates& x) {
-  const auto points = [&](const LayerColumn& column) {
-    std::vector<Vec2> all{x.xy(column.wall_node)};
-    for (std::size_t k = 0; k < column.count(); ++k) {
-      all.push_back(all.back() + wanted_length(column, k) * column.direction);
-    }
-    return all;
-  };
-  std::vector<std::size_t> crossing;
-  for (const ColumnPair& pair : stack.pairs) {
-    const auto a = points(stack.columns[pair.left]), b = points(stack.columns[pair.right]);
-    bool good = true;
-    for (std::size_t k = 0; k + 1 < std::max(a.size(), b.size()) && good; ++k) {
-      // At a shorter column's rim, and at the wall under a fan, the element is a triangle.
-      std::vector<Vec2> corners{a[std::min(k, a.size() - 1)], b[std::min(k, b.size() - 1)]};
-      if (corners[0] == corners[1]) corners.pop_back();
-      if (k + 1 < b.size()) corners.push_back(b[k + 1]);
-      if (k + 1 < a.size()) corners.push_back(a[k + 1]);
-      const std::size_t n = corners.size();
-      for (std::size_t c = 0; c < n; ++c) {
-        good = good && corner_valid(corners[c], corners[(c + 1) % n], corners[(c + n - 1) % n]);
-      }
-    }
-    if (good) continue;
-    crossing.push_back(pair.left);
-    crossing.push_back(pair.right);
-  }
-  std::sort(crossing.begin(), crossing.end());
-  crossing.erase(std::unique(crossing.begin(), crossing.end()), crossing.end());
-  return crossing;
-}
-
-/// A plan whose columns do not cross.
-LayerStack sound_plan(const Mesh& mesh, const LayerOptions& options) {
-  constexpr int most_rounds = 60;
-  LayerStack stack = plan_layers(mesh, options);
-  for (int round = 0; round < most_rounds; ++round) {
-    const auto crossing = crossing_columns(stack, mesh.coordinates);
-    if (crossing.empty()) break;
-    take_room(stack, crossing, 0.8, LayerLimit::crossing, options, mesh.coordinates);
-  }
-  return stack;
-}
-
 /// The largest of a falling sequence of shares of the thickness at which the elements outside are
 /// valid without any of them being moved; 0 if there is none.
 double first_share(const LayerInsertion& layers, const Coordinates& rest, Coordinates& x) {
@@ -205,9 +156,7 @@ double first_share(const LayerInsertion& layers, const Coordinates& rest, Coordi
 
 /// Layers in a mesh where the elements outside have made room for them.
 LayerInsertion make_room(const LayersCommand& command, const MeshState& state, Runs& runs) {
-  LayerOptions options = with_counts(command.layers, state.mesh);
-  // Heights that are not held afterwards are worth no layer.
-  options.scale_all = options.scale_all || !command.control;
+  const LayerOptions options = with_counts(options_of(command), state.mesh);
   LayerStack plan = sound_plan(state.mesh, options);
   SmoothOptions smooth;  // only valid meshes on the way count: the default, whatever was asked for
   smooth.threads = command.smooth.threads;
@@ -303,6 +252,13 @@ void slide_along_columns(const LayerStack& stack, Coordinates& x) {
   }
 }
 
+/// Layers at some walls, and those at others that were held before: these stay in hand.
+LayerStack together_with_held(LayerStack stack, const LayerStack* before,
+                              const Topology& topology) {
+  if (!before || !before->held) return stack;
+  return with_other_layers(std::move(stack), *before, topology);
+}
+
 /// The layers that the mesh has, with the heights they are to have.
 void take_in_hand(const LayersCommand& command, MeshState& state) {
   if (!command.layers.overrides.empty()) {
@@ -324,11 +280,19 @@ void take_in_hand(const LayersCommand& command, MeshState& state) {
       state.mesh.coordinates = std::move(x);
     }
   }
+  stack = together_with_held(std::move(stack), state.layers.get(), *state.mesh.topology);
   stack.held = true;
   state.layers = std::make_shared<const LayerStack>(std::move(stack));
 }
 
 }  // namespace
+
+LayerOptions options_of(const LayersCommand& command) {
+  LayerOptions options = command.layers;
+  // Heights that are not held afterwards are worth no layer.
+  options.scale_all = options.scale_all || !command.control;
+  return options;
+}
 
 CommandResult run_layers(const LayersCommand& command, const MeshState& state,
                          const ExecuteOptions& run) {
@@ -346,6 +310,10 @@ CommandResult run_layers(const LayersCommand& command, const MeshState& state,
   }
   LayerInsertion layers = make_room(command, state, runs);
   result.state.mesh = std::move(layers.mesh);
+  if (command.control) {
+    layers.stack = together_with_held(std::move(layers.stack), state.layers.get(),
+                                      *result.state.mesh.topology);
+  }
   layers.stack.held = command.control;
   result.state.layers = std::make_shared<const LayerStack>(std::move(layers.stack));
   if (command.control) {

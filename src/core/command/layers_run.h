@@ -4,10 +4,14 @@
 
 namespace winslow {
 
+/// What an insertion plans its layers by.
+LayerOptions options_of(const LayersCommand& command);
+
 /// Carries out the command. Insertion: plans and inserts layers, makes room for them by pushing the
 /// elements outside along a path of valid meshes, then smooths towards VCVs that ask for the wanted
-/// heights, and corrects these until the heights are met. Throws UsageError, Cancelled;
-/// NumericError if no room can be made.
+/// heights, and corrects these until the heights are met. Layers that are inserted to
+/// be held, or taken in hand, join those that are held at other walls. Throws UsageError,
+/// Cancelled; NumericError if no room can be made.
 CommandResult run_layers(const LayersCommand& command, const MeshState& state,
                          const ExecuteOptions& run);
 

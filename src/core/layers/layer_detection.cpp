@@ -224,6 +224,50 @@ class Detector {
 
 }  // namespace
 
+namespace {
+
+/// Place of each known column in the stack of found ones, those of other walls appended to it. On
+/// a node where walls meet the found columns count; none: a known one that is not among them.
+std::vector<std::optional<std::size_t>> join_columns(LayerStack& found, const LayerStack& known) {
+  std::multimap<Index, std::size_t> by_node;
+  for (std::size_t c = 0; c < found.columns.size(); ++c)
+    by_node.emplace(found.columns[c].wall_node, c);
+  std::vector<std::optional<std::size_t>> place(known.columns.size());
+  for (std::size_t c = 0; c < known.columns.size(); ++c) {
+    const LayerColumn& column = known.columns[c];
+    auto [first, last] = by_node.equal_range(column.wall_node);
+    if (first == last) {
+      place[c] = found.columns.size();
+      found.columns.push_back(column);
+    }
+    const auto second = [](const LayerColumn& l) { return l.nodes.size() < 2 ? -1 : l.nodes[1]; };
+    for (; first != last; ++first)
+      if (second(found.columns[first->second]) == second(column)) place[c] = first->second;
+  }
+  return place;
+}
+
+}  // namespace
+
+LayerStack with_other_layers(LayerStack found, const LayerStack& known, const Topology& topology) {
+  const std::size_t own = found.columns.size();
+  const auto place = join_columns(found, known);
+  for (const ColumnPair& pair : known.pairs) {
+    const auto left = place[pair.left], right = place[pair.right];
+    if (left && right && (*left >= own || *right >= own)) found.pairs.push_back({*left, *right});
+  }
+  std::vector<bool> in_column(at(topology.node_count()), false);
+  for (const LayerColumn& column : found.columns)
+    for (const Index node : column.nodes) in_column[at(node)] = true;
+  for (std::size_t e = 0; e < known.layer_of_element.size(); ++e) {
+    const auto corners = topology.element(static_cast<Index>(e));
+    if (found.layer_of_element[e] < 0 &&
+        std::ranges::all_of(corners, [&](Index node) { return in_column[at(node)]; }))
+      found.layer_of_element[e] = known.layer_of_element[e];
+  }
+  return found;
+}
+
 LayerStack detect_layers(const Mesh& mesh, const LayerOptions& options) {
   if (options.walls.empty()) throw UsageError("no wall is given to look for layers at");
   return Detector(mesh, options).detect();

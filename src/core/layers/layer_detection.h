@@ -18,4 +18,8 @@ LayerStack detect_layers(const Mesh& mesh, const LayerOptions& options);
 /// that takes more room than there is, as plan_layers() does.
 void respace_layers(LayerStack& stack, const Mesh& mesh, const LayerOptions& options);
 
+/// Layers found at some walls together with the known ones of all other walls, which stay as they
+/// are. Both are of this topology, `known` perhaps of one with fewer elements, numbered alike.
+LayerStack with_other_layers(LayerStack found, const LayerStack& known, const Topology& topology);
+
 }  // namespace winslow

@@ -78,7 +78,11 @@ class ArchiveReader {
   template <class Number>
   void number(Number& value) {
     static_assert(std::is_trivially_copyable_v<Number>);
-    std::memcpy(&value, take(sizeof value).data(), sizeof value);
+    const std::string_view bytes = take(sizeof value);
+    if constexpr (std::is_same_v<Number, bool>) {
+      if (bytes[0] != 0 && bytes[0] != 1) fail("neither yes nor no");
+    }
+    std::memcpy(&value, bytes.data(), sizeof value);
   }
   template <class Number>
   void numbers(std::vector<Number>& values) {

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "gui/autosave/archive.h"
+#include "gui/autosave/step_checks.h"
 #include "io/atomic_file.h"
 
 namespace winslow::gui {
@@ -141,6 +142,14 @@ struct Parts {
   bool topology = false, vcv = false, layers = false, any_layers = false;
 };
 
+template <class Archive, class AnyParts>
+void part_fields(Archive& archive, AnyParts& parts) {
+  archive.number(parts.topology);
+  archive.number(parts.vcv);
+  archive.number(parts.layers);
+  archive.number(parts.any_layers);
+}
+
 Parts changed_parts(const MeshState& state, const MeshState& before) {
   return {state.mesh.topology != before.mesh.topology, state.vcv != before.vcv,
           state.layers != before.layers, state.layers != nullptr};
@@ -159,24 +168,36 @@ void read_coordinates(ArchiveReader& reader, Coordinates& x) {
   std::copy(values.begin(), values.end(), x.values().begin());
 }
 
+void refuse(ArchiveReader& reader, const std::string& fault) {
+  if (!fault.empty()) reader.fail(fault);
+}
+
+std::shared_ptr<const Topology> read_topology(ArchiveReader& reader, const Coordinates& x) {
+  MeshData data;
+  topology_fields(reader, data);
+  data.coordinates = x;
+  refuse(reader, fault_of(data));
+  return Topology::build(data);
+}
+
 /// The state before, with all that was written of the one after it.
 MeshState read_state(ArchiveReader& reader, const MeshState& before) {
   MeshState state = before;
   read_coordinates(reader, state.mesh.coordinates);
   Parts parts;
-  reader.number(parts);
-  if (parts.topology) {
-    MeshData data;
-    topology_fields(reader, data);
-    data.coordinates = state.mesh.coordinates;
-    state.mesh.topology = Topology::build(data);
-  }
-  if (state.mesh.coordinates.size() != state.mesh.topology->node_count())
+  part_fields(reader, parts);
+  if (parts.topology) state.mesh.topology = read_topology(reader, state.mesh.coordinates);
+  const Topology& topology = *state.mesh.topology;
+  if (state.mesh.coordinates.size() != topology.node_count())
     reader.fail(std::to_string(state.mesh.coordinates.size()) + " nodes of " +
-                std::to_string(state.mesh.topology->node_count()));
+                std::to_string(topology.node_count()));
+  // What belongs to other elements than there are now cannot have stayed as it was.
+  if (parts.topology && (!parts.vcv || (state.layers && !parts.layers)))
+    reader.fail("other elements without their control volumes or layers");
   if (parts.vcv) {
     VcvData data;
     vcv_fields(reader, data);
+    refuse(reader, fault_of(data.roles));
     state.vcv = made_of(data, state.mesh.topology);
   }
   if (parts.layers) {
@@ -184,6 +205,7 @@ MeshState read_state(ArchiveReader& reader, const MeshState& before) {
     if (parts.any_layers) {
       LayerStack stack;
       layer_fields(reader, stack);
+      refuse(reader, fault_of(stack, topology));
       state.layers = std::make_shared<const LayerStack>(std::move(stack));
     }
   }
@@ -200,7 +222,7 @@ void write_step(const std::filesystem::path& path, const MeshState& state, const
     writer.number(state.mesh.coordinates.dimension());
     writer.numbers(state.mesh.coordinates.values());
     const Parts parts = changed_parts(state, before);
-    writer.number(parts);
+    part_fields(writer, parts);
     if (parts.topology) {
       const MeshData data = data_of(*state.mesh.topology);
       topology_fields(writer, data);
@@ -223,7 +245,13 @@ CommandResult read_step(const std::filesystem::path& path, const MeshState& befo
   reader.number(found);
   if (found != magic) reader.fail("something else");
   CommandResult step;
-  step.state = read_state(reader, before);
+  try {
+    step.state = read_state(reader, before);
+  } catch (const InputError&) {
+    throw;
+  } catch (const Error& error) {  // no mesh, or no control volumes, can be made of the numbers
+    reader.fail(error.what());
+  }
   result_fields(reader, step.smooth);
   reader.list(step.smooth.history, [](auto& a, auto& record) { record_fields(a, record); });
   if (!reader.empty()) reader.fail("more than one");

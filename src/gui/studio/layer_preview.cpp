@@ -3,6 +3,8 @@
 #include <exception>
 #include <utility>
 
+#include "core/layers/sound_plan.h"
+
 namespace winslow::gui {
 
 bool LayerPreview::update(const Mesh* mesh) {
@@ -20,7 +22,7 @@ bool LayerPreview::update(const Mesh* mesh) {
     Outcome outcome{mesh, options, nullptr, {}};
     try {
       outcome.plan =
-          std::make_shared<const LayerStack>(plan_layers(mesh, with_counts(options, mesh)));
+          std::make_shared<const LayerStack>(sound_plan(mesh, with_counts(options, mesh)));
     } catch (const std::exception& error) {
       outcome.error = error.what();
     }

@@ -203,6 +203,8 @@ class Session {
   double pace_of(Command command) const;
   void shape_changed();
   void follow_topology();
+  void follow_nodes(const std::shared_ptr<const Topology>& before,
+                    const std::shared_ptr<const Topology>& now);
   MeshState measured_state() const;
   void position_changed();
   void place_pivot();
@@ -258,6 +260,13 @@ class Session {
   std::optional<std::size_t> rerun_;       // position of the history that the job leads to again
 
   NodeSelection nodes_;
+  /// Nodes that were let go of when the mesh on screen came to be of another connectivity.
+  struct LostNodes {
+    std::weak_ptr<const Topology> topology;  ///< of which they are
+    std::vector<Index> pinned;
+    std::optional<Index> inspected;
+  };
+  std::vector<LostNodes> lost_nodes_;
   std::shared_ptr<const VirtualControlVolumes> edited_vcv_;  // of the edit under way
   bool editing_vcv_ = false;                                 // under the mouse
   // While a job shows a mesh of another connectivity than the document's.

@@ -59,6 +59,7 @@ void Session::forget_mesh() {
   selection_.clear();
   hovered_.clear();
   nodes_ = {};
+  lost_nodes_.clear();
   anchors_.reset();
   pivot_place_ = PivotPlace::centre;
   shape_edit_ = {};

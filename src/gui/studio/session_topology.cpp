@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "gui/studio/session.h"
 
@@ -49,9 +51,29 @@ void Session::follow_topology() {
   hovered_ = same_names(hovered_, *before, *now);
   shape_edit_.arc.reset();  // counts along the loops of before
   preview_.reset();
-  nodes_.keep_if([&](Index node) { return same_star(node, *before, *now); });
+  follow_nodes(before, now);
   const bool passing = now != document_->topology();
   passing_vcv_ = passing ? std::make_shared<const VirtualControlVolumes>(now) : nullptr;
+}
+
+/// Nodes whose star is another one now are let go of, and taken up again when a mesh of the
+/// connectivity before is back: an insertion was cancelled or undone.
+void Session::follow_nodes(const std::shared_ptr<const Topology>& before,
+                           const std::shared_ptr<const Topology>& now) {
+  const auto goes = [&](Index node) { return !same_star(node, *before, *now); };
+  LostNodes lost{before, {}, std::nullopt};
+  std::ranges::copy_if(nodes_.pinned(), std::back_inserter(lost.pinned), goes);
+  if (nodes_.inspected() && goes(*nodes_.inspected())) lost.inspected = nodes_.inspected();
+  nodes_.keep_if([&](Index node) { return !goes(node); });
+  std::erase_if(lost_nodes_, [&](const LostNodes& earlier) {
+    const auto topology = earlier.topology.lock();
+    if (topology == now) {
+      nodes_.pin(earlier.pinned);
+      if (!nodes_.inspected() && earlier.inspected) nodes_.inspect(earlier.inspected);
+    }
+    return !topology || topology == now || topology == before;
+  });
+  if (!lost.pinned.empty() || lost.inspected) lost_nodes_.push_back(std::move(lost));
 }
 
 }  // namespace winslow::gui

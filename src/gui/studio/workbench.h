@@ -22,7 +22,7 @@
 #include "gui/panels/help_panel.h"
 #include "gui/panels/history_panel.h"
 #include "gui/panels/isolate_panel.h"
-#include "gui/panels/layers_panel.h"
+#include "gui/panels/layers/layers_panel.h"
 #include "gui/panels/markers_panel.h"
 #include "gui/panels/menu_bar.h"
 #include "gui/panels/motion_panel.h"

@@ -52,19 +52,13 @@ class Form {
   }
 
   void operator()(LayersCommand& command) {
-    for (std::size_t w = 0; w < command.layers.walls.size(); ++w) {
-      wall(command.layers.walls[w], "wall" + std::to_string(w) + "_");
+    if (command.task == LayerTask::hold) {
+      text_wrapped("The layers keep the heights that they have.");
+      return options(command.smooth);
     }
-    row("");
-    changed_ |= checkbox(prefix_ + "/control", "Hold the spacing", command.control,
-                         "Ask for the heights through the virtual control volumes. Off: smoothing "
-                         "spreads the layers as it likes.");
-    row("");
-    changed_ |= checkbox(prefix_ + "/fans", "Fans at sharp corners", command.layers.fans,
-                         "Several columns at sharp convex corners, such as a trailing edge.");
-    if (command.layers.fans)
-      field("fan_angle", "Fan angle", command.layers.fan_angle,
-            "Between neighbouring columns of a fan, degrees.");
+    for (std::size_t w = 0; w < command.layers.walls.size(); ++w)
+      wall(command.layers.walls[w], "wall" + std::to_string(w) + "_");
+    if (command.task == LayerTask::insert) insertion(command);
     field("clearance", "Clearance", command.layers.clearance,
           "Share of a gap's width that the layers of either side may take, below 0.5.");
     options(command.smooth);
@@ -78,6 +72,19 @@ class Form {
   }
 
  private:
+  void insertion(LayersCommand& command) {
+    row("");
+    changed_ |= checkbox(prefix_ + "/control", "Hold the spacing", command.control,
+                         "Ask for the heights through the virtual control volumes. Off: smoothing "
+                         "spreads the layers as it likes.");
+    row("");
+    changed_ |= checkbox(prefix_ + "/fans", "Fans at sharp corners", command.layers.fans,
+                         "Several columns at sharp convex corners, such as a trailing edge.");
+    if (command.layers.fans)
+      field("fan_angle", "Fan angle", command.layers.fan_angle,
+            "Between neighbouring columns of a fan, degrees.");
+  }
+
   void wall(LayerWall& wall, const std::string& name) {
     std::string markers;
     for (const std::string& marker : wall.markers)

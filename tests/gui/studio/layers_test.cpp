@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -148,16 +149,23 @@ TEST_CASE("a body dragged with the mouse keeps its layers") {
   CHECK(rig.document().history().result(2).inverted == 0);
 }
 
-TEST_CASE("Esc while layers are being inserted leaves the mesh as it was") {
+TEST_CASE("Esc while layers are being inserted leaves the mesh as it was, pins and all") {
   Rig rig;
   rig.open(ring_mesh());
   const MeshState before = rig.document().state();
   rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
+  const Index near = 24 + 3, far = 24 * 4 + 3;
+  rig.bench->apply(action::PinNodes{{near, far}, true});
+  rig.bench->apply(action::InspectNode{near});
   rig.bench->apply(action::RunCommand{four_layers(), true});
   rig.bench->apply(action::StepSolver{1});
-  rig.wait([&] { return rig.session().topology() != before.mesh.topology; }, 5);
+  REQUIRE(rig.wait([&] { return rig.session().topology() != before.mesh.topology; }));
   rig.frames(4);
   rig.bench->picture();
+  CHECK(rig.session().topology()->node_count() > before.mesh.topology->node_count());
+  CHECK(rig.session().coordinates().size() == rig.session().topology()->node_count());
+  CHECK(rig.session().nodes().pinned() == std::vector<Index>{far});
+  REQUIRE(rig.session().job().active());
   rig.key(keys::escape);
   REQUIRE(rig.settle());
   CHECK(rig.document().history().size() == 1);
@@ -165,7 +173,104 @@ TEST_CASE("Esc while layers are being inserted leaves the mesh as it was") {
   CHECK(rig.session().coordinates() == before.mesh.coordinates);
   CHECK(rig.session().vcv() == before.vcv);
   CHECK(rig.session().boundary()->topology() == before.mesh.topology);
+  CHECK(rig.session().nodes().pinned() == std::vector<Index>{near, far});
+  CHECK(rig.session().nodes().inspected() == near);
   rig.bench->picture();
+}
+
+TEST_CASE("a past insertion is changed in the history, and what came after it runs again") {
+  Rig rig;
+  rig.open(ring_mesh());
+  insert(rig);
+  turn(rig, 10);
+  rig.click("tab/history");
+  rig.frames(3);
+  const Vec2 step = rig.bench->widgets().find("history/1")->centre();
+  rig.move(step);
+  rig.press(MouseButton::right);
+  rig.release(MouseButton::right);
+  rig.frames(3);
+  rig.click("history/menu/edit");
+  rig.frames(4);
+  rig.fill("edit/wall0_count", "6");
+  rig.fill("edit/wall0_first", "0.008");
+  rig.click("edit/run");
+  REQUIRE(rig.settle());
+  REQUIRE(rig.session().prompt() == nullptr);
+  REQUIRE(rig.document().history().size() == 3);
+  for (const std::size_t k : {1u, 2u}) {
+    const auto& stack = rig.document().history().state(k).layers;
+    REQUIRE(stack != nullptr);
+    CHECK(stack->columns.front().count() == 6);
+    CHECK(stack->columns.front().heights.front() == doctest::Approx(0.008));
+  }
+  CHECK(rig.session().topology()->node_count() == 24 * 7 + 24 * 6);
+  rig.bench->picture();
+  rig.bench->apply(action::BringBack{0});
+  REQUIRE(rig.settle());
+  CHECK(rig.document().state().layers->columns.front().count() == 4);
+}
+
+TEST_CASE("a recording goes on while layers are inserted") {
+  Rig rig(600, 400);
+  rig.open(ring_mesh());
+  const auto before = rig.session().topology();
+  rig.bench->apply(action::SetRecordingSpec{{.picture = {.size = {}, .panels = false}}});
+  rig.bench->apply(action::StartRecording{rig.folder / "film", std::nullopt});
+  rig.frames(3);
+  const Recorder& recorder = rig.bench->capture().recorder();
+  REQUIRE(recorder.frames() == 1);
+  rig.bench->apply(action::RunCommand{four_layers(), true});
+  rig.bench->apply(action::StepSolver{1});
+  REQUIRE(rig.wait([&] { return rig.session().topology() != before; }));
+  REQUIRE(rig.wait([&] { return recorder.frames() >= 2; }));
+  rig.bench->apply(action::ResumeSolver{});
+  REQUIRE(rig.settle());
+  rig.frames(3);
+  REQUIRE(rig.document().state().layers != nullptr);
+  const int inserted = recorder.frames();
+  CHECK(inserted > 2);
+  rig.bench->apply(action::Undo{});
+  REQUIRE(rig.wait([&] { return recorder.frames() > inserted; }));
+  rig.bench->apply(action::StopRecording{});
+  REQUIRE(rig.settle());
+  std::vector<std::string> pictures;
+  for (const auto& entry : fs::directory_iterator(rig.folder / "film")) {
+    std::ifstream in(entry.path(), std::ios::binary);
+    pictures.emplace_back(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+  }
+  std::sort(pictures.begin(), pictures.end());
+  const auto same = std::unique(pictures.begin(), pictures.end());
+  CHECK(same - pictures.begin() >= 3);  // without layers, on the way, and with them
+}
+
+TEST_CASE("layers in a mesh of many nodes") {
+  Rig rig(800, 600);
+  rig.open(ring_mesh(200, 60));
+  const Index nodes = rig.mesh().topology->node_count();
+  REQUIRE(nodes >= 12000);
+  LayersCommand command = four_layers();
+  command.layers.walls[0].spacing.first = 0.001;
+  for (int round = 0; round < 2; ++round) {
+    show_everything(rig, Comparison::ghost, Metric::normalized_jacobian);
+    if (round == 0)
+      rig.bench->apply(action::RunCommand{command, false});
+    else
+      rig.bench->apply(action::Redo{});
+    REQUIRE(rig.wait([&] { return !rig.session().in_motion(); }, 200));
+    REQUIRE(rig.settle());
+    REQUIRE(rig.session().layers() != nullptr);
+    CHECK(rig.mesh().topology->node_count() >= nodes + 4 * 200);
+    CHECK(rig.document().history().result(1).inverted == 0);
+    show_everything(rig, Comparison::split, Metric::normalized_jacobian);
+    const auto& measured = rig.session().quality().latest();
+    REQUIRE(measured != nullptr);
+    CHECK(static_cast<Index>(measured->values.size()) == rig.mesh().topology->element_count());
+    rig.bench->apply(action::Undo{});
+    REQUIRE(rig.settle());
+    CHECK(rig.session().topology()->node_count() == nodes);
+    rig.bench->picture();
+  }
 }
 
 TEST_CASE("a mesh with layers is saved in the format of its source, and its recipe replays") {

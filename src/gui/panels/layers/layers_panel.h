@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "gui/panels/layers/column_list.h"
+#include "gui/panels/layers/layer_result.h"
+#include "gui/panels/layers/spacing_form.h"
+#include "gui/panels/layers/wall_list.h"
+#include "gui/panels/panel.h"
+
+namespace winslow::gui {
+
+/// Layers at walls: what they are to be like, where they will stand, and how they came out.
+class LayersPanel : public Panel {
+ public:
+  void draw(const PanelContext& context) override;
+
+ private:
+  void follow(const PanelContext& context);
+  void draw_settings();
+  void draw_walls(const PanelContext& context);
+  void draw_corners();
+  void draw_insertion(const PanelContext& context);
+  void draw_plan(const PanelContext& context);
+  void draw_in_place(const PanelContext& context);
+  LayersCommand command(const PanelContext& context, LayerTask task) const;
+  LayersCommand in_place(const PanelContext& context, LayerTask task) const;
+
+  SpacingForm form_;
+  WallList walls_;
+  ColumnList columns_;
+  LayerResult result_;
+  LayerOptions corners_;
+  bool control_ = true, preview_ = true;
+  std::uint64_t generation_ = 0;    // of the mesh that the walls are of
+  std::vector<std::string> names_;  // markers selected
+  std::vector<std::string> shown_;  // of the wall whose settings the form has; empty: no wall's
+};
+
+}  // namespace winslow::gui
