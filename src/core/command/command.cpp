@@ -74,20 +74,6 @@ std::string describe_one(const LayersCommand& command) {
   return "Insert " + std::to_string(count) + " layers at " + list(markers);
 }
 
-/// Interior to start from, boundary as the state has it.
-Coordinates starting_point(const MeshState& state, const ExecuteOptions& options) {
-  if (!options.start) return state.mesh.coordinates;
-  if (options.start->size() != state.mesh.coordinates.size() ||
-      options.start->dimension() != state.mesh.coordinates.dimension()) {
-    throw UsageError("the start has another number of nodes than the mesh");
-  }
-  Coordinates x = state.mesh.coordinates;
-  for (const Index node : state.mesh.topology->free_nodes()) {
-    x.set_xy(node, options.start->xy(node));
-  }
-  return x;
-}
-
 CommandResult finish(const MeshState& state, Coordinates x, SmoothResult smooth) {
   CommandResult result{state, std::move(smooth)};
   result.state.mesh.coordinates = std::move(x);
@@ -98,11 +84,11 @@ CommandResult run_motion(const MeshState& state, const Motion& motion, const Mot
                          const SmoothOptions& smooth, const ExecuteOptions& options) {
   if (how.increments < 0) throw UsageError("the number of increments is negative");
   validate(smooth);
+  if (state.layers && state.layers->held && how.smooth_after)
+    return move_with_layers(state, motion, how, smooth, options);
   Coordinates x = starting_point(state, options);
   SmoothResult result = smooth_motion(state, motion, how, smooth, x, options);
-  if (!state.layers || !state.layers->held || !how.smooth_after)
-    return finish(state, std::move(x), std::move(result));
-  return hold_spacing(finish(state, std::move(x), std::move(result)), smooth, options);
+  return finish(state, std::move(x), std::move(result));
 }
 
 CommandResult execute_one(const SmoothCommand& command, const MeshState& state,

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/layers/layer_control.h"
 #include "core/layers/layer_detection.h"
+#include "core/layers/layer_fit.h"
 #include "core/layers/layer_insertion.h"
 #include "core/layers/layer_measures.h"
 #include "core/layers/sound_plan.h"
@@ -131,6 +132,17 @@ class Runs {
     const double reached = result.fraction_reached;
     append(result_, std::move(result));
     return reached;
+  }
+
+  void move(const MeshState& state, const Motion& motion, const MotionOptions& how,
+            const SmoothOptions& smooth, const Coordinates* start, Coordinates& x) {
+    relay_.begin(result_.outer_iterations, nullptr);
+    ExecuteOptions own = options_;
+    own.start = start;
+    SmoothResult result = smooth_motion(state, motion, how, smooth, x, own);
+    result_.fraction_reached = result.fraction_reached;
+    result_.increments = result.increments;
+    append(result_, std::move(result));
   }
 
   /// The last run is not used: an earlier one is what counts.
@@ -285,6 +297,51 @@ void take_in_hand(const LayersCommand& command, MeshState& state) {
   state.layers = std::make_shared<const LayerStack>(std::move(stack));
 }
 
+/// The state with layers that fit between the walls as they will be; true if any had to change.
+bool fit_layers(MeshState& state, const Motion& motion) {
+  const Coordinates& x = state.mesh.coordinates;
+  Coordinates moved = x;
+  motion.apply(x, 1, moved);
+  const LayerStack& before = *state.layers;
+  LayerStack fitted = fitted_layers(before, *state.mesh.topology, x, moved);
+  if (std::ranges::equal(before.columns, fitted.columns, {}, &LayerColumn::heights,
+                         &LayerColumn::heights)) {
+    return false;
+  }
+  // Columns stand on the walls as they are until these have moved.
+  for (std::size_t c = 0; c < fitted.columns.size(); ++c) {
+    fitted.columns[c].direction = before.columns[c].direction;
+    fitted.columns[c].slant = before.columns[c].slant;
+  }
+  state.vcv = layer_vcvs(state.mesh.topology, fitted, *state.vcv, x);
+  state.layers = std::make_shared<const LayerStack>(std::move(fitted));
+  return true;
+}
+
+/// After a motion: corrects the VCVs until the wanted heights are met again.
+CommandResult hold_spacing(CommandResult result, const SmoothOptions& smooth,
+                           const ExecuteOptions& run) {
+  constexpr double tolerance = 5e-3;
+  constexpr int most = 5;
+  if (result.smooth.inverted > 0 || !result.smooth.converged) return result;
+  LayerStack stack = *result.state.layers;
+  // The walls may have turned and changed their shape.
+  const auto stands = column_stands(stack, result.state.mesh.coordinates);
+  for (std::size_t c = 0; c < stands.size(); ++c) {
+    stack.columns[c].direction = stands[c].direction;
+    stack.columns[c].slant = stands[c].slant;
+  }
+  const double error = measure_layers(stack, result.state.mesh.coordinates).spacing_error.max;
+  result.state.layers = std::make_shared<const LayerStack>(std::move(stack));
+  if (error <= tolerance) return result;
+  CommandResult held = result;
+  Runs runs(run, held.smooth);
+  control_spacing(held.state, smooth, tolerance, most, runs);
+  // A valid mesh is not given up for better heights.
+  const bool good = held.smooth.converged && held.smooth.inverted == 0;
+  return good ? held : result;
+}
+
 }  // namespace
 
 LayerOptions options_of(const LayersCommand& command) {
@@ -326,27 +383,18 @@ CommandResult run_layers(const LayersCommand& command, const MeshState& state,
   return result;
 }
 
-CommandResult hold_spacing(CommandResult result, const SmoothOptions& smooth,
-                           const ExecuteOptions& run) {
-  constexpr double tolerance = 5e-3;
-  constexpr int most = 5;
-  if (result.smooth.inverted > 0 || !result.smooth.converged) return result;
-  LayerStack stack = *result.state.layers;
-  // The walls may have turned and changed their shape.
-  const auto stands = column_stands(stack, result.state.mesh.coordinates);
-  for (std::size_t c = 0; c < stands.size(); ++c) {
-    stack.columns[c].direction = stands[c].direction;
-    stack.columns[c].slant = stands[c].slant;
-  }
-  const double error = measure_layers(stack, result.state.mesh.coordinates).spacing_error.max;
-  result.state.layers = std::make_shared<const LayerStack>(std::move(stack));
-  if (error <= tolerance) return result;
-  CommandResult held = result;
-  Runs runs(run, held.smooth);
-  control_spacing(held.state, smooth, tolerance, most, runs);
-  // A valid mesh is not given up for better heights.
-  const bool good = held.smooth.converged && held.smooth.inverted == 0;
-  return good ? held : result;
+CommandResult move_with_layers(const MeshState& state, const Motion& motion,
+                               const MotionOptions& how, const SmoothOptions& smooth,
+                               const ExecuteOptions& run) {
+  CommandResult result{state, {}};
+  Runs runs(run, result.smooth);
+  MeshState& now = result.state;
+  // A start that is given is of the walls where they will be.
+  if (fit_layers(now, motion) && !run.start) runs.smooth(now, smooth, now.mesh.coordinates);
+  Coordinates x = starting_point(now, run);
+  runs.move(now, motion, how, smooth, run.start, x);
+  now.mesh.coordinates = std::move(x);
+  return hold_spacing(std::move(result), smooth, run);
 }
 
 }  // namespace winslow

@@ -15,9 +15,12 @@ LayerOptions options_of(const LayersCommand& command);
 CommandResult run_layers(const LayersCommand& command, const MeshState& state,
                          const ExecuteOptions& run);
 
-/// After a change of a mesh whose state has layers: corrects the VCVs until the wanted heights are
-/// met again. Counts and history of the result are those of all smoothing.
-CommandResult hold_spacing(CommandResult result, const SmoothOptions& smooth,
-                           const ExecuteOptions& run);
+/// Moves the boundary of a mesh whose state has layers that are held. Where walls come so near to
+/// one another that there is no room, layers get thinner first, and heights that they gave up
+/// return where there is room again. Afterwards the VCVs are corrected until the wanted heights
+/// are met. Throws as smooth_motion().
+CommandResult move_with_layers(const MeshState& state, const Motion& motion,
+                               const MotionOptions& how, const SmoothOptions& smooth,
+                               const ExecuteOptions& run);
 
 }  // namespace winslow

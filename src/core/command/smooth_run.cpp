@@ -8,6 +8,7 @@
 #include "core/command/run_recorder.h"
 #include "core/command/variational_run.h"
 #include "core/command/workspace.h"
+#include "core/error.h"
 #include "core/motion/transfer.h"
 
 namespace winslow {
@@ -105,6 +106,19 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const M
     steps->follow(motion, state.mesh.coordinates, x);
   }
   return result;
+}
+
+Coordinates starting_point(const MeshState& state, const ExecuteOptions& options) {
+  if (!options.start) return state.mesh.coordinates;
+  if (options.start->size() != state.mesh.coordinates.size() ||
+      options.start->dimension() != state.mesh.coordinates.dimension()) {
+    throw UsageError("the start has another number of nodes than the mesh");
+  }
+  Coordinates x = state.mesh.coordinates;
+  for (const Index node : state.mesh.topology->free_nodes()) {
+    x.set_xy(node, options.start->xy(node));
+  }
+  return x;
 }
 
 }  // namespace winslow

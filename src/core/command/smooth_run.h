@@ -13,4 +13,8 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& option
 SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const MotionOptions& how,
                            const SmoothOptions& options, Coordinates& x, const ExecuteOptions& run);
 
+/// The state's mesh, its interior where options.start has it. Throws UsageError: a start of another
+/// number of nodes.
+Coordinates starting_point(const MeshState& state, const ExecuteOptions& options);
+
 }  // namespace winslow

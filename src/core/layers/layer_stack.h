@@ -34,6 +34,9 @@ struct LayerColumn {
   LayerLimit limit = LayerLimit::none;
   bool prescribed = false;      ///< the thickness is an override: no rule takes of it
   std::vector<double> heights;  ///< wanted height of each layer; empty: the layers end here
+  /// Heights and limit before walls came so near that there is no room for them; empty: as above.
+  std::vector<double> granted;
+  LayerLimit granted_limit = LayerLimit::none;
   /// What each wanted height is multiplied by in the VCVs so that it is met; empty: 1.
   std::vector<double> corrections;
   std::vector<Index> nodes;  ///< #heights + 1, the wall node first; filled by insertion

@@ -33,10 +33,13 @@ std::string fault_of(const LayerColumn& column, Index nodes) {
   if (!column.direction.allFinite() || !positive(column.slant)) return "a column without direction";
   for (const double value : {column.first, column.asked, column.room})
     if (!std::isfinite(value)) return "a height that is no number";
-  if (column.limit < LayerLimit::none || column.limit > LayerLimit::room)
-    return "a reason that there is not";
-  if (!all_positive(column.heights) || !all_positive(column.corrections))
-    return "a height that is not positive";
+  for (const LayerLimit limit : {column.limit, column.granted_limit})
+    if (limit < LayerLimit::none || limit > LayerLimit::room) return "a reason that there is not";
+  for (const auto* heights : {&column.heights, &column.granted, &column.corrections})
+    if (!all_positive(*heights)) return "a height that is not positive";
+  if (!column.granted.empty() && column.granted.size() != column.count())
+    return std::to_string(column.granted.size()) + " granted heights of " +
+           std::to_string(column.count());
   if (!column.corrections.empty() && column.corrections.size() != column.count())
     return std::to_string(column.corrections.size()) + " corrections of " +
            std::to_string(column.count()) + " heights";

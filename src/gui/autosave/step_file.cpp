@@ -16,7 +16,7 @@ namespace winslow::gui {
 namespace {
 
 /// Also tells a machine with another order of bytes.
-constexpr std::uint64_t magic = 0x0002504554534e57;  // "WNSTEP", version 2
+constexpr std::uint64_t magic = 0x0003504554534e57;  // "WNSTEP", version 3
 
 /// Every field of a record, named once for reading and writing.
 template <class Archive, class Record>
@@ -77,7 +77,10 @@ void layer_fields(Archive& archive, Stack& stack) {
     a.number(column.asked);
     a.number(column.room);
     a.number(column.limit);
+    a.number(column.prescribed);
     a.numbers(column.heights);
+    a.numbers(column.granted);
+    a.number(column.granted_limit);
     a.numbers(column.corrections);
     a.numbers(column.nodes);
   });
