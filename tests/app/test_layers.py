@@ -78,6 +78,16 @@ class Layers(ProgramTest):
         self.assertAlmostEqual(heights["min"], 0.005, delta=1e-4)
         self.assertAlmostEqual(heights["max"], 0.01, delta=2e-4)
 
+    def test_part_of_a_marker(self):
+        self.ring(around=32, rings=10)
+        self.winslow("layers", "ring.su2", "-o", "out.su2", "--first", 0.004, "--wall",
+                     "body:count=4,xmin=-1e-9", "--report", "report.json", "--save-recipe", "recipe.json")
+        layers = self.json("report.json")["layers"]
+        self.assertEqual(layers["columns"], 17)
+        self.assertEqual(layers["columns_with_layers"], 15)
+        self.winslow("replay", "recipe.json", "-o", "again.su2")
+        self.assertEqual(self.path("out.su2").read_bytes(), self.path("again.su2").read_bytes())
+
     def test_a_column_of_its_own(self):
         self.ring(around=32, rings=10)
         wall = {n for edge in support.read_su2(self.path("ring.su2"))[2]["body"] for n in edge}
@@ -112,6 +122,7 @@ class Layers(ProgramTest):
                 (("--marker", "body", "--first", "-1"), "first layer's height"),
                 (("--marker", "body", "--wall", "body:count=3"), "asked for twice"),
                 (("--wall", "body:height=3"), 'found "height"'),
+                (("--wall", "body:xmin=77"), "no edge of marker 'body' lies in the part"),
                 (("--wall", "body:count=x"), "expected a number"),
                 (("--wall", "body:count=2.5"), "must be whole"),
                 (("--marker", "body", "--column", "3"), "expected NODE:columns=N,thickness=T"),

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -171,7 +173,9 @@ TEST_CASE("recipe: an insertion of layers survives") {
   LayersCommand command;
   command.task = LayerTask::respace;
   command.layers.walls = {{{"slat", "main"}, {25, 1e-5, 1.2, 1.003, {}, true}},
-                          {{"flap"}, {7, 2e-5, 1.3, 1.0, 0.01, false}}};
+                          {{"flap"},
+                           {7, 2e-5, 1.3, 1.0, 0.01, false},
+                           {-1, 0.5, -3, std::numeric_limits<double>::infinity()}}};
   command.layers.fans = false;
   command.layers.fan_threshold = 70;
   command.layers.fan_angle = 33;

@@ -45,6 +45,13 @@ void read_settings(const std::string& text, const std::string& where, const char
   }
 }
 
+double* bound_named(const std::string& key, WallPart& part) {
+  if (key == "xmin") return &part.xmin;
+  if (key == "xmax") return &part.xmax;
+  if (key == "ymin") return &part.ymin;
+  return key == "ymax" ? &part.ymax : nullptr;
+}
+
 int whole(double value, const std::string& where, const char* what) {
   if (!(std::abs(value) < 1e9) || value != std::floor(value)) {
     throw UsageError(where + ": the number of " + what + " must be whole");
@@ -81,7 +88,8 @@ LayerWall parse_wall(const std::string& text, const LayerSpacing& common) {
   if (colon == std::string::npos) return wall;
   const std::string where = "--wall " + text;
   LayerSpacing& spacing = wall.spacing;
-  read_settings(text.substr(colon + 1), where, "count, first, ratio, growth, total",
+  read_settings(text.substr(colon + 1), where,
+                "count, first, ratio, growth, total, xmin, xmax, ymin, ymax",
                 [&](const std::string& key, double value) {
                   if (key == "count") {
                     spacing.count = whole(value, where, "layers");
@@ -93,6 +101,8 @@ LayerWall parse_wall(const std::string& text, const LayerSpacing& common) {
                     spacing.growth = value;
                   } else if (key == "total") {
                     spacing.total = value;
+                  } else if (double* bound = bound_named(key, wall.part)) {
+                    *bound = value;
                   } else {
                     return false;
                   }
@@ -132,7 +142,8 @@ void LayerFlags::declare(CLI::App& app) {
   app.add_option(
          "--wall", walls_,
          "Wall with settings of its own, e.g. flap:count=20,first=2e-5 (keys: count, first, "
-         "ratio, growth, total); may be given several times")
+         "ratio, growth, total; xmin, xmax, ymin, ymax: the part of the markers that is to have "
+         "layers); may be given several times")
       ->type_name("NAME[,NAME]:KEY=NUMBER,...")
       ->group("Layers");
   declare_spacing(app);

@@ -36,7 +36,7 @@ std::vector<Command> holding_layers(const std::vector<std::string>& markers,
                                     const SmoothOptions& smooth, Command command);
 
 /// "NAME[,NAME]:count=20,first=1e-5,...", what is not said as in `common`. Keys are those of
-/// LayerSpacing: count, first, ratio, growth, total. Throws UsageError.
+/// LayerSpacing and of WallPart. Throws UsageError.
 LayerWall parse_wall(const std::string& text, const LayerSpacing& common);
 /// "NODE:columns=3,thickness=0.01", of which one may be missing. Throws UsageError.
 ColumnOverride parse_column(const std::string& text);

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "core/command/layer_runs.h"
 #include "core/command/smooth_run.h"
 #include "core/error.h"
 #include "core/layers/layer_control.h"
@@ -46,114 +47,6 @@ class RimMotion final : public Motion {
   std::vector<Index> nodes_;
 };
 
-/// Hands iterations on with numbers that go on from those of earlier runs, and, while only the
-/// outside is smoothed, with the layers' nodes in their places.
-class RelayMonitor final : public SolverMonitor {
- public:
-  explicit RelayMonitor(SolverMonitor* monitor) : monitor_(monitor) {}
-
-  void begin(int first, const LayerStack* fill) {
-    first_ = first;
-    fill_ = fill;
-  }
-  void on_topology(const std::shared_ptr<const Topology>& topology) override {
-    if (monitor_) monitor_->on_topology(topology);
-  }
-  bool on_iteration(const IterationRecord& record, const Coordinates& x) override {
-    if (!monitor_) return true;
-    IterationRecord numbered = record;
-    numbered.iteration += first_;
-    if (!fill_) return monitor_->on_iteration(numbered, x);
-    Coordinates filled = x;
-    for (const LayerColumn& column : fill_->columns) fill(column, filled);
-    return monitor_->on_iteration(numbered, filled);
-  }
-
- private:
-  static void fill(const LayerColumn& column, Coordinates& x) {
-    const Vec2 wall = x.xy(column.wall_node), rim = x.xy(column.rim());
-    const double thickness = column.thickness();
-    double height = 0;
-    for (std::size_t k = 0; k + 1 < column.count(); ++k) {
-      height += column.heights[k];
-      x.set_xy(column.nodes[k + 1], wall + (height / thickness) * (rim - wall));
-    }
-  }
-
-  SolverMonitor* monitor_;
-  int first_ = 0;
-  const LayerStack* fill_ = nullptr;
-};
-
-/// What a run ended with.
-void take_outcome(SmoothResult& all, const SmoothResult& run) {
-  all.converged = run.converged;
-  all.residual = run.residual;
-  all.inverted = run.inverted;
-  all.out_of_iterations = run.out_of_iterations;
-  all.linear_solver = run.linear_solver;
-}
-
-/// How another run went, after those before it.
-void append(SmoothResult& all, SmoothResult more) {
-  for (IterationRecord& record : more.history) record.iteration += all.outer_iterations;
-  all.history.insert(all.history.end(), more.history.begin(), more.history.end());
-  all.outer_iterations += more.outer_iterations;
-  all.linear_solves += more.linear_solves;
-  take_outcome(all, more);
-}
-
-/// Smoothing runs that belong together.
-class Runs {
- public:
-  explicit Runs(const ExecuteOptions& run, SmoothResult& result)
-      : relay_(run.monitor), options_(run), result_(result) {
-    options_.monitor = &relay_;
-    options_.start = nullptr;
-  }
-
-  /// Iterations are of this mesh from here on.
-  void show(const std::shared_ptr<const Topology>& topology) { relay_.on_topology(topology); }
-
-  SmoothResult smooth(const MeshState& state, const SmoothOptions& smooth, Coordinates& x) {
-    relay_.begin(result_.outer_iterations, nullptr);
-    SmoothResult result = smooth_interior(state, smooth, x, options_);
-    append(result_, result);
-    return result;
-  }
-
-  /// The share of the motion that was reached.
-  double open(const MeshState& outside, const LayerStack& stack, const Motion& motion,
-              const SmoothOptions& smooth, Coordinates& x) {
-    relay_.begin(result_.outer_iterations, &stack);
-    ExecuteOptions own = options_;
-    own.workspace = nullptr;  // another connectivity, for once
-    SmoothResult result = smooth_motion(outside, motion, {}, smooth, x, own);
-    const double reached = result.fraction_reached;
-    append(result_, std::move(result));
-    return reached;
-  }
-
-  void move(const MeshState& state, const Motion& motion, const MotionOptions& how,
-            const SmoothOptions& smooth, const Coordinates* start, Coordinates& x) {
-    relay_.begin(result_.outer_iterations, nullptr);
-    ExecuteOptions own = options_;
-    own.start = start;
-    SmoothResult result = smooth_motion(state, motion, how, smooth, x, own);
-    result_.fraction_reached = result.fraction_reached;
-    result_.increments = result.increments;
-    append(result_, std::move(result));
-  }
-
-  /// The last run is not used: an earlier one is what counts.
-  void fall_back_to(const SmoothResult& run) { take_outcome(result_, run); }
-
- private:
-  RelayMonitor relay_;
-  ExecuteOptions options_;
-  SmoothResult& result_;
-};
-
 /// The largest of a falling sequence of shares of the thickness at which the elements outside are
 /// valid without any of them being moved; 0 if there is none.
 double first_share(const LayerInsertion& layers, const Coordinates& rest, Coordinates& x) {
@@ -167,7 +60,7 @@ double first_share(const LayerInsertion& layers, const Coordinates& rest, Coordi
 }
 
 /// Layers in a mesh where the elements outside have made room for them.
-LayerInsertion make_room(const LayersCommand& command, const MeshState& state, Runs& runs) {
+LayerInsertion make_room(const LayersCommand& command, const MeshState& state, LayerRuns& runs) {
   const LayerOptions options = with_counts(options_of(command), state.mesh);
   LayerStack plan = sound_plan(state.mesh, options);
   SmoothOptions smooth;  // only valid meshes on the way count: the default, whatever was asked for
@@ -203,7 +96,7 @@ LayerInsertion make_room(const LayersCommand& command, const MeshState& state, R
 /// Smooths towards the wanted heights and corrects the VCVs until they are met. On return the state
 /// is the best one.
 void control_spacing(MeshState& state, const SmoothOptions& smooth, double tolerance, int most,
-                     Runs& runs) {
+                     LayerRuns& runs) {
   LayerStack stack = *state.layers;
   Coordinates x = state.mesh.coordinates;
   const std::shared_ptr<const VirtualControlVolumes> base = state.vcv;
@@ -335,7 +228,7 @@ CommandResult hold_spacing(CommandResult result, const SmoothOptions& smooth,
   result.state.layers = std::make_shared<const LayerStack>(std::move(stack));
   if (error <= tolerance) return result;
   CommandResult held = result;
-  Runs runs(run, held.smooth);
+  LayerRuns runs(run, held.smooth);
   control_spacing(held.state, smooth, tolerance, most, runs);
   // A valid mesh is not given up for better heights.
   const bool good = held.smooth.converged && held.smooth.inverted == 0;
@@ -358,7 +251,7 @@ CommandResult run_layers(const LayersCommand& command, const MeshState& state,
   }
   if (!(command.tolerance > 0)) throw UsageError("the tolerance of the heights must be positive");
   CommandResult result{state, {}};
-  Runs runs(run, result.smooth);
+  LayerRuns runs(run, result.smooth);
   if (command.task != LayerTask::insert) {
     take_in_hand(command, result.state);
     control_spacing(result.state, command.smooth, command.tolerance, command.most_corrections,
@@ -387,7 +280,7 @@ CommandResult move_with_layers(const MeshState& state, const Motion& motion,
                                const MotionOptions& how, const SmoothOptions& smooth,
                                const ExecuteOptions& run) {
   CommandResult result{state, {}};
-  Runs runs(run, result.smooth);
+  LayerRuns runs(run, result.smooth);
   MeshState& now = result.state;
   // A start that is given is of the walls where they will be.
   if (fit_layers(now, motion) && !run.start) runs.smooth(now, smooth, now.mesh.coordinates);

@@ -33,9 +33,7 @@ class Detector {
   }
 
   LayerStack detect() {
-    std::vector<std::vector<std::string>> walls;
-    for (const LayerWall& wall : options_.walls) walls.push_back(wall.markers);
-    for (const WallChain& chain : find_wall_chains(topology_, walls)) add_chain(chain);
+    for (const WallChain& chain : find_wall_chains(mesh_, options_.walls)) add_chain(chain);
     while (climb()) {
     }
     measure();

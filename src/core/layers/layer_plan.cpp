@@ -290,7 +290,8 @@ LayerOptions with_counts(LayerOptions options, const Mesh& mesh) {
       const auto marker = mesh.topology->find_marker(name);
       if (!marker) continue;
       for (const auto& [a, b] : mesh.topology->markers()[static_cast<std::size_t>(*marker)].edges) {
-        lengths.push_back((mesh.coordinates.xy(b) - mesh.coordinates.xy(a)).norm());
+        const Vec2 p = mesh.coordinates.xy(a), q = mesh.coordinates.xy(b);
+        if (wall.part.holds(p) && wall.part.holds(q)) lengths.push_back((q - p).norm());
       }
     }
     if (lengths.empty()) continue;
@@ -306,6 +307,8 @@ void validate(const LayerOptions& options) {
   for (const LayerWall& wall : options.walls) {
     require(!wall.markers.empty(), "a wall without markers");
     validate(wall.spacing);
+    require(wall.part.xmin <= wall.part.xmax && wall.part.ymin <= wall.part.ymax,
+            "the part of a wall that is to have layers ends before it begins");
   }
   require(options.fan_threshold >= 10 && options.fan_threshold <= 180,
           "the turning from which corners get a fan must be 10 to 180 degrees");
@@ -323,9 +326,7 @@ void validate(const LayerOptions& options) {
 LayerStack plan_layers(const Mesh& mesh, const LayerOptions& given) {
   validate(given);
   const LayerOptions options = with_counts(given, mesh);
-  std::vector<std::vector<std::string>> walls;
-  for (const LayerWall& wall : options.walls) walls.push_back(wall.markers);
-  const std::vector<WallChain> chains = find_wall_chains(*mesh.topology, walls);
+  const std::vector<WallChain> chains = find_wall_chains(mesh, options.walls);
   LayerStack stack;
   for (const WallChain& chain : chains) ChainPlanner(mesh, options, chain).plan(stack);
   require_columns(options.overrides, stack);

@@ -1,22 +1,13 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "core/layers/column_override.h"
-#include "core/layers/layer_spacing.h"
 #include "core/layers/layer_stack.h"
+#include "core/layers/layer_wall.h"
 #include "core/mesh/mesh.h"
 
 namespace winslow {
-
-/// A wall and the layers that it is to have.
-struct LayerWall {
-  std::vector<std::string> markers;
-  LayerSpacing spacing;
-
-  bool operator==(const LayerWall&) const = default;
-};
 
 /// How layers go round corners and through gaps. The defaults need no touch.
 struct LayerOptions {

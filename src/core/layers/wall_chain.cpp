@@ -26,18 +26,27 @@ Index marker_named(const Topology& topology, const std::string& name) {
 }
 
 /// The wall of every edge that is to have layers.
-std::map<Edge, Index> wall_edges(const Topology& topology,
-                                 std::span<const std::vector<std::string>> walls) {
+std::map<Edge, Index> wall_edges(const Mesh& mesh, std::span<const LayerWall> walls) {
+  const Topology& topology = *mesh.topology;
+  const Coordinates& x = mesh.coordinates;
   std::map<Edge, Index> wanted;
   for (std::size_t w = 0; w < walls.size(); ++w) {
-    for (const std::string& name : walls[w]) {
+    const WallPart& part = walls[w].part;
+    bool any = false;
+    for (const std::string& name : walls[w].markers) {
       const Index marker = marker_named(topology, name);
       for (const auto& [a, b] : topology.markers()[static_cast<std::size_t>(marker)].edges) {
+        if (!part.holds(x.xy(a)) || !part.holds(x.xy(b))) continue;
+        any = true;
         const auto [it, fresh] = wanted.emplace(key_of(a, b), static_cast<Index>(w));
         if (!fresh && it->second != static_cast<Index>(w)) {
           throw UsageError("the layers of marker '" + name + "' are asked for twice");
         }
       }
+    }
+    if (!any && !walls[w].markers.empty()) {
+      throw UsageError("no edge of marker '" + walls[w].markers.front() +
+                       "' lies in the part of it that is to have layers");
     }
   }
   if (wanted.empty()) throw UsageError("no marker is given to insert layers at");
@@ -79,11 +88,10 @@ void add_chains(const std::vector<Index>& loop, std::map<Edge, Index>& wanted,
 
 }  // namespace
 
-std::vector<WallChain> find_wall_chains(const Topology& topology,
-                                        std::span<const std::vector<std::string>> walls) {
-  std::map<Edge, Index> wanted = wall_edges(topology, walls);
+std::vector<WallChain> find_wall_chains(const Mesh& mesh, std::span<const LayerWall> walls) {
+  std::map<Edge, Index> wanted = wall_edges(mesh, walls);
   std::vector<WallChain> chains;
-  for (const auto& loop : topology.boundary_loops()) add_chains(loop, wanted, chains);
+  for (const auto& loop : mesh.topology->boundary_loops()) add_chains(loop, wanted, chains);
   if (!wanted.empty()) {
     const Edge inside = wanted.begin()->first;
     throw UsageError("the edge between nodes " + std::to_string(inside[0]) + " and " +

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
+#include "core/layers/layer_wall.h"
 #include "core/mesh/mesh.h"
 
 namespace winslow {
@@ -20,10 +20,9 @@ struct WallChain {
   Index node(std::size_t i) const { return nodes[i % nodes.size()]; }
 };
 
-/// The chains that several walls make up together; a wall is a list of markers. Throws UsageError:
-/// an unknown marker, one that two walls name, a marker edge inside the mesh, no edge at all.
-std::vector<WallChain> find_wall_chains(const Topology& topology,
-                                        std::span<const std::vector<std::string>> walls);
+/// The chains that several walls, or parts of them, make up together. Throws UsageError: an unknown
+/// marker, an edge that two walls ask for, a marker edge inside the mesh, a wall without an edge.
+std::vector<WallChain> find_wall_chains(const Mesh& mesh, std::span<const LayerWall> walls);
 
 /// The angle between two boundary edges on the side of the elements, in (0, 2 pi): from direction
 /// `next` (to the following node) counter-clockwise to `previous` (to the one before).

@@ -26,7 +26,7 @@ std::size_t nearest(const std::array<double, count>& values, double value) {
 
 void ViewPanel::draw(const PanelContext& context) {
   ViewOptions view = context.view;
-  bool changed = draw_color(view);
+  bool changed = draw_color(context, view);
   if (view.color) changed |= draw_range(view);
   changed |= draw_elements(view);
   changed |= draw_boundary(view);
@@ -36,13 +36,16 @@ void ViewPanel::draw(const PanelContext& context) {
   if (changed) context.emit(action::SetView{view});
 }
 
-bool ViewPanel::draw_color(ViewOptions& view) {
+bool ViewPanel::draw_color(const PanelContext& context, ViewOptions& view) {
   std::vector<std::string> names{"None"};
+  std::vector<ElementField> fields;
   std::size_t chosen = 0;
-  const auto& fields = all_element_fields();
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    names.emplace_back(field_label(fields[i]));
-    if (view.color == fields[i]) chosen = i + 1;
+  for (const ElementField& field : all_element_fields()) {
+    // Of layers there is nothing to see where there are none.
+    if (field.layer() && !context.session.layers() && view.color != field) continue;
+    fields.push_back(field);
+    names.emplace_back(field_label(field));
+    if (view.color == field) chosen = fields.size();
   }
   constexpr const char* tip =
       "Colour each element by its quality, or by what the virtual control volumes of its nodes say "

@@ -10,7 +10,7 @@ class ViewPanel : public Panel {
   void draw(const PanelContext& context) override;
 
  private:
-  bool draw_color(ViewOptions& view);
+  bool draw_color(const PanelContext& context, ViewOptions& view);
   bool draw_range(ViewOptions& view);
   bool draw_elements(ViewOptions& view);
   bool draw_boundary(ViewOptions& view);

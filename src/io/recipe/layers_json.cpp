@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
@@ -36,12 +38,34 @@ void layer_fields(Archive& archive, Command& command) {
   archive.field("scale_all", command.layers.scale_all);
 }
 
+/// Bounds that are not written are infinite, which JSON has no word for.
+WallPart read_part(const json& value, const std::string& path) {
+  ObjectReader reader(value, path);
+  WallPart part;
+  reader.field("xmin", part.xmin);
+  reader.field("xmax", part.xmax);
+  reader.field("ymin", part.ymin);
+  reader.field("ymax", part.ymax);
+  reader.finish();
+  return part;
+}
+
+json write_part(const WallPart& part) {
+  json bounds = json::object();
+  for (const auto& [key, bound] : {std::pair{"xmin", part.xmin}, std::pair{"xmax", part.xmax},
+                                   std::pair{"ymin", part.ymin}, std::pair{"ymax", part.ymax}}) {
+    if (std::isfinite(bound)) bounds[key] = bound;
+  }
+  return bounds;
+}
+
 LayerWall read_wall(const json& value, const std::string& path) {
   ObjectReader reader(value, path);
   LayerWall wall;
   reader.required("markers", wall.markers);
   spacing_fields(reader, wall.spacing);
   if (reader.has("total")) reader.required("total", wall.spacing.total.emplace());
+  if (reader.has("part")) wall.part = read_part(reader.at("part"), reader.path_of("part"));
   reader.finish();
   return wall;
 }
@@ -74,6 +98,7 @@ json write_walls(const std::vector<LayerWall>& walls) {
     item.required("markers", wall.markers);
     spacing_fields(item, wall.spacing);
     if (wall.spacing.total) item.field("total", *wall.spacing.total);
+    if (wall.part != WallPart{}) item.field("part", write_part(wall.part));
     list.push_back(item.take());
   }
   return list;

@@ -134,6 +134,41 @@ TEST_CASE(
   CHECK(thicknesses[corners[1]][0] > 0.02);  // 6 layers of .002 / 1.3 are .0255 thick
 }
 
+TEST_CASE("part of a marker: layers where both ends of an edge are in the box, none elsewhere") {
+  const MeshState before = ring();
+  LayersCommand command = layers_at("inner", thin());
+  command.layers.walls[0].part.xmin = -1e-9;
+  const CommandResult result = execute(command, before);
+  CHECK(inverted(result.state) == 0);
+  const Coordinates& x = result.state.mesh.coordinates;
+  int with = 0;
+  for (const LayerColumn& column : result.state.layers->columns) {
+    CHECK(x.xy(column.wall_node).x() >= -1e-9);
+    with += column.count() > 0 ? 1 : 0;
+  }
+  CHECK(with == 15);  // of 32 nodes 17 lie in the half plane; layers run out at the two ends
+  CHECK(result.state.mesh.topology->unmarked_boundary_edges() == 0);
+  CHECK(edges_of(*result.state.mesh.topology).at("inner") ==
+        edges_of(*before.mesh.topology).at("inner"));
+
+  // The other half with layers of its own: the same marker twice.
+  LayersCommand both = command;
+  both.layers.walls.push_back({{"inner"}, {4, 0.004, 1.2, 1, {}, false}, {-9, 1e-9, -9, 9}});
+  const CommandResult whole = execute(both, before);
+  CHECK(inverted(whole.state) == 0);
+  CHECK(whole.state.layers->columns.size() == 32);
+  std::set<std::size_t> counts;
+  for (const LayerColumn& column : whole.state.layers->columns) counts.insert(column.count());
+  CHECK(counts == std::set<std::size_t>{4, 8});
+
+  command.layers.walls[0].part.xmin = 100;
+  CHECK_THROWS_WITH_AS(execute(command, before),
+                       "no edge of marker 'inner' lies in the part of it that is to have layers",
+                       UsageError);
+  command.layers.walls[0].part.xmax = 99;
+  CHECK_THROWS_AS(execute(command, before), UsageError);
+}
+
 TEST_CASE("a column may be thicker than the room that the rules see; its neighbours follow rules") {
   const MeshState before = ring();
   LayersCommand command = layers_at("inner", thin());

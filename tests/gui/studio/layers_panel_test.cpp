@@ -139,6 +139,39 @@ TEST_CASE("walls are taken out of the list, and a marker is in one of them only"
   CHECK_FALSE(rig.visible("layers/wall/0"));
 }
 
+TEST_CASE(
+    "part of a wall: the box begins as that of the marker, and only what lies in it has layers") {
+  Rig rig(1100, 1500);
+  rig.open(two_body_mesh());
+  open_panel(rig, "left");
+  fill_spacing(rig, "4", "0.01");
+  CHECK_FALSE(rig.visible("layers/xmin"));
+  rig.click("layers/part");
+  rig.frames(3);
+  REQUIRE(rig.visible("layers/xmin"));
+  const Mesh& mesh = rig.mesh();
+  const auto nodes = mesh.topology->marker_nodes(rig.marker("left"));
+  double low = 1e9, high = -1e9;
+  for (const Index node : nodes) {
+    low = std::min(low, mesh.coordinates.xy(node).y());
+    high = std::max(high, mesh.coordinates.xy(node).y());
+  }
+  const WallPart whole = rig.session().layer_preview().wanted()->walls[0].part;
+  CHECK(whole.ymin == low);
+  CHECK(whole.ymax == high);
+  REQUIRE(rig.settle());
+  CHECK(rig.session().layer_preview().plan()->columns.size() >= nodes.size());
+  const double middle = 0.5 * (low + high);
+  rig.fill("layers/ymin", std::to_string(middle));
+  REQUIRE(rig.settle());
+  rig.click("layers/insert");
+  REQUIRE(rig.settle());
+  REQUIRE(layers(rig) != nullptr);
+  CHECK(layers(rig)->columns.size() > 2);
+  for (const LayerColumn& column : layers(rig)->columns)
+    CHECK(rig.mesh().coordinates.xy(column.wall_node).y() >= middle - 1e-6);
+}
+
 TEST_CASE("layers that a wall has are spaced anew; those of other walls stay in hand") {
   Rig rig(1100, 1500);
   rig.open(two_body_mesh());

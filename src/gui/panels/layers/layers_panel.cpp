@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "core/command/layers_run.h"
 #include "core/layers/layer_measures.h"
@@ -32,7 +33,7 @@ void LayersPanel::draw(const PanelContext& context) {
     if (walls_.walls().empty()) return hide();
   }
   ImGui::BeginDisabled(context.session.in_motion());
-  if (!names_.empty()) draw_settings();
+  if (!names_.empty()) draw_settings(context);
   draw_walls(context);
   draw_corners();
   columns_.draw(context, command(context, LayerTask::insert).layers.walls);
@@ -51,15 +52,20 @@ void LayersPanel::follow(const PanelContext& context) {
     shown_.clear();
     generation_ = context.session.generation();
   }
-  names_.clear();
+  const std::vector<std::string> before = std::exchange(names_, {});
   for (const Index m : context.session.selection())
     names_.push_back(context.topology()->markers()[static_cast<std::size_t>(m)].name);
   const LayerWall* wall = walls_.find(names_);
-  if (wall && shown_ != names_) form_.set(wall->spacing);
+  if (wall && shown_ != names_) {
+    form_.set(wall->spacing);
+    part_.set(wall->part);
+  }
+  // A part is of its markers: others begin as a whole.
+  if (!wall && names_ != before) part_.set({});
   shown_ = wall ? names_ : std::vector<std::string>();
 }
 
-void LayersPanel::draw_settings() {
+void LayersPanel::draw_settings(const PanelContext& context) {
   if (!walls_.walls().empty()) {
     const std::string of = marker_list(names_);
     ui::text_dim(ui::elided(shown_.empty() ? of + ": not in the list yet" : "Settings of " + of,
@@ -68,7 +74,11 @@ void LayersPanel::draw_settings() {
     ui::tooltip(of);
   }
   form_.draw();
-  if (LayerWall* wall = walls_.find(names_)) wall->spacing = form_.spacing();
+  part_.draw(context, names_);
+  if (LayerWall* wall = walls_.find(names_)) {
+    wall->spacing = form_.spacing();
+    wall->part = part_.part();
+  }
 }
 
 void LayersPanel::draw_walls(const PanelContext& context) {
@@ -80,7 +90,7 @@ void LayersPanel::draw_walls(const PanelContext& context) {
                         ", then select other walls and give them others. Layers are inserted at "
                         "all walls of the list together.",
                     ui::ButtonStyle::normal, true, -1})) {
-      walls_.add({names_, form_.spacing()});
+      walls_.add({names_, form_.spacing(), part_.part()});
       shown_ = names_;
     }
   }
@@ -110,7 +120,8 @@ LayersCommand LayersPanel::command(const PanelContext& context, LayerTask task) 
   command.task = task;
   command.layers = corners_;
   command.layers.walls = walls_.walls();
-  if (command.layers.walls.empty()) command.layers.walls = {{names_, form_.spacing()}};
+  if (command.layers.walls.empty())
+    command.layers.walls = {{names_, form_.spacing(), part_.part()}};
   if (task == LayerTask::insert)  // layers that are there have the columns that they have
     command.layers.overrides = columns_.on(*context.topology(), command.layers.walls);
   command.control = control_;

@@ -6,6 +6,7 @@
 
 #include "gui/panels/layers/column_list.h"
 #include "gui/panels/layers/layer_result.h"
+#include "gui/panels/layers/part_form.h"
 #include "gui/panels/layers/spacing_form.h"
 #include "gui/panels/layers/wall_list.h"
 #include "gui/panels/panel.h"
@@ -19,7 +20,7 @@ class LayersPanel : public Panel {
 
  private:
   void follow(const PanelContext& context);
-  void draw_settings();
+  void draw_settings(const PanelContext& context);
   void draw_walls(const PanelContext& context);
   void draw_corners();
   void draw_insertion(const PanelContext& context);
@@ -29,6 +30,7 @@ class LayersPanel : public Panel {
   LayersCommand in_place(const PanelContext& context, LayerTask task) const;
 
   SpacingForm form_;
+  PartForm part_;
   WallList walls_;
   ColumnList columns_;
   LayerResult result_;

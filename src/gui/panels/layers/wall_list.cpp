@@ -11,12 +11,14 @@ namespace winslow::gui {
 
 namespace {
 
-/// "25 layers, first 1e-05, ratio 1.2".
-std::string summary(const LayerSpacing& spacing) {
+/// "25 layers, first 1e-05, ratio 1.2, in part".
+std::string summary(const LayerWall& wall) {
+  const LayerSpacing& spacing = wall.spacing;
   std::string text = spacing.match_outside ? "layers to match" : counted(spacing.count, "layer");
   text += ", first " + short_number(spacing.first);
-  return text + (spacing.total ? ", " + short_number(*spacing.total) + " thick"
-                               : ", ratio " + short_number(spacing.ratio));
+  text += spacing.total ? ", " + short_number(*spacing.total) + " thick"
+                        : ", ratio " + short_number(spacing.ratio);
+  return text + (wall.part != WallPart{} ? ", in part" : "");
 }
 
 std::vector<Index> indices(const std::vector<std::string>& names, const Topology& topology) {
@@ -62,8 +64,8 @@ bool WallList::draw_row(const PanelContext& context, std::size_t k) {
   std::vector<Index> markers = indices(wall.markers, *context.topology());
   std::ranges::sort(markers);
   const RowAnswer answer =
-      draw_list_row({"layers/wall/" + std::to_string(k), names, summary(wall.spacing),
-                     names + "\n" + summary(wall.spacing) +
+      draw_list_row({"layers/wall/" + std::to_string(k), names, summary(wall),
+                     names + "\n" + summary(wall) +
                          "\nClick to select these markers and change the settings of this wall.",
                      "Take this wall out of the list.", markers == context.session.selection()},
                     context.theme);
