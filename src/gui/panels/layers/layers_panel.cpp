@@ -35,11 +35,11 @@ void LayersPanel::draw(const PanelContext& context) {
   ImGui::BeginDisabled(context.session.in_motion());
   if (!names_.empty()) draw_settings(context);
   draw_walls(context);
-  draw_corners();
-  columns_.draw(context, command(context, LayerTask::insert).layers.walls);
   draw_insertion(context);
   draw_in_place(context);
   // Below the buttons, so that these need no scrolling.
+  draw_corners();
+  columns_.draw(context, command(context, LayerTask::insert).layers.walls);
   if (!names_.empty()) ui::height_plot("layers/plot", {form_.heights(), {}}, context.theme);
   ImGui::EndDisabled();
 }
