@@ -48,6 +48,9 @@ class RenderMotion(ProgramTest):
     def test_bad_usage(self):
         self.render(code=USAGE)
         self.render("--frames", "film", code=USAGE)
+        done = self.render("--recipe", "r.json", "--frames", "film.webm", code=USAGE)
+        self.assertIn("a film ends in .mp4 or .gif", done.stderr)
+        self.assertFalse(self.path("film.webm").exists())
         self.render("--recipe", "none.json", "--frames", "film", code=INPUT)
 
 

@@ -37,6 +37,14 @@ std::vector<std::string> ffmpeg_arguments(const Film::Job& job, const fs::path& 
   return words;
 }
 
+/// In small letters, with its dot.
+std::string ending_of(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
 /// The last lines of what ffmpeg said.
 std::string last_words(const std::string& text) {
   constexpr std::size_t most = 600;
@@ -47,10 +55,15 @@ std::string last_words(const std::string& text) {
 
 }  // namespace
 
+void check_film_name(const fs::path& path) {
+  constexpr std::array others{".webm", ".mov",  ".avi", ".mkv", ".m4v",
+                              ".mpg",  ".mpeg", ".wmv", ".ogv"};
+  if (std::ranges::find(others, ending_of(path)) == others.end()) return;
+  throw UsageError("\"" + path.string() + "\": a film ends in .mp4 or .gif");
+}
+
 std::optional<FilmFormat> film_format(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = ending_of(path);
   if (ending == ".mp4") return FilmFormat::mp4;
   if (ending == ".gif") return FilmFormat::gif;
   return std::nullopt;

@@ -12,6 +12,9 @@ namespace winslow::gui {
 /// What frames are made into: by the ending of a file's name, .mp4 or .gif; none for anything else.
 enum class FilmFormat { mp4, gif };
 std::optional<FilmFormat> film_format(const std::filesystem::path& path);
+/// Throws UsageError for the ending of a film of another format: frames would go to a folder of
+/// that name.
+void check_film_name(const std::filesystem::path& path);
 
 /// Name of the k-th frame, counted from 1: "frame-00001.png".
 std::string frame_name(int k);

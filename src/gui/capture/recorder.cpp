@@ -40,6 +40,7 @@ bool Recorder::occupied(const fs::path& target) {
 }
 
 void Recorder::start(const fs::path& target, const RecordingSpec& spec) {
+  check_film_name(target);
   target_ = fs::absolute(target).lexically_normal();
   folder_ = frames_folder(target_);
   spec_ = spec;
