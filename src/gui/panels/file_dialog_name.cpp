@@ -69,6 +69,7 @@ int FileDialog::edit(ImGuiInputTextCallbackData& data) {
     default:
       break;
   }
+  if (data.BufDirty) ui::forget_typed_steps();
   return 0;
 }
 

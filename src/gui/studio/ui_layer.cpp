@@ -38,6 +38,13 @@ void map_keys(ImGuiIO& io) {
   for (const auto& [imgui, glfw] : keys) io.KeyMap[imgui] = glfw;
 }
 
+/// Dear ImGui keeps the undo steps of the last text field for when it is entered again, whatever
+/// its text is then: undone, they make the length of a shorter text negative. A field that is left
+/// is not recognised again.
+void forget_field_that_was_left(ImGuiContext& context) {
+  if (context.ActiveId != context.InputTextState.ID) context.InputTextState.ID = 0;
+}
+
 }  // namespace
 
 std::optional<WidgetMap::Rect> WidgetMap::find(std::string_view id) const {
@@ -99,7 +106,10 @@ void UiLayer::begin(const InputState& input, int width, int height, double secon
   ImGui::NewFrame();
 }
 
-void UiLayer::end() { ImGui::Render(); }
+void UiLayer::end() {
+  forget_field_that_was_left(*context_);
+  ImGui::Render();
+}
 
 void UiLayer::paint() {
   ImGui::SetCurrentContext(context_);

@@ -127,6 +127,14 @@ bool number(std::string_view id, int& value, std::string_view tip) {
   return changed;
 }
 
+void forget_typed_steps() {
+  auto& undo = ImGui::GetCurrentContext()->InputTextState.Stb.undostate;
+  undo.undo_point = 0;
+  undo.undo_char_point = 0;
+  undo.redo_point = IM_ARRAYSIZE(undo.undo_rec);
+  undo.redo_char_point = IM_ARRAYSIZE(undo.undo_char);
+}
+
 bool combo(std::string_view id, const std::vector<std::string>& items, std::size_t& chosen,
            std::string_view tip) {
   const std::string preview = chosen < items.size() ? items[chosen] : std::string();

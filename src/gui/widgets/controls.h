@@ -35,6 +35,9 @@ void row(const std::string& label, std::string_view tip = {}, float label_share 
 bool number(std::string_view id, double& value, std::string_view tip = {},
             const char* format = "%.6g");
 bool number(std::string_view id, int& value, std::string_view tip = {});
+/// For the callback of a text field that has put another text in place of what was typed: the undo
+/// steps of Dear ImGui belong to the old one.
+void forget_typed_steps();
 bool combo(std::string_view id, const std::vector<std::string>& items, std::size_t& chosen,
            std::string_view tip = {});
 
