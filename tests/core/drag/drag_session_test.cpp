@@ -191,7 +191,8 @@ TEST_CASE("a drag goes on from a mesh on the way, not from the state") {
   const Coordinates there = execute(command, state).state.mesh.coordinates;
   DragSession drag(state, DragGrip{{"inner"}, {}, {}}, {},
                    DragSession::Start{there, command.motion});
-  CHECK(drag.to(command.motion).coordinates == there);
+  // To round-off: the thread may have solved there before the first question.
+  CHECK(largest_difference(drag.to(command.motion).coordinates, there) < 1e-8);
   CHECK(same_motion(drag.to(command.motion).motion, command.motion));
   REQUIRE(wait_until([&] { return drag.ready(); }));
   RigidMotion next = command.motion;
