@@ -82,7 +82,9 @@ void Soak::answer_dialogs() {
     }
     const Vec2 at = button->centre();
     if (at.x() >= width_ || at.y() >= height_)
-      throw std::runtime_error("a button of a prompt is out of reach");
+      throw std::runtime_error("the answer " + label + " is out of reach, at " +
+                               std::to_string(at.x()) + ", " + std::to_string(at.y()) + " of " +
+                               std::to_string(width_) + " by " + std::to_string(height_));
     rig_->click(at);
   }
   if (rig_->session().prompt()) {

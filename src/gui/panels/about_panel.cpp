@@ -11,6 +11,7 @@
 #include "core/linear/linear_solver.h"
 #include "gui/render/gl.h"
 #include "gui/widgets/controls.h"
+#include "gui/widgets/dialog.h"
 
 namespace winslow::gui {
 
@@ -67,23 +68,25 @@ void AboutPanel::draw(const PanelContext& context) {
     facts_ = facts();
   }
   wanted_ = false;
-  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always,
-                          ImVec2(0.5f, 0.5f));
+  const ImVec2 padding(theme.px(22), theme.px(18));
+  const float width = ui::place_dialog(theme.px(560), padding);
   constexpr auto flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize |
                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(theme.px(22), theme.px(18)));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, theme.px(8));
   if (ImGui::BeginPopupModal(popup, nullptr, flags)) {
     ImGui::PushFont(theme.title);
     ImGui::TextUnformatted("winslow");
     ImGui::PopFont();
+    ImGui::PushTextWrapPos(padding.x + width);
     ui::text_dim("Elliptic smoothing of unstructured meshes on virtual control volumes.");
+    ImGui::PopTextWrapPos();
     ImGui::Spacing();
     std::string all;
     for (const auto& [part, version] : facts_) {
       ui::text_dim(part);
       ImGui::SameLine(theme.px(140));
-      ImGui::TextUnformatted(ui::elided(version, theme.px(420)).c_str());
+      ImGui::TextUnformatted(ui::elided(version, width - theme.px(140)).c_str());
       ui::note("about/" + part);
       ui::tooltip(version);
       all += part + ": " + version + "\n";

@@ -6,6 +6,11 @@
 
 namespace winslow::gui::ui {
 
+/// Puts the next window, which is as large as its content, in the middle of the screen and keeps it
+/// within. Returns the width of its content, pixels: `wanted`, or what a small screen leaves of it.
+/// padding: between the content and the frame, pixels.
+float place_dialog(float wanted, const ImVec2& padding);
+
 /// A dialog in the middle of the window, which holds all else back while it is open. Draw its
 /// content while shown() and only then.
 class Dialog {
@@ -25,6 +30,7 @@ class Dialog {
 
  private:
   const Theme& theme_;
+  float width_;
   bool shown_ = false;
 };
 

@@ -61,6 +61,45 @@ TEST_CASE("a file dropped on the window is opened") {
   CHECK(rig.document().topology()->find_marker("left").has_value());
 }
 
+TEST_CASE("every answer of a prompt is within a small window, at a large scale, too") {
+  Rig rig(480, 360);
+  rig.bench->set_scale(2);
+  rig.open(ring_mesh());
+  move_flap(rig);
+  const auto within = [&] {
+    rig.frames(4);
+    REQUIRE(rig.session().prompt() != nullptr);
+    for (const auto& choice : rig.session().prompt()->choices) {
+      CAPTURE(choice.label);
+      const auto button = rig.bench->widgets().find("prompt/" + choice.label);
+      REQUIRE(button.has_value());
+      CHECK((button->min.x() >= 0 && button->min.y() >= 0));
+      CHECK((button->max.x() <= 480 && button->max.y() <= 360));
+    }
+  };
+  rig.bench->apply(action::CloseMesh{});
+  within();
+  CHECK(rig.session().prompt()->choices.size() > 1);
+  choose(rig, "Cancel");
+  // More text than there is room for: it scrolls, the answer stays.
+  std::string text;
+  for (int i = 0; i < 200; ++i) text += "line " + std::to_string(i) + " of a long list ";
+  const auto deep = rig.folder / (std::string(120, 'x') + ".su2");
+  std::ofstream(deep) << text;
+  rig.input.drop({deep});
+  rig.frames();
+  REQUIRE(rig.wait([&] { return rig.session().prompt() != nullptr; }));
+  within();
+  while (rig.session().prompt()->choices.size() > 1) {
+    rig.click("prompt/" + rig.session().prompt()->choices.front().label);
+    REQUIRE(rig.wait([&] { return rig.session().prompt() && !rig.session().loading(); }));
+    within();
+  }
+  CHECK(rig.session().prompt()->kind == Prompt::Kind::error);
+  rig.click("prompt/OK");
+  CHECK(rig.session().prompt() == nullptr);
+}
+
 TEST_CASE("a failed load says why and keeps the open mesh") {
   Rig rig;
   rig.open(ring_mesh());
