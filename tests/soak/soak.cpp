@@ -128,10 +128,12 @@ void Soak::check() {
   if (!(document->state().mesh.coordinates == shown))
     throw std::runtime_error("the mesh on screen is not that of the history");
   const Index inverted = check_validity(*document->topology(), shown).inverted;
-  if (inverted > 0 && !session.banner())
-    throw std::runtime_error("a mesh with inverted elements was accepted in silence");
+  const std::string what = describe(document->history().command(position)) + ": ";
+  if (inverted > 0 && !session.banner() && !session.banner_dismissed())
+    throw std::runtime_error(what + std::to_string(inverted) +
+                             " inverted elements were accepted in silence");
   if (inverted != document->history().result(position).inverted)
-    throw std::runtime_error("the history says another number of inverted elements");
+    throw std::runtime_error(what + "the history says another number of inverted elements");
 }
 
 }  // namespace winslow::gui::test

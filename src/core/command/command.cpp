@@ -185,7 +185,12 @@ MeshState make_state(Mesh mesh) {
 
 CommandResult execute(const Command& command, const MeshState& state,
                       const ExecuteOptions& options) {
-  return std::visit([&](const auto& c) { return execute_one(c, state, options); }, command);
+  CommandResult result =
+      std::visit([&](const auto& c) { return execute_one(c, state, options); }, command);
+  // Whatever way it went: the count is that of the mesh that is handed over.
+  const Mesh& mesh = result.state.mesh;
+  result.smooth.inverted = check_validity(*mesh.topology, mesh.coordinates).inverted;
+  return result;
 }
 
 }  // namespace winslow

@@ -111,6 +111,7 @@ void Autosave::keep(const Session& session) {
                        source,
                        fs::absolute(document->path()),
                        restored ? restored_mesh_ : source,
+                       document->source_stamp(),
                        document->history(),
                        document->tags()};
   tasks_.push_back([this, folder = folder_, record = std::move(record),

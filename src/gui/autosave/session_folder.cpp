@@ -35,6 +35,33 @@ std::string mesh_name(const SessionRecord& session) {
   return "mesh-" + std::to_string(session.generation) + session.source.extension().string();
 }
 
+constexpr const char* start_prefix = "start-";
+
+/// The mesh as opened, in the format of a step.
+std::string start_name(const SessionRecord& session) {
+  return start_prefix + std::to_string(session.generation) + ".bin";
+}
+
+/// Copies the mesh file that was opened. False if it is not that file any more.
+bool copy_unchanged(const SessionRecord& session, const fs::path& to) {
+  if (!session.stamp || stamp_of(session.mesh) != session.stamp) return false;
+  std::error_code error;
+  fs::copy_file(session.mesh, to, fs::copy_options::overwrite_existing, error);
+  if (!error && stamp_of(session.mesh) == session.stamp) return true;
+  fs::remove(to, error);
+  return false;
+}
+
+/// The mesh as opened. What its format keeps besides a mesh is lost where the file had changed.
+Document::Loaded read_start(const fs::path& file) {
+  if (!file.filename().string().starts_with(start_prefix)) return Document::load(file);
+  Document::Loaded loaded;
+  loaded.state = read_step(file, MeshState{}).state;
+  loaded.file.mesh = loaded.state.mesh;
+  loaded.quality = measure_quality(loaded.file.mesh);
+  return loaded;
+}
+
 std::string local_time() {
   const std::time_t now = std::time(nullptr);
   std::tm parts{};
@@ -44,7 +71,7 @@ std::string local_time() {
   return text.data();
 }
 
-json manifest_of(const SessionRecord& session) {
+json manifest_of(const SessionRecord& session, const std::string& start) {
   json steps = json::array();
   for (std::size_t k = 1; k < session.history.size(); ++k)
     steps.push_back({{"file", step_name(session.generation, session.tags[k].revision)},
@@ -53,7 +80,7 @@ json manifest_of(const SessionRecord& session) {
   return {{"winslow_session", format_version},
           {"source", session.source.string()},
           {"path", session.path.string()},
-          {"mesh", mesh_name(session)},
+          {"mesh", start},
           {"time", local_time()},
           {"position", session.history.position()},
           {"steps", std::move(steps)}};
@@ -108,16 +135,20 @@ void SessionFolder::make() {
   path_ = path;
 }
 
+/// Writes the mesh as it was opened unless it is there. Returns the name of its file.
+std::string SessionFolder::keep_start(const SessionRecord& session) {
+  const std::string copy = mesh_name(session), own = start_name(session);
+  if (written_.contains(copy)) return copy;
+  if (written_.contains(own)) return own;
+  const bool copied = copy_unchanged(session, path_ / copy);
+  if (!copied) write_step(path_ / own, session.history.state(0), MeshState{}, SmoothResult{});
+  return *written_.insert(copied ? copy : own).first;
+}
+
 void SessionFolder::write(const SessionRecord& session) {
   if (path_.empty()) make();
-  std::set<std::string> needed{mesh_name(session)};
-  if (!written_.contains(mesh_name(session))) {
-    std::error_code error;
-    fs::copy_file(session.mesh, path_ / mesh_name(session), fs::copy_options::overwrite_existing,
-                  error);
-    if (error) throw OutputError(session.mesh.string() + ": cannot be copied: " + error.message());
-    written_.insert(mesh_name(session));
-  }
+  const std::string start = keep_start(session);
+  std::set<std::string> needed{start};
   for (std::size_t k = 1; k < session.history.size(); ++k) {
     const std::string name = step_name(session.generation, session.tags[k].revision);
     needed.insert(name);
@@ -128,7 +159,7 @@ void SessionFolder::write(const SessionRecord& session) {
   }
   std::string text;
   try {
-    text = manifest_of(session).dump(1);
+    text = manifest_of(session, start).dump(1);
   } catch (const json::exception&) {
     throw OutputError("a name in the session is not UTF-8 text");
   }
@@ -172,7 +203,7 @@ RestoredSession read_session(const fs::path& folder) {
   read_summary(folder);  // checks the version
   const json manifest = read_manifest(folder);
   RestoredSession session;
-  session.loaded = Document::load(file_of(manifest, "mesh", folder));
+  session.loaded = read_start(file_of(manifest, "mesh", folder));
   session.loaded.path = value_of<std::string>(manifest, "source", folder);
   session.path = value_of<std::string>(manifest, "path", folder);
   const auto steps = value_of<json::array_t>(manifest, "steps", folder);

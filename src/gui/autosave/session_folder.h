@@ -8,6 +8,7 @@
 
 #include "core/command/history.h"
 #include "gui/autosave/folder_lock.h"
+#include "gui/files/file_stamp.h"
 #include "gui/studio/document.h"
 #include "gui/studio/restored_session.h"
 
@@ -19,13 +20,15 @@ struct SessionRecord {
   std::filesystem::path source;  ///< the file that was opened
   std::filesystem::path path;    ///< where it is saved
   std::filesystem::path mesh;    ///< what to copy the mesh as opened from
+  std::optional<FileStamp> stamp;  ///< of that file as it was read
   History history;
   std::vector<Document::Tag> tags;  ///< of each position
 };
 
 /// Writes one running studio's session into a folder of its own: a copy of the mesh file as it was
-/// opened, a file for each step, and a manifest that names them, written last and whole. Works on a
-/// thread other than the interface's, one call at a time.
+/// opened (or the mesh itself, where that file is another one by now), a file for each step, and a
+/// manifest that names them, written last and whole. Works on a thread other than the interface's,
+/// one call at a time.
 class SessionFolder {
  public:
   /// The folder is made by the first write, below this one.
@@ -39,6 +42,7 @@ class SessionFolder {
 
  private:
   void make();
+  std::string keep_start(const SessionRecord& session);
 
   std::filesystem::path root_, path_;
   std::optional<FolderLock> lock_;
@@ -56,7 +60,7 @@ constexpr const char* manifest_name = "session.json";
 
 /// Throws InputError.
 SessionSummary read_summary(const std::filesystem::path& folder);
-/// The copy of the mesh as it was opened. Throws InputError.
+/// What the mesh as it was opened is kept in. Throws InputError.
 std::filesystem::path kept_mesh(const std::filesystem::path& folder);
 /// Reads a session with all its meshes. Steps from the first damaged one on are left out, and
 /// `damage` says so. Throws Error where nothing can be restored.

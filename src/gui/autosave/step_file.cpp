@@ -190,6 +190,7 @@ MeshState read_state(ArchiveReader& reader, const MeshState& before) {
   Parts parts;
   part_fields(reader, parts);
   if (parts.topology) state.mesh.topology = read_topology(reader, state.mesh.coordinates);
+  if (!state.mesh.topology) reader.fail("no elements");
   const Topology& topology = *state.mesh.topology;
   if (state.mesh.coordinates.size() != topology.node_count())
     reader.fail(std::to_string(state.mesh.coordinates.size()) + " nodes of " +

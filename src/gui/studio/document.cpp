@@ -18,16 +18,18 @@ std::filesystem::path resolved(const std::filesystem::path& path) {
 Document::Loaded Document::load(const std::filesystem::path& path) {
   Loaded loaded;
   loaded.path = path;
+  loaded.stamp = stamp_of(path);
   loaded.file = io::read_mesh(path);
   loaded.quality = measure_quality(loaded.file.mesh);
   loaded.state = make_state(loaded.file.mesh);
+  if (stamp_of(path) != loaded.stamp) loaded.stamp.reset();
   return loaded;
 }
 
 Document::Document(Loaded loaded)
     : source_(loaded.path),
       path_(std::move(loaded.path)),
-      format_(loaded.file.format),
+      source_stamp_(loaded.stamp),
       details_(std::move(loaded.file.details)),
       warnings_(std::move(loaded.file.warnings)),
       loaded_quality_(std::move(loaded.quality)),

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 
 #include "core/command/history.h"
 #include "core/quality/quality.h"
+#include "gui/files/file_stamp.h"
 #include "io/mesh_file.h"
 
 namespace winslow::gui {
@@ -23,6 +25,7 @@ class Document {
     io::MeshFile file;
     MeshState state;
     QualityReport quality;
+    std::optional<FileStamp> stamp;  ///< of the file that was read; empty: it changed meanwhile
   };
   /// Reads and prepares a mesh. Throws what io::read_mesh throws.
   static Loaded load(const std::filesystem::path& path);
@@ -33,10 +36,11 @@ class Document {
   const std::filesystem::path& path() const { return path_; }
   /// The file that was opened.
   const std::filesystem::path& source() const { return source_; }
+  /// That file as it was read; empty: none is known that holds just that.
+  const std::optional<FileStamp>& source_stamp() const { return source_stamp_; }
   /// Where to save it from now on; nothing is saved there yet.
   void set_path(std::filesystem::path path) { path_ = std::move(path); }
   std::string name() const { return path_.filename().string(); }
-  io::Format format() const { return format_; }
   const std::shared_ptr<const io::FormatDetails>& details() const { return details_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
   const QualityReport& loaded_quality() const { return loaded_quality_; }
@@ -87,7 +91,7 @@ class Document {
 
  private:
   std::filesystem::path source_, path_;
-  io::Format format_;
+  std::optional<FileStamp> source_stamp_;
   std::shared_ptr<const io::FormatDetails> details_;
   std::vector<std::string> warnings_;
   QualityReport loaded_quality_;

@@ -151,7 +151,10 @@ void Session::on(const action::DismissPrompt&) {
   if (!prompts_.empty()) prompts_.pop_front();
 }
 
-void Session::on(const action::DismissBanner&) { banner_.reset(); }
+void Session::on(const action::DismissBanner&) {
+  if (banner_ && document_) dismissed_ = std::pair(generation_, document_->revision());
+  banner_.reset();
+}
 
 void Session::shape_changed() {
   ++shape_;
@@ -164,6 +167,11 @@ void Session::position_changed() {
   preview_.reset();
   update_anchors();
   place_pivot();
+  banner_of_position();
+}
+
+/// What the mesh at this position of the history calls for, if anything.
+void Session::banner_of_position() {
   const History& history = document_->history();
   banner_.reset();
   if (history.position() > 0) return update_banner(history.result(history.position()));

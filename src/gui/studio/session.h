@@ -111,6 +111,10 @@ class Session {
 
   const Prompt* prompt() const { return prompts_.empty() ? nullptr : &prompts_.front(); }
   const std::optional<Banner>& banner() const { return banner_; }
+  /// The user has put the banner of the present mesh away.
+  bool banner_dismissed() const {
+    return document_ && dismissed_ == std::pair(generation_, document_->revision());
+  }
   const std::optional<Notice>& notice() const { return notice_; }
   void tell(Notice::Kind kind, std::string text);
   void report_error(std::string title, std::string text);
@@ -207,6 +211,7 @@ class Session {
                     const std::shared_ptr<const Topology>& now);
   MeshState measured_state() const;
   void position_changed();
+  void banner_of_position();
   void place_pivot();
   void update_anchors();
   void update_banner(const SmoothResult& smooth);
@@ -274,6 +279,7 @@ class Session {
 
   std::deque<Prompt> prompts_;
   std::optional<Banner> banner_;
+  std::optional<std::pair<std::uint64_t, std::uint64_t>> dismissed_;  // generation and revision
   std::optional<Notice> notice_;
 
   std::filesystem::path loading_path_;

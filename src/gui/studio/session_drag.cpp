@@ -126,7 +126,8 @@ void Session::end_body_drag() {
   drag_base_.reset();
   drag_start_.reset();
   shape_changed();
-  if (stays(motion)) return;
+  // Nothing was done, and what was to be said of the mesh is to be said still.
+  if (stays(motion)) return banner_of_position();
   if (motion_.increments > 1) start.reset();
   start_job(drag_command(grip, motion, motion_, smooth_), false, std::move(start));
 }
@@ -138,6 +139,7 @@ void Session::on(const action::CancelDrag&) {
   if (drag_.active()) {
     drag_.end();
     shape_changed();
+    banner_of_position();
     // The job that the drag had taken over goes on to where it was going.
     if (base) start_job(move_command(*base), false, std::exchange(drag_start_, std::nullopt));
   } else if (base) {

@@ -1,8 +1,10 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "core/error.h"
+#include "gui/autosave/session_folder.h"
 #include "gui/autosave/step_file.h"
 #include "gui/studio/keys.h"
 #include "gui/studio/rig.h"
@@ -199,6 +201,38 @@ TEST_CASE("a damaged step costs that step and those after it, and is said") {
   CHECK(rig.session().prompt()->text.find("checksum") != std::string::npos);
   CHECK(rig.document().history().size() == 2);
   CHECK(rig.session().coordinates() == positions[1]);
+}
+
+TEST_CASE("what was opened is kept, whatever becomes of its file before that is written") {
+  enum class Fate { stays, replaced, deleted };
+  for (const Fate fate : {Fate::stays, Fate::replaced, Fate::deleted}) {
+    TemporaryFolder root, meshes;
+    const fs::path path = write(meshes, ring_mesh(), "wing.su2");
+    const Document document(Document::load(path));
+    if (fate == Fate::replaced) write(meshes, ring_mesh(30, 5), "wing.su2");
+    if (fate == Fate::deleted) fs::remove(path);
+    SessionFolder folder(root.path());
+    const auto keep = [&](std::uint64_t generation, const fs::path& mesh, const Document& of) {
+      folder.write({generation, path, path, mesh, of.source_stamp(), of.history(), of.tags()});
+      return read_session(folder.path());
+    };
+    const RestoredSession back = keep(1, path, document);
+    const Mesh& was = document.state().mesh;
+    const Mesh& is = back.loaded.state.mesh;
+    CHECK(is.coordinates == was.coordinates);
+    REQUIRE(is.topology->element_count() == was.topology->element_count());
+    for (Index e = 0; e < was.topology->element_count(); ++e)
+      CHECK(std::ranges::equal(is.topology->element(e), was.topology->element(e)));
+    CHECK(is.topology->find_marker("flap") == was.topology->find_marker("flap"));
+    CHECK(back.loaded.path == path);
+    CHECK(back.loaded.quality.inverted == 0);
+    // The file itself, with all that its format holds, if it is still the one.
+    CHECK((back.loaded.file.details != nullptr) == (fate == Fate::stays));
+    // Kept again by the studio that has restored it.
+    const RestoredSession again = keep(2, kept_mesh(folder.path()), Document(back.loaded));
+    CHECK(again.loaded.state.mesh.coordinates == was.coordinates);
+    CHECK(std::distance(fs::directory_iterator(folder.path()), {}) == 3);  // with lock, manifest
+  }
 }
 
 TEST_CASE("a damaged manifest or mesh is reported, and can be deleted") {

@@ -370,6 +370,12 @@ TEST_CASE("the panel plans layers, shows them and inserts them") {
   CHECK(rig.visible("layers/result"));
   CHECK(rig.visible("layers/realised"));
   rig.bench->picture();
+  // A plan for the same once more would only hide the layers; another one is shown.
+  CHECK_FALSE(rig.session().layer_preview().wanted());
+  rig.fill("layers/count", "2");
+  REQUIRE(rig.settle());
+  REQUIRE(rig.session().layer_preview().wanted());
+  CHECK(rig.session().layer_preview().wanted()->walls.front().spacing.count == 2);
 }
 
 TEST_CASE("a mesh that comes with the program is never written over") {

@@ -222,6 +222,18 @@ TEST_CASE("an iteration limit that is too small is said, and going on converges"
   rig.frames();
   REQUIRE(rig.session().banner().has_value());
   CHECK(rig.session().banner()->kind == Banner::Kind::not_converged);
+  // A drag that is taken back, or moves nothing, leaves it said.
+  rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
+  for (const bool moved : {true, false}) {
+    rig.bench->apply(action::BeginDrag{});
+    if (moved) rig.bench->apply(action::DragTo{{0, Vec2(0, 0), Vec2(0.1, 0)}});
+    rig.frames();
+    CHECK(rig.session().in_motion());
+    rig.bench->apply(moved ? Action(action::CancelDrag{}) : Action(action::EndDrag{}));
+    REQUIRE(rig.settle());
+    REQUIRE(rig.session().banner().has_value());
+    CHECK(rig.session().banner()->kind == Banner::Kind::not_converged);
+  }
   rig.bench->apply(action::SetSmoothOptions{SmoothOptions{}});
   rig.frames();
   rig.click("banner/smooth");

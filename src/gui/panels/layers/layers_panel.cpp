@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "core/command/layers_run.h"
 #include "core/layers/layer_measures.h"
@@ -13,6 +14,18 @@
 #include "gui/widgets/height_plot.h"
 
 namespace winslow::gui {
+
+namespace {
+
+/// The mesh on screen is what these options have made: a plan would be for the same once more.
+bool just_inserted(const Session& session, const LayerOptions& options) {
+  const History& history = session.document()->history();
+  if (history.position() == 0) return false;
+  const auto* last = std::get_if<LayersCommand>(&history.command(history.position()));
+  return last && last->task == LayerTask::insert && options_of(*last) == options;
+}
+
+}  // namespace
 
 void LayersPanel::draw(const PanelContext& context) {
   const auto hide = [&] {
@@ -134,10 +147,12 @@ void LayersPanel::draw_insertion(const PanelContext& context) {
                "Ask for the heights through the virtual control volumes, now and whenever a body "
                "moves. Off: smoothing spreads the layers as it likes.");
   ui::checkbox("layers/preview", "Show where they will stand", preview_,
-               "Draw the planned columns and layers; columns cut short in another colour.");
+               "Draw the planned columns and layers; columns cut short in another colour. After an "
+               "insertion, once a setting is changed.");
   const LayersCommand insertion = command(context, LayerTask::insert);
   const LayerOptions wanted = options_of(insertion);
-  const bool shown = preview_ && !context.session.in_motion();
+  const bool shown =
+      preview_ && !context.session.in_motion() && !just_inserted(context.session, wanted);
   const auto& planned = context.session.layer_preview().wanted();
   if (shown && planned != wanted) context.emit(action::PreviewLayers{wanted});
   if (!shown && planned) context.emit(action::PreviewLayers{});
