@@ -326,7 +326,8 @@ void Soak::crash() {
   rig_->frames(3);
   rig_->click("prompt/Restore");
   if (!rig_->wait([this] { return rig_->session().document() != nullptr; }, 60))
-    throw std::runtime_error("the session does not come back");
+    throw std::runtime_error("the session does not come back: " +
+                             (rig_->session().prompt() ? rig_->session().prompt()->text : "?"));
   const History& after = rig_->document().history();
   if (after.size() != before.size() || after.position() != before.position())
     throw std::runtime_error("the history that came back is another one");
