@@ -43,7 +43,7 @@ QualityRow row_of(const char* name, const double* before, double now, bool large
 
 QualityRow inverted_row(const QualityReport* before, const QualityReport& now) {
   QualityRow row;
-  row.name = "Inverted elements";
+  row.name = "Inverted";
   row.tip = "Elements with a corner whose area is not positive. A solver cannot use such a mesh.";
   row.now = grouped(now.inverted);
   row.before = before ? grouped(before->inverted) : "-";

@@ -75,6 +75,8 @@ Window::Window(int width, int height, const std::string& title) : title_(title) 
     glfwTerminate();
     fail("Cannot open a window with OpenGL 3.3");
   }
+  // Below this the panels at the sides have no room for their columns.
+  glfwSetWindowSizeLimits(window_, 760, 480, GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(1);
   try {

@@ -45,7 +45,7 @@ TEST_CASE("the numbers of the table are those of the quality report") {
                                          before.normalized_jacobian.statistics.min));
   CHECK(row(rows, "Aspect ratio R/2r", 3).now == table_number(now.aspect_ratio.statistics.max));
   CHECK(row(rows, "Condition number", 2).now == table_number(now.condition_number.statistics.avg));
-  const auto& inverted = row(rows, "Inverted elements", 0);
+  const auto& inverted = row(rows, "Inverted", 0);
   CHECK(inverted.before == std::to_string(before.inverted));
   CHECK(inverted.now == "0");
   CHECK(inverted.verdict == 1);
