@@ -5,8 +5,17 @@
 
 namespace winslow::gui {
 
+/// What was chosen, or what the screen wants; less where the window is too small for that, or the
+/// buttons of a prompt would lie outside it.
 float Workbench::scale() const {
-  return view_.scale > 0 ? static_cast<float>(view_.scale) : options_.scale;
+  const double wanted = view_.scale > 0 ? view_.scale : static_cast<double>(options_.scale);
+  constexpr double least_width = 480, least_height = 360;  // of a layout that can be worked in
+  const double fits = std::min(width_ / least_width, height_ / least_height);
+  if (wanted <= fits) return static_cast<float>(wanted);
+  double largest = scales.front();
+  for (const double s : scales)
+    if (s <= fits) largest = s;
+  return static_cast<float>(std::min(wanted, largest));
 }
 
 void Workbench::on(const action::StepScale& a) {

@@ -71,6 +71,13 @@ TEST_CASE("the scale of the interface is chosen, or the screen's own") {
   rig.bench->set_scale(2);
   rig.frames();
   CHECK(height() == doctest::Approx(2 * before).epsilon(0.1));
+  // More than the window has room for.
+  rig.bench->set_scale(3);
+  rig.frames();
+  CHECK(height() == doctest::Approx(2 * before).epsilon(0.1));
+  rig.resize(600, 400);
+  rig.frames();
+  CHECK(height() == doctest::Approx(1.1 * before).epsilon(0.1));
 }
 
 TEST_CASE("W steps through surfaces and edges, surfaces, edges") {
