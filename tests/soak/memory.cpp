@@ -6,26 +6,41 @@
 #include <algorithm>
 #include <fstream>
 
+#if defined(__SANITIZE_ADDRESS__)
+#include <sanitizer/allocator_interface.h>
+#endif
+
 namespace winslow::gui::test {
 
-std::size_t resident_memory() {
-  // What is free must not count: how much of it is kept back is a matter of chance.
+namespace {
+
+std::size_t allocated() {
+#if defined(__SANITIZE_ADDRESS__)
+  return __sanitizer_get_current_allocated_bytes();
+#else
+  const auto info = mallinfo2();
+  return info.uordblks + info.hblkhd;
+#endif
+}
+
+}  // namespace
+
+Memory memory_now() {
   malloc_trim(0);
   std::ifstream file("/proc/self/statm");
   std::size_t total = 0;
   std::size_t resident = 0;
   file >> total >> resident;
-  return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  return {allocated(), resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE))};
 }
 
-std::ptrdiff_t MemoryWatch::growth() const {
+std::ptrdiff_t MemoryWatch::growth(std::size_t Memory::*of) const {
   if (samples_.size() < 12) return 0;
   const auto median = [&](std::size_t quarter) {
-    const auto begin =
-        samples_.begin() + static_cast<std::ptrdiff_t>(quarter * samples_.size() / 4);
-    const auto end =
-        samples_.begin() + static_cast<std::ptrdiff_t>((quarter + 1) * samples_.size() / 4);
-    std::vector<std::size_t> part(begin, end);
+    std::vector<std::size_t> part;
+    for (std::size_t i = quarter * samples_.size() / 4; i < (quarter + 1) * samples_.size() / 4;
+         ++i)
+      part.push_back(samples_[i].*of);
     std::sort(part.begin(), part.end());
     return static_cast<std::ptrdiff_t>(part[part.size() / 2]);
   };

@@ -320,6 +320,8 @@ void Soak::crash() {
   const History before = rig_->document().history();
   note("  of " + rig_->document().source().filename().string());
   rig_.reset();
+  known_.clear();
+  memory_.sample();  // with no studio at all: what is left was leaked, or is kept for the next one
   rig_ = std::make_unique<Rig>(width_, height_, folder_ / "profile");
   if (!rig_->wait([this] { return rig_->session().prompt() != nullptr; }, 60))
     throw std::runtime_error("the session is not offered after a crash");
@@ -343,6 +345,8 @@ void Soak::crash() {
 /// The studio was told to end, through the palette for one: the next one has nothing to offer.
 void Soak::begin_again() {
   rig_.reset();
+  known_.clear();
+  memory_.sample();  // with no studio at all: what is left was leaked, or is kept for the next one
   rig_ = std::make_unique<Rig>(width_, height_, folder_ / "profile");
   if (!rig_->wait([this] { return !rig_->bench->autosave().busy(); }, 60))
     throw std::runtime_error("what earlier studios left is never looked at");

@@ -49,7 +49,7 @@ void Soak::note(const std::string& what) {
   if (trail_.size() > 60) trail_.erase(trail_.begin());
 }
 
-/// Another mesh: the same state each time, so that memory can be compared.
+/// Another mesh.
 void Soak::open_next() {
   since_open_ = 0;
   const fs::path path = sources_[static_cast<std::size_t>(meshes_) % sources_.size()];
@@ -61,7 +61,6 @@ void Soak::open_next() {
   settle_down();
   answer_dialogs();
   ++meshes_;
-  if (meshes_ % static_cast<int>(sources_.size()) == 0) memory_.sample();
 }
 
 /// Whatever is asked is answered, most often so that work goes on.

@@ -137,7 +137,7 @@ void SessionFolder::make() {
 
 /// Writes the mesh as it was opened unless it is there. Returns the name of its file.
 std::string SessionFolder::keep_start(const SessionRecord& session) {
-  const std::string copy = mesh_name(session), own = start_name(session);
+  std::string copy = mesh_name(session), own = start_name(session);
   if (written_.contains(copy)) return copy;
   if (written_.contains(own)) return own;
   const bool copied = copy_unchanged(session, path_ / copy);

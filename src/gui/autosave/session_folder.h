@@ -16,10 +16,10 @@ namespace winslow::gui {
 
 /// A session as it is to be written: shares the meshes with the document.
 struct SessionRecord {
-  std::uint64_t generation = 0;  ///< of the open mesh
-  std::filesystem::path source;  ///< the file that was opened
-  std::filesystem::path path;    ///< where it is saved
-  std::filesystem::path mesh;    ///< what to copy the mesh as opened from
+  std::uint64_t generation = 0;    ///< of the open mesh
+  std::filesystem::path source;    ///< the file that was opened
+  std::filesystem::path path;      ///< where it is saved
+  std::filesystem::path mesh;      ///< what to copy the mesh as opened from
   std::optional<FileStamp> stamp;  ///< of that file as it was read
   History history;
   std::vector<Document::Tag> tags;  ///< of each position
