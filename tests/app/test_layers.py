@@ -34,6 +34,25 @@ class Layers(ProgramTest):
         self.assertLess(layers["spacing_error"]["max"], 0.01)
         self.assertLess(layers["orthogonality"]["max"], 1)
 
+    def test_heights_and_columns_cut_short_are_printed(self):
+        self.ring(around=32, rings=10)
+        out = self.insert().stdout
+        rows = {line[:22].strip(): line[22:].split() for line in out.splitlines() if len(line) > 22}
+        self.assertEqual([float(v) for v in rows["First height"]],
+                         [float(f"{self.json('report.json')['layers']['first_height'][k]:.4g}")
+                          for k in ("min", "avg", "max")])
+        self.assertLess(float(rows["Error of heights, %"][2]), 1)
+        self.assertIn("32 columns of layers, none cut short\n", out)
+        # A quarter of the ring: its columns get thinner towards the ends, which have none.
+        out = self.winslow("layers", "ring.su2", "-o", "out.su2", "--first", 0.02, "--wall",
+                           "body:count=6,xmin=-1e-9,ymin=-1e-9", "--report", "report.json").stdout
+        cut = self.json("report.json")["layers"]["cut_short"]
+        self.assertGreater(len(cut), 5)
+        self.assertIn(f"columns of layers, {len(cut)} cut short\n", out)
+        self.assertEqual(out.count(": no layers (end)\n"), 2)
+        self.assertIn(f"  and {len(cut) - 5} more\n", out)
+        self.assertNotIn("columns of layers", self.insert("--quiet").stdout)
+
     def test_a_recipe_gives_the_same_mesh(self):
         self.ring()
         self.insert("--save-recipe", "recipe.json")

@@ -8,6 +8,7 @@
 #include "app/job/interrupt.h"
 #include "app/job/markers.h"
 #include "app/job/progress.h"
+#include "app/output/layer_table.h"
 #include "app/output/quality_table.h"
 #include "app/output/report.h"
 #include "core/error.h"
@@ -19,6 +20,7 @@ namespace winslow::app {
 namespace {
 
 constexpr int inverted_elements_shown = 5;
+constexpr int cut_columns_shown = 5;
 
 void check_files(const JobFiles& files) {
   if (files.output.empty()) throw UsageError("no file to write to: give one with -o OUT");
@@ -124,7 +126,7 @@ void save(const EditJob& job, const Mesh& mesh, const io::MeshFile& source,
   if (!job.files.save_recipe.empty()) write_recipe(job);
 }
 
-void print_outcome(const EditJob& job, const Mesh& mesh, const QualityReport& quality,
+void print_outcome(const EditJob& job, const MeshState& state, const QualityReport& quality,
                    const RunReport& run) {
   for (const CommandRecord& c : run.commands) {
     std::cout << c.description << ": ";
@@ -139,8 +141,12 @@ void print_outcome(const EditJob& job, const Mesh& mesh, const QualityReport& qu
     std::cout << '\n';
   }
   std::cout << '\n';
-  print_quality_table(std::cout, mesh, quality);
+  print_quality_table(std::cout, state.mesh, quality);
   std::cout << '\n';
+  if (state.layers) {
+    print_layers(std::cout, *state.layers, state.mesh.coordinates, cut_columns_shown);
+    std::cout << '\n';
+  }
   if (run.written)
     std::cout << "Wrote " << job.files.output << " in ";
   else
@@ -206,7 +212,7 @@ ExitCode run_edit_job(const EditJob& job) {
     write_json(job.files.report, report);
   }
   const ExitCode code = judge(run, quality);
-  if (!job.files.quiet) print_outcome(job, result.mesh, quality, run);
+  if (!job.files.quiet) print_outcome(job, result, quality, run);
   print_verdict(job, result.mesh, quality, run, code);
   return code;
 }
