@@ -61,6 +61,7 @@ void Soak::open_next() {
   settle_down();
   answer_dialogs();
   ++meshes_;
+  if (meshes_ % static_cast<int>(sources_.size()) == 0) running_.sample();
 }
 
 /// Whatever is asked is answered, most often so that work goes on.

@@ -29,7 +29,10 @@ class Soak {
   int meshes() const { return meshes_; }
   int restored() const { return restored_; }
   int ended() const { return ended_; }
+  /// Between one studio and the next.
   const MemoryWatch& memory() const { return memory_; }
+  /// Of a running studio, each time that the same mesh was opened.
+  const MemoryWatch& running() const { return running_; }
   /// What was done last, latest last.
   const std::vector<std::string>& trail() const { return trail_; }
 
@@ -86,7 +89,7 @@ class Soak {
   std::uint64_t generation_ = 0;
   int width_ = 1100, height_ = 720;
   int operations_ = 0, comparisons_ = 0, meshes_ = 0, restored_ = 0, ended_ = 0, since_open_ = 0;
-  MemoryWatch memory_;
+  MemoryWatch memory_, running_;
   std::vector<std::string> trail_;
 };
 

@@ -191,8 +191,10 @@ TEST_CASE("a drag goes on from a mesh on the way, not from the state") {
   const Coordinates there = execute(command, state).state.mesh.coordinates;
   DragSession drag(state, DragGrip{{"inner"}, {}, {}}, {},
                    DragSession::Start{there, command.motion});
-  // To round-off: the thread may have solved there before the first question.
-  CHECK(largest_difference(drag.to(command.motion).coordinates, there) < 1e-8);
+  const Coordinates first = drag.to(command.motion).coordinates;
+  // To the bit, unless the thread has solved there before the first question.
+  if (!drag.ready()) CHECK(first == there);
+  CHECK(largest_difference(first, there) < 1e-8);
   CHECK(same_motion(drag.to(command.motion).motion, command.motion));
   REQUIRE(wait_until([&] { return drag.ready(); }));
   RigidMotion next = command.motion;
