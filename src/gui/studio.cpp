@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "gui/headless/run_headless.h"
+#include "gui/studio/resident_memory.h"
 #include "gui/studio/settings.h"
 #include "gui/studio/window.h"
 #include "gui/studio/workbench.h"
@@ -86,6 +87,7 @@ std::array<int, 2> window_size(const StudioOptions& options, const Settings& set
 }  // namespace
 
 void run_studio(const StudioOptions& options) {
+  return_freed_memory();
   const auto profile = profile_folder();
   const std::array<int, 2> size = window_size(options, SettingsFile(profile).initial());
   Window window(size[0], size[1], "winslow");

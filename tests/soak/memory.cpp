@@ -9,6 +9,7 @@
 #if defined(__SANITIZE_ADDRESS__)
 /// Declared here: not every compiler brings the header.
 extern "C" std::size_t __sanitizer_get_current_allocated_bytes();
+extern "C" void __sanitizer_purge_allocator();
 #endif
 
 namespace winslow::gui::test {
@@ -24,10 +25,19 @@ std::size_t allocated() {
 #endif
 }
 
+/// What is free goes back from the allocator's reserve to the system.
+void purge() {
+#if defined(__SANITIZE_ADDRESS__)
+  __sanitizer_purge_allocator();
+#else
+  malloc_trim(0);
+#endif
+}
+
 }  // namespace
 
 Memory memory_now() {
-  malloc_trim(0);
+  purge();
   std::ifstream file("/proc/self/statm");
   std::size_t total = 0;
   std::size_t resident = 0;

@@ -276,9 +276,14 @@ void Soak::read_files() {
 }
 
 void Soak::resize_window() {
-  width_ = 480 + pick(1200);
-  height_ = 360 + pick(700);
-  rig_->resize(width_, height_);
+  const int width = 480 + pick(1200);
+  resize(width, 360 + pick(700));
+}
+
+void Soak::resize(int width, int height) {
+  width_ = width;
+  height_ = height;
+  rig_->resize(width, height);
   rig_->frames(1);
 }
 

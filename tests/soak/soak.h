@@ -31,7 +31,7 @@ class Soak {
   int ended() const { return ended_; }
   /// Between one studio and the next.
   const MemoryWatch& memory() const { return memory_; }
-  /// Of a running studio, each time that the same mesh was opened.
+  /// Of a running studio, each time that the same mesh was opened, in a window of the same size.
   const MemoryWatch& running() const { return running_; }
   /// What was done last, latest last.
   const std::vector<std::string>& trail() const { return trail_; }
@@ -68,6 +68,8 @@ class Soak {
   void begin_again();
 
   void open_next();
+  void sample_running();
+  void resize(int width, int height);
   void answer_dialogs();
   void check();
   void note(const std::string& what);

@@ -154,6 +154,7 @@ class Workbench : public PictureSource {
             capture_, recent_, demo_,       &before_};
   }
   float scale() const;
+  float fitting_scale(double wanted) const;
   void take_settings(const Settings& settings);
   void keep_settings(double seconds);
 
@@ -165,7 +166,7 @@ class Workbench : public PictureSource {
   Image paint_tiles(bool transparent);
   std::optional<Inset> pinned_inset(const Camera& camera, double scale) const;
 
-  void on(const action::SetView& a) { view_ = a.view; }
+  void on(const action::SetView& a);
   void on(const action::InspectNode& a);
   void on(const action::FitView&);
   void on(const action::FitSelection&);

@@ -8,8 +8,12 @@ namespace winslow::gui {
 /// What was chosen, or what the screen wants; less where the window is too small for that, or the
 /// buttons of a prompt would lie outside it.
 float Workbench::scale() const {
-  const double wanted = view_.scale > 0 ? view_.scale : static_cast<double>(options_.scale);
-  constexpr double least_width = 480, least_height = 360;  // of a layout that can be worked in
+  return fitting_scale(view_.scale > 0 ? view_.scale : static_cast<double>(options_.scale));
+}
+
+float Workbench::fitting_scale(double wanted) const {
+  // Of a layout in which no table or label is cut; a window at 100 % can be made no smaller.
+  constexpr double least_width = 720, least_height = 450;
   const double fits = std::min(width_ / least_width, height_ / least_height);
   if (wanted <= fits) return static_cast<float>(wanted);
   double largest = scales.front();
@@ -18,16 +22,33 @@ float Workbench::scale() const {
   return static_cast<float>(std::min(wanted, largest));
 }
 
+void Workbench::on(const action::SetView& a) {
+  const bool scaled = a.view.scale != view_.scale && a.view.scale > 0;
+  view_ = a.view;
+  if (!scaled || static_cast<double>(scale()) >= view_.scale - 1e-3) return;
+  session_.tell(Notice::Kind::information, "This window has room for " +
+                                               std::to_string(std::lround(100 * scale())) +
+                                               " % only; a larger one takes the rest");
+}
+
 void Workbench::on(const action::StepScale& a) {
   if (a.by == 0) {
     view_.scale = 0;
     return;
   }
+  const auto tell = [&](const char* text) { session_.tell(Notice::Kind::information, text); };
   const auto now = static_cast<double>(scale());
   const auto up = std::ranges::find_if(scales, [&](double s) { return s > now + 1e-3; });
   const auto here = std::ranges::find_if(scales, [&](double s) { return s > now - 1e-3; });
-  if (a.by > 0 && up != scales.end()) view_.scale = *up;
-  if (a.by < 0 && here != scales.begin()) view_.scale = *(here - 1);
+  if (a.by < 0) {
+    if (here == scales.begin()) return tell("The interface is as small as it gets");
+    view_.scale = *(here - 1);
+    return;
+  }
+  if (up == scales.end()) return tell("The interface is as large as it gets");
+  if (static_cast<double>(fitting_scale(*up)) < *up - 1e-3)
+    return tell("This window has no room for a larger interface");
+  view_.scale = *up;
 }
 
 Settings Workbench::settings() const {

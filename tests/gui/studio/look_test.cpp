@@ -7,6 +7,15 @@
 
 namespace winslow::gui::test {
 
+namespace {
+
+bool said(const Rig& rig, const char* what) {
+  const auto& notice = rig.session().notice();
+  return notice && notice->text.find(what) != std::string::npos;
+}
+
+}  // namespace
+
 TEST_CASE("the dark theme darkens panels, menus and what lies behind the mesh") {
   Rig rig;
   rig.open(ring_mesh());
@@ -52,7 +61,7 @@ TEST_CASE("edges are light where the background is dark") {
 }
 
 TEST_CASE("the scale of the interface is chosen, or the screen's own") {
-  Rig rig;
+  Rig rig(1500, 960);
   rig.open(ring_mesh());
   const auto height = [&] {
     const auto r = rig.bench->widgets().find("solver/run");
@@ -67,6 +76,18 @@ TEST_CASE("the scale of the interface is chosen, or the screen's own") {
   CHECK(rig.bench->view().scale == 1.25);
   rig.key(GLFW_KEY_0, {keys::control});
   CHECK(height() == before);
+  CHECK_FALSE(said(rig, "no room"));
+  for (int i = 0; i < 6; ++i) rig.key(GLFW_KEY_EQUAL, {keys::control});
+  CHECK(rig.bench->view().scale == 2);
+  CHECK(said(rig, "no room for a larger interface"));
+  set_view(rig, [](ViewOptions& view) { view.scale = 3; });
+  CHECK(said(rig, "room for 200 % only"));
+  rig.key(GLFW_KEY_MINUS, {keys::control});
+  CHECK(rig.bench->view().scale == 1.75);
+  for (int i = 0; i < 8; ++i) rig.key(GLFW_KEY_MINUS, {keys::control});
+  CHECK(rig.bench->view().scale == .75);
+  CHECK(said(rig, "as small as it gets"));
+  rig.key(GLFW_KEY_0, {keys::control});
   // Moved to a screen that wants two pixels for one.
   rig.bench->set_scale(2);
   rig.frames();
@@ -75,7 +96,7 @@ TEST_CASE("the scale of the interface is chosen, or the screen's own") {
   rig.bench->set_scale(3);
   rig.frames();
   CHECK(height() == doctest::Approx(2 * before).epsilon(0.1));
-  rig.resize(600, 400);
+  rig.resize(800, 500);
   rig.frames();
   CHECK(height() == doctest::Approx(1.1 * before).epsilon(0.1));
 }
