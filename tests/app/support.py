@@ -22,10 +22,10 @@ class ProgramTest(unittest.TestCase):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="winslow-test-"))
         self.addCleanup(shutil.rmtree, self.folder)
 
-    def winslow(self, *args, code=DONE, cwd=None, env=None):
-        """Runs `winslow ARGS`; fails unless it exits with `code`."""
+    def winslow(self, *args, code=DONE, cwd=None, env=None, text=None):
+        """Runs `winslow ARGS`, with `text` piped in; fails unless it exits with `code`."""
         run = subprocess.run([WINSLOW, *map(str, args)], cwd=cwd or self.folder, text=True,
-                             capture_output=True, check=False, timeout=300,
+                             capture_output=True, check=False, timeout=300, input=text,
                              env={**os.environ, **(env or {})})
         self.assertEqual(run.returncode, code,
                          f"winslow {' '.join(map(str, args))}\n{run.stdout}\n{run.stderr}")

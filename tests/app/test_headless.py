@@ -19,9 +19,9 @@ class Headless(ProgramTest):
         self.path(name).write_text(json.dumps(
             {"winslow_recipe": 1, "input": source, "commands": list(commands)}))
 
-    def studio(self, *args, code=support.DONE):
+    def studio(self, *args, code=support.DONE, text=None):
         return self.winslow("studio", "--headless", "--size", "800", "500", *args, code=code,
-                            env=HEADLESS)
+                            env=HEADLESS, text=text)
 
     def test_the_same_command_gives_the_same_picture(self):
         for name in ("a.png", "b.png"):
@@ -63,6 +63,18 @@ class Headless(ProgramTest):
         run = self.studio("ring.su2", "--script", "s.txt")
         self.assertIn("p.png", self.files())
         self.assertIn("tool/fit", run.stdout)
+
+    def test_a_script_comes_through_a_pipe(self):
+        run = self.studio("--script", "/dev/stdin",
+                          text="open ring.su2\nwidgets marker/\nscreenshot p.png\n")
+        self.assertIn("marker/farfield", run.stdout)
+        self.assertIn("p.png", self.files())
+
+    def test_what_was_done_before_a_fault_is_said(self):
+        run = self.studio("--script", "/dev/stdin", code=support.INPUT,
+                          text="open ring.su2\nscreenshot p.png\nclick nothing/there\n")
+        self.assertIn("Wrote p.png", run.stdout)
+        self.assertIn("/dev/stdin:3: ", run.stderr)
 
 
 if __name__ == "__main__":

@@ -148,13 +148,13 @@ class StudioSubcommand : public Subcommand {
       }
       check_markers(commands, topology, file);
     };
+    if (!quiet_) options.say = [](const std::string& line) { std::cout << line << std::endl; };
     if (gui::film_format(frames_)) check_output(frames_);
     const gui::HeadlessResult result = gui::run_headless(options);
     if (!quiet_) {
       for (const std::string& text : result.warnings) {
         std::cerr << "winslow: warning: " << text << '\n';
       }
-      for (const std::string& line : result.written) std::cout << line << '\n';
     }
     return recipe_.empty() ? ExitCode::done : judge(result);
   }

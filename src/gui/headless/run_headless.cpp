@@ -106,13 +106,13 @@ HeadlessResult run_headless(const HeadlessOptions& options) {
   } else {
     FrameTaker taker(studio, options);
     studio.replay(recipe.commands, [&taker] { taker.take(); });
-    result.written.push_back(taker.finish());
+    options.say(taker.finish());
   }
-  play_script(script, studio, options.folder, result.written);
+  play_script(script, studio, options.folder, options.say);
   if (!options.picture.empty()) {
     studio.settle();
     write_picture(studio, options);
-    result.written.push_back("Wrote " + options.picture.string());
+    options.say("Wrote " + options.picture.string());
   }
   judge(studio.bench().session(), result);
   return result;

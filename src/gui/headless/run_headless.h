@@ -23,11 +23,12 @@ struct HeadlessOptions {
   int width = 1440, height = 900;  ///< of the window, pixels
   /// Called with the recipe's commands before the first is carried out; throws what is wrong.
   std::function<void(const std::vector<Command>&, const Topology&, const std::string& file)> check;
+  /// Told of what was done, when it was: "Wrote a.png".
+  std::function<void(const std::string&)> say = [](const std::string&) {};
 };
 
 /// What it came to.
 struct HeadlessResult {
-  std::vector<std::string> written;   ///< what to tell the user: "Wrote a.png"
   std::vector<std::string> warnings;  ///< of reading the mesh
   Index inverted = 0;                 ///< elements of the last mesh
   double fraction_reached = 1;        ///< of the recipe's motions, the smallest

@@ -22,8 +22,11 @@ constexpr int longest_wait = 100000;  // frames
 class ScriptPlayer {
  public:
   ScriptPlayer(HeadlessStudio& studio, std::filesystem::path script_folder,
-               std::filesystem::path out, std::vector<std::string>& said)
-      : studio_(studio), near_(std::move(script_folder)), out_(std::move(out)), said_(said) {}
+               std::filesystem::path out, std::function<void(const std::string&)> say)
+      : studio_(studio),
+        near_(std::move(script_folder)),
+        out_(std::move(out)),
+        say_(std::move(say)) {}
 
   void play(const std::vector<std::string>& words) {
     const std::string& what = words[0];
@@ -176,24 +179,26 @@ class ScriptPlayer {
       write_figure(path, bench().figure(spec.legend));
     else
       write_png(path, spec == PictureSpec{} ? bench().picture() : bench().picture(spec));
-    said_.push_back("Wrote " + path.string());
+    say_("Wrote " + path.string());
   }
 
   void widgets(const std::string& part) {
     for (const auto& [id, rect] : bench().widgets().all())
-      if (id.find(part) != std::string::npos) said_.push_back(id);
+      if (id.find(part) != std::string::npos) say_(id);
   }
 
   HeadlessStudio& studio_;
   std::filesystem::path near_, out_;
-  std::vector<std::string>& said_;
+  std::function<void(const std::string&)> say_;
 };
 
 }  // namespace
 
 void play_script(const Script& script, HeadlessStudio& studio, const std::filesystem::path& folder,
-                 std::vector<std::string>& said) {
-  ScriptPlayer player(studio, script.file.parent_path(), folder, said);
+                 const std::function<void(const std::string&)>& say) {
+  // Nothing lies beside a pipe.
+  const bool file = std::filesystem::is_regular_file(script.file);
+  ScriptPlayer player(studio, file ? script.file.parent_path() : folder, folder, say);
   for (const ScriptLine& line : script.lines) {
     const std::string where = script.file.string() + ":" + std::to_string(line.number) + ": ";
     try {
