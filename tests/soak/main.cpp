@@ -6,6 +6,10 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
 
 #include "soak.h"
 
@@ -23,7 +27,8 @@ namespace {
 
 using namespace winslow::gui::test;
 
-/// Growth of what is allocated while no studio is there, in bytes, that is none.
+/// Growth of what is allocated, without a studio or in one that shows a certain mesh, in bytes,
+/// that is none.
 constexpr std::ptrdiff_t allowance = 1 << 20;
 
 /// Growth of a running studio's resident memory that chance explains, bytes.
@@ -49,7 +54,28 @@ void on_assert(const doctest::AssertData& data) {
   std::exit(1);
 }
 
-int run(double seconds, std::uint64_t seed) {
+void write_samples(const Soak& soak, const std::string& file) {
+  std::ofstream out(file);
+  out << "where,allocated,resident\n";
+  for (const auto& [where, watch] :
+       {std::pair{"between studios", &soak.memory()}, std::pair{"running", &soak.running()}})
+    for (const Memory& m : watch->samples())
+      out << where << ',' << m.allocated << ',' << m.resident << '\n';
+}
+
+/// Says how a memory went; false if it grew by more than `allowed` bytes.
+bool judge(const char* what, const MemoryWatch& watch, std::size_t Memory::*of,
+           std::ptrdiff_t allowed) {
+  const std::ptrdiff_t growth = watch.growth(of);
+  std::printf(
+      "soak: %s: %.2f MB at first, %.2f MB at last, growth %+.2f MB (at most %.0f) over %zu "
+      "samples: %s\n",
+      what, megabytes(watch.first().*of), megabytes(watch.last().*of), megabytes(growth),
+      megabytes(allowed), watch.count(), growth <= allowed ? "ok" : "GROWS");
+  return growth <= allowed;
+}
+
+int run(double seconds, std::uint64_t seed, const std::string& samples) {
   Soak soak(seed);
   running = &soak;
   const double start = now();
@@ -69,20 +95,15 @@ int run(double seconds, std::uint64_t seed) {
     print_trail(soak);
     return 1;
   }
-  const MemoryWatch& memory = soak.memory();
-  const std::ptrdiff_t growth = memory.growth(&Memory::allocated);
-  const std::ptrdiff_t resident = soak.running().growth(&Memory::resident);
-  const bool good = growth <= allowance && resident <= resident_allowance;
+  if (!samples.empty()) write_samples(soak, samples);
   std::printf(
       "soak: seed %llu, %.0f s, %d operations, %d meshes opened, %d meshes compared bit by bit, %d "
-      "crashes survived, %d ends\n"
-      "soak: between studios %.2f MB allocated at first, %.2f MB at last, growth %+.2f MB over %zu "
-      "samples; running, resident %.0f MB and %.0f MB, growth %+.1f MB over %zu samples: %s\n",
+      "crashes survived, %d ends\n",
       static_cast<unsigned long long>(seed), now() - start, soak.operations(), soak.meshes(),
-      soak.comparisons(), soak.restored(), soak.ended(), megabytes(memory.first().allocated),
-      megabytes(memory.last().allocated), megabytes(growth), memory.count(),
-      megabytes(soak.running().first().resident), megabytes(soak.running().last().resident),
-      megabytes(resident), soak.running().count(), good ? "ok" : "MEMORY GROWS");
+      soak.comparisons(), soak.restored(), soak.ended());
+  bool good = judge("allocated between studios", soak.memory(), &Memory::allocated, allowance);
+  good &= judge("allocated in a studio", soak.running(), &Memory::allocated, allowance);
+  good &= judge("resident in a studio", soak.running(), &Memory::resident, resident_allowance);
   return good ? 0 : 1;
 }
 
@@ -91,18 +112,21 @@ int run(double seconds, std::uint64_t seed) {
 int main(int argc, char** argv) {
   double seconds = 10;
   std::uint64_t seed = 1;
+  std::string samples;
   for (int i = 1; i + 1 < argc; i += 2) {
     if (std::strcmp(argv[i], "--seconds") == 0) {
       seconds = std::atof(argv[i + 1]);
     } else if (std::strcmp(argv[i], "--seed") == 0) {
       seed = std::strtoull(argv[i + 1], nullptr, 10);
+    } else if (std::strcmp(argv[i], "--samples") == 0) {
+      samples = std::filesystem::absolute(argv[i + 1]);  // the soak works in a folder of its own
     } else {
-      std::fprintf(stderr, "usage: gui_soak [--seconds N] [--seed S]\n");
+      std::fprintf(stderr, "usage: gui_soak [--seconds N] [--seed S] [--samples FILE.csv]\n");
       return 2;
     }
   }
   doctest::Context context;
   context.setAsDefaultForAssertsOutOfTestCases();
   context.setAssertHandler(on_assert);
-  return run(seconds, seed);
+  return run(seconds, seed, samples);
 }

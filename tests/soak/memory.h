@@ -22,6 +22,7 @@ class MemoryWatch {
   /// How far the median of the last quarter of the samples lies above that of the second quarter,
   /// in bytes: caches have filled by then. 0 with fewer than 12 samples.
   std::ptrdiff_t growth(std::size_t Memory::*of) const;
+  const std::vector<Memory>& samples() const { return samples_; }
 
  private:
   std::vector<Memory> samples_;

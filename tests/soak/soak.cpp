@@ -66,12 +66,22 @@ void Soak::open_next() {
   if (meshes_ % static_cast<int>(sources_.size()) == 0) sample_running();
 }
 
-/// In a window of the size of the first: framebuffers take 60 MB in the largest.
+/// Of a studio that shows the mesh as at a first start: buffers of what is drawn, and of the
+/// window, take up to 60 MB.
 void Soak::sample_running() {
-  resize(1100, 720);
+  const ViewOptions view = rig_->bench->view();
+  const int width = width_, height = height_;
+  rig_->bench->apply(action::SetView{ViewOptions{}});
+  resize(first_width, first_height);
   settle_down();
   answer_dialogs();
+  rig_->bench->picture();  // the driver keeps the buffers of the last thing it has drawn
+  rig_->frames(60);
+  known_.clear();
+  generation_ = 0;
   running_.sample();
+  rig_->bench->apply(action::SetView{view});
+  resize(width, height);
 }
 
 /// Whatever is asked is answered, most often so that work goes on.

@@ -31,7 +31,7 @@ class Soak {
   int ended() const { return ended_; }
   /// Between one studio and the next.
   const MemoryWatch& memory() const { return memory_; }
-  /// Of a running studio, each time that the same mesh was opened, in a window of the same size.
+  /// Of a running studio, each time that the same mesh was opened, shown in the same way.
   const MemoryWatch& running() const { return running_; }
   /// What was done last, latest last.
   const std::vector<std::string>& trail() const { return trail_; }
@@ -89,7 +89,8 @@ class Soak {
   std::vector<std::filesystem::path> sources_;
   std::map<std::uint64_t, Coordinates> known_;  // mesh of each revision of the open document
   std::uint64_t generation_ = 0;
-  int width_ = 1100, height_ = 720;
+  static constexpr int first_width = 1100, first_height = 720;
+  int width_ = first_width, height_ = first_height;
   int operations_ = 0, comparisons_ = 0, meshes_ = 0, restored_ = 0, ended_ = 0, since_open_ = 0;
   MemoryWatch memory_, running_;
   std::vector<std::string> trail_;

@@ -80,6 +80,9 @@ void ImGuiRenderer::upload_fonts() {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
   atlas.SetTexID(texture_id(font_texture_));
+  // The texture has them now: copies of up to 32 MB, in large pictures, and of every font's file.
+  atlas.ClearTexData();
+  atlas.ClearInputData();
 }
 
 void ImGuiRenderer::prepare(const ImDrawData& data, int width, int height) {

@@ -101,6 +101,7 @@ void Workbench::update(const InputState& input, int width, int height, double se
   dispatch();
   finish_frame();
   follow_files(seconds);
+  forget_pictures(seconds);
   keep_settings(seconds);
 }
 

@@ -162,6 +162,7 @@ class Workbench : public PictureSource {
   struct Kept;
   Kept put_aside();
   void bring_back(Kept kept);
+  void forget_pictures(double seconds);
   void lay_out_picture(const Bounds& visible);
   Image paint_tiles(bool transparent);
   std::optional<Inset> pinned_inset(const Camera& camera, double scale) const;
@@ -235,6 +236,7 @@ class Workbench : public PictureSource {
   bool picturing_ = false;        // the frame being laid out is for a picture, not for the window
   bool mesh_alone_ = false;       // and shows nothing but the mesh
   std::unique_ptr<UiLayer> picture_ui_;       // of the last picture: the next often has its size
+  double picture_age_ = 0;                    // seconds since the last picture
   std::optional<std::size_t> recorded_step_;  // that the file dialog is open for
   RecentFiles recent_;
   DemoPlayer demo_;

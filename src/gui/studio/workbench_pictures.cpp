@@ -74,6 +74,7 @@ Workbench::Kept Workbench::put_aside() {
 
 void Workbench::bring_back(Kept kept) {
   picture_ui_ = std::move(ui_);
+  picture_age_ = 0;
   ui_ = std::move(kept.ui);
   camera_ = kept.camera;
   layout_ = kept.layout;
@@ -85,6 +86,15 @@ void Workbench::bring_back(Kept kept) {
   picturing_ = mesh_alone_ = false;
   ui_->make_current();
   update_mesh_view();
+}
+
+/// Letters of large pictures take tens of megabytes.
+void Workbench::forget_pictures(double seconds) {
+  constexpr double patience = 1;
+  picture_age_ += seconds;
+  if (picture_age_ < patience || !picture_ui_) return;
+  picture_ui_.reset();
+  ui_->make_current();
 }
 
 Vec2 Workbench::picture_extent(const PictureSpec& spec) const {
