@@ -66,8 +66,8 @@ void HistoryPanel::draw_steps(const PanelContext& context) {
   for (std::size_t k = 0; k < size; ++k) draw_step(context, k);
   if (shown_size_ != size) ImGui::SetScrollHereY(1.0f);
   shown_size_ = size;
+  ImGui::PopStyleVar(2);  // before the list ends: what follows keeps its distance
   ImGui::EndChild();
-  ImGui::PopStyleVar(2);
 }
 
 void HistoryPanel::draw_step(const PanelContext& context, std::size_t position) {

@@ -79,7 +79,11 @@ void VcvPanel::draw_header(const PanelContext& context) {
   const NodeSelection& nodes = context.session.nodes();
   const Theme& theme = context.theme;
   ui::row("Node", "Number of the node, from 0, in the order of the file. Enter inspects it.", 0.2f);
-  ImGui::SetNextItemWidth(theme.px(86));
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float buttons =
+      ImGui::CalcTextSize("UnpinClear pins").x + 4 * style.FramePadding.x + 2 * style.ItemSpacing.x;
+  const float room = ImGui::GetContentRegionAvail().x - buttons;
+  ImGui::SetNextItemWidth(std::clamp(room, theme.px(52), theme.px(86)));
   ui::number("vcv/node", typed_node_);
   if (ImGui::IsItemDeactivatedAfterEdit()) context.emit(action::InspectNode{typed_node_});
   const auto& node = nodes.inspected();
@@ -110,7 +114,9 @@ void VcvPanel::draw_plot(const PanelContext& context, const NodalView& view) {
   if (outcome.cancelled) context.emit(action::CancelVcvEdit{});
   if (outcome.hovered && ImGui::IsMouseDown(ImGuiMouseButton_Left)) edge_ = *outcome.hovered;
   hovered_ = outcome.hovered;
+  ImGui::PushTextWrapPos(0);
   ui::text_dim("Drag an end: Shift its angle only, Ctrl its length.");
+  ImGui::PopTextWrapPos();
   ui::tooltip(
       "Dragging an end of the virtual control volume changes the two angles beside the edge and "
       "its length; the mesh answers at once. Elements around a node whose control volume was "

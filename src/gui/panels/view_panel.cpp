@@ -127,7 +127,7 @@ bool ViewPanel::draw_elements(ViewOptions& view) {
   }
   changed |= ui::checkbox("view/inverted", "Inverted in red", view.mark_inverted,
                           "Draw inverted elements in red above all others.");
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x * 0.5f);
+  ui::second_column("Legend");
   changed |= ui::checkbox("view/legend", "Legend", view.legend, "Colours and their values (L).");
   changed |= ui::checkbox("view/nodes", "Nodes", view.nodes, "A dot on every node.");
   return changed;
@@ -135,15 +135,14 @@ bool ViewPanel::draw_elements(ViewOptions& view) {
 
 bool ViewPanel::draw_boundary(ViewOptions& view) {
   if (!ui::section("section/boundary", "Boundary and ids")) return false;
-  const float half = ImGui::GetWindowContentRegionMax().x * 0.5f;
   bool changed = ui::checkbox("view/rim_nodes", "Boundary nodes", view.rim_nodes,
                               "Dots along the boundary, as close as there is room for.");
-  ImGui::SameLine(half);
+  ui::second_column("Directions");
   changed |= ui::checkbox("view/directions", "Directions", view.directions,
                           "Arrows along the boundary, with the mesh on their left.");
   changed |= ui::checkbox("view/node_ids", "Ids of nodes", view.node_ids,
                           "Numbers of the nodes that are far enough apart on screen (Shift+I).");
-  ImGui::SameLine(half);
+  ui::second_column("Ids of elements");
   changed |= ui::checkbox("view/element_ids", "Ids of elements", view.element_ids,
                           "Numbers of the elements that are large enough on screen (Shift+E).");
   return changed;
@@ -168,11 +167,10 @@ bool ViewPanel::draw_comparison(ViewOptions& view) {
 
 bool ViewPanel::draw_magnifier(const PanelContext& context, ViewOptions& view) {
   if (!ui::section("section/magnifier", "Magnifier")) return false;
-  const float half = ImGui::GetWindowContentRegionMax().x * 0.5f;
   bool changed = ui::checkbox("view/magnifier", "Show", view.magnifier.on,
                               "A lens under the mouse (M; held down, for as long).");
   if (changed && !view.magnifier.on) view.magnifier.pin.reset();
-  ImGui::SameLine(half);
+  ui::second_column("Pinned");
   bool pinned = view.magnifier.pin.has_value();
   if (ui::checkbox("view/pinned", "Pinned", pinned,
                    "Goes on showing the middle of the viewport; Shift+M pins what is under the "

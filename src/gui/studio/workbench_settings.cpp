@@ -12,7 +12,7 @@ float Workbench::scale() const {
 }
 
 float Workbench::fitting_scale(double wanted) const {
-  // Of a layout in which no table or label is cut; a window at 100 % can be made no smaller.
+  // Of a layout in which tables and labels have room; a window can be made hardly smaller.
   constexpr double least_width = 720, least_height = 450;
   const double fits = std::min(width_ / least_width, height_ / least_height);
   if (wanted <= fits) return static_cast<float>(wanted);

@@ -257,6 +257,16 @@ void text_colored(ImU32 c, std::string_view text) {
   ImGui::PopStyleColor();
 }
 
+void second_column(std::string_view label) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float end = ImGui::GetWindowContentRegionMax().x;
+  const float half = 0.5f * end;
+  const float last = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+  const float text = ImGui::CalcTextSize(label.data(), label.data() + label.size()).x;
+  const float box = ImGui::GetFrameHeight() + style.ItemInnerSpacing.x;
+  if (last + style.ItemSpacing.x <= half && half + box + text <= end) ImGui::SameLine(half);
+}
+
 void text_wrapped(std::string_view text) {
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(text.data(), text.data() + text.size());

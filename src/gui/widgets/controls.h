@@ -59,6 +59,8 @@ void unfold(std::string_view id);
 void text_dim(std::string_view text);
 void text_colored(ImU32 color, std::string_view text);
 void text_wrapped(std::string_view text);
+/// The next checkbox stands in the second column, beside the last one, where both have room.
+void second_column(std::string_view label);
 /// Right-aligned in what is left of the row or cell.
 void text_right(std::string_view text, ImU32 color);
 
