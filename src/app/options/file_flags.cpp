@@ -99,7 +99,7 @@ void check_distinct(const std::vector<std::string>& paths) {
   std::set<fs::path> seen;
   for (const std::string& path : paths) {
     if (path.empty()) continue;
-    std::error_code pipe;  // which leads to no file, and is another one each time it is named
+    std::error_code pipe;  // which leads to no file that other names could lead to
     const fs::path whole = fs::weakly_canonical(fs::absolute(path), pipe);
     if (!seen.insert(pipe ? fs::absolute(path) : whole).second) {
       throw UsageError(path + " would be written twice");

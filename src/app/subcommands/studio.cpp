@@ -148,14 +148,14 @@ class StudioSubcommand : public Subcommand {
       }
       check_markers(commands, topology, file);
     };
-    if (!quiet_) options.say = [](const std::string& line) { std::cout << line << std::endl; };
+    if (!quiet_) {
+      options.say = [](const std::string& line) { std::cout << line << std::endl; };
+      options.warn = [](const std::string& text) {
+        std::cerr << "winslow: warning: " << text << '\n';
+      };
+    }
     if (gui::film_format(frames_)) check_output(frames_);
     const gui::HeadlessResult result = gui::run_headless(options);
-    if (!quiet_) {
-      for (const std::string& text : result.warnings) {
-        std::cerr << "winslow: warning: " << text << '\n';
-      }
-    }
     return recipe_.empty() ? ExitCode::done : judge(result);
   }
 

@@ -96,7 +96,7 @@ HeadlessResult run_headless(const HeadlessOptions& options) {
   HeadlessStudio studio(options.width, options.height);
   if (!mesh.empty()) studio.open(mesh);
   if (const Document* document = studio.bench().session().document()) {
-    result.warnings = document->warnings();
+    for (const std::string& text : document->warnings()) options.warn(text);
     // Said here; a question on screen would be in the picture.
     studio.bench().apply(action::DismissPrompt{});
     if (options.check) options.check(recipe.commands, *document->topology(), mesh.string());

@@ -23,16 +23,16 @@ struct HeadlessOptions {
   int width = 1440, height = 900;  ///< of the window, pixels
   /// Called with the recipe's commands before the first is carried out; throws what is wrong.
   std::function<void(const std::vector<Command>&, const Topology&, const std::string& file)> check;
-  /// Told of what was done, when it was: "Wrote a.png".
+  /// Told of what was done, when it was: "Wrote a.png"; and of what reading the mesh found odd.
   std::function<void(const std::string&)> say = [](const std::string&) {};
+  std::function<void(const std::string&)> warn = [](const std::string&) {};
 };
 
 /// What it came to.
 struct HeadlessResult {
-  std::vector<std::string> warnings;  ///< of reading the mesh
-  Index inverted = 0;                 ///< elements of the last mesh
-  double fraction_reached = 1;        ///< of the recipe's motions, the smallest
-  bool converged = true;              ///< every command of the recipe
+  Index inverted = 0;           ///< elements of the last mesh
+  double fraction_reached = 1;  ///< of the recipe's motions, the smallest
+  bool converged = true;        ///< every command of the recipe
 };
 
 /// Throws InputError, UsageError, OutputError, Error.

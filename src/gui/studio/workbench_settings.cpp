@@ -26,9 +26,9 @@ void Workbench::on(const action::SetView& a) {
   const bool scaled = a.view.scale != view_.scale && a.view.scale > 0;
   view_ = a.view;
   if (!scaled || static_cast<double>(scale()) >= view_.scale - 1e-3) return;
-  session_.tell(Notice::Kind::information, "This window has room for " +
-                                               std::to_string(std::lround(100 * scale())) +
-                                               " % only; a larger one takes the rest");
+  session_.tell(
+      Notice::Kind::information,
+      "This window has room for " + std::to_string(std::lround(100 * scale())) + " % only");
 }
 
 void Workbench::on(const action::StepScale& a) {

@@ -62,7 +62,7 @@ TEST_CASE("a file dropped on the window is opened") {
 }
 
 TEST_CASE("every answer of a prompt is within a small window, at a large scale, too") {
-  constexpr int width = 480, height = 360;
+  constexpr int width = 360, height = 270;
   Rig rig(width, height);
   rig.bench->set_scale(3);  // more than fits: the studio takes its smallest
   rig.open(ring_mesh());
