@@ -25,7 +25,7 @@
 #include "gui/render/frame_buffer.h"
 #include "gui/render/gl.h"
 #include "gui/render/gl_context.h"
-#include "gui/studio/workbench.h"
+#include "gui/shell/workbench/workbench.h"
 #include "io/mesh_file.h"
 #include "io/parsed_mesh.h"
 #include "io/su2/su2.h"

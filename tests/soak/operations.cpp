@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "gui/studio/keys.h"
-#include "gui/studio/method.h"
+#include "gui/document/jobs/method.h"
+#include "gui/support/keys.h"
 #include "soak.h"
 
 namespace winslow::gui::test {

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "gui/studio/keys.h"
-#include "gui/studio/resident_memory.h"
+#include "gui/base/resident_memory.h"
+#include "gui/support/keys.h"
 
 namespace winslow::gui::test {
 

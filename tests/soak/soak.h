@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "gui/studio/rig.h"
+#include "gui/support/rig.h"
 #include "memory.h"
 
 namespace winslow::gui::test {

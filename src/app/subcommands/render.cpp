@@ -17,10 +17,10 @@
 #include "io/mesh_file.h"
 #include "io/recipe.h"
 #ifdef WINSLOW_HAS_GUI
-#include "gui/capture/recorder.h"
-#include "gui/picture.h"
+#include "gui/picture/capture/recorder.h"
+#include "gui/picture/figure/write_figure.h"
+#include "gui/picture/picture.h"
 #include "gui/render/color_map.h"
-#include "gui/vector/write_figure.h"
 #endif
 
 namespace winslow::app {

@@ -7,10 +7,10 @@
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"
 #ifdef WINSLOW_HAS_GUI
-#include "gui/capture/film.h"
-#include "gui/headless/run_headless.h"
-#include "gui/studio.h"
-#include "gui/vector/write_figure.h"
+#include "gui/picture/capture/film.h"
+#include "gui/picture/figure/write_figure.h"
+#include "gui/shell/headless/run_headless.h"
+#include "gui/shell/studio.h"
 #endif
 
 namespace winslow::app {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "gui/demos/demo.h"
-#include "gui/studio/actions.h"
-#include "gui/studio/session.h"
+#include "gui/document/actions/actions.h"
+#include "gui/document/session/session.h"
 
 namespace winslow::gui {
 

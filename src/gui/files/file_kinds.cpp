@@ -31,18 +31,18 @@ DialogKind single(const char* title, const char* label, const char* extension) {
 
 }  // namespace
 
-DialogKind dialog_of(action::FilePurpose purpose) {
+DialogKind dialog_of(FilePurpose purpose) {
   switch (purpose) {
-    case action::FilePurpose::open_mesh: {
+    case FilePurpose::open_mesh: {
       DialogKind open{"Open a mesh", "Open", false, mesh_kinds(), ""};
       open.kinds.push_back({"All files", {}});
       return open;
     }
-    case action::FilePurpose::save_mesh:
+    case FilePurpose::save_mesh:
       return {"Save the mesh as", "Save", true, mesh_kinds(), ""};
-    case action::FilePurpose::export_mesh:
+    case FilePurpose::export_mesh:
       return {"Export a copy of the mesh", "Export", true, mesh_kinds(), ""};
-    case action::FilePurpose::export_markers:
+    case FilePurpose::export_markers:
       return {"Export markers as curves",
               "Export",
               true,
@@ -51,17 +51,17 @@ DialogKind dialog_of(action::FilePurpose purpose) {
                {"Points", {".dat"}},
                {"VTK lines", {".vtk"}}},
               ".csv"};
-    case action::FilePurpose::export_recipe:
+    case FilePurpose::export_recipe:
       return single("Export the recipe", "Recipes", ".json");
-    case action::FilePurpose::replay_recipe:
+    case FilePurpose::replay_recipe:
       return {"Replay a recipe on this mesh",
               "Replay",
               false,
               {{"Recipes", {".json"}}, {"All files", {}}},
               ""};
-    case action::FilePurpose::export_convergence:
+    case FilePurpose::export_convergence:
       return single("Export the iterations as CSV", "Tables", ".csv");
-    case action::FilePurpose::picture:
+    case FilePurpose::picture:
       return {"Save a picture: .png, or the mesh alone as .svg or .pdf",
               "Save",
               true,
@@ -70,7 +70,7 @@ DialogKind dialog_of(action::FilePurpose purpose) {
                {"SVG", {".svg"}},
                {"PDF", {".pdf"}}},
               ".png"};
-    case action::FilePurpose::recording:
+    case FilePurpose::recording:
       return {"Record to a film (.mp4, .gif), or to a folder of frames",
               "Record",
               true,

@@ -3,14 +3,25 @@
 #include <string>
 #include <vector>
 
-#include "gui/studio/actions.h"
-
 namespace winslow::gui {
 
 /// Files that belong together in a dialog's filter: "Gmsh" has ".msh".
 struct FileKind {
   std::string label;
   std::vector<std::string> extensions;  ///< in lower case, with their dots; empty: all files
+};
+
+/// What a file dialog is open for.
+enum class FilePurpose {
+  open_mesh,
+  save_mesh,
+  export_mesh,
+  export_markers,
+  export_recipe,
+  replay_recipe,
+  export_convergence,
+  picture,
+  recording
 };
 
 /// What a file dialog says and accepts. TO ADD A PURPOSE, add it to dialog_of in file_kinds.cpp and
@@ -25,7 +36,7 @@ struct DialogKind {
   std::string default_extension;  ///< added to a name without one; empty: none is
   bool folders = false;           ///< a name without an extension stands for a folder to be made
 };
-DialogKind dialog_of(action::FilePurpose purpose);
+DialogKind dialog_of(FilePurpose purpose);
 
 /// The name is of this kind.
 bool matches(const FileKind& kind, const std::string& name);

@@ -7,8 +7,8 @@
 #include <system_error>
 #include <utility>
 
+#include "gui/base/text.h"
 #include "gui/files/file_kinds.h"
-#include "gui/studio/text.h"
 
 namespace winslow::gui {
 

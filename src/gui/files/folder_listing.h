@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "gui/studio/background.h"
+#include "gui/base/background.h"
 
 namespace winslow::gui {
 

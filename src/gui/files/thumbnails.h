@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/mesh/mesh.h"
+#include "gui/base/background.h"
 #include "gui/render/texture.h"
-#include "gui/studio/background.h"
 
 namespace winslow::gui {
 

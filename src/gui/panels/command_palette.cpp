@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "gui/commands/fuzzy.h"
+#include "gui/menu/fuzzy.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "gui/commands/user_command.h"
+#include "gui/menu/user_command.h"
 #include "gui/panels/panel.h"
 
 namespace winslow::gui {

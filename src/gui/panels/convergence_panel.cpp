@@ -52,7 +52,7 @@ void ConvergencePanel::draw_header(const PanelContext& context) {
                  {"Write every iteration shown here, with all its numbers, as a table for a "
                   "spreadsheet or a plotting program.",
                   ui::ButtonStyle::normal, !session.convergence().empty()}))
-    context.emit(action::ShowFileDialog{action::FilePurpose::export_convergence});
+    context.emit(action::ShowFileDialog{FilePurpose::export_convergence});
   draw_convergence_key("convergence", series_, context.theme.scale);
 }
 

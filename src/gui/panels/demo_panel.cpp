@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "gui/commands/user_command.h"
+#include "gui/base/text.h"
 #include "gui/demos/demo_player.h"
-#include "gui/studio/text.h"
+#include "gui/menu/user_command.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {

@@ -1,7 +1,7 @@
 #include "gui/panels/go_to_panel.h"
 
 #include "core/error.h"
-#include "gui/studio/go_to.h"
+#include "gui/view/navigation/go_to.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "gui/commands/gestures.h"
-#include "gui/commands/user_command.h"
+#include "gui/menu/gestures.h"
+#include "gui/menu/user_command.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {

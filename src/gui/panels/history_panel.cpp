@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <variant>
 
-#include "gui/studio/text.h"
+#include "gui/base/text.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -167,12 +167,12 @@ void HistoryPanel::draw_recipes(const PanelContext& context) {
                  {"Write the commands up to the mesh shown to a file, for this panel or \"winslow "
                   "replay\" to run again.",
                   ui::ButtonStyle::normal, any, width}))
-    context.emit(action::ShowFileDialog{action::FilePurpose::export_recipe});
+    context.emit(action::ShowFileDialog{FilePurpose::export_recipe});
   ImGui::SameLine(0, gap);
   if (ui::button("history/replay", "Replay recipe...",
                  {"Apply the commands of a recipe to this mesh, one after the other.",
                   ui::ButtonStyle::normal, !context.session.in_motion(), width}))
-    context.emit(action::ShowFileDialog{action::FilePurpose::replay_recipe});
+    context.emit(action::ShowFileDialog{FilePurpose::replay_recipe});
 }
 
 void HistoryPanel::draw_queue(const PanelContext& context) {

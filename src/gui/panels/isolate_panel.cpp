@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include "gui/studio/isolated_elements.h"
-#include "gui/studio/text.h"
+#include "gui/base/text.h"
+#include "gui/view/mesh/isolated_elements.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "gui/studio/text.h"
+#include "gui/base/text.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {

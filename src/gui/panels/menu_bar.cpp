@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "gui/commands/user_command.h"
+#include "gui/menu/user_command.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {

@@ -4,7 +4,7 @@
 
 namespace winslow::gui {
 
-/// The menu bar: the table of commands (gui/commands/user_command.h), a menu a group.
+/// The menu bar: the table of commands (gui/menu/user_command.h), a menu a group.
 class MenuBar : public Panel {
  public:
   void draw(const PanelContext& context) override;

@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "gui/studio/quality_table.h"
+#include "gui/panels/quality_table.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "gui/studio/method.h"
-#include "gui/studio/text.h"
+#include "gui/base/text.h"
+#include "gui/document/jobs/method.h"
+#include "gui/panels/forms/smooth_options_form.h"
 #include "gui/widgets/controls.h"
-#include "gui/widgets/smooth_options_form.h"
 
 namespace winslow::gui {
 

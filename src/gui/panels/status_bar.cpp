@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "gui/studio/text.h"
+#include "gui/base/text.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {

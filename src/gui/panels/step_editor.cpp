@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/error.h"
-#include "gui/studio/text.h"
-#include "gui/widgets/command_form.h"
+#include "gui/base/text.h"
+#include "gui/panels/forms/command_form.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "gui/capture/capture.h"
-#include "gui/commands/user_command.h"
+#include "gui/menu/user_command.h"
+#include "gui/picture/capture/capture.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "gui/render/color_map.h"
-#include "gui/studio/isolated_elements.h"
+#include "gui/view/mesh/isolated_elements.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {

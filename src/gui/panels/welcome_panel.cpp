@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "gui/commands/user_command.h"
+#include "gui/menu/user_command.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -65,7 +65,7 @@ void WelcomePanel::draw_head(const PanelContext& context) {
   if (ui::button("welcome/open", "Open mesh...",
                  {tooltip_of(user_command("open")), ui::ButtonStyle::primary, true,
                   context.theme.px(150)}))
-    context.emit(action::ShowFileDialog{action::FilePurpose::open_mesh});
+    context.emit(action::ShowFileDialog{FilePurpose::open_mesh});
   ImGui::SameLine();
   if (context.session.document()) {
     if (ui::button("welcome/back", "Back to the mesh", {"Leave this page."}))

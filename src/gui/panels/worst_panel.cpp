@@ -4,8 +4,8 @@
 #include <array>
 #include <string>
 
-#include "gui/studio/text.h"
-#include "gui/studio/worst_list.h"
+#include "gui/base/text.h"
+#include "gui/view/navigation/worst_list.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {

@@ -7,7 +7,7 @@ namespace winslow::gui {
 
 /// An OpenGL 3.3 core context, current on the thread that made it and destroyed on that thread;
 /// what was current before is current again afterwards. The window makes its own through GLFW
-/// (gui/studio/window.h); this one needs no display. Its own framebuffer is undefined: draw into a
+/// (gui/shell/window.h); this one needs no display. Its own framebuffer is undefined: draw into a
 /// FrameBuffer.
 class HeadlessContext {
  public:

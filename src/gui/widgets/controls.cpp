@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "gui/studio/ui_layer.h"
+#include "gui/widgets/ui_layer.h"
 
 namespace winslow::gui::ui {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gui/studio/theme.h"
+#include "gui/widgets/theme.h"
 
 /// The widgets that panels are made of: Dear ImGui's, in the studio's dress. Each has an id under
 /// which scripts find it, and a tooltip where a newcomer would hesitate.

@@ -2,11 +2,11 @@
 
 #include <array>
 
+#include "gui/base/text.h"
 #include "gui/render/ticks.h"
-#include "gui/studio/text.h"
-#include "gui/studio/theme.h"
 #include "gui/widgets/controls.h"
 #include "gui/widgets/plot_frame.h"
+#include "gui/widgets/theme.h"
 
 namespace winslow::gui {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "gui/studio/theme.h"
+#include "gui/widgets/theme.h"
 
 namespace winslow::gui::ui {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "gui/studio/text.h"
+#include "gui/base/text.h"
 #include "gui/widgets/controls.h"
 #include "gui/widgets/plot_frame.h"
 

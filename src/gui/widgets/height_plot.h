@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gui/studio/theme.h"
+#include "gui/widgets/theme.h"
 
 namespace winslow::gui::ui {
 

@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "gui/studio/keys.h"
-#include "gui/studio/rig.h"
+#include "gui/support/keys.h"
+#include "gui/support/rig.h"
 
 namespace winslow::gui::test {
 

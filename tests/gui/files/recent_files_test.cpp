@@ -4,8 +4,8 @@
 
 #include <thread>
 
-#include "gui/studio/keys.h"
-#include "gui/studio/rig.h"
+#include "gui/support/keys.h"
+#include "gui/support/rig.h"
 
 namespace winslow::gui::test {
 

@@ -5,10 +5,10 @@
 
 #include "gui/demos/demo.h"
 #include "gui/files/assets.h"
-#include "gui/headless/headless_studio.h"
 #include "gui/panels/about_panel.h"
-#include "gui/studio/keys.h"
-#include "gui/studio/rig.h"
+#include "gui/shell/headless/headless_studio.h"
+#include "gui/support/keys.h"
+#include "gui/support/rig.h"
 
 namespace winslow::gui::test {
 

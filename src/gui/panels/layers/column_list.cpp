@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string>
 
+#include "gui/base/text.h"
 #include "gui/panels/layers/fields.h"
 #include "gui/panels/layers/list_row.h"
-#include "gui/studio/text.h"
 
 namespace winslow::gui {
 

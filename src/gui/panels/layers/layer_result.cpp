@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "gui/studio/text.h"
+#include "gui/base/text.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/command/command.h"
-#include "gui/studio/session.h"
+#include "gui/document/session/session.h"
 
 /// What is known of the layers that walls have.
 namespace winslow::gui {

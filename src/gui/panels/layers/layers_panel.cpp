@@ -7,9 +7,9 @@
 
 #include "core/command/layers_run.h"
 #include "core/layers/layer_measures.h"
+#include "gui/base/text.h"
 #include "gui/panels/layers/fields.h"
 #include "gui/panels/layers/layers_in_place.h"
-#include "gui/studio/text.h"
 #include "gui/widgets/controls.h"
 #include "gui/widgets/height_plot.h"
 

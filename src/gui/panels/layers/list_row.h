@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "gui/studio/theme.h"
+#include "gui/widgets/theme.h"
 
 namespace winslow::gui {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "gui/base/text.h"
 #include "gui/panels/layers/fields.h"
-#include "gui/studio/text.h"
 
 namespace winslow::gui {
 

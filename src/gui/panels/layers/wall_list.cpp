@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "gui/base/text.h"
 #include "gui/panels/layers/list_row.h"
-#include "gui/studio/text.h"
 
 namespace winslow::gui {
 

@@ -1,0 +1,82 @@
+#include "gui/base/input.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <utility>
+
+namespace winslow::gui {
+
+namespace {
+
+bool either(const std::bitset<512>& keys, int left, int right) {
+  return keys[static_cast<std::size_t>(left)] || keys[static_cast<std::size_t>(right)];
+}
+
+bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
+
+}  // namespace
+
+bool InputState::control() const {
+  return either(keys, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+}
+bool InputState::shift() const { return either(keys, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT); }
+bool InputState::alt() const { return either(keys, GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT); }
+bool InputState::super() const { return either(keys, GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER); }
+
+void InputQueue::move(const Vec2& position) { events_.push_back(Move{position, true}); }
+void InputQueue::leave() { events_.push_back(Move{Vec2(-1, -1), false}); }
+void InputQueue::button(MouseButton button, bool down) { events_.push_back(Button{button, down}); }
+void InputQueue::wheel(const Vec2& notches) { events_.push_back(Wheel{notches}); }
+void InputQueue::key(int glfw_key, bool down) {
+  if (glfw_key >= 0 && glfw_key < 512) events_.push_back(Key{glfw_key, down});
+}
+void InputQueue::text(char32_t character) { events_.push_back(Text{character}); }
+void InputQueue::drop(std::vector<std::filesystem::path> files) {
+  events_.push_back(Drop{std::move(files)});
+}
+
+struct InputQueue::Frame {
+  std::array<bool, 3> button_changed{};
+  bool any_button = false;
+  std::bitset<512> key_changed;
+  // A key went down: what Control and Shift do after that is no part of it.
+  bool settled = false;
+};
+
+bool InputQueue::take(const Event& event, Frame& frame) {
+  if (const auto* move = std::get_if<Move>(&event)) {
+    if (frame.any_button) return false;
+    state_.mouse = move->position;
+    state_.mouse_inside = move->inside;
+  } else if (const auto* button = std::get_if<Button>(&event)) {
+    const auto i = static_cast<std::size_t>(button->button);
+    if (frame.settled || frame.button_changed[i]) return false;
+    frame.button_changed[i] = frame.any_button = true;
+    state_.buttons[i] = button->down;
+  } else if (const auto* wheel = std::get_if<Wheel>(&event)) {
+    state_.wheel += wheel->notches;
+  } else if (const auto* key = std::get_if<Key>(&event)) {
+    const auto k = static_cast<std::size_t>(key->key);
+    if (frame.settled || frame.any_button || frame.key_changed[k]) return false;
+    frame.key_changed[k] = true;
+    frame.settled = key->down && !is_modifier(key->key);
+    state_.keys[k] = key->down;
+  } else if (const auto* text = std::get_if<Text>(&event)) {
+    state_.text.push_back(text->character);
+  } else if (const auto* drop = std::get_if<Drop>(&event)) {
+    state_.dropped.insert(state_.dropped.end(), drop->files.begin(), drop->files.end());
+  }
+  return true;
+}
+
+InputState InputQueue::next_frame() {
+  state_.wheel = Vec2(0, 0);
+  state_.text.clear();
+  state_.dropped.clear();
+  Frame frame;
+  while (!events_.empty() && take(events_.front(), frame)) events_.pop_front();
+  return state_;
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,227 @@
+#include "gui/document/autosave/session_folder.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <utility>
+
+#include "core/error.h"
+#include "gui/document/autosave/step_file.h"
+#include "io/atomic_file.h"
+#include "io/recipe.h"
+
+namespace winslow::gui {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using nlohmann::json;
+
+constexpr int format_version = 1;
+
+std::string step_name(std::uint64_t generation, std::uint64_t revision) {
+  return "step-" + std::to_string(generation) + "-" + std::to_string(revision) + ".bin";
+}
+
+/// With the ending of the source, by which its format is known.
+std::string mesh_name(const SessionRecord& session) {
+  return "mesh-" + std::to_string(session.generation) + session.source.extension().string();
+}
+
+constexpr const char* start_prefix = "start-";
+
+/// The mesh as opened, in the format of a step.
+std::string start_name(const SessionRecord& session) {
+  return start_prefix + std::to_string(session.generation) + ".bin";
+}
+
+/// Copies the mesh file that was opened. False if it is not that file any more.
+bool copy_unchanged(const SessionRecord& session, const fs::path& to) {
+  if (!session.stamp || stamp_of(session.mesh) != session.stamp) return false;
+  std::error_code error;
+  fs::copy_file(session.mesh, to, fs::copy_options::overwrite_existing, error);
+  if (!error && stamp_of(session.mesh) == session.stamp) return true;
+  fs::remove(to, error);
+  return false;
+}
+
+/// The mesh as opened. What its format keeps besides a mesh is lost where the file had changed.
+Document::Loaded read_start(const fs::path& file) {
+  if (!file.filename().string().starts_with(start_prefix)) return Document::load(file);
+  Document::Loaded loaded;
+  loaded.state = read_step(file, MeshState{}).state;
+  loaded.file.mesh = loaded.state.mesh;
+  loaded.quality = measure_quality(loaded.file.mesh);
+  return loaded;
+}
+
+std::string local_time() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  localtime_r(&now, &parts);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &parts);
+  return text.data();
+}
+
+json manifest_of(const SessionRecord& session, const std::string& start) {
+  json steps = json::array();
+  for (std::size_t k = 1; k < session.history.size(); ++k)
+    steps.push_back({{"file", step_name(session.generation, session.tags[k].revision)},
+                     {"command", io::to_json(session.history.command(k))},
+                     {"seconds", session.tags[k].seconds}});
+  return {{"winslow_session", format_version},
+          {"source", session.source.string()},
+          {"path", session.path.string()},
+          {"mesh", start},
+          {"time", local_time()},
+          {"position", session.history.position()},
+          {"steps", std::move(steps)}};
+}
+
+json read_manifest(const fs::path& folder) {
+  const fs::path path = folder / manifest_name;
+  std::ifstream file(path);
+  json document = json::parse(file, nullptr, false);
+  if (document.is_discarded() || !document.is_object())
+    throw InputError(path.string() + ": found no JSON object, expected a saved session");
+  return document;
+}
+
+/// A value of the manifest. Throws InputError naming what is missing or of the wrong type.
+template <class Value>
+Value value_of(const json& object, const char* key, const fs::path& folder) {
+  try {
+    return object.at(key).get<Value>();
+  } catch (const json::exception&) {
+    throw InputError((folder / manifest_name).string() + ": found no fitting \"" + key +
+                     "\", expected a saved session");
+  }
+}
+
+/// A file of the folder; no path leads out of it.
+fs::path file_of(const json& object, const char* key, const fs::path& folder) {
+  return folder / fs::path(value_of<std::string>(object, key, folder)).filename();
+}
+
+RestoredSession::Step read_one(const json& step, const fs::path& folder, const MeshState& before) {
+  const fs::path file = file_of(step, "file", folder);
+  RestoredSession::Step result;
+  result.result = read_step(file, before);
+  result.command =
+      io::command_from_json(value_of<json>(step, "command", folder), folder, "command");
+  result.seconds = value_of<double>(step, "seconds", folder);
+  return result;
+}
+
+}  // namespace
+
+void SessionFolder::make() {
+  const auto since = std::chrono::system_clock::now().time_since_epoch();
+  const auto stamp = std::chrono::duration_cast<std::chrono::microseconds>(since).count();
+  const fs::path path = root_ / (std::to_string(::getpid()) + "-" + std::to_string(stamp));
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) throw OutputError(path.string() + ": cannot be made: " + error.message());
+  lock_ = FolderLock::take(path);
+  if (!lock_) throw OutputError(path.string() + ": cannot be locked");
+  path_ = path;
+}
+
+/// Writes the mesh as it was opened unless it is there. Returns the name of its file.
+std::string SessionFolder::keep_start(const SessionRecord& session) {
+  std::string copy = mesh_name(session), own = start_name(session);
+  if (written_.contains(copy)) return copy;
+  if (written_.contains(own)) return own;
+  const bool copied = copy_unchanged(session, path_ / copy);
+  if (!copied) write_step(path_ / own, session.history.state(0), MeshState{}, SmoothResult{});
+  return *written_.insert(copied ? copy : own).first;
+}
+
+void SessionFolder::write(const SessionRecord& session) {
+  if (path_.empty()) make();
+  const std::string start = keep_start(session);
+  std::set<std::string> needed{start};
+  for (std::size_t k = 1; k < session.history.size(); ++k) {
+    const std::string name = step_name(session.generation, session.tags[k].revision);
+    needed.insert(name);
+    if (written_.contains(name)) continue;
+    write_step(path_ / name, session.history.state(k), session.history.state(k - 1),
+               session.history.result(k));
+    written_.insert(name);
+  }
+  std::string text;
+  try {
+    text = manifest_of(session, start).dump(1);
+  } catch (const json::exception&) {
+    throw OutputError("a name in the session is not UTF-8 text");
+  }
+  io::write_atomically(path_ / manifest_name, [&](std::ostream& out) { out << text << '\n'; });
+  std::erase_if(written_, [&](const std::string& name) {
+    if (needed.contains(name)) return false;
+    std::error_code ignored;
+    fs::remove(path_ / name, ignored);
+    return true;
+  });
+}
+
+void SessionFolder::remove() {
+  if (path_.empty()) return;
+  std::error_code ignored;
+  // Without a manifest nobody takes it for a session, should the rest not go.
+  fs::remove(path_ / manifest_name, ignored);
+  fs::remove_all(path_, ignored);
+  lock_.reset();
+  path_.clear();
+  written_.clear();
+}
+
+SessionSummary read_summary(const fs::path& folder) {
+  const json manifest = read_manifest(folder);
+  if (value_of<int>(manifest, "winslow_session", folder) != format_version)
+    throw InputError((folder / manifest_name).string() +
+                     ": found the session of another version of winslow");
+  SessionSummary summary;
+  summary.name = fs::path(value_of<std::string>(manifest, "source", folder)).filename().string();
+  summary.commands = value_of<json::array_t>(manifest, "steps", folder).size();
+  summary.time = value_of<std::string>(manifest, "time", folder);
+  return summary;
+}
+
+fs::path kept_mesh(const fs::path& folder) {
+  return file_of(read_manifest(folder), "mesh", folder);
+}
+
+RestoredSession read_session(const fs::path& folder) {
+  read_summary(folder);  // checks the version
+  const json manifest = read_manifest(folder);
+  RestoredSession session;
+  session.loaded = read_start(file_of(manifest, "mesh", folder));
+  session.loaded.path = value_of<std::string>(manifest, "source", folder);
+  session.path = value_of<std::string>(manifest, "path", folder);
+  const auto steps = value_of<json::array_t>(manifest, "steps", folder);
+  for (const json& step : steps) {
+    try {
+      const MeshState& before =
+          session.steps.empty() ? session.loaded.state : session.steps.back().result.state;
+      session.steps.push_back(read_one(step, folder, before));
+    } catch (const Error& error) {
+      session.damage = "Step " + std::to_string(session.steps.size() + 1) + " of " +
+                       std::to_string(steps.size()) +
+                       " and those after it are lost: " + error.what();
+      break;
+    }
+  }
+  session.position =
+      std::min(value_of<std::size_t>(manifest, "position", folder), session.steps.size());
+  return session;
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,265 @@
+#include "gui/document/autosave/step_file.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "core/error.h"
+#include "gui/document/autosave/archive.h"
+#include "gui/document/autosave/step_checks.h"
+#include "io/atomic_file.h"
+
+namespace winslow::gui {
+
+namespace {
+
+/// Also tells a machine with another order of bytes.
+constexpr std::uint64_t magic = 0x0003504554534e57;  // "WNSTEP", version 3
+
+/// Every field of a record, named once for reading and writing.
+template <class Archive, class Record>
+void record_fields(Archive& archive, Record& r) {
+  archive.number(r.iteration);
+  archive.number(r.residual);
+  archive.number(r.largest_move);
+  archive.number(r.inverted);
+  archive.number(r.min_sine);
+  archive.number(r.damping);
+  archive.number(r.clipped);
+  archive.number(r.linear_iterations);
+  archive.number(r.fraction);
+  archive.number(r.stage);
+}
+
+template <class Archive, class Result>
+void result_fields(Archive& archive, Result& r) {
+  archive.number(r.converged);
+  archive.number(r.outer_iterations);
+  archive.number(r.linear_solves);
+  archive.number(r.residual);
+  archive.number(r.out_of_iterations);
+  archive.number(r.fraction_reached);
+  archive.number(r.increments);
+  archive.text(r.linear_solver);
+  archive.number(r.inverted);
+}
+
+/// Connectivity as the arrays that it is built from.
+template <class Archive, class Data>
+void topology_fields(Archive& archive, Data& data) {
+  archive.numbers(data.types);
+  archive.numbers(data.element_offsets);
+  archive.numbers(data.element_nodes);
+  archive.list(data.markers, [](auto& a, auto& marker) {
+    a.text(marker.name);
+    a.number(marker.tag);
+    a.numbers(marker.edges);
+  });
+  archive.list(data.regions, [](auto& a, auto& region) {
+    a.text(region.name);
+    a.number(region.tag);
+  });
+  archive.numbers(data.element_region);
+}
+
+template <class Archive, class Stack>
+void layer_fields(Archive& archive, Stack& stack) {
+  archive.list(stack.columns, [](auto& a, auto& column) {
+    a.number(column.wall_node);
+    a.number(column.wall);
+    a.number(column.direction.x());
+    a.number(column.direction.y());
+    a.number(column.slant);
+    a.number(column.along_boundary);
+    a.number(column.first);
+    a.number(column.asked);
+    a.number(column.room);
+    a.number(column.limit);
+    a.number(column.prescribed);
+    a.numbers(column.heights);
+    a.numbers(column.granted);
+    a.number(column.granted_limit);
+    a.numbers(column.corrections);
+    a.numbers(column.nodes);
+  });
+  archive.numbers(stack.pairs);
+  archive.numbers(stack.layer_of_element);
+  archive.number(stack.held);
+}
+
+/// What VCVs hold beyond equal angles and unit edges.
+struct VcvData {
+  struct Edit {
+    Index node = -1;
+    VirtualControlVolumes::Stencil stencil;
+  };
+  std::vector<Edit> edits;
+  bool with_roles = false;
+  std::vector<VirtualControlVolumes::Role> roles;  // #elements
+};
+
+template <class Archive, class Data>
+void vcv_fields(Archive& archive, Data& data) {
+  archive.list(data.edits, [](auto& a, auto& edit) {
+    a.number(edit.node);
+    a.numbers(edit.stencil.angles);
+    a.numbers(edit.stencil.lengths);
+  });
+  archive.number(data.with_roles);
+  archive.numbers(data.roles);
+}
+
+/// Without coordinates.
+MeshData data_of(const Topology& topology) {
+  MeshData data;
+  for (Index e = 0; e < topology.element_count(); ++e)
+    data.add_element(topology.element_type(e), topology.element(e));
+  // Markers that stand for loops come back by themselves.
+  if (topology.markers_from_file()) data.markers = topology.markers();
+  data.regions = topology.regions();
+  data.element_region.assign(topology.element_regions().begin(), topology.element_regions().end());
+  return data;
+}
+
+VcvData data_of(const VirtualControlVolumes& vcv) {
+  VcvData data;
+  for (const auto& [node, stencil] : vcv.edits()) data.edits.push_back({node, stencil});
+  data.with_roles = vcv.roles() != nullptr;
+  if (data.with_roles) data.roles = *vcv.roles();
+  return data;
+}
+
+std::shared_ptr<const VirtualControlVolumes> made_of(
+    const VcvData& data, const std::shared_ptr<const Topology>& topology) {
+  auto vcv = std::make_shared<VirtualControlVolumes>(topology);
+  for (const auto& [node, stencil] : data.edits) vcv->set(node, stencil.angles, stencil.lengths);
+  if (data.with_roles)
+    vcv->set_roles(std::make_shared<const std::vector<VirtualControlVolumes::Role>>(data.roles));
+  return vcv;
+}
+
+/// Which parts of a state follow.
+struct Parts {
+  bool topology = false, vcv = false, layers = false, any_layers = false;
+};
+
+template <class Archive, class AnyParts>
+void part_fields(Archive& archive, AnyParts& parts) {
+  archive.number(parts.topology);
+  archive.number(parts.vcv);
+  archive.number(parts.layers);
+  archive.number(parts.any_layers);
+}
+
+Parts changed_parts(const MeshState& state, const MeshState& before) {
+  return {state.mesh.topology != before.mesh.topology, state.vcv != before.vcv,
+          state.layers != before.layers, state.layers != nullptr};
+}
+
+void read_coordinates(ArchiveReader& reader, Coordinates& x) {
+  int dimension = 0;
+  std::vector<double> values;
+  reader.number(dimension);
+  reader.numbers(values);
+  if (dimension < 2 || dimension > 3 || values.size() % static_cast<std::size_t>(dimension) != 0)
+    reader.fail(std::to_string(values.size()) + " numbers in " + std::to_string(dimension) +
+                " dimensions");
+  x = Coordinates(dimension,
+                  static_cast<Index>(values.size() / static_cast<std::size_t>(dimension)));
+  std::copy(values.begin(), values.end(), x.values().begin());
+}
+
+void refuse(ArchiveReader& reader, const std::string& fault) {
+  if (!fault.empty()) reader.fail(fault);
+}
+
+std::shared_ptr<const Topology> read_topology(ArchiveReader& reader, const Coordinates& x) {
+  MeshData data;
+  topology_fields(reader, data);
+  data.coordinates = x;
+  refuse(reader, fault_of(data));
+  return Topology::build(data);
+}
+
+/// The state before, with all that was written of the one after it.
+MeshState read_state(ArchiveReader& reader, const MeshState& before) {
+  MeshState state = before;
+  read_coordinates(reader, state.mesh.coordinates);
+  Parts parts;
+  part_fields(reader, parts);
+  if (parts.topology) state.mesh.topology = read_topology(reader, state.mesh.coordinates);
+  if (!state.mesh.topology) reader.fail("no elements");
+  const Topology& topology = *state.mesh.topology;
+  if (state.mesh.coordinates.size() != topology.node_count())
+    reader.fail(std::to_string(state.mesh.coordinates.size()) + " nodes of " +
+                std::to_string(topology.node_count()));
+  // What belongs to other elements than there are now cannot have stayed as it was.
+  if (parts.topology && (!parts.vcv || (state.layers && !parts.layers)))
+    reader.fail("other elements without their control volumes or layers");
+  if (parts.vcv) {
+    VcvData data;
+    vcv_fields(reader, data);
+    refuse(reader, fault_of(data.roles));
+    state.vcv = made_of(data, state.mesh.topology);
+  }
+  if (parts.layers) {
+    state.layers.reset();
+    if (parts.any_layers) {
+      LayerStack stack;
+      layer_fields(reader, stack);
+      refuse(reader, fault_of(stack, topology));
+      state.layers = std::make_shared<const LayerStack>(std::move(stack));
+    }
+  }
+  return state;
+}
+
+}  // namespace
+
+void write_step(const std::filesystem::path& path, const MeshState& state, const MeshState& before,
+                const SmoothResult& smooth) {
+  io::write_atomically(path, [&](std::ostream& out) {
+    ArchiveWriter writer(out);
+    writer.number(magic);
+    writer.number(state.mesh.coordinates.dimension());
+    writer.numbers(state.mesh.coordinates.values());
+    const Parts parts = changed_parts(state, before);
+    part_fields(writer, parts);
+    if (parts.topology) {
+      const MeshData data = data_of(*state.mesh.topology);
+      topology_fields(writer, data);
+    }
+    if (parts.vcv) {
+      const VcvData data = data_of(*state.vcv);
+      vcv_fields(writer, data);
+    }
+    if (parts.layers && parts.any_layers) layer_fields(writer, *state.layers);
+    result_fields(writer, smooth);
+    writer.list(smooth.history, [](auto& a, auto& record) { record_fields(a, record); });
+    writer.finish();
+  });
+}
+
+CommandResult read_step(const std::filesystem::path& path, const MeshState& before) {
+  const std::string bytes = checked_content(path);
+  ArchiveReader reader(bytes, path);
+  std::uint64_t found = 0;
+  reader.number(found);
+  if (found != magic) reader.fail("something else");
+  CommandResult step;
+  try {
+    step.state = read_state(reader, before);
+  } catch (const InputError&) {
+    throw;
+  } catch (const Error& error) {  // no mesh, or no control volumes, can be made of the numbers
+    reader.fail(error.what());
+  }
+  result_fields(reader, step.smooth);
+  reader.list(step.smooth.history, [](auto& a, auto& record) { record_fields(a, record); });
+  if (!reader.empty()) reader.fail("more than one");
+  return step;
+}
+
+}  // namespace winslow::gui

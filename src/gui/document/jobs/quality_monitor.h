@@ -1,0 +1,51 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/command/command.h"
+#include "core/inspect/element_field.h"
+#include "gui/base/background.h"
+
+namespace winslow::gui {
+
+/// Longest list of worst elements that is kept.
+inline constexpr int most_worst = 100;
+
+/// Quality of the mesh on screen, measured behind the frame loop's back.
+class QualityMonitor {
+ public:
+  struct Measured {
+    std::uint64_t shape = 0;  ///< Session::shape() that was measured
+    std::shared_ptr<const Topology> topology;
+    QualityReport report;
+    std::optional<ElementField> field;
+    std::vector<double> values;  ///< of field, one per element
+  };
+
+  /// Whether a request would start a measurement: ask before a mesh is copied for it.
+  bool wants(std::uint64_t shape, const std::optional<ElementField>& field, bool live) const;
+  /// Asks for the quality of a mesh. live: a solver is changing it, so measure only now and then.
+  void request(std::uint64_t shape, const MeshState& state, std::optional<ElementField> field,
+               bool live);
+  /// The same, before returning.
+  void measure_now(std::uint64_t shape, const MeshState& state, std::optional<ElementField> field);
+  /// True if a newer measurement has come in.
+  bool poll();
+  /// The latest measurement; null if there is none of the present topology.
+  const std::shared_ptr<const Measured>& latest() const { return latest_; }
+  /// Forgets everything: another mesh is coming.
+  void clear();
+  bool busy() const { return worker_.busy(); }
+
+ private:
+  Background<std::shared_ptr<const Measured>> worker_;
+  std::shared_ptr<const Measured> latest_;
+  bool discard_ = false;  // the measurement under way is of a mesh that is gone
+  std::chrono::steady_clock::time_point last_start_{};
+};
+
+}  // namespace winslow::gui

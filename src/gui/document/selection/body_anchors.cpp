@@ -1,0 +1,148 @@
+#include "gui/document/selection/body_anchors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace winslow::gui {
+
+namespace {
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Corners of the convex hull, counter-clockwise (Andrew's monotone chain).
+std::vector<Vec2> hull(std::vector<Vec2> points) {
+  std::sort(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) {
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+  });
+  std::vector<Vec2> chain;
+  const auto add = [&](const Vec2& p, std::size_t floor) {
+    while (chain.size() >= floor + 2 &&
+           cross(chain.back() - chain[chain.size() - 2], p - chain.back()) <= 0)
+      chain.pop_back();
+    chain.push_back(p);
+  };
+  for (const Vec2& p : points) add(p, 0);
+  const std::size_t lower = chain.size();
+  for (std::size_t i = points.size() - 1; i-- > 0;) add(points[i], lower - 1);
+  if (chain.size() > 1) chain.pop_back();
+  return chain;
+}
+
+/// The two corners of a convex polygon farthest apart (rotating calipers).
+std::pair<Vec2, Vec2> diameter(const std::vector<Vec2>& h) {
+  const std::size_t n = h.size();
+  if (n < 3) return {h.front(), h.back()};
+  std::pair<Vec2, Vec2> best{h[0], h[1]};
+  const auto keep = [&](const Vec2& a, const Vec2& b) {
+    if ((a - b).squaredNorm() > (best.first - best.second).squaredNorm()) best = {a, b};
+  };
+  std::size_t j = 1;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 edge = h[(i + 1) % n] - h[i];
+    while (cross(edge, h[(j + 1) % n] - h[j]) > 0) {
+      keep(h[i], h[j]);
+      j = (j + 1) % n;
+    }
+    keep(h[i], h[j]);
+    keep(h[(i + 1) % n], h[j]);
+  }
+  return best;
+}
+
+/// Cosine of the angle between the two edges that meet at a point of a loop: 1 for a cusp, -1 for a
+/// straight line. -1 for a point of no loop.
+double sharpness(const std::vector<std::vector<Index>>& loops, const Coordinates& x,
+                 const Vec2& point) {
+  for (const auto& loop : loops)
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      if (x.xy(loop[i]) != point) continue;
+      const Vec2 a = x.xy(loop[(i + loop.size() - 1) % loop.size()]) - point;
+      const Vec2 b = x.xy(loop[(i + 1) % loop.size()]) - point;
+      return a.dot(b) / std::max(a.norm() * b.norm(), 1e-300);
+    }
+  return -1;
+}
+
+Vec2 mean(const std::vector<Vec2>& points) {
+  Vec2 sum(0, 0);
+  for (const Vec2& p : points) sum += p;
+  return sum / static_cast<double>(points.size());
+}
+
+}  // namespace
+
+const Vec2& BodyAnchors::at(PivotPlace place) const {
+  switch (place) {
+    case PivotPlace::centroid:
+      return centroid;
+    case PivotPlace::leading_edge:
+      return leading_edge;
+    case PivotPlace::trailing_edge:
+      return trailing_edge;
+    case PivotPlace::centre:
+      break;
+  }
+  return centre;
+}
+
+BodyAnchors find_anchors(const std::vector<std::vector<Index>>& loops,
+                         const std::vector<Index>& nodes, const Coordinates& x) {
+  std::vector<Vec2> points;
+  for (Index node : nodes) points.push_back(x.xy(node));
+  double area = 0;
+  Vec2 moment(0, 0);
+  for (const auto& loop : loops) {
+    const Vec2 origin = x.xy(loop.front());
+    double loop_area = 0;
+    Vec2 loop_moment(0, 0);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      points.push_back(x.xy(loop[i]));
+      const Vec2 p = x.xy(loop[i]) - origin;
+      const Vec2 q = x.xy(loop[(i + 1) % loop.size()]) - origin;
+      loop_area += cross(p, q) / 2;
+      loop_moment += cross(p, q) / 6 * (p + q);
+    }
+    // Holes of the mesh run clockwise.
+    area += std::abs(loop_area);
+    moment += std::abs(loop_area) * origin + (loop_area < 0 ? Vec2(-loop_moment) : loop_moment);
+  }
+  BodyAnchors anchors;
+  Vec2 low = points.front();
+  Vec2 high = low;
+  for (const Vec2& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  anchors.centre = 0.5 * (low + high);
+  anchors.centroid = area > 0 ? Vec2(moment / area) : mean(points);
+  const auto [a, b] = diameter(hull(points));
+  const double sharp_a = sharpness(loops, x, a);
+  const double sharp_b = sharpness(loops, x, b);
+  // Ends alike, as of an ellipse: the flow comes from the left.
+  const bool a_trails = std::abs(sharp_a - sharp_b) < 1e-6 ? a.x() > b.x() : sharp_a > sharp_b;
+  anchors.trailing_edge = a_trails ? a : b;
+  anchors.leading_edge = a_trails ? b : a;
+  // 6.9e-18 would be the centre of a symmetric body in numbers, but not to a reader.
+  const double tiny = 1e-12 * (high - low).maxCoeff();
+  for (Vec2* p : {&anchors.centre, &anchors.centroid})
+    for (int axis : {0, 1})
+      if (std::abs((*p)[axis]) < tiny) (*p)[axis] = 0;
+  return anchors;
+}
+
+const char* pivot_place_name(PivotPlace place) {
+  switch (place) {
+    case PivotPlace::centroid:
+      return "centroid";
+    case PivotPlace::leading_edge:
+      return "leading edge";
+    case PivotPlace::trailing_edge:
+      return "trailing edge";
+    case PivotPlace::centre:
+      break;
+  }
+  return "centre";
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,214 @@
+#include "gui/document/selection/boundary_index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace winslow::gui {
+
+namespace {
+
+constexpr Index leaf_size = 8;
+
+std::pair<Index, Index> key(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
+
+double signed_area(const Coordinates& x, const std::vector<Index>& loop) {
+  double area = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vec2 p = x.xy(loop[i]);
+    const Vec2 q = x.xy(loop[(i + 1) % loop.size()]);
+    area += p.x() * q.y() - p.y() * q.x();
+  }
+  return 0.5 * area;
+}
+
+bool contains(const Coordinates& x, const std::vector<Index>& loop, const Vec2& point) {
+  bool inside = false;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vec2 p = x.xy(loop[i]);
+    const Vec2 q = x.xy(loop[(i + 1) % loop.size()]);
+    if ((p.y() > point.y()) == (q.y() > point.y())) continue;
+    const double t = (point.y() - p.y()) / (q.y() - p.y());
+    if (point.x() < p.x() + t * (q.x() - p.x())) inside = !inside;
+  }
+  return inside;
+}
+
+}  // namespace
+
+BoundaryIndex::BoundaryIndex(std::shared_ptr<const Topology> topology)
+    : topology_(std::move(topology)) {
+  const auto& markers = topology_->markers();
+  for (std::size_t m = 0; m < markers.size(); ++m)
+    for (const auto& [a, b] : markers[m].edges) edges_.push_back({a, b, static_cast<Index>(m)});
+  find_bodies();
+}
+
+void BoundaryIndex::find_bodies() {
+  std::map<std::pair<Index, Index>, Index> marker_at;
+  for (const Edge& e : edges_) marker_at[key(e.a, e.b)] = e.marker;
+  marker_body_.assign(topology_->markers().size(), -1);
+  for (const auto& loop : topology_->boundary_loops()) {
+    Body body{loop, {}, false};
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const auto it = marker_at.find(key(loop[i], loop[(i + 1) % loop.size()]));
+      if (it == marker_at.end()) continue;
+      body.markers.push_back(it->second);
+      marker_body_[static_cast<std::size_t>(it->second)] = static_cast<Index>(bodies_.size());
+    }
+    std::sort(body.markers.begin(), body.markers.end());
+    body.markers.erase(std::unique(body.markers.begin(), body.markers.end()), body.markers.end());
+    bodies_.push_back(std::move(body));
+  }
+}
+
+void BoundaryIndex::update(const Coordinates& coordinates) {
+  const bool first = coordinates_.empty();
+  coordinates_ = coordinates;
+  if (!first) return refit();
+  for (Body& body : bodies_) body.hole = signed_area(coordinates_, body.nodes) < 0;
+  if (!edges_.empty()) build(0, static_cast<Index>(edges_.size()));
+}
+
+BoundaryIndex::Box BoundaryIndex::box_of(Index begin, Index end) const {
+  constexpr double huge = std::numeric_limits<double>::max();
+  Box box{Vec2(huge, huge), Vec2(-huge, -huge)};
+  for (Index i = begin; i < end; ++i) {
+    const Edge& e = edges_[static_cast<std::size_t>(i)];
+    for (Index node : {e.a, e.b}) {
+      box.min = box.min.cwiseMin(coordinates_.xy(node));
+      box.max = box.max.cwiseMax(coordinates_.xy(node));
+    }
+  }
+  return box;
+}
+
+Index BoundaryIndex::build(Index begin, Index end) {
+  const auto index = static_cast<Index>(tree_.size());
+  const Box box = box_of(begin, end);
+  tree_.push_back({box, begin, end});
+  if (end - begin <= leaf_size) return index;
+  const Vec2 size = box.max - box.min;
+  const int axis = size.x() >= size.y() ? 0 : 1;
+  const Index middle = begin + (end - begin) / 2;
+  const auto at = [this](Index i) { return edges_.begin() + i; };
+  std::nth_element(at(begin), at(middle), at(end), [&](const Edge& p, const Edge& q) {
+    return coordinates_.xy(p.a)[axis] + coordinates_.xy(p.b)[axis] <
+           coordinates_.xy(q.a)[axis] + coordinates_.xy(q.b)[axis];
+  });
+  const Index left = build(begin, middle);
+  const Index right = build(middle, end);
+  tree_[static_cast<std::size_t>(index)].left = left;
+  tree_[static_cast<std::size_t>(index)].right = right;
+  return index;
+}
+
+void BoundaryIndex::refit() {
+  // Children come after their parents.
+  for (std::size_t i = tree_.size(); i-- > 0;) {
+    Node& node = tree_[i];
+    if (node.left < 0) {
+      node.box = box_of(node.begin, node.end);
+      continue;
+    }
+    const Box& l = tree_[static_cast<std::size_t>(node.left)].box;
+    const Box& r = tree_[static_cast<std::size_t>(node.right)].box;
+    node.box = {l.min.cwiseMin(r.min), l.max.cwiseMax(r.max)};
+  }
+}
+
+double BoundaryIndex::Box::distance(const Vec2& p) const {
+  return (p - p.cwiseMax(min).cwiseMin(max)).norm();
+}
+
+double BoundaryIndex::edge_distance(const Edge& edge, const Vec2& point) const {
+  const Vec2 a = coordinates_.xy(edge.a);
+  const Vec2 d = coordinates_.xy(edge.b) - a;
+  const double length2 = d.squaredNorm();
+  const double t = length2 > 0 ? std::clamp((point - a).dot(d) / length2, 0.0, 1.0) : 0.0;
+  return (point - a - t * d).norm();
+}
+
+void BoundaryIndex::nearest(Index index, const Vec2& point, double& best, Index& edge) const {
+  const Node& node = tree_[static_cast<std::size_t>(index)];
+  if (node.box.distance(point) > best) return;
+  if (node.left >= 0) {
+    nearest(node.left, point, best, edge);
+    nearest(node.right, point, best, edge);
+    return;
+  }
+  for (Index i = node.begin; i < node.end; ++i) {
+    const double d = edge_distance(edges_[static_cast<std::size_t>(i)], point);
+    if (d > best) continue;
+    best = d;
+    edge = i;
+  }
+}
+
+const BoundaryIndex::Body* BoundaryIndex::body_containing(const Vec2& point) const {
+  const Body* found = nullptr;
+  double smallest = std::numeric_limits<double>::max();
+  for (const Body& body : bodies_) {
+    if (!body.hole || body.markers.empty() || !contains(coordinates_, body.nodes, point)) continue;
+    const double area = std::abs(signed_area(coordinates_, body.nodes));
+    if (area >= smallest) continue;
+    smallest = area;
+    found = &body;
+  }
+  return found;
+}
+
+BoundaryIndex::Hit BoundaryIndex::hit_of(Index marker, bool inside) const {
+  const Body* body = body_of(marker);
+  // The rim around everything is often many markers with little in common; a body moves whole.
+  const bool whole = body && body->hole;
+  return {marker, whole ? body->markers : std::vector<Index>{marker}, whole, inside};
+}
+
+std::optional<BoundaryIndex::Hit> BoundaryIndex::pick(const Vec2& point, double radius) const {
+  if (coordinates_.empty()) return std::nullopt;
+  Index edge = -1;
+  double best = radius;
+  if (!tree_.empty()) nearest(0, point, best, edge);
+  if (edge >= 0) return hit_of(edges_[static_cast<std::size_t>(edge)].marker, false);
+  if (const Body* body = body_containing(point)) return hit_of(body->markers.front(), true);
+  return std::nullopt;
+}
+
+std::optional<BoundaryIndex::NodeHit> BoundaryIndex::pick_node(const Vec2& point,
+                                                               double radius) const {
+  if (coordinates_.empty() || tree_.empty()) return std::nullopt;
+  Index at = -1;
+  double best = radius;
+  nearest(0, point, best, at);
+  if (at < 0) return std::nullopt;
+  const Edge& edge = edges_[static_cast<std::size_t>(at)];
+  const double to_a = (coordinates_.xy(edge.a) - point).norm();
+  const double to_b = (coordinates_.xy(edge.b) - point).norm();
+  if (std::min(to_a, to_b) > radius) return std::nullopt;
+  NodeHit hit{to_a <= to_b ? edge.a : edge.b, marker_body_[static_cast<std::size_t>(edge.marker)],
+              0};
+  if (hit.body < 0) return std::nullopt;
+  const auto& loop = bodies_[static_cast<std::size_t>(hit.body)].nodes;
+  const auto it = std::find(loop.begin(), loop.end(), hit.node);
+  if (it == loop.end()) return std::nullopt;
+  hit.position = static_cast<std::size_t>(it - loop.begin());
+  return hit;
+}
+
+const BoundaryIndex::Body* BoundaryIndex::body_of(Index marker) const {
+  const Index body = marker_body_[static_cast<std::size_t>(marker)];
+  return body < 0 ? nullptr : &bodies_[static_cast<std::size_t>(body)];
+}
+
+double BoundaryIndex::reach(const std::vector<Index>& markers, const Vec2& point) const {
+  double reach = 0;
+  for (Index m : markers)
+    for (Index node : topology_->marker_nodes(m))
+      reach = std::max(reach, (coordinates_.xy(node) - point).norm());
+  return reach;
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <utility>
+
+#include "gui/document/actions/actions.h"
+#include "gui/document/session/session.h"
+#include "gui/files/recent_files.h"
+#include "gui/settings/view_options.h"
+#include "gui/settings/view_state.h"
+#include "gui/view/mesh/before_mesh.h"
+#include "gui/widgets/theme.h"
+
+namespace winslow::gui {
+
+class Capture;
+class DemoPlayer;
+
+/// All that a panel or a command sees, and where it puts what the user wants.
+struct PanelContext {
+  const Session& session;
+  const ViewOptions& view;
+  const ViewState& view_state;
+  const Theme& theme;
+  ActionQueue& actions;
+  const Capture& capture;
+  const RecentFiles& recent;
+  const DemoPlayer& demo;
+  const BeforeMesh* before = nullptr;  ///< what the mesh is compared with
+
+  template <class A>
+  void emit(A a) const {
+    actions.emplace_back(std::move(a));
+  }
+  const Topology* topology() const { return session.topology().get(); }
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,68 @@
+#include "gui/menu/user_command.h"
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+
+namespace winslow::gui {
+
+const std::vector<UserCommand>& user_commands() {
+  static const std::vector<UserCommand> all = [] {
+    std::vector<UserCommand> commands;
+    for (auto make : {file_commands, edit_commands, solver_commands, view_commands, help_commands,
+                      demo_commands}) {
+      auto group = make();
+      std::move(group.begin(), group.end(), std::back_inserter(commands));
+    }
+    return commands;
+  }();
+  return all;
+}
+
+const UserCommand& user_command(std::string_view id) {
+  const auto& all = user_commands();
+  const auto it = std::find_if(all.begin(), all.end(), [id](const auto& c) { return c.id == id; });
+  if (it == all.end()) throw std::logic_error("no user command \"" + std::string(id) + "\"");
+  return *it;
+}
+
+std::string_view group_label(CommandGroup group) {
+  switch (group) {
+    case CommandGroup::file:
+      return "File";
+    case CommandGroup::edit:
+      return "Edit";
+    case CommandGroup::solver:
+      return "Solver";
+    case CommandGroup::view:
+      return "View";
+    case CommandGroup::help:
+      return "Help";
+  }
+  return "";
+}
+
+std::string why_blocked(const UserCommand& command, const PanelContext& context) {
+  return command.blocked ? command.blocked(context) : std::string();
+}
+
+std::string label_of(const UserCommand& command, const PanelContext& context) {
+  return command.label_now ? command.label_now(context) : command.label;
+}
+
+std::string tooltip_of(const UserCommand& command) {
+  const std::string keys = chords_text(command.keys);
+  const std::string text = command.tooltip.empty() ? command.label : command.tooltip;
+  return keys.empty() ? text : text + " (" + keys + ")";
+}
+
+std::string without_mesh(const PanelContext& context) {
+  return context.session.document() ? "" : "No mesh is open.";
+}
+
+std::string while_busy(const PanelContext& context) {
+  if (!context.session.document()) return without_mesh(context);
+  return context.session.in_motion() ? "The solver is at work." : "";
+}
+
+}  // namespace winslow::gui

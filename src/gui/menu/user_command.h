@@ -1,0 +1,69 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gui/menu/chord.h"
+#include "gui/menu/panel_context.h"
+
+/// Everything that a user can do by name. The menus, the keys, the palette, the list of keys and
+/// the toolbar's tooltips all read this one table: what is not in it has no key and no menu entry.
+///
+/// TO ADD A COMMAND, add an entry to the table of its group: file_commands.cpp, edit_commands.cpp,
+/// solver_commands.cpp, view_commands.cpp, help_commands.cpp or
+/// demo_commands.cpp. Its order there is its order in the
+/// menu. What the mouse does, for the list of keys, stands in gestures.cpp.
+namespace winslow::gui {
+
+enum class CommandGroup { file, edit, solver, view, help };
+
+struct UserCommand {
+  using Test = std::function<bool(const PanelContext&)>;
+  using Text = std::function<std::string(const PanelContext&)>;
+
+  /// Scripts find its menu entry as "menu/ID", its row in the palette as "palette/ID".
+  std::string id = {};
+  std::string label = {};
+  CommandGroup group = CommandGroup::file;
+  std::vector<Chord> keys = {};
+  std::string tooltip = {};  ///< a sentence or two
+  /// Why it cannot be done now, as a sentence; empty: it can. Null: it always can.
+  Text blocked = {};
+  Test checked = {};  ///< for what is on or off; null: it is neither
+  /// Emits what is to happen. Called only when it is not blocked.
+  std::function<void(const PanelContext&)> run = {};
+  Text label_now = {};  ///< label that says what would happen ("Undo: Smooth"); null: `label`
+  bool starts_section = false;  ///< a line above it in the menu
+  /// A submenu: what it holds now, in place of `run`. The palette lists them one by one,
+  /// unless the submenu is blocked.
+  std::function<std::vector<UserCommand>(const PanelContext&)> items = {};
+};
+
+/// All commands, group after group.
+const std::vector<UserCommand>& user_commands();
+/// The command of that id; it must exist.
+const UserCommand& user_command(std::string_view id);
+
+std::string_view group_label(CommandGroup group);
+/// Empty if it can be done now.
+std::string why_blocked(const UserCommand& command, const PanelContext& context);
+std::string label_of(const UserCommand& command, const PanelContext& context);
+/// Its tooltip with its keys: "Show the whole mesh. (F)".
+std::string tooltip_of(const UserCommand& command);
+
+// The groups.
+std::vector<UserCommand> file_commands();
+std::vector<UserCommand> edit_commands();
+std::vector<UserCommand> solver_commands();
+std::vector<UserCommand> view_commands();
+std::vector<UserCommand> help_commands();
+std::vector<UserCommand> demo_commands();
+
+// What stands in the way of many commands.
+std::string without_mesh(const PanelContext& context);
+/// No mesh, or the solver is at work on it.
+std::string while_busy(const PanelContext& context);
+
+}  // namespace winslow::gui

@@ -1,0 +1,323 @@
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+
+#include "gui/menu/user_command.h"
+#include "gui/view/navigation/worst_list.h"
+
+namespace winslow::gui {
+
+namespace {
+
+/// A command that turns a part of the view on and off.
+UserCommand toggle(bool ViewOptions::*part, UserCommand command) {
+  command.group = CommandGroup::view;
+  command.checked = [part](const PanelContext& c) { return c.view.*part; };
+  command.run = [part](const PanelContext& c) {
+    ViewOptions view = c.view;
+    view.*part = !(view.*part);
+    c.emit(action::SetView{view});
+  };
+  return command;
+}
+
+/// A command that shows a tab of the column on the right.
+UserCommand tab(SideTab which, UserCommand command) {
+  command.group = CommandGroup::view;
+  command.checked = [which](const PanelContext& c) {
+    return c.view.right_panel && c.view.side_tab == which;
+  };
+  command.run = [which](const PanelContext& c) {
+    ViewOptions view = c.view;
+    view.right_panel = true;
+    view.side_tab = which;
+    c.emit(action::SetView{view});
+  };
+  return command;
+}
+
+/// A command that changes the view.
+UserCommand change(void (*how)(ViewOptions&), UserCommand command) {
+  command.group = CommandGroup::view;
+  command.run = [how](const PanelContext& c) {
+    ViewOptions view = c.view;
+    how(view);
+    c.emit(action::SetView{view});
+  };
+  return command;
+}
+
+/// A command that compares with the state before in one way, or no longer.
+UserCommand compare(Comparison how, UserCommand command) {
+  command.group = CommandGroup::view;
+  command.blocked = without_mesh;
+  command.checked = [how](const PanelContext& c) { return c.view.comparison == how; };
+  command.run = [how](const PanelContext& c) {
+    ViewOptions view = c.view;
+    view.comparison = view.comparison == how ? Comparison::none : how;
+    c.emit(action::SetView{view});
+  };
+  return command;
+}
+
+/// A command that steps through the list of worst elements.
+UserCommand worst(int by, UserCommand command) {
+  command.group = CommandGroup::view;
+  command.blocked = [](const PanelContext& c) -> std::string {
+    if (!c.session.document()) return without_mesh(c);
+    return worst_elements(c.session, c.view).empty() ? "The mesh is being measured." : "";
+  };
+  command.run = [by](const PanelContext& c) {
+    c.emit(action::GoTo{next_worst(c.session, c.view, c.view_state.focus, by)});
+  };
+  return command;
+}
+
+/// Commands that look at another place.
+std::vector<UserCommand> place_commands() {
+  constexpr auto group = CommandGroup::view;
+  return {
+      {.id = "box_zoom",
+       .label = "Zoom to a box",
+       .group = group,
+       .keys = {key(GLFW_KEY_Z)},
+       .tooltip = "The next drag of the mouse draws the box to zoom to; Ctrl and the right button "
+                  "do so at any time.",
+       .blocked = without_mesh,
+       .checked = [](const PanelContext& c) { return c.view_state.box_zoom_armed; },
+       .run = [](const PanelContext& c) { c.emit(action::BoxZoom{}); }},
+      {.id = "view_back",
+       .label = "Previous view",
+       .group = group,
+       .keys = {alt(key(GLFW_KEY_LEFT))},
+       .tooltip = "Back to where you looked before.",
+       .blocked = [](const PanelContext& c) -> std::string {
+         return c.view_state.can_go_back ? "" : "There is no earlier view.";
+       },
+       .run = [](const PanelContext& c) { c.emit(action::BackView{}); }},
+      {.id = "view_forward",
+       .label = "Next view",
+       .group = group,
+       .keys = {alt(key(GLFW_KEY_RIGHT))},
+       .tooltip = "Forward to where you came back from.",
+       .blocked = [](const PanelContext& c) -> std::string {
+         return c.view_state.can_go_forward ? "" : "There is no later view.";
+       },
+       .run = [](const PanelContext& c) { c.emit(action::ForwardView{}); }},
+      {.id = "go_to",
+       .label = "Go to a node or element",
+       .group = group,
+       .keys = {control(key(GLFW_KEY_G))},
+       .tooltip = "By its id, or by a point.",
+       .blocked = without_mesh,
+       .run = [](const PanelContext& c) { c.emit(action::AskGoTo{}); }},
+      worst(1, {.id = "next_worst",
+                .label = "Next of the worst elements",
+                .keys = {typed(U']')},
+                .tooltip = "Go down the list of the worst elements; at first to the worst."}),
+      worst(-1, {.id = "previous_worst",
+                 .label = "Previous of the worst elements",
+                 .keys = {typed(U'[')},
+                 .tooltip = "Go up the list of the worst elements."}),
+  };
+}
+
+/// Commands that show more of the same place.
+std::vector<UserCommand> detail_commands() {
+  return {
+      change([](ViewOptions& view) { view.isolation.on = !view.isolation.on; },
+             {.id = "isolate",
+              .label = "Isolate elements",
+              .keys = {key(GLFW_KEY_I)},
+              .tooltip = "Draw the elements beyond a threshold in full, the others faint.",
+              .blocked = [](const PanelContext& c) -> std::string {
+                if (!c.session.document()) return without_mesh(c);
+                return c.view.color ? "" : "The elements are not coloured by a metric.";
+              },
+              .checked = [](const PanelContext& c) { return c.view.isolation.on; },
+              .starts_section = true}),
+      change(
+          [](ViewOptions& view) {
+            view.magnifier.on = !view.magnifier.on;
+            view.magnifier.pin.reset();
+          },
+          {.id = "magnifier",
+           .label = "Magnifier",
+           .keys = {key(GLFW_KEY_M)},
+           .tooltip = "A lens under the mouse; the wheel sets its factor. Held down, the key "
+                      "shows it for as long.",
+           .blocked = without_mesh,
+           .checked = [](const PanelContext& c) { return c.view.magnifier.on; }}),
+      {.id = "pin_magnifier",
+       .label = "Pin the magnifier here",
+       .group = CommandGroup::view,
+       .keys = {shift(key(GLFW_KEY_M))},
+       .tooltip = "An inset that goes on showing the place under the mouse; again: it goes.",
+       .blocked = without_mesh,
+       .checked = [](const PanelContext& c) { return c.view.magnifier.pin.has_value(); },
+       .run = [](const PanelContext& c) { c.emit(action::PinMagnifier{}); }},
+      compare(Comparison::ghost, {.id = "ghost",
+                                  .label = "Edges of the mesh before",
+                                  .keys = {key(GLFW_KEY_G)},
+                                  .tooltip = "Lay the edges of the state before over the mesh.",
+                                  .starts_section = true}),
+      compare(Comparison::split, {.id = "split",
+                                  .label = "Before and after side by side",
+                                  .keys = {shift(key(GLFW_KEY_G))},
+                                  .tooltip = "Left of a divider the state before, right the mesh "
+                                             "now."}),
+  };
+}
+
+std::vector<UserCommand> fit_commands() {
+  constexpr auto group = CommandGroup::view;
+  return {
+      {.id = "fit",
+       .label = "Fit the whole mesh",
+       .group = group,
+       .keys = {key(GLFW_KEY_F)},
+       .tooltip = "Show the whole mesh.",
+       .blocked = without_mesh,
+       .run = [](const PanelContext& c) { c.emit(action::FitView{}); }},
+      {.id = "fit_selection",
+       .label = "Fit the selection",
+       .group = group,
+       .keys = {shift(key(GLFW_KEY_F))},
+       .tooltip = "Show the selected bodies.",
+       .blocked = [](const PanelContext& c) -> std::string {
+         if (!c.session.document()) return without_mesh(c);
+         return c.session.selection().empty() ? "Nothing is selected." : "";
+       },
+       .run = [](const PanelContext& c) { c.emit(action::FitSelection{}); }},
+  };
+}
+
+std::vector<UserCommand> style_commands() {
+  constexpr auto group = CommandGroup::view;
+  return {
+      {.id = "style",
+       .label = "Next style of elements",
+       .group = group,
+       .keys = {key(GLFW_KEY_W)},
+       .tooltip = "Surfaces and edges, surfaces alone, edges alone.",
+       .run =
+           [](const PanelContext& c) {
+             ViewOptions view = c.view;
+             step_style(view);
+             c.emit(action::SetView{view});
+           },
+       .starts_section = true},
+      toggle(&ViewOptions::nodes,
+             {.id = "nodes", .label = "Nodes", .tooltip = "Draw the nodes as dots."}),
+      toggle(&ViewOptions::rim_nodes,
+             {.id = "rim_nodes", .label = "Boundary nodes", .tooltip = "Dots along the boundary."}),
+      toggle(&ViewOptions::directions,
+             {.id = "directions",
+              .label = "Boundary directions",
+              .tooltip = "Arrows along the boundary, with the mesh on their left."}),
+      toggle(&ViewOptions::node_ids,
+             {.id = "node_ids",
+              .label = "Ids of nodes",
+              .keys = {shift(key(GLFW_KEY_I))},
+              .tooltip = "Numbers of the nodes that are far enough apart on screen."}),
+      toggle(&ViewOptions::element_ids,
+             {.id = "element_ids",
+              .label = "Ids of elements",
+              .keys = {shift(key(GLFW_KEY_E))},
+              .tooltip = "Numbers of the elements that are large enough on screen."}),
+      toggle(&ViewOptions::legend, {.id = "legend",
+                                    .label = "Legend",
+                                    .keys = {key(GLFW_KEY_L)},
+                                    .tooltip = "Show what the colours mean."}),
+  };
+}
+
+std::vector<UserCommand> panel_commands() {
+  return {
+      toggle(&ViewOptions::left_panel, {.id = "left",
+                                        .label = "Bodies and solver",
+                                        .keys = {key(GLFW_KEY_F2)},
+                                        .tooltip = "Show the column on the left.",
+                                        .starts_section = true}),
+      toggle(&ViewOptions::right_panel, {.id = "right",
+                                         .label = "Quality and history",
+                                         .keys = {key(GLFW_KEY_F3)},
+                                         .tooltip = "Show the column on the right."}),
+      toggle(&ViewOptions::plot_panel, {.id = "plot",
+                                        .label = "Convergence",
+                                        .keys = {key(GLFW_KEY_F4)},
+                                        .tooltip = "Show the plot of the convergence."}),
+      tab(SideTab::quality, {.id = "tab_quality",
+                             .label = "Quality tab",
+                             .keys = {control(key(GLFW_KEY_1))},
+                             .tooltip = "How good the mesh is, in the column on the right.",
+                             .starts_section = true}),
+      tab(SideTab::view, {.id = "tab_view",
+                          .label = "View tab",
+                          .keys = {control(key(GLFW_KEY_2))},
+                          .tooltip = "What is drawn and how, in the column on the right."}),
+      tab(SideTab::history, {.id = "tab_history",
+                             .label = "History tab",
+                             .keys = {control(key(GLFW_KEY_3))},
+                             .tooltip = "What was done to the mesh, in the column on the right."}),
+      tab(SideTab::vcv, {.id = "tab_vcv",
+                         .label = "VCV tab",
+                         .keys = {control(key(GLFW_KEY_4))},
+                         .tooltip = "A node and its virtual control volume, in the column on the "
+                                    "right."}),
+  };
+}
+
+std::vector<UserCommand> look_commands() {
+  constexpr auto group = CommandGroup::view;
+  return {
+      {.id = "dark",
+       .label = "Dark theme",
+       .group = group,
+       .keys = {control(key(GLFW_KEY_D))},
+       .tooltip = "Light on dark instead of dark on light.",
+       .checked = [](const PanelContext& c) { return c.view.lightness == Lightness::dark; },
+       .run =
+           [](const PanelContext& c) {
+             ViewOptions view = c.view;
+             view.lightness =
+                 view.lightness == Lightness::dark ? Lightness::light : Lightness::dark;
+             c.emit(action::SetView{view});
+           },
+       .starts_section = true},
+      {.id = "larger",
+       .label = "Larger interface",
+       .group = group,
+       .keys = {control(key(GLFW_KEY_EQUAL)), control(key(GLFW_KEY_KP_ADD))},
+       .tooltip = "Text and controls one step larger.",
+       .run = [](const PanelContext& c) { c.emit(action::StepScale{1}); }},
+      {.id = "smaller",
+       .label = "Smaller interface",
+       .group = group,
+       .keys = {control(key(GLFW_KEY_MINUS)), control(key(GLFW_KEY_KP_SUBTRACT))},
+       .tooltip = "Text and controls one step smaller.",
+       .run = [](const PanelContext& c) { c.emit(action::StepScale{-1}); }},
+      {.id = "scale",
+       .label = "Scale of the screen",
+       .group = group,
+       .keys = {control(key(GLFW_KEY_0)), control(key(GLFW_KEY_KP_0))},
+       .tooltip = "Text and controls as large as the screen wants them.",
+       .blocked = [](const PanelContext& c) -> std::string {
+         return c.view.scale > 0 ? "" : "This is the scale of the screen.";
+       },
+       .run = [](const PanelContext& c) { c.emit(action::StepScale{0}); }},
+  };
+}
+
+}  // namespace
+
+std::vector<UserCommand> view_commands() {
+  std::vector<UserCommand> all;
+  for (const auto& part : {fit_commands(), place_commands(), style_commands(), detail_commands(),
+                           panel_commands(), look_commands()})
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,63 @@
+#include "gui/panels/picture/record_dialog.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gui/picture/capture/capture.h"
+#include "gui/widgets/controls.h"
+#include "gui/widgets/dialog.h"
+
+namespace winslow::gui {
+
+namespace {
+
+constexpr int fastest = 60;
+
+}  // namespace
+
+void RecordDialog::open(std::optional<std::size_t> step) {
+  step_ = step;
+  wanted_ = opened_ = true;
+}
+
+void RecordDialog::set_extents(const Vec2& window, const Vec2& mesh) {
+  window_ = window;
+  mesh_ = mesh;
+}
+
+void RecordDialog::draw(const PanelContext& context) {
+  if (std::exchange(opened_, false)) {
+    spec_ = context.capture.recording();
+    settings_.set(spec_.picture, window_.x(), window_.y());
+  }
+  ui::Dialog dialog("###record", step_ ? "Record this step again" : "Record the mesh", wanted_,
+                    context.theme);
+  if (!dialog.shown()) return;
+  if (step_) {
+    const Document* document = context.session.document();
+    if (document && *step_ < document->history().size())
+      ui::text_dim(describe(document->history().command(*step_)));
+  } else {
+    std::size_t when = spec_.when == RecordingSpec::When::every_shape ? 0 : 1;
+    ui::row("A frame",
+            "Whenever the mesh has moved: no frame shows the same mesh twice. Or by the "
+            "clock, with what you do to the view in between.");
+    if (ui::combo("record/when", {"Whenever the mesh moved", "By the clock"}, when))
+      spec_.when = when == 0 ? RecordingSpec::When::every_shape : RecordingSpec::When::timed;
+  }
+  ui::row("Frames a second", "Of the film");
+  ui::number("record/rate", spec_.rate);
+  spec_.rate = std::clamp(spec_.rate, 1, fastest);
+  const Vec2& extent = settings_.spec().panels ? window_ : mesh_;
+  settings_.draw("record", true, extent.x(), extent.y());
+  ui::checkbox("record/keep", "Keep the PNG frames beside the film", spec_.keep_frames);
+  const auto answer = dialog.buttons("record", "Choose file...", settings_.error().empty());
+  if (!answer.accepted) return;
+  spec_.picture = settings_.spec();
+  context.emit(action::SetRecordingSpec{spec_});
+  context.emit(action::ShowFileDialog{FilePurpose::recording});
+}
+
+}  // namespace winslow::gui

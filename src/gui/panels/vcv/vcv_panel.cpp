@@ -1,0 +1,288 @@
+#include "gui/panels/vcv/vcv_panel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "core/error.h"
+#include "gui/base/text.h"
+#include "gui/widgets/controls.h"
+
+namespace winslow::gui {
+
+namespace {
+
+std::string fixed(double value, const char* format) {
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, value);
+  return buffer.data();
+}
+
+void figure(const char* id, const char* label, const std::string& value, const char* tip,
+            ImU32 color = palette().text) {
+  ui::text_dim(label);
+  ui::tooltip(tip);
+  ImGui::SameLine();
+  ui::text_right(value, color);
+  ui::note(id);
+}
+
+/// The numbers of a node's VCV in full.
+VcvEdit numbers_of(const NodalView& view) {
+  VcvEdit edit{view.node, view.neighbours, {}, view.vcv.lengths};
+  for (const double angle : view.vcv.angles) edit.angles.push_back(degrees(angle));
+  return edit;
+}
+
+void edit_one(const PanelContext& context, VcvEdit edit) {
+  context.emit(action::EditVcvs{{std::move(edit)}});
+}
+
+}  // namespace
+
+void VcvPanel::draw(const PanelContext& context) {
+  if (!context.session.document()) return ui::text_dim("No mesh is open.");
+  draw_header(context);
+  const auto& node = context.session.nodes().inspected();
+  if (!node) {
+    ui::text_wrapped(
+        "Click a node of the mesh, or type its number. While another tab is open, Alt+click.");
+    return ui::note("vcv/hint");
+  }
+  if (shown_ != node) {
+    shown_ = node;
+    edge_ = 0;
+    hovered_.reset();
+    typed_node_ = *node;
+  }
+  try {
+    const NodalView view =
+        inspect_node(*context.session.vcv(), context.session.coordinates(), *node);
+    if (!plot_.dragging() || edge_ >= view.neighbours.size()) edge_ %= view.neighbours.size();
+    draw_plot(context, view);
+    draw_figures(view, context.theme);
+    draw_neighbours(context, view);
+    draw_edge_fields(context, view);
+    draw_reset(context, view);
+    draw_spread(context, view);
+  } catch (const UsageError& error) {
+    std::string text = error.what();
+    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    ui::text_wrapped(text + ".");
+    ui::note("vcv/none");
+  }
+}
+
+void VcvPanel::draw_header(const PanelContext& context) {
+  const NodeSelection& nodes = context.session.nodes();
+  const Theme& theme = context.theme;
+  ui::row("Node", "Number of the node, from 0, in the order of the file. Enter inspects it.", 0.2f);
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float buttons =
+      ImGui::CalcTextSize("UnpinClear pins").x + 4 * style.FramePadding.x + 2 * style.ItemSpacing.x;
+  const float room = ImGui::GetContentRegionAvail().x - buttons;
+  ImGui::SetNextItemWidth(std::clamp(room, theme.px(52), theme.px(86)));
+  ui::number("vcv/node", typed_node_);
+  if (ImGui::IsItemDeactivatedAfterEdit()) context.emit(action::InspectNode{typed_node_});
+  const auto& node = nodes.inspected();
+  ImGui::SameLine();
+  const bool pinned = node && nodes.pinned(*node);
+  if (ui::button("vcv/pin", pinned ? "Unpin" : "Pin",
+                 {"Keep this node's virtual control volume drawn over the mesh.",
+                  ui::ButtonStyle::normal, node.has_value(), 0}))
+    context.emit(action::PinNodes{{*node}, !pinned});
+  ImGui::SameLine();
+  if (ui::button("vcv/clear_pins", "Clear pins",
+                 {"Take all pinned control volumes off the mesh.", ui::ButtonStyle::normal,
+                  !nodes.pinned().empty(), 0}))
+    context.emit(action::PinNodes{nodes.pinned(), false});
+}
+
+void VcvPanel::draw_plot(const PanelContext& context, const NodalView& view) {
+  std::optional<std::size_t> lit = hovered_;
+  // A neighbour under the mouse in the mesh lights up here, too.
+  if (const auto& hovered = context.session.nodes().hovered(); hovered && !lit) {
+    const auto found = std::ranges::find(view.neighbours, *hovered);
+    if (found != view.neighbours.end())
+      lit = static_cast<std::size_t>(found - view.neighbours.begin());
+  }
+  const VcvPlot::Outcome outcome = plot_.draw(view, lit, context.theme);
+  if (outcome.edit) context.emit(action::EditVcvs{{*outcome.edit}, true});
+  if (outcome.ended) context.emit(action::EndVcvEdit{});
+  if (outcome.cancelled) context.emit(action::CancelVcvEdit{});
+  if (outcome.hovered && ImGui::IsMouseDown(ImGuiMouseButton_Left)) edge_ = *outcome.hovered;
+  hovered_ = outcome.hovered;
+  ImGui::PushTextWrapPos(0);
+  ui::text_dim("Drag an end: Shift its angle only, Ctrl its length.");
+  ImGui::PopTextWrapPos();
+  ui::tooltip(
+      "Dragging an end of the virtual control volume changes the two angles beside the edge and "
+      "its length; the mesh answers at once. Elements around a node whose control volume was "
+      "changed take its shape for their target, whatever targets the solver is set to. Weights "
+      "stand on the edges, negative ones in red; the ellipse in the star is the image of the unit "
+      "circle.");
+}
+
+void VcvPanel::draw_figures(const NodalView& view, const Theme& theme) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(theme.px(8), theme.px(4)));
+  const WinslowCoefficients& c = view.coefficients;
+  figure("vcv/coefficients", "\xCE\xB1  \xCE\xB2  \xCE\xB3",
+         fixed(c.alpha, "%.3f") + "   " + fixed(c.beta, "%.3f") + "   " + fixed(c.gamma, "%.3f"),
+         "Coefficients of the Winslow equations at this node, divided by (alpha + gamma) / 2.");
+  figure("vcv/singular", "Singular values",
+         short_number(view.singular_values[0]) + "   " + short_number(view.singular_values[1]),
+         "Of the nodal Jacobian, which maps the control volume to the mesh: half axes of the "
+         "ellipse.");
+  figure("vcv/kappa", "Kappa", short_number(view.kappa),
+         "Ratio of the singular values: 1 where the map is conformal.");
+  figure("vcv/smallest", "Smallest weight", short_number(view.smallest_weight),
+         "The smallest of the weights over their mean magnitude: 1 where all are equal.",
+         view.smallest_weight < 0 ? palette().danger : palette().text);
+  figure("vcv/residual", "Residual", short_number(view.scaled_residual),
+         "Distance to where the paper's operator would move this node alone, over the mean length "
+         "of its edges.");
+  ImGui::PopStyleVar();
+}
+
+void VcvPanel::draw_neighbours(const PanelContext& context, const NodalView& view) {
+  std::size_t chosen = star_figures_ ? 1 : 0;
+  if (ui::tabs("vcv/figures",
+               {{"VCV", "Angles (degrees), lengths and areas of the virtual control volume."},
+                {"Star", "Angles (degrees), lengths and areas in the mesh."}},
+               chosen))
+    star_figures_ = chosen == 1;
+  const Star& star = star_figures_ ? view.physical : view.vcv;
+  ImGui::PushFont(context.theme.small);
+  std::optional<std::size_t> over;
+  if (ImGui::BeginTable("neighbours", 6, ImGuiTableFlags_SizingStretchProp)) {
+    for (const char* head : {"", "node", "angle", "length", "area", "weight"})
+      ImGui::TableSetupColumn(head, ImGuiTableColumnFlags_None, head[0] == '\0' ? 0.5f : 1.0f);
+    ImGui::TableNextRow();
+    for (int k = 0; k < 6; ++k) {
+      ImGui::TableNextColumn();
+      ui::text_right(ImGui::TableGetColumnName(k), palette().text_dim);
+    }
+    for (std::size_t k = 0; k < view.neighbours.size(); ++k) {
+      ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+      const std::string number = std::to_string(k + 1);
+      if (ImGui::Selectable((number + "##row").c_str(), hovered_ == k || edge_ == k,
+                            ImGuiSelectableFlags_SpanAllColumns))
+        edge_ = k;
+      ui::note("vcv/row/" + std::to_string(k));
+      if (ImGui::IsItemHovered()) over = k;
+      const double weight = view.weights[k];
+      const std::array<std::string, 5> cells{
+          std::to_string(view.neighbours[k]), fixed(degrees(star.angles[k]), "%.1f"),
+          short_number(star.lengths[k]), short_number(star.areas[k]), fixed(weight, "%.3f")};
+      for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+        ImGui::TableNextColumn();
+        const bool bad = (cell == 4 && weight < 0) || (cell == 3 && star.areas[k] < 0);
+        ui::text_right(cells[cell], bad ? palette().danger : palette().text);
+      }
+    }
+    ImGui::EndTable();
+  }
+  ImGui::PopFont();
+  if (over && over != hovered_) hovered_ = over;
+}
+
+void VcvPanel::draw_edge_fields(const PanelContext& context, const NodalView& view) {
+  VcvEdit edit = numbers_of(view);
+  const std::size_t n = view.neighbours.size();
+  const std::string which =
+      std::to_string(edge_ + 1) + " to " + std::to_string((edge_ + 1) % n + 1);
+  ui::row("Angle " + which, "Degrees. The other angles share what is left as they did.");
+  const bool fixed_angles = n == 2;
+  ImGui::BeginDisabled(fixed_angles);
+  if (!typing_angle_) angle_ = edit.angles[edge_];
+  ui::number("vcv/angle", angle_, {}, "%.4g");
+  const bool angle_done = ImGui::IsItemDeactivatedAfterEdit();
+  typing_angle_ = ImGui::IsItemActive();
+  ImGui::EndDisabled();
+  ui::row("Length of " + std::to_string(edge_ + 1), "Only ratios within one control volume act.");
+  if (!typing_length_) length_ = edit.lengths[edge_];
+  ui::number("vcv/length", length_, {}, "%.4g");
+  const bool length_done = ImGui::IsItemDeactivatedAfterEdit();
+  typing_length_ = ImGui::IsItemActive();
+  // What is no number leaves the field as it was: that is no edit.
+  if (angle_done && angle_ > 0 && angle_ < 180 && angle_ != edit.angles[edge_]) {
+    const double rest = 360 - edit.angles[edge_];
+    for (double& angle : edit.angles) angle *= (360 - angle_) / rest;
+    edit.angles[edge_] = angle_;
+    edit_one(context, std::move(edit));
+  } else if (length_done && length_ > 0 && std::isfinite(length_) &&
+             length_ != edit.lengths[edge_]) {
+    edit.lengths[edge_] = length_;
+    edit_one(context, std::move(edit));
+  }
+}
+
+void VcvPanel::draw_reset(const PanelContext& context, const NodalView& view) {
+  const auto& edits = context.session.vcv()->edits();
+  if (ui::button("vcv/reset", "Reset",
+                 {"Give this node equal angles and unit edges again.", ui::ButtonStyle::normal,
+                  view.edited, 0}))
+    edit_one(context, VcvEdit{view.node, view.neighbours, {}, {}});
+  ImGui::SameLine();
+  if (ui::button("vcv/reset_all", "Reset all",
+                 {"Give all nodes equal angles and unit edges again.", ui::ButtonStyle::normal,
+                  !edits.empty(), 0})) {
+    std::vector<VcvEdit> all;
+    for (const auto& [node, stencil] : edits) all.push_back({node, {}, {}, {}});
+    context.emit(action::EditVcvs{std::move(all)});
+  }
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  ui::text_dim(edits.empty() ? "none edited"
+                             : grouped(static_cast<long long>(edits.size())) + " edited");
+}
+
+const std::vector<Index>& VcvPanel::spread_targets(const PanelContext& context,
+                                                   const NodalView& view) {
+  const Session& session = context.session;
+  SpreadTo wanted{session.shape(), view.node, spread_to_, radius_, session.nodes().pinned()};
+  if (wanted == spread_) return targets_;
+  spread_ = std::move(wanted);
+  const Topology& topology = *context.topology();
+  const auto fits = [&](Index node) {
+    return node != view.node && topology.neighbours(node).size() == view.neighbours.size();
+  };
+  targets_.clear();
+  if (spread_to_ == 0) {
+    std::ranges::copy_if(spread_.pinned, std::back_inserter(targets_), fits);
+    return targets_;
+  }
+  for (const Index node : topology.free_nodes()) {
+    const Vec2 away = session.coordinates().xy(node) - view.position;
+    if (away.norm() <= radius_ && fits(node)) targets_.push_back(node);
+  }
+  return targets_;
+}
+
+void VcvPanel::draw_spread(const PanelContext& context, const NodalView& view) {
+  ui::row("Apply to",
+          "Gives this control volume to other nodes with as many neighbours, turned so that edges "
+          "which point the same way in the mesh have the same numbers.");
+  ui::combo("vcv/spread", {"Pinned nodes", "Nodes within a radius"}, spread_to_);
+  if (spread_to_ == 1) {
+    ui::row("Radius", "Units of the mesh.");
+    if (radius_ == 0) radius_ = 3 * view.physical.mean_length();
+    ui::number("vcv/radius", radius_, {}, "%.4g");
+  }
+  const std::vector<Index>& targets = spread_targets(context, view);
+  const std::string alike = "with " + std::to_string(view.neighbours.size()) + " neighbours";
+  const std::string tip = !targets.empty() ? "To the nodes " + alike + "."
+                          : spread_to_ == 0
+                              ? "Pin another node " + alike + " first."
+                              : "No other free node " + alike + " lies within this radius.";
+  const std::string label =
+      targets.empty() ? "Apply to no node" : "Apply to " + counted(targets.size(), "node");
+  if (ui::button("vcv/apply", label, {tip, ui::ButtonStyle::normal, !targets.empty(), -1}))
+    context.emit(action::EditVcvs{
+        spread_vcv(*context.session.vcv(), context.session.coordinates(), view.node, targets)});
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,231 @@
+#include "gui/picture/capture/capture.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+#include "core/error.h"
+#include "gui/files/assets.h"
+#include "gui/picture/figure/write_figure.h"
+
+namespace winslow::gui {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Dialogs and menus need a frame or two to be gone.
+constexpr int frames_until_clear = 3;
+
+std::string full_name(const fs::path& path) {
+  std::error_code ignored;
+  return fs::absolute(path, ignored).string();
+}
+
+}  // namespace
+
+fs::path Capture::new_picture_name() {
+  for (int n = 1;; ++n) {
+    std::array<char, 32> name{};
+    std::snprintf(name.data(), name.size(), "winslow-%03d.png", n);
+    std::error_code ignored;
+    if (!fs::exists(name.data(), ignored)) return name.data();
+  }
+}
+
+bool Capture::may_write(const fs::path& path) {
+  if (!bundled(path)) return true;
+  session_.tell(Notice::Kind::warning, bundled_text);
+  return false;
+}
+
+bool Capture::may_replace(const fs::path& path, const Action& again) {
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) return true;
+  session_.ask({Prompt::Kind::question,
+                "Replace the file?",
+                path.filename().string() + " exists already.",
+                {{"Replace", {again}, false}, {"Cancel", {}, true}}});
+  return false;
+}
+
+void Capture::on(const action::TakeScreenshot& a) {
+  const fs::path path = a.path.empty() ? new_picture_name() : a.path;
+  if (!may_write(path)) return;
+  if (!a.overwrite && !may_replace(path, action::TakeScreenshot{path, true})) return;
+  due_ = Due{path, false, frames_until_clear};
+}
+
+void Capture::on(const action::SavePicture& a) {
+  if (a.path.empty() || !may_write(a.path)) return;
+  if (!a.overwrite && !may_replace(a.path, action::SavePicture{a.path, true})) return;
+  due_ = Due{a.path, true, frames_until_clear};
+}
+
+void Capture::on(const action::StartRecording& a) {
+  if (a.path.empty()) return;
+  if (recorder_.state() != Recorder::State::idle) {
+    session_.tell(Notice::Kind::warning, "A recording is under way already.");
+    return;
+  }
+  if (!session_.document()) {
+    session_.tell(Notice::Kind::warning, "There is no mesh to record.");
+    return;
+  }
+  if (!may_write(a.path)) return;
+  if (!a.overwrite && Recorder::occupied(a.path)) {
+    session_.ask({Prompt::Kind::question,
+                  "Replace the recording?",
+                  a.path.filename().string() + " exists already. Its frames are replaced.",
+                  {{"Replace", {action::StartRecording{a.path, a.step, true}}, false},
+                   {"Cancel", {}, true}}});
+    return;
+  }
+  try {
+    recorder_.start(a.path, recording_);
+  } catch (const Error& error) {
+    session_.report_error("Cannot record", error.what());
+    return;
+  }
+  recorded_ = Coordinates();
+  shape_ = left_ = 0;
+  stepping_ = a.step.has_value();
+  if (!stepping_) return;
+  session_.apply(action::RerunStep{*a.step});
+  if (!session_.job().active()) recorder_.cancel();
+}
+
+void Capture::on(const action::StopRecording&) {
+  stepping_ = false;
+  recorder_.stop();
+}
+
+void Capture::on(const action::CancelRecording&) {
+  if (recorder_.state() == Recorder::State::idle) return;
+  stepping_ = false;
+  recorder_.cancel();
+  session_.tell(Notice::Kind::information, "The recording was thrown away.");
+}
+
+void Capture::after_frame(PictureSource& source) {
+  if (due_ && --due_->delay <= 0) {
+    const Due due = *std::exchange(due_, std::nullopt);
+    take(source, due.path, due.as_set);
+  }
+  if (recorder_.state() == Recorder::State::recording) record_frame(source);
+}
+
+void Capture::take(PictureSource& source, const fs::path& path, bool as_set) {
+  try {
+    if (as_set && is_vector_format(path)) {
+      if (figure_.busy()) throw Error("Another figure is being written. Wait until it is done.");
+      figure_path_ = path;
+      figure_.start([path, figure = source.figure(picture_.legend)]() -> std::string {
+        try {
+          write_figure(path, figure);
+          return {};
+        } catch (const std::exception& error) {
+          return error.what();
+        }
+      });
+      return;
+    }
+    Image image = as_set ? source.picture(picture_) : source.picture();
+    if (!writer_.has_room()) throw Error("Too many pictures are being written. Wait a moment.");
+    writer_.push(path, std::move(image));
+  } catch (const Error& error) {
+    session_.report_error("Cannot save the picture", error.what());
+  }
+}
+
+bool Capture::frame_due() const {
+  if (recorder_.spec().when == RecordingSpec::When::every_shape || stepping_)
+    return shape_ != session_.shape() && !(recorded_.size() == session_.coordinates().size() &&
+                                           recorded_ == session_.coordinates());
+  const auto since = std::chrono::steady_clock::now() - last_frame_;
+  return since >= std::chrono::duration<double>(1.0 / recorder_.spec().rate);
+}
+
+void Capture::record_frame(PictureSource& source) {
+  if (!session_.document()) return on(action::StopRecording{});
+  if (frame_due()) {
+    // A step that is carried out again waits for the disk; what happens by itself does not.
+    if (!recorder_.has_room()) {
+      if (stepping_) return;
+      recorder_.drop();
+    } else {
+      try {
+        PictureSpec spec = recorder_.spec().picture;
+        if (!spec.size) {
+          // The window may change its size on the way; a film must not.
+          const Vec2 extent = source.picture_extent(spec);
+          recorder_.fix_size(picture_size(spec, extent.x(), extent.y()));
+          spec = recorder_.spec().picture;
+        }
+        recorder_.add(source.picture(spec));
+      } catch (const Error& error) {
+        recorder_.cancel();
+        stepping_ = false;
+        session_.report_error("Cannot record", error.what());
+        return;
+      }
+    }
+    recorded_ = session_.coordinates();
+    last_frame_ = std::chrono::steady_clock::now();
+  }
+  shape_ = session_.shape();
+  if (stepping_) step_on();
+}
+
+void Capture::step_on() {
+  const JobRunner& job = session_.job();
+  if (!job.active()) return on(action::StopRecording{});
+  const auto& snapshot = job.snapshot();
+  // A step that was asked for takes a while to be seen: each pause is left once.
+  if (!snapshot || snapshot->state != JobState::paused || snapshot->serial == left_) return;
+  left_ = snapshot->serial;
+  session_.apply(action::StepSolver{1});
+}
+
+bool Capture::poll() {
+  bool news = false;
+  for (const auto& outcome : writer_.take_outcomes()) {
+    news = true;
+    if (outcome.error.empty())
+      session_.tell(Notice::Kind::success, "Picture saved to " + full_name(outcome.path));
+    else
+      session_.report_error("Cannot save the picture", outcome.error);
+  }
+  if (const auto error = figure_.poll()) {
+    news = true;
+    if (error->empty())
+      session_.tell(Notice::Kind::success, "Figure saved to " + full_name(figure_path_));
+    else
+      session_.report_error("Cannot save the figure", *error);
+  }
+  if (const auto outcome = recorder_.poll()) {
+    news = true;
+    stepping_ = false;
+    using Kind = Recorder::Outcome::Kind;
+    if (outcome->kind == Kind::done)
+      session_.tell(Notice::Kind::success, outcome->text);
+    else if (outcome->kind == Kind::no_ffmpeg)
+      session_.ask({Prompt::Kind::information,
+                    "The frames are there, the film is not",
+                    outcome->text,
+                    {{"OK", {}, true}}});
+    else
+      session_.report_error("The recording is not complete", outcome->text);
+  }
+  return news;
+}
+
+bool Capture::busy() const {
+  const auto state = recorder_.state();
+  const bool finishing = state == Recorder::State::writing || state == Recorder::State::encoding;
+  return due_ || writer_.pending() > 0 || figure_.busy() || stepping_ || finishing;
+}
+
+}  // namespace winslow::gui

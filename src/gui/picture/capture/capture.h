@@ -1,0 +1,72 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "gui/base/background.h"
+#include "gui/document/actions/actions.h"
+#include "gui/document/session/session.h"
+#include "gui/picture/capture/picture_source.h"
+#include "gui/picture/capture/recorder.h"
+
+namespace winslow::gui {
+
+/// Pictures and recordings of the studio: their settings, which are due, which are being written.
+class Capture {
+ public:
+  explicit Capture(Session& session) : session_(session) {}
+
+  const PictureSpec& picture() const { return picture_; }
+  const RecordingSpec& recording() const { return recording_; }
+  const Recorder& recorder() const { return recorder_; }
+
+  void on(const action::TakeScreenshot& a);
+  void on(const action::SetPictureSpec& a) { picture_ = a.spec; }
+  void on(const action::SavePicture& a);
+  void on(const action::SetRecordingSpec& a) { recording_ = a.spec; }
+  void on(const action::StartRecording& a);
+  void on(const action::StopRecording&);
+  void on(const action::CancelRecording&);
+
+  /// Takes the pictures that are due of the frame just laid out. Call it once a frame.
+  void after_frame(PictureSource& source);
+  /// Collects what the threads have done. True if there is news to show.
+  bool poll();
+  /// Something is under way that ends by itself.
+  bool busy() const;
+
+  /// A name that no picture in the working folder has yet.
+  static std::filesystem::path new_picture_name();
+
+ private:
+  struct Due {
+    std::filesystem::path path;
+    bool as_set = false;  // by picture_, or the window as it is
+    int delay = 0;        // frames until menus and dialogs are gone from the picture
+  };
+  bool may_write(const std::filesystem::path& path);
+  bool may_replace(const std::filesystem::path& path, const Action& again);
+  void take(PictureSource& source, const std::filesystem::path& path, bool as_set);
+  void record_frame(PictureSource& source);
+  bool frame_due() const;
+  void step_on();
+
+  Session& session_;
+  PictureSpec picture_;
+  RecordingSpec recording_;
+  std::optional<Due> due_;
+  PictureWriter writer_;
+  Background<std::string> figure_;  // being written; its error
+  std::filesystem::path figure_path_;
+  Recorder recorder_;
+  bool stepping_ = false;  // the job goes on when its frame is taken
+  std::uint64_t shape_ = 0;
+  std::uint64_t left_ = 0;  // serial of the pause that the last step went on from
+  Coordinates recorded_;    // of the last frame
+  std::chrono::steady_clock::time_point last_frame_{};
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "gui/picture/capture/film.h"
+#include "gui/picture/capture/picture_writer.h"
+#include "gui/settings/picture_spec.h"
+
+namespace winslow::gui {
+
+/// Takes frames, writes them as PNG files, makes a film of them. Knows neither OpenGL nor the
+/// studio; nothing here waits.
+class Recorder {
+ public:
+  enum class State {
+    idle,
+    recording,  ///< frames may come
+    writing,    ///< no more frames; those that came are being written
+    encoding    ///< ffmpeg is at work
+  };
+
+  /// Frames go into a folder: `target` itself, or of a film NAME.mp4 or NAME.gif the folder
+  /// NAME-frames beside it. Throws OutputError if it cannot be made. Must be idle.
+  void start(const std::filesystem::path& target, const RecordingSpec& spec);
+  /// Folder of the frames of a target.
+  static std::filesystem::path frames_folder(const std::filesystem::path& target);
+  /// True if start() would replace what is there.
+  static bool occupied(const std::filesystem::path& target);
+
+  State state() const { return state_; }
+  const RecordingSpec& spec() const { return spec_; }
+  const std::filesystem::path& target() const { return target_; }
+  int frames() const { return frames_; }    ///< taken so far
+  int dropped() const { return dropped_; }  ///< left out since the disk was too slow
+  /// Share done of what is being written or encoded, 0 to 1.
+  double progress() const;
+
+  /// Room for a frame without waiting.
+  bool has_room() const { return writer_ && writer_->has_room(); }
+  /// All frames to come have this width and height.
+  void fix_size(const std::array<int, 2>& size) { spec_.picture.size = size; }
+  void add(Image frame);
+  void drop() { ++dropped_; }
+  /// No more frames: the film is made.
+  void stop();
+  /// Ends at once; frames and film are removed.
+  void cancel();
+
+  struct Outcome {
+    enum class Kind { done, no_ffmpeg, failed };
+    Kind kind = Kind::done;
+    std::string text;  ///< what to tell the user
+  };
+  /// Goes on with what is to be done. What the recording came to, once.
+  std::optional<Outcome> poll();
+
+ private:
+  std::optional<Outcome> frames_written();
+  Outcome finish(Outcome::Kind kind, std::string text);
+  void remove_frames();
+  std::string counted_frames() const;
+
+  State state_ = State::idle;
+  RecordingSpec spec_;
+  std::filesystem::path target_, folder_;
+  bool made_folder_ = false;
+  int frames_ = 0, dropped_ = 0;
+  std::string error_;  // of writing frames
+  std::unique_ptr<PictureWriter> writer_;
+  std::unique_ptr<Film> film_;
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,195 @@
+#include "gui/picture/figure/figure_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "gui/picture/figure/clip.h"
+#include "gui/picture/frame/picture_frame.h"
+#include "gui/render/draw_list.h"
+#include "gui/render/element_shape.h"
+#include "gui/render/line_density.h"
+
+namespace winslow::gui {
+
+namespace {
+
+/// Room around the viewport where lines go on, so that their cut ends are not seen.
+constexpr double beyond = 8;
+/// Shades in which edges fade where they are dense.
+constexpr int shades = 6;
+/// Colours of a continuous scale: more than the eye tells apart, few enough paths.
+constexpr int most_colors = 64;
+constexpr double rim = 0.3;
+
+Rgb rgb(const Rgba& c) { return {c[0], c[1], c[2]}; }
+
+class MeshDrawing {
+ public:
+  MeshDrawing(Page& page, const VectorFigure& figure, const Camera& camera, const Vec2& origin)
+      : page_(page), figure_(figure), camera_(camera), theme_(picture_theme(figure.dark)) {
+    area_ = {origin, origin + Vec2(camera.viewport_width(), camera.viewport_height())};
+    box_ = {area_.min - Vec2::Constant(beyond), area_.max + Vec2::Constant(beyond)};
+    shift_ = origin - camera.viewport_origin();
+  }
+
+  void draw() {
+    const Vec2 size = area_.size();
+    page_.clip(area_.min.x(), area_.min.y(), size.x(), size.y());
+    if (figure_.fill) draw_elements();
+    const EdgeGroups groups = group_edges(topology());
+    if (figure_.wireframe) draw_interior(groups.interior);
+    draw_boundary(groups.unmarked_boundary);
+    page_.unclip();
+  }
+
+ private:
+  const Topology& topology() const { return *figure_.mesh.topology; }
+  Vec2 at(Index node) const {
+    return camera_.to_screen(figure_.mesh.coordinates.xy(node)) + shift_;
+  }
+
+  void add_polygon(std::vector<Vec2> polygon) {
+    bool inside = true;
+    for (const Vec2& p : polygon)
+      inside =
+          inside && (p.array() >= box_.min.array()).all() && (p.array() <= box_.max.array()).all();
+    if (!inside) polygon = clip_polygon(std::move(polygon), box_);
+    if (polygon.size() < 3) return;
+    page_.move_to(polygon[0].x(), polygon[0].y());
+    for (std::size_t k = 1; k < polygon.size(); ++k) page_.line_to(polygon[k].x(), polygon[k].y());
+    page_.close_path();
+  }
+
+  void add_element(Index e) {
+    const auto corners = topology().element(e);
+    const Coordinates& x = figure_.mesh.coordinates;
+    if (corners.size() == 3 || !is_inverted(x, corners)) {
+      std::vector<Vec2> polygon;
+      for (const Index node : corners) polygon.push_back(at(node));
+      // The polygon of a valid quadrilateral is convex, as clipping needs it.
+      return add_polygon(std::move(polygon));
+    }
+    const auto cut = cut_quadrilateral(x, corners);
+    for (const std::size_t t : {0U, 3U})
+      add_polygon({at(corners[static_cast<std::size_t>(cut[t])]),
+                   at(corners[static_cast<std::size_t>(cut[t + 1])]),
+                   at(corners[static_cast<std::size_t>(cut[t + 2])])});
+  }
+
+  bool seen(Index e) const {
+    Bounds bounds{at(topology().element(e)[0]), at(topology().element(e)[0])};
+    for (const Index node : topology().element(e)) {
+      bounds.min = bounds.min.cwiseMin(at(node));
+      bounds.max = bounds.max.cwiseMax(at(node));
+    }
+    return (bounds.max.array() >= area_.min.array()).all() &&
+           (bounds.min.array() <= area_.max.array()).all();
+  }
+
+  /// The middle of the colour's part of the scale, so that equal colours are one path.
+  Rgb color_of(Index e) const {
+    if (figure_.values.empty() || !figure_.scale) return rgb(theme_.fill);
+    ColorScale scale = *figure_.scale;
+    if (scale.bands == 0) scale.bands = most_colors;
+    return scale.color(figure_.values[static_cast<std::size_t>(e)]);
+  }
+
+  void draw_elements() {
+    std::map<Rgb, std::vector<Index>> by_color;
+    std::vector<Index> inverted;
+    for (Index e = 0; e < topology().element_count(); ++e) {
+      if (!seen(e)) continue;
+      if (figure_.mark_inverted && is_inverted(figure_.mesh.coordinates, topology().element(e)))
+        inverted.push_back(e);
+      else
+        by_color[color_of(e)].push_back(e);
+    }
+    const Rgb red = rgb(MeshStyle{}.inverted_color);
+    if (!inverted.empty()) {
+      // Above the others, as on screen.
+      draw_colors(by_color);
+      by_color = {{red, inverted}};
+    }
+    draw_colors(by_color);
+  }
+
+  void draw_colors(const std::map<Rgb, std::vector<Index>>& by_color) {
+    for (const auto& [color, elements] : by_color) {
+      page_.set_color(color);
+      for (const Index e : elements) add_element(e);
+      page_.fill_with_rim(rim);
+    }
+  }
+
+  void add_line(Index a, Index b) {
+    if (const auto line = clip_line(at(a), at(b), box_)) {
+      page_.move_to((*line)[0].x(), (*line)[0].y());
+      page_.line_to((*line)[1].x(), (*line)[1].y());
+    }
+  }
+
+  void draw_interior(const std::vector<Index>& edges) {
+    std::array<std::vector<Index>, shades + 1> by_shade;
+    for (const Index k : edges) {
+      const auto& edge = topology().edges()[static_cast<std::size_t>(k)];
+      if (!clip_line(at(edge.nodes[0]), at(edge.nodes[1]), area_)) continue;
+      const double spacing =
+          edge_spacing(topology(), figure_.mesh.coordinates, edge) / camera_.units_per_pixel();
+      const double opacity = line_opacity(spacing, figure_.edge_width);
+      by_shade[static_cast<std::size_t>(std::lround(opacity * shades))].push_back(k);
+    }
+    // On colours dark lines are legible on any ground.
+    const bool colored = !figure_.values.empty();
+    const Rgba& ink = colored ? picture_theme(false).edge : theme_.edge;
+    for (int shade = 1; shade <= shades; ++shade) {
+      const auto& lines = by_shade[static_cast<std::size_t>(shade)];
+      if (lines.empty()) continue;
+      page_.set_color(rgb(ink), (colored ? 0.6 : 1.0) * shade / shades);
+      page_.set_line(figure_.edge_width, false);
+      for (const Index k : lines) {
+        const auto& edge = topology().edges()[static_cast<std::size_t>(k)];
+        add_line(edge.nodes[0], edge.nodes[1]);
+      }
+      page_.stroke();
+    }
+  }
+
+  void draw_boundary(const std::vector<Index>& unmarked) {
+    page_.set_line(figure_.boundary_width, true);
+    if (!unmarked.empty()) {
+      page_.set_color(rgb(theme_.edge));
+      for (const Index k : unmarked) {
+        const auto& edge = topology().edges()[static_cast<std::size_t>(k)];
+        add_boundary_line(edge.nodes[0], edge.nodes[1]);
+      }
+      page_.stroke();
+    }
+    for (std::size_t m = 0; m < topology().markers().size(); ++m) {
+      page_.set_color(m < figure_.marker_colors.size() ? figure_.marker_colors[m]
+                                                       : rgb(theme_.edge));
+      for (const auto& [a, b] : topology().markers()[m].edges) add_boundary_line(a, b);
+      page_.stroke();
+    }
+  }
+
+  void add_boundary_line(Index a, Index b) {
+    if (clip_line(at(a), at(b), area_)) add_line(a, b);
+  }
+
+  Page& page_;
+  const VectorFigure& figure_;
+  const Camera& camera_;
+  const PictureTheme& theme_;
+  Bounds area_, box_;
+  Vec2 shift_;
+};
+
+}  // namespace
+
+void draw_figure_mesh(Page& page, const VectorFigure& figure, const Camera& camera,
+                      const Vec2& origin) {
+  MeshDrawing(page, figure, camera, origin).draw();
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,128 @@
+#include "gui/picture/figure/page.h"
+
+#include <cairo-ft.h>
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+
+#include "core/error.h"
+
+namespace winslow::gui {
+
+namespace {
+
+cairo_status_t append(void* closure, const unsigned char* data, unsigned int length) {
+  static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+void destroy_face(void* face) { FT_Done_Face(static_cast<FT_Face>(face)); }
+
+/// The font from its file, so that a figure does not depend on how the system maps names to fonts.
+cairo_font_face_t* load_font(const std::filesystem::path& file) {
+  // Lives as long as the program: cairo keeps fonts for later.
+  static FT_Library library = [] {
+    FT_Library made = nullptr;
+    return FT_Init_FreeType(&made) == 0 ? made : nullptr;
+  }();
+  FT_Face face = nullptr;
+  if (!library || file.empty() || FT_New_Face(library, file.c_str(), 0, &face) != 0) return nullptr;
+  cairo_font_face_t* font = cairo_ft_font_face_create_for_ft_face(face, 0);
+  static const cairo_user_data_key_t key{};
+  if (cairo_font_face_set_user_data(font, &key, face, destroy_face) != CAIRO_STATUS_SUCCESS) {
+    cairo_font_face_destroy(font);
+    FT_Done_Face(face);
+    return nullptr;
+  }
+  return font;
+}
+
+cairo_font_face_t* font_of(FontWeight weight) {
+  static cairo_font_face_t* const regular = load_font(font_file(FontWeight::regular));
+  static cairo_font_face_t* const semibold = load_font(font_file(FontWeight::semibold));
+  return weight == FontWeight::semibold ? semibold : regular;
+}
+
+}  // namespace
+
+Page::Page(PageFormat format, double width, double height) : width_(width), height_(height) {
+  if (format == PageFormat::svg) {
+    surface_ = cairo_svg_surface_create_for_stream(append, &content_, width, height);
+  } else {
+    surface_ = cairo_pdf_surface_create_for_stream(append, &content_, width, height);
+    cairo_pdf_surface_set_metadata(surface_, CAIRO_PDF_METADATA_CREATOR, "winslow");
+  }
+  cairo_ = cairo_create(surface_);
+}
+
+Page::~Page() {
+  cairo_destroy(cairo_);
+  cairo_surface_destroy(surface_);
+}
+
+void Page::set_color(const Rgb& c, double alpha) {
+  cairo_set_source_rgba(cairo_, c[0], c[1], c[2], alpha);
+}
+
+void Page::set_line(double width, bool round_ends) {
+  cairo_set_line_width(cairo_, width);
+  cairo_set_line_cap(cairo_, round_ends ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
+  cairo_set_line_join(cairo_, CAIRO_LINE_JOIN_ROUND);
+}
+
+void Page::move_to(double x, double y) { cairo_move_to(cairo_, x, y); }
+void Page::line_to(double x, double y) { cairo_line_to(cairo_, x, y); }
+void Page::close_path() { cairo_close_path(cairo_); }
+void Page::rectangle(double x, double y, double w, double h) {
+  cairo_rectangle(cairo_, x, y, w, h);
+}
+void Page::stroke() { cairo_stroke(cairo_); }
+void Page::fill() { cairo_fill(cairo_); }
+
+void Page::fill_with_rim(double width) {
+  set_line(width, true);
+  cairo_fill_preserve(cairo_);
+  cairo_stroke(cairo_);
+}
+
+void Page::clip(double x, double y, double w, double h) {
+  cairo_save(cairo_);
+  cairo_rectangle(cairo_, x, y, w, h);
+  cairo_clip(cairo_);
+}
+
+void Page::unclip() { cairo_restore(cairo_); }
+
+void Page::set_font(double size, FontWeight weight) {
+  if (cairo_font_face_t* font = font_of(weight))
+    cairo_set_font_face(cairo_, font);
+  else
+    cairo_select_font_face(
+        cairo_, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+        weight == FontWeight::semibold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(cairo_, size);
+}
+
+void Page::text(double x, double middle, const std::string& text, double size, FontWeight weight) {
+  set_font(size, weight);
+  // Half the height of a capital: what the eye takes for the middle of a line.
+  cairo_move_to(cairo_, x, middle + 0.36 * size);
+  cairo_show_text(cairo_, text.c_str());
+}
+
+double Page::text_width(const std::string& text, double size, FontWeight weight) {
+  set_font(size, weight);
+  cairo_text_extents_t extents;
+  cairo_text_extents(cairo_, text.c_str(), &extents);
+  return extents.x_advance;
+}
+
+std::string Page::finish() {
+  cairo_show_page(cairo_);
+  cairo_surface_finish(surface_);
+  for (const cairo_status_t status : {cairo_status(cairo_), cairo_surface_status(surface_)})
+    if (status != CAIRO_STATUS_SUCCESS)
+      throw Error(std::string("the figure could not be drawn: ") + cairo_status_to_string(status));
+  return content_;
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,185 @@
+#include "gui/picture/picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/command/command.h"
+#include "core/error.h"
+#include "core/inspect/nodal_view.h"
+#include "gui/picture/frame/picture_frame.h"
+#include "gui/render/gl_context.h"
+#include "gui/render/metric_scale.h"
+#include "gui/view/overlays/vcv_overlay.h"
+
+namespace winslow::gui {
+namespace {
+
+constexpr int histogram_bins = 40;
+
+void check(const PictureOptions& options) {
+  if (options.bounds && !((options.bounds->max - options.bounds->min).array() > 0).all()) {
+    throw UsageError("the bounds of a picture are x0 y0 x1 y1 with x0 < x1 and y0 < y1");
+  }
+  if (options.range && !((*options.range)[0] < (*options.range)[1])) {
+    throw UsageError("the range of the colours is LOW HIGH with LOW < HIGH");
+  }
+  sample_color_map(options.color_map, 0);
+}
+
+/// 12345 -> "12 345", with a space that does not break.
+std::string grouped(Index number) {
+  std::string digits = std::to_string(number);
+  for (std::size_t end = digits.size(); end > 3; end -= 3) digits.insert(end - 3, "\u00a0");
+  return digits;
+}
+
+std::string warning_text(Index inverted) {
+  if (inverted == 0) return {};
+  return grouped(inverted) + (inverted == 1 ? " inverted element" : " inverted elements");
+}
+
+ColorScale choose_scale(const PictureOptions& options, std::span<const double> values) {
+  ColorScale scale = automatic_scale(*options.color, values, options.color_map);
+  if (options.range) {
+    scale.low = (*options.range)[0];
+    scale.high = (*options.range)[1];
+  }
+  return scale;
+}
+
+Legend make_legend(const ElementField& field, std::span<const double> values,
+                   const ColorScale& scale) {
+  Legend legend;
+  legend.title = std::string(field_label(field));
+  legend.scale = scale;
+  legend.histogram = histogram_over(values, scale, histogram_bins);
+  const auto finite = [](double v) { return std::isfinite(v); };
+  const double slack = 1e-9 * (scale.high - scale.low);
+  legend.more_above =
+      std::ranges::any_of(values, [&](double v) { return finite(v) && v > scale.high + slack; });
+  legend.more_below =
+      std::ranges::any_of(values, [&](double v) { return finite(v) && v < scale.low - slack; });
+  return legend;
+}
+
+std::vector<NodalView> inspect_nodes(const VirtualControlVolumes& vcv, const Coordinates& x,
+                                     std::span<const Index> nodes) {
+  std::vector<NodalView> views;
+  for (const Index node : nodes) views.push_back(inspect_node(vcv, x, node));
+  return views;
+}
+
+MeshStyle mesh_style(const PictureOptions& options, const PictureTheme& theme, float unit) {
+  MeshStyle style;
+  style.wireframe = options.wireframe;
+  style.edge_width = 0.05f * unit;
+  style.boundary_width = 0.11f * unit;
+  style.fill_color = theme.fill;
+  style.edge_color = theme.edge;
+  if (options.color) {
+    // On colours, dark lines are legible in both themes.
+    style.edge_color = picture_theme(false).edge;
+    style.edge_color[3] = 0.55f;
+  }
+  return style;
+}
+
+}  // namespace
+
+Image draw_picture(const Mesh& mesh, const PictureOptions& options) {
+  check(options);
+  const std::shared_ptr<const VirtualControlVolumes> vcv = make_state(mesh).vcv;
+  const std::vector<NodalView> nodes = inspect_nodes(*vcv, mesh.coordinates, options.vcvs);
+  const std::unique_ptr<HeadlessContext> context = make_headless_context();
+  const FrameBuffer target(options.width, options.height, options.samples);
+  const PictureTheme& theme = picture_theme(options.dark);
+
+  std::vector<double> values;
+  ColorScale scale;
+  PictureText text;
+  text.title = options.title;
+  text.warning = warning_text(check_validity(*mesh.topology, mesh.coordinates).inverted);
+  if (options.color) {
+    values = element_values(*vcv, mesh.coordinates, *options.color);
+    scale = choose_scale(options, values);
+    if (options.legend) text.legend = make_legend(*options.color, values, scale);
+  }
+  const auto& markers = mesh.topology->markers();
+  for (std::size_t m = 0; m < markers.size() && options.marker_key; ++m) {
+    text.key.emplace_back(markers[m].name, marker_color(static_cast<Index>(m), options.dark));
+  }
+
+  PictureFrame frame(options.width, options.height, std::move(text), theme);
+  const auto& area = frame.mesh_area();
+  Camera camera;
+  camera.set_viewport(area[0], area[1], area[2], area[3]);
+  camera.fit(options.bounds.value_or(bounds(mesh)), options.bounds ? 0.0 : 0.01);
+
+  MeshRenderer renderer;
+  renderer.set_mesh(mesh.topology, mesh.coordinates);
+  if (options.color) renderer.set_values(values, scale);
+  std::vector<MeshRenderer::MarkerStyle> styles;
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    const Rgb c = marker_color(static_cast<Index>(m), options.dark);
+    styles.push_back({{c[0], c[1], c[2], 1}, 0.13f * frame.font_size()});
+  }
+  renderer.set_marker_styles(std::move(styles));
+
+  target.clear(theme.paper);
+  renderer.draw(camera, mesh_style(options, theme, frame.font_size()), options.width,
+                options.height);
+  frame.draw(options.bounds.has_value(), [&](ImDrawList& list, ImFont* font) {
+    draw_vcvs(list, camera, nodes, 0.06f * frame.font_size(), font);
+  });
+  return target.read();
+}
+
+VectorFigure picture_figure(const Mesh& mesh, const PictureOptions& options) {
+  check(options);
+  VectorFigure figure;
+  figure.mesh = mesh;
+  figure.title = options.title;
+  figure.warning = warning_text(check_validity(*mesh.topology, mesh.coordinates).inverted);
+  figure.wireframe = options.wireframe;
+  figure.dark = options.dark;
+  figure.framed = options.bounds.has_value();
+  figure.font_size = std::clamp(0.02 * std::min(options.width, options.height), 8.0, 40.0);
+  figure.edge_width = 0.05 * figure.font_size;
+  figure.boundary_width = 0.13 * figure.font_size;
+  const std::shared_ptr<const VirtualControlVolumes> vcv = make_state(mesh).vcv;
+  figure.vcvs = inspect_nodes(*vcv, mesh.coordinates, options.vcvs);
+  if (options.color) {
+    figure.values = element_values(*vcv, mesh.coordinates, *options.color);
+    figure.scale = choose_scale(options, figure.values);
+    if (options.legend) figure.legend = make_legend(*options.color, figure.values, *figure.scale);
+  }
+  const auto& markers = mesh.topology->markers();
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    figure.marker_colors.push_back(marker_color(static_cast<Index>(m), options.dark));
+    if (options.marker_key) figure.key.emplace_back(markers[m].name, figure.marker_colors.back());
+  }
+  const FigureMargins m = figure_margins(figure);
+  figure.camera.set_viewport(0, 0, std::max(options.width - m.left - m.right, 1.0),
+                             std::max(options.height - m.top - m.bottom, 1.0));
+  figure.camera.fit(options.bounds.value_or(bounds(mesh)), options.bounds ? 0.0 : 0.01);
+  return figure;
+}
+
+std::array<double, 2> picture_range(const Mesh& mesh, const PictureOptions& options) {
+  const auto values = element_values(*make_state(mesh).vcv, mesh.coordinates, *options.color);
+  const ColorScale scale = choose_scale(options, values);
+  return {scale.low, scale.high};
+}
+
+Image side_by_side(const Image& left, const Image& right) {
+  if (left.height != right.height) throw UsageError("pictures side by side have one height");
+  Image both{left.width + right.width, left.height, {}};
+  both.rgba.reserve(left.rgba.size() + right.rgba.size());
+  for (int y = 0; y < both.height; ++y)
+    for (const Image* part : {&left, &right})
+      both.rgba.insert(both.rgba.end(), part->pixel(0, y),
+                       part->pixel(0, y) + 4 * static_cast<std::size_t>(part->width));
+  return both;
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/inspect/element_field.h"
+#include "gui/picture/figure/vector_figure.h"
+#include "gui/render/image.h"
+
+namespace winslow::gui {
+
+/// A picture of a mesh, drawn without a display.
+struct PictureOptions {
+  int width = 1200, height = 900;              ///< pixels
+  std::optional<ElementField> color;           ///< colour elements by this
+  std::optional<Bounds> bounds;                ///< shown whole; default: the whole mesh
+  std::optional<std::array<double, 2>> range;  ///< of the colours; default: automatic
+  std::string color_map = "viridis";
+  bool wireframe = true;
+  bool legend = true;      ///< only with color
+  bool marker_key = true;  ///< names of the markers in their colours, bottom left
+  std::string title;       ///< top left; empty: none
+  bool dark = false;
+  std::vector<Index> vcvs;  ///< nodes whose virtual control volumes are drawn over the mesh
+  int samples = 4;          ///< multisampling
+};
+
+/// Inverted elements are red and counted in a caption. Throws Error where no OpenGL can be had, and
+/// UsageError for an unknown colour map, a node without a VCV, bounds or a range without extent, a
+/// size out of range.
+Image draw_picture(const Mesh& mesh, const PictureOptions& options);
+
+/// The same as vector graphics, a pixel of the options being a point. Throws UsageError.
+VectorFigure picture_figure(const Mesh& mesh, const PictureOptions& options);
+
+/// The range that the colours of a picture have: of several that are to be compared, take one.
+/// Needs options.color.
+std::array<double, 2> picture_range(const Mesh& mesh, const PictureOptions& options);
+
+/// Two pictures of one height side by side.
+Image side_by_side(const Image& left, const Image& right);
+
+}  // namespace winslow::gui

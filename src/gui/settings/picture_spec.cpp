@@ -1,0 +1,31 @@
+#include "gui/settings/picture_spec.h"
+
+#include <cmath>
+#include <string>
+
+#include "core/error.h"
+
+namespace winslow::gui {
+
+namespace {
+
+constexpr int smallest_side = 16;
+constexpr double most_pixels = 268435456;  // 1 GiB of RGBA
+
+}  // namespace
+
+std::array<int, 2> picture_size(const PictureSpec& spec, double width, double height) {
+  // Compared as they are: a number too large for an int must not become one.
+  const double w = spec.size ? (*spec.size)[0] : std::round(spec.scale * width);
+  const double h = spec.size ? (*spec.size)[1] : std::round(spec.scale * height);
+  const auto fits = [](double side) {
+    return side >= smallest_side && side <= largest_picture_side;
+  };
+  if (!fits(w) || !fits(h) || w * h > most_pixels)
+    throw UsageError("A picture has " + std::to_string(smallest_side) + " to " +
+                     std::to_string(largest_picture_side) +
+                     " pixels a side and at most 268 million in all.");
+  return {static_cast<int>(w), static_cast<int>(h)};
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,19 @@
+#include "gui/settings/view_options.h"
+
+namespace winslow::gui {
+
+ElementStyle style_of(const ViewOptions& view) {
+  if (!view.fill) return ElementStyle::edges;
+  return view.wireframe ? ElementStyle::both : ElementStyle::surfaces;
+}
+
+void set_style(ViewOptions& view, ElementStyle style) {
+  view.fill = style != ElementStyle::edges;
+  view.wireframe = style != ElementStyle::surfaces;
+}
+
+void step_style(ViewOptions& view) {
+  set_style(view, static_cast<ElementStyle>((static_cast<int>(style_of(view)) + 1) % 3));
+}
+
+}  // namespace winslow::gui

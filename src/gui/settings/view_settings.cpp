@@ -1,0 +1,134 @@
+#include "gui/settings/view_settings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
+
+#include "core/error.h"
+#include "gui/render/color_map.h"
+
+namespace winslow::gui {
+
+namespace {
+
+using nlohmann::json;
+
+template <class Choice, std::size_t count>
+using Names = std::array<std::pair<Choice, const char*>, count>;
+
+constexpr Names<SideTab, 4> tabs{{{SideTab::quality, "quality"},
+                                  {SideTab::view, "view"},
+                                  {SideTab::vcv, "vcv"},
+                                  {SideTab::history, "history"}}};
+constexpr Names<Lightness, 2> looks{{{Lightness::light, "light"}, {Lightness::dark, "dark"}}};
+constexpr Names<Backdrop, 5> backdrops{{{Backdrop::automatic, "automatic"},
+                                        {Backdrop::white, "white"},
+                                        {Backdrop::grey, "grey"},
+                                        {Backdrop::gradient, "gradient"},
+                                        {Backdrop::black, "black"}}};
+constexpr Names<BeforeState, 2> befores{
+    {{BeforeState::loaded, "loaded"}, {BeforeState::last_command, "last_command"}}};
+
+/// Visits every value that is kept, with its key and, for numbers, its limits.
+template <class View, class Visitor>
+void visit(View& view, Visitor&& visitor) {
+  visitor.field("color", view.color);
+  visitor.map("color_map", view.color_map);
+  visitor.number("bands", view.bands, 0, 64);
+  visitor.flag("fill", view.fill);
+  visitor.flag("wireframe", view.wireframe);
+  visitor.number("line_width", view.line_width, 0.25, 4);
+  visitor.flag("nodes", view.nodes);
+  visitor.flag("rim_nodes", view.rim_nodes);
+  visitor.flag("directions", view.directions);
+  visitor.flag("node_ids", view.node_ids);
+  visitor.flag("element_ids", view.element_ids);
+  visitor.flag("legend", view.legend);
+  visitor.flag("mark_inverted", view.mark_inverted);
+  visitor.choice("before", view.before, befores);
+  visitor.number("magnification", view.magnifier.factor, 2, 1000);
+  visitor.number("worst_count", view.worst_count, 1, 100);
+  visitor.choice("lightness", view.lightness, looks);
+  visitor.choice("backdrop", view.backdrop, backdrops);
+  visitor.number("scale", view.scale, 0, 4);
+  visitor.flag("left_panel", view.left_panel);
+  visitor.flag("right_panel", view.right_panel);
+  visitor.choice("side_tab", view.side_tab, tabs);
+  visitor.flag("plot_panel", view.plot_panel);
+}
+
+struct Writer {
+  json& object;
+
+  void flag(const char* key, bool value) { object[key] = value; }
+  void number(const char* key, auto value, double, double) { object[key] = value; }
+  void map(const char* key, const std::string& value) { object[key] = value; }
+  void field(const char* key, const std::optional<ElementField>& value) {
+    object[key] = value ? json(field_name(*value)) : json();
+  }
+  template <class Choice, std::size_t count>
+  void choice(const char* key, Choice value, const Names<Choice, count>& names) {
+    for (const auto& [each, name] : names)
+      if (each == value) object[key] = name;
+  }
+};
+
+struct Reader {
+  const json& object;
+
+  const json* find(const char* key) const {
+    const auto it = object.find(key);
+    return it == object.end() ? nullptr : &*it;
+  }
+  void flag(const char* key, bool& value) {
+    if (const json* found = find(key); found && found->is_boolean()) value = found->get<bool>();
+  }
+  template <class Number>
+  void number(const char* key, Number& value, double least, double most) {
+    const json* found = find(key);
+    if (!found || !found->is_number()) return;
+    const auto read = found->get<double>();
+    if (read >= least && read <= most) value = static_cast<Number>(read);
+  }
+  void map(const char* key, std::string& value) {
+    const json* found = find(key);
+    if (!found || !found->is_string()) return;
+    const auto names = color_map_names();
+    const auto read = found->get<std::string>();
+    if (std::ranges::find(names, read) != names.end()) value = read;
+  }
+  void field(const char* key, std::optional<ElementField>& value) {
+    const json* found = find(key);
+    if (found && found->is_null()) value.reset();
+    if (!found || !found->is_string()) return;
+    try {
+      value = parse_field(found->get<std::string>());
+    } catch (const UsageError&) {
+      // A field of another version: the one that a new studio shows is as good as any.
+      return;
+    }
+  }
+  template <class Choice, std::size_t count>
+  void choice(const char* key, Choice& value, const Names<Choice, count>& names) {
+    const json* found = find(key);
+    if (!found || !found->is_string()) return;
+    for (const auto& [each, name] : names)
+      if (found->get<std::string>() == name) value = each;
+  }
+};
+
+}  // namespace
+
+void write_view(const ViewOptions& view, json& object) { visit(view, Writer{object}); }
+
+ViewOptions read_view(const json& object) {
+  ViewOptions view;
+  visit(view, Reader{object});
+  // Between 0, the screen's own, and a scale at which nothing could be read any more.
+  if (view.scale < 0.5) view.scale = 0;
+  return view;
+}
+
+}  // namespace winslow::gui

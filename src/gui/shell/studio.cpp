@@ -1,0 +1,108 @@
+#include "gui/shell/studio.h"
+
+#include <array>
+#include <cstdlib>
+
+#include "gui/base/resident_memory.h"
+#include "gui/settings/settings.h"
+#include "gui/shell/headless/run_headless.h"
+#include "gui/shell/window.h"
+#include "gui/shell/workbench/workbench.h"
+
+namespace winslow::gui {
+
+namespace {
+
+// Tooltips come after a rest of the mouse, so frames go on for a while after the last event.
+constexpr double settle_seconds = 0.6;
+constexpr double busy_wait = 1.0 / 60;
+constexpr double idle_wait = 0.5;
+
+/// Runs frames until the window is closed; draws only where there is something new to see.
+class StudioLoop {
+ public:
+  StudioLoop(Window& window, Workbench& workbench) : window_(window), workbench_(workbench) {}
+
+  void run() {
+    while (!workbench_.session().quit_accepted()) {
+      const bool lively =
+          workbench_.session().working() || recording() || window_.time() < draw_until_;
+      const bool events = window_.wait(lively ? busy_wait : idle_wait);
+      if (window_.take_close_request()) workbench_.apply(action::Quit{});
+      const bool news = workbench_.poll();
+      if (events || news) draw_until_ = window_.time() + settle_seconds;
+      if (window_.time() < draw_until_ || !workbench_.settled() || recording()) frame();
+    }
+  }
+
+ private:
+  bool recording() const {
+    return workbench_.capture().recorder().state() != Recorder::State::idle;
+  }
+
+  void frame() {
+    if (window_.width() <= 0 || window_.height() <= 0) return;  // minimised
+    const double now = window_.time();
+    workbench_.set_scale(window_.scale());
+    window_.connect_clipboard();
+    workbench_.update(window_.input().next_frame(), window_.width(), window_.height(),
+                      now - last_frame_);
+    last_frame_ = now;
+    workbench_.paint();
+    window_.set_title(workbench_.title());
+    window_.set_cursor(workbench_.cursor());
+    window_.show();
+  }
+
+  Window& window_;
+  Workbench& workbench_;
+  double draw_until_ = settle_seconds;
+  double last_frame_ = 0;
+};
+
+}  // namespace
+
+namespace {
+
+/// Where the desktop's conventions put a program's own files (XDG Base Directory Specification).
+std::filesystem::path profile_folder() {
+  const auto variable = [](const char* name) -> std::filesystem::path {
+    const char* value = std::getenv(name);
+    return value && *value ? value : "";
+  };
+  if (auto given = variable("WINSLOW_PROFILE"); !given.empty()) return given;
+  if (const auto config = variable("XDG_CONFIG_HOME"); config.is_absolute())
+    return config / "winslow";
+  const auto home = variable("HOME");
+  return home.is_absolute() ? home / ".config" / "winslow" : std::filesystem::path();
+}
+
+/// As asked for, or as it was, or as designed.
+std::array<int, 2> window_size(const StudioOptions& options, const Settings& settings) {
+  if (options.width > 0 && options.height > 0) return {options.width, options.height};
+  if (settings.window[0] > 0) return settings.window;
+  return {1440, 900};
+}
+
+}  // namespace
+
+void run_studio(const StudioOptions& options) {
+  return_freed_memory();
+  const auto profile = profile_folder();
+  const std::array<int, 2> size = window_size(options, SettingsFile(profile).initial());
+  Window window(size[0], size[1], "winslow");
+  Workbench workbench({window.scale(), profile});
+  if (options.mesh) workbench.apply(action::OpenMesh{*options.mesh});
+  StudioLoop(window, workbench).run();
+}
+
+void screenshot_studio(const StudioOptions& options, const std::filesystem::path& png) {
+  HeadlessOptions headless;
+  headless.mesh = options.mesh;
+  headless.width = options.width;
+  headless.height = options.height;
+  headless.picture = png;
+  run_headless(headless);
+}
+
+}  // namespace winslow::gui

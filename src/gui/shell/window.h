@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "gui/base/input.h"
+
+struct GLFWwindow;
+struct GLFWcursor;
+
+namespace winslow::gui {
+
+/// A window with an OpenGL 3.3 core context, made current. Its events go into an InputQueue.
+class Window {
+ public:
+  /// Throws Error, saying what to do, where there is no display.
+  Window(int width, int height, const std::string& title);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  /// Waits for events, no longer than this; false if there were none.
+  bool wait(double seconds);
+  InputQueue& input() { return input_; }
+  int width() const;   ///< framebuffer pixels
+  int height() const;  ///< framebuffer pixels
+  /// Pixels per unit of layout on this screen.
+  float scale() const;
+  double time() const;  ///< seconds
+  void show();          ///< what was drawn since the last call
+  void set_title(const std::string& title);
+  void set_cursor(int imgui_cursor);
+  /// The user wants to close the window: true once for each time.
+  bool take_close_request();
+  /// Copy and paste of the current ImGui context go through this window.
+  void connect_clipboard();
+
+ private:
+  void connect_events();
+
+  GLFWwindow* window_ = nullptr;
+  std::string title_;
+  InputQueue input_;
+  bool close_requested_ = false, damaged_ = false;
+  int cursor_ = 0;
+  struct Cursors;
+  std::unique_ptr<Cursors> cursors_;
+};
+
+}  // namespace winslow::gui

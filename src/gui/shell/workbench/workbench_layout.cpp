@@ -1,0 +1,241 @@
+#include <algorithm>
+
+#include "gui/shell/workbench/workbench.h"
+#include "gui/widgets/controls.h"
+
+namespace winslow::gui {
+
+namespace {
+
+constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                                   ImGuiWindowFlags_NoSavedSettings |
+                                   ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+/// A window that fills an area, with a line along chosen sides.
+struct RegionStyle {
+  ImVec2 padding;
+  ImU32 background = palette().panel;
+  ImGuiWindowFlags flags = 0;
+};
+
+void begin_region(const char* name, const Area& area, const RegionStyle& style) {
+  ImGui::SetNextWindowPos(ImVec2(area.x, area.y));
+  ImGui::SetNextWindowSize(ImVec2(area.width, area.height));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, style.background);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, style.padding);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+  ImGui::Begin(name, nullptr, fixed | style.flags);
+}
+
+void end_region() {
+  const ImVec2 min = ImGui::GetWindowPos();
+  const ImVec2 size = ImGui::GetWindowSize();
+  const ImVec2 max(min.x + size.x, min.y + size.y);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(min, max, false);
+  list.AddRect(min, max, palette().border);
+  list.PopClipRect();
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+  ImGui::PopStyleColor();
+}
+
+/// A strip that is dragged; returns by how many pixels.
+float splitter(const char* name, const Area& area, bool upright) {
+  begin_region(name, area, {ImVec2(0, 0), IM_COL32(0, 0, 0, 0), ImGuiWindowFlags_NoBackground});
+  ImGui::InvisibleButton("grip", ImVec2(area.width, area.height));
+  ui::note(name);
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+    ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(area.x, area.y),
+                                              ImVec2(area.x + area.width, area.y + area.height),
+                                              palette().accent_soft);
+  }
+  const ImVec2 delta = ImGui::GetIO().MouseDelta;
+  const float moved = ImGui::IsItemActive() ? (upright ? delta.x : delta.y) : 0;
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+  ImGui::PopStyleColor();
+  return moved;
+}
+
+}  // namespace
+
+void Workbench::draw_menu() {
+  float height = 0;
+  if (ImGui::BeginMainMenuBar()) {
+    height = ImGui::GetWindowSize().y;
+    menu_bar_.draw(context());
+    ImGui::EndMainMenuBar();
+  }
+  ViewOptions shown = view_;
+  // The welcome page needs the room, and without a mesh the panels have nothing to say.
+  if (shows_welcome()) shown.left_panel = shown.right_panel = shown.plot_panel = false;
+  layout_.arrange(width_, height_, shown, ui_->theme(), height);
+}
+
+void Workbench::draw_regions() {
+  const Theme& theme = ui_->theme();
+  const PanelContext all = context();
+  const ImVec2 roomy(theme.px(12), theme.px(10));
+  begin_region("toolbar", layout_.toolbar,
+               {ImVec2(theme.px(8), theme.px(8)), palette().card, ImGuiWindowFlags_NoScrollbar});
+  toolbar_.draw(all);
+  end_region();
+  begin_region("status", layout_.status,
+               {ImVec2(theme.px(10), theme.px(6)), palette().card, ImGuiWindowFlags_NoScrollbar});
+  status_.draw(all);
+  end_region();
+  if (!layout_.left.empty()) {
+    begin_region("left", layout_.left, {roomy});
+    markers_.draw(all);
+    motion_.draw(all);
+    shape_.draw(all);
+    layers_.draw(all);
+    solver_.draw(all);
+    end_region();
+  }
+  if (!layout_.right.empty()) {
+    begin_region("right", layout_.right, {roomy});
+    draw_side_tab();
+    end_region();
+  }
+  if (!layout_.plot.empty()) {
+    begin_region("plot", layout_.plot,
+                 {ImVec2(theme.px(12), theme.px(8)), palette().card, ImGuiWindowFlags_NoScrollbar});
+    convergence_.draw(all);
+    end_region();
+  }
+}
+
+void Workbench::draw_side_tab() {
+  const PanelContext all = context();
+  static const std::vector<std::pair<SideTab, ui::Tab>> tabs{
+      {SideTab::quality,
+       {"Quality", "How good the mesh is, before and now, and where it is worst."}},
+      {SideTab::view, {"View", "What is drawn, and how."}},
+      {SideTab::vcv,
+       {"VCV", "A node's virtual control volume: what it says, and how to change it."}},
+      {SideTab::history, {"History", "What was done to the mesh; go back to any point."}}};
+  std::vector<ui::Tab> labels;
+  std::size_t chosen = 0;
+  for (std::size_t k = 0; k < tabs.size(); ++k) {
+    labels.push_back(tabs[k].second);
+    if (tabs[k].first == view_.side_tab) chosen = k;
+  }
+  if (ui::tabs("tab", labels, chosen)) {
+    ViewOptions view = view_;
+    view.side_tab = tabs[chosen].first;
+    all.emit(action::SetView{view});
+  }
+  switch (view_.side_tab) {
+    case SideTab::quality:
+      quality_.draw(all);
+      go_to_.draw(all);
+      worst_.draw(all);
+      return isolate_.draw(all);
+    case SideTab::view:
+      return view_panel_.draw(all);
+    case SideTab::history:
+      return history_.draw(all);
+    case SideTab::vcv:
+      return vcv_panel_.draw(all);
+  }
+}
+
+void Workbench::draw_splitters() {
+  const float scale = ui_->theme().scale;
+  const float grip = 6 * scale;
+  const Area& l = layout_.left;
+  const Area& r = layout_.right;
+  const Area& p = layout_.plot;
+  if (!l.empty())
+    layout_.left_width +=
+        splitter("splitter/left", {l.x + l.width - grip / 2, l.y, grip, l.height}, true) / scale;
+  if (!r.empty())
+    layout_.right_width -=
+        splitter("splitter/right", {r.x - grip / 2, r.y, grip, r.height}, true) / scale;
+  if (!p.empty())
+    layout_.plot_height -=
+        splitter("splitter/plot", {p.x, p.y - grip / 2, p.width, grip}, false) / scale;
+  if (view_.comparison != Comparison::split || !session_.document()) return;
+  const Area& v = layout_.viewport;
+  const float middle = v.x + static_cast<float>(view_.divider) * v.width;
+  const float wide = 14 * scale;
+  const float moved = splitter("splitter/compare", {middle - wide / 2, v.y, wide, v.height}, true);
+  view_.divider = std::clamp(view_.divider + static_cast<double>(moved / v.width), 0.02, 0.98);
+}
+
+void Workbench::draw_viewport() {
+  const Theme& theme = ui_->theme();
+  const Area& v = layout_.viewport;
+  if (shows_welcome()) {
+    // In the middle of a large window rather than in its corner.
+    const float side = (v.width - theme.px(WelcomePanel::page_width)) / 2;
+    const float top = (v.height - theme.px(WelcomePanel::page_height)) / 3;
+    begin_region(
+        "welcome", v,
+        {ImVec2(std::max(theme.px(22), side), std::max(theme.px(18), top)), palette().card});
+    welcome_.draw(context());
+    end_region();
+    return;
+  }
+  if (!picturing_) draw_recording();
+  if (demo_.demo() && !picturing_) draw_demo_card();
+  if (!session_.banner() || mesh_alone_) return;
+  const Banner::Kind kind = session_.banner()->kind;
+  const bool bad = kind == Banner::Kind::inverted_result || kind == Banner::Kind::inverted_input;
+  begin_region(
+      "banner", {v.x, v.y, v.width, BannerPanel::height(context(), v.width)},
+      {ImVec2(theme.px(BannerPanel::side_padding), theme.px(7)),
+       bad ? palette().danger_soft : palette().warning_soft, ImGuiWindowFlags_NoScrollbar});
+  banner_.draw(context());
+  end_region();
+}
+
+void Workbench::draw_demo_card() {
+  const Theme& theme = ui_->theme();
+  const Area& v = layout_.viewport;
+  const float margin = theme.px(10);
+  const ImVec2 padding(theme.px(14), theme.px(10));
+  const float width = std::min(theme.px(460), v.width - 2 * margin);
+  const float height =
+      DemoPanel::height(context(), width - 2 * padding.x) + 2 * padding.y + theme.px(2);
+  begin_region("demo", {v.x + margin, v.y + v.height - height - margin, width, height},
+               {padding, palette().card, ImGuiWindowFlags_NoScrollbar});
+  demo_panel_.draw(context());
+  const ImVec2 corner = ImGui::GetWindowPos();
+  ui::note("demo/card", corner, ImVec2(corner.x + width, corner.y + height));
+  end_region();
+}
+
+void Workbench::draw_recording() {
+  if (capture_.recorder().state() == Recorder::State::idle) return;
+  const Theme& theme = ui_->theme();
+  const Area& v = layout_.viewport;
+  const float banner = session_.banner() ? BannerPanel::height(context(), v.width) : 0;
+  begin_region("recording",
+               {v.x + theme.px(12), v.y + banner + theme.px(12), theme.px(360), theme.px(44)},
+               {ImVec2(theme.px(12), theme.px(8)), palette().card, ImGuiWindowFlags_NoScrollbar});
+  recording_panel_.draw(context());
+  end_region();
+}
+
+void Workbench::draw_dialogs() {
+  const Vec2 window(width_, height_);
+  const Vec2 mesh(layout_.viewport.width, layout_.viewport.height);
+  picture_dialog_.set_extents(window, mesh);
+  record_dialog_.set_extents(window, mesh);
+  picture_dialog_.draw(context());
+  record_dialog_.draw(context());
+  file_dialog_.draw(context());
+  step_editor_.draw(context());
+  // One dialog at a time: what there is to say waits until a file is chosen.
+  if (!file_dialog_.is_open() && !step_editor_.is_open()) prompt_.draw(context());
+  help_.draw(context());
+  command_palette_.draw(context());
+  about_.draw(context());
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,58 @@
+#include "gui/view/mesh/before_mesh.h"
+
+namespace winslow::gui {
+
+namespace {
+
+/// Position in the history of the state before.
+std::size_t position_before(const Session& session, BeforeState which) {
+  const History& history = session.document()->history();
+  if (which == BeforeState::loaded) return 0;
+  // While a command is being carried out, its own start; else that of the last one.
+  if (session.in_motion()) return history.position();
+  return history.position() > 0 ? history.position() - 1 : 0;
+}
+
+}  // namespace
+
+void BeforeMesh::update(const Session& session, const ViewOptions& view) {
+  document_ = session.document();
+  if (!document_) {
+    coordinates_ = nullptr;
+    topology_.reset();
+    return;
+  }
+  if (generation_ != session.generation()) {
+    generation_ = session.generation();
+    monitor_.clear();
+    key_ = nullptr;
+  }
+  const std::size_t position = position_before(session, view.before);
+  const MeshState& state = document_->history().state(position);
+  const Coordinates& now = state.mesh.coordinates;
+  loaded_ = position == 0;
+  // The history moves its steps about, but not the numbers that they hold.
+  const void* key = now.values().data();
+  if (key != key_) ++shape_;
+  key_ = key;
+  coordinates_ = &now;
+  topology_ = state.mesh.topology;
+  const bool values = view.comparison == Comparison::split && view.color;
+  if (loaded_ && !values) return;
+  const auto field = values ? view.color : std::nullopt;
+  if (monitor_.wants(shape_, field, false)) monitor_.request(shape_, state, field, false);
+}
+
+const QualityReport* BeforeMesh::report() const {
+  if (!document_) return nullptr;
+  if (loaded_) return &document_->loaded_quality();
+  const auto& latest = monitor_.latest();
+  return latest && latest->shape == shape_ ? &latest->report : nullptr;
+}
+
+std::shared_ptr<const QualityMonitor::Measured> BeforeMesh::measured() const {
+  const auto& latest = monitor_.latest();
+  return latest && latest->shape == shape_ ? latest : nullptr;
+}
+
+}  // namespace winslow::gui

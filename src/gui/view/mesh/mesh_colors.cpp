@@ -1,0 +1,43 @@
+#include "gui/view/mesh/mesh_colors.h"
+
+namespace winslow::gui {
+
+BackdropColors backdrop_colors(const ViewOptions& view) {
+  constexpr Rgba white{1, 1, 1, 1};
+  constexpr Rgba night{0.075f, 0.085f, 0.105f, 1};
+  constexpr Rgba grey{0.80f, 0.81f, 0.83f, 1};
+  constexpr Rgba black{0, 0, 0, 1};
+  switch (view.backdrop) {
+    case Backdrop::white:
+      return {white, white};
+    case Backdrop::grey:
+      return {grey, grey};
+    case Backdrop::gradient:
+      if (view.lightness == Lightness::dark)
+        return {{0.19f, 0.22f, 0.28f, 1}, {0.04f, 0.05f, 0.07f, 1}};
+      return {{0.97f, 0.98f, 1.0f, 1}, {0.74f, 0.79f, 0.87f, 1}};
+    case Backdrop::black:
+      return {black, black};
+    case Backdrop::automatic:
+      break;
+  }
+  return view.lightness == Lightness::dark ? BackdropColors{night, night}
+                                           : BackdropColors{white, white};
+}
+
+MeshColors mesh_colors(const ViewOptions& view) {
+  MeshColors colors;
+  colors.dark = backdrop_colors(view).dark();
+  const bool colored = view.color && view.fill;
+  colors.fill = colors.dark ? Rgba{0.15f, 0.17f, 0.205f, 1} : Rgba{0.955f, 0.963f, 0.975f, 1};
+  // Dark edges on dark colours would be lost, and black ones would drown the colours.
+  if (colored)
+    colors.edge = {0.08f, 0.10f, 0.14f, 0.55f};
+  else
+    colors.edge = colors.dark ? Rgba{0.62f, 0.66f, 0.73f, 1} : Rgba{0.30f, 0.35f, 0.42f, 1};
+  colors.ghost = colored ? Rgba{1, 1, 1, 0.75f} : Rgba{0.93f, 0.45f, 0.10f, 0.65f};
+  colors.inverted = colors.dark ? Rgba{1.0f, 0.27f, 0.27f, 1} : Rgba{0.90f, 0.10f, 0.12f, 1};
+  return colors;
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "gui/render/backdrop.h"
+#include "gui/settings/view_options.h"
+
+/// Colours of the mesh and of what lies behind it.
+namespace winslow::gui {
+
+BackdropColors backdrop_colors(const ViewOptions& view);
+
+struct MeshColors {
+  bool dark = false;  ///< of the backdrop
+  Rgba fill;          ///< of elements without colours of their own
+  Rgba edge;
+  Rgba ghost;  ///< edges of the state before
+  Rgba inverted;
+};
+MeshColors mesh_colors(const ViewOptions& view);
+
+}  // namespace winslow::gui

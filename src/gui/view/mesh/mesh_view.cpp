@@ -1,0 +1,165 @@
+#include "gui/view/mesh/mesh_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "gui/render/gl.h"
+#include "gui/view/mesh/mesh_colors.h"
+
+namespace winslow::gui {
+
+namespace {
+
+constexpr int samples = 4;
+
+/// The camera's part of a framebuffer.
+FrameBuffer::Part pixels_of(const Camera& camera, int height) {
+  const auto x = static_cast<int>(std::lround(camera.viewport_origin().x()));
+  const auto y = static_cast<int>(std::lround(camera.viewport_origin().y()));
+  const auto part_width = static_cast<int>(std::lround(camera.viewport_width()));
+  const auto part_height = static_cast<int>(std::lround(camera.viewport_height()));
+  return {x, height - y - part_height, part_width, part_height};
+}
+
+MeshStyle style_for(const ViewOptions& view, float scale) {
+  const MeshColors colors = mesh_colors(view);
+  MeshStyle style;
+  style.fill = view.fill;
+  style.wireframe = view.wireframe;
+  style.edge_width = scale * static_cast<float>(view.line_width);
+  style.boundary_width = 2 * scale;
+  style.node_size = view.nodes ? 4 * scale : 0;
+  style.show_inverted = view.mark_inverted;
+  style.fill_color = colors.fill;
+  style.edge_color = colors.edge;
+  style.inverted_color = colors.inverted;
+  return style;
+}
+
+}  // namespace
+
+void MeshView::update(const Session& session, const BeforeMesh& before, const ViewOptions& view,
+                      float scale) {
+  has_mesh_ = session.document() != nullptr;
+  if (!has_mesh_) return;
+  backdrop_ = backdrop_colors(view);
+  style_ = style_for(view, scale);
+  comparison_ = view.comparison;
+  poll();
+  const auto& topology = session.topology();
+  now_.update(topology, session.coordinates(), session.generation(), session.shape());
+  now_.color(view.color ? session.quality().latest() : nullptr, view);
+  if (comparison_ != Comparison::none) {
+    before_.update(before.topology(), *before.coordinates(), session.generation(), before.shape());
+    ViewOptions of_before = view;
+    if (comparison_ == Comparison::ghost) of_before.color.reset();
+    // The same colour is the same value on both sides.
+    if (now_.legend() && !of_before.range)
+      of_before.range = {{now_.legend()->scale.low, now_.legend()->scale.high}};
+    before_.color(before.measured(), of_before);
+    ghost_ = style_;
+    ghost_.fill = ghost_.show_inverted = false;
+    ghost_.wireframe = true;
+    ghost_.node_size = 0;
+    ghost_.markers = false;
+    ghost_.edge_color = mesh_colors(view).ghost;
+  }
+  update_markers(session, view, scale);
+}
+
+bool MeshView::poll() {
+  const bool news = now_.poll();
+  return before_.poll() || news;
+}
+
+void MeshView::update_markers(const Session& session, const ViewOptions& view, float scale) {
+  const bool dark = mesh_colors(view).dark;
+  const auto count = static_cast<Index>(session.topology()->markers().size());
+  markers_.clear();
+  for (Index m = 0; m < count; ++m) {
+    const Rgb c = marker_color(m, dark);
+    const auto& hovered = session.hovered();
+    const bool lit = std::find(hovered.begin(), hovered.end(), m) != hovered.end();
+    float width = 2.2f;
+    if (lit) width = 4.0f;
+    if (session.selected(m)) width = 4.5f;
+    markers_.push_back({{c[0], c[1], c[2], 1}, width * scale});
+  }
+  now_.renderer().set_marker_styles(markers_);
+  if (comparison_ == Comparison::split) before_.renderer().set_marker_styles(markers_);
+}
+
+void MeshView::draw(const Camera& camera, const Camera* whole, int width, int height) {
+  if (!has_mesh_) return;
+  if (whole) draw_backdrop(camera, *whole, backdrop_, height);
+  if (!now_.has_mesh()) return;
+  if (comparison_ == Comparison::split && before_.has_mesh())
+    return draw_split(camera, width, height);
+  now_.renderer().draw(camera, style_, width, height);
+  // Over the surfaces, which would hide it; its colour keeps it apart from the present edges.
+  if (comparison_ == Comparison::ghost && before_.has_mesh())
+    before_.renderer().draw(camera, ghost_, width, height);
+}
+
+MeshView::PictureKey MeshView::picture_key(const Camera& camera, int width, int height) {
+  PictureKey key{camera, width, height, style_, ghost_, backdrop_, comparison_, divider_, 0, 0, {}};
+  key.now = now_.renderer().revision();
+  if (comparison_ != Comparison::none) key.before = before_.renderer().revision();
+  if (comparison_ != Comparison::split) key.divider = 0;
+  if (style_.markers) key.markers = markers_;
+  return key;
+}
+
+void MeshView::draw_kept(const Camera& camera, int width, int height) {
+  if (!has_mesh() || now_.small()) {
+    kept_.reset();
+    kept_key_.reset();
+    return draw(camera, &camera, width, height);
+  }
+  // The markers, which light up under the mouse, are drawn over the picture where nothing of it
+  // lies above them.
+  const bool markers_apart = comparison_ == Comparison::none && style_.node_size <= 0;
+  const bool markers = style_.markers;
+  style_.markers = markers && !markers_apart;
+  GLint target = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+  const FrameBuffer::Part part = pixels_of(camera, height);
+  PictureKey key = picture_key(camera, width, height);
+  if (kept_key_ != key) {
+    if (!kept_ || kept_->width() != width || kept_->height() != height)
+      kept_ = std::make_unique<FrameBuffer>(width, height, samples);
+    kept_->bind();
+    draw(camera, &camera, width, height);
+    kept_->resolve(part);
+    kept_key_ = std::move(key);
+  }
+  kept_->show(part, static_cast<GLuint>(target));
+  style_.markers = markers;
+  if (!markers || !markers_apart) return;
+  MeshStyle rim = style_;
+  rim.fill = rim.wireframe = rim.show_inverted = false;
+  now_.renderer().draw(camera, rim, width, height);
+}
+
+void MeshView::draw_split(const Camera& camera, int width, int height) {
+  const Vec2 from = camera.viewport_origin();
+  const Vec2 to = from + Vec2(camera.viewport_width(), camera.viewport_height());
+  const double middle = std::clamp(camera.to_screen(Vec2(divider_, 0)).x(), from.x(), to.x());
+  MeshStyle left = style_;
+  left.clip = Bounds{from, Vec2(middle, to.y())};
+  before_.renderer().draw(camera, left, width, height);
+  MeshStyle right = style_;
+  right.clip = Bounds{Vec2(middle, from.y()), to};
+  now_.renderer().draw(camera, right, width, height);
+}
+
+void MeshView::draw_magnified(const Camera& camera, const Camera& whole, int width, int height) {
+  if (!has_mesh_ || !now_.has_mesh()) return;
+  draw_backdrop(camera, whole, backdrop_, height);
+  now_.renderer().draw(camera, style_, width, height, 1);
+  if (comparison_ == Comparison::ghost && before_.has_mesh())
+    before_.renderer().draw(camera, ghost_, width, height, 1);
+}
+
+}  // namespace winslow::gui

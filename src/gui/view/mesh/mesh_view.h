@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "gui/document/session/session.h"
+#include "gui/render/backdrop.h"
+#include "gui/render/camera.h"
+#include "gui/render/frame_buffer.h"
+#include "gui/settings/view_options.h"
+#include "gui/view/mesh/before_mesh.h"
+#include "gui/view/mesh/mesh_layer.h"
+#include "gui/widgets/legend.h"
+
+namespace winslow::gui {
+
+/// Keeps the picture in step with the session: the mesh, its colours and markers, the state before
+/// where they are compared. Uploads only what changed.
+class MeshView {
+ public:
+  void update(const Session& session, const BeforeMesh& before, const ViewOptions& view,
+              float scale);
+  /// Draws what lies behind and the mesh into the bound framebuffer, `height` pixels high. whole:
+  /// the view that the camera sees a part of; null: nothing lies behind.
+  void draw(const Camera& camera, const Camera* whole, int width, int height);
+  /// The same with the backdrop, for frame after frame of a window: of a large mesh the picture is
+  /// kept and drawn anew only when it would be another. A frame of the interface alone, a progress
+  /// bar or a menu under the mouse, then costs what it does without a mesh.
+  void draw_kept(const Camera& camera, int width, int height);
+  /// Draws anew next time.
+  void forget_picture() { kept_key_.reset(); }
+  /// The mesh on screen is drawn, though perhaps without its colours yet.
+  bool has_mesh() const { return has_mesh_ && now_.has_mesh(); }
+  /// Where the mesh before ends and the mesh now begins, if they are side by side: x of the mesh.
+  void set_divider(double x) { divider_ = x; }
+  /// The present mesh alone, with the camera of a magnifier.
+  void draw_magnified(const Camera& camera, const Camera& whole, int width, int height);
+  /// Takes what the background has prepared. True if the picture changes.
+  bool poll();
+  bool busy() const { return now_.busy() || before_.busy(); }
+  /// Of the colours now shown; none if elements are plain.
+  const std::optional<Legend>& legend() const { return now_.legend(); }
+
+ private:
+  void update_markers(const Session& session, const ViewOptions& view, float scale);
+  void draw_split(const Camera& camera, int width, int height);
+  /// All that the kept picture depends on.
+  struct PictureKey {
+    Camera camera;
+    int width = 0, height = 0;
+    MeshStyle style, ghost;
+    BackdropColors backdrop;
+    Comparison comparison = Comparison::none;
+    double divider = 0;
+    std::uint64_t now = 0, before = 0;  // revisions
+    std::vector<MeshRenderer::MarkerStyle> markers;
+
+    bool operator==(const PictureKey&) const = default;
+  };
+  PictureKey picture_key(const Camera& camera, int width, int height);
+
+  MeshLayer now_, before_;
+  MeshStyle style_;
+  MeshStyle ghost_;
+  BackdropColors backdrop_;
+  Comparison comparison_ = Comparison::none;
+  double divider_ = 0;
+  bool has_mesh_ = false;
+  std::vector<MeshRenderer::MarkerStyle> markers_;
+  std::unique_ptr<FrameBuffer> kept_;
+  std::optional<PictureKey> kept_key_;  // of what is in kept_
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gui/document/session/session.h"
+#include "gui/settings/view_state.h"
+
+/// Going to a node or an element by its id, and saying what it is.
+namespace winslow::gui {
+
+/// The node or element that a text names: "n123" a node, "e45", "#45" or "45" an element, "x, y"
+/// the node nearest to a point, "worst" or "worst 3" an entry of the list of worst elements, the
+/// name of a marker its first node. Throws UsageError, saying what was expected.
+MeshItem parse_item(const std::string& text, const Session& session, const ViewOptions& view);
+
+/// "e45", "n123": as parse_item takes it.
+std::string item_name(const MeshItem& item);
+
+/// What it is, as lines of a name and a value.
+std::vector<std::pair<std::string, std::string>> describe_item(const MeshItem& item,
+                                                               const Session& session);
+
+/// Box around an item and what touches it; where to look.
+Bounds surroundings(const MeshItem& item, const Session& session);
+
+/// True if the open mesh has the item.
+bool exists(const MeshItem& item, const Session& session);
+
+}  // namespace winslow::gui

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "gui/view/overlays/view_overlay.h"
+
+namespace winslow::gui {
+
+/// Ids of nodes and elements on the mesh: of those that are large enough on screen to hold their
+/// number, and none of the others.
+class IdLabels {
+ public:
+  void draw(ImDrawList& list, const ViewOverlay& overlay);
+
+ private:
+  struct Label {
+    Vec2 at;  ///< pixels, middle of the text
+    std::string text;
+    bool node = false;
+  };
+  /// What the labels depend on.
+  struct Key {
+    std::uint64_t generation = 0, shape = 0;
+    double x = 0, y = 0, units = 0, left = 0, top = 0, width = 0, height = 0;
+    float scale = 0;
+    bool nodes = false, elements = false;
+    bool operator==(const Key&) const = default;
+  };
+  static Key key_of(const ViewOverlay& overlay);
+  void find(const ViewOverlay& overlay);
+  void find_nodes(const ViewOverlay& overlay);
+  void find_elements(const ViewOverlay& overlay);
+
+  Key key_;
+  std::vector<Label> labels_;
+};
+
+}  // namespace winslow::gui

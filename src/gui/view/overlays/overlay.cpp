@@ -1,0 +1,212 @@
+#include "gui/view/overlays/overlay.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/inspect/nodal_view.h"
+#include "core/motion/rigid_motion.h"
+#include "gui/view/overlays/gizmo_drawing.h"
+#include "gui/view/overlays/layer_overlay.h"
+#include "gui/view/overlays/vcv_overlay.h"
+
+namespace winslow::gui {
+
+namespace {
+
+ImVec2 pixel(const Vec2& p) { return {static_cast<float>(p.x()), static_cast<float>(p.y())}; }
+
+std::string number(double value, const char* format = "%.4g") {
+  std::array<char, 48> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, value);
+  return buffer.data();
+}
+
+struct Label {
+  std::string text;
+  ImU32 background;
+};
+
+/// Where labels of a size stand beside the mouse: on its other side where the view ends, since
+/// panels would cover them.
+ImVec2 beside_mouse(const Overlay& o, const ImVec2& size) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const ImVec2 start = pixel(o.camera.viewport_origin());
+  const float right = start.x + static_cast<float>(o.camera.viewport_width());
+  const float bottom = start.y + static_cast<float>(o.camera.viewport_height());
+  ImVec2 at(mouse.x + o.theme.px(18), mouse.y + o.theme.px(14));
+  if (at.x + size.x > right) at.x = std::max(start.x, mouse.x - o.theme.px(12) - size.x);
+  if (at.y + size.y > bottom) at.y = std::max(start.y, mouse.y - o.theme.px(8) - size.y);
+  return at;
+}
+
+/// Labels beside the mouse, below one another.
+void draw_labels(ImDrawList& list, const Overlay& o, const std::vector<Label>& labels) {
+  const float pad = o.theme.px(7);
+  const float height = ImGui::GetTextLineHeight() + 1.4f * pad;
+  const float step = height + o.theme.px(3);
+  float width = 0;
+  for (const Label& label : labels)
+    width = std::max(width, ImGui::CalcTextSize(label.text.c_str()).x + 2 * pad);
+  ImVec2 at = beside_mouse(o, ImVec2(width, static_cast<float>(labels.size()) * step));
+  for (const Label& label : labels) {
+    const ImVec2 size = ImGui::CalcTextSize(label.text.c_str());
+    list.AddRectFilled(at, ImVec2(at.x + size.x + 2 * pad, at.y + height),
+                       faded(label.background, 0.88f), o.theme.px(5));
+    list.AddText(ImVec2(at.x + pad, at.y + 0.7f * pad), palette().card, label.text.c_str());
+    at.y += step;
+  }
+}
+
+/// Boundary edges moved by whatever `place` says of their nodes.
+template <class Place>
+void draw_edges(ImDrawList& list, const Overlay& o, const std::vector<Index>& markers,
+                const Place& place) {
+  const Topology& topology = *o.session.motion_base().mesh.topology;
+  for (Index m : markers)
+    for (const auto& [a, b] : topology.markers()[static_cast<std::size_t>(m)].edges)
+      list.AddLine(pixel(o.camera.to_screen(place(a))), pixel(o.camera.to_screen(place(b))),
+                   palette().accent, o.theme.px(1.5f));
+}
+
+/// The body where the mouse wants it: the mesh may be a step behind.
+void draw_wanted(ImDrawList& list, const Overlay& o) {
+  const Coordinates& rest = o.session.motion_base().mesh.coordinates;
+  if (const auto motion = o.session.live_motion())
+    return draw_edges(list, o, o.session.selection(),
+                      [&](Index node) { return transform(*motion, rest.xy(node)); });
+  const BodyDrag* drag = o.session.body_drag();
+  if (!drag || drag->grip().rigid()) return;
+  const auto& nodes = drag->grip().nodes;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Vec2 at = rest.xy(nodes[i]) + drag->grip().shares[i] * drag->wanted().translate;
+    list.AddCircleFilled(pixel(o.camera.to_screen(at)), o.theme.px(2.5f), palette().accent);
+  }
+}
+
+void draw_preview(ImDrawList& list, const Overlay& o) {
+  const auto& preview = o.session.deformation_preview();
+  if (!preview) return;
+  for (const auto& [a, b] : preview->outline)
+    list.AddLine(pixel(o.camera.to_screen(a)), pixel(o.camera.to_screen(b)), palette().accent,
+                 o.theme.px(1.5f));
+}
+
+/// While shapes are edited: the held arc, how far a drag of it fades, the node under the mouse.
+void draw_shape(ImDrawList& list, const Overlay& o) {
+  const ShapeEdit& edit = o.scene.shape;
+  const Coordinates& x = o.session.coordinates();
+  if (edit.arc && !o.session.dragging()) {
+    const DragGrip grip =
+        grip_of(*edit.arc, edit.radius, *o.scene.boundary, *o.session.topology(), x);
+    for (std::size_t i = 0; i < grip.nodes.size(); ++i) {
+      const ImVec2 at = pixel(o.camera.to_screen(x.xy(grip.nodes[i])));
+      const auto share = static_cast<float>(grip.shares[i]);
+      list.AddCircleFilled(at, o.theme.px(2.0f + 3.0f * share), palette().card);
+      list.AddCircleFilled(at, o.theme.px(1.0f + 3.0f * share),
+                           faded(palette().accent, 0.35f + 0.65f * share));
+    }
+  }
+  if (const auto& node = o.viewport.hovered_node(); node && node->node < x.size()) {
+    const ImVec2 at = pixel(o.camera.to_screen(x.xy(node->node)));
+    list.AddCircle(at, o.theme.px(7), palette().card, 24, o.theme.px(4));
+    list.AddCircle(at, o.theme.px(7), palette().accent, 24, o.theme.px(2));
+  }
+}
+
+std::string motion_text(const Overlay& o) {
+  const MotionGesture& drag = o.viewport.drag();
+  const RigidMotion& m = drag.motion();
+  if (drag.kind() == MotionGesture::Kind::rotate)
+    return number(m.rotate, "%+.2f") + "\xC2\xB0" + (drag.snapped() ? "   steps of 5\xC2\xB0" : "");
+  std::string text =
+      "x " + number(m.translate.x(), "%+.4g") + "   y " + number(m.translate.y(), "%+.4g");
+  if (drag.axis()) text += *drag.axis() == 0 ? "   along x" : "   along y";
+  if (drag.snapped()) text += "   grid " + number(MotionGesture::grid_step(o.camera));
+  return text;
+}
+
+/// The numbers of the drag, and whether the mesh can follow.
+std::vector<Label> motion_labels(const Overlay& o) {
+  std::vector<Label> labels{{motion_text(o), palette().text}};
+  const BodyDrag* drag = o.session.body_drag();
+  if (!drag || drag->reach() == BodyDrag::Reach::there) return labels;
+  if (drag->reach() == BodyDrag::Reach::limit)
+    labels.push_back({"No valid mesh beyond here", palette().danger});
+  else
+    labels.push_back({"The mesh is catching up", palette().text_dim});
+  return labels;
+}
+
+std::string hint_text(const Overlay& o) {
+  if (o.viewport.gesture() == Viewport::Gesture::pivot) {
+    const std::string& snapped = o.viewport.snapped_to();
+    return snapped.empty() ? "Pivot; Ctrl snaps" : "Pivot: " + snapped;
+  }
+  if (const char* hint = handle_hint(o.viewport.hovered_handle()); *hint) return hint;
+  if (const auto& node = o.viewport.hovered_node())
+    return "Node " + std::to_string(node->node) + ": drag; Shift+click takes the arc up to it";
+  return {};
+}
+
+Handle hot_handle(const Viewport& viewport) {
+  if (viewport.gesture() == Viewport::Gesture::rotate) return Handle::ring;
+  if (viewport.gesture() == Viewport::Gesture::pivot) return Handle::pivot;
+  if (viewport.gesture() != Viewport::Gesture::move) return viewport.hovered_handle();
+  const auto axis = viewport.drag().axis();
+  if (!axis) return Handle::centre;
+  return *axis == 0 ? Handle::arrow_x : Handle::arrow_y;
+}
+
+/// Rings around the nodes inspected and under the mouse.
+void draw_rings(ImDrawList& list, const Overlay& o) {
+  const NodeSelection& nodes = o.session.nodes();
+  if (!o.session.document()) return;
+  const Coordinates& x = o.session.coordinates();
+  if (nodes.inspected())
+    draw_node_ring(list, pixel(o.camera.to_screen(x.xy(*nodes.inspected()))), o.theme.px(6),
+                   o.theme.px(2), palette().accent);
+  if (nodes.hovered())
+    draw_node_ring(list, pixel(o.camera.to_screen(x.xy(*nodes.hovered()))), o.theme.px(8),
+                   o.theme.px(1.5f), palette().accent);
+}
+
+}  // namespace
+
+void draw_pins(ImDrawList& list, const Overlay& o) {
+  if (!o.session.document()) return;
+  std::vector<NodalView> pinned;
+  for (const Index node : o.session.nodes().pinned())
+    pinned.push_back(inspect_node(*o.session.vcv(), o.session.coordinates(), node));
+  draw_vcvs(list, o.camera, pinned, o.theme.px(1), o.theme.small);
+}
+
+void draw_overlay(ImDrawList& list, const Overlay& o) {
+  if (!o.session.document()) return;
+  draw_pins(list, o);
+  draw_rings(list, o);
+  if (o.session.dragging()) draw_wanted(list, o);
+  draw_preview(list, o);
+  draw_layer_preview(list, o);
+  if (o.scene.shape.active) draw_shape(list, o);
+}
+
+void draw_handles(ImDrawList& list, const Overlay& o) {
+  if (!o.session.document()) return;
+  if (const auto gizmo = Viewport::gizmo(o.scene, o.camera))
+    draw_gizmo(list, *gizmo, hot_handle(o.viewport),
+               o.viewport.gesture() == Viewport::Gesture::rotate, o.theme);
+}
+
+void draw_mouse_labels(ImDrawList& list, const Overlay& o) {
+  if (!o.session.document()) return;
+  if (o.session.dragging() && o.viewport.dragging()) return draw_labels(list, o, motion_labels(o));
+  if (std::string hint = hint_text(o); !hint.empty())
+    draw_labels(list, o, {{std::move(hint), palette().text}});
+}
+
+}  // namespace winslow::gui

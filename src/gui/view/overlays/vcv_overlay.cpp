@@ -1,0 +1,66 @@
+#include "gui/view/overlays/vcv_overlay.h"
+
+#include <string>
+#include <vector>
+
+#include "gui/view/overlays/vcv_shape.h"
+
+namespace winslow::gui {
+
+namespace {
+
+ImU32 color(const Rgb& c, float alpha = 1) {
+  return ImGui::ColorConvertFloat4ToU32(ImVec4(c[0], c[1], c[2], alpha));
+}
+
+ImVec2 pixel(const Camera& camera, const Vec2& world) {
+  const Vec2 p = camera.to_screen(world);
+  return {static_cast<float>(p.x()), static_cast<float>(p.y())};
+}
+
+void draw_number(ImDrawList& list, const ImVec2& centre, Index node, float room, ImFont* font) {
+  const std::string text = std::to_string(node);
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e6f, 0, text.c_str());
+  if (size.x > 1.1f * room) return;
+  const ImVec2 at(centre.x - size.x / 2, centre.y - size.y / 2);
+  list.AddRectFilled(ImVec2(at.x - 3, at.y - 1), ImVec2(at.x + size.x + 3, at.y + size.y + 1),
+                     color(VcvColors().casing, VcvColors().label_alpha), 3);
+  list.AddText(font, font->FontSize, at, color(VcvColors().line), text.c_str());
+}
+
+void draw_one(ImDrawList& list, const Camera& camera, const NodalView& node, float unit,
+              ImFont* font) {
+  const ImVec2 centre = pixel(camera, node.position);
+  const VcvColors colors;
+  const ImU32 line = color(colors.line);
+  std::vector<ImVec2> ends;
+  for (const Vec2& p : vcv_over_star(node)) ends.push_back(pixel(camera, p));
+  const std::size_t n = ends.size();
+  for (std::size_t k = 0; k < n; ++k)
+    list.AddTriangleFilled(centre, ends[k], ends[(k + 1) % n],
+                           color(colors.fill, colors.fill_alpha));
+  const auto count = static_cast<int>(n);
+  list.AddPolyline(ends.data(), count, color(colors.casing, colors.casing_alpha),
+                   ImDrawFlags_Closed, 4 * unit);
+  for (std::size_t k = 0; k < n; ++k)
+    list.AddLine(centre, ends[k], node.weights[k] < 0 ? color(colors.negative) : line, 1.3f * unit);
+  list.AddPolyline(ends.data(), count, line, ImDrawFlags_Closed, 2 * unit);
+  const auto reach = static_cast<float>(node.physical.mean_length() / camera.units_per_pixel());
+  draw_number(list, centre, node.node, reach, font);
+}
+
+}  // namespace
+
+void draw_vcvs(ImDrawList& list, const Camera& camera, std::span<const NodalView> nodes, float unit,
+               ImFont* font) {
+  const Bounds seen = camera.visible();
+  for (const NodalView& node : nodes)
+    if (vcv_in_sight(node, seen)) draw_one(list, camera, node, unit, font);
+}
+
+void draw_node_ring(ImDrawList& list, const ImVec2& at, float radius, float width, ImU32 ink) {
+  list.AddCircle(at, radius, color(VcvColors().casing, VcvColors().casing_alpha), 32, 2.2f * width);
+  list.AddCircle(at, radius, ink, 32, width);
+}
+
+}  // namespace winslow::gui

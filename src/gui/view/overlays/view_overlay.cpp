@@ -1,0 +1,177 @@
+#include "gui/view/overlays/view_overlay.h"
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "gui/view/mesh/mesh_colors.h"
+#include "gui/view/navigation/go_to.h"
+#include "gui/widgets/controls.h"
+
+namespace winslow::gui {
+
+namespace {
+
+ImVec2 pixel(const Vec2& p) { return {static_cast<float>(p.x()), static_cast<float>(p.y())}; }
+
+ImU32 color_of(const Rgba& c) {
+  return ImGui::ColorConvertFloat4ToU32(ImVec4(c[0], c[1], c[2], c[3]));
+}
+
+bool inside(const Camera& camera, const Vec2& p, double room) {
+  const Vec2 q = p - camera.viewport_origin();
+  return q.x() > -room && q.y() > -room && q.x() < camera.viewport_width() + room &&
+         q.y() < camera.viewport_height() + room;
+}
+
+/// A chevron that points along a direction of the screen.
+void draw_arrow(ImDrawList& list, const ViewOverlay& o, const Vec2& at, const Vec2& along,
+                ImU32 color) {
+  const double size = static_cast<double>(o.theme.px(6));
+  const Vec2 across(-along.y(), along.x());
+  const Vec2 tip = at + size * along;
+  const Vec2 left = at - 0.5 * size * along + 0.7 * size * across;
+  const Vec2 right = at - 0.5 * size * along - 0.7 * size * across;
+  list.AddTriangleFilled(pixel(tip), pixel(left), pixel(right), color);
+}
+
+/// One closed loop of the boundary, the mesh on its left.
+void draw_loop(ImDrawList& list, const ViewOverlay& o, const std::vector<Index>& nodes,
+               ImU32 color) {
+  const double arrow_gap = static_cast<double>(o.theme.px(64));
+  const double node_gap = static_cast<double>(o.theme.px(7));
+  double since_arrow = 0.5 * arrow_gap;
+  Vec2 last_dot(-1e9, -1e9);
+  Vec2 from = o.camera.to_screen(o.session.coordinates().xy(nodes.back()));
+  for (const Index node : nodes) {
+    const Vec2 to = o.camera.to_screen(o.session.coordinates().xy(node));
+    const double length = (to - from).norm();
+    since_arrow += length;
+    if (o.view.directions && since_arrow >= arrow_gap && length > 0) {
+      since_arrow = 0;
+      const Vec2 middle = 0.5 * (from + to);
+      if (inside(o.camera, middle, 0)) draw_arrow(list, o, middle, (to - from) / length, color);
+    }
+    // Closer together they would be a thick line.
+    if (o.view.rim_nodes && (to - last_dot).norm() >= node_gap && inside(o.camera, to, 4)) {
+      last_dot = to;
+      list.AddCircleFilled(pixel(to), o.theme.px(3.4f), palette().card, 12);
+      list.AddCircleFilled(pixel(to), o.theme.px(2.4f), color, 12);
+    }
+    from = to;
+  }
+}
+
+}  // namespace
+
+ImVec2 draw_tag(ImDrawList& list, const Theme& theme, const ImVec2& at, const char* text) {
+  ImFont& font = *theme.small;
+  const ImVec2 size = font.CalcTextSizeA(font.FontSize, 1e6f, 0, text);
+  const float pad = theme.px(7);
+  const ImVec2 end(at.x + size.x + 2 * pad, at.y + size.y + pad);
+  list.AddRectFilled(at, end, faded(palette().card, 0.92f), theme.px(5));
+  list.AddRect(at, end, palette().border, theme.px(5));
+  list.AddText(&font, font.FontSize, ImVec2(at.x + pad, at.y + pad / 2), palette().text, text);
+  return {end.x - at.x, end.y - at.y};
+}
+
+void draw_focus(ImDrawList& list, const ViewOverlay& o) {
+  const auto& focus = o.state.focus;
+  if (!focus || !exists(*focus, o.session)) return;
+  const Coordinates& x = o.session.coordinates();
+  if (focus->kind == MeshItem::Kind::node) {
+    const ImVec2 c = pixel(o.camera.to_screen(x.xy(focus->id)));
+    list.AddCircle(c, o.theme.px(9), palette().card, 32, o.theme.px(5));
+    list.AddCircle(c, o.theme.px(9), palette().accent, 32, o.theme.px(2.5f));
+    list.AddCircleFilled(c, o.theme.px(2.5f), palette().accent);
+    return;
+  }
+  std::array<ImVec2, 4> corners;
+  const auto nodes = o.session.topology()->element(focus->id);
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    corners[k] = pixel(o.camera.to_screen(x.xy(nodes[k])));
+  const auto count = static_cast<int>(nodes.size());
+  list.AddPolyline(corners.data(), count, palette().card, ImDrawFlags_Closed, o.theme.px(6));
+  list.AddPolyline(corners.data(), count, palette().accent, ImDrawFlags_Closed, o.theme.px(3));
+}
+
+void draw_rim(ImDrawList& list, const ViewOverlay& o) {
+  if (!o.view.rim_nodes && !o.view.directions) return;
+  const ImU32 color = color_of(mesh_colors(o.view).dark ? Rgba{0.95f, 0.96f, 1.0f, 1}
+                                                        : Rgba{0.10f, 0.12f, 0.16f, 1});
+  for (const auto& loop : o.session.topology()->boundary_loops())
+    if (!loop.empty()) draw_loop(list, o, loop, color);
+}
+
+void draw_comparison(ImDrawList& list, const ViewOverlay& o) {
+  if (o.view.comparison == Comparison::none) return;
+  const Vec2 origin = o.camera.viewport_origin();
+  const auto x = static_cast<float>(origin.x());
+  const auto y = static_cast<float>(origin.y());
+  const auto width = static_cast<float>(o.camera.viewport_width());
+  const auto height = static_cast<float>(o.camera.viewport_height());
+  const float gap = o.theme.px(10);
+  const char* before =
+      o.view.before == BeforeState::loaded ? "As loaded" : "Before the last command";
+  if (o.view.comparison == Comparison::ghost) {
+    const float line = o.theme.px(22);
+    const ImVec2 at(x + gap, y + gap);
+    const std::string text = std::string("          ") + before;
+    const ImVec2 size = draw_tag(list, o.theme, at, text.c_str());
+    const float middle = at.y + size.y / 2;
+    // White edges would not be seen on a white card.
+    list.AddRectFilled(ImVec2(at.x + o.theme.px(5), middle - o.theme.px(5)),
+                       ImVec2(at.x + o.theme.px(9) + line, middle + o.theme.px(5)),
+                       faded(palette().text, 0.5f), o.theme.px(2));
+    list.AddLine(ImVec2(at.x + o.theme.px(7), middle), ImVec2(at.x + o.theme.px(7) + line, middle),
+                 color_of(mesh_colors(o.view).ghost) | IM_COL32_A_MASK, o.theme.px(2));
+    return;
+  }
+  const float middle = x + static_cast<float>(o.view.divider) * width;
+  list.AddLine(ImVec2(middle, y), ImVec2(middle, y + height), palette().card, o.theme.px(5));
+  list.AddLine(ImVec2(middle, y), ImVec2(middle, y + height), palette().accent, o.theme.px(2));
+  const ImVec2 grip(middle, y + height / 2);
+  list.AddCircleFilled(grip, o.theme.px(9), palette().card);
+  list.AddCircle(grip, o.theme.px(9), palette().accent, 32, o.theme.px(2));
+  for (const float side : {-1.0f, 1.0f})
+    list.AddTriangleFilled(ImVec2(grip.x + side * o.theme.px(6), grip.y),
+                           ImVec2(grip.x + side * o.theme.px(2), grip.y - o.theme.px(4)),
+                           ImVec2(grip.x + side * o.theme.px(2), grip.y + o.theme.px(4)),
+                           palette().accent);
+  ImFont& font = *o.theme.small;
+  const float text = font.CalcTextSizeA(font.FontSize, 1e6f, 0, before).x + o.theme.px(14);
+  list.PushClipRect(ImVec2(x, y), ImVec2(middle, y + height), true);
+  draw_tag(list, o.theme, ImVec2(middle - text - gap, y + gap), before);
+  list.PopClipRect();
+  list.PushClipRect(ImVec2(middle, y), ImVec2(x + width, y + height), true);
+  draw_tag(list, o.theme, ImVec2(middle + gap, y + gap), "Now");
+  list.PopClipRect();
+}
+
+void draw_zoom_box(ImDrawList& list, const Theme& theme, const Bounds& box) {
+  list.AddRectFilled(pixel(box.min), pixel(box.max), palette().accent_soft);
+  list.AddRect(pixel(box.min), pixel(box.max), palette().accent, 0, 0, theme.px(1.5f));
+}
+
+void draw_inset_source(ImDrawList& list, const Theme& theme, const Inset& inset) {
+  if (!inset.pinned) return;
+  const ImVec2 from = pixel(inset.source.min);
+  const ImVec2 to = pixel(inset.source.max);
+  const Bounds frame = inset.frame();
+  list.AddRect(from, to, palette().card, 0, 0, theme.px(4));
+  list.AddRect(from, to, palette().accent, 0, 0, theme.px(1.5f));
+  list.AddLine(pixel(frame.centre()), pixel(inset.source.centre()), faded(palette().accent, 0.7f),
+               theme.px(1.2f));
+}
+
+void draw_inset_frame(ImDrawList& list, const ViewOverlay& o, const Inset& inset) {
+  const Bounds frame = inset.frame();
+  const ImVec2 min = pixel(frame.min);
+  const ImVec2 max = pixel(frame.max);
+  list.AddRect(min, max, palette().card, 0, 0, o.theme.px(5));
+  list.AddRect(min, max, palette().accent, 0, 0, o.theme.px(2));
+  const std::string factor = "\xC3\x97 " + std::to_string(std::lround(o.view.magnifier.factor));
+  draw_tag(list, o.theme, ImVec2(min.x + o.theme.px(6), min.y + o.theme.px(6)), factor.c_str());
+}
+
+}  // namespace winslow::gui

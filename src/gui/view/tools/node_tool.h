@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+
+#include "gui/document/session/session.h"
+#include "gui/render/camera.h"
+#include "gui/view/tools/node_index.h"
+#include "gui/view/tools/viewport.h"
+
+namespace winslow::gui {
+
+/// Picks nodes with the mouse: the one under it lights up, a click inspects it. Only clicks are the
+/// tool's; drags are the viewport's, wherever they begin.
+class NodeTool {
+ public:
+  /// active: clicks near nodes are for the tool. Returns true if the click under way is.
+  bool update(const PointerState& pointer, bool active, double scale, const Session& session,
+              const Camera& camera, ActionQueue& actions);
+
+ private:
+  std::optional<Index> node_at(const PointerState& pointer, double scale, const Session& session,
+                               const Camera& camera);
+
+  NodePicker picker_;
+  std::optional<Index> hovered_, pressed_;
+  Vec2 press_{0, 0};
+  bool was_down_ = false;
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,71 @@
+#include <doctest/doctest.h>
+
+#include "gui/base/input.h"
+#include "gui/support/keys.h"
+
+namespace winslow::gui::test {
+
+TEST_CASE("a press and its release never fall into one frame") {
+  InputQueue queue;
+  queue.move(Vec2(3, 4));
+  queue.button(MouseButton::left, true);
+  queue.button(MouseButton::left, false);
+  const InputState down = queue.next_frame();
+  CHECK(down.down(MouseButton::left));
+  CHECK(down.mouse == Vec2(3, 4));
+  CHECK_FALSE(queue.empty());
+  CHECK_FALSE(queue.next_frame().down(MouseButton::left));
+  CHECK(queue.empty());
+}
+
+TEST_CASE("a motion after a press waits for the next frame") {
+  InputQueue queue;
+  queue.button(MouseButton::left, true);
+  queue.move(Vec2(9, 9));
+  queue.wheel(Vec2(0, 1));
+  CHECK(queue.next_frame().mouse != Vec2(9, 9));
+  const InputState next = queue.next_frame();
+  CHECK(next.mouse == Vec2(9, 9));
+  CHECK(next.wheel.y() == 1);
+  CHECK(queue.next_frame().wheel.y() == 0);
+}
+
+TEST_CASE("keys and text are counted once") {
+  InputQueue queue;
+  queue.key(keys::control, true);
+  queue.key(keys::z, true);
+  queue.text(U'x');
+  queue.key(keys::z, false);
+  const InputState first = queue.next_frame();
+  CHECK(first.control());
+  CHECK(first.keys[keys::z]);
+  CHECK(first.text == U"x");
+  const InputState second = queue.next_frame();
+  CHECK_FALSE(second.keys[keys::z]);
+  CHECK(second.text.empty());
+  queue.key(-1, true);  // a key that GLFW does not know
+  CHECK(queue.empty());
+}
+
+TEST_CASE("Control that goes up before its key still counts") {
+  InputQueue queue;
+  queue.key(keys::control, true);
+  CHECK(queue.next_frame().control());
+  // Both in one frame: a fast hand, or a program that types.
+  queue.key(keys::q, true);
+  queue.key(keys::control, false);
+  queue.key(keys::q, false);
+  const InputState pressed = queue.next_frame();
+  CHECK(pressed.keys[keys::q]);
+  CHECK(pressed.control());
+  CHECK_FALSE(queue.next_frame().control());
+  // Nor does Control that comes after a key or a button belong to it.
+  queue.key(keys::w, true);
+  queue.key(keys::control, true);
+  CHECK_FALSE(queue.next_frame().control());
+  queue.button(MouseButton::left, true);
+  queue.key(keys::control, false);
+  CHECK(queue.next_frame().control());
+}
+
+}  // namespace winslow::gui::test

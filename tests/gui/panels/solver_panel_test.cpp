@@ -1,0 +1,180 @@
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "gui/document/jobs/method.h"
+#include "gui/support/keys.h"
+#include "gui/support/solver_probes.h"
+
+namespace winslow::gui::test {
+
+namespace {
+
+void choose(Rig& rig, const std::string& combo, const std::string& item) {
+  rig.click(combo);
+  rig.click(combo + "/" + item);
+}
+
+void choose_direct(Rig& rig) { choose(rig, "solver/method", "Direct (the paper's)"); }
+
+/// Turns the flap so far that the mesh is tangled at first.
+void turn(Rig& rig, double degrees) {
+  rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
+  rig.bench->apply(action::ApplyMotion{{degrees, Vec2(0, 0), Vec2(0, 0)}});
+}
+
+Index inverted_on_screen(const Rig& rig) {
+  return check_validity(*rig.mesh().topology, rig.session().coordinates()).inverted;
+}
+
+}  // namespace
+
+TEST_CASE("the method is one choice that sets formulation, iteration and steps") {
+  Rig rig(1100, 1000);
+  rig.open(ring_mesh());
+  CHECK(method_of(rig.session().smooth_options(), rig.session().motion_options()) == Method::path);
+  CHECK_FALSE(rig.visible("solver/pace"));
+  choose_direct(rig);
+  CHECK(rig.session().smooth_options().formulation == "pointwise");
+  CHECK(rig.session().smooth_options().outer == OuterMethod::picard);
+  CHECK(rig.session().motion_options().increments == 1);
+  CHECK(rig.visible("solver/pace"));
+  choose(rig, "solver/method", "Path following");
+  CHECK(method_of(rig.session().smooth_options(), rig.session().motion_options()) == Method::path);
+  CHECK(rig.session().smooth_options().formulation == "variational");
+  CHECK_FALSE(rig.visible("solver/pace"));
+}
+
+TEST_CASE("the direct method takes back a linear solver that it cannot use") {
+  SmoothOptions smooth;
+  MotionOptions motion;
+  smooth.linear.solver = "multigrid";
+  use_method(Method::direct, smooth, motion);
+  CHECK_NOTHROW(validate(smooth));
+  use_method(Method::path, smooth, motion);
+  CHECK_NOTHROW(validate(smooth));
+  motion.increments = 8;
+  CHECK(method_of(smooth, motion) == Method::custom);
+}
+
+TEST_CASE("the direct method shows tangled meshes on its way to a valid one") {
+  Rig rig(1100, 1000);
+  rig.open(ring_mesh());
+  choose_direct(rig);
+  choose(rig, "solver/pace", "5 a second");
+  turn(rig, 75);
+  rig.bench->apply(action::StepSolver{2});
+  REQUIRE(rig.wait([&] { return solver_paused(rig); }));
+  CHECK(inverted_on_screen(rig) > 0);
+  CHECK(rig.session().convergence().back().inverted == inverted_on_screen(rig));
+  // The boundary is at its place from the first iteration on.
+  const Index node = rig.mesh().topology->marker_nodes(rig.marker("flap"))[0];
+  const Vec2 rest = rig.mesh().coordinates.xy(node);
+  const Vec2 now = rig.session().coordinates().xy(node);
+  CHECK(rest.dot(now) == doctest::Approx(std::cos(pi * 75 / 180) * rest.squaredNorm()));
+  choose(rig, "solver/pace", "Unlimited");
+  rig.click("solver/run");
+  REQUIRE(rig.settle());
+  REQUIRE(rig.document().history().size() == 2);
+  CHECK(rig.document().history().result(1).inverted == 0);
+  CHECK(rig.document().history().result(1).increments == 1);
+}
+
+TEST_CASE("a paced direct run goes no faster, and can be slowed, cancelled and sped up at once") {
+  Rig rig(1100, 1000);
+  rig.open(ring_mesh());
+  const Coordinates before = rig.mesh().coordinates;
+  choose_direct(rig);
+  choose(rig, "solver/pace", "30 a second");
+  CHECK(rig.session().pace() == 30);
+  const auto start = std::chrono::steady_clock::now();
+  turn(rig, 120);
+  REQUIRE(rig.wait([&] { return iterations(rig) >= 6; }));
+  // Never faster than that; how much slower is up to the machine.
+  CHECK(std::chrono::steady_clock::now() - start > std::chrono::milliseconds(5 * 33));
+  choose(rig, "solver/pace", "1 a second");
+  REQUIRE(rig.session().job().active());
+  rig.click("solver/cancel");
+  CHECK_FALSE(rig.session().job().active());
+  CHECK(rig.session().coordinates() == before);
+  turn(rig, 60);
+  choose(rig, "solver/pace", "Unlimited");
+  REQUIRE(rig.settle());
+  CHECK(rig.document().history().size() == 2);
+}
+
+TEST_CASE("Step N runs as many iterations as its field says") {
+  Rig rig(1100, 1000);
+  rig.open(ring_mesh());
+  SmoothOptions slow;
+  slow.formulation = "pointwise";
+  slow.outer = OuterMethod::picard;
+  slow.damping = 0.01;
+  rig.bench->apply(action::SetSmoothOptions{slow});
+  rig.fill("solver/steps", "4");
+  rig.click("solver/step_n");
+  REQUIRE(rig.wait([&] { return solver_paused(rig) && iterations(rig) == 4; }));
+  rig.fill("solver/steps", "-3");
+  rig.click("solver/step_n");
+  REQUIRE(rig.wait([&] { return solver_paused(rig) && iterations(rig) == 5; }));
+  CHECK(rig.session().job().paused());
+}
+
+TEST_CASE("both resets: to before this motion, and to the mesh as loaded") {
+  Rig rig(1100, 1000);
+  rig.open(ring_mesh());
+  const Coordinates loaded = rig.mesh().coordinates;
+  CHECK_FALSE(rig.bench->widgets().find("solver/reset_motion")->enabled);
+  CHECK_FALSE(rig.bench->widgets().find("solver/reset_loaded")->enabled);
+  turn(rig, 20);
+  REQUIRE(rig.settle());
+  const Coordinates first = rig.mesh().coordinates;
+  turn(rig, 20);
+  REQUIRE(rig.settle());
+  rig.click("solver/reset_motion");
+  CHECK(rig.session().coordinates() == first);
+  // A motion under way is undone as well.
+  choose_direct(rig);
+  choose(rig, "solver/pace", "1 a second");
+  turn(rig, 75);
+  REQUIRE(rig.wait([&] { return iterations(rig) >= 1; }));
+  CHECK(rig.session().coordinates() != first);
+  rig.click("solver/reset_motion");
+  CHECK_FALSE(rig.session().job().active());
+  CHECK(rig.session().coordinates() == first);
+  rig.click("solver/reset_loaded");
+  CHECK(rig.session().coordinates() == loaded);
+  CHECK(rig.document().history().size() == 3);
+}
+
+TEST_CASE("what does not apply is not shown, and the defaults come back at a press") {
+  Rig rig(1100, 1400);
+  rig.open(ring_mesh());
+  CHECK_FALSE(rig.visible("solver/tolerance"));
+  rig.click("solver/advanced");
+  REQUIRE(rig.visible("solver/tolerance"));
+  CHECK(rig.visible("solver/targets"));
+  CHECK_FALSE(rig.visible("solver/acceleration"));
+  CHECK_FALSE(rig.visible("solver/linear_tolerance"));
+  choose_direct(rig);
+  CHECK_FALSE(rig.visible("solver/targets"));
+  CHECK_FALSE(rig.visible("solver/untangle"));
+  CHECK(rig.visible("solver/acceleration"));
+  rig.click("solver/linear");
+  CHECK_FALSE(rig.visible("solver/linear/multigrid"));
+  rig.click("solver/linear/gmres");
+  CHECK(rig.session().smooth_options().linear.solver == "gmres");
+  CHECK(rig.visible("solver/restart"));
+  rig.fill("solver/tolerance", "1e-6");
+  CHECK(rig.session().smooth_options().tolerance == 1e-6);
+  rig.click("solver/adapt");
+  CHECK_FALSE(rig.session().smooth_options().adapt_damping);
+  rig.click("solver/defaults");
+  CHECK(method_of(rig.session().smooth_options(), rig.session().motion_options()) == Method::path);
+  CHECK(rig.session().smooth_options().tolerance == SmoothOptions{}.tolerance);
+  CHECK(rig.session().smooth_options().adapt_damping);
+  CHECK(rig.session().smooth_options().linear == LinearOptions{});
+}
+
+}  // namespace winslow::gui::test

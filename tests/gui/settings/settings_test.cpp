@@ -1,0 +1,121 @@
+#include "gui/settings/settings.h"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "core/error.h"
+#include "gui/support/keys.h"
+#include "gui/support/rig.h"
+
+namespace winslow::gui::test {
+
+namespace {
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+TEST_CASE("settings survive being written and read") {
+  Settings settings;
+  settings.view.color = Metric::condition_number;
+  settings.view.color_map = "cividis";
+  settings.view.bands = 8;
+  settings.view.fill = false;
+  settings.view.lightness = Lightness::dark;
+  settings.view.backdrop = Backdrop::gradient;
+  settings.view.scale = 1.5;
+  settings.view.side_tab = SideTab::history;
+  settings.left_width = 311;
+  settings.folded = {"section/solver"};
+  settings.window = {1200, 800};
+  CHECK(read_settings(write_settings(settings)) == settings);
+  settings.view.color.reset();
+  CHECK(read_settings(write_settings(settings)) == settings);
+}
+
+TEST_CASE("settings that belong to one mesh are not kept") {
+  Settings settings;
+  settings.view.isolation.on = true;
+  settings.view.comparison = Comparison::split;
+  settings.view.range = {{0.2, 0.4}};
+  settings.view.magnifier.on = true;
+  CHECK(read_settings(write_settings(settings)).view == ViewOptions());
+}
+
+TEST_CASE("values that make no sense are as designed, unknown keys are kept") {
+  const std::string text = R"({"view": {"bands": -3, "scale": "huge", "color_map": "jet",
+      "lightness": "purple", "color": "beauty", "wireframe": 1, "later": 7},
+      "layout": {"left_width": -1, "window": [5, 1e9]}, "plans": ["a.su2"]})";
+  const Settings settings = read_settings(text);
+  CHECK(settings == Settings());
+  const auto again = nlohmann::json::parse(write_settings(settings, text));
+  CHECK(again["plans"][0] == "a.su2");
+  CHECK(again["view"]["later"] == 7);
+  CHECK(again["view"]["bands"] == 0);
+  CHECK_THROWS_AS(read_settings("[1, 2"), InputError);
+  CHECK_THROWS_AS(read_settings("17"), InputError);
+}
+
+TEST_CASE("a second studio on the same profile looks as the first was left") {
+  const TemporaryFolder home;
+  const auto profile = home / "profile";
+  {
+    Rig rig(1440, 800, profile);
+    rig.open(ring_mesh());
+    rig.key(GLFW_KEY_D, {keys::control});
+    const Vec2 grip = rig.bench->widgets().find("splitter/left")->centre();
+    rig.drag(grip, grip + Vec2(40, 0));
+    rig.release();
+    rig.click("section/solver");
+    rig.click("tab/view");
+  }
+  Rig rig(1440, 800, profile);
+  CHECK(rig.bench->view().lightness == Lightness::dark);
+  CHECK(rig.bench->view().side_tab == SideTab::view);
+  CHECK(rig.bench->layout().left_width == doctest::Approx(332).epsilon(0.01));
+  rig.open(ring_mesh());
+  CHECK(rig.visible("section/solver"));
+  CHECK_FALSE(rig.visible("solver/run"));
+}
+
+TEST_CASE("settings are written while the studio runs, once they rest") {
+  const TemporaryFolder home;
+  Rig rig(1100, 720, home.path());
+  rig.key(GLFW_KEY_D, {keys::control});
+  REQUIRE(rig.wait([&] { return std::filesystem::exists(home / "settings.json"); }));
+  CHECK(text_of(home / "settings.json").find("\"dark\"") != std::string::npos);
+}
+
+TEST_CASE("a damaged settings file does no harm and is not lost") {
+  const TemporaryFolder home;
+  std::ofstream(home / "settings.json") << "{\"view\": {\"bands\"";
+  Rig rig(1100, 720, home.path());
+  CHECK(rig.bench->view() == ViewOptions());
+  REQUIRE(rig.session().notice().has_value());
+  CHECK(rig.session().notice()->kind == Notice::Kind::warning);
+  CHECK(rig.session().notice()->text.find("settings.json") != std::string::npos);
+  CHECK(text_of(home / "settings.json.damaged") == "{\"view\": {\"bands\"");
+  rig.open(ring_mesh());
+  CHECK(rig.session().document() != nullptr);
+}
+
+TEST_CASE("without a profile nothing is kept") {
+  const TemporaryFolder home;
+  {
+    SettingsFile file({});
+    Settings settings;
+    settings.view.bands = 5;
+    for (int i = 0; i < 5; ++i) file.keep(settings, 1);
+  }
+  CHECK(std::filesystem::is_empty(home.path()));
+}
+
+}  // namespace winslow::gui::test

@@ -1,0 +1,160 @@
+#include <doctest/doctest.h>
+
+#include "gui/support/keys.h"
+#include "gui/support/pixels.h"
+#include "gui/support/rig.h"
+#include "gui/view/mesh/mesh_colors.h"
+
+namespace winslow::gui::test {
+
+namespace {
+
+bool said(const Rig& rig, const char* what) {
+  const auto& notice = rig.session().notice();
+  return notice && notice->text.find(what) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("the dark theme darkens panels, menus and what lies behind the mesh") {
+  Rig rig;
+  rig.open(ring_mesh());
+  // A place beside the mesh, one in a panel, one in the toolbar.
+  const Vec2 beside = rig.pixel(Vec2(3.3, 0));
+  const Vec2 panel(20, 700 - 40);
+  const Image light = rig.bench->picture();
+  rig.key(GLFW_KEY_D, {keys::control});
+  const Image dark = rig.bench->picture();
+  for (const Vec2& p : {beside, panel, Vec2(700, 40)}) {
+    CHECK(brightness(light, p) > 0.9);
+    CHECK(brightness(dark, p) < 0.25);
+  }
+  rig.key(GLFW_KEY_D, {keys::control});
+  CHECK(rig.bench->picture().rgba == light.rgba);
+}
+
+TEST_CASE("the background can be grey, black or a gradient whatever the theme") {
+  Rig rig;
+  rig.open(ring_mesh());
+  const Area v = rig.bench->layout().viewport;
+  const Vec2 top(v.x + 10, v.y + 10);
+  const Vec2 bottom(v.x + 10, v.y + v.height - 10);
+  set_view(rig, [](ViewOptions& view) { view.backdrop = Backdrop::black; });
+  CHECK(brightness(rig.bench->picture(), top) == 0);
+  set_view(rig, [](ViewOptions& view) { view.backdrop = Backdrop::grey; });
+  CHECK(brightness(rig.bench->picture(), top) == doctest::Approx(0.81).epsilon(0.03));
+  set_view(rig, [](ViewOptions& view) { view.backdrop = Backdrop::gradient; });
+  const Image gradient = rig.bench->picture();
+  CHECK(brightness(gradient, top) > brightness(gradient, bottom) + 0.1);
+}
+
+TEST_CASE("edges are light where the background is dark") {
+  ViewOptions view;
+  view.color.reset();
+  const MeshColors light = mesh_colors(view);
+  view.lightness = Lightness::dark;
+  const MeshColors dark = mesh_colors(view);
+  CHECK(light.edge[0] + 0.3f < light.fill[0]);
+  CHECK(dark.edge[0] > dark.fill[0] + 0.3f);
+  view.backdrop = Backdrop::white;
+  CHECK_FALSE(mesh_colors(view).dark);
+}
+
+TEST_CASE("the scale of the interface is chosen, or the screen's own") {
+  Rig rig(1500, 960);
+  rig.open(ring_mesh());
+  const auto height = [&] {
+    const auto r = rig.bench->widgets().find("solver/run");
+    REQUIRE(r.has_value());
+    return r->max.y() - r->min.y();
+  };
+  const double before = height();
+  for (int i = 0; i < 3; ++i) rig.key(GLFW_KEY_EQUAL, {keys::control});
+  CHECK(rig.bench->view().scale == 1.5);
+  CHECK(height() == doctest::Approx(1.5 * before).epsilon(0.1));
+  rig.key(GLFW_KEY_MINUS, {keys::control});
+  CHECK(rig.bench->view().scale == 1.25);
+  rig.key(GLFW_KEY_0, {keys::control});
+  CHECK(height() == before);
+  CHECK_FALSE(said(rig, "no room"));
+  for (int i = 0; i < 6; ++i) rig.key(GLFW_KEY_EQUAL, {keys::control});
+  CHECK(rig.bench->view().scale == 2);
+  CHECK(said(rig, "no room for a larger interface"));
+  set_view(rig, [](ViewOptions& view) { view.scale = 3; });
+  CHECK(said(rig, "room for 200 % only"));
+  rig.key(GLFW_KEY_MINUS, {keys::control});
+  CHECK(rig.bench->view().scale == 1.75);
+  for (int i = 0; i < 8; ++i) rig.key(GLFW_KEY_MINUS, {keys::control});
+  CHECK(rig.bench->view().scale == .75);
+  CHECK(said(rig, "as small as it gets"));
+  rig.key(GLFW_KEY_0, {keys::control});
+  // Moved to a screen that wants two pixels for one.
+  rig.bench->set_scale(2);
+  rig.frames();
+  CHECK(height() == doctest::Approx(2 * before).epsilon(0.1));
+  // More than the window has room for.
+  rig.bench->set_scale(3);
+  rig.frames();
+  CHECK(height() == doctest::Approx(2 * before).epsilon(0.1));
+  rig.resize(800, 500);
+  rig.frames();
+  CHECK(height() == doctest::Approx(1.1 * before).epsilon(0.1));
+}
+
+TEST_CASE("W steps through surfaces and edges, surfaces, edges") {
+  Rig rig;
+  rig.open(two_body_mesh());
+  const Vec2 middle = rig.pixel(Vec2(0.25, 0.3));
+  const Vec2 edge = rig.pixel(Vec2(0.0, 0.25));
+  const auto picture = [&] { return rig.bench->picture(); };
+  Image both = picture();
+  CHECK(brightness(both, edge) < brightness(both, middle) - 0.1);
+  rig.key(keys::w);
+  CHECK(rig.bench->view().fill);
+  const Image surfaces = picture();
+  CHECK(brightness(surfaces, edge) == doctest::Approx(brightness(surfaces, middle)).epsilon(0.02));
+  rig.key(keys::w);
+  const Image edges = picture();
+  CHECK(brightness(edges, middle) == 1);
+  CHECK(brightness(edges, edge) < 0.8);
+  rig.key(keys::w);
+  CHECK(picture().rgba == both.rgba);
+}
+
+TEST_CASE("the picture kept of a large mesh is the one that would be drawn, whatever changes") {
+  Rig rig;
+  const Mesh mesh = ring_mesh(240, 60);
+  REQUIRE(mesh.topology->node_count() > 12000);
+  rig.open(mesh);
+  Image last;
+  const auto check_kept = [&](const char* what, bool changes) {
+    CAPTURE(what);
+    const Image kept = rig.bench->picture();
+    rig.bench->forget_picture();
+    CHECK((kept.rgba == rig.bench->picture().rgba));
+    CHECK((kept.rgba != last.rgba) == changes);
+    last = kept;
+  };
+  check_kept("opened", true);
+  check_kept("nothing", false);
+  set_view(rig, [](ViewOptions& view) { view.color_map = "plasma"; });
+  check_kept("another map", true);
+  rig.wheel(rig.pixel(Vec2(1.5, 0.3)), 2);
+  check_kept("zoom", true);
+  rig.move(rig.pixel(Vec2(0.5, 0)));
+  rig.frames();
+  REQUIRE_FALSE(rig.session().hovered().empty());
+  check_kept("a body under the mouse", true);
+  set_view(rig, [](ViewOptions& view) { view.nodes = true; });
+  check_kept("nodes", true);
+  set_view(rig, [](ViewOptions& view) { view.comparison = Comparison::split; });
+  check_kept("comparison", true);
+  rig.bench->apply(action::Scramble{});
+  REQUIRE(rig.settle());
+  check_kept("another mesh", true);
+  rig.resize(900, 600);
+  rig.frames();
+  check_kept("another size", true);
+}
+
+}  // namespace winslow::gui::test

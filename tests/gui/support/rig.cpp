@@ -1,0 +1,136 @@
+#include "gui/support/rig.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "gui/support/keys.h"
+
+namespace winslow::gui::test {
+
+namespace {
+
+double now() {
+  using namespace std::chrono;
+  return duration<double>(steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+Rig::Rig(int width, int height, const std::filesystem::path& profile)
+    : context(make_headless_context()),
+      bench(std::make_unique<Workbench>(WorkbenchOptions{1, profile})),
+      width_(width),
+      height_(height) {
+  frames();
+}
+
+void Rig::frame() {
+  const double start = now();
+  bench->update(input.next_frame(), width_, height_, 1.0 / 30);
+  longest_frame_ = std::max(longest_frame_, now() - start);
+}
+
+void Rig::frames(int more) {
+  while (!input.empty()) frame();
+  for (int i = 0; i < more; ++i) frame();
+}
+
+bool Rig::wait(const std::function<bool()>& done, double seconds) {
+  const double end = now() + seconds;
+  frames(1);
+  while (!done()) {
+    if (now() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    frames(1);
+  }
+  frames(1);
+  return true;
+}
+
+bool Rig::settle() {
+  return wait([this] { return bench->settled() && !session().job().active(); });
+}
+
+void Rig::open(const Mesh& mesh, const std::string& name) {
+  bench->apply(action::OpenMesh{write(folder, mesh, name)});
+  REQUIRE(settle());
+  REQUIRE(session().document() != nullptr);
+}
+
+void Rig::move(const Vec2& to) {
+  input.move(to);
+  frames(1);
+}
+
+void Rig::press(MouseButton button) {
+  input.button(button, true);
+  frames(1);
+}
+
+void Rig::release(MouseButton button) {
+  input.button(button, false);
+  frames();
+}
+
+void Rig::click(const Vec2& at) {
+  move(at);
+  frames(1);
+  press();
+  release();
+}
+
+void Rig::click(const std::string& widget) {
+  const auto rect = bench->widgets().find(widget);
+  INFO("widget ", widget);
+  REQUIRE(rect.has_value());
+  click(rect->centre());
+}
+
+void Rig::drag(const Vec2& from, const Vec2& to, int steps, MouseButton button) {
+  move(from);
+  frames(1);
+  press(button);
+  for (int i = 1; i <= steps; ++i) move(from + (to - from) * (static_cast<double>(i) / steps));
+}
+
+void Rig::wheel(const Vec2& at, double notches) {
+  move(at);
+  frames(1);
+  input.wheel(Vec2(0, notches));
+  frames(1);
+}
+
+void Rig::key(int glfw_key, std::vector<int> modifiers) {
+  for (int m : modifiers) input.key(m, true);
+  input.key(glfw_key, true);
+  input.key(glfw_key, false);
+  for (int m : modifiers) input.key(m, false);
+  frames();
+}
+
+void Rig::type(const std::string& text) {
+  for (char c : text) {
+    input.text(static_cast<char32_t>(c));
+    frames(1);
+  }
+}
+
+void Rig::fill(const std::string& widget, const std::string& text) {
+  click(widget);
+  key(keys::a, {keys::control});
+  type(text);
+  key(keys::tab);
+}
+
+void set_view(Rig& rig, const std::function<void(ViewOptions&)>& change) {
+  ViewOptions view = rig.bench->view();
+  change(view);
+  rig.bench->apply(action::SetView{view});
+  REQUIRE(rig.settle());
+  rig.frames();
+}
+
+}  // namespace winslow::gui::test

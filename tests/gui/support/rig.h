@@ -1,0 +1,82 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gui/render/gl_context.h"
+#include "gui/shell/workbench/workbench.h"
+#include "gui/support/meshes.h"
+
+namespace winslow::gui::test {
+
+/// A studio without a window, worked by a script through the same queue that a window's events go
+/// through.
+class Rig {
+ public:
+  /// profile: folder of the studio's settings; empty: it keeps nothing.
+  explicit Rig(int width = 1100, int height = 720, const std::filesystem::path& profile = {});
+
+  /// Runs frames until all input is taken, then `more` of them.
+  void frames(int more = 2);
+  /// Runs frames until `done` holds. False after `seconds`.
+  bool wait(const std::function<bool()>& done, double seconds = 60);
+  /// Until nothing is under way.
+  bool settle();
+
+  /// Another size of the window, in pixels, from the next frame on.
+  void resize(int width, int height) {
+    width_ = width;
+    height_ = height;
+  }
+
+  /// Opens a mesh and waits for it.
+  void open(const Mesh& mesh, const std::string& name = "mesh.su2");
+
+  void move(const Vec2& to);
+  void press(MouseButton button = MouseButton::left);
+  void release(MouseButton button = MouseButton::left);
+  void click(const Vec2& at);
+  /// Clicks a widget. Fails the test if it is not on screen.
+  void click(const std::string& widget);
+  /// Presses, goes there in steps, and stays down.
+  void drag(const Vec2& from, const Vec2& to, int steps = 6,
+            MouseButton button = MouseButton::left);
+  void wheel(const Vec2& at, double notches);
+  void key(int glfw_key, std::vector<int> modifiers = {});
+  void type(const std::string& text);
+  /// Types into a field in place of what is there.
+  void fill(const std::string& widget, const std::string& text);
+
+  bool visible(const std::string& widget) const {
+    return bench->widgets().find(widget).has_value();
+  }
+  const Session& session() const { return bench->session(); }
+  const Document& document() const { return *session().document(); }
+  const Mesh& mesh() const { return document().state().mesh; }
+  Index marker(const std::string& name) const { return *mesh().topology->find_marker(name); }
+  /// Pixel of a point of the mesh.
+  Vec2 pixel(const Vec2& world) const { return bench->camera().to_screen(world); }
+  /// The gizmo of the selection, which there must be.
+  Gizmo gizmo() const { return Viewport::gizmo(bench->scene(), bench->camera()).value(); }
+  /// Longest time that one frame has taken so far, in seconds.
+  double longest_frame() const { return longest_frame_; }
+
+  TemporaryFolder folder;
+  std::unique_ptr<HeadlessContext> context;
+  std::unique_ptr<Workbench> bench;
+  InputQueue input;
+
+ private:
+  void frame();
+
+  int width_, height_;
+  double longest_frame_ = 0;
+};
+
+/// Changes how the mesh is shown, and waits until it is.
+void set_view(Rig& rig, const std::function<void(ViewOptions&)>& change);
+
+}  // namespace winslow::gui::test

@@ -1,0 +1,155 @@
+#include <doctest/doctest.h>
+
+#include "gui/base/text.h"
+#include "gui/panels/quality_table.h"
+#include "gui/support/keys.h"
+#include "gui/support/pixels.h"
+#include "gui/support/rig.h"
+
+namespace winslow::gui::test {
+
+namespace {
+
+/// Two bodies, of which the right one was moved up by 0.3.
+void open_and_move(Rig& rig) {
+  rig.open(two_body_mesh());
+  action::ApplyMotion motion;
+  motion.motion = {0, Vec2(2, 0), Vec2(0, 0.3)};
+  rig.click("marker/right");
+  rig.bench->apply(motion);
+  REQUIRE(rig.settle());
+  REQUIRE(rig.document().history().size() == 2);
+  rig.bench->apply(action::SelectMarkers{});
+  rig.frames();
+}
+
+const QualityRow& row(const std::vector<QualityRow>& rows, const std::string& title, int below) {
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    if (rows[k].name == title) return rows[k + static_cast<std::size_t>(below)];
+  FAIL("no row " << title);
+  return rows.front();
+}
+
+}  // namespace
+
+TEST_CASE("the numbers of the table are those of the quality report") {
+  const QualityReport before = measure_quality(tangled_mesh());
+  const QualityReport now = measure_quality(ring_mesh());
+  const auto rows = quality_table(&before, now);
+  const auto& min = row(rows, "Normalized Jacobian", 1);
+  CHECK(min.name == "min");
+  CHECK(min.before == table_number(before.normalized_jacobian.statistics.min));
+  CHECK(min.now == table_number(now.normalized_jacobian.statistics.min));
+  CHECK(min.verdict == 1);
+  CHECK(min.change == "+" + table_number(now.normalized_jacobian.statistics.min -
+                                         before.normalized_jacobian.statistics.min));
+  CHECK(row(rows, "Aspect ratio R/2r", 3).now == table_number(now.aspect_ratio.statistics.max));
+  CHECK(row(rows, "Condition number", 2).now == table_number(now.condition_number.statistics.avg));
+  const auto& inverted = row(rows, "Inverted", 0);
+  CHECK(inverted.before == std::to_string(before.inverted));
+  CHECK(inverted.now == "0");
+  CHECK(inverted.verdict == 1);
+  for (const QualityRow& same : quality_table(&now, now)) {
+    CHECK(same.change.empty());
+    CHECK(same.verdict == 0);
+  }
+  CHECK(quality_table(nullptr, now)[1].before == "-");
+}
+
+TEST_CASE("before is the mesh as loaded or as it was before the last command") {
+  Rig rig(1100, 900);
+  open_and_move(rig);
+  action::ApplyMotion again;
+  again.motion = {0, Vec2(2, 0.3), Vec2(0, 0.2)};
+  rig.click("marker/right");
+  rig.bench->apply(again);
+  REQUIRE(rig.settle());
+  const auto min_before = [&] {
+    return rig.bench->before().report()->normalized_jacobian.statistics.min;
+  };
+  CHECK(min_before() == rig.document().loaded_quality().normalized_jacobian.statistics.min);
+  rig.click("quality/before");
+  rig.click("quality/before/Before last command");
+  REQUIRE(rig.settle());
+  CHECK(rig.bench->view().before == BeforeState::last_command);
+  const Mesh& between = rig.document().history().state(1).mesh;
+  CHECK(*rig.bench->before().coordinates() == between.coordinates);
+  REQUIRE(rig.bench->before().report() != nullptr);
+  CHECK(min_before() == measure_quality(between).normalized_jacobian.statistics.min);
+  rig.key(keys::z, {keys::control});
+  REQUIRE(rig.settle());
+  rig.frames();
+  CHECK(*rig.bench->before().coordinates() == rig.document().history().initial().mesh.coordinates);
+}
+
+TEST_CASE("a ghost shows where the edges were") {
+  Rig rig;
+  open_and_move(rig);
+  set_view(rig, [](ViewOptions& view) { view.color.reset(); });
+  rig.move(Vec2(5, 5));
+  rig.frames();
+  const Image plain = rig.bench->picture();
+  rig.key(GLFW_KEY_G);
+  REQUIRE(rig.bench->view().comparison == Comparison::ghost);
+  REQUIRE(rig.settle());
+  rig.frames();
+  const Image ghost = rig.bench->picture();
+  // On an edge of the initial grid near the moved body, and where nothing has moved.
+  const Mesh& first = rig.document().history().initial().mesh;
+  const Mesh& now = rig.mesh();
+  int shown = 0;
+  int moved = 0;
+  for (const auto& edge : first.topology->edges()) {
+    const Vec2 was =
+        0.5 * (first.coordinates.xy(edge.nodes[0]) + first.coordinates.xy(edge.nodes[1]));
+    const Vec2 is = 0.5 * (now.coordinates.xy(edge.nodes[0]) + now.coordinates.xy(edge.nodes[1]));
+    if ((rig.pixel(was) - rig.pixel(is)).norm() < 6 || edge.elements[1] < 0) continue;
+    ++moved;
+    const Vec2 p = rig.pixel(was);
+    shown += differing(plain, ghost, p - Vec2(1, 1), p + Vec2(2, 2)) > 0;
+  }
+  REQUIRE(moved > 4);
+  CHECK(shown > moved * 8 / 10);
+  rig.key(GLFW_KEY_G);
+  rig.frames();
+  CHECK(rig.bench->picture().rgba == plain.rgba);
+}
+
+TEST_CASE("side by side, the mesh before is left of the divider and the mesh now right of it") {
+  Rig rig;
+  open_and_move(rig);
+  set_view(rig, [](ViewOptions& view) { view.legend = false; });
+  rig.move(Vec2(5, 5));
+  rig.frames();
+  const Image now = rig.bench->picture();
+  rig.key(GLFW_KEY_G, {keys::shift});
+  REQUIRE(rig.settle());
+  rig.frames();
+  const Area v = rig.bench->layout().viewport;
+  const auto band = [&](double x) {
+    return std::pair(Vec2(x - 40, v.y + 40), Vec2(x + 40, v.y + v.height - 10));
+  };
+  // The moved body, under the divider's right side and then under its left.
+  const double body = rig.pixel(Vec2(2, 0)).x();
+  const auto [min, max] = band(body);
+  REQUIRE(rig.visible("splitter/compare"));
+  CHECK(differing(now, rig.bench->picture(), min, max) == 0);
+  const Vec2 grip = rig.bench->widgets().find("splitter/compare")->centre();
+  rig.drag(grip, Vec2(body + 90, grip.y()));
+  rig.release();
+  rig.move(Vec2(5, 5));
+  rig.frames();
+  CHECK(rig.bench->view().divider > 0.6);
+  CHECK(differing(now, rig.bench->picture(), min, max) > 300);
+  rig.bench->apply(action::Undo{});
+  REQUIRE(rig.settle());
+  set_view(rig, [](ViewOptions& view) { view.comparison = Comparison::none; });
+  const Image first = rig.bench->picture();
+  rig.bench->apply(action::Redo{});
+  set_view(rig, [](ViewOptions& view) { view.comparison = Comparison::split; });
+  rig.move(Vec2(5, 5));
+  rig.frames();
+  CHECK(differing(first, rig.bench->picture(), min, max) < 40);
+}
+
+}  // namespace winslow::gui::test
