@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/job/stopwatch.h"
-#include "core/outer/outer_solver.h"
+#include "core/strategy/run.h"
 
 namespace winslow::app {
 

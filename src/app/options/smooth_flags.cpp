@@ -4,7 +4,7 @@
 
 #include "app/options/suggestion.h"
 #include "core/error.h"
-#include "core/formulation/formulation.h"
+#include "core/formulation/formulation_names.h"
 #include "core/linear/linear_solver.h"
 
 namespace winslow::app {

@@ -9,7 +9,7 @@
 #include "app/job/stopwatch.h"
 #include "core/layers/layer_stack.h"
 #include "core/mesh/mesh.h"
-#include "core/outer/outer_solver.h"
+#include "core/strategy/run.h"
 #include "core/quality/quality.h"
 
 namespace winslow::app {

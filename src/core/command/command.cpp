@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <random>
 
-#include "core/command/layers_run.h"
-#include "core/command/smooth_run.h"
 #include "core/error.h"
+#include "core/quality/quality.h"
+#include "core/strategy/smooth_run.h"
 
 namespace winslow {
 
@@ -81,18 +81,21 @@ CommandResult finish(const MeshState& state, Coordinates x, SmoothResult smooth)
 }
 
 CommandResult run_motion(const MeshState& state, const Motion& motion, const MotionOptions& how,
-                         const SmoothOptions& smooth, const ExecuteOptions& options) {
+                         const SmoothOptions& smooth, const RunOptions& options) {
   if (how.increments < 0) throw UsageError("the number of increments is negative");
   validate(smooth);
-  if (state.layers && state.layers->held && how.smooth_after)
-    return move_with_layers(state, motion, how, smooth, options);
+  if (state.layers && state.layers->held && how.smooth_after) {
+    CommandResult result{state, {}};
+    result.smooth = move_with_layers(result.state, motion, how, smooth, options);
+    return result;
+  }
   Coordinates x = starting_point(state, options);
   SmoothResult result = smooth_motion(state, motion, how, smooth, x, options);
   return finish(state, std::move(x), std::move(result));
 }
 
 CommandResult execute_one(const SmoothCommand& command, const MeshState& state,
-                          const ExecuteOptions& options) {
+                          const RunOptions& options) {
   validate(command.smooth);
   Coordinates x = starting_point(state, options);
   SmoothResult result = smooth_interior(state, command.smooth, x, options);
@@ -100,14 +103,14 @@ CommandResult execute_one(const SmoothCommand& command, const MeshState& state,
 }
 
 CommandResult execute_one(const MoveCommand& command, const MeshState& state,
-                          const ExecuteOptions& options) {
+                          const RunOptions& options) {
   const auto motion =
       make_motion(*state.mesh.topology, state.mesh.coordinates, command.markers, command.motion);
   return run_motion(state, *motion, command.how, command.smooth, options);
 }
 
 CommandResult execute_one(const DeformCommand& command, const MeshState& state,
-                          const ExecuteOptions& options) {
+                          const RunOptions& options) {
   const auto motion = std::visit(
       [&](const auto& shape) {
         return make_motion(*state.mesh.topology, state.mesh.coordinates, command.markers, shape);
@@ -123,7 +126,7 @@ double uniform(std::mt19937_64& generator) {
 }
 
 CommandResult execute_one(const ScrambleCommand& command, const MeshState& state,
-                          const ExecuteOptions&) {
+                          const RunOptions&) {
   std::mt19937_64 generator(command.seed);
   const Bounds box = bounds(state.mesh);
   Coordinates x = state.mesh.coordinates;
@@ -139,7 +142,7 @@ CommandResult execute_one(const ScrambleCommand& command, const MeshState& state
 }
 
 CommandResult execute_one(const EditVcvCommand& command, const MeshState& state,
-                          const ExecuteOptions& options) {
+                          const RunOptions& options) {
   validate(command.smooth);
   if (command.edits.empty()) throw UsageError("no VCV is given to edit");
   const MeshState edited{state.mesh, edit_vcvs(*state.vcv, command.edits), state.layers};
@@ -149,9 +152,11 @@ CommandResult execute_one(const EditVcvCommand& command, const MeshState& state,
 }
 
 CommandResult execute_one(const LayersCommand& command, const MeshState& state,
-                          const ExecuteOptions& options) {
+                          const RunOptions& options) {
   validate(command.smooth);
-  return run_layers(command, state, options);
+  CommandResult result{state, {}};
+  result.smooth = run_layers(command, result.state, options);
+  return result;
 }
 
 }  // namespace
@@ -178,13 +183,7 @@ SmoothOptions* smooth_options(Command& command) {
       command);
 }
 
-MeshState make_state(Mesh mesh) {
-  auto vcv = std::make_shared<const VirtualControlVolumes>(mesh.topology);
-  return {std::move(mesh), std::move(vcv)};
-}
-
-CommandResult execute(const Command& command, const MeshState& state,
-                      const ExecuteOptions& options) {
+CommandResult execute(const Command& command, const MeshState& state, const RunOptions& options) {
   CommandResult result =
       std::visit([&](const auto& c) { return execute_one(c, state, options); }, command);
   // Whatever way it went: the count is that of the mesh that is handed over.

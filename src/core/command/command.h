@@ -1,20 +1,17 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
-#include "core/layers/layer_plan.h"
-#include "core/mesh/mesh.h"
 #include "core/motion/motion.h"
-#include "core/outer/outer_solver.h"
 #include "core/outer/smooth_options.h"
+#include "core/strategy/layering.h"
+#include "core/strategy/mesh_state.h"
+#include "core/strategy/run.h"
 #include "core/vcv/vcv_edit.h"
-#include "core/vcv/virtual_control_volumes.h"
 
 /// Every edit of a mesh is one of these commands. The command line, the studio, undo and recipes
 /// all go through execute(); nothing else changes a mesh.
@@ -23,15 +20,6 @@ namespace winslow {
 /// Smooth the interior, the boundary held.
 struct SmoothCommand {
   SmoothOptions smooth;
-};
-
-/// How a boundary motion is carried out.
-struct MotionOptions {
-  /// Steps in which the boundary moves, each followed by smoothing; 1: at once, as in the paper;
-  /// 0: follow the path through valid meshes in steps as long as they can be (fixed-point
-  /// iteration: at once; if that ends tangled, again in 8 and then in 32 steps).
-  int increments = 0;
-  bool smooth_after = true;  ///< false: move the boundary only
 };
 
 /// Move bodies rigidly, then smooth.
@@ -62,25 +50,9 @@ struct EditVcvCommand {
   SmoothOptions smooth;
 };
 
-/// What is done about layers.
-enum class LayerTask {
-  insert,   ///< new layers: the one command that changes the connectivity
-  respace,  ///< the layers that the mesh has get other heights
-  hold      ///< the layers that the mesh has keep their heights from here on
-};
-
-/// Insert layers of quadrilaterals at walls, or take those that a mesh has in hand, then smooth.
+/// Insert layers of quadrilaterals at walls, or see to those that a mesh has, then smooth.
 /// AIAA 2009-1362, cases E and F.
-struct LayersCommand {
-  LayerTask task = LayerTask::insert;
-  LayerOptions layers;
-  /// Hold the wanted heights, through the VCVs; false (insert only): smooth the new connectivity as
-  /// it is.
-  bool control = true;
-  double tolerance = 2e-3;   ///< relative error of any height above which the VCVs are corrected
-  int most_corrections = 8;  ///< smoothing runs after the first
-  SmoothOptions smooth;
-};
+struct LayersCommand : LayerRequest {};
 
 using Command = std::variant<SmoothCommand, MoveCommand, DeformCommand, ScrambleCommand,
                              EditVcvCommand, LayersCommand>;
@@ -92,35 +64,15 @@ std::string describe(const Command& command);
 /// Smoothing options of a command, null if it has none.
 SmoothOptions* smooth_options(Command& command);
 
-/// What commands act on.
-struct MeshState {
-  Mesh mesh;
-  std::shared_ptr<const VirtualControlVolumes> vcv;
-  /// Layers that were inserted; if held, their spacing is kept whatever moves. Null: none.
-  std::shared_ptr<const LayerStack> layers = nullptr;
-};
-/// A state with the paper's VCVs: equal angles, unit edges.
-MeshState make_state(Mesh mesh);
-
 struct CommandResult {
   MeshState state;
   SmoothResult smooth;  ///< of commands that smooth nothing: converged, no iterations
 };
 
-class SmoothingWorkspace;  // prepared solvers, kept between commands on one topology
-
-struct ExecuteOptions {
-  SolverMonitor* monitor = nullptr;
-  /// A mesh to start from instead of the state's own (all nodes). For dragging: the solution is the
-  /// same, only nearer. Paths begin at its boundary where it is valid; all else uses the interior.
-  const Coordinates* start = nullptr;
-  SmoothingWorkspace* workspace = nullptr;  ///< null: a new one for this call
-};
-
-/// Carries out a command on a copy of the state. Throws UsageError for senseless options,
-/// Cancelled, NumericError; the input state is never touched. A result with inverted elements is
-/// returned, not hidden: look at result.smooth.inverted.
+/// Carries out a command on a copy of the state. Throws UsageError for options that are out of
+/// range, Cancelled, NumericError; the input state is never touched. A result with inverted
+/// elements is returned, not hidden: look at result.smooth.inverted.
 CommandResult execute(const Command& command, const MeshState& state,
-                      const ExecuteOptions& options = {});
+                      const RunOptions& options = {});
 
 }  // namespace winslow

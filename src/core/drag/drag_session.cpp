@@ -7,12 +7,12 @@
 #include <optional>
 #include <thread>
 
-#include "core/command/smooth_run.h"
-#include "core/command/workspace.h"
 #include "core/drag/drag_predictor.h"
 #include "core/error.h"
 #include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
+#include "core/strategy/smooth_run.h"
+#include "core/strategy/workspace.h"
 
 namespace winslow {
 
@@ -160,7 +160,7 @@ class DragSession::Impl final : public SolverMonitor {
   bool solve(const RigidMotion& target, Coordinates& x) {
     const auto motion = make_motion(*state_.mesh.topology, state_.mesh.coordinates, grip_, target);
     const Coordinates start = x;
-    ExecuteOptions run;
+    RunOptions run;
     run.monitor = this;
     run.start = &start;
     run.workspace = &workspace_;
@@ -172,7 +172,7 @@ class DragSession::Impl final : public SolverMonitor {
   /// A mesh pressed against a wall may find no way back: the way from the state may be open.
   void restart(const RigidMotion& target, Coordinates& x) {
     const auto motion = make_motion(*state_.mesh.topology, state_.mesh.coordinates, grip_, target);
-    ExecuteOptions run;
+    RunOptions run;
     run.monitor = this;
     run.workspace = &workspace_;
     Coordinates other = state_.mesh.coordinates;
@@ -182,10 +182,9 @@ class DragSession::Impl final : public SolverMonitor {
 
   /// answered: the position asked for that this mesh is the answer to.
   void publish(const RigidMotion& pose, const RigidMotion& answered, const Coordinates& x) {
-    auto prepared = std::make_shared<const Prepared>(
-        Prepared{DragPredictor(*state_.mesh.topology, workspace_.steady_solver(), x, nodes_,
-                               grip_.shares, options_.threads),
-                 pose, answered});
+    auto prepared = std::make_shared<const Prepared>(Prepared{
+        DragPredictor(workspace_.steady_solver(), x, nodes_, grip_.shares, options_.threads), pose,
+        answered});
     const std::lock_guard lock(mutex_);
     prepared_ = std::move(prepared);
     ++corrections_;

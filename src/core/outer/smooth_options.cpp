@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "core/formulation/formulation.h"
+#include "core/formulation/formulation_names.h"
 
 namespace winslow {
 

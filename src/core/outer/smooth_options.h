@@ -4,15 +4,9 @@
 
 #include "core/formulation/variational_winslow.h"
 #include "core/linear/linear_solver.h"
+#include "core/outer/equation_options.h"
 
 namespace winslow {
-
-/// Whether negative weights of the operator are set to zero.
-enum class Clip {
-  automatic,  ///< while the mesh is tangled
-  on,
-  off
-};
 
 /// How the outer iteration goes.
 enum class OuterMethod {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/mesh/mesh.h"
+#include "core/quality/validity.h"
 
 namespace winslow {
 
@@ -73,11 +74,7 @@ std::vector<double> element_values(const Mesh& mesh, Metric metric);
 /// The same of one element.
 double element_value(const Mesh& mesh, Index element, Metric metric);
 
-/// What every outer iteration needs to know, cheaply.
-struct Validity {
-  Index inverted = 0;
-  double min_sine = 0;
-};
+/// Cheaper than a report. threads: 0 for all cores; the result does not depend on it.
 Validity check_validity(const Topology& topology, const Coordinates& coordinates, int threads = 0);
 
 }  // namespace winslow

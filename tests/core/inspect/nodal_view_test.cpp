@@ -100,7 +100,7 @@ TEST_CASE("a node's view agrees with an integration triangle by triangle") {
       CHECK((view.residual - flux).norm() < 1e-12);
       CHECK(view.edited == sample.vcv.edited(node));
       std::vector<double> weights(view.weights.size());
-      operator_.weights(sample.mesh.coordinates, node, false, weights);
+      operator_.weights(sample.mesh.coordinates, node, weights);
       CHECK(view.weights == weights);
     }
   }

@@ -1,4 +1,4 @@
-#include "core/linear/multigrid/multigrid.h"
+#include "core/linear/multigrid.h"
 
 #include <doctest/doctest.h>
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "core/formulation/formulation.h"
+#include "core/formulation/formulation_names.h"
 #include "gui/document/jobs/method.h"
 #include "gui/widgets/controls.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "core/command/layers_run.h"
+#include "core/strategy/layering.h"
 #include "core/layers/layer_measures.h"
 #include "gui/base/text.h"
 #include "gui/panels/layers/fields.h"
