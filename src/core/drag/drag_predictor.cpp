@@ -27,6 +27,10 @@ DragPredictor::DragPredictor(SteadySolver& solver, const Coordinates& x, std::ve
     v[0] = velocity.x();
     v[1] = velocity.y();
   });
+  turned_rotation_ = Coordinates(x.dimension(), x.size());
+  for (Index node = 0; node < x.size(); ++node) {
+    turned_rotation_.set_xy(node, turned(rotation_.xy(node)));
+  }
 }
 
 /// Velocities of all nodes where those held have the given ones, or their shares of them.
@@ -50,18 +54,17 @@ void DragPredictor::evaluate(const RigidMotion& motion, Coordinates& out) const 
   const double angle = radians(motion.rotate);
   const double sine = std::sin(angle), rest = 1 - std::cos(angle);
   const Vec2 move = transform(motion, pivot_) - pivot_;
-  const int dimension = base_.dimension();
-  parallel_for(threads_, base_.size(), [&](Index begin, Index end) {
-    for (Index i = begin; i < end; ++i) {
-      double* p = out.point(i);
-      const double* x = translations_[0].point(i);
-      const double* y = translations_[1].point(i);
-      const double* r = rotation_.empty() ? nullptr : rotation_.point(i);
-      for (int k = 0; k < dimension; ++k) {
-        double step = move.x() * x[k] + move.y() * y[k];
-        if (r) step += sine * r[k];
-        if (r && k < 2) step += rest * (k == 0 ? -r[1] : r[0]);
-        p[k] += step;
+  const double* x = translations_[0].values().data();
+  const double* y = translations_[1].values().data();
+  const double* r = rotation_.values().data();
+  const double* q = turned_rotation_.values().data();
+  double* p = out.values().data();
+  parallel_for(threads_, static_cast<Index>(out.values().size()), [&](Index begin, Index end) {
+    if (rotation_.empty()) {
+      for (Index i = begin; i < end; ++i) p[i] += move.x() * x[i] + move.y() * y[i];
+    } else {
+      for (Index i = begin; i < end; ++i) {
+        p[i] += move.x() * x[i] + move.y() * y[i] + sine * r[i] + rest * q[i];
       }
     }
   });

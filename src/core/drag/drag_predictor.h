@@ -37,9 +37,9 @@ class DragPredictor {
 
   Coordinates base_;
   std::vector<Index> nodes_;
-  std::vector<double> shares_;             // empty: a rigid body
-  std::vector<Coordinates> translations_;  // tangent field of each direction
-  Coordinates rotation_;                   // empty: not a rigid body
+  std::vector<double> shares_;              // empty: a rigid body
+  std::vector<Coordinates> translations_;   // tangent field of each direction
+  Coordinates rotation_, turned_rotation_;  // U_r and P U_r; empty: not a rigid body
   Vec2 pivot_{0, 0};
   int threads_;
 };

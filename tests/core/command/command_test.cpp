@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/error.h"
+#include "core/formulation/formulation_names.h"
 #include "core/strategy/workspace.h"
 #include "support/meshes.h"
 #include "support/systems.h"
