@@ -15,6 +15,11 @@ forbid() { # FOLDER PATTERN
 forbid src/core "$graphics|$formats|io/|gui/|app/"
 forbid src/io "$graphics|gui/|app/"
 forbid src/gui "app/|CLI/"
+# Linear solvers know matrices alone; outer solvers know problems alone, no mesh and no formulation.
+mesh='core/(mesh/[^c]|quality/[^v]|vcv|motion|layers|formulation|strategy|command)'
+forbid src/core/linear "core/(mesh|quality|vcv|problem|outer)"
+forbid src/core/problem "$mesh|core/outer"
+forbid src/core/outer "$mesh"
 [[ $(find src/core -name '*.h' | wc -l) -gt 10 ]] # the folders are where this test looks
 [[ $status -eq 0 ]] && echo "Layers hold."
 exit $status

@@ -9,8 +9,8 @@
 #include "app/job/stopwatch.h"
 #include "core/layers/layer_stack.h"
 #include "core/mesh/mesh.h"
-#include "core/strategy/run.h"
 #include "core/quality/quality.h"
+#include "core/strategy/run.h"
 
 namespace winslow::app {
 

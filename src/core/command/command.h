@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "core/motion/motion.h"
-#include "core/outer/smooth_options.h"
 #include "core/strategy/layering.h"
 #include "core/strategy/mesh_state.h"
 #include "core/strategy/run.h"
+#include "core/strategy/smooth_options.h"
 #include "core/vcv/vcv_edit.h"
 
 /// Every edit of a mesh is one of these commands. The command line, the studio, undo and recipes

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/motion/motion.h"
-#include "core/outer/smooth_options.h"
 #include "core/strategy/mesh_state.h"
 #include "core/strategy/run.h"
+#include "core/strategy/smooth_options.h"
 
 namespace winslow {
 

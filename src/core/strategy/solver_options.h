@@ -2,7 +2,7 @@
 
 #include "core/outer/energy_newton.h"
 #include "core/outer/equation_options.h"
-#include "core/outer/smooth_options.h"
+#include "core/strategy/smooth_options.h"
 
 namespace winslow {
 

@@ -9,7 +9,7 @@
 #include "core/outer/energy_newton.h"
 #include "core/outer/equation_newton.h"
 #include "core/outer/picard_solver.h"
-#include "core/outer/smooth_options.h"
+#include "core/strategy/smooth_options.h"
 
 namespace winslow {
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <variant>
 
-#include "core/strategy/layering.h"
 #include "core/layers/layer_measures.h"
+#include "core/strategy/layering.h"
 #include "gui/base/text.h"
 #include "gui/panels/layers/fields.h"
 #include "gui/panels/layers/layers_in_place.h"

@@ -1,4 +1,4 @@
-#include "core/outer/smooth_options.h"
+#include "core/strategy/smooth_options.h"
 
 #include <cmath>
 
