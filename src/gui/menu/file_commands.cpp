@@ -71,7 +71,6 @@ std::vector<UserCommand> bundled(const PanelContext&) {
 }
 
 std::vector<UserCommand> export_formats(const PanelContext&) {
-  using FilePurpose;
   std::vector<UserCommand> items;
   const auto add = [&](FilePurpose purpose, const char* what) {
     for (const FileKind& kind : dialog_of(purpose).kinds) {
@@ -93,7 +92,6 @@ std::vector<UserCommand> export_formats(const PanelContext&) {
 }
 
 std::vector<UserCommand> opening_commands() {
-  using FilePurpose;
   constexpr auto group = CommandGroup::file;
   return {
       {.id = "open",
@@ -129,7 +127,6 @@ std::vector<UserCommand> opening_commands() {
 }
 
 std::vector<UserCommand> saving_commands() {
-  using FilePurpose;
   constexpr auto group = CommandGroup::file;
   return {
       {.id = "save",

@@ -176,7 +176,6 @@ void FileDialog::accept(const PanelContext& context) {
 }
 
 void FileDialog::choose(const PanelContext& context, const fs::path& path) {
-  using FilePurpose;
   switch (purpose_) {
     case FilePurpose::open_mesh:
       context.emit(action::OpenMesh{path});

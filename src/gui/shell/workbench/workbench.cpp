@@ -194,7 +194,6 @@ void Workbench::on(const action::InspectNode& a) {
 }
 
 void Workbench::on(const action::ShowFileDialog& a) {
-  using FilePurpose;
   const Document* document = session_.document();
   std::filesystem::path suggested = document ? document->path() : std::filesystem::path();
   if (a.purpose == FilePurpose::export_recipe) suggested.replace_extension(".json");
