@@ -1,5 +1,7 @@
 #include "app/job/edit_job.h"
+#include "app/options/option_flags.h"
 #include "app/subcommands/subcommand.h"
+#include "core/command/option_tables.h"
 
 namespace winslow::app {
 namespace {
@@ -12,12 +14,7 @@ class ScrambleSubcommand : public Subcommand {
             "Put every interior node at a random place of the mesh's bounding box: a test of "
             "smoothing (needs --allow-inverted to be written)")) {
     add_input(app(), files_.input);
-    app()
-        .add_option("--seed", command_.seed, "Seed of the random numbers")
-        ->check([](const std::string& text) {  // the conversion would wrap a negative number
-          return text.starts_with("-") ? "found " + text + ", expected 0 or more" : std::string();
-        })
-        ->option_text("N [1]");
+    add_option_flags(app(), option_table(command_), "Scramble");
     add_job_flags(app(), files_);
     add_recipe_flag(app(), files_);
   }

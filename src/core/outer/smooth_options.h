@@ -4,6 +4,7 @@
 
 #include "core/formulation/variational_winslow.h"
 #include "core/linear/linear_solver.h"
+#include "core/options/option.h"
 
 namespace winslow {
 
@@ -28,26 +29,28 @@ enum class Untangle {
   energy      ///< the variational form with a regularised determinant
 };
 
-/// How a mesh is smoothed. The defaults need no touch.
+/// How a mesh is smoothed. The defaults need no touch. What each member means, its range and its
+/// names stand in option_table().
 struct SmoothOptions {
-  std::string formulation = "variational";  ///< one of formulation_names()
-  TargetBlend targets;     ///< variational: shapes that the elements are driven towards
-  PenaltyOptions penalty;  ///< variational: how much more the worst elements count
+  std::string formulation = "variational";
+  TargetBlend targets;
+  PenaltyOptions penalty;
   OuterMethod outer = OuterMethod::automatic;
   Untangle untangle = Untangle::automatic;
   LinearOptions linear;
-  double damping = 0.3;       ///< share of each linear solution that is taken, (0, 1]
-  bool adapt_damping = true;  ///< halve the damping where the iteration makes no progress
-  /// Earlier iterates that Anderson acceleration combines once the mesh is valid; 0: none, the
-  /// plain iteration of the paper.
+  double damping = 0.3;
+  bool adapt_damping = true;
   int acceleration = 15;
   Clip clip = Clip::automatic;
-  int max_iterations = 500;  ///< outer iterations
-  double tolerance = 1e-10;  ///< of the largest scaled residual (ResidualNorms::max)
-  int threads = 0;           ///< 0 for all cores; the result does not depend on it
+  int max_iterations = 500;
+  double tolerance = 1e-10;  ///< of ResidualNorms::max
+  int threads = 0;
 };
 
-/// Throws UsageError naming the option that is out of range.
+/// All that a user can set of them.
+OptionTable option_table(SmoothOptions& options);
+
+/// Throws UsageError naming the option that is out of range, or those that do not go together.
 void validate(const SmoothOptions& options);
 
 }  // namespace winslow

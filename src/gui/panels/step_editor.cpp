@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/command/option_tables.h"
 #include "core/error.h"
 #include "gui/base/text.h"
 #include "gui/panels/forms/command_form.h"
@@ -20,12 +21,11 @@ constexpr const char* popup = "###step_editor";
 
 /// Why a command cannot be run; empty if it can.
 std::string fault(Command command) {
-  if (const SmoothOptions* options = smooth_options(command)) {
-    try {
-      validate(*options);
-    } catch (const Error& error) {
-      return error.what();
-    }
+  try {
+    std::visit([](auto& of) { check(option_table(of)); }, command);
+    if (const SmoothOptions* options = smooth_options(command)) validate(*options);
+  } catch (const Error& error) {
+    return error.what();
   }
   return {};
 }

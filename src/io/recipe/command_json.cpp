@@ -1,77 +1,36 @@
 #include <nlohmann/json.hpp>
 #include <string>
-#include <type_traits>
 
+#include "core/command/option_tables.h"
 #include "core/error.h"
+#include "core/motion/motion_options.h"
 #include "io/displacement_file.h"
 #include "io/recipe.h"
 #include "io/recipe/layers_json.h"
 #include "io/recipe/object_archive.h"
+#include "io/recipe/option_fields.h"
 
 namespace winslow::io {
 namespace {
 
 using nlohmann::json;
 
-// Every field of every options struct is named here, once, for reading and writing.
+// Tables of options name the fields; what is here are lists, and what commands are made of.
 
-template <class Archive, class Options>
-void linear_fields(Archive& archive, Options& options) {
-  archive.field("solver", options.solver);
-  archive.field("tolerance", options.tolerance);
-  archive.field("max_iterations", options.max_iterations);
-  archive.field("restart", options.restart);
+template <class Options>
+void option_fields(ObjectReader& reader, Options& options) {
+  read_options(reader, option_table(options));
 }
 
-template <class Archive, class Options>
-void smooth_fields(Archive& archive, Options& options) {
-  archive.field("formulation", options.formulation);
-  archive.object("targets", [&](auto& inner) {
-    inner.field("element", options.targets.element);
-    inner.field("vcv", options.targets.vcv);
-    inner.field("rest", options.targets.rest);
-  });
-  archive.field("exponent", options.penalty.exponent);
-  archive.field("knee", options.penalty.knee);
-  archive.field("outer", options.outer);
-  archive.field("untangle", options.untangle);
-  archive.object("linear", [&](auto& inner) { linear_fields(inner, options.linear); });
-  archive.field("damping", options.damping);
-  archive.field("adapt_damping", options.adapt_damping);
-  archive.field("acceleration", options.acceleration);
-  archive.field("clip", options.clip);
-  archive.field("max_iterations", options.max_iterations);
-  archive.field("tolerance", options.tolerance);
-  archive.field("threads", options.threads);
+template <class Options>
+void option_fields(ObjectWriter& writer, const Options& options) {
+  Options copy = options;
+  write_options(writer, option_table(copy));
 }
 
 template <class Archive, class Command>
 void smoothing_of(Archive& archive, Command& command) {
-  archive.object("smooth", [&](auto& inner) { smooth_fields(inner, command.smooth); });
-}
-
-template <class Archive, class Command>
-void motion_fields(Archive& archive, Command& command) {
-  archive.required("markers", command.markers);
-  archive.field("increments", command.how.increments);
-  archive.field("smooth_after", command.how.smooth_after);
-  smoothing_of(archive, command);
-}
-
-template <class Archive, class Motion>
-void rigid_fields(Archive& archive, Motion& motion) {
-  archive.field("rotate", motion.rotate);
-  archive.field("pivot", motion.pivot);
-  archive.field("translate", motion.translate);
-}
-
-template <class Archive, class Shape>
-void sine_fields(Archive& archive, Shape& shape) {
-  archive.required("amplitude", shape.amplitude);
-  archive.required("waves", shape.waves);
-  archive.field("direction", shape.direction);
-  archive.field("fade", shape.fade);
-  archive.field("fade_length", shape.fade_length);
+  archive.object("smooth", [&](auto& inner) { option_fields(inner, command.smooth); });
 }
 
 json write_table(const DisplacementTable& table) {
@@ -154,13 +113,15 @@ EditVcvCommand read_vcv_edits(ObjectReader& reader) {
 
 DeformCommand read_deform(ObjectReader& reader, const std::filesystem::path& folder) {
   DeformCommand command;
-  motion_fields(reader, command);
+  reader.required("markers", command.markers);
+  option_fields(reader, command.how);
+  smoothing_of(reader, command);
   if (reader.has("sine") == reader.has("displacements")) {
     throw JsonValueError(reader.path(), "expected either \"sine\" or \"displacements\"");
   }
   if (reader.has("sine")) {
     SineDeformation sine;
-    reader.object("sine", [&](auto& inner) { sine_fields(inner, sine); });
+    reader.object("sine", [&](auto& inner) { option_fields(inner, sine); });
     command.shape = sine;
   } else {
     const std::string path = reader.path_of("displacements");
@@ -179,14 +140,15 @@ Command read_command(ObjectReader& reader, const std::filesystem::path& folder) 
   }
   if (name == "move") {
     MoveCommand command;
-    motion_fields(reader, command);
-    rigid_fields(reader, command.motion);
+    reader.required("markers", command.markers);
+    option_fields(reader, command);
+    smoothing_of(reader, command);
     return command;
   }
   if (name == "deform") return read_deform(reader, folder);
   if (name == "scramble") {
     ScrambleCommand command;
-    reader.field("seed", command.seed);
+    option_fields(reader, command);
     return command;
   }
   if (name == "edit_vcv") return read_vcv_edits(reader);
@@ -205,21 +167,24 @@ void write_fields(ObjectWriter& writer, const SmoothCommand& command) {
 }
 
 void write_fields(ObjectWriter& writer, const MoveCommand& command) {
-  motion_fields(writer, command);
-  rigid_fields(writer, command.motion);
+  writer.required("markers", command.markers);
+  option_fields(writer, command);
+  smoothing_of(writer, command);
 }
 
 void write_fields(ObjectWriter& writer, const DeformCommand& command) {
-  motion_fields(writer, command);
+  writer.required("markers", command.markers);
+  option_fields(writer, command.how);
+  smoothing_of(writer, command);
   if (const auto* sine = std::get_if<SineDeformation>(&command.shape)) {
-    writer.object("sine", [&](auto& inner) { sine_fields(inner, *sine); });
+    writer.object("sine", [&](auto& inner) { option_fields(inner, *sine); });
   } else {
     writer.field("displacements", write_table(std::get<DisplacementTable>(command.shape)));
   }
 }
 
 void write_fields(ObjectWriter& writer, const ScrambleCommand& command) {
-  writer.field("seed", command.seed);
+  option_fields(writer, command);
 }
 
 void write_fields(ObjectWriter& writer, const EditVcvCommand& command) {

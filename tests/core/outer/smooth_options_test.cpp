@@ -27,11 +27,11 @@ TEST_CASE("options out of range are refused, naming the option") {
   std::string word;
   SUBCASE("formulation") {
     options.formulation = "magic";
-    word = "unknown formulation 'magic', expected one of: ";
+    word = "formulation: found \"magic\", expected one of variational, pointwise";
   }
   SUBCASE("linear solver") {
     options.linear.solver = "magic";
-    word = "unknown linear solver 'magic'";
+    word = "linear.solver: found \"magic\", expected one of automatic, ";
   }
   SUBCASE("damping zero") {
     options.damping = 0;
@@ -55,7 +55,7 @@ TEST_CASE("options out of range are refused, naming the option") {
   }
   SUBCASE("iterations") {
     options.max_iterations = -1;
-    word = "outer iterations";
+    word = "max_iterations: found -1, expected 0 or more";
   }
   SUBCASE("tolerance zero") {
     options.tolerance = 0;
@@ -75,15 +75,15 @@ TEST_CASE("options out of range are refused, naming the option") {
   }
   SUBCASE("linear tolerance") {
     options.linear.tolerance = nan;
-    word = "linear tolerance";
+    word = "linear.tolerance";
   }
   SUBCASE("linear iterations") {
     options.linear.max_iterations = 0;
-    word = "linear iterations";
+    word = "linear.max_iterations: found 0, expected 1 or more";
   }
   SUBCASE("restart") {
     options.linear.restart = 0;
-    word = "restart";
+    word = "linear.restart";
   }
   try {
     validate(options);

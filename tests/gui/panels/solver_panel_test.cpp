@@ -165,10 +165,10 @@ TEST_CASE("what does not apply is not shown, and the defaults come back at a pre
   CHECK_FALSE(rig.visible("solver/linear/multigrid"));
   rig.click("solver/linear/gmres");
   CHECK(rig.session().smooth_options().linear.solver == "gmres");
-  CHECK(rig.visible("solver/restart"));
+  CHECK(rig.visible("solver/linear_restart"));
   rig.fill("solver/tolerance", "1e-6");
   CHECK(rig.session().smooth_options().tolerance == 1e-6);
-  rig.click("solver/adapt");
+  rig.click("solver/adapt_damping");
   CHECK_FALSE(rig.session().smooth_options().adapt_damping);
   rig.click("solver/defaults");
   CHECK(method_of(rig.session().smooth_options(), rig.session().motion_options()) == Method::path);

@@ -192,8 +192,8 @@ TEST_CASE("a past insertion is changed in the history, and what came after it ru
   rig.frames(3);
   rig.click("history/menu/edit");
   rig.frames(4);
-  rig.fill("edit/wall0_count", "6");
-  rig.fill("edit/wall0_first", "0.008");
+  rig.fill("edit/wall0/count", "6");
+  rig.fill("edit/wall0/first", "0.008");
   rig.click("edit/run");
   REQUIRE(rig.settle());
   REQUIRE(rig.session().prompt() == nullptr);
