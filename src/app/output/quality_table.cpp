@@ -12,8 +12,6 @@
 namespace winslow::app {
 namespace {
 
-constexpr std::array metrics{Metric::normalized_jacobian, Metric::aspect_ratio,
-                             Metric::condition_number};
 constexpr int bar_width = 50;
 
 template <class... Values>
@@ -38,7 +36,7 @@ std::string counted(Index n, const char* one, const char* many) {
 
 void print_quality_table(std::ostream& out, const Mesh& mesh, const QualityReport& quality) {
   out << text("%-22s%11s%11s%11s\n", "", "minimum", "average", "maximum");
-  for (const Metric m : metrics) {
+  for (const Metric m : reported_metrics()) {
     const Statistics& s = quality.of(m).statistics;
     out << text("%-22s", std::string(metric_label(m)).c_str()) << number(s.min) << number(s.avg)
         << number(s.max) << '\n';
@@ -49,7 +47,7 @@ void print_quality_table(std::ostream& out, const Mesh& mesh, const QualityRepor
 }
 
 void print_worst_elements(std::ostream& out, const QualityReport& quality) {
-  for (const Metric m : metrics) {
+  for (const Metric m : reported_metrics()) {
     const auto& worst = quality.of(m).worst;
     if (worst.empty()) continue;
     out << "\nWorst elements by " << metric_label(m) << '\n'
@@ -75,7 +73,7 @@ void print_inverted_elements(std::ostream& out, const Mesh& mesh, const QualityR
 }
 
 void print_histograms(std::ostream& out, const QualityReport& quality) {
-  for (const Metric m : metrics) {
+  for (const Metric m : reported_metrics()) {
     const Histogram& h = quality.of(m).histogram;
     if (h.counts.empty()) continue;
     const Index most = std::max<Index>(1, *std::max_element(h.counts.begin(), h.counts.end()));

@@ -258,7 +258,7 @@ class RenderSubcommand : public Subcommand {
     std::vector<std::string> names;
     // A mesh file says nothing of layers and of the heights that were wanted.
     for (const ElementField& f : all_element_fields()) {
-      if (!f.layer()) names.emplace_back(field_name(f));
+      if (!f.layer()) names.emplace_back(field_info(f).name);
     }
     const char* group = "Colour";
     auto* color =

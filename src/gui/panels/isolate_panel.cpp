@@ -24,7 +24,7 @@ void IsolatePanel::draw(const PanelContext& context) {
 }
 
 bool IsolatePanel::draw_threshold(const PanelContext& context, Isolation& isolation) {
-  const std::string metric(field_label(*context.view.color));
+  const std::string metric(field_info(*context.view.color).label);
   constexpr const char* tip = "Which elements stay. The line in the legend can be dragged, too.";
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   ui::row(metric, tip, 0.5f);

@@ -53,8 +53,8 @@ void draw_mesh(const Session& session) {
   const auto& measured = session.quality().latest();
   const QualityReport& report = measured ? measured->report : session.document()->loaded_quality();
   Index inverted = history.empty() ? report.inverted : history.back().inverted;
-  double sine =
-      history.empty() ? report.normalized_jacobian.statistics.min : history.back().min_sine;
+  double sine = history.empty() ? report.of(Metric::normalized_jacobian).statistics.min
+                                : history.back().min_sine;
   if (const BodyDrag* drag = session.body_drag()) {
     inverted = 0;  // its frames are valid, always
     sine = drag->frame().min_sine;
