@@ -43,5 +43,6 @@ std::unique_ptr<Subcommand> make_render_subcommand(CLI::App& program);
 std::unique_ptr<Subcommand> make_convert_subcommand(CLI::App& program);
 std::unique_ptr<Subcommand> make_replay_subcommand(CLI::App& program);
 std::unique_ptr<Subcommand> make_studio_subcommand(CLI::App& program);
+std::unique_ptr<Subcommand> make_reference_subcommand(CLI::App& program);
 
 }  // namespace winslow::app

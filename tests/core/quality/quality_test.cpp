@@ -229,7 +229,7 @@ TEST_CASE("histograms hold every value once, in its bin") {
   CHECK(std::accumulate(sines.counts.begin(), sines.counts.end(), 0) ==
         3 * mesh.topology->element_count());
   const Mesh tangled = moved_at_random(seed, Cells::triangles, true);
-  const auto& below = measure_quality(tangled).normalized_jacobian;
+  const auto& below = measure_quality(tangled).of(Metric::normalized_jacobian);
   CHECK(below.histogram.low == below.statistics.min);
   CHECK(below.histogram.low < 0);
 }
