@@ -6,18 +6,6 @@
 namespace winslow::app {
 namespace {
 
-std::vector<std::string> markers_of(const Command& command) {
-  if (const auto* move = std::get_if<MoveCommand>(&command)) return move->markers;
-  if (const auto* deform = std::get_if<DeformCommand>(&command)) return deform->markers;
-  std::vector<std::string> names;
-  if (const auto* insert = std::get_if<LayersCommand>(&command)) {
-    for (const LayerWall& wall : insert->layers.walls) {
-      names.insert(names.end(), wall.markers.begin(), wall.markers.end());
-    }
-  }
-  return names;
-}
-
 [[noreturn]] void refuse(const std::string& name, const Topology& topology,
                          const std::string& file) {
   std::vector<std::string> known;

@@ -16,7 +16,8 @@ namespace {
 class DeformSubcommand : public Subcommand {
  public:
   explicit DeformSubcommand(CLI::App& program)
-      : Subcommand(program.add_subcommand("deform", "Change the shape of bodies, then smooth")) {
+      : Subcommand(program.add_subcommand(std::string(DeformCommand::name),
+                                          std::string(DeformCommand::summary))) {
     add_input(app(), files_.input);
     add_marker_flag(app(), command_.markers);
     add_shape_flags();

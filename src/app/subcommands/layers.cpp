@@ -11,8 +11,8 @@ namespace {
 class LayersSubcommand : public Subcommand {
  public:
   explicit LayersSubcommand(CLI::App& program)
-      : Subcommand(program.add_subcommand(
-            "layers", "Insert viscous layers at walls: quadrilaterals of wanted heights")) {
+      : Subcommand(program.add_subcommand(std::string(LayersCommand::name),
+                                          std::string(LayersCommand::summary))) {
     add_input(app(), files_.input);
     flags_.declare(app());
     add_option_flags(app(), option_table(command_), "Layers");

@@ -12,7 +12,8 @@ namespace {
 class MoveSubcommand : public Subcommand {
  public:
   explicit MoveSubcommand(CLI::App& program)
-      : Subcommand(program.add_subcommand("move", "Move bodies rigidly, then smooth")) {
+      : Subcommand(program.add_subcommand(std::string(MoveCommand::name),
+                                          std::string(MoveCommand::summary))) {
     add_input(app(), files_.input);
     add_marker_flag(app(), command_.markers);
     add_option_flags(app(), option_table(command_), "Motion");

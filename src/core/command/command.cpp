@@ -1,9 +1,9 @@
 #include "core/command/command.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <random>
+#include <utility>
 
 #include "core/command/layers_run.h"
 #include "core/command/smooth_run.h"
@@ -23,6 +23,13 @@ std::string list(const std::vector<std::string>& names) {
   std::string text;
   for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
   return text;
+}
+
+std::vector<std::string> markers_of(const std::vector<LayerWall>& walls) {
+  std::vector<std::string> markers;
+  for (const LayerWall& wall : walls)
+    markers.insert(markers.end(), wall.markers.begin(), wall.markers.end());
+  return markers;
 }
 
 std::string describe_one(const SmoothCommand&) { return "Smooth"; }
@@ -63,12 +70,9 @@ std::string describe_one(const EditVcvCommand& command) {
 }
 
 std::string describe_one(const LayersCommand& command) {
-  std::vector<std::string> markers;
+  const std::vector<std::string> markers = markers_of(command.layers.walls);
   int count = 0;
-  for (const LayerWall& wall : command.layers.walls) {
-    markers.insert(markers.end(), wall.markers.begin(), wall.markers.end());
-    count = std::max(count, wall.spacing.count);
-  }
+  for (const LayerWall& wall : command.layers.walls) count = std::max(count, wall.spacing.count);
   if (command.task == LayerTask::hold) return "Hold the layers at " + list(markers);
   if (command.task == LayerTask::respace) return "Space the layers at " + list(markers) + " anew";
   return "Insert " + std::to_string(count) + " layers at " + list(markers);
@@ -157,9 +161,14 @@ CommandResult execute_one(const LayersCommand& command, const MeshState& state,
 }  // namespace
 
 std::string_view command_name(const Command& command) {
-  constexpr std::array<std::string_view, std::variant_size_v<Command>> names{
-      "smooth", "move", "deform", "scramble", "edit_vcv", "layers"};
-  return names[command.index()];
+  return std::visit([](const auto& c) { return c.name; }, command);
+}
+
+std::vector<Command> all_commands() {
+  return []<std::size_t... kinds>(std::index_sequence<kinds...>) {
+    return std::vector<Command>{Command(std::in_place_index<kinds>)...};
+  }
+  (std::make_index_sequence<std::variant_size_v<Command>>{});
 }
 
 std::string describe(const Command& command) {
@@ -173,6 +182,20 @@ SmoothOptions* smooth_options(Command& command) {
           return &c.smooth;
         } else {
           return nullptr;
+        }
+      },
+      command);
+}
+
+std::vector<std::string> markers_of(const Command& command) {
+  return std::visit(
+      [](const auto& c) {
+        if constexpr (requires { c.markers; }) {
+          return c.markers;
+        } else if constexpr (requires { c.layers.walls; }) {
+          return markers_of(c.layers.walls);
+        } else {
+          return std::vector<std::string>{};
         }
       },
       command);

@@ -18,10 +18,20 @@
 
 /// Every edit of a mesh is one of these commands. The command line, the studio, undo and recipes
 /// all go through execute(); nothing else changes a mesh.
+///
+/// TO ADD A COMMAND, write a header with a struct that has `name`, `summary` and `beyond_table`,
+/// and with option_table(), describe_one() and execute_one() for it, and put the struct into
+/// Command. Recipes, the command line, forms and histories follow. Where beyond_table says that it
+/// holds more than its option table does (lists, other objects), those three ask for functions of
+/// their own: without them it does not compile.
 namespace winslow {
 
 /// Smooth the interior, the boundary held.
 struct SmoothCommand {
+  static constexpr std::string_view name = "smooth";
+  static constexpr std::string_view summary = "Smooth the interior, the boundary held";
+  static constexpr bool beyond_table = false;
+
   SmoothOptions smooth;
 };
 
@@ -36,6 +46,10 @@ struct MotionOptions {
 
 /// Move bodies rigidly, then smooth.
 struct MoveCommand {
+  static constexpr std::string_view name = "move";
+  static constexpr std::string_view summary = "Move bodies rigidly, then smooth";
+  static constexpr bool beyond_table = false;
+
   std::vector<std::string> markers;
   RigidMotion motion;
   MotionOptions how;
@@ -44,6 +58,10 @@ struct MoveCommand {
 
 /// Change the shape of bodies, then smooth.
 struct DeformCommand {
+  static constexpr std::string_view name = "deform";
+  static constexpr std::string_view summary = "Change the shape of bodies, then smooth";
+  static constexpr bool beyond_table = true;
+
   std::vector<std::string> markers;
   std::variant<SineDeformation, DisplacementTable> shape;
   MotionOptions how;
@@ -52,12 +70,22 @@ struct DeformCommand {
 
 /// Put every free node at a random place of the mesh's bounding box (case C of the paper).
 struct ScrambleCommand {
+  static constexpr std::string_view name = "scramble";
+  static constexpr std::string_view summary =
+      "Put every interior node at a random place of the mesh's bounding box: a test of smoothing "
+      "(needs --allow-inverted to be written)";
+  static constexpr bool beyond_table = false;
+
   std::uint64_t seed = 1;
 };
 
 /// Change virtual control volumes, then smooth towards them, the boundary held. The VCVs stay with
 /// the mesh: later commands smooth towards them, too.
 struct EditVcvCommand {
+  static constexpr std::string_view name = "edit_vcv";
+  static constexpr std::string_view summary = "Change virtual control volumes, then smooth";
+  static constexpr bool beyond_table = true;
+
   std::vector<VcvEdit> edits;
   SmoothOptions smooth;
 };
@@ -72,6 +100,11 @@ enum class LayerTask {
 /// Insert layers of quadrilaterals at walls, or take those that a mesh has in hand, then smooth.
 /// AIAA 2009-1362, cases E and F.
 struct LayersCommand {
+  static constexpr std::string_view name = "layers";
+  static constexpr std::string_view summary =
+      "Insert viscous layers at walls: quadrilaterals of wanted heights";
+  static constexpr bool beyond_table = true;
+
   LayerTask task = LayerTask::insert;
   LayerOptions layers;
   /// Hold the wanted heights, through the VCVs; false (insert only): smooth the new connectivity as
@@ -85,12 +118,16 @@ struct LayersCommand {
 using Command = std::variant<SmoothCommand, MoveCommand, DeformCommand, ScrambleCommand,
                              EditVcvCommand, LayersCommand>;
 
-/// "smooth", "move", "deform", "scramble", "edit_vcv", "layers".
+/// "smooth", "move", ...
 std::string_view command_name(const Command& command);
+/// One of each kind, as their structs make them, in the order of Command.
+std::vector<Command> all_commands();
 /// One line for lists and undo menus, e.g. "Rotate flap by -40 deg".
 std::string describe(const Command& command);
 /// Smoothing options of a command, null if it has none.
 SmoothOptions* smooth_options(Command& command);
+/// Markers that a command names.
+std::vector<std::string> markers_of(const Command& command);
 
 /// What commands act on.
 struct MeshState {

@@ -28,11 +28,6 @@ void option_fields(ObjectWriter& writer, const Options& options) {
   write_options(writer, option_table(copy));
 }
 
-template <class Archive, class Command>
-void smoothing_of(Archive& archive, Command& command) {
-  archive.object("smooth", [&](auto& inner) { option_fields(inner, command.smooth); });
-}
-
 json write_table(const DisplacementTable& table) {
   json entries = json::array();
   for (const DisplacementEntry& entry : table.entries) {
@@ -99,23 +94,19 @@ VcvEdit read_vcv_edit(const json& value, const std::string& path) {
   return edit;
 }
 
-EditVcvCommand read_vcv_edits(ObjectReader& reader) {
-  EditVcvCommand command;
+// What commands hold beyond their tables.
+
+void read_beyond(ObjectReader& reader, EditVcvCommand& command, const std::filesystem::path&) {
   const json& nodes = reader.at("nodes");
   const std::string path = reader.path_of("nodes");
   if (!nodes.is_array() || nodes.empty()) throw JsonValueError(path, "expected a list of nodes");
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     command.edits.push_back(read_vcv_edit(nodes[i], path + '[' + std::to_string(i) + ']'));
   }
-  smoothing_of(reader, command);
-  return command;
 }
 
-DeformCommand read_deform(ObjectReader& reader, const std::filesystem::path& folder) {
-  DeformCommand command;
-  reader.required("markers", command.markers);
-  option_fields(reader, command.how);
-  smoothing_of(reader, command);
+void read_beyond(ObjectReader& reader, DeformCommand& command,
+                 const std::filesystem::path& folder) {
   if (reader.has("sine") == reader.has("displacements")) {
     throw JsonValueError(reader.path(), "expected either \"sine\" or \"displacements\"");
   }
@@ -127,55 +118,13 @@ DeformCommand read_deform(ObjectReader& reader, const std::filesystem::path& fol
     const std::string path = reader.path_of("displacements");
     command.shape = read_table(reader.at("displacements"), path, folder);
   }
-  return command;
 }
 
-Command read_command(ObjectReader& reader, const std::filesystem::path& folder) {
-  std::string name;
-  reader.required("command", name);
-  if (name == "smooth") {
-    SmoothCommand command;
-    smoothing_of(reader, command);
-    return command;
-  }
-  if (name == "move") {
-    MoveCommand command;
-    reader.required("markers", command.markers);
-    option_fields(reader, command);
-    smoothing_of(reader, command);
-    return command;
-  }
-  if (name == "deform") return read_deform(reader, folder);
-  if (name == "scramble") {
-    ScrambleCommand command;
-    option_fields(reader, command);
-    return command;
-  }
-  if (name == "edit_vcv") return read_vcv_edits(reader);
-  if (name == "layers") {
-    LayersCommand command = read_layers(reader);
-    smoothing_of(reader, command);
-    return command;
-  }
-  throw JsonValueError(reader.path_of("command"), "found \"" + name +
-                                                      "\", expected one of smooth, move, deform, "
-                                                      "scramble, edit_vcv, layers");
+void read_beyond(ObjectReader& reader, LayersCommand& command, const std::filesystem::path&) {
+  read_layer_lists(reader, command.layers);
 }
 
-void write_fields(ObjectWriter& writer, const SmoothCommand& command) {
-  smoothing_of(writer, command);
-}
-
-void write_fields(ObjectWriter& writer, const MoveCommand& command) {
-  writer.required("markers", command.markers);
-  option_fields(writer, command);
-  smoothing_of(writer, command);
-}
-
-void write_fields(ObjectWriter& writer, const DeformCommand& command) {
-  writer.required("markers", command.markers);
-  option_fields(writer, command.how);
-  smoothing_of(writer, command);
+void write_beyond(ObjectWriter& writer, const DeformCommand& command) {
   if (const auto* sine = std::get_if<SineDeformation>(&command.shape)) {
     writer.object("sine", [&](auto& inner) { option_fields(inner, *sine); });
   } else {
@@ -183,11 +132,7 @@ void write_fields(ObjectWriter& writer, const DeformCommand& command) {
   }
 }
 
-void write_fields(ObjectWriter& writer, const ScrambleCommand& command) {
-  option_fields(writer, command);
-}
-
-void write_fields(ObjectWriter& writer, const EditVcvCommand& command) {
+void write_beyond(ObjectWriter& writer, const EditVcvCommand& command) {
   json nodes = json::array();
   for (const VcvEdit& edit : command.edits) {
     ObjectWriter item;
@@ -198,12 +143,42 @@ void write_fields(ObjectWriter& writer, const EditVcvCommand& command) {
     nodes.push_back(item.take());
   }
   writer.required("nodes", nodes);
-  smoothing_of(writer, command);
 }
 
-void write_fields(ObjectWriter& writer, const LayersCommand& command) {
-  write_layers(writer, command);
-  smoothing_of(writer, command);
+void write_beyond(ObjectWriter& writer, const LayersCommand& command) {
+  write_layer_lists(writer, command.layers);
+}
+
+/// What all commands have: markers, the options of their tables, those of smoothing.
+template <class Archive, class Command>
+void common_fields(Archive& archive, Command& command) {
+  if constexpr (requires { command.markers; }) archive.required("markers", command.markers);
+  option_fields(archive, command);
+  if constexpr (requires { command.smooth; }) {
+    archive.object("smooth", [&](auto& inner) { option_fields(inner, command.smooth); });
+  }
+}
+
+Command command_named(const std::string& name, const std::string& path) {
+  std::string known;
+  for (Command& command : all_commands()) {
+    if (command_name(command) == name) return command;
+    known += (known.empty() ? "" : ", ") + std::string(command_name(command));
+  }
+  throw JsonValueError(path, "found \"" + name + "\", expected one of " + known);
+}
+
+Command read_command(ObjectReader& reader, const std::filesystem::path& folder) {
+  std::string name;
+  reader.required("command", name);
+  Command command = command_named(name, reader.path_of("command"));
+  std::visit(
+      [&](auto& of) {
+        common_fields(reader, of);
+        if constexpr (std::decay_t<decltype(of)>::beyond_table) read_beyond(reader, of, folder);
+      },
+      command);
+  return command;
 }
 
 }  // namespace
@@ -211,7 +186,12 @@ void write_fields(ObjectWriter& writer, const LayersCommand& command) {
 json to_json(const Command& command) {
   ObjectWriter writer;
   writer.required("command", std::string(command_name(command)));
-  std::visit([&](const auto& c) { write_fields(writer, c); }, command);
+  std::visit(
+      [&](const auto& of) {
+        common_fields(writer, of);
+        if constexpr (std::decay_t<decltype(of)>::beyond_table) write_beyond(writer, of);
+      },
+      command);
   return writer.take();
 }
 

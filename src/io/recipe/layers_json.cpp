@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/command/option_tables.h"
 #include "core/error.h"
 #include "core/layers/layer_option_tables.h"
 #include "io/recipe/option_fields.h"
@@ -94,33 +93,25 @@ json write_overrides(const std::vector<ColumnOverride>& overrides) {
 
 }  // namespace
 
-LayersCommand read_layers(ObjectReader& reader) {
-  LayersCommand command;
-  command.layers.walls =
-      read_list<LayerWall>(reader.at("walls"), reader.path_of("walls"), read_wall);
-  if (command.layers.walls.empty()) {
+void read_layer_lists(ObjectReader& reader, LayerOptions& layers) {
+  layers.walls = read_list<LayerWall>(reader.at("walls"), reader.path_of("walls"), read_wall);
+  if (layers.walls.empty()) {
     throw JsonValueError(reader.path_of("walls"), "expected a list of walls");
   }
   if (reader.has("overrides")) {
-    command.layers.overrides = read_list<ColumnOverride>(
-        reader.at("overrides"), reader.path_of("overrides"), read_override);
+    layers.overrides = read_list<ColumnOverride>(reader.at("overrides"),
+                                                 reader.path_of("overrides"), read_override);
   }
-  read_options(reader, option_table(command));
   try {
-    validate(command.layers);
+    validate(layers);
   } catch (const UsageError& error) {
     throw JsonValueError(reader.path(), error.what());
   }
-  return command;
 }
 
-void write_layers(ObjectWriter& writer, const LayersCommand& command) {
-  writer.required("walls", write_walls(command.layers.walls));
-  if (!command.layers.overrides.empty()) {
-    writer.field("overrides", write_overrides(command.layers.overrides));
-  }
-  LayersCommand copy = command;
-  write_options(writer, option_table(copy));
+void write_layer_lists(ObjectWriter& writer, const LayerOptions& layers) {
+  writer.required("walls", write_walls(layers.walls));
+  if (!layers.overrides.empty()) writer.field("overrides", write_overrides(layers.overrides));
 }
 
 }  // namespace winslow::io

@@ -19,7 +19,12 @@ class Form {
   explicit Form(const std::string& prefix) : prefix_(prefix) {}
   bool changed() const { return changed_; }
 
-  void operator()(SmoothCommand& command) { smoothing(command.smooth); }
+  /// Of a command that its table describes.
+  template <class EditCommand>
+  requires(!EditCommand::beyond_table) void operator()(EditCommand& command) {
+    rows(option_table(command));
+    if constexpr (requires { command.smooth; }) smoothing(command.smooth);
+  }
 
   void operator()(MoveCommand& command) {
     rows(option_table(command.motion));
@@ -37,8 +42,6 @@ class Form {
     }
     motion(command.how, command.smooth);
   }
-
-  void operator()(ScrambleCommand& command) { rows(option_table(command)); }
 
   void operator()(LayersCommand& command) {
     if (command.task == LayerTask::hold) {
