@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <set>
 
 #include "core/command/workspace.h"
 #include "core/error.h"
@@ -400,6 +401,14 @@ TEST_CASE("commands have names and one-line descriptions") {
   CHECK(command_name(ScrambleCommand{}) == "scramble");
   CHECK(describe(SmoothCommand{}) == "Smooth");
   CHECK(command_name(SmoothCommand{}) == "smooth");
+  std::set<std::string_view> names;
+  for (const Command& each : all_commands()) CHECK(names.insert(command_name(each)).second);
+  CHECK(names.size() == std::variant_size_v<Command>);
+  CHECK(markers_of(move) == move.markers);
+  CHECK(markers_of(SmoothCommand{}).empty());
+  LayersCommand layers;
+  layers.layers.walls = {{{"a", "b"}, {}}, {{"c"}, {}}};
+  CHECK(markers_of(layers) == std::vector<std::string>{"a", "b", "c"});
 }
 
 TEST_CASE("the smoothing options of a command can be reached, where there are any") {
