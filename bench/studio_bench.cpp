@@ -189,7 +189,7 @@ class Bench {
     const ViewOptions before = bench_.view();
     ViewOptions view = before;
     view.side_tab = SideTab::vcv;
-    bench_.apply(action::SetView{view});
+    bench_.apply(action::EditView{whole(view)});
     std::vector<FrameTimes> times = frames(20, [] { return true; });
     for (const bool down : {true, false}) {
       pressed_ = down;
@@ -202,7 +202,7 @@ class Bench {
     for (const FrameTimes& t : times) longest = std::max(longest, t.wall);
     std::printf("%10s | node %d picked; longest update by the clock %.1f ms\n", "",
                 bench_.session().nodes().inspected().value_or(-1), longest);
-    bench_.apply(action::SetView{before});
+    bench_.apply(action::EditView{whole(before)});
   }
 
   static void report(const char* what, const std::vector<FrameTimes>& times) {

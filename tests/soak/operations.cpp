@@ -219,8 +219,8 @@ void Soak::set_options() {
     if (chance(20)) motion.increments = 8;
     if (chance(10)) motion.smooth_after = false;
   }
-  rig_->bench->apply(action::SetSmoothOptions{smooth});
-  rig_->bench->apply(action::SetMotionOptions{motion});
+  rig_->bench->apply(action::EditSmoothOptions{whole(smooth)});
+  rig_->bench->apply(action::EditMotionOptions{whole(motion)});
   rig_->bench->apply(action::SetPace{chance(70) ? 0.0 : 30.0});
   rig_->frames(1);
 }

@@ -71,7 +71,7 @@ void Soak::open_next() {
 void Soak::sample_running() {
   const ViewOptions view = rig_->bench->view();
   const int width = width_, height = height_;
-  rig_->bench->apply(action::SetView{ViewOptions{}});
+  rig_->bench->apply(action::EditView{whole(ViewOptions{})});
   resize(first_width, first_height);
   settle_down();
   answer_dialogs();
@@ -80,7 +80,7 @@ void Soak::sample_running() {
   known_.clear();
   generation_ = 0;
   running_.sample();
-  rig_->bench->apply(action::SetView{view});
+  rig_->bench->apply(action::EditView{whole(view)});
   resize(width, height);
 }
 

@@ -20,7 +20,7 @@ void IsolatePanel::draw(const PanelContext& context) {
                               "Draw the elements beyond a threshold of the metric shown in full, "
                               "the others faint or not at all (I).");
   if (view.isolation.on) changed |= draw_threshold(context, view.isolation);
-  if (changed) context.emit(action::SetView{view});
+  if (changed) context.emit(action::EditView{difference(context.view, view)});
 }
 
 bool IsolatePanel::draw_threshold(const PanelContext& context, Isolation& isolation) {

@@ -116,7 +116,7 @@ void MotionPanel::draw_steps(const PanelContext& context) {
   if (ui::combo("motion/steps", names, chosen, tip)) {
     MotionOptions options = now;
     options.increments = increments[chosen];
-    context.emit(action::SetMotionOptions{options});
+    context.emit(action::EditMotionOptions{difference(now, options)});
   }
 }
 

@@ -24,12 +24,13 @@ void SolverPanel::draw(const PanelContext& context) {
 }
 
 void SolverPanel::draw_method(const PanelContext& context) {
-  SmoothOptions smooth = context.session.smooth_options();
-  MotionOptions motion = context.session.motion_options();
-  ImGui::BeginDisabled(context.session.job().active());
+  const Session& session = context.session;
+  SmoothOptions smooth = session.smooth_options();
+  MotionOptions motion = session.motion_options();
+  ImGui::BeginDisabled(session.job().active());
   if (ui::method_choice("solver", smooth, motion)) {
-    context.emit(action::SetSmoothOptions{smooth});
-    context.emit(action::SetMotionOptions{motion});
+    context.emit(action::EditSmoothOptions{difference(session.smooth_options(), smooth)});
+    context.emit(action::EditMotionOptions{difference(session.motion_options(), motion)});
   }
   ImGui::EndDisabled();
 }
@@ -140,12 +141,13 @@ void SolverPanel::draw_options(const PanelContext& context) {
     return;
   ImGui::BeginDisabled(context.session.job().active());
   SmoothOptions options = context.session.smooth_options();
-  if (ui::smooth_options_form("solver", options)) context.emit(action::SetSmoothOptions{options});
+  if (ui::smooth_options_form("solver", options))
+    context.emit(action::EditSmoothOptions{difference(context.session.smooth_options(), options)});
   if (ui::button("solver/defaults", "Reset to defaults",
                  {"Method and options as they were when the studio was first started.",
                   ui::ButtonStyle::normal, true, -1})) {
-    context.emit(action::SetSmoothOptions{});
-    context.emit(action::SetMotionOptions{});
+    context.emit(action::EditSmoothOptions{whole(SmoothOptions())});
+    context.emit(action::EditMotionOptions{whole(MotionOptions())});
     context.emit(action::SetPace{default_pace});
   }
   ImGui::EndDisabled();

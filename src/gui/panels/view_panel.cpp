@@ -33,7 +33,7 @@ void ViewPanel::draw(const PanelContext& context) {
   changed |= draw_comparison(view);
   changed |= draw_magnifier(context, view);
   changed |= draw_appearance(view);
-  if (changed) context.emit(action::SetView{view});
+  if (changed) context.emit(action::EditView{difference(context.view, view)});
 }
 
 bool ViewPanel::draw_color(const PanelContext& context, ViewOptions& view) {

@@ -47,7 +47,7 @@ void WorstPanel::draw_choices(const PanelContext& context) {
     view.worst_count = counts[length];
     changed = true;
   }
-  if (changed) context.emit(action::SetView{view});
+  if (changed) context.emit(action::EditView{difference(context.view, view)});
 }
 
 void WorstPanel::draw_steps(const PanelContext& context) {

@@ -153,4 +153,25 @@ TEST_CASE("fuzzy search wants the letters in order and prefers words and neighbo
   CHECK(*fuzzy_score("undo", "Undo: Smooth") > *fuzzy_score("undo", "Bundle of knots, old"));
 }
 
+TEST_CASE("two edits of one frame both hold: neither replaces what the other says") {
+  Rig rig;
+  rig.open(ring_mesh());
+  const ViewOptions before = rig.bench->view();
+  View view(rig);
+  // Both see the options as they are at the beginning of the frame.
+  user_command("legend").run(view.context);
+  user_command("node_ids").run(view.context);
+  const SmoothOptions& solver = rig.session().smooth_options();
+  SmoothOptions damped = solver, serial = solver;
+  damped.damping = 0.1;
+  serial.threads = 1;
+  view.context.emit(action::EditSmoothOptions{difference(solver, damped)});
+  view.context.emit(action::EditSmoothOptions{difference(solver, serial)});
+  for (const Action& a : view.actions) rig.bench->apply(a);
+  CHECK(rig.bench->view().legend != before.legend);
+  CHECK(rig.bench->view().node_ids != before.node_ids);
+  CHECK(rig.session().smooth_options().damping == 0.1);
+  CHECK(rig.session().smooth_options().threads == 1);
+}
+
 }  // namespace winslow::gui::test

@@ -111,7 +111,7 @@ TEST_CASE("Step N runs as many iterations as its field says") {
   slow.formulation = "pointwise";
   slow.outer = OuterMethod::picard;
   slow.damping = 0.01;
-  rig.bench->apply(action::SetSmoothOptions{slow});
+  rig.bench->apply(action::EditSmoothOptions{whole(slow)});
   rig.fill("solver/steps", "4");
   rig.click("solver/step_n");
   REQUIRE(rig.wait([&] { return solver_paused(rig) && iterations(rig) == 4; }));

@@ -128,7 +128,7 @@ void Rig::fill(const std::string& widget, const std::string& text) {
 void set_view(Rig& rig, const std::function<void(ViewOptions&)>& change) {
   ViewOptions view = rig.bench->view();
   change(view);
-  rig.bench->apply(action::SetView{view});
+  rig.bench->apply(action::EditView{whole(view)});
   REQUIRE(rig.settle());
   rig.frames();
 }

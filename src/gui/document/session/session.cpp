@@ -11,8 +11,8 @@ namespace winslow::gui {
 
 Session::Session() = default;
 
-void Session::apply(const Action& action) {
-  std::visit([this](const auto& a) { on(a); }, action);
+void Session::apply(const DocumentAction& action) {
+  std::visit([this](const auto& group) { Dispatch::to(*this, group); }, action);
 }
 
 bool Session::poll() {
@@ -106,9 +106,9 @@ void Session::report_error(std::string title, std::string text) {
   ask({Prompt::Kind::error, std::move(title), std::move(text), {{"OK", {}, true}}});
 }
 
-void Session::on(const action::SetMotionOptions& a) { motion_ = a.options; }
+void Session::on(const action::EditMotionOptions& a) { a.edit.apply_to(motion_); }
 
-void Session::on(const action::SetSmoothOptions& a) { smooth_ = a.options; }
+void Session::on(const action::EditSmoothOptions& a) { a.edit.apply_to(smooth_); }
 
 void Session::on(const action::SetPace& a) {
   pace_ = std::max(a.iterations_per_second, 0.0);

@@ -12,6 +12,7 @@
 
 #include "gui/base/background.h"
 #include "gui/document/actions/actions.h"
+#include "gui/document/actions/dispatch.h"
 #include "gui/document/actions/messages.h"
 #include "gui/document/history/command_queue.h"
 #include "gui/document/history/document.h"
@@ -32,8 +33,7 @@ class Session {
  public:
   Session();
 
-  /// Carries out an action; those of the view are not the session's and are ignored.
-  void apply(const Action& action);
+  void apply(const DocumentAction& action);
   /// Collects what the threads have done since the last call. True if anything changed.
   bool poll();
   /// True while some thread works on behalf of this session.
@@ -123,6 +123,8 @@ class Session {
   void ask(Prompt prompt) { prompts_.push_back(std::move(prompt)); }
 
  private:
+  friend class Dispatch;
+
   // Files (session_files.cpp, session_export.cpp)
   void on(const action::OpenMesh& a);
   void on(const action::SaveMesh& a);
@@ -151,9 +153,9 @@ class Session {
   void on(const action::DragTo& a);
   void on(const action::EndDrag&);
   void on(const action::CancelDrag&);
-  void on(const action::SetMotionOptions& a);
+  void on(const action::EditMotionOptions& a);
   // Nodes and their VCVs (session_vcv.cpp)
-  void on(const action::InspectNode& a);
+  void on(const action::SelectNode& a);
   void on(const action::HoverNode& a);
   void on(const action::PinNodes& a);
   void on(const action::EditVcvs& a);
@@ -167,7 +169,7 @@ class Session {
   void on(const action::ResumeSolver&);
   void on(const action::StepSolver& a);
   void on(const action::CancelSolver&);
-  void on(const action::SetSmoothOptions& a);
+  void on(const action::EditSmoothOptions& a);
   void on(const action::SetPace& a);
   void on(const action::RunCommand& a);
   void on(const action::RerunStep& a);
@@ -192,8 +194,6 @@ class Session {
 
   void on(const action::DismissPrompt&);
   void on(const action::DismissBanner&);
-  template <class ViewAction>
-  void on(const ViewAction&) {}
 
   bool start_job(Command command, bool paused, std::optional<Coordinates> start = {});
   bool begin_body_drag(DragGrip grip);

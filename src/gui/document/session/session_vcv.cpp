@@ -21,7 +21,7 @@ void Session::on(const action::HoverNode& a) {
   nodes_.hover(a.node && exists(*a.node) ? a.node : std::nullopt);
 }
 
-void Session::on(const action::InspectNode& a) {
+void Session::on(const action::SelectNode& a) {
   if (a.node && !exists(*a.node)) {
     if (document_)
       tell(Notice::Kind::warning, "The mesh has no node " + std::to_string(*a.node) +

@@ -53,7 +53,7 @@ Workbench::~Workbench() {
 }
 
 void Workbench::apply(const Action& action) {
-  std::visit([this](const auto& a) { on(a); }, action);
+  std::visit([this](const auto& group) { apply_group(group); }, action);
 }
 
 bool Workbench::poll() {
@@ -179,7 +179,7 @@ std::string Workbench::title() const {
 }
 
 void Workbench::on(const action::InspectNode& a) {
-  session_.apply(a);
+  session_.apply(action::SelectNode{a.node});
   if (!a.node) return;
   view_.side_tab = SideTab::vcv;
   view_.right_panel = true;

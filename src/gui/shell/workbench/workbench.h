@@ -167,7 +167,14 @@ class Workbench : public PictureSource {
   Image paint_tiles(bool transparent);
   std::optional<Inset> pinned_inset(const Camera& camera, double scale) const;
 
-  void on(const action::SetView& a);
+  friend class Dispatch;
+  void apply_group(const DocumentAction& action) { session_.apply(action); }
+  void apply_group(const ViewAction& action) { Dispatch::to(*this, action); }
+  void apply_group(const PictureAction& action) { capture_.apply(action); }
+  void apply_group(const ShellAction& action) { Dispatch::to(*this, action); }
+  void apply_group(const DemoAction& action) { Dispatch::to(*this, action); }
+
+  void on(const action::EditView& a);
   void on(const action::InspectNode& a);
   void on(const action::FitView&);
   void on(const action::FitSelection&);
@@ -184,14 +191,7 @@ class Workbench : public PictureSource {
   void on(const action::ShowStepEditor& a);
   void on(const action::RestoreSession& a);
   void on(const action::DiscardSession& a) { autosave_.discard(a.folder); }
-  void on(const action::TakeScreenshot& a) { capture_.on(a); }
-  void on(const action::SetPictureSpec& a) { capture_.on(a); }
-  void on(const action::SavePicture& a) { capture_.on(a); }
   void on(const action::ShowPictureDialog&) { picture_dialog_.open(); }
-  void on(const action::SetRecordingSpec& a) { capture_.on(a); }
-  void on(const action::StartRecording& a) { capture_.on(a); }
-  void on(const action::StopRecording& a) { capture_.on(a); }
-  void on(const action::CancelRecording& a) { capture_.on(a); }
   void on(const action::ShowRecordDialog& a);
   void on(const action::ClearRecent&) { recent_.clear(); }
   void on(const action::ShowWelcome&);
@@ -202,10 +202,6 @@ class Workbench : public PictureSource {
   void on(const action::EndDemo&) { demo_.end(); }
   void on(const action::ShowHelp&) { help_.open(); }
   void on(const action::ShowPalette&) { command_palette_.open(); }
-  template <class SessionAction>
-  void on(const SessionAction& a) {
-    session_.apply(a);
-  }
   void look_at_start();
 
   WorkbenchOptions options_;

@@ -124,11 +124,8 @@ void Workbench::draw_side_tab() {
     labels.push_back(tabs[k].second);
     if (tabs[k].first == view_.side_tab) chosen = k;
   }
-  if (ui::tabs("tab", labels, chosen)) {
-    ViewOptions view = view_;
-    view.side_tab = tabs[chosen].first;
-    all.emit(action::SetView{view});
-  }
+  if (ui::tabs("tab", labels, chosen))
+    all.edit_view([&](ViewOptions& view) { view.side_tab = tabs[chosen].first; });
   switch (view_.side_tab) {
     case SideTab::quality:
       quality_.draw(all);

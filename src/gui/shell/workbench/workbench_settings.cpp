@@ -22,9 +22,10 @@ float Workbench::fitting_scale(double wanted) const {
   return static_cast<float>(std::min(wanted, largest));
 }
 
-void Workbench::on(const action::SetView& a) {
-  const bool scaled = a.view.scale != view_.scale && a.view.scale > 0;
-  view_ = a.view;
+void Workbench::on(const action::EditView& a) {
+  const double before = view_.scale;
+  a.edit.apply_to(view_);
+  const bool scaled = view_.scale != before && view_.scale > 0;
   if (!scaled || static_cast<double>(scale()) >= view_.scale - 1e-3) return;
   session_.tell(
       Notice::Kind::information,

@@ -88,9 +88,9 @@ void Workbench::take_for_insets(PointerState& pointer) {
   const bool turn =
       lens_ && in_lens && pointer.over && pointer.wheel != 0 && (lens_->pinned || !pointer.control);
   if (turn) {
-    ViewOptions view = view_;
-    view.magnifier.factor = turned_factor(view.magnifier.factor, pointer.wheel);
-    actions_.emplace_back(action::SetView{view});
+    context().edit_view([&](ViewOptions& view) {
+      view.magnifier.factor = turned_factor(view.magnifier.factor, pointer.wheel);
+    });
   }
   if (taken || (in_lens && lens_->pinned)) pointer.over = false;
 }

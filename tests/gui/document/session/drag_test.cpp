@@ -116,7 +116,7 @@ TEST_CASE("the ring turns the selection about its pivot by the angle the mouse g
 TEST_CASE("a drag shows valid meshes while held, and takes the steps chosen when let go") {
   Rig rig;
   rig.open(ring_mesh());
-  rig.bench->apply(action::SetMotionOptions{{8, true}});
+  rig.bench->apply(action::EditMotionOptions{whole(MotionOptions{8, true})});
   rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + Vec2(60, 0));
   REQUIRE(rig.session().body_drag() != nullptr);
   rig.release();
@@ -128,7 +128,7 @@ TEST_CASE("a drag shows valid meshes while held, and takes the steps chosen when
 TEST_CASE("in the direct mode the boundary goes at once, and the job shows what the solver has") {
   Rig rig;
   rig.open(ring_mesh());
-  rig.bench->apply(action::SetMotionOptions{{1, true}});
+  rig.bench->apply(action::EditMotionOptions{whole(MotionOptions{1, true})});
   rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + Vec2(60, 0));
   CHECK(rig.session().body_drag() == nullptr);
   REQUIRE(rig.session().job().active());
@@ -232,7 +232,7 @@ TEST_CASE("a second drag before the first has converged adds to it") {
   slow.outer = OuterMethod::picard;
   slow.damping = 0.01;
   slow.max_iterations = 4000;
-  rig.bench->apply(action::SetSmoothOptions{slow});
+  rig.bench->apply(action::EditSmoothOptions{whole(slow)});
   const Mesh before = rig.mesh();
   const double unit = rig.bench->camera().units_per_pixel();
   rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + Vec2(30, 0));
@@ -246,7 +246,7 @@ TEST_CASE("a second drag before the first has converged adds to it") {
   REQUIRE(rig.session().job().active());
   const Vec2 on_body = rig.pixel(rig.session().pivot() - Vec2(0.35, 0));
   rig.drag(on_body, on_body + Vec2(0, -20));
-  rig.bench->apply(action::SetSmoothOptions{SmoothOptions{}});
+  rig.bench->apply(action::EditSmoothOptions{whole(SmoothOptions{})});
   rig.release();
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);
@@ -296,10 +296,10 @@ TEST_CASE("a motion that cannot work leaves an inverted mesh, says so and can be
   const Mesh before = rig.mesh();
   rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
   // Straight through the far field: no mesh of this connectivity is valid.
-  rig.bench->apply(action::SetMotionOptions{{1, true}});
+  rig.bench->apply(action::EditMotionOptions{whole(MotionOptions{1, true})});
   SmoothOptions quick;
   quick.max_iterations = 5;
-  rig.bench->apply(action::SetSmoothOptions{quick});
+  rig.bench->apply(action::EditSmoothOptions{whole(quick)});
   rig.bench->apply(action::ApplyMotion{{0, Vec2(0, 0), Vec2(4, 0)}});
   REQUIRE(rig.settle());
   rig.frames();

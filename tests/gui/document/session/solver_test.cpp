@@ -74,7 +74,7 @@ TEST_CASE("cancel puts the mesh back as it was") {
   slow.formulation = "pointwise";
   slow.outer = OuterMethod::picard;
   slow.damping = 0.01;
-  rig.bench->apply(action::SetSmoothOptions{slow});
+  rig.bench->apply(action::EditSmoothOptions{whole(slow)});
   const Mesh before = rig.mesh();
   rig.key(keys::n, {keys::shift});
   REQUIRE(rig.wait([&] { return iterations(rig) >= 1; }));
@@ -188,7 +188,7 @@ TEST_CASE("settings of the solver that make no sense are refused with a reason")
   rig.open(ring_mesh());
   SmoothOptions bad;
   bad.tolerance = -1;
-  rig.bench->apply(action::SetSmoothOptions{bad});
+  rig.bench->apply(action::EditSmoothOptions{whole(bad)});
   rig.bench->apply(action::RunSmooth{});
   rig.frames();
   CHECK_FALSE(rig.session().job().active());
@@ -205,7 +205,7 @@ TEST_CASE("the plot survives numbers that no run should have") {
   for (double tolerance : {0.0, -1.0, 1e-300, 1e300, std::nan(""), HUGE_VAL}) {
     SmoothOptions odd;
     odd.tolerance = tolerance;
-    rig.bench->apply(action::SetSmoothOptions{odd});
+    rig.bench->apply(action::EditSmoothOptions{whole(odd)});
     rig.frames();
     CHECK(rig.visible("convergence/plot"));
   }
@@ -216,7 +216,7 @@ TEST_CASE("an iteration limit that is too small is said, and going on converges"
   rig.open(ring_mesh());
   SmoothOptions few;
   few.max_iterations = 2;
-  rig.bench->apply(action::SetSmoothOptions{few});
+  rig.bench->apply(action::EditSmoothOptions{whole(few)});
   rig.click("solver/run");
   REQUIRE(rig.settle());
   rig.frames();
@@ -234,7 +234,7 @@ TEST_CASE("an iteration limit that is too small is said, and going on converges"
     REQUIRE(rig.session().banner().has_value());
     CHECK(rig.session().banner()->kind == Banner::Kind::not_converged);
   }
-  rig.bench->apply(action::SetSmoothOptions{SmoothOptions{}});
+  rig.bench->apply(action::EditSmoothOptions{whole(SmoothOptions{})});
   rig.frames();
   rig.click("banner/smooth");
   REQUIRE(rig.settle());

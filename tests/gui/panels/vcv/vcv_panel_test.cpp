@@ -215,7 +215,7 @@ TEST_CASE("colouring by kappa changes the mesh and its legend, and follows an ed
   ViewOptions view = rig.bench->view();
   const Image plain = rig.bench->picture();
   view.color = NodalField::kappa;
-  rig.bench->apply(action::SetView{view});
+  rig.bench->apply(action::EditView{whole(view)});
   REQUIRE(rig.settle());
   rig.frames(2);
   const Area& v = rig.bench->layout().viewport;

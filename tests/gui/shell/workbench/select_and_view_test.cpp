@@ -159,7 +159,7 @@ TEST_CASE("colouring by quality changes the pixels of the mesh, and the legend s
   ViewOptions plain = rig.bench->view();
   plain.color.reset();
   plain.wireframe = false;
-  rig.bench->apply(action::SetView{plain});
+  rig.bench->apply(action::EditView{whole(plain)});
   REQUIRE(rig.settle());
   rig.frames();
   const Image bare = rig.bench->picture();
