@@ -30,8 +30,8 @@ void MarkersPanel::draw(const PanelContext& context) {
 void MarkersPanel::draw_row(const PanelContext& context, Index marker) {
   const Topology& topology = *context.topology();
   const Marker& data = topology.markers()[static_cast<std::size_t>(marker)];
-  const bool selected = context.session.selected(marker);
-  const auto& hovered = context.session.hovered();
+  const bool selected = context.session.selection().contains(marker);
+  const auto& hovered = context.session.selection().hovered();
   const bool lit = std::find(hovered.begin(), hovered.end(), marker) != hovered.end();
   const float pad = context.theme.px(6);
   const ImVec2 start = ImGui::GetCursorScreenPos();

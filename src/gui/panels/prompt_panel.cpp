@@ -95,7 +95,7 @@ void draw_choices(const PanelContext& context, const Prompt& prompt, const Answe
 }  // namespace
 
 void PromptPanel::draw(const PanelContext& context) {
-  const Prompt* prompt = context.session.prompt();
+  const Prompt* prompt = context.session.messages().prompt();
   if (!prompt) return;
   if (!ImGui::IsPopupOpen(popup)) ImGui::OpenPopup(popup);
   const ImVec2 padding(context.theme.px(20), context.theme.px(16));

@@ -63,7 +63,7 @@ int run_all(Rig& rig) {
     for (const Action& action : view.actions) rig.bench->apply(action);
     REQUIRE(rig.settle());
     for (int k = 0; k < 4; ++k) rig.key(keys::escape);
-    CHECK(rig.session().prompt() == nullptr);
+    CHECK(rig.session().messages().prompt() == nullptr);
     ++count;
   }
   return count;
@@ -125,7 +125,7 @@ TEST_CASE("every command that can be run runs, with a mesh and without one") {
   rig.bench->apply(action::ApplyMotion{{0, Vec2(0, 0), Vec2(0.1, 0)}});
   REQUIRE(rig.settle());
   CHECK(run_all(rig) >= 20);
-  CHECK_FALSE(rig.session().quit_accepted());
+  CHECK_FALSE(rig.session().files().quit_accepted());
 }
 
 TEST_CASE("a key runs its command only where the command can be run") {
@@ -134,11 +134,11 @@ TEST_CASE("a key runs its command only where the command can be run") {
   CHECK_FALSE(rig.bench->file_dialog().is_open());
   rig.open(two_body_mesh());
   rig.key(GLFW_KEY_TAB);
-  CHECK(rig.session().selection() == std::vector<Index>{rig.marker("left")});
+  CHECK(rig.session().selection().markers() == std::vector<Index>{rig.marker("left")});
   rig.key(GLFW_KEY_TAB);
-  CHECK(rig.session().selection() == std::vector<Index>{rig.marker("right")});
+  CHECK(rig.session().selection().markers() == std::vector<Index>{rig.marker("right")});
   rig.key(keys::a, {keys::control});
-  CHECK(rig.session().selection().size() == 2);
+  CHECK(rig.session().selection().markers().size() == 2);
   rig.key(keys::escape);
   CHECK(rig.session().selection().empty());
 }
@@ -161,7 +161,7 @@ TEST_CASE("two edits of one frame both hold: neither replaces what the other say
   // Both see the options as they are at the beginning of the frame.
   user_command("legend").run(view.context);
   user_command("node_ids").run(view.context);
-  const SmoothOptions& solver = rig.session().smooth_options();
+  const SmoothOptions& solver = rig.session().jobs().smooth_options();
   SmoothOptions damped = solver, serial = solver;
   damped.damping = 0.1;
   serial.threads = 1;
@@ -170,8 +170,8 @@ TEST_CASE("two edits of one frame both hold: neither replaces what the other say
   for (const Action& a : view.actions) rig.bench->apply(a);
   CHECK(rig.bench->view().legend != before.legend);
   CHECK(rig.bench->view().node_ids != before.node_ids);
-  CHECK(rig.session().smooth_options().damping == 0.1);
-  CHECK(rig.session().smooth_options().threads == 1);
+  CHECK(rig.session().jobs().smooth_options().damping == 0.1);
+  CHECK(rig.session().jobs().smooth_options().threads == 1);
 }
 
 }  // namespace winslow::gui::test

@@ -2,7 +2,7 @@
 
 #include <variant>
 
-/// Answers to what the studio says. Carried out by Messages.
+/// Answers to what the studio says. Carried out by MessageBoard.
 namespace winslow::gui::action {
 
 struct DismissPrompt {};

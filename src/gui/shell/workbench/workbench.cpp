@@ -49,7 +49,7 @@ Workbench::Workbench(const WorkbenchOptions& options)
 }
 
 Workbench::~Workbench() {
-  if (session_.quit_accepted()) autosave_.finish();
+  if (session_.files().quit_accepted()) autosave_.finish();
 }
 
 void Workbench::apply(const Action& action) {
@@ -130,9 +130,10 @@ void Workbench::dispatch() {
 
 void Workbench::finish_frame() {
   if (generation_ != session_.generation()) look_at_start();
-  if (session_.boundary() && !session_.in_motion())
-    reach_ = session_.boundary()->reach(session_.selection(), session_.pivot());
-  session_.watch_quality(view_.color);
+  if (session_.mesh().boundary() && !session_.in_motion())
+    reach_ = session_.mesh().boundary()->reach(session_.selection().markers(),
+                                               session_.selection().pivot());
+  session_.quality().watch(view_.color);
   update_mesh_view();
   draw_overlays(*ImGui::GetBackgroundDrawList());
   ui_->end();
@@ -222,7 +223,7 @@ void Workbench::on(const action::RestoreSession& a) {
   const Document* document = session_.document();
   if (a.discard_changes || !document || !(document->modified() || session_.in_motion()))
     return autosave_.restore(a.folder);
-  session_.ask(
+  session_.messages().ask(
       {Prompt::Kind::question,
        "Discard the changes?",
        document->name() + " has changes that are not saved. Restoring the session would lose them.",

@@ -180,8 +180,8 @@ void Workbench::draw_viewport() {
   }
   if (!picturing_) draw_recording();
   if (demo_.demo() && !picturing_) draw_demo_card();
-  if (!session_.banner() || mesh_alone_) return;
-  const Banner::Kind kind = session_.banner()->kind;
+  if (!session_.messages().banner() || mesh_alone_) return;
+  const Banner::Kind kind = session_.messages().banner()->kind;
   const bool bad = kind == Banner::Kind::inverted_result || kind == Banner::Kind::inverted_input;
   begin_region(
       "banner", {v.x, v.y, v.width, BannerPanel::height(context(), v.width)},
@@ -211,7 +211,7 @@ void Workbench::draw_recording() {
   if (capture_.recorder().state() == Recorder::State::idle) return;
   const Theme& theme = ui_->theme();
   const Area& v = layout_.viewport;
-  const float banner = session_.banner() ? BannerPanel::height(context(), v.width) : 0;
+  const float banner = session_.messages().banner() ? BannerPanel::height(context(), v.width) : 0;
   begin_region("recording",
                {v.x + theme.px(12), v.y + banner + theme.px(12), theme.px(360), theme.px(44)},
                {ImVec2(theme.px(12), theme.px(8)), palette().card, ImGuiWindowFlags_NoScrollbar});

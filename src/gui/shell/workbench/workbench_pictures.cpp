@@ -109,7 +109,7 @@ Image Workbench::picture(const PictureSpec& spec) {
   const float unit = ui_->theme().scale * static_cast<float>(ratio);
   const Bounds visible = camera_.visible();
   // Colours must be those of this mesh, not of one a moment ago.
-  session_.measure_quality_now(view_.color);
+  session_.quality().measure_now(view_.color);
 
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);

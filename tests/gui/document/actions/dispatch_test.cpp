@@ -55,13 +55,13 @@ static_assert(!Dispatch::complete<Swallower, Both>());
 static_assert(!Dispatch::complete<Converter, Both>());
 
 // Every action of the studio has somebody who carries it out.
-static_assert(Dispatch::complete<Session, FileAction>());
-static_assert(Dispatch::complete<Session, SelectionAction>());
-static_assert(Dispatch::complete<Session, MotionAction>());
-static_assert(Dispatch::complete<Session, VcvAction>());
-static_assert(Dispatch::complete<Session, JobAction>());
-static_assert(Dispatch::complete<Session, HistoryAction>());
-static_assert(Dispatch::complete<Session, MessageAction>());
+static_assert(Dispatch::complete<Files, FileAction>());
+static_assert(Dispatch::complete<Selection, SelectionAction>());
+static_assert(Dispatch::complete<Motions, MotionAction>());
+static_assert(Dispatch::complete<VcvEditor, VcvAction>());
+static_assert(Dispatch::complete<Jobs, JobAction>());
+static_assert(Dispatch::complete<HistoryEditor, HistoryAction>());
+static_assert(Dispatch::complete<MessageBoard, MessageAction>());
 static_assert(Dispatch::complete<Workbench, ViewAction>());
 static_assert(Dispatch::complete<Capture, PictureAction>());
 static_assert(Dispatch::complete<Workbench, ShellAction>());

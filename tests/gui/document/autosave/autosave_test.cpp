@@ -52,7 +52,8 @@ std::vector<Coordinates> work_and_crash(const TemporaryFolder& profile,
 }
 
 bool offered(Rig& rig) {
-  return rig.wait([&] { return rig.session().prompt() != nullptr; }) && (rig.frames(3), true);
+  return rig.wait([&] { return rig.session().messages().prompt() != nullptr; }) &&
+         (rig.frames(3), true);
 }
 
 fs::path find(const fs::path& folder, const std::string& start, int number = 0) {
@@ -81,7 +82,8 @@ TEST_CASE("after a crash the session is offered back, every position to the bit"
   {
     Rig rig(1100, 720, profile.path());
     REQUIRE(offered(rig));
-    CHECK(rig.session().prompt()->text.find("wing.su2 (3 commands, 20") != std::string::npos);
+    CHECK(rig.session().messages().prompt()->text.find("wing.su2 (3 commands, 20") !=
+          std::string::npos);
     rig.click("prompt/Restore");
     REQUIRE(rig.wait([&] { return rig.session().document() != nullptr; }));
     wait_until_kept(rig);
@@ -120,7 +122,7 @@ TEST_CASE("nothing is left after a clean quit, and nothing is offered") {
   CHECK(kept_sessions(profile).empty());
   Rig rig(1100, 720, profile.path());
   wait_until_kept(rig);
-  CHECK(rig.session().prompt() == nullptr);
+  CHECK(rig.session().messages().prompt() == nullptr);
 }
 
 TEST_CASE("nothing is kept of a mesh that was closed; the next one is kept again") {
@@ -145,7 +147,7 @@ TEST_CASE("nothing is kept of a mesh that was closed; the next one is kept again
   }
   Rig rig(1100, 720, profile.path());
   wait_until_kept(rig);
-  CHECK(rig.session().prompt() == nullptr);
+  CHECK(rig.session().messages().prompt() == nullptr);
 }
 
 TEST_CASE("a session that is discarded is gone") {
@@ -157,7 +159,7 @@ TEST_CASE("a session that is discarded is gone") {
   rig.click("prompt/Discard");
   REQUIRE(rig.wait([&] { return kept_sessions(profile).empty(); }));
   CHECK(rig.session().document() == nullptr);
-  CHECK(rig.session().prompt() == nullptr);
+  CHECK(rig.session().messages().prompt() == nullptr);
 }
 
 TEST_CASE("two studios at the same time leave each other's sessions alone") {
@@ -173,7 +175,7 @@ TEST_CASE("two studios at the same time leave each other's sessions alone") {
     Rig second(1100, 720, profile.path());
     second.frames(5);
     wait_until_kept(second);
-    CHECK(second.session().prompt() == nullptr);
+    CHECK(second.session().messages().prompt() == nullptr);
     second.bench->apply(action::OpenMesh{write(meshes, two_body_mesh(), "two.su2")});
     wait_until_kept(second);
     CHECK(kept_sessions(profile).size() == 2);
@@ -183,7 +185,7 @@ TEST_CASE("two studios at the same time leave each other's sessions alone") {
   first.reset();
   Rig third(1100, 720, profile.path());
   REQUIRE(offered(third));
-  CHECK(third.session().prompt()->text.find("one.su2") != std::string::npos);
+  CHECK(third.session().messages().prompt()->text.find("one.su2") != std::string::npos);
   third.click("prompt/Restore");
   REQUIRE(third.wait([&] { return third.session().document() != nullptr; }));
   CHECK(third.session().coordinates() == of_first);
@@ -197,8 +199,8 @@ TEST_CASE("a damaged step costs that step and those after it, and is said") {
   Rig rig(1100, 720, profile.path());
   REQUIRE(offered(rig));
   rig.click("prompt/Restore");
-  REQUIRE(rig.wait([&] { return rig.session().document() && rig.session().prompt(); }));
-  CHECK(rig.session().prompt()->text.find("checksum") != std::string::npos);
+  REQUIRE(rig.wait([&] { return rig.session().document() && rig.session().messages().prompt(); }));
+  CHECK(rig.session().messages().prompt()->text.find("checksum") != std::string::npos);
   CHECK(rig.document().history().size() == 2);
   CHECK(rig.session().coordinates() == positions[1]);
 }
@@ -255,7 +257,7 @@ TEST_CASE("a damaged manifest or mesh is reported, and can be deleted") {
       rig.click("prompt/Restore");
       REQUIRE(offered(rig));
     }
-    CHECK(rig.session().prompt()->kind == Prompt::Kind::error);
+    CHECK(rig.session().messages().prompt()->kind == Prompt::Kind::error);
     CHECK(rig.session().document() == nullptr);
     rig.click("prompt/Delete it");
     CHECK(rig.wait([&] { return kept_sessions(profile).empty(); }));

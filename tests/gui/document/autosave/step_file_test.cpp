@@ -138,11 +138,11 @@ TEST_CASE("a session whose layers were damaged is restored up to them, and it is
         history.state(1), history.result(2));
   }
   Rig rig(1100, 720, profile.path());
-  REQUIRE(rig.wait([&] { return rig.session().prompt() != nullptr; }));
+  REQUIRE(rig.wait([&] { return rig.session().messages().prompt() != nullptr; }));
   rig.frames(3);
   rig.click("prompt/Restore");
-  REQUIRE(rig.wait([&] { return rig.session().document() && rig.session().prompt(); }));
-  CHECK(rig.session().prompt()->text.find("lost") != std::string::npos);
+  REQUIRE(rig.wait([&] { return rig.session().document() && rig.session().messages().prompt(); }));
+  CHECK(rig.session().messages().prompt()->text.find("lost") != std::string::npos);
   CHECK(rig.document().history().size() == 2);
   CHECK(rig.session().layers() == nullptr);
   rig.bench->picture();

@@ -27,7 +27,7 @@ LayersCommand four_layers() {
 void insert(Rig& rig) {
   rig.bench->apply(action::RunCommand{four_layers(), false});
   REQUIRE(rig.settle());
-  REQUIRE(rig.session().prompt() == nullptr);
+  REQUIRE(rig.session().messages().prompt() == nullptr);
   REQUIRE(rig.document().state().layers != nullptr);
 }
 
@@ -83,7 +83,7 @@ TEST_CASE("the studio follows layers in, back and forth, whatever is drawn") {
     show_everything(rig, comparison, Metric::normalized_jacobian);
     insert(rig);
     CHECK(rig.session().topology() == rig.mesh().topology);
-    CHECK(rig.session().boundary()->topology() == rig.mesh().topology);
+    CHECK(rig.session().mesh().boundary()->topology() == rig.mesh().topology);
     CHECK(rig.mesh().topology->node_count() > nodes);
     rig.bench->picture();
     for (const ElementField& field : all_element_fields()) {
@@ -102,7 +102,7 @@ TEST_CASE("the studio follows layers in, back and forth, whatever is drawn") {
     rig.bench->picture();
     rig.bench->apply(action::GoToStep{0});
     REQUIRE(rig.settle());
-    CHECK(rig.session().boundary()->topology() == rig.mesh().topology);
+    CHECK(rig.session().mesh().boundary()->topology() == rig.mesh().topology);
     rig.bench->picture();
   }
 }
@@ -117,7 +117,7 @@ TEST_CASE("markers stay selected by name; nodes whose star changed are let go of
   rig.bench->apply(action::InspectNode{far});
   CHECK(rig.session().nodes().pinned().size() == 2);
   insert(rig);
-  CHECK(rig.session().selection() == std::vector<Index>{rig.marker("flap")});
+  CHECK(rig.session().selection().markers() == std::vector<Index>{rig.marker("flap")});
   const bool kept =
       std::ranges::equal(before.neighbours(near), rig.mesh().topology->neighbours(near));
   CHECK(rig.session().nodes().pinned(near) == kept);
@@ -172,7 +172,7 @@ TEST_CASE("Esc while layers are being inserted leaves the mesh as it was, pins a
   CHECK(rig.session().topology() == before.mesh.topology);
   CHECK(rig.session().coordinates() == before.mesh.coordinates);
   CHECK(rig.session().vcv() == before.vcv);
-  CHECK(rig.session().boundary()->topology() == before.mesh.topology);
+  CHECK(rig.session().mesh().boundary()->topology() == before.mesh.topology);
   CHECK(rig.session().nodes().pinned() == std::vector<Index>{near, far});
   CHECK(rig.session().nodes().inspected() == near);
   rig.bench->picture();
@@ -196,7 +196,7 @@ TEST_CASE("a past insertion is changed in the history, and what came after it ru
   rig.fill("edit/wall0_first", "0.008");
   rig.click("edit/run");
   REQUIRE(rig.settle());
-  REQUIRE(rig.session().prompt() == nullptr);
+  REQUIRE(rig.session().messages().prompt() == nullptr);
   REQUIRE(rig.document().history().size() == 3);
   for (const std::size_t k : {1u, 2u}) {
     const auto& stack = rig.document().history().state(k).layers;
@@ -284,7 +284,7 @@ TEST_CASE("a mesh with layers is saved in the format of its source, and its reci
     const auto recipe = rig.folder / "recipe.json";
     rig.bench->apply(action::ExportRecipe{recipe, true});
     rig.bench->apply(action::SaveMesh{rig.folder / (std::string("out-") + name), true});
-    REQUIRE(rig.wait([&] { return !rig.session().saving(); }));
+    REQUIRE(rig.wait([&] { return !rig.session().files().saving(); }));
     rig.bench->apply(action::GoToStep{0});
     rig.bench->apply(action::ReplayRecipe{recipe});
     REQUIRE(rig.settle());
@@ -331,7 +331,7 @@ TEST_CASE("a session with layers is restored to the bit") {
     for (std::size_t k = 0; k < 4; ++k) states.push_back(rig.document().history().state(k));
   }
   Rig rig(1100, 720, profile.path());
-  REQUIRE(rig.wait([&] { return rig.session().prompt() != nullptr; }));
+  REQUIRE(rig.wait([&] { return rig.session().messages().prompt() != nullptr; }));
   rig.frames(3);
   rig.click("prompt/Restore");
   REQUIRE(rig.wait([&] { return rig.session().document() != nullptr; }));
@@ -355,7 +355,7 @@ TEST_CASE("the panel plans layers, shows them and inserts them") {
   rig.fill("layers/count", "3");
   rig.fill("layers/first", "0.02");
   REQUIRE(rig.settle());
-  const LayerStack* plan = rig.session().layer_preview().plan();
+  const LayerStack* plan = rig.session().jobs().layer_preview().plan();
   REQUIRE(plan != nullptr);
   CHECK(plan->columns.size() >= 24);
   CHECK(plan->columns.front().heights.front() == doctest::Approx(0.02));
@@ -371,11 +371,11 @@ TEST_CASE("the panel plans layers, shows them and inserts them") {
   CHECK(rig.visible("layers/realised"));
   rig.bench->picture();
   // A plan for the same once more would only hide the layers; another one is shown.
-  CHECK_FALSE(rig.session().layer_preview().wanted());
+  CHECK_FALSE(rig.session().jobs().layer_preview().wanted());
   rig.fill("layers/count", "2");
   REQUIRE(rig.settle());
-  REQUIRE(rig.session().layer_preview().wanted());
-  CHECK(rig.session().layer_preview().wanted()->walls.front().spacing.count == 2);
+  REQUIRE(rig.session().jobs().layer_preview().wanted());
+  CHECK(rig.session().jobs().layer_preview().wanted()->walls.front().spacing.count == 2);
 }
 
 TEST_CASE("a mesh that comes with the program is never written over") {
@@ -392,9 +392,9 @@ TEST_CASE("a mesh that comes with the program is never written over") {
   rig.bench->apply(action::SaveMesh{path, true, true});
   rig.bench->apply(action::ExportMesh{path, true});
   REQUIRE(rig.settle());
-  CHECK_FALSE(rig.session().saving());
-  REQUIRE(rig.session().notice());
-  CHECK(rig.session().notice()->text == bundled_text);
+  CHECK_FALSE(rig.session().files().saving());
+  REQUIRE(rig.session().messages().notice());
+  CHECK(rig.session().messages().notice()->text == bundled_text);
   rig.key(keys::s, {keys::control});
   rig.frames(3);
   CHECK(rig.bench->file_dialog().is_open());

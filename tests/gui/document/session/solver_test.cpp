@@ -27,7 +27,7 @@ TEST_CASE("the Smooth button runs to convergence and adds to the history") {
   REQUIRE(rig.document().history().size() == 2);
   CHECK(rig.document().history().result(1).converged);
   CHECK(distance(rig.mesh().coordinates, before.coordinates) > 1e-3);
-  CHECK(rig.session().convergence().size() > 3);
+  CHECK(rig.session().mesh().convergence().size() > 3);
 }
 
 TEST_CASE("each step is one outer iteration, then the solver waits") {
@@ -109,10 +109,10 @@ TEST_CASE("undo and redo walk the history, by keys and by the list") {
     meshes.push_back(rig.mesh().coordinates);
   }
   REQUIRE(rig.document().history().size() == 3);
-  CHECK((rig.session().pivot() - Vec2(0.3, 0)).norm() < 1e-9);
+  CHECK((rig.session().selection().pivot() - Vec2(0.3, 0)).norm() < 1e-9);
   rig.key(keys::z, {keys::control});
   CHECK(rig.session().coordinates() == meshes[1]);
-  CHECK((rig.session().pivot() - Vec2(0.2, 0)).norm() < 1e-9);
+  CHECK((rig.session().selection().pivot() - Vec2(0.2, 0)).norm() < 1e-9);
   rig.click("tool/undo");
   CHECK(rig.session().coordinates() == meshes[0]);
   rig.click("tool/redo");
@@ -192,11 +192,11 @@ TEST_CASE("settings of the solver that make no sense are refused with a reason")
   rig.bench->apply(action::RunSmooth{});
   rig.frames();
   CHECK_FALSE(rig.session().job().active());
-  REQUIRE(rig.session().prompt() != nullptr);
-  CHECK(rig.session().prompt()->kind == Prompt::Kind::error);
+  REQUIRE(rig.session().messages().prompt() != nullptr);
+  CHECK(rig.session().messages().prompt()->kind == Prompt::Kind::error);
   REQUIRE(rig.visible("prompt/OK"));
   rig.click("prompt/OK");
-  CHECK(rig.session().prompt() == nullptr);
+  CHECK(rig.session().messages().prompt() == nullptr);
 }
 
 TEST_CASE("the plot survives numbers that no run should have") {
@@ -220,8 +220,8 @@ TEST_CASE("an iteration limit that is too small is said, and going on converges"
   rig.click("solver/run");
   REQUIRE(rig.settle());
   rig.frames();
-  REQUIRE(rig.session().banner().has_value());
-  CHECK(rig.session().banner()->kind == Banner::Kind::not_converged);
+  REQUIRE(rig.session().messages().banner().has_value());
+  CHECK(rig.session().messages().banner()->kind == Banner::Kind::not_converged);
   // A drag that is taken back, or moves nothing, leaves it said.
   rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
   for (const bool moved : {true, false}) {
@@ -231,14 +231,14 @@ TEST_CASE("an iteration limit that is too small is said, and going on converges"
     CHECK(rig.session().in_motion());
     rig.bench->apply(moved ? Action(action::CancelDrag{}) : Action(action::EndDrag{}));
     REQUIRE(rig.settle());
-    REQUIRE(rig.session().banner().has_value());
-    CHECK(rig.session().banner()->kind == Banner::Kind::not_converged);
+    REQUIRE(rig.session().messages().banner().has_value());
+    CHECK(rig.session().messages().banner()->kind == Banner::Kind::not_converged);
   }
   rig.bench->apply(action::EditSmoothOptions{whole(SmoothOptions{})});
   rig.frames();
   rig.click("banner/smooth");
   REQUIRE(rig.settle());
-  CHECK_FALSE(rig.session().banner().has_value());
+  CHECK_FALSE(rig.session().messages().banner().has_value());
   CHECK(rig.document().history().result(2).converged);
 }
 

@@ -272,8 +272,8 @@ TEST_CASE("nothing is recorded without a mesh, and an existing film is not repla
   rig.open(ring_mesh());
   std::ofstream(rig.folder / "film.mp4") << "mine";
   rig.bench->apply(action::StartRecording{rig.folder / "film.mp4", std::nullopt});
-  REQUIRE(rig.session().prompt() != nullptr);
-  CHECK(rig.session().prompt()->kind == Prompt::Kind::question);
+  REQUIRE(rig.session().messages().prompt() != nullptr);
+  CHECK(rig.session().messages().prompt()->kind == Prompt::Kind::question);
   CHECK(content(rig.folder / "film.mp4") == "mine");
 }
 
