@@ -122,7 +122,8 @@ void Autosave::keep(const Session& session) {
       return [this, text = std::string(error.what()), done](Session& s) {
         taken_over_.insert(taken_over_.end(), done.begin(), done.end());
         if (!std::exchange(complained_, true))
-          s.messages().tell(Notice::Kind::warning, "The session is not kept for the case of a crash: " + text);
+          s.messages().tell(Notice::Kind::warning,
+                            "The session is not kept for the case of a crash: " + text);
       };
     }
     std::error_code ignored;

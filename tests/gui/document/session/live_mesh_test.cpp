@@ -60,7 +60,10 @@ TEST_CASE("layers that are inserted make a mesh of another connectivity, which i
   });
   const auto opened = parts.mesh.topology();
   LayersCommand layers;
-  layers.layers.walls = {"flap"};
+  LayerWall wall{{"flap"}, {}};
+  wall.spacing.count = 4;
+  wall.spacing.first = 0.01;
+  layers.layers.walls = {wall};
   REQUIRE(parts.jobs.start(layers, false));
   parts.finish();
   REQUIRE(parts.done().position() == 1);

@@ -95,7 +95,7 @@ TEST_CASE("markers are followed by name to a mesh of another connectivity") {
   selection.apply(action::SelectMarkers{{parts.marker("left")}});
   selection.apply(action::PinNodes{{parts.free_node()}});
   REQUIRE(selection.nodes().pinned().size() == 1);
-  const auto other = std::make_shared<const Topology>(*ring_mesh().topology);
+  const std::shared_ptr<const Topology> other = ring_mesh().topology;
   const auto before = parts.mesh.topology();
   selection.follow(before, other);
   CHECK(selection.empty());
