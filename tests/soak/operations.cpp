@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "gui/document/jobs/method.h"
+#include "gui/panels/files/file_dialog.h"
 #include "gui/support/keys.h"
 #include "soak.h"
 

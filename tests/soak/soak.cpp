@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "gui/base/resident_memory.h"
+#include "gui/panels/files/file_dialog.h"
 #include "gui/support/keys.h"
 
 namespace winslow::gui::test {

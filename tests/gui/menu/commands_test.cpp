@@ -5,6 +5,7 @@
 
 #include "gui/menu/fuzzy.h"
 #include "gui/menu/user_command.h"
+#include "gui/panels/files/file_dialog.h"
 #include "gui/support/keys.h"
 #include "gui/support/rig.h"
 

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "gui/panels/files/file_dialog.h"
 #include "gui/support/rig.h"
 #include "gui/widgets/plot_frame.h"
 

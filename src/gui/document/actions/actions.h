@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "gui/document/actions/demo_actions.h"
+#include "gui/document/actions/dialog_actions.h"
 #include "gui/document/actions/file_actions.h"
 #include "gui/document/actions/history_actions.h"
 #include "gui/document/actions/job_actions.h"
@@ -26,7 +27,8 @@ namespace winslow::gui {
 using DocumentAction = std::variant<FileAction, SelectionAction, MotionAction, VcvAction, JobAction,
                                     HistoryAction, MessageAction>;
 
-using Action = std::variant<DocumentAction, ViewAction, PictureAction, ShellAction, DemoAction>;
+using Action =
+    std::variant<DocumentAction, ViewAction, PictureAction, DialogAction, ShellAction, DemoAction>;
 
 using ActionQueue = std::vector<Action>;
 

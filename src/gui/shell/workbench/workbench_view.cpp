@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "gui/panels/banner_panel.h"
 #include "gui/shell/workbench/workbench.h"
 #include "gui/view/navigation/go_to.h"
 #include "gui/view/overlays/overlay.h"

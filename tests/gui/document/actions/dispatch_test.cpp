@@ -64,6 +64,7 @@ static_assert(Dispatch::complete<HistoryEditor, HistoryAction>());
 static_assert(Dispatch::complete<MessageBoard, MessageAction>());
 static_assert(Dispatch::complete<Workbench, ViewAction>());
 static_assert(Dispatch::complete<Capture, PictureAction>());
+static_assert(Dispatch::complete<Dialogs, DialogAction>());
 static_assert(Dispatch::complete<Workbench, ShellAction>());
 static_assert(Dispatch::complete<Workbench, DemoAction>());
 
@@ -83,7 +84,8 @@ TEST_CASE("an action finds its group by itself") {
   CHECK(std::holds_alternative<HistoryAction>(std::get<DocumentAction>(undo)));
   CHECK(std::holds_alternative<ViewAction>(Action(action::FitView{})));
   CHECK(std::holds_alternative<PictureAction>(Action(action::StopRecording{})));
-  CHECK(std::holds_alternative<ShellAction>(Action(action::ShowHelp{})));
+  CHECK(std::holds_alternative<DialogAction>(Action(action::ShowHelp{})));
+  CHECK(std::holds_alternative<ShellAction>(Action(action::ClearRecent{})));
   CHECK(std::holds_alternative<DemoAction>(Action(action::EndDemo{})));
 }
 

@@ -5,6 +5,7 @@
 #include "gui/files/assets.h"
 #include "gui/files/file_kinds.h"
 #include "gui/menu/user_command.h"
+#include "gui/panels/files/file_dialog.h"
 #include "gui/support/keys.h"
 #include "gui/support/rig.h"
 #include "io/mesh_file.h"

@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "core/error.h"
+#include "gui/panels/files/file_dialog.h"
 #include "gui/shell/studio.h"
 #include "gui/support/keys.h"
 #include "gui/support/rig.h"

@@ -6,6 +6,7 @@
 
 #include "core/layers/layer_measures.h"
 #include "gui/files/assets.h"
+#include "gui/panels/files/file_dialog.h"
 #include "gui/support/keys.h"
 #include "gui/support/rig.h"
 

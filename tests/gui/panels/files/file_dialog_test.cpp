@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "gui/files/folder_listing.h"
+#include "gui/panels/files/file_dialog.h"
 #include "gui/support/keys.h"
 #include "gui/support/rig.h"
 #include "io/mesh_file.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "gui/panels/files/file_dialog.h"
 #include "gui/support/keys.h"
 #include "gui/support/rig.h"
 
