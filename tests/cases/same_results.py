@@ -6,7 +6,7 @@
     python3 same_results.py --against DIGESTS.json PROGRAM
 
 The cases are those of result_cases.py: some 250 runs of every command, formulation, solver and format,
-in about five minutes; --quick takes a fifth of them, and needs no Gmsh. Exit statuses and all written files
+in about five minutes on two cores; --quick takes a sixth of them. The others need Gmsh and numpy. Exit statuses and all written files
 are compared, of pictures their pixels, of reports all but times and memory. --extra OPTION (repeated)
 hands the second program another option where it is known: to see that differences are found.
 """
@@ -72,7 +72,8 @@ def run_case(program, case, folder, extra=()):
             target.symlink_to(source.resolve())
         else:
             target.write_text(source)
-    environment = {**os.environ, "DISPLAY": "", "WAYLAND_DISPLAY": "", "WINSLOW_PROFILE": str(folder.parent / "profile")}
+    environment = {**os.environ, "DISPLAY": "", "WAYLAND_DISPLAY": "",
+                   "WINSLOW_PROFILE": str(folder) + ".profile"}
     found, worst = {}, 0
     for k, step in enumerate(case.steps):
         words = [*step, *extra] if step[0] in ("move", "deform", "smooth") else step
@@ -119,6 +120,10 @@ def describe(name, folders):
     return f"{name}: {first_difference(*map(essence, paths))}"
 
 
+def folder_of(work, which, case):
+    return work / which / case.name.replace("/", "+")  # beside one another: names begin alike
+
+
 class Comparison:
     def __init__(self, options, work, recorded):
         self.options, self.work, self.recorded = options, work, recorded
@@ -130,8 +135,9 @@ class Comparison:
     def expected(self, case):
         """Digests of the base, and the folders to look into for differences."""
         if self.recorded is None:
-            found, worst = run_case(self.options.programs[0], case, self.work / "base" / case.name)
-            return found, worst, [self.work / "base" / case.name]
+            folder = folder_of(self.work, "base", case)
+            found, worst = run_case(self.options.programs[0], case, folder)
+            return found, worst, [folder]
         known = self.recorded.get(case.name)
         if known is None:
             return None, 0, []
@@ -140,9 +146,9 @@ class Comparison:
     def compare(self, case):
         """Case, list of differences, seconds."""
         start = time.monotonic()
-        folders, faults = [], []
+        faults = []
         old, worst, folders = ({}, 0, []) if self.options.record else self.expected(case)
-        folder = self.work / "new" / case.name
+        folder = folder_of(self.work, "new", case)
         new, worst_new = run_case(self.options.programs[-1], case, folder, self.options.extra)
         self.digests[case.name] = {"inputs": input_digest(case), "files": new}
         if worst or worst_new:
