@@ -86,6 +86,12 @@ TEST_CASE("a paced direct run goes no faster, and can be slowed, cancelled and s
   rig.open(ring_mesh());
   const Coordinates before = rig.mesh().coordinates;
   choose_direct(rig);
+  const SmoothOptions usual = rig.session().smooth_options();
+  SmoothOptions slow = usual;  // it would go on for minutes
+  slow.damping = 0.001;
+  slow.acceleration = 0;
+  slow.max_iterations = 100000;
+  rig.bench->apply(action::SetSmoothOptions{slow});
   choose(rig, "solver/pace", "30 a second");
   CHECK(rig.session().pace() == 30);
   const auto start = std::chrono::steady_clock::now();
@@ -98,6 +104,7 @@ TEST_CASE("a paced direct run goes no faster, and can be slowed, cancelled and s
   rig.click("solver/cancel");
   CHECK_FALSE(rig.session().job().active());
   CHECK(rig.session().coordinates() == before);
+  rig.bench->apply(action::SetSmoothOptions{usual});
   turn(rig, 60);
   choose(rig, "solver/pace", "Unlimited");
   REQUIRE(rig.settle());

@@ -20,12 +20,6 @@ void wait_until_kept(Rig& rig) {
   REQUIRE(rig.wait([&] { return !rig.bench->autosave().busy(); }));
 }
 
-void turn(Rig& rig, double degrees) {
-  rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
-  rig.bench->apply(action::ApplyMotion{{degrees, Vec2(0, 0), Vec2(0, 0)}});
-  REQUIRE(rig.settle());
-}
-
 std::vector<fs::path> kept_sessions(const TemporaryFolder& profile) {
   std::vector<fs::path> folders;
   std::error_code error;
@@ -43,7 +37,7 @@ std::vector<Coordinates> work_and_crash(const TemporaryFolder& profile,
   REQUIRE(rig.settle());
   std::vector<Coordinates> positions{rig.mesh().coordinates};
   for (double degrees : {10.0, -25.0, 5.0}) {
-    turn(rig, degrees);
+    turn_flap(rig, degrees);
     positions.push_back(rig.mesh().coordinates);
   }
   rig.bench->apply(action::Undo{});
@@ -114,7 +108,7 @@ TEST_CASE("nothing is left after a clean quit, and nothing is offered") {
     rig.bench->apply(action::OpenMesh{write(meshes, ring_mesh())});
     wait_until_kept(rig);
     CHECK(kept_sessions(profile).size() == 1);
-    turn(rig, 10);
+    turn_flap(rig, 10);
     rig.bench->apply(action::Quit{true});
   }
   CHECK(kept_sessions(profile).empty());
@@ -131,7 +125,7 @@ TEST_CASE("nothing is kept of a mesh that was closed; the next one is kept again
     const auto mesh = write(meshes, ring_mesh());
     rig.bench->apply(action::OpenMesh{mesh});
     wait_until_kept(rig);
-    turn(rig, 10);
+    turn_flap(rig, 10);
     wait_until_kept(rig);
     CHECK(kept_sessions(profile).size() == 1);
     rig.bench->apply(action::CloseMesh{true});
@@ -166,7 +160,7 @@ TEST_CASE("two studios at the same time leave each other's sessions alone") {
   auto first = std::make_unique<Rig>(1100, 720, profile.path());
   first->bench->apply(action::OpenMesh{write(meshes, ring_mesh(), "one.su2")});
   REQUIRE(first->settle());
-  turn(*first, 10);
+  turn_flap(*first, 10);
   wait_until_kept(*first);
   const Coordinates of_first = first->mesh().coordinates;
   {
@@ -266,15 +260,15 @@ TEST_CASE("what came after an undone step is written once and goes when it is fo
   TemporaryFolder profile;
   Rig rig(1100, 720, profile.path());
   rig.open(ring_mesh());
-  turn(rig, 10);
-  turn(rig, 5);
+  turn_flap(rig, 10);
+  turn_flap(rig, 5);
   wait_until_kept(rig);
   const fs::path folder = kept_sessions(profile).at(0);
   const fs::path first = find(folder, "step-", 0);
   const fs::path second = find(folder, "step-", 1);
   const auto time = fs::last_write_time(first);
   rig.bench->apply(action::Undo{});
-  turn(rig, 8);
+  turn_flap(rig, 8);
   wait_until_kept(rig);
   CHECK(fs::exists(first));
   CHECK(fs::last_write_time(first) == time);

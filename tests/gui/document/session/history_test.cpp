@@ -10,18 +10,12 @@ namespace winslow::gui::test {
 
 namespace {
 
-void turn(Rig& rig, double degrees, const Vec2& by = Vec2(0, 0)) {
-  rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
-  rig.bench->apply(action::ApplyMotion{{degrees, Vec2(0, 0), by}});
-  REQUIRE(rig.settle());
-}
-
 /// Three motions; the mesh of each position.
 std::vector<Coordinates> three_motions(Rig& rig) {
   rig.open(ring_mesh());
   std::vector<Coordinates> meshes{rig.mesh().coordinates};
   for (double degrees : {10.0, -25.0, 5.0}) {
-    turn(rig, degrees);
+    turn_flap(rig, degrees);
     meshes.push_back(rig.mesh().coordinates);
   }
   rig.click("tab/history");
@@ -42,7 +36,7 @@ void right_click(Rig& rig, const std::string& widget) {
 Coordinates by_hand(const std::vector<double>& rotations) {
   Rig rig;
   rig.open(ring_mesh());
-  for (double degrees : rotations) turn(rig, degrees);
+  for (double degrees : rotations) turn_flap(rig, degrees);
   return rig.mesh().coordinates;
 }
 

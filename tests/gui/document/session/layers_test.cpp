@@ -31,12 +31,6 @@ void insert(Rig& rig) {
   REQUIRE(rig.document().state().layers != nullptr);
 }
 
-void turn(Rig& rig, double degrees) {
-  rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
-  rig.bench->apply(action::ApplyMotion{{degrees, Vec2(0, 0), Vec2(0, 0)}});
-  REQUIRE(rig.settle());
-}
-
 /// All that is drawn: colours, comparison, ids, pins.
 void show_everything(Rig& rig, Comparison comparison, const ElementField& field) {
   set_view(rig, [&](ViewOptions& view) {
@@ -182,7 +176,7 @@ TEST_CASE("a past insertion is changed in the history, and what came after it ru
   Rig rig;
   rig.open(ring_mesh());
   insert(rig);
-  turn(rig, 10);
+  turn_flap(rig, 10);
   rig.click("tab/history");
   rig.frames(3);
   const Vec2 step = rig.bench->widgets().find("history/1")->centre();
@@ -300,9 +294,9 @@ TEST_CASE("a mesh with layers is saved in the format of its source, and its reci
 TEST_CASE("steps before and after layers can be changed and deleted") {
   Rig rig;
   rig.open(ring_mesh());
-  turn(rig, 10);
+  turn_flap(rig, 10);
   insert(rig);
-  turn(rig, -5);
+  turn_flap(rig, -5);
   rig.bench->apply(action::DeleteStep{1});
   REQUIRE(rig.settle());
   CHECK(rig.document().history().size() == 3);
@@ -324,9 +318,9 @@ TEST_CASE("a session with layers is restored to the bit") {
     Rig rig(1100, 720, profile.path());
     rig.bench->apply(action::OpenMesh{write(meshes, ring_mesh(), "wing.su2")});
     REQUIRE(rig.settle());
-    turn(rig, 5);
+    turn_flap(rig, 5);
     insert(rig);
-    turn(rig, -10);
+    turn_flap(rig, -10);
     REQUIRE(rig.wait([&] { return !rig.bench->autosave().busy(); }));
     for (std::size_t k = 0; k < 4; ++k) states.push_back(rig.document().history().state(k));
   }
@@ -340,7 +334,7 @@ TEST_CASE("a session with layers is restored to the bit") {
   REQUIRE(history.size() == 4);
   for (std::size_t k = 0; k < 4; ++k) check_same_mesh(states[k], history.state(k));
   // Work goes on as it would have.
-  turn(rig, 3);
+  turn_flap(rig, 3);
   CHECK(rig.document().history().result(4).converged);
   CHECK(rig.document().state().layers != nullptr);
 }

@@ -167,20 +167,22 @@ TEST_CASE("the convergence plot shows the run and reads out an iteration under t
 }
 
 TEST_CASE("no frame waits for the solver") {
+  // An iteration takes several times as long as a frame. If frames waited for iterations there
+  // would be another one published after every frame.
   Rig rig;
-  rig.open(ring_mesh(160, 60));
-  const double start = rig.longest_frame();
+  rig.open(ring_mesh(320, 120));
   rig.key(keys::space);
   int frames = 0;
+  int within_an_iteration = 0;
   while (rig.session().job().active() && iterations(rig) < 6) {
+    const int before = iterations(rig);
     rig.frames(1);
     ++frames;
+    if (iterations(rig) == before && rig.session().job().active()) ++within_an_iteration;
   }
   rig.bench->apply(action::CancelSolver{});
-  MESSAGE("longest frame before ", start, " s, with the solver ", rig.longest_frame(), " s, ",
-          frames, " frames");
-  CHECK(frames > 6);
-  CHECK(rig.longest_frame() < 2.0);
+  MESSAGE(within_an_iteration, " of ", frames, " frames within an iteration");
+  CHECK(within_an_iteration > 0);
 }
 
 TEST_CASE("settings of the solver that make no sense are refused with a reason") {
