@@ -4,9 +4,9 @@
 namespace winslow::io::vtk {
 namespace {
 
-class Builder {
+class GridBuilder {
  public:
-  Builder(const Mesh& mesh, const FormatDetails* source, std::vector<std::string>& warnings)
+  GridBuilder(const Mesh& mesh, const FormatDetails* source, std::vector<std::string>& warnings)
       : topology_(*mesh.topology) {
     if (topology_.markers_from_file()) {
       markers_ = usable_tags(tags_of(topology_.markers()), "markers", warnings);
@@ -74,7 +74,7 @@ class Builder {
 }  // namespace
 
 Grid to_grid(const Mesh& mesh, const FormatDetails* source, std::vector<std::string>& warnings) {
-  Builder builder(mesh, source, warnings);
+  GridBuilder builder(mesh, source, warnings);
   const auto* details = dynamic_cast<const Details*>(source);
   if (details != nullptr && details->fits(mesh)) return builder.in_order_of(*details);
   return builder.elements_then_markers();

@@ -11,9 +11,9 @@ namespace winslow::gui::ui {
 
 namespace {
 
-class Form {
+class CommandFields {
  public:
-  explicit Form(const std::string& prefix) : prefix_(prefix) {}
+  explicit CommandFields(const std::string& prefix) : prefix_(prefix) {}
   bool changed() const { return changed_; }
 
   void operator()(SmoothCommand& command) { options(command.smooth); }
@@ -169,7 +169,7 @@ class Form {
 }  // namespace
 
 bool command_form(const std::string& prefix, Command& command) {
-  Form form(prefix);
+  CommandFields form(prefix);
   std::visit(form, command);
   return form.changed();
 }

@@ -22,9 +22,10 @@ const std::array<NamedTargets, 3> pure_targets{
 bool by_fixed_point(const SmoothOptions& o) { return o.outer == OuterMethod::picard; }
 
 /// The rows of one form.
-class Form {
+class SmoothForm {
  public:
-  Form(const std::string& prefix, SmoothOptions& options) : prefix_(prefix), options_(options) {}
+  SmoothForm(const std::string& prefix, SmoothOptions& options)
+      : prefix_(prefix), options_(options) {}
 
   bool draw() {
     equations();
@@ -214,7 +215,7 @@ bool method_choice(const std::string& prefix, SmoothOptions& smooth, MotionOptio
 }
 
 bool smooth_options_form(const std::string& prefix, SmoothOptions& options) {
-  return Form(prefix, options).draw();
+  return SmoothForm(prefix, options).draw();
 }
 
 }  // namespace winslow::gui::ui

@@ -15,7 +15,7 @@ namespace winslow::gui {
 namespace {
 
 /// Room around the viewport where lines go on, so that their cut ends are not seen.
-constexpr double beyond = 8;
+constexpr double cell_margin = 8;
 /// Shades in which edges fade where they are dense.
 constexpr int shades = 6;
 /// Colours of a continuous scale: more than the eye tells apart, few enough paths.
@@ -29,7 +29,7 @@ class MeshDrawing {
   MeshDrawing(Page& page, const VectorFigure& figure, const Camera& camera, const Vec2& origin)
       : page_(page), figure_(figure), camera_(camera), theme_(picture_theme(figure.dark)) {
     area_ = {origin, origin + Vec2(camera.viewport_width(), camera.viewport_height())};
-    box_ = {area_.min - Vec2::Constant(beyond), area_.max + Vec2::Constant(beyond)};
+    box_ = {area_.min - Vec2::Constant(cell_margin), area_.max + Vec2::Constant(cell_margin)};
     shift_ = origin - camera.viewport_origin();
   }
 
