@@ -59,9 +59,10 @@ def paper():
         yield chain(f"{name}/picard", mesh, with_options(steps, PICARD), quick=case["name"] == "D")
         if case["name"] in "AD":
             yield chain(f"{name}/pointwise", mesh, with_options(steps, ["--formulation", "pointwise"]))
+        if case["name"] == "A":
             yield chain(f"{name}/plain", mesh, with_options(steps, [
                 *PICARD, "--acceleration", 0, "--fixed-damping", "--increments", 1,
-                "--max-iterations", 400]))
+                "--max-iterations", 150]))
         if case["name"] in "ABDG":
             yield chain(f"{name}/direct", mesh, with_options(steps, ["--direct"]))
             yield chain(f"{name}/before", mesh, [[*steps[0], "--no-smooth", "--allow-inverted"]])

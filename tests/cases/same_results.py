@@ -28,6 +28,7 @@ from pathlib import Path
 
 from result_cases import all_cases
 
+LIMIT = 900  # seconds for a step
 VARYING = ("seconds", "peak_memory_bytes")
 
 
@@ -64,7 +65,8 @@ def essence(path):
 
 
 def run_case(program, case, folder, extra=()):
-    """Runs the case in a new folder. Digest of each file written; a step's status counts as a file."""
+    """Runs the case in a new folder. Digest of each file written, a step's status counting as one, and
+    what is wrong with the case itself; empty if nothing."""
     folder.mkdir(parents=True)
     for name, source in case.inputs.items():
         target = folder / name
@@ -74,14 +76,17 @@ def run_case(program, case, folder, extra=()):
             target.write_text(source)
     environment = {**os.environ, "DISPLAY": "", "WAYLAND_DISPLAY": "",
                    "WINSLOW_PROFILE": str(folder) + ".profile"}
-    found, worst = {}, 0
+    found, worst = {}, ""
     for k, step in enumerate(case.steps):
         words = [*step, *extra] if step[0] in ("move", "deform", "smooth") else step
-        done = subprocess.run([program, *words], cwd=folder, env=environment, capture_output=True,
-                              text=True, timeout=900, check=False)
+        try:
+            done = subprocess.run([program, *words], cwd=folder, env=environment, capture_output=True,
+                                  text=True, timeout=LIMIT, check=False)
+        except subprocess.TimeoutExpired:
+            return {}, f"no end after {LIMIT} s"
         (folder / f"step{k}.status").write_text(f"{done.returncode}\n")
         if done.returncode not in (0, 4, 5):
-            worst = done.returncode
+            worst = f"a step ended with status {done.returncode}: the case shows nothing"
             (folder / f"step{k}.stderr").write_text(done.stderr)
     for path in sorted(folder.rglob("*")):
         name = str(path.relative_to(folder))
@@ -140,20 +145,20 @@ class Comparison:
             return found, worst, [folder]
         known = self.recorded.get(case.name)
         if known is None:
-            return None, 0, []
-        return (known["files"] if known["inputs"] == input_digest(case) else {}), 0, []
+            return None, "", []
+        return (known["files"] if known["inputs"] == input_digest(case) else {}), "", []
 
     def compare(self, case):
         """Case, list of differences, seconds."""
         start = time.monotonic()
         faults = []
-        old, worst, folders = ({}, 0, []) if self.options.record else self.expected(case)
+        old, worst, folders = ({}, "", []) if self.options.record else self.expected(case)
         folder = folder_of(self.work, "new", case)
         new, worst_new = run_case(self.options.programs[-1], case, folder, self.options.extra)
         self.digests[case.name] = {"inputs": input_digest(case), "files": new}
         if worst or worst_new:
-            faults.append(f"a step ended with status {worst_new or worst}: the case shows nothing")
-        if old is None:
+            faults.append(worst_new or worst)
+        elif old is None:
             faults.append("not recorded")
         elif self.options.record:
             pass
