@@ -22,8 +22,6 @@ constexpr int shades = 6;
 constexpr int most_colors = 64;
 constexpr double rim = 0.3;
 
-Rgb rgb(const Rgba& c) { return {c[0], c[1], c[2]}; }
-
 class MeshDrawing {
  public:
   MeshDrawing(Page& page, const VectorFigure& figure, const Camera& camera, const Vec2& origin)

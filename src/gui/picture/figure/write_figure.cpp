@@ -26,8 +26,6 @@ std::string lower_ending(const std::filesystem::path& path) {
   return ending;
 }
 
-Rgb rgb(const std::array<float, 4>& c) { return {c[0], c[1], c[2]}; }
-
 /// Title, legend and key around the mesh.
 class FigureDrawing {
  public:
