@@ -1,12 +1,13 @@
 #include "core/mesh/mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
-#include <numeric>
+#include <optional>
 #include <tuple>
 
 #include "core/error.h"
+#include "core/search/box_tree.h"
 
 namespace winslow {
 
@@ -88,36 +89,61 @@ void check_duplicates(const Mesh& mesh) {
   }
 }
 
+/// The first of some nodes, by position, that lies inside an edge.
+class HangingNodes {
+ public:
+  HangingNodes(const Coordinates& coordinates, std::vector<Index> candidates)
+      : x_(coordinates), nodes_(by_position(coordinates, std::move(candidates))) {
+    std::vector<Box<2>> places;
+    places.reserve(nodes_.size());
+    for (const Index node : nodes_) places.push_back({x_.xy(node), x_.xy(node)});
+    tree_ = BoxTree<2>(places);
+  }
+
+  std::optional<Index> first_inside(const std::array<Index, 2>& edge) const {
+    const Vec2 a = x_.xy(edge[0]);
+    const Vec2 d = x_.xy(edge[1]) - a;
+    const double length2 = d.squaredNorm();
+    const auto inside = [&](Index node) {
+      if (node == edge[0] || node == edge[1]) return false;
+      const Vec2 p = x_.xy(node) - a;
+      const double along = p.dot(d) / length2;
+      return along > near && along < 1 - near && std::abs(cross(p, d)) < near * length2;
+    };
+    Box<2> box{a, a};
+    box.add(a + d);
+    const Vec2 slack = Vec2::Constant(near * std::sqrt(length2));
+    auto first = static_cast<Index>(nodes_.size());
+    tree_.overlapping({box.min - slack, box.max + slack}, [&](Index k) {
+      if (k < first && inside(nodes_[static_cast<std::size_t>(k)])) first = k;
+    });
+    if (first == static_cast<Index>(nodes_.size())) return std::nullopt;
+    return nodes_[static_cast<std::size_t>(first)];
+  }
+
+ private:
+  static constexpr double near = 1e-9;  // of the edge's length
+
+  const Coordinates& x_;
+  std::vector<Index> nodes_;
+  BoxTree<2> tree_;  // of nodes_
+};
+
 void check_hanging(const Mesh& mesh) {
   const Topology& topology = *mesh.topology;
   std::vector<Index> nodes;
   for (const auto& loop : topology.boundary_loops()) {
     nodes.insert(nodes.end(), loop.begin(), loop.end());
   }
-  nodes = by_position(mesh.coordinates, std::move(nodes));
-  const auto x_of = [&](Index node) { return mesh.coordinates.point(node)[0]; };
-  constexpr double near = 1e-9;  // of the edge's length
+  const HangingNodes hanging(mesh.coordinates, std::move(nodes));
   for (const auto& edge : topology.edges()) {
     if (edge.elements[1] >= 0) continue;
-    const Vec2 a = mesh.coordinates.xy(edge.nodes[0]);
-    const Vec2 d = mesh.coordinates.xy(edge.nodes[1]) - a;
-    const double length2 = d.squaredNorm();
-    const double slack = near * std::sqrt(length2);
-    const auto first =
-        std::lower_bound(nodes.begin(), nodes.end(), std::min(a.x(), a.x() + d.x()) - slack,
-                         [&](Index node, double x) { return x_of(node) < x; });
-    const double last_x = std::max(a.x(), a.x() + d.x()) + slack;
-    for (auto it = first; it != nodes.end() && x_of(*it) <= last_x; ++it) {
-      if (*it == edge.nodes[0] || *it == edge.nodes[1]) continue;
-      const Vec2 p = mesh.coordinates.xy(*it) - a;
-      const double along = p.dot(d) / length2;
-      if (along > near && along < 1 - near && std::abs(cross(p, d)) < near * length2) {
-        throw MeshError(MeshEntity::node, *it,
-                        "node " + std::to_string(*it) + " lies inside the edge between nodes " +
-                            std::to_string(edge.nodes[0]) + " and " +
-                            std::to_string(edge.nodes[1]) + " (hanging node)");
-      }
-    }
+    const auto node = hanging.first_inside(edge.nodes);
+    if (!node) continue;
+    throw MeshError(MeshEntity::node, *node,
+                    "node " + std::to_string(*node) + " lies inside the edge between nodes " +
+                        std::to_string(edge.nodes[0]) + " and " + std::to_string(edge.nodes[1]) +
+                        " (hanging node)");
   }
 }
 

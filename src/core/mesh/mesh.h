@@ -7,6 +7,7 @@
 #include "core/mesh/coordinates.h"
 #include "core/mesh/mesh_data.h"
 #include "core/mesh/topology.h"
+#include "core/search/box.h"
 
 namespace winslow {
 
@@ -26,14 +27,9 @@ struct Mesh {
 /// what smoothing is for.
 Mesh make_mesh(const MeshData& data, std::vector<std::string>* warnings = nullptr);
 
+/// A part of the plane.
+using Bounds = Box<2>;
 /// Smallest axis-parallel box around all used nodes.
-struct Bounds {
-  Vec2 min{0, 0};
-  Vec2 max{0, 0};
-  Vec2 centre() const { return 0.5 * (min + max); }
-  Vec2 size() const { return max - min; }
-  bool operator==(const Bounds&) const = default;
-};
 Bounds bounds(const Mesh& mesh);
 /// The same around given nodes. Throws UsageError if there are none.
 Bounds bounds(const Coordinates& coordinates, std::span<const Index> nodes);
