@@ -37,7 +37,8 @@ class BoxTree {
     Index item = -1;
     double distance = 0;
   };
-  /// Distance of an item from the point that is asked about; no less than that of its box.
+  /// Distance of an item from the point that is asked about; but for round-off no less than that of its
+  /// box.
   using Distance = std::function<double(Index)>;
   /// The item nearest to a point, no farther away than `radius`.
   std::optional<Nearest> nearest(const Vec<D>& point, double radius,
