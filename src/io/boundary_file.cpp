@@ -19,7 +19,7 @@ namespace {
 /// Takes edges off a marker, one line after the other.
 class LineWalk {
  public:
-  explicit LineWalk(const Marker& marker) : edges_(marker.edges), used_(edges_.size(), false) {
+  explicit LineWalk(const Marker& marker) : edges_(marker.faces), used_(edges_.size(), false) {
     for (std::size_t e = 0; e < edges_.size(); ++e)
       for (Index node : edges_[e]) at_[node].push_back(e);
   }
@@ -56,7 +56,7 @@ class LineWalk {
     return std::nullopt;
   }
 
-  const std::vector<std::array<Index, 2>>& edges_;
+  const std::vector<Face>& edges_;
   std::vector<bool> used_;
   std::map<Index, std::vector<std::size_t>> at_;
 };
@@ -142,7 +142,7 @@ void write_vtk(TextWriter& out, const Mesh& mesh, const std::vector<Curve>& curv
 std::vector<BoundaryLine> boundary_lines(const Marker& marker) {
   LineWalk walk(marker);
   std::vector<BoundaryLine> lines;
-  for (std::size_t e = 0; e < marker.edges.size(); ++e)
+  for (std::size_t e = 0; e < marker.faces.size(); ++e)
     if (!walk.used(e)) lines.push_back(walk.take(e));
   return lines;
 }

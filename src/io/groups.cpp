@@ -32,9 +32,10 @@ void make_markers(const std::vector<Region>& groups, LineDetails& details, Parse
   mesh.where.marker_edges.resize(groups.size());
   for (std::size_t m = 0; m < groups.size(); ++m) {
     Marker marker{groups[m].name, groups[m].tag, {}};
-    marker.edges.reserve(details.marker_lines[m].size());
+    marker.faces.reserve(details.marker_lines[m].size());
     for (const Index l : details.marker_lines[m]) {
-      marker.edges.push_back(details.edge(l));
+      const auto [a, b] = details.edge(l);
+      marker.faces.emplace_back(a, b);
     }
     mesh.data.markers.push_back(std::move(marker));
   }

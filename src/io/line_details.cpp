@@ -17,10 +17,10 @@ bool LineDetails::fits(const Mesh& mesh) const {
   if (markers.size() != marker_lines.size()) return false;
   for (std::size_t m = 0; m < markers.size(); ++m) {
     const auto& own = marker_lines[m];
-    const auto same_nodes = [&](Index coded, const std::array<Index, 2>& nodes_of) {
-      return edge(coded) == nodes_of;
+    const auto same_nodes = [&](Index coded, const Face& face) {
+      return edge(coded) == face.edge();
     };
-    if (!std::equal(own.begin(), own.end(), markers[m].edges.begin(), markers[m].edges.end(),
+    if (!std::equal(own.begin(), own.end(), markers[m].faces.begin(), markers[m].faces.end(),
                     same_nodes)) {
       return false;
     }

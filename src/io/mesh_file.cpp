@@ -64,7 +64,7 @@ std::size_t place_of(const MeshError& error, const SourceMap& where) {
       return at(where.nodes, error.index());
     case MeshEntity::element:
       return at(where.elements, error.index());
-    case MeshEntity::marker_edge: {
+    case MeshEntity::marker_face: {
       const auto m = static_cast<std::size_t>(error.marker());
       return error.marker() >= 0 && m < where.marker_edges.size()
                  ? at(where.marker_edges[m], error.index())

@@ -15,7 +15,7 @@ namespace winslow::io {
 struct SourceMap {
   std::vector<std::size_t> nodes;
   std::vector<std::size_t> elements;
-  std::vector<std::vector<std::size_t>> marker_edges;  ///< as MeshData::markers[m].edges
+  std::vector<std::vector<std::size_t>> marker_edges;  ///< as MeshData::markers[m].faces
 };
 
 /// What a reader of one format returns.

@@ -36,7 +36,7 @@ std::vector<std::string> lines_of(const std::filesystem::path& path) {
 void check_edges(const Marker& marker, const std::vector<BoundaryLine>& lines) {
   std::multiset<std::set<Index>> wanted;
   std::multiset<std::set<Index>> found;
-  for (const auto& [a, b] : marker.edges) wanted.insert({a, b});
+  for (const Face& edge : marker.faces) wanted.insert({edge[0], edge[1]});
   for (const auto& line : lines)
     for (std::size_t k = 0; k + 1 < line.nodes.size(); ++k)
       found.insert({line.nodes[k], line.nodes[k + 1]});

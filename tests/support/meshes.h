@@ -51,7 +51,7 @@ inline void mark_boundary(MeshData& data, const std::function<std::string(const 
     if (it == data.markers.end()) {
       it = data.markers.insert(it, Marker{marker, static_cast<int>(data.markers.size()) + 1, {}});
     }
-    it->edges.push_back({a, b});
+    it->faces.emplace_back(a, b);
   });
 }
 

@@ -24,7 +24,7 @@ std::vector<std::string> markers_of(const Command& command) {
   std::string list;
   for (const Marker& marker : topology.markers()) {
     known.push_back(marker.name);
-    list += (list.empty() ? "" : ", ") + marker.name + " (" + std::to_string(marker.edges.size()) +
+    list += (list.empty() ? "" : ", ") + marker.name + " (" + std::to_string(marker.faces.size()) +
             " edges)";
   }
   throw UsageError("unknown marker \"" + name + '"' + suggest(name, known) + " Markers of " + file +

@@ -289,7 +289,8 @@ LayerOptions with_counts(LayerOptions options, const Mesh& mesh) {
     for (const std::string& name : wall.markers) {
       const auto marker = mesh.topology->find_marker(name);
       if (!marker) continue;
-      for (const auto& [a, b] : mesh.topology->markers()[static_cast<std::size_t>(*marker)].edges) {
+      for (const Face& edge : mesh.topology->markers()[static_cast<std::size_t>(*marker)].faces) {
+        const auto [a, b] = edge.edge();
         const Vec2 p = mesh.coordinates.xy(a), q = mesh.coordinates.xy(b);
         if (wall.part.holds(p) && wall.part.holds(q)) lengths.push_back((q - p).norm());
       }

@@ -168,6 +168,7 @@ const QualityReport::PerMetric& QualityReport::of(Metric metric) const {
 
 QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
   const Topology& topology = *mesh.topology;
+  require_plane(topology, "quality");
   const Index n = topology.element_count();
   std::vector<ElementMetrics> metrics(at(n));
   std::vector<double> sines(topology.elements().values.size());
@@ -215,6 +216,7 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
 }
 
 std::vector<double> element_values(const Mesh& mesh, Metric metric) {
+  require_plane(*mesh.topology, "quality");
   std::vector<double> values(at(mesh.topology->element_count()));
   parallel_for(0, mesh.topology->element_count(), [&](Index begin, Index end) {
     for (Index e = begin; e < end; ++e) {
@@ -225,10 +227,13 @@ std::vector<double> element_values(const Mesh& mesh, Metric metric) {
 }
 
 double element_value(const Mesh& mesh, Index element, Metric metric) {
+  require_plane(*mesh.topology, "quality");
   return value_of(measure(mesh.coordinates, mesh.topology->element(element)), metric);
 }
 
 Validity check_validity(const Topology& topology, const Coordinates& coordinates, int threads) {
+  require_plane(topology, "quality");
+  coordinates.require_dimension(2);
   const CornerData data{coordinates.values().data(), topology.elements().offsets.data(),
                         topology.elements().values.data()};
   const CornerKernel avx2 = avx2_corner_kernel();

@@ -20,6 +20,7 @@ namespace winslow {
 /// - condition_number: (l1^2+l2^2+l3^2)/(4 sqrt(3) A) of a triangle, weighted to the equilateral;
 ///   of a quadrilateral the largest (l1^2+l2^2)/(4A) over its corners, as in Verdict. 1 is best.
 /// - area: signed area of the element, in squared units of the file.
+/// All of them are for plane meshes; everything here throws UsageError for another.
 /// An element is inverted if any of its corners has an area that is not positive. Aspect ratio and
 /// condition number of an inverted element are infinite; statistics leave them out.
 enum class Metric { normalized_jacobian, aspect_ratio, condition_number, area };

@@ -43,7 +43,7 @@ void MarkersPanel::draw_row(const PanelContext& context, Index marker) {
   const bool over = ImGui::IsItemHovered();
   ui::tooltip("Click to select " + data.name +
               ": selected bodies move, the others stay. Ctrl+click adds or removes.\n" +
-              counted(data.edges.size(), "edge") + ", tag " + std::to_string(data.tag));
+              counted(data.faces.size(), "edge") + ", tag " + std::to_string(data.tag));
   ImGui::PopID();
   if (pressed) context.emit(action::SelectMarkers{{marker}, ImGui::GetIO().KeyCtrl});
 

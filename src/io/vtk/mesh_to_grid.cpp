@@ -49,8 +49,8 @@ class Builder {
   Grid elements_then_markers() {
     for (Index e = 0; e < topology_.element_count(); ++e) add_element(e);
     for (std::size_t m = 0; m < markers_.size(); ++m) {
-      for (const auto& edge : topology_.markers()[m].edges) {
-        grid_.add_cell(line, edge, markers_[m], 0);
+      for (const Face& edge : topology_.markers()[m].faces) {
+        grid_.add_cell(line, edge.edge(), markers_[m], 0);
       }
     }
     return std::move(grid_);

@@ -20,7 +20,7 @@ TEST_CASE("SU2: what the file says is what the mesh holds") {
   REQUIRE(t.markers().size() == 2);
   CHECK(t.markers()[1].name == "upper");
   CHECK(t.markers()[1].tag == 2);
-  CHECK(t.markers()[1].edges == std::vector<std::array<Index, 2>>{{8, 7}, {7, 6}});
+  CHECK(t.markers()[1].faces == std::vector<Face>{{8, 7}, {7, 6}});
 }
 
 TEST_CASE("SU2: comments, order of sections and columns survive") {

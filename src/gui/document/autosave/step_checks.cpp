@@ -20,7 +20,7 @@ bool element_rows_fit(const MeshData& data) {
   const auto& offsets = data.element_offsets;
   if (offsets.size() != data.types.size() + 1 || offsets.front() != 0) return false;
   for (std::size_t e = 0; e < data.types.size(); ++e) {
-    if (data.types[e] > ElementType::quadrilateral) return false;
+    if (data.types[e] > ElementType::hexahedron) return false;
     // In this order: no sum of damaged numbers overflows.
     if (offsets[e] < 0 || offsets[e + 1] < offsets[e]) return false;
     if (offsets[e + 1] - offsets[e] != corner_count(data.types[e])) return false;
@@ -56,9 +56,10 @@ std::string fault_of(const LayerColumn& column, Index nodes) {
 std::string fault_of(const MeshData& data) {
   if (!element_rows_fit(data)) return "elements that do not fit their nodes";
   for (const Marker& marker : data.markers)
-    for (const auto& edge : marker.edges)
-      if (!within(edge[0], data.node_count()) || !within(edge[1], data.node_count()))
-        return "an edge of a marker between no nodes of the mesh";
+    for (const Face& face : marker.faces)
+      if (face.size() < 2 || face.size() > 4 ||
+          !std::ranges::all_of(face, [&](Index node) { return within(node, data.node_count()); }))
+        return "a face of a marker between no nodes of the mesh";
   if (!data.element_region.empty() && data.element_region.size() != data.types.size())
     return "regions of " + std::to_string(data.element_region.size()) + " elements";
   const auto regions = static_cast<Index>(data.regions.size());

@@ -42,7 +42,8 @@ BoundaryIndex::BoundaryIndex(std::shared_ptr<const Topology> topology)
     : topology_(std::move(topology)) {
   const auto& markers = topology_->markers();
   for (std::size_t m = 0; m < markers.size(); ++m)
-    for (const auto& [a, b] : markers[m].edges) edges_.push_back({a, b, static_cast<Index>(m)});
+    for (const Face& edge : markers[m].faces)
+      edges_.push_back({edge[0], edge[1], static_cast<Index>(m)});
   find_bodies();
 }
 

@@ -132,8 +132,8 @@ void Session::on(const action::PreviewDeformation& a) {
   }
   preview_ = DeformationPreview{*a.shape, {}};
   for (Index m : selection_)
-    for (const auto& [p, q] : mesh.topology->markers()[static_cast<std::size_t>(m)].edges)
-      preview_->outline.emplace_back(moved.xy(p), moved.xy(q));
+    for (const Face& edge : mesh.topology->markers()[static_cast<std::size_t>(m)].faces)
+      preview_->outline.emplace_back(moved.xy(edge[0]), moved.xy(edge[1]));
 }
 
 void Session::on(const action::ApplyDeformation& a) {

@@ -168,7 +168,7 @@ class MeshDrawing {
     for (std::size_t m = 0; m < topology().markers().size(); ++m) {
       page_.set_color(m < figure_.marker_colors.size() ? figure_.marker_colors[m]
                                                        : rgb(theme_.edge));
-      for (const auto& [a, b] : topology().markers()[m].edges) add_boundary_line(a, b);
+      for (const Face& edge : topology().markers()[m].faces) add_boundary_line(edge[0], edge[1]);
       page_.stroke();
     }
   }

@@ -68,9 +68,9 @@ void draw_edges(ImDrawList& list, const Overlay& o, const std::vector<Index>& ma
                 const Place& place) {
   const Topology& topology = *o.session.motion_base().mesh.topology;
   for (Index m : markers)
-    for (const auto& [a, b] : topology.markers()[static_cast<std::size_t>(m)].edges)
-      list.AddLine(pixel(o.camera.to_screen(place(a))), pixel(o.camera.to_screen(place(b))),
-                   palette().accent, o.theme.px(1.5f));
+    for (const Face& edge : topology.markers()[static_cast<std::size_t>(m)].faces)
+      list.AddLine(pixel(o.camera.to_screen(place(edge[0]))),
+                   pixel(o.camera.to_screen(place(edge[1]))), palette().accent, o.theme.px(1.5f));
 }
 
 /// The body where the mouse wants it: the mesh may be a step behind.
