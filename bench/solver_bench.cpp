@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "core/command/command.h"
-#include "core/command/workspace.h"
 #include "core/drag/drag_predictor.h"
 #include "core/parallel/parallel_for.h"
 #include "core/quality/quality.h"
+#include "core/strategy/workspace.h"
 #include "support/meshes.h"
 #include "support/random.h"
 
@@ -53,7 +53,7 @@ void assembly_against_triad(benchmark::State& run) {
   options.threads = threads;
   SmoothingWorkspace workspace;
   workspace.prepare(state.vcv, options, state.mesh.coordinates);
-  const VariationalWinslow& energy = workspace.energy();
+  const VariationalWinslow& energy = *workspace.energy();
   SparseMatrix hessian;
   std::vector<double> residual(2 * state.mesh.topology->free_nodes().size());
   const Coordinates& x = state.mesh.coordinates;
@@ -94,7 +94,7 @@ void drag_frame(benchmark::State& run) {
   const Topology& topology = *state.mesh.topology;
   const auto hole = topology.marker_nodes(*topology.find_marker("hole"));
   workspace.newton().start(state.mesh.coordinates);
-  const DragPredictor predictor(topology, workspace.newton(), state.mesh.coordinates,
+  const DragPredictor predictor(workspace.newton(), state.mesh.coordinates,
                                 {hole.begin(), hole.end()});
   Coordinates frame;
   std::vector<double> times;

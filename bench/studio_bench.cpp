@@ -26,8 +26,8 @@
 #include "gui/render/gl.h"
 #include "gui/render/gl_context.h"
 #include "gui/shell/workbench/workbench.h"
-#include "io/mesh_file.h"
-#include "io/parsed_mesh.h"
+#include "io/format/mesh_file.h"
+#include "io/format/parsed_mesh.h"
 #include "io/su2/su2.h"
 #include "io/text/source.h"
 #include "support/meshes.h"
@@ -189,7 +189,7 @@ class Bench {
     const ViewOptions before = bench_.view();
     ViewOptions view = before;
     view.side_tab = SideTab::vcv;
-    bench_.apply(action::SetView{view});
+    bench_.apply(action::EditView{whole(view)});
     std::vector<FrameTimes> times = frames(20, [] { return true; });
     for (const bool down : {true, false}) {
       pressed_ = down;
@@ -202,7 +202,7 @@ class Bench {
     for (const FrameTimes& t : times) longest = std::max(longest, t.wall);
     std::printf("%10s | node %d picked; longest update by the clock %.1f ms\n", "",
                 bench_.session().nodes().inspected().value_or(-1), longest);
-    bench_.apply(action::SetView{before});
+    bench_.apply(action::EditView{whole(before)});
   }
 
   static void report(const char* what, const std::vector<FrameTimes>& times) {

@@ -30,7 +30,32 @@ function(winslow_compile_options target)
   endif()
 endfunction()
 
-# winslow_library(NAME): library winslow_NAME, alias winslow::NAME, from all sources below this folder.
+# winslow_unity(TARGET ROOT SOURCES ... [APART FOLDER ...]): with WINSLOW_UNITY the sources of a folder of
+# ROOT and the folders in it are compiled together, ten at a time: headers are then read, and templates
+# instantiated, once for all of them. Apart stay sources with options of their own and those of
+# FOLDERS, where files have helpers of the same name.
+function(winslow_unity target root)
+  if(NOT WINSLOW_UNITY)
+    return()
+  endif()
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "APART;SOURCES")
+  list(TRANSFORM arg_APART REPLACE "(.+)" "^\\1/" OUTPUT_VARIABLE apart)
+  list(JOIN apart "|" apart)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  foreach(source ${arg_SOURCES})
+    cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${root} OUTPUT_VARIABLE path)
+    if(NOT path MATCHES "\\.cpp$" OR (apart AND path MATCHES "${apart}"))
+      continue()
+    endif()
+    string(REGEX REPLACE "/.*|[^/]*\\.cpp$" "" folder "${path}")
+    math(EXPR part "0${count_${folder}} / 10")
+    math(EXPR count_${folder} "0${count_${folder}} + 1")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${folder}_${part}")
+  endforeach()
+endfunction()
+
+# winslow_library(NAME [APART FOLDER ...]): library winslow_NAME, alias winslow::NAME, from all sources
+# below this folder.
 function(winslow_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp
        ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
@@ -44,17 +69,39 @@ function(winslow_library name)
            $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
            $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/winslow>)
   winslow_compile_options(winslow_${name})
+  winslow_unity(winslow_${name} ${CMAKE_CURRENT_SOURCE_DIR} SOURCES ${sources} ${ARGN})
 endfunction()
 
-# winslow_tests(NAME LIBRARIES...): one doctest program from all sources below tests/NAME.
+# winslow_tests(NAME LIBRARIES ... [APART FOLDER ...]): one doctest program from all sources below tests/NAME, run as a
+# test NAME.FOLDER for each folder there and a test NAME for the sources beside those folders.
 function(winslow_tests name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES;APART")
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
   add_executable(${name}_tests ${sources} ${CMAKE_CURRENT_SOURCE_DIR}/support/main.cpp)
   target_include_directories(${name}_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
-  target_link_libraries(${name}_tests PRIVATE ${ARGN} doctest::doctest)
+  target_link_libraries(${name}_tests PRIVATE ${arg_LIBRARIES} doctest::doctest)
   target_compile_definitions(
     ${name}_tests PRIVATE WINSLOW_ASSETS="${PROJECT_SOURCE_DIR}/assets"
                           WINSLOW_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data")
   winslow_compile_options(${name}_tests)
-  add_test(NAME ${name} COMMAND ${name}_tests)
+  winslow_unity(${name}_tests ${CMAKE_CURRENT_SOURCE_DIR}/${name} SOURCES ${sources} APART ${arg_APART})
+  list(TRANSFORM sources REPLACE ".*/tests/${name}/" "")
+  list(FILTER sources INCLUDE REGEX "_test\\.cpp$")
+  set(beside ${sources})
+  list(FILTER beside EXCLUDE REGEX "/")
+  if(beside)
+    list(TRANSFORM beside PREPEND "*/tests/${name}/" OUTPUT_VARIABLE beside)
+    list(JOIN beside "," beside)
+    add_test(NAME ${name} COMMAND ${name}_tests "--source-file=${beside}")
+    list(APPEND tests ${name})
+  endif()
+  list(FILTER sources INCLUDE REGEX "/")
+  list(TRANSFORM sources REPLACE "/.*" "")
+  list(REMOVE_DUPLICATES sources)
+  foreach(folder ${sources})
+    add_test(NAME ${name}.${folder} COMMAND ${name}_tests "--source-file=*/tests/${name}/${folder}/*")
+    list(APPEND tests ${name}.${folder})
+  endforeach()
+  # A filter that finds nothing is no test that passes.
+  set_tests_properties(${tests} PROPERTIES FAIL_REGULAR_EXPRESSION "test cases: +0 ")
 endfunction()

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Runs clang-tidy over src. Usage: tidy.py BUILD_FOLDER [SOURCE...]
 
-What passed is remembered by the hash of everything it depends on, so a second run is quick.
+What passed is remembered by the hash of everything it depends on, so a second run is quick. Where the
+build compiles several sources together, so does this: headers are then read once for all of them.
 """
 
 import concurrent.futures
@@ -47,9 +48,11 @@ def check(source, command, build):
     stamp = build / "tidy" / key(source, command)
     if stamp.exists():
         return source, True, ""
+    # What CMake puts together includes .cpp files.
+    options = ["--checks=-bugprone-suspicious-include"] if "Unity" in source.parts else []
     # The compile commands are g++'s: clang does not know all of its warnings.
     run = subprocess.run([TIDY, "-p", str(build), "--quiet",
-                          "--extra-arg=-Wno-unknown-warning-option", str(source)],
+                          "--extra-arg=-Wno-unknown-warning-option", *options, str(source)],
                          capture_output=True, text=True, check=False)
     if run.returncode == 0:
         stamp.touch()
@@ -63,7 +66,10 @@ def main():
     units = {}
     for entry in json.loads((build / "compile_commands.json").read_text()):
         path = pathlib.Path(entry["file"]).resolve()
-        if path.is_relative_to(ROOT / "src") and path.exists() and (not wanted or path in wanted):
+        unity = path.is_relative_to(build / "src") and "Unity" in path.parts
+        if not path.exists() or not (unity or path.is_relative_to(ROOT / "src")):
+            continue
+        if not wanted or wanted & {path, *(project_includes(path)[1] if unity else ())}:
             units[path] = entry["command"]
     bad = 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/exit_code.h"
+#include "app/output/exit_code.h"
 
 namespace winslow::app {
 

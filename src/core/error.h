@@ -34,13 +34,13 @@ class OutputError : public Error {
 };
 
 /// What part of a mesh a MeshError is about.
-enum class MeshEntity { mesh, node, element, marker_edge };
+enum class MeshEntity { mesh, node, element, marker_face };
 
 /// Arrays that do not form a mesh (non-manifold edge, id out of range, ...). Names the entity, so
 /// that a reader can add the line of the file it came from.
 class MeshError : public Error {
  public:
-  /// entity, index: the offender; for marker_edge, marker is its marker and index the edge in it.
+  /// entity, index: the offender; for marker_face, marker is its marker and index the face in it.
   MeshError(MeshEntity entity, Index index, const std::string& message, Index marker = -1)
       : Error(message), entity_(entity), index_(index), marker_(marker) {}
   MeshEntity entity() const { return entity_; }

@@ -6,8 +6,11 @@
 
 namespace winslow {
 
-/// A point or a vector of the plane.
-using Vec2 = Eigen::Vector2d;
+/// A point or a vector of the plane (D = 2) or of space (D = 3).
+template <int D>
+using Vec = Eigen::Matrix<double, D, 1>;
+using Vec2 = Vec<2>;
+using Vec3 = Vec<3>;
 
 inline constexpr double pi = 3.14159265358979323846;
 

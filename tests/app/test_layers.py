@@ -137,8 +137,8 @@ class Layers(ProgramTest):
         self.ring()
         for options, words in (
                 (("--marker", "bdy"), 'unknown marker "bdy"'),
-                (("--marker", "body", "--count", "0"), "number of layers is 0"),
-                (("--marker", "body", "--first", "-1"), "first layer's height"),
+                (("--marker", "body", "--count", "0"), "--count: found 0, expected 1 to 1000"),
+                (("--marker", "body", "--first", "-1"), "--first: found -1, expected more than 0"),
                 (("--marker", "body", "--wall", "body:count=3"), "asked for twice"),
                 (("--wall", "body:height=3"), 'found "height"'),
                 (("--wall", "body:xmin=77"), "no edge of marker 'body' lies in the part"),

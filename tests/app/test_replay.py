@@ -36,6 +36,24 @@ class Replay(ProgramTest):
         self.assertEqual(report["outer_iterations"],
                          sum(c["outer_iterations"] for c in report["commands"]))
 
+    def test_every_option_of_the_linear_solver_has_a_flag(self):
+        self.ring()
+        self.winslow("smooth", "ring.su2", "-o", "out.su2", "--linear", "gmres", "--linear-tolerance", "1e-5",
+                     "--linear-max-iterations", "60", "--linear-restart", "20", "--save-recipe", "r.json")
+        self.assertEqual(self.json("r.json")["commands"][0]["smooth"]["linear"],
+                         {"solver": "gmres", "tolerance": 1e-5, "max_iterations": 60, "restart": 20})
+        for flag, value in (("--linear-tolerance", "1"), ("--linear-tolerance", "0"),
+                            ("--linear-max-iterations", "0"), ("--linear-restart", "-3")):
+            run = self.winslow("smooth", "ring.su2", "-o", "out.su2", flag, value, code=USAGE)
+            self.assertIn(f"{flag}: found {value}, expected", run.stderr)
+
+    def test_layers_that_only_recipes_could_set(self):
+        self.ring()
+        self.winslow("layers", "ring.su2", "-o", "out.su2", "--marker", "body", "--count", "2", "--first", "0.02",
+                     "--crossing", "0.4", "--most-corrections", "3", "--save-recipe", "r.json")
+        command = self.json("r.json")["commands"][0]
+        self.assertEqual((command["crossing"], command["most_corrections"]), (0.4, 3))
+
     def test_a_saved_recipe_runs_as_it_is_from_anywhere(self):
         self.path("meshes").mkdir()
         self.path("recipes").mkdir()

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "core/error.h"
-#include "io/mesh_file.h"
+#include "io/format/mesh_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   // A file in memory without an extension: its content alone decides the format.

@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "core/error.h"
-#include "io/mesh_file.h"
+#include "io/format/mesh_file.h"
 
 int main(int argc, char** argv) {
   using namespace winslow;

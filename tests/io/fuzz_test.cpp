@@ -1,6 +1,6 @@
 #include <cstring>
 
-#include "io/parsed_mesh.h"
+#include "io/format/parsed_mesh.h"
 #include "io/support/samples.h"
 
 namespace winslow::test {

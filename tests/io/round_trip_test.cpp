@@ -1,13 +1,13 @@
 #include <cstring>
 
-#include "io/format_detection.h"
+#include "io/format/mesh_format.h"
 #include "io/support/samples.h"
 
 namespace winslow::test {
 namespace {
 
 bool is_surface(const Kind& kind) {
-  return !io::keeps_markers(*io::format_of_extension("mesh." + std::string(kind.extension)));
+  return !io::format_of_extension("mesh." + std::string(kind.extension))->keeps_markers;
 }
 bool is_stl(const Kind& kind) { return std::string(kind.extension) == "stl"; }
 bool is_su2(const Kind& kind) { return std::string(kind.extension) == "su2"; }

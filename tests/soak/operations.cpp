@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "gui/document/jobs/method.h"
+#include "gui/panels/files/file_dialog.h"
 #include "gui/support/keys.h"
 #include "soak.h"
 
@@ -124,8 +125,9 @@ void Soak::drag_in_picture() {
   if (rig_->session().document() && chance(70)) {
     // On a body most often: at its pivot, where the handles are, or at a node of the boundary.
     const auto nodes = rig_->mesh().topology->free_nodes();
-    from = rig_->pixel(rig_->session().pivot()) + Vec2(between(-60, 60), between(-60, 60));
-    if (chance(50) && !nodes.empty()) from = rig_->pixel(rig_->session().pivot());
+    from =
+        rig_->pixel(rig_->session().selection().pivot()) + Vec2(between(-60, 60), between(-60, 60));
+    if (chance(50) && !nodes.empty()) from = rig_->pixel(rig_->session().selection().pivot());
   }
   const auto button = chance(75) ? MouseButton::left : static_cast<MouseButton>(pick(3));
   rig_->drag(from, from + Vec2(between(-120, 120), between(-90, 90)), 1 + pick(10), button);
@@ -138,7 +140,7 @@ void Soak::drag_in_picture() {
 void Soak::wheel_somewhere() { rig_->wheel(somewhere(), chance(50) ? 1 : -1); }
 
 void Soak::move_selection() {
-  const RigidMotion motion{chance(50) ? between(-40, 40) : 0, rig_->session().pivot(),
+  const RigidMotion motion{chance(50) ? between(-40, 40) : 0, rig_->session().selection().pivot(),
                            Vec2(between(-0.3, 0.3), between(-0.2, 0.2))};
   rig_->bench->apply(action::ApplyMotion{motion});
   rig_->frames(pick(10));
@@ -219,8 +221,8 @@ void Soak::set_options() {
     if (chance(20)) motion.increments = 8;
     if (chance(10)) motion.smooth_after = false;
   }
-  rig_->bench->apply(action::SetSmoothOptions{smooth});
-  rig_->bench->apply(action::SetMotionOptions{motion});
+  rig_->bench->apply(action::EditSmoothOptions{whole(smooth)});
+  rig_->bench->apply(action::EditMotionOptions{whole(motion)});
   rig_->bench->apply(action::SetPace{chance(70) ? 0.0 : 30.0});
   rig_->frames(1);
 }
@@ -289,8 +291,9 @@ void Soak::resize(int width, int height) {
 
 void Soak::settle_down() {
   const auto done = [this] {
-    return rig_->session().prompt() || (rig_->bench->settled() && !rig_->session().job().active() &&
-                                        !rig_->session().loading());
+    return rig_->session().messages().prompt() ||
+           (rig_->bench->settled() && !rig_->session().job().active() &&
+            !rig_->session().files().loading());
   };
   if (rig_->session().job().paused()) rig_->bench->apply(action::ResumeSolver{});
   rig_->bench->apply(action::SetPace{0});
@@ -316,10 +319,11 @@ void Soak::crash() {
   settle_down();
   answer_dialogs();
   if (!rig_->session().document() || rig_->session().in_motion()) return;
-  if (rig_->session().quit_accepted()) return;
+  if (rig_->session().files().quit_accepted()) return;
   if (!rig_->wait([this] { return !rig_->bench->autosave().busy(); }, 60))
     throw std::runtime_error("the session is never kept");
-  const std::string said = rig_->session().notice() ? rig_->session().notice()->text : "nothing";
+  const std::string said =
+      rig_->session().messages().notice() ? rig_->session().messages().notice()->text : "nothing";
   if (!kept_somewhere())
     throw std::runtime_error("the session is not kept; the studio says: " + said);
   const History before = rig_->document().history();
@@ -328,13 +332,14 @@ void Soak::crash() {
   known_.clear();
   memory_.sample();  // with no studio at all: what is left was leaked, or is kept for the next one
   rig_ = std::make_unique<Rig>(width_, height_, folder_ / "profile");
-  if (!rig_->wait([this] { return rig_->session().prompt() != nullptr; }, 60))
+  if (!rig_->wait([this] { return rig_->session().messages().prompt() != nullptr; }, 60))
     throw std::runtime_error("the session is not offered after a crash");
   rig_->frames(3);
   rig_->click("prompt/Restore");
   if (!rig_->wait([this] { return rig_->session().document() != nullptr; }, 60))
-    throw std::runtime_error("the session does not come back: " +
-                             (rig_->session().prompt() ? rig_->session().prompt()->text : "?"));
+    throw std::runtime_error(
+        "the session does not come back: " +
+        (rig_->session().messages().prompt() ? rig_->session().messages().prompt()->text : "?"));
   const History& after = rig_->document().history();
   if (after.size() != before.size() || after.position() != before.position())
     throw std::runtime_error("the history that came back is another one");
@@ -355,7 +360,8 @@ void Soak::begin_again() {
   rig_ = std::make_unique<Rig>(width_, height_, folder_ / "profile");
   if (!rig_->wait([this] { return !rig_->bench->autosave().busy(); }, 60))
     throw std::runtime_error("what earlier studios left is never looked at");
-  if (rig_->session().prompt()) throw std::runtime_error("a session is offered after a clean end");
+  if (rig_->session().messages().prompt())
+    throw std::runtime_error("a session is offered after a clean end");
   ++ended_;
   generation_ = 0;
   open_next();

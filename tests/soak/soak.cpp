@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "gui/base/resident_memory.h"
+#include "gui/panels/files/file_dialog.h"
 #include "gui/support/keys.h"
 
 namespace winslow::gui::test {
@@ -42,7 +43,7 @@ void Soak::step() {
     at -= choice.weight;
   }
   answer_dialogs();
-  if (rig_->session().quit_accepted()) return begin_again();
+  if (rig_->session().files().quit_accepted()) return begin_again();
   check();
 }
 
@@ -71,7 +72,7 @@ void Soak::open_next() {
 void Soak::sample_running() {
   const ViewOptions view = rig_->bench->view();
   const int width = width_, height = height_;
-  rig_->bench->apply(action::SetView{ViewOptions{}});
+  rig_->bench->apply(action::EditView{whole(ViewOptions{})});
   resize(first_width, first_height);
   settle_down();
   answer_dialogs();
@@ -80,14 +81,14 @@ void Soak::sample_running() {
   known_.clear();
   generation_ = 0;
   running_.sample();
-  rig_->bench->apply(action::SetView{view});
+  rig_->bench->apply(action::EditView{whole(view)});
   resize(width, height);
 }
 
 /// Whatever is asked is answered, most often so that work goes on.
 void Soak::answer_dialogs() {
-  for (int tries = 0; tries < 12 && rig_->session().prompt(); ++tries) {
-    const auto& choices = rig_->session().prompt()->choices;
+  for (int tries = 0; tries < 12 && rig_->session().messages().prompt(); ++tries) {
+    const auto& choices = rig_->session().messages().prompt()->choices;
     if (choices.empty()) throw std::runtime_error("a prompt without an answer");
     const auto& choice = choices[static_cast<std::size_t>(pick(static_cast<int>(choices.size())))];
     const std::string label = choice.label;
@@ -107,7 +108,7 @@ void Soak::answer_dialogs() {
                                std::to_string(width_) + " by " + std::to_string(height_));
     rig_->click(at);
   }
-  if (rig_->session().prompt()) {
+  if (rig_->session().messages().prompt()) {
     throw std::runtime_error("prompts do not go away");
   }
 }
@@ -129,7 +130,7 @@ bool Soak::safe(const std::string& widget) const {
 void Soak::check() {
   const Session& session = rig_->session();
   const Document* document = session.document();
-  if (!document || session.in_motion() || session.loading()) return;
+  if (!document || session.in_motion() || session.files().loading()) return;
   if (generation_ != session.generation()) {
     generation_ = session.generation();
     known_.clear();
@@ -149,7 +150,7 @@ void Soak::check() {
     throw std::runtime_error("the mesh on screen is not that of the history");
   const Index inverted = check_validity(*document->topology(), shown).inverted;
   const std::string what = describe(document->history().command(position)) + ": ";
-  if (inverted > 0 && !session.banner() && !session.banner_dismissed())
+  if (inverted > 0 && !session.messages().banner() && !session.messages().banner_dismissed())
     throw std::runtime_error(what + std::to_string(inverted) +
                              " inverted elements were accepted in silence");
   if (inverted != document->history().result(position).inverted)

@@ -22,8 +22,6 @@ inline const char* name_of(Cells cells) {
   return cells == Cells::triangles ? "triangles" : cells == Cells::quads ? "quads" : "mixed";
 }
 
-inline std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 inline void add_triangle(MeshData& data, Index a, Index b, Index c) {
   const std::array<Index, 3> corners{a, b, c};
   data.add_element(ElementType::triangle, corners);
@@ -51,7 +49,7 @@ inline void mark_boundary(MeshData& data, const std::function<std::string(const 
     if (it == data.markers.end()) {
       it = data.markers.insert(it, Marker{marker, static_cast<int>(data.markers.size()) + 1, {}});
     }
-    it->edges.push_back({a, b});
+    it->faces.emplace_back(a, b);
   });
 }
 

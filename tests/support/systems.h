@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/formulation/free_node_pattern.h"
 #include "core/linear/linear_solver.h"
 #include "core/mesh/mesh.h"
 #include "support/random.h"

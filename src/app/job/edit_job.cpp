@@ -13,8 +13,8 @@
 #include "app/output/report.h"
 #include "core/error.h"
 #include "core/quality/quality.h"
-#include "io/convergence_csv.h"
-#include "io/recipe.h"
+#include "io/recipe/recipe.h"
+#include "io/tables/convergence_csv.h"
 
 namespace winslow::app {
 namespace {
@@ -57,7 +57,7 @@ CommandRecord make_record(Command command, SmoothResult result) {
 /// Applies the commands one after the other.
 MeshState apply(const EditJob& job, MeshState state, RunReport& run) {
   ProgressMonitor monitor(!job.files.quiet && terminal_attached());
-  ExecuteOptions options;
+  RunOptions options;
   options.monitor = &monitor;
   for (const Command& command : job.commands) {
     monitor.set_label(describe(command));

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "app/exit_code.h"
 #include "app/options/file_flags.h"
+#include "app/output/exit_code.h"
 #include "core/command/command.h"
 
 namespace winslow::app {

@@ -6,25 +6,13 @@
 namespace winslow::app {
 namespace {
 
-std::vector<std::string> markers_of(const Command& command) {
-  if (const auto* move = std::get_if<MoveCommand>(&command)) return move->markers;
-  if (const auto* deform = std::get_if<DeformCommand>(&command)) return deform->markers;
-  std::vector<std::string> names;
-  if (const auto* insert = std::get_if<LayersCommand>(&command)) {
-    for (const LayerWall& wall : insert->layers.walls) {
-      names.insert(names.end(), wall.markers.begin(), wall.markers.end());
-    }
-  }
-  return names;
-}
-
 [[noreturn]] void refuse(const std::string& name, const Topology& topology,
                          const std::string& file) {
   std::vector<std::string> known;
   std::string list;
   for (const Marker& marker : topology.markers()) {
     known.push_back(marker.name);
-    list += (list.empty() ? "" : ", ") + marker.name + " (" + std::to_string(marker.edges.size()) +
+    list += (list.empty() ? "" : ", ") + marker.name + " (" + std::to_string(marker.faces.size()) +
             " edges)";
   }
   throw UsageError("unknown marker \"" + name + '"' + suggest(name, known) + " Markers of " + file +

@@ -39,7 +39,7 @@ std::vector<Coordinates> motion_frames(const std::vector<Command>& commands, Mes
   std::vector<Coordinates> frames{state.mesh.coordinates};
   for (const Command& command : commands) {
     MeshCollector collector(per_command);
-    ExecuteOptions options;
+    RunOptions options;
     options.monitor = &collector;
     state = execute(command, state, options).state;
     const auto& meshes = collector.meshes();

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "app/job/stopwatch.h"
-#include "core/outer/outer_solver.h"
+#include "app/output/stopwatch.h"
+#include "core/strategy/run.h"
 
 namespace winslow::app {
 

@@ -7,14 +7,14 @@
 
 #include "app/options/suggestion.h"
 #include "core/error.h"
-#include "io/format_detection.h"
+#include "io/format/mesh_format.h"
 
 namespace winslow::app {
 
 namespace fs = std::filesystem;
 
 void add_input(CLI::App& app, std::string& input) {
-  app.add_option("IN", input, "Mesh to read (SU2, Gmsh, VTK, VTU, OBJ, OFF, PLY, STL)")
+  app.add_option("IN", input, "Mesh to read (" + io::supported_extensions() + ")")
       ->required()
       ->type_name("");
 }
@@ -54,7 +54,7 @@ void add_encoding_flags(CLI::App& app, io::WriteOptions& encoding) {
   };
   auto* binary = app.add_flag_callback(
                         "--binary", [set] { set(true); },
-                        "Write binary where the format has it (Gmsh, VTU, VTK, PLY, STL)")
+                        "Write binary where the format has it (" + io::binary_formats() + ")")
                      ->group("Output");
   app.add_flag_callback(
          "--ascii", [set] { set(false); }, "Write text, whatever the source was")

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/mesh_file.h"
+#include "io/format/mesh_file.h"
 
 namespace winslow::app {
 

@@ -6,8 +6,9 @@
 #include <system_error>
 #include <utility>
 
-#include "app/options/smooth_flags.h"
+#include "app/options/option_flags.h"
 #include "core/error.h"
+#include "core/layers/layer_option_tables.h"
 
 namespace winslow::app {
 
@@ -52,6 +53,12 @@ double* bound_named(const std::string& key, WallPart& part) {
   return key == "ymax" ? &part.ymax : nullptr;
 }
 
+double* number_named(const std::string& key, LayerSpacing& spacing) {
+  if (key == "first") return &spacing.first;
+  if (key == "ratio") return &spacing.ratio;
+  return key == "growth" ? &spacing.growth : nullptr;
+}
+
 int whole(double value, const std::string& where, const char* what) {
   if (!(std::abs(value) < 1e9) || value != std::floor(value)) {
     throw UsageError(where + ": the number of " + what + " must be whole");
@@ -87,20 +94,15 @@ LayerWall parse_wall(const std::string& text, const LayerSpacing& common) {
   LayerWall wall{split(text.substr(0, colon), ','), common};
   if (colon == std::string::npos) return wall;
   const std::string where = "--wall " + text;
-  LayerSpacing& spacing = wall.spacing;
   read_settings(text.substr(colon + 1), where,
                 "count, first, ratio, growth, total, xmin, xmax, ymin, ymax",
                 [&](const std::string& key, double value) {
                   if (key == "count") {
-                    spacing.count = whole(value, where, "layers");
-                  } else if (key == "first") {
-                    spacing.first = value;
-                  } else if (key == "ratio") {
-                    spacing.ratio = value;
-                  } else if (key == "growth") {
-                    spacing.growth = value;
+                    wall.spacing.count = whole(value, where, "layers");
                   } else if (key == "total") {
-                    spacing.total = value;
+                    wall.spacing.total = value;
+                  } else if (double* number = number_named(key, wall.spacing)) {
+                    *number = value;
                   } else if (double* bound = bound_named(key, wall.part)) {
                     *bound = value;
                   } else {
@@ -146,32 +148,18 @@ void LayerFlags::declare(CLI::App& app) {
          "layers); may be given several times")
       ->type_name("NAME[,NAME]:KEY=NUMBER,...")
       ->group("Layers");
-  declare_spacing(app);
-  declare_corners(app);
+  app.add_option("--column", columns_,
+                 "What one wall node is to have instead of what the rules choose, e.g. "
+                 "17:columns=1,thickness=0.01 (columns: 1 is no fan; thickness: 0 is no layers); "
+                 "may be given several times")
+      ->type_name("NODE:KEY=NUMBER,...")
+      ->group("Layers");
+  add_option_flags(app, option_table(spacing_), "Layers");
+  app.get_option("--match-outside")->excludes(app.get_option("--total"));
+  declare_first_height(app);
 }
 
-void LayerFlags::declare_spacing(CLI::App& app) {
-  app.add_option("--count", spacing_.count, "Number of layers")
-      ->option_text("N [15]")
-      ->group("Layers");
-  CLI::Option* first = app.add_option("--first", spacing_.first,
-                                      "Height of the layer at the wall, units of the mesh")
-                           ->option_text("HEIGHT [0.001]")
-                           ->group("Layers");
-  app.add_option("--ratio", spacing_.ratio, "Of the second height to the first")
-      ->option_text("RATIO [1.15]")
-      ->group("Layers");
-  app.add_option("--growth", spacing_.growth, "Of the ratio, from layer to layer")
-      ->option_text("FACTOR [1.01]")
-      ->group("Layers");
-  CLI::Option* total =
-      app.add_option("--total", spacing_.total, "Thickness of all layers; gives the ratio")
-          ->option_text("THICKNESS")
-          ->group("Layers");
-  app.add_flag("--match-outside", spacing_.match_outside,
-               "As many layers as it takes until the last is as high as the elements outside")
-      ->excludes(total)
-      ->group("Layers");
+void LayerFlags::declare_first_height(CLI::App& app) {
   CLI::Option* reynolds = app.add_option("--reynolds", reynolds_,
                                          "Reynolds number of the reference length, for --y-plus")
                               ->option_text("RE")
@@ -181,7 +169,7 @@ void LayerFlags::declare_spacing(CLI::App& app) {
                  "plate (White, Fluid Mechanics: 0.026 / Re^(1/7))")
       ->option_text("Y+")
       ->needs(reynolds)
-      ->excludes(first)
+      ->excludes(app.get_option("--first"))
       ->group("Layers");
   app.add_option("--reference-length", length_, "Reference length (chord), units of the mesh")
       ->option_text("LENGTH [1]")
@@ -189,48 +177,14 @@ void LayerFlags::declare_spacing(CLI::App& app) {
       ->group("Layers");
 }
 
-void LayerFlags::declare_corners(CLI::App& app) {
-  app.add_flag_callback(
-         "--no-fans", [this] { corners_.fans = false; },
-         "One column at sharp convex corners, too, instead of a fan")
-      ->group("Corners and gaps");
-  app.add_option("--fan-threshold", corners_.fan_threshold,
-                 "Turning of the wall from which a corner gets a fan, degrees")
-      ->option_text("DEG [60]")
-      ->group("Corners and gaps");
-  app.add_option("--fan-angle", corners_.fan_angle, "Between the columns of a fan, degrees")
-      ->option_text("DEG [50]")
-      ->group("Corners and gaps");
-  app.add_option("--clearance", corners_.clearance,
-                 "Share of a gap's width that the layers of either side may take, below 0.5")
-      ->option_text("SHARE [0.35]")
-      ->group("Corners and gaps");
-  app.add_option("--steepest", corners_.steepest,
-                 "Change of thickness along the wall, per length of wall")
-      ->option_text("SLOPE [0.5]")
-      ->group("Corners and gaps");
-  app.add_flag("--scale-all", corners_.scale_all,
-               "Where there is less room than asked, make all layers thinner, the first as well, "
-               "instead of the outer ones")
-      ->group("Corners and gaps");
-  app.add_option("--column", columns_,
-                 "What one wall node is to have instead of what the rules choose, e.g. "
-                 "17:columns=1,thickness=0.01 (columns: 1 is no fan; thickness: 0 is no layers); "
-                 "may be given several times")
-      ->type_name("NODE:KEY=NUMBER,...")
-      ->group("Corners and gaps");
-}
-
-LayerOptions LayerFlags::options() const {
+void LayerFlags::finish(LayerOptions& options) const {
   LayerSpacing common = spacing_;
   if (y_plus_) common.first = first_height_for_y_plus(*y_plus_, reynolds_.value_or(0), length_);
-  LayerOptions options = corners_;
   if (!markers_.empty()) options.walls.push_back({markers_, common});
   for (const std::string& text : walls_) options.walls.push_back(parse_wall(text, common));
   for (const std::string& text : columns_) options.overrides.push_back(parse_column(text));
   if (options.walls.empty()) throw UsageError("no wall is given: use --marker NAME or --wall");
   validate(options);
-  return options;
 }
 
 }  // namespace winslow::app

@@ -15,23 +15,21 @@ class LayerFlags {
  public:
   /// Declares --marker, --wall, --count, --first, ... This object must outlive the parsing.
   void declare(CLI::App& app);
-  /// What was asked for. Throws UsageError.
-  LayerOptions options() const;
+  /// Puts the walls and overrides that were asked for into the options. Throws UsageError.
+  void finish(LayerOptions& options) const;
 
  private:
-  void declare_spacing(CLI::App& app);
-  void declare_corners(CLI::App& app);
+  void declare_first_height(CLI::App& app);
 
   std::vector<std::string> markers_, walls_, columns_;
   LayerSpacing spacing_;
   std::optional<double> y_plus_, reynolds_;
   double length_ = 1;
-  LayerOptions corners_;
 };
 
 /// Declares --hold-layers: walls whose layers keep their heights while bodies move.
 void add_hold_layers_flag(CLI::App& app, std::vector<std::string>& markers);
-/// A command that takes the layers at these walls in hand first, if there are any walls.
+/// The command, preceded by one that finds and holds the layers at these walls, if any are named.
 std::vector<Command> holding_layers(const std::vector<std::string>& markers,
                                     const SmoothOptions& smooth, Command command);
 

@@ -1,26 +1,19 @@
 #include "app/output/layer_table.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <ostream>
 #include <string>
 #include <vector>
 
+#include "app/output/formatted.h"
 #include "core/layers/layer_measures.h"
 
 namespace winslow::app {
 namespace {
 
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  std::array<char, 200> buffer;
-  std::snprintf(buffer.data(), buffer.size(), format, values...);
-  return buffer.data();
-}
-
 void print_row(std::ostream& out, const char* name, const Statistics& s, double factor = 1) {
-  out << text("%-22s%11.4g%11.4g%11.4g\n", name, factor * s.min, factor * s.avg, factor * s.max);
+  out << formatted("%-22s%11.4g%11.4g%11.4g\n", name, factor * s.min, factor * s.avg,
+                   factor * s.max);
 }
 
 /// Share that is left of the thickness that was asked for.
@@ -55,8 +48,9 @@ void print_layers(std::ostream& out, const LayerStack& stack, const Coordinates&
     const Vec2 p = x.xy(column.wall_node);
     const std::string left = column.count() == 0
                                  ? std::string("no layers")
-                                 : text("%.3g %% of the thickness", 100 * share(column));
-    out << text("  node %d at (%.6g, %.6g): ", static_cast<int>(column.wall_node), p.x(), p.y())
+                                 : formatted("%.3g %% of the thickness", 100 * share(column));
+    out << formatted("  node %d at (%.6g, %.6g): ", static_cast<int>(column.wall_node), p.x(),
+                     p.y())
         << left << " (" << limit_name(column.limit) << ")\n";
   }
   if (cut.size() > shown) out << "  and " << cut.size() - shown << " more\n";

@@ -3,31 +3,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <ostream>
 #include <string>
 
 #include "app/output/element_centre.h"
+#include "app/output/formatted.h"
 
 namespace winslow::app {
 namespace {
 
-constexpr std::array metrics{Metric::normalized_jacobian, Metric::aspect_ratio,
-                             Metric::condition_number};
 constexpr int bar_width = 50;
-
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  std::array<char, 200> buffer;
-  std::snprintf(buffer.data(), buffer.size(), format, values...);
-  return buffer.data();
-}
 
 /// Three decimals, unless the number would lose its meaning.
 std::string number(double value) {
   const double size = std::abs(value);
   const bool plain = size == 0 || (size >= 0.01 && size < 1e5);
-  return text(plain ? "%11.3f" : "%11.3e", value);
+  return formatted(plain ? "%11.3f" : "%11.3e", value);
 }
 
 std::string counted(Index n, const char* one, const char* many) {
@@ -37,11 +28,11 @@ std::string counted(Index n, const char* one, const char* many) {
 }  // namespace
 
 void print_quality_table(std::ostream& out, const Mesh& mesh, const QualityReport& quality) {
-  out << text("%-22s%11s%11s%11s\n", "", "minimum", "average", "maximum");
-  for (const Metric m : metrics) {
+  out << formatted("%-22s%11s%11s%11s\n", "", "minimum", "average", "maximum");
+  for (const Metric m : reported_metrics()) {
     const Statistics& s = quality.of(m).statistics;
-    out << text("%-22s", std::string(metric_label(m)).c_str()) << number(s.min) << number(s.avg)
-        << number(s.max) << '\n';
+    out << formatted("%-22s", std::string(metric_label(m)).c_str()) << number(s.min)
+        << number(s.avg) << number(s.max) << '\n';
   }
   out << counted(mesh.topology->node_count(), "node", "nodes") << ", "
       << counted(mesh.topology->element_count(), "element", "elements") << ", " << quality.inverted
@@ -49,14 +40,14 @@ void print_quality_table(std::ostream& out, const Mesh& mesh, const QualityRepor
 }
 
 void print_worst_elements(std::ostream& out, const QualityReport& quality) {
-  for (const Metric m : metrics) {
+  for (const Metric m : reported_metrics()) {
     const auto& worst = quality.of(m).worst;
     if (worst.empty()) continue;
     out << "\nWorst elements by " << metric_label(m) << '\n'
-        << text("%11s%11s   %s\n", "element", "value", "centre");
+        << formatted("%11s%11s   %s\n", "element", "value", "centre");
     for (const WorstElement& w : worst) {
-      out << text("%11d", static_cast<int>(w.element)) << number(w.value)
-          << text("   (%.6g, %.6g)\n", w.centre.x(), w.centre.y());
+      out << formatted("%11d", static_cast<int>(w.element)) << number(w.value)
+          << formatted("   (%.6g, %.6g)\n", w.centre.x(), w.centre.y());
     }
   }
 }
@@ -68,14 +59,14 @@ void print_inverted_elements(std::ostream& out, const Mesh& mesh, const QualityR
   for (std::size_t i = 0; i < shown; ++i) {
     const Index e = quality.inverted_elements[i];
     const Vec2 c = element_centre(mesh, e);
-    out << text("  element %d at (%.6g, %.6g)\n", static_cast<int>(e), c.x(), c.y());
+    out << formatted("  element %d at (%.6g, %.6g)\n", static_cast<int>(e), c.x(), c.y());
   }
   const Index left = quality.inverted - static_cast<Index>(shown);
   if (left > 0) out << "  and " << left << " more\n";
 }
 
 void print_histograms(std::ostream& out, const QualityReport& quality) {
-  for (const Metric m : metrics) {
+  for (const Metric m : reported_metrics()) {
     const Histogram& h = quality.of(m).histogram;
     if (h.counts.empty()) continue;
     const Index most = std::max<Index>(1, *std::max_element(h.counts.begin(), h.counts.end()));
@@ -85,7 +76,7 @@ void print_histograms(std::ostream& out, const QualityReport& quality) {
       const double low = h.low + width * static_cast<double>(i);
       const int bar =
           static_cast<int>((static_cast<long>(h.counts[i]) * bar_width + most - 1) / most);
-      out << text("%9.3f to %9.3f %9d ", low, low + width, static_cast<int>(h.counts[i]))
+      out << formatted("%9.3f to %9.3f %9d ", low, low + width, static_cast<int>(h.counts[i]))
           << std::string(static_cast<std::size_t>(bar), '#') << '\n';
     }
   }

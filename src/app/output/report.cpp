@@ -7,7 +7,7 @@
 
 #include "app/output/element_centre.h"
 #include "core/layers/layer_measures.h"
-#include "io/atomic_file.h"
+#include "io/file/atomic_file.h"
 
 namespace winslow::app {
 namespace {
@@ -77,8 +77,7 @@ json describe_mesh(const Mesh& mesh, const QualityReport& quality) {
     inverted.push_back({{"element", e}, {"centre", {c.x(), c.y()}}});
   }
   json metrics, worst;
-  for (const Metric m :
-       {Metric::normalized_jacobian, Metric::aspect_ratio, Metric::condition_number}) {
+  for (const Metric m : reported_metrics()) {
     const std::string name(metric_name(m));
     metrics[name] = describe_statistics(quality.of(m).statistics);
     worst[name] = describe_worst(quality.of(m));

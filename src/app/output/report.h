@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "app/job/stopwatch.h"
+#include "app/output/stopwatch.h"
 #include "core/layers/layer_stack.h"
 #include "core/mesh/mesh.h"
-#include "core/outer/outer_solver.h"
 #include "core/quality/quality.h"
+#include "core/strategy/run.h"
 
 namespace winslow::app {
 

@@ -4,7 +4,7 @@
 #include "app/options/file_flags.h"
 #include "app/subcommands/subcommand.h"
 #include "core/quality/quality.h"
-#include "io/mesh_file.h"
+#include "io/format/mesh_file.h"
 
 namespace winslow::app {
 namespace {

@@ -2,29 +2,27 @@
 
 #include "app/job/edit_job.h"
 #include "app/options/layer_flags.h"
+#include "app/options/option_flags.h"
 #include "app/options/smooth_flags.h"
-#include "app/options/suggestion.h"
 #include "app/subcommands/subcommand.h"
+#include "core/command/option_tables.h"
 #include "core/error.h"
-#include "io/displacement_file.h"
+#include "core/motion/motion_options.h"
+#include "io/tables/displacement_file.h"
 
 namespace winslow::app {
 namespace {
 
-Fade parse_fade(const std::string& text) {
-  if (text == "start") return Fade::start;
-  if (text == "end") return Fade::end;
-  return text == "both" ? Fade::both : Fade::none;
-}
-
 class DeformSubcommand : public Subcommand {
  public:
   explicit DeformSubcommand(CLI::App& program)
-      : Subcommand(program.add_subcommand("deform", "Change the shape of bodies, then smooth")) {
+      : Subcommand(program.add_subcommand(std::string(DeformCommand::name),
+                                          std::string(DeformCommand::summary))) {
     add_input(app(), files_.input);
     add_marker_flag(app(), command_.markers);
     add_shape_flags();
-    add_motion_flags(app(), command_.how);
+    add_option_flags(app(), option_table(command_), "Motion");
+    add_direct_flag(app(), command_.how);
     add_hold_layers_flag(app(), held_);
     add_smooth_flags(app(), command_.smooth);
     add_job_flags(app(), files_);
@@ -61,24 +59,12 @@ class DeformSubcommand : public Subcommand {
             .add_option("--displacements", table_, "CSV of node,dx,dy (0-based node) or x,y,dx,dy")
             ->type_name("FILE.csv")
             ->group("Shape");
-    add_vector_flag(app(), "--direction", sine_.direction, "Direction of the displacement [0 1]")
-        ->type_name("DX DY")
-        ->needs(sine_flag_)
-        ->group("Shape");
-    app()
-        .add_option_function<std::string>(
-            "--fade", [this](const std::string& text) { sine_.fade = parse_fade(text); },
-            "Ends of the body at which the wave fades to zero [none]")
-        ->check(one_of({"none", "start", "end", "both"}))
-        ->option_text("none|start|end|both")
-        ->needs(sine_flag_)
-        ->group("Shape");
-    app()
-        .add_option("--fade-length", sine_.fade_length,
-                    "Share of the body's length over which it fades, (0, 0.5]")
-        ->option_text("SHARE [0.2]")
-        ->needs(sine_flag_)
-        ->group("Shape");
+    const OptionTable options = option_table(sine_);
+    add_option_flags(app(), options, "Shape");
+    for (const Option& option : options) {
+      if (option.on_command_line == OnCommandLine::yes)
+        app().get_option(flag_of(option))->needs(sine_flag_);
+    }
   }
 
   JobFiles files_;

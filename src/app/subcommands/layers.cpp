@@ -1,9 +1,9 @@
-#include <optional>
-
 #include "app/job/edit_job.h"
 #include "app/options/layer_flags.h"
+#include "app/options/option_flags.h"
 #include "app/options/smooth_flags.h"
 #include "app/subcommands/subcommand.h"
+#include "core/command/option_tables.h"
 
 namespace winslow::app {
 namespace {
@@ -11,27 +11,17 @@ namespace {
 class LayersSubcommand : public Subcommand {
  public:
   explicit LayersSubcommand(CLI::App& program)
-      : Subcommand(program.add_subcommand(
-            "layers", "Insert viscous layers at walls: quadrilaterals of wanted heights")) {
+      : Subcommand(program.add_subcommand(std::string(LayersCommand::name),
+                                          std::string(LayersCommand::summary))) {
     add_input(app(), files_.input);
     flags_.declare(app());
-    CLI::Option* respace =
-        app()
-            .add_flag_callback(
-                "--respace", [this] { command_.task = LayerTask::respace; },
-                "Give the layers that the mesh has at these walls other heights; --count is the "
-                "most of them that are taken in hand")
-            ->group("Layers");
+    add_option_flags(app(), option_table(command_), "Layers");
     app()
         .add_flag_callback(
-            "--no-control", [this] { command_.control = false; },
-            "Smooth the new connectivity as it is, without holding heights")
-        ->excludes(respace)
-        ->group("Layers");
-    app()
-        .add_option("--height-tolerance", command_.tolerance,
-                    "Relative error of a height above which the VCVs are corrected")
-        ->option_text("SHARE [0.002]")
+            "--respace", [this] { command_.task = LayerTask::respace; },
+            "Give the layers that the mesh has at these walls other heights; --count is the limit "
+            "of how many of them are changed")
+        ->excludes(app().get_option("--no-control"))
         ->group("Layers");
     add_smooth_flags(app(), command_.smooth);
     add_job_flags(app(), files_);
@@ -39,7 +29,7 @@ class LayersSubcommand : public Subcommand {
   }
 
   ExitCode run() override {
-    command_.layers = flags_.options();
+    flags_.finish(command_.layers);
     return run_edit_job({"layers", files_, {command_}});
   }
 

@@ -1,7 +1,9 @@
 #include "app/job/edit_job.h"
 #include "app/options/layer_flags.h"
+#include "app/options/option_flags.h"
 #include "app/options/smooth_flags.h"
 #include "app/subcommands/subcommand.h"
+#include "core/command/option_tables.h"
 #include "core/error.h"
 
 namespace winslow::app {
@@ -10,18 +12,12 @@ namespace {
 class MoveSubcommand : public Subcommand {
  public:
   explicit MoveSubcommand(CLI::App& program)
-      : Subcommand(program.add_subcommand("move", "Move bodies rigidly, then smooth")) {
+      : Subcommand(program.add_subcommand(std::string(MoveCommand::name),
+                                          std::string(MoveCommand::summary))) {
     add_input(app(), files_.input);
     add_marker_flag(app(), command_.markers);
-    rotate_ = app()
-                  .add_option("--rotate", command_.motion.rotate,
-                              "Angle in degrees, counter-clockwise positive")
-                  ->type_name("DEG");
-    add_vector_flag(app(), "--pivot", command_.motion.pivot, "Centre of the rotation [0 0]");
-    translate_ = add_vector_flag(app(), "--translate", command_.motion.translate,
-                                 "Shift, after the rotation")
-                     ->type_name("DX DY");
-    add_motion_flags(app(), command_.how);
+    add_option_flags(app(), option_table(command_), "Motion");
+    add_direct_flag(app(), command_.how);
     add_hold_layers_flag(app(), held_);
     add_smooth_flags(app(), command_.smooth);
     add_job_flags(app(), files_);
@@ -29,7 +25,7 @@ class MoveSubcommand : public Subcommand {
   }
 
   ExitCode run() override {
-    if (rotate_->count() + translate_->count() == 0) {
+    if (app().count("--rotate") + app().count("--translate") == 0) {
       throw UsageError("nothing to do: give --rotate DEG, --translate DX DY, or both");
     }
     return run_edit_job({"move", files_, holding_layers(held_, command_.smooth, command_)});
@@ -39,8 +35,6 @@ class MoveSubcommand : public Subcommand {
   JobFiles files_;
   std::vector<std::string> held_;
   MoveCommand command_;
-  CLI::Option* rotate_ = nullptr;
-  CLI::Option* translate_ = nullptr;
 };
 
 }  // namespace

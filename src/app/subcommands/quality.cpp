@@ -1,12 +1,12 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/job/stopwatch.h"
 #include "app/options/file_flags.h"
 #include "app/output/quality_table.h"
 #include "app/output/report.h"
+#include "app/output/stopwatch.h"
 #include "app/subcommands/subcommand.h"
-#include "io/mesh_file.h"
+#include "io/format/mesh_file.h"
 
 namespace winslow::app {
 namespace {

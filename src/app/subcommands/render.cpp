@@ -14,8 +14,8 @@
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"
 #include "core/inspect/element_field.h"
-#include "io/mesh_file.h"
-#include "io/recipe.h"
+#include "io/format/mesh_file.h"
+#include "io/recipe/recipe.h"
 #ifdef WINSLOW_HAS_GUI
 #include "gui/picture/capture/recorder.h"
 #include "gui/picture/figure/write_figure.h"
@@ -258,7 +258,7 @@ class RenderSubcommand : public Subcommand {
     std::vector<std::string> names;
     // A mesh file says nothing of layers and of the heights that were wanted.
     for (const ElementField& f : all_element_fields()) {
-      if (!f.layer()) names.emplace_back(field_name(f));
+      if (!f.layer()) names.emplace_back(field_info(f).name);
     }
     const char* group = "Colour";
     auto* color =

@@ -3,7 +3,7 @@
 #include "app/job/edit_job.h"
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"
-#include "io/recipe.h"
+#include "io/recipe/recipe.h"
 
 namespace winslow::app {
 namespace {

@@ -1,13 +1,13 @@
 #include "core/command/command.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <random>
+#include <utility>
 
-#include "core/command/layers_run.h"
-#include "core/command/smooth_run.h"
 #include "core/error.h"
+#include "core/quality/quality.h"
+#include "core/strategy/smooth_run.h"
 
 namespace winslow {
 
@@ -23,6 +23,13 @@ std::string list(const std::vector<std::string>& names) {
   std::string text;
   for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
   return text;
+}
+
+std::vector<std::string> markers_of(const std::vector<LayerWall>& walls) {
+  std::vector<std::string> markers;
+  for (const LayerWall& wall : walls)
+    markers.insert(markers.end(), wall.markers.begin(), wall.markers.end());
+  return markers;
 }
 
 std::string describe_one(const SmoothCommand&) { return "Smooth"; }
@@ -63,12 +70,9 @@ std::string describe_one(const EditVcvCommand& command) {
 }
 
 std::string describe_one(const LayersCommand& command) {
-  std::vector<std::string> markers;
+  const std::vector<std::string> markers = markers_of(command.layers.walls);
   int count = 0;
-  for (const LayerWall& wall : command.layers.walls) {
-    markers.insert(markers.end(), wall.markers.begin(), wall.markers.end());
-    count = std::max(count, wall.spacing.count);
-  }
+  for (const LayerWall& wall : command.layers.walls) count = std::max(count, wall.spacing.count);
   if (command.task == LayerTask::hold) return "Hold the layers at " + list(markers);
   if (command.task == LayerTask::respace) return "Space the layers at " + list(markers) + " anew";
   return "Insert " + std::to_string(count) + " layers at " + list(markers);
@@ -81,18 +85,21 @@ CommandResult finish(const MeshState& state, Coordinates x, SmoothResult smooth)
 }
 
 CommandResult run_motion(const MeshState& state, const Motion& motion, const MotionOptions& how,
-                         const SmoothOptions& smooth, const ExecuteOptions& options) {
+                         const SmoothOptions& smooth, const RunOptions& options) {
   if (how.increments < 0) throw UsageError("the number of increments is negative");
   validate(smooth);
-  if (state.layers && state.layers->held && how.smooth_after)
-    return move_with_layers(state, motion, how, smooth, options);
+  if (state.layers && state.layers->held && how.smooth_after) {
+    CommandResult result{state, {}};
+    result.smooth = move_with_layers(result.state, motion, how, smooth, options);
+    return result;
+  }
   Coordinates x = starting_point(state, options);
   SmoothResult result = smooth_motion(state, motion, how, smooth, x, options);
   return finish(state, std::move(x), std::move(result));
 }
 
 CommandResult execute_one(const SmoothCommand& command, const MeshState& state,
-                          const ExecuteOptions& options) {
+                          const RunOptions& options) {
   validate(command.smooth);
   Coordinates x = starting_point(state, options);
   SmoothResult result = smooth_interior(state, command.smooth, x, options);
@@ -100,14 +107,14 @@ CommandResult execute_one(const SmoothCommand& command, const MeshState& state,
 }
 
 CommandResult execute_one(const MoveCommand& command, const MeshState& state,
-                          const ExecuteOptions& options) {
+                          const RunOptions& options) {
   const auto motion =
       make_motion(*state.mesh.topology, state.mesh.coordinates, command.markers, command.motion);
   return run_motion(state, *motion, command.how, command.smooth, options);
 }
 
 CommandResult execute_one(const DeformCommand& command, const MeshState& state,
-                          const ExecuteOptions& options) {
+                          const RunOptions& options) {
   const auto motion = std::visit(
       [&](const auto& shape) {
         return make_motion(*state.mesh.topology, state.mesh.coordinates, command.markers, shape);
@@ -123,7 +130,7 @@ double uniform(std::mt19937_64& generator) {
 }
 
 CommandResult execute_one(const ScrambleCommand& command, const MeshState& state,
-                          const ExecuteOptions&) {
+                          const RunOptions&) {
   std::mt19937_64 generator(command.seed);
   const Bounds box = bounds(state.mesh);
   Coordinates x = state.mesh.coordinates;
@@ -139,7 +146,7 @@ CommandResult execute_one(const ScrambleCommand& command, const MeshState& state
 }
 
 CommandResult execute_one(const EditVcvCommand& command, const MeshState& state,
-                          const ExecuteOptions& options) {
+                          const RunOptions& options) {
   validate(command.smooth);
   if (command.edits.empty()) throw UsageError("no VCV is given to edit");
   const MeshState edited{state.mesh, edit_vcvs(*state.vcv, command.edits), state.layers};
@@ -149,17 +156,24 @@ CommandResult execute_one(const EditVcvCommand& command, const MeshState& state,
 }
 
 CommandResult execute_one(const LayersCommand& command, const MeshState& state,
-                          const ExecuteOptions& options) {
+                          const RunOptions& options) {
   validate(command.smooth);
-  return run_layers(command, state, options);
+  CommandResult result{state, {}};
+  result.smooth = run_layers(command, result.state, options);
+  return result;
 }
 
 }  // namespace
 
 std::string_view command_name(const Command& command) {
-  constexpr std::array<std::string_view, std::variant_size_v<Command>> names{
-      "smooth", "move", "deform", "scramble", "edit_vcv", "layers"};
-  return names[command.index()];
+  return std::visit([](const auto& c) { return c.name; }, command);
+}
+
+std::vector<Command> all_commands() {
+  return []<std::size_t... kinds>(std::index_sequence<kinds...>) {
+    return std::vector<Command>{Command(std::in_place_index<kinds>)...};
+  }
+  (std::make_index_sequence<std::variant_size_v<Command>>{});
 }
 
 std::string describe(const Command& command) {
@@ -178,13 +192,21 @@ SmoothOptions* smooth_options(Command& command) {
       command);
 }
 
-MeshState make_state(Mesh mesh) {
-  auto vcv = std::make_shared<const VirtualControlVolumes>(mesh.topology);
-  return {std::move(mesh), std::move(vcv)};
+std::vector<std::string> markers_of(const Command& command) {
+  return std::visit(
+      [](const auto& c) {
+        if constexpr (requires { c.markers; }) {
+          return c.markers;
+        } else if constexpr (requires { c.layers.walls; }) {
+          return markers_of(c.layers.walls);
+        } else {
+          return std::vector<std::string>{};
+        }
+      },
+      command);
 }
 
-CommandResult execute(const Command& command, const MeshState& state,
-                      const ExecuteOptions& options) {
+CommandResult execute(const Command& command, const MeshState& state, const RunOptions& options) {
   CommandResult result =
       std::visit([&](const auto& c) { return execute_one(c, state, options); }, command);
   // Whatever way it went: the count is that of the mesh that is handed over.

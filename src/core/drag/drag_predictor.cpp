@@ -9,40 +9,44 @@ namespace winslow {
 
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 Vec2 turned(const Vec2& v) { return {-v.y(), v.x()}; }
 
 }  // namespace
 
-DragPredictor::DragPredictor(const Topology& topology, SteadySolver& solver, const Coordinates& x,
-                             std::vector<Index> nodes, std::vector<double> shares, int threads)
-    : base_(x),
-      nodes_(std::move(nodes)),
-      shares_(std::move(shares)),
-      tangents_(at(x.size())),
-      threads_(threads) {
+DragPredictor::DragPredictor(SteadySolver& solver, const Coordinates& x, std::vector<Index> nodes,
+                             std::vector<double> shares, int threads)
+    : base_(x), nodes_(std::move(nodes)), shares_(std::move(shares)), threads_(threads) {
   for (const Index node : nodes_) pivot_ += x.xy(node);
   if (!nodes_.empty()) pivot_ /= static_cast<double>(nodes_.size());
-  const auto free = topology.free_nodes();
-  Coordinates displacement(x.dimension(), x.size());
-  std::vector<double> answer(2 * free.size());
-  const auto solve_for = [&](Vec2 Tangents::*field, const auto& velocity) {
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      const Index node = nodes_[i];
-      const Vec2 v = (shares_.empty() ? 1.0 : shares_[i]) * velocity(x.xy(node));
-      tangents_[at(node)].*field = v;
-      displacement.set_xy(node, v);
-    }
-    solver.predict(x, displacement, answer);
-    for (std::size_t i = 0; i < free.size(); ++i) {
-      tangents_[at(free[i])].*field = Vec2(answer[2 * i], answer[2 * i + 1]);
-    }
-  };
-  solve_for(&Tangents::x, [](const Vec2&) { return Vec2(1, 0); });
-  solve_for(&Tangents::y, [](const Vec2&) { return Vec2(0, 1); });
+  for (int direction = 0; direction < x.dimension(); ++direction) {
+    translations_.push_back(solve_for(solver, [&](Index, double* v) { v[direction] = 1; }));
+  }
   if (!shares_.empty()) return;
-  solve_for(&Tangents::r, [&](const Vec2& p) { return turned(p - pivot_); });
+  rotation_ = solve_for(solver, [&](Index node, double* v) {
+    const Vec2 velocity = turned(x.xy(node) - pivot_);
+    v[0] = velocity.x();
+    v[1] = velocity.y();
+  });
+  turned_rotation_ = Coordinates(x.dimension(), x.size());
+  for (Index node = 0; node < x.size(); ++node) {
+    turned_rotation_.set_xy(node, turned(rotation_.xy(node)));
+  }
+}
+
+/// Velocities of all nodes where those held have the given ones, or their shares of them.
+template <typename Velocity>
+Coordinates DragPredictor::solve_for(SteadySolver& solver, const Velocity& velocity) const {
+  Coordinates field(base_.dimension(), base_.size());
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    double* v = field.point(nodes_[i]);
+    velocity(nodes_[i], v);
+    if (shares_.empty()) continue;
+    for (int k = 0; k < base_.dimension(); ++k) v[k] *= shares_[i];
+  }
+  std::vector<double> answer(solver.problem().unknowns());
+  solver.predict(base_, field, answer);
+  solver.problem().velocities(base_, answer, field);
+  return field;
 }
 
 void DragPredictor::evaluate(const RigidMotion& motion, Coordinates& out) const {
@@ -50,12 +54,18 @@ void DragPredictor::evaluate(const RigidMotion& motion, Coordinates& out) const 
   const double angle = radians(motion.rotate);
   const double sine = std::sin(angle), rest = 1 - std::cos(angle);
   const Vec2 move = transform(motion, pivot_) - pivot_;
-  parallel_for(threads_, base_.size(), [&](Index begin, Index end) {
-    for (Index i = begin; i < end; ++i) {
-      const Tangents& u = tangents_[at(i)];
-      double* p = out.point(i);
-      p[0] += move.x() * u.x.x() + move.y() * u.y.x() + sine * u.r.x() - rest * u.r.y();
-      p[1] += move.x() * u.x.y() + move.y() * u.y.y() + sine * u.r.y() + rest * u.r.x();
+  const double* x = translations_[0].values().data();
+  const double* y = translations_[1].values().data();
+  const double* r = rotation_.values().data();
+  const double* q = turned_rotation_.values().data();
+  double* p = out.values().data();
+  parallel_for(threads_, static_cast<Index>(out.values().size()), [&](Index begin, Index end) {
+    if (rotation_.empty()) {
+      for (Index i = begin; i < end; ++i) p[i] += move.x() * x[i] + move.y() * y[i];
+    } else {
+      for (Index i = begin; i < end; ++i) {
+        p[i] += move.x() * x[i] + move.y() * y[i] + sine * r[i] + rest * q[i];
+      }
     }
   });
   // To the last bit where the motion itself takes them.

@@ -22,8 +22,8 @@ class DragPredictor {
   /// solver: at its solution x. nodes: the constrained nodes that move together. shares: of a
   /// translation that each of them takes, if they are no rigid body; there is no rotation then.
   /// Throws NumericError where the equations at x have no regular derivative.
-  DragPredictor(const Topology& topology, SteadySolver& solver, const Coordinates& x,
-                std::vector<Index> nodes, std::vector<double> shares = {}, int threads = 0);
+  DragPredictor(SteadySolver& solver, const Coordinates& x, std::vector<Index> nodes,
+                std::vector<double> shares = {}, int threads = 0);
 
   /// The mesh after `motion`, seen from the mesh that the predictor was made at. The boundary is
   /// exactly where the motion takes it; whether the mesh is valid is the caller's to check.
@@ -32,15 +32,14 @@ class DragPredictor {
   const Coordinates& base() const { return base_; }
 
  private:
-  /// U_x, U_y, U_r of one node.
-  struct Tangents {
-    Vec2 x{0, 0}, y{0, 0}, r{0, 0};
-  };
+  template <typename Velocity>
+  Coordinates solve_for(SteadySolver& solver, const Velocity& velocity) const;
 
   Coordinates base_;
   std::vector<Index> nodes_;
-  std::vector<double> shares_;      // empty: a rigid body
-  std::vector<Tangents> tangents_;  // #nodes
+  std::vector<double> shares_;              // empty: a rigid body
+  std::vector<Coordinates> translations_;   // tangent field of each direction
+  Coordinates rotation_, turned_rotation_;  // U_r and P U_r; empty: not a rigid body
   Vec2 pivot_{0, 0};
   int threads_;
 };

@@ -7,25 +7,16 @@
 #include <optional>
 #include <thread>
 
-#include "core/command/smooth_run.h"
-#include "core/command/workspace.h"
 #include "core/drag/drag_predictor.h"
 #include "core/error.h"
 #include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
+#include "core/strategy/smooth_run.h"
+#include "core/strategy/workspace.h"
 
 namespace winslow {
 
 namespace {
-
-/// A solved mesh: its tangent fields and where the body is in it.
-struct Prepared {
-  DragPredictor predictor;
-  RigidMotion pose;      // from the state
-  RigidMotion answered;  // what was asked for; the pose where it could be reached
-};
-
-}  // namespace
 
 /// A motion from one pose to another in parts that turn by no more than a quarter: beyond half a
 /// turn the way back would be the shorter one.
@@ -39,8 +30,17 @@ RigidMotion next_part(const RigidMotion& pose, const RigidMotion& target) {
   return compose(pose, way);
 }
 
+}  // namespace
+
 /// The thread and what it shares with its owner. What lies below `mutex_` is guarded by it.
 class DragSession::Impl final : public SolverMonitor {
+  /// A solved mesh: its tangent fields and where the body is in it.
+  struct Prepared {
+    DragPredictor predictor;
+    RigidMotion pose;      // from the state
+    RigidMotion answered;  // what was asked for; the pose where it could be reached
+  };
+
  public:
   Impl(MeshState state, DragGrip grip, const SmoothOptions& options, std::optional<Start> start)
       : state_(std::move(state)), grip_(std::move(grip)), options_(options) {
@@ -160,7 +160,7 @@ class DragSession::Impl final : public SolverMonitor {
   bool solve(const RigidMotion& target, Coordinates& x) {
     const auto motion = make_motion(*state_.mesh.topology, state_.mesh.coordinates, grip_, target);
     const Coordinates start = x;
-    ExecuteOptions run;
+    RunOptions run;
     run.monitor = this;
     run.start = &start;
     run.workspace = &workspace_;
@@ -172,7 +172,7 @@ class DragSession::Impl final : public SolverMonitor {
   /// A mesh pressed against a wall may find no way back: the way from the state may be open.
   void restart(const RigidMotion& target, Coordinates& x) {
     const auto motion = make_motion(*state_.mesh.topology, state_.mesh.coordinates, grip_, target);
-    ExecuteOptions run;
+    RunOptions run;
     run.monitor = this;
     run.workspace = &workspace_;
     Coordinates other = state_.mesh.coordinates;
@@ -182,10 +182,9 @@ class DragSession::Impl final : public SolverMonitor {
 
   /// answered: the position asked for that this mesh is the answer to.
   void publish(const RigidMotion& pose, const RigidMotion& answered, const Coordinates& x) {
-    auto prepared = std::make_shared<const Prepared>(
-        Prepared{DragPredictor(*state_.mesh.topology, workspace_.steady_solver(), x, nodes_,
-                               grip_.shares, options_.threads),
-                 pose, answered});
+    auto prepared = std::make_shared<const Prepared>(Prepared{
+        DragPredictor(workspace_.steady_solver(), x, nodes_, grip_.shares, options_.threads), pose,
+        answered});
     const std::lock_guard lock(mutex_);
     prepared_ = std::move(prepared);
     ++corrections_;

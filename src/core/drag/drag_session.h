@@ -30,8 +30,8 @@ class DragSession {
     RigidMotion motion;
   };
   /// state: a valid mesh, which the motions refer to. grip: what is held. start: where the drag
-  /// goes on from, if not from the state itself. Throws UsageError for unknown markers, senseless
-  /// options or a tangled mesh.
+  /// goes on from, if not from the state itself. Throws UsageError for unknown markers,
+  /// out-of-range options or a tangled mesh.
   DragSession(MeshState state, DragGrip grip, const SmoothOptions& options,
               std::optional<Start> start = {});
   ~DragSession();

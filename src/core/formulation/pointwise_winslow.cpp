@@ -11,8 +11,6 @@ namespace {
 
 using Matrix2 = Eigen::Matrix2d;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 /// Maximum that a NaN does not get lost in, whichever side it is on.
 double larger(double a, double b) { return std::isnan(a) || a >= b ? a : b; }
 
@@ -47,21 +45,42 @@ class BlockNorms {
 
 }  // namespace
 
-PointwiseWinslow::PointwiseWinslow(const VirtualControlVolumes& vcv, int threads)
-    : topology_(vcv.shared_topology()),
-      functionals_(vcv),
-      pattern_(*topology_),
-      threads_(threads) {}
+PointwiseWinslow::PointwiseWinslow(const VirtualControlVolumes& vcv, int threads, bool clipped)
+    : OnFreeNodes(FreeNodes(vcv.shared_topology(), threads)),
+      functionals_(std::make_shared<const StencilFunctionals>(vcv)),
+      pattern_(std::make_shared<const FreeNodePattern>(vcv.topology())),
+      clip_(clipped) {}
+
+PointwiseWinslow PointwiseWinslow::clipped(bool clip) const {
+  PointwiseWinslow other = *this;
+  other.clip_ = clip;
+  return other;
+}
+
+PointwiseWinslow PointwiseWinslow::with_vcvs(const VirtualControlVolumes& vcv) const {
+  PointwiseWinslow other = *this;
+  other.functionals_ = std::make_shared<const StencilFunctionals>(vcv);
+  return other;
+}
+
+ClipVariants<PointwiseWinslow> clip_variants(const PointwiseWinslow& problem) {
+  return {std::make_shared<const PointwiseWinslow>(problem.clipped(false)),
+          std::make_shared<const PointwiseWinslow>(problem.clipped(true))};
+}
 
 WinslowCoefficients PointwiseWinslow::coefficients(const Coordinates& x, Index node) const {
   return winslow_coefficients(
-      nodal_gradient(x, node, topology_->neighbours(node), functionals_[node]));
+      nodal_gradient(x, node, topology().neighbours(node), (*functionals_)[node]));
 }
 
-Index PointwiseWinslow::weights(const Coordinates& x, Index node, bool clip,
-                                std::span<double> out) const {
+Index PointwiseWinslow::weights(const Coordinates& x, Index node, std::span<double> out) const {
+  return evaluate_weights(x, node, clip_, out);
+}
+
+Index PointwiseWinslow::evaluate_weights(const Coordinates& x, Index node, bool clip,
+                                         std::span<double> out) const {
   const WinslowCoefficients c = coefficients(x, node);
-  const auto functionals = functionals_[node];
+  const auto functionals = (*functionals_)[node];
   Index negative = 0;
   for (std::size_t k = 0; k < functionals.size(); ++k) {
     out[k] = winslow_weight(c, functionals[k]);
@@ -73,18 +92,18 @@ Index PointwiseWinslow::weights(const Coordinates& x, Index node, bool clip,
   return negative;
 }
 
-ResidualNorms PointwiseWinslow::residual(const Coordinates& x, bool clip,
-                                         std::span<double> out) const {
-  const auto free = topology_->free_nodes();
+ResidualNorms PointwiseWinslow::residual(const Coordinates& x, std::span<double> out) const {
+  const Topology& topology = this->topology();
+  const auto free = topology.free_nodes();
   const auto n = static_cast<Index>(free.size());
   BlockNorms norms(n);
-  parallel_for(threads_, n, [&](Index begin, Index end) {
+  parallel_for(threads(), n, [&](Index begin, Index end) {
     std::vector<double> w;
     for (Index i = begin; i < end; ++i) {
       const Index node = free[at(i)];
-      const auto neighbours = topology_->neighbours(node);
+      const auto neighbours = topology.neighbours(node);
       w.resize(neighbours.size());
-      weights(x, node, clip, w);
+      weights(x, node, w);
       const NodalRow row = evaluate_row(x, node, neighbours, w);
       norms.add(begin, row.scaled());
       if (!out.empty()) {
@@ -96,31 +115,32 @@ ResidualNorms PointwiseWinslow::residual(const Coordinates& x, bool clip,
   return norms.total();
 }
 
-Index PointwiseWinslow::freeze(const Coordinates& x, bool clip, SparseSystem& out) const {
-  const auto free = topology_->free_nodes();
+Index PointwiseWinslow::freeze(const Coordinates& x, SparseSystem& out) const {
+  const Topology& topology = this->topology();
+  const auto free = topology.free_nodes();
   const auto n = static_cast<Index>(free.size());
   SparseMatrix& matrix = out.matrix;
-  matrix.pattern = pattern_.pattern;
+  matrix.pattern = pattern_->pattern;
   matrix.block = 1;
   matrix.symmetric = false;
   matrix.values.resize(matrix.pattern->columns.size());
   out.columns = 2;
   out.rhs.resize(2 * free.size());
   std::vector<Index> negative(at((n + parallel_block - 1) / parallel_block), 0);
-  parallel_for(threads_, n, [&](Index begin, Index end) {
+  parallel_for(threads(), n, [&](Index begin, Index end) {
     std::vector<double> w;
     for (Index i = begin; i < end; ++i) {
       const Index node = free[at(i)];
-      const auto neighbours = topology_->neighbours(node);
+      const auto neighbours = topology.neighbours(node);
       w.resize(neighbours.size());
-      negative[at(begin / parallel_block)] += weights(x, node, clip, w);
+      negative[at(begin / parallel_block)] += weights(x, node, w);
       const NodalRow row = evaluate_row(x, node, neighbours, w);
       const double scale = row.scale();
       matrix.values[at(matrix.pattern->diagonal[at(i)])] =
           row.absolute_sum > 0 ? row.weight_sum * scale : 1;
-      const auto first = at(topology_->neighbour_rows().offsets[at(node)]);
+      const auto first = at(topology.neighbour_rows().offsets[at(node)]);
       for (std::size_t k = 0; k < neighbours.size(); ++k) {
-        const Index entry = pattern_.entry_of_neighbour[first + k];
+        const Index entry = pattern_->entry_of_neighbour[first + k];
         if (entry >= 0) matrix.values[at(entry)] = -w[k] * scale;
       }
       out.rhs[2 * at(i)] = row.residual.x() * scale;
@@ -142,12 +162,12 @@ Index PointwiseWinslow::freeze(const Coordinates& x, bool clip, SparseSystem& ou
 class PointwiseWinslow::RowDerivative {
  public:
   /// weights: memory to work in, which belongs to this until it is gone.
-  RowDerivative(const PointwiseWinslow& form, const Coordinates& x, Index node, bool clip,
+  RowDerivative(const PointwiseWinslow& form, const Coordinates& x, Index node,
                 std::vector<double>& weights)
-      : functionals_(form.functionals_[node]), weights_(weights) {
-    const auto neighbours = form.topology_->neighbours(node);
+      : functionals_((*form.functionals_)[node]), weights_(weights) {
+    const auto neighbours = form.topology().neighbours(node);
     weights_.resize(neighbours.size());
-    form.weights(x, node, false, weights_);
+    form.evaluate_weights(x, node, false, weights_);
     const Vec2 r0 = x.xy(node);
     Vec2 rx(0, 0), ry(0, 0), lxx(0, 0), lxy(0, 0), lyy(0, 0);
     for (std::size_t k = 0; k < weights_.size(); ++k) {
@@ -155,7 +175,7 @@ class PointwiseWinslow::RowDerivative {
       const Vec2 d = x.xy(neighbours[k]) - r0;
       rx += f.dx * d;
       ry += f.dy * d;
-      if (clip && weights_[k] < 0) {
+      if (form.clip_ && weights_[k] < 0) {
         weights_[k] = 0;
         continue;
       }
@@ -187,38 +207,39 @@ class PointwiseWinslow::RowDerivative {
   Matrix2 by_rx_ = Matrix2::Zero(), by_ry_ = Matrix2::Zero();
 };
 
-ResidualNorms PointwiseWinslow::linearise(const Coordinates& x, bool clip, SparseMatrix& out,
+ResidualNorms PointwiseWinslow::linearise(const Coordinates& x, SparseMatrix& jacobian,
                                           std::span<double> residual) const {
-  const auto free = topology_->free_nodes();
+  const Topology& topology = this->topology();
+  const auto free = topology.free_nodes();
   const auto n = static_cast<Index>(free.size());
-  out.pattern = pattern_.pattern;
-  out.block = 2;
-  out.symmetric = false;
-  out.values.resize(4 * out.pattern->columns.size());
+  jacobian.pattern = pattern_->pattern;
+  jacobian.block = 2;
+  jacobian.symmetric = false;
+  jacobian.values.resize(4 * jacobian.pattern->columns.size());
   BlockNorms norms(n);
   const auto set = [&](Index entry, const Matrix2& block) {
-    double* v = out.values.data() + 4 * at(entry);
+    double* v = jacobian.values.data() + 4 * at(entry);
     v[0] = block(0, 0);
     v[1] = block(0, 1);
     v[2] = block(1, 0);
     v[3] = block(1, 1);
   };
-  parallel_for(threads_, n, [&](Index begin, Index end) {
+  parallel_for(threads(), n, [&](Index begin, Index end) {
     std::vector<double> w;
     for (Index i = begin; i < end; ++i) {
       const Index node = free[at(i)];
-      const RowDerivative derivative(*this, x, node, clip, w);
-      const auto first = at(topology_->neighbour_rows().offsets[at(node)]);
-      const std::size_t count = topology_->neighbours(node).size();
+      const RowDerivative derivative(*this, x, node, w);
+      const auto first = at(topology.neighbour_rows().offsets[at(node)]);
+      const std::size_t count = topology.neighbours(node).size();
       Matrix2 diagonal = Matrix2::Zero();
       for (std::size_t k = 0; k < count; ++k) {
         const Matrix2 block = derivative.by_neighbour(k);
         diagonal += block;
-        const Index entry = pattern_.entry_of_neighbour[first + k];
+        const Index entry = pattern_->entry_of_neighbour[first + k];
         if (entry >= 0) set(entry, -block);
       }
       const bool empty = !(derivative.row().absolute_sum > 0);
-      set(out.pattern->diagonal[at(i)], empty ? Matrix2(Matrix2::Identity()) : diagonal);
+      set(jacobian.pattern->diagonal[at(i)], empty ? Matrix2(Matrix2::Identity()) : diagonal);
       norms.add(begin, derivative.row().scaled());
       residual[2 * at(i)] = derivative.residual().x();
       residual[2 * at(i) + 1] = derivative.residual().y();
@@ -227,21 +248,21 @@ ResidualNorms PointwiseWinslow::linearise(const Coordinates& x, bool clip, Spars
   return norms.total();
 }
 
-void PointwiseWinslow::boundary_response(const Coordinates& x, bool clip,
-                                         const Coordinates& displacement,
+void PointwiseWinslow::boundary_response(const Coordinates& x, const Coordinates& displacement,
                                          std::span<double> out) const {
-  const auto free = topology_->free_nodes();
-  parallel_for(threads_, static_cast<Index>(free.size()), [&](Index begin, Index end) {
+  const Topology& topology = this->topology();
+  const auto free = topology.free_nodes();
+  parallel_for(threads(), static_cast<Index>(free.size()), [&](Index begin, Index end) {
     std::vector<double> w;
     for (Index i = begin; i < end; ++i) {
       const Index node = free[at(i)];
-      const auto neighbours = topology_->neighbours(node);
+      const auto neighbours = topology.neighbours(node);
       Vec2 change(0, 0);
       if (std::any_of(neighbours.begin(), neighbours.end(),
-                      [&](Index k) { return topology_->constrained(k); })) {
-        const RowDerivative derivative(*this, x, node, clip, w);
+                      [&](Index k) { return topology.constrained(k); })) {
+        const RowDerivative derivative(*this, x, node, w);
         for (std::size_t k = 0; k < neighbours.size(); ++k) {
-          if (!topology_->constrained(neighbours[k])) continue;
+          if (!topology.constrained(neighbours[k])) continue;
           change += derivative.by_neighbour(k) * displacement.xy(neighbours[k]);
         }
       }
@@ -251,17 +272,40 @@ void PointwiseWinslow::boundary_response(const Coordinates& x, bool clip,
   });
 }
 
-void PointwiseWinslow::row_scales(const Coordinates& x, bool clip, std::span<double> out) const {
-  const auto free = topology_->free_nodes();
-  parallel_for(threads_, static_cast<Index>(free.size()), [&](Index begin, Index end) {
+void PointwiseWinslow::row_scales(const Coordinates& x, std::span<double> out) const {
+  const Topology& topology = this->topology();
+  const auto free = topology.free_nodes();
+  parallel_for(threads(), static_cast<Index>(free.size()), [&](Index begin, Index end) {
     std::vector<double> w;
     for (Index i = begin; i < end; ++i) {
-      const auto neighbours = topology_->neighbours(free[at(i)]);
+      const auto neighbours = topology.neighbours(free[at(i)]);
       w.resize(neighbours.size());
-      weights(x, free[at(i)], clip, w);
+      weights(x, free[at(i)], w);
       out[at(i)] = evaluate_row(x, free[at(i)], neighbours, w).scale();
     }
   });
+}
+
+std::vector<double> PointwiseWinslow::merit_weights(const Coordinates& x) const {
+  const auto free = topology().free_nodes();
+  std::vector<double> weights(free.size());
+  row_scales(x, weights);
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    const double edge = free_nodes().mean_edge(x, free[i]);
+    if (edge > 0) weights[i] /= edge;
+  }
+  return weights;
+}
+
+double PointwiseWinslow::merit(const Coordinates& x, std::span<const double> weights) const {
+  std::vector<double> rows(unknowns());
+  residual(x, rows);
+  double sum = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const Vec2 r(rows[2 * i], rows[2 * i + 1]);
+    sum += weights[i] * weights[i] * r.squaredNorm();
+  }
+  return sum;
 }
 
 }  // namespace winslow

@@ -11,8 +11,6 @@ namespace {
 
 using Triangles = std::vector<std::array<Index, 3>>;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 /// The triangles at each row.
 struct Stars {
   std::vector<Index> offsets;

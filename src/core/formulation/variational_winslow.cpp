@@ -18,8 +18,6 @@ using distortion::PenaltyFunction;
 using distortion::TriangleData;
 using distortion::TriangleSum;
 
-constexpr std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 std::size_t block_count(Index n) { return at((n + parallel_block - 1) / parallel_block); }
 
 double larger(double a, double b) { return std::isnan(a) || a >= b ? a : b; }
@@ -97,41 +95,61 @@ struct VariationalWinslow::BlockMemory {
   RowSum row(Index i) const { return {rows.data() + RowSum::size * at(i)}; }
 };
 
+/// What depends on the connectivity alone.
+struct VariationalWinslow::Structure {
+  Structure(const Topology& topology, const TargetShapes& shapes)
+      : row_of_node(make_row_of_node(topology)),
+        rows(shapes.triangles, row_of_node, static_cast<Index>(topology.free_nodes().size())),
+        shape_order(rows.renumber_triangles()) {
+    for (std::size_t t = 0; t < shape_order.size(); ++t) {
+      const auto& nodes = shapes.triangles[at(shape_order[t])];
+      if (std::any_of(nodes.begin(), nodes.end(), [&](Index n) { return row_of_node[at(n)] < 0; }))
+        half_free.push_back(static_cast<Index>(t));
+    }
+  }
+
+  std::vector<Index> row_of_node;
+  RowBlocks rows;
+  std::vector<Index> shape_order;  // number in TargetShapes::build of each triangle of shapes_
+  std::vector<Index> half_free;    // triangles with free and constrained nodes
+};
+
 VariationalWinslow::VariationalWinslow(std::shared_ptr<const Topology> topology,
                                        const TargetShapes& shapes, const PenaltyOptions& penalty,
                                        int threads)
-    : topology_(std::move(topology)),
-      penalty_(penalty),
-      threads_(threads),
-      row_of_node_(make_row_of_node(*topology_)),
-      rows_(shapes.triangles, row_of_node_, static_cast<Index>(topology_->free_nodes().size())),
-      shape_order_(rows_.renumber_triangles()) {
-  set_shapes(shapes);
-  for (std::size_t t = 0; t < shapes_.triangles.size(); ++t) {
-    const auto& nodes = shapes_.triangles[t];
-    if (std::any_of(nodes.begin(), nodes.end(), [&](Index n) { return row_of_node_[at(n)] < 0; })) {
-      half_free_.push_back(static_cast<Index>(t));
-    }
-  }
+    : OnFreeNodes(FreeNodes(std::move(topology), threads)),
+      structure_(std::make_shared<const Structure>(this->topology(), shapes)),
+      shapes_(std::make_shared<const TargetShapes>(reordered(shapes, structure_->shape_order))),
+      penalty_(penalty) {}
+
+std::shared_ptr<const VariationalWinslow> VariationalWinslow::with_penalty(
+    const PenaltyOptions& penalty) const {
+  auto other = std::make_shared<VariationalWinslow>(*this);
+  other->penalty_ = penalty;
+  return other;
 }
 
-void VariationalWinslow::set_shapes(const TargetShapes& shapes) {
-  shapes_ = reordered(shapes, shape_order_);
+std::shared_ptr<const VariationalWinslow> VariationalWinslow::with_shapes(
+    const TargetShapes& shapes) const {
+  auto other = std::make_shared<VariationalWinslow>(*this);
+  other->shapes_ = std::make_shared<const TargetShapes>(reordered(shapes, structure_->shape_order));
+  return other;
 }
 
 TriangleData VariationalWinslow::data(const Coordinates& x,
                                       const Regularisation* regularisation) const {
   static_assert(sizeof(ShapeTerm) == 4 * sizeof(double));
-  static_assert(sizeof(shapes_.triangles[0]) == 3 * sizeof(Index));
+  const TargetShapes& shapes = *shapes_;
+  static_assert(sizeof(shapes.triangles[0]) == 3 * sizeof(Index));
   TriangleData data;
   data.x = x.values().data();
-  data.nodes = shapes_.triangles.empty() ? nullptr : shapes_.triangles.front().data();
-  data.offsets = shapes_.offsets.data();
-  data.terms = shapes_.terms.empty() ? nullptr : &shapes_.terms.front().ab;
+  data.nodes = shapes.triangles.empty() ? nullptr : shapes.triangles.front().data();
+  data.offsets = shapes.offsets.data();
+  data.terms = shapes.terms.empty() ? nullptr : &shapes.terms.front().ab;
   data.penalty = PenaltyFunction(penalty_.exponent, penalty_.knee).constants();
   if (regularisation) {
     data.size = regularisation->size.data();
-    data.epsilon = regularisation->epsilon;
+    data.epsilon = 1;
     data.curvature_share = 0;
   }
   return data;
@@ -142,7 +160,7 @@ TriangleData VariationalWinslow::data(const Coordinates& x,
 template <typename Visit>
 void VariationalWinslow::for_each_block(Visit&& visit) const {
   static_assert(parallel_block % RowBlocks::rows_per_block == 0);
-  parallel_for(threads_, rows_.rows(), [&](Index begin, Index end) {
+  parallel_for(threads(), structure_->rows.rows(), [&](Index begin, Index end) {
     BlockMemory memory;
     for (Index first = begin; first < end; first += RowBlocks::rows_per_block) {
       visit(at(begin / parallel_block), first / RowBlocks::rows_per_block, first,
@@ -154,13 +172,14 @@ void VariationalWinslow::for_each_block(Visit&& visit) const {
 void VariationalWinslow::add_projected(const TriangleData& data, std::span<const Index> triangles,
                                        double* sums) const {
   const PenaltyFunction psi(penalty_.exponent, penalty_.knee);
+  const TargetShapes& shapes = *shapes_;
   for (const Index t : triangles) {
     std::fill(sums, sums + TriangleSum::corners, 0.0);
-    const auto& nodes = shapes_.triangles[at(t)];
+    const auto& nodes = shapes.triangles[at(t)];
     const auto point = [&](Index node) { return data.x + 2 * static_cast<std::ptrdiff_t>(node); };
     const Corner2 q(point(nodes[0]), point(nodes[1]), point(nodes[2]));
-    for (Index k = shapes_.offsets[at(t)]; k < shapes_.offsets[at(t) + 1]; ++k) {
-      distortion::add_projected_blocks(q, shapes_.terms[at(k)], psi, sums);
+    for (Index k = shapes.offsets[at(t)]; k < shapes.offsets[at(t) + 1]; ++k) {
+      distortion::add_projected_blocks(q, shapes.terms[at(k)], psi, sums);
     }
     sums += TriangleSum::size;
   }
@@ -170,17 +189,18 @@ void VariationalWinslow::add_projected(const TriangleData& data, std::span<const
 /// triangles that no earlier block has.
 double VariationalWinslow::sum_block(const TriangleData& data, bool project, bool with_matrix,
                                      Index block, BlockMemory& memory) const {
+  const RowBlocks& rows = structure_->rows;
   std::fill(memory.rows.begin(), memory.rows.end(), 0.0);
-  if (with_matrix) memory.matrix.assign(4 * at(rows_.entries(block)), 0.0);
-  const auto triangles = rows_.triangles(block);
-  const auto places = rows_.places(block);
+  if (with_matrix) memory.matrix.assign(4 * at(rows.entries(block)), 0.0);
+  const auto triangles = rows.triangles(block);
+  const auto places = rows.places(block);
   double energy = 0;
   for (std::size_t first = 0; first < triangles.size(); first += BlockMemory::chunk) {
     const auto part =
         triangles.subspan(first, std::min(BlockMemory::chunk, triangles.size() - first));
     const auto count = static_cast<Index>(part.size());
     energy +=
-        kernel_.sum(data, part.data(), count, rows_.first_new_triangle(block), memory.sums.data());
+        kernel_.sum(data, part.data(), count, rows.first_new_triangle(block), memory.sums.data());
     if (project) add_projected(data, part, memory.sums.data());
     kernel_.scatter(memory.sums.data(), places.data() + first, count, memory.rows.data(),
                     with_matrix ? memory.matrix.data() : nullptr);
@@ -188,65 +208,84 @@ double VariationalWinslow::sum_block(const TriangleData& data, bool project, boo
   return energy;
 }
 
-double VariationalWinslow::energy(const Coordinates& x,
-                                  const Regularisation* regularisation) const {
-  const TriangleData triangles = data(x, regularisation);
-  const auto n = static_cast<Index>(shapes_.triangles.size());
+double VariationalWinslow::energy_of(const TriangleData& triangles) const {
+  const auto n = static_cast<Index>(shapes_->triangles.size());
   std::vector<double> sums(block_count(n), 0.0);
-  parallel_for(threads_, n, [&](Index begin, Index end) {
+  parallel_for(threads(), n, [&](Index begin, Index end) {
     sums[at(begin / parallel_block)] = kernel_.energy(triangles, begin, end);
   });
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
+double VariationalWinslow::energy(const Coordinates& x) const {
+  return energy_of(data(x, nullptr));
+}
+
+double VariationalWinslow::regularised_energy(const Coordinates& x,
+                                              const Regularisation& regularisation) const {
+  return energy_of(data(x, &regularisation));
+}
+
 double VariationalWinslow::worst_distortion(const Coordinates& x) const {
+  const TargetShapes& shapes = *shapes_;
   double worst = 0;
-  for (std::size_t t = 0; t < shapes_.triangles.size(); ++t) {
-    const auto& nodes = shapes_.triangles[t];
+  for (std::size_t t = 0; t < shapes.triangles.size(); ++t) {
+    const auto& nodes = shapes.triangles[t];
     const Corner2 q(x.point(nodes[0]), x.point(nodes[1]), x.point(nodes[2]));
     if (!(q.d > 0)) return std::numeric_limits<double>::infinity();
-    for (Index k = shapes_.offsets[t]; k < shapes_.offsets[t + 1]; ++k) {
-      worst = std::max(worst, q.distortion(shapes_.terms[at(k)]));
+    for (Index k = shapes.offsets[t]; k < shapes.offsets[t + 1]; ++k) {
+      worst = std::max(worst, q.distortion(shapes.terms[at(k)]));
     }
   }
   return worst;
 }
 
-ResidualNorms VariationalWinslow::residual(const Coordinates& x, bool,
-                                           std::span<double> out) const {
+ResidualNorms VariationalWinslow::residual(const Coordinates& x, std::span<double> out) const {
   const TriangleData triangles = data(x, nullptr);
-  std::vector<NormSum> norms(block_count(rows_.rows()));
+  const RowBlocks& rows = structure_->rows;
+  std::vector<NormSum> norms(block_count(rows.rows()));
   for_each_block([&](std::size_t part, Index block, Index first, Index last, BlockMemory& memory) {
     sum_block(triangles, false, false, block, memory);
     for (Index p = first; p < last; ++p) {
       const RowSum sum = memory.row(p - first);
       norms[part].add(sum.scaled());
       if (out.empty()) continue;
-      out[2 * at(rows_.row(p))] = -sum.gx();
-      out[2 * at(rows_.row(p)) + 1] = -sum.gy();
+      out[2 * at(rows.row(p))] = -sum.gx();
+      out[2 * at(rows.row(p)) + 1] = -sum.gy();
     }
   });
   return NormSum::total(norms);
 }
 
 Linearisation VariationalWinslow::linearise(const Coordinates& x, Curvature curvature,
-                                            SparseMatrix& out, std::span<double> residual,
-                                            const Regularisation* regularisation) const {
-  const SparsityPattern& pattern = *rows_.pattern();
-  out.pattern = rows_.pattern();
+                                            SparseMatrix& hessian,
+                                            std::span<double> residual) const {
+  return assemble(data(x, nullptr), curvature == Curvature::projected, hessian, residual);
+}
+
+Linearisation VariationalWinslow::linearise_regularised(const Coordinates& x,
+                                                        const Regularisation& regularisation,
+                                                        SparseMatrix& hessian,
+                                                        std::span<double> residual) const {
+  return assemble(data(x, &regularisation), false, hessian, residual);
+}
+
+Linearisation VariationalWinslow::assemble(const TriangleData& triangles, bool project,
+                                           SparseMatrix& out, std::span<double> residual) const {
+  const RowBlocks& rows = structure_->rows;
+  const SparsityPattern& pattern = *rows.pattern();
+  out.pattern = rows.pattern();
   out.block = 2;
   out.symmetric = true;
   out.values.resize(4 * pattern.columns.size());
-  std::vector<NormSum> norms(block_count(rows_.rows()));
+  std::vector<NormSum> norms(block_count(rows.rows()));
   std::vector<double> energies(norms.size(), 0.0);
-  const TriangleData triangles = data(x, regularisation);
-  const bool project = curvature == Curvature::projected && !regularisation;
   for_each_block([&](std::size_t part, Index block, Index first, Index last, BlockMemory& memory) {
     energies[part] += sum_block(triangles, project, true, block, memory);
-    kernel_.write_rows(memory.matrix.data() + 4, rows_.order(first), pattern.offsets.data(),
+    kernel_.write_rows(memory.matrix.data() + 4, rows.order(first), pattern.offsets.data(),
                        last - first, out.values.data());
     for (Index p = first; p < last; ++p) {
-      const std::size_t row = at(rows_.row(p));
+      const std::size_t row = at(rows.row(p));
       const RowSum sum = memory.row(p - first);
       // Its parts are rounded apart: make the diagonal symmetric.
       const double off_diagonal = 0.5 * (sum.v[1] + sum.v[2]);
@@ -265,20 +304,22 @@ Linearisation VariationalWinslow::linearise(const Coordinates& x, Curvature curv
 void VariationalWinslow::boundary_response(const Coordinates& x, const Coordinates& displacement,
                                            std::span<double> out) const {
   const TriangleData triangles = data(x, nullptr);
-  std::vector<double> sums((half_free_.size() + 3) / 4 * 4 * TriangleSum::size);
-  kernel_.sum(triangles, half_free_.data(), static_cast<Index>(half_free_.size()), 0, sums.data());
+  const std::vector<Index>& half_free = structure_->half_free;
+  const std::vector<Index>& row_of_node = structure_->row_of_node;
+  std::vector<double> sums((half_free.size() + 3) / 4 * 4 * TriangleSum::size);
+  kernel_.sum(triangles, half_free.data(), static_cast<Index>(half_free.size()), 0, sums.data());
   std::fill(out.begin(), out.end(), 0.0);
   // out_i -= H_ij m_j for free i and constrained j.
   const auto subtract = [&](Index i, Index j, const double* h, bool is_transposed) {
-    const Index row = row_of_node_[at(i)];
-    if (row < 0 || row_of_node_[at(j)] >= 0) return;
+    const Index row = row_of_node[at(i)];
+    if (row < 0 || row_of_node[at(j)] >= 0) return;
     const double* m = displacement.point(j);
     out[2 * at(row)] -= h[0] * m[0] + h[is_transposed ? 2 : 1] * m[1];
     out[2 * at(row) + 1] -= h[is_transposed ? 1 : 2] * m[0] + h[3] * m[1];
   };
   const double* sum = sums.data();
-  for (const Index t : half_free_) {
-    const auto& [a, b, c] = shapes_.triangles[at(t)];
+  for (const Index t : half_free) {
+    const auto& [a, b, c] = shapes_->triangles[at(t)];
     const auto both = [&](Index i, Index j, std::ptrdiff_t place) {
       subtract(i, j, sum + place, false);
       subtract(j, i, sum + place, true);

@@ -1,12 +1,14 @@
 #include "core/inspect/element_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "core/error.h"
 #include "core/inspect/nodal_view.h"
 #include "core/parallel/parallel_for.h"
+#include "core/quality/quality.h"
 
 namespace winslow {
 
@@ -14,19 +16,47 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-struct NodalName {
-  NodalField field;
-  std::string_view name, label;
+/// In the order of the enumerations.
+constexpr std::array nodal_fields{
+    FieldInfo{.name = "kappa",
+              .label = "VCV kappa",
+              .help = "Ratio of the singular values of the nodal Jacobian, which maps the virtual "
+                      "control volume to the mesh. 1 is best.",
+              .larger_is_better = false,
+              .colors = ColorRange::from_one,
+              .threshold = 1.5},
+    FieldInfo{.name = "smallest_weight",
+              .label = "VCV smallest weight",
+              .help = "Smallest weight of a neighbour over the mean magnitude of the weights. 1 is "
+                      "best; below 0 the operator may leave the range of its neighbours.",
+              .larger_is_better = true,
+              .colors = ColorRange::up_to_one,
+              .threshold = 0,
+              .has_sign = true},
+    FieldInfo{.name = "residual",
+              .label = "VCV residual",
+              .help =
+                  "Distance to where the operator would move this node alone, over its mean edge. "
+                  "0 at the operator's own solution.",
+              .larger_is_better = false,
+              .colors = ColorRange::from_zero,
+              .threshold = 0.01},
 };
-constexpr std::array<NodalName, 3> nodal_names{
-    {{NodalField::kappa, "kappa", "VCV kappa"},
-     {NodalField::smallest_weight, "smallest_weight", "VCV smallest weight"},
-     {NodalField::residual, "residual", "VCV residual"}}};
 
-const NodalName& named(NodalField field) {
-  return *std::find_if(nodal_names.begin(), nodal_names.end(),
-                       [&](const NodalName& n) { return n.field == field; });
-}
+constexpr std::array layer_fields{
+    FieldInfo{.name = "layer",
+              .label = "Layer",
+              .help = "Number of the layer, 1 at the wall.",
+              .larger_is_better = false,
+              .colors = ColorRange::counts,
+              .threshold = 0.5},
+    FieldInfo{.name = "spacing_error",
+              .label = "Layer spacing error",
+              .help = "Relative error of the layer's height, the larger of its two sides'.",
+              .larger_is_better = false,
+              .colors = ColorRange::from_zero,
+              .threshold = 0.01},
+};
 
 double kappa_of(const NodalGradient& jacobian) {
   const auto s = singular_values(jacobian);
@@ -80,7 +110,7 @@ std::vector<double> layer_values(const Topology& topology, const Coordinates& x,
 double worse(NodalField field, double a, double b) {
   if (std::isnan(a)) return b;
   if (std::isnan(b)) return a;
-  return field == NodalField::smallest_weight ? std::min(a, b) : std::max(a, b);
+  return field_info(field).larger_is_better ? std::min(a, b) : std::max(a, b);
 }
 
 }  // namespace
@@ -113,31 +143,30 @@ std::vector<double> node_values(const VirtualControlVolumes& vcv, const Coordina
   return values;
 }
 
-const std::array<ElementField, element_field_count>& all_element_fields() {
-  static const std::array<ElementField, element_field_count> fields{
-      Metric::normalized_jacobian, Metric::aspect_ratio,
-      Metric::condition_number,    Metric::area,
-      NodalField::kappa,           NodalField::smallest_weight,
-      NodalField::residual,        LayerField::layer,
-      LayerField::spacing_error};
+const std::vector<ElementField>& all_element_fields() {
+  static const std::vector<ElementField> fields = [] {
+    std::vector<ElementField> list(all_metrics().begin(), all_metrics().end());
+    for (std::size_t i = 0; i < nodal_fields.size(); ++i)
+      list.emplace_back(static_cast<NodalField>(i));
+    for (std::size_t i = 0; i < layer_fields.size(); ++i)
+      list.emplace_back(static_cast<LayerField>(i));
+    return list;
+  }();
   return fields;
 }
 
-std::string_view field_name(const ElementField& field) {
-  if (field.layer()) return *field.layer() == LayerField::layer ? "layer" : "spacing_error";
-  return field.metric() ? metric_name(*field.metric()) : named(*field.nodal()).name;
-}
-
-std::string_view field_label(const ElementField& field) {
-  if (field.layer()) return *field.layer() == LayerField::layer ? "Layer" : "Layer spacing error";
-  return field.metric() ? metric_label(*field.metric()) : named(*field.nodal()).label;
+const FieldInfo& field_info(const ElementField& field) {
+  if (field.layer()) return layer_fields[static_cast<std::size_t>(*field.layer())];
+  if (field.nodal()) return nodal_fields[static_cast<std::size_t>(*field.nodal())];
+  return metric_info(*field.metric()).field;
 }
 
 ElementField parse_field(std::string_view name) {
   std::string list;
   for (const ElementField& field : all_element_fields()) {
-    if (field_name(field) == name) return field;
-    list += (list.empty() ? "" : ", ") + std::string(field_name(field));
+    const std::string_view known = field_info(field).name;
+    if (known == name) return field;
+    list += (list.empty() ? "" : ", ") + std::string(known);
   }
   throw UsageError("found \"" + std::string(name) + "\", expected one of " + list);
 }

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "core/layers/layer_stack.h"
-#include "core/quality/quality.h"
+#include "core/quality/metric.h"
 #include "core/vcv/virtual_control_volumes.h"
 
 namespace winslow {
@@ -51,12 +50,10 @@ class ElementField {
 };
 
 /// All of them, as lists show them.
-inline constexpr std::size_t element_field_count = 9;
-const std::array<ElementField, element_field_count>& all_element_fields();
+const std::vector<ElementField>& all_element_fields();
 
-std::string_view field_name(const ElementField& field);   ///< "kappa", as in options
-std::string_view field_label(const ElementField& field);  ///< "VCV kappa", as on screen
-/// By field_name. Throws UsageError listing the names.
+const FieldInfo& field_info(const ElementField& field);
+/// By FieldInfo::name. Throws UsageError listing the names.
 ElementField parse_field(std::string_view name);
 
 /// Value for each element (#elements); NaN where no node has a VCV. layers: of this mesh; null:

@@ -6,8 +6,8 @@
 #include <thread>
 #include <utility>
 
-#include "core/command/workspace.h"
 #include "core/error.h"
+#include "core/strategy/workspace.h"
 
 namespace winslow {
 
@@ -221,7 +221,7 @@ class SolverThread::Impl final : public SolverMonitor {
     fresh_target_ = true;
     first_iteration_ = iterations_;
     try {
-      const ExecuteOptions options{this, current_.start ? &*current_.start : nullptr, &workspace_};
+      const RunOptions options{this, current_.start ? &*current_.start : nullptr, &workspace_};
       result = execute(current_.command, current_.state, options);
       reached_ = result->state.mesh.coordinates;
       topology_ = result->state.mesh.topology;

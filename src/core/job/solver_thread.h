@@ -35,7 +35,7 @@ class SolverThread {
   SolverThread& operator=(const SolverThread&) = delete;
 
   /// Starts a command on a state; one that is under way is cancelled first. `start`: interior to
-  /// start from (see ExecuteOptions::start). paused: stop before the first iteration. Returns the
+  /// start from (see RunOptions::start). paused: stop before the first iteration. Returns the
   /// job's number.
   std::uint64_t run(MeshState state, Command command, std::optional<Coordinates> start = {},
                     bool paused = false);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace winslow {
 
@@ -42,81 +41,32 @@ double touching_radius(const Vec2& a, const Vec2& b, const Vec2& n) {
 
 }  // namespace
 
-std::size_t Clearance::Hash::operator()(const Cell& cell) const {
-  return std::hash<long long>()((static_cast<long long>(cell.first) << 32) ^
-                                static_cast<unsigned>(cell.second));
-}
-
-Clearance::Cell Clearance::cell_of(const Vec2& p) const {
-  const Vec2 scaled = (p - corner_) / cell_;
-  return {static_cast<int>(std::floor(scaled.x())), static_cast<int>(std::floor(scaled.y()))};
-}
-
 Clearance::Clearance(const Topology& topology, const Coordinates& x, double reach)
     : x_(x), reach_(reach) {
+  std::vector<Box<2>> boxes;
   for (const auto& edge : topology.edges()) {
-    if (edge.elements[1] < 0) segments_.push_back({edge.nodes[0], edge.nodes[1]});
+    if (edge.elements[1] >= 0) continue;
+    segments_.push_back({edge.nodes[0], edge.nodes[1]});
+    Box<2> box{x.xy(edge.nodes[0]), x.xy(edge.nodes[0])};
+    box.add(x.xy(edge.nodes[1]));
+    boxes.push_back(box);
   }
-  choose_cells();
-  for (std::size_t s = 0; s < segments_.size(); ++s) list(static_cast<Index>(s));
-}
-
-void Clearance::choose_cells() {
-  if (segments_.empty()) return;
-  Vec2 most = corner_ = x_.xy(segments_.front().a);
-  double length = 0;
-  for (const auto& [a, b] : segments_) {
-    const Vec2 p = x_.xy(a), q = x_.xy(b);
-    corner_ = corner_.cwiseMin(p).cwiseMin(q);
-    most = most.cwiseMax(p).cwiseMax(q);
-    length += (q - p).norm();
-  }
-  // However small the reach is, cells need not be smaller than segments, and their numbers have to
-  // be integers.
-  constexpr double finest = 1e-6;
-  cell_ = std::max({2 * reach_, length / static_cast<double>(segments_.size()),
-                    finest * (most - corner_).maxCoeff()});
-}
-
-void Clearance::list(Index segment) {
-  constexpr double most_cells = 4096;
-  const auto [a, b] = segments_[static_cast<std::size_t>(segment)];
-  const Vec2 from = x_.xy(a), along = x_.xy(b) - from;
-  const double pieces = std::ceil(along.norm() / cell_) + 1;
-  if (pieces > most_cells) {
-    long_.push_back(segment);
-    return;
-  }
-  const auto steps = static_cast<int>(pieces);
-  std::optional<Cell> last;
-  for (int i = 0; i <= steps; ++i) {
-    const Cell cell = cell_of(from + along * (static_cast<double>(i) / steps));
-    if (cell == last) continue;
-    last = cell;
-    cells_[cell].push_back(segment);
-  }
+  tree_ = BoxTree<2>(boxes);
 }
 
 double Clearance::radius(Index node, const Vec2& inward) const {
   const Vec2 p = x_.xy(node);
-  const Cell home = cell_of(p);
+  // What touches a disc no larger than the reach lies within the largest one; somewhat more, so
+  // that round-off misses nothing.
+  const Vec2 centre = p + reach_ * inward;
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  const Vec2 half = Vec2::Constant((1 + 1e-6) * reach_ + 4 * epsilon * p.cwiseAbs().maxCoeff());
   double least = reach_;
-  const auto look_at = [&](std::span<const Index> some) {
-    for (const Index s : some) {
-      const Segment& segment = segments_[static_cast<std::size_t>(s)];
-      if (segment.a == node || segment.b == node) continue;
-      least = std::min(least, touching_radius(x_.xy(segment.a) - p, x_.xy(segment.b) - p, inward));
-    }
-  };
-  look_at(long_);
-  // The disc lies within one cell of its point, and a segment is listed within one cell of any of
-  // its points.
-  for (int i = -2; i <= 2; ++i) {
-    for (int j = -2; j <= 2; ++j) {
-      const auto found = cells_.find({home.first + i, home.second + j});
-      if (found != cells_.end()) look_at(found->second);
-    }
-  }
+  tree_.overlapping({centre - half, centre + half}, [&](Index s) {
+    const Segment& segment = segments_[static_cast<std::size_t>(s)];
+    if (segment.a == node || segment.b == node) return;
+    least = std::min(least, touching_radius(x_.xy(segment.a) - p, x_.xy(segment.b) - p, inward));
+  });
   return least;
 }
 

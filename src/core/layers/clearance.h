@@ -1,12 +1,9 @@
 #pragma once
 
-#include <cstddef>
-#include <span>
-#include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "core/mesh/mesh.h"
+#include "core/search/box_tree.h"
 
 namespace winslow {
 
@@ -26,22 +23,11 @@ class Clearance {
   struct Segment {
     Index a, b;
   };
-  using Cell = std::pair<int, int>;
-  struct Hash {
-    std::size_t operator()(const Cell& cell) const;
-  };
-
-  void choose_cells();
-  void list(Index segment);
-  Cell cell_of(const Vec2& p) const;
 
   const Coordinates& x_;
   double reach_;
-  double cell_ = 1;  // edge of a cell, at least twice the reach
-  Vec2 corner_{0, 0};
   std::vector<Segment> segments_;
-  std::vector<Index> long_;                                   // through too many cells to list
-  std::unordered_map<Cell, std::vector<Index>, Hash> cells_;  // segments near a cell's points
+  BoxTree<2> tree_;  // of segments_
 };
 
 }  // namespace winslow

@@ -1,7 +1,6 @@
 #include "core/layers/layer_detection.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -9,12 +8,11 @@
 
 #include "core/error.h"
 #include "core/layers/wall_chain.h"
+#include "core/mesh/half_edge.h"
 
 namespace winslow {
 
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// Where the strip of elements between two columns has come to.
 struct Strip {
@@ -29,7 +27,6 @@ class Detector {
   Detector(const Mesh& mesh, const LayerOptions& options)
       : mesh_(mesh), topology_(*mesh.topology), options_(options) {
     stack_.layer_of_element.assign(at(topology_.element_count()), -1);
-    for (const auto& edge : topology_.edges()) edges_[edge.nodes] = edge.elements;
   }
 
   LayerStack detect() {
@@ -90,18 +87,14 @@ class Detector {
   };
   std::optional<Step> step_of(const Strip& strip) const {
     if (strip.a == strip.b) return fan_step(strip);
-    const std::array<Index, 2> key{std::min(strip.a, strip.b), std::max(strip.a, strip.b)};
-    const auto found = edges_.find(key);
-    if (found == edges_.end()) return std::nullopt;
-    const Index element = found->second[0] == strip.below ? found->second[1] : found->second[0];
-    if (element < 0 || !quad(element)) return std::nullopt;
-    const auto corners = topology_.element(element);
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (corners[k] == strip.a && corners[(k + 1) % 4] == strip.b) {
-        return Step{element, corners[(k + 3) % 4], corners[(k + 2) % 4]};
-      }
-    }
-    return std::nullopt;
+    const HalfEdgeMesh& mesh = topology_.half_edges();
+    const auto edge =
+        mesh.find_halfedge(OpenMesh::VertexHandle(strip.a), OpenMesh::VertexHandle(strip.b));
+    if (!edge.is_valid() || mesh.is_boundary(edge)) return std::nullopt;
+    const Index element = mesh.face_handle(edge).idx();
+    if (element == strip.below || !quad(element)) return std::nullopt;
+    return Step{element, mesh.from_vertex_handle(mesh.prev_halfedge_handle(edge)).idx(),
+                mesh.to_vertex_handle(mesh.next_halfedge_handle(edge)).idx()};
   }
 
   /// The triangle at the wall under one sector of a fan.
@@ -216,7 +209,6 @@ class Detector {
   LayerStack stack_;
   std::vector<Strip> strips_;
   std::vector<int> sides_;  // strips of each column
-  std::map<std::array<Index, 2>, std::array<Index, 2>> edges_;
   std::map<Index, std::size_t> taken_;
 };
 

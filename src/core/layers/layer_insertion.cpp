@@ -11,8 +11,6 @@ namespace winslow {
 
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 /// Where the columns of one wall node stand in the list, in the order along the wall.
 struct Fan {
   std::size_t first = 0, last = 0;
@@ -187,23 +185,24 @@ class Inserter {
     }
     if (!topology_.markers_from_file()) return;
     for (Marker marker : topology_.markers()) {
-      std::vector<std::array<Index, 2>> edges;
-      for (const auto& [a, b] : marker.edges) {
+      std::vector<Face> edges;
+      for (const Face& edge : marker.faces) {
+        const auto [a, b] = edge.edge();
         if (const auto from_a = divided.find({a, b}); from_a != divided.end()) {
           const auto& nodes = from_a->second->nodes;
           for (std::size_t k = 0; k + 1 < nodes.size(); ++k)
-            edges.push_back({nodes[k], nodes[k + 1]});
-          edges.push_back({nodes.back(), b});
+            edges.emplace_back(nodes[k], nodes[k + 1]);
+          edges.emplace_back(nodes.back(), b);
         } else if (const auto from_b = divided.find({b, a}); from_b != divided.end()) {
           const auto& nodes = from_b->second->nodes;
-          edges.push_back({a, nodes.back()});
+          edges.emplace_back(a, nodes.back());
           for (std::size_t k = nodes.size() - 1; k > 0; --k)
-            edges.push_back({nodes[k], nodes[k - 1]});
+            edges.emplace_back(nodes[k], nodes[k - 1]);
         } else {
-          edges.push_back({a, b});
+          edges.push_back(edge);
         }
       }
-      marker.edges = std::move(edges);
+      marker.faces = std::move(edges);
       data_.markers.push_back(std::move(marker));
     }
   }
@@ -220,17 +219,17 @@ class Inserter {
       const auto [a, b] = edge.nodes;
       if (edge.elements[1] < 0 || !topology_.constrained(a) || !topology_.constrained(b)) continue;
       if (fans_.contains(a) || fans_.contains(b) || !on_marker(a, b)) continue;
-      inside.edges.push_back({a, b});
+      inside.faces.emplace_back(a, b);
     }
-    if (!inside.edges.empty()) outside.markers.push_back(std::move(inside));
+    if (!inside.faces.empty()) outside.markers.push_back(std::move(inside));
     return outside;
   }
 
   bool on_marker(Index a, Index b) const {
     return std::any_of(topology_.markers().begin(), topology_.markers().end(),
                        [&](const Marker& m) {
-                         return std::any_of(m.edges.begin(), m.edges.end(), [&](const auto& edge) {
-                           return (edge[0] == a && edge[1] == b) || (edge[0] == b && edge[1] == a);
+                         return std::any_of(m.faces.begin(), m.faces.end(), [&](const Face& edge) {
+                           return edge == Face(a, b) || edge == Face(b, a);
                          });
                        });
   }

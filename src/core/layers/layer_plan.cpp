@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/layers/clearance.h"
+#include "core/layers/layer_option_tables.h"
 #include "core/layers/wall_chain.h"
 
 namespace winslow {
@@ -289,7 +290,8 @@ LayerOptions with_counts(LayerOptions options, const Mesh& mesh) {
     for (const std::string& name : wall.markers) {
       const auto marker = mesh.topology->find_marker(name);
       if (!marker) continue;
-      for (const auto& [a, b] : mesh.topology->markers()[static_cast<std::size_t>(*marker)].edges) {
+      for (const Face& edge : mesh.topology->markers()[static_cast<std::size_t>(*marker)].faces) {
+        const auto [a, b] = edge.edge();
         const Vec2 p = mesh.coordinates.xy(a), q = mesh.coordinates.xy(b);
         if (wall.part.holds(p) && wall.part.holds(q)) lengths.push_back((q - p).norm());
       }
@@ -310,16 +312,8 @@ void validate(const LayerOptions& options) {
     require(wall.part.xmin <= wall.part.xmax && wall.part.ymin <= wall.part.ymax,
             "the part of a wall that is to have layers ends before it begins");
   }
-  require(options.fan_threshold >= 10 && options.fan_threshold <= 180,
-          "the turning from which corners get a fan must be 10 to 180 degrees");
-  require(options.fan_angle >= 10 && options.fan_angle <= 90,
-          "the angle between the columns of a fan must be 10 to 90 degrees");
-  require(options.clearance > 0 && options.clearance < 0.5,
-          "the share of a gap for the layers of one side must be above 0 and below 0.5");
-  require(options.crossing > 0 && options.crossing < 1,
-          "the share of a wall edge that is left at the rim must be above 0 and below 1");
-  require(options.steepest > 0 && options.steepest <= 5,
-          "the steepest change of thickness must be above 0, and at most 5");
+  LayerOptions copy = options;
+  check(option_table(copy));
   validate(options.overrides);
 }
 

@@ -36,8 +36,8 @@ LayerOptions with_counts(LayerOptions options, const Mesh& mesh);
 
 /// Where columns will stand, in which direction, and how high each layer is to be; without nodes.
 /// Thickness is limited by the room there is.
-/// Throws UsageError: senseless options, an unknown marker, a marker inside the mesh, an override
-/// of a node that is on no wall.
+/// Throws UsageError: options out of range, an unknown marker, a marker inside the mesh, an
+/// override of a node that is on no wall.
 LayerStack plan_layers(const Mesh& mesh, const LayerOptions& options);
 
 /// Takes room from some columns: what is left of it is multiplied by `factor`. Their neighbours get

@@ -6,12 +6,11 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/layers/layer_option_tables.h"
 
 namespace winslow {
 
 namespace {
-
-constexpr int most_layers = 1000;
 
 /// Heights with every ratio multiplied by `scale`.
 std::vector<double> heights(const LayerSpacing& spacing, double scale) {
@@ -57,15 +56,8 @@ void require(bool good, const std::string& what) {
 }  // namespace
 
 void validate(const LayerSpacing& s) {
-  require(s.count >= 1 && s.count <= most_layers,
-          "the number of layers is " + std::to_string(s.count) + ", expected 1 to 1000");
-  require(s.first > 0 && std::isfinite(s.first), "the first layer's height must be positive");
-  require(s.ratio >= 0.5 && s.ratio <= 10, "the ratio of the layers' heights is " +
-                                               std::to_string(s.ratio) + ", expected 0.5 to 10");
-  require(s.growth >= 0.5 && s.growth <= 2,
-          "the growth of the ratio is " + std::to_string(s.growth) + ", expected 0.5 to 2");
-  require(!s.total || (*s.total > 0 && std::isfinite(*s.total)),
-          "the total thickness of the layers must be positive");
+  LayerSpacing copy = s;
+  check(option_table(copy));
   require(!(s.total && s.match_outside),
           "a total thickness and a match of the last layer exclude each other");
 }

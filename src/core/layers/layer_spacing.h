@@ -5,6 +5,8 @@
 
 namespace winslow {
 
+constexpr int most_layers = 1000;
+
 /// Heights of the layers at a wall: h_0 = first, h_(k+1) = h_k r_k, r_k = ratio growth^k.
 ///
 /// AIAA 2009-1362, section "Layers Added to Circle Mesh": "initial progression factor 1.15,

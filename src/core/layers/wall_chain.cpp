@@ -35,7 +35,8 @@ std::map<Edge, Index> wall_edges(const Mesh& mesh, std::span<const LayerWall> wa
     bool any = false;
     for (const std::string& name : walls[w].markers) {
       const Index marker = marker_named(topology, name);
-      for (const auto& [a, b] : topology.markers()[static_cast<std::size_t>(marker)].edges) {
+      for (const Face& edge : topology.markers()[static_cast<std::size_t>(marker)].faces) {
+        const auto [a, b] = edge.edge();
         if (!part.holds(x.xy(a)) || !part.holds(x.xy(b))) continue;
         any = true;
         const auto [it, fresh] = wanted.emplace(key_of(a, b), static_cast<Index>(w));
@@ -89,6 +90,7 @@ void add_chains(const std::vector<Index>& loop, std::map<Edge, Index>& wanted,
 }  // namespace
 
 std::vector<WallChain> find_wall_chains(const Mesh& mesh, std::span<const LayerWall> walls) {
+  require_plane(*mesh.topology, "layers");
   std::map<Edge, Index> wanted = wall_edges(mesh, walls);
   std::vector<WallChain> chains;
   for (const auto& loop : mesh.topology->boundary_loops()) add_chains(loop, wanted, chains);

@@ -21,7 +21,8 @@ struct WallChain {
 };
 
 /// The chains that several walls, or parts of them, make up together. Throws UsageError: an unknown
-/// marker, an edge that two walls ask for, a marker edge inside the mesh, a wall without an edge.
+/// marker, an edge that two walls ask for, a marker edge inside the mesh, a wall without an edge; a
+/// mesh that is no plane one.
 std::vector<WallChain> find_wall_chains(const Mesh& mesh, std::span<const LayerWall> walls);
 
 /// The angle between two boundary edges on the side of the elements, in (0, 2 pi): from direction

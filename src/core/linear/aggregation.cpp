@@ -7,8 +7,6 @@ namespace winslow {
 
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 /// Calls body(neighbour) for the rows that row i is strongly connected to.
 template <typename Body>
 void each_neighbour(const SparsityPattern& graph, std::span<const char> strong, Index i,

@@ -2,12 +2,6 @@
 
 namespace winslow {
 
-namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 bool EigenMatrix::assign(const SparseMatrix& source) {
   const bool fresh = pattern_ != source.pattern || block_ != at(source.block);
   if (fresh) adopt(source);

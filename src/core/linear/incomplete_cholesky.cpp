@@ -12,8 +12,6 @@ namespace winslow {
 
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 template <int B>
 Eigen::Map<Block<double, B>> block(std::vector<double>& values, std::size_t k) {
   return Eigen::Map<Block<double, B>>(&values[k * B * B]);

@@ -8,7 +8,7 @@
 #include "core/linear/incomplete_cholesky.h"
 #include "core/linear/incomplete_lu.h"
 #include "core/linear/krylov.h"
-#include "core/linear/multigrid/multigrid.h"
+#include "core/linear/multigrid.h"
 #include "core/linear/reordered_matrix.h"
 
 namespace winslow {

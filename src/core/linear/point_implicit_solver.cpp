@@ -10,8 +10,6 @@ namespace winslow {
 
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 /// Inverses of the blocks on the diagonal, one after the other.
 template <int B>
 std::vector<double> inverse_diagonal(const SparseMatrix& matrix) {

@@ -9,12 +9,6 @@
 
 namespace winslow {
 
-namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 void ReorderedMatrix::assign(const SparseMatrix& source, int threads) {
   if (source_pattern_ != source.pattern) adopt(source.pattern);
   matrix_.block = source.block;

@@ -10,8 +10,6 @@ namespace winslow {
 
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 /// Sum over [0, n) of what body(begin, end) returns for each block of it.
 template <typename Body>
 double blocked_sum(int threads, std::size_t numbers, Index n, Body&& body) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cassert>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -9,13 +8,17 @@
 
 namespace winslow {
 
-/// Coordinates of all nodes: #nodes by dimension, node after node, in the unit of the file.
+/// Coordinates of all nodes: #nodes by dimension (2 or 3), node after node, in the unit of the
+/// file.
+///
+/// A point is read as what it is: xy() and its like refuse coordinates in space, xyz() those in the
+/// plane, by UsageError and in every build. Loops that read many points check once: see Points.
 class Coordinates {
  public:
+  /// None, in the plane.
   Coordinates() = default;
-  Coordinates(int dimension, Index node_count)
-      : dimension_(dimension),
-        values_(static_cast<std::size_t>(dimension) * static_cast<std::size_t>(node_count), 0.0) {}
+  /// All zero. Throws UsageError for another dimension than 2 or 3.
+  Coordinates(int dimension, Index node_count);
 
   int dimension() const { return dimension_; }
   Index size() const {
@@ -23,37 +26,69 @@ class Coordinates {
   }
   bool empty() const { return values_.empty(); }
 
-  /// First two components of a node (all of them in 2D).
-  Vec2 xy(Index node) const {
-    const double* p = point(node);
-    return {p[0], p[1]};
-  }
-  void set_xy(Index node, const Vec2& p) {
-    double* q = point(node);
-    q[0] = p.x();
-    q[1] = p.y();
-  }
-  void push_xy(const Vec2& p) {
-    assert(dimension_ == 2);
-    values_.push_back(p.x());
-    values_.push_back(p.y());
-  }
+  Vec2 xy(Index node) const { return get<2>(node); }
+  void set_xy(Index node, const Vec2& p) { set<2>(node, p); }
+  void push_xy(const Vec2& p) { push<2>(p); }
 
-  const double* point(Index node) const { return values_.data() + offset(node); }
-  double* point(Index node) { return values_.data() + offset(node); }
+  Vec3 xyz(Index node) const { return get<3>(node); }
+  void set_xyz(Index node, const Vec3& p) { set<3>(node, p); }
+  void push_xyz(const Vec3& p) { push<3>(p); }
+
+  /// The components of a node, as many as there are dimensions.
+  const double* point(Index node) const { return values_.data() + offset(node, dimension_); }
+  double* point(Index node) { return values_.data() + offset(node, dimension_); }
 
   std::span<const double> values() const { return values_; }
   std::span<double> values() { return values_; }
 
+  /// Throws UsageError unless this is the dimension.
+  void require_dimension(int dimension) const {
+    if (dimension_ != dimension) refuse(dimension);
+  }
+
   bool operator==(const Coordinates&) const = default;
 
  private:
-  std::size_t offset(Index node) const {
-    return static_cast<std::size_t>(node) * static_cast<std::size_t>(dimension_);
+  static std::size_t offset(Index node, int dimension) {
+    return static_cast<std::size_t>(node) * static_cast<std::size_t>(dimension);
   }
+  template <int D>
+  Vec<D> get(Index node) const {
+    require_dimension(D);
+    return Vec<D>(values_.data() + offset(node, D));
+  }
+  template <int D>
+  void set(Index node, const Vec<D>& p) {
+    require_dimension(D);
+    for (int k = 0; k < D; ++k) values_[offset(node, D) + static_cast<std::size_t>(k)] = p[k];
+  }
+  template <int D>
+  void push(const Vec<D>& p) {
+    require_dimension(D);
+    values_.insert(values_.end(), p.data(), p.data() + D);
+  }
+  [[noreturn]] void refuse(int expected) const;
 
   int dimension_ = 2;
   std::vector<double> values_;
 };
+
+/// The points of coordinates whose dimension was checked once, for loops that read many of them.
+/// The coordinates have to stay where they are.
+template <int D>
+class Points {
+ public:
+  /// Throws UsageError unless the coordinates have D dimensions.
+  explicit Points(const Coordinates& x) : values_(x.values().data()) { x.require_dimension(D); }
+
+  Vec<D> operator[](Index node) const {
+    return Vec<D>(values_ + static_cast<std::ptrdiff_t>(node) * D);
+  }
+
+ private:
+  const double* values_;
+};
+using PlanePoints = Points<2>;
+using SpacePoints = Points<3>;
 
 }  // namespace winslow

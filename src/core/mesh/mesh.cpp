@@ -1,124 +1,20 @@
 #include "core/mesh/mesh.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
-#include <tuple>
-
 #include "core/error.h"
+#include "core/mesh/mesh_checks.h"
 
 namespace winslow {
 
 namespace {
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-void check_finite(const Coordinates& coordinates) {
-  for (Index i = 0; i < coordinates.size(); ++i) {
-    if (!coordinates.xy(i).allFinite()) {
-      throw MeshError(
-          MeshEntity::node, i,
-          "node " + std::to_string(i) + " has a coordinate that is not a finite number");
-    }
+std::string turned_text(const Topology& topology) {
+  const std::string count = std::to_string(topology.reversed_elements());
+  if (topology.cell_dimension() == 3) {
+    return count + " elements with mirrored corners were turned inside out";
   }
-}
-
-bool has_area(const Coordinates& coordinates, std::span<const Index> corners) {
-  const std::size_t n = corners.size();
-  double longest2 = 0;
-  double largest2 = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    const Vec2 p = coordinates.xy(corners[k]);
-    const Vec2 a = coordinates.xy(corners[(k + 1) % n]) - p;
-    const Vec2 b = coordinates.xy(corners[(k + n - 1) % n]) - p;
-    longest2 = std::max(longest2, a.squaredNorm());
-    largest2 = std::max(largest2, std::abs(cross(a, b)));
-  }
-  // Round-off in the coordinates themselves leaves about this much of an exactly flat element.
-  constexpr double flat = 1e-15;
-  return largest2 > flat * longest2;
-}
-
-void check_areas(const Mesh& mesh) {
-  for (Index e = 0; e < mesh.topology->element_count(); ++e) {
-    if (!has_area(mesh.coordinates, mesh.topology->element(e))) {
-      throw MeshError(
-          MeshEntity::element, e,
-          "element " + std::to_string(e) + " has no area (its corners lie on one line)");
-    }
-  }
-}
-
-void check_isolated(const Topology& topology) {
-  if (topology.element_count() < 2) return;
-  std::vector<unsigned char> joined(static_cast<std::size_t>(topology.element_count()), 0);
-  for (const auto& edge : topology.edges()) {
-    if (edge.elements[1] < 0) continue;
-    for (const Index e : edge.elements) joined[static_cast<std::size_t>(e)] = 1;
-  }
-  const auto it = std::find(joined.begin(), joined.end(), 0);
-  if (it == joined.end()) return;
-  const auto e = static_cast<Index>(it - joined.begin());
-  throw MeshError(MeshEntity::element, e,
-                  "element " + std::to_string(e) + " shares no edge with any other (isolated)");
-}
-
-std::vector<Index> by_position(const Coordinates& coordinates, std::vector<Index> nodes) {
-  std::sort(nodes.begin(), nodes.end(), [&](Index a, Index b) {
-    const double* p = coordinates.point(a);
-    const double* q = coordinates.point(b);
-    return std::tie(p[0], p[1], a) < std::tie(q[0], q[1], b);
-  });
-  return nodes;
-}
-
-void check_duplicates(const Mesh& mesh) {
-  std::vector<Index> used;
-  for (Index i = 0; i < mesh.topology->node_count(); ++i) {
-    if (mesh.topology->used(i)) used.push_back(i);
-  }
-  const auto sorted = by_position(mesh.coordinates, std::move(used));
-  for (std::size_t k = 1; k < sorted.size(); ++k) {
-    if (mesh.coordinates.xy(sorted[k - 1]) == mesh.coordinates.xy(sorted[k])) {
-      throw MeshError(MeshEntity::node, sorted[k],
-                      "node " + std::to_string(sorted[k]) + " lies exactly where node " +
-                          std::to_string(sorted[k - 1]) + " does (duplicate node)");
-    }
-  }
-}
-
-void check_hanging(const Mesh& mesh) {
-  const Topology& topology = *mesh.topology;
-  std::vector<Index> nodes;
-  for (const auto& loop : topology.boundary_loops()) {
-    nodes.insert(nodes.end(), loop.begin(), loop.end());
-  }
-  nodes = by_position(mesh.coordinates, std::move(nodes));
-  const auto x_of = [&](Index node) { return mesh.coordinates.point(node)[0]; };
-  constexpr double near = 1e-9;  // of the edge's length
-  for (const auto& edge : topology.edges()) {
-    if (edge.elements[1] >= 0) continue;
-    const Vec2 a = mesh.coordinates.xy(edge.nodes[0]);
-    const Vec2 d = mesh.coordinates.xy(edge.nodes[1]) - a;
-    const double length2 = d.squaredNorm();
-    const double slack = near * std::sqrt(length2);
-    const auto first =
-        std::lower_bound(nodes.begin(), nodes.end(), std::min(a.x(), a.x() + d.x()) - slack,
-                         [&](Index node, double x) { return x_of(node) < x; });
-    const double last_x = std::max(a.x(), a.x() + d.x()) + slack;
-    for (auto it = first; it != nodes.end() && x_of(*it) <= last_x; ++it) {
-      if (*it == edge.nodes[0] || *it == edge.nodes[1]) continue;
-      const Vec2 p = mesh.coordinates.xy(*it) - a;
-      const double along = p.dot(d) / length2;
-      if (along > near && along < 1 - near && std::abs(cross(p, d)) < near * length2) {
-        throw MeshError(MeshEntity::node, *it,
-                        "node " + std::to_string(*it) + " lies inside the edge between nodes " +
-                            std::to_string(edge.nodes[0]) + " and " +
-                            std::to_string(edge.nodes[1]) + " (hanging node)");
-      }
-    }
-  }
+  return topology.space_dimension() == 2
+             ? count + " clockwise elements were turned counter-clockwise"
+             : count + " elements were turned to face as their neighbours do";
 }
 
 void add_warnings(const Topology& topology, std::vector<std::string>& warnings) {
@@ -127,14 +23,12 @@ void add_warnings(const Topology& topology, std::vector<std::string>& warnings) 
   if (unused > 0) {
     warnings.push_back(std::to_string(unused) + " nodes belong to no element; they are kept");
   }
-  if (topology.unmarked_boundary_edges() > 0) {
-    warnings.push_back(std::to_string(topology.unmarked_boundary_edges()) +
-                       " boundary edges belong to no marker; their nodes stay where they are");
+  if (topology.unmarked_boundary_faces() > 0) {
+    warnings.push_back(std::to_string(topology.unmarked_boundary_faces()) + " boundary " +
+                       (topology.cell_dimension() == 2 ? "edges" : "faces") +
+                       " belong to no marker; their nodes stay where they are");
   }
-  if (topology.reversed_elements() > 0) {
-    warnings.push_back(std::to_string(topology.reversed_elements()) +
-                       " clockwise elements were turned counter-clockwise");
-  }
+  if (topology.reversed_elements() > 0) warnings.push_back(turned_text(topology));
 }
 
 }  // namespace
@@ -144,7 +38,7 @@ Mesh make_mesh(const MeshData& data, std::vector<std::string>* warnings) {
   Mesh mesh{Topology::build(data), data.coordinates};
   check_isolated(*mesh.topology);
   check_duplicates(mesh);
-  check_areas(mesh);
+  check_extents(mesh);
   check_hanging(mesh);
   if (warnings) add_warnings(*mesh.topology, *warnings);
   return mesh;

@@ -7,33 +7,29 @@
 #include "core/mesh/coordinates.h"
 #include "core/mesh/mesh_data.h"
 #include "core/mesh/topology.h"
+#include "core/search/box.h"
 
 namespace winslow {
 
 /// A mesh: connectivity that never changes under smoothing, and where its nodes are.
 struct Mesh {
   std::shared_ptr<const Topology> topology;
-  Coordinates coordinates;  ///< #nodes by 2
+  Coordinates coordinates;  ///< #nodes by 2, or by 3 in space
 };
 
 /// Builds a mesh from raw arrays and checks it geometrically as well as topologically.
 ///
 /// Throws MeshError for what Topology::build refuses and for: a coordinate that is not finite, an
-/// element without area, two nodes in the same place, a hanging node (a boundary node inside
-/// another element's boundary edge), an element that shares no edge with the rest of the mesh.
-/// Adds a sentence to `warnings` for what is harmless: unused nodes, boundary edges without marker,
-/// elements that were turned counter-clockwise. Inverted elements are no error: a tangled mesh is
+/// element without area or volume, two nodes in the same place, a hanging node (a boundary node
+/// inside another element's boundary edge or face), an element that shares no face with the rest of
+/// the mesh. Adds a sentence to `warnings` for what is harmless: unused nodes, boundary faces
+/// without marker, elements that were turned. Inverted elements are no error: a tangled mesh is
 /// what smoothing is for.
 Mesh make_mesh(const MeshData& data, std::vector<std::string>* warnings = nullptr);
 
-/// Smallest axis-parallel box around all used nodes.
-struct Bounds {
-  Vec2 min{0, 0};
-  Vec2 max{0, 0};
-  Vec2 centre() const { return 0.5 * (min + max); }
-  Vec2 size() const { return max - min; }
-  bool operator==(const Bounds&) const = default;
-};
+/// A part of the plane.
+using Bounds = Box<2>;
+/// Smallest axis-parallel box around all used nodes of a plane mesh. Throws UsageError for another.
 Bounds bounds(const Mesh& mesh);
 /// The same around given nodes. Throws UsageError if there are none.
 Bounds bounds(const Coordinates& coordinates, std::span<const Index> nodes);

@@ -2,12 +2,14 @@
 
 #include <array>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/mesh/compressed_rows.h"
 #include "core/mesh/mesh_data.h"
 #include "core/types.h"
 
@@ -15,72 +17,83 @@ namespace winslow {
 
 class HalfEdgeMesh;  // OpenMesh connectivity; see core/mesh/half_edge.h
 
-/// Compressed rows: row i holds values[offsets[i] .. offsets[i+1]).
-struct CompressedRows {
-  std::vector<Index> offsets{0};
-  std::vector<Index> values;
-
-  Index rows() const { return static_cast<Index>(offsets.size()) - 1; }
-  std::span<const Index> operator[](Index row) const {
-    const auto b = static_cast<std::size_t>(offsets[static_cast<std::size_t>(row)]);
-    const auto n = static_cast<std::size_t>(offsets[static_cast<std::size_t>(row) + 1]) - b;
-    return {values.data() + b, n};
-  }
-};
-
-/// Connectivity of a mesh: built and checked once, shared and immutable from then on.
+/// Connectivity of a plane, surface or volume mesh: built and checked once, shared and immutable
+/// from then on.
 ///
-/// Elements are counter-clockwise (the sum of the signed areas of each connected part is positive);
-/// an element that the file holds clockwise keeps its first node and has the others reversed.
+/// Elements of each connected part are oriented alike. Those of the plane are counter-clockwise and
+/// those of space are numbered as ElementShape says: the sum of the signed areas or volumes of the
+/// part is positive. Those of a surface are as the first element of their part. An element that the
+/// file holds the other way round keeps its first node and has the others mirrored.
+///
+/// A face is what separates two elements: an edge of a plane or surface mesh, a triangle or a
+/// quadrilateral of a volume mesh.
 class Topology {
  public:
-  /// Builds connectivity from raw arrays. Orients elements consistently by walking over shared
-  /// edges, so a tangled mesh is oriented rightly too.
-  /// Throws MeshError: node id out of range, repeated node in an element, non-manifold edge or
-  /// node, orientation that cannot be made consistent, a closed surface, marker edge that is no
-  /// edge of an element.
+  /// Builds connectivity from raw arrays. Throws MeshError: elements of different dimensions, or of
+  /// more dimensions than the space; node id out of range, repeated node in an element; a face of
+  /// three elements, a triangle on a quadrilateral of a neighbour, a non-manifold node or edge;
+  /// orientation that cannot be made consistent; a plane or volume mesh without boundary; a face of
+  /// a marker that is no face of an element.
   static std::shared_ptr<const Topology> build(const MeshData& data);
   ~Topology();
 
   Topology(const Topology&) = delete;
   Topology& operator=(const Topology&) = delete;
 
-  int dimension() const { return 2; }
+  int cell_dimension() const { return types_.empty() ? 2 : dimension_of(types_.front()); }
+  int space_dimension() const { return space_dimension_; }
   Index node_count() const { return neighbours_.rows(); }
   Index element_count() const { return static_cast<Index>(types_.size()); }
 
   ElementType element_type(Index e) const { return types_[static_cast<std::size_t>(e)]; }
-  /// Corners of an element, counter-clockwise.
+  /// Corners of an element, numbered as in its ElementShape.
   std::span<const Index> element(Index e) const { return elements_[e]; }
   const CompressedRows& elements() const { return elements_; }
 
-  /// Edge neighbours of a node, counter-clockwise. For a boundary node the row starts and ends on
-  /// the boundary. Empty for a node that no element uses.
+  /// Edge neighbours of a node. In plane and surface meshes counter-clockwise: the row of a
+  /// boundary node starts and ends on the boundary, that of another at its lowest neighbour; in
+  /// volume meshes ascending. Empty for a node that no element uses.
   std::span<const Index> neighbours(Index node) const { return neighbours_[node]; }
   const CompressedRows& neighbour_rows() const { return neighbours_; }
-  /// Elements around a node: entry k lies between neighbour k and neighbour k+1 (cyclic for an
-  /// interior node; one fewer than the neighbours for a boundary node).
+  /// Elements around a node. In plane and surface meshes entry k lies between neighbour k and
+  /// neighbour k+1 (cyclic for an interior node; one fewer than the neighbours for a boundary
+  /// node); in volume meshes ascending. The link that they make up: see core/mesh/node_link.h.
   std::span<const Index> star(Index node) const { return star_[node]; }
 
-  /// True on a boundary loop or on any marker edge: nodes that smoothing never moves by itself.
+  /// True on the boundary or on any marker: nodes that smoothing never moves by itself.
   bool constrained(Index node) const { return constrained_[static_cast<std::size_t>(node)] != 0; }
   /// True if some element uses the node.
   bool used(Index node) const { return !neighbours(node).empty(); }
   /// Interior nodes that smoothing moves, ascending.
   std::span<const Index> free_nodes() const { return free_nodes_; }
 
-  /// Unique edges; boundary edges have one element, elements[1] == -1.
+  /// A face and the elements beside it; those of the boundary have one, elements[1] == -1.
+  struct SharedFace {
+    Face nodes;  ///< lower node first in a plane or surface mesh; seen from outside elements[0],
+                 ///< counter-clockwise, in a volume mesh
+    std::array<Index, 2> elements;
+  };
+  /// Every face once, in the order of their sorted nodes.
+  Index face_count() const;
+  SharedFace face(Index f) const;
+  /// Index of the face with these nodes, in any order.
+  std::optional<Index> find_face(const Face& nodes) const;
+
+  /// The faces of a plane or surface mesh; boundary edges have one element, elements[1] == -1.
   struct Edge {
     std::array<Index, 2> nodes;
     std::array<Index, 2> elements;
   };
-  std::span<const Edge> edges() const { return edges_; }
+  /// Throws UsageError for a volume mesh.
+  std::span<const Edge> edges() const;
 
-  /// Closed boundary loops, each with the elements on its left.
-  const std::vector<std::vector<Index>>& boundary_loops() const { return loops_; }
+  /// Closed boundary loops of a plane or surface mesh, each with the elements on its left. Throws
+  /// UsageError for a volume mesh.
+  const std::vector<std::vector<Index>>& boundary_loops() const;
 
-  /// Markers of the file or, if it has none at all, one per boundary loop ("loop_1", ...), in which
-  /// case markers_from_file() is false and writers leave them out.
+  /// Markers of the file or, if it has none at all, one for each connected part of the boundary, in
+  /// which case markers_from_file() is false and writers leave them out: "loop_1", ... of a plane
+  /// or surface mesh, "boundary_1", ... of a volume mesh.
   const std::vector<Marker>& markers() const { return markers_; }
   bool markers_from_file() const { return markers_from_file_; }
   /// Index of the marker of that name, if any.
@@ -89,8 +102,8 @@ class Topology {
   std::span<const Index> marker_nodes(Index marker) const { return marker_nodes_[marker]; }
   /// Sorted unique nodes of several markers by name. Throws UsageError naming the known markers.
   std::vector<Index> nodes_of_markers(std::span<const std::string> names) const;
-  /// Boundary edges that belong to no marker.
-  Index unmarked_boundary_edges() const { return unmarked_edges_; }
+  /// Boundary faces that belong to no marker.
+  Index unmarked_boundary_faces() const { return unmarked_faces_; }
 
   const std::vector<Region>& regions() const { return regions_; }
   /// Region of each element (index into regions() or -1); empty if there are no regions.
@@ -99,28 +112,38 @@ class Topology {
   /// Number of elements whose orientation was reversed on load.
   Index reversed_elements() const { return reversed_; }
 
-  const HalfEdgeMesh& half_edges() const { return *half_edges_; }
+  /// Half-edges of a plane or surface mesh, for walks and edits: made on the first call, by
+  /// whichever thread comes first, and kept. Throws UsageError for a volume mesh.
+  const HalfEdgeMesh& half_edges() const;
 
  private:
   Topology();
   friend class TopologyBuilder;
 
+  int space_dimension_ = 2;
   std::vector<ElementType> types_;
   CompressedRows elements_;
   CompressedRows neighbours_;
   CompressedRows star_;
   std::vector<unsigned char> constrained_;
   std::vector<Index> free_nodes_;
-  std::vector<Edge> edges_;
+  std::vector<Edge> edges_;               // the faces of a plane or surface mesh
+  std::vector<SharedFace> volume_faces_;  // the faces of a volume mesh
   std::vector<std::vector<Index>> loops_;
   std::vector<Marker> markers_;
   bool markers_from_file_ = true;
   CompressedRows marker_nodes_;
-  Index unmarked_edges_ = 0;
+  Index unmarked_faces_ = 0;
   std::vector<Region> regions_;
   std::vector<Index> element_region_;
   Index reversed_ = 0;
-  std::unique_ptr<HalfEdgeMesh> half_edges_;
+  mutable std::once_flag half_edges_made_;
+  mutable std::unique_ptr<HalfEdgeMesh> half_edges_;
 };
+
+/// "plane mesh", "surface mesh" or "volume mesh".
+std::string_view mesh_kind(const Topology& topology);
+/// Throws UsageError unless it is a plane mesh. what: "layers", as the message is to begin.
+void require_plane(const Topology& topology, std::string_view what);
 
 }  // namespace winslow

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/mesh/mesh.h"
+#include "core/search/box_tree.h"
 
 namespace winslow {
 
@@ -79,42 +81,25 @@ double fade_factor(const SineDeformation& options, double s) {
 /// Matches entries given by position to nodes: the nearest within a tolerance.
 class NodeFinder {
  public:
-  NodeFinder(const Coordinates& x, const std::vector<Index>& nodes) : x_(x), by_x_(nodes) {
-    std::sort(by_x_.begin(), by_x_.end(),
-              [&](Index a, Index b) { return x_.point(a)[0] < x_.point(b)[0]; });
-    const Vec2 size = bounds_size(nodes);
+  NodeFinder(const Coordinates& x, const std::vector<Index>& nodes) : nodes_(nodes) {
+    std::vector<Box<2>> places;
+    places.reserve(nodes.size());
+    for (const Index node : nodes) places.push_back({x.xy(node), x.xy(node)});
+    tree_ = BoxTree<2>(places);
     // Files written with six or seven digits must match.
     constexpr double relative = 1e-6;
-    tolerance_ = relative * std::max(size.x(), size.y());
+    tolerance_ = relative * bounds(x, nodes).size().maxCoeff();
   }
 
   std::optional<Index> find(const Vec2& p) const {
-    auto it = std::lower_bound(by_x_.begin(), by_x_.end(), p.x() - tolerance_,
-                               [&](Index node, double v) { return x_.point(node)[0] < v; });
-    std::optional<Index> best;
-    double best_distance = tolerance_;
-    for (; it != by_x_.end() && x_.point(*it)[0] <= p.x() + tolerance_; ++it) {
-      const double distance = (x_.xy(*it) - p).norm();
-      if (distance <= best_distance) {
-        best = *it;
-        best_distance = distance;
-      }
-    }
-    return best;
+    const auto found = tree_.nearest(p, tolerance_);
+    if (!found) return std::nullopt;
+    return nodes_[static_cast<std::size_t>(found->item)];
   }
 
  private:
-  Vec2 bounds_size(const std::vector<Index>& nodes) const {
-    Vec2 low = x_.xy(nodes.front()), high = low;
-    for (const Index node : nodes) {
-      low = low.cwiseMin(x_.xy(node));
-      high = high.cwiseMax(x_.xy(node));
-    }
-    return high - low;
-  }
-
-  const Coordinates& x_;
-  std::vector<Index> by_x_;
+  const std::vector<Index>& nodes_;
+  BoxTree<2> tree_;  // of nodes_
   double tolerance_ = 0;
 };
 

@@ -4,10 +4,8 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "core/outer/advance.h"
-#include "core/outer/round_off.h"
+#include "core/outer/line_search.h"
 #include "core/outer/shifted_matrix.h"
-#include "core/quality/quality.h"
 
 namespace winslow {
 
@@ -21,15 +19,14 @@ double dot(std::span<const double> a, std::span<const double> b) {
 
 }  // namespace
 
-EnergyNewton::EnergyNewton(const Topology& topology, const VariationalWinslow& formulation,
-                           LinearSolver& linear, const SmoothOptions& options)
-    : topology_(topology),
-      formulation_(formulation),
+EnergyNewton::EnergyNewton(std::shared_ptr<const EnergyProblem> problem, LinearSolver& linear,
+                           const NewtonOptions& options)
+    : problem_(std::move(problem)),
       linear_(linear),
       options_(options),
-      residual_(2 * topology.free_nodes().size()),
-      direction_(2 * topology.free_nodes().size()),
-      tight_(std::min(options.linear.tolerance, 1e-6)) {
+      residual_(problem_->unknowns()),
+      direction_(problem_->unknowns()),
+      tight_(std::min(options.linear_tolerance, 1e-6)) {
   linear_.set_tolerance(tight_);
 }
 
@@ -45,18 +42,18 @@ double EnergyNewton::forcing() const {
 }
 
 void EnergyNewton::assess(const Coordinates& x) {
-  const Validity validity = check_validity(topology_, x, options_.threads);
+  const Validity validity = problem_->validity(x);
   record_.inverted = validity.inverted;
   record_.min_sine = validity.min_sine;
-  record_.residual = formulation_.residual(x, false, {}).max;
-  round_off_ = residual_round_off(topology_, x);
+  record_.residual = problem_->residual(x, {}).max;
+  round_off_ = problem_->residual_round_off(x);
 }
 
 IterationRecord EnergyNewton::start(const Coordinates& x) {
   record_ = {};
   record_.damping = 1;
   stalled_ = false;
-  energy_ = formulation_.energy(x);
+  energy_ = problem_->energy(x);
   if (!std::isfinite(energy_)) {
     throw UsageError("Newton's method on the energy starts from a mesh without inverted elements");
   }
@@ -77,10 +74,10 @@ bool EnergyNewton::factorise_exact(const Coordinates& x, bool may_raise) {
   // So near to the solution the last exact Hessian still makes a good preconditioner: 10 % of the
   // time of a motion with Cholesky factors, 3 % with multigrid. Further away it costs more.
   constexpr double near = 0.01;  // scaled residual
-  const bool keep = factorised_ && exact_ && record_.residual <= near && !slender();
-  factorised_ = false;
-  factorised_at_ = x;
-  formulation_.linearise(x, Curvature::exact, hessian_, residual_);
+  const bool keep = linearised() && exact_ && record_.residual <= near && !slender();
+  linearised_.reset();
+  linearised_at_ = x;
+  problem_->linearise(x, Curvature::exact, hessian_, residual_);
   exact_ = try_matrix(keep);
   if (exact_ || !may_raise) return exact_;
   for (const double share : {1e-4, 1e-2}) {
@@ -93,19 +90,19 @@ bool EnergyNewton::factorise_exact(const Coordinates& x, bool may_raise) {
 bool EnergyNewton::try_matrix(bool keep) {
   try {
     linear_.set_matrix(hessian_, keep);
-    factorised_ = true;
+    linearised_ = problem_;
   } catch (const NotPositiveDefinite&) {
-    factorised_ = false;
+    linearised_.reset();
   }
-  return factorised_;
+  return linearised();
 }
 
 void EnergyNewton::factorise_projected(const Coordinates& x) {
   exact_ = false;
-  factorised_at_ = x;
-  formulation_.linearise(x, Curvature::projected, hessian_, residual_);
+  linearised_at_ = x;
+  problem_->linearise(x, Curvature::projected, hessian_, residual_);
   set_shifted_matrix(linear_, hessian_);
-  factorised_ = true;
+  linearised_ = problem_;
 }
 
 /// Returns the slope of the energy along the direction, downhill.
@@ -129,14 +126,14 @@ bool EnergyNewton::search(Coordinates& x, double slope) {
   constexpr double armijo = 1e-4;
   constexpr double flat = 1e-11;  // relative change of the energy that round-off can make
   constexpr int most_trials = 30;
-  double t = first_valid_step(topology_, direction_, 1, x, options_.threads);
+  double t = first_valid_step(*problem_, direction_, 1, x);
   for (int trial = 0; trial < most_trials; ++trial) {
     Coordinates candidate = x;
-    const double move = advance(topology_, direction_, t, candidate);
-    const double energy = formulation_.energy(candidate);
+    const double move = problem_->advance(direction_, t, candidate);
+    const double energy = problem_->energy(candidate);
     bool good = energy <= energy_ - armijo * t * slope;
     if (!good && std::abs(energy - energy_) <= flat * energy_) {
-      good = formulation_.residual(candidate, false, {}).max < record_.residual;
+      good = problem_->residual(candidate, {}).max < record_.residual;
     }
     if (good) {
       x = std::move(candidate);
@@ -152,7 +149,7 @@ bool EnergyNewton::search(Coordinates& x, double slope) {
 
 IterationRecord EnergyNewton::step(Coordinates& x) {
   ++record_.iteration;
-  if (topology_.free_nodes().empty()) return record_;
+  if (problem_->unknowns() == 0) return record_;
   linear_.set_tolerance(forcing());
   const double slope = solve_for_direction(x);
   linear_.set_tolerance(tight_);  // over a long way, what else is left exceeds small elements
@@ -178,16 +175,16 @@ void EnergyNewton::predict_and_correct(const Coordinates& x, const Coordinates& 
 
 void EnergyNewton::respond(const Coordinates& x, const Coordinates& displacement, bool correct,
                            std::span<double> out) {
-  if (!factorised_ || !exact_) {
+  if (!linearised() || !exact_) {
     if (!factorise_exact(x, true)) factorise_projected(x);
   }
   // Both sides belong to the same coordinates: only then does the mesh at a body follow it rigidly,
   // however far it moves.
   std::vector<double> response(out.size());
-  formulation_.boundary_response(factorised_at_, displacement, response);
+  problem_->boundary_response(linearised_at_, displacement, response);
   if (correct) {
     std::vector<double> rest = residual_;
-    if (!(factorised_at_ == x)) formulation_.residual(x, false, rest);
+    if (!(linearised_at_ == x)) problem_->residual(x, rest);
     for (std::size_t i = 0; i < rest.size(); ++i) response[i] += rest[i];
   }
   std::fill(out.begin(), out.end(), 0.0);
@@ -195,7 +192,7 @@ void EnergyNewton::respond(const Coordinates& x, const Coordinates& displacement
   try {
     linear_.solve(response, 1, out);
   } catch (const NotPositiveDefinite&) {
-    factorise_projected(factorised_at_);
+    factorise_projected(linearised_at_);
     solve_shifted(linear_, hessian_, response, out);
   }
 }

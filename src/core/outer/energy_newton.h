@@ -1,13 +1,21 @@
 #pragma once
 
-#include "core/formulation/variational_winslow.h"
+#include <memory>
+#include <vector>
+
 #include "core/linear/linear_solver.h"
-#include "core/outer/smooth_options.h"
 #include "core/outer/steady_solver.h"
+#include "core/problem/energy_problem.h"
 
 namespace winslow {
 
-/// Newton's method on the variational form, from a valid mesh and through valid meshes only.
+struct NewtonOptions {
+  double tolerance = 1e-10;  ///< of the largest scaled residual (ResidualNorms::max)
+  /// Relative residual of a linear solve; those that matter most go to 1e-6 in any case.
+  double linear_tolerance = 1e-3;
+};
+
+/// Newton's method on an energy, from a valid mesh and through valid meshes only.
 ///
 /// Each step: the exact Hessian, or where that is not positive definite, close to the solution
 /// one with a slightly raised diagonal (a few weak directions bend the wrong way there, and the
@@ -16,9 +24,13 @@ namespace winslow {
 /// energy, or, where the energy no longer shows it (round-off), of the residual.
 class EnergyNewton final : public SteadySolver {
  public:
-  /// The three references outlive the solver.
-  EnergyNewton(const Topology& topology, const VariationalWinslow& formulation,
-               LinearSolver& linear, const SmoothOptions& options);
+  /// The linear solver outlives this.
+  EnergyNewton(std::shared_ptr<const EnergyProblem> problem, LinearSolver& linear,
+               const NewtonOptions& options);
+
+  const SmoothingProblem& problem() const override { return *problem_; }
+  /// Goes over to another problem with as many unknowns. start() comes next.
+  void set_problem(std::shared_ptr<const EnergyProblem> problem) { problem_ = std::move(problem); }
 
   /// Throws UsageError for a mesh with inverted elements.
   IterationRecord start(const Coordinates& x) override;
@@ -31,7 +43,7 @@ class EnergyNewton final : public SteadySolver {
                std::span<double> out) override;
   void predict_and_correct(const Coordinates& x, const Coordinates& displacement,
                            std::span<double> out) override;
-  void forget_factorisation() override { factorised_ = false; }
+  void reject() override { linearised_.reset(); }
   int linear_solves() const override { return linear_solves_; }
 
  private:
@@ -40,6 +52,7 @@ class EnergyNewton final : public SteadySolver {
   bool slender() const { return record_.min_sine < 0.1; }
   void respond(const Coordinates& x, const Coordinates& displacement, bool correct,
                std::span<double> out);
+  bool linearised() const { return linearised_ == problem_; }
   void factorise(const Coordinates& x);
   bool factorise_exact(const Coordinates& x, bool may_raise);
   bool try_matrix(bool keep);
@@ -48,18 +61,19 @@ class EnergyNewton final : public SteadySolver {
   bool search(Coordinates& x, double slope);
   void assess(const Coordinates& x);
 
-  const Topology& topology_;
-  const VariationalWinslow& formulation_;
+  std::shared_ptr<const EnergyProblem> problem_;
   LinearSolver& linear_;
-  SmoothOptions options_;
+  NewtonOptions options_;
   IterationRecord record_;
   SparseMatrix hessian_;
   std::vector<double> residual_, direction_;
   double tight_;  // tolerance of the linear solver where a looser one would not do
   double energy_ = 0;
   double round_off_ = 0;
-  Coordinates factorised_at_;
-  bool factorised_ = false;
+  // What the linear solver has the factors of, if it has any: that keeps the object alive, so that
+  // no other problem can pass for it.
+  std::shared_ptr<const EnergyProblem> linearised_;
+  Coordinates linearised_at_;
   bool exact_ = true;  // the last factorisation was of the exact Hessian
   bool stalled_ = false;
   int linear_solves_ = 0;

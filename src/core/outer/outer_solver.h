@@ -1,19 +1,15 @@
 #pragma once
 
-#include <memory>
-#include <string>
 #include <string_view>
-#include <vector>
 
-#include "core/formulation/formulation.h"
-#include "core/outer/smooth_options.h"
-#include "core/quality/quality.h"
+#include "core/index.h"
+#include "core/mesh/coordinates.h"
 
 namespace winslow {
 
 /// What an outer iteration was part of.
 enum class Stage {
-  picard,    ///< fixed-point iteration of the pointwise form
+  picard,    ///< fixed-point iteration
   untangle,  ///< towards a mesh without inverted elements
   relax,     ///< getting near a solution before the path or the last steps
   path,      ///< following the boundary's motion
@@ -35,17 +31,7 @@ struct IterationRecord {
   Stage stage = Stage::picard;
 };
 
-/// Told about every outer iteration, on the solver's thread.
-class SolverMonitor {
- public:
-  virtual ~SolverMonitor() = default;
-  /// Iterations are of another mesh from here on.
-  virtual void on_topology(const std::shared_ptr<const Topology>& /*topology*/) {}
-  /// May block (pause). Returns false to cancel: the solver then throws Cancelled.
-  virtual bool on_iteration(const IterationRecord& record, const Coordinates& coordinates) = 0;
-};
-
-/// Drives a formulation towards a solution, one outer iteration at a time.
+/// Drives a problem towards a solution, one outer iteration at a time.
 class OuterSolver {
  public:
   virtual ~OuterSolver() = default;
@@ -59,20 +45,6 @@ class OuterSolver {
   virtual bool stalled() const { return false; }
   /// Linear systems solved since the solver was made.
   virtual int linear_solves() const = 0;
-};
-
-/// What a smoothing run came to.
-struct SmoothResult {
-  bool converged = false;
-  int outer_iterations = 0;
-  int linear_solves = 0;
-  double residual = 0;
-  bool out_of_iterations = false;  ///< ended by the limit of outer iterations
-  double fraction_reached = 1;     ///< share of the boundary motion in the result
-  int increments = 1;              ///< steps in which the boundary was moved
-  std::string linear_solver;       ///< what solved the linear systems, e.g. "CHOLMOD ..."
-  Index inverted = 0;
-  std::vector<IterationRecord> history;
 };
 
 }  // namespace winslow

@@ -1,35 +1,38 @@
 #include "core/outer/path_follower.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include "core/quality/quality.h"
-#include "core/quality/valid_step.h"
+#include <vector>
 
 namespace winslow {
 
-PathFollower::Trial PathFollower::attempt(const Motion& motion, const Coordinates& rest,
-                                          const Goal& goal, Coordinates& x,
-                                          IterationRecord& record) {
-  const auto free = topology_.free_nodes();
+namespace {
+
+/// Of all nodes, from one mesh to another.
+Coordinates displacements(const Coordinates& from, const Coordinates& to) {
+  Coordinates out = to;
+  const auto values = out.values();
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] -= from.values()[i];
+  return out;
+}
+
+}  // namespace
+
+PathFollower::Trial PathFollower::attempt(const BoundaryMotion& motion, const Goal& goal,
+                                          Coordinates& x, IterationRecord& record) {
+  const SmoothingProblem& problem = solver_.problem();
   Coordinates moved = x;
-  motion.apply(rest, goal.fraction, moved);
-  Coordinates displacement(x.dimension(), x.size());
-  for (const Index node : motion.nodes()) {
-    displacement.set_xy(node, moved.xy(node) - x.xy(node));
-  }
-  std::vector<double> answer(2 * free.size());
+  motion(goal.fraction, moved);
+  const Coordinates displacement = displacements(x, moved);
+  std::vector<double> answer(problem.unknowns());
   if (goal.correct) {
     solver_.predict_and_correct(x, displacement, answer);
   } else {
     solver_.predict(x, displacement, answer);
   }
-  for (std::size_t i = 0; i < free.size(); ++i) {
-    moved.set_xy(free[i], x.xy(free[i]) + Vec2(answer[2 * i], answer[2 * i + 1]));
-  }
+  problem.advance(answer, 1, moved);
   Trial trial;
-  trial.possible = largest_valid_step(topology_, x, moved);
-  if (trial.possible <= 1 || check_validity(topology_, moved).inverted > 0) return trial;
+  trial.possible = problem.largest_valid_step(x, moved);
+  if (trial.possible <= 1 || problem.validity(moved).inverted > 0) return trial;
   trial.valid = true;
   record = solver_.start(moved);
   trial.trusted = record.residual <= options_.trusted_residual;
@@ -47,8 +50,8 @@ PathFollower::Trial PathFollower::attempt(const Motion& motion, const Coordinate
   return trial;
 }
 
-double PathFollower::follow(const Motion& motion, const Coordinates& rest, double from,
-                            Coordinates& x, const Accept& accept) {
+double PathFollower::follow(const BoundaryMotion& motion, double from, Coordinates& x,
+                            const Accept& accept) {
   double fraction = from;
   double step = options_.first_step;
   bool correct = true;
@@ -63,7 +66,7 @@ double PathFollower::follow(const Motion& motion, const Coordinates& rest, doubl
     constexpr double long_step = 0.02;
     const bool may_correct = correct && to - fraction > long_step;
     const bool may_shorten = to - fraction > options_.cautious_step;
-    const Trial trial = attempt(motion, rest, {to, may_correct, may_shorten}, trial_x, record);
+    const Trial trial = attempt(motion, {to, may_correct, may_shorten}, trial_x, record);
     if (!trial.valid) {
       correct = false;
       constexpr double margin = 0.7;
@@ -72,12 +75,12 @@ double PathFollower::follow(const Motion& motion, const Coordinates& rest, doubl
       continue;
     }
     if (!trial.trusted && !may_shorten && !options_.greedy) {
-      solver_.forget_factorisation();
+      solver_.reject();
       return fraction;
     }
     if (!trial.trusted && may_shorten) {
       correct = false;
-      if (trial.corrections > 0) solver_.forget_factorisation();
+      if (trial.corrections > 0) solver_.reject();
       step = 0.5 * (to - fraction);
       continue;
     }

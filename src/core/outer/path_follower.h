@@ -2,10 +2,12 @@
 
 #include <functional>
 
-#include "core/motion/motion.h"
 #include "core/outer/steady_solver.h"
 
 namespace winslow {
+
+/// Puts the prescribed nodes of x where they are once that share of a motion is done.
+using BoundaryMotion = std::function<void(double fraction, Coordinates& x)>;
 
 /// How a path is followed. The defaults need no touch.
 struct PathOptions {
@@ -16,7 +18,7 @@ struct PathOptions {
   double loose_tolerance = 0.05;  ///< scaled residual that is near enough to the path on the way
   double trusted_residual = 0.3;  ///< of a prediction, above which the step is shortened
   double cautious_step = 2e-3;    ///< share of the motion below which no step is shortened for
-                                  ///< lack of trust: see greedy
+                                  ///< a large residual: see greedy
   bool greedy = false;  ///< accept any valid mesh after a step that short, instead of giving up
 };
 
@@ -27,15 +29,14 @@ class PathFollower {
   /// Told of every accepted intermediate mesh. Returns false to go no further.
   using Accept = std::function<bool(IterationRecord, const Coordinates&)>;
 
-  /// The references outlive the follower.
-  PathFollower(const Topology& topology, SteadySolver& solver, const PathOptions& options)
-      : topology_(topology), solver_(solver), options_(options) {}
+  /// The solver outlives the follower.
+  PathFollower(SteadySolver& solver, const PathOptions& options)
+      : solver_(solver), options_(options) {}
 
   /// Moves the boundary from x (valid; the boundary at fraction `from` of the motion) as far
-  /// towards the end of `motion` as valid meshes lead. rest: what the motion refers to. Returns the
-  /// fraction reached; x is the mesh there, near the path but not converged.
-  double follow(const Motion& motion, const Coordinates& rest, double from, Coordinates& x,
-                const Accept& accept);
+  /// towards the end of the motion as valid meshes lead. Returns the fraction reached; x is the
+  /// mesh there, near the path but not converged.
+  double follow(const BoundaryMotion& motion, double from, Coordinates& x, const Accept& accept);
 
  private:
   struct Goal {
@@ -49,10 +50,9 @@ class PathFollower {
     int corrections = 0;
     bool trusted = false;  // the path was met by full Newton steps
   };
-  Trial attempt(const Motion& motion, const Coordinates& rest, const Goal& goal, Coordinates& x,
+  Trial attempt(const BoundaryMotion& motion, const Goal& goal, Coordinates& x,
                 IterationRecord& record);
 
-  const Topology& topology_;
   SteadySolver& solver_;
   PathOptions options_;
 };

@@ -4,12 +4,18 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "core/outer/advance.h"
-#include "core/outer/round_off.h"
 
 namespace winslow {
 
 namespace {
+
+/// What a step is measured in, so that far-field cells do not drown wall cells.
+std::vector<double> inverse_lengths(const SmoothingProblem& problem, const Coordinates& x) {
+  std::vector<double> weights(problem.unknowns());
+  problem.lengths(x, weights);
+  for (double& weight : weights) weight = 1 / weight;
+  return weights;
+}
 
 /// A mesh that is tangled by its unclipped solution would otherwise switch to and fro for ever:
 /// after this many times it stays clipped.
@@ -17,9 +23,9 @@ constexpr int most_relapses = 3;
 
 }  // namespace
 
-PicardSolver::PicardSolver(const Topology& topology, const FixedPointFormulation& formulation,
-                           LinearSolver& linear, const SmoothOptions& options)
-    : topology_(topology), formulation_(formulation), linear_(linear), options_(options) {}
+PicardSolver::PicardSolver(ClipVariants<FixedPointProblem> problems, LinearSolver& linear,
+                           const EquationOptions& options)
+    : problems_(std::move(problems)), linear_(linear), options_(options) {}
 
 bool PicardSolver::choose_clip(Index inverted) {
   if (options_.clip != Clip::automatic) return options_.clip == Clip::on;
@@ -31,16 +37,16 @@ bool PicardSolver::choose_clip(Index inverted) {
 
 void PicardSolver::assess(const Coordinates& x) {
   const bool clipped_before = record_.clipped;
-  const Validity validity = check_validity(topology_, x, options_.threads);
+  const Validity validity = problem().validity(x);
   record_.inverted = validity.inverted;
   record_.min_sine = validity.min_sine;
   record_.clipped = choose_clip(validity.inverted);
   if (record_.clipped != clipped_before) acceleration_.reset();
-  record_.residual = formulation_.residual(x, record_.clipped, {}).max;
+  record_.residual = problem().residual(x, {}).max;
   if (!std::isfinite(record_.residual)) {
     throw NumericError("the coordinates are no longer finite; try a smaller damping");
   }
-  if (record_.inverted == 0) round_off_ = residual_round_off(topology_, x);
+  if (record_.inverted == 0) round_off_ = problem().residual_round_off(x);
 }
 
 IterationRecord PicardSolver::start(const Coordinates& x) {
@@ -79,39 +85,27 @@ void PicardSolver::adapt_damping() {
   }
 }
 
-std::vector<double> PicardSolver::inverse_edge_lengths(const Coordinates& x) const {
-  std::vector<double> weights;
-  for (const Index node : topology_.free_nodes()) {
-    weights.insert(weights.end(), 2, 1 / mean_edge(topology_, x, node));
-  }
-  return weights;
-}
-
 bool PicardSolver::accelerate(const Coordinates& x, std::vector<double>& step) {
   if (options_.acceleration <= 0 || record_.inverted > 0) return false;
   constexpr double distrust = 5;
   if (acceleration_ && record_.residual > distrust * best_accelerated_) acceleration_.reset();
   if (!acceleration_) {
-    acceleration_.emplace(options_.acceleration, inverse_edge_lengths(x));
+    acceleration_.emplace(options_.acceleration, inverse_lengths(problem(), x));
     best_accelerated_ = record_.residual;
   }
   best_accelerated_ = std::min(best_accelerated_, record_.residual);
-  std::vector<double> here;
-  here.reserve(step.size());
-  for (const Index node : topology_.free_nodes()) {
-    const Vec2 p = x.xy(node);
-    here.insert(here.end(), {p.x(), p.y()});
-  }
+  std::vector<double> here(step.size());
+  problem().values(x, here);
   acceleration_->accelerate(here, step);
   return true;
 }
 
 IterationRecord PicardSolver::step(Coordinates& x) {
-  if (topology_.free_nodes().empty()) {
+  if (problem().unknowns() == 0) {
     ++record_.iteration;
     return record_;
   }
-  formulation_.freeze(x, record_.clipped, system_);
+  problem().freeze(x, system_);
   std::vector<double> plain(system_.rhs.size(), 0.0);
   linear_.set_matrix(system_.matrix);
   record_.linear_iterations = linear_.solve(system_.rhs, system_.columns, plain).iterations;
@@ -122,11 +116,11 @@ IterationRecord PicardSolver::step(Coordinates& x) {
   std::vector<double> step = plain;
   const bool accelerated = accelerate(x, step);
   Coordinates trial = x;
-  record_.largest_move = advance(topology_, step, 1, trial);
-  if (was_valid && accelerated && check_validity(topology_, trial, options_.threads).inverted > 0) {
+  record_.largest_move = problem().advance(step, 1, trial);
+  if (was_valid && accelerated && problem().validity(trial).inverted > 0) {
     acceleration_.reset();
     trial = x;
-    record_.largest_move = advance(topology_, plain, 1, trial);
+    record_.largest_move = problem().advance(plain, 1, trial);
   }
   x = std::move(trial);
   ++record_.iteration;

@@ -6,7 +6,9 @@
 
 #include "core/linear/linear_solver.h"
 #include "core/outer/anderson.h"
+#include "core/outer/equation_options.h"
 #include "core/outer/outer_solver.h"
+#include "core/problem/equation_problem.h"
 
 namespace winslow {
 
@@ -19,9 +21,9 @@ namespace winslow {
 /// an accelerated step that would invert an element is replaced by the plain one.
 class PicardSolver final : public OuterSolver {
  public:
-  /// The three references outlive the solver.
-  PicardSolver(const Topology& topology, const FixedPointFormulation& formulation,
-               LinearSolver& linear, const SmoothOptions& options);
+  /// The linear solver outlives this.
+  PicardSolver(ClipVariants<FixedPointProblem> problems, LinearSolver& linear,
+               const EquationOptions& options);
 
   IterationRecord start(const Coordinates& x) override;
   IterationRecord step(Coordinates& x) override;
@@ -33,12 +35,12 @@ class PicardSolver final : public OuterSolver {
   void assess(const Coordinates& x);
   void adapt_damping();
   bool accelerate(const Coordinates& x, std::vector<double>& step);
-  std::vector<double> inverse_edge_lengths(const Coordinates& x) const;
+  /// The equations as they are solved at present.
+  const FixedPointProblem& problem() const { return *problems_.of(record_.clipped); }
 
-  const Topology& topology_;
-  const FixedPointFormulation& formulation_;
+  ClipVariants<FixedPointProblem> problems_;
   LinearSolver& linear_;
-  SmoothOptions options_;
+  EquationOptions options_;
   SparseSystem system_;
   IterationRecord record_;
   double round_off_ = 0;  // smallest residual that double precision can show on this mesh

@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "core/mesh/coordinates.h"
 #include "core/outer/outer_solver.h"
+#include "core/problem/smoothing_problem.h"
 
 namespace winslow {
 
@@ -11,9 +11,13 @@ namespace winslow {
 /// moves: what path following and dragging need.
 class SteadySolver : public OuterSolver {
  public:
-  /// Moves of the free nodes (#free by 2) that keep the equations satisfied to first order while
-  /// the constrained nodes move by `displacement` (#nodes by 2; the free nodes' part is ignored).
-  /// Uses the factorisation at hand where there is one for this topology: one linear solve.
+  /// What is solved at present.
+  virtual const SmoothingProblem& problem() const = 0;
+
+  /// Change of the unknowns (#unknowns) that keeps the equations satisfied to first order while the
+  /// prescribed nodes move by `displacement` (as large as x; what it holds for other nodes is
+  /// ignored). One linear solve, with the last linearisation of this problem where there is one,
+  /// else with one at x.
   virtual void predict(const Coordinates& x, const Coordinates& displacement,
                        std::span<double> out) = 0;
   /// The same, plus what leads back to the solution where x is only near one: still one linear
@@ -22,8 +26,9 @@ class SteadySolver : public OuterSolver {
                                    std::span<double> out) {
     predict(x, displacement, out);
   }
-  /// Forgets the factorisation, so that the next prediction is made at its own coordinates.
-  virtual void forget_factorisation() = 0;
+  /// The caller goes back to a mesh from before the last start(): no linearisation made since is of
+  /// a mesh near it, so the next prediction makes its own.
+  virtual void reject() = 0;
 };
 
 }  // namespace winslow

@@ -10,9 +10,10 @@ namespace winslow {
 
 /// The triangle of an element's corner and its two neighbours within the element.
 struct Corner {
-  double l1, l2, l3;  ///< edges at the corner (next, previous), and the one across
-  double area2;       ///< twice the signed area
+  double l1 = 0, l2 = 0, l3 = 0;  ///< edges at the corner (next, previous), and the one across
+  double area2 = 0;               ///< twice the signed area
 
+  Corner() = default;
   Corner(const Vec2& at, const Vec2& next, const Vec2& previous) {
     const Vec2 a = next - at;
     const Vec2 b = previous - at;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/error.h"
 #include "core/parallel/parallel_for.h"
@@ -13,78 +14,26 @@ namespace winslow {
 
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+/// The corners of one element, in the order of its nodes.
+class ElementCorners {
+ public:
+  ElementCorners(const Coordinates& x, std::span<const Index> element) : count_(element.size()) {
+    for (std::size_t k = 0; k < count_; ++k) corners_[k] = corner_of(x, element, k);
+  }
+  std::span<const Corner> span() const { return {corners_.data(), count_}; }
+  /// Each counts: for a flat triangle round-off may disagree on the sign of its one area.
+  bool inverted() const {
+    return std::ranges::any_of(span(), [](const Corner& corner) { return corner.inverted(); });
+  }
 
-struct MetricNames {
-  Metric metric;
-  std::string_view name, label;
-};
-constexpr std::array<MetricNames, 4> metric_names{{
-    {Metric::normalized_jacobian, "normalized_jacobian", "Normalized Jacobian"},
-    {Metric::aspect_ratio, "aspect_ratio", "Aspect ratio"},
-    {Metric::condition_number, "condition_number", "Condition number"},
-    {Metric::area, "area", "Area"},
-}};
-
-const MetricNames& names_of(Metric metric) {
-  return *std::find_if(metric_names.begin(), metric_names.end(),
-                       [&](const MetricNames& n) { return n.metric == metric; });
-}
-
-/// R/(2r) of half a square: the value that a quadrilateral's corners are measured against.
-const double square_radius_ratio = (1 + std::sqrt(2.0)) / 2;
-
-struct ElementMetrics {
-  double min_sine = 1;
-  double aspect_ratio = 0;
-  double condition_number = 0;
-  double area = 0;
-  bool inverted = false;
+ private:
+  std::array<Corner, 4> corners_;
+  std::size_t count_;
 };
 
-ElementMetrics measure_triangle(const Coordinates& x, std::span<const Index> element) {
-  ElementMetrics m;
-  // The three corners have one area, but for a flat triangle round-off may disagree on its sign.
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Corner corner = corner_of(x, element, k);
-    m.min_sine = std::min(m.min_sine, corner.sine());
-    m.inverted = m.inverted || corner.inverted();
-    m.aspect_ratio = std::max(m.aspect_ratio, corner.radius_ratio());
-    m.condition_number = std::max(m.condition_number, corner.triangle_condition());
-  }
-  m.area = 0.5 * corner_of(x, element, 0).area2;
-  return m;
-}
-
-ElementMetrics measure_quadrilateral(const Coordinates& x, std::span<const Index> element) {
-  ElementMetrics m;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Corner corner = corner_of(x, element, k);
-    m.min_sine = std::min(m.min_sine, corner.sine());
-    m.inverted = m.inverted || corner.inverted();
-    m.aspect_ratio = std::max(m.aspect_ratio, corner.radius_ratio() / square_radius_ratio);
-    m.condition_number = std::max(m.condition_number, corner.square_condition());
-    m.area += 0.25 * corner.area2;
-  }
-  return m;
-}
-
-ElementMetrics measure(const Coordinates& x, std::span<const Index> element) {
-  return element.size() == 3 ? measure_triangle(x, element) : measure_quadrilateral(x, element);
-}
-
-double value_of(const ElementMetrics& m, Metric metric) {
-  switch (metric) {
-    case Metric::normalized_jacobian:
-      return m.min_sine;
-    case Metric::aspect_ratio:
-      return m.aspect_ratio;
-    case Metric::condition_number:
-      return m.condition_number;
-    case Metric::area:
-      return m.area;
-  }
-  return 0;
+double value_of(const Mesh& mesh, Index e, Metric metric) {
+  const ElementCorners corners(mesh.coordinates, mesh.topology->element(e));
+  return metric_info(metric).of_element(corners.span());
 }
 
 Statistics statistics_of(std::span<const double> values) {
@@ -138,97 +87,109 @@ std::vector<WorstElement> worst_of(const Mesh& mesh, std::span<const double> val
   return worst;
 }
 
-}  // namespace
-
-std::string_view metric_name(Metric metric) { return names_of(metric).name; }
-std::string_view metric_label(Metric metric) { return names_of(metric).label; }
-
-Metric parse_metric(std::string_view name) {
-  std::string known;
-  for (const auto& entry : metric_names) {
-    if (entry.name == name) return entry.metric;
-    known += (known.empty() ? "" : ", ") + std::string(entry.name);
+std::vector<double> finite(std::span<const double> values) {
+  std::vector<double> list;
+  for (const double v : values) {
+    if (std::isfinite(v)) list.push_back(v);
   }
-  throw UsageError("unknown metric '" + std::string(name) + "', expected one of: " + known);
+  return list;
 }
 
-const QualityReport::PerMetric& QualityReport::of(Metric metric) const {
-  switch (metric) {
-    case Metric::normalized_jacobian:
-      return normalized_jacobian;
-    case Metric::aspect_ratio:
-      return aspect_ratio;
-    case Metric::condition_number:
-      return condition_number;
-    case Metric::area:
-      break;
-  }
-  throw UsageError("the quality report has no statistics of the area");
-}
+/// Values of the reported metrics, in their order.
+struct Values {
+  Values(const Mesh& mesh, int threads);
 
-QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
+  std::vector<std::vector<double>> of_elements;  ///< #elements each
+  std::vector<std::vector<double>> of_corners;   ///< #corners each; empty where there are none
+  std::vector<char> inverted;                    ///< #elements
+};
+
+Values::Values(const Mesh& mesh, int threads) {
   const Topology& topology = *mesh.topology;
-  const Index n = topology.element_count();
-  std::vector<ElementMetrics> metrics(at(n));
-  std::vector<double> sines(topology.elements().values.size());
-  parallel_for(options.threads, n, [&](Index begin, Index end) {
+  require_plane(topology, "quality");
+  const auto& reported = reported_metrics();
+  const auto elements = at(topology.element_count());
+  inverted.resize(elements);
+  of_corners.resize(reported.size());
+  of_elements.assign(reported.size(), std::vector<double>(elements));
+  for (std::size_t m = 0; m < reported.size(); ++m) {
+    if (metric_info(reported[m]).of_corner) of_corners[m].resize(topology.elements().values.size());
+  }
+  parallel_for(threads, topology.element_count(), [&](Index begin, Index end) {
     for (Index e = begin; e < end; ++e) {
-      const auto element = topology.element(e);
-      metrics[at(e)] = measure(mesh.coordinates, element);
-      for (std::size_t k = 0; k < element.size(); ++k) {
-        sines[at(topology.elements().offsets[at(e)]) + k] =
-            corner_of(mesh.coordinates, element, k).sine();
+      const ElementCorners corners(mesh.coordinates, topology.element(e));
+      inverted[at(e)] = corners.inverted();
+      const auto first = at(topology.elements().offsets[at(e)]);
+      for (std::size_t m = 0; m < reported.size(); ++m) {
+        const MetricInfo& info = metric_info(reported[m]);
+        of_elements[m][at(e)] = info.of_element(corners.span());
+        if (!info.of_corner) continue;
+        for (std::size_t k = 0; k < corners.span().size(); ++k)
+          of_corners[m][first + k] = info.of_corner(corners.span()[k]);
       }
     }
   });
+}
 
+}  // namespace
+
+const QualityReport::PerMetric& QualityReport::of(Metric metric) const& {
+  const auto& reported = reported_metrics();
+  const auto found = std::find(reported.begin(), reported.end(), metric);
+  if (found == reported.end()) {
+    throw UsageError("the quality report has no statistics of the " +
+                     std::string(metric_name(metric)));
+  }
+  return metrics[static_cast<std::size_t>(found - reported.begin())];
+}
+
+QualityReport::PerMetric QualityReport::of(Metric metric) && {
+  return std::as_const(*this).of(metric);
+}
+
+QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
+  const Values values(mesh, options.threads);
   QualityReport report;
-  report.elements = n;
+  report.elements = mesh.topology->element_count();
   constexpr std::size_t listed = 100;
-  for (Index e = 0; e < n; ++e) {
-    if (!metrics[at(e)].inverted) continue;
+  for (Index e = 0; e < report.elements; ++e) {
+    if (!values.inverted[at(e)]) continue;
     ++report.inverted;
     if (report.inverted_elements.size() < listed) report.inverted_elements.push_back(e);
   }
-  const auto values = [&](Metric metric) {
-    std::vector<double> all(at(n));
-    for (Index e = 0; e < n; ++e) all[at(e)] = value_of(metrics[at(e)], metric);
-    return all;
-  };
-  const auto minima = values(Metric::normalized_jacobian);
-  report.normalized_jacobian.statistics = statistics_of(sines);
-  report.normalized_jacobian.histogram = histogram_of(
-      sines, std::min(0.0, report.normalized_jacobian.statistics.min), 1, options.histogram_bins);
-  report.normalized_jacobian.worst = worst_of(mesh, minima, true, options.worst);
-  for (const Metric metric : {Metric::aspect_ratio, Metric::condition_number}) {
-    auto& part = metric == Metric::aspect_ratio ? report.aspect_ratio : report.condition_number;
-    const auto all = values(metric);
-    part.worst = worst_of(mesh, all, false, options.worst);
-    std::vector<double> valid;
-    for (const double v : all) {
-      if (std::isfinite(v)) valid.push_back(v);
-    }
-    part.statistics = statistics_of(valid);
-    part.histogram = histogram_of(valid, 1, part.statistics.max, options.histogram_bins);
+  for (std::size_t m = 0; m < values.of_elements.size(); ++m) {
+    const MetricInfo& info = metric_info(reported_metrics()[m]);
+    auto& part = report.metrics.emplace_back();
+    const auto& all = values.of_elements[m];
+    part.worst = worst_of(mesh, all, info.field.larger_is_better, options.worst);
+    const auto counted = info.of_corner ? values.of_corners[m] : finite(all);
+    part.statistics = statistics_of(counted);
+    const double low = info.field.larger_is_better ? std::min(0.0, part.statistics.min) : info.best;
+    const double high = info.field.larger_is_better ? info.best : part.statistics.max;
+    part.histogram = histogram_of(counted, low, high, options.histogram_bins);
   }
   return report;
 }
 
 std::vector<double> element_values(const Mesh& mesh, Metric metric) {
+  require_plane(*mesh.topology, "quality");
   std::vector<double> values(at(mesh.topology->element_count()));
   parallel_for(0, mesh.topology->element_count(), [&](Index begin, Index end) {
     for (Index e = begin; e < end; ++e) {
-      values[at(e)] = value_of(measure(mesh.coordinates, mesh.topology->element(e)), metric);
+      values[at(e)] = value_of(mesh, e, metric);
     }
   });
   return values;
 }
 
 double element_value(const Mesh& mesh, Index element, Metric metric) {
-  return value_of(measure(mesh.coordinates, mesh.topology->element(element)), metric);
+  require_plane(*mesh.topology, "quality");
+  return value_of(mesh, element, metric);
 }
 
 Validity check_validity(const Topology& topology, const Coordinates& coordinates, int threads) {
+  require_plane(topology, "quality");
+  coordinates.require_dimension(2);
   const CornerData data{coordinates.values().data(), topology.elements().offsets.data(),
                         topology.elements().values.data()};
   const CornerKernel avx2 = avx2_corner_kernel();

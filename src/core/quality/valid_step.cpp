@@ -41,6 +41,9 @@ double first_positive_root(double d0, double d1, double d2) {
 
 double largest_valid_step(const Topology& topology, const Coordinates& from, const Coordinates& to,
                           int threads) {
+  require_plane(topology, "steps that keep a mesh valid");
+  from.require_dimension(2);
+  to.require_dimension(2);
   const Index n = topology.element_count();
   const auto blocks = static_cast<std::size_t>((n + parallel_block - 1) / parallel_block);
   std::vector<double> steps(blocks, infinite);

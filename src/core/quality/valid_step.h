@@ -11,7 +11,8 @@ double first_positive_root(double d0, double d1, double d2);
 /// How far a valid mesh can go on the straight line from one set of coordinates to another: the
 /// largest t such that from + s (to - from) has no inverted corner for any s in [0, t). Exact: the
 /// area of each corner triangle is a quadratic in s. Infinite if nothing ever inverts; 0 if `from`
-/// is not valid. threads: 0 for all cores; the result does not depend on it.
+/// is not valid. threads: 0 for all cores; the result does not depend on it. Throws UsageError
+/// unless the mesh is a plane one.
 double largest_valid_step(const Topology& topology, const Coordinates& from, const Coordinates& to,
                           int threads = 0);
 

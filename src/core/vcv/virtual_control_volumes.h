@@ -20,7 +20,7 @@ namespace winslow {
 /// for each node: a copy is cheap.
 class VirtualControlVolumes {
  public:
-  /// Equal angles (2 pi / #neighbours) and unit edges.
+  /// Equal angles (2 pi / #neighbours) and unit edges. Throws UsageError unless the mesh is plane.
   explicit VirtualControlVolumes(std::shared_ptr<const Topology> topology);
 
   const Topology& topology() const { return *topology_; }

@@ -60,19 +60,20 @@ void DemoPlayer::begin_step(const Session& session, ActionQueue& actions) {
   if (step.afresh) actions.emplace_back(action::GoToStep{0});
   Command command = *step.command;
   // As the panels say: the user may be trying other settings.
-  if (SmoothOptions* smooth = winslow::smooth_options(command)) *smooth = session.smooth_options();
+  if (SmoothOptions* smooth = winslow::smooth_options(command))
+    *smooth = session.jobs().smooth_options();
   actions.emplace_back(action::RunCommand{std::move(command), false});
 }
 
 void DemoPlayer::update(const Session& session, double seconds, ActionQueue& actions) {
   if (!demo_) return;
   if (!opened_) {
-    opening_seen_ |= session.loading();
+    opening_seen_ |= session.files().loading();
     if (session.generation() != generation_ && session.document()) {
       opened_ = true;
       generation_ = session.generation();
       begin_step(session, actions);
-    } else if (opening_seen_ && !session.loading()) {
+    } else if (opening_seen_ && !session.files().loading()) {
       end();  // the mesh could not be read; the session has said so
     }
     return;

@@ -4,24 +4,20 @@
 #include <cctype>
 #include <filesystem>
 
-#include "io/boundary_file.h"
+#include "io/format/mesh_format.h"
+#include "io/tables/boundary_file.h"
 
 namespace winslow::gui {
 
 namespace {
 
 std::vector<FileKind> mesh_kinds() {
-  std::vector<FileKind> kinds{{"All meshes", {}},
-                              {"SU2", {".su2"}},
-                              {"Gmsh", {".msh"}},
-                              {"VTK", {".vtk"}},
-                              {"VTK, XML", {".vtu"}},
-                              {"Wavefront", {".obj"}},
-                              {"Object File Format", {".off"}},
-                              {"Stanford", {".ply"}},
-                              {"Stereolithography", {".stl"}}};
-  for (std::size_t k = 1; k < kinds.size(); ++k)
-    kinds[0].extensions.push_back(kinds[k].extensions[0]);
+  std::vector<FileKind> kinds{{"All meshes", {}}};
+  for (const io::MeshFormat* format : io::mesh_formats()) {
+    const std::string extension = '.' + std::string(format->name);
+    kinds.front().extensions.push_back(extension);
+    kinds.push_back({std::string(format->title), {extension}});
+  }
   return kinds;
 }
 

@@ -9,7 +9,7 @@
 #include "gui/render/frame_buffer.h"
 #include "gui/render/gl.h"
 #include "gui/render/mesh_renderer.h"
-#include "io/mesh_file.h"
+#include "io/format/mesh_file.h"
 
 namespace winslow::gui {
 

@@ -65,8 +65,8 @@ UserCommand reset() {
 /// Holes in the mesh: what a user would call a body.
 std::vector<std::vector<Index>> bodies(const PanelContext& context) {
   std::vector<std::vector<Index>> found;
-  if (!context.session.boundary()) return found;
-  for (const auto& body : context.session.boundary()->bodies())
+  if (!context.session.mesh().boundary()) return found;
+  for (const auto& body : context.session.mesh().boundary()->bodies())
     if (body.hole && !body.markers.empty()) found.push_back(body.markers);
   return found;
 }
@@ -82,14 +82,10 @@ void select_all(const PanelContext& context) {
   context.emit(action::SelectMarkers{all});
 }
 
-}  // namespace
+constexpr auto group = CommandGroup::edit;
 
-std::vector<UserCommand> edit_commands() {
-  constexpr auto group = CommandGroup::edit;
+std::vector<UserCommand> selection_commands() {
   return {
-      undo(),
-      redo(),
-      reset(),
       {.id = "select_all",
        .label = "Select all bodies",
        .group = group,
@@ -120,20 +116,25 @@ std::vector<UserCommand> edit_commands() {
        .blocked = [](const PanelContext& c) -> std::string {
          if (c.session.job().active()) return "Esc cancels the solver now.";
          if (c.demo.demo()) return "Esc ends the demo now.";
-         if (c.session.shape_edit().active) return "Esc ends the editing of nodes now.";
+         if (c.session.selection().shape_edit().active) return "Esc ends the editing of nodes now.";
          return c.session.selection().empty() ? "Nothing is selected." : "";
        },
        .run = [](const PanelContext& c) { c.emit(action::SelectMarkers{}); }},
+  };
+}
+
+std::vector<UserCommand> shape_commands() {
+  return {
       {.id = "shape_edit",
        .label = "Edit boundary nodes",
        .group = group,
        .keys = {key(GLFW_KEY_E)},
        .tooltip = "Drag single nodes or arcs of a boundary instead of whole bodies.",
        .blocked = without_mesh,
-       .checked = [](const PanelContext& c) { return c.session.shape_edit().active; },
+       .checked = [](const PanelContext& c) { return c.session.selection().shape_edit().active; },
        .run =
            [](const PanelContext& c) {
-             const ShapeEdit& edit = c.session.shape_edit();
+             const ShapeEdit& edit = c.session.selection().shape_edit();
              c.emit(action::SetShapeEdit{!edit.active, edit.radius});
            },
        .starts_section = true},
@@ -144,21 +145,35 @@ std::vector<UserCommand> edit_commands() {
        .tooltip = "Whole bodies are dragged again.",
        .blocked = [](const PanelContext& c) -> std::string {
          if (c.session.job().active()) return "Esc cancels the solver now.";
-         return c.session.shape_edit().active ? "" : "No nodes are being edited.";
+         return c.session.selection().shape_edit().active ? "" : "No nodes are being edited.";
        },
        .run =
            [](const PanelContext& c) {
-             c.emit(action::SetShapeEdit{false, c.session.shape_edit().radius});
+             c.emit(action::SetShapeEdit{false, c.session.selection().shape_edit().radius});
            }},
-      {.id = "scramble",
-       .label = "Scramble the interior",
-       .group = group,
-       .tooltip = "Put every interior node at a random place: a test of what smoothing can "
-                  "recover.",
-       .blocked = while_busy,
-       .run = [](const PanelContext& c) { c.emit(action::Scramble{1}); },
-       .starts_section = true},
   };
+}
+
+UserCommand scramble() {
+  return {.id = "scramble",
+          .label = "Scramble the interior",
+          .group = group,
+          .tooltip =
+              "Put every interior node at a random place: a test of what smoothing can "
+              "recover.",
+          .blocked = while_busy,
+          .run = [](const PanelContext& c) { c.emit(action::Scramble{1}); },
+          .starts_section = true};
+}
+
+}  // namespace
+
+std::vector<UserCommand> edit_commands() {
+  std::vector<UserCommand> commands{undo(), redo(), reset()};
+  for (const auto& part : {selection_commands(), shape_commands()})
+    commands.insert(commands.end(), part.begin(), part.end());
+  commands.push_back(scramble());
+  return commands;
 }
 
 }  // namespace winslow::gui

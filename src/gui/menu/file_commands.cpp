@@ -11,7 +11,7 @@ namespace winslow::gui {
 namespace {
 
 std::string cannot_save(const PanelContext& context) {
-  if (context.session.saving()) return "The mesh is being saved.";
+  if (context.session.files().saving()) return "The mesh is being saved.";
   return while_busy(context);
 }
 
@@ -174,7 +174,7 @@ std::vector<UserCommand> saving_commands() {
        .group = group,
        .tooltip = "Write the iterations that the plot shows as a CSV table.",
        .blocked = [](const PanelContext& c) -> std::string {
-         return c.session.convergence().empty() ? "There are no iterations yet." : "";
+         return c.session.mesh().convergence().empty() ? "There are no iterations yet." : "";
        },
        .run = dialog(FilePurpose::export_convergence)},
   };

@@ -31,6 +31,13 @@ struct PanelContext {
   void emit(A a) const {
     actions.emplace_back(std::move(a));
   }
+  /// Emits what `change` does to a copy of the view's options.
+  template <class Change>
+  void edit_view(Change&& change) const {
+    ViewOptions after = view;
+    change(after);
+    emit(action::EditView{difference(view, after)});
+  }
   const Topology* topology() const { return session.topology().get(); }
 };
 

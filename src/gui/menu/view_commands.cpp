@@ -15,9 +15,7 @@ UserCommand toggle(bool ViewOptions::*part, UserCommand command) {
   command.group = CommandGroup::view;
   command.checked = [part](const PanelContext& c) { return c.view.*part; };
   command.run = [part](const PanelContext& c) {
-    ViewOptions view = c.view;
-    view.*part = !(view.*part);
-    c.emit(action::SetView{view});
+    c.edit_view([part](ViewOptions& view) { view.*part = !(view.*part); });
   };
   return command;
 }
@@ -29,10 +27,10 @@ UserCommand tab(SideTab which, UserCommand command) {
     return c.view.right_panel && c.view.side_tab == which;
   };
   command.run = [which](const PanelContext& c) {
-    ViewOptions view = c.view;
-    view.right_panel = true;
-    view.side_tab = which;
-    c.emit(action::SetView{view});
+    c.edit_view([which](ViewOptions& view) {
+      view.right_panel = true;
+      view.side_tab = which;
+    });
   };
   return command;
 }
@@ -40,11 +38,7 @@ UserCommand tab(SideTab which, UserCommand command) {
 /// A command that changes the view.
 UserCommand change(void (*how)(ViewOptions&), UserCommand command) {
   command.group = CommandGroup::view;
-  command.run = [how](const PanelContext& c) {
-    ViewOptions view = c.view;
-    how(view);
-    c.emit(action::SetView{view});
-  };
+  command.run = [how](const PanelContext& c) { c.edit_view(how); };
   return command;
 }
 
@@ -54,9 +48,9 @@ UserCommand compare(Comparison how, UserCommand command) {
   command.blocked = without_mesh;
   command.checked = [how](const PanelContext& c) { return c.view.comparison == how; };
   command.run = [how](const PanelContext& c) {
-    ViewOptions view = c.view;
-    view.comparison = view.comparison == how ? Comparison::none : how;
-    c.emit(action::SetView{view});
+    c.edit_view([how](ViewOptions& view) {
+      view.comparison = view.comparison == how ? Comparison::none : how;
+    });
   };
   return command;
 }
@@ -201,12 +195,7 @@ std::vector<UserCommand> style_commands() {
        .group = group,
        .keys = {key(GLFW_KEY_W)},
        .tooltip = "Surfaces and edges, surfaces alone, edges alone.",
-       .run =
-           [](const PanelContext& c) {
-             ViewOptions view = c.view;
-             step_style(view);
-             c.emit(action::SetView{view});
-           },
+       .run = [](const PanelContext& c) { c.edit_view(step_style); },
        .starts_section = true},
       toggle(&ViewOptions::nodes,
              {.id = "nodes", .label = "Nodes", .tooltip = "Draw the nodes as dots."}),
@@ -280,10 +269,10 @@ std::vector<UserCommand> look_commands() {
        .checked = [](const PanelContext& c) { return c.view.lightness == Lightness::dark; },
        .run =
            [](const PanelContext& c) {
-             ViewOptions view = c.view;
-             view.lightness =
-                 view.lightness == Lightness::dark ? Lightness::light : Lightness::dark;
-             c.emit(action::SetView{view});
+             c.edit_view([](ViewOptions& view) {
+               view.lightness =
+                   view.lightness == Lightness::dark ? Lightness::light : Lightness::dark;
+             });
            },
        .starts_section = true},
       {.id = "larger",

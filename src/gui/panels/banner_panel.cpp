@@ -19,12 +19,12 @@ void emit_show_inverted(const PanelContext& context) {
 
 std::string text_of(const PanelContext& context) {
   const std::string icon = context.theme.icon(Icon::warning);
-  return (icon.empty() ? "" : icon + "  ") + context.session.banner()->text;
+  return (icon.empty() ? "" : icon + "  ") + context.session.messages().banner()->text;
 }
 
 /// The text and up to three buttons fit on one line.
 bool one_line(const PanelContext& context, float width) {
-  const float text = ImGui::CalcTextSize(context.session.banner()->text.c_str()).x;
+  const float text = ImGui::CalcTextSize(context.session.messages().banner()->text.c_str()).x;
   return text + context.theme.px(310) <= width;
 }
 
@@ -41,7 +41,7 @@ float BannerPanel::height(const PanelContext& context, float width) {
 }
 
 void BannerPanel::draw(const PanelContext& context) {
-  const auto& banner = context.session.banner();
+  const auto& banner = context.session.messages().banner();
   if (!banner) return;
   const bool bad =
       banner->kind == Banner::Kind::inverted_result || banner->kind == Banner::Kind::inverted_input;

@@ -13,7 +13,7 @@ namespace winslow::gui {
 
 namespace {
 
-constexpr const char* popup = "###command_palette";
+constexpr const char* palette_popup = "###command_palette";
 constexpr std::size_t remembered = 5;
 
 }  // namespace
@@ -50,7 +50,7 @@ std::vector<CommandPalette::Row> CommandPalette::rows(const PanelContext& contex
 void CommandPalette::draw(const PanelContext& context) {
   const Theme& theme = context.theme;
   if (wanted_) {
-    ImGui::OpenPopup(popup);
+    ImGui::OpenPopup(palette_popup);
     query_.clear();
     chosen_ = 0;
     scroll_ = true;
@@ -62,7 +62,8 @@ void CommandPalette::draw(const PanelContext& context) {
       ImVec2(std::min(theme.px(600), 0.94f * screen.x), std::min(theme.px(430), 0.8f * screen.y)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(theme.px(12), theme.px(12)));
   ImGui::PushStyleVar(ImGuiStyleVar_PopupRounding, theme.px(8));
-  if (ImGui::BeginPopup(popup, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
+  if (ImGui::BeginPopup(palette_popup,
+                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
     draw_query(context);
     const std::vector<Row> all = rows(context);
     draw_rows(context, all);

@@ -24,13 +24,14 @@ double tolerance_of(const Session& session) {
     return std::visit(
         [&](const auto& c) {
           if constexpr (requires { c.smooth; }) return c.smooth.tolerance;
-          return session.smooth_options().tolerance;
+          return session.jobs().smooth_options().tolerance;
         },
         command);
   };
   if (session.job().active()) return of(session.job().command());
   const Document* document = session.document();
-  if (!document || document->history().position() == 0) return session.smooth_options().tolerance;
+  if (!document || document->history().position() == 0)
+    return session.jobs().smooth_options().tolerance;
   return of(document->history().command(document->history().position()));
 }
 
@@ -51,7 +52,7 @@ void ConvergencePanel::draw_header(const PanelContext& context) {
   if (ui::button("convergence/export", label,
                  {"Write every iteration shown here, with all its numbers, as a table for a "
                   "spreadsheet or a plotting program.",
-                  ui::ButtonStyle::normal, !session.convergence().empty()}))
+                  ui::ButtonStyle::normal, !session.mesh().convergence().empty()}))
     context.emit(action::ShowFileDialog{FilePurpose::export_convergence});
   draw_convergence_key("convergence", series_, context.theme.scale);
 }
@@ -59,7 +60,7 @@ void ConvergencePanel::draw_header(const PanelContext& context) {
 void ConvergencePanel::draw(const PanelContext& context) {
   const Session& session = context.session;
   draw_header(context);
-  const auto history = session.convergence();
+  const auto history = session.mesh().convergence();
   ImVec2 size = ImGui::GetContentRegionAvail();
   size.x = std::max(size.x, 1.0f);
   size.y = std::max(size.y, 1.0f);

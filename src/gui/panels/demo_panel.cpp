@@ -76,7 +76,7 @@ void DemoPanel::draw(const PanelContext& context) {
   if (context.demo.ready(context.session))
     draw_numbers(context);
   else
-    ui::text_dim(context.session.loading() ? "Reading the mesh ..." : "At work ...");
+    ui::text_dim(context.session.files().loading() ? "Reading the mesh ..." : "At work ...");
   draw_buttons(context);
 }
 

@@ -176,7 +176,7 @@ void HistoryPanel::draw_recipes(const PanelContext& context) {
 }
 
 void HistoryPanel::draw_queue(const PanelContext& context) {
-  const CommandQueue& queue = context.session.queue();
+  const CommandQueue& queue = context.session.jobs().queue();
   if (!queue.active()) return;
   ui::text_wrapped(queue.plan().title + ": command " + std::to_string(queue.done() + 1) + " of " +
                    std::to_string(queue.total()));

@@ -20,11 +20,11 @@ void IsolatePanel::draw(const PanelContext& context) {
                               "Draw the elements beyond a threshold of the metric shown in full, "
                               "the others faint or not at all (I).");
   if (view.isolation.on) changed |= draw_threshold(context, view.isolation);
-  if (changed) context.emit(action::SetView{view});
+  if (changed) context.emit(action::EditView{difference(context.view, view)});
 }
 
 bool IsolatePanel::draw_threshold(const PanelContext& context, Isolation& isolation) {
-  const std::string metric(field_label(*context.view.color));
+  const std::string metric(field_info(*context.view.color).label);
   constexpr const char* tip = "Which elements stay. The line in the legend can be dragged, too.";
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   ui::row(metric, tip, 0.5f);

@@ -94,11 +94,11 @@ bool LegendCard::take_pointer(const PanelContext& context, const Vec2& mouse, bo
   if (began && over) dragging_ = true;
   if (dragging_) {
     const double t = std::clamp((bars_->bottom - y) / (bars_->bottom - bars_->top), 0.0f, 1.0f);
-    ViewOptions view = context.view;
     // Three digits: a pixel is not worth more.
     const double step = std::pow(10.0, std::floor(std::log10(high_ - low_)) - 2);
-    view.isolation.threshold = step * std::round((low_ + t * (high_ - low_)) / step);
-    if (view != context.view) context.emit(action::SetView{view});
+    const double threshold = step * std::round((low_ + t * (high_ - low_)) / step);
+    if (threshold != context.view.isolation.threshold)
+      context.edit_view([&](ViewOptions& view) { view.isolation.threshold = threshold; });
   }
   return dragging_ || (over && !pressed);
 }

@@ -30,8 +30,8 @@ void MarkersPanel::draw(const PanelContext& context) {
 void MarkersPanel::draw_row(const PanelContext& context, Index marker) {
   const Topology& topology = *context.topology();
   const Marker& data = topology.markers()[static_cast<std::size_t>(marker)];
-  const bool selected = context.session.selected(marker);
-  const auto& hovered = context.session.hovered();
+  const bool selected = context.session.selection().contains(marker);
+  const auto& hovered = context.session.selection().hovered();
   const bool lit = std::find(hovered.begin(), hovered.end(), marker) != hovered.end();
   const float pad = context.theme.px(6);
   const ImVec2 start = ImGui::GetCursorScreenPos();
@@ -43,7 +43,7 @@ void MarkersPanel::draw_row(const PanelContext& context, Index marker) {
   const bool over = ImGui::IsItemHovered();
   ui::tooltip("Click to select " + data.name +
               ": selected bodies move, the others stay. Ctrl+click adds or removes.\n" +
-              counted(data.edges.size(), "edge") + ", tag " + std::to_string(data.tag));
+              counted(data.faces.size(), "edge") + ", tag " + std::to_string(data.tag));
   ImGui::PopID();
   if (pressed) context.emit(action::SelectMarkers{{marker}, ImGui::GetIO().KeyCtrl});
 

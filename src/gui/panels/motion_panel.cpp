@@ -60,14 +60,14 @@ void MotionPanel::draw(const PanelContext& context) {
   if (ui::button("motion/apply", "Apply",
                  {"Move the selected bodies and smooth the mesh around them.",
                   ui::ButtonStyle::primary, can, -1})) {
-    typed_.pivot = session.pivot();
+    typed_.pivot = session.selection().pivot();
     context.emit(action::ApplyMotion{typed_});
     typed_ = RigidMotion{};
   }
 }
 
 void MotionPanel::draw_fields(const PanelContext& context, bool live) {
-  const auto motion = context.session.live_motion();
+  const auto motion = context.session.mesh().live_motion();
   RigidMotion shown = live && motion ? *motion : typed_;
   ui::row("Translate", "How far the body moves, x and y, in units of the mesh.", 0.34f);
   bool changed =
@@ -79,7 +79,7 @@ void MotionPanel::draw_fields(const PanelContext& context, bool live) {
 }
 
 void MotionPanel::draw_pivot(const PanelContext& context) {
-  Vec2 pivot = context.session.pivot();
+  Vec2 pivot = context.session.selection().pivot();
   ui::row("Pivot", "The point about which the body turns. Drag it in the picture, or type it.",
           0.34f);
   if (vector_fields({"motion/pivot_x", "motion/pivot_y"}, pivot,
@@ -96,7 +96,7 @@ void MotionPanel::draw_pivot(const PanelContext& context) {
   std::vector<std::string> names{"Centre", "Centroid", "Leading edge", "Trailing edge"};
   std::size_t chosen = names.size();
   for (std::size_t i = 0; i < places.size(); ++i)
-    if (context.session.pivot_place() == places[i]) chosen = i;
+    if (context.session.selection().pivot_place() == places[i]) chosen = i;
   if (chosen == names.size()) names.emplace_back("As typed or dragged");
   if (ui::combo("motion/pivot_place", names, chosen, tip) && chosen < places.size())
     context.emit(action::SetPivot{{}, places[chosen]});
@@ -105,7 +105,7 @@ void MotionPanel::draw_pivot(const PanelContext& context) {
 void MotionPanel::draw_steps(const PanelContext& context) {
   constexpr std::array<int, 4> increments{0, 1, 8, 32};
   const std::vector<std::string> names{"Automatic", "At once", "8 steps", "32 steps"};
-  const MotionOptions& now = context.session.motion_options();
+  const MotionOptions& now = context.session.jobs().motion_options();
   std::size_t chosen = 0;
   for (std::size_t i = 0; i < increments.size(); ++i)
     if (increments[i] == now.increments) chosen = i;
@@ -116,7 +116,7 @@ void MotionPanel::draw_steps(const PanelContext& context) {
   if (ui::combo("motion/steps", names, chosen, tip)) {
     MotionOptions options = now;
     options.increments = increments[chosen];
-    context.emit(action::SetMotionOptions{options});
+    context.emit(action::EditMotionOptions{difference(now, options)});
   }
 }
 

@@ -14,7 +14,7 @@ namespace winslow::gui {
 
 namespace {
 
-constexpr const char* popup = "###prompt";
+constexpr const char* prompt_popup = "###prompt";
 
 ImU32 title_color(Prompt::Kind kind) {
   return kind == Prompt::Kind::error ? palette().danger : palette().text;
@@ -95,16 +95,16 @@ void draw_choices(const PanelContext& context, const Prompt& prompt, const Answe
 }  // namespace
 
 void PromptPanel::draw(const PanelContext& context) {
-  const Prompt* prompt = context.session.prompt();
+  const Prompt* prompt = context.session.messages().prompt();
   if (!prompt) return;
-  if (!ImGui::IsPopupOpen(popup)) ImGui::OpenPopup(popup);
+  if (!ImGui::IsPopupOpen(prompt_popup)) ImGui::OpenPopup(prompt_popup);
   const ImVec2 padding(context.theme.px(20), context.theme.px(16));
   const float room = ui::place_dialog(context.theme.px(440), padding);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   constexpr auto flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize |
                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.theme.px(8));
-  if (ImGui::BeginPopupModal(popup, nullptr, flags)) {
+  if (ImGui::BeginPopupModal(prompt_popup, nullptr, flags)) {
     const Answers answers(*prompt, context.theme, room);
     const float most = 0.96f * ImGui::GetMainViewport()->Size.y - answers.height - 2 * padding.y;
     draw_text(*prompt, context.theme, room, most);

@@ -56,9 +56,7 @@ void QualityPanel::draw_choice(const PanelContext& context) {
       "command. The comparison in the viewport (View) shows the same state.";
   ui::row("Compared with", tip);
   if (!ui::combo("quality/before", {"As loaded", "Before last command"}, which, tip)) return;
-  ViewOptions view = context.view;
-  view.before = static_cast<BeforeState>(which);
-  context.emit(action::SetView{view});
+  context.edit_view([&](ViewOptions& view) { view.before = static_cast<BeforeState>(which); });
 }
 
 void QualityPanel::draw_table(const PanelContext& context) {

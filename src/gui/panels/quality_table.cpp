@@ -1,6 +1,5 @@
 #include "gui/panels/quality_table.h"
 
-#include <array>
 #include <cmath>
 
 #include "gui/base/text.h"
@@ -8,24 +7,6 @@
 namespace winslow::gui {
 
 namespace {
-
-struct Part {
-  Metric metric;
-  const char* name;
-  const char* tip;
-  bool larger_is_better;
-};
-
-constexpr std::array<Part, 3> parts{
-    {{Metric::normalized_jacobian, "Normalized Jacobian",
-      "Sine of every corner angle: 0.866 for an equilateral triangle, 1 for a right angle, "
-      "negative where an element is inverted. Larger is better.",
-      true},
-     {Metric::aspect_ratio, "Aspect ratio R/2r",
-      "Circumradius over twice the inradius. 1 is best. Inverted elements are left out.", false},
-     {Metric::condition_number, "Condition number",
-      "Weighted condition number of the corners. 1 is best. Inverted elements are left out.",
-      false}}};
 
 QualityRow row_of(const char* name, const double* before, double now, bool larger_is_better) {
   QualityRow row;
@@ -58,13 +39,14 @@ QualityRow inverted_row(const QualityReport* before, const QualityReport& now) {
 
 std::vector<QualityRow> quality_table(const QualityReport* before, const QualityReport& now) {
   std::vector<QualityRow> rows;
-  for (const Part& part : parts) {
-    rows.push_back({part.name, part.tip, true, {}, {}, {}, 0});
-    const Statistics& n = now.of(part.metric).statistics;
-    const Statistics* b = before ? &before->of(part.metric).statistics : nullptr;
-    rows.push_back(row_of("min", b ? &b->min : nullptr, n.min, part.larger_is_better));
-    rows.push_back(row_of("avg", b ? &b->avg : nullptr, n.avg, part.larger_is_better));
-    rows.push_back(row_of("max", b ? &b->max : nullptr, n.max, part.larger_is_better));
+  for (const Metric metric : reported_metrics()) {
+    const FieldInfo& info = metric_info(metric).field;
+    rows.push_back({std::string(info.label), std::string(info.help), true, {}, {}, {}, 0});
+    const Statistics& n = now.of(metric).statistics;
+    const Statistics* b = before ? &before->of(metric).statistics : nullptr;
+    rows.push_back(row_of("min", b ? &b->min : nullptr, n.min, info.larger_is_better));
+    rows.push_back(row_of("avg", b ? &b->avg : nullptr, n.avg, info.larger_is_better));
+    rows.push_back(row_of("max", b ? &b->max : nullptr, n.max, info.larger_is_better));
   }
   rows.push_back(inverted_row(before, now));
   return rows;

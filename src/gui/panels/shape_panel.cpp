@@ -25,7 +25,8 @@ const char* chosen_arc(const ShapeEdit& edit) {
 
 void ShapePanel::draw(const PanelContext& context) {
   if (!ui::section("section/shape", "Change the shape")) {
-    if (context.session.deformation_preview()) context.emit(action::PreviewDeformation{});
+    if (context.session.selection().deformation_preview())
+      context.emit(action::PreviewDeformation{});
     return;
   }
   if (!context.session.document()) {
@@ -39,7 +40,7 @@ void ShapePanel::draw(const PanelContext& context) {
 }
 
 void ShapePanel::draw_by_hand(const PanelContext& context) {
-  const ShapeEdit& edit = context.session.shape_edit();
+  const ShapeEdit& edit = context.session.selection().shape_edit();
   bool active = edit.active;
   if (ui::checkbox("shape/edit", "Edit boundary nodes (E)", active,
                    "Drag single nodes or arcs of a boundary instead of whole bodies."))
@@ -65,7 +66,7 @@ void ShapePanel::draw_sine(const PanelContext& context) {
   draw_fields();
   ui::checkbox("shape/preview", "Show the outline", preview_,
                "Draw where the boundary would be, before anything is done.");
-  const auto& shown = session.deformation_preview();
+  const auto& shown = session.selection().deformation_preview();
   const bool wanted = preview_ && sensible(typed_) && !session.in_motion();
   if (wanted && (!shown || shown->shape != typed_))
     context.emit(action::PreviewDeformation{typed_});

@@ -24,12 +24,13 @@ void SolverPanel::draw(const PanelContext& context) {
 }
 
 void SolverPanel::draw_method(const PanelContext& context) {
-  SmoothOptions smooth = context.session.smooth_options();
-  MotionOptions motion = context.session.motion_options();
-  ImGui::BeginDisabled(context.session.job().active());
+  const Session& session = context.session;
+  SmoothOptions smooth = session.jobs().smooth_options();
+  MotionOptions motion = session.jobs().motion_options();
+  ImGui::BeginDisabled(session.job().active());
   if (ui::method_choice("solver", smooth, motion)) {
-    context.emit(action::SetSmoothOptions{smooth});
-    context.emit(action::SetMotionOptions{motion});
+    context.emit(action::EditSmoothOptions{difference(session.jobs().smooth_options(), smooth)});
+    context.emit(action::EditMotionOptions{difference(session.jobs().motion_options(), motion)});
   }
   ImGui::EndDisabled();
 }
@@ -37,13 +38,14 @@ void SolverPanel::draw_method(const PanelContext& context) {
 /// Stays enabled while the solver runs: that is when it is wanted.
 void SolverPanel::draw_pace(const PanelContext& context) {
   const Session& session = context.session;
-  if (method_of(session.smooth_options(), session.motion_options()) != Method::direct) return;
+  if (method_of(session.jobs().smooth_options(), session.jobs().motion_options()) != Method::direct)
+    return;
   constexpr std::array<double, 6> rates{1, 2, 5, 10, 30, 0};
   const std::vector<std::string> names{"1 a second",  "2 a second",  "5 a second",
                                        "10 a second", "30 a second", "Unlimited"};
   std::size_t chosen = rates.size() - 1;
   for (std::size_t i = 0; i < rates.size(); ++i)
-    if (rates[i] == session.pace()) chosen = i;
+    if (rates[i] == session.jobs().pace()) chosen = i;
   constexpr const char* tip =
       "How many outer iterations a second are carried out and shown. Slow enough to watch the mesh "
       "untangle; Unlimited when only the result matters. It can be changed while the solver runs.";
@@ -58,7 +60,7 @@ void SolverPanel::draw_state(const PanelContext& context) {
     return;
   }
   ui::text_wrapped((job.paused() ? "Paused: " : "") + describe(job.command()));
-  const auto history = context.session.convergence();
+  const auto history = context.session.mesh().convergence();
   if (history.empty()) {
     ui::text_dim("starting");
     return;
@@ -139,13 +141,15 @@ void SolverPanel::draw_options(const PanelContext& context) {
                 "touch."))
     return;
   ImGui::BeginDisabled(context.session.job().active());
-  SmoothOptions options = context.session.smooth_options();
-  if (ui::smooth_options_form("solver", options)) context.emit(action::SetSmoothOptions{options});
+  SmoothOptions options = context.session.jobs().smooth_options();
+  if (ui::smooth_options_form("solver", options))
+    context.emit(
+        action::EditSmoothOptions{difference(context.session.jobs().smooth_options(), options)});
   if (ui::button("solver/defaults", "Reset to defaults",
                  {"Method and options as they were when the studio was first started.",
                   ui::ButtonStyle::normal, true, -1})) {
-    context.emit(action::SetSmoothOptions{});
-    context.emit(action::SetMotionOptions{});
+    context.emit(action::EditSmoothOptions{whole(SmoothOptions())});
+    context.emit(action::EditMotionOptions{whole(MotionOptions())});
     context.emit(action::SetPace{default_pace});
   }
   ImGui::EndDisabled();

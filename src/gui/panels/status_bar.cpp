@@ -15,11 +15,12 @@ struct State {
 };
 
 State state_of(const Session& session) {
-  if (session.loading())
-    return {"Reading " + session.loading_path().filename().string() + " ...", palette().accent};
-  if (session.saving()) return {"Saving ...", palette().accent};
+  if (session.files().loading())
+    return {"Reading " + session.files().loading_path().filename().string() + " ...",
+            palette().accent};
+  if (session.files().saving()) return {"Saving ...", palette().accent};
   const JobRunner& job = session.job();
-  if (const BodyDrag* drag = session.body_drag()) {
+  if (const BodyDrag* drag = session.mesh().body_drag()) {
     if (drag->reach() == BodyDrag::Reach::limit)
       return {"Dragging: no valid mesh beyond here; Esc cancels", palette().danger};
     if (drag->reach() == BodyDrag::Reach::catching_up)
@@ -27,7 +28,7 @@ State state_of(const Session& session) {
   }
   if (session.dragging()) return {"Dragging; Enter accepts, Esc cancels", palette().accent};
   if (job.active()) {
-    const auto history = session.convergence();
+    const auto history = session.mesh().convergence();
     const std::string where =
         history.empty() ? "" : ", iteration " + std::to_string(history.back().iteration);
     return {(job.paused() ? "Paused" : "Solving") + where, palette().accent};
@@ -49,13 +50,13 @@ void separator() {
 void draw_mesh(const Session& session) {
   const Topology& topology = *session.topology();
   const auto history =
-      session.job().active() ? session.convergence() : std::span<const IterationRecord>{};
+      session.job().active() ? session.mesh().convergence() : std::span<const IterationRecord>{};
   const auto& measured = session.quality().latest();
   const QualityReport& report = measured ? measured->report : session.document()->loaded_quality();
   Index inverted = history.empty() ? report.inverted : history.back().inverted;
-  double sine =
-      history.empty() ? report.normalized_jacobian.statistics.min : history.back().min_sine;
-  if (const BodyDrag* drag = session.body_drag()) {
+  double sine = history.empty() ? report.of(Metric::normalized_jacobian).statistics.min
+                                : history.back().min_sine;
+  if (const BodyDrag* drag = session.mesh().body_drag()) {
     inverted = 0;  // its frames are valid, always
     sine = drag->frame().min_sine;
   }
@@ -81,7 +82,7 @@ void StatusBar::draw(const PanelContext& context) {
   ui::text_colored(state.color, state.text);
   ui::note("status/state");
   if (context.session.document()) draw_mesh(context.session);
-  if (const auto& notice = context.session.notice()) {
+  if (const auto& notice = context.session.messages().notice()) {
     separator();
     const float room = ImGui::GetContentRegionAvail().x;
     ui::text_colored(notice_color(notice->kind), ui::elided(notice->text, room));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/command/option_tables.h"
 #include "core/error.h"
 #include "gui/base/text.h"
 #include "gui/panels/forms/command_form.h"
@@ -16,16 +17,15 @@ namespace winslow::gui {
 
 namespace {
 
-constexpr const char* popup = "###step_editor";
+constexpr const char* step_popup = "###step_editor";
 
 /// Why a command cannot be run; empty if it can.
 std::string fault(Command command) {
-  if (const SmoothOptions* options = smooth_options(command)) {
-    try {
-      validate(*options);
-    } catch (const Error& error) {
-      return error.what();
-    }
+  try {
+    std::visit([](auto& of) { check(option_table(of)); }, command);
+    if (const SmoothOptions* options = smooth_options(command)) validate(*options);
+  } catch (const Error& error) {
+    return error.what();
   }
   return {};
 }
@@ -42,7 +42,7 @@ void StepEditor::open(std::size_t position, Command command) {
 
 void StepEditor::draw(const PanelContext& context) {
   if (!open_) return;
-  if (wanted_) ImGui::OpenPopup(popup);
+  if (wanted_) ImGui::OpenPopup(step_popup);
   if (generation_ == 0) generation_ = context.session.generation();
   wanted_ = false;
   const ImVec2 screen = ImGui::GetMainViewport()->Size;
@@ -55,7 +55,7 @@ void StepEditor::draw(const PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
                       ImVec2(context.theme.px(18), context.theme.px(14)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.theme.px(8));
-  if (ImGui::BeginPopupModal(popup, nullptr, flags)) {
+  if (ImGui::BeginPopupModal(step_popup, nullptr, flags)) {
     ImGui::PushFont(context.theme.bold);
     ImGui::TextUnformatted(ui::elided(title_, ImGui::GetContentRegionAvail().x).c_str());
     ImGui::PopFont();

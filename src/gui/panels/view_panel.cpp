@@ -33,7 +33,7 @@ void ViewPanel::draw(const PanelContext& context) {
   changed |= draw_comparison(view);
   changed |= draw_magnifier(context, view);
   changed |= draw_appearance(view);
-  if (changed) context.emit(action::SetView{view});
+  if (changed) context.emit(action::EditView{difference(context.view, view)});
 }
 
 bool ViewPanel::draw_color(const PanelContext& context, ViewOptions& view) {
@@ -44,7 +44,7 @@ bool ViewPanel::draw_color(const PanelContext& context, ViewOptions& view) {
     // Of layers there is nothing to see where there are none.
     if (field.layer() && !context.session.layers() && view.color != field) continue;
     fields.push_back(field);
-    names.emplace_back(field_label(field));
+    names.emplace_back(field_info(field).label);
     if (view.color == field) chosen = fields.size();
   }
   constexpr const char* tip =

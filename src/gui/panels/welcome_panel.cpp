@@ -41,11 +41,11 @@ void put(ImDrawList& list, ImFont* font, const ImVec2& at, ImU32 color, const st
 }  // namespace
 
 void WelcomePanel::draw(const PanelContext& context) {
-  if (context.session.loading()) {
+  if (context.session.files().loading()) {
     ImGui::PushFont(context.theme.title);
     ImGui::TextUnformatted("Reading the mesh ...");
     ImGui::PopFont();
-    ui::text_dim(context.session.loading_path().filename().string());
+    ui::text_dim(context.session.files().loading_path().filename().string());
     return;
   }
   thumbnails_.update(static_cast<double>(ImGui::GetIO().DeltaTime));

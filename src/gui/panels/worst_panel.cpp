@@ -13,8 +13,6 @@ namespace winslow::gui {
 namespace {
 
 constexpr std::array<int, 4> counts{10, 20, 50, 100};
-constexpr std::array<Metric, 3> metrics{Metric::normalized_jacobian, Metric::aspect_ratio,
-                                        Metric::condition_number};
 
 }  // namespace
 
@@ -28,6 +26,7 @@ void WorstPanel::draw(const PanelContext& context) {
 void WorstPanel::draw_choices(const PanelContext& context) {
   ViewOptions view = context.view;
   bool changed = false;
+  const std::vector<Metric>& metrics = reported_metrics();
   std::vector<std::string> names{"As coloured"};
   std::size_t chosen = 0;
   for (std::size_t k = 0; k < metrics.size(); ++k) {
@@ -47,7 +46,7 @@ void WorstPanel::draw_choices(const PanelContext& context) {
     view.worst_count = counts[length];
     changed = true;
   }
-  if (changed) context.emit(action::SetView{view});
+  if (changed) context.emit(action::EditView{difference(context.view, view)});
 }
 
 void WorstPanel::draw_steps(const PanelContext& context) {

@@ -50,7 +50,7 @@ ColorScale choose_scale(const PictureOptions& options, std::span<const double> v
 Legend make_legend(const ElementField& field, std::span<const double> values,
                    const ColorScale& scale) {
   Legend legend;
-  legend.title = std::string(field_label(field));
+  legend.title = std::string(field_info(field).label);
   legend.scale = scale;
   legend.histogram = histogram_over(values, scale, histogram_bins);
   const auto finite = [](double v) { return std::isfinite(v); };

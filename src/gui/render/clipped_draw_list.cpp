@@ -27,7 +27,7 @@ class ClippedMesh {
     list_.boundary = add_edges(groups.unmarked_boundary);
     for (const Marker& marker : topology_.markers()) {
       const std::size_t first = list_.lines.size() / 2;
-      for (const auto& edge : marker.edges) {
+      for (const Face& edge : marker.faces) {
         if (add_segment(edge[0], edge[1], list_.lines)) list_.line_spacing.push_back(0);
       }
       list_.markers.push_back({first, list_.lines.size() / 2 - first});

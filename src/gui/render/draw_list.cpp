@@ -34,8 +34,8 @@ class WholeMesh {
     sort_by_spacing(list_);
     list_.boundary = add_edges(groups.unmarked_boundary);
     for (const Marker& marker : topology_.markers()) {
-      const DrawList::Range range{list_.lines.size() / 2, marker.edges.size()};
-      for (const auto& edge : marker.edges) add_line(edge[0], edge[1], 0);
+      const DrawList::Range range{list_.lines.size() / 2, marker.faces.size()};
+      for (const Face& edge : marker.faces) add_line(edge[0], edge[1], 0);
       list_.markers.push_back(range);
     }
     return std::move(list_);
@@ -132,7 +132,7 @@ class WholeMesh {
 EdgeGroups group_edges(const Topology& topology) {
   std::vector<std::uint64_t> marked;
   for (const Marker& marker : topology.markers()) {
-    for (const auto& edge : marker.edges) marked.push_back(edge_key(edge[0], edge[1]));
+    for (const Face& edge : marker.faces) marked.push_back(edge_key(edge[0], edge[1]));
   }
   std::ranges::sort(marked);
   EdgeGroups groups;

@@ -7,7 +7,7 @@
 #include <ostream>
 
 #include "core/error.h"
-#include "io/atomic_file.h"
+#include "io/file/atomic_file.h"
 
 namespace winslow::gui {
 namespace {

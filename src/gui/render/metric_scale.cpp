@@ -24,11 +24,6 @@ double percentile(std::vector<double>& values, double share) {
   return values[static_cast<std::size_t>(k)];
 }
 
-bool has_sign(const ElementField& field) {
-  return field == Metric::normalized_jacobian || field == Metric::area ||
-         field == NodalField::smallest_weight;
-}
-
 }  // namespace
 
 ColorScale automatic_scale(const ElementField& field, std::span<const double> values,
@@ -36,32 +31,33 @@ ColorScale automatic_scale(const ElementField& field, std::span<const double> va
   constexpr double robust = 0.995;
   ColorScale scale;
   scale.map = map;
-  if (has_sign(field)) scale.centre = 0;
-  if (field == Metric::normalized_jacobian) return scale;
+  if (field_info(field).has_sign) scale.centre = 0;
   std::vector<double> finite = finite_values(values);
   const double high = percentile(finite, robust);
-  if (field == NodalField::smallest_weight) {
-    scale.low = std::min(0.0, percentile(finite, 1 - robust));
-    return scale;
+  switch (field_info(field).colors) {
+    case ColorRange::zero_to_one:
+      break;
+    case ColorRange::up_to_one:
+      scale.low = std::min(0.0, percentile(finite, 1 - robust));
+      break;
+    case ColorRange::from_zero:
+      scale.high = high > 0 ? round_up_nicely(high) : 1;
+      scale.reversed = true;
+      break;
+    case ColorRange::from_one:
+      scale.low = 1;
+      scale.high = std::max(round_up_nicely(high), 1.5);
+      scale.reversed = true;
+      break;
+    case ColorRange::robust_both_sides:
+      scale.low = std::min(0.0, percentile(finite, 1 - robust));
+      scale.high = high > scale.low ? round_up_nicely(high) : scale.low + 1;
+      break;
+    case ColorRange::counts:
+      scale.low = 1;
+      scale.high = std::max(percentile(finite, 1), 2.0);
+      break;
   }
-  if (field == Metric::area) {
-    scale.low = std::min(0.0, percentile(finite, 1 - robust));
-    scale.high = high > scale.low ? round_up_nicely(high) : scale.low + 1;
-    return scale;
-  }
-  if (field == LayerField::layer) {
-    scale.low = 1;
-    scale.high = std::max(percentile(finite, 1), 2.0);
-    return scale;
-  }
-  if (field == NodalField::residual || field == LayerField::spacing_error) {
-    scale.high = high > 0 ? round_up_nicely(high) : 1;
-    scale.reversed = true;
-    return scale;
-  }
-  scale.low = 1;
-  scale.high = std::max(round_up_nicely(high), 1.5);
-  scale.reversed = true;
   return scale;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/inspect/element_field.h"
+#include "core/quality/quality.h"
 #include "gui/render/color_map.h"
 
 namespace winslow::gui {

@@ -10,7 +10,7 @@
 
 #include "core/error.h"
 #include "gui/settings/view_settings.h"
-#include "io/atomic_file.h"
+#include "io/file/atomic_file.h"
 
 namespace winslow::gui {
 

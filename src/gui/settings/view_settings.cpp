@@ -66,7 +66,7 @@ struct Writer {
   void number(const char* key, auto value, double, double) { object[key] = value; }
   void map(const char* key, const std::string& value) { object[key] = value; }
   void field(const char* key, const std::optional<ElementField>& value) {
-    object[key] = value ? json(field_name(*value)) : json();
+    object[key] = value ? json(field_info(*value).name) : json();
   }
   template <class Choice, std::size_t count>
   void choice(const char* key, Choice value, const Names<Choice, count>& names) {

@@ -24,7 +24,7 @@ class StudioLoop {
   StudioLoop(Window& window, Workbench& workbench) : window_(window), workbench_(workbench) {}
 
   void run() {
-    while (!workbench_.session().quit_accepted()) {
+    while (!workbench_.session().files().quit_accepted()) {
       const bool lively =
           workbench_.session().working() || recording() || window_.time() < draw_until_;
       const bool events = window_.wait(lively ? busy_wait : idle_wait);

@@ -11,8 +11,6 @@ namespace winslow::gui::ui {
 
 namespace {
 
-ImVec4 rgba(ImU32 c) { return ImGui::ColorConvertU32ToFloat4(c); }
-
 ImVec4 shaded(ImU32 c, float factor) {
   const ImVec4 v = rgba(c);
   return {v.x * factor, v.y * factor, v.z * factor, v.w};

@@ -43,7 +43,7 @@ float title_height(const Legend& legend, const LegendStyle& style) {
   return legend.title.empty() ? 0.0f : 1.7f * style.font_size;
 }
 
-std::string short_number(double value) {
+std::string range_end_text(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.3g", value);
   return text.data();
@@ -126,10 +126,10 @@ std::vector<LegendTick> legend_ticks(const Legend& legend, int wanted) {
   // Further from its tick than this, the label of an end does not touch the next one.
   const double clear = 0.6 * step;
   if (values.empty() || values.front() - scale.low > clear) {
-    ticks.push_back({scale.low, short_number(scale.low)});
+    ticks.push_back({scale.low, range_end_text(scale.low)});
   }
   if (values.empty() || scale.high - values.back() > clear) {
-    ticks.push_back({scale.high, short_number(scale.high)});
+    ticks.push_back({scale.high, range_end_text(scale.high)});
   }
   for (auto& [v, text] : ticks) {
     if (legend.more_above && std::abs(v - scale.high) < 1e-6 * span) text = "\u2265 " + text;

@@ -70,7 +70,6 @@ bool merge_icons(float size) {
   return false;
 }
 
-ImVec4 rgba(ImU32 c) { return ImGui::ColorConvertU32ToFloat4(c); }
 ImVec4 mix(ImU32 a, ImU32 b, float t) {
   const ImVec4 p = rgba(a);
   const ImVec4 q = rgba(b);
@@ -187,6 +186,8 @@ void use_palette(const Palette& colors) {
   current = &colors;
   set_colors(ImGui::GetStyle());
 }
+
+ImVec4 rgba(ImU32 color) { return ImGui::ColorConvertU32ToFloat4(color); }
 
 ImU32 faded(ImU32 color, float share) {
   ImVec4 c = rgba(color);

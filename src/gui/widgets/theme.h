@@ -34,6 +34,9 @@ const Palette& dark_palette();
 /// Of the interface being drawn.
 const Palette& palette();
 
+/// The channels of a colour, 0 to 1.
+ImVec4 rgba(ImU32 color);
+
 /// A colour with its opacity multiplied by a share of 0 to 1.
 ImU32 faded(ImU32 color, float share);
 

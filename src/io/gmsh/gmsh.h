@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/mesh/mesh.h"
-#include "io/line_details.h"
-#include "io/parsed_mesh.h"
+#include "io/format/line_details.h"
+#include "io/format/mesh_format.h"
 
 /// Gmsh's MSH format, versions 2.2 and 4.1, ASCII and binary: Gmsh reference manual, "MSH file
 /// format".
@@ -69,6 +69,8 @@ struct Details : LineDetails {
 using EntityBoxes = std::array<std::vector<std::optional<std::array<double, 6>>>, 4>;
 EntityBoxes entity_boxes(const Details& details, const MeshData& data);
 EntityBoxes entity_boxes(const Details& details, const Mesh& mesh);
+
+extern const MeshFormat format;
 
 ParsedMesh read(Source& source);
 

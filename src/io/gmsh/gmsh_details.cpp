@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "io/groups.h"
+#include "io/format/groups.h"
 
 namespace winslow::io::gmsh {
 namespace {
@@ -87,11 +87,11 @@ void add_markers(const Mesh& mesh, Details& details, std::vector<std::string>& w
     const int curve = static_cast<int>(m) + 1;
     details.entities[1].push_back({curve, {}, {tags[m]}, {}, {}});
     details.physical_names.push_back({1, tags[m], safe_name(markers[m].name, warnings)});
-    for (const auto& edge : markers[m].edges) {
+    for (const Face& edge : markers[m].faces) {
       const auto number = static_cast<std::int64_t>(details.items.size()) + 1;
       const auto index = static_cast<Index>(details.lines.size());
       details.items.push_back({number, index, curve, tags[m], Shape::line});
-      details.lines.push_back(edge);
+      details.lines.push_back(edge.edge());
     }
   }
 }

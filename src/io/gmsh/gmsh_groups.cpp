@@ -3,8 +3,8 @@
 #include <span>
 #include <unordered_map>
 
+#include "io/format/groups.h"
 #include "io/gmsh/gmsh_reader.h"
-#include "io/groups.h"
 
 namespace winslow::io::gmsh {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/gmsh/gmsh.h"
-#include "io/gmsh/node_index.h"
+#include "io/gmsh/node_tags.h"
 #include "io/gmsh/values.h"
 
 namespace winslow::io::gmsh {
@@ -57,7 +57,7 @@ class Reader {
   Scanner scan_;
   ParsedMesh mesh_;
   std::shared_ptr<Details> details_ = std::make_shared<Details>();
-  NodeIndex node_index_;
+  NodeTags node_index_;
   std::vector<double> xyz_;
   std::vector<std::size_t> item_offsets_;
   std::set<std::pair<int, int>> named_groups_;  ///< dimension and tag

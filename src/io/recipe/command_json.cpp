@@ -1,77 +1,31 @@
 #include <nlohmann/json.hpp>
 #include <string>
-#include <type_traits>
 
+#include "core/command/option_tables.h"
 #include "core/error.h"
-#include "io/displacement_file.h"
-#include "io/recipe.h"
+#include "core/motion/motion_options.h"
 #include "io/recipe/layers_json.h"
 #include "io/recipe/object_archive.h"
+#include "io/recipe/option_fields.h"
+#include "io/recipe/recipe.h"
+#include "io/tables/displacement_file.h"
 
 namespace winslow::io {
 namespace {
 
 using nlohmann::json;
 
-// Every field of every options struct is named here, once, for reading and writing.
+// Tables of options name the fields; what is here are lists, and what commands are made of.
 
-template <class Archive, class Options>
-void linear_fields(Archive& archive, Options& options) {
-  archive.field("solver", options.solver);
-  archive.field("tolerance", options.tolerance);
-  archive.field("max_iterations", options.max_iterations);
-  archive.field("restart", options.restart);
+template <class Options>
+void option_fields(ObjectReader& reader, Options& options) {
+  read_options(reader, option_table(options));
 }
 
-template <class Archive, class Options>
-void smooth_fields(Archive& archive, Options& options) {
-  archive.field("formulation", options.formulation);
-  archive.object("targets", [&](auto& inner) {
-    inner.field("element", options.targets.element);
-    inner.field("vcv", options.targets.vcv);
-    inner.field("rest", options.targets.rest);
-  });
-  archive.field("exponent", options.penalty.exponent);
-  archive.field("knee", options.penalty.knee);
-  archive.field("outer", options.outer);
-  archive.field("untangle", options.untangle);
-  archive.object("linear", [&](auto& inner) { linear_fields(inner, options.linear); });
-  archive.field("damping", options.damping);
-  archive.field("adapt_damping", options.adapt_damping);
-  archive.field("acceleration", options.acceleration);
-  archive.field("clip", options.clip);
-  archive.field("max_iterations", options.max_iterations);
-  archive.field("tolerance", options.tolerance);
-  archive.field("threads", options.threads);
-}
-
-template <class Archive, class Command>
-void smoothing_of(Archive& archive, Command& command) {
-  archive.object("smooth", [&](auto& inner) { smooth_fields(inner, command.smooth); });
-}
-
-template <class Archive, class Command>
-void motion_fields(Archive& archive, Command& command) {
-  archive.required("markers", command.markers);
-  archive.field("increments", command.how.increments);
-  archive.field("smooth_after", command.how.smooth_after);
-  smoothing_of(archive, command);
-}
-
-template <class Archive, class Motion>
-void rigid_fields(Archive& archive, Motion& motion) {
-  archive.field("rotate", motion.rotate);
-  archive.field("pivot", motion.pivot);
-  archive.field("translate", motion.translate);
-}
-
-template <class Archive, class Shape>
-void sine_fields(Archive& archive, Shape& shape) {
-  archive.required("amplitude", shape.amplitude);
-  archive.required("waves", shape.waves);
-  archive.field("direction", shape.direction);
-  archive.field("fade", shape.fade);
-  archive.field("fade_length", shape.fade_length);
+template <class Options>
+void option_fields(ObjectWriter& writer, const Options& options) {
+  Options copy = options;
+  write_options(writer, option_table(copy));
 }
 
 json write_table(const DisplacementTable& table) {
@@ -140,89 +94,45 @@ VcvEdit read_vcv_edit(const json& value, const std::string& path) {
   return edit;
 }
 
-EditVcvCommand read_vcv_edits(ObjectReader& reader) {
-  EditVcvCommand command;
+// What commands hold beyond their tables.
+
+void read_beyond(ObjectReader& reader, EditVcvCommand& command, const std::filesystem::path&) {
   const json& nodes = reader.at("nodes");
   const std::string path = reader.path_of("nodes");
   if (!nodes.is_array() || nodes.empty()) throw JsonValueError(path, "expected a list of nodes");
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     command.edits.push_back(read_vcv_edit(nodes[i], path + '[' + std::to_string(i) + ']'));
   }
-  smoothing_of(reader, command);
-  return command;
 }
 
-DeformCommand read_deform(ObjectReader& reader, const std::filesystem::path& folder) {
-  DeformCommand command;
-  motion_fields(reader, command);
+void read_beyond(ObjectReader& reader, DeformCommand& command,
+                 const std::filesystem::path& folder) {
   if (reader.has("sine") == reader.has("displacements")) {
     throw JsonValueError(reader.path(), "expected either \"sine\" or \"displacements\"");
   }
   if (reader.has("sine")) {
     SineDeformation sine;
-    reader.object("sine", [&](auto& inner) { sine_fields(inner, sine); });
+    reader.object("sine", [&](auto& inner) { option_fields(inner, sine); });
     command.shape = sine;
   } else {
     const std::string path = reader.path_of("displacements");
     command.shape = read_table(reader.at("displacements"), path, folder);
   }
-  return command;
 }
 
-Command read_command(ObjectReader& reader, const std::filesystem::path& folder) {
-  std::string name;
-  reader.required("command", name);
-  if (name == "smooth") {
-    SmoothCommand command;
-    smoothing_of(reader, command);
-    return command;
-  }
-  if (name == "move") {
-    MoveCommand command;
-    motion_fields(reader, command);
-    rigid_fields(reader, command.motion);
-    return command;
-  }
-  if (name == "deform") return read_deform(reader, folder);
-  if (name == "scramble") {
-    ScrambleCommand command;
-    reader.field("seed", command.seed);
-    return command;
-  }
-  if (name == "edit_vcv") return read_vcv_edits(reader);
-  if (name == "layers") {
-    LayersCommand command = read_layers(reader);
-    smoothing_of(reader, command);
-    return command;
-  }
-  throw JsonValueError(reader.path_of("command"), "found \"" + name +
-                                                      "\", expected one of smooth, move, deform, "
-                                                      "scramble, edit_vcv, layers");
+void read_beyond(ObjectReader& reader, LayersCommand& command, const std::filesystem::path&) {
+  read_layer_lists(reader, command.layers);
 }
 
-void write_fields(ObjectWriter& writer, const SmoothCommand& command) {
-  smoothing_of(writer, command);
-}
-
-void write_fields(ObjectWriter& writer, const MoveCommand& command) {
-  motion_fields(writer, command);
-  rigid_fields(writer, command.motion);
-}
-
-void write_fields(ObjectWriter& writer, const DeformCommand& command) {
-  motion_fields(writer, command);
+void write_beyond(ObjectWriter& writer, const DeformCommand& command) {
   if (const auto* sine = std::get_if<SineDeformation>(&command.shape)) {
-    writer.object("sine", [&](auto& inner) { sine_fields(inner, *sine); });
+    writer.object("sine", [&](auto& inner) { option_fields(inner, *sine); });
   } else {
     writer.field("displacements", write_table(std::get<DisplacementTable>(command.shape)));
   }
 }
 
-void write_fields(ObjectWriter& writer, const ScrambleCommand& command) {
-  writer.field("seed", command.seed);
-}
-
-void write_fields(ObjectWriter& writer, const EditVcvCommand& command) {
+void write_beyond(ObjectWriter& writer, const EditVcvCommand& command) {
   json nodes = json::array();
   for (const VcvEdit& edit : command.edits) {
     ObjectWriter item;
@@ -233,12 +143,42 @@ void write_fields(ObjectWriter& writer, const EditVcvCommand& command) {
     nodes.push_back(item.take());
   }
   writer.required("nodes", nodes);
-  smoothing_of(writer, command);
 }
 
-void write_fields(ObjectWriter& writer, const LayersCommand& command) {
-  write_layers(writer, command);
-  smoothing_of(writer, command);
+void write_beyond(ObjectWriter& writer, const LayersCommand& command) {
+  write_layer_lists(writer, command.layers);
+}
+
+/// What all commands have: markers, the options of their tables, those of smoothing.
+template <class Archive, class Command>
+void common_fields(Archive& archive, Command& command) {
+  if constexpr (requires { command.markers; }) archive.required("markers", command.markers);
+  option_fields(archive, command);
+  if constexpr (requires { command.smooth; }) {
+    archive.object("smooth", [&](auto& inner) { option_fields(inner, command.smooth); });
+  }
+}
+
+Command command_named(const std::string& name, const std::string& path) {
+  std::string known;
+  for (Command& command : all_commands()) {
+    if (command_name(command) == name) return command;
+    known += (known.empty() ? "" : ", ") + std::string(command_name(command));
+  }
+  throw JsonValueError(path, "found \"" + name + "\", expected one of " + known);
+}
+
+Command read_command(ObjectReader& reader, const std::filesystem::path& folder) {
+  std::string name;
+  reader.required("command", name);
+  Command command = command_named(name, reader.path_of("command"));
+  std::visit(
+      [&](auto& of) {
+        common_fields(reader, of);
+        if constexpr (std::decay_t<decltype(of)>::beyond_table) read_beyond(reader, of, folder);
+      },
+      command);
+  return command;
 }
 
 }  // namespace
@@ -246,7 +186,12 @@ void write_fields(ObjectWriter& writer, const LayersCommand& command) {
 json to_json(const Command& command) {
   ObjectWriter writer;
   writer.required("command", std::string(command_name(command)));
-  std::visit([&](const auto& c) { write_fields(writer, c); }, command);
+  std::visit(
+      [&](const auto& of) {
+        common_fields(writer, of);
+        if constexpr (std::decay_t<decltype(of)>::beyond_table) write_beyond(writer, of);
+      },
+      command);
   return writer.take();
 }
 

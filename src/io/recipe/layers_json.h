@@ -1,12 +1,13 @@
 #pragma once
 
-#include "core/command/command.h"
+#include "core/layers/layer_plan.h"
 #include "io/recipe/object_archive.h"
 
 namespace winslow::io {
 
-/// What a recipe says of layers, but for how they are smoothed. Throws JsonValueError.
-LayersCommand read_layers(ObjectReader& reader);
-void write_layers(ObjectWriter& writer, const LayersCommand& command);
+/// Walls and overrides of layers. Reading checks all the options, of which the table has been read
+/// before. Throws JsonValueError.
+void read_layer_lists(ObjectReader& reader, LayerOptions& layers);
+void write_layer_lists(ObjectWriter& writer, const LayerOptions& layers);
 
 }  // namespace winslow::io

@@ -1,58 +1,12 @@
 #include "io/recipe/object_archive.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <span>
 #include <utility>
 
 namespace winslow::io {
 namespace {
 
 using nlohmann::json;
-
-template <class Enum>
-using Name = std::pair<Enum, const char*>;
-
-constexpr std::array clip_names{Name<Clip>{Clip::automatic, "auto"}, Name<Clip>{Clip::on, "on"},
-                                Name<Clip>{Clip::off, "off"}};
-constexpr std::array fade_names{Name<Fade>{Fade::none, "none"}, Name<Fade>{Fade::start, "start"},
-                                Name<Fade>{Fade::end, "end"}, Name<Fade>{Fade::both, "both"}};
-
-constexpr std::array outer_names{Name<OuterMethod>{OuterMethod::automatic, "auto"},
-                                 Name<OuterMethod>{OuterMethod::newton, "newton"},
-                                 Name<OuterMethod>{OuterMethod::picard, "picard"}};
-constexpr std::array untangle_names{Name<Untangle>{Untangle::automatic, "auto"},
-                                    Name<Untangle>{Untangle::picard, "picard"},
-                                    Name<Untangle>{Untangle::energy, "energy"}};
-
-[[noreturn]] void refuse(const json& found, const std::string& path, const std::string& expected) {
-  constexpr std::size_t longest = 40;
-  std::string text = found.dump(-1, ' ', false, json::error_handler_t::replace);
-  if (text.size() > longest) text = text.substr(0, longest) + "...";
-  throw JsonValueError(path, "found " + text + ", expected " + expected);
-}
-
-template <class Enum, std::size_t n>
-void read_enum(const json& value, const std::string& path, const std::array<Name<Enum>, n>& names,
-               Enum& out) {
-  std::string list;
-  for (const auto& [item, name] : names) {
-    if (value == name) {
-      out = item;
-      return;
-    }
-    list += (list.empty() ? "" : ", ") + std::string(name);
-  }
-  refuse(value, path, "one of " + list);
-}
-
-template <class Enum, std::size_t n>
-const char* name_of(Enum value, const std::array<Name<Enum>, n>& names) {
-  return std::find_if(names.begin(), names.end(), [&](const auto& x) { return x.first == value; })
-      ->second;
-}
 
 template <class Value>
 void read_list(const json& value, const std::string& path, const char* expected,
@@ -65,6 +19,13 @@ void read_list(const json& value, const std::string& path, const char* expected,
 }
 
 }  // namespace
+
+void refuse(const json& found, const std::string& path, const std::string& expected) {
+  constexpr std::size_t longest = 40;
+  std::string text = found.dump(-1, ' ', false, json::error_handler_t::replace);
+  if (text.size() > longest) text = text.substr(0, longest) + "...";
+  throw JsonValueError(path, "found " + text + ", expected " + expected);
+}
 
 ObjectReader::ObjectReader(const json& object, std::string path)
     : object_(object), path_(std::move(path)) {
@@ -142,27 +103,5 @@ void ObjectReader::read(const json& value, const std::string& path, Vec2& out) {
   }
   out = Vec2(value[0].get<double>(), value[1].get<double>());
 }
-
-void ObjectReader::read(const json& value, const std::string& path, Clip& out) {
-  read_enum(value, path, clip_names, out);
-}
-
-void ObjectReader::read(const json& value, const std::string& path, Fade& out) {
-  read_enum(value, path, fade_names, out);
-}
-
-void ObjectReader::read(const json& value, const std::string& path, OuterMethod& out) {
-  read_enum(value, path, outer_names, out);
-}
-
-void ObjectReader::read(const json& value, const std::string& path, Untangle& out) {
-  read_enum(value, path, untangle_names, out);
-}
-
-json ObjectWriter::write(Clip value) { return name_of(value, clip_names); }
-json ObjectWriter::write(Fade value) { return name_of(value, fade_names); }
-
-json ObjectWriter::write(OuterMethod value) { return name_of(value, outer_names); }
-json ObjectWriter::write(Untangle value) { return name_of(value, untangle_names); }
 
 }  // namespace winslow::io

@@ -10,6 +10,10 @@
 
 namespace winslow::io {
 
+/// Throws JsonValueError "PATH: found ..., expected ...".
+[[noreturn]] void refuse(const nlohmann::json& found, const std::string& path,
+                         const std::string& expected);
+
 /// Reads the fields of a JSON object strictly: types are checked, and finish() refuses keys that
 /// nobody asked for. A function that names all fields of a struct once serves both this and
 /// ObjectWriter, so what is written can be read.
@@ -41,6 +45,8 @@ class ObjectReader {
   void finish() const;
 
   bool has(const char* key) const { return object_.contains(key); }
+  /// The raw value, null if it is missing; finish() knows its key from then on.
+  const nlohmann::json* find(const char* key);
   /// The raw value; throws JsonValueError if it is missing.
   const nlohmann::json& at(const char* key);
   std::string path_of(const char* key) const;
@@ -56,14 +62,8 @@ class ObjectReader {
   static void read(const nlohmann::json& json, const std::string& path, std::vector<int>& value);
   static void read(const nlohmann::json& json, const std::string& path, std::vector<double>& value);
   static void read(const nlohmann::json& json, const std::string& path, Vec2& value);
-  static void read(const nlohmann::json& json, const std::string& path, Clip& value);
-  static void read(const nlohmann::json& json, const std::string& path, Fade& value);
-  static void read(const nlohmann::json& json, const std::string& path, OuterMethod& value);
-  static void read(const nlohmann::json& json, const std::string& path, Untangle& value);
 
  private:
-  const nlohmann::json* find(const char* key);
-
   const nlohmann::json& object_;
   std::string path_;
   std::vector<std::string> known_;
@@ -95,10 +95,6 @@ class ObjectWriter {
   static nlohmann::json write(const Vec2& value) {
     return nlohmann::json::array({value.x(), value.y()});
   }
-  static nlohmann::json write(Clip value);
-  static nlohmann::json write(Fade value);
-  static nlohmann::json write(OuterMethod value);
-  static nlohmann::json write(Untangle value);
 
  private:
   nlohmann::json json_ = nlohmann::json::object();

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/mesh/mesh.h"
-#include "io/parsed_mesh.h"
+#include "io/format/mesh_format.h"
 
 /// SU2 native format, https://su2code.github.io/docs_v7/Mesh-File/ (NDIME= 2).
 namespace winslow::io::su2 {
@@ -26,6 +26,8 @@ struct Details : FormatDetails {
   Index elements = 0;
   std::size_t markers = 0;
 };
+
+extern const MeshFormat format;
 
 ParsedMesh read(Source& source);
 std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const Details* details);

@@ -251,7 +251,7 @@ class Reader {
     details_->items.push_back({Details::Part::marker, {}});
     const Index n = count(l.value, "the number of edges of a marker", 6);
     Marker marker{name, static_cast<int>(mesh_.data.markers.size()) + 1, {}};
-    marker.edges.reserve(static_cast<std::size_t>(n));
+    marker.faces.reserve(static_cast<std::size_t>(n));
     std::vector<std::size_t> offsets;
     offsets.reserve(static_cast<std::size_t>(n));
     for (Index e = 0; e < n; ++e) {
@@ -260,7 +260,9 @@ class Reader {
       offsets.push_back(scan_.offset());
       const auto word = scan_.word();
       if (parse_integer(word) != line) refuse_marker_element(word, expected);
-      read_corners(marker.edges.emplace_back(), expected);
+      std::array<Index, 2> edge{};
+      read_corners(edge, expected);
+      marker.faces.emplace_back(edge[0], edge[1]);
       details_->edge_numbers |= end_data_line(e, "marker edge");
     }
     mesh_.data.markers.push_back(std::move(marker));

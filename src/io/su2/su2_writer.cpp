@@ -88,7 +88,7 @@ class Writer {
   }
 
   void write_marker(std::size_t m) {
-    const auto& edges = topology().markers()[m].edges;
+    const auto& edges = topology().markers()[m].faces;
     out_ << "MARKER_TAG= " << names_[m] << "\nMARKER_ELEMS= " << edges.size() << '\n';
     for (std::size_t e = 0; e < edges.size(); ++e) {
       out_ << "3 " << edges[e][0] << ' ' << edges[e][1];

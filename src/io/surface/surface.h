@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "core/mesh/mesh.h"
-#include "io/parsed_mesh.h"
+#include "io/format/mesh_format.h"
 
 /// Formats made for surfaces in space: vertices and faces, no markers. (OpenMesh reads and writes
 /// them in single precision only, so it serves here as the check in the tests, not as the reader.)
 namespace winslow::io::surface {
+
+extern const MeshFormat obj_format, off_format, ply_format, stl_format;
 
 ParsedMesh read_obj(Source& source);
 ParsedMesh read_off(Source& source);

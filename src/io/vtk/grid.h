@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/mesh/mesh.h"
-#include "io/line_details.h"
-#include "io/parsed_mesh.h"
+#include "io/format/line_details.h"
+#include "io/format/parsed_mesh.h"
 
 /// VTK files, legacy and XML: "VTK File Formats" (Kitware). VTK knows no markers; ours are line
 /// cells with an integer cell array "marker" (the marker's tag, 0 elsewhere), and one field array

@@ -1,6 +1,6 @@
 #include <utility>
 
-#include "io/groups.h"
+#include "io/format/groups.h"
 #include "io/vtk/grid.h"
 
 namespace winslow::io::vtk {
@@ -14,9 +14,9 @@ GroupIndex named_groups(const std::vector<NamedTag>& names, const char* prefix) 
   return groups;
 }
 
-class Builder {
+class MeshBuilder {
  public:
-  Builder(const Source& source, const Grid& grid)
+  MeshBuilder(const Source& source, const Grid& grid)
       : source_(source),
         grid_(grid),
         markers_(named_groups(grid.marker_names, "marker_")),
@@ -149,6 +149,8 @@ class Builder {
 
 }  // namespace
 
-ParsedMesh to_mesh(const Source& source, const Grid& grid) { return Builder(source, grid).build(); }
+ParsedMesh to_mesh(const Source& source, const Grid& grid) {
+  return MeshBuilder(source, grid).build();
+}
 
 }  // namespace winslow::io::vtk

@@ -4,10 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "io/parsed_mesh.h"
+#include "io/format/mesh_format.h"
 
 /// Legacy VTK files: unstructured grids and polygon data, versions 1 to 5, ASCII and binary.
 namespace winslow::io::vtk {
+
+extern const MeshFormat legacy_format;
 
 ParsedMesh read_legacy(Source& source);
 /// Writes version 3.0, which every reader understands.

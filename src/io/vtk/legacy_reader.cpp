@@ -31,9 +31,9 @@ std::string decoded(std::string_view name) {
   return text;
 }
 
-class Reader {
+class LegacyReader {
  public:
-  explicit Reader(Source& source) : source_(source), scan_(source), arrays_(scan_) {}
+  explicit LegacyReader(Source& source) : source_(source), scan_(source), arrays_(scan_) {}
 
   ParsedMesh read() {
     read_header();
@@ -218,7 +218,7 @@ class Reader {
   std::size_t values_ = 0;
 };
 
-void Reader::read_attribute(std::string_view word) {
+void LegacyReader::read_attribute(std::string_view word) {
   const std::string keyword(word);
   if (keyword == "LOOKUP_TABLE") {
     scan_.word();
@@ -265,7 +265,7 @@ void Reader::read_attribute(std::string_view word) {
 }
 
 /// Between SCALARS and its values most files name a table, on a line of its own.
-void Reader::skip_lookup_table_name() {
+void LegacyReader::skip_lookup_table_name() {
   const std::size_t here = scan_.offset();
   if (scan_.next_word() == "LOOKUP_TABLE") {
     scan_.word();
@@ -274,7 +274,7 @@ void Reader::skip_lookup_table_name() {
   }
 }
 
-void Reader::read_field() {
+void LegacyReader::read_field() {
   scan_.word();
   const Index n = scan_.count({"the number of arrays of a field"}, 4);
   scan_.end_line({"the end of the line"});
@@ -303,13 +303,13 @@ void Reader::read_field() {
 }
 
 /// Runs to the next empty line, in binary files too.
-void Reader::skip_metadata() {
+void LegacyReader::skip_metadata() {
   scan_.line();
   while (!scan_.at_end() && !trimmed(scan_.line()).empty()) {
   }
 }
 
-void Reader::finish() {
+void LegacyReader::finish() {
   const std::size_t end = source_.text().size();
   if (!have_points_) source_.fail(end, "no POINTS", "the nodes of the mesh");
   if (!have_cells_) source_.fail(end, "no cells", "the elements of the mesh");
@@ -323,6 +323,6 @@ void Reader::finish() {
 
 }  // namespace
 
-ParsedMesh read_legacy(Source& source) { return Reader(source).read(); }
+ParsedMesh read_legacy(Source& source) { return LegacyReader(source).read(); }
 
 }  // namespace winslow::io::vtk

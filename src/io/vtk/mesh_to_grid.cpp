@@ -1,12 +1,12 @@
-#include "io/groups.h"
+#include "io/format/groups.h"
 #include "io/vtk/grid.h"
 
 namespace winslow::io::vtk {
 namespace {
 
-class Builder {
+class GridBuilder {
  public:
-  Builder(const Mesh& mesh, const FormatDetails* source, std::vector<std::string>& warnings)
+  GridBuilder(const Mesh& mesh, const FormatDetails* source, std::vector<std::string>& warnings)
       : topology_(*mesh.topology) {
     if (topology_.markers_from_file()) {
       markers_ = usable_tags(tags_of(topology_.markers()), "markers", warnings);
@@ -49,8 +49,8 @@ class Builder {
   Grid elements_then_markers() {
     for (Index e = 0; e < topology_.element_count(); ++e) add_element(e);
     for (std::size_t m = 0; m < markers_.size(); ++m) {
-      for (const auto& edge : topology_.markers()[m].edges) {
-        grid_.add_cell(line, edge, markers_[m], 0);
+      for (const Face& edge : topology_.markers()[m].faces) {
+        grid_.add_cell(line, edge.edge(), markers_[m], 0);
       }
     }
     return std::move(grid_);
@@ -74,7 +74,7 @@ class Builder {
 }  // namespace
 
 Grid to_grid(const Mesh& mesh, const FormatDetails* source, std::vector<std::string>& warnings) {
-  Builder builder(mesh, source, warnings);
+  GridBuilder builder(mesh, source, warnings);
   const auto* details = dynamic_cast<const Details*>(source);
   if (details != nullptr && details->fits(mesh)) return builder.in_order_of(*details);
   return builder.elements_then_markers();

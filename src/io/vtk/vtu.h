@@ -4,10 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "io/parsed_mesh.h"
+#include "io/format/mesh_format.h"
 
 /// VTK XML unstructured grids (.vtu).
 namespace winslow::io::vtk {
+
+extern const MeshFormat vtu_format;
 
 /// Reads ASCII, inline base64, and appended raw or base64 data, compressed by zlib or not.
 ParsedMesh read_vtu(Source& source);

@@ -39,9 +39,9 @@ Appended find_appended(const Source& source) {
   return {tag, mark + 1, end, base64};
 }
 
-class Reader {
+class VtuReader {
  public:
-  explicit Reader(Source& source) : source_(source), appended_(find_appended(source)) {
+  explicit VtuReader(Source& source) : source_(source), appended_(find_appended(source)) {
     if (appended_.begin != 0 && !appended_.base64) source.set_binary_from(appended_.begin);
   }
 
@@ -195,6 +195,6 @@ class Reader {
 
 }  // namespace
 
-ParsedMesh read_vtu(Source& source) { return Reader(source).read(); }
+ParsedMesh read_vtu(Source& source) { return VtuReader(source).read(); }
 
 }  // namespace winslow::io::vtk

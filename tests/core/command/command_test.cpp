@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <random>
+#include <set>
 
-#include "core/command/workspace.h"
 #include "core/error.h"
+#include "core/formulation/formulation_names.h"
+#include "core/strategy/workspace.h"
 #include "support/meshes.h"
 #include "support/systems.h"
 
@@ -207,7 +209,7 @@ TEST_CASE("a warm start changes the way, not the result") {
     // The boundary part of a start is ignored.
     if (state.mesh.topology->constrained(i)) start.set_xy(i, {99, 99});
   }
-  ExecuteOptions options;
+  RunOptions options;
   options.start = &start;
   const CommandResult warm = execute(small_move(), state, options);
   CHECK(warm.smooth.converged);
@@ -232,7 +234,7 @@ TEST_CASE("a workspace kept over commands, meshes and options changes no bit of 
         Random random(9);
         tangle(start.mesh, random);
         command.smooth.max_iterations = 12;
-        ExecuteOptions options;
+        RunOptions options;
         options.workspace = &workspace;
         const CommandResult kept = execute(command, start, options);
         const CommandResult fresh = execute(command, start);
@@ -247,7 +249,7 @@ TEST_CASE("cancelling throws, and leaves the state as it was") {
   const Coordinates before = state.mesh.coordinates;
   for (const int at_call : {1, 2, 5}) {
     Watcher watcher(at_call);
-    ExecuteOptions options;
+    RunOptions options;
     options.monitor = &watcher;
     CHECK_THROWS_AS(execute(small_move(), state, options), Cancelled);
     CHECK(static_cast<int>(watcher.records.size()) == at_call);
@@ -260,7 +262,7 @@ TEST_CASE("the monitor sees every record of the history, and the coordinates of 
   MoveCommand command = small_move();
   command.how.increments = 3;
   Watcher watcher;
-  ExecuteOptions options;
+  RunOptions options;
   options.monitor = &watcher;
   const CommandResult result = execute(command, state, options);
   REQUIRE(watcher.records.size() == result.smooth.history.size());
@@ -360,7 +362,7 @@ TEST_CASE("the limit of iterations is kept, and said") {
   }
 }
 
-TEST_CASE("senseless commands are refused") {
+TEST_CASE("commands with options out of range are refused") {
   const MeshState state = hole_state();
   MoveCommand command = small_move();
   SUBCASE("unknown marker") { command.markers = {"wing"}; }
@@ -400,6 +402,14 @@ TEST_CASE("commands have names and one-line descriptions") {
   CHECK(command_name(ScrambleCommand{}) == "scramble");
   CHECK(describe(SmoothCommand{}) == "Smooth");
   CHECK(command_name(SmoothCommand{}) == "smooth");
+  std::set<std::string_view> names;
+  for (const Command& each : all_commands()) CHECK(names.insert(command_name(each)).second);
+  CHECK(names.size() == std::variant_size_v<Command>);
+  CHECK(markers_of(move) == move.markers);
+  CHECK(markers_of(SmoothCommand{}).empty());
+  LayersCommand layers;
+  layers.layers.walls = {{{"a", "b"}, {}}, {{"c"}, {}}};
+  CHECK(markers_of(layers) == std::vector<std::string>{"a", "b", "c"});
 }
 
 TEST_CASE("the smoothing options of a command can be reached, where there are any") {

@@ -5,9 +5,9 @@
 
 #include "core/command/command.h"
 #include "core/command/history.h"
-#include "core/command/workspace.h"
 #include "core/error.h"
 #include "core/inspect/nodal_view.h"
+#include "core/strategy/workspace.h"
 #include "support/samples.h"
 
 using namespace winslow;
@@ -86,13 +86,13 @@ TEST_CASE("solvers kept from edit to edit give the mesh that new ones give, and 
     EditVcvCommand command{{wide_angle(topology, node)}, {}};
     command.smooth.formulation = formulation;
     SmoothingWorkspace workspace;
-    ExecuteOptions kept;
+    RunOptions kept;
     kept.workspace = &workspace;
     execute(SmoothCommand{command.smooth}, start, kept);
     const auto pattern_now = [&] {
       SparseMatrix matrix;
       std::vector<double> residual(2 * topology.free_nodes().size());
-      workspace.energy().linearise(start.mesh.coordinates, Curvature::exact, matrix, residual);
+      workspace.energy()->linearise(start.mesh.coordinates, Curvature::exact, matrix, residual);
       return matrix.pattern;
     };
     const auto pattern = pattern_now();

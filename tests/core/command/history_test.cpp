@@ -22,7 +22,7 @@ MoveCommand shift(double by) {
   return command;
 }
 
-MeshState hole_state() { return make_state(make_mesh(square_with_hole(10, Cells::triangles))); }
+MeshState square_state() { return make_state(make_mesh(square_with_hole(10, Cells::triangles))); }
 
 std::vector<std::string> names(const std::vector<Command>& commands) {
   std::vector<std::string> result;
@@ -33,7 +33,7 @@ std::vector<std::string> names(const std::vector<Command>& commands) {
 }  // namespace
 
 TEST_CASE("a new history has nothing to undo or redo") {
-  const MeshState state = hole_state();
+  const MeshState state = square_state();
   History history(state);
   CHECK(history.size() == 1);
   CHECK(history.position() == 0);
@@ -50,7 +50,7 @@ TEST_CASE("a new history has nothing to undo or redo") {
 }
 
 TEST_CASE("undo, redo and go_to restore states to the bit, topology is shared") {
-  History history(hole_state());
+  History history(square_state());
   std::vector<Coordinates> states{history.state().mesh.coordinates};
   for (const double by : {0.05, 0.03, -0.1}) {
     apply(history, shift(by));
@@ -79,7 +79,7 @@ TEST_CASE("undo, redo and go_to restore states to the bit, topology is shared") 
 }
 
 TEST_CASE("a new command forgets what could have been redone") {
-  History history(hole_state());
+  History history(square_state());
   for (const double by : {0.01, 0.02, 0.03}) apply(history, shift(by));
   history.go_to(1);
   apply(history, shift(-0.04));
@@ -95,7 +95,7 @@ TEST_CASE("a new command forgets what could have been redone") {
 }
 
 TEST_CASE("a recipe goes up to the present position, and repeats to the bit") {
-  History history(hole_state());
+  History history(square_state());
   apply(history, shift(0.05));
   apply(history, ScrambleCommand{4});
   apply(history, SmoothCommand{});
@@ -110,7 +110,7 @@ TEST_CASE("a recipe goes up to the present position, and repeats to the bit") {
 }
 
 TEST_CASE("a copy of a history goes its own way; its steps are shared") {
-  History history(hole_state());
+  History history(square_state());
   for (const double by : {0.01, 0.02, 0.03}) apply(history, shift(by));
   const History copy = history;
   CHECK(&copy.state(2) == &history.state(2));

@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "core/command/command.h"
-#include "core/command/workspace.h"
 #include "core/motion/rigid_motion.h"
+#include "core/strategy/workspace.h"
 
 #include "support/meshes.h"
 
@@ -45,9 +45,8 @@ TEST_CASE("the prediction errs by the square of the motion, and not at all on th
     CAPTURE(name_of(cells));
     Solved solved(cells);
     const Mesh& mesh = solved.state.mesh;
-    solved.workspace.newton().forget_factorisation();
-    const DragPredictor predictor(*mesh.topology, solved.workspace.newton(), mesh.coordinates,
-                                  solved.nodes);
+    solved.workspace.newton().reject();
+    const DragPredictor predictor(solved.workspace.newton(), mesh.coordinates, solved.nodes);
     const auto error = [&](double size) {
       const RigidMotion motion{20 * size, Vec2(0.3, -0.2), Vec2(0.2 * size, 0.1 * size)};
       Coordinates predicted;
@@ -71,10 +70,8 @@ TEST_CASE("the prediction errs by the square of the motion, and not at all on th
 TEST_CASE("no motion predicts the mesh itself, and threads change no bit") {
   Solved solved(Cells::mixed);
   const Mesh& mesh = solved.state.mesh;
-  const DragPredictor one(*mesh.topology, solved.workspace.newton(), mesh.coordinates, solved.nodes,
-                          {}, 1);
-  const DragPredictor four(*mesh.topology, solved.workspace.newton(), mesh.coordinates,
-                           solved.nodes, {}, 4);
+  const DragPredictor one(solved.workspace.newton(), mesh.coordinates, solved.nodes, {}, 1);
+  const DragPredictor four(solved.workspace.newton(), mesh.coordinates, solved.nodes, {}, 4);
   Coordinates a, b;
   one.evaluate({}, a);
   CHECK(a == mesh.coordinates);

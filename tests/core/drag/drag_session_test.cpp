@@ -27,7 +27,7 @@ Index inverted(const MeshState& state, const Coordinates& x) {
 
 /// Waits as long as no healthy run needs.
 bool wait_until(const std::function<bool()>& done) {
-  const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  const auto limit = std::chrono::steady_clock::now() + std::chrono::minutes(10);
   while (std::chrono::steady_clock::now() < limit) {
     if (done()) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -21,8 +21,8 @@ struct Linearisation {
 
   Linearisation(const PointwiseWinslow& winslow, const Coordinates& x, bool clip, std::size_t rows)
       : residual(2 * rows), scales(rows) {
-    winslow.linearise(x, clip, jacobian, residual);
-    winslow.row_scales(x, clip, scales);
+    winslow.clipped(clip).linearise(x, jacobian, residual);
+    winslow.clipped(clip).row_scales(x, scales);
   }
 
   /// Entry for scalar row r, column c; zero outside the pattern.
@@ -42,9 +42,9 @@ std::vector<double> difference(const PointwiseWinslow& winslow, const Coordinate
   std::vector<double> plus(2 * scales.size()), minus(2 * scales.size());
   Coordinates moved = x;
   for (Index i = 0; i < x.size(); ++i) moved.set_xy(i, x.xy(i) + h * direction.xy(i));
-  winslow.residual(moved, clip, plus);
+  winslow.clipped(clip).residual(moved, plus);
   for (Index i = 0; i < x.size(); ++i) moved.set_xy(i, x.xy(i) - h * direction.xy(i));
-  winslow.residual(moved, clip, minus);
+  winslow.clipped(clip).residual(moved, minus);
   for (std::size_t r = 0; r < plus.size(); ++r) {
     plus[r] = scales[r / 2] * (plus[r] - minus[r]) / (2 * h);
   }
@@ -56,7 +56,7 @@ std::vector<double> difference(const PointwiseWinslow& winslow, const Coordinate
 bool near_kink(const PointwiseWinslow& winslow, const Coordinates& x, Index node,
                std::size_t neighbours) {
   std::vector<double> w(neighbours);
-  winslow.weights(x, node, false, w);
+  winslow.weights(x, node, w);
   return std::any_of(w.begin(), w.end(), [](double v) { return std::abs(v) < 1e-3; });
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("the Jacobian of the pointwise form agrees with central differences") 
         CHECK(worst < 1e-6);
         for (const Index node : free) {
           std::vector<double> w(topology.neighbours(node).size());
-          if (clip) clipped += winslow.weights(x, node, true, w);
+          if (clip) clipped += winslow.clipped(true).weights(x, node, w);
         }
       }
     }
@@ -129,7 +129,7 @@ TEST_CASE("the response to a moved boundary agrees with central differences") {
         const auto expected = difference(winslow, x, direction, clip, exact.scales);
         for (const Index node : free) direction.set_xy(node, {1e3, -1e3});  // to be ignored
         std::vector<double> response(2 * free.size());
-        winslow.boundary_response(x, clip, direction, response);
+        winslow.clipped(clip).boundary_response(x, direction, response);
         double size = 0, worst = 0;
         for (std::size_t r = 0; r < response.size(); ++r) {
           const Index node = free[r / 2];
@@ -162,7 +162,7 @@ TEST_CASE("moves of all nodes that only shift, turn or stretch the mesh are answ
     Coordinates move(2, x.size());
     for (Index i = 0; i < x.size(); ++i) move.set_xy(i, similarity * x.xy(i) + Vec2(0.7, -0.2));
     std::vector<double> change(2 * free.size());
-    winslow.boundary_response(x, false, move, change);
+    winslow.boundary_response(x, move, change);
     for (std::size_t r = 0; r < change.size(); ++r) {
       for (std::size_t c = 0; c < change.size(); ++c) {
         change[r] -= exact(r, c) * move.point(free[c / 2])[c % 2];
@@ -187,15 +187,15 @@ TEST_CASE("a linearised system carries the residual, its norms and the scales of
     const PointwiseWinslow winslow(s.vcv, 1);
     const Linearisation system(winslow, x, clip, free.size());
     std::vector<double> raw(2 * free.size());
-    const ResidualNorms expected = winslow.residual(x, clip, raw);
+    const ResidualNorms expected = winslow.clipped(clip).residual(x, raw);
     SparseMatrix matrix;
     std::vector<double> residual(2 * free.size());
-    const ResidualNorms norms = winslow.linearise(x, clip, matrix, residual);
+    const ResidualNorms norms = winslow.clipped(clip).linearise(x, matrix, residual);
     CHECK(norms.max == doctest::Approx(expected.max));
     CHECK(norms.rms == doctest::Approx(expected.rms));
     for (std::size_t i = 0; i < free.size(); ++i) {
       std::vector<double> w(topology.neighbours(free[i]).size());
-      winslow.weights(x, free[i], clip, w);
+      winslow.clipped(clip).weights(x, free[i], w);
       double absolute = 0;
       for (const double v : w) absolute += std::abs(v);
       CHECK(system.scales[i] == doctest::Approx(1 / absolute));
@@ -212,7 +212,7 @@ TEST_CASE("a neighbourhood collapsed into one point has the Laplacian's Jacobian
   const std::size_t rows = mesh.topology->free_nodes().size();
   const Linearisation system(winslow, mesh.coordinates, true, rows);
   SparseSystem frozen;
-  winslow.freeze(mesh.coordinates, true, frozen);
+  winslow.clipped(true).freeze(mesh.coordinates, frozen);
   for (std::size_t e = 0; e < frozen.matrix.values.size(); ++e) {
     const double* block = system.jacobian.values.data() + 4 * e;
     CHECK(block[0] == doctest::Approx(frozen.matrix.values[e]));
@@ -237,7 +237,7 @@ TEST_CASE("the Jacobian and the response are bitwise the same at any number of t
   const PointwiseWinslow single(vcv, 1);
   const Linearisation first(single, mesh.coordinates, true, rows);
   std::vector<double> response(2 * rows), again(2 * rows);
-  single.boundary_response(mesh.coordinates, true, move, response);
+  single.clipped(true).boundary_response(mesh.coordinates, move, response);
   for (const int threads : {2, 5, 0}) {
     CAPTURE(threads);
     const PointwiseWinslow several(vcv, threads);
@@ -245,7 +245,7 @@ TEST_CASE("the Jacobian and the response are bitwise the same at any number of t
     CHECK(other.jacobian.values == first.jacobian.values);
     CHECK(other.residual == first.residual);
     CHECK(other.scales == first.scales);
-    several.boundary_response(mesh.coordinates, true, move, again);
+    several.clipped(true).boundary_response(mesh.coordinates, move, again);
     CHECK(again == response);
   }
 }

@@ -42,7 +42,7 @@ TEST_CASE("coefficients, weights and residual agree with an integration triangle
       const Topology& topology = *s.mesh.topology;
       const PointwiseWinslow winslow(s.vcv, 1);
       std::vector<double> residual(2 * topology.free_nodes().size());
-      winslow.residual(s.mesh.coordinates, false, residual);
+      winslow.residual(s.mesh.coordinates, residual);
       for (std::size_t i = 0; i < topology.free_nodes().size(); ++i) {
         const Index node = topology.free_nodes()[i];
         const auto points = vcv_points(s.vcv, node);
@@ -82,10 +82,10 @@ TEST_CASE("an affine map of the VCVs has zero residual, clipped or not where wei
       mesh.coordinates.set_xy(row[k], a * vcv.point(0, static_cast<Index>(k)) + b);
     }
     const PointwiseWinslow winslow(vcv, 1);
-    CHECK(winslow.residual(mesh.coordinates, false, {}).max < 1e-14);
+    CHECK(winslow.residual(mesh.coordinates, {}).max < 1e-14);
     std::vector<double> w(row.size());
-    if (winslow.weights(mesh.coordinates, 0, true, w) == 0) {
-      CHECK(winslow.residual(mesh.coordinates, true, {}).max < 1e-14);
+    if (winslow.clipped(true).weights(mesh.coordinates, 0, w) == 0) {
+      CHECK(winslow.clipped(true).residual(mesh.coordinates, {}).max < 1e-14);
     }
   }
 }
@@ -102,15 +102,15 @@ TEST_CASE("clipping sets negative weights to zero, leaves the others and counts 
       for (const Index node : s.mesh.topology->free_nodes()) {
         const std::size_t n = s.mesh.topology->neighbours(node).size();
         std::vector<double> raw(n), clipped(n);
-        const Index negative = winslow.weights(s.mesh.coordinates, node, false, raw);
-        CHECK(winslow.weights(s.mesh.coordinates, node, true, clipped) == negative);
+        const Index negative = winslow.weights(s.mesh.coordinates, node, raw);
+        CHECK(winslow.clipped(true).weights(s.mesh.coordinates, node, clipped) == negative);
         CHECK(negative == std::count_if(raw.begin(), raw.end(), [](double w) { return w < 0; }));
         for (std::size_t k = 0; k < n; ++k) CHECK(clipped[k] == std::max(raw[k], 0.0));
         total += negative;
       }
       SparseSystem system;
-      CHECK(winslow.freeze(s.mesh.coordinates, true, system) == total);
-      CHECK(winslow.freeze(s.mesh.coordinates, false, system) == total);
+      CHECK(winslow.clipped(true).freeze(s.mesh.coordinates, system) == total);
+      CHECK(winslow.freeze(s.mesh.coordinates, system) == total);
       met += total;
     }
   }
@@ -127,15 +127,15 @@ TEST_CASE("a frozen system's right-hand side is the residual over the sum of abs
       const Topology& topology = *s.mesh.topology;
       const PointwiseWinslow winslow(s.vcv, 1);
       SparseSystem system;
-      winslow.freeze(s.mesh.coordinates, clip, system);
+      winslow.clipped(clip).freeze(s.mesh.coordinates, system);
       const auto free = topology.free_nodes();
       REQUIRE(system.columns == 2);
       REQUIRE(system.matrix.pattern->rows() == static_cast<Index>(free.size()));
       std::vector<double> residual(2 * free.size());
-      winslow.residual(s.mesh.coordinates, clip, residual);
+      winslow.clipped(clip).residual(s.mesh.coordinates, residual);
       for (std::size_t i = 0; i < free.size(); ++i) {
         std::vector<double> w(topology.neighbours(free[i]).size());
-        winslow.weights(s.mesh.coordinates, free[i], clip, w);
+        winslow.clipped(clip).weights(s.mesh.coordinates, free[i], w);
         double absolute = 0, sum = 0, to_boundary = 0;
         for (std::size_t k = 0; k < w.size(); ++k) {
           absolute += std::abs(w[k]);
@@ -167,7 +167,7 @@ TEST_CASE("the frozen matrix is minus the derivative of the residual, coefficien
     const PointwiseWinslow winslow(s.vcv, 1);
     const auto free = topology.free_nodes();
     SparseSystem system;
-    winslow.freeze(s.mesh.coordinates, false, system);
+    winslow.freeze(s.mesh.coordinates, system);
     Random random(seed);
     std::vector<double> move(2 * free.size());
     Coordinates moved = s.mesh.coordinates;
@@ -180,7 +180,7 @@ TEST_CASE("the frozen matrix is minus the derivative of the residual, coefficien
     for (std::size_t i = 0; i < free.size(); ++i) {
       // The frozen residual is linear in the positions: one difference is its derivative.
       std::vector<double> w(topology.neighbours(free[i]).size());
-      winslow.weights(s.mesh.coordinates, free[i], false, w);
+      winslow.weights(s.mesh.coordinates, free[i], w);
       Vec2 change(0, 0);
       double absolute = 0;
       for (std::size_t k = 0; k < w.size(); ++k) {
@@ -208,7 +208,7 @@ TEST_CASE("norms: the largest and the mean square of the scaled residuals") {
   const Topology& topology = *s.mesh.topology;
   const PointwiseWinslow winslow(s.vcv, 1);
   SparseSystem system;
-  winslow.freeze(s.mesh.coordinates, true, system);
+  winslow.clipped(true).freeze(s.mesh.coordinates, system);
   double max = 0, sum = 0;
   for (std::size_t i = 0; i < topology.free_nodes().size(); ++i) {
     const Index node = topology.free_nodes()[i];
@@ -221,7 +221,7 @@ TEST_CASE("norms: the largest and the mean square of the scaled residuals") {
     max = std::max(max, scaled);
     sum += scaled * scaled;
   }
-  const ResidualNorms norms = winslow.residual(s.mesh.coordinates, true, {});
+  const ResidualNorms norms = winslow.clipped(true).residual(s.mesh.coordinates, {});
   CHECK(norms.max == doctest::Approx(max));
   CHECK(norms.rms ==
         doctest::Approx(std::sqrt(sum / static_cast<double>(topology.free_nodes().size()))));
@@ -232,13 +232,13 @@ TEST_CASE("norms do not depend on the size, place or orientation of the mesh") {
   CAPTURE(seed);
   const Sample s = make_sample(seed, Cells::triangles, false);
   const PointwiseWinslow winslow(s.vcv, 1);
-  const double expected = winslow.residual(s.mesh.coordinates, false, {}).max;
+  const double expected = winslow.residual(s.mesh.coordinates, {}).max;
   Coordinates x = s.mesh.coordinates;
   for (Index i = 0; i < x.size(); ++i) {
     const Vec2 p = x.xy(i);
     x.set_xy(i, 300 * Vec2(0.6 * p.x() - 0.8 * p.y(), 0.8 * p.x() + 0.6 * p.y()) + Vec2(7, -9));
   }
-  CHECK(winslow.residual(x, false, {}).max == doctest::Approx(expected).epsilon(1e-9));
+  CHECK(winslow.residual(x, {}).max == doctest::Approx(expected).epsilon(1e-9));
 }
 
 TEST_CASE("a neighbourhood collapsed into one point gives finite numbers") {
@@ -248,9 +248,9 @@ TEST_CASE("a neighbourhood collapsed into one point gives finite numbers") {
   SparseSystem system;
   for (const bool clip : {false, true}) {
     std::vector<double> residual(2 * mesh.topology->free_nodes().size(), 1.0);
-    CHECK(winslow.residual(mesh.coordinates, clip, residual).max == 0);
+    CHECK(winslow.clipped(clip).residual(mesh.coordinates, residual).max == 0);
     for (const double r : residual) CHECK(r == 0);
-    winslow.freeze(mesh.coordinates, clip, system);
+    winslow.clipped(clip).freeze(mesh.coordinates, system);
     for (const double v : system.matrix.values) CHECK(std::isfinite(v));
     for (const double v : system.rhs) CHECK(v == 0);
   }
@@ -273,7 +273,7 @@ TEST_CASE("a NaN in one node shows in the norm, wherever the node comes in the o
     CAPTURE(i);
     Coordinates x = mesh.coordinates;
     x.point(i)[0] = std::numeric_limits<double>::quiet_NaN();
-    CHECK(std::isnan(winslow.residual(x, false, {}).max) == felt);
+    CHECK(std::isnan(winslow.residual(x, {}).max) == felt);
   }
 }
 
@@ -289,18 +289,18 @@ TEST_CASE("the residual and the frozen system are bitwise the same at any number
   std::vector<double> first(size);
   SparseSystem system;
   const PointwiseWinslow single(vcv, 1);
-  const ResidualNorms norms = single.residual(mesh.coordinates, true, first);
-  const Index negative = single.freeze(mesh.coordinates, true, system);
+  const ResidualNorms norms = single.clipped(true).residual(mesh.coordinates, first);
+  const Index negative = single.clipped(true).freeze(mesh.coordinates, system);
   for (const int threads : {2, 5, 0}) {
     CAPTURE(threads);
     const PointwiseWinslow several(vcv, threads);
     std::vector<double> residual(size);
-    const ResidualNorms other = several.residual(mesh.coordinates, true, residual);
+    const ResidualNorms other = several.clipped(true).residual(mesh.coordinates, residual);
     CHECK(other.max == norms.max);
     CHECK(other.rms == norms.rms);
     CHECK(residual == first);
     SparseSystem again;
-    CHECK(several.freeze(mesh.coordinates, true, again) == negative);
+    CHECK(several.clipped(true).freeze(mesh.coordinates, again) == negative);
     CHECK(again.matrix.values == system.matrix.values);
     CHECK(again.rhs == system.rhs);
   }

@@ -143,8 +143,8 @@ TEST_CASE("the gradient is that of the energy, the Hessian that of the gradient"
         CHECK(std::abs(slope - difference) <= 1e-6 * (std::abs(slope) + norm(residual)));
 
         std::vector<double> at_plus(direction.size()), at_minus(direction.size());
-        energy.residual(plus, false, at_plus);
-        energy.residual(minus, false, at_minus);
+        energy.residual(plus, at_plus);
+        energy.residual(minus, at_minus);
         std::vector<double> error = product(hessian, direction);
         const double size = norm(error);
         for (std::size_t i = 0; i < error.size(); ++i) {
@@ -171,8 +171,8 @@ TEST_CASE("the answer to a moving boundary is the derivative of the residual") {
     }
     const std::size_t n = 2 * topology.free_nodes().size();
     std::vector<double> at_plus(n), at_minus(n), response(n);
-    energy.residual(plus, false, at_plus);
-    energy.residual(minus, false, at_minus);
+    energy.residual(plus, at_plus);
+    energy.residual(minus, at_minus);
     energy.boundary_response(sample.mesh.coordinates, displacement, response);
     const double size = norm(response);
     for (std::size_t i = 0; i < n; ++i) response[i] -= (at_plus[i] - at_minus[i]) / (2 * h);
@@ -230,7 +230,7 @@ TEST_CASE("perfect elements have distortion one and no force") {
     // Every element has weight one, however many of its nodes lie at the boundary; the four of the
     // corners have one corner triangle that cannot change.
     CHECK(energy.energy(mesh.coordinates) == doctest::Approx(36));
-    CHECK(energy.residual(mesh.coordinates, false, {}).max < 1e-13);
+    CHECK(energy.residual(mesh.coordinates, {}).max < 1e-13);
     CHECK(energy.worst_distortion(mesh.coordinates) == doctest::Approx(1));
   }
 }
@@ -239,7 +239,7 @@ TEST_CASE("the rest mesh is the solution where its own shapes are the target") {
   for (const Cells cells : {Cells::triangles, Cells::quads, Cells::mixed}) {
     const Sample sample = make_sample(5, cells);
     const VariationalWinslow energy = formulation(sample, {0, 0, 1}, {});
-    CHECK(energy.residual(sample.mesh.coordinates, false, {}).max < 1e-12);
+    CHECK(energy.residual(sample.mesh.coordinates, {}).max < 1e-12);
     CHECK(energy.worst_distortion(sample.mesh.coordinates) == doctest::Approx(1));
   }
 }
@@ -251,22 +251,22 @@ TEST_CASE("an inverted element has infinite energy, and a finite one when regula
   const VirtualControlVolumes vcv(mesh.topology);
   const VariationalWinslow energy(mesh.topology, TargetShapes::build(vcv, {}, nullptr), {1, 0}, 1);
   CHECK(std::isinf(energy.energy(mesh.coordinates)));
-  const Regularisation regularisation{0.01,
-                                      std::vector<double>(energy.shapes().triangles.size(), 1)};
-  const double value = energy.energy(mesh.coordinates, &regularisation);
+  const Regularisation regularisation{std::vector<double>(energy.shapes().triangles.size(), 0.01)};
+  const double value = energy.regularised_energy(mesh.coordinates, regularisation);
   CHECK(std::isfinite(value));
 
   // Its gradient against differences, its Hessian positive semidefinite.
   const auto direction = random_direction(*mesh.topology, random, 1);
   SparseMatrix hessian;
   std::vector<double> residual(direction.size());
-  energy.linearise(mesh.coordinates, Curvature::exact, hessian, residual, &regularisation);
+  energy.linearise_regularised(mesh.coordinates, regularisation, hessian, residual);
   double slope = 0;
   for (std::size_t i = 0; i < direction.size(); ++i) slope -= residual[i] * direction[i];
   constexpr double h = 1e-7;
-  const double difference = (energy.energy(moved(mesh, direction, h), &regularisation) -
-                             energy.energy(moved(mesh, direction, -h), &regularisation)) /
-                            (2 * h);
+  const double difference =
+      (energy.regularised_energy(moved(mesh, direction, h), regularisation) -
+       energy.regularised_energy(moved(mesh, direction, -h), regularisation)) /
+      (2 * h);
   CHECK(slope == doctest::Approx(difference).epsilon(1e-5));
   for (int trial = 0; trial < 20; ++trial) {
     const auto v = random_direction(*mesh.topology, random, 1);

@@ -77,7 +77,7 @@ TEST_CASE("the first height of a y+, from the friction of a flat plate") {
   CHECK_THROWS_AS(first_height_for_y_plus(1, -1, 1), UsageError);
 }
 
-TEST_CASE("senseless spacings are refused") {
+TEST_CASE("spacings that are out of range are refused") {
   for (LayerSpacing bad :
        {LayerSpacing{0}, LayerSpacing{5, -1}, LayerSpacing{5, 0.1, 0}, LayerSpacing{5, 0.1, 1.2, 9},
         LayerSpacing{5, 0.1, 1.2, 1, -1.0}, LayerSpacing{5, 0.1, 1.2, 1, 1.0, true}}) {

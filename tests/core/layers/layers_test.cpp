@@ -45,7 +45,7 @@ Index inverted(const MeshState& state) {
 std::map<std::string, std::set<std::array<Index, 2>>> edges_of(const Topology& topology) {
   std::map<std::string, std::set<std::array<Index, 2>>> all;
   for (const Marker& marker : topology.markers()) {
-    for (const auto& edge : marker.edges) all[marker.name].insert(edge);
+    for (const Face& edge : marker.faces) all[marker.name].insert(edge.edge());
   }
   return all;
 }
@@ -147,7 +147,7 @@ TEST_CASE("part of a marker: layers where both ends of an edge are in the box, n
     with += column.count() > 0 ? 1 : 0;
   }
   CHECK(with == 15);  // of 32 nodes 17 lie in the half plane; layers run out at the two ends
-  CHECK(result.state.mesh.topology->unmarked_boundary_edges() == 0);
+  CHECK(result.state.mesh.topology->unmarked_boundary_faces() == 0);
   CHECK(edges_of(*result.state.mesh.topology).at("inner") ==
         edges_of(*before.mesh.topology).at("inner"));
 
@@ -206,8 +206,8 @@ TEST_CASE("overrides that cannot be are refused, and say of which node") {
   says({{flat, 1, std::nullopt}, {flat, std::nullopt, 0.1}},
        (node + " is given columns of its own twice").c_str());
   const Index far = before.mesh.topology->markers()[0].name == "hole"
-                        ? before.mesh.topology->markers()[1].edges[0][0]
-                        : before.mesh.topology->markers()[0].edges[0][0];
+                        ? before.mesh.topology->markers()[1].faces[0][0]
+                        : before.mesh.topology->markers()[0].faces[0][0];
   says({{far, 1, std::nullopt}},
        ("node " + std::to_string(far) + " is given columns of its own, but is on none of the walls")
            .c_str());
@@ -229,7 +229,7 @@ TEST_CASE("a wall that ends at other boundaries: its end columns lie on them") {
       CHECK(result.state.mesh.coordinates.xy(a).x() == 0);
       CHECK(result.state.mesh.coordinates.xy(b).x() == 0);
     }
-    CHECK(result.state.mesh.topology->unmarked_boundary_edges() == 0);
+    CHECK(result.state.mesh.topology->unmarked_boundary_faces() == 0);
     CHECK(measure_layers(*result.state.layers, result.state.mesh.coordinates).first_error.max <
           0.01);
   }

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "core/formulation/free_node_pattern.h"
 #include "core/linear/reordered_matrix.h"
 #include "support/meshes.h"
 #include "support/systems.h"

@@ -1,4 +1,4 @@
-#include "core/linear/multigrid/multigrid.h"
+#include "core/linear/multigrid.h"
 
 #include <doctest/doctest.h>
 
@@ -26,9 +26,7 @@ Mesh shuffled(MeshData data, double stretch, std::uint64_t seed) {
   }
   for (Index& node : result.element_nodes) node = place[at(node)];
   for (auto& marker : result.markers) {
-    for (auto& edge : marker.edges) {
-      for (Index& node : edge) node = place[at(node)];
-    }
+    for (Face& edge : marker.faces) edge = by_nodes(edge, place);
   }
   return make_mesh(std::move(result));
 }

@@ -132,12 +132,12 @@ TEST_CASE("a closed surface is refused: it has no boundary to hold") {
 
 TEST_CASE("a marker edge that is no edge of an element is refused with marker and position") {
   MeshData data = square(2, Cells::quads);
-  SUBCASE("a diagonal") { data.markers[1].edges.push_back({0, 2}); }
-  SUBCASE("an id out of range") { data.markers[1].edges.push_back({0, 99}); }
-  SUBCASE("a negative id") { data.markers[1].edges.push_back({-3, 0}); }
-  SUBCASE("one node twice") { data.markers[1].edges.push_back({1, 1}); }
+  SUBCASE("a diagonal") { data.markers[1].faces.push_back({0, 2}); }
+  SUBCASE("an id out of range") { data.markers[1].faces.push_back({0, 99}); }
+  SUBCASE("a negative id") { data.markers[1].faces.push_back({-3, 0}); }
+  SUBCASE("one node twice") { data.markers[1].faces.push_back({1, 1}); }
   const MeshError error = refusal(data);
-  CHECK(error.entity() == MeshEntity::marker_edge);
+  CHECK(error.entity() == MeshEntity::marker_face);
   CHECK(error.marker() == 1);
   CHECK(error.index() == 2);
   CHECK(says(error, "expected an edge of an element"));

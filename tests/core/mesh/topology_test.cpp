@@ -36,7 +36,7 @@ MeshData shuffled(const MeshData& data, Random& random, bool flip) {
   }
   out.markers = data.markers;
   for (Marker& marker : out.markers) {
-    for (auto& edge : marker.edges) edge = {node_at[at(edge[0])], node_at[at(edge[1])]};
+    for (Face& edge : marker.faces) edge = by_nodes(edge, node_at);
   }
   return out;
 }
@@ -297,8 +297,8 @@ TEST_CASE("a marker inside the mesh constrains its nodes") {
 
 TEST_CASE("markers keep the order and the direction of the file") {
   MeshData data = square(3, Cells::triangles);
-  std::swap(data.markers[0].edges[0][0], data.markers[0].edges[0][1]);
-  std::reverse(data.markers[1].edges.begin(), data.markers[1].edges.end());
+  data.markers[0].faces[0] = data.markers[0].faces[0].reversed();
+  std::reverse(data.markers[1].faces.begin(), data.markers[1].faces.end());
   data.markers[2].tag = 42;
   const auto topology = Topology::build(data);
   CHECK(topology->markers_from_file());
@@ -306,13 +306,13 @@ TEST_CASE("markers keep the order and the direction of the file") {
   for (std::size_t m = 0; m < 4; ++m) {
     CHECK(topology->markers()[m].name == data.markers[m].name);
     CHECK(topology->markers()[m].tag == data.markers[m].tag);
-    CHECK(topology->markers()[m].edges == data.markers[m].edges);
+    CHECK(topology->markers()[m].faces == data.markers[m].faces);
     CHECK(topology->find_marker(data.markers[m].name) == static_cast<Index>(m));
     std::set<Index> nodes;
-    for (const auto& edge : data.markers[m].edges) nodes.insert(edge.begin(), edge.end());
+    for (const Face& edge : data.markers[m].faces) nodes.insert(edge.begin(), edge.end());
     CHECK(std::ranges::equal(nodes, topology->marker_nodes(static_cast<Index>(m))));
   }
-  CHECK(topology->unmarked_boundary_edges() == 0);
+  CHECK(topology->unmarked_boundary_faces() == 0);
   CHECK_FALSE(topology->find_marker("lid").has_value());
 }
 
@@ -335,16 +335,16 @@ TEST_CASE("without markers each boundary loop becomes one") {
   REQUIRE(topology->markers().size() == 3);
   for (std::size_t m = 0; m < 3; ++m) {
     CHECK(topology->markers()[m].name == "loop_" + std::to_string(m + 1));
-    CHECK(topology->markers()[m].edges.size() == topology->boundary_loops()[m].size());
+    CHECK(topology->markers()[m].faces.size() == topology->boundary_loops()[m].size());
   }
-  CHECK(topology->unmarked_boundary_edges() == 0);
+  CHECK(topology->unmarked_boundary_faces() == 0);
 }
 
 TEST_CASE("boundary edges without a marker are counted and still hold their nodes") {
   MeshData data = square(4, Cells::quads);
   data.markers.pop_back();
   const auto topology = Topology::build(data);
-  CHECK(topology->unmarked_boundary_edges() == 4);
+  CHECK(topology->unmarked_boundary_faces() == 4);
   CHECK(topology->free_nodes().size() == 9);
 }
 

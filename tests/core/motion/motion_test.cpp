@@ -154,7 +154,7 @@ TEST_CASE("fading takes the sine smoothly to zero at the chosen ends") {
   }
 }
 
-TEST_CASE("a sine refuses senseless options") {
+TEST_CASE("a sine refuses options that are out of range") {
   const Mesh mesh = two_holes();
   SineDeformation options{0.1, 1, {0, 1}, Fade::both, 0.2};
   Names names{"hole_a"};

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/formulation/pointwise_winslow.h"
 #include "core/parallel/parallel_for.h"
+#include "core/strategy/solver_options.h"
 #include "support/meshes.h"
 #include "support/systems.h"
 
@@ -16,6 +17,11 @@ using namespace winslow;
 using namespace winslow::test;
 
 namespace {
+
+ClipVariants<FixedPointProblem> variants(const PointwiseWinslow& formulation) {
+  const auto [plain, clipped] = clip_variants(formulation);
+  return {plain, clipped};
+}
 
 /// A solver with everything it needs.
 class Smoother {
@@ -25,7 +31,7 @@ class Smoother {
         vcv_(mesh.topology),
         formulation_(vcv_, options.threads),
         linear_(make_linear_solver(options.linear)),
-        solver_(*mesh.topology, formulation_, *linear_, options),
+        solver_(variants(formulation_), *linear_, equation_options(options)),
         options_(options) {}
 
   /// Iterates to convergence or to the limit.
@@ -68,17 +74,20 @@ Mesh with_moved_hole(double degrees) {
 }
 
 /// One node that is asked to move along x by 0.1 - 0.01 x: the solution is at x = 10.
-class CreepingFormulation final : public FixedPointFormulation {
+class CreepingProblem final : public OnFreeNodes<FixedPointProblem> {
  public:
-  explicit CreepingFormulation(const Topology& topology) : pattern_(topology) {}
+  explicit CreepingProblem(const std::shared_ptr<const Topology>& topology)
+      : OnFreeNodes(FreeNodes(topology, 1)), pattern_(*topology) {}
   static double step_at(double x) { return 0.1 - 0.01 * x; }
 
   std::string_view name() const override { return "creeping"; }
-  ResidualNorms residual(const Coordinates& x, bool, std::span<double>) const override {
+  ResidualNorms residual(const Coordinates& x, std::span<double>) const override {
     const double r = std::abs(step_at(x.xy(0).x()));
     return {r, r};
   }
-  Index freeze(const Coordinates& x, bool, SparseSystem& out) const override {
+  void boundary_response(const Coordinates&, const Coordinates&, std::span<double>) const override {
+  }
+  Index freeze(const Coordinates& x, SparseSystem& out) const override {
     out.matrix.pattern = pattern_.pattern;
     out.matrix.block = 1;
     out.matrix.symmetric = false;
@@ -174,7 +183,7 @@ TEST_CASE("on a valid mesh the automatic clip ends on the unclipped equations") 
     REQUIRE(smoother.converged());
     CHECK(smoother.history().back().inverted == 0);
     CHECK_FALSE(smoother.history().back().clipped);
-    CHECK(smoother.formulation().residual(x, false, {}).max < 1e-11);
+    CHECK(smoother.formulation().residual(x, {}).max < 1e-11);
   }
 }
 
@@ -247,7 +256,7 @@ TEST_CASE("a record says what happened in its iteration") {
     const Validity validity = check_validity(*mesh.topology, x);
     CHECK(record.inverted == validity.inverted);
     CHECK(record.min_sine == validity.min_sine);
-    CHECK(record.residual == smoother.formulation().residual(x, record.clipped, {}).max);
+    CHECK(record.residual == smoother.formulation().clipped(record.clipped).residual(x, {}).max);
     CHECK(record.linear_iterations == 1);
     for (Index i = 0; i < x.size(); ++i) {
       if (mesh.topology->constrained(i)) CHECK(x.xy(i) == mesh.coordinates.xy(i));
@@ -264,7 +273,7 @@ TEST_CASE("without acceleration a step is the damped solution of the frozen syst
   Coordinates x = mesh.coordinates;
   const IterationRecord start = smoother.solver().start(x);
   SparseSystem system;
-  smoother.formulation().freeze(x, start.clipped, system);
+  smoother.formulation().clipped(start.clipped).freeze(x, system);
   std::vector<double> delta(system.rhs.size(), 0.0);
   const auto linear = make_linear_solver({});
   linear->set_matrix(system.matrix);
@@ -287,11 +296,11 @@ TEST_CASE("an accelerated step never inverts a valid mesh: the plain one takes i
     if (!small) {
       for (double& v : mesh.coordinates.values()) v *= 100;
     }
-    const CreepingFormulation creeping(*mesh.topology);
+    const auto creeping = std::make_shared<const CreepingProblem>(mesh.topology);
     const auto linear = make_linear_solver({});
     SmoothOptions options = tight();
     options.damping = 0.5;
-    PicardSolver solver(*mesh.topology, creeping, *linear, options);
+    PicardSolver solver({creeping, creeping}, *linear, equation_options(options));
     Coordinates x = mesh.coordinates;
     solver.start(x);
     solver.step(x);
@@ -299,7 +308,7 @@ TEST_CASE("an accelerated step never inverts a valid mesh: the plain one takes i
     const double before = x.xy(0).x();
     const IterationRecord record = solver.step(x);
     CHECK(record.inverted == 0);
-    const double plain = before + 0.5 * creeping.step_at(before);
+    const double plain = before + 0.5 * CreepingProblem::step_at(before);
     if (small) CHECK(x.xy(0).x() == doctest::Approx(plain));
     if (!small) CHECK(x.xy(0).x() == doctest::Approx(10));
     CHECK(record.largest_move == doctest::Approx(x.xy(0).x() - before));

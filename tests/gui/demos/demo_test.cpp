@@ -46,7 +46,8 @@ TEST_CASE("each demo plays through to a valid mesh") {
       const DemoStep& step = demo.steps[k];
       if (step.command) commands = step.afresh ? 1 : commands + 1;
       CHECK(rig.document().history().size() == commands + 1);
-      for (const std::string& name : step.select) CHECK(rig.session().selected(rig.marker(name)));
+      for (const std::string& name : step.select)
+        CHECK(rig.session().selection().contains(rig.marker(name)));
     }
     CHECK(commands > 0);
     const SmoothResult& result = rig.document().history().result(commands);

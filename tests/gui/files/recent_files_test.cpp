@@ -76,8 +76,8 @@ TEST_CASE("of several files dropped the first is opened, and the others are ment
   rig.frames();
   REQUIRE(rig.settle());
   CHECK(rig.document().name() == "first.su2");
-  REQUIRE(rig.session().notice().has_value());
-  CHECK(rig.session().notice()->text.find("2 files") != std::string::npos);
+  REQUIRE(rig.session().messages().notice().has_value());
+  CHECK(rig.session().messages().notice()->text.find("2 files") != std::string::npos);
 }
 
 }  // namespace winslow::gui::test

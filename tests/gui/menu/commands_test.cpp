@@ -5,6 +5,7 @@
 
 #include "gui/menu/fuzzy.h"
 #include "gui/menu/user_command.h"
+#include "gui/panels/files/file_dialog.h"
 #include "gui/support/keys.h"
 #include "gui/support/rig.h"
 
@@ -63,7 +64,7 @@ int run_all(Rig& rig) {
     for (const Action& action : view.actions) rig.bench->apply(action);
     REQUIRE(rig.settle());
     for (int k = 0; k < 4; ++k) rig.key(keys::escape);
-    CHECK(rig.session().prompt() == nullptr);
+    CHECK(rig.session().messages().prompt() == nullptr);
     ++count;
   }
   return count;
@@ -125,7 +126,7 @@ TEST_CASE("every command that can be run runs, with a mesh and without one") {
   rig.bench->apply(action::ApplyMotion{{0, Vec2(0, 0), Vec2(0.1, 0)}});
   REQUIRE(rig.settle());
   CHECK(run_all(rig) >= 20);
-  CHECK_FALSE(rig.session().quit_accepted());
+  CHECK_FALSE(rig.session().files().quit_accepted());
 }
 
 TEST_CASE("a key runs its command only where the command can be run") {
@@ -134,11 +135,11 @@ TEST_CASE("a key runs its command only where the command can be run") {
   CHECK_FALSE(rig.bench->file_dialog().is_open());
   rig.open(two_body_mesh());
   rig.key(GLFW_KEY_TAB);
-  CHECK(rig.session().selection() == std::vector<Index>{rig.marker("left")});
+  CHECK(rig.session().selection().markers() == std::vector<Index>{rig.marker("left")});
   rig.key(GLFW_KEY_TAB);
-  CHECK(rig.session().selection() == std::vector<Index>{rig.marker("right")});
+  CHECK(rig.session().selection().markers() == std::vector<Index>{rig.marker("right")});
   rig.key(keys::a, {keys::control});
-  CHECK(rig.session().selection().size() == 2);
+  CHECK(rig.session().selection().markers().size() == 2);
   rig.key(keys::escape);
   CHECK(rig.session().selection().empty());
 }
@@ -151,6 +152,27 @@ TEST_CASE("fuzzy search wants the letters in order and prefers words and neighbo
   CHECK(*fuzzy_score("sa", "Save as...") > *fuzzy_score("sa", "Single step, again"));
   CHECK(*fuzzy_score("save", "Save") > *fuzzy_score("save", "Save as..."));
   CHECK(*fuzzy_score("undo", "Undo: Smooth") > *fuzzy_score("undo", "Bundle of knots, old"));
+}
+
+TEST_CASE("two edits of one frame both hold: neither replaces what the other says") {
+  Rig rig;
+  rig.open(ring_mesh());
+  const ViewOptions before = rig.bench->view();
+  View view(rig);
+  // Both see the options as they are at the beginning of the frame.
+  user_command("legend").run(view.context);
+  user_command("node_ids").run(view.context);
+  const SmoothOptions& solver = rig.session().jobs().smooth_options();
+  SmoothOptions damped = solver, serial = solver;
+  damped.damping = 0.1;
+  serial.threads = 1;
+  view.context.emit(action::EditSmoothOptions{difference(solver, damped)});
+  view.context.emit(action::EditSmoothOptions{difference(solver, serial)});
+  for (const Action& a : view.actions) rig.bench->apply(a);
+  CHECK(rig.bench->view().legend != before.legend);
+  CHECK(rig.bench->view().node_ids != before.node_ids);
+  CHECK(rig.session().jobs().smooth_options().damping == 0.1);
+  CHECK(rig.session().jobs().smooth_options().threads == 1);
 }
 
 }  // namespace winslow::gui::test

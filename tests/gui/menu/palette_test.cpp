@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "gui/menu/user_command.h"
+#include "gui/panels/files/file_dialog.h"
 #include "gui/support/keys.h"
 #include "gui/support/rig.h"
 

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "gui/panels/files/file_dialog.h"
 #include "gui/support/rig.h"
 #include "gui/widgets/plot_frame.h"
 
@@ -86,7 +87,7 @@ TEST_CASE("the CSV export holds every iteration shown, to the bit, and asks befo
   rig.click("dialog/accept");
   REQUIRE(rig.settle());
   const std::vector<std::string> lines = lines_of(path);
-  const auto records = rig.session().convergence();
+  const auto records = rig.session().mesh().convergence();
   REQUIRE(lines.size() == records.size() + 1);
   CHECK(lines[0] ==
         "iteration,residual,largest_move,inverted,min_sine,damping,clipped,linear_iterations,"

@@ -33,16 +33,18 @@ Index inverted_on_screen(const Rig& rig) {
 TEST_CASE("the method is one choice that sets formulation, iteration and steps") {
   Rig rig(1100, 1000);
   rig.open(ring_mesh());
-  CHECK(method_of(rig.session().smooth_options(), rig.session().motion_options()) == Method::path);
+  CHECK(method_of(rig.session().jobs().smooth_options(), rig.session().jobs().motion_options()) ==
+        Method::path);
   CHECK_FALSE(rig.visible("solver/pace"));
   choose_direct(rig);
-  CHECK(rig.session().smooth_options().formulation == "pointwise");
-  CHECK(rig.session().smooth_options().outer == OuterMethod::picard);
-  CHECK(rig.session().motion_options().increments == 1);
+  CHECK(rig.session().jobs().smooth_options().formulation == "pointwise");
+  CHECK(rig.session().jobs().smooth_options().outer == OuterMethod::picard);
+  CHECK(rig.session().jobs().motion_options().increments == 1);
   CHECK(rig.visible("solver/pace"));
   choose(rig, "solver/method", "Path following");
-  CHECK(method_of(rig.session().smooth_options(), rig.session().motion_options()) == Method::path);
-  CHECK(rig.session().smooth_options().formulation == "variational");
+  CHECK(method_of(rig.session().jobs().smooth_options(), rig.session().jobs().motion_options()) ==
+        Method::path);
+  CHECK(rig.session().jobs().smooth_options().formulation == "variational");
   CHECK_FALSE(rig.visible("solver/pace"));
 }
 
@@ -67,7 +69,7 @@ TEST_CASE("the direct method shows tangled meshes on its way to a valid one") {
   rig.bench->apply(action::StepSolver{2});
   REQUIRE(rig.wait([&] { return solver_paused(rig); }));
   CHECK(inverted_on_screen(rig) > 0);
-  CHECK(rig.session().convergence().back().inverted == inverted_on_screen(rig));
+  CHECK(rig.session().mesh().convergence().back().inverted == inverted_on_screen(rig));
   // The boundary is at its place from the first iteration on.
   const Index node = rig.mesh().topology->marker_nodes(rig.marker("flap"))[0];
   const Vec2 rest = rig.mesh().coordinates.xy(node);
@@ -86,8 +88,14 @@ TEST_CASE("a paced direct run goes no faster, and can be slowed, cancelled and s
   rig.open(ring_mesh());
   const Coordinates before = rig.mesh().coordinates;
   choose_direct(rig);
+  const SmoothOptions usual = rig.session().jobs().smooth_options();
+  SmoothOptions slow = usual;  // it would go on for minutes
+  slow.damping = 0.001;
+  slow.acceleration = 0;
+  slow.max_iterations = 100000;
+  rig.bench->apply(action::EditSmoothOptions{whole(slow)});
   choose(rig, "solver/pace", "30 a second");
-  CHECK(rig.session().pace() == 30);
+  CHECK(rig.session().jobs().pace() == 30);
   const auto start = std::chrono::steady_clock::now();
   turn(rig, 120);
   REQUIRE(rig.wait([&] { return iterations(rig) >= 6; }));
@@ -98,6 +106,7 @@ TEST_CASE("a paced direct run goes no faster, and can be slowed, cancelled and s
   rig.click("solver/cancel");
   CHECK_FALSE(rig.session().job().active());
   CHECK(rig.session().coordinates() == before);
+  rig.bench->apply(action::EditSmoothOptions{whole(usual)});
   turn(rig, 60);
   choose(rig, "solver/pace", "Unlimited");
   REQUIRE(rig.settle());
@@ -111,7 +120,7 @@ TEST_CASE("Step N runs as many iterations as its field says") {
   slow.formulation = "pointwise";
   slow.outer = OuterMethod::picard;
   slow.damping = 0.01;
-  rig.bench->apply(action::SetSmoothOptions{slow});
+  rig.bench->apply(action::EditSmoothOptions{whole(slow)});
   rig.fill("solver/steps", "4");
   rig.click("solver/step_n");
   REQUIRE(rig.wait([&] { return solver_paused(rig) && iterations(rig) == 4; }));
@@ -164,17 +173,18 @@ TEST_CASE("what does not apply is not shown, and the defaults come back at a pre
   rig.click("solver/linear");
   CHECK_FALSE(rig.visible("solver/linear/multigrid"));
   rig.click("solver/linear/gmres");
-  CHECK(rig.session().smooth_options().linear.solver == "gmres");
-  CHECK(rig.visible("solver/restart"));
+  CHECK(rig.session().jobs().smooth_options().linear.solver == "gmres");
+  CHECK(rig.visible("solver/linear_restart"));
   rig.fill("solver/tolerance", "1e-6");
-  CHECK(rig.session().smooth_options().tolerance == 1e-6);
-  rig.click("solver/adapt");
-  CHECK_FALSE(rig.session().smooth_options().adapt_damping);
+  CHECK(rig.session().jobs().smooth_options().tolerance == 1e-6);
+  rig.click("solver/adapt_damping");
+  CHECK_FALSE(rig.session().jobs().smooth_options().adapt_damping);
   rig.click("solver/defaults");
-  CHECK(method_of(rig.session().smooth_options(), rig.session().motion_options()) == Method::path);
-  CHECK(rig.session().smooth_options().tolerance == SmoothOptions{}.tolerance);
-  CHECK(rig.session().smooth_options().adapt_damping);
-  CHECK(rig.session().smooth_options().linear == LinearOptions{});
+  CHECK(method_of(rig.session().jobs().smooth_options(), rig.session().jobs().motion_options()) ==
+        Method::path);
+  CHECK(rig.session().jobs().smooth_options().tolerance == SmoothOptions{}.tolerance);
+  CHECK(rig.session().jobs().smooth_options().adapt_damping);
+  CHECK(rig.session().jobs().smooth_options().linear == LinearOptions{});
 }
 
 }  // namespace winslow::gui::test

@@ -19,7 +19,7 @@ TEST_CASE("The sine is shown from 0 to 1 whatever the mesh") {
 TEST_CASE("Fields with a sign have the middle of a diverging map at zero") {
   const std::vector<double> values{-0.5, 0.3, 0.8};
   for (const ElementField& field : all_element_fields()) {
-    CAPTURE(field_name(field));
+    CAPTURE(field_info(field).name);
     const bool sign = field == Metric::normalized_jacobian || field == Metric::area ||
                       field == NodalField::smallest_weight;
     CHECK(automatic_scale(field, values, "puor").diverges() == sign);

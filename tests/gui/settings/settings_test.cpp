@@ -99,9 +99,9 @@ TEST_CASE("a damaged settings file does no harm and is not lost") {
   std::ofstream(home / "settings.json") << "{\"view\": {\"bands\"";
   Rig rig(1100, 720, home.path());
   CHECK(rig.bench->view() == ViewOptions());
-  REQUIRE(rig.session().notice().has_value());
-  CHECK(rig.session().notice()->kind == Notice::Kind::warning);
-  CHECK(rig.session().notice()->text.find("settings.json") != std::string::npos);
+  REQUIRE(rig.session().messages().notice().has_value());
+  CHECK(rig.session().messages().notice()->kind == Notice::Kind::warning);
+  CHECK(rig.session().messages().notice()->text.find("settings.json") != std::string::npos);
   CHECK(text_of(home / "settings.json.damaged") == "{\"view\": {\"bands\"");
   rig.open(ring_mesh());
   CHECK(rig.session().document() != nullptr);

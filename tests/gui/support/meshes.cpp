@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "io/mesh_file.h"
+#include "io/format/mesh_file.h"
 
 namespace winslow::gui::test {
 
@@ -33,8 +33,8 @@ Mesh ring_mesh(Index around, Index layers) {
   Marker flap{"flap", 1, {}};
   Marker farfield{"farfield", 2, {}};
   for (Index i = 0; i < around; ++i) {
-    flap.edges.push_back({node(i, 0), node(i + 1, 0)});
-    farfield.edges.push_back({node(i, layers), node(i + 1, layers)});
+    flap.faces.emplace_back(node(i, 0), node(i + 1, 0));
+    farfield.faces.emplace_back(node(i, layers), node(i + 1, layers));
   }
   data.markers = {flap, farfield};
   return make_mesh(data);
@@ -70,7 +70,7 @@ Mesh two_body_mesh() {
         const auto [p, q] = beside[k];
         const int which = inside(p, q) ? hole(p, q) : 0;
         if (inside(p, q) && which == 0) continue;
-        markers[static_cast<std::size_t>(which)].edges.push_back(
+        markers[static_cast<std::size_t>(which)].faces.push_back(
             {corners[k], corners[(k + 1) % 4]});
       }
     }

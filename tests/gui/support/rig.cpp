@@ -2,22 +2,12 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <chrono>
 #include <thread>
 
 #include "gui/support/keys.h"
 
 namespace winslow::gui::test {
-
-namespace {
-
-double now() {
-  using namespace std::chrono;
-  return duration<double>(steady_clock::now().time_since_epoch()).count();
-}
-
-}  // namespace
 
 Rig::Rig(int width, int height, const std::filesystem::path& profile)
     : context(make_headless_context()),
@@ -27,11 +17,7 @@ Rig::Rig(int width, int height, const std::filesystem::path& profile)
   frames();
 }
 
-void Rig::frame() {
-  const double start = now();
-  bench->update(input.next_frame(), width_, height_, 1.0 / 30);
-  longest_frame_ = std::max(longest_frame_, now() - start);
-}
+void Rig::frame() { bench->update(input.next_frame(), width_, height_, 1.0 / 30); }
 
 void Rig::frames(int more) {
   while (!input.empty()) frame();
@@ -39,10 +25,11 @@ void Rig::frames(int more) {
 }
 
 bool Rig::wait(const std::function<bool()>& done, double seconds) {
-  const double end = now() + seconds;
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(seconds);
   frames(1);
   while (!done()) {
-    if (now() > end) return false;
+    if (Clock::now() > end) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
     frames(1);
   }
@@ -125,10 +112,16 @@ void Rig::fill(const std::string& widget, const std::string& text) {
   key(keys::tab);
 }
 
+void turn_flap(Rig& rig, double degrees, const Vec2& by) {
+  rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
+  rig.bench->apply(action::ApplyMotion{{degrees, Vec2(0, 0), by}});
+  REQUIRE(rig.settle());
+}
+
 void set_view(Rig& rig, const std::function<void(ViewOptions&)>& change) {
   ViewOptions view = rig.bench->view();
   change(view);
-  rig.bench->apply(action::SetView{view});
+  rig.bench->apply(action::EditView{whole(view)});
   REQUIRE(rig.settle());
   rig.frames();
 }

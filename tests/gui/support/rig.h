@@ -22,7 +22,7 @@ class Rig {
   /// Runs frames until all input is taken, then `more` of them.
   void frames(int more = 2);
   /// Runs frames until `done` holds. False after `seconds`.
-  bool wait(const std::function<bool()>& done, double seconds = 60);
+  bool wait(const std::function<bool()>& done, double seconds = 600);
   /// Until nothing is under way.
   bool settle();
 
@@ -61,8 +61,6 @@ class Rig {
   Vec2 pixel(const Vec2& world) const { return bench->camera().to_screen(world); }
   /// The gizmo of the selection, which there must be.
   Gizmo gizmo() const { return Viewport::gizmo(bench->scene(), bench->camera()).value(); }
-  /// Longest time that one frame has taken so far, in seconds.
-  double longest_frame() const { return longest_frame_; }
 
   TemporaryFolder folder;
   std::unique_ptr<HeadlessContext> context;
@@ -73,8 +71,10 @@ class Rig {
   void frame();
 
   int width_, height_;
-  double longest_frame_ = 0;
 };
+
+/// Turns the flap about the origin by degrees, shifts it, and waits for the mesh.
+void turn_flap(Rig& rig, double degrees, const Vec2& by = Vec2(0, 0));
 
 /// Changes how the mesh is shown, and waits until it is.
 void set_view(Rig& rig, const std::function<void(ViewOptions&)>& change);

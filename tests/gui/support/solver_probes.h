@@ -6,7 +6,7 @@ namespace winslow::gui::test {
 
 /// Number of the last outer iteration on screen; -1 before the first.
 inline int iterations(const Rig& rig) {
-  const auto history = rig.session().convergence();
+  const auto history = rig.session().mesh().convergence();
   return history.empty() ? -1 : history.back().iteration;
 }
 

@@ -102,13 +102,13 @@ TEST_CASE("MSH: tags, entities, points, comments and unknown sections come back"
   REQUIRE(markers.size() == 4);
   CHECK(markers[0].name == "a wall");
   CHECK(markers[0].tag == 6);
-  CHECK(markers[0].edges == std::vector<std::array<Index, 2>>{{0, 1}});
+  CHECK(markers[0].faces == std::vector<Face>{{0, 1}});
   CHECK(markers[1].name == "nothing here");
-  CHECK(markers[1].edges.empty());
+  CHECK(markers[1].faces.empty());
   CHECK(markers[2].name == "curve_3");
-  CHECK(markers[2].edges == std::vector<std::array<Index, 2>>{{1, 0}});
+  CHECK(markers[2].faces == std::vector<Face>{{1, 0}});
   CHECK(markers[3].name == "curve_4");
-  CHECK(markers[3].edges == std::vector<std::array<Index, 2>>{{3, 2}});
+  CHECK(markers[3].faces == std::vector<Face>{{3, 2}});
   CHECK(any_contains(file.warnings, "section $NodeData"));
   CHECK(any_contains(file.warnings, "1 line elements are in no physical group"));
 

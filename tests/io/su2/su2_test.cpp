@@ -1,3 +1,4 @@
+#include "io/format/mesh_format.h"
 #include "io/support/samples.h"
 
 namespace winslow::test {
@@ -9,7 +10,7 @@ const std::string sample = read_text(WINSLOW_TEST_DATA "/square.su2");
 
 TEST_CASE("SU2: what the file says is what the mesh holds") {
   const io::MeshFile file = io::read_mesh(WINSLOW_TEST_DATA "/square.su2");
-  CHECK(file.format == io::Format::su2);
+  CHECK(file.format->name == "su2");
   const Topology& t = *file.mesh.topology;
   CHECK(file.mesh.coordinates.size() == 9);
   CHECK(file.mesh.coordinates.xy(5) == Vec2(1, 0.5));
@@ -20,7 +21,7 @@ TEST_CASE("SU2: what the file says is what the mesh holds") {
   REQUIRE(t.markers().size() == 2);
   CHECK(t.markers()[1].name == "upper");
   CHECK(t.markers()[1].tag == 2);
-  CHECK(t.markers()[1].edges == std::vector<std::array<Index, 2>>{{8, 7}, {7, 6}});
+  CHECK(t.markers()[1].faces == std::vector<Face>{{8, 7}, {7, 6}});
 }
 
 TEST_CASE("SU2: comments, order of sections and columns survive") {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "io/mesh_file.h"
+#include "io/format/mesh_file.h"
 
 namespace winslow::test {
 

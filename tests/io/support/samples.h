@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/mesh_file.h"
+#include "io/format/mesh_file.h"
 #include "io/support/files.h"
 #include "support/meshes.h"
 
@@ -40,12 +40,11 @@ inline MeshData shuffled_mesh(Random& random, bool with_regions) {
   std::vector<int> tags{12, 5, 90, 33};
   for (std::size_t m = 0; m < data.markers.size(); ++m) {
     data.markers[m].tag = tags[m];
-    auto& edges = data.markers[m].edges;
-    std::vector<std::array<Index, 2>> shuffled;
+    auto& edges = data.markers[m].faces;
+    std::vector<Face> shuffled;
     for (const Index k : random.permutation(static_cast<Index>(edges.size()))) {
-      auto edge = edges[at(k)];
-      if (random.index(2) == 0) std::swap(edge[0], edge[1]);
-      shuffled.push_back(edge);
+      const Face& edge = edges[at(k)];
+      shuffled.push_back(random.index(2) == 0 ? edge.reversed() : edge);
     }
     edges = shuffled;
   }
@@ -70,7 +69,7 @@ inline void check_same_mesh(const Mesh& a, const Mesh& b, const Comparison& what
     CHECK(s.markers_from_file() == t.markers_from_file());
     for (std::size_t m = 0; m < s.markers().size(); ++m) {
       CHECK(s.markers()[m].name == t.markers()[m].name);
-      CHECK(s.markers()[m].edges == t.markers()[m].edges);
+      CHECK(s.markers()[m].faces == t.markers()[m].faces);
       if (what.tags) CHECK(s.markers()[m].tag == t.markers()[m].tag);
     }
   }

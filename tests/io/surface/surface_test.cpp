@@ -4,7 +4,7 @@
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 
-#include "io/format_detection.h"
+#include "io/format/mesh_format.h"
 #include "io/support/samples.h"
 
 namespace winslow::test {
@@ -37,7 +37,7 @@ TEST_CASE("OpenMesh reads what we write, and we read what OpenMesh writes") {
   const io::MeshFile square = io::read_mesh(WINSLOW_TEST_DATA "/square.su2");
   const TemporaryFolder folder;
   for (const Kind& kind : kinds()) {
-    if (io::keeps_markers(*io::format_of_extension("x." + std::string(kind.extension)))) continue;
+    if (io::format_of_extension("x." + std::string(kind.extension))->keeps_markers) continue;
     CAPTURE(text_of(kind));
     const std::string extension = kind.extension;
     const bool stl = extension == "stl";

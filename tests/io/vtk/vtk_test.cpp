@@ -86,7 +86,7 @@ TEST_CASE("VTK: polygon data, pixels and polylines become elements and marker ed
   CHECK(std::vector<Index>(corners.begin(), corners.end()) == std::vector<Index>{1, 2, 5, 4});
   REQUIRE(pixels.mesh.topology->markers().size() == 1);
   CHECK(pixels.mesh.topology->markers()[0].name == "marker_9");
-  CHECK(pixels.mesh.topology->markers()[0].edges.size() == 2);
+  CHECK(pixels.mesh.topology->markers()[0].faces.size() == 2);
 }
 
 TEST_CASE("VTK: bad input is refused with file and line") {

@@ -57,7 +57,7 @@ void Autosave::ask_about_next(Session& session) {
   if (orphans_.empty()) return;
   const Orphan& orphan = orphans_.front();
   if (!orphan.error.empty()) {
-    session.ask(
+    session.messages().ask(
         {Prompt::Kind::error,
          "A session from before cannot be restored",
          "It was saved when the studio ended without being closed, but its files are "
@@ -67,13 +67,13 @@ void Autosave::ask_about_next(Session& session) {
     return;
   }
   const SessionSummary& s = orphan.summary;
-  session.ask({Prompt::Kind::question,
-               "Restore the session?",
-               "The studio ended without being closed. Restore the session of " + s.name + " (" +
-                   counted(s.commands, "command") + ", " + s.time + ")?",
-               {{"Restore", {action::RestoreSession{orphan.folder}}, true},
-                {"Discard", {action::DiscardSession{orphan.folder}}, false},
-                {"Not now", {}, false}}});
+  session.messages().ask({Prompt::Kind::question,
+                          "Restore the session?",
+                          "The studio ended without being closed. Restore the session of " +
+                              s.name + " (" + counted(s.commands, "command") + ", " + s.time + ")?",
+                          {{"Restore", {action::RestoreSession{orphan.folder}}, true},
+                           {"Discard", {action::DiscardSession{orphan.folder}}, false},
+                           {"Not now", {}, false}}});
 }
 
 bool Autosave::update(Session& session) {
@@ -101,7 +101,7 @@ void Autosave::keep(const Session& session) {
   const Document* document = session.document();
   if (!document) return forget();
   // While commands run again after an edit, what is kept is the history from before it.
-  if (session.queue().active() && session.queue().plan().revision) return;
+  if (session.jobs().queue().active() && session.jobs().queue().plan().revision) return;
   Mark mark = mark_of(*document, session.generation());
   if (mark == written_) return;
   written_ = std::move(mark);
@@ -122,7 +122,8 @@ void Autosave::keep(const Session& session) {
       return [this, text = std::string(error.what()), done](Session& s) {
         taken_over_.insert(taken_over_.end(), done.begin(), done.end());
         if (!std::exchange(complained_, true))
-          s.tell(Notice::Kind::warning, "The session is not kept for the case of a crash: " + text);
+          s.messages().tell(Notice::Kind::warning,
+                            "The session is not kept for the case of a crash: " + text);
       };
     }
     std::error_code ignored;
@@ -158,11 +159,11 @@ void Autosave::restore(const fs::path& folder) {
       };
     } catch (const std::exception& error) {
       return [orphan, text = std::string(error.what())](Session& session) {
-        session.ask({Prompt::Kind::error,
-                     "The session of " + orphan.summary.name + " cannot be restored",
-                     text,
-                     {{"Delete it", {action::DiscardSession{orphan.folder}}, false},
-                      {"Keep it", {}, true}}});
+        session.messages().ask({Prompt::Kind::error,
+                                "The session of " + orphan.summary.name + " cannot be restored",
+                                text,
+                                {{"Delete it", {action::DiscardSession{orphan.folder}}, false},
+                                 {"Keep it", {}, true}}});
       };
     }
   });

@@ -13,8 +13,8 @@
 
 #include "core/error.h"
 #include "gui/document/autosave/step_file.h"
-#include "io/atomic_file.h"
-#include "io/recipe.h"
+#include "io/file/atomic_file.h"
+#include "io/recipe/recipe.h"
 
 namespace winslow::gui {
 

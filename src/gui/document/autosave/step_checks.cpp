@@ -20,7 +20,7 @@ bool element_rows_fit(const MeshData& data) {
   const auto& offsets = data.element_offsets;
   if (offsets.size() != data.types.size() + 1 || offsets.front() != 0) return false;
   for (std::size_t e = 0; e < data.types.size(); ++e) {
-    if (data.types[e] > ElementType::quadrilateral) return false;
+    if (data.types[e] > ElementType::hexahedron) return false;
     // In this order: no sum of damaged numbers overflows.
     if (offsets[e] < 0 || offsets[e + 1] < offsets[e]) return false;
     if (offsets[e + 1] - offsets[e] != corner_count(data.types[e])) return false;
@@ -28,7 +28,7 @@ bool element_rows_fit(const MeshData& data) {
   return static_cast<std::size_t>(offsets.back()) == data.element_nodes.size();
 }
 
-std::string fault_of(const LayerColumn& column, Index nodes) {
+std::string fault_of_column(const LayerColumn& column, Index nodes) {
   if (!within(column.wall_node, nodes) || column.wall < 0) return "a column on no wall";
   if (!column.direction.allFinite() || !positive(column.slant)) return "a column without direction";
   for (const double value : {column.first, column.asked, column.room})
@@ -56,9 +56,10 @@ std::string fault_of(const LayerColumn& column, Index nodes) {
 std::string fault_of(const MeshData& data) {
   if (!element_rows_fit(data)) return "elements that do not fit their nodes";
   for (const Marker& marker : data.markers)
-    for (const auto& edge : marker.edges)
-      if (!within(edge[0], data.node_count()) || !within(edge[1], data.node_count()))
-        return "an edge of a marker between no nodes of the mesh";
+    for (const Face& face : marker.faces)
+      if (face.size() < 2 || face.size() > 4 ||
+          !std::ranges::all_of(face, [&](Index node) { return within(node, data.node_count()); }))
+        return "a face of a marker between no nodes of the mesh";
   if (!data.element_region.empty() && data.element_region.size() != data.types.size())
     return "regions of " + std::to_string(data.element_region.size()) + " elements";
   const auto regions = static_cast<Index>(data.regions.size());
@@ -72,7 +73,7 @@ std::string fault_of(const LayerStack& stack, const Topology& topology) {
   if (stack.columns.empty()) return "layers without columns";
   std::size_t most = 0;
   for (const LayerColumn& column : stack.columns) {
-    if (std::string fault = fault_of(column, topology.node_count()); !fault.empty()) return fault;
+    if (std::string fault = fault_of_column(column, topology.node_count()); !fault.empty()) return fault;
     most = std::max(most, column.count());
   }
   for (const ColumnPair& pair : stack.pairs)

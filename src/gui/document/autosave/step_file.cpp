@@ -9,14 +9,14 @@
 #include "core/error.h"
 #include "gui/document/autosave/archive.h"
 #include "gui/document/autosave/step_checks.h"
-#include "io/atomic_file.h"
+#include "io/file/atomic_file.h"
 
 namespace winslow::gui {
 
 namespace {
 
 /// Also tells a machine with another order of bytes.
-constexpr std::uint64_t magic = 0x0003504554534e57;  // "WNSTEP", version 3
+constexpr std::uint64_t magic = 0x0004504554534e57;  // "WNSTEP", version 4
 
 /// Every field of a record, named once for reading and writing.
 template <class Archive, class Record>
@@ -55,7 +55,7 @@ void topology_fields(Archive& archive, Data& data) {
   archive.list(data.markers, [](auto& a, auto& marker) {
     a.text(marker.name);
     a.number(marker.tag);
-    a.numbers(marker.edges);
+    a.numbers(marker.faces);
   });
   archive.list(data.regions, [](auto& a, auto& region) {
     a.text(region.name);
@@ -192,6 +192,8 @@ MeshState read_state(ArchiveReader& reader, const MeshState& before) {
   if (parts.topology) state.mesh.topology = read_topology(reader, state.mesh.coordinates);
   if (!state.mesh.topology) reader.fail("no elements");
   const Topology& topology = *state.mesh.topology;
+  if (state.mesh.coordinates.dimension() != topology.space_dimension())
+    reader.fail("points of another dimension than the mesh has");
   if (state.mesh.coordinates.size() != topology.node_count())
     reader.fail(std::to_string(state.mesh.coordinates.size()) + " nodes of " +
                 std::to_string(topology.node_count()));

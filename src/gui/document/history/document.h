@@ -12,7 +12,7 @@
 #include "core/command/history.h"
 #include "core/quality/quality.h"
 #include "gui/files/file_stamp.h"
-#include "io/mesh_file.h"
+#include "io/format/mesh_file.h"
 
 namespace winslow::gui {
 

@@ -33,7 +33,7 @@ class JobRunner {
   /// Latest snapshot of this job; null before the first and without a job.
   const std::shared_ptr<const Snapshot>& snapshot() const { return snapshot_; }
 
-  /// start: see ExecuteOptions::start.
+  /// start: see RunOptions::start.
   void run(MeshState base, Command command, bool paused, std::optional<Coordinates> start = {});
   /// The mesh of this job now: of its latest snapshot, or what it starts from.
   const Coordinates& coordinates() const;

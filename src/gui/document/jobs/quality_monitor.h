@@ -8,6 +8,7 @@
 
 #include "core/command/command.h"
 #include "core/inspect/element_field.h"
+#include "core/quality/quality.h"
 #include "gui/base/background.h"
 
 namespace winslow::gui {
@@ -19,7 +20,7 @@ inline constexpr int most_worst = 100;
 class QualityMonitor {
  public:
   struct Measured {
-    std::uint64_t shape = 0;  ///< Session::shape() that was measured
+    std::uint64_t shape = 0;  ///< LiveMesh::shape() that was measured
     std::shared_ptr<const Topology> topology;
     QualityReport report;
     std::optional<ElementField> field;

@@ -10,8 +10,6 @@ namespace winslow::gui {
 
 namespace {
 
-constexpr Index leaf_size = 8;
-
 std::pair<Index, Index> key(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
 
 double signed_area(const Coordinates& x, const std::vector<Index>& loop) {
@@ -42,7 +40,8 @@ BoundaryIndex::BoundaryIndex(std::shared_ptr<const Topology> topology)
     : topology_(std::move(topology)) {
   const auto& markers = topology_->markers();
   for (std::size_t m = 0; m < markers.size(); ++m)
-    for (const auto& [a, b] : markers[m].edges) edges_.push_back({a, b, static_cast<Index>(m)});
+    for (const Face& edge : markers[m].faces)
+      edges_.push_back({edge[0], edge[1], static_cast<Index>(m)});
   find_bodies();
 }
 
@@ -67,60 +66,14 @@ void BoundaryIndex::find_bodies() {
 void BoundaryIndex::update(const Coordinates& coordinates) {
   const bool first = coordinates_.empty();
   coordinates_ = coordinates;
-  if (!first) return refit();
+  boxes_.clear();
+  for (const Edge& e : edges_) {
+    boxes_.push_back({coordinates_.xy(e.a), coordinates_.xy(e.a)});
+    boxes_.back().add(coordinates_.xy(e.b));
+  }
+  if (!first) return tree_.refit(boxes_);
   for (Body& body : bodies_) body.hole = signed_area(coordinates_, body.nodes) < 0;
-  if (!edges_.empty()) build(0, static_cast<Index>(edges_.size()));
-}
-
-BoundaryIndex::Box BoundaryIndex::box_of(Index begin, Index end) const {
-  constexpr double huge = std::numeric_limits<double>::max();
-  Box box{Vec2(huge, huge), Vec2(-huge, -huge)};
-  for (Index i = begin; i < end; ++i) {
-    const Edge& e = edges_[static_cast<std::size_t>(i)];
-    for (Index node : {e.a, e.b}) {
-      box.min = box.min.cwiseMin(coordinates_.xy(node));
-      box.max = box.max.cwiseMax(coordinates_.xy(node));
-    }
-  }
-  return box;
-}
-
-Index BoundaryIndex::build(Index begin, Index end) {
-  const auto index = static_cast<Index>(tree_.size());
-  const Box box = box_of(begin, end);
-  tree_.push_back({box, begin, end});
-  if (end - begin <= leaf_size) return index;
-  const Vec2 size = box.max - box.min;
-  const int axis = size.x() >= size.y() ? 0 : 1;
-  const Index middle = begin + (end - begin) / 2;
-  const auto at = [this](Index i) { return edges_.begin() + i; };
-  std::nth_element(at(begin), at(middle), at(end), [&](const Edge& p, const Edge& q) {
-    return coordinates_.xy(p.a)[axis] + coordinates_.xy(p.b)[axis] <
-           coordinates_.xy(q.a)[axis] + coordinates_.xy(q.b)[axis];
-  });
-  const Index left = build(begin, middle);
-  const Index right = build(middle, end);
-  tree_[static_cast<std::size_t>(index)].left = left;
-  tree_[static_cast<std::size_t>(index)].right = right;
-  return index;
-}
-
-void BoundaryIndex::refit() {
-  // Children come after their parents.
-  for (std::size_t i = tree_.size(); i-- > 0;) {
-    Node& node = tree_[i];
-    if (node.left < 0) {
-      node.box = box_of(node.begin, node.end);
-      continue;
-    }
-    const Box& l = tree_[static_cast<std::size_t>(node.left)].box;
-    const Box& r = tree_[static_cast<std::size_t>(node.right)].box;
-    node.box = {l.min.cwiseMin(r.min), l.max.cwiseMax(r.max)};
-  }
-}
-
-double BoundaryIndex::Box::distance(const Vec2& p) const {
-  return (p - p.cwiseMax(min).cwiseMin(max)).norm();
+  tree_ = BoxTree<2>(boxes_);
 }
 
 double BoundaryIndex::edge_distance(const Edge& edge, const Vec2& point) const {
@@ -131,20 +84,11 @@ double BoundaryIndex::edge_distance(const Edge& edge, const Vec2& point) const {
   return (point - a - t * d).norm();
 }
 
-void BoundaryIndex::nearest(Index index, const Vec2& point, double& best, Index& edge) const {
-  const Node& node = tree_[static_cast<std::size_t>(index)];
-  if (node.box.distance(point) > best) return;
-  if (node.left >= 0) {
-    nearest(node.left, point, best, edge);
-    nearest(node.right, point, best, edge);
-    return;
-  }
-  for (Index i = node.begin; i < node.end; ++i) {
-    const double d = edge_distance(edges_[static_cast<std::size_t>(i)], point);
-    if (d > best) continue;
-    best = d;
-    edge = i;
-  }
+const BoundaryIndex::Edge* BoundaryIndex::nearest(const Vec2& point, double radius) const {
+  const auto edge = [this](Index i) -> const Edge& { return edges_[static_cast<std::size_t>(i)]; };
+  const auto found =
+      tree_.nearest(point, radius, [&](Index i) { return edge_distance(edge(i), point); });
+  return found ? &edge(found->item) : nullptr;
 }
 
 const BoundaryIndex::Body* BoundaryIndex::body_containing(const Vec2& point) const {
@@ -169,27 +113,20 @@ BoundaryIndex::Hit BoundaryIndex::hit_of(Index marker, bool inside) const {
 
 std::optional<BoundaryIndex::Hit> BoundaryIndex::pick(const Vec2& point, double radius) const {
   if (coordinates_.empty()) return std::nullopt;
-  Index edge = -1;
-  double best = radius;
-  if (!tree_.empty()) nearest(0, point, best, edge);
-  if (edge >= 0) return hit_of(edges_[static_cast<std::size_t>(edge)].marker, false);
+  if (const Edge* edge = nearest(point, radius)) return hit_of(edge->marker, false);
   if (const Body* body = body_containing(point)) return hit_of(body->markers.front(), true);
   return std::nullopt;
 }
 
 std::optional<BoundaryIndex::NodeHit> BoundaryIndex::pick_node(const Vec2& point,
                                                                double radius) const {
-  if (coordinates_.empty() || tree_.empty()) return std::nullopt;
-  Index at = -1;
-  double best = radius;
-  nearest(0, point, best, at);
-  if (at < 0) return std::nullopt;
-  const Edge& edge = edges_[static_cast<std::size_t>(at)];
-  const double to_a = (coordinates_.xy(edge.a) - point).norm();
-  const double to_b = (coordinates_.xy(edge.b) - point).norm();
+  const Edge* edge = nearest(point, radius);
+  if (!edge) return std::nullopt;
+  const double to_a = (coordinates_.xy(edge->a) - point).norm();
+  const double to_b = (coordinates_.xy(edge->b) - point).norm();
   if (std::min(to_a, to_b) > radius) return std::nullopt;
-  NodeHit hit{to_a <= to_b ? edge.a : edge.b, marker_body_[static_cast<std::size_t>(edge.marker)],
-              0};
+  NodeHit hit{to_a <= to_b ? edge->a : edge->b,
+              marker_body_[static_cast<std::size_t>(edge->marker)], 0};
   if (hit.body < 0) return std::nullopt;
   const auto& loop = bodies_[static_cast<std::size_t>(hit.body)].nodes;
   const auto it = std::find(loop.begin(), loop.end(), hit.node);

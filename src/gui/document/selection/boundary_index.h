@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/mesh/mesh.h"
+#include "core/search/box_tree.h"
 
 namespace winslow::gui {
 
@@ -56,21 +57,9 @@ class BoundaryIndex {
   struct Edge {
     Index a, b, marker;
   };
-  struct Box {
-    Vec2 min, max;
-    double distance(const Vec2& p) const;
-  };
-  struct Node {
-    Box box;
-    Index begin, end;  // edges of a leaf
-    Index left = -1, right = -1;
-  };
 
   void find_bodies();
-  Index build(Index begin, Index end);
-  Box box_of(Index begin, Index end) const;
-  void refit();
-  void nearest(Index node, const Vec2& point, double& best, Index& edge) const;
+  const Edge* nearest(const Vec2& point, double radius) const;
   double edge_distance(const Edge& edge, const Vec2& point) const;
   const Body* body_containing(const Vec2& point) const;
   Hit hit_of(Index marker, bool inside) const;
@@ -79,7 +68,8 @@ class BoundaryIndex {
   std::vector<Body> bodies_;
   std::vector<Index> marker_body_;  // -1: none
   std::vector<Edge> edges_;
-  std::vector<Node> tree_;
+  std::vector<Box<2>> boxes_;  // of edges_
+  BoxTree<2> tree_;
   Coordinates coordinates_;
 };
 

@@ -22,7 +22,7 @@ std::vector<const LayerColumn*> shown_columns(const Session& session, const Laye
   std::vector<const LayerColumn*> all, selected;
   for (const LayerColumn& column : stack.columns) {
     all.push_back(&column);
-    for (const Index marker : session.selection())
+    for (const Index marker : session.selection().markers())
       if (std::ranges::binary_search(session.topology()->marker_nodes(marker), column.wall_node)) {
         selected.push_back(&column);
         break;
@@ -58,10 +58,11 @@ ui::LayerHeights mean_heights(const std::vector<const LayerColumn*>& columns,
 void LayerResult::measure(const PanelContext& context) {
   const Session& session = context.session;
   auto stack = session.layers();
-  if (stack == stack_ && shape_ == session.shape() && selection_ == session.selection()) return;
+  if (stack == stack_ && shape_ == session.shape() && selection_ == session.selection().markers())
+    return;
   stack_ = std::move(stack);
   shape_ = session.shape();
-  selection_ = session.selection();
+  selection_ = session.selection().markers();
   if (!stack_) return;
   measures_ = measure_layers(*stack_, session.coordinates());
   heights_ = mean_heights(shown_columns(session, *stack_), session.coordinates());

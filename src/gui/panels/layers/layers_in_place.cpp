@@ -20,7 +20,7 @@ int known_layers(const Session& session, const LayerWall& wall) {
 }  // namespace
 
 bool may_have_layers(const Topology& topology, const std::vector<LayerWall>& walls) {
-  const auto on_quadrilateral = [&](const std::array<Index, 2>& edge) {
+  const auto on_quadrilateral = [&](const Face& edge) {
     return std::ranges::any_of(topology.star(edge[0]), [&](Index element) {
       return topology.element_type(element) == ElementType::quadrilateral;
     });
@@ -29,7 +29,7 @@ bool may_have_layers(const Topology& topology, const std::vector<LayerWall>& wal
     for (const std::string& name : wall.markers) {
       const auto marker = topology.find_marker(name);
       if (!marker) continue;
-      const auto& edges = topology.markers()[static_cast<std::size_t>(*marker)].edges;
+      const auto& edges = topology.markers()[static_cast<std::size_t>(*marker)].faces;
       if (std::ranges::any_of(edges, on_quadrilateral)) return true;
     }
   return false;

@@ -12,7 +12,7 @@ namespace winslow::gui {
 bool may_have_layers(const Topology& topology, const std::vector<LayerWall>& walls);
 /// The layers of all these walls are held.
 bool all_held(const Session& session, const std::vector<LayerWall>& walls);
-/// Sets how many layers of each wall a command takes in hand: those that are known to be there. Of
+/// Sets how many layers of each wall a command works on: those that are known to be there. Of
 /// a wall without known ones: all that are found, to hold them; to space them anew, what the
 /// wall's spacing says.
 void limit_to_present_layers(const Session& session, LayersCommand& command);

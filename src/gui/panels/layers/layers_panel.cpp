@@ -5,8 +5,8 @@
 #include <utility>
 #include <variant>
 
-#include "core/command/layers_run.h"
 #include "core/layers/layer_measures.h"
+#include "core/strategy/layering.h"
 #include "gui/base/text.h"
 #include "gui/panels/layers/fields.h"
 #include "gui/panels/layers/layers_in_place.h"
@@ -29,7 +29,7 @@ bool just_inserted(const Session& session, const LayerOptions& options) {
 
 void LayersPanel::draw(const PanelContext& context) {
   const auto hide = [&] {
-    if (context.session.layer_preview().wanted()) context.emit(action::PreviewLayers{});
+    if (context.session.jobs().layer_preview().wanted()) context.emit(action::PreviewLayers{});
   };
   if (!ui::section("section/layers", "Layers")) return hide();
   if (!context.session.document()) {
@@ -66,7 +66,7 @@ void LayersPanel::follow(const PanelContext& context) {
     generation_ = context.session.generation();
   }
   const std::vector<std::string> before = std::exchange(names_, {});
-  for (const Index m : context.session.selection())
+  for (const Index m : context.session.selection().markers())
     names_.push_back(context.topology()->markers()[static_cast<std::size_t>(m)].name);
   const LayerWall* wall = walls_.find(names_);
   if (wall && shown_ != names_) {
@@ -138,7 +138,7 @@ LayersCommand LayersPanel::command(const PanelContext& context, LayerTask task) 
   if (task == LayerTask::insert)  // layers that are there have the columns that they have
     command.layers.overrides = columns_.on(*context.topology(), command.layers.walls);
   command.control = control_;
-  command.smooth = context.session.smooth_options();
+  command.smooth = context.session.jobs().smooth_options();
   return command;
 }
 
@@ -153,12 +153,12 @@ void LayersPanel::draw_insertion(const PanelContext& context) {
   const LayerOptions wanted = options_of(insertion);
   const bool shown =
       preview_ && !context.session.in_motion() && !just_inserted(context.session, wanted);
-  const auto& planned = context.session.layer_preview().wanted();
+  const auto& planned = context.session.jobs().layer_preview().wanted();
   if (shown && planned != wanted) context.emit(action::PreviewLayers{wanted});
   if (!shown && planned) context.emit(action::PreviewLayers{});
   if (shown) draw_plan(context);
   const bool ready =
-      !context.session.in_motion() && context.session.layer_preview().error().empty();
+      !context.session.in_motion() && context.session.jobs().layer_preview().error().empty();
   std::string at;
   for (const LayerWall& wall : wanted.walls)
     at += (at.empty() ? "" : "; ") + marker_list(wall.markers);
@@ -171,7 +171,7 @@ void LayersPanel::draw_insertion(const PanelContext& context) {
 }
 
 void LayersPanel::draw_plan(const PanelContext& context) {
-  const LayerPreview& preview = context.session.layer_preview();
+  const LayerPreview& preview = context.session.jobs().layer_preview();
   if (const std::string error = preview.error(); !error.empty()) {
     ui::text_wrapped("Cannot be done: " + error);
     return ui::note("layers/cannot");
@@ -209,7 +209,7 @@ void LayersPanel::draw_in_place(const PanelContext& context) {
       matches ? "Layers that are there cannot match the elements outside by their number: switch "
                 "\"Match the elements outside\" off."
               : "Give the layers that are there these heights. Their number stays; in a mesh read "
-                "from a file, at most as many as \"Layers\" says are taken in hand.";
+                "from a file, at most as many as \"Layers\" says are found.";
   if (ui::button("layers/respace", "Respace",
                  {respace_tip, ui::ButtonStyle::normal, free && !matches, width}))
     context.emit(action::RunCommand{in_place(context, LayerTask::respace), false});

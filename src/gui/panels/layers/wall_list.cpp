@@ -63,12 +63,12 @@ bool WallList::draw_row(const PanelContext& context, std::size_t k) {
   const std::string names = marker_list(wall.markers);
   std::vector<Index> markers = indices(wall.markers, *context.topology());
   std::ranges::sort(markers);
-  const RowAnswer answer =
-      draw_list_row({"layers/wall/" + std::to_string(k), names, summary(wall),
-                     names + "\n" + summary(wall) +
-                         "\nClick to select these markers and change the settings of this wall.",
-                     "Take this wall out of the list.", markers == context.session.selection()},
-                    context.theme);
+  const RowAnswer answer = draw_list_row(
+      {"layers/wall/" + std::to_string(k), names, summary(wall),
+       names + "\n" + summary(wall) +
+           "\nClick to select these markers and change the settings of this wall.",
+       "Take this wall out of the list.", markers == context.session.selection().markers()},
+      context.theme);
   if (answer == RowAnswer::pressed) context.emit(action::SelectMarkers{std::move(markers)});
   if (answer != RowAnswer::removed) return true;
   walls_.erase(walls_.begin() + static_cast<std::ptrdiff_t>(k));

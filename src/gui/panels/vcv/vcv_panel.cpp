@@ -29,13 +29,6 @@ void figure(const char* id, const char* label, const std::string& value, const c
   ui::note(id);
 }
 
-/// The numbers of a node's VCV in full.
-VcvEdit numbers_of(const NodalView& view) {
-  VcvEdit edit{view.node, view.neighbours, {}, view.vcv.lengths};
-  for (const double angle : view.vcv.angles) edit.angles.push_back(degrees(angle));
-  return edit;
-}
-
 void edit_one(const PanelContext& context, VcvEdit edit) {
   context.emit(action::EditVcvs{{std::move(edit)}});
 }

@@ -96,13 +96,6 @@ void label_weights(const Drawing& d, std::span<const double> weights, LabelPlace
                      negative ? palette().danger : palette().text, palette().card);
 }
 
-/// The numbers of a VCV in full, edited or not.
-VcvEdit numbers_of(const NodalView& view) {
-  VcvEdit edit{view.node, view.neighbours, {}, view.vcv.lengths};
-  for (const double angle : view.vcv.angles) edit.angles.push_back(degrees(angle));
-  return edit;
-}
-
 Star star_of(const VcvEdit& edit) {
   std::vector<double> angles;
   for (const double angle : edit.angles) angles.push_back(radians(angle));
@@ -121,6 +114,12 @@ std::vector<Vec2> ellipse_of(const NodalGradient& jacobian) {
 }
 
 }  // namespace
+
+VcvEdit numbers_of(const NodalView& view) {
+  VcvEdit edit{view.node, view.neighbours, {}, view.vcv.lengths};
+  for (const double angle : view.vcv.angles) edit.angles.push_back(degrees(angle));
+  return edit;
+}
 
 ImVec2 VcvPlot::Frame::pixel(const Vec2& p) const {
   const double c = std::cos(turn), s = std::sin(turn);

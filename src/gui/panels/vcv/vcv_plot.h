@@ -11,6 +11,9 @@
 
 namespace winslow::gui {
 
+/// The angles (degrees) and edge lengths of a node's VCV, edited or not.
+VcvEdit numbers_of(const NodalView& view);
+
 /// A node's physical star beside its VCV, each to scale. In the star, the image of the unit circle
 /// under the nodal Jacobian; on the edges of the VCV the weights, negative ones in red. Neighbours
 /// have the same numbers in both. The ends of the VCV's edges can be dragged.

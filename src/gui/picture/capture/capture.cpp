@@ -37,17 +37,17 @@ fs::path Capture::new_picture_name() {
 
 bool Capture::may_write(const fs::path& path) {
   if (!bundled(path)) return true;
-  session_.tell(Notice::Kind::warning, bundled_text);
+  session_.messages().tell(Notice::Kind::warning, bundled_text);
   return false;
 }
 
 bool Capture::may_replace(const fs::path& path, const Action& again) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return true;
-  session_.ask({Prompt::Kind::question,
-                "Replace the file?",
-                path.filename().string() + " exists already.",
-                {{"Replace", {again}, false}, {"Cancel", {}, true}}});
+  session_.messages().ask({Prompt::Kind::question,
+                           "Replace the file?",
+                           path.filename().string() + " exists already.",
+                           {{"Replace", {again}, false}, {"Cancel", {}, true}}});
   return false;
 }
 
@@ -67,26 +67,27 @@ void Capture::on(const action::SavePicture& a) {
 void Capture::on(const action::StartRecording& a) {
   if (a.path.empty()) return;
   if (recorder_.state() != Recorder::State::idle) {
-    session_.tell(Notice::Kind::warning, "A recording is under way already.");
+    session_.messages().tell(Notice::Kind::warning, "A recording is under way already.");
     return;
   }
   if (!session_.document()) {
-    session_.tell(Notice::Kind::warning, "There is no mesh to record.");
+    session_.messages().tell(Notice::Kind::warning, "There is no mesh to record.");
     return;
   }
   if (!may_write(a.path)) return;
   if (!a.overwrite && Recorder::occupied(a.path)) {
-    session_.ask({Prompt::Kind::question,
-                  "Replace the recording?",
-                  a.path.filename().string() + " exists already. Its frames are replaced.",
-                  {{"Replace", {action::StartRecording{a.path, a.step, true}}, false},
-                   {"Cancel", {}, true}}});
+    session_.messages().ask(
+        {Prompt::Kind::question,
+         "Replace the recording?",
+         a.path.filename().string() + " exists already. Its frames are replaced.",
+         {{"Replace", {action::StartRecording{a.path, a.step, true}}, false},
+          {"Cancel", {}, true}}});
     return;
   }
   try {
     recorder_.start(a.path, recording_);
   } catch (const Error& error) {
-    session_.report_error("Cannot record", error.what());
+    session_.messages().report_error("Cannot record", error.what());
     return;
   }
   recorded_ = Coordinates();
@@ -106,7 +107,7 @@ void Capture::on(const action::CancelRecording&) {
   if (recorder_.state() == Recorder::State::idle) return;
   stepping_ = false;
   recorder_.cancel();
-  session_.tell(Notice::Kind::information, "The recording was thrown away.");
+  session_.messages().tell(Notice::Kind::information, "The recording was thrown away.");
 }
 
 void Capture::after_frame(PictureSource& source) {
@@ -136,7 +137,7 @@ void Capture::take(PictureSource& source, const fs::path& path, bool as_set) {
     if (!writer_.has_room()) throw Error("Too many pictures are being written. Wait a moment.");
     writer_.push(path, std::move(image));
   } catch (const Error& error) {
-    session_.report_error("Cannot save the picture", error.what());
+    session_.messages().report_error("Cannot save the picture", error.what());
   }
 }
 
@@ -168,7 +169,7 @@ void Capture::record_frame(PictureSource& source) {
       } catch (const Error& error) {
         recorder_.cancel();
         stepping_ = false;
-        session_.report_error("Cannot record", error.what());
+        session_.messages().report_error("Cannot record", error.what());
         return;
       }
     }
@@ -194,30 +195,31 @@ bool Capture::poll() {
   for (const auto& outcome : writer_.take_outcomes()) {
     news = true;
     if (outcome.error.empty())
-      session_.tell(Notice::Kind::success, "Picture saved to " + full_name(outcome.path));
+      session_.messages().tell(Notice::Kind::success,
+                               "Picture saved to " + full_name(outcome.path));
     else
-      session_.report_error("Cannot save the picture", outcome.error);
+      session_.messages().report_error("Cannot save the picture", outcome.error);
   }
   if (const auto error = figure_.poll()) {
     news = true;
     if (error->empty())
-      session_.tell(Notice::Kind::success, "Figure saved to " + full_name(figure_path_));
+      session_.messages().tell(Notice::Kind::success, "Figure saved to " + full_name(figure_path_));
     else
-      session_.report_error("Cannot save the figure", *error);
+      session_.messages().report_error("Cannot save the figure", *error);
   }
   if (const auto outcome = recorder_.poll()) {
     news = true;
     stepping_ = false;
     using Kind = Recorder::Outcome::Kind;
     if (outcome->kind == Kind::done)
-      session_.tell(Notice::Kind::success, outcome->text);
+      session_.messages().tell(Notice::Kind::success, outcome->text);
     else if (outcome->kind == Kind::no_ffmpeg)
-      session_.ask({Prompt::Kind::information,
-                    "The frames are there, the film is not",
-                    outcome->text,
-                    {{"OK", {}, true}}});
+      session_.messages().ask({Prompt::Kind::information,
+                               "The frames are there, the film is not",
+                               outcome->text,
+                               {{"OK", {}, true}}});
     else
-      session_.report_error("The recording is not complete", outcome->text);
+      session_.messages().report_error("The recording is not complete", outcome->text);
   }
   return news;
 }

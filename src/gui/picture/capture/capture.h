@@ -8,6 +8,7 @@
 
 #include "gui/base/background.h"
 #include "gui/document/actions/actions.h"
+#include "gui/document/actions/dispatch.h"
 #include "gui/document/session/session.h"
 #include "gui/picture/capture/picture_source.h"
 #include "gui/picture/capture/recorder.h"
@@ -23,14 +24,7 @@ class Capture {
   const RecordingSpec& recording() const { return recording_; }
   const Recorder& recorder() const { return recorder_; }
 
-  void on(const action::TakeScreenshot& a);
-  void on(const action::SetPictureSpec& a) { picture_ = a.spec; }
-  void on(const action::SavePicture& a);
-  void on(const action::SetRecordingSpec& a) { recording_ = a.spec; }
-  void on(const action::StartRecording& a);
-  void on(const action::StopRecording&);
-  void on(const action::CancelRecording&);
-
+  void apply(const PictureAction& action) { Dispatch::to(*this, action); }
   /// Takes the pictures that are due of the frame just laid out. Call it once a frame.
   void after_frame(PictureSource& source);
   /// Collects what the threads have done. True if there is news to show.
@@ -47,6 +41,14 @@ class Capture {
     bool as_set = false;  // by picture_, or the window as it is
     int delay = 0;        // frames until menus and dialogs are gone from the picture
   };
+  friend class Dispatch;
+  void on(const action::TakeScreenshot& a);
+  void on(const action::SetPictureSpec& a) { picture_ = a.spec; }
+  void on(const action::SavePicture& a);
+  void on(const action::SetRecordingSpec& a) { recording_ = a.spec; }
+  void on(const action::StartRecording& a);
+  void on(const action::StopRecording&);
+  void on(const action::CancelRecording&);
   bool may_write(const std::filesystem::path& path);
   bool may_replace(const std::filesystem::path& path, const Action& again);
   void take(PictureSource& source, const std::filesystem::path& path, bool as_set);

@@ -15,21 +15,19 @@ namespace winslow::gui {
 namespace {
 
 /// Room around the viewport where lines go on, so that their cut ends are not seen.
-constexpr double beyond = 8;
+constexpr double cell_margin = 8;
 /// Shades in which edges fade where they are dense.
 constexpr int shades = 6;
 /// Colours of a continuous scale: more than the eye tells apart, few enough paths.
 constexpr int most_colors = 64;
 constexpr double rim = 0.3;
 
-Rgb rgb(const Rgba& c) { return {c[0], c[1], c[2]}; }
-
 class MeshDrawing {
  public:
   MeshDrawing(Page& page, const VectorFigure& figure, const Camera& camera, const Vec2& origin)
       : page_(page), figure_(figure), camera_(camera), theme_(picture_theme(figure.dark)) {
     area_ = {origin, origin + Vec2(camera.viewport_width(), camera.viewport_height())};
-    box_ = {area_.min - Vec2::Constant(beyond), area_.max + Vec2::Constant(beyond)};
+    box_ = {area_.min - Vec2::Constant(cell_margin), area_.max + Vec2::Constant(cell_margin)};
     shift_ = origin - camera.viewport_origin();
   }
 
@@ -168,7 +166,7 @@ class MeshDrawing {
     for (std::size_t m = 0; m < topology().markers().size(); ++m) {
       page_.set_color(m < figure_.marker_colors.size() ? figure_.marker_colors[m]
                                                        : rgb(theme_.edge));
-      for (const auto& [a, b] : topology().markers()[m].edges) add_boundary_line(a, b);
+      for (const Face& edge : topology().markers()[m].faces) add_boundary_line(edge[0], edge[1]);
       page_.stroke();
     }
   }

@@ -9,7 +9,7 @@ namespace winslow::gui {
 
 namespace {
 
-constexpr double beyond = 8;  // points around the viewport where lines go on
+constexpr double line_margin = 8;  // points around the viewport where lines go on
 
 class VcvDrawing {
  public:
@@ -17,7 +17,7 @@ class VcvDrawing {
       : page_(page), figure_(figure), unit_(0.06 * figure.font_size) {
     const Camera& camera = figure.camera;
     area_ = {origin, origin + Vec2(camera.viewport_width(), camera.viewport_height())};
-    box_ = {area_.min - Vec2::Constant(beyond), area_.max + Vec2::Constant(beyond)};
+    box_ = {area_.min - Vec2::Constant(line_margin), area_.max + Vec2::Constant(line_margin)};
     shift_ = origin - camera.viewport_origin();
   }
 

@@ -15,6 +15,9 @@ namespace winslow::gui {
 
 enum class PageFormat { svg, pdf };
 
+/// A colour without its opacity.
+inline Rgb rgb(const std::array<float, 4>& c) { return {c[0], c[1], c[2]}; }
+
 /// A page of vector graphics being drawn with cairo, in points, y down.
 class Page {
  public:

@@ -11,7 +11,7 @@
 #include "gui/picture/figure/figure_vcvs.h"
 #include "gui/picture/figure/page.h"
 #include "gui/picture/frame/picture_frame.h"
-#include "io/atomic_file.h"
+#include "io/file/atomic_file.h"
 
 namespace winslow::gui {
 
@@ -25,8 +25,6 @@ std::string lower_ending(const std::filesystem::path& path) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return ending;
 }
-
-Rgb rgb(const std::array<float, 4>& c) { return {c[0], c[1], c[2]}; }
 
 /// Title, legend and key around the mesh.
 class FigureDrawing {

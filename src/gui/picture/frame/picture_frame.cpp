@@ -11,7 +11,7 @@
 namespace winslow::gui {
 namespace {
 
-constexpr float title_scale = 1.2f;
+constexpr float heading_scale = 1.2f;
 
 ImU32 to_color(const std::array<float, 4>& c) {
   return ImGui::ColorConvertFloat4ToU32(ImVec4(c[0], c[1], c[2], c[3]));
@@ -52,7 +52,7 @@ PictureFrame::PictureFrame(int width, int height, PictureText text, const Pictur
   io.DisplaySize = {static_cast<float>(width_), static_cast<float>(height_)};
   io.DeltaTime = 1.0f / 60;
   font_ = add_font(FontWeight::regular, font_size_);
-  strong_ = add_font(FontWeight::semibold, title_scale * font_size_);
+  strong_ = add_font(FontWeight::semibold, heading_scale * font_size_);
   legend_style_.font_size = font_size_;
   legend_style_.bar_width = font_size_;
   legend_style_.histogram_width = 3 * font_size_;
@@ -104,7 +104,7 @@ void PictureFrame::draw(bool framed, const OverMesh& over_mesh) {
   }
   if (framed) list.AddRect({left, top}, {right, bottom}, to_color(theme_.frame));
   if (!text_.title.empty()) {
-    list.AddText(strong_, title_scale * font_size_, {left, std::round(0.85f * font_size_)},
+    list.AddText(strong_, heading_scale * font_size_, {left, std::round(0.85f * font_size_)},
                  to_color(theme_.ink), text_.title.c_str());
   }
   if (text_.legend) {

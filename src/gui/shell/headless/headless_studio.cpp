@@ -39,14 +39,14 @@ void HeadlessStudio::frames(int more) {
 }
 
 void HeadlessStudio::throw_if_wrong() const {
-  const Prompt* prompt = bench_->session().prompt();
+  const Prompt* prompt = bench_->session().messages().prompt();
   if (prompt && prompt->kind == Prompt::Kind::error)
     throw Error(prompt->title + ": " + prompt->text);
 }
 
 void HeadlessStudio::settle() {
   const auto busy = [this] {
-    return bench_->session().loading() || !bench_->settled() ||
+    return bench_->session().files().loading() || !bench_->settled() ||
            (bench_->session().job().active() && !bench_->session().job().paused());
   };
   frames();
@@ -65,7 +65,7 @@ void HeadlessStudio::open(const std::filesystem::path& mesh) {
   try {
     settle();
   } catch (const Error&) {
-    throw InputError(bench_->session().prompt()->text);
+    throw InputError(bench_->session().messages().prompt()->text);
   }
 }
 

@@ -11,7 +11,7 @@
 #include "gui/shell/headless/headless_studio.h"
 #include "gui/shell/headless/script.h"
 #include "gui/shell/headless/script_player.h"
-#include "io/recipe.h"
+#include "io/recipe/recipe.h"
 
 namespace winslow::gui {
 

@@ -10,7 +10,7 @@
 
 #include "core/error.h"
 #include "gui/picture/figure/write_figure.h"
-#include "io/recipe.h"
+#include "io/recipe/recipe.h"
 
 namespace winslow::gui {
 

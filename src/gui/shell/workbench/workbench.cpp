@@ -9,10 +9,11 @@
 #include <system_error>
 #include <utility>
 
-#include "gui/files/assets.h"
 #include "gui/menu/shortcuts.h"
+#include "gui/panels/files/file_dialog.h"
 #include "gui/render/frame_buffer.h"
 #include "gui/render/gl.h"
+#include "gui/shell/workbench/panel_list.h"
 #include "gui/view/navigation/go_to.h"
 
 namespace winslow::gui {
@@ -44,16 +45,17 @@ Workbench::Workbench(const WorkbenchOptions& options)
     : options_(options),
       settings_file_(options.profile),
       ui_(std::make_unique<UiLayer>(options.scale)),
-      autosave_(options.profile) {
+      autosave_(options.profile),
+      panels_(make_panels()) {
   take_settings(settings_file_.initial());
 }
 
 Workbench::~Workbench() {
-  if (session_.quit_accepted()) autosave_.finish();
+  if (session_.files().quit_accepted()) autosave_.finish();
 }
 
 void Workbench::apply(const Action& action) {
-  std::visit([this](const auto& a) { on(a); }, action);
+  std::visit([this](const auto& group) { apply_group(group); }, action);
 }
 
 bool Workbench::poll() {
@@ -67,7 +69,7 @@ bool Workbench::poll() {
 
 bool Workbench::settled() const {
   if (session_.working() || mesh_view_.busy() || before_.busy() || capture_.busy() ||
-      file_dialog_.busy())
+      file_dialog().busy())
     return false;
   if (demo_.demo() && (demo_.automatic() || !demo_.ready(session_))) return false;
   if (shows_welcome() && welcome_.busy()) return false;
@@ -95,7 +97,7 @@ void Workbench::update(const InputState& input, int width, int height, double se
   draw_regions();
   draw_splitters();
   draw_viewport();
-  draw_dialogs();
+  dialogs_.draw(context(), Vec2(width_, height_), Vec2(v.width, v.height));
   drive_viewport(input);
   view_history_.observe(camera_, viewport_.gesture() != Viewport::Gesture::none, seconds);
   dispatch();
@@ -130,9 +132,10 @@ void Workbench::dispatch() {
 
 void Workbench::finish_frame() {
   if (generation_ != session_.generation()) look_at_start();
-  if (session_.boundary() && !session_.in_motion())
-    reach_ = session_.boundary()->reach(session_.selection(), session_.pivot());
-  session_.watch_quality(view_.color);
+  if (session_.mesh().boundary() && !session_.in_motion())
+    reach_ = session_.mesh().boundary()->reach(session_.selection().markers(),
+                                               session_.selection().pivot());
+  session_.quality().watch(view_.color);
   update_mesh_view();
   draw_overlays(*ImGui::GetBackgroundDrawList());
   ui_->end();
@@ -179,7 +182,7 @@ std::string Workbench::title() const {
 }
 
 void Workbench::on(const action::InspectNode& a) {
-  session_.apply(a);
+  session_.apply(action::SelectNode{a.node});
   if (!a.node) return;
   view_.side_tab = SideTab::vcv;
   view_.right_panel = true;
@@ -193,46 +196,16 @@ void Workbench::on(const action::InspectNode& a) {
   on(action::LookAt{box.centre(), 4 * box.size().norm()});
 }
 
-void Workbench::on(const action::ShowFileDialog& a) {
-  const Document* document = session_.document();
-  std::filesystem::path suggested = document ? document->path() : std::filesystem::path();
-  if (a.purpose == FilePurpose::export_recipe) suggested.replace_extension(".json");
-  if (a.purpose == FilePurpose::export_convergence) suggested.replace_extension(".csv");
-  if (a.purpose == FilePurpose::picture) suggested = Capture::new_picture_name();
-  if (a.purpose == FilePurpose::recording) suggested.replace_extension(".mp4");
-  if (a.purpose == FilePurpose::export_markers)
-    suggested.replace_filename(suggested.stem().string() + "_markers.csv");
-  // What is written does not belong among the meshes that come with the program.
-  std::error_code ignored;
-  const bool reads = a.purpose == FilePurpose::open_mesh || a.purpose == FilePurpose::replay_recipe;
-  if (!reads && bundled(suggested))
-    suggested = std::filesystem::current_path(ignored) / suggested.filename();
-  if (!a.extension.empty()) suggested.replace_extension(a.extension);
-  file_dialog_.open(a.purpose, suggested, recorded_step_);
-}
-
-void Workbench::on(const action::ShowStepEditor& a) {
-  if (!session_.document()) return;
-  const History& history = session_.document()->history();
-  if (a.position > 0 && a.position < history.size())
-    step_editor_.open(a.position, history.command(a.position));
-}
-
 void Workbench::on(const action::RestoreSession& a) {
   const Document* document = session_.document();
   if (a.discard_changes || !document || !(document->modified() || session_.in_motion()))
     return autosave_.restore(a.folder);
-  session_.ask(
+  session_.messages().ask(
       {Prompt::Kind::question,
        "Discard the changes?",
        document->name() + " has changes that are not saved. Restoring the session would lose them.",
        {{"Discard and restore", {action::RestoreSession{a.folder, true}}, false},
         {"Cancel", {}, true}}});
-}
-
-void Workbench::on(const action::ShowRecordDialog& a) {
-  recorded_step_ = a.step;
-  record_dialog_.open(a.step);
 }
 
 }  // namespace winslow::gui

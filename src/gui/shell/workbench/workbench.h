@@ -10,41 +10,16 @@
 #include "gui/document/autosave/autosave.h"
 #include "gui/document/session/session.h"
 #include "gui/files/recent_files.h"
-#include "gui/panels/about_panel.h"
-#include "gui/panels/banner_panel.h"
-#include "gui/panels/command_palette.h"
-#include "gui/panels/convergence_panel.h"
-#include "gui/panels/demo_panel.h"
-#include "gui/panels/files/file_dialog.h"
-#include "gui/panels/go_to_panel.h"
-#include "gui/panels/help_panel.h"
-#include "gui/panels/history_panel.h"
-#include "gui/panels/isolate_panel.h"
-#include "gui/panels/layers/layers_panel.h"
 #include "gui/panels/layout.h"
 #include "gui/panels/legend_card.h"
-#include "gui/panels/markers_panel.h"
-#include "gui/panels/menu_bar.h"
-#include "gui/panels/motion_panel.h"
-#include "gui/panels/picture/picture_dialog.h"
-#include "gui/panels/picture/record_dialog.h"
-#include "gui/panels/picture/recording_panel.h"
-#include "gui/panels/prompt_panel.h"
-#include "gui/panels/quality_panel.h"
-#include "gui/panels/shape_panel.h"
-#include "gui/panels/solver_panel.h"
-#include "gui/panels/status_bar.h"
-#include "gui/panels/step_editor.h"
-#include "gui/panels/toolbar.h"
-#include "gui/panels/vcv/vcv_panel.h"
-#include "gui/panels/view_panel.h"
 #include "gui/panels/welcome_panel.h"
-#include "gui/panels/worst_panel.h"
 #include "gui/picture/capture/capture.h"
 #include "gui/picture/capture/picture_source.h"
 #include "gui/render/camera.h"
 #include "gui/render/image.h"
 #include "gui/settings/settings.h"
+#include "gui/shell/workbench/dialogs.h"
+#include "gui/shell/workbench/panel_registry.h"
 #include "gui/view/mesh/before_mesh.h"
 #include "gui/view/mesh/mesh_view.h"
 #include "gui/view/navigation/view_history.h"
@@ -118,7 +93,8 @@ class Workbench : public PictureSource {
   /// Scrolls a widget into sight in the frames to come; empty: no longer.
   void scroll_to(std::string_view widget) { ui_->widgets().want(widget); }
   const Autosave& autosave() const { return autosave_; }
-  const FileDialog& file_dialog() const { return file_dialog_; }
+  const FileDialog& file_dialog() const { return dialogs_.file_dialog(); }
+  const PanelRegistry& panels() const { return panels_; }
   const RecentFiles& recent() const { return recent_; }
   const DemoPlayer& demo() const { return demo_; }
   const WelcomePanel& welcome() const { return welcome_; }
@@ -131,11 +107,11 @@ class Workbench : public PictureSource {
   void take_input(const InputState& input);
   void draw_menu();
   void draw_regions();
-  void draw_side_tab();
+  void draw_tabs();
+  void draw_panels(Region region);
   void draw_splitters();
   void draw_viewport();
   void draw_recording();
-  void draw_dialogs();
   void drive_viewport(const InputState& input);
   void take_for_insets(PointerState& pointer);
   void release_lens();
@@ -167,7 +143,15 @@ class Workbench : public PictureSource {
   Image paint_tiles(bool transparent);
   std::optional<Inset> pinned_inset(const Camera& camera, double scale) const;
 
-  void on(const action::SetView& a);
+  friend class Dispatch;
+  void apply_group(const DocumentAction& action) { session_.apply(action); }
+  void apply_group(const ViewAction& action) { Dispatch::to(*this, action); }
+  void apply_group(const PictureAction& action) { capture_.apply(action); }
+  void apply_group(const DialogAction& action) { dialogs_.apply(action); }
+  void apply_group(const ShellAction& action) { Dispatch::to(*this, action); }
+  void apply_group(const DemoAction& action) { Dispatch::to(*this, action); }
+
+  void on(const action::EditView& a);
   void on(const action::InspectNode& a);
   void on(const action::FitView&);
   void on(const action::FitSelection&);
@@ -180,32 +164,14 @@ class Workbench : public PictureSource {
   void on(const action::AskGoTo&);
   void on(const action::PinMagnifier&);
   void on(const action::StepScale& a);
-  void on(const action::ShowFileDialog& a);
-  void on(const action::ShowStepEditor& a);
   void on(const action::RestoreSession& a);
   void on(const action::DiscardSession& a) { autosave_.discard(a.folder); }
-  void on(const action::TakeScreenshot& a) { capture_.on(a); }
-  void on(const action::SetPictureSpec& a) { capture_.on(a); }
-  void on(const action::SavePicture& a) { capture_.on(a); }
-  void on(const action::ShowPictureDialog&) { picture_dialog_.open(); }
-  void on(const action::SetRecordingSpec& a) { capture_.on(a); }
-  void on(const action::StartRecording& a) { capture_.on(a); }
-  void on(const action::StopRecording& a) { capture_.on(a); }
-  void on(const action::CancelRecording& a) { capture_.on(a); }
-  void on(const action::ShowRecordDialog& a);
   void on(const action::ClearRecent&) { recent_.clear(); }
   void on(const action::ShowWelcome&);
-  void on(const action::ShowAbout&) { about_.open(); }
   void on(const action::StartDemo& a);
   void on(const action::StepDemo& a) { demo_.go(a.by, session_, actions_); }
   void on(const action::PlayDemo& a) { demo_.play(a.automatic); }
   void on(const action::EndDemo&) { demo_.end(); }
-  void on(const action::ShowHelp&) { help_.open(); }
-  void on(const action::ShowPalette&) { command_palette_.open(); }
-  template <class SessionAction>
-  void on(const SessionAction& a) {
-    session_.apply(a);
-  }
   void look_at_start();
 
   WorkbenchOptions options_;
@@ -235,42 +201,16 @@ class Workbench : public PictureSource {
   double reach_ = 0;              // of the selection, when nothing was moving
   bool picturing_ = false;        // the frame being laid out is for a picture, not for the window
   bool mesh_alone_ = false;       // and shows nothing but the mesh
-  std::unique_ptr<UiLayer> picture_ui_;       // of the last picture: the next often has its size
-  double picture_age_ = 0;                    // seconds since the last picture
-  std::optional<std::size_t> recorded_step_;  // that the file dialog is open for
+  std::unique_ptr<UiLayer> picture_ui_;  // of the last picture: the next often has its size
+  double picture_age_ = 0;               // seconds since the last picture
   RecentFiles recent_;
   DemoPlayer demo_;
   std::filesystem::path shown_path_;  // of the mesh that stands in recent_
   std::size_t dropped_ = 0;           // files that the mesh being opened was dropped with
 
-  MenuBar menu_bar_;
-  Toolbar toolbar_;
-  MarkersPanel markers_;
-  MotionPanel motion_;
-  ShapePanel shape_;
-  LayersPanel layers_;
-  SolverPanel solver_;
-  ViewPanel view_panel_;
-  VcvPanel vcv_panel_;
-  QualityPanel quality_;
-  WorstPanel worst_;
-  GoToPanel go_to_;
-  IsolatePanel isolate_;
-  HistoryPanel history_;
-  ConvergencePanel convergence_;
-  StatusBar status_;
-  BannerPanel banner_;
   WelcomePanel welcome_;
-  PromptPanel prompt_;
-  FileDialog file_dialog_;
-  StepEditor step_editor_;
-  HelpPanel help_;
-  AboutPanel about_;
-  DemoPanel demo_panel_;
-  CommandPalette command_palette_;
-  PictureDialog picture_dialog_;
-  RecordDialog record_dialog_;
-  RecordingPanel recording_panel_;
+  PanelRegistry panels_;
+  Dialogs dialogs_{session_};
 };
 
 }  // namespace winslow::gui

@@ -8,7 +8,7 @@ void Workbench::on(const action::StartDemo& a) {
   if (!demo) return;
   const Document* document = session_.document();
   if (document && (document->modified() || session_.in_motion()) && !a.discard_changes) {
-    session_.ask(
+    session_.messages().ask(
         {Prompt::Kind::question,
          "Discard the changes?",
          document->name() + " has changes that are not saved. The demo opens another mesh.",

@@ -22,9 +22,10 @@ void Workbench::follow_files(double seconds) {
   if (path.empty()) return;
   recent_.add(path);
   if (dropped_ > 1)
-    session_.tell(Notice::Kind::warning,
-                  "Opened " + document->name() + ", the first of " + counted(dropped_, "file") +
-                      " that were dropped: the studio shows one mesh at a time.");
+    session_.messages().tell(Notice::Kind::warning,
+                             "Opened " + document->name() + ", the first of " +
+                                 counted(dropped_, "file") +
+                                 " that were dropped: the studio shows one mesh at a time.");
   dropped_ = 0;
 }
 

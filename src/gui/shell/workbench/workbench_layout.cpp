@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include "gui/panels/banner_panel.h"
+#include "gui/panels/demo_panel.h"
 #include "gui/shell/workbench/workbench.h"
 #include "gui/widgets/controls.h"
 
@@ -66,7 +68,7 @@ void Workbench::draw_menu() {
   float height = 0;
   if (ImGui::BeginMainMenuBar()) {
     height = ImGui::GetWindowSize().y;
-    menu_bar_.draw(context());
+    draw_panels(Region::menu);
     ImGui::EndMainMenuBar();
   }
   ViewOptions shown = view_;
@@ -77,40 +79,38 @@ void Workbench::draw_menu() {
 
 void Workbench::draw_regions() {
   const Theme& theme = ui_->theme();
-  const PanelContext all = context();
   const ImVec2 roomy(theme.px(12), theme.px(10));
   begin_region("toolbar", layout_.toolbar,
                {ImVec2(theme.px(8), theme.px(8)), palette().card, ImGuiWindowFlags_NoScrollbar});
-  toolbar_.draw(all);
+  draw_panels(Region::toolbar);
   end_region();
   begin_region("status", layout_.status,
                {ImVec2(theme.px(10), theme.px(6)), palette().card, ImGuiWindowFlags_NoScrollbar});
-  status_.draw(all);
+  draw_panels(Region::status);
   end_region();
   if (!layout_.left.empty()) {
     begin_region("left", layout_.left, {roomy});
-    markers_.draw(all);
-    motion_.draw(all);
-    shape_.draw(all);
-    layers_.draw(all);
-    solver_.draw(all);
+    draw_panels(Region::left);
     end_region();
   }
   if (!layout_.right.empty()) {
     begin_region("right", layout_.right, {roomy});
-    draw_side_tab();
+    draw_tabs();
+    draw_panels(Region::right);
     end_region();
   }
   if (!layout_.plot.empty()) {
     begin_region("plot", layout_.plot,
                  {ImVec2(theme.px(12), theme.px(8)), palette().card, ImGuiWindowFlags_NoScrollbar});
-    convergence_.draw(all);
+    draw_panels(Region::plot);
     end_region();
   }
 }
 
-void Workbench::draw_side_tab() {
-  const PanelContext all = context();
+/// All meshes are plane so far.
+void Workbench::draw_panels(Region region) { panels_.draw(region, context(), MeshKind::plane); }
+
+void Workbench::draw_tabs() {
   static const std::vector<std::pair<SideTab, ui::Tab>> tabs{
       {SideTab::quality,
        {"Quality", "How good the mesh is, before and now, and where it is worst."}},
@@ -124,24 +124,8 @@ void Workbench::draw_side_tab() {
     labels.push_back(tabs[k].second);
     if (tabs[k].first == view_.side_tab) chosen = k;
   }
-  if (ui::tabs("tab", labels, chosen)) {
-    ViewOptions view = view_;
-    view.side_tab = tabs[chosen].first;
-    all.emit(action::SetView{view});
-  }
-  switch (view_.side_tab) {
-    case SideTab::quality:
-      quality_.draw(all);
-      go_to_.draw(all);
-      worst_.draw(all);
-      return isolate_.draw(all);
-    case SideTab::view:
-      return view_panel_.draw(all);
-    case SideTab::history:
-      return history_.draw(all);
-    case SideTab::vcv:
-      return vcv_panel_.draw(all);
-  }
+  if (ui::tabs("tab", labels, chosen))
+    context().edit_view([&](ViewOptions& view) { view.side_tab = tabs[chosen].first; });
 }
 
 void Workbench::draw_splitters() {
@@ -183,14 +167,14 @@ void Workbench::draw_viewport() {
   }
   if (!picturing_) draw_recording();
   if (demo_.demo() && !picturing_) draw_demo_card();
-  if (!session_.banner() || mesh_alone_) return;
-  const Banner::Kind kind = session_.banner()->kind;
+  if (!session_.messages().banner() || mesh_alone_) return;
+  const Banner::Kind kind = session_.messages().banner()->kind;
   const bool bad = kind == Banner::Kind::inverted_result || kind == Banner::Kind::inverted_input;
   begin_region(
       "banner", {v.x, v.y, v.width, BannerPanel::height(context(), v.width)},
       {ImVec2(theme.px(BannerPanel::side_padding), theme.px(7)),
        bad ? palette().danger_soft : palette().warning_soft, ImGuiWindowFlags_NoScrollbar});
-  banner_.draw(context());
+  draw_panels(Region::banner);
   end_region();
 }
 
@@ -204,7 +188,7 @@ void Workbench::draw_demo_card() {
       DemoPanel::height(context(), width - 2 * padding.x) + 2 * padding.y + theme.px(2);
   begin_region("demo", {v.x + margin, v.y + v.height - height - margin, width, height},
                {padding, palette().card, ImGuiWindowFlags_NoScrollbar});
-  demo_panel_.draw(context());
+  draw_panels(Region::demo);
   const ImVec2 corner = ImGui::GetWindowPos();
   ui::note("demo/card", corner, ImVec2(corner.x + width, corner.y + height));
   end_region();
@@ -214,28 +198,12 @@ void Workbench::draw_recording() {
   if (capture_.recorder().state() == Recorder::State::idle) return;
   const Theme& theme = ui_->theme();
   const Area& v = layout_.viewport;
-  const float banner = session_.banner() ? BannerPanel::height(context(), v.width) : 0;
+  const float banner = session_.messages().banner() ? BannerPanel::height(context(), v.width) : 0;
   begin_region("recording",
                {v.x + theme.px(12), v.y + banner + theme.px(12), theme.px(360), theme.px(44)},
                {ImVec2(theme.px(12), theme.px(8)), palette().card, ImGuiWindowFlags_NoScrollbar});
-  recording_panel_.draw(context());
+  draw_panels(Region::recording);
   end_region();
-}
-
-void Workbench::draw_dialogs() {
-  const Vec2 window(width_, height_);
-  const Vec2 mesh(layout_.viewport.width, layout_.viewport.height);
-  picture_dialog_.set_extents(window, mesh);
-  record_dialog_.set_extents(window, mesh);
-  picture_dialog_.draw(context());
-  record_dialog_.draw(context());
-  file_dialog_.draw(context());
-  step_editor_.draw(context());
-  // One dialog at a time: what there is to say waits until a file is chosen.
-  if (!file_dialog_.is_open() && !step_editor_.is_open()) prompt_.draw(context());
-  help_.draw(context());
-  command_palette_.draw(context());
-  about_.draw(context());
 }
 
 }  // namespace winslow::gui

@@ -15,7 +15,7 @@ namespace winslow::gui {
 
 namespace {
 
-constexpr int samples = 4;
+constexpr int picture_samples = 4;
 /// Side of the pieces that a picture is drawn in, pixels: multisampled, 130 MB.
 constexpr int tile_side = 2048;
 /// Windows of the interface need a frame or two to find their sizes.
@@ -109,7 +109,7 @@ Image Workbench::picture(const PictureSpec& spec) {
   const float unit = ui_->theme().scale * static_cast<float>(ratio);
   const Bounds visible = camera_.visible();
   // Colours must be those of this mesh, not of one a moment ago.
-  session_.measure_quality_now(view_.color);
+  session_.quality().measure_now(view_.color);
 
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
@@ -175,7 +175,7 @@ Image Workbench::paint_tiles(bool transparent) {
   const int side_x = std::min(width_, tile_side);
   const int side_y = std::min(height_, tile_side);
   const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(palette().card);
-  const FrameBuffer buffer(side_x, side_y, samples);
+  const FrameBuffer buffer(side_x, side_y, picture_samples);
   for (int y = 0; y < height_; y += side_y)
     for (int x = 0; x < width_; x += side_x) {
       if (transparent)

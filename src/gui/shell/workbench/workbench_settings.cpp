@@ -22,11 +22,12 @@ float Workbench::fitting_scale(double wanted) const {
   return static_cast<float>(std::min(wanted, largest));
 }
 
-void Workbench::on(const action::SetView& a) {
-  const bool scaled = a.view.scale != view_.scale && a.view.scale > 0;
-  view_ = a.view;
+void Workbench::on(const action::EditView& a) {
+  const double before = view_.scale;
+  a.edit.apply_to(view_);
+  const bool scaled = view_.scale != before && view_.scale > 0;
   if (!scaled || static_cast<double>(scale()) >= view_.scale - 1e-3) return;
-  session_.tell(
+  session_.messages().tell(
       Notice::Kind::information,
       "This window has room for " + std::to_string(std::lround(100 * scale())) + " % only");
 }
@@ -36,7 +37,9 @@ void Workbench::on(const action::StepScale& a) {
     view_.scale = 0;
     return;
   }
-  const auto tell = [&](const char* text) { session_.tell(Notice::Kind::information, text); };
+  const auto tell = [&](const char* text) {
+    session_.messages().tell(Notice::Kind::information, text);
+  };
   const auto now = static_cast<double>(scale());
   const auto up = std::ranges::find_if(scales, [&](double s) { return s > now + 1e-3; });
   const auto here = std::ranges::find_if(scales, [&](double s) { return s > now - 1e-3; });
@@ -77,7 +80,7 @@ void Workbench::take_settings(const Settings& settings) {
 void Workbench::keep_settings(double seconds) {
   settings_file_.keep(settings(), seconds);
   if (const std::string problem = settings_file_.take_problem(); !problem.empty())
-    session_.tell(Notice::Kind::warning, problem);
+    session_.messages().tell(Notice::Kind::warning, problem);
 }
 
 }  // namespace winslow::gui

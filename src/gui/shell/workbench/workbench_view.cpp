@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "gui/panels/banner_panel.h"
 #include "gui/shell/workbench/workbench.h"
 #include "gui/view/navigation/go_to.h"
 #include "gui/view/overlays/overlay.h"
@@ -30,17 +31,17 @@ void look_above(Camera& camera, const WidgetMap::Rect& card) {
 
 ViewportScene Workbench::scene() const {
   ViewportScene scene;
-  scene.boundary = session_.boundary();
-  scene.selection = session_.selection();
-  scene.pivot = session_.pivot();
+  scene.boundary = session_.mesh().boundary();
+  scene.selection = session_.selection().markers();
+  scene.pivot = session_.selection().pivot();
   scene.reach = reach_;
   if (viewport_.gesture() == Viewport::Gesture::rotate)
     scene.turned = viewport_.drag().motion().rotate;
   scene.scale = static_cast<double>(ui_->theme().scale);
   scene.box_zoom = view_state_.box_zoom_armed;
   scene.wheel_is_lens = lens_ && !lens_->pinned && !ImGui::GetIO().KeyCtrl;
-  scene.shape = session_.shape_edit();
-  if (const auto& anchors = session_.anchors())
+  scene.shape = session_.selection().shape_edit();
+  if (const auto& anchors = session_.selection().anchors())
     for (const PivotPlace place : {PivotPlace::leading_edge, PivotPlace::trailing_edge,
                                    PivotPlace::centroid, PivotPlace::centre})
       scene.snaps.emplace_back(anchors->at(place), pivot_place_name(place));
@@ -88,9 +89,9 @@ void Workbench::take_for_insets(PointerState& pointer) {
   const bool turn =
       lens_ && in_lens && pointer.over && pointer.wheel != 0 && (lens_->pinned || !pointer.control);
   if (turn) {
-    ViewOptions view = view_;
-    view.magnifier.factor = turned_factor(view.magnifier.factor, pointer.wheel);
-    actions_.emplace_back(action::SetView{view});
+    context().edit_view([&](ViewOptions& view) {
+      view.magnifier.factor = turned_factor(view.magnifier.factor, pointer.wheel);
+    });
   }
   if (taken || (in_lens && lens_->pinned)) pointer.over = false;
 }
@@ -105,7 +106,7 @@ void Workbench::look_at_start() {
   if (!document) return;
   const Bounds all = bounds(document->state().mesh);
   std::vector<Index> holes;
-  for (const auto& body : session_.boundary()->bodies())
+  for (const auto& body : session_.mesh().boundary()->bodies())
     if (body.hole) holes.insert(holes.end(), body.nodes.begin(), body.nodes.end());
   if (!holes.empty()) {
     Bounds bodies = bounds(document->state().mesh.coordinates, holes);
@@ -129,7 +130,7 @@ void Workbench::on(const action::FitSelection&) {
   if (!session_.document() || session_.selection().empty()) return;
   view_history_.leave(camera_);
   std::vector<Index> nodes;
-  for (Index m : session_.selection()) {
+  for (Index m : session_.selection().markers()) {
     const auto of_marker = session_.topology()->marker_nodes(m);
     nodes.insert(nodes.end(), of_marker.begin(), of_marker.end());
   }
@@ -228,7 +229,7 @@ void Workbench::draw_legend_card(ImDrawList& list) {
   const auto& legend = mesh_view_.legend();
   if (!legend || !view_.legend || !view_.fill) return legend_card_.hide();
   Area area = layout_.viewport;
-  if (session_.banner() && !mesh_alone_) {
+  if (session_.messages().banner() && !mesh_alone_) {
     const float banner = BannerPanel::height(context(), area.width);
     area.y += banner;
     area.height -= banner;

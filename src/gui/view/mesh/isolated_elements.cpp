@@ -19,14 +19,8 @@ std::vector<float> element_opacity(std::span<const double> values, const Isolati
 
 Isolation isolation_for(const ElementField& field) {
   Isolation isolation;
-  const auto is = [&](const ElementField& other) { return field == other; };
-  const bool ratio = is(Metric::aspect_ratio) || is(Metric::condition_number);
-  isolation.above =
-      ratio || is(NodalField::kappa) || is(NodalField::residual) || field.layer() != nullptr;
-  isolation.threshold = 0.5;
-  if (ratio || is(NodalField::kappa)) isolation.threshold = 1.5;
-  if (is(NodalField::residual) || is(LayerField::spacing_error)) isolation.threshold = 0.01;
-  if (is(Metric::area) || is(NodalField::smallest_weight)) isolation.threshold = 0;
+  isolation.above = !field_info(field).larger_is_better;
+  isolation.threshold = field_info(field).threshold;
   return isolation;
 }
 

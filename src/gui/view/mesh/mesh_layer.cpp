@@ -27,7 +27,7 @@ ColorScale scale_of(const QualityMonitor::Measured& measured, const std::string&
 
 Legend legend_of(const QualityMonitor::Measured& measured, const ColorScale& scale) {
   Legend legend;
-  legend.title = std::string(field_label(*measured.field));
+  legend.title = std::string(field_info(*measured.field).label);
   legend.scale = scale;
   legend.histogram = histogram_over(measured.values, scale, histogram_bins);
   for (double v : measured.values) {

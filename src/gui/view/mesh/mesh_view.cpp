@@ -79,11 +79,11 @@ void MeshView::update_markers(const Session& session, const ViewOptions& view, f
   markers_.clear();
   for (Index m = 0; m < count; ++m) {
     const Rgb c = marker_color(m, dark);
-    const auto& hovered = session.hovered();
+    const auto& hovered = session.selection().hovered();
     const bool lit = std::find(hovered.begin(), hovered.end(), m) != hovered.end();
     float width = 2.2f;
     if (lit) width = 4.0f;
-    if (session.selected(m)) width = 4.5f;
+    if (session.selection().contains(m)) width = 4.5f;
     markers_.push_back({{c[0], c[1], c[2], 1}, width * scale});
   }
   now_.renderer().set_marker_styles(markers_);

@@ -90,8 +90,7 @@ std::vector<std::pair<std::string, std::string>> describe_element(Index e, const
       {"Element " + std::to_string(e),
        topology.element(e).size() == 3 ? "triangle" : "quadrilateral"},
       {"Nodes", list_of(topology.element(e))}};
-  for (const Metric metric : {Metric::normalized_jacobian, Metric::aspect_ratio,
-                              Metric::condition_number, Metric::area}) {
+  for (const Metric metric : all_metrics()) {
     const double value = element_value(mesh, e, metric);
     lines.emplace_back(metric_label(metric),
                        std::isfinite(value) ? short_number(value) : "inverted");

@@ -7,7 +7,7 @@ namespace winslow::gui {
 Metric worst_metric(const ViewOptions& view) {
   if (view.worst_by) return *view.worst_by;
   const Metric* shown = view.color ? view.color->metric() : nullptr;
-  return shown && *shown != Metric::area ? *shown : Metric::normalized_jacobian;
+  return shown && metric_info(*shown).reported ? *shown : Metric::normalized_jacobian;
 }
 
 std::span<const WorstElement> worst_elements(const Session& session, const ViewOptions& view) {

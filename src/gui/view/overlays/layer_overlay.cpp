@@ -58,9 +58,9 @@ void draw_reason(ImDrawList& list, const Overlay& o, const LayerColumn& column) 
 }  // namespace
 
 void draw_layer_preview(ImDrawList& list, const Overlay& o) {
-  const LayerStack* plan = o.session.layer_preview().plan();
+  const LayerStack* plan = o.session.jobs().layer_preview().plan();
   if (!plan || o.session.in_motion()) return;
-  const Coordinates& x = o.session.layer_preview().coordinates();
+  const Coordinates& x = o.session.jobs().layer_preview().coordinates();
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const Vec2 pointer(static_cast<double>(mouse.x), static_cast<double>(mouse.y));
   double nearest = static_cast<double>(o.theme.px(6));

@@ -66,20 +66,20 @@ void draw_labels(ImDrawList& list, const Overlay& o, const std::vector<Label>& l
 template <class Place>
 void draw_edges(ImDrawList& list, const Overlay& o, const std::vector<Index>& markers,
                 const Place& place) {
-  const Topology& topology = *o.session.motion_base().mesh.topology;
+  const Topology& topology = *o.session.mesh().motion_base().mesh.topology;
   for (Index m : markers)
-    for (const auto& [a, b] : topology.markers()[static_cast<std::size_t>(m)].edges)
-      list.AddLine(pixel(o.camera.to_screen(place(a))), pixel(o.camera.to_screen(place(b))),
-                   palette().accent, o.theme.px(1.5f));
+    for (const Face& edge : topology.markers()[static_cast<std::size_t>(m)].faces)
+      list.AddLine(pixel(o.camera.to_screen(place(edge[0]))),
+                   pixel(o.camera.to_screen(place(edge[1]))), palette().accent, o.theme.px(1.5f));
 }
 
 /// The body where the mouse wants it: the mesh may be a step behind.
 void draw_wanted(ImDrawList& list, const Overlay& o) {
-  const Coordinates& rest = o.session.motion_base().mesh.coordinates;
-  if (const auto motion = o.session.live_motion())
-    return draw_edges(list, o, o.session.selection(),
+  const Coordinates& rest = o.session.mesh().motion_base().mesh.coordinates;
+  if (const auto motion = o.session.mesh().live_motion())
+    return draw_edges(list, o, o.session.selection().markers(),
                       [&](Index node) { return transform(*motion, rest.xy(node)); });
-  const BodyDrag* drag = o.session.body_drag();
+  const BodyDrag* drag = o.session.mesh().body_drag();
   if (!drag || drag->grip().rigid()) return;
   const auto& nodes = drag->grip().nodes;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -89,7 +89,7 @@ void draw_wanted(ImDrawList& list, const Overlay& o) {
 }
 
 void draw_preview(ImDrawList& list, const Overlay& o) {
-  const auto& preview = o.session.deformation_preview();
+  const auto& preview = o.session.selection().deformation_preview();
   if (!preview) return;
   for (const auto& [a, b] : preview->outline)
     list.AddLine(pixel(o.camera.to_screen(a)), pixel(o.camera.to_screen(b)), palette().accent,
@@ -133,7 +133,7 @@ std::string motion_text(const Overlay& o) {
 /// The numbers of the drag, and whether the mesh can follow.
 std::vector<Label> motion_labels(const Overlay& o) {
   std::vector<Label> labels{{motion_text(o), palette().text}};
-  const BodyDrag* drag = o.session.body_drag();
+  const BodyDrag* drag = o.session.mesh().body_drag();
   if (!drag || drag->reach() == BodyDrag::Reach::there) return labels;
   if (drag->reach() == BodyDrag::Reach::limit)
     labels.push_back({"No valid mesh beyond here", palette().danger});

@@ -1,56 +1,21 @@
 #include "gui/view/tools/node_index.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace winslow::gui {
 
-NodeIndex::NodeIndex(const Topology& topology, Coordinates coordinates)
-    : coordinates_(std::move(coordinates)) {
-  for (Index node = 0; node < topology.node_count(); ++node)
-    if (topology.used(node)) order_.push_back(node);
-  build(0, order_.size(), 0);
-}
-
-void NodeIndex::build(std::size_t begin, std::size_t end, int axis) {
-  if (end - begin < 2) return;
-  const std::size_t middle = begin + (end - begin) / 2;
-  const auto at = [this](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::nth_element(at(begin), at(middle), at(end), [&](Index a, Index b) {
-    return coordinates_.point(a)[axis] < coordinates_.point(b)[axis];
-  });
-  build(begin, middle, 1 - axis);
-  build(middle + 1, end, 1 - axis);
+NodeIndex::NodeIndex(const Topology& topology, const Coordinates& coordinates) {
+  std::vector<Box<2>> places;
+  for (Index node = 0; node < topology.node_count(); ++node) {
+    if (!topology.used(node)) continue;
+    nodes_.push_back(node);
+    places.push_back({coordinates.xy(node), coordinates.xy(node)});
+  }
+  tree_ = BoxTree<2>(places);
 }
 
 std::optional<Index> NodeIndex::nearest(const Vec2& point, double radius) const {
-  double best = radius;
-  std::optional<Index> node;
-  search(0, order_.size(), 0, point, best, node);
-  return node;
-}
-
-void NodeIndex::search(std::size_t begin, std::size_t end, int axis, const Vec2& point,
-                       double& best, std::optional<Index>& node) const {
-  if (begin >= end) return;
-  const std::size_t middle = begin + (end - begin) / 2;
-  const Index here = order_[middle];
-  const Vec2 position = coordinates_.xy(here);
-  const double distance = (position - point).norm();
-  if (distance <= best) {
-    best = distance;
-    node = here;
-  }
-  const double beyond = point[axis] - position[axis];
-  const bool low_first = beyond < 0;
-  const auto visit = [&](bool low) {
-    if (low)
-      search(begin, middle, 1 - axis, point, best, node);
-    else
-      search(middle + 1, end, 1 - axis, point, best, node);
-  };
-  visit(low_first);
-  if (std::abs(beyond) <= best) visit(!low_first);
+  const auto found = tree_.nearest(point, radius);
+  if (!found) return std::nullopt;
+  return nodes_[static_cast<std::size_t>(found->item)];
 }
 
 void NodePicker::collect() {
@@ -76,7 +41,7 @@ std::optional<Index> NodePicker::pick(std::uint64_t shape, const Topology& topol
   for (Index node = 0; node < topology.node_count(); ++node) {
     if (!topology.used(node)) continue;
     const double distance = (coordinates.xy(node) - point).norm();
-    if (distance > best) continue;
+    if (distance > best || (nearest && distance == best)) continue;
     best = distance;
     nearest = node;
   }

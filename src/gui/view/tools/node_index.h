@@ -6,24 +6,21 @@
 #include <vector>
 
 #include "core/mesh/mesh.h"
+#include "core/search/box_tree.h"
 #include "gui/base/background.h"
 
 namespace winslow::gui {
 
-/// Nearest node to a point: a k-d tree over the nodes that elements use. Immutable.
+/// Nearest node to a point, of those that elements use. Immutable.
 class NodeIndex {
  public:
-  NodeIndex(const Topology& topology, Coordinates coordinates);
-  /// None farther away than `radius`.
+  NodeIndex(const Topology& topology, const Coordinates& coordinates);
+  /// None farther away than `radius`; of nodes equally near, the lowest.
   std::optional<Index> nearest(const Vec2& point, double radius) const;
 
  private:
-  void build(std::size_t begin, std::size_t end, int axis);
-  void search(std::size_t begin, std::size_t end, int axis, const Vec2& point, double& best,
-              std::optional<Index>& node) const;
-
-  Coordinates coordinates_;
-  std::vector<Index> order_;  // the middle of a range splits it, along x and y in turns
+  std::vector<Index> nodes_;
+  BoxTree<2> tree_;  // of nodes_
 };
 
 /// Finds the node under the mouse on a mesh that may change at any frame. The tree is built in the

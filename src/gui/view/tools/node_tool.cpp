@@ -5,7 +5,7 @@ namespace winslow::gui {
 namespace {
 
 // Framebuffer pixels at scale 1.
-constexpr double pick_radius = 10;
+constexpr double node_pick_radius = 10;
 constexpr double click_slack = 4;
 
 }  // namespace
@@ -17,7 +17,7 @@ std::optional<Index> NodeTool::node_at(const PointerState& pointer, double scale
     picker_.prepare(session.shape(), session.topology(), session.coordinates());
   return picker_.pick(session.shape(), *session.topology(), session.coordinates(),
                       camera.to_world(pointer.position),
-                      pick_radius * scale * camera.units_per_pixel());
+                      node_pick_radius * scale * camera.units_per_pixel());
 }
 
 bool NodeTool::update(const PointerState& pointer, bool active, double scale,

@@ -20,12 +20,6 @@ void wait_until_kept(Rig& rig) {
   REQUIRE(rig.wait([&] { return !rig.bench->autosave().busy(); }));
 }
 
-void turn(Rig& rig, double degrees) {
-  rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
-  rig.bench->apply(action::ApplyMotion{{degrees, Vec2(0, 0), Vec2(0, 0)}});
-  REQUIRE(rig.settle());
-}
-
 std::vector<fs::path> kept_sessions(const TemporaryFolder& profile) {
   std::vector<fs::path> folders;
   std::error_code error;
@@ -43,7 +37,7 @@ std::vector<Coordinates> work_and_crash(const TemporaryFolder& profile,
   REQUIRE(rig.settle());
   std::vector<Coordinates> positions{rig.mesh().coordinates};
   for (double degrees : {10.0, -25.0, 5.0}) {
-    turn(rig, degrees);
+    turn_flap(rig, degrees);
     positions.push_back(rig.mesh().coordinates);
   }
   rig.bench->apply(action::Undo{});
@@ -52,7 +46,8 @@ std::vector<Coordinates> work_and_crash(const TemporaryFolder& profile,
 }
 
 bool offered(Rig& rig) {
-  return rig.wait([&] { return rig.session().prompt() != nullptr; }) && (rig.frames(3), true);
+  return rig.wait([&] { return rig.session().messages().prompt() != nullptr; }) &&
+         (rig.frames(3), true);
 }
 
 fs::path find(const fs::path& folder, const std::string& start, int number = 0) {
@@ -81,7 +76,8 @@ TEST_CASE("after a crash the session is offered back, every position to the bit"
   {
     Rig rig(1100, 720, profile.path());
     REQUIRE(offered(rig));
-    CHECK(rig.session().prompt()->text.find("wing.su2 (3 commands, 20") != std::string::npos);
+    CHECK(rig.session().messages().prompt()->text.find("wing.su2 (3 commands, 20") !=
+          std::string::npos);
     rig.click("prompt/Restore");
     REQUIRE(rig.wait([&] { return rig.session().document() != nullptr; }));
     wait_until_kept(rig);
@@ -114,13 +110,13 @@ TEST_CASE("nothing is left after a clean quit, and nothing is offered") {
     rig.bench->apply(action::OpenMesh{write(meshes, ring_mesh())});
     wait_until_kept(rig);
     CHECK(kept_sessions(profile).size() == 1);
-    turn(rig, 10);
+    turn_flap(rig, 10);
     rig.bench->apply(action::Quit{true});
   }
   CHECK(kept_sessions(profile).empty());
   Rig rig(1100, 720, profile.path());
   wait_until_kept(rig);
-  CHECK(rig.session().prompt() == nullptr);
+  CHECK(rig.session().messages().prompt() == nullptr);
 }
 
 TEST_CASE("nothing is kept of a mesh that was closed; the next one is kept again") {
@@ -131,7 +127,7 @@ TEST_CASE("nothing is kept of a mesh that was closed; the next one is kept again
     const auto mesh = write(meshes, ring_mesh());
     rig.bench->apply(action::OpenMesh{mesh});
     wait_until_kept(rig);
-    turn(rig, 10);
+    turn_flap(rig, 10);
     wait_until_kept(rig);
     CHECK(kept_sessions(profile).size() == 1);
     rig.bench->apply(action::CloseMesh{true});
@@ -145,7 +141,7 @@ TEST_CASE("nothing is kept of a mesh that was closed; the next one is kept again
   }
   Rig rig(1100, 720, profile.path());
   wait_until_kept(rig);
-  CHECK(rig.session().prompt() == nullptr);
+  CHECK(rig.session().messages().prompt() == nullptr);
 }
 
 TEST_CASE("a session that is discarded is gone") {
@@ -157,7 +153,7 @@ TEST_CASE("a session that is discarded is gone") {
   rig.click("prompt/Discard");
   REQUIRE(rig.wait([&] { return kept_sessions(profile).empty(); }));
   CHECK(rig.session().document() == nullptr);
-  CHECK(rig.session().prompt() == nullptr);
+  CHECK(rig.session().messages().prompt() == nullptr);
 }
 
 TEST_CASE("two studios at the same time leave each other's sessions alone") {
@@ -166,14 +162,14 @@ TEST_CASE("two studios at the same time leave each other's sessions alone") {
   auto first = std::make_unique<Rig>(1100, 720, profile.path());
   first->bench->apply(action::OpenMesh{write(meshes, ring_mesh(), "one.su2")});
   REQUIRE(first->settle());
-  turn(*first, 10);
+  turn_flap(*first, 10);
   wait_until_kept(*first);
   const Coordinates of_first = first->mesh().coordinates;
   {
     Rig second(1100, 720, profile.path());
     second.frames(5);
     wait_until_kept(second);
-    CHECK(second.session().prompt() == nullptr);
+    CHECK(second.session().messages().prompt() == nullptr);
     second.bench->apply(action::OpenMesh{write(meshes, two_body_mesh(), "two.su2")});
     wait_until_kept(second);
     CHECK(kept_sessions(profile).size() == 2);
@@ -183,7 +179,7 @@ TEST_CASE("two studios at the same time leave each other's sessions alone") {
   first.reset();
   Rig third(1100, 720, profile.path());
   REQUIRE(offered(third));
-  CHECK(third.session().prompt()->text.find("one.su2") != std::string::npos);
+  CHECK(third.session().messages().prompt()->text.find("one.su2") != std::string::npos);
   third.click("prompt/Restore");
   REQUIRE(third.wait([&] { return third.session().document() != nullptr; }));
   CHECK(third.session().coordinates() == of_first);
@@ -197,8 +193,8 @@ TEST_CASE("a damaged step costs that step and those after it, and is said") {
   Rig rig(1100, 720, profile.path());
   REQUIRE(offered(rig));
   rig.click("prompt/Restore");
-  REQUIRE(rig.wait([&] { return rig.session().document() && rig.session().prompt(); }));
-  CHECK(rig.session().prompt()->text.find("checksum") != std::string::npos);
+  REQUIRE(rig.wait([&] { return rig.session().document() && rig.session().messages().prompt(); }));
+  CHECK(rig.session().messages().prompt()->text.find("checksum") != std::string::npos);
   CHECK(rig.document().history().size() == 2);
   CHECK(rig.session().coordinates() == positions[1]);
 }
@@ -255,7 +251,7 @@ TEST_CASE("a damaged manifest or mesh is reported, and can be deleted") {
       rig.click("prompt/Restore");
       REQUIRE(offered(rig));
     }
-    CHECK(rig.session().prompt()->kind == Prompt::Kind::error);
+    CHECK(rig.session().messages().prompt()->kind == Prompt::Kind::error);
     CHECK(rig.session().document() == nullptr);
     rig.click("prompt/Delete it");
     CHECK(rig.wait([&] { return kept_sessions(profile).empty(); }));
@@ -266,15 +262,15 @@ TEST_CASE("what came after an undone step is written once and goes when it is fo
   TemporaryFolder profile;
   Rig rig(1100, 720, profile.path());
   rig.open(ring_mesh());
-  turn(rig, 10);
-  turn(rig, 5);
+  turn_flap(rig, 10);
+  turn_flap(rig, 5);
   wait_until_kept(rig);
   const fs::path folder = kept_sessions(profile).at(0);
   const fs::path first = find(folder, "step-", 0);
   const fs::path second = find(folder, "step-", 1);
   const auto time = fs::last_write_time(first);
   rig.bench->apply(action::Undo{});
-  turn(rig, 8);
+  turn_flap(rig, 8);
   wait_until_kept(rig);
   CHECK(fs::exists(first));
   CHECK(fs::last_write_time(first) == time);

@@ -98,7 +98,7 @@ TEST_CASE("elements that make no sense are refused before a mesh is built of the
       [](MeshData& d) { d.element_nodes.pop_back(); },
       [](MeshData& d) { d.types[0] = ElementType::quadrilateral; },
       [](MeshData& d) { d.types[0] = static_cast<ElementType>(7); },
-      [](MeshData& d) { d.markers[0].edges[0][1] = 9; },
+      [](MeshData& d) { d.markers[0].faces[0] = Face(0, 9); },
       [](MeshData& d) {
         d.element_region = {0, 0};
       },
@@ -138,11 +138,11 @@ TEST_CASE("a session whose layers were damaged is restored up to them, and it is
         history.state(1), history.result(2));
   }
   Rig rig(1100, 720, profile.path());
-  REQUIRE(rig.wait([&] { return rig.session().prompt() != nullptr; }));
+  REQUIRE(rig.wait([&] { return rig.session().messages().prompt() != nullptr; }));
   rig.frames(3);
   rig.click("prompt/Restore");
-  REQUIRE(rig.wait([&] { return rig.session().document() && rig.session().prompt(); }));
-  CHECK(rig.session().prompt()->text.find("lost") != std::string::npos);
+  REQUIRE(rig.wait([&] { return rig.session().document() && rig.session().messages().prompt(); }));
+  CHECK(rig.session().messages().prompt()->text.find("lost") != std::string::npos);
   CHECK(rig.document().history().size() == 2);
   CHECK(rig.session().layers() == nullptr);
   rig.bench->picture();

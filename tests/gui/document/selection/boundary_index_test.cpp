@@ -51,7 +51,8 @@ TEST_CASE("the nearest boundary edge is the one a search through all of them fin
     const Vec2 p(radius * std::cos(angle), radius * std::sin(angle));
     double nearest[2] = {1e9, 1e9};
     for (Index m = 0; m < 2; ++m)
-      for (const auto& [a, b] : mesh.topology->markers()[static_cast<std::size_t>(m)].edges) {
+      for (const Face& edge : mesh.topology->markers()[static_cast<std::size_t>(m)].faces) {
+        const auto [a, b] = edge.edge();
         const Vec2 s = mesh.coordinates.xy(a);
         const Vec2 d = mesh.coordinates.xy(b) - s;
         const double t = std::clamp((p - s).dot(d) / d.squaredNorm(), 0.0, 1.0);

@@ -65,10 +65,10 @@ TEST_CASE("the mesh follows while the body is still held") {
   const Index node = before.topology->marker_nodes(rig.marker("flap"))[0];
   const bool followed = rig.wait([&] {
     const double moved = rig.session().coordinates().xy(node).x() - before.coordinates.xy(node).x();
-    return std::abs(moved - by) < 1e-9 && rig.session().body_drag()->settled();
+    return std::abs(moved - by) < 1e-9 && rig.session().mesh().body_drag()->settled();
   });
   CHECK(followed);
-  CHECK(rig.session().body_drag()->reach() == BodyDrag::Reach::there);
+  CHECK(rig.session().mesh().body_drag()->reach() == BodyDrag::Reach::there);
   const Index inner = before.topology->free_nodes().front();
   CHECK((rig.session().coordinates().xy(inner) - before.coordinates.xy(inner)).norm() > 1e-3);
   CHECK(check_validity(*before.topology, rig.session().coordinates()).inverted == 0);
@@ -96,7 +96,7 @@ TEST_CASE("the ring turns the selection about its pivot by the angle the mouse g
   Rig rig;
   rig.open(ring_mesh());
   rig.click(rig.pixel(Vec2(0, 0)));
-  REQUIRE(rig.session().selected(rig.marker("flap")));
+  REQUIRE(rig.session().selection().contains(rig.marker("flap")));
   const Mesh before = rig.mesh();
   const Gizmo gizmo = rig.gizmo();
   // From the knob at 45 degrees to 75 degrees on the ring.
@@ -116,9 +116,9 @@ TEST_CASE("the ring turns the selection about its pivot by the angle the mouse g
 TEST_CASE("a drag shows valid meshes while held, and takes the steps chosen when let go") {
   Rig rig;
   rig.open(ring_mesh());
-  rig.bench->apply(action::SetMotionOptions{{8, true}});
+  rig.bench->apply(action::EditMotionOptions{whole(MotionOptions{8, true})});
   rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + Vec2(60, 0));
-  REQUIRE(rig.session().body_drag() != nullptr);
+  REQUIRE(rig.session().mesh().body_drag() != nullptr);
   rig.release();
   REQUIRE(rig.settle());
   CHECK(last_move(rig).how.increments == 8);
@@ -128,9 +128,9 @@ TEST_CASE("a drag shows valid meshes while held, and takes the steps chosen when
 TEST_CASE("in the direct mode the boundary goes at once, and the job shows what the solver has") {
   Rig rig;
   rig.open(ring_mesh());
-  rig.bench->apply(action::SetMotionOptions{{1, true}});
+  rig.bench->apply(action::EditMotionOptions{whole(MotionOptions{1, true})});
   rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + Vec2(60, 0));
-  CHECK(rig.session().body_drag() == nullptr);
+  CHECK(rig.session().mesh().body_drag() == nullptr);
   REQUIRE(rig.session().job().active());
   CHECK(std::get<MoveCommand>(rig.session().job().command()).how.increments == 1);
   rig.release();
@@ -142,7 +142,7 @@ TEST_CASE("a mesh that is solved under the mouse is what the command gives") {
   Rig rig;
   rig.open(ring_mesh());
   rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + Vec2(40, 0));
-  REQUIRE(rig.wait([&] { return rig.session().body_drag()->settled(); }));
+  REQUIRE(rig.wait([&] { return rig.session().mesh().body_drag()->settled(); }));
   const Coordinates held = rig.session().coordinates();
   rig.release();
   REQUIRE(rig.settle());
@@ -160,11 +160,12 @@ TEST_CASE("a drag stops where the mesh can go no further, and says so") {
   rig.open(ring_mesh());
   const Mesh before = rig.mesh();
   rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0.2, 0)));
-  REQUIRE(rig.wait([&] { return rig.session().body_drag()->settled(); }));
+  REQUIRE(rig.wait([&] { return rig.session().mesh().body_drag()->settled(); }));
   const Image there = rig.bench->picture();
   // Through the far field.
   rig.move(rig.pixel(Vec2(0.2, 0)) + Vec2(600, 0));
-  REQUIRE(rig.wait([&] { return rig.session().body_drag()->reach() == BodyDrag::Reach::limit; }));
+  REQUIRE(rig.wait(
+      [&] { return rig.session().mesh().body_drag()->reach() == BodyDrag::Reach::limit; }));
   CHECK(check_validity(*before.topology, rig.session().coordinates()).inverted == 0);
   rig.frames();
   CHECK(rig.bench->picture().rgba != there.rgba);
@@ -188,8 +189,8 @@ TEST_CASE("a typed motion that ends on the way is recorded as far as it got") {
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);
   CHECK(rig.document().history().result(1).inverted == 0);
-  REQUIRE(rig.session().banner().has_value());
-  CHECK(rig.session().banner()->kind == Banner::Kind::partial_motion);
+  REQUIRE(rig.session().messages().banner().has_value());
+  CHECK(rig.session().messages().banner()->kind == Banner::Kind::partial_motion);
   CHECK(last_move(rig).motion.translate.x() < 4);
   CHECK(error_of_marker(before, rig.mesh(), "flap", last_move(rig).motion) < 1e-9);
   // A shift that was cut short has not become a turn by a rounding error.
@@ -197,7 +198,7 @@ TEST_CASE("a typed motion that ends on the way is recorded as far as it got") {
   CHECK(last_move(rig).motion.translate.y() == 0);
   rig.click("banner/undo");
   CHECK(rig.mesh().coordinates == before.coordinates);
-  CHECK(rig.session().notice()->text.find("Undone: Move flap") == 0);
+  CHECK(rig.session().messages().notice()->text.find("Undone: Move flap") == 0);
 }
 
 TEST_CASE("what a banner says wraps in a narrow window, above its buttons and within its strip") {
@@ -232,7 +233,7 @@ TEST_CASE("a second drag before the first has converged adds to it") {
   slow.outer = OuterMethod::picard;
   slow.damping = 0.01;
   slow.max_iterations = 4000;
-  rig.bench->apply(action::SetSmoothOptions{slow});
+  rig.bench->apply(action::EditSmoothOptions{whole(slow)});
   const Mesh before = rig.mesh();
   const double unit = rig.bench->camera().units_per_pixel();
   rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + Vec2(30, 0));
@@ -244,9 +245,9 @@ TEST_CASE("a second drag before the first has converged adds to it") {
     return std::abs(moved.x() - 30 * unit) < 1e-9;
   }));
   REQUIRE(rig.session().job().active());
-  const Vec2 on_body = rig.pixel(rig.session().pivot() - Vec2(0.35, 0));
+  const Vec2 on_body = rig.pixel(rig.session().selection().pivot() - Vec2(0.35, 0));
   rig.drag(on_body, on_body + Vec2(0, -20));
-  rig.bench->apply(action::SetSmoothOptions{SmoothOptions{}});
+  rig.bench->apply(action::EditSmoothOptions{whole(SmoothOptions{})});
   rig.release();
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);
@@ -296,20 +297,20 @@ TEST_CASE("a motion that cannot work leaves an inverted mesh, says so and can be
   const Mesh before = rig.mesh();
   rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
   // Straight through the far field: no mesh of this connectivity is valid.
-  rig.bench->apply(action::SetMotionOptions{{1, true}});
+  rig.bench->apply(action::EditMotionOptions{whole(MotionOptions{1, true})});
   SmoothOptions quick;
   quick.max_iterations = 5;
-  rig.bench->apply(action::SetSmoothOptions{quick});
+  rig.bench->apply(action::EditSmoothOptions{whole(quick)});
   rig.bench->apply(action::ApplyMotion{{0, Vec2(0, 0), Vec2(4, 0)}});
   REQUIRE(rig.settle());
   rig.frames();
-  REQUIRE(rig.session().banner().has_value());
-  CHECK(rig.session().banner()->kind == Banner::Kind::inverted_result);
+  REQUIRE(rig.session().messages().banner().has_value());
+  CHECK(rig.session().messages().banner()->kind == Banner::Kind::inverted_result);
   CHECK(rig.document().history().result(1).inverted > 0);
   REQUIRE(rig.visible("banner/undo"));
   rig.click("banner/undo");
   CHECK(rig.mesh().coordinates == before.coordinates);
-  CHECK_FALSE(rig.session().banner().has_value());
+  CHECK_FALSE(rig.session().messages().banner().has_value());
 }
 
 }  // namespace winslow::gui::test

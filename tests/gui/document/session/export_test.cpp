@@ -5,9 +5,10 @@
 #include "gui/files/assets.h"
 #include "gui/files/file_kinds.h"
 #include "gui/menu/user_command.h"
+#include "gui/panels/files/file_dialog.h"
 #include "gui/support/keys.h"
 #include "gui/support/rig.h"
-#include "io/mesh_file.h"
+#include "io/format/mesh_file.h"
 
 namespace winslow::gui::test {
 
@@ -26,7 +27,8 @@ TEST_CASE("a copy in every format reads back as the open mesh, which stays where
     const auto path = rig.folder / ("copy" + extension);
     rig.bench->apply(action::ExportMesh{path});
     REQUIRE(rig.settle());
-    while (rig.session().prompt()) rig.bench->apply(action::DismissPrompt{});  // markers lost
+    while (rig.session().messages().prompt())
+      rig.bench->apply(action::DismissPrompt{});  // markers lost
     const Mesh back = io::read_mesh(path).mesh;
     REQUIRE(back.coordinates.size() == rig.mesh().coordinates.size());
     CHECK(back.topology->element_count() == rig.mesh().topology->element_count());
@@ -65,9 +67,9 @@ TEST_CASE("nothing is exported among the meshes that come with the program") {
     rig.bench->apply(action_at(path));
     rig.frames(6);
     CHECK(rig.settle());
-    REQUIRE(rig.session().notice().has_value());
-    CHECK(rig.session().notice()->text == bundled_text);
-    CHECK(rig.session().prompt() == nullptr);
+    REQUIRE(rig.session().messages().notice().has_value());
+    CHECK(rig.session().messages().notice()->text == bundled_text);
+    CHECK(rig.session().messages().prompt() == nullptr);
     CHECK_FALSE(fs::exists(path));
     rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
   };
@@ -123,7 +125,7 @@ TEST_CASE("closing the mesh asks when there is something to lose") {
   // Nothing of it is left behind: another one opens and moves as ever.
   rig.open(two_body_mesh(), "other.su2");
   rig.click("marker/left");
-  CHECK(rig.session().selection().size() == 1);
+  CHECK(rig.session().selection().markers().size() == 1);
 }
 
 }  // namespace winslow::gui::test

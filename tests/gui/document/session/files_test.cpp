@@ -3,11 +3,12 @@
 #include <fstream>
 
 #include "core/error.h"
+#include "gui/panels/files/file_dialog.h"
 #include "gui/shell/studio.h"
 #include "gui/support/keys.h"
 #include "gui/support/rig.h"
-#include "io/mesh_file.h"
-#include "io/recipe.h"
+#include "io/format/mesh_file.h"
+#include "io/recipe/recipe.h"
 
 namespace winslow::gui::test {
 
@@ -69,8 +70,8 @@ TEST_CASE("every answer of a prompt is within a small window, at a large scale, 
   move_flap(rig);
   const auto within = [&] {
     rig.frames(4);
-    REQUIRE(rig.session().prompt() != nullptr);
-    for (const auto& choice : rig.session().prompt()->choices) {
+    REQUIRE(rig.session().messages().prompt() != nullptr);
+    for (const auto& choice : rig.session().messages().prompt()->choices) {
       CAPTURE(choice.label);
       const auto button = rig.bench->widgets().find("prompt/" + choice.label);
       REQUIRE(button.has_value());
@@ -80,7 +81,7 @@ TEST_CASE("every answer of a prompt is within a small window, at a large scale, 
   };
   rig.bench->apply(action::CloseMesh{});
   within();
-  CHECK(rig.session().prompt()->choices.size() > 1);
+  CHECK(rig.session().messages().prompt()->choices.size() > 1);
   choose(rig, "Cancel");
   // More text than there is room for: it scrolls, the answer stays.
   std::string text;
@@ -89,16 +90,17 @@ TEST_CASE("every answer of a prompt is within a small window, at a large scale, 
   std::ofstream(deep) << text;
   rig.input.drop({deep});
   rig.frames();
-  REQUIRE(rig.wait([&] { return rig.session().prompt() != nullptr; }));
+  REQUIRE(rig.wait([&] { return rig.session().messages().prompt() != nullptr; }));
   within();
-  while (rig.session().prompt()->choices.size() > 1) {
-    rig.click("prompt/" + rig.session().prompt()->choices.front().label);
-    REQUIRE(rig.wait([&] { return rig.session().prompt() && !rig.session().loading(); }));
+  while (rig.session().messages().prompt()->choices.size() > 1) {
+    rig.click("prompt/" + rig.session().messages().prompt()->choices.front().label);
+    REQUIRE(rig.wait(
+        [&] { return rig.session().messages().prompt() && !rig.session().files().loading(); }));
     within();
   }
-  CHECK(rig.session().prompt()->kind == Prompt::Kind::error);
+  CHECK(rig.session().messages().prompt()->kind == Prompt::Kind::error);
   rig.click("prompt/OK");
-  CHECK(rig.session().prompt() == nullptr);
+  CHECK(rig.session().messages().prompt() == nullptr);
 }
 
 TEST_CASE("a failed load says why and keeps the open mesh") {
@@ -109,9 +111,9 @@ TEST_CASE("a failed load says why and keeps the open mesh") {
   rig.input.drop({broken});
   rig.frames();
   REQUIRE(rig.settle());
-  REQUIRE(rig.session().prompt() != nullptr);
-  CHECK(rig.session().prompt()->kind == Prompt::Kind::error);
-  CHECK(rig.session().prompt()->text.find("broken.su2") != std::string::npos);
+  REQUIRE(rig.session().messages().prompt() != nullptr);
+  CHECK(rig.session().messages().prompt()->kind == Prompt::Kind::error);
+  CHECK(rig.session().messages().prompt()->text.find("broken.su2") != std::string::npos);
   choose(rig, "OK");
   CHECK(rig.document().name() == "mesh.su2");
   move_flap(rig);
@@ -125,7 +127,7 @@ TEST_CASE("opening another mesh asks before changes are lost") {
   const auto other = write(rig.folder, two_body_mesh(), "other.su2");
   rig.input.drop({other});
   rig.frames();
-  REQUIRE(rig.session().prompt() != nullptr);
+  REQUIRE(rig.session().messages().prompt() != nullptr);
   choose(rig, "Cancel");
   CHECK(rig.document().name() == "mesh.su2");
   rig.input.drop({other});
@@ -143,7 +145,7 @@ TEST_CASE("saving writes the moved mesh with its markers, asking before it repla
   CHECK(rig.document().modified());
   CHECK(rig.bench->title().starts_with("* "));
   rig.key(keys::s, {keys::control});
-  REQUIRE(rig.session().prompt() != nullptr);
+  REQUIRE(rig.session().messages().prompt() != nullptr);
   choose(rig, "Cancel");
   CHECK(io::read_mesh(path).mesh.coordinates == original.coordinates);
   rig.key(keys::s, {keys::control});
@@ -156,7 +158,7 @@ TEST_CASE("saving writes the moved mesh with its markers, asking before it repla
   rig.bench->apply(action::Undo{});
   rig.key(keys::s, {keys::control});
   REQUIRE(rig.settle());
-  CHECK(rig.session().prompt() == nullptr);
+  CHECK(rig.session().messages().prompt() == nullptr);
   CHECK(io::read_mesh(path).mesh.coordinates == original.coordinates);
 }
 
@@ -187,8 +189,8 @@ TEST_CASE("a mesh with inverted elements is saved only when that is confirmed") 
   rig.open(tangled_mesh());
   const auto target = rig.folder / "bad.su2";
   rig.bench->apply(action::SaveMesh{target});
-  REQUIRE(rig.session().prompt() != nullptr);
-  CHECK(rig.session().prompt()->text.find("inverted") != std::string::npos);
+  REQUIRE(rig.session().messages().prompt() != nullptr);
+  CHECK(rig.session().messages().prompt()->text.find("inverted") != std::string::npos);
   choose(rig, "Cancel");
   CHECK_FALSE(fs::exists(target));
   rig.bench->apply(action::SaveMesh{target});
@@ -202,8 +204,8 @@ TEST_CASE("a file that cannot be written is reported and the mesh stays changed"
   move_flap(rig);
   rig.bench->apply(action::SaveMesh{rig.folder / "no" / "such" / "folder.su2"});
   REQUIRE(rig.settle());
-  REQUIRE(rig.session().prompt() != nullptr);
-  CHECK(rig.session().prompt()->kind == Prompt::Kind::error);
+  REQUIRE(rig.session().messages().prompt() != nullptr);
+  CHECK(rig.session().messages().prompt()->kind == Prompt::Kind::error);
   CHECK(rig.document().modified());
 }
 
@@ -227,12 +229,12 @@ TEST_CASE("quitting asks when there is something to lose") {
   rig.open(ring_mesh());
   move_flap(rig);
   rig.key(keys::q, {keys::control});
-  CHECK_FALSE(rig.session().quit_accepted());
+  CHECK_FALSE(rig.session().files().quit_accepted());
   choose(rig, "Cancel");
-  CHECK_FALSE(rig.session().quit_accepted());
+  CHECK_FALSE(rig.session().files().quit_accepted());
   rig.key(keys::q, {keys::control});
   choose(rig, "Leave without saving");
-  CHECK(rig.session().quit_accepted());
+  CHECK(rig.session().files().quit_accepted());
 }
 
 TEST_CASE("a picture is written, and not over another without asking") {
@@ -245,8 +247,8 @@ TEST_CASE("a picture is written, and not over another without asking") {
   CHECK(fs::file_size(path) > 1000);
   rig.bench->apply(action::TakeScreenshot{path});
   rig.frames();
-  REQUIRE(rig.session().prompt() != nullptr);
-  CHECK(rig.session().prompt()->kind == Prompt::Kind::question);
+  REQUIRE(rig.session().messages().prompt() != nullptr);
+  CHECK(rig.session().messages().prompt()->kind == Prompt::Kind::question);
 }
 
 TEST_CASE("the studio draws itself without a display") {

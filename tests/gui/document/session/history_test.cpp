@@ -4,24 +4,18 @@
 
 #include "gui/support/keys.h"
 #include "gui/support/rig.h"
-#include "io/recipe.h"
+#include "io/recipe/recipe.h"
 
 namespace winslow::gui::test {
 
 namespace {
-
-void turn(Rig& rig, double degrees, const Vec2& by = Vec2(0, 0)) {
-  rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
-  rig.bench->apply(action::ApplyMotion{{degrees, Vec2(0, 0), by}});
-  REQUIRE(rig.settle());
-}
 
 /// Three motions; the mesh of each position.
 std::vector<Coordinates> three_motions(Rig& rig) {
   rig.open(ring_mesh());
   std::vector<Coordinates> meshes{rig.mesh().coordinates};
   for (double degrees : {10.0, -25.0, 5.0}) {
-    turn(rig, degrees);
+    turn_flap(rig, degrees);
     meshes.push_back(rig.mesh().coordinates);
   }
   rig.click("tab/history");
@@ -42,7 +36,7 @@ void right_click(Rig& rig, const std::string& widget) {
 Coordinates by_hand(const std::vector<double>& rotations) {
   Rig rig;
   rig.open(ring_mesh());
-  for (double degrees : rotations) turn(rig, degrees);
+  for (double degrees : rotations) turn_flap(rig, degrees);
   return rig.mesh().coordinates;
 }
 
@@ -51,7 +45,7 @@ Coordinates by_hand(const std::vector<double>& rotations) {
 TEST_CASE("the status line says where in the history the mesh is") {
   Rig rig(1300, 900);
   three_motions(rig);
-  const auto said = [&] { return rig.session().notice()->text; };
+  const auto said = [&] { return rig.session().messages().notice()->text; };
   rig.key(keys::z, {keys::control});
   CHECK(said() == "Undone: Rotate flap by 5 deg");
   rig.key(keys::z, {keys::control, keys::shift});
@@ -121,7 +115,7 @@ TEST_CASE("options of a past command are edited in the form of the solver panel"
   REQUIRE(rig.document().history().size() == 2);
   CHECK(rig.document().history().result(1).outer_iterations <= 2);
   CHECK_FALSE(rig.document().history().result(1).converged);
-  CHECK(rig.session().smooth_options().max_iterations == SmoothOptions{}.max_iterations);
+  CHECK(rig.session().jobs().smooth_options().max_iterations == SmoothOptions{}.max_iterations);
 }
 
 TEST_CASE("deleting a step runs those after it again without it") {
@@ -165,14 +159,14 @@ TEST_CASE("a cancelled edit leaves the history as it was") {
   move.smooth.acceleration = 0;
   move.smooth.max_iterations = 10000000;
   rig.bench->apply(action::EditStep{2, endless});
-  REQUIRE(rig.wait([&] { return rig.session().convergence().size() > 3; }));
-  CHECK(rig.session().queue().active());
+  REQUIRE(rig.wait([&] { return rig.session().mesh().convergence().size() > 3; }));
+  CHECK(rig.session().jobs().queue().active());
   rig.frames(2);
   REQUIRE(rig.visible("history/cancel"));
   CHECK(rig.visible("history/progress"));
   rig.click("history/cancel");
   CHECK_FALSE(rig.session().job().active());
-  CHECK_FALSE(rig.session().queue().active());
+  CHECK_FALSE(rig.session().jobs().queue().active());
   REQUIRE(rig.document().history().size() == 4);
   CHECK(rig.document().history().position() == 3);
   for (std::size_t k = 0; k < meshes.size(); ++k)
@@ -186,9 +180,9 @@ TEST_CASE("an edit that fails on the way says where and keeps what was there") {
   Command wrong = rig.document().history().command(2);
   std::get<MoveCommand>(wrong).markers = {"nobody"};
   rig.bench->apply(action::EditStep{2, wrong});
-  REQUIRE(rig.wait([&] { return rig.session().prompt() != nullptr; }));
-  CHECK(rig.session().prompt()->text.find("Step 2") != std::string::npos);
-  CHECK(rig.session().prompt()->text.find("nobody") != std::string::npos);
+  REQUIRE(rig.wait([&] { return rig.session().messages().prompt() != nullptr; }));
+  CHECK(rig.session().messages().prompt()->text.find("Step 2") != std::string::npos);
+  CHECK(rig.session().messages().prompt()->text.find("nobody") != std::string::npos);
   CHECK(rig.document().history().size() == 2);
   CHECK(rig.mesh().coordinates == meshes[1]);
   rig.frames(3);
@@ -225,8 +219,8 @@ TEST_CASE("a recipe with an error is refused with its line, one that fails stops
   const auto path = rig.folder / "wrong.json";
   std::ofstream(path) << "{\n\"winslow_recipe\": 1,\n\"commands\": [{\"command\": \"fly\"}]\n}\n";
   rig.bench->apply(action::ReplayRecipe{path});
-  REQUIRE(rig.wait([&] { return rig.session().prompt() != nullptr; }));
-  CHECK(rig.session().prompt()->text.find("wrong.json:3") != std::string::npos);
+  REQUIRE(rig.wait([&] { return rig.session().messages().prompt() != nullptr; }));
+  CHECK(rig.session().messages().prompt()->text.find("wrong.json:3") != std::string::npos);
   rig.frames(2);
   rig.click("prompt/OK");
   MoveCommand first{{"flap"}, {10, Vec2(0, 0), Vec2(0, 0)}, {}, {}};
@@ -234,9 +228,9 @@ TEST_CASE("a recipe with an error is refused with its line, one that fails stops
   second.markers = {"wing"};
   io::write_recipe(path, {"", "", {first, second, first}});
   rig.bench->apply(action::ReplayRecipe{path});
-  REQUIRE(rig.wait([&] { return rig.session().prompt() != nullptr; }));
-  CHECK(rig.session().prompt()->text.find("Step 2") != std::string::npos);
-  CHECK(rig.session().prompt()->text.find("wing") != std::string::npos);
+  REQUIRE(rig.wait([&] { return rig.session().messages().prompt() != nullptr; }));
+  CHECK(rig.session().messages().prompt()->text.find("Step 2") != std::string::npos);
+  CHECK(rig.session().messages().prompt()->text.find("wing") != std::string::npos);
   CHECK(rig.document().history().size() == 2);
   CHECK(rig.document().history().position() == 1);
 }

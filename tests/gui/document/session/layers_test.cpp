@@ -6,6 +6,7 @@
 
 #include "core/layers/layer_measures.h"
 #include "gui/files/assets.h"
+#include "gui/panels/files/file_dialog.h"
 #include "gui/support/keys.h"
 #include "gui/support/rig.h"
 
@@ -27,14 +28,8 @@ LayersCommand four_layers() {
 void insert(Rig& rig) {
   rig.bench->apply(action::RunCommand{four_layers(), false});
   REQUIRE(rig.settle());
-  REQUIRE(rig.session().prompt() == nullptr);
+  REQUIRE(rig.session().messages().prompt() == nullptr);
   REQUIRE(rig.document().state().layers != nullptr);
-}
-
-void turn(Rig& rig, double degrees) {
-  rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
-  rig.bench->apply(action::ApplyMotion{{degrees, Vec2(0, 0), Vec2(0, 0)}});
-  REQUIRE(rig.settle());
 }
 
 /// All that is drawn: colours, comparison, ids, pins.
@@ -83,7 +78,7 @@ TEST_CASE("the studio follows layers in, back and forth, whatever is drawn") {
     show_everything(rig, comparison, Metric::normalized_jacobian);
     insert(rig);
     CHECK(rig.session().topology() == rig.mesh().topology);
-    CHECK(rig.session().boundary()->topology() == rig.mesh().topology);
+    CHECK(rig.session().mesh().boundary()->topology() == rig.mesh().topology);
     CHECK(rig.mesh().topology->node_count() > nodes);
     rig.bench->picture();
     for (const ElementField& field : all_element_fields()) {
@@ -102,7 +97,7 @@ TEST_CASE("the studio follows layers in, back and forth, whatever is drawn") {
     rig.bench->picture();
     rig.bench->apply(action::GoToStep{0});
     REQUIRE(rig.settle());
-    CHECK(rig.session().boundary()->topology() == rig.mesh().topology);
+    CHECK(rig.session().mesh().boundary()->topology() == rig.mesh().topology);
     rig.bench->picture();
   }
 }
@@ -117,7 +112,7 @@ TEST_CASE("markers stay selected by name; nodes whose star changed are let go of
   rig.bench->apply(action::InspectNode{far});
   CHECK(rig.session().nodes().pinned().size() == 2);
   insert(rig);
-  CHECK(rig.session().selection() == std::vector<Index>{rig.marker("flap")});
+  CHECK(rig.session().selection().markers() == std::vector<Index>{rig.marker("flap")});
   const bool kept =
       std::ranges::equal(before.neighbours(near), rig.mesh().topology->neighbours(near));
   CHECK(rig.session().nodes().pinned(near) == kept);
@@ -172,7 +167,7 @@ TEST_CASE("Esc while layers are being inserted leaves the mesh as it was, pins a
   CHECK(rig.session().topology() == before.mesh.topology);
   CHECK(rig.session().coordinates() == before.mesh.coordinates);
   CHECK(rig.session().vcv() == before.vcv);
-  CHECK(rig.session().boundary()->topology() == before.mesh.topology);
+  CHECK(rig.session().mesh().boundary()->topology() == before.mesh.topology);
   CHECK(rig.session().nodes().pinned() == std::vector<Index>{near, far});
   CHECK(rig.session().nodes().inspected() == near);
   rig.bench->picture();
@@ -182,7 +177,7 @@ TEST_CASE("a past insertion is changed in the history, and what came after it ru
   Rig rig;
   rig.open(ring_mesh());
   insert(rig);
-  turn(rig, 10);
+  turn_flap(rig, 10);
   rig.click("tab/history");
   rig.frames(3);
   const Vec2 step = rig.bench->widgets().find("history/1")->centre();
@@ -192,11 +187,11 @@ TEST_CASE("a past insertion is changed in the history, and what came after it ru
   rig.frames(3);
   rig.click("history/menu/edit");
   rig.frames(4);
-  rig.fill("edit/wall0_count", "6");
-  rig.fill("edit/wall0_first", "0.008");
+  rig.fill("edit/wall0/count", "6");
+  rig.fill("edit/wall0/first", "0.008");
   rig.click("edit/run");
   REQUIRE(rig.settle());
-  REQUIRE(rig.session().prompt() == nullptr);
+  REQUIRE(rig.session().messages().prompt() == nullptr);
   REQUIRE(rig.document().history().size() == 3);
   for (const std::size_t k : {1u, 2u}) {
     const auto& stack = rig.document().history().state(k).layers;
@@ -284,7 +279,7 @@ TEST_CASE("a mesh with layers is saved in the format of its source, and its reci
     const auto recipe = rig.folder / "recipe.json";
     rig.bench->apply(action::ExportRecipe{recipe, true});
     rig.bench->apply(action::SaveMesh{rig.folder / (std::string("out-") + name), true});
-    REQUIRE(rig.wait([&] { return !rig.session().saving(); }));
+    REQUIRE(rig.wait([&] { return !rig.session().files().saving(); }));
     rig.bench->apply(action::GoToStep{0});
     rig.bench->apply(action::ReplayRecipe{recipe});
     REQUIRE(rig.settle());
@@ -300,9 +295,9 @@ TEST_CASE("a mesh with layers is saved in the format of its source, and its reci
 TEST_CASE("steps before and after layers can be changed and deleted") {
   Rig rig;
   rig.open(ring_mesh());
-  turn(rig, 10);
+  turn_flap(rig, 10);
   insert(rig);
-  turn(rig, -5);
+  turn_flap(rig, -5);
   rig.bench->apply(action::DeleteStep{1});
   REQUIRE(rig.settle());
   CHECK(rig.document().history().size() == 3);
@@ -324,14 +319,14 @@ TEST_CASE("a session with layers is restored to the bit") {
     Rig rig(1100, 720, profile.path());
     rig.bench->apply(action::OpenMesh{write(meshes, ring_mesh(), "wing.su2")});
     REQUIRE(rig.settle());
-    turn(rig, 5);
+    turn_flap(rig, 5);
     insert(rig);
-    turn(rig, -10);
+    turn_flap(rig, -10);
     REQUIRE(rig.wait([&] { return !rig.bench->autosave().busy(); }));
     for (std::size_t k = 0; k < 4; ++k) states.push_back(rig.document().history().state(k));
   }
   Rig rig(1100, 720, profile.path());
-  REQUIRE(rig.wait([&] { return rig.session().prompt() != nullptr; }));
+  REQUIRE(rig.wait([&] { return rig.session().messages().prompt() != nullptr; }));
   rig.frames(3);
   rig.click("prompt/Restore");
   REQUIRE(rig.wait([&] { return rig.session().document() != nullptr; }));
@@ -340,7 +335,7 @@ TEST_CASE("a session with layers is restored to the bit") {
   REQUIRE(history.size() == 4);
   for (std::size_t k = 0; k < 4; ++k) check_same_mesh(states[k], history.state(k));
   // Work goes on as it would have.
-  turn(rig, 3);
+  turn_flap(rig, 3);
   CHECK(rig.document().history().result(4).converged);
   CHECK(rig.document().state().layers != nullptr);
 }
@@ -355,7 +350,7 @@ TEST_CASE("the panel plans layers, shows them and inserts them") {
   rig.fill("layers/count", "3");
   rig.fill("layers/first", "0.02");
   REQUIRE(rig.settle());
-  const LayerStack* plan = rig.session().layer_preview().plan();
+  const LayerStack* plan = rig.session().jobs().layer_preview().plan();
   REQUIRE(plan != nullptr);
   CHECK(plan->columns.size() >= 24);
   CHECK(plan->columns.front().heights.front() == doctest::Approx(0.02));
@@ -371,11 +366,11 @@ TEST_CASE("the panel plans layers, shows them and inserts them") {
   CHECK(rig.visible("layers/realised"));
   rig.bench->picture();
   // A plan for the same once more would only hide the layers; another one is shown.
-  CHECK_FALSE(rig.session().layer_preview().wanted());
+  CHECK_FALSE(rig.session().jobs().layer_preview().wanted());
   rig.fill("layers/count", "2");
   REQUIRE(rig.settle());
-  REQUIRE(rig.session().layer_preview().wanted());
-  CHECK(rig.session().layer_preview().wanted()->walls.front().spacing.count == 2);
+  REQUIRE(rig.session().jobs().layer_preview().wanted());
+  CHECK(rig.session().jobs().layer_preview().wanted()->walls.front().spacing.count == 2);
 }
 
 TEST_CASE("a mesh that comes with the program is never written over") {
@@ -392,9 +387,9 @@ TEST_CASE("a mesh that comes with the program is never written over") {
   rig.bench->apply(action::SaveMesh{path, true, true});
   rig.bench->apply(action::ExportMesh{path, true});
   REQUIRE(rig.settle());
-  CHECK_FALSE(rig.session().saving());
-  REQUIRE(rig.session().notice());
-  CHECK(rig.session().notice()->text == bundled_text);
+  CHECK_FALSE(rig.session().files().saving());
+  REQUIRE(rig.session().messages().notice());
+  CHECK(rig.session().messages().notice()->text == bundled_text);
   rig.key(keys::s, {keys::control});
   rig.frames(3);
   CHECK(rig.bench->file_dialog().is_open());

@@ -27,7 +27,7 @@ TEST_CASE("the Smooth button runs to convergence and adds to the history") {
   REQUIRE(rig.document().history().size() == 2);
   CHECK(rig.document().history().result(1).converged);
   CHECK(distance(rig.mesh().coordinates, before.coordinates) > 1e-3);
-  CHECK(rig.session().convergence().size() > 3);
+  CHECK(rig.session().mesh().convergence().size() > 3);
 }
 
 TEST_CASE("each step is one outer iteration, then the solver waits") {
@@ -74,7 +74,7 @@ TEST_CASE("cancel puts the mesh back as it was") {
   slow.formulation = "pointwise";
   slow.outer = OuterMethod::picard;
   slow.damping = 0.01;
-  rig.bench->apply(action::SetSmoothOptions{slow});
+  rig.bench->apply(action::EditSmoothOptions{whole(slow)});
   const Mesh before = rig.mesh();
   rig.key(keys::n, {keys::shift});
   REQUIRE(rig.wait([&] { return iterations(rig) >= 1; }));
@@ -109,10 +109,10 @@ TEST_CASE("undo and redo walk the history, by keys and by the list") {
     meshes.push_back(rig.mesh().coordinates);
   }
   REQUIRE(rig.document().history().size() == 3);
-  CHECK((rig.session().pivot() - Vec2(0.3, 0)).norm() < 1e-9);
+  CHECK((rig.session().selection().pivot() - Vec2(0.3, 0)).norm() < 1e-9);
   rig.key(keys::z, {keys::control});
   CHECK(rig.session().coordinates() == meshes[1]);
-  CHECK((rig.session().pivot() - Vec2(0.2, 0)).norm() < 1e-9);
+  CHECK((rig.session().selection().pivot() - Vec2(0.2, 0)).norm() < 1e-9);
   rig.click("tool/undo");
   CHECK(rig.session().coordinates() == meshes[0]);
   rig.click("tool/redo");
@@ -167,20 +167,22 @@ TEST_CASE("the convergence plot shows the run and reads out an iteration under t
 }
 
 TEST_CASE("no frame waits for the solver") {
+  // An iteration takes several times as long as a frame. If frames waited for iterations there
+  // would be another one published after every frame.
   Rig rig;
-  rig.open(ring_mesh(160, 60));
-  const double start = rig.longest_frame();
+  rig.open(ring_mesh(320, 120));
   rig.key(keys::space);
   int frames = 0;
+  int within_an_iteration = 0;
   while (rig.session().job().active() && iterations(rig) < 6) {
+    const int before = iterations(rig);
     rig.frames(1);
     ++frames;
+    if (iterations(rig) == before && rig.session().job().active()) ++within_an_iteration;
   }
   rig.bench->apply(action::CancelSolver{});
-  MESSAGE("longest frame before ", start, " s, with the solver ", rig.longest_frame(), " s, ",
-          frames, " frames");
-  CHECK(frames > 6);
-  CHECK(rig.longest_frame() < 2.0);
+  MESSAGE(within_an_iteration, " of ", frames, " frames within an iteration");
+  CHECK(within_an_iteration > 0);
 }
 
 TEST_CASE("settings of the solver that make no sense are refused with a reason") {
@@ -188,15 +190,15 @@ TEST_CASE("settings of the solver that make no sense are refused with a reason")
   rig.open(ring_mesh());
   SmoothOptions bad;
   bad.tolerance = -1;
-  rig.bench->apply(action::SetSmoothOptions{bad});
+  rig.bench->apply(action::EditSmoothOptions{whole(bad)});
   rig.bench->apply(action::RunSmooth{});
   rig.frames();
   CHECK_FALSE(rig.session().job().active());
-  REQUIRE(rig.session().prompt() != nullptr);
-  CHECK(rig.session().prompt()->kind == Prompt::Kind::error);
+  REQUIRE(rig.session().messages().prompt() != nullptr);
+  CHECK(rig.session().messages().prompt()->kind == Prompt::Kind::error);
   REQUIRE(rig.visible("prompt/OK"));
   rig.click("prompt/OK");
-  CHECK(rig.session().prompt() == nullptr);
+  CHECK(rig.session().messages().prompt() == nullptr);
 }
 
 TEST_CASE("the plot survives numbers that no run should have") {
@@ -205,7 +207,7 @@ TEST_CASE("the plot survives numbers that no run should have") {
   for (double tolerance : {0.0, -1.0, 1e-300, 1e300, std::nan(""), HUGE_VAL}) {
     SmoothOptions odd;
     odd.tolerance = tolerance;
-    rig.bench->apply(action::SetSmoothOptions{odd});
+    rig.bench->apply(action::EditSmoothOptions{whole(odd)});
     rig.frames();
     CHECK(rig.visible("convergence/plot"));
   }
@@ -216,12 +218,12 @@ TEST_CASE("an iteration limit that is too small is said, and going on converges"
   rig.open(ring_mesh());
   SmoothOptions few;
   few.max_iterations = 2;
-  rig.bench->apply(action::SetSmoothOptions{few});
+  rig.bench->apply(action::EditSmoothOptions{whole(few)});
   rig.click("solver/run");
   REQUIRE(rig.settle());
   rig.frames();
-  REQUIRE(rig.session().banner().has_value());
-  CHECK(rig.session().banner()->kind == Banner::Kind::not_converged);
+  REQUIRE(rig.session().messages().banner().has_value());
+  CHECK(rig.session().messages().banner()->kind == Banner::Kind::not_converged);
   // A drag that is taken back, or moves nothing, leaves it said.
   rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
   for (const bool moved : {true, false}) {
@@ -231,14 +233,14 @@ TEST_CASE("an iteration limit that is too small is said, and going on converges"
     CHECK(rig.session().in_motion());
     rig.bench->apply(moved ? Action(action::CancelDrag{}) : Action(action::EndDrag{}));
     REQUIRE(rig.settle());
-    REQUIRE(rig.session().banner().has_value());
-    CHECK(rig.session().banner()->kind == Banner::Kind::not_converged);
+    REQUIRE(rig.session().messages().banner().has_value());
+    CHECK(rig.session().messages().banner()->kind == Banner::Kind::not_converged);
   }
-  rig.bench->apply(action::SetSmoothOptions{SmoothOptions{}});
+  rig.bench->apply(action::EditSmoothOptions{whole(SmoothOptions{})});
   rig.frames();
   rig.click("banner/smooth");
   REQUIRE(rig.settle());
-  CHECK_FALSE(rig.session().banner().has_value());
+  CHECK_FALSE(rig.session().messages().banner().has_value());
   CHECK(rig.document().history().result(2).converged);
 }
 

@@ -3,9 +3,10 @@
 #include <fstream>
 
 #include "gui/files/folder_listing.h"
+#include "gui/panels/files/file_dialog.h"
 #include "gui/support/keys.h"
 #include "gui/support/rig.h"
-#include "io/mesh_file.h"
+#include "io/format/mesh_file.h"
 
 namespace winslow::gui::test {
 
@@ -150,7 +151,7 @@ TEST_CASE("a mesh is saved by keys alone, in a new folder, in the format of the 
   rig.key(keys::enter);
   REQUIRE(rig.arrive(rig.folder / "made"));
   rig.click("dialog/filter");
-  rig.click("dialog/filter/VTK, XML (.vtu)");
+  rig.click("dialog/filter/VTK XML (.vtu)");
   rig.frames();
   rig.key(keys::a, {keys::control});
   rig.type("result");  // the filter says the rest

@@ -84,20 +84,20 @@ TEST_CASE("walls of a list have layers of their own, inserted together") {
   add_wall(rig, "right", "3", "0.02");
   REQUIRE(rig.visible("layers/wall/1"));
   REQUIRE(rig.settle());
-  check_layers(rig, rig.session().layer_preview().plan(), "left", 4, 0.01);
-  check_layers(rig, rig.session().layer_preview().plan(), "right", 3, 0.02);
+  check_layers(rig, rig.session().jobs().layer_preview().plan(), "left", 4, 0.01);
+  check_layers(rig, rig.session().jobs().layer_preview().plan(), "right", 3, 0.02);
 
   // A wall of the list is selected by a click, and its settings can be changed again.
   rig.click("layers/wall/0");
   rig.frames(3);
-  CHECK(rig.session().selection() == std::vector<Index>{rig.marker("left")});
+  CHECK(rig.session().selection().markers() == std::vector<Index>{rig.marker("left")});
   CHECK_FALSE(rig.visible("layers/add_wall"));
   REQUIRE(rig.settle());
-  check_layers(rig, rig.session().layer_preview().plan(), "left", 4, 0.01);
+  check_layers(rig, rig.session().jobs().layer_preview().plan(), "left", 4, 0.01);
   rig.fill("layers/count", "5");
   REQUIRE(rig.settle());
-  check_layers(rig, rig.session().layer_preview().plan(), "left", 5, 0.01);
-  check_layers(rig, rig.session().layer_preview().plan(), "right", 3, 0.02);
+  check_layers(rig, rig.session().jobs().layer_preview().plan(), "left", 5, 0.01);
+  check_layers(rig, rig.session().jobs().layer_preview().plan(), "right", 3, 0.02);
   rig.bench->picture();
 
   rig.click("layers/insert");
@@ -113,7 +113,7 @@ TEST_CASE("walls of a list have layers of their own, inserted together") {
 TEST_CASE("walls are taken out of the list, and a marker is in one of them only") {
   Rig rig(1100, 1500);
   rig.open(two_body_mesh());
-  const auto planned = [&] { return rig.session().layer_preview().wanted().value().walls; };
+  const auto planned = [&] { return rig.session().jobs().layer_preview().wanted().value().walls; };
   add_wall(rig, "left", "4", "0.01");
   rig.bench->apply(action::SelectMarkers{{rig.marker("left"), rig.marker("right")}});
   rig.frames(3);
@@ -156,11 +156,11 @@ TEST_CASE(
     low = std::min(low, mesh.coordinates.xy(node).y());
     high = std::max(high, mesh.coordinates.xy(node).y());
   }
-  const WallPart whole = rig.session().layer_preview().wanted()->walls[0].part;
+  const WallPart whole = rig.session().jobs().layer_preview().wanted()->walls[0].part;
   CHECK(whole.ymin == low);
   CHECK(whole.ymax == high);
   REQUIRE(rig.settle());
-  CHECK(rig.session().layer_preview().plan()->columns.size() >= nodes.size());
+  CHECK(rig.session().jobs().layer_preview().plan()->columns.size() >= nodes.size());
   const double middle = 0.5 * (low + high);
   rig.fill("layers/ymin", std::to_string(middle));
   REQUIRE(rig.settle());
@@ -172,7 +172,7 @@ TEST_CASE(
     CHECK(rig.mesh().coordinates.xy(column.wall_node).y() >= middle - 1e-6);
 }
 
-TEST_CASE("layers that a wall has are spaced anew; those of other walls stay in hand") {
+TEST_CASE("layers that a wall has are spaced anew; those of other walls stay held") {
   Rig rig(1100, 1500);
   rig.open(two_body_mesh());
   insert(rig, {"left", "right"});
@@ -180,7 +180,7 @@ TEST_CASE("layers that a wall has are spaced anew; those of other walls stay in 
   fill_spacing(rig, "15", "0.015");
   rig.click("layers/respace");
   REQUIRE(rig.settle());
-  REQUIRE(rig.session().prompt() == nullptr);
+  REQUIRE(rig.session().messages().prompt() == nullptr);
   REQUIRE(rig.document().history().size() == 3);
   check_layers(rig, layers(rig), "left", 4, 0.015);
   check_layers(rig, layers(rig), "right", 4, 0.01);
@@ -200,8 +200,8 @@ TEST_CASE("spacing that there is no room for is refused, and the mesh stays as i
   fill_spacing(rig, "4", "5");
   rig.click("layers/respace");
   REQUIRE(rig.settle());
-  REQUIRE(rig.session().prompt() != nullptr);
-  CHECK(rig.session().prompt()->text.find("room") != std::string::npos);
+  REQUIRE(rig.session().messages().prompt() != nullptr);
+  CHECK(rig.session().messages().prompt()->text.find("room") != std::string::npos);
   CHECK(rig.mesh().coordinates == before);
   CHECK(rig.document().history().size() == 2);
 }
@@ -221,7 +221,7 @@ TEST_CASE("layers that come in a file are found and held while their body turns"
   REQUIRE(enabled(rig, "layers/hold"));
   rig.click("layers/hold");
   REQUIRE(rig.settle());
-  REQUIRE(rig.session().prompt() == nullptr);
+  REQUIRE(rig.session().messages().prompt() == nullptr);
   check_layers(rig, layers(rig), "flap", 4, 0.01);
   CHECK(layers(rig)->held);
   rig.bench->apply(action::ApplyMotion{{20, Vec2(0, 0), Vec2(0, 0)}});
@@ -253,7 +253,7 @@ TEST_CASE("the plan that is shown is the one that is inserted") {
   open_panel(rig, "outer");
   fill_spacing(rig, "8", "0.03");
   REQUIRE(rig.settle());
-  const LayerStack* plan = rig.session().layer_preview().plan();
+  const LayerStack* plan = rig.session().jobs().layer_preview().plan();
   REQUIRE(plan != nullptr);
   std::vector<std::vector<double>> heights;
   for (const LayerColumn& column : plan->columns) heights.push_back(column.heights);
@@ -285,7 +285,7 @@ TEST_CASE("single columns are set by hand for a node that is inspected") {
     return std::ranges::count(stack->columns, corner, &LayerColumn::wall_node);
   };
   REQUIRE(rig.settle());
-  CHECK(columns_at_corner(rig.session().layer_preview().plan()) > 1);  // a fan
+  CHECK(columns_at_corner(rig.session().jobs().layer_preview().plan()) > 1);  // a fan
   rig.bench->apply(action::InspectNode{corner});
   rig.frames(3);
   REQUIRE(enabled(rig, "layers/columns/add"));
@@ -293,7 +293,7 @@ TEST_CASE("single columns are set by hand for a node that is inspected") {
   rig.frames(3);
   CHECK_FALSE(enabled(rig, "layers/columns/add"));
   REQUIRE(rig.settle());
-  CHECK(columns_at_corner(rig.session().layer_preview().plan()) == 1);
+  CHECK(columns_at_corner(rig.session().jobs().layer_preview().plan()) == 1);
   rig.fill("layers/columns/count", "3");
   rig.click("layers/columns/own");
   rig.frames(3);
@@ -302,7 +302,7 @@ TEST_CASE("single columns are set by hand for a node that is inspected") {
   rig.bench->picture();
   rig.click("layers/insert");
   REQUIRE(rig.settle());
-  REQUIRE(rig.session().prompt() == nullptr);
+  REQUIRE(rig.session().messages().prompt() == nullptr);
   CHECK(columns_at_corner(layers(rig)) == 3);
   for (const LayerColumn& column : layers(rig)->columns)
     if (column.wall_node == corner) CHECK(column.thickness() == doctest::Approx(0.045));
@@ -313,7 +313,7 @@ TEST_CASE("single columns are set by hand for a node that is inspected") {
   rig.click("layers/column/0/remove");
   REQUIRE(rig.settle());
   CHECK_FALSE(rig.visible("layers/column/0"));
-  CHECK(rig.session().layer_preview().wanted()->overrides.empty());
+  CHECK(rig.session().jobs().layer_preview().wanted()->overrides.empty());
 }
 
 TEST_CASE("columns that would cross are shown as thin as they will be") {

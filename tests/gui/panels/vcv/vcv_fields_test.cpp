@@ -161,7 +161,7 @@ TEST_CASE("typed angles and lengths: taken by Enter and Tab, the rest shared, no
   CHECK(angles() == angles_before);
   CHECK(lengths() == lengths_before);
   CHECK(rig.document().history().size() == steps);
-  CHECK(rig.session().prompt() == nullptr);
+  CHECK(rig.session().messages().prompt() == nullptr);
 }
 
 TEST_CASE(
@@ -173,12 +173,12 @@ TEST_CASE(
   const std::size_t steps = rig.document().history().size();
   rig.fill("vcv/length", "1e99");
   REQUIRE(rig.settle());
-  REQUIRE(rig.session().prompt());
-  CHECK(rig.session().prompt()->text.find("1e12 times") != std::string::npos);
+  REQUIRE(rig.session().messages().prompt());
+  CHECK(rig.session().messages().prompt()->text.find("1e12 times") != std::string::npos);
   CHECK(rig.document().history().size() == steps);
   rig.key(keys::enter);
   rig.frames(3);
-  REQUIRE_FALSE(rig.session().prompt());
+  REQUIRE_FALSE(rig.session().messages().prompt());
 
   rig.fill("vcv/length", "5000");
   REQUIRE(rig.settle());

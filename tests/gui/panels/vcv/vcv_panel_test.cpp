@@ -36,7 +36,7 @@ TEST_CASE("with the VCV tab open a click near a node inspects it and leaves the 
   CHECK(rig.session().nodes().hovered() == node);
   rig.click(at + Vec2(3, -2));
   CHECK(rig.session().nodes().inspected() == node);
-  CHECK(rig.session().selected(rig.marker("flap")));
+  CHECK(rig.session().selection().contains(rig.marker("flap")));
   CHECK(rig.visible("vcv/plot"));
   CHECK(rig.visible("vcv/row/5"));
   CHECK_FALSE(rig.visible("vcv/row/6"));
@@ -85,8 +85,8 @@ TEST_CASE("a typed number inspects a node; one on the boundary has no VCV, and t
   enter_node(rig, std::to_string(rim));
   enter_node(rig, "99999");
   CHECK(rig.session().nodes().inspected() == rim);
-  REQUIRE(rig.session().notice().has_value());
-  CHECK(rig.session().notice()->text.find("no node 99999") != std::string::npos);
+  REQUIRE(rig.session().messages().notice().has_value());
+  CHECK(rig.session().messages().notice()->text.find("no node 99999") != std::string::npos);
 }
 
 TEST_CASE("a body is still dragged by its rim while the VCV tab is open") {
@@ -215,7 +215,7 @@ TEST_CASE("colouring by kappa changes the mesh and its legend, and follows an ed
   ViewOptions view = rig.bench->view();
   const Image plain = rig.bench->picture();
   view.color = NodalField::kappa;
-  rig.bench->apply(action::SetView{view});
+  rig.bench->apply(action::EditView{whole(view)});
   REQUIRE(rig.settle());
   rig.frames(2);
   const Area& v = rig.bench->layout().viewport;
@@ -246,8 +246,8 @@ TEST_CASE("another edit is refused while one is under way; a mesh that is opened
   rig.bench->apply(action::EndVcvEdit{});
   REQUIRE(rig.settle());
   rig.bench->apply(action::EditVcvs{{{node, {}, {10, 350, 0, 0, 0, 0}, {}}}});
-  REQUIRE(rig.session().prompt() != nullptr);
-  CHECK(rig.session().prompt()->text.find(std::to_string(node)) != std::string::npos);
+  REQUIRE(rig.session().messages().prompt() != nullptr);
+  CHECK(rig.session().messages().prompt()->text.find(std::to_string(node)) != std::string::npos);
   CHECK_FALSE(rig.session().job().active());
   rig.bench->apply(action::DismissPrompt{});
   rig.bench->apply(action::OpenMesh{write(rig.folder, two_body_mesh(), "other.su2"), true});

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "gui/panels/files/file_dialog.h"
 #include "gui/support/keys.h"
 #include "gui/support/rig.h"
 
@@ -149,7 +150,7 @@ TEST_CASE("the dialog chooses size and content, the file dialog the file") {
   CHECK(fs::file_size(path) > 1000);
   CHECK(rig.bench->capture().picture().scale == 2);
   CHECK(rig.bench->capture().picture().transparent);
-  CHECK(rig.session().notice()->text.find("figure.png") != std::string::npos);
+  CHECK(rig.session().messages().notice()->text.find("figure.png") != std::string::npos);
 }
 
 TEST_CASE("a typed size is used, and one that cannot be is refused before a file is chosen") {
@@ -172,9 +173,9 @@ TEST_CASE("a picture that cannot be written says so") {
   Rig rig(900, 600);
   rig.open(ring_mesh());
   rig.bench->apply(action::SavePicture{rig.folder / "no" / "such" / "folder.png"});
-  REQUIRE(rig.wait([&] { return rig.session().prompt() != nullptr; }));
-  CHECK(rig.session().prompt()->kind == Prompt::Kind::error);
-  CHECK(rig.session().prompt()->text.find("folder.png") != std::string::npos);
+  REQUIRE(rig.wait([&] { return rig.session().messages().prompt() != nullptr; }));
+  CHECK(rig.session().messages().prompt()->kind == Prompt::Kind::error);
+  CHECK(rig.session().messages().prompt()->text.find("folder.png") != std::string::npos);
 }
 
 }  // namespace winslow::gui::test

@@ -39,7 +39,7 @@ void fake_ffmpeg(const fs::path& folder, const std::string& lines) {
   fs::permissions(program, fs::perms::owner_all);
 }
 
-std::string content(const fs::path& path) {
+std::string bytes_of(const fs::path& path) {
   std::ifstream in(path);
   return {std::istreambuf_iterator<char>(in), {}};
 }
@@ -93,7 +93,7 @@ pwd >> "$film")");
     const auto outcome = record_three(recorder, folder / name);
     INFO(outcome.text);
     REQUIRE(outcome.kind == Recorder::Outcome::Kind::done);
-    const std::string made = content(folder / name);
+    const std::string made = bytes_of(folder / name);
     CHECK(made.find("-framerate 20") != std::string::npos);
     CHECK(made.find("frame-%05d.png") != std::string::npos);
     CHECK((made.find("palettegen") != std::string::npos) == name.ends_with(".gif"));
@@ -207,8 +207,8 @@ TEST_CASE("by the clock frames come while the mesh rests, and the view may move"
   rig.bench->apply(action::StopRecording{});
   REQUIRE(rig.settle());
   const auto names = names_in(rig.folder / "film");
-  CHECK(content(rig.folder / "film" / *names.begin()) !=
-        content(rig.folder / "film" / *names.rbegin()));
+  CHECK(bytes_of(rig.folder / "film" / *names.begin()) !=
+        bytes_of(rig.folder / "film" / *names.rbegin()));
 }
 
 TEST_CASE("frames left out are counted and said") {
@@ -241,8 +241,8 @@ TEST_CASE("a step of the history is recorded from its start to its end") {
   CHECK(rig.document().history().size() == steps);  // nothing that could be redone is lost
   CHECK(rig.document().history().position() == 1);
   CHECK(rig.mesh().coordinates == end);
-  CHECK(content(rig.folder / "film" / *frames.begin()) !=
-        content(rig.folder / "film" / *frames.rbegin()));
+  CHECK(bytes_of(rig.folder / "film" / *frames.begin()) !=
+        bytes_of(rig.folder / "film" / *frames.rbegin()));
 }
 
 TEST_CASE("the dialog records to a file chosen next, and a discarded recording leaves nothing") {
@@ -272,9 +272,9 @@ TEST_CASE("nothing is recorded without a mesh, and an existing film is not repla
   rig.open(ring_mesh());
   std::ofstream(rig.folder / "film.mp4") << "mine";
   rig.bench->apply(action::StartRecording{rig.folder / "film.mp4", std::nullopt});
-  REQUIRE(rig.session().prompt() != nullptr);
-  CHECK(rig.session().prompt()->kind == Prompt::Kind::question);
-  CHECK(content(rig.folder / "film.mp4") == "mine");
+  REQUIRE(rig.session().messages().prompt() != nullptr);
+  CHECK(rig.session().messages().prompt()->kind == Prompt::Kind::question);
+  CHECK(bytes_of(rig.folder / "film.mp4") == "mine");
 }
 
 }  // namespace winslow::gui::test

@@ -212,7 +212,7 @@ TEST_CASE("the studio saves its view as vector graphics, colours and legend incl
   // Without colours there is neither legend nor a path for each of them.
   ViewOptions plain = rig.bench->view();
   plain.color.reset();
-  rig.bench->apply(action::SetView{plain});
+  rig.bench->apply(action::EditView{whole(plain)});
   rig.bench->apply(action::SavePicture{path, true});
   REQUIRE(rig.settle());
   CHECK(content(path).size() < colored.size() / 2);

@@ -10,7 +10,7 @@ namespace winslow::gui::test {
 namespace {
 
 bool said(const Rig& rig, const char* what) {
-  const auto& notice = rig.session().notice();
+  const auto& notice = rig.session().messages().notice();
   return notice && notice->text.find(what) != std::string::npos;
 }
 
@@ -143,7 +143,7 @@ TEST_CASE("the picture kept of a large mesh is the one that would be drawn, what
   check_kept("zoom", true);
   rig.move(rig.pixel(Vec2(0.5, 0)));
   rig.frames();
-  REQUIRE_FALSE(rig.session().hovered().empty());
+  REQUIRE_FALSE(rig.session().selection().hovered().empty());
   check_kept("a body under the mouse", true);
   set_view(rig, [](ViewOptions& view) { view.nodes = true; });
   check_kept("nodes", true);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "gui/panels/files/file_dialog.h"
 #include "gui/support/keys.h"
 #include "gui/support/rig.h"
 
@@ -11,10 +12,10 @@ TEST_CASE("a click selects the body under the mouse, inside it or on its rim") {
   Rig rig;
   rig.open(two_body_mesh());
   rig.click(rig.pixel(Vec2(-2, 0)));
-  CHECK(rig.session().selection() == std::vector<Index>{rig.marker("left")});
+  CHECK(rig.session().selection().markers() == std::vector<Index>{rig.marker("left")});
   rig.click(rig.pixel(Vec2(2.5, 0.1)) + Vec2(3, 0));
-  CHECK(rig.session().selection() == std::vector<Index>{rig.marker("right")});
-  CHECK((rig.session().pivot() - Vec2(2, 0)).norm() < 1e-12);
+  CHECK(rig.session().selection().markers() == std::vector<Index>{rig.marker("right")});
+  CHECK((rig.session().selection().pivot() - Vec2(2, 0)).norm() < 1e-12);
   // On the elements, away from everything: nothing.
   rig.click(rig.pixel(Vec2(0.1, 0.1)));
   CHECK(rig.session().selection().empty());
@@ -26,10 +27,10 @@ TEST_CASE("Ctrl+click adds to the selection and takes away") {
   rig.click(rig.pixel(Vec2(-2, 0)));
   rig.input.key(keys::control, true);
   rig.click(rig.pixel(Vec2(2, 0)));
-  CHECK(rig.session().selection().size() == 2);
+  CHECK(rig.session().selection().markers().size() == 2);
   rig.click(rig.pixel(Vec2(-2.3, 0.3)));
   rig.input.key(keys::control, false);
-  CHECK(rig.session().selection() == std::vector<Index>{rig.marker("right")});
+  CHECK(rig.session().selection().markers() == std::vector<Index>{rig.marker("right")});
 }
 
 TEST_CASE("hovering lights a body up, and leaving it puts it out") {
@@ -37,11 +38,11 @@ TEST_CASE("hovering lights a body up, and leaving it puts it out") {
   rig.open(two_body_mesh());
   rig.move(rig.pixel(Vec2(2, 0)));
   rig.frames();
-  CHECK(rig.session().hovered() == std::vector<Index>{rig.marker("right")});
+  CHECK(rig.session().selection().hovered() == std::vector<Index>{rig.marker("right")});
   const Image lit = rig.bench->picture();
   rig.move(rig.pixel(Vec2(0, 0)));
   rig.frames();
-  CHECK(rig.session().hovered().empty());
+  CHECK(rig.session().selection().hovered().empty());
   CHECK(rig.bench->picture().rgba != lit.rgba);
 }
 
@@ -50,9 +51,9 @@ TEST_CASE("the list of markers selects, and shows who moves") {
   rig.open(two_body_mesh());
   const Image before = rig.bench->picture();
   rig.click("marker/right");
-  CHECK(rig.session().selection() == std::vector<Index>{rig.marker("right")});
+  CHECK(rig.session().selection().markers() == std::vector<Index>{rig.marker("right")});
   rig.click("marker/left");
-  CHECK(rig.session().selection() == std::vector<Index>{rig.marker("left")});
+  CHECK(rig.session().selection().markers() == std::vector<Index>{rig.marker("left")});
   CHECK(rig.bench->picture().rgba != before.rgba);
 }
 
@@ -65,12 +66,12 @@ TEST_CASE("dragging the pivot puts it elsewhere without moving anything") {
   const Vec2 pin = rig.gizmo().pin();
   rig.drag(pin, rig.pixel(target));
   rig.release();
-  CHECK((rig.session().pivot() - target).norm() < 1e-9);
+  CHECK((rig.session().selection().pivot() - target).norm() < 1e-9);
   CHECK(rig.document().history().size() == 1);
   CHECK(rig.mesh().coordinates == before.coordinates);
   rig.click("motion/pivot_place");
   rig.click("motion/pivot_place/Centre");
-  CHECK(rig.session().pivot().norm() < 1e-12);
+  CHECK(rig.session().selection().pivot().norm() < 1e-12);
 }
 
 TEST_CASE("left drag on empty space, middle and right drag pan") {
@@ -137,7 +138,7 @@ TEST_CASE("Esc closes an open list or menu, and only that") {
   rig.key(keys::escape);
   rig.frames(2);
   CHECK_FALSE(rig.visible("view/style/Edges"));
-  CHECK(rig.session().selection().size() == 1);
+  CHECK(rig.session().selection().markers().size() == 1);
   // The dialog stays that the list belongs to.
   rig.key(keys::o, {keys::control});
   rig.frames(3);
@@ -159,7 +160,7 @@ TEST_CASE("colouring by quality changes the pixels of the mesh, and the legend s
   ViewOptions plain = rig.bench->view();
   plain.color.reset();
   plain.wireframe = false;
-  rig.bench->apply(action::SetView{plain});
+  rig.bench->apply(action::EditView{whole(plain)});
   REQUIRE(rig.settle());
   rig.frames();
   const Image bare = rig.bench->picture();
@@ -204,8 +205,8 @@ TEST_CASE("inverted elements are red") {
     red += c[0] > 150 && c[1] < 90 && c[2] < 90;
   }
   CHECK(red > 0);
-  REQUIRE(rig.session().banner().has_value());
-  CHECK(rig.session().banner()->kind == Banner::Kind::inverted_input);
+  REQUIRE(rig.session().messages().banner().has_value());
+  CHECK(rig.session().messages().banner()->kind == Banner::Kind::inverted_input);
 }
 
 TEST_CASE("a click on one of the worst elements shows it") {
@@ -226,7 +227,7 @@ TEST_CASE("the pivot of a symmetric body is written as it is read") {
   Rig rig;
   rig.open(ring_mesh());
   rig.click("marker/flap");
-  CHECK(rig.session().pivot() == Vec2(0, 0));
+  CHECK(rig.session().selection().pivot() == Vec2(0, 0));
 }
 
 TEST_CASE("panels can be hidden, and the mesh takes their room") {

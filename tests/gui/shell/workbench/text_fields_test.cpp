@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "gui/panels/files/file_dialog.h"
 #include "gui/support/keys.h"
 #include "gui/support/rig.h"
 

@@ -38,13 +38,15 @@ TEST_CASE("the numbers of the table are those of the quality report") {
   const auto rows = quality_table(&before, now);
   const auto& min = row(rows, "Normalized Jacobian", 1);
   CHECK(min.name == "min");
-  CHECK(min.before == table_number(before.normalized_jacobian.statistics.min));
-  CHECK(min.now == table_number(now.normalized_jacobian.statistics.min));
+  CHECK(min.before == table_number(before.of(Metric::normalized_jacobian).statistics.min));
+  CHECK(min.now == table_number(now.of(Metric::normalized_jacobian).statistics.min));
   CHECK(min.verdict == 1);
-  CHECK(min.change == "+" + table_number(now.normalized_jacobian.statistics.min -
-                                         before.normalized_jacobian.statistics.min));
-  CHECK(row(rows, "Aspect ratio R/2r", 3).now == table_number(now.aspect_ratio.statistics.max));
-  CHECK(row(rows, "Condition number", 2).now == table_number(now.condition_number.statistics.avg));
+  CHECK(min.change == "+" + table_number(now.of(Metric::normalized_jacobian).statistics.min -
+                                         before.of(Metric::normalized_jacobian).statistics.min));
+  CHECK(row(rows, "Aspect ratio", 3).now ==
+        table_number(now.of(Metric::aspect_ratio).statistics.max));
+  CHECK(row(rows, "Condition number", 2).now ==
+        table_number(now.of(Metric::condition_number).statistics.avg));
   const auto& inverted = row(rows, "Inverted", 0);
   CHECK(inverted.before == std::to_string(before.inverted));
   CHECK(inverted.now == "0");
@@ -65,9 +67,10 @@ TEST_CASE("before is the mesh as loaded or as it was before the last command") {
   rig.bench->apply(again);
   REQUIRE(rig.settle());
   const auto min_before = [&] {
-    return rig.bench->before().report()->normalized_jacobian.statistics.min;
+    return rig.bench->before().report()->of(Metric::normalized_jacobian).statistics.min;
   };
-  CHECK(min_before() == rig.document().loaded_quality().normalized_jacobian.statistics.min);
+  CHECK(min_before() ==
+        rig.document().loaded_quality().of(Metric::normalized_jacobian).statistics.min);
   rig.click("quality/before");
   rig.click("quality/before/Before last command");
   REQUIRE(rig.settle());
@@ -75,7 +78,7 @@ TEST_CASE("before is the mesh as loaded or as it was before the last command") {
   const Mesh& between = rig.document().history().state(1).mesh;
   CHECK(*rig.bench->before().coordinates() == between.coordinates);
   REQUIRE(rig.bench->before().report() != nullptr);
-  CHECK(min_before() == measure_quality(between).normalized_jacobian.statistics.min);
+  CHECK(min_before() == measure_quality(between).of(Metric::normalized_jacobian).statistics.min);
   rig.key(keys::z, {keys::control});
   REQUIRE(rig.settle());
   rig.frames();

@@ -14,7 +14,7 @@ namespace winslow::gui::test {
 
 namespace {
 
-Vec2 middle_of(const Mesh& mesh, Index element) {
+Vec2 centre_of(const Mesh& mesh, Index element) {
   Vec2 sum(0, 0);
   for (const Index node : mesh.topology->element(element)) sum += mesh.coordinates.xy(node);
   return sum / static_cast<double>(mesh.topology->element(element).size());
@@ -46,7 +46,7 @@ TEST_CASE("isolated elements stay, the others fade or go") {
     int kept = 0;
     int faded = 0;
     for (Index e = 0; e < rig.mesh().topology->element_count(); e += 3) {
-      const Vec2 p = rig.pixel(middle_of(rig.mesh(), e));
+      const Vec2 p = rig.pixel(centre_of(rig.mesh(), e));
       const double difference = std::abs(brightness(some, p) - brightness(all, p));
       // Small ones are covered by the edges of their neighbours.
       if (values[static_cast<std::size_t>(e)] < threshold)
@@ -188,7 +188,7 @@ TEST_CASE("bands and a fixed range are those of the legend and of the mesh") {
   CHECK(rig.bench->view().bands == 5);
   // Five, and what smoothing makes of their borders.
   CHECK(colors() <= 10);
-  const Vec2 at = rig.pixel(middle_of(rig.mesh(), 60));
+  const Vec2 at = rig.pixel(centre_of(rig.mesh(), 60));
   const double before = brightness(rig.bench->picture(), at);
   rig.click("view/range_auto");
   rig.fill("view/range_low", "0.95");

@@ -110,7 +110,7 @@ TEST_CASE("the list of worst elements: metric, length, click, next and previous"
   REQUIRE(worst.size() == 10);
   const auto& report = rig.session().quality().latest()->report;
   for (std::size_t k = 0; k < 10; ++k)
-    CHECK(worst[k].element == report.condition_number.worst[k].element);
+    CHECK(worst[k].element == report.of(Metric::condition_number).worst[k].element);
   rig.click("quality/worst/1");
   CHECK(rig.bench->view_state().focus == MeshItem{MeshItem::Kind::element, worst[1].element});
   CHECK((rig.bench->camera().centre() - worst[1].centre).norm() <

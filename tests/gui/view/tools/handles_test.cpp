@@ -92,13 +92,13 @@ TEST_CASE("X and Y lock a drag that is under way, and again set it free") {
   const Vec2 from = rig.gizmo().pivot;
   rig.drag(from, from + Vec2(25, -15));
   rig.key(GLFW_KEY_X);
-  CHECK(rig.session().live_motion()->translate.y() == 0);
+  CHECK(rig.session().mesh().live_motion()->translate.y() == 0);
   rig.key(GLFW_KEY_Y);
-  CHECK(rig.session().live_motion()->translate.x() == 0);
-  CHECK(rig.session().live_motion()->translate.y() > 0);
+  CHECK(rig.session().mesh().live_motion()->translate.x() == 0);
+  CHECK(rig.session().mesh().live_motion()->translate.y() > 0);
   rig.key(GLFW_KEY_Y);
-  CHECK(rig.session().live_motion()->translate.x() > 0);
-  CHECK(rig.session().live_motion()->translate.y() > 0);
+  CHECK(rig.session().mesh().live_motion()->translate.x() > 0);
+  CHECK(rig.session().mesh().live_motion()->translate.y() > 0);
   rig.release();
   CHECK(rig.settle());
 }
@@ -125,14 +125,14 @@ TEST_CASE("Tab goes from body to body, Shift+Tab back, the outer boundary left o
   const std::vector<Index> left{rig.marker("left")};
   const std::vector<Index> right{rig.marker("right")};
   rig.key(keys::tab);
-  const bool left_first = rig.session().selection() == left;
-  CHECK(rig.session().selection() == (left_first ? left : right));
+  const bool left_first = rig.session().selection().markers() == left;
+  CHECK(rig.session().selection().markers() == (left_first ? left : right));
   rig.key(keys::tab);
-  CHECK(rig.session().selection() == (left_first ? right : left));
+  CHECK(rig.session().selection().markers() == (left_first ? right : left));
   rig.key(keys::tab);
-  CHECK(rig.session().selection() == (left_first ? left : right));
+  CHECK(rig.session().selection().markers() == (left_first ? left : right));
   rig.key(keys::tab, {keys::shift});
-  CHECK(rig.session().selection() == (left_first ? right : left));
+  CHECK(rig.session().selection().markers() == (left_first ? right : left));
 }
 
 TEST_CASE("Shift+click adds a body to the selection") {
@@ -142,9 +142,9 @@ TEST_CASE("Shift+click adds a body to the selection") {
   rig.input.key(keys::shift, true);
   rig.click(rig.pixel(Vec2(2, 0)));
   rig.input.key(keys::shift, false);
-  CHECK(rig.session().selection().size() == 2);
+  CHECK(rig.session().selection().markers().size() == 2);
   // One gizmo for both, between them.
-  CHECK((rig.session().pivot() - Vec2(0, 0)).norm() < 1e-12);
+  CHECK((rig.session().selection().pivot() - Vec2(0, 0)).norm() < 1e-12);
 }
 
 TEST_CASE("the pivot goes to the edges and the centroid by name, and turns are about it") {
@@ -155,9 +155,9 @@ TEST_CASE("the pivot goes to the edges and the centroid by name, and turns are a
     rig.click(std::string("motion/pivot_place/") + place);
   };
   choose("Trailing edge");
-  CHECK((rig.session().pivot() - Vec2(0.5, 0)).norm() < 1e-9);
+  CHECK((rig.session().selection().pivot() - Vec2(0.5, 0)).norm() < 1e-9);
   choose("Leading edge");
-  CHECK((rig.session().pivot() - Vec2(-0.5, 0)).norm() < 1e-9);
+  CHECK((rig.session().selection().pivot() - Vec2(-0.5, 0)).norm() < 1e-9);
   const Index nose = [&] {
     for (Index node : rig.mesh().topology->marker_nodes(rig.marker("flap")))
       if ((rig.mesh().coordinates.xy(node) - Vec2(-0.5, 0)).norm() < 1e-9) return node;
@@ -170,7 +170,7 @@ TEST_CASE("the pivot goes to the edges and the centroid by name, and turns are a
   CHECK((rig.mesh().coordinates.xy(nose) - Vec2(-0.5, 0)).norm() < 1e-9);
   choose("Centroid");
   const Vec2 expected = transform(last_move(rig).motion, Vec2(0, 0));
-  CHECK((rig.session().pivot() - expected).norm() < 1e-9);
+  CHECK((rig.session().selection().pivot() - expected).norm() < 1e-9);
 }
 
 TEST_CASE("with Alt the disc in the middle takes the pivot elsewhere and leaves the body") {
@@ -183,7 +183,7 @@ TEST_CASE("with Alt the disc in the middle takes the pivot elsewhere and leaves 
   rig.release();
   rig.input.key(keys::alt, false);
   REQUIRE(rig.settle());
-  CHECK((rig.pixel(rig.session().pivot()) - disc - Vec2(20, -12)).norm() < 1.5);
+  CHECK((rig.pixel(rig.session().selection().pivot()) - disc - Vec2(20, -12)).norm() < 1.5);
   CHECK(rig.session().coordinates() == before);
   CHECK_FALSE(rig.session().nodes().inspected().has_value());
 }
@@ -195,16 +195,16 @@ TEST_CASE("with Ctrl the pivot's pin snaps to the trailing edge and to nodes; Es
   rig.drag(rig.gizmo().pin(), rig.pixel(Vec2(0.5, 0)) + Vec2(5, 4));
   rig.input.key(keys::control, true);
   rig.frames();
-  CHECK((rig.session().pivot() - Vec2(0.5, 0)).norm() < 1e-9);
+  CHECK((rig.session().selection().pivot() - Vec2(0.5, 0)).norm() < 1e-9);
   CHECK(rig.bench->viewport().snapped_to() == "trailing edge");
   const auto nodes = mesh.topology->marker_nodes(rig.marker("flap"));
   const Vec2 node = mesh.coordinates.xy(nodes[3]);
   rig.move(rig.pixel(node) + Vec2(1, 1));
   rig.frames();
-  CHECK((rig.session().pivot() - node).norm() < 1e-12);
+  CHECK((rig.session().selection().pivot() - node).norm() < 1e-12);
   rig.input.key(keys::control, false);
   rig.key(keys::escape);
-  CHECK(rig.session().pivot().norm() < 1e-12);
+  CHECK(rig.session().selection().pivot().norm() < 1e-12);
   rig.release();
   CHECK(rig.document().history().size() == 1);
 }
@@ -247,18 +247,19 @@ TEST_CASE("the status line and the handle say when no valid mesh lies beyond") {
   open_ring(rig);
   const Vec2 from = rig.gizmo().pivot;
   rig.drag(from, from + Vec2(20, 0));
-  REQUIRE(rig.wait([&] { return rig.session().body_drag()->settled(); }));
+  REQUIRE(rig.wait([&] { return rig.session().mesh().body_drag()->settled(); }));
   rig.frames();
   const Image free = rig.bench->picture();
   const Vec2 far = from + Vec2(450, 0);
   rig.move(far);
-  REQUIRE(rig.wait([&] { return rig.session().body_drag()->reach() == BodyDrag::Reach::limit; }));
+  REQUIRE(rig.wait(
+      [&] { return rig.session().mesh().body_drag()->reach() == BodyDrag::Reach::limit; }));
   rig.frames();
   const Image held = rig.bench->picture();
   const auto state = rig.bench->widgets().find("status/state");
   REQUIRE(state.has_value());
   CHECK(differing(free, held, state->min, state->max) > 50);
-  CHECK(rig.session().body_drag()->frame().min_sine > 0);
+  CHECK(rig.session().mesh().body_drag()->frame().min_sine > 0);
   rig.key(keys::escape);
   rig.release();
   CHECK(rig.settle());

@@ -37,7 +37,7 @@ TEST_CASE("a boundary node is dragged alone when nothing fades") {
   Rig rig;
   rig.open(ring_mesh());
   rig.key(keys::e);
-  REQUIRE(rig.session().shape_edit().active);
+  REQUIRE(rig.session().selection().shape_edit().active);
   rig.bench->apply(action::SetShapeEdit{true, 0});
   const Mesh before = rig.mesh();
   const Index top = top_node(rig);
@@ -73,7 +73,7 @@ TEST_CASE("the wheel widens what a drag takes along, while it is under way") {
     rig.frames(1);
   }
   CHECK(rig.bench->camera().units_per_pixel() == zoom);
-  const double radius = rig.session().shape_edit().radius;
+  const double radius = rig.session().selection().shape_edit().radius;
   CHECK(radius > 0.2);
   rig.release();
   REQUIRE(rig.settle());
@@ -96,7 +96,7 @@ TEST_CASE("Shift+click takes the arc between two nodes, and a drag moves it whol
   rig.key(keys::e);
   rig.bench->apply(action::SetShapeEdit{true, 0});
   const Mesh before = rig.mesh();
-  const BoundaryIndex& boundary = *rig.session().boundary();
+  const BoundaryIndex& boundary = *rig.session().mesh().boundary();
   const Index body = [&] {
     for (std::size_t b = 0; b < boundary.bodies().size(); ++b)
       if (boundary.bodies()[b].hole) return static_cast<Index>(b);
@@ -106,11 +106,11 @@ TEST_CASE("Shift+click takes the arc between two nodes, and a drag moves it whol
   const auto& loop = boundary.bodies()[static_cast<std::size_t>(body)].nodes;
   const auto at = [&](std::size_t k) { return rig.pixel(before.coordinates.xy(loop[k])); };
   rig.click(at(4));
-  CHECK(rig.session().shape_edit().arc == BoundaryArc{body, 4, 4});
+  CHECK(rig.session().selection().shape_edit().arc == BoundaryArc{body, 4, 4});
   rig.input.key(keys::shift, true);
   rig.click(at(7));
   rig.input.key(keys::shift, false);
-  CHECK(rig.session().shape_edit().arc == BoundaryArc{body, 4, 7});
+  CHECK(rig.session().selection().shape_edit().arc == BoundaryArc{body, 4, 7});
   const Vec2 outward = before.coordinates.xy(loop[5]).normalized();
   rig.drag(at(6), at(6) + 8 * Vec2(outward.x(), -outward.y()));
   rig.release();
@@ -141,7 +141,7 @@ TEST_CASE("editing shapes never drags a body, and Esc ends it") {
   CHECK(rig.document().history().size() == 1);
   CHECK((rig.bench->camera().to_screen(world) - (inside + Vec2(20, 20))).norm() < 1e-6);
   rig.key(keys::escape);
-  CHECK_FALSE(rig.session().shape_edit().active);
+  CHECK_FALSE(rig.session().selection().shape_edit().active);
   CHECK_FALSE(rig.session().selection().empty());
 }
 
@@ -157,8 +157,8 @@ TEST_CASE("the sine panel shows its outline first and then deforms by it") {
   rig.fill("shape/amplitude", "0.05");
   rig.fill("shape/waves", "2");
   rig.frames();
-  REQUIRE(rig.session().deformation_preview().has_value());
-  CHECK(rig.session().deformation_preview()->outline.size() == 24);
+  REQUIRE(rig.session().selection().deformation_preview().has_value());
+  CHECK(rig.session().selection().deformation_preview()->outline.size() == 24);
   rig.move(Vec2(2, 2));
   rig.frames();
   const Vec2 low = rig.pixel(Vec2(-0.6, 0.25));
@@ -168,7 +168,7 @@ TEST_CASE("the sine panel shows its outline first and then deforms by it") {
   rig.click("shape/apply");
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);
-  CHECK_FALSE(rig.session().deformation_preview().has_value());
+  CHECK_FALSE(rig.session().selection().deformation_preview().has_value());
   for (Index node : before.topology->marker_nodes(rig.marker("flap"))) {
     const Vec2 was = before.coordinates.xy(node);
     const double s = was.x() + 0.5;
@@ -184,10 +184,10 @@ TEST_CASE("half-typed sines show nothing and do no harm") {
   rig.click("section/shape");
   rig.click("marker/flap");
   rig.fill("shape/amplitude", "0.05");
-  CHECK(rig.session().deformation_preview().has_value());
+  CHECK(rig.session().selection().deformation_preview().has_value());
   rig.fill("shape/amplitude", "0");
   rig.frames();
-  CHECK_FALSE(rig.session().deformation_preview().has_value());
+  CHECK_FALSE(rig.session().selection().deformation_preview().has_value());
   CHECK_FALSE(rig.bench->widgets().find("shape/apply")->enabled);
   CHECK(rig.document().history().size() == 1);
 }

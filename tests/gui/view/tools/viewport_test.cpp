@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "gui/document/selection/boundary_index.h"
+#include "gui/support/actions.h"
 #include "gui/support/meshes.h"
 #include "gui/view/tools/viewport.h"
 
@@ -27,7 +28,7 @@ TEST_CASE("a drag that starts on the outer rim pans instead of tearing the far f
   viewport.update(p, scene, camera, actions);
   CHECK(viewport.gesture() == Viewport::Gesture::pan);
   CHECK(camera.centre().x() == doctest::Approx(0.8));
-  for (const Action& a : actions) CHECK_FALSE(std::holds_alternative<action::BeginDrag>(a));
+  for (const Action& a : actions) CHECK_FALSE(holds<action::BeginDrag>(a));
 
   // Selected on purpose, it moves.
   p.left = false;

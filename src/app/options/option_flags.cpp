@@ -1,0 +1,166 @@
+#include "app/options/option_flags.h"
+
+#include <array>
+#include <cctype>
+#include <type_traits>
+#include <vector>
+
+#include "app/options/suggestion.h"
+#include "core/error.h"
+
+namespace winslow::app {
+namespace {
+
+std::vector<std::string> names_of(const ChoiceOption& choice) {
+  std::vector<std::string> names;
+  for (const ChoiceItem& item : choice.items()) names.push_back(item.name);
+  return names;
+}
+
+std::string names_of(const SharesOption& shares) {
+  std::string names;
+  for (const auto& part : shares.parts)
+    names += (names.empty() ? "" : ", ") + std::string(part.name);
+  return names;
+}
+
+/// "element vcv=0.3": the shares that are named; the others are 0.
+void set_shares(const SharesOption& shares, const std::string& flag,
+                const std::vector<std::string>& words) {
+  for (const auto& part : shares.parts) *part.share = 0;
+  for (const std::string& word : words) {
+    const std::size_t equals = word.find('=');
+    const std::string name = word.substr(0, equals);
+    double share = 1;
+    if (equals != std::string::npos && !CLI::detail::lexical_cast(word.substr(equals + 1), share)) {
+      throw UsageError(flag + ' ' + word + ": expected NAME=SHARE with a number");
+    }
+    bool known = false;
+    for (const auto& part : shares.parts) {
+      if (part.name != name) continue;
+      *part.share = share;
+      known = true;
+    }
+    if (!known) {
+      throw UsageError(flag + ' ' + word + ": found \"" + name + "\", expected one of " +
+                       names_of(shares));
+    }
+  }
+}
+
+/// The option's fault, once its value has been set; CLI11 puts the flag before it.
+void refuse_fault(const Option& option) {
+  if (const std::string fault = fault_of(option); !fault.empty())
+    throw CLI::ValidationError(flag_of(option), fault);
+}
+
+/// A flag that sets the value from one word or several.
+template <class Given>
+CLI::Option* add_value(CLI::App& app, const Option& option,
+                       const std::function<void(const Given&)>& set) {
+  return app
+      .add_option_function<Given>(
+          flag_of(option),
+          [option, set](const Given& given) {
+            set(given);
+            refuse_fault(option);
+          },
+          flag_help(option))
+      ->option_text(flag_text(option));
+}
+
+CLI::Option* declare(CLI::App& app, const Option& option, const RealOption& real) {
+  return add_value<double>(app, option, [real](const double& x) { *real.value = x; });
+}
+
+CLI::Option* declare(CLI::App& app, const Option& option, const OptionalRealOption& real) {
+  return add_value<double>(app, option, [real](const double& x) { *real.value = x; });
+}
+
+CLI::Option* declare(CLI::App& app, const Option& option, const IntegerOption& integer) {
+  return add_value<int>(app, option, [integer](const int& n) { *integer.value = n; });
+}
+
+CLI::Option* declare(CLI::App& app, const Option& option, const SeedOption& seed) {
+  return add_value<std::uint64_t>(app, option, [seed](const std::uint64_t& n) { *seed.value = n; })
+      ->check([](const std::string& text) {  // the conversion would wrap a negative number
+        return text.starts_with("-") ? "found " + text + ", expected 0 or more" : std::string();
+      });
+}
+
+CLI::Option* declare(CLI::App& app, const Option& option, const VectorOption& vector) {
+  using Pair = std::array<double, 2>;
+  return add_value<Pair>(app, option,
+                         [vector](const Pair& v) { *vector.value = Vec2(v[0], v[1]); });
+}
+
+CLI::Option* declare(CLI::App& app, const Option& option, const SwitchOption& on) {
+  const bool value = on.off_flag.empty();
+  return app.add_flag_callback(
+      flag_of(option), [on, value] { *on.value = value; }, flag_help(option));
+}
+
+CLI::Option* declare(CLI::App& app, const Option& option, const ChoiceOption& choice) {
+  return add_value<std::string>(app, option,
+                                [choice](const std::string& name) { choice.choose(name); })
+      ->check(one_of(names_of(choice)));
+}
+
+CLI::Option* declare(CLI::App& app, const Option& option, const SharesOption& shares) {
+  using Words = std::vector<std::string>;
+  const std::string flag = flag_of(option);
+  return add_value<Words>(app, option,
+                          [shares, flag](const Words& words) { set_shares(shares, flag, words); });
+}
+
+template <class Item>
+std::string item_help(const Item& item) {
+  return item.help.empty() ? "" : "\n  " + std::string(item.name) + ": " + std::string(item.help);
+}
+
+std::string metavariable(const Option& option) {
+  if (std::holds_alternative<VectorOption>(option.value)) return "X Y";
+  if (std::holds_alternative<SharesOption>(option.value)) return "NAME[=SHARE]...";
+  if (const auto* choice = std::get_if<ChoiceOption>(&option.value)) {
+    constexpr std::size_t few = 4;
+    return choice->items().size() <= few ? choice->names("|") : "NAME";
+  }
+  const bool whole = std::holds_alternative<IntegerOption>(option.value) ||
+                     std::holds_alternative<SeedOption>(option.value);
+  return whole ? "N" : "NUMBER";
+}
+
+}  // namespace
+
+std::string flag_text(const Option& option) {
+  if (std::holds_alternative<SwitchOption>(option.value)) return "";
+  const std::string value = value_text(option);
+  return metavariable(option) + (value.empty() ? "" : " [" + value + "]");
+}
+
+std::string flag_help(const Option& option) {
+  if (const auto* on = std::get_if<SwitchOption>(&option.value); on && !on->off_help.empty())
+    return std::string(on->off_help);
+  std::string help(option.help);
+  if (!option.unit.empty()) help += ", " + std::string(option.unit);
+  std::string items;
+  if (const auto* choice = std::get_if<ChoiceOption>(&option.value)) {
+    for (const ChoiceItem& item : choice->items()) items += item_help(item);
+  } else if (const auto* shares = std::get_if<SharesOption>(&option.value)) {
+    for (const auto& part : shares->parts) items += item_help(part);
+  } else if (const std::string expected = expected_text(option); !expected.empty()) {
+    help += " (" + expected + ")";
+  }
+  return help + (items.empty() ? "" : ":" + items);
+}
+
+void add_option_flags(CLI::App& app, const OptionTable& table, const std::string& group) {
+  for (const Option& option : table) {
+    if (option.on_command_line == OnCommandLine::no) continue;
+    CLI::Option* flag =
+        std::visit([&](const auto& of) { return declare(app, option, of); }, option.value);
+    flag->group(group);
+  }
+}
+
+}  // namespace winslow::app

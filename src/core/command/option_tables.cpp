@@ -1,0 +1,89 @@
+#include "core/command/option_tables.h"
+
+#include "core/layers/layer_option_tables.h"
+#include "core/motion/motion_options.h"
+
+namespace winslow {
+
+namespace {
+
+OptionTable joined(OptionTable first, OptionTable second) {
+  for (Option& option : second) first.push_back(std::move(option));
+  return first;
+}
+
+}  // namespace
+
+OptionTable option_table(MotionOptions& how) {
+  return {
+      {.key = "increments",
+       .value = IntegerOption{&how.increments, between(0, 1000000)},
+       .label = "Steps",
+       .help =
+           "Steps in which the boundary moves, each followed by smoothing; 0: along the path of "
+           "valid meshes, in steps as long as they can be (fixed point: at once and, if that ends "
+           "tangled, in 8 and then in 32 steps); 1: at once, as in the paper"},
+      {.key = "smooth_after",
+       .value = SwitchOption{&how.smooth_after, "no-smooth", "Move the boundary only"},
+       .label = "Smooth afterwards",
+       .help = "Smooth the interior after the boundary has moved"},
+  };
+}
+
+OptionTable option_table(SmoothCommand&) { return {}; }
+
+OptionTable option_table(MoveCommand& command) {
+  return joined(option_table(command.motion), option_table(command.how));
+}
+
+OptionTable option_table(DeformCommand& command) { return option_table(command.how); }
+
+OptionTable option_table(ScrambleCommand& command) {
+  return {{.key = "seed",
+           .value = SeedOption{&command.seed},
+           .label = "Seed",
+           .help = "Seed of the random numbers: another seed, other random places"}};
+}
+
+OptionTable option_table(EditVcvCommand&) { return {}; }
+
+OptionTable option_table(LayersCommand& command) {
+  OptionTable own{
+      {.key = "task",
+       .value = ChoiceOption(
+           command.task,
+           {{"insert", "Insert", "new layers: the one command that changes the connectivity"},
+            {"respace", "Space anew", "the layers that the mesh has get other heights"},
+            {"hold", "Hold", "the layers that the mesh has keep their heights from here on"}}),
+       .label = "Task",
+       .help = "What is done about layers",
+       .on_command_line = OnCommandLine::no},
+      {.key = "control",
+       .value = SwitchOption{&command.control, "no-control",
+                             "Smooth the new connectivity as it is, without holding heights"},
+       .label = "Hold the spacing",
+       .help =
+           "Ask for the heights through the virtual control volumes; off: smoothing spreads the "
+           "layers as it likes",
+       .applies = command.task == LayerTask::insert},
+      {.key = "height_tolerance",
+       .value = RealOption{&command.tolerance, above(0)},
+       .label = "Height tolerance",
+       .help = "Relative error of a height above which the VCVs are corrected",
+       .applies = command.control},
+      {.key = "most_corrections",
+       .value = IntegerOption{&command.most_corrections, at_least(0)},
+       .label = "Corrections",
+       .help = "Limit of smoothing runs after the first that correct heights",
+       .applies = command.control},
+  };
+  OptionTable corners = option_table(command.layers);
+  for (Option& option : corners) {
+    // Existing layers keep their columns.
+    if (option.key.starts_with("fan"))
+      option.applies = option.applies && command.task == LayerTask::insert;
+  }
+  return joined(std::move(own), std::move(corners));
+}
+
+}  // namespace winslow

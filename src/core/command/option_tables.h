@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/command/command.h"
+#include "core/options/option.h"
+
+namespace winslow {
+
+OptionTable option_table(MotionOptions& how);
+
+/// All that a user can set of a command, but for markers, lists (walls, VCVs, displacements) and
+/// how it is smoothed.
+OptionTable option_table(SmoothCommand& command);
+OptionTable option_table(MoveCommand& command);
+OptionTable option_table(DeformCommand& command);
+OptionTable option_table(ScrambleCommand& command);
+OptionTable option_table(EditVcvCommand& command);
+OptionTable option_table(LayersCommand& command);
+
+}  // namespace winslow

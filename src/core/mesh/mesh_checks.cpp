@@ -1,0 +1,192 @@
+#include "core/mesh/mesh_checks.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "core/error.h"
+#include "core/mesh/volume_checks.h"
+#include "core/search/box_tree.h"
+
+namespace winslow {
+
+namespace {
+
+/// Area of the parallelogram between two vectors.
+double area(const Vec2& a, const Vec2& b) { return std::abs(a.x() * b.y() - a.y() * b.x()); }
+double area(const Vec3& a, const Vec3& b) { return a.cross(b).norm(); }
+
+template <int D>
+bool has_area(const Points<D>& x, std::span<const Index> corners) {
+  const std::size_t n = corners.size();
+  double longest2 = 0;
+  double largest2 = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec<D> p = x[corners[k]];
+    const Vec<D> a = x[corners[(k + 1) % n]] - p;
+    const Vec<D> b = x[corners[(k + n - 1) % n]] - p;
+    longest2 = std::max(longest2, a.squaredNorm());
+    largest2 = std::max(largest2, area(a, b));
+  }
+  // Round-off in the coordinates themselves leaves about this much of an exactly flat element.
+  constexpr double flat = 1e-15;
+  return largest2 > flat * longest2;
+}
+
+template <int D>
+void check_areas(const Mesh& mesh) {
+  const Points<D> x(mesh.coordinates);
+  for (Index e = 0; e < mesh.topology->element_count(); ++e) {
+    if (!has_area<D>(x, mesh.topology->element(e))) {
+      throw MeshError(
+          MeshEntity::element, e,
+          "element " + std::to_string(e) + " has no area (its corners lie on one line)");
+    }
+  }
+}
+
+/// Finds, of some nodes in the order of their positions, the first that lies inside an edge.
+template <int D>
+class HangingNodes {
+ public:
+  HangingNodes(const Coordinates& coordinates, std::vector<Index> candidates)
+      : x_(coordinates), nodes_(by_position(coordinates, std::move(candidates))) {
+    std::vector<Box<D>> places;
+    places.reserve(nodes_.size());
+    for (const Index node : nodes_) places.push_back({x_[node], x_[node]});
+    tree_ = BoxTree<D>(places);
+  }
+
+  std::optional<Index> first_inside(std::span<const Index> edge) const {
+    const Vec<D> a = x_[edge[0]];
+    const Vec<D> d = x_[edge[1]] - a;
+    const double length2 = d.squaredNorm();
+    const auto inside = [&](Index node) {
+      if (node == edge[0] || node == edge[1]) return false;
+      const Vec<D> p = x_[node] - a;
+      const double along = p.dot(d) / length2;
+      return along > near && along < 1 - near && area(p, d) < near * length2;
+    };
+    Box<D> box{a, a};
+    box.add(a + d);
+    const Vec<D> slack = Vec<D>::Constant(near * std::sqrt(length2));
+    auto first = static_cast<Index>(nodes_.size());
+    tree_.overlapping({box.min - slack, box.max + slack}, [&](Index k) {
+      if (k < first && inside(nodes_[at(k)])) first = k;
+    });
+    if (first == static_cast<Index>(nodes_.size())) return std::nullopt;
+    return nodes_[at(first)];
+  }
+
+ private:
+  static constexpr double near = 1e-9;  // of the edge's length
+
+  Points<D> x_;
+  std::vector<Index> nodes_;
+  BoxTree<D> tree_;  // of nodes_
+};
+
+/// Nodes inside boundary edges of a plane or surface mesh.
+template <int D>
+void check_edges(const Mesh& mesh) {
+  const HangingNodes<D> hanging(mesh.coordinates, boundary_nodes(*mesh.topology));
+  for (const auto& edge : mesh.topology->edges()) {
+    if (edge.elements[1] >= 0) continue;
+    const auto node = hanging.first_inside(edge.nodes);
+    if (!node) continue;
+    throw MeshError(MeshEntity::node, *node,
+                    "node " + std::to_string(*node) + " lies inside the edge between nodes " +
+                        std::to_string(edge.nodes[0]) + " and " + std::to_string(edge.nodes[1]) +
+                        " (hanging node)");
+  }
+}
+
+}  // namespace
+
+std::vector<Index> by_position(const Coordinates& coordinates, std::vector<Index> nodes) {
+  const int dimension = coordinates.dimension();
+  std::sort(nodes.begin(), nodes.end(), [&](Index a, Index b) {
+    const double *p = coordinates.point(a), *q = coordinates.point(b);
+    for (int k = 0; k < dimension; ++k) {
+      if (p[k] != q[k]) return p[k] < q[k];
+    }
+    return a < b;
+  });
+  return nodes;
+}
+
+std::vector<Index> boundary_nodes(const Topology& topology) {
+  std::vector<bool> on_boundary(at(topology.node_count()), false);
+  for (Index f = 0; f < topology.face_count(); ++f) {
+    const Topology::SharedFace face = topology.face(f);
+    if (face.elements[1] >= 0) continue;
+    for (const Index node : face.nodes) on_boundary[at(node)] = true;
+  }
+  std::vector<Index> nodes;
+  for (Index i = 0; i < topology.node_count(); ++i) {
+    if (on_boundary[at(i)]) nodes.push_back(i);
+  }
+  return nodes;
+}
+
+void check_finite(const Coordinates& coordinates) {
+  const auto values = coordinates.values();
+  const auto it = std::find_if_not(values.begin(), values.end(),
+                                   [](double value) { return std::isfinite(value); });
+  if (it == values.end()) return;
+  const auto node = static_cast<Index>((it - values.begin()) / coordinates.dimension());
+  throw MeshError(MeshEntity::node, node,
+                  "node " + std::to_string(node) + " has a coordinate that is not a finite number");
+}
+
+void check_isolated(const Topology& topology) {
+  if (topology.element_count() < 2) return;
+  std::vector<bool> joined(at(topology.element_count()), false);
+  for (Index f = 0; f < topology.face_count(); ++f) {
+    const auto elements = topology.face(f).elements;
+    if (elements[1] < 0) continue;
+    for (const Index e : elements) joined[at(e)] = true;
+  }
+  const auto it = std::find(joined.begin(), joined.end(), false);
+  if (it == joined.end()) return;
+  const auto e = static_cast<Index>(it - joined.begin());
+  throw MeshError(MeshEntity::element, e,
+                  "element " + std::to_string(e) + " shares no " +
+                      (topology.cell_dimension() == 2 ? "edge" : "face") +
+                      " with any other (isolated)");
+}
+
+void check_duplicates(const Mesh& mesh) {
+  std::vector<Index> used;
+  for (Index i = 0; i < mesh.topology->node_count(); ++i) {
+    if (mesh.topology->used(i)) used.push_back(i);
+  }
+  const Coordinates& x = mesh.coordinates;
+  const auto sorted = by_position(x, std::move(used));
+  for (std::size_t k = 1; k < sorted.size(); ++k) {
+    const double* p = x.point(sorted[k]);
+    if (std::equal(p, p + x.dimension(), x.point(sorted[k - 1]))) {
+      throw MeshError(MeshEntity::node, sorted[k],
+                      "node " + std::to_string(sorted[k]) + " lies exactly where node " +
+                          std::to_string(sorted[k - 1]) + " does (duplicate node)");
+    }
+  }
+}
+
+void check_extents(const Mesh& mesh) {
+  if (mesh.topology->cell_dimension() == 3) return check_volumes(mesh);
+  if (mesh.topology->space_dimension() == 3) return check_areas<3>(mesh);
+  check_areas<2>(mesh);
+}
+
+void check_hanging(const Mesh& mesh) {
+  if (mesh.topology->cell_dimension() == 3) return check_boundary_faces(mesh);
+  if (mesh.topology->space_dimension() == 3) return check_edges<3>(mesh);
+  check_edges<2>(mesh);
+}
+
+}  // namespace winslow

@@ -1,0 +1,59 @@
+#include "core/motion/motion_options.h"
+
+namespace winslow {
+
+OptionTable option_table(RigidMotion& motion) {
+  return {
+      {.key = "rotate",
+       .value = RealOption{&motion.rotate},
+       .label = "Rotate",
+       .help = "Angle about the pivot, counter-clockwise positive",
+       .unit = "degrees"},
+      {.key = "pivot",
+       .value = VectorOption{&motion.pivot},
+       .label = "Pivot",
+       .help = "Centre of the rotation",
+       .unit = "units of the mesh"},
+      {.key = "translate",
+       .value = VectorOption{&motion.translate},
+       .label = "Translate",
+       .help = "Shift, after the rotation",
+       .unit = "units of the mesh"},
+  };
+}
+
+OptionTable option_table(SineDeformation& sine) {
+  return {
+      {.key = "amplitude",
+       .value = RealOption{&sine.amplitude},
+       .label = "Amplitude",
+       .help = "Largest displacement",
+       .unit = "units of the mesh",
+       .required = true,
+       .on_command_line = OnCommandLine::no},
+      {.key = "waves",
+       .value = RealOption{&sine.waves},
+       .label = "Waves",
+       .help = "Full periods over the length of the body",
+       .required = true,
+       .on_command_line = OnCommandLine::no},
+      {.key = "direction",
+       .value = VectorOption{&sine.direction},
+       .label = "Direction",
+       .help = "Direction of the displacement; its length does not matter"},
+      {.key = "fade",
+       .value = ChoiceOption(sine.fade, {{"none", "Nowhere"},
+                                         {"start", "At the start"},
+                                         {"end", "At the end"},
+                                         {"both", "At both ends"}}),
+       .label = "Fade",
+       .help = "Ends of the body at which the wave fades to zero"},
+      {.key = "fade_length",
+       .value = RealOption{&sine.fade_length, {.low = 0, .high = 0.5, .low_included = false}},
+       .label = "Fade length",
+       .help = "Share of the body's length over which it fades",
+       .applies = sine.fade != Fade::none},
+  };
+}
+
+}  // namespace winslow

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/motion/motion.h"
+#include "core/options/option.h"
+
+namespace winslow {
+
+/// All that a user can set of a motion, but for the markers that move.
+OptionTable option_table(RigidMotion& motion);
+OptionTable option_table(SineDeformation& sine);
+
+}  // namespace winslow

@@ -1,0 +1,239 @@
+#include "core/options/option.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/error.h"
+
+namespace winslow {
+
+namespace {
+
+// How each kind of option is typed.
+std::string text_of(const RealOption& real) { return number_text(*real.value); }
+std::string text_of(const OptionalRealOption& real) {
+  return *real.value ? number_text(**real.value) : "";
+}
+std::string text_of(const IntegerOption& integer) { return std::to_string(*integer.value); }
+std::string text_of(const SeedOption& seed) { return std::to_string(*seed.value); }
+std::string text_of(const VectorOption& vector) {
+  return number_text(vector.value->x()) + ' ' + number_text(vector.value->y());
+}
+std::string text_of(const SwitchOption& on) { return *on.value ? "true" : "false"; }
+std::string text_of(const ChoiceOption& choice) { return choice.name(); }
+std::string text_of(const SharesOption& shares) {
+  std::string text;
+  for (const auto& [name, label, help, share] : shares.parts) {
+    if (*share == 0) continue;
+    text += (text.empty() ? "" : " ") + std::string(name);
+    if (*share != 1) text += "=" + number_text(*share);
+  }
+  return text;
+}
+
+// What each kind takes.
+std::string expected_of(const RealOption& real) { return real.range.text(); }
+std::string expected_of(const OptionalRealOption& real) { return real.range.text(); }
+std::string expected_of(const IntegerOption& integer) { return integer.range.text(); }
+std::string expected_of(const SeedOption&) { return at_least(0).text(); }
+std::string expected_of(const VectorOption&) { return ""; }
+std::string expected_of(const SwitchOption&) { return ""; }
+std::string expected_of(const ChoiceOption& choice) { return choice.names(); }
+std::string expected_of(const SharesOption&) { return at_least(0).text(); }
+
+std::string out_of(const Range& range, double found) {
+  if (range.holds(found)) return "";
+  const std::string expected = range.text();
+  return "found " + number_text(found) + ", expected " +
+         (expected.empty() ? "a finite number" : expected);
+}
+
+// What is wrong with the value of each kind; empty: nothing.
+std::string wrong_with(const RealOption& real) { return out_of(real.range, *real.value); }
+std::string wrong_with(const OptionalRealOption& real) {
+  return *real.value ? out_of(real.range, **real.value) : "";
+}
+std::string wrong_with(const IntegerOption& integer) {
+  return out_of(integer.range, *integer.value);
+}
+std::string wrong_with(const SeedOption&) { return ""; }
+std::string wrong_with(const VectorOption& vector) {
+  const std::string x = out_of({}, vector.value->x());
+  return x.empty() ? out_of({}, vector.value->y()) : x;
+}
+std::string wrong_with(const SwitchOption&) { return ""; }
+std::string wrong_with(const ChoiceOption& choice) {
+  if (choice.chosen() < choice.items().size()) return "";
+  return "found \"" + choice.name() + "\", expected one of " + choice.names();
+}
+std::string wrong_with(const SharesOption& shares) {
+  double sum = 0;
+  bool negative = false;
+  for (const auto& part : shares.parts) {
+    negative = negative || !(*part.share >= 0);
+    sum += *part.share;
+  }
+  if (!negative && sum > 0 && std::isfinite(sum)) return "";
+  return "the shares must not be negative, nor all zero";
+}
+
+}  // namespace
+
+bool Range::holds(double number) const {
+  if (also && number == *also) return true;
+  if (!std::isfinite(number)) return false;
+  const bool above_low = low_included ? number >= low : number > low;
+  return above_low && (high_included ? number <= high : number < high);
+}
+
+std::string Range::text() const {
+  const bool floor = std::isfinite(low), ceiling = std::isfinite(high);
+  std::string text;
+  if (floor && ceiling && low_included && high_included) {
+    text = number_text(low) + " to " + number_text(high);
+  } else {
+    if (floor) text = number_text(low) + " or more";
+    if (floor && !low_included) text = "more than " + number_text(low);
+    if (ceiling) {
+      text += (text.empty() ? "" : ", ") + std::string(high_included ? "at most " : "less than ") +
+              number_text(high);
+    }
+  }
+  return also ? number_text(*also) + " or " + text : text;
+}
+
+std::size_t ChoiceOption::chosen() const {
+  if (const auto* enumerator = std::get_if<Enumerator>(&value_)) return enumerator->get();
+  const std::string& name = *std::get<std::string*>(value_);
+  const auto found = std::find_if(items_.begin(), items_.end(),
+                                  [&](const ChoiceItem& item) { return item.name == name; });
+  return static_cast<std::size_t>(found - items_.begin());
+}
+
+std::string ChoiceOption::name() const {
+  if (const auto* name = std::get_if<std::string*>(&value_)) return **name;
+  const std::size_t item = chosen();
+  return item < items_.size() ? items_[item].name : std::to_string(item);
+}
+
+void ChoiceOption::choose(std::size_t item) const {
+  if (const auto* enumerator = std::get_if<Enumerator>(&value_)) return enumerator->set(item);
+  *std::get<std::string*>(value_) = items_[item].name;
+}
+
+bool ChoiceOption::choose(std::string_view name) const {
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    if (items_[i].name != name) continue;
+    choose(i);
+    return true;
+  }
+  return false;
+}
+
+std::string ChoiceOption::names(const char* separator) const {
+  std::string text;
+  for (const ChoiceItem& item : items_) text += (text.empty() ? "" : separator) + item.name;
+  return text;
+}
+
+std::string flag_of(const Option& option) {
+  if (const auto* on = std::get_if<SwitchOption>(&option.value); on && !on->off_flag.empty())
+    return "--" + std::string(on->off_flag);
+  if (!option.flag.empty()) return "--" + std::string(option.flag);
+  std::string flag = "--" + std::string(option.object);
+  if (!option.object.empty()) flag += '-';
+  flag += option.key;
+  std::replace(flag.begin(), flag.end(), '_', '-');
+  return flag;
+}
+
+std::string path_of(const Option& option) {
+  const std::string key(option.key);
+  return option.object.empty() ? key : std::string(option.object) + '.' + key;
+}
+
+std::string value_text(const Option& option) {
+  return std::visit([](const auto& of) { return text_of(of); }, option.value);
+}
+
+std::string expected_text(const Option& option) {
+  return std::visit([](const auto& of) { return expected_of(of); }, option.value);
+}
+
+std::string fault_of(const Option& option) {
+  return std::visit([](const auto& of) { return wrong_with(of); }, option.value);
+}
+
+void check(const OptionTable& table) {
+  for (const Option& option : table) {
+    if (const std::string fault = fault_of(option); !fault.empty())
+      throw UsageError(path_of(option) + ": " + fault);
+  }
+}
+
+bool settle(const OptionTable& table) {
+  bool changed = false;
+  for (const Option& option : table) {
+    const auto* choice = std::get_if<ChoiceOption>(&option.value);
+    if (!choice || choice->chosen() >= choice->items().size()) continue;
+    const auto& items = choice->items();
+    if (items[choice->chosen()].applies) continue;
+    const auto first =
+        std::find_if(items.begin(), items.end(), [](const auto& i) { return i.applies; });
+    if (first == items.end()) continue;
+    choice->choose(static_cast<std::size_t>(first - items.begin()));
+    changed = true;
+  }
+  return changed;
+}
+
+std::string number_text(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", number);
+  return text;
+}
+
+namespace {
+
+bool same(const ChoiceOption& a, const ChoiceOption& b) { return a.name() == b.name(); }
+bool same(const SharesOption& a, const SharesOption& b) {
+  return std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(),
+                    [](const auto& p, const auto& q) { return *p.share == *q.share; });
+}
+template <class Simple>
+bool same(const Simple& a, const Simple& b) {
+  return *a.value == *b.value;
+}
+
+void copy(const ChoiceOption& from, const ChoiceOption& to) { to.choose(from.name()); }
+void copy(const SharesOption& from, const SharesOption& to) {
+  for (std::size_t k = 0; k < from.parts.size(); ++k) *to.parts[k].share = *from.parts[k].share;
+}
+template <class Simple>
+void copy(const Simple& from, const Simple& to) {
+  *to.value = *from.value;
+}
+
+bool same_value(const Option& a, const Option& b) {
+  return std::visit(
+      [&]<class Value>(const Value& value) { return same(value, std::get<Value>(b.value)); },
+      a.value);
+}
+
+}  // namespace
+
+bool same_values(const OptionTable& a, const OptionTable& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_value);
+}
+
+void copy_changes(const OptionTable& before, const OptionTable& after, const OptionTable& to) {
+  for (std::size_t row = 0; row < after.size(); ++row) {
+    if (same_value(before[row], after[row])) continue;
+    std::visit(
+        [&]<class Value>(const Value& value) { copy(value, std::get<Value>(to[row].value)); },
+        after[row].value);
+  }
+}
+
+}  // namespace winslow

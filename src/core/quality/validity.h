@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/index.h"
+
+namespace winslow {
+
+/// What every outer iteration needs to know of a mesh.
+struct Validity {
+  Index inverted = 0;   ///< elements
+  double min_sine = 0;  ///< smallest normalized Jacobian
+};
+
+}  // namespace winslow

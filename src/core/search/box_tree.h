@@ -1,0 +1,91 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/search/box.h"
+
+namespace winslow {
+
+/// The points origin + t direction with t >= 0.
+template <int D>
+struct Ray {
+  Vec<D> origin;
+  Vec<D> direction;  ///< of any length but 0
+};
+
+/// A bounding-volume hierarchy: finds items by the axis-aligned boxes around them, in the plane
+/// (D = 2) and in space (D = 3). Items are numbers from 0 on; what they are is the caller's affair.
+/// The tree depends on the boxes alone, and where items are equally good, the lowest is the answer.
+template <int D>
+class BoxTree {
+ public:
+  /// Of no items.
+  BoxTree() = default;
+  /// boxes: one per item, finite.
+  explicit BoxTree(std::span<const Box<D>> boxes);
+
+  /// Items have moved; boxes: as many as before. Takes a fraction of the time to build the tree
+  /// anew, and the tree serves as well as long as neighbours have stayed neighbours.
+  void refit(std::span<const Box<D>> boxes);
+
+  Index size() const { return static_cast<Index>(items_.size()); }
+
+  struct Nearest {
+    Index item = -1;
+    double distance = 0;
+  };
+  /// Distance of an item from the point that is asked about; but for round-off no less than that of
+  /// its box.
+  using Distance = std::function<double(Index)>;
+  /// The item nearest to a point, no farther away than `radius`.
+  std::optional<Nearest> nearest(const Vec<D>& point, double radius,
+                                 const Distance& distance) const;
+  /// The same where items are their boxes, points above all.
+  std::optional<Nearest> nearest(const Vec<D>& point, double radius) const;
+
+  /// Calls `visit` with every item whose box has a point in common with the given one, in the order
+  /// of the tree.
+  void overlapping(const Box<D>& box, const std::function<void(Index)>& visit) const;
+
+  struct RayHit {
+    Index item = -1;
+    double t = 0;  ///< where along the ray
+  };
+  /// Where a ray hits an item, if it does.
+  using Intersection = std::function<std::optional<double>(Index)>;
+  /// The items that a ray hits, in the order in which it meets them. Only items whose boxes it
+  /// passes through are asked.
+  std::vector<RayHit> hits(const Ray<D>& ray, const Intersection& intersection) const;
+
+ private:
+  struct Node {
+    Box<D> box;
+    Index begin = 0, end = 0;  // of the items below it
+    Index right = 0;           // second child; 0: a leaf. The first child is the next node.
+  };
+  struct Entry;
+
+  struct ByCaller;
+  struct ByBox;
+
+  /// places: a box around those of the entries.
+  void build(std::span<Entry> entries, Box<D> places);
+  Box<D> box_of_items(const Node& leaf) const;
+  template <class Measure>
+  void search(Index node, const Measure& measure, Nearest& best) const;
+  /// Calls `visit` with every item whose box, and those of the nodes above it, are not missed.
+  template <class Misses, class Visit>
+  void descend(const Misses& misses, const Visit& visit) const;
+
+  std::vector<Node> nodes_;  // parents before their children
+  std::vector<Index> items_;
+  std::vector<Box<D>> boxes_;  // of items_
+};
+
+extern template class BoxTree<2>;
+extern template class BoxTree<3>;
+
+}  // namespace winslow

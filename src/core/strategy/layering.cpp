@@ -1,0 +1,291 @@
+#include "core/strategy/layering.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/error.h"
+#include "core/layers/layer_control.h"
+#include "core/layers/layer_detection.h"
+#include "core/layers/layer_fit.h"
+#include "core/layers/layer_insertion.h"
+#include "core/layers/layer_measures.h"
+#include "core/layers/sound_plan.h"
+#include "core/quality/quality.h"
+#include "core/strategy/run_sequence.h"
+#include "core/strategy/smooth_run.h"
+
+namespace winslow {
+
+namespace {
+
+/// Rims of layers on their way from the wall outwards.
+class RimMotion final : public Motion {
+ public:
+  /// From the share `begin` of the wanted thickness to all of it.
+  RimMotion(const LayerStack& stack, double begin) : stack_(stack), begin_(begin) {
+    for (const LayerColumn& column : stack_.columns) {
+      if (column.count() > 0) rims_.push_back({column.rim(), &column});
+    }
+    std::sort(rims_.begin(), rims_.end());
+    for (const auto& [node, column] : rims_) nodes_.push_back(node);
+  }
+
+  std::span<const Index> nodes() const override { return nodes_; }
+  void apply(const Coordinates& rest, double fraction, Coordinates& out) const override {
+    const double share = begin_ + (1 - begin_) * fraction;
+    for (const auto& [node, column] : rims_) {
+      const double length = share * column->thickness() * column->slant;
+      out.set_xy(node, rest.xy(column->wall_node) + length * column->direction);
+    }
+  }
+
+ private:
+  const LayerStack& stack_;
+  double begin_;
+  std::vector<std::pair<Index, const LayerColumn*>> rims_;
+  std::vector<Index> nodes_;
+};
+
+/// The largest of a falling sequence of shares of the thickness at which the elements outside are
+/// valid without any of them being moved; 0 if there is none.
+double first_share(const LayerInsertion& layers, const Coordinates& rest, Coordinates& x) {
+  constexpr double least = 1e-9;
+  for (double share = 1; share > least; share *= 0.5) {
+    x = rest;
+    RimMotion(layers.stack, share).apply(rest, 0, x);
+    if (check_validity(*layers.outside, x).inverted == 0) return share;
+  }
+  return 0;
+}
+
+/// Layers in a mesh where the elements outside have made room for them.
+LayerInsertion make_room(const LayerRequest& request, const MeshState& state, RunSequence& runs) {
+  const LayerOptions options = with_counts(options_of(request), state.mesh);
+  LayerStack plan = sound_plan(state.mesh, options);
+  SmoothOptions smooth;  // only valid meshes on the way count: the default, whatever was asked for
+  smooth.threads = request.smooth.threads;
+  smooth.linear = request.smooth.linear;
+  smooth.tolerance = 1e-3;
+  constexpr int most_attempts = 6;
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    LayerInsertion layers = insert_layers(state.mesh, plan);
+    runs.show(layers.mesh.topology);
+    const Coordinates rest = layers.mesh.coordinates;
+    Coordinates x;
+    const double begin = first_share(layers, rest, x);
+    if (begin == 0) break;
+    double reached = 1;
+    if (begin < 1) {
+      const MeshState outside = make_state({layers.outside, x});
+      reached = begin + (1 - begin) * runs.open(outside, layers.stack,
+                                                RimMotion(layers.stack, begin), smooth, x);
+    }
+    if (reached >= 1) {
+      lay_out(layers.stack, 1, x);
+      layers.mesh.coordinates = std::move(x);
+      return layers;
+    }
+    std::vector<std::size_t> all(plan.columns.size());
+    for (std::size_t c = 0; c < all.size(); ++c) all[c] = c;
+    take_room(plan, all, 0.95 * reached, LayerLimit::room, options, state.mesh.coordinates);
+  }
+  throw NumericError("the elements outside cannot be pushed away to make room for the layers");
+}
+
+/// Smooths towards the wanted heights and corrects the VCVs until they are met. On return the state
+/// is the best one.
+void control_spacing(MeshState& state, const SmoothOptions& smooth, double tolerance, int most,
+                     RunSequence& runs) {
+  LayerStack stack = *state.layers;
+  Coordinates x = state.mesh.coordinates;
+  const std::shared_ptr<const VirtualControlVolumes> base = state.vcv;
+  SmoothResult outcome;  // of the last run
+  const auto smooth_towards = [&] {
+    MeshState target{{state.mesh.topology, x}, layer_vcvs(state.mesh.topology, stack, *base, x)};
+    outcome = runs.smooth(target, smooth, x);
+    return target.vcv;
+  };
+  const auto good = [&] { return outcome.converged && outcome.inverted == 0; };
+  const auto keep = [&](const std::shared_ptr<const VirtualControlVolumes>& vcv) {
+    state.vcv = vcv;
+    state.mesh.coordinates = x;
+    state.layers = std::make_shared<const LayerStack>(stack);
+  };
+  keep(smooth_towards());
+  if (!good()) return;
+  LayerMeasures best = measure_layers(stack, x);
+  for (int k = 0; k < most && best.spacing_error.max > tolerance; ++k) {
+    const SmoothResult before = std::exchange(outcome, {});
+    correct_layers(stack, x);
+    const auto vcv = smooth_towards();
+    LayerMeasures now = measure_layers(stack, x);
+    // Where the elements outside press a fan from the side, longer edges would turn its columns.
+    const bool turned = now.orthogonality.max > std::max(3.0, 1.2 * best.orthogonality.max);
+    if (!good() || turned || now.spacing_error.max >= best.spacing_error.max) {
+      runs.fall_back_to(before);
+      return;
+    }
+    keep(vcv);
+    const bool worthwhile = now.spacing_error.max < 0.9 * best.spacing_error.max;
+    best = std::move(now);
+    if (!worthwhile) return;
+  }
+}
+
+/// Puts the nodes of columns where the wanted heights, scaled to the thickness that the column has,
+/// say: along the column as it runs. A start from which the thickness alone has to change.
+void slide_along_columns(const LayerStack& stack, Coordinates& x) {
+  for (const LayerColumn& column : stack.columns) {
+    std::vector<Vec2> points;
+    std::vector<double> reached{0};
+    for (const Index node : column.nodes) {
+      points.push_back(x.xy(node));
+      if (points.size() > 1) {
+        reached.push_back(reached.back() + (points.back() - points[points.size() - 2]).norm());
+      }
+    }
+    const double scale = reached.back() / std::max(column.thickness(), 1e-300);
+    double height = 0;
+    std::size_t k = 1;
+    for (std::size_t i = 0; i + 1 < column.count(); ++i) {
+      height += column.heights[i] * scale;
+      while (k + 1 < reached.size() && reached[k] < height) ++k;
+      const double share = (height - reached[k - 1]) / (reached[k] - reached[k - 1]);
+      x.set_xy(column.nodes[i + 1], points[k - 1] + share * (points[k] - points[k - 1]));
+    }
+  }
+}
+
+/// Layers at some walls, and those at others that were held before: these stay held.
+LayerStack together_with_held(LayerStack stack, const LayerStack* before,
+                              const Topology& topology) {
+  if (!before || !before->held) return stack;
+  return with_other_layers(std::move(stack), *before, topology);
+}
+
+/// The layers that the mesh has, with the heights they are to have.
+void hold_existing(const LayerRequest& request, MeshState& state) {
+  if (!request.layers.overrides.empty()) {
+    throw UsageError("single columns can be set when layers are inserted, not in layers there are");
+  }
+  LayerStack stack = detect_layers(state.mesh, request.layers);
+  if (request.task == LayerTask::respace) {
+    LayerOptions options = request.layers;
+    for (LayerWall& wall : options.walls) {
+      if (wall.spacing.match_outside) {
+        throw UsageError("layers that are there cannot match the elements outside by their number");
+      }
+    }
+    respace_layers(stack, state.mesh, options);
+    Coordinates x = state.mesh.coordinates;
+    slide_along_columns(stack, x);
+    // Columns of very different shapes may cross on the way; the mesh as it is is a start as well.
+    if (check_validity(*state.mesh.topology, x).inverted == 0) {
+      state.mesh.coordinates = std::move(x);
+    }
+  }
+  stack = together_with_held(std::move(stack), state.layers.get(), *state.mesh.topology);
+  stack.held = true;
+  state.layers = std::make_shared<const LayerStack>(std::move(stack));
+}
+
+/// The state with layers that fit between the walls as they will be; true if any had to change.
+bool fit_layers(MeshState& state, const Motion& motion) {
+  const Coordinates& x = state.mesh.coordinates;
+  Coordinates moved = x;
+  motion.apply(x, 1, moved);
+  const LayerStack& before = *state.layers;
+  LayerStack fitted = fitted_layers(before, *state.mesh.topology, x, moved);
+  if (std::ranges::equal(before.columns, fitted.columns, {}, &LayerColumn::heights,
+                         &LayerColumn::heights)) {
+    return false;
+  }
+  // Columns stand on the walls as they are until these have moved.
+  for (std::size_t c = 0; c < fitted.columns.size(); ++c) {
+    fitted.columns[c].direction = before.columns[c].direction;
+    fitted.columns[c].slant = before.columns[c].slant;
+  }
+  state.vcv = layer_vcvs(state.mesh.topology, fitted, *state.vcv, x);
+  state.layers = std::make_shared<const LayerStack>(std::move(fitted));
+  return true;
+}
+
+/// After a motion that went as `moved` says: corrects the VCVs until the wanted heights are met
+/// again.
+SmoothResult hold_spacing(MeshState& state, SmoothResult moved, const SmoothOptions& smooth,
+                          const RunOptions& run) {
+  constexpr double tolerance = 5e-3;
+  constexpr int most = 5;
+  if (moved.inverted > 0 || !moved.converged) return moved;
+  LayerStack stack = *state.layers;
+  // The walls may have turned and changed their shape.
+  const auto stands = column_stands(stack, state.mesh.coordinates);
+  for (std::size_t c = 0; c < stands.size(); ++c) {
+    stack.columns[c].direction = stands[c].direction;
+    stack.columns[c].slant = stands[c].slant;
+  }
+  const double error = measure_layers(stack, state.mesh.coordinates).spacing_error.max;
+  state.layers = std::make_shared<const LayerStack>(std::move(stack));
+  if (error <= tolerance) return moved;
+  MeshState held_state = state;
+  SmoothResult held = moved;
+  RunSequence runs(run, held);
+  control_spacing(held_state, smooth, tolerance, most, runs);
+  // A valid mesh is not given up for better heights.
+  if (!held.converged || held.inverted > 0) return moved;
+  state = std::move(held_state);
+  return held;
+}
+
+}  // namespace
+
+LayerOptions options_of(const LayerRequest& request) {
+  LayerOptions options = request.layers;
+  // Heights that are not held afterwards are worth no layer.
+  options.scale_all = options.scale_all || !request.control;
+  return options;
+}
+
+SmoothResult run_layers(const LayerRequest& request, MeshState& state, const RunOptions& run) {
+  if (check_validity(*state.mesh.topology, state.mesh.coordinates).inverted > 0) {
+    throw UsageError("the mesh has inverted elements; smooth it before layers are inserted");
+  }
+  if (!(request.tolerance > 0)) throw UsageError("the tolerance of the heights must be positive");
+  SmoothResult result;
+  RunSequence runs(run, result);
+  if (request.task != LayerTask::insert) {
+    hold_existing(request, state);
+    control_spacing(state, request.smooth, request.tolerance, request.most_corrections, runs);
+    return result;
+  }
+  LayerInsertion layers = make_room(request, state, runs);
+  state.mesh = std::move(layers.mesh);
+  if (request.control) {
+    layers.stack =
+        together_with_held(std::move(layers.stack), state.layers.get(), *state.mesh.topology);
+  }
+  layers.stack.held = request.control;
+  state.layers = std::make_shared<const LayerStack>(std::move(layers.stack));
+  if (request.control) {
+    control_spacing(state, request.smooth, request.tolerance, request.most_corrections, runs);
+  } else {
+    state.vcv = std::make_shared<const VirtualControlVolumes>(state.mesh.topology);
+    runs.smooth(state, request.smooth, state.mesh.coordinates);
+  }
+  return result;
+}
+
+SmoothResult move_with_layers(MeshState& state, const Motion& motion, const MotionOptions& how,
+                              const SmoothOptions& smooth, const RunOptions& run) {
+  SmoothResult result;
+  RunSequence runs(run, result);
+  // A start that is given is of the walls where they will be.
+  if (fit_layers(state, motion) && !run.start) runs.smooth(state, smooth, state.mesh.coordinates);
+  Coordinates x = starting_point(state, run);
+  runs.move(state, motion, how, smooth, run.start, x);
+  state.mesh.coordinates = std::move(x);
+  return hold_spacing(state, std::move(result), smooth, run);
+}
+
+}  // namespace winslow

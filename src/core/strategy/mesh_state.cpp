@@ -1,0 +1,10 @@
+#include "core/strategy/mesh_state.h"
+
+namespace winslow {
+
+MeshState make_state(Mesh mesh) {
+  auto vcv = std::make_shared<const VirtualControlVolumes>(mesh.topology);
+  return {std::move(mesh), std::move(vcv)};
+}
+
+}  // namespace winslow

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <memory>
+
+#include "core/layers/layer_stack.h"
+#include "core/mesh/mesh.h"
+#include "core/vcv/virtual_control_volumes.h"
+
+namespace winslow {
+
+/// A mesh with all that says how it is to be smoothed: what runs and commands act on.
+struct MeshState {
+  Mesh mesh;
+  std::shared_ptr<const VirtualControlVolumes> vcv;
+  /// Layers that were inserted; if held, their spacing is kept whatever moves. Null: none.
+  std::shared_ptr<const LayerStack> layers = nullptr;
+};
+/// A state with the paper's VCVs: equal angles, unit edges.
+MeshState make_state(Mesh mesh);
+
+}  // namespace winslow

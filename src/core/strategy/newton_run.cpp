@@ -1,0 +1,106 @@
+#include "core/strategy/newton_run.h"
+
+#include <algorithm>
+
+#include "core/outer/path_follower.h"
+
+namespace winslow {
+
+bool NewtonRun::untangle(Coordinates& x, double fraction, const Coordinates* reference) {
+  Untangling untangling(state_, workspace_, recorder_);
+  const bool valid = untangling.run(x, fraction, reference);
+  if (untangling.tried_energy()) begin_anew();
+  if (valid) return true;
+  recorder_.result().converged = false;
+  return false;
+}
+
+void NewtonRun::approach(Coordinates& x, double fraction) {
+  constexpr int limit = 30;
+  relax(x, fraction);
+  recorder_.iterate(newton(), x, Stage::relax, fraction, limit, near_enough);
+}
+
+void NewtonRun::converge(Coordinates& x, double fraction) {
+  relax(x, fraction);
+  recorder_.iterate(newton(), x, Stage::newton, fraction);
+  while (recorder_.result().converged && sharpen(x)) {
+    const Coordinates solution = x;
+    const SmoothResult outcome = recorder_.result();
+    recorder_.iterate(newton(), x, Stage::newton, fraction);
+    if (recorder_.result().converged) continue;
+    x = solution;
+    recorder_.restore_outcome(outcome);
+  }
+  recorder_.result().linear_solver = linear().description();
+}
+
+void NewtonRun::smooth(Coordinates& x, double fraction, const Coordinates* reference) {
+  if (untangle(x, fraction, reference)) converge(x, fraction);
+}
+
+/// Back to the solution, near enough to follow the path from there. False if it is not found.
+bool NewtonRun::settle(Coordinates& x, double fraction) {
+  constexpr int limit = 25;
+  constexpr double settled = 1e-4;
+  relax(x, fraction);
+  const IterationRecord last =
+      recorder_.iterate(newton(), x, Stage::newton, fraction, limit,
+                        [](const IterationRecord& record) { return record.residual < settled; });
+  return last.residual < settled;
+}
+
+void NewtonRun::follow(const Motion& motion, const Coordinates& rest, Coordinates& x) {
+  if (!untangle(x, 0, nullptr)) return;
+  approach(x, 0);
+  SteadySolver& solver = newton();
+  const auto boundary = [&](double fraction, Coordinates& at) { motion.apply(rest, fraction, at); };
+  double min_sine = 1;
+  const auto accept = [&](const IterationRecord& record, const Coordinates& at) {
+    recorder_.report(record, at, Stage::path, record.fraction, true);
+    min_sine = record.min_sine;
+    return recorder_.remaining() > 0 && !strained(at);
+  };
+  // Where the path is lost, the way back to it is Newton's method with the boundary held; then it
+  // goes on from there. Only where that gains nothing, twice, is the motion blocked. Pressed
+  // against a wall it could go on for ever, in steps that are worth less and less.
+  constexpr double pressed = 0.01, worthwhile = 1e-5, worthwhile_pressed = 5e-3;
+  PathOptions options;
+  double reached = 0;
+  for (int failures = 0; reached < 1 && failures < 2 && recorder_.remaining() > 0;) {
+    const int before = solver.linear_solves();
+    const double last = reached;
+    reached = PathFollower(solver, options).follow(boundary, reached, x, accept);
+    recorder_.result().linear_solves += solver.linear_solves() - before;
+    if (reached >= 1) break;
+    const double least = min_sine < pressed ? worthwhile_pressed : worthwhile;
+    failures = reached - last > least ? 0 : failures + 1;
+    Coordinates end_of_path = x;
+    if (!settle(x, reached) && !insists()) {
+      x = std::move(end_of_path);
+      recorder_.iterate(solver, x, Stage::newton, reached, 0);
+      break;
+    }
+    options.first_step = std::min(0.02, 0.5 * (1 - reached));
+    options.greedy = failures > 0;
+  }
+  if (reached >= 1) converge(x, reached);
+  recorder_.result().linear_solver = linear().description();
+}
+
+void NewtonRun::move_in_steps(const Motion& motion, const Coordinates& rest, int increments,
+                              Coordinates& x) {
+  recorder_.result().increments = increments;
+  for (int k = 1; k <= increments; ++k) {
+    const double fraction = static_cast<double>(k) / increments;
+    motion.apply(rest, fraction, x);
+    if (!untangle(x, fraction, &rest)) {
+      if (k < increments) continue;
+      return;
+    }
+    if (k < increments) approach(x, fraction);
+  }
+  converge(x, 1);
+}
+
+}  // namespace winslow

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "core/motion/motion.h"
+#include "core/outer/steady_solver.h"
+#include "core/strategy/mesh_state.h"
+#include "core/strategy/run_recorder.h"
+#include "core/strategy/untangling.h"
+#include "core/strategy/workspace.h"
+
+namespace winslow {
+
+/// Smooths by Newton's method on one formulation: untangles where needed, then Newton; follows the
+/// path where the boundary moves. The formulations differ in their solver only.
+class NewtonRun {
+ public:
+  virtual ~NewtonRun() = default;
+
+  /// The boundary stays. reference: a valid mesh of the same connectivity that says how large the
+  /// triangles are to be while they are untangled; may be null.
+  virtual void smooth(Coordinates& x, double fraction, const Coordinates* reference);
+  /// Moves the boundary from x (any mesh; where the motion begins) along a path of valid meshes.
+  /// Stops at the last one if it leads no further. rest: what the motion refers to.
+  virtual void follow(const Motion& motion, const Coordinates& rest, Coordinates& x);
+  /// Moves the boundary in equal steps, each at once.
+  virtual void move_in_steps(const Motion& motion, const Coordinates& rest, int increments,
+                             Coordinates& x);
+
+ protected:
+  /// The workspace is prepared. The references outlive the run.
+  NewtonRun(const MeshState& state, SmoothingWorkspace& workspace, RunRecorder& recorder)
+      : state_(state), workspace_(workspace), recorder_(recorder) {}
+
+  virtual SteadySolver& newton() = 0;
+  virtual const LinearSolver& linear() = 0;  ///< that newton() uses
+  /// After untangling by the energy, which used linear() for its own systems, and whose mesh has
+  /// little to do with what newton() was made fit for.
+  virtual void begin_anew() {}
+  /// Before Newton's method, from a valid mesh that may be far from the solution.
+  virtual void relax(Coordinates& /*x*/, double /*fraction*/) {}
+  /// At a solution: whether Newton's method should go on to a better one that relax() set aside.
+  virtual bool sharpen(const Coordinates& /*x*/) { return false; }
+  /// Whether a mesh on the path has left the range that relax() made Newton's method fit for.
+  virtual bool strained(const Coordinates& /*x*/) { return false; }
+  /// Whether to go on from a lost path to which Newton's method does not lead back.
+  virtual bool insists() const { return true; }
+
+  /// Scaled residual at which a mesh is near enough to its solution to follow the path from there.
+  static bool near_enough(const IterationRecord& record) { return record.residual < 0.05; }
+
+  SmoothingWorkspace& workspace() { return workspace_; }
+  RunRecorder& recorder() { return recorder_; }
+
+ private:
+  bool untangle(Coordinates& x, double fraction, const Coordinates* reference);
+  void approach(Coordinates& x, double fraction);
+  bool settle(Coordinates& x, double fraction);
+  void converge(Coordinates& x, double fraction);
+
+  const MeshState& state_;
+  SmoothingWorkspace& workspace_;
+  RunRecorder& recorder_;
+};
+
+}  // namespace winslow

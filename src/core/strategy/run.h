@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/mesh/topology.h"
+#include "core/outer/outer_solver.h"
+
+namespace winslow {
+
+/// Told about every outer iteration, on the solver's thread.
+class SolverMonitor {
+ public:
+  virtual ~SolverMonitor() = default;
+  /// Iterations are of another mesh from here on.
+  virtual void on_topology(const std::shared_ptr<const Topology>& /*topology*/) {}
+  /// May block (pause). Returns false to cancel: the solver then throws Cancelled.
+  virtual bool on_iteration(const IterationRecord& record, const Coordinates& coordinates) = 0;
+};
+
+class SmoothingWorkspace;  // prepared solvers, kept between runs on one topology
+
+/// What a run is given besides what it is to do.
+struct RunOptions {
+  SolverMonitor* monitor = nullptr;
+  /// A mesh to start from instead of the state's own (all nodes). For dragging: the solution is the
+  /// same, only nearer. Paths begin at its boundary where it is valid; all else uses the interior.
+  const Coordinates* start = nullptr;
+  SmoothingWorkspace* workspace = nullptr;  ///< null: a new one for this call
+};
+
+/// What a smoothing run came to.
+struct SmoothResult {
+  bool converged = false;
+  int outer_iterations = 0;
+  int linear_solves = 0;
+  double residual = 0;
+  bool out_of_iterations = false;  ///< ended by the limit of outer iterations
+  double fraction_reached = 1;     ///< share of the boundary motion in the result
+  int increments = 1;              ///< steps in which the boundary was moved
+  std::string linear_solver;       ///< what solved the linear systems, e.g. "CHOLMOD ..."
+  Index inverted = 0;
+  std::vector<IterationRecord> history;
+};
+
+/// How a boundary motion is carried out.
+struct MotionOptions {
+  /// Steps in which the boundary moves, each followed by smoothing; 1: at once, as in the paper;
+  /// 0: follow the path through valid meshes in steps as long as they can be (fixed-point
+  /// iteration: at once; if that ends tangled, again in 8 and then in 32 steps).
+  int increments = 0;
+  bool smooth_after = true;  ///< false: move the boundary only
+};
+
+}  // namespace winslow

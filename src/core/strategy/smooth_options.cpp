@@ -1,0 +1,218 @@
+#include "core/strategy/smooth_options.h"
+
+#include "core/error.h"
+#include "core/formulation/formulation_names.h"
+
+namespace winslow {
+
+namespace {
+
+void require(bool good, const std::string& message) {
+  if (!good) throw UsageError(message);
+}
+
+bool is_variational(const SmoothOptions& o) { return o.formulation == "variational"; }
+
+/// Also where Newton's method has the fixed point untangle for it, or stand in for it.
+bool uses_fixed_point(const SmoothOptions& o) {
+  return o.outer == OuterMethod::picard || o.untangle != Untangle::energy ||
+         (!is_variational(o) && o.outer == OuterMethod::automatic);
+}
+
+bool accelerates(const SmoothOptions& o) {
+  return uses_fixed_point(o) && !is_variational(o) && o.outer != OuterMethod::newton;
+}
+
+bool solves_iteratively(const LinearOptions& o) {
+  return o.solver != "automatic" && o.solver != "direct";
+}
+
+std::vector<ChoiceItem> linear_solvers(bool symmetric) {
+  std::vector<ChoiceItem> items;
+  for (const std::string& name : linear_solver_names()) {
+    items.push_back({name, name, linear_solver_summary(name),
+                     symmetric || !linear_solver_needs_symmetry(name)});
+  }
+  return items;
+}
+
+Option targets_option(SmoothOptions& o) {
+  return {.key = "targets",
+          .value = SharesOption{{{"element", "Regular elements",
+                                  "equilateral triangles, square corners; the best worst elements",
+                                  &o.targets.element},
+                                 {"vcv", "VCV stencils",
+                                  "the virtual control volumes, with their angles and edge lengths",
+                                  &o.targets.vcv},
+                                 {"rest", "Rest mesh",
+                                  "each element's own shape before the motion, to keep a graded or "
+                                  "stretched mesh as it is",
+                                  &o.targets.rest}}},
+          .label = "Targets",
+          .help = "Variational: shapes that the elements are driven towards, alone or blended",
+          .applies = is_variational(o)};
+}
+
+OptionTable equations(SmoothOptions& o) {
+  const bool variational = is_variational(o);
+  return {
+      {.key = "formulation",
+       .value = ChoiceOption(
+           o.formulation,
+           {{"variational", "variational",
+             "an energy with a barrier against inversion, minimised by Newton's "
+             "method through valid meshes only"},
+            {"pointwise", "pointwise", "the paper's operator, node by node, for comparison"}}),
+       .label = "Formulation",
+       .help = "Equations solved over the virtual control volumes"},
+      targets_option(o),
+      {.key = "exponent",
+       .value = RealOption{&o.penalty.exponent, between(1, 64)},
+       .label = "Exponent",
+       .help = "Variational: power by which distortion beyond the knee is penalised",
+       .advice = "1: all elements count alike; larger: better worst elements, more iterations.",
+       .applies = variational},
+      {.key = "knee",
+       .value = RealOption{&o.penalty.knee, {.low = 1, .low_included = false, .also = 0.0}},
+       .label = "Knee",
+       .help = "Variational: distortion (1 is perfect) from which the power counts; 0: everywhere",
+       .advice = "Raise it to let well-shaped elements alone.",
+       .applies = variational},
+      {.key = "outer",
+       .value = ChoiceOption(
+           o.outer,
+           {{"auto", "Automatic", "newton; pointwise: picard where that does not end converged"},
+            {"newton", "Newton",
+             "Newton's method; boundary motions along the path of valid meshes"},
+            {"picard", "Fixed point",
+             "the paper's damped iteration, coefficients frozen (pointwise only)", !variational}}),
+       .label = "Iteration",
+       .help = "Outer iteration",
+       .applies = !variational},
+      {.key = "untangle",
+       .value = ChoiceOption(
+           o.untangle,
+           {{"auto", "Automatic",
+             "scrambles by energy first, moved boundaries by picard, then the other"},
+            {"picard", "Fixed point", "the paper's damped iteration, negative weights clipped"},
+            {"energy", "Energy", "the variational form with a regularised determinant"}}),
+       .label = "Untangling",
+       .help = "How inverted elements are untangled before Newton's method begins",
+       .advice = "Choose one of them if the other wastes time.",
+       .applies = o.outer != OuterMethod::picard},
+  };
+}
+
+OptionTable linear_rows(SmoothOptions& o) {
+  const bool iterative = solves_iteratively(o.linear);
+  return {
+      {.key = "solver",
+       .value = ChoiceOption(o.linear.solver, linear_solvers(is_variational(o))),
+       .label = "Linear solver",
+       .help = "How the linear systems are solved; the converged mesh is the same",
+       .object = "linear",
+       .flag = "linear"},
+      {.key = "tolerance",
+       .value = RealOption{&o.linear.tolerance, inside(0, 1)},
+       .label = "Its tolerance",
+       .help = "Relative residual at which an iterative linear solver stops",
+       .advice =
+           "The outer iteration corrects what is left, and Newton's method on the energy chooses "
+           "its own between 1e-2 and 1e-6: tighten it only if outer iterations stall.",
+       .object = "linear",
+       .applies = iterative},
+      {.key = "max_iterations",
+       .value = IntegerOption{&o.linear.max_iterations, at_least(1)},
+       .label = "Its iterations",
+       .help = "Limit of sweeps or Krylov iterations for one linear system",
+       .object = "linear",
+       .applies = iterative},
+      {.key = "restart",
+       .value = IntegerOption{&o.linear.restart, at_least(1)},
+       .label = "Restart",
+       .help = "Krylov vectors that GMRES keeps before it restarts",
+       .advice = "More: fewer iterations, more memory.",
+       .object = "linear",
+       .applies = o.linear.solver == "gmres"},
+  };
+}
+
+OptionTable fixed_point(SmoothOptions& o) {
+  const bool used = uses_fixed_point(o);
+  return {
+      {.key = "damping",
+       .value = RealOption{&o.damping, {.low = 0, .high = 1, .low_included = false}},
+       .label = "Damping",
+       .help = "Fixed point: share of each linear solution that is taken",
+       .advice =
+           "Smaller is safer and slower: lower it where the iteration swings or the mesh does not "
+           "untangle.",
+       .applies = used},
+      {.key = "adapt_damping",
+       .value = SwitchOption{&o.adapt_damping, "fixed-damping",
+                             "Fixed point: keep the damping where the iteration makes no progress, "
+                             "instead of halving it"},
+       .label = "Adapt the damping",
+       .help = "Fixed point: halve the damping where the iteration makes no progress",
+       .applies = used},
+      {.key = "acceleration",
+       .value = IntegerOption{&o.acceleration, between(0, 100)},
+       .label = "Acceleration",
+       .help = "Fixed point: earlier iterates that Anderson acceleration combines once the mesh is "
+               "valid; 0: the plain iteration of the paper",
+       .applies = accelerates(o)},
+      {.key = "clip",
+       .value = ChoiceOption(o.clip, {{"auto", "Automatic", "while the mesh is tangled"},
+                                      {"on", "Always", "in every iteration"},
+                                      {"off", "Never", "not at all"}}),
+       .label = "Clip weights",
+       .help = "Fixed point: whether negative weights of the operator are set to zero",
+       .advice = "Without them no node is drawn out of its neighbours.",
+       .applies = used},
+  };
+}
+
+OptionTable limits(SmoothOptions& o) {
+  return {
+      {.key = "max_iterations",
+       .value = IntegerOption{&o.max_iterations, at_least(0)},
+       .label = "Max. iterations",
+       .help = "Limit of outer iterations: variational: of all stages of a command together; "
+               "pointwise: of each attempt at a motion",
+       .advice = "Raise it if a run ends valid but not converged."},
+      {.key = "tolerance",
+       .value = RealOption{&o.tolerance, inside(0, 1)},
+       .label = "Tolerance",
+       .help = "Largest scaled residual at which the mesh counts as converged",
+       .advice = "1e-4 is enough for the eye."},
+      {.key = "threads",
+       .value = IntegerOption{&o.threads, between(0, 4096)},
+       .label = "Threads",
+       .help = "Threads; 0: all cores. The result does not depend on it"},
+  };
+}
+
+}  // namespace
+
+OptionTable option_table(SmoothOptions& options) {
+  OptionTable table = equations(options);
+  for (auto* rows : {linear_rows, fixed_point, limits}) {
+    for (Option& row : rows(options)) table.push_back(std::move(row));
+  }
+  return table;
+}
+
+void validate(const SmoothOptions& options) {
+  SmoothOptions copy = options;
+  check(option_table(copy));
+  require(!(is_variational(options) && options.outer == OuterMethod::picard),
+          "the variational form has no fixed-point iteration: choose the outer method newton, or "
+          "the formulation pointwise");
+  require(
+      is_variational(options) || !linear_solver_needs_symmetry(options.linear.solver),
+      "the linear solver " + options.linear.solver +
+          " takes symmetric systems only: choose automatic, direct or gmres, or the formulation "
+          "variational");
+}
+
+}  // namespace winslow

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+
+#include "core/formulation/variational_winslow.h"
+#include "core/linear/linear_solver.h"
+#include "core/options/option.h"
+#include "core/outer/equation_options.h"
+
+namespace winslow {
+
+/// How the outer iteration goes.
+enum class OuterMethod {
+  automatic,  ///< Newton; pointwise form: the fixed point where Newton does not end converged
+  newton,     ///< Newton's method, safeguarded
+  picard      ///< the paper's fixed point: coefficients frozen, damped (pointwise form only)
+};
+
+/// How a mesh with inverted elements is untangled before Newton's method can begin.
+enum class Untangle {
+  automatic,  ///< both: a scramble by the energy first, a moved boundary by the fixed point
+  picard,     ///< damped fixed point of the pointwise form, negative weights clipped
+  energy      ///< the variational form with a regularised determinant
+};
+
+/// How a mesh is smoothed. The defaults need no touch. What each member means, its range and its
+/// names stand in option_table().
+struct SmoothOptions {
+  std::string formulation = "variational";
+  TargetBlend targets;
+  PenaltyOptions penalty;
+  OuterMethod outer = OuterMethod::automatic;
+  Untangle untangle = Untangle::automatic;
+  LinearOptions linear;
+  double damping = 0.3;
+  bool adapt_damping = true;
+  int acceleration = 15;
+  Clip clip = Clip::automatic;
+  int max_iterations = 500;
+  double tolerance = 1e-10;  ///< of ResidualNorms::max
+  int threads = 0;
+};
+
+/// All that a user can set of them.
+OptionTable option_table(SmoothOptions& options);
+
+/// Throws UsageError naming the option that is out of range, or those that do not go together.
+void validate(const SmoothOptions& options);
+
+}  // namespace winslow

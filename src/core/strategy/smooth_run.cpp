@@ -1,0 +1,124 @@
+#include "core/strategy/smooth_run.h"
+
+#include <limits>
+#include <memory>
+
+#include "core/error.h"
+#include "core/motion/transfer.h"
+#include "core/quality/quality.h"
+#include "core/strategy/picard_run.h"
+#include "core/strategy/pointwise_run.h"
+#include "core/strategy/run_recorder.h"
+#include "core/strategy/variational_run.h"
+#include "core/strategy/workspace.h"
+
+namespace winslow {
+
+namespace {
+
+bool by_fixed_point(const SmoothOptions& options) { return options.outer == OuterMethod::picard; }
+
+std::unique_ptr<NewtonRun> make_newton_run(const MeshState& state, SmoothingWorkspace& workspace,
+                                           RunRecorder& recorder) {
+  if (workspace.options().formulation == "variational") {
+    return std::make_unique<VariationalRun>(state, workspace, recorder);
+  }
+  return std::make_unique<PointwiseRun>(state, workspace, recorder);
+}
+
+bool valid(const MeshState& state, const Coordinates& x, int threads) {
+  return check_validity(*state.mesh.topology, x, threads).inverted == 0;
+}
+
+/// The interior of one mesh within the boundary of another.
+Coordinates interior_within(const Topology& topology, const Coordinates& interior,
+                            Coordinates boundary) {
+  for (const Index node : topology.free_nodes()) boundary.set_xy(node, interior.xy(node));
+  return boundary;
+}
+
+/// A motion that is begun from a mesh near its end: along the path from there where that mesh is
+/// valid as it stands, at once where it is valid within the boundary's last position.
+bool move_from(const MeshState& state, const Motion& motion, const Coordinates& start, int threads,
+               NewtonRun& steps, Coordinates& x) {
+  const Topology& topology = *state.mesh.topology;
+  Coordinates target = state.mesh.coordinates;
+  motion.apply(state.mesh.coordinates, 1, target);
+  if (valid(state, start, threads)) {
+    x = start;
+    steps.follow(*make_transfer(topology, start, target), start, x);
+    return true;
+  }
+  Coordinates within = interior_within(topology, start, target);
+  if (!valid(state, within, threads)) return false;
+  x = std::move(within);
+  steps.smooth(x, 1, nullptr);
+  return true;
+}
+
+/// The fixed point may need several attempts at a motion; each has the whole limit.
+int budget(const SmoothOptions& options) {
+  return by_fixed_point(options) ? std::numeric_limits<int>::max() : options.max_iterations;
+}
+
+}  // namespace
+
+SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& options, Coordinates& x,
+                             const RunOptions& run) {
+  SmoothResult result;
+  SmoothingWorkspace own;
+  SmoothingWorkspace& workspace = run.workspace ? *run.workspace : own;
+  workspace.prepare(state.vcv, options, state.mesh.coordinates);
+  RunRecorder recorder(run.monitor, result, budget(options));
+  if (by_fixed_point(options)) {
+    recorder.iterate(workspace.picard(), x, Stage::picard, 1, options.max_iterations);
+    result.linear_solver = workspace.linear().description();
+  } else {
+    make_newton_run(state, workspace, recorder)->smooth(x, 1, nullptr);
+  }
+  return result;
+}
+
+SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const MotionOptions& how,
+                           const SmoothOptions& options, Coordinates& x, const RunOptions& run) {
+  SmoothResult result;
+  if (!how.smooth_after) {
+    motion.apply(state.mesh.coordinates, 1, x);
+    result.converged = true;
+    result.inverted = check_validity(*state.mesh.topology, x, options.threads).inverted;
+    return result;
+  }
+  SmoothingWorkspace own;
+  SmoothingWorkspace& workspace = run.workspace ? *run.workspace : own;
+  workspace.prepare(state.vcv, options, state.mesh.coordinates);
+  RunRecorder recorder(run.monitor, result, budget(options));
+  if (by_fixed_point(options)) {
+    move_by_fixed_point(state.mesh.coordinates, motion, how.increments, options.max_iterations,
+                        workspace.picard(), recorder, x);
+    result.linear_solver = workspace.linear().description();
+    return result;
+  }
+  const auto steps = make_newton_run(state, workspace, recorder);
+  if (how.increments > 0) {
+    steps->move_in_steps(motion, state.mesh.coordinates, how.increments, x);
+  } else if (!run.start || !move_from(state, motion, *run.start, options.threads, *steps, x)) {
+    x = state.mesh.coordinates;
+    steps->follow(motion, state.mesh.coordinates, x);
+  }
+  return result;
+}
+
+Coordinates starting_point(const MeshState& state, const RunOptions& options) {
+  if (!options.start) return state.mesh.coordinates;
+  if (options.start->size() != state.mesh.coordinates.size() ||
+      options.start->dimension() != state.mesh.coordinates.dimension()) {
+    throw UsageError("the start has another number of nodes than the mesh");
+  }
+  Coordinates x = state.mesh.coordinates;
+  for (const Index node : state.mesh.topology->free_nodes()) {
+    x.set_xy(node, options.start->xy(node));
+  }
+  return x;
+}
+
+}  // namespace winslow

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/motion/motion.h"
+#include "core/strategy/mesh_state.h"
+#include "core/strategy/run.h"
+#include "core/strategy/smooth_options.h"
+
+namespace winslow {
+
+/// Smooths the interior with the boundary held. x: start on entry, result on return.
+SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& options, Coordinates& x,
+                             const RunOptions& run);
+
+/// Moves the boundary as MotionOptions says and smooths after each step. x as above; on entry its
+/// interior is where to start from.
+SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const MotionOptions& how,
+                           const SmoothOptions& options, Coordinates& x, const RunOptions& run);
+
+/// The state's mesh, its interior where options.start has it. Throws UsageError: a start of another
+/// number of nodes.
+Coordinates starting_point(const MeshState& state, const RunOptions& options);
+
+}  // namespace winslow

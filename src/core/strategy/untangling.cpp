@@ -1,0 +1,100 @@
+#include "core/strategy/untangling.h"
+
+#include <utility>
+#include <vector>
+
+#include "core/quality/quality.h"
+
+namespace winslow {
+
+namespace {
+
+/// Stops an iteration that no longer untangles anything. A boundary moved at once inverts few
+/// elements at first, and spreads: only later does the count tell.
+class Stagnation {
+ public:
+  bool operator()(const IterationRecord& record) {
+    constexpr std::size_t window = 40;
+    constexpr double worthwhile = 0.8;  // of the count a window ago
+    constexpr double settled = 1e-4;
+    if (record.inverted == 0) return true;
+    counts_.push_back(record.inverted);
+    if (record.residual < settled) return true;
+    return counts_.size() > 2 * window &&
+           counts_.back() > worthwhile * counts_[counts_.size() - 1 - window];
+  }
+
+ private:
+  std::vector<Index> counts_;
+};
+
+}  // namespace
+
+bool Untangling::by_picard(Coordinates& x, double fraction) {
+  constexpr int limit = 150;
+  return recorder_.iterate(workspace_.picard(), x, Stage::picard, fraction, limit, Stagnation())
+             .inverted == 0;
+}
+
+bool Untangling::by_energy(Coordinates& x, double fraction, const Coordinates* reference,
+                           Interior interior, const RunRecorder::Enough& enough) {
+  constexpr int limit = 200;
+  tried_energy_ = true;
+  // Winslow's own functional: without a barrier, a steep penalty would only stiffen the system.
+  EnergyUntangler untangler(workspace_.energy()->with_penalty({1, 0}),
+                            workspace_.symmetric_linear(), workspace_.options().linear.tolerance,
+                            reference, interior);
+  recorder_.iterate(untangler, x, Stage::untangle, fraction, limit, enough);
+  return untangler.converged();
+}
+
+/// From the harmonic interior if that has fewer inverted elements: nothing of a scramble is worth
+/// keeping, and as it stands the energy would draw its nodes together in heaps.
+bool Untangling::by_harmonic_start(Coordinates& x, double fraction) {
+  constexpr int limit = 60;  // what it does not do soon it mostly never does
+  const int threads = workspace_.options().threads;
+  const Index given = check_validity(*state_.mesh.topology, x, threads).inverted;
+  const auto hopeless = [given](const IterationRecord& record) {
+    return record.iteration > limit || (record.iteration == 1 && record.inverted >= given);
+  };
+  Coordinates harmonic = x;
+  if (!by_energy(harmonic, fraction, nullptr, Interior::harmonic, hopeless)) return false;
+  x = std::move(harmonic);
+  return true;
+}
+
+/// Both ways to begin, each to the end.
+bool Untangling::by_energy_from_either(Coordinates& x, double fraction,
+                                       const Coordinates* reference) {
+  const Coordinates start = x;
+  if (by_energy(x, fraction, reference, Interior::as_given, Stagnation())) return true;
+  x = start;
+  return by_energy(x, fraction, reference, Interior::harmonic);
+}
+
+bool Untangling::run(Coordinates& x, double fraction, const Coordinates* reference) {
+  const Topology& topology = *state_.mesh.topology;
+  const int threads = workspace_.options().threads;
+  if (check_validity(topology, x, threads).inverted == 0) return true;
+  const Untangle how = workspace_.options().untangle;
+  // The pointwise form has the fixed point for its own, which leads nearer to its solution.
+  const bool energy_first =
+      how == Untangle::energy ||
+      (how == Untangle::automatic && workspace_.options().formulation == "variational");
+  if (energy_first && !reference && by_harmonic_start(x, fraction)) return true;
+  if (how == Untangle::energy) return by_energy_from_either(x, fraction, reference);
+  const Coordinates start = x;
+  if (by_picard(x, fraction)) return true;
+  if (how == Untangle::picard) return false;
+  if (by_energy(x, fraction, reference, Interior::as_given)) return true;
+  // Where the fixed point leads astray, the energy alone may do better from the start itself.
+  Coordinates other = start;
+  if (!by_energy_from_either(other, fraction, reference)) {
+    recorder_.result().inverted = check_validity(topology, x, threads).inverted;
+    return false;
+  }
+  x = std::move(other);
+  return true;
+}
+
+}  // namespace winslow

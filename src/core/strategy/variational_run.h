@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/strategy/newton_run.h"
+
+namespace winslow {
+
+/// Smooths by the variational form.
+class VariationalRun final : public NewtonRun {
+ public:
+  /// The workspace is prepared. The references outlive the run.
+  VariationalRun(const MeshState& state, SmoothingWorkspace& workspace, RunRecorder& recorder)
+      : NewtonRun(state, workspace, recorder) {}
+
+ private:
+  SteadySolver& newton() override { return workspace().newton(); }
+  const LinearSolver& linear() override { return workspace().symmetric_linear(); }
+  void begin_anew() override;
+  /// Far from a solution the steep penalty makes Newton's method creep: a gentle one first. Where
+  /// even the mesh that this leads to has elements far beyond the knee, the knee is doubled until
+  /// it has none.
+  void relax(Coordinates& x, double fraction) override;
+  /// The mesh that the knee was doubled for was not a solution yet: a solution may do with less.
+  bool sharpen(const Coordinates& x) override;
+  bool strained(const Coordinates& x) override;
+
+  const PenaltyOptions& asked_for() { return workspace().options().penalty; }
+  double knee();
+  /// The penalty asked for, with a knee that no element is far beyond.
+  PenaltyOptions fitting(const Coordinates& x);
+  /// Newton's method is on the energy with this penalty from here on.
+  void change_penalty(const PenaltyOptions& penalty);
+
+  const VariationalWinslow& energy();
+
+  std::shared_ptr<const VariationalWinslow> energy_;  // that newton() is on; null: not made yet
+};
+
+}  // namespace winslow

@@ -1,0 +1,119 @@
+#include "core/strategy/workspace.h"
+
+#include "core/strategy/solver_options.h"
+
+namespace winslow {
+
+void SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualControlVolumes>& vcv,
+                                 const SmoothOptions& options, const Coordinates& rest) {
+  const bool same_topology = vcv_ && vcv_->shared_topology() == vcv->shared_topology() &&
+                             options_.threads == options.threads;
+  const bool same_vcv = same_topology && vcv == vcv_;
+  const bool same_targets = same_vcv && options_.targets == options.targets &&
+                            (options.targets.rest == 0 || (rest_ && *rest_ == rest));
+  picard_.reset();
+  newton_.reset();
+  pointwise_newton_.reset();
+  pointwise_stale_ |= !same_vcv;
+  energy_stale_ |= !same_targets;
+  if (!same_topology) {
+    pointwise_ = {};
+    energy_.reset();
+  }
+  if (!same_topology || !(options.linear == options_.linear)) {
+    linear_.reset();
+    symmetric_linear_.reset();
+    newton_linear_.reset();
+  }
+  if (options.targets.rest > 0) {
+    if (!same_targets) rest_ = rest;
+  } else {
+    rest_.reset();
+  }
+  vcv_ = vcv;
+  options_ = options;
+  if (energy_ && !(energy_->penalty() == options.penalty))
+    energy_ = energy_->with_penalty(options.penalty);
+}
+
+std::unique_ptr<LinearSolver> SmoothingWorkspace::make_general_solver() const {
+  // One that takes symmetric matrices only still serves the variational form; the pointwise form's
+  // systems, needed for untangling, then go to the automatic choice.
+  LinearOptions chosen = options_.linear;
+  if (linear_solver_needs_symmetry(chosen.solver)) chosen.solver = "automatic";
+  return make_linear_solver(chosen, options_.threads);
+}
+
+LinearSolver& SmoothingWorkspace::linear() {
+  if (!linear_) linear_ = make_general_solver();
+  return *linear_;
+}
+
+LinearSolver& SmoothingWorkspace::newton_linear() {
+  if (!newton_linear_) newton_linear_ = make_general_solver();
+  return *newton_linear_;
+}
+
+LinearSolver& SmoothingWorkspace::symmetric_linear() {
+  if (!symmetric_linear_) {
+    symmetric_linear_ = make_linear_solver(options_.linear, options_.threads);
+  }
+  return *symmetric_linear_;
+}
+
+const ClipVariants<PointwiseWinslow>& SmoothingWorkspace::pointwise() {
+  if (!pointwise_.plain)
+    pointwise_ = clip_variants(PointwiseWinslow(*vcv_, options_.threads));
+  else if (pointwise_stale_)
+    pointwise_ = clip_variants(pointwise_.plain->with_vcvs(*vcv_));
+  pointwise_stale_ = false;
+  return pointwise_;
+}
+
+PicardSolver& SmoothingWorkspace::picard() {
+  if (!picard_) {
+    const auto& [plain, clipped] = pointwise();
+    picard_ = std::make_unique<PicardSolver>(ClipVariants<FixedPointProblem>{plain, clipped},
+                                             linear(), equation_options(options_));
+  }
+  return *picard_;
+}
+
+TargetShapes SmoothingWorkspace::target_shapes() const {
+  return TargetShapes::build(*vcv_, options_.targets, rest_ ? &*rest_ : nullptr);
+}
+
+std::shared_ptr<const VariationalWinslow> SmoothingWorkspace::energy() {
+  if (!energy_) {
+    energy_ = std::make_shared<const VariationalWinslow>(vcv_->shared_topology(), target_shapes(),
+                                                         options_.penalty, options_.threads);
+  } else if (energy_stale_) {
+    energy_ = energy_->with_shapes(target_shapes());
+  }
+  energy_stale_ = false;
+  return energy_;
+}
+
+EnergyNewton& SmoothingWorkspace::newton() {
+  if (!newton_) {
+    newton_ =
+        std::make_unique<EnergyNewton>(energy(), symmetric_linear(), newton_options(options_));
+  }
+  return *newton_;
+}
+
+SteadySolver& SmoothingWorkspace::steady_solver() {
+  if (options_.formulation == "variational") return newton();
+  return pointwise_newton();
+}
+
+EquationNewton& SmoothingWorkspace::pointwise_newton() {
+  if (!pointwise_newton_) {
+    const auto& [plain, clipped] = pointwise();
+    pointwise_newton_ = std::make_unique<EquationNewton>(
+        ClipVariants<EquationProblem>{plain, clipped}, newton_linear(), equation_options(options_));
+  }
+  return *pointwise_newton_;
+}
+
+}  // namespace winslow

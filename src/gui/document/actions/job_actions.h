@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <variant>
+
+#include "core/command/command.h"
+#include "gui/settings/option_edits.h"
+
+/// The solver: what it carries out, and how. Carried out by Jobs.
+namespace winslow::gui::action {
+
+struct RunSmooth {};
+struct Scramble {
+  std::uint64_t seed = 1;
+};
+struct PauseSolver {};
+struct ResumeSolver {};
+struct StepSolver {
+  int count = 1;
+};
+struct CancelSolver {};
+struct EditSmoothOptions {
+  OptionEdit<SmoothOptions> edit;
+};
+struct EditMotionOptions {
+  OptionEdit<MotionOptions> edit;
+};
+/// How fast the outer iterations of the direct method go by.
+struct SetPace {
+  double iterations_per_second = 0;  ///< 0: as fast as they come
+};
+/// Any command, as a recipe has it.
+struct RunCommand {
+  Command command;
+  bool paused = false;  ///< wait before the first iteration
+};
+/// Carries out a command of the history again, from the mesh it found, to be watched; paused at
+/// first. The history stays what it is.
+struct RerunStep {
+  std::size_t position = 1;  ///< as History::command()
+};
+/// Layers of the mesh, planned and shown but not inserted; none: no more.
+struct PreviewLayers {
+  std::optional<LayerOptions> options;
+};
+
+}  // namespace winslow::gui::action
+
+namespace winslow::gui {
+
+using JobAction =
+    std::variant<action::RunSmooth, action::Scramble, action::PauseSolver, action::ResumeSolver,
+                 action::StepSolver, action::CancelSolver, action::EditSmoothOptions,
+                 action::EditMotionOptions, action::SetPace, action::RunCommand, action::RerunStep,
+                 action::PreviewLayers>;
+
+}  // namespace winslow::gui

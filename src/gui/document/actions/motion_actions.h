@@ -1,0 +1,41 @@
+#pragma once
+
+#include <variant>
+
+#include "core/motion/motion.h"
+#include "core/motion/rigid_motion.h"
+
+/// Motions and changes of shape, typed or under the mouse. Carried out by Motions.
+namespace winslow::gui::action {
+
+struct ApplyMotion {
+  RigidMotion motion;
+};
+struct ApplyDeformation {
+  SineDeformation shape;
+};
+/// Shape editing on or off, and how far a drag fades along the boundary, units of the mesh.
+struct SetShapeEdit {
+  bool active = false;
+  double radius = 0;
+};
+/// A motion under the mouse: the mesh follows every DragTo until EndDrag. Motions are total, seen
+/// from BeginDrag.
+struct BeginDrag {
+  bool shape = false;  ///< the arc of the shape edit instead of the selected bodies
+};
+struct DragTo {
+  RigidMotion motion;
+};
+struct EndDrag {};
+struct CancelDrag {};
+
+}  // namespace winslow::gui::action
+
+namespace winslow::gui {
+
+using MotionAction =
+    std::variant<action::ApplyMotion, action::ApplyDeformation, action::SetShapeEdit,
+                 action::BeginDrag, action::DragTo, action::EndDrag, action::CancelDrag>;
+
+}  // namespace winslow::gui

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "core/motion/motion.h"
+#include "gui/document/selection/body_anchors.h"
+#include "gui/document/selection/shape_edit.h"
+
+/// What is selected, hovered, pinned and inspected. Carried out by Selection.
+namespace winslow::gui::action {
+
+struct SelectMarkers {
+  std::vector<Index> markers;
+  bool toggle = false;  ///< true: add or remove; false: select these alone
+};
+struct HoverMarkers {
+  std::vector<Index> markers;
+};
+/// Selects the next body in the flow, or the one before.
+struct CycleBody {
+  int step = 1;
+};
+struct SetPivot {
+  std::optional<Vec2> pivot;  ///< none: at the place named
+  PivotPlace place = PivotPlace::centre;
+};
+struct SelectArc {
+  std::optional<BoundaryArc> arc;
+};
+/// A deformation of the selected bodies, shown as an outline only; none: no more.
+struct PreviewDeformation {
+  std::optional<SineDeformation> shape;
+};
+/// Selects the node of the inspector; none: no node.
+struct SelectNode {
+  std::optional<Index> node;
+};
+struct HoverNode {
+  std::optional<Index> node;
+};
+struct PinNodes {
+  std::vector<Index> nodes;
+  bool pinned = true;  ///< false: take the pins away
+};
+
+}  // namespace winslow::gui::action
+
+namespace winslow::gui {
+
+using SelectionAction =
+    std::variant<action::SelectMarkers, action::HoverMarkers, action::CycleBody, action::SetPivot,
+                 action::SelectArc, action::PreviewDeformation, action::SelectNode,
+                 action::HoverNode, action::PinNodes>;
+
+}  // namespace winslow::gui

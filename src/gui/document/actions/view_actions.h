@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "core/mesh/mesh.h"
+#include "gui/settings/option_edits.h"
+#include "gui/settings/view_state.h"
+
+/// Where the user looks and what is drawn. Carried out by the workbench.
+namespace winslow::gui::action {
+
+/// Sets some of the view's options and leaves the others as they are.
+struct EditView {
+  OptionEdit<ViewOptions> edit;
+};
+struct FitView {};
+struct FitSelection {};
+struct LookAt {
+  Vec2 point;
+  double radius = 0;  ///< shown around the point, in units of the mesh
+};
+/// The next drag of the mouse draws the box to zoom to; again: it does not.
+struct BoxZoom {};
+struct ZoomTo {
+  Bounds box;  ///< fills the viewport
+};
+struct BackView {};
+struct ForwardView {};
+/// Highlights a node or an element and centres it; none: nothing is highlighted any more.
+struct GoTo {
+  std::optional<MeshItem> item;
+};
+/// Selects a node, shows it in the inspector and brings it into sight.
+struct InspectNode {
+  std::optional<Index> node;
+};
+/// Pins the magnifier to the place under the mouse; pinned, it is put away.
+struct PinMagnifier {};
+/// Puts the keyboard into the field "Go to".
+struct AskGoTo {};
+/// Steps the scale of the interface up (1) or down (-1), or back to the screen's own (0).
+struct StepScale {
+  int by = 0;
+};
+
+}  // namespace winslow::gui::action
+
+namespace winslow::gui {
+
+using ViewAction = std::variant<action::EditView, action::FitView, action::FitSelection,
+                                action::LookAt, action::BoxZoom, action::ZoomTo, action::BackView,
+                                action::ForwardView, action::GoTo, action::InspectNode,
+                                action::PinMagnifier, action::AskGoTo, action::StepScale>;
+
+}  // namespace winslow::gui

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gui/base/background.h"
+#include "gui/document/actions/dispatch.h"
+#include "gui/document/actions/file_actions.h"
+#include "gui/document/history/restored_session.h"
+#include "gui/document/session/jobs.h"
+#include "gui/document/session/live_mesh.h"
+#include "gui/document/session/message_board.h"
+#include "gui/document/session/selection.h"
+
+namespace winslow::gui {
+
+/// Opens, closes, saves and exports the mesh, and asks before anything is lost. Large files are
+/// read and written on threads.
+class Files {
+ public:
+  Files(LiveMesh& mesh, MessageBoard& messages, const Selection& selection, Jobs& jobs)
+      : mesh_(mesh), messages_(messages), selection_(selection), jobs_(jobs) {}
+
+  void apply(const FileAction& action) { Dispatch::to(*this, action); }
+  /// Collects what the threads have done since the last call. True if anything changed.
+  bool poll();
+  bool busy() const { return loader_.busy() || saver_.busy() || csv_writer_.busy(); }
+
+  bool loading() const { return loader_.busy(); }
+  const std::filesystem::path& loading_path() const { return loading_path_; }
+  bool saving() const { return saver_.busy(); }
+  bool quit_accepted() const { return quit_; }
+  /// Puts a session that outlived a crash in place of what is open.
+  void restore(RestoredSession restored);
+
+ private:
+  friend class Dispatch;
+  void on(const action::OpenMesh& a);
+  void on(const action::SaveMesh& a);
+  void on(const action::CloseMesh& a);
+  void on(const action::ExportMesh& a);
+  void on(const action::ExportMarkers& a);
+  void on(const action::ExportRecipe& a);
+  void on(const action::ExportConvergence& a);
+  void on(const action::Quit& a);
+
+  bool unsaved() const;
+  bool may_write(const std::filesystem::path& path);
+  bool may_export(const std::filesystem::path& path, bool overwrite, const char* how, Action again);
+  void start_saver(const std::filesystem::path& path, bool copy);
+  bool poll_loader();
+  bool poll_saver();
+  bool poll_csv();
+  void adopt(Document::Loaded loaded);
+
+  struct LoadOutcome {
+    std::shared_ptr<Document::Loaded> loaded;
+    std::string error;
+  };
+  struct SaveOutcome {
+    std::filesystem::path path;
+    std::uint64_t generation = 0, revision = 0;
+    std::vector<std::string> warnings;
+    std::string error;
+    bool copy = false;  // the document is where it was
+  };
+  struct CsvOutcome {
+    std::filesystem::path path;
+    std::size_t rows = 0;
+    std::string error;
+  };
+
+  LiveMesh& mesh_;
+  MessageBoard& messages_;
+  const Selection& selection_;
+  Jobs& jobs_;
+  bool quit_ = false;
+  std::filesystem::path loading_path_;
+  std::filesystem::path next_path_;  // asked for while another mesh was being read
+  Background<LoadOutcome> loader_;
+  Background<SaveOutcome> saver_;
+  Background<CsvOutcome> csv_writer_;
+};
+
+}  // namespace winslow::gui

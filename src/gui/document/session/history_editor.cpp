@@ -1,0 +1,129 @@
+#include "gui/document/session/history_editor.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "io/recipe/recipe.h"
+
+namespace winslow::gui {
+
+void HistoryEditor::on(const action::Undo&) {
+  if (!mesh_.document()) return;
+  if (mesh_.held().body) return motions_.cancel_drag();
+  if (mesh_.job().active()) return jobs_.cancel();
+  const History& history = mesh_.document()->history();
+  if (!history.can_undo()) return;
+  const std::string undone = describe(history.command(history.position()));
+  mesh_.document()->undo();
+  jobs_.show_position();
+  messages_.tell(Notice::Kind::information, "Undone: " + undone);
+}
+
+void HistoryEditor::on(const action::Redo&) {
+  if (!mesh_.document() || mesh_.job().active() || mesh_.held().body ||
+      !mesh_.document()->history().can_redo())
+    return;
+  mesh_.document()->redo();
+  jobs_.show_position();
+  const History& history = mesh_.document()->history();
+  messages_.tell(Notice::Kind::information,
+                 "Done again: " + describe(history.command(history.position())));
+}
+
+void HistoryEditor::on(const action::GoToStep& a) {
+  if (!mesh_.document()) return;
+  jobs_.stop();
+  mesh_.document()->go_to(a.position);
+  jobs_.show_position();
+  const History& history = mesh_.document()->history();
+  messages_.tell(Notice::Kind::information,
+                 history.position() == 0 ? "The mesh is as it was opened."
+                                         : "The mesh is as it was after: " +
+                                               describe(history.command(history.position())));
+}
+
+bool HistoryEditor::may_change() {
+  if (!mesh_.in_motion() && !mesh_.held().body) return true;
+  messages_.tell(Notice::Kind::warning, "Wait until the solver is done, or cancel it.");
+  return false;
+}
+
+void HistoryEditor::on(const action::EditStep& a) {
+  if (!mesh_.document() || !may_change()) return;
+  const History& history = mesh_.document()->history();
+  if (a.position == 0 || a.position >= history.size()) return;
+  CommandQueue::Plan plan;
+  plan.title = "Running again from step " + std::to_string(a.position);
+  plan.commands.push_back(a.command);
+  plan.end = std::max(history.position(), a.position);
+  revise(a.position, "Before step " + std::to_string(a.position) + " was changed", std::move(plan));
+}
+
+void HistoryEditor::on(const action::DeleteStep& a) {
+  if (!mesh_.document() || !may_change()) return;
+  const History& history = mesh_.document()->history();
+  if (a.position == 0 || a.position >= history.size()) return;
+  CommandQueue::Plan plan;
+  plan.title = "Running again without step " + std::to_string(a.position);
+  plan.end = history.position() - (history.position() >= a.position ? 1 : 0);
+  revise(a.position, "Before step " + std::to_string(a.position) + " was deleted", std::move(plan));
+}
+
+/// Keeps the history as it is, goes back to before a step and carries out the plan followed by all
+/// commands after that step.
+void HistoryEditor::revise(std::size_t step, std::string why, CommandQueue::Plan plan) {
+  const History& history = mesh_.document()->history();
+  for (std::size_t k = step + 1; k < history.size(); ++k)
+    plan.commands.push_back(history.command(k));
+  plan.start = step - 1;
+  plan.revision = true;
+  mesh_.document()->keep(std::move(why));
+  mesh_.document()->go_to(plan.start);
+  mesh_.document()->forget_redo();
+  jobs_.start(std::move(plan));
+}
+
+void HistoryEditor::on(const action::BringBack& a) {
+  if (!mesh_.document() || a.kept >= mesh_.document()->kept().size() || !may_change()) return;
+  mesh_.document()->bring_back(a.kept);
+  jobs_.show_position();
+  messages_.tell(Notice::Kind::success,
+                 "The earlier history is back; the other one is kept in its place.");
+}
+
+void HistoryEditor::on(const action::ReplayRecipe& a) {
+  if (!mesh_.document() || recipe_reader_.busy() || !may_change()) return;
+  recipe_reader_.start([path = a.path, generation = mesh_.generation()] {
+    RecipeOutcome outcome{path, generation, {}, {}};
+    try {
+      outcome.commands = io::read_recipe(path).commands;
+    } catch (const std::exception& error) {
+      outcome.error = error.what();
+    }
+    return outcome;
+  });
+}
+
+bool HistoryEditor::poll() {
+  auto outcome = recipe_reader_.poll();
+  if (!outcome) return false;
+  const std::string name = outcome->path.filename().string();
+  if (!outcome->error.empty()) {
+    messages_.report_error("Cannot replay " + name, outcome->error);
+  } else if (outcome->commands.empty()) {
+    messages_.tell(Notice::Kind::warning, name + " has no commands.");
+  } else if (mesh_.document() && outcome->generation == mesh_.generation() && may_change()) {
+    // The first command forgets what could have been redone.
+    if (mesh_.document()->history().can_redo())
+      mesh_.document()->keep("Before " + name + " was replayed");
+    CommandQueue::Plan plan;
+    plan.title = "Replaying " + name;
+    plan.commands = std::move(outcome->commands);
+    plan.start = mesh_.document()->history().position();
+    jobs_.start(std::move(plan));
+  }
+  return true;
+}
+
+}  // namespace winslow::gui

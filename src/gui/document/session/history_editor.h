@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "gui/base/background.h"
+#include "gui/document/actions/dispatch.h"
+#include "gui/document/actions/history_actions.h"
+#include "gui/document/session/jobs.h"
+#include "gui/document/session/live_mesh.h"
+#include "gui/document/session/message_board.h"
+#include "gui/document/session/motions.h"
+
+namespace winslow::gui {
+
+/// Goes to and fro in the history of the open mesh, changes past steps and replays recipes.
+class HistoryEditor {
+ public:
+  HistoryEditor(LiveMesh& mesh, MessageBoard& messages, Jobs& jobs, Motions& motions)
+      : mesh_(mesh), messages_(messages), jobs_(jobs), motions_(motions) {}
+
+  void apply(const HistoryAction& action) { Dispatch::to(*this, action); }
+  /// Collects a recipe that was read. True if anything changed.
+  bool poll();
+  bool busy() const { return recipe_reader_.busy(); }
+
+ private:
+  friend class Dispatch;
+  void on(const action::Undo&);
+  void on(const action::Redo&);
+  void on(const action::GoToStep& a);
+  void on(const action::EditStep& a);
+  void on(const action::DeleteStep& a);
+  void on(const action::BringBack& a);
+  void on(const action::ReplayRecipe& a);
+
+  bool may_change();
+  void revise(std::size_t step, std::string why, CommandQueue::Plan plan);
+
+  struct RecipeOutcome {
+    std::filesystem::path path;
+    std::uint64_t generation = 0;
+    std::vector<Command> commands;
+    std::string error;
+  };
+
+  LiveMesh& mesh_;
+  MessageBoard& messages_;
+  Jobs& jobs_;
+  Motions& motions_;
+  Background<RecipeOutcome> recipe_reader_;
+};
+
+}  // namespace winslow::gui

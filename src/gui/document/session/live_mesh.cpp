@@ -1,0 +1,94 @@
+#include "gui/document/session/live_mesh.h"
+
+#include <utility>
+
+namespace winslow::gui {
+
+void LiveMesh::open(std::unique_ptr<Document> document) {
+  auto boundary = std::make_unique<BoundaryIndex>(document->topology());
+  close();
+  document_ = std::move(document);
+  boundary_ = std::move(boundary);
+}
+
+void LiveMesh::close() {
+  const std::shared_ptr<const Topology> before = topology();
+  document_.reset();
+  boundary_.reset();
+  passing_.reset();
+  ++generation_;
+  if (rebuilt_) rebuilt_(before, nullptr);
+}
+
+void LiveMesh::begin_drag(DragGrip grip, const SmoothOptions& options,
+                          std::optional<DragSession::Start> start) {
+  const MeshState base = motion_base();
+  drag_.begin(base, std::move(grip), options, std::move(start));
+  drag_base_ = base;
+}
+
+const Coordinates& LiveMesh::coordinates() const {
+  static const Coordinates none;
+  if (!document_) return none;
+  if (drag_.active()) return drag_.frame().coordinates;
+  return job_.active() ? job_.coordinates() : document_->state().mesh.coordinates;
+}
+
+const std::shared_ptr<const Topology>& LiveMesh::topology() const {
+  static const std::shared_ptr<const Topology> none;
+  if (!document_) return none;
+  if (drag_.active()) return drag_base_.mesh.topology;
+  return job_.active() ? job_.topology() : document_->topology();
+}
+
+std::shared_ptr<const LayerStack> LiveMesh::layers() const {
+  if (!document_ || topology() != document_->topology()) return nullptr;
+  return document_->state().layers;
+}
+
+std::shared_ptr<const VirtualControlVolumes> LiveMesh::vcv() const {
+  if (!document_) return nullptr;
+  if (passing_) return passing_;
+  const bool editing = job_.active() && std::holds_alternative<EditVcvCommand>(job_.command());
+  return editing && edited_ ? edited_ : document_->state().vcv;
+}
+
+const MeshState& LiveMesh::motion_base() const {
+  if (drag_.active()) return drag_base_;
+  return job_.active() ? job_.base() : document_->state();
+}
+
+std::optional<RigidMotion> LiveMesh::live_motion() const {
+  if (drag_.active()) return drag_.grip().rigid() ? std::optional(drag_.wanted()) : std::nullopt;
+  if (!job_.active()) return std::nullopt;
+  const auto* move = std::get_if<MoveCommand>(&job_.command());
+  if (!move) return std::nullopt;
+  return move->motion;
+}
+
+std::span<const IterationRecord> LiveMesh::convergence() const {
+  if (job_.active()) {
+    if (!job_.snapshot()) return {};
+    return job_.snapshot()->history;
+  }
+  if (!document_ || document_->history().position() == 0) return {};
+  return document_->history().result(document_->history().position()).history;
+}
+
+void LiveMesh::changed() {
+  ++shape_;
+  follow_topology();
+  if (boundary_) boundary_->update(coordinates());
+}
+
+void LiveMesh::follow_topology() {
+  if (!document_ || boundary_->topology() == topology()) return;
+  const std::shared_ptr<const Topology> before = boundary_->topology();
+  const std::shared_ptr<const Topology> now = topology();
+  boundary_ = std::make_unique<BoundaryIndex>(now);
+  if (rebuilt_) rebuilt_(before, now);
+  const bool passing = now != document_->topology();
+  passing_ = passing ? std::make_shared<const VirtualControlVolumes>(now) : nullptr;
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "gui/document/history/document.h"
+#include "gui/document/jobs/body_drag.h"
+#include "gui/document/jobs/job_runner.h"
+#include "gui/document/selection/boundary_index.h"
+
+namespace winslow::gui {
+
+/// The open mesh as it is on screen: that of its document, or of the job or the drag under way.
+class LiveMesh {
+ public:
+  /// Null: no mesh is open.
+  Document* document() { return document_.get(); }
+  const Document* document() const { return document_.get(); }
+  /// Puts a document in place of the one that is open, if any.
+  void open(std::unique_ptr<Document> document);
+  void close();
+  /// Grows when another mesh is opened, or the open one closed.
+  std::uint64_t generation() const { return generation_; }
+
+  JobRunner& job() { return job_; }
+  const JobRunner& job() const { return job_; }
+  BodyDrag& drag() { return drag_; }
+  /// The drag under the mouse that shows valid meshes only; null without one, and in the paper's
+  /// direct mode, where the job shows what the solver has.
+  const BodyDrag* body_drag() const { return drag_.active() ? &drag_ : nullptr; }
+  /// Begins such a drag from the mesh on screen. Throws what BodyDrag::begin throws.
+  void begin_drag(DragGrip grip, const SmoothOptions& options,
+                  std::optional<DragSession::Start> start);
+  /// What the mouse holds, and the mesh follows.
+  struct Held {
+    bool body = false, vcv = false;
+  };
+  Held& held() { return held_; }
+  const Held& held() const { return held_; }
+  /// The mesh on screen is not (yet) one of the history.
+  bool in_motion() const { return job_.active() || drag_.active(); }
+
+  /// The mesh on screen.
+  const Coordinates& coordinates() const;
+  /// That coordinates() are of: a job may change it on its way. Null without a mesh.
+  const std::shared_ptr<const Topology>& topology() const;
+  /// Layers of the mesh on screen; null where there are none, or not all of them yet.
+  std::shared_ptr<const LayerStack> layers() const;
+  /// Virtual control volumes of the mesh on screen; null without a mesh.
+  std::shared_ptr<const VirtualControlVolumes> vcv() const;
+  /// Shows edited ones while the job that edits them is under way.
+  void show_vcv(std::shared_ptr<const VirtualControlVolumes> edited) {
+    edited_ = std::move(edited);
+  }
+  /// Null without a mesh.
+  const BoundaryIndex* boundary() const { return boundary_.get(); }
+  /// State that live_motion() is seen from.
+  const MeshState& motion_base() const;
+  /// Motion of the job under way, from the state it started from.
+  std::optional<RigidMotion> live_motion() const;
+  /// Of the job under way, or else of the command that led to the present mesh.
+  std::span<const IterationRecord> convergence() const;
+
+  /// Grows whenever coordinates() may have changed.
+  std::uint64_t shape() const { return shape_; }
+  /// Call it when coordinates() may have changed.
+  void changed();
+  /// `tell` is called when the mesh on screen has come to be of another connectivity; `now` is null
+  /// when the mesh was closed.
+  using Rebuilt = std::function<void(const std::shared_ptr<const Topology>& before,
+                                     const std::shared_ptr<const Topology>& now)>;
+  void when_rebuilt(Rebuilt tell) { rebuilt_ = std::move(tell); }
+
+ private:
+  void follow_topology();
+
+  std::unique_ptr<Document> document_;
+  std::unique_ptr<BoundaryIndex> boundary_;
+  std::uint64_t generation_ = 0, shape_ = 0;
+  JobRunner job_;
+  BodyDrag drag_;
+  MeshState drag_base_;  // that the drag's motions are seen from
+  Held held_;
+  std::shared_ptr<const VirtualControlVolumes> edited_;
+  // While a job shows a mesh of another connectivity than the document's.
+  std::shared_ptr<const VirtualControlVolumes> passing_;
+  Rebuilt rebuilt_;
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,59 @@
+#include "gui/document/session/message_board.h"
+
+#include "gui/base/text.h"
+
+namespace winslow::gui {
+
+void MessageBoard::report_error(std::string title, std::string text) {
+  ask({Prompt::Kind::error, std::move(title), std::move(text), {{"OK", {}, true}}});
+}
+
+void MessageBoard::tell(Notice::Kind kind, std::string text) {
+  notice_ = Notice{kind, std::move(text), std::chrono::steady_clock::now()};
+}
+
+bool MessageBoard::banner_dismissed() const {
+  const Document* document = mesh_.document();
+  return document && dismissed_ == std::pair(mesh_.generation(), document->revision());
+}
+
+void MessageBoard::set_banner(Banner::Kind kind, std::string text) {
+  banner_ = Banner{kind, std::move(text)};
+}
+
+void MessageBoard::set_banner_of_position() {
+  const Document& document = *mesh_.document();
+  const History& history = document.history();
+  banner_.reset();
+  if (history.position() > 0) return set_banner_of_result(history.result(history.position()));
+  if (const Index inverted = document.loaded_quality().inverted; inverted > 0)
+    set_banner(Banner::Kind::inverted_input, "This mesh has " +
+                                                 counted(inverted, "inverted element") +
+                                                 ". Smoothing usually repairs it.");
+}
+
+void MessageBoard::set_banner_of_result(const SmoothResult& smooth) {
+  if (banner_ && banner_->kind == Banner::Kind::partial_motion && smooth.inverted == 0) return;
+  if (smooth.inverted > 0) {
+    set_banner(Banner::Kind::inverted_result, "The result has " +
+                                                  counted(smooth.inverted, "inverted element") +
+                                                  ". A flow solver cannot use this mesh.");
+  } else if (!smooth.converged) {
+    set_banner(Banner::Kind::not_converged,
+               "Stopped after " + counted(smooth.outer_iterations, "iteration") +
+                   " at a residual of " + short_number(smooth.residual) +
+                   ": valid, but not converged.");
+  }
+}
+
+void MessageBoard::on(const action::DismissPrompt&) {
+  if (!prompts_.empty()) prompts_.pop_front();
+}
+
+void MessageBoard::on(const action::DismissBanner&) {
+  if (banner_ && mesh_.document())
+    dismissed_ = std::pair(mesh_.generation(), mesh_.document()->revision());
+  banner_.reset();
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "gui/document/actions/dispatch.h"
+#include "gui/document/actions/messages.h"
+#include "gui/document/session/live_mesh.h"
+
+namespace winslow::gui {
+
+/// What the studio has to say: questions and errors that wait for an answer, the banner over the
+/// present mesh, a passing remark.
+class MessageBoard {
+ public:
+  explicit MessageBoard(const LiveMesh& mesh) : mesh_(mesh) {}
+
+  void apply(const MessageAction& action) { Dispatch::to(*this, action); }
+
+  /// The first that waits for an answer; null if none does.
+  const Prompt* prompt() const { return prompts_.empty() ? nullptr : &prompts_.front(); }
+  void ask(Prompt prompt) { prompts_.push_back(std::move(prompt)); }
+  void report_error(std::string title, std::string text);
+
+  const std::optional<Notice>& notice() const { return notice_; }
+  void tell(Notice::Kind kind, std::string text);
+  void forget_notice() { notice_.reset(); }
+
+  const std::optional<Banner>& banner() const { return banner_; }
+  /// The user has put the banner of the present mesh away.
+  bool banner_dismissed() const;
+  void set_banner(Banner::Kind kind, std::string text);
+  void clear_banner() { banner_.reset(); }
+  /// What the mesh at the present position of the history calls for, if anything.
+  void set_banner_of_position();
+  /// What the result of a command calls for; a motion that ended early has said so already.
+  void set_banner_of_result(const SmoothResult& smooth);
+
+ private:
+  friend class Dispatch;
+  void on(const action::DismissPrompt&);
+  void on(const action::DismissBanner&);
+
+  const LiveMesh& mesh_;
+  std::deque<Prompt> prompts_;
+  std::optional<Banner> banner_;
+  std::optional<std::pair<std::uint64_t, std::uint64_t>> dismissed_;  // generation and revision
+  std::optional<Notice> notice_;
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "gui/document/jobs/quality_monitor.h"
+#include "gui/document/session/live_mesh.h"
+
+namespace winslow::gui {
+
+/// The quality of the mesh on screen.
+class QualityWatch {
+ public:
+  explicit QualityWatch(const LiveMesh& mesh) : mesh_(mesh) {}
+
+  /// Measures the mesh on screen in the background, by this field among others.
+  void watch(const std::optional<ElementField>& field);
+  /// Measures it before returning: for a picture whose colours must be those of its mesh.
+  void measure_now(const std::optional<ElementField>& field);
+  /// The latest measurement; null if there is none of the present topology.
+  const std::shared_ptr<const QualityMonitor::Measured>& latest() const {
+    return monitor_.latest();
+  }
+  /// Forgets everything: another mesh is coming.
+  void clear() { monitor_.clear(); }
+  bool poll() { return monitor_.poll(); }
+  bool busy() const { return monitor_.busy(); }
+
+ private:
+  MeshState on_screen() const;
+
+  const LiveMesh& mesh_;
+  QualityMonitor monitor_;
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,62 @@
+#include "gui/document/session/settled_command.h"
+
+#include <cmath>
+#include <vector>
+
+#include "core/motion/rigid_motion.h"
+
+namespace winslow::gui {
+
+namespace {
+
+/// The same motion said as turning about `pivot`, without the rounding errors that a fit leaves:
+/// the history and recipes would show them. `size`: of the body.
+RigidMotion about(const Vec2& pivot, const RigidMotion& motion, double size) {
+  RigidMotion said{motion.rotate, pivot, transform(motion, pivot) - pivot};
+  constexpr double rounding = 1e-11;
+  if (std::abs(said.rotate) < 360 * rounding) said.rotate = 0;
+  const double least = rounding * (size + pivot.norm() + said.translate.norm());
+  for (int d = 0; d < 2; ++d)
+    if (std::abs(said.translate[d]) < least) said.translate[d] = 0;
+  return said;
+}
+
+/// rest, now: positions before the motion and where it got to.
+void settle(MoveCommand& move, double fraction, const Mesh& base, const Coordinates& now,
+            bool started_elsewhere) {
+  const Coordinates& rest = base.coordinates;
+  const std::vector<Index> nodes = base.topology->nodes_of_markers(move.markers);
+  RigidMotion reached = fit_rigid_motion(nodes, rest, now);
+  // Full turns do not show in where the body is.
+  const double turned = (started_elsewhere ? 1 : fraction) * move.motion.rotate;
+  reached.rotate += 360 * std::round((turned - reached.rotate) / 360);
+  move.motion = about(move.motion.pivot, reached, bounds(rest, nodes).size().norm());
+}
+
+void settle(DeformCommand& deform, double fraction, const Coordinates& rest,
+            const Coordinates& now) {
+  if (auto* sine = std::get_if<SineDeformation>(&deform.shape)) sine->amplitude *= fraction;
+  auto* table = std::get_if<DisplacementTable>(&deform.shape);
+  if (!table) return;
+  for (DisplacementEntry& entry : table->entries) {
+    if (entry.node)
+      entry.displacement = now.xy(*entry.node) - rest.xy(*entry.node);
+    else
+      entry.displacement *= fraction;
+  }
+}
+
+}  // namespace
+
+double settle_command(JobRunner::Outcome& outcome, const Mesh& base, bool started_elsewhere) {
+  const double fraction = outcome.result->smooth.fraction_reached;
+  if (fraction >= 1) return 1;
+  const Coordinates& now = outcome.result->state.mesh.coordinates;
+  if (auto* move = std::get_if<MoveCommand>(&outcome.command))
+    settle(*move, fraction, base, now, started_elsewhere);
+  else if (auto* deform = std::get_if<DeformCommand>(&outcome.command))
+    settle(*deform, fraction, base.coordinates, now);
+  return fraction;
+}
+
+}  // namespace winslow::gui

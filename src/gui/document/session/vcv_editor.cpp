@@ -1,0 +1,42 @@
+#include "gui/document/session/vcv_editor.h"
+
+#include <memory>
+#include <utility>
+
+#include "core/error.h"
+
+namespace winslow::gui {
+
+void VcvEditor::on(const action::EditVcvs& a) {
+  if (!mesh_.document() || a.edits.empty()) return;
+  std::shared_ptr<const VirtualControlVolumes> edited;
+  try {
+    edited = edit_vcvs(*mesh_.document()->state().vcv, a.edits);
+  } catch (const UsageError& error) {
+    return messages_.report_error("This is no virtual control volume", error.what());
+  }
+  EditVcvCommand command{a.edits, jobs_.smooth_options()};
+  if (mesh_.held().vcv && mesh_.job().active()) {
+    mesh_.show_vcv(std::move(edited));
+    mesh_.job().retarget(std::move(command));
+    return mesh_.changed();
+  }
+  if (!jobs_.start(std::move(command), false)) return;
+  mesh_.show_vcv(std::move(edited));
+  mesh_.held().vcv = a.under_mouse;
+  mesh_.job().hold(a.under_mouse);
+}
+
+void VcvEditor::on(const action::EndVcvEdit&) {
+  if (!std::exchange(mesh_.held().vcv, false)) return;
+  mesh_.job().hold(false);
+}
+
+void VcvEditor::on(const action::CancelVcvEdit&) {
+  if (!mesh_.held().vcv) return;
+  mesh_.job().hold(false);
+  jobs_.stop();
+  messages_.tell(Notice::Kind::information, "Edit cancelled");
+}
+
+}  // namespace winslow::gui

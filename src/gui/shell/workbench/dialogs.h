@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+#include "gui/document/actions/dialog_actions.h"
+#include "gui/document/actions/dispatch.h"
+#include "gui/menu/panel_context.h"
+
+namespace winslow::gui {
+
+class FileDialog;
+
+/// The windows that come up over the studio: dialogs, the palette of commands, prompts.
+class Dialogs {
+ public:
+  explicit Dialogs(const Session& session);
+  ~Dialogs();
+  Dialogs(const Dialogs&) = delete;
+  Dialogs& operator=(const Dialogs&) = delete;
+
+  void apply(const DialogAction& action) { Dispatch::to(*this, action); }
+  const FileDialog& file_dialog() const;
+  /// Draws those that are up. window, mesh: their sizes on screen, pixels.
+  void draw(const PanelContext& context, const Vec2& window, const Vec2& mesh);
+
+ private:
+  friend class Dispatch;
+  void on(const action::ShowFileDialog& a);
+  void on(const action::ShowPictureDialog&);
+  void on(const action::ShowRecordDialog& a);
+  void on(const action::ShowStepEditor& a);
+  void on(const action::ShowHelp&);
+  void on(const action::ShowPalette&);
+  void on(const action::ShowAbout&);
+
+  struct Windows;
+  const Session& session_;
+  std::unique_ptr<Windows> windows_;
+  std::optional<std::size_t> recorded_step_;  // that the file dialog is open for
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,69 @@
+#include "gui/shell/workbench/panel_list.h"
+
+#include "gui/panels/banner_panel.h"
+#include "gui/panels/convergence_panel.h"
+#include "gui/panels/demo_panel.h"
+#include "gui/panels/go_to_panel.h"
+#include "gui/panels/history_panel.h"
+#include "gui/panels/isolate_panel.h"
+#include "gui/panels/layers/layers_panel.h"
+#include "gui/panels/markers_panel.h"
+#include "gui/panels/menu_bar.h"
+#include "gui/panels/motion_panel.h"
+#include "gui/panels/picture/recording_panel.h"
+#include "gui/panels/quality_panel.h"
+#include "gui/panels/shape_panel.h"
+#include "gui/panels/solver_panel.h"
+#include "gui/panels/status_bar.h"
+#include "gui/panels/toolbar.h"
+#include "gui/panels/vcv/vcv_panel.h"
+#include "gui/panels/view_panel.h"
+#include "gui/panels/worst_panel.h"
+
+namespace winslow::gui {
+
+namespace {
+
+constexpr MeshKinds plane{MeshKind::plane};
+
+template <class P>
+RegisteredPanel entry(const char* id, const char* title, Region region, MeshKinds serves) {
+  return {id, title, region, serves, std::make_unique<P>(), {}};
+}
+
+/// A panel of one tab of the column on the right.
+template <class P>
+RegisteredPanel in_tab(SideTab tab, const char* id, const char* title, MeshKinds serves) {
+  return {
+      id, title, Region::right, serves, std::make_unique<P>(), [tab](const PanelContext& context) {
+        return context.view.side_tab == tab;
+      }};
+}
+
+}  // namespace
+
+PanelRegistry make_panels() {
+  PanelRegistry r;
+  r.add(entry<MenuBar>("menu", "Menu", Region::menu, all_meshes));
+  r.add(entry<Toolbar>("toolbar", "Toolbar", Region::toolbar, all_meshes));
+  r.add(entry<StatusBar>("status", "Status", Region::status, all_meshes));
+  r.add(entry<MarkersPanel>("markers", "Markers", Region::left, plane));
+  r.add(entry<MotionPanel>("motion", "Move the selection", Region::left, plane));
+  r.add(entry<ShapePanel>("shape", "Shape", Region::left, plane));
+  r.add(entry<LayersPanel>("layers", "Layers", Region::left, plane));
+  r.add(entry<SolverPanel>("solver", "Solver", Region::left, plane));
+  r.add(in_tab<QualityPanel>(SideTab::quality, "quality", "Quality", plane));
+  r.add(in_tab<GoToPanel>(SideTab::quality, "go_to", "Go to", plane));
+  r.add(in_tab<WorstPanel>(SideTab::quality, "worst", "Worst elements", plane));
+  r.add(in_tab<IsolatePanel>(SideTab::quality, "isolate", "Isolate", plane));
+  r.add(in_tab<ViewPanel>(SideTab::view, "view", "View", plane));
+  r.add(in_tab<VcvPanel>(SideTab::vcv, "vcv", "Virtual control volume", plane));
+  r.add(in_tab<HistoryPanel>(SideTab::history, "history", "History", all_meshes));
+  r.add(entry<ConvergencePanel>("convergence", "Convergence", Region::plot, all_meshes));
+  r.add(entry<BannerPanel>("banner", "Banner", Region::banner, all_meshes));
+  r.add(entry<DemoPanel>("demo", "Guided demo", Region::demo, all_meshes));
+  r.add(entry<RecordingPanel>("recording", "Recording", Region::recording, all_meshes));
+  return r;
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gui/panels/panel.h"
+
+namespace winslow::gui {
+
+/// Where panels stand in the studio's window.
+enum class Region { menu, toolbar, status, left, right, plot, banner, demo, recording };
+
+/// What a mesh is made of: faces in the plane, faces in space, cells in space.
+enum class MeshKind { plane, surface, volume };
+
+class MeshKinds {
+ public:
+  constexpr MeshKinds(std::initializer_list<MeshKind> kinds) {
+    for (const MeshKind kind : kinds) bits_ |= bit(kind);
+  }
+  constexpr bool contains(MeshKind kind) const { return (bits_ & bit(kind)) != 0; }
+
+ private:
+  static constexpr unsigned bit(MeshKind kind) { return 1U << static_cast<unsigned>(kind); }
+  unsigned bits_ = 0;
+};
+
+inline constexpr MeshKinds all_meshes{MeshKind::plane, MeshKind::surface, MeshKind::volume};
+
+struct RegisteredPanel {
+  std::string id;     ///< no other panel has it
+  std::string title;  ///< as the user is told of it
+  Region region = Region::left;
+  MeshKinds serves;  ///< in place of the panel a line says that it does not serve another mesh
+  std::unique_ptr<Panel> panel;
+  /// Whether it is drawn now; null: always.
+  std::function<bool(const PanelContext&)> shown = {};
+};
+
+/// The panels of the studio, in the order in which they stand in their regions.
+class PanelRegistry {
+ public:
+  /// Throws std::logic_error if another panel has this id.
+  void add(RegisteredPanel panel);
+  /// Draws the panels of a region into the current ImGui window. mesh: of the open mesh, or what
+  /// could be opened.
+  void draw(Region region, const PanelContext& context, MeshKind mesh) const;
+  const std::vector<RegisteredPanel>& panels() const { return panels_; }
+
+ private:
+  std::vector<RegisteredPanel> panels_;
+};
+
+}  // namespace winslow::gui

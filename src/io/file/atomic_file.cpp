@@ -1,0 +1,142 @@
+#include "io/file/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <streambuf>
+#include <string>
+#include <utility>
+
+#include "core/error.h"
+
+namespace winslow::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A stream over a file descriptor that remembers why a write failed (std::ofstream forgets).
+class DescriptorBuffer : public std::streambuf {
+ public:
+  explicit DescriptorBuffer(int fd) : fd_(fd) { setp(buffer_.data(), buffer_.data() + size); }
+  int error() const { return error_; }
+
+ protected:
+  int_type overflow(int_type c) override {
+    if (sync() != 0) return traits_type::eof();
+    if (traits_type::eq_int_type(c, traits_type::eof())) return traits_type::not_eof(c);
+    return sputc(traits_type::to_char_type(c));
+  }
+  int sync() override {
+    const char* from = pbase();
+    while (from < pptr() && error_ == 0) {
+      const ssize_t n = ::write(fd_, from, static_cast<std::size_t>(pptr() - from));
+      if (n >= 0) {
+        from += n;
+      } else if (errno != EINTR) {
+        error_ = errno;
+      }
+    }
+    setp(buffer_.data(), buffer_.data() + size);
+    return error_ == 0 ? 0 : -1;
+  }
+
+ private:
+  static constexpr std::size_t size = 1 << 16;
+  int fd_;
+  int error_ = 0;
+  std::array<char, size> buffer_{};
+};
+
+[[noreturn]] void fail(const fs::path& path, int error) {
+  throw OutputError(path.string() + ": cannot be written: " + std::strerror(error));
+}
+
+/// Fills the file behind `fd` and closes it. Throws OutputError, or what `write` throws.
+void fill(int fd, const fs::path& path, bool flush_to_disk,
+          const std::function<void(std::ostream&)>& write) {
+  int error = 0;
+  try {
+    DescriptorBuffer buffer(fd);
+    std::ostream out(&buffer);
+    write(out);
+    out.flush();
+    error = buffer.error() != 0 ? buffer.error() : (out ? 0 : EIO);
+    if (error == 0 && flush_to_disk && ::fsync(fd) != 0) error = errno;
+  } catch (...) {
+    ::close(fd);
+    throw;
+  }
+  // Some file systems (network, quota) tell only here that the data did not fit.
+  if (::close(fd) != 0 && error == 0) error = errno;
+  if (error != 0) fail(path, error);
+}
+
+/// Where a chain of symbolic links ends; the file there need not exist.
+fs::path resolve(fs::path path) {
+  constexpr int longest_chain = 40;
+  std::error_code error;
+  for (int i = 0; i < longest_chain && fs::is_symlink(path, error); ++i) {
+    const fs::path next = fs::read_symlink(path, error);
+    if (error) break;
+    path = next.is_absolute() ? next : path.parent_path() / next;
+  }
+  return path;
+}
+
+mode_t default_mode() {
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return 0666 & ~mask;
+}
+
+void replace_file(const fs::path& target, mode_t mode,
+                  const std::function<void(std::ostream&)>& write) {
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  std::string temporary = (folder / ("." + target.filename().string() + ".XXXXXX")).string();
+  const int fd = ::mkostemp(temporary.data(), O_CLOEXEC);
+  if (fd < 0) fail(target, errno);
+  try {
+    if (::fchmod(fd, mode) != 0) {
+      const int error = errno;
+      ::close(fd);
+      fail(target, error);
+    }
+    fill(fd, target, true, write);
+    if (::rename(temporary.c_str(), target.c_str()) != 0) fail(target, errno);
+  } catch (...) {
+    ::unlink(temporary.c_str());
+    throw;
+  }
+  // The new name is safe only once the folder is: best effort, not every file system can.
+  const int folder_fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder_fd >= 0) {
+    ::fsync(folder_fd);
+    ::close(folder_fd);
+  }
+}
+
+}  // namespace
+
+void write_atomically(const fs::path& path, const std::function<void(std::ostream&)>& write) {
+  const fs::path target = resolve(path);
+  struct stat status {};
+  if (::stat(target.c_str(), &status) != 0) {
+    if (errno != ENOENT) fail(path, errno);
+    if (target.filename().empty()) fail(path, EISDIR);
+    return replace_file(target, default_mode(), write);
+  }
+  if (S_ISDIR(status.st_mode)) fail(path, EISDIR);
+  // A write-protected file in a writable folder could be replaced all the same; nobody wants that.
+  if (::access(target.c_str(), W_OK) != 0) fail(path, errno);
+  if (S_ISREG(status.st_mode)) return replace_file(target, status.st_mode & 07777, write);
+  // A device or a pipe can only be written to.
+  const int fd = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
+  if (fd < 0) fail(path, errno);
+  fill(fd, path, false, write);
+}
+
+}  // namespace winslow::io

@@ -1,0 +1,56 @@
+#include "io/format/groups.h"
+
+#include <set>
+
+namespace winslow::io {
+
+std::size_t GroupIndex::add(int tag, std::string name) {
+  while (name.empty() || names_.contains(name)) name += "_" + std::to_string(tag);
+  names_.insert(name);
+  index_[tag] = groups_.size();
+  groups_.push_back({std::move(name), tag});
+  return groups_.size() - 1;
+}
+
+std::size_t GroupIndex::find(int tag) {
+  const auto found = index_.find(tag);
+  return found != index_.end() ? found->second : add(tag, prefix_ + std::to_string(tag));
+}
+
+void add_marker_line(std::size_t marker, Index line, std::size_t offset, LineDetails& details,
+                     ParsedMesh& mesh) {
+  if (marker >= details.marker_lines.size()) {
+    details.marker_lines.resize(marker + 1);
+    mesh.where.marker_edges.resize(marker + 1);
+  }
+  details.marker_lines[marker].push_back(line);
+  mesh.where.marker_edges[marker].push_back(offset);
+}
+
+void make_markers(const std::vector<Region>& groups, LineDetails& details, ParsedMesh& mesh) {
+  details.marker_lines.resize(groups.size());
+  mesh.where.marker_edges.resize(groups.size());
+  for (std::size_t m = 0; m < groups.size(); ++m) {
+    Marker marker{groups[m].name, groups[m].tag, {}};
+    marker.faces.reserve(details.marker_lines[m].size());
+    for (const Index l : details.marker_lines[m]) {
+      const auto [a, b] = details.edge(l);
+      marker.faces.emplace_back(a, b);
+    }
+    mesh.data.markers.push_back(std::move(marker));
+  }
+}
+
+std::vector<int> usable_tags(std::vector<int> tags, const char* what,
+                             std::vector<std::string>& warnings) {
+  std::set<int> seen;
+  bool usable = true;
+  for (const int tag : tags) usable = usable && tag > 0 && seen.insert(tag).second;
+  if (usable) return tags;
+  for (std::size_t i = 0; i < tags.size(); ++i) tags[i] = static_cast<int>(i) + 1;
+  warnings.push_back(std::string("the tags of ") + what +
+                     " are not positive and unique: numbered 1, 2, ...");
+  return tags;
+}
+
+}  // namespace winslow::io

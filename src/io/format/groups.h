@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+#include "io/format/line_details.h"
+#include "io/format/parsed_mesh.h"
+
+namespace winslow::io {
+
+/// Numbered groups of a file (physical groups, tagged cells): a name for every tag, no name twice.
+class GroupIndex {
+ public:
+  /// A group without a name of its own is called after `prefix` and its tag.
+  explicit GroupIndex(std::string prefix) : prefix_(std::move(prefix)) {}
+
+  bool contains(int tag) const { return index_.contains(tag); }
+  std::size_t add(int tag, std::string name);
+  /// Position of the group in all(); the group is added if it is new.
+  std::size_t find(int tag);
+  const std::vector<Region>& all() const { return groups_; }
+
+ private:
+  std::string prefix_;
+  std::map<int, std::size_t> index_;
+  std::unordered_set<std::string> names_;
+  std::vector<Region> groups_;
+};
+
+/// Notes that a line element (coded as in LineDetails::marker_lines), found at `offset` in the
+/// file, belongs to a marker.
+void add_marker_line(std::size_t marker, Index line, std::size_t offset, LineDetails& details,
+                     ParsedMesh& mesh);
+/// Makes the markers of the mesh from the groups and from the lines that were noted.
+void make_markers(const std::vector<Region>& groups, LineDetails& details, ParsedMesh& mesh);
+
+/// Tags to write for groups: their own if those are positive and differ, else 1, 2, ...
+std::vector<int> usable_tags(std::vector<int> tags, const char* what,
+                             std::vector<std::string>& warnings);
+template <class Group>
+std::vector<int> tags_of(const std::vector<Group>& groups) {
+  std::vector<int> tags;
+  for (const Group& group : groups) tags.push_back(group.tag);
+  return tags;
+}
+
+}  // namespace winslow::io

@@ -1,0 +1,91 @@
+#include "io/format/mesh_file.h"
+
+#include <utility>
+
+#include "core/error.h"
+#include "io/file/atomic_file.h"
+#include "io/format/mesh_format.h"
+
+namespace winslow::io {
+namespace {
+
+/// Content wins over the extension; the extension decides only where the content says nothing.
+const MeshFormat* detect(const Source& source, const std::filesystem::path& path,
+                         std::vector<std::string>& warnings) {
+  const MeshFormat* by_extension = format_of_extension(path);
+  const MeshFormat* by_content = format_of_content(source.text());
+  if (!by_extension && !by_content) {
+    source.fail(0, "a file of unknown format", "a mesh (" + supported_extensions() + ")");
+  }
+  if (by_extension && by_content && by_extension != by_content) {
+    warnings.push_back("the content is that of a ." + std::string(by_content->name) +
+                       " file, not of a ." + std::string(by_extension->name) +
+                       " file: read as such");
+  }
+  return by_content ? by_content : by_extension;
+}
+
+/// The place in the file of what an error of make_mesh is about.
+std::size_t place_of(const MeshError& error, const SourceMap& where) {
+  const auto at = [](const std::vector<std::size_t>& offsets, Index i) {
+    const auto k = static_cast<std::size_t>(i);
+    return i >= 0 && k < offsets.size() ? offsets[k] : std::size_t{0};
+  };
+  switch (error.entity()) {
+    case MeshEntity::node:
+      return at(where.nodes, error.index());
+    case MeshEntity::element:
+      return at(where.elements, error.index());
+    case MeshEntity::marker_face: {
+      const auto m = static_cast<std::size_t>(error.marker());
+      return error.marker() >= 0 && m < where.marker_edges.size()
+                 ? at(where.marker_edges[m], error.index())
+                 : 0;
+    }
+    case MeshEntity::mesh:
+      break;
+  }
+  return 0;
+}
+
+}  // namespace
+
+MeshFile read_mesh(const std::filesystem::path& path) {
+  Source source = Source::load(path);
+  MeshFile file;
+  file.format = detect(source, path, file.warnings);
+  ParsedMesh parsed = file.format->read(source);
+  file.warnings.insert(file.warnings.end(), parsed.warnings.begin(), parsed.warnings.end());
+  try {
+    file.mesh = make_mesh(parsed.data, &file.warnings);
+  } catch (const MeshError& error) {
+    source.fail(place_of(error, parsed.where), error.what());
+  }
+  parsed.details->format = file.format;
+  file.details = std::move(parsed.details);
+  for (std::string& warning : file.warnings) warning = source.name() + ": " + warning;
+  return file;
+}
+
+std::vector<std::string> write_mesh(const std::filesystem::path& path, const Mesh& mesh,
+                                    const FormatDetails* details, const WriteOptions& options) {
+  const MeshFormat* format = options.format ? options.format : format_of_extension(path);
+  if (!format) {
+    throw UsageError(path.string() + ": unknown file format, expected one of " +
+                     supported_extensions());
+  }
+  if (!options.gmsh_version.empty() && options.gmsh_version != "2.2" &&
+      options.gmsh_version != "4.1") {
+    throw UsageError("unknown MSH version \"" + options.gmsh_version + "\", expected 2.2 or 4.1");
+  }
+  WriteOptions encoding = options;
+  const bool as_source = options.keep_encoding && details != nullptr && details->format == format;
+  encoding.binary = options.binary || (as_source && details->binary);
+  std::vector<std::string> warnings;
+  write_atomically(
+      path, [&](std::ostream& out) { warnings = format->write(out, mesh, details, encoding); });
+  for (std::string& warning : warnings) warning = path.string() + ": " + warning;
+  return warnings;
+}
+
+}  // namespace winslow::io

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+
+/// Reading and writing meshes: the one header that the rest of the program needs.
+namespace winslow::io {
+
+struct MeshFormat;  // io/format/mesh_format.h
+
+/// What a format can hold beyond a Mesh (version, entity and node tags, order of blocks, ...):
+/// kept from reading to writing so that a file in the same format comes back unchanged but for the
+/// coordinates. Each format derives its own.
+struct FormatDetails {
+  virtual ~FormatDetails() = default;
+  const MeshFormat* format = nullptr;  ///< of the source
+  bool binary = false;                 ///< the source was binary
+  std::vector<double> plane_z;         ///< z of each node, or one for all; empty: 0
+};
+
+/// A mesh read from a file.
+struct MeshFile {
+  Mesh mesh;
+  const MeshFormat* format = nullptr;            ///< null for one that came from no file
+  std::shared_ptr<const FormatDetails> details;  ///< null for a mesh that came from no file
+  std::vector<std::string> warnings;             ///< sentences; each names the file
+};
+
+/// Reads a mesh. The format is found by content (a warning, if the extension says otherwise), or by
+/// extension where the content tells nothing. Throws InputError "FILE:LINE: ..." / "FILE: byte N:
+/// ...": never crashes on any content, and never allocates more than the file's size justifies.
+MeshFile read_mesh(const std::filesystem::path& path);
+
+struct WriteOptions {
+  const MeshFormat* format = nullptr;  ///< null: by the extension of the path
+  bool binary = false;                 ///< binary instead of text, where the format has it
+  bool keep_encoding = true;  ///< binary also where the source is binary and of this format
+  std::string gmsh_version;   ///< "2.2" or "4.1"; empty: that of the source, else 4.1
+};
+
+/// Writes a mesh to a temporary name beside `path` and renames it. `details` of another format, or
+/// null, are ignored as far as they do not apply. Returns warnings (markers lost, ...).
+/// Throws OutputError (the target is then as it was) and UsageError (unknown extension).
+std::vector<std::string> write_mesh(const std::filesystem::path& path, const Mesh& mesh,
+                                    const FormatDetails* details, const WriteOptions& options = {});
+
+}  // namespace winslow::io

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <filesystem>
+#include <ostream>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/format/parsed_mesh.h"
+
+/// What the program knows of each mesh format. TO ADD A FORMAT, write its reader and writer and a
+/// MeshFormat, and name that in mesh_formats.cpp: reading and writing, messages, file dialogs, help
+/// and the table of docs/formats.md follow.
+namespace winslow::io {
+
+/// The bytes of a file, as far as a format is recognised by them.
+struct Content {
+  explicit Content(std::string_view bytes);
+
+  std::string_view whole;
+  std::string_view start;       ///< without byte order mark and leading blanks
+  std::string_view first_line;  ///< of start, trimmed
+};
+
+/// How clearly a content is that of a format.
+struct Evidence {
+  enum class Kind {
+    none,
+    keyword,    ///< a keyword on one of the first lines
+    signature,  ///< the first line says so
+    size        ///< a count in the header that fits the size of the file
+  };
+  Kind kind = Kind::none;
+  int line = 0;  ///< of the keyword: the earlier one counts
+
+  bool stronger_than(const Evidence& other) const;
+};
+
+/// One mesh format. Texts are literals.
+struct MeshFormat {
+  std::string_view name;      ///< the extension without its dot, in lower case: "msh"
+  std::string_view title;     ///< "Gmsh"
+  std::string_view versions;  ///< in docs/formats.md: "2.2 and 4.1"
+  // What docs/formats.md says that it holds.
+  std::string_view encodings, markers, regions, quadrilaterals;
+  bool keeps_markers = false;
+  bool has_binary = false;
+
+  Evidence (*recognise)(const Content& content);
+  ParsedMesh (*read)(Source& source);
+  /// options.binary is what to do, whatever the source was. details: of the file that the mesh came
+  /// from, of this format or of another; may be null. Returns warnings.
+  std::vector<std::string> (*write)(std::ostream& out, const Mesh& mesh,
+                                    const FormatDetails* details, const WriteOptions& options);
+};
+
+/// All formats, in the order of lists.
+std::span<const MeshFormat* const> mesh_formats();
+
+/// Null if there is none: by extension (in any case of letters), by the first bytes and the size.
+const MeshFormat* format_of_extension(const std::filesystem::path& path);
+const MeshFormat* format_of_content(std::string_view content);
+
+/// ".su2, .msh, ..." for messages.
+std::string supported_extensions();
+/// Titles of the formats that can be written in binary: "Gmsh, VTK, ...".
+std::string binary_formats();
+
+// For recognise().
+/// The line begins with the word, and nothing but blanks follows at once.
+bool starts_with_word(std::string_view line, std::string_view word);
+Evidence signature_if(bool found);
+/// Evidence of the first of the first lines that `is_keyword` says yes to.
+Evidence keyword_on_line(const Content& content, bool (*is_keyword)(std::string_view line));
+
+}  // namespace winslow::io

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/mesh/mesh_data.h"
+#include "io/format/mesh_file.h"
+#include "io/text/source.h"
+
+namespace winslow::io {
+
+/// Where in the file each thing stands (byte offsets), so that an error found later can name it.
+struct SourceMap {
+  std::vector<std::size_t> nodes;
+  std::vector<std::size_t> elements;
+  std::vector<std::vector<std::size_t>> marker_edges;  ///< as MeshData::markers[m].faces
+};
+
+/// What a reader of one format returns.
+struct ParsedMesh {
+  MeshData data;
+  SourceMap where;
+  std::shared_ptr<FormatDetails> details;
+  std::vector<std::string> warnings;  ///< without the file's name
+};
+
+/// Sets the nodes' x and y from x, y, z triples. Throws InputError at the first node that is not
+/// finite or leaves the plane z = constant. Differences of z below 1e-9 of the extent count as
+/// noise; every z is kept in `details` and written back.
+void set_planar_nodes(const Source& source, const std::vector<double>& xyz, ParsedMesh& mesh);
+
+/// Throws InputError "... not finite" at the first node that has a NaN or an infinity.
+void check_finite(const Source& source, const ParsedMesh& mesh);
+
+/// z of a node as the source of the mesh had it (0 without details).
+double plane_z(const FormatDetails* details, Index node);
+
+}  // namespace winslow::io

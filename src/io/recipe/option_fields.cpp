@@ -1,0 +1,108 @@
+#include "io/recipe/option_fields.h"
+
+#include <string>
+
+namespace winslow::io {
+
+namespace {
+
+using nlohmann::json;
+
+void read_shares(const json& value, const std::string& path, const SharesOption& shares) {
+  ObjectReader reader(value, path);
+  for (const auto& part : shares.parts) reader.field(std::string(part.name).c_str(), *part.share);
+  reader.finish();
+}
+
+void read_value(const json& value, const std::string& path, const OptionValue& option) {
+  std::visit(
+      [&](const auto& of) {
+        using Kind = std::decay_t<decltype(of)>;
+        if constexpr (std::is_same_v<Kind, ChoiceOption>) {
+          if (!value.is_string() || !of.choose(value.template get<std::string>()))
+            refuse(value, path, "one of " + of.names());
+        } else if constexpr (std::is_same_v<Kind, SharesOption>) {
+          read_shares(value, path, of);
+        } else if constexpr (std::is_same_v<Kind, OptionalRealOption>) {
+          ObjectReader::read(value, path, of.value->emplace());
+        } else {
+          ObjectReader::read(value, path, *of.value);
+        }
+      },
+      option);
+}
+
+void read_option(ObjectReader& reader, const Option& option) {
+  const std::string key(option.key);
+  const json* value = option.required ? &reader.at(key.c_str()) : reader.find(key.c_str());
+  if (!value) return;
+  const std::string path = reader.path_of(key.c_str());
+  read_value(*value, path, option.value);
+  if (const std::string fault = fault_of(option); !fault.empty()) throw JsonValueError(path, fault);
+}
+
+json write_value(const OptionValue& option) {
+  return std::visit(
+      [](const auto& of) -> json {
+        using Kind = std::decay_t<decltype(of)>;
+        if constexpr (std::is_same_v<Kind, ChoiceOption>) {
+          return of.name();
+        } else if constexpr (std::is_same_v<Kind, SharesOption>) {
+          json parts = json::object();
+          for (const auto& part : of.parts) parts[std::string(part.name)] = *part.share;
+          return parts;
+        } else if constexpr (std::is_same_v<Kind, OptionalRealOption>) {
+          return *of.value ? json(**of.value) : json();
+        } else {
+          return ObjectWriter::write(*of.value);
+        }
+      },
+      option);
+}
+
+/// The rows of a table that stand in one object.
+OptionTable rows_in(const OptionTable& table, std::string_view object) {
+  OptionTable rows;
+  for (const Option& option : table)
+    if (option.object == object) rows.push_back(option);
+  return rows;
+}
+
+/// Calls own(row) for each row of the struct itself and inner(object) once for each object.
+template <class Own, class Inner>
+void for_each_key(const OptionTable& table, const Own& own, const Inner& inner) {
+  std::string_view last;
+  for (const Option& option : table) {
+    if (option.object.empty()) own(option);
+    if (!option.object.empty() && option.object != last) inner(option.object);
+    last = option.object;
+  }
+}
+
+}  // namespace
+
+void read_options(ObjectReader& reader, const OptionTable& table) {
+  for_each_key(
+      table, [&](const Option& option) { read_option(reader, option); },
+      [&](std::string_view object) {
+        reader.object(std::string(object).c_str(), [&](ObjectReader& within) {
+          for (const Option& option : rows_in(table, object)) read_option(within, option);
+        });
+      });
+}
+
+void write_options(ObjectWriter& writer, const OptionTable& table) {
+  const auto write = [](ObjectWriter& to, const Option& option) {
+    const json value = write_value(option.value);
+    if (!value.is_null()) to.field(std::string(option.key).c_str(), value);
+  };
+  for_each_key(
+      table, [&](const Option& option) { write(writer, option); },
+      [&](std::string_view object) {
+        writer.object(std::string(object).c_str(), [&](ObjectWriter& within) {
+          for (const Option& option : rows_in(table, object)) write(within, option);
+        });
+      });
+}
+
+}  // namespace winslow::io

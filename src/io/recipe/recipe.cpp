@@ -1,0 +1,70 @@
+#include "io/recipe/recipe.h"
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "core/error.h"
+#include "io/file/atomic_file.h"
+#include "io/recipe/json_source.h"
+#include "io/recipe/object_archive.h"
+
+namespace winslow::io {
+namespace {
+
+using nlohmann::json;
+
+/// Version of the format: a reader refuses what it cannot know.
+constexpr int recipe_version = 1;
+
+Recipe parse_recipe(const json& document, const std::filesystem::path& folder) {
+  ObjectReader reader(document, "");
+  int version = 0;
+  reader.required("winslow_recipe", version);
+  if (version != recipe_version) {
+    throw JsonValueError("winslow_recipe", "found version " + std::to_string(version) +
+                                               ", expected " + std::to_string(recipe_version));
+  }
+  Recipe recipe;
+  reader.field("input", recipe.input);
+  reader.field("output", recipe.output);
+  const json& commands = reader.at("commands");
+  if (!commands.is_array()) throw JsonValueError("commands", "expected a list of commands");
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    recipe.commands.push_back(
+        command_from_json(commands[i], folder, "commands[" + std::to_string(i) + ']'));
+  }
+  reader.finish();
+  return recipe;
+}
+
+}  // namespace
+
+Recipe read_recipe(const std::filesystem::path& path) {
+  const JsonSource source = read_json(path);
+  try {
+    return parse_recipe(source.document, path.parent_path());
+  } catch (const JsonValueError& error) {
+    throw InputError(path.string() + ':' + std::to_string(source.line_of(error.path())) + ": " +
+                     error.what());
+  }
+}
+
+void write_recipe(const std::filesystem::path& path, const Recipe& recipe) {
+  nlohmann::ordered_json document;
+  document["winslow_recipe"] = recipe_version;
+  if (!recipe.input.empty()) document["input"] = recipe.input;
+  if (!recipe.output.empty()) document["output"] = recipe.output;
+  document["commands"] = json::array();
+  for (const Command& command : recipe.commands) {
+    document["commands"].push_back(nlohmann::ordered_json(to_json(command)));
+  }
+  std::string text;
+  try {
+    text = document.dump(2);
+  } catch (const json::exception&) {  // JSON is UTF-8; names in a mesh file may be anything
+    throw OutputError(path.string() + ": a name in the recipe is not UTF-8 text");
+  }
+  write_atomically(path, [&](std::ostream& out) { out << text << '\n'; });
+}
+
+}  // namespace winslow::io

@@ -1,0 +1,32 @@
+#include "io/su2/su2.h"
+
+namespace winslow::io::su2 {
+
+namespace {
+
+bool is_keyword(std::string_view line) {
+  for (const std::string_view key : {"NDIME", "NPOIN", "NELEM", "NMARK", "MARKER_TAG", "NZONE"}) {
+    if (line.starts_with(key) && line.find('=') != std::string_view::npos) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+const MeshFormat format{
+    .name = "su2",
+    .title = "SU2",
+    .versions = "",
+    .encodings = "text",
+    .markers = "yes, by name",
+    .regions = "no",
+    .quadrilaterals = "yes",
+    .keeps_markers = true,
+    .recognise = [](const Content& content) { return keyword_on_line(content, is_keyword); },
+    .read = read,
+    .write =
+        [](std::ostream& out, const Mesh& mesh, const FormatDetails* details, const WriteOptions&) {
+          return write(out, mesh, dynamic_cast<const Details*>(details));
+        }};
+
+}  // namespace winslow::io::su2

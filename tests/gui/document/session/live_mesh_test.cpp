@@ -1,0 +1,76 @@
+#include "gui/document/session/live_mesh.h"
+
+#include "gui/support/session_parts.h"
+
+namespace winslow::gui::test {
+
+TEST_CASE("without a document there is nothing on screen") {
+  const LiveMesh mesh;
+  CHECK(mesh.document() == nullptr);
+  CHECK(mesh.topology() == nullptr);
+  CHECK(mesh.coordinates().size() == 0);
+  CHECK(mesh.vcv() == nullptr);
+  CHECK(mesh.boundary() == nullptr);
+  CHECK(mesh.convergence().empty());
+  CHECK_FALSE(mesh.in_motion());
+}
+
+TEST_CASE("opening and closing another mesh is told, and counted") {
+  SessionParts parts(ring_mesh());
+  int closed = 0;
+  parts.mesh.when_rebuilt([&](const auto&, const auto& now) { closed += now ? 0 : 1; });
+  const auto generation = parts.mesh.generation();
+  const auto first = parts.mesh.topology();
+  parts.mesh.open(std::make_unique<Document>(
+      Document::load(write(parts.folder, two_body_mesh(), "other.su2"))));
+  CHECK(parts.mesh.generation() == generation + 1);
+  CHECK(parts.mesh.topology() != first);
+  CHECK(parts.mesh.boundary()->topology() == parts.mesh.topology());
+  CHECK(closed == 1);
+  parts.mesh.close();
+  CHECK(closed == 2);
+  CHECK(parts.mesh.generation() == generation + 2);
+  CHECK(parts.mesh.document() == nullptr);
+}
+
+TEST_CASE("the mesh on screen is the job's while there is one, and the document's again after it") {
+  SessionParts parts(ring_mesh());
+  const Coordinates before = parts.mesh.document()->state().mesh.coordinates;
+  const auto shape = parts.mesh.shape();
+  parts.selection.apply(action::SelectMarkers{{parts.marker("flap")}});
+  REQUIRE(parts.jobs.start(parts.jobs.move_command({20, Vec2(0, 0), Vec2(0, 0)}), true));
+  CHECK(parts.mesh.in_motion());
+  CHECK(parts.mesh.shape() > shape);
+  REQUIRE(parts.mesh.live_motion().has_value());
+  CHECK(parts.mesh.live_motion()->rotate == 20);
+  CHECK(parts.mesh.motion_base().mesh.coordinates == before);
+  parts.jobs.stop();
+  CHECK_FALSE(parts.mesh.live_motion().has_value());
+  CHECK(parts.mesh.coordinates() == before);
+}
+
+TEST_CASE("layers that are inserted make a mesh of another connectivity, which is told once") {
+  SessionParts parts(ring_mesh());
+  std::shared_ptr<const Topology> told_before, told_now;
+  int told = 0;
+  parts.mesh.when_rebuilt([&](const auto& before, const auto& now) {
+    ++told;
+    told_before = before;
+    told_now = now;
+  });
+  const auto opened = parts.mesh.topology();
+  LayersCommand layers;
+  LayerWall wall{{"flap"}, {}};
+  wall.spacing.count = 4;
+  wall.spacing.first = 0.01;
+  layers.layers.walls = {wall};
+  REQUIRE(parts.jobs.start(layers, false));
+  parts.finish();
+  REQUIRE(parts.done().position() == 1);
+  CHECK(told == 1);
+  CHECK(told_before == opened);
+  CHECK(told_now == parts.mesh.topology());
+  CHECK(parts.mesh.layers() != nullptr);
+}
+
+}  // namespace winslow::gui::test

@@ -1,0 +1,56 @@
+#include "gui/document/session/message_board.h"
+
+#include "gui/support/session_parts.h"
+
+namespace winslow::gui::test {
+
+TEST_CASE("questions wait in the order in which they were asked") {
+  const LiveMesh mesh;
+  MessageBoard board(mesh);
+  CHECK(board.prompt() == nullptr);
+  board.ask({Prompt::Kind::question, "First?", {}, {}});
+  board.report_error("Second", "text");
+  REQUIRE(board.prompt() != nullptr);
+  CHECK(board.prompt()->title == "First?");
+  board.apply(action::DismissPrompt{});
+  REQUIRE(board.prompt() != nullptr);
+  CHECK(board.prompt()->kind == Prompt::Kind::error);
+  CHECK(board.prompt()->choices.size() == 1);
+  board.apply(action::DismissPrompt{});
+  CHECK(board.prompt() == nullptr);
+  board.apply(action::DismissPrompt{});
+}
+
+TEST_CASE("the banner says what the mesh calls for until it is put away, for this mesh alone") {
+  SessionParts parts(tangled_mesh());
+  MessageBoard& board = parts.messages;
+  REQUIRE(board.banner().has_value());
+  CHECK(board.banner()->kind == Banner::Kind::inverted_input);
+  CHECK_FALSE(board.banner_dismissed());
+  board.apply(action::DismissBanner{});
+  CHECK_FALSE(board.banner().has_value());
+  CHECK(board.banner_dismissed());
+  REQUIRE(parts.jobs.start(SmoothCommand{}, false));
+  parts.finish();
+  CHECK_FALSE(board.banner_dismissed());
+}
+
+TEST_CASE(
+    "a motion that ended early is said before that it has not converged, not that it is bad") {
+  const LiveMesh mesh;
+  MessageBoard board(mesh);
+  SmoothResult result;
+  result.converged = false;
+  board.set_banner(Banner::Kind::partial_motion, "half of the way");
+  board.set_banner_of_result(result);
+  CHECK(board.banner()->kind == Banner::Kind::partial_motion);
+  result.inverted = 3;
+  board.set_banner_of_result(result);
+  CHECK(board.banner()->kind == Banner::Kind::inverted_result);
+  board.clear_banner();
+  result.inverted = 0;
+  board.set_banner_of_result(result);
+  CHECK(board.banner()->kind == Banner::Kind::not_converged);
+}
+
+}  // namespace winslow::gui::test

@@ -1,0 +1,108 @@
+#include "gui/document/session/selection.h"
+
+#include "gui/support/session_parts.h"
+
+namespace winslow::gui::test {
+
+TEST_CASE("markers are selected alone or in addition; those that do not exist are left out") {
+  SessionParts parts(two_body_mesh());
+  Selection& selection = parts.selection;
+  const Index left = parts.marker("left"), right = parts.marker("right");
+  selection.apply(action::SelectMarkers{{left, left, -1, 99}});
+  CHECK(selection.markers() == std::vector<Index>{left});
+  CHECK(selection.names() == std::vector<std::string>{"left"});
+  selection.apply(action::SelectMarkers{{right}, true});
+  CHECK(selection.markers().size() == 2);
+  CHECK(selection.contains(right));
+  selection.apply(action::SelectMarkers{{left}, true});
+  CHECK(selection.markers() == std::vector<Index>{right});
+  selection.apply(action::SelectMarkers{{}});
+  CHECK(selection.empty());
+}
+
+TEST_CASE("bodies are selected one after the other, the rim around everything never") {
+  SessionParts parts(two_body_mesh());
+  Selection& selection = parts.selection;
+  selection.apply(action::CycleBody{1});
+  const auto first = selection.markers();
+  REQUIRE(first.size() == 1);
+  selection.apply(action::CycleBody{1});
+  CHECK(selection.markers() != first);
+  CHECK_FALSE(selection.contains(parts.marker("outer")));
+  selection.apply(action::CycleBody{1});
+  CHECK(selection.markers() == first);
+  selection.apply(action::CycleBody{-1});
+  CHECK(selection.markers() != first);
+}
+
+TEST_CASE("the pivot is the centre of what is selected until it is put elsewhere") {
+  SessionParts parts(two_body_mesh());
+  Selection& selection = parts.selection;
+  selection.apply(action::SelectMarkers{{parts.marker("left")}});
+  CHECK(selection.pivot().isApprox(Vec2(-2, 0)));
+  CHECK(selection.pivot_place() == PivotPlace::centre);
+  selection.apply(action::SetPivot{Vec2(1, 1), {}});
+  CHECK(selection.pivot() == Vec2(1, 1));
+  CHECK_FALSE(selection.pivot_place().has_value());
+  // A refresh leaves a pivot where the user has put it; a new selection does not.
+  selection.refresh();
+  CHECK(selection.pivot() == Vec2(1, 1));
+  selection.apply(action::SelectMarkers{{parts.marker("right")}});
+  CHECK(selection.pivot().isApprox(Vec2(2, 0)));
+  // It goes with a body that is moved.
+  selection.moved({0, Vec2(0, 0), Vec2(0, 1)});
+  CHECK(selection.pivot().isApprox(Vec2(2, 1)));
+}
+
+TEST_CASE("nodes: one that does not exist is said, one without a VCV is not pinned") {
+  SessionParts parts(ring_mesh());
+  Selection& selection = parts.selection;
+  const Index node = parts.free_node();
+  const Index on_wall = parts.mesh.topology()->marker_nodes(parts.marker("flap"))[0];
+  selection.apply(action::SelectNode{node});
+  CHECK(selection.nodes().inspected() == node);
+  selection.apply(action::SelectNode{123456});
+  CHECK(selection.nodes().inspected() == node);
+  CHECK(parts.notice().find("no node 123456") != std::string::npos);
+  selection.apply(action::HoverNode{123456});
+  CHECK_FALSE(selection.nodes().hovered().has_value());
+  selection.apply(action::PinNodes{{node, on_wall}});
+  CHECK(selection.nodes().pinned() == std::vector<Index>{node});
+  selection.apply(action::PinNodes{{node}, false});
+  CHECK(selection.nodes().pinned().empty());
+}
+
+TEST_CASE("a deformation is shown as an outline, and not where its numbers make no sense") {
+  SessionParts parts(two_body_mesh());
+  Selection& selection = parts.selection;
+  SineDeformation wave;
+  wave.amplitude = 0.1;
+  wave.waves = 1;
+  selection.apply(action::PreviewDeformation{wave});
+  CHECK_FALSE(selection.deformation_preview().has_value());  // of nothing
+  selection.apply(action::SelectMarkers{{parts.marker("left")}});
+  selection.apply(action::PreviewDeformation{wave});
+  REQUIRE(selection.deformation_preview().has_value());
+  CHECK(selection.deformation_preview()->outline.size() == 8);
+  wave.direction = Vec2(0, 0);
+  selection.apply(action::PreviewDeformation{wave});
+  CHECK_FALSE(selection.deformation_preview().has_value());
+}
+
+TEST_CASE("markers are followed by name to a mesh of another connectivity") {
+  SessionParts parts(two_body_mesh());
+  Selection& selection = parts.selection;
+  selection.apply(action::SelectMarkers{{parts.marker("left")}});
+  selection.apply(action::PinNodes{{parts.free_node()}});
+  REQUIRE(selection.nodes().pinned().size() == 1);
+  const std::shared_ptr<const Topology> other = ring_mesh().topology;
+  const auto before = parts.mesh.topology();
+  selection.follow(before, other);
+  CHECK(selection.empty());
+  CHECK(selection.nodes().pinned().empty());
+  // Back again, the nodes that were let go of are taken up.
+  selection.follow(other, before);
+  CHECK(selection.nodes().pinned().size() == 1);
+}
+
+}  // namespace winslow::gui::test

@@ -1,0 +1,87 @@
+#include "io/file/atomic_file.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <iterator>
+#include <stdexcept>
+
+#include "io/support/files.h"
+
+namespace winslow::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::size_t files_in(const fs::path& folder) {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+void write_hello(const fs::path& path) {
+  io::write_atomically(path, [](std::ostream& out) { out << "hello"; });
+}
+
+}  // namespace
+
+TEST_CASE("a file is written whole, and no other is left in the folder") {
+  const TemporaryFolder folder;
+  write_hello(folder / "a");
+  CHECK(read_text(folder / "a") == "hello");
+  const std::string large(1000000, 'x');
+  io::write_atomically(folder / "a", [&](std::ostream& out) { out << large; });
+  CHECK(read_text(folder / "a") == large);
+  CHECK(files_in(folder.path()) == 1);
+}
+
+TEST_CASE("when writing fails the target is as it was") {
+  const TemporaryFolder folder;
+  write_text(folder / "a", "before");
+  CHECK_THROWS_AS(io::write_atomically(folder / "a",
+                                       [](std::ostream& out) {
+                                         out << "half";
+                                         throw std::runtime_error("no");
+                                       }),
+                  std::runtime_error);
+  CHECK(read_text(folder / "a") == "before");
+  CHECK_THROWS_AS(
+      io::write_atomically(folder / "a", [](std::ostream& out) { out.setstate(std::ios::badbit); }),
+      OutputError);
+  CHECK(read_text(folder / "a") == "before");
+  CHECK(files_in(folder.path()) == 1);
+}
+
+TEST_CASE("a full disk is an error that says so") {
+  try {
+    io::write_atomically("/dev/full", [](std::ostream& out) { out << "hello"; });
+    FAIL("no error");
+  } catch (const OutputError& error) {
+    CHECK_CONTAINS(error.what(), "No space left on device");
+  }
+}
+
+TEST_CASE("permissions are kept, links are followed, folders and bad places refused") {
+  const TemporaryFolder folder;
+  write_text(folder / "a", "before");
+  REQUIRE(::chmod((folder / "a").c_str(), 0640) == 0);
+  fs::create_symlink("a", folder / "link");
+  write_hello(folder / "link");
+  CHECK(fs::is_symlink(folder / "link"));
+  CHECK(read_text(folder / "a") == "hello");
+  CHECK((fs::status(folder / "a").permissions() & fs::perms::mask) == fs::perms(0640));
+  CHECK_THROWS_AS(write_hello(folder.path()), OutputError);
+  CHECK_THROWS_AS(write_hello(folder / "none/a"), OutputError);
+  if (::geteuid() != 0) {  // root may write everywhere
+    REQUIRE(::chmod((folder / "a").c_str(), 0440) == 0);
+    CHECK_THROWS_AS(write_hello(folder / "a"), OutputError);
+  }
+}
+
+TEST_CASE("a new file has the permissions that any program would give it") {
+  const TemporaryFolder folder;
+  write_hello(folder / "a");
+  write_text(folder / "b", "");
+  CHECK(fs::status(folder / "a").permissions() == fs::status(folder / "b").permissions());
+}
+
+}  // namespace winslow::test

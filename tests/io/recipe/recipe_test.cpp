@@ -1,0 +1,347 @@
+#include "io/recipe/recipe.h"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/error.h"
+
+using namespace winslow;
+using nlohmann::json;
+
+namespace {
+
+/// A folder of its own, gone at the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "recipe-XXXXXX").string();
+    REQUIRE(mkdtemp(name.data()) != nullptr);
+    path_ = name;
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  std::filesystem::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return path_ / name;
+  }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// No value is the default of its field, so a field that is forgotten shows.
+SmoothOptions odd_smoothing() {
+  SmoothOptions s;
+  s.linear = {"gmres", 0.1 + 0.2, 77, 11};
+  s.damping = 1.0 / 3.0;
+  s.adapt_damping = false;
+  s.acceleration = 3;
+  s.clip = Clip::on;
+  s.max_iterations = 1234;
+  s.tolerance = 1.7e-11;
+  s.threads = 3;
+  return s;
+}
+
+MotionOptions odd_motion() { return {5, false}; }
+
+void check_equal(const SmoothOptions& a, const SmoothOptions& b) {
+  CHECK(a.formulation == b.formulation);
+  CHECK(a.linear.solver == b.linear.solver);
+  CHECK(a.linear.tolerance == b.linear.tolerance);
+  CHECK(a.linear.max_iterations == b.linear.max_iterations);
+  CHECK(a.linear.restart == b.linear.restart);
+  CHECK(a.damping == b.damping);
+  CHECK(a.adapt_damping == b.adapt_damping);
+  CHECK(a.acceleration == b.acceleration);
+  CHECK(a.clip == b.clip);
+  CHECK(a.max_iterations == b.max_iterations);
+  CHECK(a.tolerance == b.tolerance);
+  CHECK(a.threads == b.threads);
+}
+
+void check_equal(const MotionOptions& a, const MotionOptions& b) {
+  CHECK(a.increments == b.increments);
+  CHECK(a.smooth_after == b.smooth_after);
+}
+
+/// A command, written to a file and read back.
+template <class C>
+C round_trip(const C& command) {
+  const TemporaryFolder folder;
+  io::write_recipe(folder / "r.json", {"in.su2", "out.msh", {command}});
+  const io::Recipe recipe = io::read_recipe(folder / "r.json");
+  CHECK(recipe.input == "in.su2");
+  CHECK(recipe.output == "out.msh");
+  REQUIRE(recipe.commands.size() == 1);
+  REQUIRE(std::holds_alternative<C>(recipe.commands[0]));
+  return std::get<C>(recipe.commands[0]);
+}
+
+/// Message of the error that a recipe of this text gives; "" if it is read.
+std::string complaint(const std::string& text) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("r.json", text);
+  try {
+    io::read_recipe(path);
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    const std::string prefix = path.string() + ':';
+    REQUIRE(message.starts_with(prefix));
+    return message.substr(prefix.size());
+  }
+  return "";
+}
+
+std::string with_command(const std::string& command) {
+  return "{\"winslow_recipe\": 1,\n \"commands\": [\n  " + command + "\n ]}";
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("recipe: a smooth command survives") {
+  check_equal(round_trip(SmoothCommand{odd_smoothing()}).smooth, odd_smoothing());
+  check_equal(round_trip(SmoothCommand{}).smooth, SmoothOptions{});
+}
+
+TEST_CASE("recipe: a move command survives") {
+  const MoveCommand command{{"slat", "a \"quoted\" n\xc3\xa4me\n"},
+                            {-40.1, {0.1, -1e300}, {5e-324, 2}},
+                            odd_motion(),
+                            odd_smoothing()};
+  const MoveCommand read = round_trip(command);
+  CHECK(read.markers == command.markers);
+  CHECK(read.motion.rotate == command.motion.rotate);
+  CHECK(read.motion.pivot == command.motion.pivot);
+  CHECK(read.motion.translate == command.motion.translate);
+  check_equal(read.how, command.how);
+  check_equal(read.smooth, command.smooth);
+}
+
+TEST_CASE("recipe: a sine deformation survives") {
+  for (const Fade fade : {Fade::none, Fade::start, Fade::end, Fade::both}) {
+    const SineDeformation sine{-0.07, 2.5, {0.6, -0.8}, fade, 0.31};
+    const DeformCommand read =
+        round_trip(DeformCommand{{"main"}, sine, odd_motion(), odd_smoothing()});
+    REQUIRE(std::holds_alternative<SineDeformation>(read.shape));
+    const auto& shape = std::get<SineDeformation>(read.shape);
+    CHECK(shape.amplitude == sine.amplitude);
+    CHECK(shape.waves == sine.waves);
+    CHECK(shape.direction == sine.direction);
+    CHECK(shape.fade == sine.fade);
+    CHECK(shape.fade_length == sine.fade_length);
+    CHECK(read.markers == std::vector<std::string>{"main"});
+    check_equal(read.how, odd_motion());
+    check_equal(read.smooth, odd_smoothing());
+  }
+}
+
+TEST_CASE("recipe: displacements are embedded") {
+  DisplacementTable table;
+  table.source = "folder/d.csv";
+  table.entries.push_back({17, {0, 0}, {0.1, -0.2}, 2});
+  table.entries.push_back({{}, {1.0 / 3.0, 2.0 / 7.0}, {1e-17, 0}, 0});
+  const DeformCommand read = round_trip(DeformCommand{{"flap"}, table, {}, {}});
+  REQUIRE(std::holds_alternative<DisplacementTable>(read.shape));
+  const auto& back = std::get<DisplacementTable>(read.shape);
+  CHECK(back.source == table.source);
+  REQUIRE(back.entries.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(back.entries[i].node == table.entries[i].node);
+    CHECK(back.entries[i].position == table.entries[i].position);
+    CHECK(back.entries[i].displacement == table.entries[i].displacement);
+    CHECK(back.entries[i].line == table.entries[i].line);
+  }
+}
+
+TEST_CASE("recipe: a scramble command survives") {
+  CHECK(round_trip(ScrambleCommand{18446744073709551615u}).seed == 18446744073709551615u);
+}
+
+TEST_CASE("recipe: an insertion of layers survives") {
+  LayersCommand command;
+  command.task = LayerTask::respace;
+  command.layers.walls = {{{"slat", "main"}, {25, 1e-5, 1.2, 1.003, {}, true}},
+                          {{"flap"},
+                           {7, 2e-5, 1.3, 1.0, 0.01, false},
+                           {-1, 0.5, -3, std::numeric_limits<double>::infinity()}}};
+  command.layers.fans = false;
+  command.layers.fan_threshold = 70;
+  command.layers.fan_angle = 33;
+  command.layers.clearance = 0.2;
+  command.layers.crossing = 0.4;
+  command.layers.steepest = 0.7;
+  command.layers.scale_all = true;
+  command.layers.overrides = {{12, 3, std::nullopt}, {40, std::nullopt, 0.0}, {41, 1, 0.25}};
+  command.control = false;
+  command.tolerance = 0.03;
+  command.most_corrections = 2;
+  command.smooth = odd_smoothing();
+  const LayersCommand read = round_trip(command);
+  CHECK(read.task == command.task);
+  CHECK(read.layers == command.layers);
+  CHECK(read.control == command.control);
+  CHECK(read.tolerance == command.tolerance);
+  CHECK(read.most_corrections == command.most_corrections);
+  check_equal(read.smooth, command.smooth);
+}
+
+TEST_CASE("recipe: displacements of a file are looked for beside the recipe") {
+  const TemporaryFolder folder;
+  folder.write("d.csv", "node,dx,dy\n4,0.5,-0.5\n");
+  const auto path =
+      folder.write("r.json", with_command(R"({"command": "deform", "markers": ["flap"],
+                                 "displacements": {"file": "d.csv"}})"));
+  const auto recipe = io::read_recipe(path);
+  const auto& shape = std::get<DeformCommand>(recipe.commands.at(0)).shape;
+  const auto& table = std::get<DisplacementTable>(shape);
+  REQUIRE(table.entries.size() == 1);
+  CHECK(table.entries[0].node == 4);
+  CHECK(table.entries[0].displacement == Vec2(0.5, -0.5));
+}
+
+TEST_CASE("recipe: what is left out has its default") {
+  const TemporaryFolder folder;
+  const auto path =
+      folder.write("r.json", with_command(R"({"command": "move", "markers": ["a"]})"));
+  const auto recipe = io::read_recipe(path);
+  CHECK(recipe.input.empty());
+  const auto& move = std::get<MoveCommand>(recipe.commands.at(0));
+  CHECK(move.motion.rotate == 0);
+  check_equal(move.how, MotionOptions{});
+  check_equal(move.smooth, SmoothOptions{});
+}
+
+TEST_CASE("recipe: errors name line and key") {
+  struct Case {
+    std::string text, expected;
+  };
+  const std::vector<Case> cases{
+      {"", "1: syntax error"},
+      {"{\n\"winslow_recipe\": 1,\n}", "3: syntax error"},
+      {"{\"winslow_recipe\": 1, \"commands\": []} x", "1: syntax error"},
+      {"[]", "1: found [], expected an object"},
+      {"{\"commands\": []}", "1: the key \"winslow_recipe\" is missing"},
+      {"{\n\n\"winslow_recipe\": 2, \"commands\": []}", "3: winslow_recipe: found version 2"},
+      {"{\"winslow_recipe\": 1}", "1: the key \"commands\" is missing"},
+      {"{\"winslow_recipe\": 1,\n\"commands\": 3}", "2: commands: expected a list"},
+      {"{\"winslow_recipe\": 1, \"commands\": [],\n\n \"inptu\": 1}", "3: inptu: unknown key"},
+      {"{\"winslow_recipe\": 1, \"commands\": [],\n \"input\": 1}", "2: input: found 1, expected"},
+      {"{\"winslow_recipe\": 1,\n\"winslow_recipe\": 1, \"commands\": []}",
+       "2: winslow_recipe: found this key twice"},
+      {with_command("7"), "3: commands[0]: found 7, expected an object"},
+      {with_command("{}"), "3: commands[0]: the key \"command\" is missing"},
+      {with_command(R"({"command": "smoth"})"), "3: commands[0].command: found \"smoth\""},
+      {with_command("{\"command\": \"smooth\",\n \"marker\": 1}"),
+       "4: commands[0].marker: unknown key"},
+      {with_command("{\"command\": \"scramble\",\n\n \"seed\": -1}"),
+       "5: commands[0].seed: found -1"},
+      {with_command(R"({"command": "scramble", "seed": 1.5})"), "3: commands[0].seed: found 1.5"},
+      {with_command(R"({"command": "scramble", "seed": 1e999})"), "3: number overflow"},
+      {with_command(R"({"command": "move"})"), "3: commands[0]: the key \"markers\" is missing"},
+      {with_command(R"({"command": "move", "markers": "a"})"), "3: commands[0].markers: found"},
+      {with_command("{\"command\": \"move\", \"markers\": [\"a\",\n3]}"),
+       "4: commands[0].markers[1]: found 3"},
+      {with_command(R"({"command": "move", "markers": ["a"], "pivot": [1]})"),
+       "3: commands[0].pivot: found [1], expected [x, y]"},
+      {with_command(R"({"command": "move", "markers": ["a"], "rotate": "9"})"),
+       "3: commands[0].rotate: found \"9\", expected a number"},
+      {with_command(R"({"command": "move", "markers": ["a"], "increments": 3000000000})"),
+       "3: commands[0].increments: found 3000000000, expected a whole number"},
+      {with_command(R"({"command": "move", "markers": ["a"], "smooth_after": 1})"),
+       "3: commands[0].smooth_after: found 1, expected true or false"},
+      {with_command(R"({"command": "smooth", "smooth": {"clip": "sometimes"}})"),
+       "3: commands[0].smooth.clip: found \"sometimes\", expected one of auto, on, off"},
+      {with_command(R"({"command": "smooth", "smooth": {"linear": {"solvr": "x"}}})"),
+       "3: commands[0].smooth.linear.solvr: unknown key"},
+      {with_command(R"({"command": "smooth", "smooth": {"damping": 7}})"),
+       "3: commands[0].smooth.damping: found 7, expected more than 0, at most 1"},
+      {with_command("{\"command\": \"smooth\", \"smooth\": {\"linear\": {\n\"solver\": \"lu\"}}}"),
+       "4: commands[0].smooth.linear.solver: found \"lu\", expected one of automatic, direct"},
+      {with_command("{\"command\": \"smooth\", \"smooth\": {\"linear\": {\n\"restart\": 0}}}"),
+       "4: commands[0].smooth.linear.restart: found 0, expected 1 or more"},
+      {with_command(R"({"command": "smooth", "smooth": {"targets": {"element": 0}}})"),
+       "3: commands[0].smooth.targets: the shares must not be negative, nor all zero"},
+      {with_command(R"({"command": "deform", "markers": ["a"]})"),
+       "3: commands[0]: expected either \"sine\" or \"displacements\""},
+      {with_command(R"({"command": "deform", "markers": ["a"], "sine": {"waves": 1}})"),
+       "3: commands[0].sine: the key \"amplitude\" is missing"},
+      {with_command("{\"command\": \"deform\", \"markers\": [\"a\"], \"displacements\":\n"
+                    "{\"entries\": [\n{\"node\": 1, \"displacement\": [0, 0]},\n"
+                    "{\"displacement\": [0, 0]}]}}"),
+       "6: commands[0].displacements.entries[1]: expected either \"node\" or \"position\""},
+  };
+  for (const Case& c : cases) {
+    CAPTURE(c.text);
+    const std::string message = complaint(c.text);
+    CAPTURE(message);
+    CHECK(message.starts_with(c.expected));
+  }
+}
+
+TEST_CASE("recipe: deep nesting and folders are refused") {
+  CHECK(contains(complaint(std::string(100000, '[')), "nested too deeply"));
+  const TemporaryFolder folder;
+  CHECK_THROWS_AS(io::read_recipe(folder / "none.json"), InputError);
+  CHECK_THROWS_AS(io::read_recipe(folder / "."), InputError);
+}
+
+TEST_CASE("recipe: a failed write leaves the old file") {
+  const TemporaryFolder folder;
+  const auto path = folder.write("r.json", "old");
+  const MoveCommand command{{"not utf-8: \xff"}, {}, {}, {}};
+  CHECK_THROWS_AS(io::write_recipe(path, {"", "", {command}}), OutputError);
+  std::ifstream in(path);
+  std::string text;
+  std::getline(in, text);
+  CHECK(text == "old");
+  CHECK_THROWS_AS(io::write_recipe(folder / "no" / "r.json", {}), OutputError);
+}
+
+TEST_CASE("recipe: a command without a file can be read from JSON") {
+  const Command command = ScrambleCommand{9};
+  const json value = io::to_json(command);
+  CHECK(value == json{{"command", "scramble"}, {"seed", 9}});
+  CHECK(std::get<ScrambleCommand>(io::command_from_json(value, ".")).seed == 9);
+  CHECK_THROWS_WITH_AS(io::command_from_json(json::array(), ".", "here"),
+                       "here: found [], expected an object", InputError);
+}
+
+TEST_CASE("edits of VCVs come back as they were written") {
+  EditVcvCommand command;
+  command.edits = {{12, {7, 3, 9}, {100.0 / 3, 360 - 100.0 / 3 - 150, 150}, {1, 0.1 + 0.2, 7}},
+                   {4, {}, {}, {1, 2, 3, 4}},
+                   {5, {}, {}, {}}};
+  command.smooth = odd_smoothing();
+  const EditVcvCommand back = round_trip(command);
+  CHECK(back.edits == command.edits);
+  check_equal(back.smooth, command.smooth);
+}
+
+TEST_CASE("what is wrong with an edit of VCVs is named") {
+  const auto of = [](const std::string& rest) {
+    return complaint(with_command("{\"command\": \"edit_vcv\"" + rest + "}"));
+  };
+  CHECK(contains(of(""), "commands[0]: the key \"nodes\" is missing"));
+  CHECK(contains(of(", \"nodes\": []"), "commands[0].nodes: expected a list of nodes"));
+  CHECK(contains(of(", \"nodes\": [{}]"), "commands[0].nodes[0]: the key \"node\" is missing"));
+  CHECK(contains(of(", \"nodes\": [{\"node\": 1.5}]"),
+                 "commands[0].nodes[0].node: found 1.5, expected a whole number"));
+  CHECK(contains(of(", \"nodes\": [{\"node\": 1, \"angles\": [90, \"x\"]}]"),
+                 "commands[0].nodes[0].angles[1]: found \"x\", expected a number"));
+  CHECK(contains(of(", \"nodes\": [{\"node\": 1, \"neighbours\": 3}]"),
+                 "commands[0].nodes[0].neighbours: found 3, expected a list of whole numbers"));
+  CHECK(contains(of(", \"nodes\": [{\"node\": 1, \"length\": [1]}]"),
+                 "commands[0].nodes[0].length: unknown key"));
+}

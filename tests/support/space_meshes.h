@@ -1,0 +1,220 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "core/mesh/mesh_data.h"
+#include "support/meshes.h"
+#include "support/random.h"
+
+/// Named volume and surface meshes for tests. Volume elements are numbered as ElementShape says;
+/// faces of markers are seen from outside counter-clockwise.
+namespace winslow::test {
+
+enum class Volumes { tetrahedra, pyramids, prisms, hexahedra, mixed };
+inline constexpr std::array<Volumes, 5> all_volumes{
+    Volumes::tetrahedra, Volumes::pyramids, Volumes::prisms, Volumes::hexahedra, Volumes::mixed};
+
+inline const char* name_of(Volumes volumes) {
+  constexpr std::array<const char*, 5> names{"tetrahedra", "pyramids", "prisms", "hexahedra",
+                                             "mixed"};
+  return names[static_cast<std::size_t>(volumes)];
+}
+
+inline void add_cell(MeshData& data, ElementType type, std::vector<Index> corners) {
+  data.add_element(type, corners);
+}
+
+/// The faces of an element by the nodes of the mesh.
+inline std::vector<Face> faces_of(const MeshData& data, Index e) {
+  std::vector<Face> faces;
+  for (const Face& face : shape_of(data.types[at(e)]).faces) {
+    faces.push_back(by_nodes(face, data.element(e)));
+  }
+  return faces;
+}
+
+/// Puts every boundary face into the marker that `name` gives for its middle.
+inline void mark_volume(MeshData& data, const std::function<std::string(const Vec3&)>& name) {
+  std::map<std::array<Index, 4>, int> uses;
+  for (Index e = 0; e < data.element_count(); ++e) {
+    for (const Face& face : faces_of(data, e)) ++uses[face.sorted()];
+  }
+  for (Index e = 0; e < data.element_count(); ++e) {
+    for (const Face& face : faces_of(data, e)) {
+      if (uses[face.sorted()] != 1) continue;
+      Vec3 middle(0, 0, 0);
+      for (const Index node : face) middle += data.coordinates.xyz(node);
+      const std::string marker = name(middle / static_cast<double>(face.size()));
+      auto it = std::find_if(data.markers.begin(), data.markers.end(),
+                             [&](const Marker& m) { return m.name == marker; });
+      if (it == data.markers.end()) {
+        it = data.markers.insert(it, Marker{marker, static_cast<int>(data.markers.size()) + 1, {}});
+      }
+      it->faces.push_back(face);
+    }
+  }
+}
+
+/// One cube of a grid with corners c, numbered as a hexahedron's: whole, or cut.
+class CubeCutter {
+ public:
+  CubeCutter(MeshData& data, const std::array<Index, 8>& c) : data_(data), c_(c) {}
+
+  void hexahedron() { add_cell(data_, ElementType::hexahedron, {c_.begin(), c_.end()}); }
+  /// Six around the diagonal from corner 0 to corner 6.
+  void tetrahedra() {
+    constexpr std::array<Index, 7> around{1, 2, 3, 7, 4, 5, 1};
+    for (std::size_t k = 0; k < 6; ++k) {
+      add_cell(data_, ElementType::tetrahedron,
+               {c_[0], c_[at(around[k])], c_[at(around[k + 1])], c_[6]});
+    }
+  }
+  /// Two, whose triangles lie in the faces y = const; the cut runs from edge 0 3 to edge 5 6.
+  void prisms() {
+    add_cell(data_, ElementType::prism, {c_[0], c_[5], c_[1], c_[3], c_[6], c_[2]});
+    add_cell(data_, ElementType::prism, {c_[0], c_[4], c_[5], c_[3], c_[7], c_[6]});
+  }
+  /// Six that meet in a new node in the middle; on the top, if asked, two tetrahedra instead, cut
+  /// as tetrahedra() cuts the bottom of the cube above.
+  void pyramids(bool split_top) {
+    Vec3 middle(0, 0, 0);
+    for (const Index node : c_) middle += data_.coordinates.xyz(node) / 8;
+    const Index centre = data_.node_count();
+    data_.coordinates.push_xyz(middle);
+    const auto faces = shape_of(ElementType::hexahedron).faces;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      if (split_top && f == 5) {
+        add_cell(data_, ElementType::tetrahedron, {c_[4], c_[6], c_[5], centre});
+        add_cell(data_, ElementType::tetrahedron, {c_[4], c_[7], c_[6], centre});
+        continue;
+      }
+      const Face base = by_nodes(faces[f], c_).reversed();  // seen from the centre
+      add_cell(data_, ElementType::pyramid, {base[0], base[1], base[2], base[3], centre});
+    }
+  }
+
+ private:
+  MeshData& data_;
+  std::array<Index, 8> c_;
+};
+
+/// n by n by n cubes on the unit cube, without those that `hole` names. Mixed: layers of
+/// hexahedra, prisms, pyramids with tetrahedra on top, and tetrahedra from there on (n at least 4
+/// for all of them). No markers.
+inline MeshData cubes_with_holes(Index n, Volumes volumes,
+                                 const std::function<bool(Index, Index, Index)>& hole) {
+  MeshData data;
+  data.coordinates = Coordinates(3, 0);
+  std::map<std::tuple<Index, Index, Index>, Index> ids;
+  const auto id = [&](Index i, Index j, Index k) {
+    const auto [it, fresh] = ids.try_emplace({i, j, k}, data.node_count());
+    if (fresh) data.coordinates.push_xyz(Vec3(i, j, k) / n);
+    return it->second;
+  };
+  for (Index k = 0; k < n; ++k) {
+    for (Index j = 0; j < n; ++j) {
+      for (Index i = 0; i < n; ++i) {
+        if (hole(i, j, k)) continue;
+        CubeCutter cube(data, {id(i, j, k), id(i + 1, j, k), id(i + 1, j + 1, k), id(i, j + 1, k),
+                               id(i, j, k + 1), id(i + 1, j, k + 1), id(i + 1, j + 1, k + 1),
+                               id(i, j + 1, k + 1)});
+        const bool mixed = volumes == Volumes::mixed;
+        if (volumes == Volumes::hexahedra || (mixed && k == 0)) {
+          cube.hexahedron();
+        } else if (volumes == Volumes::prisms || (mixed && k == 1)) {
+          cube.prisms();
+        } else if (volumes == Volumes::pyramids || (mixed && k == 2)) {
+          cube.pyramids(mixed);
+        } else {
+          cube.tetrahedra();
+        }
+      }
+    }
+  }
+  return data;
+}
+
+/// The unit cube; markers floor, lid, walls.
+inline MeshData cube(Index n, Volumes volumes) {
+  MeshData data = cubes_with_holes(n, volumes, [](Index, Index, Index) { return false; });
+  mark_volume(data, [](const Vec3& p) {
+    return p.z() < 1e-9 ? "floor" : p.z() > 1 - 1e-9 ? "lid" : "walls";
+  });
+  return data;
+}
+
+/// The unit cube of n = 3 m cubes a side with a cubic cavity in the middle; markers outer, cavity.
+inline MeshData cube_with_cavity(Index n, Volumes volumes) {
+  MeshData data = cubes_with_holes(n, volumes, [&](Index i, Index j, Index k) {
+    return 3 * i / n == 1 && 3 * j / n == 1 && 3 * k / n == 1;
+  });
+  mark_volume(data, [](const Vec3& p) {
+    const Vec3 q = (p - Vec3::Constant(0.5)).cwiseAbs();
+    return q.maxCoeff() > 0.5 - 1e-9 ? "outer" : "cavity";
+  });
+  return data;
+}
+
+/// A plane mesh laid over a surface.
+inline MeshData lifted(const MeshData& plane, const std::function<Vec3(const Vec2&)>& surface) {
+  MeshData data = plane;
+  data.coordinates = Coordinates(3, plane.node_count());
+  for (Index i = 0; i < plane.node_count(); ++i) {
+    data.coordinates.set_xyz(i, surface(plane.coordinates.xy(i)));
+  }
+  return data;
+}
+
+/// The whole boundary of a volume mesh as a surface mesh, seen from outside; closed.
+inline MeshData skin(const MeshData& volume) {
+  MeshData data;
+  data.coordinates = Coordinates(3, 0);
+  std::map<Index, Index> ids;
+  for (const Marker& marker : volume.markers) {
+    for (const Face& face : marker.faces) {
+      std::vector<Index> corners;
+      for (const Index node : face) {
+        const auto [it, fresh] = ids.try_emplace(node, data.node_count());
+        if (fresh) data.coordinates.push_xyz(volume.coordinates.xyz(node));
+        corners.push_back(it->second);
+      }
+      data.add_element(face.size() == 3 ? ElementType::triangle : ElementType::quadrilateral,
+                       corners);
+    }
+  }
+  return data;
+}
+
+/// The same mesh with nodes and elements in random order and, if asked, a random half of the
+/// elements turned inside out.
+inline MeshData shuffled_volume(const MeshData& data, Random& random, bool turn) {
+  MeshData out;
+  const auto node_at = random.permutation(data.node_count());
+  out.coordinates = Coordinates(3, data.node_count());
+  for (Index i = 0; i < data.node_count(); ++i) {
+    out.coordinates.set_xyz(node_at[at(i)], data.coordinates.xyz(i));
+  }
+  for (const Index e : random.permutation(data.element_count())) {
+    const ElementType type = data.types[at(e)];
+    const auto given = data.element(e);
+    const bool mirror = turn && random.index(2) == 0;
+    std::vector<Index> corners;
+    for (std::size_t k = 0; k < given.size(); ++k) {
+      const std::size_t from = mirror ? at(shape_of(type).mirrored[k]) : k;
+      corners.push_back(node_at[at(given[from])]);
+    }
+    out.add_element(type, corners);
+  }
+  out.markers = data.markers;
+  for (Marker& marker : out.markers) {
+    for (Face& face : marker.faces) face = by_nodes(face, node_at);
+  }
+  return out;
+}
+
+}  // namespace winslow::test
