@@ -73,7 +73,8 @@ std::string fault_of(const LayerStack& stack, const Topology& topology) {
   if (stack.columns.empty()) return "layers without columns";
   std::size_t most = 0;
   for (const LayerColumn& column : stack.columns) {
-    if (std::string fault = fault_of_column(column, topology.node_count()); !fault.empty()) return fault;
+    if (std::string fault = fault_of_column(column, topology.node_count()); !fault.empty())
+      return fault;
     most = std::max(most, column.count());
   }
   for (const ColumnPair& pair : stack.pairs)
