@@ -4,6 +4,24 @@
 include(CMakePackageConfigHelpers)
 set(WINSLOW_CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/winslow)
 
+# winslow_api_headers(OUT FOLDER HEADER ...): those headers of FOLDER and all that they include there.
+function(winslow_api_headers out folder)
+  set(found "")
+  set(todo ${ARGN})
+  while(todo)
+    list(POP_FRONT todo header)
+    if(header IN_LIST found OR NOT EXISTS ${folder}/${header})
+      continue()
+    endif()
+    list(APPEND found ${header})
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${folder}/${header})
+    file(STRINGS ${folder}/${header} lines REGEX "^#include \"")
+    list(TRANSFORM lines REPLACE "^#include \"([^\"]+)\".*" "\\1")
+    list(APPEND todo ${lines})
+  endwhile()
+  set(${out} ${found} PARENT_SCOPE)
+endfunction()
+
 set(installed_components core)
 if(WINSLOW_BUILD_IO)
   list(APPEND installed_components io)
@@ -12,8 +30,16 @@ foreach(component ${installed_components})
   install(TARGETS winslow_${component} EXPORT winslow_${component}_targets)
   install(EXPORT winslow_${component}_targets NAMESPACE winslow::
           FILE winslow-${component}-targets.cmake DESTINATION ${WINSLOW_CONFIG_DIR})
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/${component}
-          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/winslow FILES_MATCHING PATTERN "*.h")
+endforeach()
+# The API: what winslow.h includes. Other headers stay private.
+winslow_api_headers(api ${PROJECT_SOURCE_DIR}/src winslow.h)
+if(NOT WINSLOW_BUILD_IO)
+  list(FILTER api EXCLUDE REGEX "^io/")
+endif()
+foreach(header ${api})
+  cmake_path(GET header PARENT_PATH folder)
+  install(FILES ${PROJECT_SOURCE_DIR}/src/${header}
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/winslow/${folder})
 endforeach()
 if(WINSLOW_BUILD_APP)
   install(TARGETS winslow)

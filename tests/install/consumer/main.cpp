@@ -1,6 +1,6 @@
 // Smooths a square of 4 x 4 cells whose interior was scrambled; exits with 0 if it comes out
 // regular.
-#include <winslow/core/command/command.h>
+#include <winslow/winslow.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
