@@ -134,7 +134,7 @@ void Reader::read_element_nodes(Values& values, const Record& record) {
     // Nodes are 4 bytes in binary MSH 2, 8 in binary MSH 4.
     const std::int64_t tag =
         details_->version_4 ? values.size(record.expected) : values.integer(record.expected);
-    const Index node = node_index_.find(tag);
+    const Index node = node_tags_.find(tag);
     if (node < 0) source_.fail(at, "node " + std::to_string(tag), "the tag of a node in $Nodes");
     corners[static_cast<std::size_t>(k)] = node;
   }

@@ -97,7 +97,7 @@ void Reader::read_node_block(Values& values, Index block, Index blocks, Index to
 
 void Reader::index_nodes() {
   auto& tags = details_->node_tags;
-  if (const auto twice = node_index_.build(tags)) {
+  if (const auto twice = node_tags_.build(tags)) {
     const auto i = static_cast<std::size_t>(*twice);
     source_.fail(mesh_.where.nodes[i], "node tag " + std::to_string(tags[i]) + " a second time",
                  "each tag once");

@@ -57,7 +57,7 @@ class Reader {
   Scanner scan_;
   ParsedMesh mesh_;
   std::shared_ptr<Details> details_ = std::make_shared<Details>();
-  NodeTags node_index_;
+  NodeTags node_tags_;
   std::vector<double> xyz_;
   std::vector<std::size_t> item_offsets_;
   std::set<std::pair<int, int>> named_groups_;  ///< dimension and tag
