@@ -7,8 +7,10 @@
 #include "core/layers/layer_insertion.h"
 #include "core/layers/layer_plan.h"
 #include "core/linear/linear_solver.h"
+#include "core/mesh/half_edge.h"
 #include "core/quality/quality.h"
 #include "core/vcv/stencil_functionals.h"
+#include "support/formulations.h"
 #include "support/meshes.h"
 #include "support/random.h"
 
@@ -20,7 +22,7 @@ MeshState perturbed_square(std::int64_t cells) {
   Mesh mesh = make_mesh(test::square(static_cast<Index>(cells), test::Cells::triangles));
   test::Random random(1);
   const double reach = 0.2 / static_cast<double>(cells);  // of a cell of the unit square
-  for (const Index node : mesh.topology->free_nodes()) {
+  for (const Index node : mesh.topology->interior_nodes()) {
     mesh.coordinates.set_xy(node, mesh.coordinates.xy(node) + random.vector(-reach, reach));
   }
   return make_state(std::move(mesh));
@@ -32,9 +34,41 @@ void set_nodes(benchmark::State& run, const MeshState& state) {
   run.SetItemsProcessed(run.iterations() * nodes);
 }
 
-void build_topology(benchmark::State& run) {
+/// Nodes and elements in the order of a structured grid, or in none: what lies in memory side by
+/// side is then as far apart in the mesh as can be.
+MeshData numbered(MeshData data, bool in_order) {
+  if (in_order) return data;
+  test::Random random(1);
+  const std::vector<Index> node = random.permutation(data.node_count());
+  MeshData shuffled;
+  shuffled.coordinates = data.coordinates;
+  for (Index i = 0; i < data.node_count(); ++i)
+    shuffled.coordinates.set_xy(node[at(i)], data.coordinates.xy(i));
+  for (const Index e : random.permutation(data.element_count())) {
+    std::vector<Index> corners;
+    for (const Index i : data.element(e)) corners.push_back(node[at(i)]);
+    shuffled.add_element(data.types[at(e)], corners);
+  }
+  return shuffled;
+}
+
+/// From the arrays of a file: checks, orientation, edges, half-edges, stars, loops.
+void build_mesh(benchmark::State& run, test::Cells cells, bool in_order) {
+  const MeshData data = numbered(test::square(static_cast<Index>(run.range(0)), cells), in_order);
+  for (auto _ : run) benchmark::DoNotOptimize(make_mesh(data));
+  run.counters["nodes"] = static_cast<double>(data.node_count());
+  run.SetItemsProcessed(run.iterations() * data.node_count());
+}
+
+/// What the first walk on a mesh pays.
+void make_half_edges(benchmark::State& run) {
   const MeshData data = test::square(static_cast<Index>(run.range(0)), test::Cells::triangles);
-  for (auto _ : run) benchmark::DoNotOptimize(Topology::build(data));
+  for (auto _ : run) {
+    run.PauseTiming();
+    const auto topology = Topology::build(data);
+    run.ResumeTiming();
+    benchmark::DoNotOptimize(topology->half_edges());
+  }
   run.SetItemsProcessed(run.iterations() * data.node_count());
 }
 
@@ -63,8 +97,8 @@ void build_functionals(benchmark::State& run) {
 
 void freeze(benchmark::State& run) {
   const MeshState state = perturbed_square(run.range(0));
-  const auto formulation =
-      std::make_unique<PointwiseWinslow>(*state.vcv, static_cast<int>(run.range(1)));
+  const auto formulation = std::make_unique<PointwiseWinslow>(
+      test::pointwise(*state.vcv, static_cast<int>(run.range(1))));
   SparseSystem system;
   for (auto _ : run) {
     benchmark::DoNotOptimize(formulation->clipped(true).freeze(state.mesh.coordinates, system));
@@ -74,8 +108,8 @@ void freeze(benchmark::State& run) {
 
 void residual(benchmark::State& run) {
   const MeshState state = perturbed_square(run.range(0));
-  const auto formulation =
-      std::make_unique<PointwiseWinslow>(*state.vcv, static_cast<int>(run.range(1)));
+  const auto formulation = std::make_unique<PointwiseWinslow>(
+      test::pointwise(*state.vcv, static_cast<int>(run.range(1))));
   for (auto _ : run) {
     benchmark::DoNotOptimize(formulation->clipped(true).residual(state.mesh.coordinates, {}));
   }
@@ -93,7 +127,7 @@ void validity(benchmark::State& run) {
 
 void solve(benchmark::State& run, const char* name) {
   const MeshState state = perturbed_square(run.range(0));
-  const auto formulation = std::make_unique<PointwiseWinslow>(*state.vcv, 0);
+  const auto formulation = std::make_unique<PointwiseWinslow>(test::pointwise(*state.vcv, 0));
   SparseSystem system;
   formulation->clipped(true).freeze(state.mesh.coordinates, system);
   LinearOptions options;
@@ -109,7 +143,18 @@ void solve(benchmark::State& run, const char* name) {
   set_nodes(run, state);
 }
 
-BENCHMARK(build_topology)->Arg(70)->Arg(300)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(build_mesh, triangles, test::Cells::triangles, true)
+    ->Arg(70)
+    ->Arg(700)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(build_mesh, quads, test::Cells::quads, true)
+    ->Arg(70)
+    ->Arg(700)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(build_mesh, shuffled_triangles, test::Cells::triangles, false)
+    ->Arg(700)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(make_half_edges)->Arg(70)->Arg(700)->Unit(benchmark::kMillisecond);
 BENCHMARK(insert_thirty_layers)->Arg(25)->Arg(100)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(build_functionals)->Arg(70)->Arg(300)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(freeze)->ArgsProduct({{70, 300}, {1, 2}})->Unit(benchmark::kMillisecond)->UseRealTime();

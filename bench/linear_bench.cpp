@@ -21,7 +21,7 @@ const SparseSystem& system_for(std::int64_t cells, bool symmetric) {
     Mesh mesh = make_mesh(test::square(static_cast<Index>(cells), test::Cells::triangles));
     test::Random random(1);
     const double reach = 0.2 / static_cast<double>(cells);
-    for (const Index node : mesh.topology->free_nodes()) {
+    for (const Index node : mesh.topology->interior_nodes()) {
       mesh.coordinates.set_xy(node, mesh.coordinates.xy(node) + random.vector(-reach, reach));
     }
     kept = test::elasticity(mesh);

@@ -27,7 +27,7 @@ MeshState perturbed(std::int64_t nodes) {
   Mesh mesh = make_mesh(test::square_with_hole(5 * (cells / 5), test::Cells::triangles));
   test::Random random(1);
   const double reach = 0.2 / static_cast<double>(cells);
-  for (const Index node : mesh.topology->free_nodes()) {
+  for (const Index node : mesh.topology->interior_nodes()) {
     mesh.coordinates.set_xy(node, mesh.coordinates.xy(node) + random.vector(-reach, reach));
   }
   return make_state(std::move(mesh));
@@ -52,10 +52,11 @@ void assembly_against_triad(benchmark::State& run) {
   SmoothOptions options;
   options.threads = threads;
   SmoothingWorkspace workspace;
-  workspace.prepare(state.vcv, options, state.mesh.coordinates);
+  workspace.prepare(state.vcv, std::make_shared<NodeClasses>(state.mesh.topology), options,
+                    state.mesh.coordinates);
   const VariationalWinslow& energy = *workspace.energy();
   SparseMatrix hessian;
-  std::vector<double> residual(2 * state.mesh.topology->free_nodes().size());
+  std::vector<double> residual(2 * state.mesh.topology->interior_nodes().size());
   const Coordinates& x = state.mesh.coordinates;
   energy.linearise(x, Curvature::exact, hessian, residual);
   const TargetShapes& shapes = energy.shapes();
@@ -90,9 +91,10 @@ void drag_frame(benchmark::State& run) {
   MeshState state = perturbed(run.range(0));
   state = execute(SmoothCommand{}, state).state;
   SmoothingWorkspace workspace;
-  workspace.prepare(state.vcv, {}, state.mesh.coordinates);
+  workspace.prepare(state.vcv, std::make_shared<NodeClasses>(state.mesh.topology), {},
+                    state.mesh.coordinates);
   const Topology& topology = *state.mesh.topology;
-  const auto hole = topology.marker_nodes(*topology.find_marker("hole"));
+  const auto hole = topology.markers().nodes(*topology.markers().find("hole"));
   workspace.newton().start(state.mesh.coordinates);
   const DragPredictor predictor(workspace.newton(), state.mesh.coordinates,
                                 {hole.begin(), hole.end()});

@@ -70,7 +70,7 @@ std::filesystem::path write_mesh(long nodes) {
   Mesh mesh = make_mesh(test::square_with_hole(5 * (cells / 5), test::Cells::triangles));
   test::Random random(1);
   const double reach = 0.2 / static_cast<double>(cells);
-  for (const Index node : mesh.topology->free_nodes())
+  for (const Index node : mesh.topology->interior_nodes())
     mesh.coordinates.set_xy(node, mesh.coordinates.xy(node) + random.vector(-reach, reach));
   const auto path = std::filesystem::temp_directory_path() /
                     ("winslow-bench-" + std::to_string(getpid()) + ".su2");
@@ -125,7 +125,7 @@ class Bench {
     FrameTimes times;
     InputState input;
     input.mouse_inside = true;
-    input.mouse = Vec2(560 + count_ % 40, 250);  // over elements, beside the hole
+    input.mouse = ScreenPoint(560 + count_ % 40, 250);  // over elements, beside the hole
     input.buttons[0] = pressed_;
     ++count_;
     const double begin = now();
@@ -138,7 +138,7 @@ class Bench {
     };
     const double first = ms_of(paint);
     times.whole = 1e3 * (now() - begin);
-    bench_.forget_picture();
+    bench_.pane().mesh_view().forget_picture();
     times.draw = ms_of(paint);
     times.upload = std::max(first - times.draw, 0.0);
     return times;
@@ -165,8 +165,8 @@ class Bench {
         longest = std::max(longest, to - from);
         if (read == 0) read = from;
       }
-      if (plain == 0 && bench_.shows_mesh()) plain = to;
-      if (coloured == 0 && bench_.shows_quality()) coloured = to;
+      if (plain == 0 && bench_.pane().mesh_view().has_mesh()) plain = to;
+      if (coloured == 0 && bench_.pane().mesh_view().has_colors()) coloured = to;
     } while (!bench_.settled() || coloured == 0);
     const auto& topology = *bench_.session().document()->topology();
     const auto after = [&](double time) { return time - begin - parsing; };
@@ -186,7 +186,7 @@ class Bench {
 
   /// The inspector of VCVs, a node under the mouse and one that was clicked.
   void inspect() {
-    const ViewOptions before = bench_.view();
+    const ViewOptions before = bench_.view_control().options();
     ViewOptions view = before;
     view.side_tab = SideTab::vcv;
     bench_.apply(action::EditView{whole(view)});

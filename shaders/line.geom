@@ -48,7 +48,8 @@ void main() {
     float s = (k % 2 == 0) ? -rim : rim;
     vec2 p = a + t * along + s * across;
     along_across = vec2(t, s);
-    gl_Position = vec4(p / viewport * 2.0 - 1.0, 0.0, 1.0);
+    float depth = gl_in[k / 2].gl_Position.z;
+    gl_Position = vec4(p / viewport * 2.0 - 1.0, depth, 1.0);
     EmitVertex();
   }
   EndPrimitive();

@@ -164,9 +164,11 @@ def layers():
     for name, options in {
             "plain": [], "pure": ["--no-control"], "pointwise": ["--formulation", "pointwise"],
             "total": ["--total", 0.1], "outside": ["--match-outside"], "scaled": ["--scale-all"],
-            "y-plus": ["--y-plus", 30, "--reynolds", 1e5],
             "thin": ["--clearance", 0.1, "--steepest", 0.2]}.items():
         yield chain(f"layers/circle/{name}", circle, [[*wall, *options]], quick=name == "plain")
+    yield chain("layers/circle/y-plus", circle, [[
+        "layers", "--marker", "circle", "--count", 8, "--ratio", 1.2, "--growth", 1, "--y-plus", 30,
+        "--reynolds", 1e5]])
     yield chain("layers/circle/part", circle, [[*insert, "--wall", "circle:count=4,xmin=0"]], quick=True)
     yield chain("layers/respace", circle, [wall, [
         "layers", "--marker", "circle", "--respace", "--count", 8, "--first", 0.001, "--ratio", 1.3]])

@@ -34,19 +34,19 @@ const std::vector<Soak::Choice>& Soak::choices() {
   return all;
 }
 
-Vec2 Soak::somewhere() { return Vec2(between(0, width_), between(0, height_)); }
+ScreenPoint Soak::somewhere() { return ScreenPoint(between(0, width_), between(0, height_)); }
 
 void Soak::click_anything() {
   std::vector<std::string> ids;
   for (const auto& [id, rect] : rig_->bench->widgets().all()) {
-    const Vec2 at = rect.centre();
+    const ScreenPoint at = rect.centre();
     const bool on_screen = at.x() >= 0 && at.y() >= 0 && at.x() < width_ && at.y() < height_;
     if (rect.enabled && on_screen && safe(id)) ids.push_back(id);
   }
   if (ids.empty()) return;
   const std::string& id = ids[static_cast<std::size_t>(pick(static_cast<int>(ids.size())))];
   note("  " + id);
-  const Vec2 at = rig_->bench->widgets().find(id)->centre();
+  const ScreenPoint at = rig_->bench->widgets().find(id)->centre();
   if (chance(10)) {
     rig_->move(at);
     rig_->press(MouseButton::right);
@@ -107,13 +107,13 @@ void Soak::press_keys() {
   const Press& press = presses[static_cast<std::size_t>(pick(static_cast<int>(presses.size())))];
   note("  key " + std::to_string(press.key));
   // Enter in a dialog may write where it stands.
-  if (press.key == enter && !inside(rig_->bench->file_dialog().folder())) return;
+  if (press.key == enter && !inside(rig_->bench->dialogs().file_dialog().folder())) return;
   rig_->key(press.key, press.modifiers);
 }
 
 void Soak::click_in_picture() {
   const Area& v = rig_->bench->layout().viewport;
-  const Vec2 at(v.x + between(0, v.width), v.y + between(0, v.height));
+  const ScreenPoint at(v.x + between(0, v.width), v.y + between(0, v.height));
   const auto button = static_cast<MouseButton>(pick(3));
   rig_->move(at);
   rig_->press(button);
@@ -121,16 +121,16 @@ void Soak::click_in_picture() {
 }
 
 void Soak::drag_in_picture() {
-  Vec2 from = somewhere();
+  ScreenPoint from = somewhere();
   if (rig_->session().document() && chance(70)) {
     // On a body most often: at its pivot, where the handles are, or at a node of the boundary.
-    const auto nodes = rig_->mesh().topology->free_nodes();
-    from =
-        rig_->pixel(rig_->session().selection().pivot()) + Vec2(between(-60, 60), between(-60, 60));
+    const auto nodes = rig_->mesh().topology->interior_nodes();
+    from = rig_->pixel(rig_->session().selection().pivot()) +
+           ScreenVector(between(-60, 60), between(-60, 60));
     if (chance(50) && !nodes.empty()) from = rig_->pixel(rig_->session().selection().pivot());
   }
   const auto button = chance(75) ? MouseButton::left : static_cast<MouseButton>(pick(3));
-  rig_->drag(from, from + Vec2(between(-120, 120), between(-90, 90)), 1 + pick(10), button);
+  rig_->drag(from, from + ScreenVector(between(-120, 120), between(-90, 90)), 1 + pick(10), button);
   if (chance(20)) rig_->key(keys::escape);
   if (chance(10)) rig_->key(keys::z, {keys::control});
   rig_->frames(pick(6));
@@ -177,9 +177,9 @@ void Soak::change_history() {
     rig_->bench->apply(action::DeleteStep{position});
   } else if (way == 1) {
     rig_->bench->apply(action::ShowStepEditor{position});
-  } else if (way == 2 && !rig_->document().kept().empty()) {
+  } else if (way == 2 && !rig_->document().edits().kept().empty()) {
     rig_->bench->apply(action::BringBack{
-        static_cast<std::size_t>(pick(static_cast<int>(rig_->document().kept().size())))});
+        static_cast<std::size_t>(pick(static_cast<int>(rig_->document().edits().kept().size())))});
   } else {
     Command command = history.command(position);
     if (auto* move = std::get_if<MoveCommand>(&command)) move->motion.rotate += between(-10, 10);

@@ -70,13 +70,13 @@ void Soak::open_next() {
 /// Of a studio that shows the mesh as at a first start: buffers of what is drawn, and of the
 /// window, take up to 60 MB.
 void Soak::sample_running() {
-  const ViewOptions view = rig_->bench->view();
+  const ViewOptions view = rig_->bench->view_control().options();
   const int width = width_, height = height_;
   rig_->bench->apply(action::EditView{whole(ViewOptions{})});
   resize(first_width, first_height);
   settle_down();
   answer_dialogs();
-  rig_->bench->picture();  // the driver keeps the buffers of the last thing it has drawn
+  rig_->bench->pictures().picture();  // the driver keeps the buffers of the last thing it has drawn
   rig_->frames(60);
   known_.clear();
   generation_ = 0;
@@ -101,7 +101,7 @@ void Soak::answer_dialogs() {
       rig_->key(keys::escape);
       continue;
     }
-    const Vec2 at = button->centre();
+    const ScreenPoint at = button->centre();
     if (at.x() >= width_ || at.y() >= height_)
       throw std::runtime_error("the answer " + label + " is out of reach, at " +
                                std::to_string(at.x()) + ", " + std::to_string(at.y()) + " of " +
@@ -123,7 +123,7 @@ bool Soak::inside(const fs::path& folder) const {
 bool Soak::safe(const std::string& widget) const {
   for (const char* word : {"quit", "dialog/up", "dialog/home", "dialog/folder", "dialog/place"})
     if (widget.find(word) != std::string::npos) return false;
-  if (widget == "dialog/accept") return inside(rig_->bench->file_dialog().folder());
+  if (widget == "dialog/accept") return inside(rig_->bench->dialogs().file_dialog().folder());
   return true;
 }
 
@@ -136,7 +136,7 @@ void Soak::check() {
     known_.clear();
   }
   const Coordinates& shown = session.coordinates();
-  const auto [it, fresh] = known_.try_emplace(document->revision(), shown);
+  const auto [it, fresh] = known_.try_emplace(document->edits().revision(), shown);
   if (!fresh) {
     ++comparisons_;
     if (!(it->second == shown))

@@ -81,7 +81,7 @@ class Soak {
   double between(double low, double high) {
     return low + (high - low) * (static_cast<double>(random_() >> 11) * 0x1.0p-53);
   }
-  Vec2 somewhere();
+  ScreenPoint somewhere();
 
   std::mt19937_64 random_;
   TemporaryFolder folder_;  // all that is written is below it

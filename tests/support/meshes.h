@@ -176,7 +176,7 @@ inline MeshData regular_star(Index n) {
 /// Moves every free node by up to `share` of its shortest edge in each direction, less where that
 /// would invert an element.
 inline void perturb(Mesh& mesh, Random& random, double share = 0.5) {
-  for (const Index node : mesh.topology->free_nodes()) {
+  for (const Index node : mesh.topology->interior_nodes()) {
     const Vec2 old = mesh.coordinates.xy(node);
     double shortest = (mesh.coordinates.xy(mesh.topology->neighbours(node)[0]) - old).norm();
     for (const Index k : mesh.topology->neighbours(node)) {
@@ -195,7 +195,7 @@ inline void perturb(Mesh& mesh, Random& random, double share = 0.5) {
 /// Random interior within the bounding box: a tangled mesh.
 inline void tangle(Mesh& mesh, Random& random) {
   const Bounds box = bounds(mesh);
-  for (const Index node : mesh.topology->free_nodes()) {
+  for (const Index node : mesh.topology->interior_nodes()) {
     mesh.coordinates.set_xy(node, box.min + box.size().cwiseProduct(random.vector(0, 1)));
   }
 }

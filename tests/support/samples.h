@@ -15,7 +15,7 @@ inline constexpr std::array<Cells, 3> all_cells{Cells::triangles, Cells::quads, 
 
 /// Gives every other VCV, on average, random angles and lengths.
 inline void randomise(VirtualControlVolumes& vcv, Random& random) {
-  for (const Index node : vcv.topology().free_nodes()) {
+  for (const Index node : vcv.topology().interior_nodes()) {
     const auto n = static_cast<Index>(vcv.angles(node).size());
     if (n < 3 || random.index(2) == 0) continue;
     std::vector<double> lengths;

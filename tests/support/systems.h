@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/formulation/free_node_pattern.h"
+#include "core/formulation/node_pattern.h"
 #include "core/linear/linear_solver.h"
 #include "core/mesh/mesh.h"
 #include "support/random.h"
@@ -94,7 +94,7 @@ inline SparseSystem springs(const Mesh& mesh, Random& random, int block, double 
                             int columns = 1) {
   SparseSystem system;
   SparseMatrix& a = system.matrix;
-  a.pattern = FreeNodePattern(*mesh.topology).pattern;
+  a.pattern = NodePattern(*mesh.topology, mesh.topology->interior_nodes()).pattern;
   a.block = block;
   a.symmetric = true;
   a.values.assign(a.pattern->columns.size() * static_cast<std::size_t>(block * block), 0.0);
@@ -123,7 +123,7 @@ inline SparseSystem springs(const Mesh& mesh, Random& random, int block, double 
 /// lambda and 1: close to the Hessian of the mesh energies. 2 by 2 blocks, right-hand side random.
 inline SparseSystem elasticity(const Mesh& mesh, double lambda = 2) {
   const Topology& topology = *mesh.topology;
-  const FreeNodePattern free(topology);
+  const NodePattern free(topology, topology.interior_nodes());
   SparseSystem system;
   SparseMatrix& a = system.matrix;
   a.pattern = free.pattern;

@@ -25,7 +25,7 @@ void check_markers(const std::vector<Command>& commands, const Topology& topolog
                    const std::string& file) {
   for (const Command& command : commands) {
     for (const std::string& name : markers_of(command)) {
-      if (!topology.find_marker(name)) refuse(name, topology, file);
+      if (!topology.markers().find(name)) refuse(name, topology, file);
     }
   }
 }

@@ -27,7 +27,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
 
 /// "KEY=NUMBER,KEY=NUMBER": calls set(key, number) for each, which says whether the key is known.
 template <class Set>
-void read_settings(const std::string& text, const std::string& where, const char* keys,
+void read_settings(const std::string& text, const std::string& where, const std::string& keys,
                    const Set& set) {
   for (const std::string& setting : split(text, ',')) {
     const std::size_t equals = setting.find('=');
@@ -53,17 +53,40 @@ double* bound_named(const std::string& key, WallPart& part) {
   return key == "ymax" ? &part.ymax : nullptr;
 }
 
-double* number_named(const std::string& key, LayerSpacing& spacing) {
-  if (key == "first") return &spacing.first;
-  if (key == "ratio") return &spacing.ratio;
-  return key == "growth" ? &spacing.growth : nullptr;
-}
-
-int whole(double value, const std::string& where, const char* what) {
+int whole(double value, const std::string& where, const std::string& key) {
   if (!(std::abs(value) < 1e9) || value != std::floor(value)) {
-    throw UsageError(where + ": the number of " + what + " must be whole");
+    throw UsageError(where + ": " + key + " must be whole");
   }
   return static_cast<int>(value);
+}
+
+/// The keys of a table's numbers: "count, first, ratio".
+std::string number_keys(const OptionTable& table) {
+  std::string keys;
+  for (const Option& option : table) {
+    if (std::holds_alternative<SwitchOption>(option.value)) continue;
+    keys += (keys.empty() ? "" : ", ") + std::string(option.key);
+  }
+  return keys;
+}
+
+/// Sets the number with that key. Returns false if the table has none.
+bool set_number(const OptionTable& table, const std::string& key, double value,
+                const std::string& where) {
+  for (const Option& option : table) {
+    if (option.key != key) continue;
+    if (const auto* real = std::get_if<RealOption>(&option.value)) {
+      *real->value = value;
+    } else if (const auto* optional = std::get_if<OptionalRealOption>(&option.value)) {
+      *optional->value = value;
+    } else if (const auto* integer = std::get_if<IntegerOption>(&option.value)) {
+      *integer->value = whole(value, where, key);
+    } else {
+      return false;
+    }
+    return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -95,20 +118,13 @@ LayerWall parse_wall(const std::string& text, const LayerSpacing& common) {
   if (colon == std::string::npos) return wall;
   const std::string where = "--wall " + text;
   read_settings(text.substr(colon + 1), where,
-                "count, first, ratio, growth, total, xmin, xmax, ymin, ymax",
+                number_keys(option_table(wall.spacing)) + ", xmin, xmax, ymin, ymax",
                 [&](const std::string& key, double value) {
-                  if (key == "count") {
-                    wall.spacing.count = whole(value, where, "layers");
-                  } else if (key == "total") {
-                    wall.spacing.total = value;
-                  } else if (double* number = number_named(key, wall.spacing)) {
-                    *number = value;
-                  } else if (double* bound = bound_named(key, wall.part)) {
+                  if (double* bound = bound_named(key, wall.part)) {
                     *bound = value;
-                  } else {
-                    return false;
+                    return true;
                   }
-                  return true;
+                  return set_number(option_table(wall.spacing), key, value, where);
                 });
   return wall;
 }
@@ -126,7 +142,7 @@ ColumnOverride parse_column(const std::string& text) {
   read_settings(text.substr(colon + 1), where, "columns, thickness",
                 [&](const std::string& key, double value) {
                   if (key == "columns") {
-                    own.columns = whole(value, where, "columns");
+                    own.columns = whole(value, where, key);
                   } else if (key == "thickness") {
                     own.thickness = value;
                   } else {
@@ -143,9 +159,10 @@ void LayerFlags::declare(CLI::App& app) {
       ->group("Layers");
   app.add_option(
          "--wall", walls_,
-         "Wall with settings of its own, e.g. flap:count=20,first=2e-5 (keys: count, first, "
-         "ratio, growth, total; xmin, xmax, ymin, ymax: the part of the markers that is to have "
-         "layers); may be given several times")
+         "Wall with settings of its own, e.g. flap:count=20,first=2e-5 (keys: " +
+             number_keys(option_table(spacing_)) +
+             "; xmin, xmax, ymin, ymax: the part of the markers that is to have layers); may be "
+             "given several times")
       ->type_name("NAME[,NAME]:KEY=NUMBER,...")
       ->group("Layers");
   app.add_option("--column", columns_,

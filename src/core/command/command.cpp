@@ -134,7 +134,7 @@ CommandResult execute_one(const ScrambleCommand& command, const MeshState& state
   std::mt19937_64 generator(command.seed);
   const Bounds box = bounds(state.mesh);
   Coordinates x = state.mesh.coordinates;
-  for (const Index node : state.mesh.topology->free_nodes()) {
+  for (const Index node : state.mesh.topology->interior_nodes()) {
     const double u = uniform(generator);
     const double v = uniform(generator);
     x.set_xy(node, box.min + box.size().cwiseProduct(Vec2(u, v)));
@@ -207,6 +207,7 @@ std::vector<std::string> markers_of(const Command& command) {
 }
 
 CommandResult execute(const Command& command, const MeshState& state, const RunOptions& options) {
+  require_plane(*state.mesh.topology, command_name(command));
   CommandResult result =
       std::visit([&](const auto& c) { return execute_one(c, state, options); }, command);
   // Whatever way it went: the count is that of the mesh that is handed over.

@@ -19,14 +19,11 @@ DragPredictor::DragPredictor(SteadySolver& solver, const Coordinates& x, std::ve
   for (const Index node : nodes_) pivot_ += x.xy(node);
   if (!nodes_.empty()) pivot_ /= static_cast<double>(nodes_.size());
   for (int direction = 0; direction < x.dimension(); ++direction) {
-    translations_.push_back(solve_for(solver, [&](Index, double* v) { v[direction] = 1; }));
+    translations_.push_back(
+        solve_for(solver, [&](Index) -> Vec2 { return Vec2::Unit(direction); }));
   }
   if (!shares_.empty()) return;
-  rotation_ = solve_for(solver, [&](Index node, double* v) {
-    const Vec2 velocity = turned(x.xy(node) - pivot_);
-    v[0] = velocity.x();
-    v[1] = velocity.y();
-  });
+  rotation_ = solve_for(solver, [&](Index node) { return turned(x.xy(node) - pivot_); });
   turned_rotation_ = Coordinates(x.dimension(), x.size());
   for (Index node = 0; node < x.size(); ++node) {
     turned_rotation_.set_xy(node, turned(rotation_.xy(node)));
@@ -38,10 +35,9 @@ template <typename Velocity>
 Coordinates DragPredictor::solve_for(SteadySolver& solver, const Velocity& velocity) const {
   Coordinates field(base_.dimension(), base_.size());
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    double* v = field.point(nodes_[i]);
-    velocity(nodes_[i], v);
-    if (shares_.empty()) continue;
-    for (int k = 0; k < base_.dimension(); ++k) v[k] *= shares_[i];
+    Vec2 v = velocity(nodes_[i]);
+    if (!shares_.empty()) v *= shares_[i];
+    field.set_xy(nodes_[i], v);
   }
   std::vector<double> answer(solver.problem().unknowns());
   solver.predict(base_, field, answer);

@@ -19,7 +19,7 @@ namespace winslow {
 /// of first order elsewhere. Immutable once made.
 class DragPredictor {
  public:
-  /// solver: at its solution x. nodes: the constrained nodes that move together. shares: of a
+  /// solver: at its solution x. nodes: the prescribed nodes that move together. shares: of a
   /// translation that each of them takes, if they are no rigid body; there is no rotation then.
   /// Throws NumericError where the equations at x have no regular derivative.
   DragPredictor(SteadySolver& solver, const Coordinates& x, std::vector<Index> nodes,

@@ -45,11 +45,15 @@ class BlockNorms {
 
 }  // namespace
 
-PointwiseWinslow::PointwiseWinslow(const VirtualControlVolumes& vcv, int threads, bool clipped)
-    : OnFreeNodes(FreeNodes(vcv.shared_topology(), threads)),
+PointwiseWinslow::PointwiseWinslow(const VirtualControlVolumes& vcv,
+                                   std::shared_ptr<const NodeClasses> classes, int threads,
+                                   bool clipped)
+    : NodeProblem(NodeUnknowns(std::move(classes), threads)),
       functionals_(std::make_shared<const StencilFunctionals>(vcv)),
-      pattern_(std::make_shared<const FreeNodePattern>(vcv.topology())),
-      clip_(clipped) {}
+      pattern_(std::make_shared<const NodePattern>(topology(), node_unknowns().nodes())),
+      clip_(clipped) {
+  node_unknowns().require_free_interior("the pointwise form");
+}
 
 PointwiseWinslow PointwiseWinslow::clipped(bool clip) const {
   PointwiseWinslow other = *this;
@@ -94,7 +98,7 @@ Index PointwiseWinslow::evaluate_weights(const Coordinates& x, Index node, bool 
 
 ResidualNorms PointwiseWinslow::residual(const Coordinates& x, std::span<double> out) const {
   const Topology& topology = this->topology();
-  const auto free = topology.free_nodes();
+  const auto free = node_unknowns().nodes();
   const auto n = static_cast<Index>(free.size());
   BlockNorms norms(n);
   parallel_for(threads(), n, [&](Index begin, Index end) {
@@ -117,7 +121,7 @@ ResidualNorms PointwiseWinslow::residual(const Coordinates& x, std::span<double>
 
 Index PointwiseWinslow::freeze(const Coordinates& x, SparseSystem& out) const {
   const Topology& topology = this->topology();
-  const auto free = topology.free_nodes();
+  const auto free = node_unknowns().nodes();
   const auto n = static_cast<Index>(free.size());
   SparseMatrix& matrix = out.matrix;
   matrix.pattern = pattern_->pattern;
@@ -210,7 +214,7 @@ class PointwiseWinslow::RowDerivative {
 ResidualNorms PointwiseWinslow::linearise(const Coordinates& x, SparseMatrix& jacobian,
                                           std::span<double> residual) const {
   const Topology& topology = this->topology();
-  const auto free = topology.free_nodes();
+  const auto free = node_unknowns().nodes();
   const auto n = static_cast<Index>(free.size());
   jacobian.pattern = pattern_->pattern;
   jacobian.block = 2;
@@ -251,7 +255,7 @@ ResidualNorms PointwiseWinslow::linearise(const Coordinates& x, SparseMatrix& ja
 void PointwiseWinslow::boundary_response(const Coordinates& x, const Coordinates& displacement,
                                          std::span<double> out) const {
   const Topology& topology = this->topology();
-  const auto free = topology.free_nodes();
+  const auto free = node_unknowns().nodes();
   parallel_for(threads(), static_cast<Index>(free.size()), [&](Index begin, Index end) {
     std::vector<double> w;
     for (Index i = begin; i < end; ++i) {
@@ -259,10 +263,10 @@ void PointwiseWinslow::boundary_response(const Coordinates& x, const Coordinates
       const auto neighbours = topology.neighbours(node);
       Vec2 change(0, 0);
       if (std::any_of(neighbours.begin(), neighbours.end(),
-                      [&](Index k) { return topology.constrained(k); })) {
+                      [&](Index k) { return pattern_->row_of_node[at(k)] < 0; })) {
         const RowDerivative derivative(*this, x, node, w);
         for (std::size_t k = 0; k < neighbours.size(); ++k) {
-          if (!topology.constrained(neighbours[k])) continue;
+          if (pattern_->row_of_node[at(neighbours[k])] >= 0) continue;
           change += derivative.by_neighbour(k) * displacement.xy(neighbours[k]);
         }
       }
@@ -274,7 +278,7 @@ void PointwiseWinslow::boundary_response(const Coordinates& x, const Coordinates
 
 void PointwiseWinslow::row_scales(const Coordinates& x, std::span<double> out) const {
   const Topology& topology = this->topology();
-  const auto free = topology.free_nodes();
+  const auto free = node_unknowns().nodes();
   parallel_for(threads(), static_cast<Index>(free.size()), [&](Index begin, Index end) {
     std::vector<double> w;
     for (Index i = begin; i < end; ++i) {
@@ -287,11 +291,11 @@ void PointwiseWinslow::row_scales(const Coordinates& x, std::span<double> out) c
 }
 
 std::vector<double> PointwiseWinslow::merit_weights(const Coordinates& x) const {
-  const auto free = topology().free_nodes();
+  const auto free = node_unknowns().nodes();
   std::vector<double> weights(free.size());
   row_scales(x, weights);
   for (std::size_t i = 0; i < free.size(); ++i) {
-    const double edge = free_nodes().mean_edge(x, free[i]);
+    const double edge = node_unknowns().mean_edge(x, free[i]);
     if (edge > 0) weights[i] /= edge;
   }
   return weights;

@@ -3,10 +3,10 @@
 #include <memory>
 #include <vector>
 
-#include "core/formulation/free_node_pattern.h"
-#include "core/formulation/free_nodes.h"
 #include "core/formulation/nodal_operator.h"
+#include "core/formulation/node_pattern.h"
 #include "core/problem/equation_problem.h"
+#include "core/problem/node_problem.h"
 #include "core/vcv/stencil_functionals.h"
 #include "core/vcv/virtual_control_volumes.h"
 
@@ -22,10 +22,12 @@ namespace winslow {
 ///   sum_k w_k (r_k - r_0) = 0,   w_k = alpha lxx_k - beta lxy_k + gamma lyy_k.
 ///
 /// Clipped: with negative weights set to zero.
-class PointwiseWinslow final : public OnFreeNodes<EquationProblem> {
+class PointwiseWinslow final : public NodeProblem<EquationProblem> {
  public:
-  /// threads: 0 for all cores; no result depends on it.
-  PointwiseWinslow(const VirtualControlVolumes& vcv, int threads, bool clipped = false);
+  /// classes: which nodes move. threads: 0 for all cores; no result depends on it. Throws
+  /// UsageError for nodes that slide.
+  PointwiseWinslow(const VirtualControlVolumes& vcv, std::shared_ptr<const NodeClasses> classes,
+                   int threads, bool clipped = false);
 
   /// The same with negative weights set to zero, or with all weights as they are.
   PointwiseWinslow clipped(bool clip) const;
@@ -37,7 +39,7 @@ class PointwiseWinslow final : public OnFreeNodes<EquationProblem> {
   Index freeze(const Coordinates& x, SparseSystem& out) const override;
 
   /// Newton's system J delta = S R: the exact J = -S dR/dx as an unsymmetric matrix of 2x2 blocks
-  /// (pattern of FreeNodePattern) and S R (#free by 2), a length. S holds the row_scales() at x and
+  /// (pattern of NodePattern) and S R (#free by 2), a length. S holds the row_scales() at x and
   /// counts as constant. R is differentiated as residual() gives it, the division of the
   /// coefficients by (alpha + gamma) / 2 included. Clipped: edges with negative weights are left
   /// out of the derivative of the weights, too (an element of the generalised Jacobian, L. Qi and
@@ -66,7 +68,7 @@ class PointwiseWinslow final : public OnFreeNodes<EquationProblem> {
   Index evaluate_weights(const Coordinates& x, Index node, bool clip, std::span<double> out) const;
 
   std::shared_ptr<const StencilFunctionals> functionals_;
-  std::shared_ptr<const FreeNodePattern> pattern_;
+  std::shared_ptr<const NodePattern> pattern_;
   bool clip_;
 };
 

@@ -19,7 +19,7 @@ class RowBlocks {
  public:
   static constexpr Index rows_per_block = 256;  // a divisor of parallel_block
 
-  /// triangles: nodes, counter-clockwise. row_of_node: -1 for constrained nodes.
+  /// triangles: nodes, counter-clockwise. row_of_node: -1 for nodes without unknowns.
   RowBlocks(const std::vector<std::array<Index, 3>>& triangles, std::span<const Index> row_of_node,
             Index rows);
 

@@ -66,7 +66,7 @@ class Builder {
  private:
   bool movable(const std::array<Index, 3>& nodes) const {
     return std::any_of(nodes.begin(), nodes.end(),
-                       [&](Index node) { return !topology_.constrained(node); });
+                       [&](Index node) { return !topology_.on_boundary(node); });
   }
 
   static std::array<Index, 3> corner_nodes(std::span<const Index> element, std::size_t k) {
@@ -173,7 +173,7 @@ class Builder {
   void add_vcv_terms(Index e) {
     const auto element = topology_.element(e);
     const auto counts = [&](Index node) {
-      return !topology_.constrained(node) && (blend_.vcv > 0 || vcv_.edited(node));
+      return !topology_.on_boundary(node) && (blend_.vcv > 0 || vcv_.edited(node));
     };
     const auto corners = std::count_if(element.begin(), element.end(), counts);
     const double weight = vcv_.role(e).weight / static_cast<double>(corners);
@@ -210,14 +210,14 @@ class Builder {
     for (std::size_t k = 0; k < 4; ++k) {
       if (!live[k]) continue;
       const auto nodes = corner_nodes(element, k);
-      const bool follows = topology_.constrained(nodes[0]) && any_edited(element);
+      const bool follows = topology_.on_boundary(nodes[0]) && any_edited(element);
       const TargetBlend& blend = follows ? edited_blend_ : blend_at(nodes[0]);
       Metric2 metric;
       metric.add(blend.element, Metric2::of_angle(pi / 2));
       if (follows) {
         add_parallelogram(metric, e, k);
       } else if (blend.vcv > 0) {
-        if (topology_.constrained(nodes[0])) {
+        if (topology_.on_boundary(nodes[0])) {
           metric.add(blend.vcv, Metric2::of_angle(pi / 2));  // there is no VCV at the boundary
         } else {
           add_vcv(metric, e, nodes[0]);

@@ -34,7 +34,7 @@ struct ShapeTerm {
 /// All targets of a mesh: triangles, and corners of quadrilaterals, each with one or more terms.
 /// The terms of an element have weights that sum to its own
 /// (VirtualControlVolumes::Role, one as a rule), however many of its nodes lie at the boundary.
-/// Triangles whose three nodes are constrained are left out: they cannot change.
+/// Triangles whose three nodes lie on the boundary are left out: they cannot change.
 ///
 /// A VCV that was edited (VirtualControlVolumes::edited) counts whatever the blend: in the corners
 /// at such a node the share `element` goes to the VCV, and where the blend has no share for VCVs at

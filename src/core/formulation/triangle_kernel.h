@@ -47,7 +47,7 @@ struct TriangleSum {
 
 /// Where a triangle's sum belongs in a block of rows. Blocks of the matrix: 4 numbers each; row
 /// sums: 8 each, the diagonal block, then gradient, lengths and number of triangles. Place 0 of the
-/// matrix and the last row of the sums take what belongs to constrained nodes or other blocks.
+/// matrix and the last row of the sums take what belongs to no row of the block.
 struct TrianglePlaces {
   std::uint16_t rows[3];
   Index blocks[6];  ///< a's row at b, b's at a, a's at c, c's at a, b's at c, c's at b

@@ -43,10 +43,10 @@ struct NormSum {
   }
 };
 
-std::vector<Index> make_row_of_node(const Topology& topology) {
-  std::vector<Index> row(at(topology.node_count()), -1);
-  const auto free = topology.free_nodes();
-  for (std::size_t i = 0; i < free.size(); ++i) row[at(free[i])] = static_cast<Index>(i);
+std::vector<Index> make_row_of_node(const NodeUnknowns& nodes) {
+  std::vector<Index> row(at(nodes.topology().node_count()), -1);
+  Index next = 0;
+  for (const Index node : nodes.nodes()) row[at(node)] = next++;
   return row;
 }
 
@@ -97,9 +97,9 @@ struct VariationalWinslow::BlockMemory {
 
 /// What depends on the connectivity alone.
 struct VariationalWinslow::Structure {
-  Structure(const Topology& topology, const TargetShapes& shapes)
-      : row_of_node(make_row_of_node(topology)),
-        rows(shapes.triangles, row_of_node, static_cast<Index>(topology.free_nodes().size())),
+  Structure(const NodeUnknowns& nodes, const TargetShapes& shapes)
+      : row_of_node(make_row_of_node(nodes)),
+        rows(shapes.triangles, row_of_node, static_cast<Index>(nodes.nodes().size())),
         shape_order(rows.renumber_triangles()) {
     for (std::size_t t = 0; t < shape_order.size(); ++t) {
       const auto& nodes = shapes.triangles[at(shape_order[t])];
@@ -111,16 +111,18 @@ struct VariationalWinslow::Structure {
   std::vector<Index> row_of_node;
   RowBlocks rows;
   std::vector<Index> shape_order;  // number in TargetShapes::build of each triangle of shapes_
-  std::vector<Index> half_free;    // triangles with free and constrained nodes
+  std::vector<Index> half_free;    // triangles with a node that has no unknowns
 };
 
-VariationalWinslow::VariationalWinslow(std::shared_ptr<const Topology> topology,
+VariationalWinslow::VariationalWinslow(std::shared_ptr<const NodeClasses> classes,
                                        const TargetShapes& shapes, const PenaltyOptions& penalty,
                                        int threads)
-    : OnFreeNodes(FreeNodes(std::move(topology), threads)),
-      structure_(std::make_shared<const Structure>(this->topology(), shapes)),
+    : NodeProblem(NodeUnknowns(std::move(classes), threads)),
+      structure_(std::make_shared<const Structure>(node_unknowns(), shapes)),
       shapes_(std::make_shared<const TargetShapes>(reordered(shapes, structure_->shape_order))),
-      penalty_(penalty) {}
+      penalty_(penalty) {
+  node_unknowns().require_free_interior("the variational form");
+}
 
 std::shared_ptr<const VariationalWinslow> VariationalWinslow::with_penalty(
     const PenaltyOptions& penalty) const {
@@ -139,6 +141,7 @@ std::shared_ptr<const VariationalWinslow> VariationalWinslow::with_shapes(
 TriangleData VariationalWinslow::data(const Coordinates& x,
                                       const Regularisation* regularisation) const {
   static_assert(sizeof(ShapeTerm) == 4 * sizeof(double));
+  x.require_dimension(2);
   const TargetShapes& shapes = *shapes_;
   static_assert(sizeof(shapes.triangles[0]) == 3 * sizeof(Index));
   TriangleData data;
@@ -228,10 +231,12 @@ double VariationalWinslow::regularised_energy(const Coordinates& x,
 
 double VariationalWinslow::worst_distortion(const Coordinates& x) const {
   const TargetShapes& shapes = *shapes_;
+  const PlanePoints points(x);
   double worst = 0;
   for (std::size_t t = 0; t < shapes.triangles.size(); ++t) {
     const auto& nodes = shapes.triangles[t];
-    const Corner2 q(x.point(nodes[0]), x.point(nodes[1]), x.point(nodes[2]));
+    const Vec2 a = points[nodes[0]], b = points[nodes[1]], c = points[nodes[2]];
+    const Corner2 q(a.data(), b.data(), c.data());
     if (!(q.d > 0)) return std::numeric_limits<double>::infinity();
     for (Index k = shapes.offsets[t]; k < shapes.offsets[t + 1]; ++k) {
       worst = std::max(worst, q.distortion(shapes.terms[at(k)]));
@@ -309,11 +314,12 @@ void VariationalWinslow::boundary_response(const Coordinates& x, const Coordinat
   std::vector<double> sums((half_free.size() + 3) / 4 * 4 * TriangleSum::size);
   kernel_.sum(triangles, half_free.data(), static_cast<Index>(half_free.size()), 0, sums.data());
   std::fill(out.begin(), out.end(), 0.0);
-  // out_i -= H_ij m_j for free i and constrained j.
+  const PlanePoints moved(displacement);
+  // out_i -= H_ij m_j for i with unknowns and j without.
   const auto subtract = [&](Index i, Index j, const double* h, bool is_transposed) {
     const Index row = row_of_node[at(i)];
     if (row < 0 || row_of_node[at(j)] >= 0) return;
-    const double* m = displacement.point(j);
+    const Vec2 m = moved[j];
     out[2 * at(row)] -= h[0] * m[0] + h[is_transposed ? 2 : 1] * m[1];
     out[2 * at(row) + 1] -= h[is_transposed ? 1 : 2] * m[0] + h[3] * m[1];
   };

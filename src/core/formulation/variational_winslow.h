@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "core/formulation/free_nodes.h"
 #include "core/formulation/row_blocks.h"
 #include "core/formulation/target_shapes.h"
 #include "core/problem/energy_problem.h"
+#include "core/problem/node_problem.h"
 
 namespace winslow {
 
@@ -32,10 +32,11 @@ struct PenaltyOptions {
 ///
 /// The cells of UntanglingProblem are the target triangles. Residual norms are of |R_i| over half
 /// the trace of node i's Hessian block and over its mean edge length, like the pointwise form's.
-class VariationalWinslow final : public OnFreeNodes<UntanglingProblem> {
+class VariationalWinslow final : public NodeProblem<UntanglingProblem> {
  public:
-  /// threads: 0 for all cores; no result depends on it.
-  VariationalWinslow(std::shared_ptr<const Topology> topology, const TargetShapes& shapes,
+  /// classes: which nodes move. threads: 0 for all cores; no result depends on it. Throws
+  /// UsageError for nodes that slide.
+  VariationalWinslow(std::shared_ptr<const NodeClasses> classes, const TargetShapes& shapes,
                      const PenaltyOptions& penalty, int threads);
 
   /// The same with another penalty. What depends on the connectivity is shared; so are the targets.

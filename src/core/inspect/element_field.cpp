@@ -120,7 +120,7 @@ std::vector<double> node_values(const VirtualControlVolumes& vcv, const Coordina
   const Topology& topology = vcv.topology();
   const StencilFunctionals functionals(vcv);
   std::vector<double> values(static_cast<std::size_t>(topology.node_count()), none);
-  const auto free = topology.free_nodes();
+  const auto free = topology.interior_nodes();
   parallel_for(threads, static_cast<Index>(free.size()), [&](Index begin, Index end) {
     std::vector<double> weights;
     for (Index i = begin; i < end; ++i) {

@@ -20,7 +20,7 @@ void require_vcv(const Topology& topology, Index node) {
                      std::to_string(topology.node_count() - 1));
   }
   if (!topology.used(node)) throw UsageError(who + " belongs to no element: it has no VCV");
-  if (topology.constrained(node)) {
+  if (topology.on_boundary(node)) {
     throw UsageError(who + " lies on the boundary or on a marker: it has no VCV");
   }
 }

@@ -43,6 +43,7 @@ double touching_radius(const Vec2& a, const Vec2& b, const Vec2& n) {
 
 Clearance::Clearance(const Topology& topology, const Coordinates& x, double reach)
     : x_(x), reach_(reach) {
+  require_plane(topology, "layers");
   std::vector<Box<2>> boxes;
   for (const auto& edge : topology.edges()) {
     if (edge.elements[1] >= 0) continue;

@@ -143,7 +143,7 @@ std::shared_ptr<const VirtualControlVolumes> layer_vcvs(
     const VirtualControlVolumes& base, const Coordinates& x) {
   VirtualControlVolumes vcv(topology);
   for (const auto& [node, stencil] : base.edits()) {
-    if (node >= topology->node_count() || topology->constrained(node)) continue;
+    if (node >= topology->node_count() || topology->on_boundary(node)) continue;
     if (topology->neighbours(node).size() != stencil.angles.size()) continue;
     vcv.set(node, stencil.angles, stencil.lengths);
   }
@@ -151,7 +151,7 @@ std::shared_ptr<const VirtualControlVolumes> layer_vcvs(
   for (const LayerColumn& column : stack.columns) {
     for (std::size_t k = 1; k < column.nodes.size(); ++k) {
       const Index node = column.nodes[k];
-      if (topology->constrained(node)) continue;
+      if (topology->on_boundary(node)) continue;
       vcv.set(node, stencils.angles(node), stencils.lengths(column, k));
     }
   }

@@ -14,18 +14,22 @@ namespace winslow {
 
 namespace {
 
+using HalfEdge = OpenMesh::HalfedgeHandle;
+
 /// Where the strip of elements between two columns has come to.
 struct Strip {
   std::size_t left = 0, right = 0;  // columns
-  Index a = -1, b = -1;             // their topmost nodes
-  Index below = -1;                 // the element under the edge a b; -1 at the wall
+  HalfEdge top;                     // between their topmost nodes; invalid under the tip of a fan
   bool open = true;
 };
 
 class Detector {
  public:
   Detector(const Mesh& mesh, const LayerOptions& options)
-      : mesh_(mesh), topology_(*mesh.topology), options_(options) {
+      : mesh_(mesh),
+        topology_(*mesh.topology),
+        half_edges_(topology_.half_edges()),
+        options_(options) {
     stack_.layer_of_element.assign(at(topology_.element_count()), -1);
   }
 
@@ -64,8 +68,10 @@ class Detector {
     sides_.resize(stack_.columns.size(), 0);
     ++sides_[left];
     ++sides_[right];
+    const OpenMesh::VertexHandle from(stack_.columns[left].wall_node);
+    const OpenMesh::VertexHandle to(stack_.columns[right].wall_node);
     strips_.push_back(
-        {left, right, stack_.columns[left].wall_node, stack_.columns[right].wall_node, -1, true});
+        {left, right, from == to ? HalfEdge() : half_edges_.find_halfedge(from, to), true});
   }
 
   bool quad(Index e) const { return topology_.element_type(e) == ElementType::quadrilateral; }
@@ -81,34 +87,32 @@ class Detector {
     return triangles;
   }
 
-  /// The element above the edge of a strip, and the edge's nodes on its far side.
+  /// The element above a strip, and the edge on its far side.
   struct Step {
-    Index element = -1, a = -1, b = -1;
+    Index element = -1;
+    HalfEdge far;  // as the element has it: from the right column to the left one
   };
   std::optional<Step> step_of(const Strip& strip) const {
-    if (strip.a == strip.b) return fan_step(strip);
-    const HalfEdgeMesh& mesh = topology_.half_edges();
-    const auto edge =
-        mesh.find_halfedge(OpenMesh::VertexHandle(strip.a), OpenMesh::VertexHandle(strip.b));
-    if (!edge.is_valid() || mesh.is_boundary(edge)) return std::nullopt;
-    const Index element = mesh.face_handle(edge).idx();
-    if (element == strip.below || !quad(element)) return std::nullopt;
-    return Step{element, mesh.from_vertex_handle(mesh.prev_halfedge_handle(edge)).idx(),
-                mesh.to_vertex_handle(mesh.next_halfedge_handle(edge)).idx()};
+    if (!strip.top.is_valid()) return fan_step(strip);
+    const Index element = half_edges_.face_handle(strip.top).idx();
+    if (element < 0 || !quad(element)) return std::nullopt;
+    return Step{element,
+                half_edges_.next_halfedge_handle(half_edges_.next_halfedge_handle(strip.top))};
   }
 
   /// The triangle at the wall under one sector of a fan.
-  std::optional<Step> fan_step(const Strip& strip) const {
-    const auto triangles = fan_triangles(strip.a);
+  Step fan_step(const Strip& strip) const {
+    const Index node = stack_.columns[strip.left].wall_node;
     std::size_t first = strip.left;
-    while (first > 0 && stack_.columns[first - 1].wall_node == strip.a) --first;
-    const Index element = triangles[strip.left - first];
-    const auto corners = topology_.element(element);
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (corners[k] == strip.a) return Step{element, corners[(k + 2) % 3], corners[(k + 1) % 3]};
-    }
-    return std::nullopt;
+    while (first > 0 && stack_.columns[first - 1].wall_node == node) --first;
+    const Index element = fan_triangles(node)[strip.left - first];
+    HalfEdge far = half_edges_.halfedge_handle(OpenMesh::FaceHandle(element));
+    while (from(far) == node || to(far) == node) far = half_edges_.next_halfedge_handle(far);
+    return {element, far};
   }
+
+  Index from(HalfEdge h) const { return half_edges_.from_vertex_handle(h).idx(); }
+  Index to(HalfEdge h) const { return half_edges_.to_vertex_handle(h).idx(); }
 
   /// One layer more where the strips on both sides of columns agree. False if there is none.
   bool climb() {
@@ -125,8 +129,8 @@ class Detector {
       steps[s] = step_of(strip);
       if (!steps[s] || !may_rise(strip.left) || !may_rise(strip.right)) steps[s].reset();
       if (steps[s]) {
-        propose(strip.left, steps[s]->a);
-        propose(strip.right, steps[s]->b);
+        propose(strip.left, to(steps[s]->far));
+        propose(strip.right, from(steps[s]->far));
       }
     }
     // A strip goes on if both of its columns do; a column if all of its strips that are open do.
@@ -151,9 +155,7 @@ class Detector {
       any = true;
       const int layer = static_cast<int>(stack_.columns[strips_[s].left].nodes.size()) - 1;
       stack_.layer_of_element[at(steps[s]->element)] = layer;
-      strips_[s].a = steps[s]->a;
-      strips_[s].b = steps[s]->b;
-      strips_[s].below = steps[s]->element;
+      strips_[s].top = half_edges_.opposite_halfedge_handle(steps[s]->far);
     }
     for (std::size_t c = 0; c < next.size(); ++c) {
       if (next[c] >= 0 && any) {
@@ -176,7 +178,7 @@ class Detector {
     if (node < 0) return false;
     const auto taken = taken_.find(node);
     if (taken != taken_.end() && taken->second != column) return false;
-    return !topology_.constrained(node) || sides_[column] == 1;
+    return !topology_.on_boundary(node) || sides_[column] == 1;
   }
 
   /// How the columns stand, and the heights that they have.
@@ -184,7 +186,7 @@ class Detector {
     bool any = false;
     for (LayerColumn& column : stack_.columns) {
       column.heights.assign(column.nodes.size() - 1, 0.0);
-      column.along_boundary = column.count() > 0 && topology_.constrained(column.nodes[1]);
+      column.along_boundary = column.count() > 0 && topology_.on_boundary(column.nodes[1]);
       any = any || column.count() > 0;
     }
     if (!any) throw UsageError("the mesh has no layers of quadrilaterals at any of these walls");
@@ -205,6 +207,7 @@ class Detector {
 
   const Mesh& mesh_;
   const Topology& topology_;
+  const HalfEdgeMesh& half_edges_;
   const LayerOptions& options_;
   LayerStack stack_;
   std::vector<Strip> strips_;
@@ -240,6 +243,7 @@ std::vector<std::optional<std::size_t>> join_columns(LayerStack& found, const La
 }  // namespace
 
 LayerStack with_other_layers(LayerStack found, const LayerStack& known, const Topology& topology) {
+  require_plane(topology, "layers");
   const std::size_t own = found.columns.size();
   const auto place = join_columns(found, known);
   for (const ColumnPair& pair : known.pairs) {
@@ -260,6 +264,7 @@ LayerStack with_other_layers(LayerStack found, const LayerStack& known, const To
 
 LayerStack detect_layers(const Mesh& mesh, const LayerOptions& options) {
   if (options.walls.empty()) throw UsageError("no wall is given to look for layers at");
+  require_plane(*mesh.topology, "layers");
   return Detector(mesh, options).detect();
 }
 

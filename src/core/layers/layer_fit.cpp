@@ -154,6 +154,7 @@ std::vector<double> thinned(std::span<const double> heights, double thickness) {
 
 LayerStack fitted_layers(const LayerStack& stack, const Topology& topology, const Coordinates& x,
                          const Coordinates& moved) {
+  require_plane(topology, "layers");
   return Fitting(stack, topology, x, moved).fit();
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "core/error.h"
 
@@ -183,24 +184,20 @@ class Inserter {
       const Index other = along(row.front()) > along(row.back()) ? row.front() : row.back();
       divided[{column.wall_node, other}] = &column;
     }
-    if (!topology_.markers_from_file()) return;
+    if (!topology_.markers().from_file()) return;
+    // From a node of a boundary edge up along the column that divides it there, if one does.
+    const auto up = [&](Index from, Index to) {
+      const auto found = divided.find({from, to});
+      return found == divided.end() ? std::vector<Index>{from} : found->second->nodes;
+    };
     for (Marker marker : topology_.markers()) {
       std::vector<Face> edges;
       for (const Face& edge : marker.faces) {
         const auto [a, b] = edge.edge();
-        if (const auto from_a = divided.find({a, b}); from_a != divided.end()) {
-          const auto& nodes = from_a->second->nodes;
-          for (std::size_t k = 0; k + 1 < nodes.size(); ++k)
-            edges.emplace_back(nodes[k], nodes[k + 1]);
-          edges.emplace_back(nodes.back(), b);
-        } else if (const auto from_b = divided.find({b, a}); from_b != divided.end()) {
-          const auto& nodes = from_b->second->nodes;
-          edges.emplace_back(a, nodes.back());
-          for (std::size_t k = nodes.size() - 1; k > 0; --k)
-            edges.emplace_back(nodes[k], nodes[k - 1]);
-        } else {
-          edges.push_back(edge);
-        }
+        std::vector<Index> path = up(a, b);
+        const std::vector<Index> back = up(b, a);
+        path.insert(path.end(), back.rbegin(), back.rend());
+        for (std::size_t k = 0; k + 1 < path.size(); ++k) edges.emplace_back(path[k], path[k + 1]);
       }
       marker.faces = std::move(edges);
       data_.markers.push_back(std::move(marker));
@@ -214,24 +211,22 @@ class Inserter {
     outside.markers.clear();
     outside.regions.clear();
     outside.element_region.clear();
-    Marker inside{"inside", 1, {}};
-    for (const Topology::Edge& edge : topology_.edges()) {
-      const auto [a, b] = edge.nodes;
-      if (edge.elements[1] < 0 || !topology_.constrained(a) || !topology_.constrained(b)) continue;
-      if (fans_.contains(a) || fans_.contains(b) || !on_marker(a, b)) continue;
-      inside.faces.emplace_back(a, b);
+    std::set<Index> inside;  // edges, by their index in the topology
+    for (const Marker& marker : topology_.markers()) {
+      for (const Face& face : marker.faces) {
+        const Index f = *topology_.find_face(face);
+        const auto& [nodes, elements] = topology_.edges()[at(f)];
+        const bool at_wall = fans_.contains(nodes[0]) || fans_.contains(nodes[1]);
+        if (elements[1] >= 0 && !at_wall) inside.insert(f);
+      }
     }
-    if (!inside.faces.empty()) outside.markers.push_back(std::move(inside));
+    if (inside.empty()) return outside;
+    Marker& held = outside.markers.emplace_back(Marker{"inside", 1, {}});
+    for (const Index f : inside) {
+      const auto [a, b] = topology_.edges()[at(f)].nodes;
+      held.faces.emplace_back(a, b);
+    }
     return outside;
-  }
-
-  bool on_marker(Index a, Index b) const {
-    return std::any_of(topology_.markers().begin(), topology_.markers().end(),
-                       [&](const Marker& m) {
-                         return std::any_of(m.faces.begin(), m.faces.end(), [&](const Face& edge) {
-                           return edge == Face(a, b) || edge == Face(b, a);
-                         });
-                       });
   }
 
   const Mesh& old_;
@@ -245,6 +240,7 @@ class Inserter {
 }  // namespace
 
 LayerInsertion insert_layers(const Mesh& mesh, LayerStack plan) {
+  require_plane(*mesh.topology, "layers");
   return Inserter(mesh, std::move(plan)).insert();
 }
 

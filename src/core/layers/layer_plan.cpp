@@ -284,11 +284,12 @@ void require(bool good, const char* what) {
 }  // namespace
 
 LayerOptions with_counts(LayerOptions options, const Mesh& mesh) {
+  require_plane(*mesh.topology, "layers");
   for (LayerWall& wall : options.walls) {
     if (!wall.spacing.match_outside) continue;
     std::vector<double> lengths;
     for (const std::string& name : wall.markers) {
-      const auto marker = mesh.topology->find_marker(name);
+      const auto marker = mesh.topology->markers().find(name);
       if (!marker) continue;
       for (const Face& edge : mesh.topology->markers()[static_cast<std::size_t>(*marker)].faces) {
         const auto [a, b] = edge.edge();

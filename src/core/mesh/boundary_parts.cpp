@@ -1,7 +1,6 @@
 #include "core/mesh/boundary_parts.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 
 namespace winslow {
@@ -38,34 +37,22 @@ class JoinedSets {
   std::vector<Index> parent_;
 };
 
-std::vector<std::vector<Face>> joined_surfaces(const std::vector<Face>& faces) {
-  struct FaceEdge {
-    std::array<Index, 2> nodes;
-    Index face;
-  };
-  std::vector<FaceEdge> edges;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const Face& face = faces[f];
-    for (std::size_t k = 0; k < face.size(); ++k) {
-      const Index a = face[k], b = face[(k + 1) % face.size()];
-      edges.push_back({{std::min(a, b), std::max(a, b)}, static_cast<Index>(f)});
-    }
-  }
-  std::sort(edges.begin(), edges.end(),
-            [](const FaceEdge& a, const FaceEdge& b) { return a.nodes < b.nodes; });
-  JoinedSets sets(faces.size());
-  for (std::size_t i = 1; i < edges.size(); ++i) {
-    if (edges[i - 1].nodes == edges[i].nodes) sets.join(edges[i - 1].face, edges[i].face);
+/// Faces around one node of the boundary make up a single disc (check_volume_manifold), so faces
+/// that have a node in common hang together by edges.
+std::vector<std::vector<Face>> joined_surfaces(const std::vector<Face>& faces, Index node_count) {
+  JoinedSets nodes(at(node_count));
+  for (const Face& face : faces) {
+    for (const Index node : face) nodes.join(face[0], node);
   }
   std::vector<std::vector<Face>> parts;
-  std::vector<std::size_t> part_of(faces.size(), 0);
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const auto first = at(sets.find(static_cast<Index>(f)));
-    if (first == f) {
-      part_of[f] = parts.size();
+  std::vector<Index> part_of(at(node_count), -1);  // by the lowest node
+  for (const Face& face : faces) {
+    Index& part = part_of[at(nodes.find(face[0]))];
+    if (part < 0) {
+      part = static_cast<Index>(parts.size());
       parts.emplace_back();
     }
-    parts[part_of[first]].push_back(faces[f]);
+    parts[at(part)].push_back(face);
   }
   return parts;
 }
@@ -79,7 +66,7 @@ std::vector<std::vector<Face>> boundary_parts(const Topology& topology) {
     const Topology::SharedFace face = topology.face(f);
     if (face.elements[1] < 0) faces.push_back(face.nodes);
   }
-  return joined_surfaces(faces);
+  return joined_surfaces(faces, topology.node_count());
 }
 
 }  // namespace winslow

@@ -34,10 +34,19 @@ class Coordinates {
   void set_xyz(Index node, const Vec3& p) { set<3>(node, p); }
   void push_xyz(const Vec3& p) { push<3>(p); }
 
-  /// The components of a node, as many as there are dimensions.
-  const double* point(Index node) const { return values_.data() + offset(node, dimension_); }
-  double* point(Index node) { return values_.data() + offset(node, dimension_); }
+  // The same for code of either dimension.
+  template <int D>
+  Vec<D> get(Index node) const {
+    require_dimension(D);
+    return Vec<D>(values_.data() + offset(node, D));
+  }
+  template <int D>
+  void set(Index node, const Vec<D>& p) {
+    require_dimension(D);
+    for (int k = 0; k < D; ++k) values_[offset(node, D) + static_cast<std::size_t>(k)] = p[k];
+  }
 
+  /// All components in a row, as kernels and solvers read them.
   std::span<const double> values() const { return values_; }
   std::span<double> values() { return values_; }
 
@@ -51,16 +60,6 @@ class Coordinates {
  private:
   static std::size_t offset(Index node, int dimension) {
     return static_cast<std::size_t>(node) * static_cast<std::size_t>(dimension);
-  }
-  template <int D>
-  Vec<D> get(Index node) const {
-    require_dimension(D);
-    return Vec<D>(values_.data() + offset(node, D));
-  }
-  template <int D>
-  void set(Index node, const Vec<D>& p) {
-    require_dimension(D);
-    for (int k = 0; k < D; ++k) values_[offset(node, D) + static_cast<std::size_t>(k)] = p[k];
   }
   template <int D>
   void push(const Vec<D>& p) {

@@ -10,23 +10,35 @@ namespace winslow {
 
 namespace {
 
-/// N: most nodes of a face.
+/// A side but for its lowest node. N: most nodes of a face.
 template <std::size_t N>
 struct Side {
-  std::array<Index, N> nodes;  // sorted
+  std::array<Index, N - 1> others;  // ascending
   Index side, element;
+  bool ascends;  // of the whole side
 
   bool operator<(const Side& other) const {
-    return std::tie(nodes, side) < std::tie(other.nodes, other.side);
+    return std::tie(others, side) < std::tie(other.others, other.side);
   }
 };
 
-template <std::size_t N>
-std::array<Index, N> sorted(const Face& face) {
-  if constexpr (N == 2) return {std::min(face[0], face[1]), std::max(face[0], face[1])};
-  if constexpr (N == 4) return face.sorted();
+/// Does the face run from its lowest node on towards the lower of the two beside it? Faces with the
+/// same nodes in opposite directions disagree.
+bool ascends(const Face& face) {
+  const std::size_t n = face.size();
+  const auto low =
+      static_cast<std::size_t>(std::min_element(face.begin(), face.end()) - face.begin());
+  return n == 2 ? low == 0 : face[(low + 1) % n] < face[(low + n - 1) % n];
 }
 
+/// Do two faces with the same nodes have the same diagonals?
+bool same_diagonals(const Face& a, const Face& b) {
+  if (a.size() < 4) return true;
+  const auto place = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
+  return b[(place + 2) % 4] == a[2];
+}
+
+/// Calls body(lowest node, side) for every side of every element.
 template <std::size_t N, typename Body>
 void for_each_side(const MeshData& data, const Body& body) {
   Index side = 0;
@@ -34,25 +46,41 @@ void for_each_side(const MeshData& data, const Body& body) {
     const auto corners = data.element(e);
     for (const Face& face : shape_of(data.types[at(e)]).faces) {
       const Face nodes = by_nodes(face, corners);
-      body(Side<N>{sorted<N>(nodes), side++, e});
+      if constexpr (N == 2) {
+        const auto [low, high] = std::minmax({nodes[0], nodes[1]});
+        body(low, Side<N>{{high}, side++, e, low == nodes[0]});
+      } else {
+        const auto [low, a, b, c] = nodes.sorted();
+        body(low, Side<N>{{a, b, c}, side++, e, ascends(nodes)});
+      }
     }
   }
 }
 
-/// All sides in ascending order: dealt out by their lowest node, of which few sides have the same.
+/// The sides of all elements, dealt out by their lowest node, of which few have the same, and there
+/// in ascending order.
 template <std::size_t N>
-std::vector<Side<N>> sorted_sides(const MeshData& data) {
-  std::vector<Index> begin(at(data.node_count()) + 1, 0);
-  for_each_side<N>(data, [&](const Side<N>& side) { ++begin[at(side.nodes[0]) + 1]; });
-  for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
-  std::vector<Side<N>> sides(at(begin.back()));
-  std::vector<Index> next(begin.begin(), begin.end() - 1);
-  for_each_side<N>(data, [&](const Side<N>& side) { sides[at(next[at(side.nodes[0])]++)] = side; });
-  for (std::size_t i = 0; i + 1 < begin.size(); ++i) {
-    std::sort(sides.begin() + begin[i], sides.begin() + begin[i + 1]);
+struct SortedSides {
+  explicit SortedSides(const MeshData& data) : begin(at(data.node_count()) + 2, 0) {
+    for_each_side<N>(data, [&](Index low, const Side<N>&) { ++begin[at(low) + 2]; });
+    for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
+    sides.resize(at(begin.back()));
+    for_each_side<N>(
+        data, [&](Index low, const Side<N>& side) { sides[at(begin[at(low) + 1]++)] = side; });
+    begin.pop_back();
+    for (Index node = 0; node < data.node_count(); ++node) {
+      const auto own = at_node(node);
+      std::sort(own.begin(), own.end());
+    }
   }
-  return sides;
-}
+
+  std::span<Side<N>> at_node(Index node) {
+    return {sides.begin() + begin[at(node)], sides.begin() + begin[at(node) + 1]};
+  }
+
+  std::vector<Index> begin;  // #nodes + 1
+  std::vector<Side<N>> sides;
+};
 
 template <std::size_t N>
 [[noreturn]] void refuse(const MeshData& data, const FacePairs& pairs, const Side<N>& third,
@@ -66,19 +94,38 @@ template <std::size_t N>
 }
 
 template <std::size_t N>
+Facing facing(const MeshData& data, const FacePairs& pairs, const Side<N>& a, const Side<N>& b) {
+  if constexpr (N > 2) {
+    const auto face = [&](const Side<N>& side) {
+      return face_of_side(data, side.element, side.side - pairs.side_offsets[at(side.element)]);
+    };
+    if (!same_diagonals(face(a), face(b))) return Facing::twisted;
+  }
+  return a.ascends == b.ascends ? Facing::same : Facing::opposite;
+}
+
+template <std::size_t N>
 void pair_sides(const MeshData& data, FacePairs& pairs) {
-  const std::vector<Side<N>> sides = sorted_sides<N>(data);
-  pairs.face_of_side.assign(sides.size(), -1);
-  pairs.first_side.reserve(sides.size() / 2);
-  pairs.elements.reserve(sides.size() / 2);
-  for (std::size_t i = 0; i < sides.size();) {
-    std::size_t j = i + 1;
-    while (j < sides.size() && sides[j].nodes == sides[i].nodes) ++j;
-    if (j - i > 2) refuse(data, pairs, sides[i + 2], j - i);
-    const Index face = pairs.face_count();
-    pairs.first_side.push_back(sides[i].side);
-    pairs.elements.push_back({sides[i].element, j - i == 2 ? sides[i + 1].element : -1});
-    for (; i < j; ++i) pairs.face_of_side[at(sides[i].side)] = face;
+  SortedSides<N> sorted(data);
+  const std::size_t count = sorted.sides.size();
+  pairs.face_of_side.assign(count, -1);
+  pairs.first_side.reserve(count / 2);
+  pairs.elements.reserve(count / 2);
+  pairs.facing.reserve(count / 2);
+  for (Index node = 0; node < data.node_count(); ++node) {
+    const auto sides = sorted.at_node(node);
+    for (std::size_t i = 0; i < sides.size();) {
+      std::size_t j = i + 1;
+      while (j < sides.size() && sides[j].others == sides[i].others) ++j;
+      if (j - i > 2) refuse(data, pairs, sides[i + 2], j - i);
+      const bool paired = j - i == 2;
+      const Index face = pairs.face_count();
+      pairs.first_side.push_back(sides[i].side);
+      pairs.elements.push_back({sides[i].element, paired ? sides[i + 1].element : -1});
+      pairs.facing.push_back(paired ? facing(data, pairs, sides[i], sides[i + 1])
+                                    : Facing::opposite);
+      for (; i < j; ++i) pairs.face_of_side[at(sides[i].side)] = face;
+    }
   }
 }
 

@@ -1,12 +1,17 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/mesh/mesh_data.h"
 
 namespace winslow {
+
+/// How two elements see the face between them: in opposite directions, as elements do that are
+/// oriented alike; in the same one; or, a quadrilateral, with its corners in another order.
+enum class Facing : std::uint8_t { opposite, same, twisted };
 
 /// The faces of a mesh, each once, and which sides of elements they are. A side is a face as one
 /// element has it; sides are counted element by element.
@@ -15,6 +20,7 @@ struct FacePairs {
   std::vector<Index> face_of_side;             ///< #sides
   std::vector<Index> first_side;               ///< #faces: the side that comes first
   std::vector<std::array<Index, 2>> elements;  ///< #faces: that of the first side, the other or -1
+  std::vector<Facing> facing;                  ///< #faces: of the elements; opposite if one is -1
 
   Index face_count() const { return static_cast<Index>(elements.size()); }
   /// Sides of an element, as entries of face_of_side.

@@ -3,19 +3,21 @@
 #include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
 #include <memory>
 
-#include "core/mesh/compressed_rows.h"
+#include "core/mesh/topology.h"
 
 namespace winslow {
 
-/// Half-edge connectivity of a plane or surface mesh; vertices and faces are numbered as nodes and
-/// elements. Include this header only where half-edges are walked: everything hot runs on
-/// Topology's rows.
+/// Half-edge connectivity of a plane or surface mesh. Vertices, faces and edges are numbered as
+/// nodes, elements and Topology::edges(); of the half-edges of an edge the first runs from its
+/// lower node to the other one. The half-edge of a boundary vertex is the one on the boundary that
+/// leaves it, that of another vertex leads to its lowest neighbour. Include this header only where
+/// half-edges are walked: everything hot runs on Topology's rows.
 class HalfEdgeMesh : public OpenMesh::PolyConnectivity {};
 
-/// Half-edges of elements that are oriented alike, at most two at an edge; edge_count: of all
-/// elements, each once. Throws MeshError naming an element that cannot be joined to its neighbours
-/// (non-manifold node).
-std::unique_ptr<HalfEdgeMesh> make_half_edges(const CompressedRows& elements, Index node_count,
-                                              std::size_t edge_count);
+/// Half-edges of elements that are oriented alike, with their edges; at most two boundary edges at
+/// a node.
+std::unique_ptr<HalfEdgeMesh> make_half_edges(const CompressedRows& elements,
+                                              std::span<const Topology::Edge> edges,
+                                              Index node_count);
 
 }  // namespace winslow

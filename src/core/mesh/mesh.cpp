@@ -23,8 +23,8 @@ void add_warnings(const Topology& topology, std::vector<std::string>& warnings) 
   if (unused > 0) {
     warnings.push_back(std::to_string(unused) + " nodes belong to no element; they are kept");
   }
-  if (topology.unmarked_boundary_faces() > 0) {
-    warnings.push_back(std::to_string(topology.unmarked_boundary_faces()) + " boundary " +
+  if (topology.markers().unmarked_faces() > 0) {
+    warnings.push_back(std::to_string(topology.markers().unmarked_faces()) + " boundary " +
                        (topology.cell_dimension() == 2 ? "edges" : "faces") +
                        " belong to no marker; their nodes stay where they are");
   }
@@ -55,6 +55,7 @@ Bounds bounds(const Coordinates& coordinates, std::span<const Index> nodes) {
 }
 
 Bounds bounds(const Mesh& mesh) {
+  require_plane(*mesh.topology, "bounds");
   std::vector<Index> used;
   for (Index i = 0; i < mesh.topology->node_count(); ++i) {
     if (mesh.topology->used(i)) used.push_back(i);

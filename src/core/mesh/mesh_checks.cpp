@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -55,9 +56,9 @@ class HangingNodes {
  public:
   HangingNodes(const Coordinates& coordinates, std::vector<Index> candidates)
       : x_(coordinates), nodes_(by_position(coordinates, std::move(candidates))) {
-    std::vector<Box<D>> places;
+    std::vector<Vec<D>> places;
     places.reserve(nodes_.size());
-    for (const Index node : nodes_) places.push_back({x_[node], x_[node]});
+    for (const Index node : nodes_) places.push_back(x_[node]);
     tree_ = BoxTree<D>(places);
   }
 
@@ -105,17 +106,35 @@ void check_edges(const Mesh& mesh) {
   }
 }
 
-}  // namespace
-
-std::vector<Index> by_position(const Coordinates& coordinates, std::vector<Index> nodes) {
-  const int dimension = coordinates.dimension();
+template <int D>
+void sort_by_position(const Points<D>& x, std::vector<Index>& nodes) {
   std::sort(nodes.begin(), nodes.end(), [&](Index a, Index b) {
-    const double *p = coordinates.point(a), *q = coordinates.point(b);
-    for (int k = 0; k < dimension; ++k) {
+    const Vec<D> p = x[a], q = x[b];
+    for (int k = 0; k < D; ++k) {
       if (p[k] != q[k]) return p[k] < q[k];
     }
     return a < b;
   });
+}
+
+/// A pair of nodes in the same place, of some in the order of their positions.
+template <int D>
+std::optional<std::array<Index, 2>> find_duplicate(const Points<D>& x,
+                                                   std::span<const Index> sorted) {
+  for (std::size_t k = 1; k < sorted.size(); ++k) {
+    if (x[sorted[k - 1]] == x[sorted[k]]) return {{sorted[k - 1], sorted[k]}};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Index> by_position(const Coordinates& coordinates, std::vector<Index> nodes) {
+  if (coordinates.dimension() == 2) {
+    sort_by_position(PlanePoints(coordinates), nodes);
+  } else {
+    sort_by_position(SpacePoints(coordinates), nodes);
+  }
   return nodes;
 }
 
@@ -167,14 +186,13 @@ void check_duplicates(const Mesh& mesh) {
   }
   const Coordinates& x = mesh.coordinates;
   const auto sorted = by_position(x, std::move(used));
-  for (std::size_t k = 1; k < sorted.size(); ++k) {
-    const double* p = x.point(sorted[k]);
-    if (std::equal(p, p + x.dimension(), x.point(sorted[k - 1]))) {
-      throw MeshError(MeshEntity::node, sorted[k],
-                      "node " + std::to_string(sorted[k]) + " lies exactly where node " +
-                          std::to_string(sorted[k - 1]) + " does (duplicate node)");
-    }
-  }
+  const auto pair = x.dimension() == 2 ? find_duplicate(PlanePoints(x), sorted)
+                                       : find_duplicate(SpacePoints(x), sorted);
+  if (!pair) return;
+  const auto [first, second] = *pair;
+  throw MeshError(MeshEntity::node, second,
+                  "node " + std::to_string(second) + " lies exactly where node " +
+                      std::to_string(first) + " does (duplicate node)");
 }
 
 void check_extents(const Mesh& mesh) {

@@ -10,22 +10,6 @@ namespace winslow {
 
 namespace {
 
-/// Does the face run from its lowest node on towards the lower of the two beside it? Faces with the
-/// same nodes in opposite directions disagree.
-bool ascends(const Face& face) {
-  const std::size_t n = face.size();
-  const auto low =
-      static_cast<std::size_t>(std::min_element(face.begin(), face.end()) - face.begin());
-  return n == 2 ? low == 0 : face[(low + 1) % n] < face[(low + n - 1) % n];
-}
-
-/// Do two faces with the same nodes have the same diagonals?
-bool same_diagonals(const Face& a, const Face& b) {
-  if (a.size() < 4) return true;
-  const auto place = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
-  return b[(place + 2) % 4] == a[2];
-}
-
 class Walk {
  public:
   Walk(const MeshData& data, const FacePairs& pairs)
@@ -57,21 +41,17 @@ class Walk {
       for (std::size_t k = 0; k < faces.size(); ++k) {
         const auto& [first, second] = pairs_.elements[at(faces[k])];
         const Index other = first == e ? second : first;
-        if (other >= 0 && other != e) visit(e, static_cast<Index>(k), other);
+        if (other >= 0 && other != e) visit(e, k, other);
       }
     }
   }
 
   /// Goes from an element through its face k to the one beyond.
-  void visit(Index e, Index k, Index other) {
-    const auto beyond = pairs_.faces_of(other);
-    const Index face = pairs_.faces_of(e)[at(k)];
-    const auto there =
-        static_cast<Index>(std::find(beyond.begin(), beyond.end(), face) - beyond.begin());
-    const Face own = face_of_side(data_, e, k), its = face_of_side(data_, other, there);
-    if (!same_diagonals(own, its)) refuse_twisted(e, other, own);
-    const bool same = ascends(own) == ascends(its);
-    const bool wanted = same ? !turn_[at(e)] : turn_[at(e)];
+  void visit(Index e, std::size_t k, Index other) {
+    const Facing facing = pairs_.facing[at(pairs_.faces_of(e)[k])];
+    if (facing == Facing::twisted)
+      refuse_twisted(e, other, face_of_side(data_, e, static_cast<Index>(k)));
+    const bool wanted = facing == Facing::same ? !turn_[at(e)] : turn_[at(e)];
     if (!seen_[at(other)]) {
       seen_[at(other)] = true;
       turn_[at(other)] = wanted;

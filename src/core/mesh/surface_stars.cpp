@@ -36,25 +36,16 @@ class StarWalk {
   }
 
   void turn(OpenMesh::VertexHandle v) {
-    Values &row = stars_.neighbours.values, &star = stars_.elements.values;
-    const auto first_row = static_cast<std::ptrdiff_t>(row.size());
-    const auto first_star = static_cast<std::ptrdiff_t>(star.size());
-    // OpenMesh stores an outgoing boundary half-edge, the last one counter-clockwise, so the next
-    // one across the gap opens the row.
-    const bool open = mesh_.is_boundary(v);
-    const auto start = open ? next(mesh_.halfedge_handle(v)) : mesh_.halfedge_handle(v);
+    // The half-edge of a boundary vertex is the last one counter-clockwise, so the next one across
+    // the gap opens the row.
+    const auto own = mesh_.halfedge_handle(v);
+    const auto start = mesh_.is_boundary(own) ? next(own) : own;
     auto h = start;
     do {
-      row.push_back(mesh_.to_vertex_handle(h).idx());
-      if (!mesh_.is_boundary(h)) star.push_back(mesh_.face_handle(h).idx());
+      stars_.neighbours.values.push_back(mesh_.to_vertex_handle(h).idx());
+      if (!mesh_.is_boundary(h)) stars_.elements.values.push_back(mesh_.face_handle(h).idx());
       h = next(h);
     } while (h != start);
-    if (open) return;
-    // A start that does not depend on the order of elements in the file.
-    const auto begin = row.begin() + first_row;
-    const auto shift = std::min_element(begin, row.end()) - begin;
-    std::rotate(begin, begin + shift, row.end());
-    std::rotate(star.begin() + first_star, star.begin() + first_star + shift, star.end());
   }
 
   const HalfEdgeMesh& mesh_;

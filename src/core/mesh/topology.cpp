@@ -50,44 +50,20 @@ std::optional<Index> Topology::find_face(const Face& nodes) const {
 }
 
 std::span<const Topology::Edge> Topology::edges() const {
-  if (cell_dimension() == 3) throw UsageError("edges with two elements, in a volume mesh");
+  if (cell_dimension() == 3) throw UsageError("a volume mesh has no edges with two elements");
   return edges_;
 }
 
 const std::vector<std::vector<Index>>& Topology::boundary_loops() const {
-  if (cell_dimension() == 3) throw UsageError("boundary loops, in a volume mesh");
+  if (cell_dimension() == 3) throw UsageError("a volume mesh has no boundary loops");
   return loops_;
 }
 
 const HalfEdgeMesh& Topology::half_edges() const {
-  if (cell_dimension() == 3) throw UsageError("half-edges, in a volume mesh");
+  if (cell_dimension() == 3) throw UsageError("a volume mesh has no half-edges");
   std::call_once(half_edges_made_,
-                 [this] { half_edges_ = make_half_edges(elements_, node_count(), edges_.size()); });
+                 [this] { half_edges_ = make_half_edges(elements_, edges_, node_count()); });
   return *half_edges_;
-}
-
-std::optional<Index> Topology::find_marker(std::string_view name) const {
-  const auto it = std::find_if(markers_.begin(), markers_.end(),
-                               [&](const Marker& marker) { return marker.name == name; });
-  if (it == markers_.end()) return std::nullopt;
-  return static_cast<Index>(it - markers_.begin());
-}
-
-std::vector<Index> Topology::nodes_of_markers(std::span<const std::string> names) const {
-  std::vector<Index> nodes;
-  for (const std::string& name : names) {
-    const auto marker = find_marker(name);
-    if (!marker) {
-      std::string known;
-      for (const Marker& m : markers_) known += (known.empty() ? "" : ", ") + m.name;
-      throw UsageError("no marker named '" + name + "'; the mesh has: " + known);
-    }
-    const auto part = marker_nodes(*marker);
-    nodes.insert(nodes.end(), part.begin(), part.end());
-  }
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  return nodes;
 }
 
 std::string_view mesh_kind(const Topology& topology) {

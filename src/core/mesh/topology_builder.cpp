@@ -46,7 +46,7 @@ std::shared_ptr<const Topology> TopologyBuilder::build() {
   }
   make_markers();
   list_marker_nodes();
-  constrain_nodes();
+  classify_nodes();
   return topology_;
 }
 
@@ -64,8 +64,8 @@ void TopologyBuilder::build_surface() {
     const auto [a, b] = first_face(data_, pairs_, f).edge();
     topology_->edges_.push_back({{std::min(a, b), std::max(a, b)}, pairs_.elements[at(f)]});
   }
-  const auto mesh =
-      make_half_edges(topology_->elements_, data_.node_count(), topology_->edges_.size());
+  pairs_ = {};  // the half-edges need the room
+  const auto mesh = make_half_edges(topology_->elements_, topology_->edges_, data_.node_count());
   NodeStars stars = surface_stars(*mesh, topology_->elements_);
   topology_->neighbours_ = std::move(stars.neighbours);
   topology_->star_ = std::move(stars.elements);
@@ -88,19 +88,20 @@ void TopologyBuilder::build_volume() {
 }
 
 void TopologyBuilder::make_markers() {
-  topology_->markers_ = data_.markers;
-  topology_->markers_from_file_ = !data_.markers.empty();
-  if (topology_->markers_from_file_) return;
+  Markers& markers = topology_->markers_;
+  markers.list_ = data_.markers;
+  markers.from_file_ = !data_.markers.empty();
+  if (markers.from_file_) return;
   const std::string name = data_.cell_dimension() == 2 ? "loop_" : "boundary_";
   for (auto& part : boundary_parts(*topology_)) {
-    const auto number = static_cast<int>(topology_->markers_.size()) + 1;
-    topology_->markers_.push_back({name + std::to_string(number), number, std::move(part)});
+    const auto number = static_cast<int>(markers.size()) + 1;
+    markers.list_.push_back({name + std::to_string(number), number, std::move(part)});
   }
 }
 
 void TopologyBuilder::list_marker_nodes() {
   std::vector<bool> marked(at(topology_->face_count()), false);
-  const std::vector<Marker>& markers = topology_->markers_;
+  const std::vector<Marker>& markers = topology_->markers_.list_;
   for (std::size_t m = 0; m < markers.size(); ++m) {
     std::vector<Index> nodes;
     for (std::size_t k = 0; k < markers[m].faces.size(); ++k) {
@@ -112,25 +113,26 @@ void TopologyBuilder::list_marker_nodes() {
     }
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    CompressedRows& rows = topology_->marker_nodes_;
+    CompressedRows& rows = topology_->markers_.nodes_;
     rows.values.insert(rows.values.end(), nodes.begin(), nodes.end());
     rows.end_row();
   }
-  for (Index f = 0; f < pairs_.face_count(); ++f) {
-    if (pairs_.elements[at(f)][1] < 0 && !marked[at(f)]) ++topology_->unmarked_faces_;
+  for (Index f = 0; f < topology_->face_count(); ++f) {
+    if (topology_->face(f).elements[1] < 0 && !marked[at(f)]) ++topology_->markers_.unmarked_faces_;
   }
 }
 
-void TopologyBuilder::constrain_nodes() {
-  topology_->constrained_.assign(at(data_.node_count()), 0);
-  for (Index f = 0; f < pairs_.face_count(); ++f) {
-    if (pairs_.elements[at(f)][1] >= 0) continue;
-    for (const Index node : topology_->face(f).nodes) topology_->constrained_[at(node)] = 1;
+void TopologyBuilder::classify_nodes() {
+  topology_->on_boundary_.assign(at(data_.node_count()), 0);
+  for (Index f = 0; f < topology_->face_count(); ++f) {
+    const Topology::SharedFace face = topology_->face(f);
+    if (face.elements[1] >= 0) continue;
+    for (const Index node : face.nodes) topology_->on_boundary_[at(node)] = 1;
   }
-  for (const Index node : topology_->marker_nodes_.values) topology_->constrained_[at(node)] = 1;
+  for (const Index node : topology_->markers_.nodes_.values) topology_->on_boundary_[at(node)] = 1;
   for (Index node = 0; node < data_.node_count(); ++node) {
-    if (topology_->used(node) && !topology_->constrained(node)) {
-      topology_->free_nodes_.push_back(node);
+    if (topology_->used(node) && !topology_->on_boundary(node)) {
+      topology_->interior_nodes_.push_back(node);
     }
   }
 }

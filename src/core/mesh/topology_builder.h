@@ -21,7 +21,7 @@ class TopologyBuilder {
   void build_volume();
   void make_markers();
   void list_marker_nodes();
-  void constrain_nodes();
+  void classify_nodes();
 
   const MeshData& data_;
   FacePairs pairs_;

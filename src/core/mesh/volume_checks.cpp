@@ -70,9 +70,9 @@ void check_boundary_faces(const Mesh& mesh) {
   const Topology& topology = *mesh.topology;
   const SpacePoints x(mesh.coordinates);
   const auto nodes = by_position(mesh.coordinates, boundary_nodes(topology));
-  std::vector<Box<3>> places;
+  std::vector<Vec3> places;
   places.reserve(nodes.size());
-  for (const Index node : nodes) places.push_back({x[node], x[node]});
+  for (const Index node : nodes) places.push_back(x[node]);
   const BoxTree<3> tree(places);
   for (Index f = 0; f < topology.face_count(); ++f) {
     const Topology::SharedFace face = topology.face(f);

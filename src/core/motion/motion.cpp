@@ -13,8 +13,9 @@ namespace winslow {
 namespace {
 
 std::vector<Index> moving_nodes(const Topology& topology, const std::vector<std::string>& markers) {
+  require_plane(topology, "motions");
   if (markers.empty()) throw UsageError("no marker given: which boundary is to move?");
-  std::vector<Index> nodes = topology.nodes_of_markers(markers);
+  std::vector<Index> nodes = topology.markers().nodes_of(markers);
   if (nodes.empty()) throw UsageError("the chosen markers have no nodes");
   return nodes;
 }
@@ -82,9 +83,9 @@ double fade_factor(const SineDeformation& options, double s) {
 class NodeFinder {
  public:
   NodeFinder(const Coordinates& x, const std::vector<Index>& nodes) : nodes_(nodes) {
-    std::vector<Box<2>> places;
+    std::vector<Vec2> places;
     places.reserve(nodes.size());
-    for (const Index node : nodes) places.push_back({x.xy(node), x.xy(node)});
+    for (const Index node : nodes) places.push_back(x.xy(node));
     tree_ = BoxTree<2>(places);
     // Files written with six or seven digits must match.
     constexpr double relative = 1e-6;

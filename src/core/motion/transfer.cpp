@@ -44,11 +44,12 @@ class Transfer final : public Motion {
 
 }  // namespace
 
-std::unique_ptr<Motion> make_transfer(const Topology& topology, const Coordinates& from,
+std::unique_ptr<Motion> make_transfer(const NodeClasses& classes, const Coordinates& from,
                                       const Coordinates& to) {
+  require_plane(classes.topology(), "motions");
   std::vector<Index> nodes;
-  for (Index node = 0; node < topology.node_count(); ++node) {
-    if (topology.constrained(node) && from.xy(node) != to.xy(node)) nodes.push_back(node);
+  for (Index node = 0; node < from.size(); ++node) {
+    if (classes.unknowns(node) == 0 && from.xy(node) != to.xy(node)) nodes.push_back(node);
   }
   return std::make_unique<Transfer>(std::move(nodes), from, to);
 }

@@ -3,14 +3,15 @@
 #include <memory>
 
 #include "core/motion/motion.h"
+#include "core/problem/node_classes.h"
 
 namespace winslow {
 
-/// The motion that takes the constrained nodes from where they are in one set of coordinates to
-/// where they are in another: the rigid motion that fits best, followed as such (the shorter way
+/// The motion that takes the nodes without unknowns from where they are in one set of coordinates
+/// to where they are in another: the rigid motion that fits best, followed as such (the shorter way
 /// round), and the rest in proportion. Its `rest` argument is `from`; at fraction 1 the nodes are
 /// exactly at `to`. For going on from a mesh that a drag has left half-way.
-std::unique_ptr<Motion> make_transfer(const Topology& topology, const Coordinates& from,
+std::unique_ptr<Motion> make_transfer(const NodeClasses& classes, const Coordinates& from,
                                       const Coordinates& to);
 
 }  // namespace winslow

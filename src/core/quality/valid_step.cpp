@@ -14,15 +14,16 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// A corner's two edges and how they change.
-double corner_step(const double* a, const double* b, const double* c, const double* a1,
-                   const double* b1, const double* c1) {
-  const double ux = b[0] - a[0], uy = b[1] - a[1], vx = c[0] - a[0], vy = c[1] - a[1];
-  const double dux = b1[0] - a1[0] - ux, duy = b1[1] - a1[1] - uy;
-  const double dvx = c1[0] - a1[0] - vx, dvy = c1[1] - a1[1] - vy;
-  const double d0 = ux * vy - uy * vx;
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Of a corner, given by its node and the ends of its two edges.
+double corner_step(const std::array<Vec2, 3>& from, const std::array<Vec2, 3>& to) {
+  const Vec2 u = from[1] - from[0], v = from[2] - from[0];
+  const Vec2 du = to[1] - to[0] - u, dv = to[2] - to[0] - v;
+  const double d0 = cross(u, v);
   if (!(d0 > 0)) return 0;
-  return first_positive_root(d0, ux * dvy - uy * dvx + dux * vy - duy * vx, dux * dvy - duy * dvx);
+  return first_positive_root(d0, u.x() * dv.y() - u.y() * dv.x() + du.x() * v.y() - du.y() * v.x(),
+                             cross(du, dv));
 }
 
 }  // namespace
@@ -42,8 +43,7 @@ double first_positive_root(double d0, double d1, double d2) {
 double largest_valid_step(const Topology& topology, const Coordinates& from, const Coordinates& to,
                           int threads) {
   require_plane(topology, "steps that keep a mesh valid");
-  from.require_dimension(2);
-  to.require_dimension(2);
+  const PlanePoints before(from), after(to);
   const Index n = topology.element_count();
   const auto blocks = static_cast<std::size_t>((n + parallel_block - 1) / parallel_block);
   std::vector<double> steps(blocks, infinite);
@@ -55,8 +55,8 @@ double largest_valid_step(const Topology& topology, const Coordinates& from, con
       const std::size_t corners = count == 3 ? 1 : count;
       for (std::size_t k = 0; k < corners; ++k) {
         const Index a = nodes[k], b = nodes[(k + 1) % count], c = nodes[(k + count - 1) % count];
-        smallest = std::min(smallest, corner_step(from.point(a), from.point(b), from.point(c),
-                                                  to.point(a), to.point(b), to.point(c)));
+        smallest = std::min(smallest, corner_step({before[a], before[b], before[c]},
+                                                  {after[a], after[b], after[c]}));
       }
     }
     steps[static_cast<std::size_t>(begin / parallel_block)] = smallest;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <tuple>
 #include <utility>
 
@@ -10,8 +11,8 @@ namespace winslow {
 
 namespace {
 
-/// Below it a node is a leaf: looking at so many boxes in a row is faster than another level.
-constexpr Index leaf_size = 8;
+/// Most items of a leaf: looking at so many boxes in a row is faster than another level.
+constexpr std::size_t leaf_size = 8;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -35,37 +36,74 @@ bool passes(const Ray<D>& ray, const Box<D>& box) {
 
 }  // namespace
 
+/// An item while the tree is built.
 template <int D>
 struct BoxTree<D>::Entry {
-  std::array<double, D> place;  // twice the centre of the box
+  std::array<std::uint32_t, D> place;  // the centre of its box on a grid over all of them
   Index item;
+
+  /// Items decide between equal places, so that the tree is the same with every standard library.
+  std::uint64_t key(std::size_t axis) const {
+    return (std::uint64_t{place[axis]} << 32) | static_cast<std::uint32_t>(item);
+  }
+};
+
+/// A node with its range of items.
+template <int D>
+struct BoxTree<D>::Spot {
+  Index node, begin, end;
+  int level;
+
+  Spot first() const { return {2 * node, begin, begin + (end - begin) / 2, level + 1}; }
+  Spot second() const { return {2 * node + 1, begin + (end - begin) / 2, end, level + 1}; }
 };
 
 template <int D>
+auto BoxTree<D>::root() const -> Spot {
+  return {1, 0, size(), 0};
+}
+
+template <int D>
 BoxTree<D>::BoxTree(std::span<const Box<D>> boxes) {
-  if (boxes.empty()) return;
-  std::vector<Entry> entries(boxes.size());
-  Box<D> places = Box<D>::empty();
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Vec<D> place = boxes[i].min + boxes[i].max;
-    places.add(place);
-    std::copy_n(place.data(), D, entries[i].place.begin());
-    entries[i].item = static_cast<Index>(i);
-  }
-  nodes_.reserve(boxes.size() / 2 + 1);
-  items_.reserve(boxes.size());
-  build(entries, places);
-  boxes_.resize(boxes.size());
+  build(boxes.size(), [&](std::size_t i) -> Vec<D> { return boxes[i].min + boxes[i].max; });
   refit(boxes);
 }
 
 template <int D>
-void BoxTree<D>::build(std::span<Entry> entries, Box<D> places) {
-  const std::size_t index = nodes_.size();
-  const auto begin = static_cast<Index>(items_.size());
-  const auto count = static_cast<Index>(entries.size());
-  nodes_.push_back({{}, begin, begin + count, 0});
-  if (count <= leaf_size) {
+BoxTree<D>::BoxTree(std::span<const Vec<D>> points) {
+  build(points.size(), [&](std::size_t i) -> const Vec<D>& { return points[i]; });
+  for (std::size_t i = 0; i < items_.size(); ++i) lower_[i] = points[at(items_[i])];
+  fit();
+}
+
+/// place_of: the centre of each item's box, or twice that.
+template <int D>
+template <class PlaceOf>
+void BoxTree<D>::build(std::size_t count, const PlaceOf& place_of) {
+  if (count == 0) return;
+  Box<D> all = Box<D>::empty();
+  for (std::size_t i = 0; i < count; ++i) all.add(place_of(i));
+  const double extent = all.size().maxCoeff();
+  const bool spread = extent > 0 && extent < infinity;
+  const double cells = spread ? std::numeric_limits<std::uint32_t>::max() / extent : 0;
+  std::vector<Entry> entries(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    entries[i].item = static_cast<Index>(i);
+    const Vec<D> place = place_of(i) - all.min;
+    for (int k = 0; k < D && spread; ++k)
+      entries[i].place[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(cells * place[k]);
+  }
+  while ((count - 1) >> depth_ >= leaf_size) ++depth_;
+  nodes_.resize(std::size_t{2} << depth_);
+  items_.reserve(count);
+  lower_.resize(count);
+  split(entries, {Vec<D>::Zero(), (all.size() * cells).eval()}, 0);
+}
+
+/// places: a box around those of the entries.
+template <int D>
+void BoxTree<D>::split(std::span<Entry> entries, const Box<D>& places, int level) {
+  if (level == depth_) {
     std::ranges::sort(entries, {}, &Entry::item);
     for (const Entry& entry : entries) items_.push_back(entry.item);
     return;
@@ -74,52 +112,72 @@ void BoxTree<D>::build(std::span<Entry> entries, Box<D> places) {
   places.size().maxCoeff(&longest);
   const std::size_t axis = static_cast<std::size_t>(longest), half = entries.size() / 2;
   const auto middle = entries.begin() + static_cast<std::ptrdiff_t>(half);
-  // Items decide between equal places, so that the tree is the same with every standard library.
-  std::nth_element(entries.begin(), middle, entries.end(), [axis](const Entry& a, const Entry& b) {
-    return a.place[axis] < b.place[axis] || (a.place[axis] == b.place[axis] && a.item < b.item);
-  });
+  std::nth_element(entries.begin(), middle, entries.end(),
+                   [axis](const Entry& a, const Entry& b) { return a.key(axis) < b.key(axis); });
   Box<D> below = places, above = places;
   below.max[longest] = above.min[longest] = middle->place[axis];
-  build(entries.first(half), below);
-  nodes_[index].right = static_cast<Index>(nodes_.size());
-  build(entries.subspan(half), above);
-}
-
-template <int D>
-Box<D> BoxTree<D>::box_of_items(const Node& leaf) const {
-  Box<D> box = Box<D>::empty();
-  for (Index i = leaf.begin; i < leaf.end; ++i) box.add(boxes_[at(i)]);
-  return box;
+  split(entries.first(half), below, level + 1);
+  split(entries.subspan(half), above, level + 1);
 }
 
 template <int D>
 void BoxTree<D>::refit(std::span<const Box<D>> boxes) {
-  for (std::size_t i = 0; i < items_.size(); ++i) boxes_[i] = boxes[at(items_[i])];
-  for (std::size_t i = nodes_.size(); i-- > 0;) {
-    Node& node = nodes_[i];
-    node.box = node.right == 0 ? box_of_items(node) : nodes_[i + 1].box;
-    if (node.right > 0) node.box.add(nodes_[at(node.right)].box);
+  upper_.resize(items_.size());
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    lower_[i] = boxes[at(items_[i])].min;
+    upper_[i] = boxes[at(items_[i])].max;
+  }
+  fit();
+}
+
+/// Boxes of the nodes, from those of the items.
+template <int D>
+void BoxTree<D>::fit() {
+  std::vector<Spot> open;
+  if (!items_.empty()) open.push_back(root());
+  while (!open.empty()) {
+    const Spot spot = open.back();
+    open.pop_back();
+    if (spot.level < depth_) {
+      open.push_back(spot.second());
+      open.push_back(spot.first());
+      continue;
+    }
+    Box<D> leaf = Box<D>::empty();
+    for (Index i = spot.begin; i < spot.end; ++i) leaf.add(box(i));
+    nodes_[at(spot.node)] = leaf;
+  }
+  for (std::size_t i = nodes_.size() / 2; i-- > 1;) {
+    nodes_[i] = nodes_[2 * i];
+    nodes_[i].add(nodes_[2 * i + 1]);
   }
 }
 
 template <int D>
+Box<D> BoxTree<D>::box(Index place) const {
+  return {lower_[at(place)], upper_.empty() ? lower_[at(place)] : upper_[at(place)]};
+}
+
+template <int D>
 template <class Measure>
-void BoxTree<D>::search(Index index, const Measure& measure, Nearest& best) const {
-  const Node& node = nodes_[at(index)];
-  if (node.right == 0) {
-    for (Index i = node.begin; i < node.end; ++i) {
+void BoxTree<D>::search(const Spot& spot, const Measure& measure, Nearest& best) const {
+  if (spot.level == depth_) {
+    for (Index i = spot.begin; i < spot.end; ++i) {
       const double d = measure.of_item(i, best.distance);
+      if (!(d <= best.distance)) continue;
       const Index item = items_[at(i)];
-      if (d < best.distance || (d == best.distance && (best.item < 0 || item < best.item)))
-        best = {item, d};
+      if (d < best.distance || best.item < 0 || item < best.item) best = {item, d};
     }
     return;
   }
-  std::pair near{nodes_[at(index + 1)].box.squared_distance(measure.point), index + 1};
-  std::pair far{nodes_[at(node.right)].box.squared_distance(measure.point), node.right};
-  if (far.first < near.first) std::swap(near, far);
-  if (near.first <= measure.square(best.distance)) search(near.second, measure, best);
-  if (far.first <= measure.square(best.distance)) search(far.second, measure, best);
+  const Spot first = spot.first(), second = spot.second();
+  const double to_first = nodes_[at(first.node)].squared_distance(measure.point);
+  const double to_second = nodes_[at(second.node)].squared_distance(measure.point);
+  const bool swap = to_second < to_first;
+  if (!((swap ? to_second : to_first) <= measure.square(best.distance))) return;
+  search(swap ? second : first, measure, best);
+  if (!((swap ? to_first : to_second) <= measure.square(best.distance))) return;
+  search(swap ? first : second, measure, best);
 }
 
 /// Distances as the caller gives them.
@@ -132,20 +190,22 @@ struct BoxTree<D>::ByCaller {
   /// Of a length that may be the square root of a square; no less.
   static double square(double length) { return length * length * (1 + 4 * epsilon); }
   double of_item(Index place, double best) const {
-    if (tree.boxes_[at(place)].squared_distance(point) > square(best)) return infinity;
+    if (tree.box(place).squared_distance(point) > square(best)) return infinity;
     return distance(tree.items_[at(place)]);
   }
 };
 
 /// Squares of the distances of the boxes.
 template <int D>
-struct BoxTree<D>::ByBox {
+template <bool points>
+struct BoxTree<D>::ByPlace {
   const BoxTree& tree;
   const Vec<D>& point;
 
   static double square(double already) { return already; }
   double of_item(Index place, double) const {
-    return tree.boxes_[at(place)].squared_distance(point);
+    if constexpr (points) return (point - tree.lower_[at(place)]).squaredNorm();
+    return tree.box(place).squared_distance(point);
   }
 };
 
@@ -153,14 +213,19 @@ template <int D>
 auto BoxTree<D>::nearest(const Vec<D>& point, double radius, const Distance& distance) const
     -> std::optional<Nearest> {
   Nearest best{-1, radius};
-  if (!nodes_.empty()) search(0, ByCaller{*this, point, distance}, best);
+  if (!items_.empty()) search(root(), ByCaller{*this, point, distance}, best);
   return best.item < 0 ? std::nullopt : std::optional(best);
 }
 
 template <int D>
 auto BoxTree<D>::nearest(const Vec<D>& point, double radius) const -> std::optional<Nearest> {
+  if (items_.empty()) return std::nullopt;
   Nearest best{-1, ByCaller::square(radius)};
-  if (!nodes_.empty()) search(0, ByBox{*this, point}, best);
+  if (upper_.empty()) {
+    search(root(), ByPlace<true>{*this, point}, best);
+  } else {
+    search(root(), ByPlace<false>{*this, point}, best);
+  }
   best.distance = std::sqrt(best.distance);
   return best.item < 0 || best.distance > radius ? std::nullopt : std::optional(best);
 }
@@ -168,20 +233,19 @@ auto BoxTree<D>::nearest(const Vec<D>& point, double radius) const -> std::optio
 template <int D>
 template <class Misses, class Visit>
 void BoxTree<D>::descend(const Misses& misses, const Visit& visit) const {
-  std::vector<Index> open;
-  if (!nodes_.empty()) open.push_back(0);
+  std::vector<Spot> open;
+  if (!items_.empty()) open.push_back(root());
   while (!open.empty()) {
-    const Index index = open.back();
+    const Spot spot = open.back();
     open.pop_back();
-    const Node& node = nodes_[at(index)];
-    if (misses(node.box)) continue;
-    if (node.right > 0) {
-      open.push_back(node.right);
-      open.push_back(index + 1);
+    if (misses(nodes_[at(spot.node)])) continue;
+    if (spot.level < depth_) {
+      open.push_back(spot.second());
+      open.push_back(spot.first());
       continue;
     }
-    for (Index i = node.begin; i < node.end; ++i)
-      if (!misses(boxes_[at(i)])) visit(items_[at(i)]);
+    for (Index i = spot.begin; i < spot.end; ++i)
+      if (!misses(box(i))) visit(items_[at(i)]);
   }
 }
 

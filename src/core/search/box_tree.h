@@ -26,6 +26,8 @@ class BoxTree {
   BoxTree() = default;
   /// boxes: one per item, finite.
   explicit BoxTree(std::span<const Box<D>> boxes);
+  /// Items that are points, which takes half the memory: the same as of boxes {point, point}.
+  explicit BoxTree(std::span<const Vec<D>> points);
 
   /// Items have moved; boxes: as many as before. Takes a fraction of the time to build the tree
   /// anew, and the tree serves as well as long as neighbours have stayed neighbours.
@@ -61,28 +63,29 @@ class BoxTree {
   std::vector<RayHit> hits(const Ray<D>& ray, const Intersection& intersection) const;
 
  private:
-  struct Node {
-    Box<D> box;
-    Index begin = 0, end = 0;  // of the items below it
-    Index right = 0;           // second child; 0: a leaf. The first child is the next node.
-  };
   struct Entry;
-
+  struct Spot;
   struct ByCaller;
-  struct ByBox;
+  template <bool points>
+  struct ByPlace;
 
-  /// places: a box around those of the entries.
-  void build(std::span<Entry> entries, Box<D> places);
-  Box<D> box_of_items(const Node& leaf) const;
+  template <class PlaceOf>
+  void build(std::size_t count, const PlaceOf& place_of);
+  void split(std::span<Entry> entries, const Box<D>& places, int level);
+  void fit();
+  Box<D> box(Index place) const;
+  Spot root() const;
   template <class Measure>
-  void search(Index node, const Measure& measure, Nearest& best) const;
+  void search(const Spot& spot, const Measure& measure, Nearest& best) const;
   /// Calls `visit` with every item whose box, and those of the nodes above it, are not missed.
   template <class Misses, class Visit>
   void descend(const Misses& misses, const Visit& visit) const;
 
-  std::vector<Node> nodes_;  // parents before their children
-  std::vector<Index> items_;
-  std::vector<Box<D>> boxes_;  // of items_
+  int depth_ = 0;              // of the leaves, which are all equally deep
+  std::vector<Box<D>> nodes_;  // from 1 on; the children of i are 2 i and 2 i + 1
+  std::vector<Index> items_;   // each node has a range of them, and its children half of it each
+  std::vector<Vec<D>> lower_;  // of the boxes of items_
+  std::vector<Vec<D>> upper_;  // empty if all of them are points
 };
 
 extern template class BoxTree<2>;

@@ -1,7 +1,6 @@
 #include "core/strategy/smooth_options.h"
 
 #include "core/error.h"
-#include "core/formulation/formulation_names.h"
 
 namespace winslow {
 
@@ -114,7 +113,7 @@ OptionTable linear_rows(SmoothOptions& o) {
        .flag = "linear"},
       {.key = "tolerance",
        .value = RealOption{&o.linear.tolerance, inside(0, 1)},
-       .label = "Its tolerance",
+       .label = "Linear tolerance",
        .help = "Relative residual at which an iterative linear solver stops",
        .advice =
            "The outer iteration corrects what is left, and Newton's method on the energy chooses "
@@ -123,7 +122,7 @@ OptionTable linear_rows(SmoothOptions& o) {
        .applies = iterative},
       {.key = "max_iterations",
        .value = IntegerOption{&o.linear.max_iterations, at_least(1)},
-       .label = "Its iterations",
+       .label = "Linear iterations",
        .help = "Limit of sweeps or Krylov iterations for one linear system",
        .object = "linear",
        .applies = iterative},

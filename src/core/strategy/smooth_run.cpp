@@ -30,26 +30,36 @@ bool valid(const MeshState& state, const Coordinates& x, int threads) {
   return check_validity(*state.mesh.topology, x, threads).inverted == 0;
 }
 
-/// The interior of one mesh within the boundary of another.
-Coordinates interior_within(const Topology& topology, const Coordinates& interior,
-                            Coordinates boundary) {
-  for (const Index node : topology.free_nodes()) boundary.set_xy(node, interior.xy(node));
-  return boundary;
+/// The nodes of one mesh that have unknowns, the others where another mesh has them.
+Coordinates unknowns_within(const NodeClasses& classes, const Coordinates& unknown,
+                            Coordinates held) {
+  for (Index node = 0; node < held.size(); ++node) {
+    if (classes.unknowns(node) > 0) held.set_xy(node, unknown.xy(node));
+  }
+  return held;
+}
+
+/// The classes of a run in which the boundary stays or, but for the nodes of a motion, does.
+std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Motion* motion) {
+  auto classes = std::make_shared<NodeClasses>(state.mesh.topology);
+  if (motion) classes->set_prescribed(motion->nodes());
+  return classes;
 }
 
 /// A motion that is begun from a mesh near its end: along the path from there where that mesh is
 /// valid as it stands, at once where it is valid within the boundary's last position.
-bool move_from(const MeshState& state, const Motion& motion, const Coordinates& start, int threads,
-               NewtonRun& steps, Coordinates& x) {
-  const Topology& topology = *state.mesh.topology;
+bool move_from(const MeshState& state, const Motion& motion, const Coordinates& start,
+               const SmoothingWorkspace& workspace, NewtonRun& steps, Coordinates& x) {
+  const NodeClasses& classes = workspace.classes();
+  const int threads = workspace.options().threads;
   Coordinates target = state.mesh.coordinates;
   motion.apply(state.mesh.coordinates, 1, target);
   if (valid(state, start, threads)) {
     x = start;
-    steps.follow(*make_transfer(topology, start, target), start, x);
+    steps.follow(*make_transfer(classes, start, target), start, x);
     return true;
   }
-  Coordinates within = interior_within(topology, start, target);
+  Coordinates within = unknowns_within(classes, start, target);
   if (!valid(state, within, threads)) return false;
   x = std::move(within);
   steps.smooth(x, 1, nullptr);
@@ -68,7 +78,7 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& option
   SmoothResult result;
   SmoothingWorkspace own;
   SmoothingWorkspace& workspace = run.workspace ? *run.workspace : own;
-  workspace.prepare(state.vcv, options, state.mesh.coordinates);
+  workspace.prepare(state.vcv, classes_of(state, nullptr), options, state.mesh.coordinates);
   RunRecorder recorder(run.monitor, result, budget(options));
   if (by_fixed_point(options)) {
     recorder.iterate(workspace.picard(), x, Stage::picard, 1, options.max_iterations);
@@ -90,7 +100,7 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const M
   }
   SmoothingWorkspace own;
   SmoothingWorkspace& workspace = run.workspace ? *run.workspace : own;
-  workspace.prepare(state.vcv, options, state.mesh.coordinates);
+  workspace.prepare(state.vcv, classes_of(state, &motion), options, state.mesh.coordinates);
   RunRecorder recorder(run.monitor, result, budget(options));
   if (by_fixed_point(options)) {
     move_by_fixed_point(state.mesh.coordinates, motion, how.increments, options.max_iterations,
@@ -101,7 +111,7 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const M
   const auto steps = make_newton_run(state, workspace, recorder);
   if (how.increments > 0) {
     steps->move_in_steps(motion, state.mesh.coordinates, how.increments, x);
-  } else if (!run.start || !move_from(state, motion, *run.start, options.threads, *steps, x)) {
+  } else if (!run.start || !move_from(state, motion, *run.start, workspace, *steps, x)) {
     x = state.mesh.coordinates;
     steps->follow(motion, state.mesh.coordinates, x);
   }
@@ -115,7 +125,7 @@ Coordinates starting_point(const MeshState& state, const RunOptions& options) {
     throw UsageError("the start has another number of nodes than the mesh");
   }
   Coordinates x = state.mesh.coordinates;
-  for (const Index node : state.mesh.topology->free_nodes()) {
+  for (const Index node : state.mesh.topology->interior_nodes()) {
     x.set_xy(node, options.start->xy(node));
   }
   return x;

@@ -5,10 +5,11 @@
 namespace winslow {
 
 void SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualControlVolumes>& vcv,
+                                 const std::shared_ptr<const NodeClasses>& classes,
                                  const SmoothOptions& options, const Coordinates& rest) {
-  const bool same_topology = vcv_ && vcv_->shared_topology() == vcv->shared_topology() &&
-                             options_.threads == options.threads;
-  const bool same_vcv = same_topology && vcv == vcv_;
+  const bool same_unknowns =
+      vcv_ && classes_->same_unknowns(*classes) && options_.threads == options.threads;
+  const bool same_vcv = same_unknowns && vcv == vcv_;
   const bool same_targets = same_vcv && options_.targets == options.targets &&
                             (options.targets.rest == 0 || (rest_ && *rest_ == rest));
   picard_.reset();
@@ -16,11 +17,11 @@ void SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualControlVolum
   pointwise_newton_.reset();
   pointwise_stale_ |= !same_vcv;
   energy_stale_ |= !same_targets;
-  if (!same_topology) {
+  if (!same_unknowns) {
     pointwise_ = {};
     energy_.reset();
   }
-  if (!same_topology || !(options.linear == options_.linear)) {
+  if (!same_unknowns || !(options.linear == options_.linear)) {
     linear_.reset();
     symmetric_linear_.reset();
     newton_linear_.reset();
@@ -31,6 +32,7 @@ void SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualControlVolum
     rest_.reset();
   }
   vcv_ = vcv;
+  classes_ = classes;
   options_ = options;
   if (energy_ && !(energy_->penalty() == options.penalty))
     energy_ = energy_->with_penalty(options.penalty);
@@ -63,7 +65,7 @@ LinearSolver& SmoothingWorkspace::symmetric_linear() {
 
 const ClipVariants<PointwiseWinslow>& SmoothingWorkspace::pointwise() {
   if (!pointwise_.plain)
-    pointwise_ = clip_variants(PointwiseWinslow(*vcv_, options_.threads));
+    pointwise_ = clip_variants(PointwiseWinslow(*vcv_, classes_, options_.threads));
   else if (pointwise_stale_)
     pointwise_ = clip_variants(pointwise_.plain->with_vcvs(*vcv_));
   pointwise_stale_ = false;
@@ -85,7 +87,7 @@ TargetShapes SmoothingWorkspace::target_shapes() const {
 
 std::shared_ptr<const VariationalWinslow> SmoothingWorkspace::energy() {
   if (!energy_) {
-    energy_ = std::make_shared<const VariationalWinslow>(vcv_->shared_topology(), target_shapes(),
+    energy_ = std::make_shared<const VariationalWinslow>(classes_, target_shapes(),
                                                          options_.penalty, options_.threads);
   } else if (energy_stale_) {
     energy_ = energy_->with_shapes(target_shapes());

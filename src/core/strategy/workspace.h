@@ -13,16 +13,18 @@
 
 namespace winslow {
 
-/// Prepared solvers for one topology: what depends on the connectivity alone (matrix patterns,
-/// orderings, symbolic factorisations) outlives a command, so that a drag does not pay for it at
-/// every move of the mouse, be it of a body or of a VCV. Stencil functionals and target shapes are
-/// those of one set of VCVs and follow when it changes.
+/// Prepared solvers for one topology and the nodes that move: what depends on the connectivity
+/// alone (matrix patterns, orderings, symbolic factorisations) outlives a command, so that a drag
+/// does not pay for it at every move of the mouse, be it of a body or of a VCV. Stencil functionals
+/// and target shapes are those of one set of VCVs and follow when it changes.
 class SmoothingWorkspace {
  public:
-  /// Says what is to be solved; parts that are still good are kept. rest: the mesh that the share
-  /// `rest` of the targets refers to; kept by value where that is not zero. Throws UsageError.
+  /// Says what is to be solved; parts that are still good are kept. classes: which nodes move.
+  /// rest: the mesh that the share `rest` of the targets refers to; kept by value where that is not
+  /// zero. Throws UsageError.
   void prepare(const std::shared_ptr<const VirtualControlVolumes>& vcv,
-               const SmoothOptions& options, const Coordinates& rest);
+               const std::shared_ptr<const NodeClasses>& classes, const SmoothOptions& options,
+               const Coordinates& rest);
 
   // Each is made at its first use after prepare, and valid until the next prepare.
   PicardSolver& picard();
@@ -40,6 +42,7 @@ class SmoothingWorkspace {
   LinearSolver& newton_linear();
 
   const VirtualControlVolumes& vcv() const { return *vcv_; }
+  const NodeClasses& classes() const { return *classes_; }
   const SmoothOptions& options() const { return options_; }
 
  private:
@@ -48,6 +51,7 @@ class SmoothingWorkspace {
   std::unique_ptr<LinearSolver> make_general_solver() const;
 
   std::shared_ptr<const VirtualControlVolumes> vcv_;
+  std::shared_ptr<const NodeClasses> classes_;
   SmoothOptions options_;
   std::optional<Coordinates> rest_;           // only where the targets refer to it
   ClipVariants<PointwiseWinslow> pointwise_;  // null: not made yet

@@ -79,7 +79,7 @@ StencilFunctionals::StencilFunctionals(const VirtualControlVolumes& vcv)
   }
   zero_.assign(longest, NeighbourFunctionals{});
   equal_.resize(longest + 1);
-  for (const Index node : topology_->free_nodes()) {
+  for (const Index node : topology_->interior_nodes()) {
     if (vcv.edited(node)) {
       edited_[node] = row_of(node);
       continue;

@@ -30,8 +30,8 @@ std::vector<Vec2> vcv_points(std::span<const double> angles, std::span<const dou
 /// counter-clockwise around the origin. Throws NumericError if the VCV has no area.
 void compute_functionals(std::span<const Vec2> points, std::span<NeighbourFunctionals> out);
 
-/// Functionals of all VCVs: rows as long as those of Topology::neighbour_rows(). Rows of nodes that
-/// are not free are zero. Nodes whose VCVs have equal angles and unit edges share a row.
+/// Functionals of all VCVs: rows as long as those of Topology::neighbour_rows(). Rows of nodes
+/// of the boundary are zero. Nodes whose VCVs have equal angles and unit edges share a row.
 class StencilFunctionals {
  public:
   explicit StencilFunctionals(const VirtualControlVolumes& vcv);
@@ -41,7 +41,7 @@ class StencilFunctionals {
       if (found != edited_.end()) return found->second;
     }
     const std::size_t n = topology_->neighbours(node).size();
-    return topology_->constrained(node) ? std::span(zero_).first(n) : std::span(equal_[n]);
+    return topology_->on_boundary(node) ? std::span(zero_).first(n) : std::span(equal_[n]);
   }
 
  private:

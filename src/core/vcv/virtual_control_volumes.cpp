@@ -12,7 +12,7 @@ namespace winslow {
 VirtualControlVolumes::VirtualControlVolumes(std::shared_ptr<const Topology> topology)
     : topology_(std::move(topology)) {
   require_plane(*topology_, "virtual control volumes");
-  for (const Index node : topology_->free_nodes()) {
+  for (const Index node : topology_->interior_nodes()) {
     const std::size_t n = topology_->neighbours(node).size();
     if (n >= equal_.size()) equal_.resize(n + 1);
     if (!equal_[n].angles.empty()) continue;
@@ -22,7 +22,7 @@ VirtualControlVolumes::VirtualControlVolumes(std::shared_ptr<const Topology> top
 }
 
 const VirtualControlVolumes::Stencil* VirtualControlVolumes::stencil(Index node) const {
-  if (topology_->constrained(node)) return nullptr;
+  if (topology_->on_boundary(node)) return nullptr;
   if (!edited_.empty()) {
     const auto found = edited_.find(node);
     if (found != edited_.end()) return &found->second;
@@ -41,8 +41,8 @@ std::span<const double> VirtualControlVolumes::lengths(Index node) const {
   return s ? std::span<const double>(s->lengths) : std::span<const double>{};
 }
 
-void VirtualControlVolumes::require_free(Index node) const {
-  if (node < 0 || node >= topology_->node_count() || topology_->constrained(node) ||
+void VirtualControlVolumes::require_interior(Index node) const {
+  if (node < 0 || node >= topology_->node_count() || topology_->on_boundary(node) ||
       !topology_->used(node)) {
     throw UsageError("VCV of node " + std::to_string(node) +
                      ": the node is not a free node of the mesh");
@@ -57,7 +57,7 @@ Vec2 VirtualControlVolumes::point(Index node, Index k) const {
 
 void VirtualControlVolumes::set(Index node, std::span<const double> angles,
                                 std::span<const double> lengths) {
-  require_free(node);
+  require_interior(node);
   const std::string who = "VCV of node " + std::to_string(node);
   const std::size_t n = topology_->neighbours(node).size();
   if (angles.size() != n || lengths.size() != n) {
@@ -86,7 +86,7 @@ void VirtualControlVolumes::set(Index node, std::span<const double> angles,
 }
 
 void VirtualControlVolumes::reset(Index node) {
-  require_free(node);
+  require_interior(node);
   edited_.erase(node);
 }
 

@@ -10,7 +10,7 @@
 
 namespace winslow {
 
-/// Virtual control volumes (VCVs) of all free nodes, as data: for each node the angles between its
+/// Virtual control volumes (VCVs) of the interior nodes, as data: for each the angles between its
 /// consecutive edges and the lengths of its edges, in computational space.
 ///
 /// Karman & Sahasrabudhe, AIAA 2009-1362, section "Virtual Control Volume (2D)": the node lies at
@@ -27,18 +27,18 @@ class VirtualControlVolumes {
   const std::shared_ptr<const Topology>& shared_topology() const { return topology_; }
 
   /// Angle k, in radians, lies between edge k and edge k + 1 (cyclic); they sum to 2 pi.
-  /// Empty for nodes that are not free.
+  /// Empty for nodes of the boundary.
   std::span<const double> angles(Index node) const;
-  /// Length of edge k. Only ratios within one VCV act. Empty for nodes that are not free.
+  /// Length of edge k. Only ratios within one VCV act. Empty for nodes of the boundary.
   std::span<const double> lengths(Index node) const;
-  /// Computational position of neighbour k of a free node: edge 0 lies on the positive x axis.
+  /// Computational position of neighbour k of an interior node: edge 0 lies on the positive x axis.
   Vec2 point(Index node, Index k) const;
 
-  /// Replaces the VCV of one free node. Angles are in (0, pi) (exactly 2 edges: pi each) and sum to
+  /// Replaces the VCV of an interior node. Angles are in (0, pi) (2 edges: pi each) and sum to
   /// 2 pi within 1e-9; lengths are positive, the longest at most 1e12 times the shortest. Throws
   /// UsageError otherwise.
   void set(Index node, std::span<const double> angles, std::span<const double> lengths);
-  /// Back to equal angles and unit edges. Throws UsageError for a node that is not free.
+  /// Back to equal angles and unit edges. Throws UsageError for a node of the boundary.
   void reset(Index node);
 
   /// Angles and lengths of one node.
@@ -64,7 +64,7 @@ class VirtualControlVolumes {
   const std::shared_ptr<const std::vector<Role>>& roles() const { return roles_; }
 
  private:
-  void require_free(Index node) const;
+  void require_interior(Index node) const;
   const Stencil* stencil(Index node) const;
 
   std::shared_ptr<const Topology> topology_;

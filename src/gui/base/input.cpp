@@ -24,8 +24,8 @@ bool InputState::shift() const { return either(keys, GLFW_KEY_LEFT_SHIFT, GLFW_K
 bool InputState::alt() const { return either(keys, GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT); }
 bool InputState::super() const { return either(keys, GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER); }
 
-void InputQueue::move(const Vec2& position) { events_.push_back(Move{position, true}); }
-void InputQueue::leave() { events_.push_back(Move{Vec2(-1, -1), false}); }
+void InputQueue::move(const ScreenPoint& position) { events_.push_back(Move{position, true}); }
+void InputQueue::leave() { events_.push_back(Move{ScreenPoint(-1, -1), false}); }
 void InputQueue::button(MouseButton button, bool down) { events_.push_back(Button{button, down}); }
 void InputQueue::wheel(const Vec2& notches) { events_.push_back(Wheel{notches}); }
 void InputQueue::key(int glfw_key, bool down) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/types.h"
+#include "gui/base/screen.h"
 
 /// Input of the studio: what happened since the frame before, however it came about. The window's
 /// callbacks and the tests' scripts fill the same queue.
@@ -16,9 +17,9 @@ namespace winslow::gui {
 
 enum class MouseButton { left = 0, right = 1, middle = 2 };
 
-/// Keyboard and mouse as one frame sees them. Positions are framebuffer pixels, (0, 0) top left.
+/// Keyboard and mouse as one frame sees them.
 struct InputState {
-  Vec2 mouse{-1, -1};
+  ScreenPoint mouse{-1, -1};
   bool mouse_inside = false;
   std::array<bool, 3> buttons{};               ///< by MouseButton
   Vec2 wheel{0, 0};                            ///< notches since the last frame, y up
@@ -38,7 +39,7 @@ struct InputState {
 /// and the release of the Control key that was held with it.
 class InputQueue {
  public:
-  void move(const Vec2& position);
+  void move(const ScreenPoint& position);
   void leave();
   void button(MouseButton button, bool down);
   void wheel(const Vec2& notches);
@@ -52,7 +53,7 @@ class InputQueue {
 
  private:
   struct Move {
-    Vec2 position;
+    ScreenPoint position;
     bool inside;
   };
   struct Button {

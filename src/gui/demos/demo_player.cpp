@@ -49,7 +49,7 @@ void DemoPlayer::begin_step(const Session& session, ActionQueue& actions) {
   rested_ = 0;
   std::vector<Index> markers;
   for (const std::string& name : step.select)
-    if (const auto marker = document.topology()->find_marker(name)) markers.push_back(*marker);
+    if (const auto marker = document.topology()->markers().find(name)) markers.push_back(*marker);
   actions.emplace_back(action::SelectMarkers{markers});
   if (step.view) {
     const auto& [x0, y0, x1, y1] = *step.view;

@@ -85,7 +85,7 @@ void HistoryPanel::draw_step(const PanelContext& context, std::size_t position) 
   ui::note(id);
   const bool over = ImGui::IsItemHovered();
   const std::string about = position == 0 ? "" : summary(history.result(position));
-  const std::string took = position == 0 ? "" : duration(document.seconds(position));
+  const std::string took = position == 0 ? "" : duration(document.edits().tags()[position].seconds);
   ui::tooltip(title + (about.empty() ? "" : "\n" + about) + (took.empty() ? "" : "\ntook " + took) +
               (present ? "\nThis is the mesh shown." : "\nClick to go to this mesh.") +
               (position > 0 ? "\nRight click: edit or delete this step." : ""));
@@ -192,12 +192,12 @@ void HistoryPanel::draw_queue(const PanelContext& context) {
 }
 
 void HistoryPanel::draw_kept(const PanelContext& context) {
-  const auto& kept = context.session.document()->kept();
+  const auto& kept = context.session.document()->edits().kept();
   if (kept.empty()) return;
   ImGui::Spacing();
   ui::text_dim("Replaced histories");
-  ui::tooltip("What an edit replaced stays here: the last " + std::to_string(Document::most_kept) +
-              " of them, until another mesh is opened.");
+  ui::tooltip("What an edit replaced stays here: the last " +
+              std::to_string(EditHistory::most_kept) + " of them, until another mesh is opened.");
   const float button = context.theme.px(86);
   for (std::size_t k = 0; k < kept.size(); ++k) {
     const std::string& text = kept[k].why;

@@ -81,7 +81,7 @@ void LegendCard::draw_threshold(ImDrawList& list, const PanelContext& context,
                          ImVec2(bars_->left - theme.px(1), y), palette().accent);
 }
 
-bool LegendCard::take_pointer(const PanelContext& context, const Vec2& mouse, bool pressed) {
+bool LegendCard::take_pointer(const PanelContext& context, const ScreenPoint& mouse, bool pressed) {
   const bool began = pressed && !was_pressed_;
   was_pressed_ = pressed;
   if (!bars_ || !pressed) dragging_ = false;

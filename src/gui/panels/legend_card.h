@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "gui/base/screen.h"
 #include "gui/panels/layout.h"
 #include "gui/panels/panel.h"
 #include "gui/widgets/legend.h"
@@ -17,7 +18,7 @@ class LegendCard {
   /// area: of the viewport that is free.
   void draw(ImDrawList& list, const PanelContext& context, const Area& area, const Legend& legend);
   /// Takes the mouse; true if it is the legend's and not the mesh's. Call it after draw().
-  bool take_pointer(const PanelContext& context, const Vec2& mouse, bool pressed);
+  bool take_pointer(const PanelContext& context, const ScreenPoint& mouse, bool pressed);
   /// No legend is drawn in this frame.
   void hide() { bars_.reset(); }
 

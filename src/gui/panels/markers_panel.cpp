@@ -15,7 +15,7 @@ void MarkersPanel::draw(const PanelContext& context) {
     return;
   }
   const auto count = static_cast<Index>(topology->markers().size());
-  if (!topology->markers_from_file())
+  if (!topology->markers().from_file())
     ui::text_wrapped("The file names no markers; each boundary loop is listed as one.");
   const float row = ImGui::GetTextLineHeight() + 2 * context.theme.px(6);
   const float height = row * static_cast<float>(std::clamp(count, 1, 8)) + context.theme.px(4);

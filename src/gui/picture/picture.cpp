@@ -129,7 +129,7 @@ Image draw_picture(const Mesh& mesh, const PictureOptions& options) {
   renderer.draw(camera, mesh_style(options, theme, frame.font_size()), options.width,
                 options.height);
   frame.draw(options.bounds.has_value(), [&](ImDrawList& list, ImFont* font) {
-    draw_vcvs(list, camera, nodes, 0.06f * frame.font_size(), font);
+    draw_vcvs(list, PlaneView(camera), nodes, 0.06f * frame.font_size(), font);
   });
   return target.read();
 }

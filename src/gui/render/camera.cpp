@@ -22,21 +22,21 @@ void Camera::look_at(const Vec2& centre, double units_per_pixel) {
   units_per_pixel_ = std::max(units_per_pixel, closest);
 }
 
-Vec2 Camera::to_world(const Vec2& screen) const {
+Vec2 Camera::to_world(const ScreenPoint& screen) const {
   return {centre_.x() + (screen.x() - x_ - 0.5 * width_) * units_per_pixel_,
           centre_.y() - (screen.y() - y_ - 0.5 * height_) * units_per_pixel_};
 }
 
-Vec2 Camera::to_screen(const Vec2& world) const {
+ScreenPoint Camera::to_screen(const Vec2& world) const {
   return {x_ + 0.5 * width_ + (world.x() - centre_.x()) / units_per_pixel_,
           y_ + 0.5 * height_ - (world.y() - centre_.y()) / units_per_pixel_};
 }
 
-void Camera::pan(const Vec2& screen_delta) {
-  look_at(centre_ + Vec2(-screen_delta.x(), screen_delta.y()) * units_per_pixel_, units_per_pixel_);
+void Camera::pan(const ScreenVector& by) {
+  look_at(centre_ + Vec2(-by.x(), by.y()) * units_per_pixel_, units_per_pixel_);
 }
 
-void Camera::zoom_at(const Vec2& screen, double factor) {
+void Camera::zoom_at(const ScreenPoint& screen, double factor) {
   if (!std::isfinite(factor) || factor <= 0) return;
   const Vec2 from_centre(screen.x() - x_ - 0.5 * width_, y_ + 0.5 * height_ - screen.y());
   const double before = units_per_pixel_;
@@ -57,17 +57,32 @@ Bounds Camera::visible() const {
   return {centre_ - half, centre_ + half};
 }
 
-std::array<float, 16> Camera::matrix(const Vec2& origin) const {
+std::array<float, 16> Camera::matrix(const Vec3& origin) const {
   const double sx = 2.0 / (width_ * units_per_pixel_);
   const double sy = 2.0 / (height_ * units_per_pixel_);
   std::array<float, 16> m{};
   m[0] = static_cast<float>(sx);
   m[5] = static_cast<float>(sy);
-  m[10] = 1;
+  m[10] = static_cast<float>(-sx);
   m[12] = static_cast<float>((origin.x() - centre_.x()) * sx);
   m[13] = static_cast<float>((origin.y() - centre_.y()) * sy);
+  m[14] = static_cast<float>(-origin.z() * sx);
   m[15] = 1;
   return m;
+}
+
+std::optional<Camera> part_of(const Camera& camera, const ScreenBox& part) {
+  const double left = std::round(camera.viewport_origin().x());
+  const double top = std::round(camera.viewport_origin().y());
+  const double x0 = std::max(part.min.x(), left);
+  const double y0 = std::max(part.min.y(), top);
+  const double x1 = std::min(part.max.x(), left + std::round(camera.viewport_width()));
+  const double y1 = std::min(part.max.y(), top + std::round(camera.viewport_height()));
+  if (x1 <= x0 || y1 <= y0) return std::nullopt;
+  Camera met;
+  met.set_viewport(x0 - part.min.x(), y0 - part.min.y(), x1 - x0, y1 - y0);
+  met.look_at(camera.to_world(midpoint({x0, y0}, {x1, y1})), camera.units_per_pixel());
+  return met;
 }
 
 }  // namespace winslow::gui

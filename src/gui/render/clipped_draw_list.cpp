@@ -15,7 +15,7 @@ class ClippedMesh {
  public:
   ClippedMesh(const Topology& topology, const Coordinates& coordinates, const Bounds& box)
       : topology_(topology), coordinates_(coordinates), box_(box) {
-    list_.origin = box.centre();
+    list_.origin << box.centre(), 0;
   }
 
   DrawList build(const EdgeGroups& groups) {
@@ -38,7 +38,7 @@ class ClippedMesh {
 
  private:
   std::uint32_t add_vertex(const Vec2& world, double spacing = 0) {
-    const Vec2 p = world - list_.origin;
+    const Vec2 p = world - list_.origin.head<2>();
     list_.positions.push_back(static_cast<float>(p.x()));
     list_.positions.push_back(static_cast<float>(p.y()));
     list_.node_spacing.push_back(static_cast<float>(spacing));

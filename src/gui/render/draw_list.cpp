@@ -23,7 +23,7 @@ class WholeMesh {
  public:
   WholeMesh(const Topology& topology, const Coordinates& coordinates, const Vec2& origin)
       : topology_(topology), coordinates_(coordinates) {
-    list_.origin = origin;
+    list_.origin = {origin.x(), origin.y(), 0};
   }
 
   DrawList build(const EdgeGroups& groups) {
@@ -47,7 +47,7 @@ class WholeMesh {
     list_.positions.reserve(2 * n);
     list_.node_spacing.assign(n, 0.0f);
     for (Index i = 0; i < coordinates_.size(); ++i) {
-      const Vec2 p = coordinates_.xy(i) - list_.origin;
+      const Vec2 p = coordinates_.xy(i) - list_.origin.head<2>();
       list_.positions.push_back(static_cast<float>(p.x()));
       list_.positions.push_back(static_cast<float>(p.y()));
       double shortest = std::numeric_limits<double>::infinity();

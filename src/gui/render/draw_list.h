@@ -14,8 +14,9 @@ struct DrawList {
   struct Range {
     std::size_t first = 0, count = 0;  ///< in lines
   };
-  Vec2 origin{0, 0};
-  std::vector<float> positions;          ///< 2 per vertex, minus origin
+  Vec3 origin{0, 0, 0};
+  std::vector<float> positions;          ///< x and y of each vertex, minus origin
+  std::vector<float> heights;            ///< z of each vertex, minus origin; empty: all are 0
   std::vector<float> node_spacing;       ///< per vertex: shortest edge there, 0 for no node
   std::vector<std::uint32_t> triangles;  ///< 3 per triangle; quadrilaterals are cut in two
   std::vector<Index> triangle_element;   ///< per triangle
@@ -28,6 +29,9 @@ struct DrawList {
   /// Two per triangle: distance from its longest line to the corner opposite, and the length of its
   /// lines per area, half of each. Only for lists worth merging, see line_density.h; else empty.
   std::vector<float> triangle_lines;
+  /// What lies nearer hides what lies behind it; else, as in the plane, what comes later lies
+  /// above.
+  bool depth_test = false;
   Range interior, boundary;
   std::vector<std::uint32_t> interior_at_least;  ///< see sort_by_spacing in line_density.h
   std::vector<Range> markers;

@@ -12,6 +12,9 @@ std::span<const T> view(const std::vector<T>& values) {
   return values;
 }
 
+/// Of the vertex shaders.
+constexpr GLuint position_attribute = 0, spacing_attribute = 1, height_attribute = 2;
+
 void draw_elements(GLenum mode, std::size_t first, std::size_t count) {
   if (count == 0) return;
   glDrawElements(mode, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
@@ -24,11 +27,13 @@ MeshBuffers::MeshBuffers() {
   glGenVertexArrays(1, &vertex_array_);
   glBindVertexArray(vertex_array_);
   positions_.bind();
-  glEnableVertexAttribArray(0);
-  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glEnableVertexAttribArray(position_attribute);
+  glVertexAttribPointer(position_attribute, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
   node_spacing_.bind();
-  glEnableVertexAttribArray(1);
-  glVertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glEnableVertexAttribArray(spacing_attribute);
+  glVertexAttribPointer(spacing_attribute, 1, GL_FLOAT, GL_FALSE, 0, nullptr);
+  heights_.bind();
+  glVertexAttribPointer(height_attribute, 1, GL_FLOAT, GL_FALSE, 0, nullptr);
   glBindVertexArray(0);
 }
 
@@ -37,6 +42,12 @@ MeshBuffers::~MeshBuffers() { glDeleteVertexArrays(1, &vertex_array_); }
 bool MeshBuffers::upload(DrawList list) {
   glBindVertexArray(vertex_array_);
   positions_.upload(view(list.positions));
+  if (list.heights.empty()) {
+    glDisableVertexAttribArray(height_attribute);
+  } else {
+    heights_.upload(view(list.heights));
+    glEnableVertexAttribArray(height_attribute);
+  }
   node_spacing_.upload(view(list.node_spacing));
   line_spacing_.upload(view(list.line_spacing));
   if (list.triangles != list_.triangles) triangles_.upload(view(list.triangles));
@@ -76,6 +87,22 @@ void MeshBuffers::begin(const Camera& camera) {
   viewport_[0] = static_cast<float>(camera.viewport_width());
   viewport_[1] = static_cast<float>(camera.viewport_height());
   pixels_per_unit_ = static_cast<float>(1.0 / camera.units_per_pixel());
+  glVertexAttrib1f(height_attribute, 0);  // of lists without heights
+  if (!list_.depth_test) return glDisable(GL_DEPTH_TEST);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  // Nothing is cut off for lying too near or too far; edges lie above the faces that they bound.
+  glEnable(GL_DEPTH_CLAMP);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(1, 1);
+}
+
+void MeshBuffers::end() {
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glDisable(GL_DEPTH_CLAMP);
+  glDisable(GL_DEPTH_TEST);
+  glBindVertexArray(0);
 }
 
 float MeshBuffers::merging_below(const LineStyle& style) const {

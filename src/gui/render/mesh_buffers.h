@@ -35,7 +35,9 @@ class MeshBuffers {
     bool round_caps;
     bool fade;
   };
+  /// Draws with this camera until end(), nearer things above those behind if the list wants it.
   void begin(const Camera& camera);
+  void end();
   /// color: of elements without colours; null: the surface is not drawn. merged: interior lines
   /// whose faintest are drawn as part of the triangles, see merges(); null: none.
   void draw_fill(const Rgba* color, const LineStyle* merged);
@@ -55,7 +57,7 @@ class MeshBuffers {
 
   DrawList list_;
   GLuint vertex_array_ = 0;
-  GlBuffer positions_{GL_ARRAY_BUFFER}, node_spacing_{GL_ARRAY_BUFFER};
+  GlBuffer positions_{GL_ARRAY_BUFFER}, heights_{GL_ARRAY_BUFFER}, node_spacing_{GL_ARRAY_BUFFER};
   GlBuffer triangles_{GL_ELEMENT_ARRAY_BUFFER}, lines_{GL_ELEMENT_ARRAY_BUFFER};
   GlBuffer inverted_triangles_{GL_ELEMENT_ARRAY_BUFFER}, inverted_lines_{GL_ELEMENT_ARRAY_BUFFER};
   GlTextureBuffer triangle_colors_{GL_RGBA8}, line_spacing_{GL_R32F}, line_opacity_{GL_R32F},

@@ -35,7 +35,7 @@ struct PixelBox {
   GLsizei width, height;
 };
 
-PixelBox pixel_box(const Bounds& box, int framebuffer_height) {
+PixelBox pixel_box(const ScreenBox& box, int framebuffer_height) {
   const auto x = static_cast<GLint>(std::lround(box.min.x()));
   const auto top = static_cast<GLint>(std::lround(box.min.y()));
   const auto width = static_cast<GLsizei>(std::lround(box.max.x())) - x;
@@ -121,15 +121,12 @@ class MeshRenderer::Impl {
   void draw(const Camera& camera, const MeshStyle& style, int framebuffer_height, int view) {
     if (mesh_.topology == nullptr) return;
     MeshBuffers& buffers = prepare(camera, view).buffers;
-    const Bounds seen{
-        camera.viewport_origin(),
-        camera.viewport_origin() + Vec2(camera.viewport_width(), camera.viewport_height())};
+    const ScreenBox seen = camera.viewport();
     const PixelBox port = pixel_box(seen, framebuffer_height);
     const PixelBox part = pixel_box(style.clip.value_or(seen), framebuffer_height);
     glViewport(port.x, port.y, port.width, port.height);
     glScissor(part.x, part.y, part.width, part.height);
     glEnable(GL_SCISSOR_TEST);
-    glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
@@ -138,7 +135,7 @@ class MeshRenderer::Impl {
     draw_surface(buffers, style);
     draw_lines(buffers, style);
     if (style.node_size > 0) buffers.draw_nodes(style.edge_color, style.node_size);
-    glBindVertexArray(0);
+    buffers.end();
     glDisable(GL_SCISSOR_TEST);
   }
 

@@ -27,8 +27,8 @@ struct MeshStyle {
   Rgba inverted_color{0.90f, 0.10f, 0.12f, 1};
   bool show_inverted = true;  ///< inverted elements in inverted_color, above the others
   bool markers = true;        ///< edges of the boundary
-  /// Part of the framebuffer to draw in, in pixels, y down; none: all of the camera's viewport.
-  std::optional<Bounds> clip;
+  /// Part of the framebuffer to draw in; none: all of the camera's viewport.
+  std::optional<ScreenBox> clip;
 
   bool operator==(const MeshStyle&) const = default;
 };

@@ -106,7 +106,7 @@ void Window::connect_events() {
     glfwGetWindowSize(w, &window_width, &window_height);
     // On some systems windows are measured in other units than their framebuffers.
     const double ratio = static_cast<double>(get(w)->width()) / std::max(window_width, 1);
-    get(w)->input_.move(Vec2(x * ratio, y * ratio));
+    get(w)->input_.move(ScreenPoint(x * ratio, y * ratio));
   });
   glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int entered) {
     if (!entered) get(w)->input_.leave();

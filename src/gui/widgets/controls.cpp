@@ -58,7 +58,7 @@ void note(std::string_view id) { note(id, ImGui::GetItemRectMin(), ImGui::GetIte
 
 void note(std::string_view id, const ImVec2& min, const ImVec2& max) {
   WidgetMap& widgets = UiLayer::current().widgets();
-  widgets.note(id, {Vec2(min.x, min.y), Vec2(max.x, max.y), !disabled_now(), in_sight(min, max)});
+  widgets.note(id, {ScreenPoint(min), ScreenPoint(max), !disabled_now(), in_sight(min, max)});
   if (widgets.wanted(id))
     ImGui::ScrollToBringRectIntoView(ImGui::GetCurrentContext()->CurrentWindow, ImRect(min, max));
 }

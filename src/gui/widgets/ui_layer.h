@@ -19,10 +19,10 @@ namespace winslow::gui {
 class WidgetMap {
  public:
   struct Rect {
-    Vec2 min, max;  ///< framebuffer pixels
+    ScreenPoint min, max;
     bool enabled = true;
     bool shown = true;  ///< its centre is in sight: neither scrolled away nor cut off
-    Vec2 centre() const { return 0.5 * (min + max); }
+    ScreenPoint centre() const { return midpoint(min, max); }
   };
   void clear() { rects_.clear(); }
   void note(std::string_view id, const Rect& rect) { rects_[std::string(id)] = rect; }
@@ -65,6 +65,7 @@ class UiLayer {
   void set_palette(const Palette& colors) { palette_ = &colors; }
   /// Sections of panels that are folded, by id.
   std::set<std::string>& folded() { return folded_; }
+  const std::set<std::string>& folded() const { return folded_; }
   const WidgetMap& widgets() const { return widgets_; }
   WidgetMap& widgets() { return widgets_; }
   /// The layer whose context is current: for widgets, which are drawn within a frame.

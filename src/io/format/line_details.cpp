@@ -12,7 +12,7 @@ std::array<Index, 2> LineDetails::edge(Index coded) const {
 bool LineDetails::fits(const Mesh& mesh) const {
   const Topology& topology = *mesh.topology;
   if (nodes != topology.node_count() || elements != topology.element_count()) return false;
-  if (!topology.markers_from_file()) return marker_lines.empty();
+  if (!topology.markers().from_file()) return marker_lines.empty();
   const auto& markers = topology.markers();
   if (markers.size() != marker_lines.size()) return false;
   for (std::size_t m = 0; m < markers.size(); ++m) {

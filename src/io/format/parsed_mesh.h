@@ -22,7 +22,8 @@ struct SourceMap {
 struct ParsedMesh {
   MeshData data;
   SourceMap where;
-  std::shared_ptr<FormatDetails> details;
+  /// Never null; a format that has more to keep makes one of its own kind.
+  std::shared_ptr<FormatDetails> details = std::make_shared<FormatDetails>();
   std::vector<std::string> warnings;  ///< without the file's name
 };
 

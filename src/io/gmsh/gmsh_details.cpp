@@ -82,7 +82,7 @@ std::string safe_name(const std::string& name, std::vector<std::string>& warning
 /// Adds the entity, the physical group and the line elements of each marker.
 void add_markers(const Mesh& mesh, Details& details, std::vector<std::string>& warnings) {
   const auto& markers = mesh.topology->markers();
-  const auto tags = usable_tags(tags_of(markers), "markers", warnings);
+  const auto tags = usable_tags(tags_of(markers.list()), "markers", warnings);
   for (std::size_t m = 0; m < markers.size(); ++m) {
     const int curve = static_cast<int>(m) + 1;
     details.entities[1].push_back({curve, {}, {tags[m]}, {}, {}});
@@ -146,7 +146,7 @@ Details make_details(const Mesh& mesh, bool version_4, std::vector<std::string>&
   if (version_4) details.sections.push_back({"Entities", {}});
   details.sections.push_back({"Nodes", {}});
   details.sections.push_back({"Elements", {}});
-  if (topology.markers_from_file()) add_markers(mesh, details, warnings);
+  if (topology.markers().from_file()) add_markers(mesh, details, warnings);
   const auto surfaces = add_regions(topology, details, warnings);
   const auto regions = topology.element_regions();
   for (Index e = 0; e < topology.element_count(); ++e) {

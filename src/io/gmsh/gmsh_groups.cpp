@@ -1,10 +1,11 @@
+#include "io/gmsh/gmsh_groups.h"
+
 #include <cstdlib>
 #include <limits>
 #include <span>
 #include <unordered_map>
 
 #include "io/format/groups.h"
-#include "io/gmsh/gmsh_reader.h"
 
 namespace winslow::io::gmsh {
 namespace {
@@ -37,19 +38,19 @@ Physicals physicals_by_entity(const Details& details) {
 
 }  // namespace
 
-void Reader::collect_groups() {
-  GroupIndex markers = groups_of(*details_, 1, "curve_");
-  GroupIndex regions = groups_of(*details_, 2, "surface_");
-  const Physicals physicals = physicals_by_entity(*details_);
-  auto& element_region = mesh_.data.element_region;
-  element_region.assign(mesh_.data.types.size(), -1);
+void collect_groups(std::span<const std::size_t> offsets, Details& details, ParsedMesh& mesh) {
+  GroupIndex markers = groups_of(details, 1, "curve_");
+  GroupIndex regions = groups_of(details, 2, "surface_");
+  const Physicals physicals = physicals_by_entity(details);
+  auto& element_region = mesh.data.element_region;
+  element_region.assign(mesh.data.types.size(), -1);
   Index loose_lines = 0;
-  for (std::size_t i = 0; i < details_->items.size(); ++i) {
-    const Item& item = details_->items[i];
+  for (std::size_t i = 0; i < details.items.size(); ++i) {
+    const Item& item = details.items[i];
     if (item.shape == Shape::point) continue;
     const bool line = item.shape == Shape::line;
     std::span<const int> tags;
-    if (!details_->version_4) {
+    if (!details.version_4) {
       if (item.physical != 0) tags = {&item.physical, 1};
     } else if (const auto& of = physicals[line ? 1 : 2]; of.contains(item.entity)) {
       tags = *of.at(item.entity);
@@ -58,9 +59,9 @@ void Reader::collect_groups() {
     for (const int tag : tags) {
       if (line) {
         // In 2.2 the nodes of the element are in the order of the group already.
-        const bool reversed = details_->version_4 && tag < 0;
+        const bool reversed = details.version_4 && tag < 0;
         add_marker_line(markers.find(group_tag(tag)), reversed ? ~item.index : item.index,
-                        item_offsets_[i], *details_, mesh_);
+                        offsets[i], details, mesh);
       } else {
         auto& region = element_region[static_cast<std::size_t>(item.index)];
         const auto found = static_cast<Index>(regions.find(group_tag(tag)));
@@ -68,13 +69,13 @@ void Reader::collect_groups() {
       }
     }
   }
-  make_markers(markers.all(), *details_, mesh_);
-  mesh_.data.regions = regions.all();
-  if (mesh_.data.regions.empty()) element_region.clear();
+  make_markers(markers.all(), details, mesh);
+  mesh.data.regions = regions.all();
+  if (mesh.data.regions.empty()) element_region.clear();
   if (loose_lines > 0) {
-    mesh_.warnings.push_back(std::to_string(loose_lines) +
-                             " line elements are in no physical group: they are kept, but are no "
-                             "marker");
+    mesh.warnings.push_back(std::to_string(loose_lines) +
+                            " line elements are in no physical group: they are kept, but are no "
+                            "marker");
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "io/gmsh/gmsh_groups.h"
 #include "io/text/numbers.h"
 
 namespace winslow::io::gmsh {
@@ -44,7 +45,7 @@ void Reader::read_header() {
   if (details_->binary) {
     const std::size_t at = scan_.offset();
     source_.set_binary_from(at);
-    Values values(scan_, true);
+    ValueReader values(scan_, true);
     const int one = values.integer({"the integer 1"});
     if (one == 0x01000000) {
       source_.fail(at, "numbers in big-endian byte order",
@@ -81,8 +82,11 @@ void Reader::read_section() {
   details_->sections.push_back({name, {}});
   if (name == "PhysicalNames") read_physical_names();
   if (name == "Entities") read_entities();
-  if (name == "Nodes") read_nodes();
-  if (name == "Elements") read_elements();
+  if (name == "Nodes") nodes_.read();
+  if (name == "Elements") {
+    if (!seen("Nodes")) source_.fail(scan_.offset(), "$Elements before $Nodes", "$Nodes first");
+    elements_.read();
+  }
   end_section(name);
 }
 
@@ -116,7 +120,7 @@ void Reader::read_physical_names() {
   for (Index i = 0; i < n; ++i) {
     scan_.skip_space();
     const std::size_t at = scan_.offset();
-    Values values(scan_, false);
+    ValueReader values(scan_, false);
     PhysicalName entry{};
     entry.dimension = values.integer({"dimension of physical name", i, n});
     entry.tag = values.integer({"tag of physical name", i, n});
@@ -135,7 +139,7 @@ void Reader::read_physical_names() {
   }
 }
 
-std::vector<int> Reader::read_tags(Values& values, const char* what) {
+std::vector<int> Reader::read_tags(ValueReader& values, const char* what) {
   const Index n = values.count({what}, 2, 4);
   std::vector<int> tags(static_cast<std::size_t>(n));
   for (int& tag : tags) tag = values.integer({what});
@@ -145,7 +149,7 @@ std::vector<int> Reader::read_tags(Values& values, const char* what) {
 void Reader::read_entities() {
   const std::size_t begin = scan_.offset();
   if (!details_->version_4) source_.fail(begin, "$Entities in MSH 2", "$Nodes");
-  Values values(scan_, details_->binary);
+  ValueReader values(scan_, details_->binary);
   values.begin();
   std::array<Index, 4> counts{};
   for (Index& n : counts) n = values.count({"a number of entities"}, 8, 36);
@@ -156,7 +160,7 @@ void Reader::read_entities() {
   }
 }
 
-void Reader::read_entity(Values& values, int dimension, Index index, Index count) {
+void Reader::read_entity(ValueReader& values, int dimension, Index index, Index count) {
   static constexpr std::array<const char*, 4> names{"point entity", "curve entity",
                                                     "surface entity", "volume entity"};
   const Expected expected{names[static_cast<std::size_t>(dimension)], index, count};
@@ -175,12 +179,12 @@ void Reader::finish() {
   const std::size_t end = source_.text().size();
   if (!seen("Nodes")) source_.fail(end, "no section $Nodes", "the nodes of the mesh");
   if (!seen("Elements")) source_.fail(end, "no section $Elements", "the elements of the mesh");
-  set_planar_nodes(source_, xyz_, mesh_);
-  collect_groups();
-  if (parametric_) {
+  set_planar_nodes(source_, nodes_.xyz(), mesh_);
+  collect_groups(elements_.offsets(), *details_, mesh_);
+  if (nodes_.parametric()) {
     mesh_.warnings.emplace_back("parametric coordinates of nodes are not kept");
   }
-  if (partitioned_) {
+  if (elements_.partitioned()) {
     mesh_.warnings.emplace_back("the partitions of elements are not kept");
   }
   details_->nodes = mesh_.data.node_count();

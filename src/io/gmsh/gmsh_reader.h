@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "io/gmsh/element_reader.h"
 #include "io/gmsh/gmsh.h"
-#include "io/gmsh/node_tags.h"
-#include "io/gmsh/values.h"
+#include "io/gmsh/node_reader.h"
+#include "io/gmsh/value_reader.h"
 
 namespace winslow::io::gmsh {
 
@@ -26,43 +27,18 @@ class Reader {
   bool seen(std::string_view section) const;
 
   void read_entities();
-  void read_entity(Values& values, int dimension, Index index, Index count);
-  std::vector<int> read_tags(Values& values, const char* what);
+  void read_entity(ValueReader& values, int dimension, Index index, Index count);
+  std::vector<int> read_tags(ValueReader& values, const char* what);
 
-  void read_nodes();
-  void read_nodes_2(Values& values);
-  void read_nodes_4(Values& values);
-  void read_node_block(Values& values, Index block, Index blocks, Index total);
-  void add_node_tag(std::int64_t tag, std::size_t offset);
-  void index_nodes();
-
-  void read_elements();
-  void read_elements_2_text(Values& values, Index count);
-  void read_elements_2_binary(Values& values, Index count);
-  void read_elements_4(Values& values);
-  struct Record {
-    Item item;
-    std::size_t offset;
-    Expected expected;
-  };
-  Shape shape_of(int type, std::size_t offset) const;
-  void skip_tag(Values& values, int position, Item& item, const Expected& expected);
-  void read_element_nodes(Values& values, const Record& record);
-  bool repeats_last_element(std::span<const Index> corners, const Item& item) const;
-
-  void collect_groups();
   void finish();
 
   Source& source_;
   Scanner scan_;
   ParsedMesh mesh_;
   std::shared_ptr<Details> details_ = std::make_shared<Details>();
-  NodeTags node_tags_;
-  std::vector<double> xyz_;
-  std::vector<std::size_t> item_offsets_;
+  NodeReader nodes_{scan_, *details_, mesh_};
+  ElementReader elements_{scan_, nodes_.tags(), *details_, mesh_};
   std::set<std::pair<int, int>> named_groups_;  ///< dimension and tag
-  bool parametric_ = false;
-  bool partitioned_ = false;
 };
 
 }  // namespace winslow::io::gmsh

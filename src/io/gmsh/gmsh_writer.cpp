@@ -10,14 +10,14 @@ namespace {
 constexpr std::array<int, 4> gmsh_type{15, 1, 2, 3};  ///< by Shape
 constexpr std::array<int, 4> gmsh_dimension{0, 1, 2, 2};
 
-/// Writes numbers as text, with blanks between, or as bytes: the counterpart of Values.
-class Values {
+/// Writes numbers as text, with blanks between, or as bytes: the counterpart of ValueReader.
+class ValueWriter {
  public:
-  Values(TextWriter& out, bool binary) : out_(out), binary_(binary) {}
+  ValueWriter(TextWriter& out, bool binary) : out_(out), binary_(binary) {}
 
-  Values& integer(int value) { return put(value); }
-  Values& size(std::int64_t value) { return put(value); }
-  Values& real(double value) { return put(value); }
+  ValueWriter& integer(int value) { return put(value); }
+  ValueWriter& size(std::int64_t value) { return put(value); }
+  ValueWriter& real(double value) { return put(value); }
   void end() {
     if (!binary_) out_ << '\n';
     first_ = true;
@@ -29,7 +29,7 @@ class Values {
 
  private:
   template <class Number>
-  Values& put(Number value) {
+  ValueWriter& put(Number value) {
     if (binary_) {
       out_.raw(value);
     } else {
@@ -221,7 +221,7 @@ class Writer {
   }
 
   TextWriter out_;
-  Values values_;
+  ValueWriter values_;
   bool binary_;
   const Mesh& mesh_;
   const Details& details_;

@@ -123,8 +123,8 @@ Details default_details(std::size_t markers) {
 std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const Details* details) {
   std::vector<std::string> warnings;
   const Topology& topology = *mesh.topology;
-  const std::span<const Marker> markers = topology.markers_from_file()
-                                              ? std::span<const Marker>(topology.markers())
+  const std::span<const Marker> markers = topology.markers().from_file()
+                                              ? std::span<const Marker>(topology.markers().list())
                                               : std::span<const Marker>();
   const bool fits = details != nullptr && details->nodes == topology.node_count() &&
                     details->elements == topology.element_count() &&

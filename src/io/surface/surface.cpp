@@ -26,7 +26,7 @@ ParsedMesh Builder::finish(bool binary) {
 
 std::vector<std::string> lost_in_surface(const Mesh& mesh) {
   std::vector<std::string> warnings;
-  if (mesh.topology->markers_from_file() && !mesh.topology->markers().empty()) {
+  if (mesh.topology->markers().from_file() && !mesh.topology->markers().empty()) {
     warnings.emplace_back("this format has no markers: they are lost");
   }
   if (!mesh.topology->regions().empty()) {

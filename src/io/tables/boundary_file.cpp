@@ -71,7 +71,7 @@ std::vector<Curve> curves_of(const Topology& topology, const std::vector<std::st
   if (markers.empty()) throw UsageError("no marker to write");
   std::vector<Curve> curves;
   for (const std::string& name : markers) {
-    const auto m = topology.find_marker(name);
+    const auto m = topology.markers().find(name);
     if (!m) throw UsageError("there is no marker \"" + name + "\"");
     std::size_t number = 0;
     for (auto& line : boundary_lines(topology.markers()[static_cast<std::size_t>(*m)]))

@@ -8,8 +8,8 @@ class GridBuilder {
  public:
   GridBuilder(const Mesh& mesh, const FormatDetails* source, std::vector<std::string>& warnings)
       : topology_(*mesh.topology) {
-    if (topology_.markers_from_file()) {
-      markers_ = usable_tags(tags_of(topology_.markers()), "markers", warnings);
+    if (topology_.markers().from_file()) {
+      markers_ = usable_tags(tags_of(topology_.markers().list()), "markers", warnings);
     }
     regions_ = usable_tags(tags_of(topology_.regions()), "regions", warnings);
     const Index n = mesh.coordinates.size();

@@ -17,10 +17,10 @@ namespace {
 
 /// A node well inside with six neighbours.
 Index inner_node(const Topology& topology) {
-  for (const Index node : topology.free_nodes()) {
+  for (const Index node : topology.interior_nodes()) {
     const auto ring = topology.neighbours(node);
     if (ring.size() == 6 &&
-        std::none_of(ring.begin(), ring.end(), [&](Index k) { return topology.constrained(k); })) {
+        std::none_of(ring.begin(), ring.end(), [&](Index k) { return topology.on_boundary(k); })) {
       return node;
     }
   }
@@ -91,7 +91,7 @@ TEST_CASE("solvers kept from edit to edit give the mesh that new ones give, and 
     execute(SmoothCommand{command.smooth}, start, kept);
     const auto pattern_now = [&] {
       SparseMatrix matrix;
-      std::vector<double> residual(2 * topology.free_nodes().size());
+      std::vector<double> residual(2 * topology.interior_nodes().size());
       workspace.energy()->linearise(start.mesh.coordinates, Curvature::exact, matrix, residual);
       return matrix.pattern;
     };
@@ -122,7 +122,7 @@ TEST_CASE("a longer edge of a VCV moves the node away from that neighbour") {
 
 TEST_CASE("quadrilaterals answer to edited VCVs, too") {
   const MeshState before = smoothed(make_state(make_mesh(square(8, Cells::quads))));
-  const Index node = before.mesh.topology->free_nodes()[24];
+  const Index node = before.mesh.topology->interior_nodes()[24];
   REQUIRE(before.mesh.topology->neighbours(node).size() == 4);
   const CommandResult result =
       execute(EditVcvCommand{{{node, {}, {120, 80, 80, 80}, {}}}, {}}, before);

@@ -16,10 +16,11 @@ namespace {
 /// An annulus smoothed, its solver at the solution.
 struct Solved {
   explicit Solved(Cells cells) : state(make_state(make_mesh(annulus(32, 10, 1.2, cells)))) {
-    workspace.prepare(state.vcv, {}, state.mesh.coordinates);
+    workspace.prepare(state.vcv, std::make_shared<NodeClasses>(state.mesh.topology), {},
+                      state.mesh.coordinates);
     state.mesh.coordinates = solution_after({}, state.mesh.coordinates);
     const Topology& topology = *state.mesh.topology;
-    const auto span = topology.marker_nodes(*topology.find_marker("inner"));
+    const auto span = topology.markers().nodes(*topology.markers().find("inner"));
     nodes.assign(span.begin(), span.end());
   }
   /// The solution with the inner circle moved, from a mesh near it.
@@ -55,7 +56,8 @@ TEST_CASE("the prediction errs by the square of the motion, and not at all on th
         const Vec2 expected = transform(motion, mesh.coordinates.xy(node));
         CHECK((predicted.xy(node) - expected).norm() == 0);
       }
-      for (const Index node : mesh.topology->marker_nodes(*mesh.topology->find_marker("outer"))) {
+      for (const Index node :
+           mesh.topology->markers().nodes(*mesh.topology->markers().find("outer"))) {
         CHECK((predicted.xy(node) - mesh.coordinates.xy(node)).norm() == 0);
       }
       return largest_difference(predicted, solved.solution_after(motion, predicted));

@@ -150,7 +150,7 @@ TEST_CASE("a drag that cannot begin says why; one that is under way can be dropp
 TEST_CASE("a part of a boundary is dragged by its shares and ends at the command's mesh") {
   const MeshState state = annulus_state();
   const Mesh& mesh = state.mesh;
-  const auto span = mesh.topology->marker_nodes(*mesh.topology->find_marker("inner"));
+  const auto span = mesh.topology->markers().nodes(*mesh.topology->markers().find("inner"));
   std::vector<Index> loop;
   for (const auto& candidate : mesh.topology->boundary_loops())
     if (std::find(candidate.begin(), candidate.end(), span[0]) != candidate.end()) loop = candidate;

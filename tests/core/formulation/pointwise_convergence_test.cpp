@@ -7,6 +7,7 @@
 #include "core/linear/linear_solver.h"
 #include "core/outer/picard_solver.h"
 #include "core/strategy/solver_options.h"
+#include "support/formulations.h"
 #include "support/meshes.h"
 #include "support/vcv.h"
 
@@ -70,7 +71,7 @@ const double star_constant = std::sqrt(3.0);
 
 double residual_error(const SmoothMap& map, const Vec2& p, double h) {
   const Mesh mesh = mapped_star(map, p, h, 0);
-  const PointwiseWinslow winslow(VirtualControlVolumes(mesh.topology), 1);
+  const PointwiseWinslow winslow = pointwise(VirtualControlVolumes(mesh.topology));
   std::vector<double> r(2);
   winslow.residual(mesh.coordinates, r);
   return (Vec2(r[0], r[1]) / (star_constant * h * h) - exact_operator(map, p).value).norm();
@@ -82,7 +83,7 @@ double conformal_error(Index sectors, Index rings) {
   const Coordinates exact = mesh.coordinates;
   Random random(5);
   perturb(mesh, random, 0.2);
-  const PointwiseWinslow winslow(VirtualControlVolumes(mesh.topology), 1);
+  const PointwiseWinslow winslow = pointwise(VirtualControlVolumes(mesh.topology));
   const auto linear = make_linear_solver({});
   SmoothOptions options;
   options.tolerance = 1e-13;
@@ -135,7 +136,7 @@ TEST_CASE("nodal coefficients converge to those of the map to second order") {
   double before = 0;
   for (const double h : {0.1, 0.05, 0.025}) {
     const Mesh mesh = mapped_star(map, p, h, 0);
-    const PointwiseWinslow winslow(VirtualControlVolumes(mesh.topology), 1);
+    const PointwiseWinslow winslow = pointwise(VirtualControlVolumes(mesh.topology));
     const WinslowCoefficients c = winslow.coefficients(mesh.coordinates, 0);
     const double error = std::abs(c.alpha - exact.alpha) + std::abs(c.beta - exact.beta) +
                          std::abs(c.gamma - exact.gamma);
@@ -152,8 +153,8 @@ TEST_CASE("how the VCV is turned in computational space changes nothing") {
   const Mesh turned = mapped_star(map, p, 0.1, pi / 3);
   const VirtualControlVolumes vcv(mesh.topology);
   std::vector<double> a(2), b(2);
-  PointwiseWinslow(vcv, 1).residual(mesh.coordinates, a);
-  PointwiseWinslow(vcv, 1).residual(turned.coordinates, b);
+  pointwise(vcv).residual(mesh.coordinates, a);
+  pointwise(vcv).residual(turned.coordinates, b);
   CHECK((Vec2(a[0], a[1]) - Vec2(b[0], b[1])).norm() < 1e-14);
 }
 
@@ -178,7 +179,7 @@ TEST_CASE("an annulus of quadrilaterals converges to its exact map to second ord
   const auto error = [](Index sectors, Index rings) {
     Mesh mesh = make_mesh(annulus(sectors, rings, std::pow(4.0, 1.0 / rings), Cells::quads));
     const Coordinates exact = mesh.coordinates;
-    const PointwiseWinslow winslow(VirtualControlVolumes(mesh.topology), 1);
+    const PointwiseWinslow winslow = pointwise(VirtualControlVolumes(mesh.topology));
     const auto linear = make_linear_solver({});
     SmoothOptions options;
     options.clip = Clip::off;

@@ -6,6 +6,8 @@
 
 #include "core/formulation/pointwise_winslow.h"
 #include "core/parallel/parallel_for.h"
+#include "support/coordinate.h"
+#include "support/formulations.h"
 #include "support/samples.h"
 
 using namespace winslow;
@@ -78,10 +80,10 @@ TEST_CASE("the Jacobian of the pointwise form agrees with central differences") 
         CAPTURE(seed);
         const Sample s = make_sample(seed, cells, false);
         const Topology& topology = *s.mesh.topology;
-        const auto free = topology.free_nodes();
+        const auto free = topology.interior_nodes();
         const Coordinates& x = s.mesh.coordinates;
         REQUIRE(check_validity(topology, x).inverted == 0);
-        const PointwiseWinslow winslow(s.vcv, 1);
+        const PointwiseWinslow winslow = pointwise(s.vcv);
         const Linearisation exact(winslow, x, clip, free.size());
         CHECK(exact.jacobian.block == 2);
         CHECK(!exact.jacobian.symmetric);
@@ -89,7 +91,7 @@ TEST_CASE("the Jacobian of the pointwise form agrees with central differences") 
         double worst = 0;
         for (std::size_t c = 0; c < 2 * free.size(); ++c) {
           Coordinates direction(2, x.size());
-          direction.point(free[c / 2])[c % 2] = 1;
+          coordinate(direction, free[c / 2], c % 2) = 1;
           const auto column = difference(winslow, x, direction, clip, exact.scales);
           for (std::size_t r = 0; r < column.size(); ++r) {
             const Index node = free[r / 2];
@@ -117,14 +119,14 @@ TEST_CASE("the response to a moved boundary agrees with central differences") {
         CAPTURE(seed);
         const Sample s = make_sample(seed, cells, false);
         const Topology& topology = *s.mesh.topology;
-        const auto free = topology.free_nodes();
+        const auto free = topology.interior_nodes();
         const Coordinates& x = s.mesh.coordinates;
-        const PointwiseWinslow winslow(s.vcv, 1);
+        const PointwiseWinslow winslow = pointwise(s.vcv);
         const Linearisation exact(winslow, x, clip, free.size());
         Random random(seed);
         Coordinates direction(2, x.size());
         for (Index i = 0; i < x.size(); ++i) {
-          if (topology.constrained(i)) direction.set_xy(i, random.vector());
+          if (topology.on_boundary(i)) direction.set_xy(i, random.vector());
         }
         const auto expected = difference(winslow, x, direction, clip, exact.scales);
         for (const Index node : free) direction.set_xy(node, {1e3, -1e3});  // to be ignored
@@ -153,9 +155,9 @@ TEST_CASE("moves of all nodes that only shift, turn or stretch the mesh are answ
     CAPTURE(seed);
     const Sample s = make_sample(seed, cells, false);
     const Topology& topology = *s.mesh.topology;
-    const auto free = topology.free_nodes();
+    const auto free = topology.interior_nodes();
     const Coordinates& x = s.mesh.coordinates;
-    const PointwiseWinslow winslow(s.vcv, 1);
+    const PointwiseWinslow winslow = pointwise(s.vcv);
     const Linearisation exact(winslow, x, false, free.size());
     Eigen::Matrix2d similarity;
     similarity << 0.3, -0.8, 0.8, 0.3;
@@ -165,7 +167,7 @@ TEST_CASE("moves of all nodes that only shift, turn or stretch the mesh are answ
     winslow.boundary_response(x, move, change);
     for (std::size_t r = 0; r < change.size(); ++r) {
       for (std::size_t c = 0; c < change.size(); ++c) {
-        change[r] -= exact(r, c) * move.point(free[c / 2])[c % 2];
+        change[r] -= exact(r, c) * coordinate(move, free[c / 2], c % 2);
       }
     }
     for (std::size_t i = 0; i < free.size(); ++i) {
@@ -182,9 +184,9 @@ TEST_CASE("a linearised system carries the residual, its norms and the scales of
     CAPTURE(clip);
     const Sample s = make_sample(seed, Cells::mixed, true);
     const Topology& topology = *s.mesh.topology;
-    const auto free = topology.free_nodes();
+    const auto free = topology.interior_nodes();
     const Coordinates& x = s.mesh.coordinates;
-    const PointwiseWinslow winslow(s.vcv, 1);
+    const PointwiseWinslow winslow = pointwise(s.vcv);
     const Linearisation system(winslow, x, clip, free.size());
     std::vector<double> raw(2 * free.size());
     const ResidualNorms expected = winslow.clipped(clip).residual(x, raw);
@@ -208,8 +210,8 @@ TEST_CASE("a linearised system carries the residual, its norms and the scales of
 TEST_CASE("a neighbourhood collapsed into one point has the Laplacian's Jacobian") {
   Mesh mesh = make_mesh(square(5, Cells::triangles));
   for (Index i = 0; i < mesh.coordinates.size(); ++i) mesh.coordinates.set_xy(i, {0.25, 0.5});
-  const PointwiseWinslow winslow(VirtualControlVolumes(mesh.topology), 1);
-  const std::size_t rows = mesh.topology->free_nodes().size();
+  const PointwiseWinslow winslow = pointwise(VirtualControlVolumes(mesh.topology));
+  const std::size_t rows = mesh.topology->interior_nodes().size();
   const Linearisation system(winslow, mesh.coordinates, true, rows);
   SparseSystem frozen;
   winslow.clipped(true).freeze(mesh.coordinates, frozen);
@@ -230,17 +232,17 @@ TEST_CASE("the Jacobian and the response are bitwise the same at any number of t
   Random random(seed);
   tangle(mesh, random);
   const VirtualControlVolumes vcv(mesh.topology);
-  const std::size_t rows = mesh.topology->free_nodes().size();
+  const std::size_t rows = mesh.topology->interior_nodes().size();
   REQUIRE(rows > 2 * at(parallel_block));
   Coordinates move(2, mesh.coordinates.size());
   for (double& v : move.values()) v = random.uniform(-1, 1);
-  const PointwiseWinslow single(vcv, 1);
+  const PointwiseWinslow single = pointwise(vcv);
   const Linearisation first(single, mesh.coordinates, true, rows);
   std::vector<double> response(2 * rows), again(2 * rows);
   single.clipped(true).boundary_response(mesh.coordinates, move, response);
   for (const int threads : {2, 5, 0}) {
     CAPTURE(threads);
-    const PointwiseWinslow several(vcv, threads);
+    const PointwiseWinslow several = pointwise(vcv, threads);
     const Linearisation other(several, mesh.coordinates, true, rows);
     CHECK(other.jacobian.values == first.jacobian.values);
     CHECK(other.residual == first.residual);

@@ -10,6 +10,8 @@
 
 #include "core/error.h"
 #include "core/parallel/parallel_for.h"
+#include "support/coordinate.h"
+#include "support/formulations.h"
 #include "support/samples.h"
 
 using namespace winslow;
@@ -40,11 +42,11 @@ TEST_CASE("coefficients, weights and residual agree with an integration triangle
       CAPTURE(seed);
       const Sample s = make_sample(seed, cells, seed % 2 == 0);
       const Topology& topology = *s.mesh.topology;
-      const PointwiseWinslow winslow(s.vcv, 1);
-      std::vector<double> residual(2 * topology.free_nodes().size());
+      const PointwiseWinslow winslow = pointwise(s.vcv);
+      std::vector<double> residual(2 * topology.interior_nodes().size());
       winslow.residual(s.mesh.coordinates, residual);
-      for (std::size_t i = 0; i < topology.free_nodes().size(); ++i) {
-        const Index node = topology.free_nodes()[i];
+      for (std::size_t i = 0; i < topology.interior_nodes().size(); ++i) {
+        const Index node = topology.interior_nodes()[i];
         const auto points = vcv_points(s.vcv, node);
         const auto ring = ring_of(topology, s.mesh.coordinates, node);
         const Vec2 r0 = s.mesh.coordinates.xy(node);
@@ -81,7 +83,7 @@ TEST_CASE("an affine map of the VCVs has zero residual, clipped or not where wei
     for (std::size_t k = 0; k < row.size(); ++k) {
       mesh.coordinates.set_xy(row[k], a * vcv.point(0, static_cast<Index>(k)) + b);
     }
-    const PointwiseWinslow winslow(vcv, 1);
+    const PointwiseWinslow winslow = pointwise(vcv);
     CHECK(winslow.residual(mesh.coordinates, {}).max < 1e-14);
     std::vector<double> w(row.size());
     if (winslow.clipped(true).weights(mesh.coordinates, 0, w) == 0) {
@@ -97,9 +99,9 @@ TEST_CASE("clipping sets negative weights to zero, leaves the others and counts 
       CAPTURE(name_of(cells));
       CAPTURE(seed);
       const Sample s = make_sample(seed, cells, true);
-      const PointwiseWinslow winslow(s.vcv, 1);
+      const PointwiseWinslow winslow = pointwise(s.vcv);
       Index total = 0;
-      for (const Index node : s.mesh.topology->free_nodes()) {
+      for (const Index node : s.mesh.topology->interior_nodes()) {
         const std::size_t n = s.mesh.topology->neighbours(node).size();
         std::vector<double> raw(n), clipped(n);
         const Index negative = winslow.weights(s.mesh.coordinates, node, raw);
@@ -125,10 +127,10 @@ TEST_CASE("a frozen system's right-hand side is the residual over the sum of abs
       constexpr std::uint64_t seed = 51;
       const Sample s = make_sample(seed, cells, true);
       const Topology& topology = *s.mesh.topology;
-      const PointwiseWinslow winslow(s.vcv, 1);
+      const PointwiseWinslow winslow = pointwise(s.vcv);
       SparseSystem system;
       winslow.clipped(clip).freeze(s.mesh.coordinates, system);
-      const auto free = topology.free_nodes();
+      const auto free = topology.interior_nodes();
       REQUIRE(system.columns == 2);
       REQUIRE(system.matrix.pattern->rows() == static_cast<Index>(free.size()));
       std::vector<double> residual(2 * free.size());
@@ -140,7 +142,7 @@ TEST_CASE("a frozen system's right-hand side is the residual over the sum of abs
         for (std::size_t k = 0; k < w.size(); ++k) {
           absolute += std::abs(w[k]);
           sum += w[k];
-          if (topology.constrained(topology.neighbours(free[i])[k])) to_boundary += w[k];
+          if (topology.on_boundary(topology.neighbours(free[i])[k])) to_boundary += w[k];
         }
         CHECK(system.rhs[2 * i] == doctest::Approx(residual[2 * i] / absolute));
         CHECK(system.rhs[2 * i + 1] == doctest::Approx(residual[2 * i + 1] / absolute));
@@ -164,8 +166,8 @@ TEST_CASE("the frozen matrix is minus the derivative of the residual, coefficien
     CAPTURE(seed);
     const Sample s = make_sample(seed, cells, false);
     const Topology& topology = *s.mesh.topology;
-    const PointwiseWinslow winslow(s.vcv, 1);
-    const auto free = topology.free_nodes();
+    const PointwiseWinslow winslow = pointwise(s.vcv);
+    const auto free = topology.interior_nodes();
     SparseSystem system;
     winslow.freeze(s.mesh.coordinates, system);
     Random random(seed);
@@ -206,12 +208,12 @@ TEST_CASE("norms: the largest and the mean square of the scaled residuals") {
   CAPTURE(seed);
   const Sample s = make_sample(seed, Cells::mixed, false);
   const Topology& topology = *s.mesh.topology;
-  const PointwiseWinslow winslow(s.vcv, 1);
+  const PointwiseWinslow winslow = pointwise(s.vcv);
   SparseSystem system;
   winslow.clipped(true).freeze(s.mesh.coordinates, system);
   double max = 0, sum = 0;
-  for (std::size_t i = 0; i < topology.free_nodes().size(); ++i) {
-    const Index node = topology.free_nodes()[i];
+  for (std::size_t i = 0; i < topology.interior_nodes().size(); ++i) {
+    const Index node = topology.interior_nodes()[i];
     double edge = 0;
     for (const Vec2& p : ring_of(topology, s.mesh.coordinates, node)) {
       edge += (p - s.mesh.coordinates.xy(node)).norm();
@@ -224,14 +226,14 @@ TEST_CASE("norms: the largest and the mean square of the scaled residuals") {
   const ResidualNorms norms = winslow.clipped(true).residual(s.mesh.coordinates, {});
   CHECK(norms.max == doctest::Approx(max));
   CHECK(norms.rms ==
-        doctest::Approx(std::sqrt(sum / static_cast<double>(topology.free_nodes().size()))));
+        doctest::Approx(std::sqrt(sum / static_cast<double>(topology.interior_nodes().size()))));
 }
 
 TEST_CASE("norms do not depend on the size, place or orientation of the mesh") {
   constexpr std::uint64_t seed = 72;
   CAPTURE(seed);
   const Sample s = make_sample(seed, Cells::triangles, false);
-  const PointwiseWinslow winslow(s.vcv, 1);
+  const PointwiseWinslow winslow = pointwise(s.vcv);
   const double expected = winslow.residual(s.mesh.coordinates, {}).max;
   Coordinates x = s.mesh.coordinates;
   for (Index i = 0; i < x.size(); ++i) {
@@ -244,10 +246,10 @@ TEST_CASE("norms do not depend on the size, place or orientation of the mesh") {
 TEST_CASE("a neighbourhood collapsed into one point gives finite numbers") {
   Mesh mesh = make_mesh(square(5, Cells::triangles));
   for (Index i = 0; i < mesh.coordinates.size(); ++i) mesh.coordinates.set_xy(i, {0.25, 0.5});
-  const PointwiseWinslow winslow(VirtualControlVolumes(mesh.topology), 1);
+  const PointwiseWinslow winslow = pointwise(VirtualControlVolumes(mesh.topology));
   SparseSystem system;
   for (const bool clip : {false, true}) {
-    std::vector<double> residual(2 * mesh.topology->free_nodes().size(), 1.0);
+    std::vector<double> residual(2 * mesh.topology->interior_nodes().size(), 1.0);
     CHECK(winslow.clipped(clip).residual(mesh.coordinates, residual).max == 0);
     for (const double r : residual) CHECK(r == 0);
     winslow.clipped(clip).freeze(mesh.coordinates, system);
@@ -262,17 +264,17 @@ TEST_CASE("a neighbourhood collapsed into one point gives finite numbers") {
 
 TEST_CASE("a NaN in one node shows in the norm, wherever the node comes in the order") {
   const Mesh mesh = make_mesh(square(6, Cells::triangles));
-  const PointwiseWinslow winslow(VirtualControlVolumes(mesh.topology), 1);
+  const PointwiseWinslow winslow = pointwise(VirtualControlVolumes(mesh.topology));
   for (Index i = 0; i < mesh.coordinates.size(); ++i) {
     // The corners of the square are no neighbours of free nodes.
     if (!mesh.topology->used(i)) continue;
     const auto row = mesh.topology->neighbours(i);
-    const bool felt = !mesh.topology->constrained(i) ||
+    const bool felt = !mesh.topology->on_boundary(i) ||
                       std::any_of(row.begin(), row.end(),
-                                  [&](Index k) { return !mesh.topology->constrained(k); });
+                                  [&](Index k) { return !mesh.topology->on_boundary(k); });
     CAPTURE(i);
     Coordinates x = mesh.coordinates;
-    x.point(i)[0] = std::numeric_limits<double>::quiet_NaN();
+    coordinate(x, i, 0) = std::numeric_limits<double>::quiet_NaN();
     CHECK(std::isnan(winslow.residual(x, {}).max) == felt);
   }
 }
@@ -284,16 +286,16 @@ TEST_CASE("the residual and the frozen system are bitwise the same at any number
   Random random(seed);
   tangle(mesh, random);
   const VirtualControlVolumes vcv(mesh.topology);
-  const std::size_t size = 2 * mesh.topology->free_nodes().size();
+  const std::size_t size = 2 * mesh.topology->interior_nodes().size();
   REQUIRE(size / 2 > 2 * at(parallel_block));
   std::vector<double> first(size);
   SparseSystem system;
-  const PointwiseWinslow single(vcv, 1);
+  const PointwiseWinslow single = pointwise(vcv);
   const ResidualNorms norms = single.clipped(true).residual(mesh.coordinates, first);
   const Index negative = single.clipped(true).freeze(mesh.coordinates, system);
   for (const int threads : {2, 5, 0}) {
     CAPTURE(threads);
-    const PointwiseWinslow several(vcv, threads);
+    const PointwiseWinslow several = pointwise(vcv, threads);
     std::vector<double> residual(size);
     const ResidualNorms other = several.clipped(true).residual(mesh.coordinates, residual);
     CHECK(other.max == norms.max);

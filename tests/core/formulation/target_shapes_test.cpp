@@ -28,7 +28,7 @@ double distortion(const ShapeTerm& term, const Vec2& a, const Vec2& b, const Vec
 VirtualControlVolumes stretched(const std::shared_ptr<const Topology>& topology,
                                 const Coordinates& x, double ratio) {
   VirtualControlVolumes vcv(topology);
-  for (const Index node : topology->free_nodes()) {
+  for (const Index node : topology->interior_nodes()) {
     std::vector<double> lengths;
     for (const Index other : topology->neighbours(node)) {
       const Vec2 edge = x.xy(other) - x.xy(node);
@@ -55,7 +55,7 @@ TEST_CASE("corners at the boundary take the parallelogram of the VCVs beside the
       return Vec2(5 * p.x(), p.y());
     };
     const auto [a, b, c] = shapes.triangles[t];
-    at_boundary += topology->constrained(a) ? 1 : 0;
+    at_boundary += topology->on_boundary(a) ? 1 : 0;
     for (Index k = shapes.offsets[t]; k < shapes.offsets[t + 1]; ++k) {
       CHECK(distortion(shapes.terms[static_cast<std::size_t>(k)], place(a), place(b), place(c)) ==
             doctest::Approx(1).epsilon(1e-12));
@@ -68,7 +68,7 @@ TEST_CASE("a parallelogram that leans: from the VCV opposite, before and after")
   // One interior node of a 2 by 2 grid: its four elements are each opposite-corner cases.
   const MeshData data = square(2, Cells::quads);
   const auto topology = Topology::build(data);
-  const Index centre = topology->free_nodes()[0];
+  const Index centre = topology->interior_nodes()[0];
   VirtualControlVolumes vcv(topology);
   const std::vector<double> angles{radians(70), radians(110), radians(70), radians(110)};
   const std::vector<double> lengths{2, 1, 2, 1};
@@ -99,7 +99,7 @@ TEST_CASE("a parallelogram that leans: from the VCV opposite, before and after")
 TEST_CASE("the role of an element: its weight, and whether it follows edited VCVs") {
   const auto topology = Topology::build(square(4, Cells::triangles));
   VirtualControlVolumes vcv(topology);
-  const Index node = topology->free_nodes()[4];
+  const Index node = topology->interior_nodes()[4];
   const std::size_t count = topology->neighbours(node).size();
   std::vector<double> lengths(count, 1.0);
   lengths[0] = 3;

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/formulation/distortion.h"
 #include "core/parallel/parallel_for.h"
+#include "support/formulations.h"
 #include "support/meshes.h"
 #include "support/vcv.h"
 
@@ -27,7 +28,7 @@ Sample make_sample(std::uint64_t seed, Cells cells) {
   Mesh mesh = make_mesh(square_with_hole(10, cells));
   perturb(mesh, random, 0.15);
   VirtualControlVolumes vcv(mesh.topology);
-  for (const Index node : mesh.topology->free_nodes()) {
+  for (const Index node : mesh.topology->interior_nodes()) {
     const auto n = static_cast<Index>(vcv.angles(node).size());
     if (n < 3) continue;
     std::vector<double> lengths;
@@ -39,19 +40,19 @@ Sample make_sample(std::uint64_t seed, Cells cells) {
 
 VariationalWinslow formulation(const Sample& sample, const TargetBlend& blend,
                                const PenaltyOptions& penalty, int threads = 1) {
-  return {sample.mesh.topology, TargetShapes::build(sample.vcv, blend, &sample.mesh.coordinates),
-          penalty, threads};
+  return {free_interior(sample.mesh.topology),
+          TargetShapes::build(sample.vcv, blend, &sample.mesh.coordinates), penalty, threads};
 }
 
 std::vector<double> random_direction(const Topology& topology, Random& random, double length) {
-  std::vector<double> direction(2 * topology.free_nodes().size());
+  std::vector<double> direction(2 * topology.interior_nodes().size());
   for (double& d : direction) d = random.uniform(-length, length);
   return direction;
 }
 
 Coordinates moved(const Mesh& mesh, const std::vector<double>& direction, double step) {
   Coordinates x = mesh.coordinates;
-  const auto free = mesh.topology->free_nodes();
+  const auto free = mesh.topology->interior_nodes();
   for (std::size_t i = 0; i < free.size(); ++i) {
     x.set_xy(free[i], x.xy(free[i]) + step * Vec2(direction[2 * i], direction[2 * i + 1]));
   }
@@ -104,7 +105,7 @@ std::array<double, 4 * distortion::TriangleSum::size> hessian_of(
 Coordinates boundary_displacement(const Topology& topology, Random& random) {
   Coordinates displacement(2, topology.node_count());
   for (Index node = 0; node < topology.node_count(); ++node) {
-    if (!topology.constrained(node)) continue;
+    if (!topology.on_boundary(node)) continue;
     displacement.set_xy(node, Vec2(random.uniform(-1, 1), random.uniform(-1, 1)));
   }
   return displacement;
@@ -169,7 +170,7 @@ TEST_CASE("the answer to a moving boundary is the derivative of the residual") {
       plus.set_xy(node, plus.xy(node) + h * displacement.xy(node));
       minus.set_xy(node, minus.xy(node) - h * displacement.xy(node));
     }
-    const std::size_t n = 2 * topology.free_nodes().size();
+    const std::size_t n = 2 * topology.interior_nodes().size();
     std::vector<double> at_plus(n), at_minus(n), response(n);
     energy.residual(plus, at_plus);
     energy.residual(minus, at_minus);
@@ -225,8 +226,8 @@ TEST_CASE("perfect elements have distortion one and no force") {
   const Mesh mesh = make_mesh(square(6, Cells::quads));
   const VirtualControlVolumes vcv(mesh.topology);
   for (const TargetBlend& blend : {TargetBlend{1, 0, 0}, TargetBlend{0, 1, 0}}) {
-    const VariationalWinslow energy(mesh.topology, TargetShapes::build(vcv, blend, nullptr), {4, 0},
-                                    1);
+    const VariationalWinslow energy(free_interior(mesh.topology),
+                                    TargetShapes::build(vcv, blend, nullptr), {4, 0}, 1);
     // Every element has weight one, however many of its nodes lie at the boundary; the four of the
     // corners have one corner triangle that cannot change.
     CHECK(energy.energy(mesh.coordinates) == doctest::Approx(36));
@@ -249,7 +250,8 @@ TEST_CASE("an inverted element has infinite energy, and a finite one when regula
   Mesh mesh = make_mesh(square(6, Cells::triangles));
   tangle(mesh, random);
   const VirtualControlVolumes vcv(mesh.topology);
-  const VariationalWinslow energy(mesh.topology, TargetShapes::build(vcv, {}, nullptr), {1, 0}, 1);
+  const VariationalWinslow energy(free_interior(mesh.topology),
+                                  TargetShapes::build(vcv, {}, nullptr), {1, 0}, 1);
   CHECK(std::isinf(energy.energy(mesh.coordinates)));
   const Regularisation regularisation{std::vector<double>(energy.shapes().triangles.size(), 0.01)};
   const double value = energy.regularised_energy(mesh.coordinates, regularisation);
@@ -279,16 +281,17 @@ TEST_CASE("an inverted element has infinite energy, and a finite one when regula
 
 TEST_CASE("no result depends on the number of threads, to the last bit") {
   Mesh mesh = make_mesh(square(100, Cells::mixed));
-  for (const Index node : mesh.topology->free_nodes()) {
+  for (const Index node : mesh.topology->interior_nodes()) {
     const Vec2 p = mesh.coordinates.xy(node);
     mesh.coordinates.set_xy(node, p + 0.002 * Vec2(std::sin(50 * p.y()), std::cos(70 * p.x())));
   }
-  REQUIRE(mesh.topology->free_nodes().size() > 2 * parallel_block);
+  REQUIRE(mesh.topology->interior_nodes().size() > 2 * parallel_block);
   const VirtualControlVolumes vcv(mesh.topology);
   const TargetShapes shapes = TargetShapes::build(vcv, {0.5, 0.5, 0}, nullptr);
-  const VariationalWinslow one(mesh.topology, shapes, {}, 1), four(mesh.topology, shapes, {}, 4);
+  const VariationalWinslow one(free_interior(mesh.topology), shapes, {}, 1),
+      four(free_interior(mesh.topology), shapes, {}, 4);
   CHECK(one.energy(mesh.coordinates) == four.energy(mesh.coordinates));
-  const std::size_t n = 2 * mesh.topology->free_nodes().size();
+  const std::size_t n = 2 * mesh.topology->interior_nodes().size();
   SparseMatrix a, b;
   std::vector<double> ra(n), rb(n);
   for (const Curvature curvature : {Curvature::exact, Curvature::projected}) {

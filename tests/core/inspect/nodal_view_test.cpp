@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/formulation/pointwise_winslow.h"
 #include "core/inspect/element_field.h"
+#include "support/formulations.h"
 #include "support/samples.h"
 
 using namespace winslow;
@@ -84,8 +85,8 @@ TEST_CASE("a node's view agrees with an integration triangle by triangle") {
   for (const Cells cells : all_cells) {
     CAPTURE(name_of(cells));
     const Sample sample = make_sample(seed, cells, false);
-    const PointwiseWinslow operator_(sample.vcv, 1);
-    for (const Index node : sample.mesh.topology->free_nodes()) {
+    const PointwiseWinslow operator_ = pointwise(sample.vcv);
+    for (const Index node : sample.mesh.topology->interior_nodes()) {
       const NodalView view = inspect_node(sample.vcv, sample.mesh.coordinates, node);
       if (view.neighbours.size() < 3) continue;
       std::vector<Vec2> around;
@@ -137,7 +138,7 @@ TEST_CASE("fields: the value of each node is that of its view, an element has it
     const auto at_nodes = node_values(sample.vcv, x, field, 1);
     CHECK(at_nodes.size() == static_cast<std::size_t>(topology.node_count()));
     for (Index node = 0; node < topology.node_count(); ++node) {
-      if (topology.constrained(node)) {
+      if (topology.on_boundary(node)) {
         CHECK(std::isnan(at_nodes[at(node)]));
         continue;
       }

@@ -32,7 +32,7 @@ TEST_CASE("between two rings the largest disc at the inner one reaches the outer
   const Mesh mesh = make_mesh(annulus(48, 6, 1.2, Cells::triangles));
   const double outer = std::pow(1.2, 6);
   const Clearance clearance(*mesh.topology, mesh.coordinates, 10);
-  for (const Index node : mesh.topology->marker_nodes(0)) {
+  for (const Index node : mesh.topology->markers().nodes(0)) {
     const Vec2 outward = mesh.coordinates.xy(node).normalized();
     CHECK(2 * clearance.radius(node, outward) == doctest::Approx(outer - 1).epsilon(0.01));
   }

@@ -147,7 +147,7 @@ TEST_CASE("part of a marker: layers where both ends of an edge are in the box, n
     with += column.count() > 0 ? 1 : 0;
   }
   CHECK(with == 15);  // of 32 nodes 17 lie in the half plane; layers run out at the two ends
-  CHECK(result.state.mesh.topology->unmarked_boundary_faces() == 0);
+  CHECK(result.state.mesh.topology->markers().unmarked_faces() == 0);
   CHECK(edges_of(*result.state.mesh.topology).at("inner") ==
         edges_of(*before.mesh.topology).at("inner"));
 
@@ -229,7 +229,7 @@ TEST_CASE("a wall that ends at other boundaries: its end columns lie on them") {
       CHECK(result.state.mesh.coordinates.xy(a).x() == 0);
       CHECK(result.state.mesh.coordinates.xy(b).x() == 0);
     }
-    CHECK(result.state.mesh.topology->unmarked_boundary_faces() == 0);
+    CHECK(result.state.mesh.topology->markers().unmarked_faces() == 0);
     CHECK(measure_layers(*result.state.layers, result.state.mesh.coordinates).first_error.max <
           0.01);
   }

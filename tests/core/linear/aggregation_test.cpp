@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "core/formulation/free_node_pattern.h"
+#include "core/formulation/node_pattern.h"
 #include "core/linear/reordered_matrix.h"
 #include "support/meshes.h"
 #include "support/systems.h"
@@ -15,7 +15,8 @@ using namespace winslow::test;
 namespace {
 
 SparsityPattern pattern_of(Index n) {
-  return *FreeNodePattern(*Topology::build(square_with_hole(n, Cells::triangles))).pattern;
+  const auto topology = Topology::build(square_with_hole(n, Cells::triangles));
+  return *NodePattern(*topology, topology->interior_nodes()).pattern;
 }
 
 }  // namespace

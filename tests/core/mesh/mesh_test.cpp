@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "support/coordinate.h"
 #include "support/meshes.h"
 
 using namespace winslow;
@@ -49,7 +50,7 @@ TEST_CASE("a coordinate that is not finite is refused") {
         -std::numeric_limits<double>::infinity()}) {
     for (const int component : {0, 1}) {
       MeshData data = square(2, Cells::quads);
-      data.coordinates.point(3)[component] = bad;
+      coordinate(data.coordinates, 3, component) = bad;
       const MeshError error = refusal(data);
       CHECK(error.entity() == MeshEntity::node);
       CHECK(error.index() == 3);
@@ -83,7 +84,7 @@ TEST_CASE("an element without area is refused") {
 TEST_CASE("thin elements have an area: they pass") {
   MeshData data = square(3, Cells::triangles);
   for (Index i = 0; i < data.node_count(); ++i) {
-    data.coordinates.point(i)[1] *= 1e-9;
+    coordinate(data.coordinates, i, 1) *= 1e-9;
   }
   CHECK_NOTHROW(make_mesh(data));
 }
@@ -91,8 +92,8 @@ TEST_CASE("thin elements have an area: they pass") {
 TEST_CASE("two nodes in one place are refused") {
   MeshData data = square(3, Cells::quads);
   const auto topology = Topology::build(data);
-  data.coordinates.set_xy(topology->free_nodes()[1],
-                          data.coordinates.xy(topology->free_nodes()[0]));
+  data.coordinates.set_xy(topology->interior_nodes()[1],
+                          data.coordinates.xy(topology->interior_nodes()[0]));
   const MeshError error = refusal(data);
   CHECK(error.entity() == MeshEntity::node);
   CHECK(says(error.what(), "duplicate"));
@@ -158,7 +159,7 @@ TEST_CASE("harmless faults are warnings, one sentence each") {
 TEST_CASE("an inverted element is no error") {
   MeshData data = square(3, Cells::quads);
   const auto topology = Topology::build(data);
-  data.coordinates.set_xy(topology->free_nodes()[0], {0.9, 0.95});
+  data.coordinates.set_xy(topology->interior_nodes()[0], {0.9, 0.95});
   const Mesh mesh = make_mesh(data);
   CHECK(check_validity(*mesh.topology, mesh.coordinates).inverted > 0);
 }
@@ -173,6 +174,6 @@ TEST_CASE("bounds cover the used nodes and no others") {
   CHECK(box.centre() == Vec2(0.5, 0.5));
   CHECK(box.size() == Vec2(1, 1));
   const std::vector<std::string> top{"top"};
-  CHECK(bounds(mesh.coordinates, mesh.topology->nodes_of_markers(top)).min == Vec2(0, 1));
+  CHECK(bounds(mesh.coordinates, mesh.topology->markers().nodes_of(top)).min == Vec2(0, 1));
   CHECK_THROWS_AS(bounds(mesh.coordinates, {}), UsageError);
 }

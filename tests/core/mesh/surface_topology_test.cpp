@@ -63,7 +63,7 @@ TEST_CASE("a plane mesh that is laid over a surface keeps all of its connectivit
     CHECK(t.elements().values == flat->elements().values);
     CHECK(t.neighbour_rows().values == flat->neighbour_rows().values);
     CHECK(t.boundary_loops() == flat->boundary_loops());
-    CHECK(std::ranges::equal(t.free_nodes(), flat->free_nodes()));
+    CHECK(std::ranges::equal(t.interior_nodes(), flat->interior_nodes()));
     for (Index i = 0; i < t.node_count(); ++i) {
       CHECK(std::ranges::equal(t.star(i), flat->star(i)));
     }
@@ -108,9 +108,9 @@ TEST_CASE("a closed surface has no boundary and faces outwards if its first elem
     const Topology& t = *mesh.topology;
     CHECK(t.boundary_loops().empty());
     CHECK(t.markers().empty());
-    CHECK_FALSE(t.markers_from_file());
+    CHECK_FALSE(t.markers().from_file());
     CHECK(t.reversed_elements() == 0);
-    CHECK(t.free_nodes().size() == at(t.node_count()));
+    CHECK(t.interior_nodes().size() == at(t.node_count()));
     // Euler: V - E + F = 2 of a sphere.
     CHECK(t.node_count() - t.face_count() + t.element_count() == 2);
     for (Index e = 0; e < t.element_count(); ++e) {
@@ -151,6 +151,33 @@ TEST_CASE("surfaces are checked as plane meshes are") {
     }
     for (const Index k : {2, 3, 4}) add_triangle(data, 0, 1, k);
     CHECK(says(refusal(data), "the edge between nodes 0 and 1 is shared by 3 elements"));
+  }
+  SUBCASE("two closed surfaces that touch in one node") {
+    MeshData data = skin(cube(2, Volumes::hexahedra));
+    const MeshData other = data;
+    const Index count = data.node_count();
+    // The corner of the second with the least coordinates is that of the first with the greatest.
+    const auto place = [&](Index i) -> Vec3 { return other.coordinates.xyz(i) + Vec3::Ones(); };
+    std::vector<Index> moved;
+    for (Index i = 0; i < count; ++i) {
+      Index node = -1;
+      for (Index k = 0; k < count; ++k)
+        if (other.coordinates.xyz(k) == place(i)) node = k;
+      if (node < 0) {
+        node = data.node_count();
+        data.coordinates.push_xyz(place(i));
+      }
+      moved.push_back(node);
+    }
+    for (Index e = 0; e < other.element_count(); ++e) {
+      std::vector<Index> corners;
+      for (const Index i : other.element(e)) corners.push_back(moved[at(i)]);
+      data.add_element(other.types[at(e)], corners);
+    }
+    const MeshError error = refusal(data);
+    CHECK(error.entity() == MeshEntity::node);
+    CHECK(data.coordinates.xyz(error.index()) == Vec3::Ones());
+    CHECK(says(error, "two separate stars"));
   }
   SUBCASE("an element on one line of space") {
     MeshData data = lifted(square(2, Cells::quads), paraboloid);

@@ -172,7 +172,7 @@ TEST_CASE("a tangled mesh is oriented as its boundary says") {
 
 TEST_CASE("the row of an interior node starts at its smallest neighbour") {
   const auto topology = Topology::build(square(4, Cells::mixed));
-  for (const Index node : topology->free_nodes()) {
+  for (const Index node : topology->interior_nodes()) {
     const auto row = topology->neighbours(node);
     CHECK(row.front() == *std::min_element(row.begin(), row.end()));
   }
@@ -233,7 +233,7 @@ TEST_CASE("boundary loops are closed and have the elements on their left") {
       std::size_t in_loops = 0;
       for (const auto& loop : topology->boundary_loops()) in_loops += loop.size();
       CHECK(in_loops ==
-            static_cast<std::size_t>(topology->node_count()) - topology->free_nodes().size());
+            static_cast<std::size_t>(topology->node_count()) - topology->interior_nodes().size());
     }
   }
 }
@@ -245,8 +245,29 @@ TEST_CASE("the half-edge mesh says the same as the rows") {
     CHECK(mesh.n_vertices() == at(topology->node_count()));
     CHECK(mesh.n_faces() == at(topology->element_count()));
     CHECK(mesh.n_edges() == topology->edges().size());
+    for (Index f = 0; f < topology->face_count(); ++f) {
+      const Topology::Edge& edge = topology->edges()[at(f)];
+      const OpenMesh::HalfedgeHandle h = mesh.halfedge_handle(OpenMesh::EdgeHandle(f), 0);
+      const OpenMesh::HalfedgeHandle back = mesh.opposite_halfedge_handle(h);
+      CHECK(mesh.from_vertex_handle(h).idx() == edge.nodes[0]);
+      CHECK(mesh.to_vertex_handle(h).idx() == edge.nodes[1]);
+      std::array<Index, 2> beside{mesh.face_handle(h).idx(), mesh.face_handle(back).idx()};
+      if (beside[0] != edge.elements[0]) std::swap(beside[0], beside[1]);
+      CHECK(beside == edge.elements);
+    }
+    for (const OpenMesh::HalfedgeHandle h : mesh.halfedges()) {
+      CHECK(mesh.prev_halfedge_handle(mesh.next_halfedge_handle(h)) == h);
+      CHECK(mesh.to_vertex_handle(h) == mesh.from_vertex_handle(mesh.next_halfedge_handle(h)));
+      CHECK(mesh.face_handle(h) == mesh.face_handle(mesh.next_halfedge_handle(h)));
+    }
     for (Index i = 0; i < topology->node_count(); ++i) {
       const OpenMesh::VertexHandle v(i);
+      const OpenMesh::HalfedgeHandle first = mesh.halfedge_handle(v);
+      if (mesh.is_boundary(v)) {
+        CHECK(mesh.is_boundary(first));
+      } else {
+        CHECK(mesh.to_vertex_handle(first).idx() == std::ranges::min(topology->neighbours(i)));
+      }
       std::set<Index> ring;
       for (auto it = mesh.cvv_iter(v); it.is_valid(); ++it) ring.insert(it->idx());
       const auto row = topology->neighbours(i);
@@ -270,27 +291,27 @@ TEST_CASE("boundary nodes are constrained, the others are free, in ascending ord
   const auto topology = Topology::build(square(3, Cells::quads));
   std::vector<Index> free;
   for (Index i = 0; i < topology->node_count(); ++i) {
-    if (!topology->constrained(i)) free.push_back(i);
+    if (!topology->on_boundary(i)) free.push_back(i);
   }
   CHECK(free.size() == 4);
-  CHECK(std::ranges::equal(free, topology->free_nodes()));
+  CHECK(std::ranges::equal(free, topology->interior_nodes()));
   CHECK(std::is_sorted(free.begin(), free.end()));
 }
 
 TEST_CASE("a marker inside the mesh constrains its nodes") {
   MeshData data = square(4, Cells::quads);
   const auto before = Topology::build(data);
-  const Index a = before->free_nodes()[0];
+  const Index a = before->interior_nodes()[0];
   Index b = -1;
   for (const Index k : before->neighbours(a)) {
-    if (!before->constrained(k)) b = k;
+    if (!before->on_boundary(k)) b = k;
   }
   REQUIRE(b >= 0);
   data.markers.push_back({"membrane", 9, {{b, a}}});
   const auto topology = Topology::build(data);
-  CHECK(topology->constrained(a));
-  CHECK(topology->constrained(b));
-  CHECK(topology->free_nodes().size() == before->free_nodes().size() - 2);
+  CHECK(topology->on_boundary(a));
+  CHECK(topology->on_boundary(b));
+  CHECK(topology->interior_nodes().size() == before->interior_nodes().size() - 2);
   CHECK(topology->neighbours(a).size() == topology->star(a).size());
   CHECK(topology->boundary_loops().size() == 1);
 }
@@ -301,29 +322,29 @@ TEST_CASE("markers keep the order and the direction of the file") {
   std::reverse(data.markers[1].faces.begin(), data.markers[1].faces.end());
   data.markers[2].tag = 42;
   const auto topology = Topology::build(data);
-  CHECK(topology->markers_from_file());
+  CHECK(topology->markers().from_file());
   REQUIRE(topology->markers().size() == 4);
   for (std::size_t m = 0; m < 4; ++m) {
     CHECK(topology->markers()[m].name == data.markers[m].name);
     CHECK(topology->markers()[m].tag == data.markers[m].tag);
     CHECK(topology->markers()[m].faces == data.markers[m].faces);
-    CHECK(topology->find_marker(data.markers[m].name) == static_cast<Index>(m));
+    CHECK(topology->markers().find(data.markers[m].name) == static_cast<Index>(m));
     std::set<Index> nodes;
     for (const Face& edge : data.markers[m].faces) nodes.insert(edge.begin(), edge.end());
-    CHECK(std::ranges::equal(nodes, topology->marker_nodes(static_cast<Index>(m))));
+    CHECK(std::ranges::equal(nodes, topology->markers().nodes(static_cast<Index>(m))));
   }
-  CHECK(topology->unmarked_boundary_faces() == 0);
-  CHECK_FALSE(topology->find_marker("lid").has_value());
+  CHECK(topology->markers().unmarked_faces() == 0);
+  CHECK_FALSE(topology->markers().find("lid").has_value());
 }
 
 TEST_CASE("nodes of several markers are joined, an unknown name is refused with the known ones") {
   const auto topology = Topology::build(square(3, Cells::quads));
   const std::vector<std::string> two{"bottom", "right"};
-  const auto nodes = topology->nodes_of_markers(two);
+  const auto nodes = topology->markers().nodes_of(two);
   CHECK(nodes.size() == 7);
   CHECK(std::is_sorted(nodes.begin(), nodes.end()));
   const std::vector<std::string> wrong{"bottom", "lid"};
-  CHECK_THROWS_WITH_AS(topology->nodes_of_markers(wrong),
+  CHECK_THROWS_WITH_AS(topology->markers().nodes_of(wrong),
                        "no marker named 'lid'; the mesh has: bottom, left, right, top", UsageError);
 }
 
@@ -331,21 +352,21 @@ TEST_CASE("without markers each boundary loop becomes one") {
   MeshData data = square_with_two_holes(10, Cells::mixed);
   data.markers.clear();
   const auto topology = Topology::build(data);
-  CHECK_FALSE(topology->markers_from_file());
+  CHECK_FALSE(topology->markers().from_file());
   REQUIRE(topology->markers().size() == 3);
   for (std::size_t m = 0; m < 3; ++m) {
     CHECK(topology->markers()[m].name == "loop_" + std::to_string(m + 1));
     CHECK(topology->markers()[m].faces.size() == topology->boundary_loops()[m].size());
   }
-  CHECK(topology->unmarked_boundary_faces() == 0);
+  CHECK(topology->markers().unmarked_faces() == 0);
 }
 
 TEST_CASE("boundary edges without a marker are counted and still hold their nodes") {
   MeshData data = square(4, Cells::quads);
   data.markers.pop_back();
   const auto topology = Topology::build(data);
-  CHECK(topology->unmarked_boundary_faces() == 4);
-  CHECK(topology->free_nodes().size() == 9);
+  CHECK(topology->markers().unmarked_faces() == 4);
+  CHECK(topology->interior_nodes().size() == 9);
 }
 
 TEST_CASE("unused nodes have no neighbours and are not free") {
@@ -358,7 +379,7 @@ TEST_CASE("unused nodes have no neighbours and are not free") {
   CHECK(topology->used(0));
   CHECK(topology->neighbours(extra).empty());
   CHECK(topology->star(extra).empty());
-  CHECK_FALSE(contains(topology->free_nodes(), extra));
+  CHECK_FALSE(contains(topology->interior_nodes(), extra));
 }
 
 TEST_CASE("separate parts are oriented each by itself") {

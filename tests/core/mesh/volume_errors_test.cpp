@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/mesh/mesh.h"
+#include "support/coordinate.h"
 #include "support/space_meshes.h"
 
 using namespace winslow;
@@ -169,7 +170,7 @@ TEST_CASE("a marker face that is no face of an element is refused with marker an
 TEST_CASE("a coordinate of space that is not finite is refused") {
   for (const int component : {0, 1, 2}) {
     MeshData data = cube(1, Volumes::hexahedra);
-    data.coordinates.point(5)[component] = std::numeric_limits<double>::quiet_NaN();
+    coordinate(data.coordinates, 5, component) = std::numeric_limits<double>::quiet_NaN();
     const MeshError error = refusal(data);
     CHECK(error.entity() == MeshEntity::node);
     CHECK(error.index() == 5);
@@ -180,7 +181,7 @@ TEST_CASE("a flat volume element is refused, a thin one passes") {
   for (const Volumes volumes : all_volumes) {
     CAPTURE(name_of(volumes));
     MeshData thin = cube(4, volumes);
-    for (Index i = 0; i < thin.node_count(); ++i) thin.coordinates.point(i)[2] *= 1e-7;
+    for (Index i = 0; i < thin.node_count(); ++i) coordinate(thin.coordinates, i, 2) *= 1e-7;
     CHECK_NOTHROW(make_mesh(thin));
   }
   MeshData data = points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.3, 0.3, 0}});
@@ -195,7 +196,7 @@ TEST_CASE("a flat volume element is refused, a thin one passes") {
 TEST_CASE("two nodes of a volume mesh in one place are refused") {
   MeshData data = cube(3, Volumes::hexahedra);
   const auto topology = Topology::build(data);
-  const auto free = topology->free_nodes();
+  const auto free = topology->interior_nodes();
   data.coordinates.set_xyz(free[1], data.coordinates.xyz(free[0]));
   CHECK(says(refusal(data), "duplicate"));
 }
@@ -203,7 +204,7 @@ TEST_CASE("two nodes of a volume mesh in one place are refused") {
 TEST_CASE("an inverted volume element is no error") {
   MeshData data = cube(3, Volumes::hexahedra);
   const auto topology = Topology::build(data);
-  data.coordinates.set_xyz(topology->free_nodes()[0], {0.9, 0.95, 0.99});
+  data.coordinates.set_xyz(topology->interior_nodes()[0], {0.9, 0.95, 0.99});
   CHECK_NOTHROW(make_mesh(data));
 }
 

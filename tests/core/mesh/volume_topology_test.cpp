@@ -157,7 +157,7 @@ TEST_CASE("a tangled volume mesh is oriented as its boundary says") {
       const Mesh mesh = make_mesh(original);
       MeshData tangled = original;
       Random random(seed);
-      for (const Index node : mesh.topology->free_nodes()) {
+      for (const Index node : mesh.topology->interior_nodes()) {
         tangled.coordinates.set_xyz(node, {random.uniform(), random.uniform(), random.uniform()});
       }
       Random one(seed), same(seed);
@@ -270,7 +270,7 @@ TEST_CASE("links close around interior nodes and are discs on the boundary") {
       }
       const int characteristic =
           static_cast<int>(corners.size()) - edges / 2 + static_cast<int>(link.size());
-      CHECK((open == 0) == !topology->constrained(i));
+      CHECK((open == 0) == !topology->on_boundary(i));
       CHECK(characteristic == (open == 0 ? 2 : 1));
     }
   }
@@ -300,7 +300,7 @@ TEST_CASE("nodes on the boundary of a volume are constrained, the others free") 
     const MeshData data = cube(4, volumes);
     const auto topology = Topology::build(data);
     for (Index i = 0; i < topology->node_count(); ++i) {
-      CHECK(topology->constrained(i) == (sides(data.coordinates.xyz(i)) > 0));
+      CHECK(topology->on_boundary(i) == (sides(data.coordinates.xyz(i)) > 0));
     }
   }
 }
@@ -310,18 +310,18 @@ TEST_CASE("markers of a volume mesh keep faces, order and direction") {
   data.markers[0].faces[0] = data.markers[0].faces[0].reversed();
   std::reverse(data.markers[1].faces.begin(), data.markers[1].faces.end());
   const auto topology = Topology::build(data);
-  CHECK(topology->markers_from_file());
+  CHECK(topology->markers().from_file());
   REQUIRE(topology->markers().size() == 3);
   for (std::size_t m = 0; m < 3; ++m) {
     CHECK(topology->markers()[m].faces == data.markers[m].faces);
     std::set<Index> nodes;
     for (const Face& face : data.markers[m].faces) nodes.insert(face.begin(), face.end());
-    CHECK(std::ranges::equal(nodes, topology->marker_nodes(static_cast<Index>(m))));
+    CHECK(std::ranges::equal(nodes, topology->markers().nodes(static_cast<Index>(m))));
   }
-  CHECK(topology->unmarked_boundary_faces() == 0);
+  CHECK(topology->markers().unmarked_faces() == 0);
   data.markers.pop_back();
   std::vector<std::string> warnings;
-  CHECK(make_mesh(data, &warnings).topology->unmarked_boundary_faces() > 0);
+  CHECK(make_mesh(data, &warnings).topology->markers().unmarked_faces() > 0);
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0].find("boundary faces belong to no marker") != std::string::npos);
 }
@@ -332,14 +332,14 @@ TEST_CASE("a marker on faces inside a volume mesh constrains their nodes") {
   Index inside = -1;
   for (Index f = 0; f < before->face_count() && inside < 0; ++f) {
     const auto nodes = before->face(f).nodes;
-    if (std::ranges::none_of(nodes, [&](Index i) { return before->constrained(i); })) inside = f;
+    if (std::ranges::none_of(nodes, [&](Index i) { return before->on_boundary(i); })) inside = f;
   }
   REQUIRE(inside >= 0);
   const Face membrane = before->face(inside).nodes;
   data.markers.push_back({"membrane", 9, {membrane}});
   const auto topology = Topology::build(data);
-  for (const Index node : membrane) CHECK(topology->constrained(node));
-  CHECK(topology->free_nodes().size() == before->free_nodes().size() - 4);
+  for (const Index node : membrane) CHECK(topology->on_boundary(node));
+  CHECK(topology->interior_nodes().size() == before->interior_nodes().size() - 4);
 }
 
 TEST_CASE("without markers each connected surface of the boundary becomes one") {
@@ -353,7 +353,7 @@ TEST_CASE("without markers each connected surface of the boundary becomes one") 
     }
     data.markers.clear();
     const auto topology = Topology::build(data);
-    CHECK_FALSE(topology->markers_from_file());
+    CHECK_FALSE(topology->markers().from_file());
     REQUIRE(topology->markers().size() == 2);
     std::set<std::set<std::array<Index, 4>>> found;
     for (std::size_t m = 0; m < 2; ++m) {
@@ -363,7 +363,7 @@ TEST_CASE("without markers each connected surface of the boundary becomes one") 
       found.insert(faces);
     }
     CHECK(found == expected);
-    CHECK(topology->unmarked_boundary_faces() == 0);
+    CHECK(topology->markers().unmarked_faces() == 0);
   }
 }
 

@@ -46,7 +46,7 @@ TEST_CASE("a rigid motion moves the nodes of its markers and no others") {
   const RigidMotion options{-90, {0.5, 0}, {2, -2}};
   const auto motion = motion_of(mesh, {"hole_a", "hole_b"}, options);
   const Names names{"hole_a", "hole_b"};
-  const auto expected = mesh.topology->nodes_of_markers(names);
+  const auto expected = mesh.topology->markers().nodes_of(names);
   CHECK(std::ranges::equal(motion->nodes(), expected));
   const Coordinates out = applied(*motion, mesh.coordinates, 1);
   for (Index i = 0; i < mesh.coordinates.size(); ++i) {
@@ -180,7 +180,7 @@ TEST_CASE("a sine refuses options that are out of range") {
 TEST_CASE("a displacement table moves nodes by id and by position, the others stay") {
   const Mesh mesh = two_holes();
   const Names names{"hole_a"};
-  const auto nodes = mesh.topology->nodes_of_markers(names);
+  const auto nodes = mesh.topology->markers().nodes_of(names);
   DisplacementTable table;
   table.entries.push_back({nodes[2], {0, 0}, {0.01, 0.02}, 3});
   // Positions as a file with six digits would give them.
@@ -215,12 +215,12 @@ TEST_CASE("of several nodes within the tolerance the nearest is taken") {
 TEST_CASE("a table's refusals name file and line") {
   const Mesh mesh = two_holes();
   Names names{"hole_a"};
-  const auto nodes = mesh.topology->nodes_of_markers(names);
+  const auto nodes = mesh.topology->markers().nodes_of(names);
   DisplacementTable table{{{nodes[0], {0, 0}, {0.1, 0}, 2}}, "wing.csv"};
   std::string expected;
   SUBCASE("another marker's node") {
     const Names other{"hole_b"};
-    const Index node = mesh.topology->nodes_of_markers(other)[0];
+    const Index node = mesh.topology->markers().nodes_of(other)[0];
     table.entries.push_back({node, {0, 0}, {0, 0}, 7});
     expected =
         "wing.csv:7: node " + std::to_string(node) + " does not belong to the chosen markers";

@@ -13,7 +13,7 @@ TEST_CASE("a transfer follows a rigid motion as such and ends exactly at its tar
   const auto motion = make_motion(*mesh.topology, mesh.coordinates, {"inner"}, whole);
   Coordinates to = mesh.coordinates;
   motion->apply(mesh.coordinates, 1, to);
-  const auto transfer = make_transfer(*mesh.topology, mesh.coordinates, to);
+  const auto transfer = make_transfer(NodeClasses(mesh.topology), mesh.coordinates, to);
   CHECK(transfer->nodes().size() == 16);
   Coordinates x = mesh.coordinates;
   transfer->apply(mesh.coordinates, 1, x);
@@ -32,11 +32,11 @@ TEST_CASE("a transfer follows a rigid motion as such and ends exactly at its tar
 TEST_CASE("a transfer carries a change of shape along") {
   const Mesh mesh = make_mesh(annulus(16, 3, 1.5, Cells::triangles));
   Coordinates to = mesh.coordinates;
-  const Index marker = *mesh.topology->find_marker("inner");
-  for (const Index node : mesh.topology->marker_nodes(marker)) {
+  const Index marker = *mesh.topology->markers().find("inner");
+  for (const Index node : mesh.topology->markers().nodes(marker)) {
     to.set_xy(node, Vec2(1.2 * to.xy(node).x(), 0.9 * to.xy(node).y()));
   }
-  const auto transfer = make_transfer(*mesh.topology, mesh.coordinates, to);
+  const auto transfer = make_transfer(NodeClasses(mesh.topology), mesh.coordinates, to);
   Coordinates x = mesh.coordinates;
   transfer->apply(mesh.coordinates, 0.5, x);
   for (const Index node : transfer->nodes()) {
@@ -47,6 +47,7 @@ TEST_CASE("a transfer carries a change of shape along") {
 
 TEST_CASE("nothing to do is no motion") {
   const Mesh mesh = make_mesh(annulus(16, 3, 1.5, Cells::triangles));
-  const auto transfer = make_transfer(*mesh.topology, mesh.coordinates, mesh.coordinates);
+  const auto transfer =
+      make_transfer(NodeClasses(mesh.topology), mesh.coordinates, mesh.coordinates);
   CHECK(transfer->nodes().empty());
 }

@@ -9,8 +9,10 @@
 #include "core/outer/energy_newton.h"
 #include "core/outer/energy_untangler.h"
 #include "core/outer/path_follower.h"
+#include "support/coordinate.h"
 
 using namespace winslow;
+using winslow::test::coordinate;
 
 /// The solvers know a problem by its interface alone: here is one that is no mesh.
 namespace {
@@ -42,7 +44,7 @@ class Chain final : public UntanglingProblem {
   /// Equal gaps of length 1 along the first axis.
   Coordinates straight() const {
     Coordinates x(dimension_, beads + 2);
-    for (Index k = 0; k < x.size(); ++k) x.point(k)[0] = k;
+    for (Index k = 0; k < x.size(); ++k) coordinate(x, k, 0) = k;
     return x;
   }
 
@@ -96,7 +98,7 @@ class Chain final : public UntanglingProblem {
     for (const auto& [end, bead] : {std::array<Index, 2>{0, 1}, {beads + 1, beads}}) {
       for (int c = 0; c < components_; ++c) {
         out[static_cast<std::size_t>((bead - 1) * components_ + c)] =
-            bend(x, std::min(end, bead), c, 0) * displacement.point(end)[c];
+            bend(x, std::min(end, bead), c, 0) * coordinate(displacement, end, c);
       }
     }
   }
@@ -139,7 +141,9 @@ class Chain final : public UntanglingProblem {
   const double* number(const Coordinates& x, std::size_t unknown) const {
     return x.values().data() + place(unknown);
   }
-  static double gap(const Coordinates& x, Index k) { return x.point(k + 1)[0] - x.point(k)[0]; }
+  static double gap(const Coordinates& x, Index k) {
+    return coordinate(x, k + 1, 0) - coordinate(x, k, 0);
+  }
 
   /// chi(g) of a gap regularised by e, and its slope: see Regularisation.
   static std::array<double, 2> softened(double g, double e) {
@@ -154,14 +158,14 @@ class Chain final : public UntanglingProblem {
       if (!(chi > 0)) return std::numeric_limits<double>::infinity();
       energy += stiffness_ * (0.5 * gap(x, k) * gap(x, k) + 1 / chi);
       for (int c = 1; c < components_; ++c) {
-        energy += 0.5 * std::pow(x.point(k + 1)[c] - x.point(k)[c], 2);
+        energy += 0.5 * std::pow(coordinate(x, k + 1, c) - coordinate(x, k, c), 2);
       }
     }
     return energy;
   }
   /// First derivative of the energy by the difference in component c over gap k.
   double pull(const Coordinates& x, Index k, int c, double e) const {
-    if (c > 0) return x.point(k + 1)[c] - x.point(k)[c];
+    if (c > 0) return coordinate(x, k + 1, c) - coordinate(x, k, c);
     const auto [chi, slope] = softened(gap(x, k), e);
     return stiffness_ * (gap(x, k) - slope / (chi * chi));
   }
@@ -281,8 +285,8 @@ TEST_CASE("a path leads a problem that is no mesh to its stretched solution") {
     solve(newton, x);
     const int last = c.dimension - 1;
     const auto pull = [&](double fraction, Coordinates& at) {
-      at.point(Chain::beads + 1)[0] = Chain::beads + 1 + 5 * fraction;
-      if (last > 0 && !c.sliding) at.point(Chain::beads + 1)[last] = 3 * fraction;
+      coordinate(at, Chain::beads + 1, 0) = Chain::beads + 1 + 5 * fraction;
+      if (last > 0 && !c.sliding) coordinate(at, Chain::beads + 1, last) = 3 * fraction;
     };
     double before = 0;
     const double reached =
@@ -298,8 +302,8 @@ TEST_CASE("a path leads a problem that is no mesh to its stretched solution") {
     // Equal gaps along every axis.
     for (Index k = 0; k <= Chain::beads + 1; ++k) {
       const double share = static_cast<double>(k) / (Chain::beads + 1);
-      CHECK(x.point(k)[0] == doctest::Approx(share * (Chain::beads + 6)));
-      if (last > 0 && !c.sliding) CHECK(x.point(k)[last] == doctest::Approx(3 * share));
+      CHECK(coordinate(x, k, 0) == doctest::Approx(share * (Chain::beads + 6)));
+      if (last > 0 && !c.sliding) CHECK(coordinate(x, k, last) == doctest::Approx(3 * share));
     }
   }
 }
@@ -314,7 +318,7 @@ TEST_CASE("a path that is blocked ends before the last gap closes, mesh or not")
       PathFollower(newton, {})
           .follow(
               [&](double fraction, Coordinates& at) {
-                at.point(Chain::beads + 1)[0] = (Chain::beads + 1) * (1 - 2 * fraction);
+                coordinate(at, Chain::beads + 1, 0) = (Chain::beads + 1) * (1 - 2 * fraction);
               },
               0, x, [](const IterationRecord&, const Coordinates&) { return true; });
   CHECK(reached < 0.5);
@@ -330,7 +334,7 @@ TEST_CASE("beads in the wrong order are untangled by the regularised energy") {
       CountingSolver linear;
       EnergyUntangler untangler(chain, linear, 1e-3, nullptr, interior);
       Coordinates x = chain->straight();
-      std::swap(x.point(2)[0], x.point(5)[0]);
+      std::swap(coordinate(x, 2, 0), coordinate(x, 5, 0));
       CHECK(untangler.start(x).inverted > 0);
       for (int k = 0; k < 50 && !untangler.converged(); ++k) untangler.step(x);
       CHECK(untangler.converged());
@@ -364,8 +368,8 @@ TEST_CASE("a factorisation serves one problem: another one, or a rejected way, m
 
 TEST_CASE("after a change of the problem predictions are those of the new one") {
   Coordinates pull(2, Chain::beads + 2);
-  pull.point(Chain::beads + 1)[0] = 1;
-  pull.point(Chain::beads + 1)[1] = 1;
+  coordinate(pull, Chain::beads + 1, 0) = 1;
+  coordinate(pull, Chain::beads + 1, 1) = 1;
   const auto soft = std::make_shared<const Chain>(2, false, 1);
   const auto stiff = std::make_shared<const Chain>(2, false, 100);
   const Coordinates x = shaken(*soft);

@@ -10,6 +10,7 @@
 #include "core/quality/quality.h"
 #include "core/quality/valid_step.h"
 #include "core/strategy/solver_options.h"
+#include "support/formulations.h"
 #include "support/meshes.h"
 
 using namespace winslow;
@@ -23,7 +24,7 @@ struct Solver {
                   const PenaltyOptions& penalty = {})
       : vcv(mesh.topology),
         energy(std::make_shared<const VariationalWinslow>(
-            mesh.topology, TargetShapes::build(vcv, {}, nullptr), penalty, 0)) {
+            free_interior(mesh.topology), TargetShapes::build(vcv, {}, nullptr), penalty, 0)) {
     LinearOptions linear_options;
     linear_options.solver = linear_name;
     linear_options.tolerance = 1e-8;
@@ -51,7 +52,7 @@ constexpr double loose = 1e-3;  // tolerance of linear solves
 std::shared_ptr<const VariationalWinslow> winslows_functional(const Mesh& mesh) {
   const VirtualControlVolumes vcv(mesh.topology);
   return std::make_shared<const VariationalWinslow>(
-      mesh.topology, TargetShapes::build(vcv, {}, nullptr), PenaltyOptions{1, 0}, 0);
+      free_interior(mesh.topology), TargetShapes::build(vcv, {}, nullptr), PenaltyOptions{1, 0}, 0);
 }
 
 BoundaryMotion along(const Motion& motion, const Coordinates& rest) {
@@ -124,22 +125,22 @@ TEST_CASE("the predictor is the derivative of the solution with respect to the b
   solver.run(x);
   solver.newton->step(x);  // the factorisation belongs to the solution
   Coordinates displacement(2, x.size());
-  const Index marker = *topology.find_marker("inner");
-  for (const Index node : topology.marker_nodes(marker)) displacement.set_xy(node, Vec2(1, 0.5));
-  std::vector<double> predicted(2 * topology.free_nodes().size());
+  const Index marker = *topology.markers().find("inner");
+  for (const Index node : topology.markers().nodes(marker)) displacement.set_xy(node, Vec2(1, 0.5));
+  std::vector<double> predicted(2 * topology.interior_nodes().size());
   solver.newton->predict(x, displacement, predicted);
 
   constexpr double h = 1e-4;
   const auto solution = [&](double step) {
     Coordinates y = x;
-    for (const Index node : topology.marker_nodes(marker)) {
+    for (const Index node : topology.markers().nodes(marker)) {
       y.set_xy(node, y.xy(node) + step * displacement.xy(node));
     }
     solver.run(y);
     return y;
   };
   const Coordinates plus = solution(h), minus = solution(-h);
-  const auto free = topology.free_nodes();
+  const auto free = topology.interior_nodes();
   for (std::size_t i = 0; i < free.size(); ++i) {
     const Vec2 difference = (plus.xy(free[i]) - minus.xy(free[i])) / (2 * h);
     CHECK((difference - Vec2(predicted[2 * i], predicted[2 * i + 1])).norm() < 1e-5);
@@ -155,16 +156,16 @@ TEST_CASE("a correcting prediction is a prediction and a Newton step in one") {
   solver.run(steady);
   constexpr double shaken = 1e-4;
   Coordinates x = steady;
-  for (const Index node : topology.free_nodes()) {
+  for (const Index node : topology.interior_nodes()) {
     x.set_xy(node, x.xy(node) + random.vector(-shaken, shaken));
   }
-  std::vector<double> answer(2 * topology.free_nodes().size());
+  std::vector<double> answer(2 * topology.interior_nodes().size());
   solver.newton->start(x);
   solver.newton->reject();
   solver.newton->predict_and_correct(x, Coordinates(2, x.size()), answer);
   double worst = 0;
-  for (std::size_t i = 0; i < topology.free_nodes().size(); ++i) {
-    const Index node = topology.free_nodes()[i];
+  for (std::size_t i = 0; i < topology.interior_nodes().size(); ++i) {
+    const Index node = topology.interior_nodes()[i];
     const Vec2 corrected = x.xy(node) + Vec2(answer[2 * i], answer[2 * i + 1]);
     worst = std::max(worst, (corrected - steady.xy(node)).norm());
   }

@@ -15,6 +15,8 @@
 #include "core/parallel/parallel_for.h"
 #include "core/quality/quality.h"
 #include "core/strategy/solver_options.h"
+#include "support/coordinate.h"
+#include "support/formulations.h"
 #include "support/samples.h"
 
 using namespace winslow;
@@ -46,7 +48,7 @@ class Smoother {
  public:
   Smoother(const Mesh& mesh, const SmoothOptions& options)
       : vcv_(mesh.topology),
-        formulation_(vcv_, options.threads),
+        formulation_(pointwise(vcv_, options.threads)),
         linear_(make_linear_solver(options.linear, options.threads)),
         solver_(variants<Solver>(formulation_), *linear_, equation_options(options)) {}
 
@@ -290,13 +292,13 @@ TEST_CASE("a prediction is the derivative of the solution by the boundary") {
     const std::vector<std::string> inner{"inner"};
     Coordinates displacement(2, steady.size());
     Coordinates ahead = steady, behind = steady;
-    for (const Index node : mesh.topology->nodes_of_markers(inner)) {
+    for (const Index node : mesh.topology->markers().nodes_of(inner)) {
       const Vec2 d = Vec2(0.5, 0.2) + Vec2(-steady.xy(node).y(), steady.xy(node).x());
       displacement.set_xy(node, d);
       ahead.set_xy(node, steady.xy(node) + step * d);
       behind.set_xy(node, steady.xy(node) - step * d);
     }
-    const auto free = mesh.topology->free_nodes();
+    const auto free = mesh.topology->interior_nodes();
     std::vector<double> answer(2 * free.size());
     newton.solver().predict(steady, displacement, answer);
     ahead = newton.run(ahead, 50);
@@ -361,9 +363,9 @@ TEST_CASE("the pointwise Newton gives bitwise the same coordinates at any number
   constexpr std::uint64_t seed = 251;
   CAPTURE(seed);
   Mesh mesh = make_mesh(square(80, Cells::mixed));
-  REQUIRE(mesh.topology->free_nodes().size() > at(parallel_block));
+  REQUIRE(mesh.topology->interior_nodes().size() > at(parallel_block));
   Random random(seed);
-  for (const Index node : mesh.topology->free_nodes()) {
+  for (const Index node : mesh.topology->interior_nodes()) {
     mesh.coordinates.set_xy(node, mesh.coordinates.xy(node) + 0.25 / 80 * random.vector());
   }
   Newton first(mesh, tight());
@@ -393,7 +395,7 @@ TEST_CASE("the pointwise Newton: no free nodes, and coordinates that are no numb
   CHECK(none.solver().linear_solves() == 0);
 
   Mesh star = make_mesh(regular_star(6));
-  star.coordinates.point(0)[0] = std::numeric_limits<double>::quiet_NaN();
+  coordinate(star.coordinates, 0, 0) = std::numeric_limits<double>::quiet_NaN();
   Newton broken(star, tight());
   CHECK_THROWS_AS(broken.solver().start(star.coordinates), NumericError);
 }
@@ -401,7 +403,7 @@ TEST_CASE("the pointwise Newton: no free nodes, and coordinates that are no numb
 TEST_CASE("the pointwise Newton where systems are singular: no step, no prediction") {
   const Mesh mesh = sheared_annulus(12, Cells::triangles);
   const VirtualControlVolumes vcv(mesh.topology);
-  const PointwiseWinslow formulation(vcv, 1);
+  const PointwiseWinslow formulation = pointwise(vcv);
   Refusing linear;
   EquationNewton newton(variants<EquationNewton>(formulation), linear, equation_options(tight()));
   Coordinates x = mesh.coordinates;
@@ -410,7 +412,7 @@ TEST_CASE("the pointwise Newton where systems are singular: no step, no predicti
   CHECK(newton.stalled());
   CHECK_FALSE(newton.converged());
   CHECK(x == mesh.coordinates);
-  std::vector<double> answer(2 * mesh.topology->free_nodes().size(), 1.0);
+  std::vector<double> answer(2 * mesh.topology->interior_nodes().size(), 1.0);
   newton.predict(x, Coordinates(2, x.size()), answer);
   CHECK(std::all_of(answer.begin(), answer.end(), [](double v) { return v == 0; }));
 }

@@ -10,6 +10,8 @@
 #include "core/formulation/pointwise_winslow.h"
 #include "core/parallel/parallel_for.h"
 #include "core/strategy/solver_options.h"
+#include "support/coordinate.h"
+#include "support/formulations.h"
 #include "support/meshes.h"
 #include "support/systems.h"
 
@@ -29,7 +31,7 @@ class Smoother {
   Smoother(const Mesh& mesh, const SmoothOptions& options)
       : mesh_(mesh),
         vcv_(mesh.topology),
-        formulation_(vcv_, options.threads),
+        formulation_(pointwise(vcv_, options.threads)),
         linear_(make_linear_solver(options.linear)),
         solver_(variants(formulation_), *linear_, equation_options(options)),
         options_(options) {}
@@ -65,7 +67,7 @@ Mesh with_moved_hole(double degrees) {
   Mesh mesh = make_mesh(square_with_hole(20, Cells::triangles));
   const std::vector<std::string> hole{"hole"};
   const double c = std::cos(radians(degrees)), s = std::sin(radians(degrees));
-  for (const Index node : mesh.topology->nodes_of_markers(hole)) {
+  for (const Index node : mesh.topology->markers().nodes_of(hole)) {
     const Vec2 d = mesh.coordinates.xy(node) - Vec2(0.5, 0.5);
     mesh.coordinates.set_xy(node,
                             Vec2(0.55, 0.45) + Vec2(c * d.x() - s * d.y(), s * d.x() + c * d.y()));
@@ -74,10 +76,11 @@ Mesh with_moved_hole(double degrees) {
 }
 
 /// One node that is asked to move along x by 0.1 - 0.01 x: the solution is at x = 10.
-class CreepingProblem final : public OnFreeNodes<FixedPointProblem> {
+class CreepingProblem final : public NodeProblem<FixedPointProblem> {
  public:
   explicit CreepingProblem(const std::shared_ptr<const Topology>& topology)
-      : OnFreeNodes(FreeNodes(topology, 1)), pattern_(*topology) {}
+      : NodeProblem(NodeUnknowns(free_interior(topology), 1)),
+        pattern_(*topology, topology->interior_nodes()) {}
   static double step_at(double x) { return 0.1 - 0.01 * x; }
 
   std::string_view name() const override { return "creeping"; }
@@ -99,7 +102,7 @@ class CreepingProblem final : public OnFreeNodes<FixedPointProblem> {
   }
 
  private:
-  FreeNodePattern pattern_;
+  NodePattern pattern_;
 };
 
 SmoothOptions tight() {
@@ -211,7 +214,7 @@ TEST_CASE("clip on and off are obeyed, automatic clips exactly while the mesh is
 
 TEST_CASE("coordinates are bitwise the same at any number of threads") {
   Mesh mesh = make_mesh(square(110, Cells::triangles));
-  REQUIRE(static_cast<Index>(mesh.topology->free_nodes().size()) > 2 * parallel_block);
+  REQUIRE(static_cast<Index>(mesh.topology->interior_nodes().size()) > 2 * parallel_block);
   constexpr std::uint64_t seed = 5;
   CAPTURE(seed);
   Random random(seed);
@@ -259,7 +262,7 @@ TEST_CASE("a record says what happened in its iteration") {
     CHECK(record.residual == smoother.formulation().clipped(record.clipped).residual(x, {}).max);
     CHECK(record.linear_iterations == 1);
     for (Index i = 0; i < x.size(); ++i) {
-      if (mesh.topology->constrained(i)) CHECK(x.xy(i) == mesh.coordinates.xy(i));
+      if (mesh.topology->on_boundary(i)) CHECK(x.xy(i) == mesh.coordinates.xy(i));
     }
   }
 }
@@ -279,7 +282,7 @@ TEST_CASE("without acceleration a step is the damped solution of the frozen syst
   linear->set_matrix(system.matrix);
   linear->solve(system.rhs, system.columns, delta);
   smoother.solver().step(x);
-  const auto free = mesh.topology->free_nodes();
+  const auto free = mesh.topology->interior_nodes();
   for (std::size_t i = 0; i < free.size(); ++i) {
     const Vec2 expected =
         mesh.coordinates.xy(free[i]) + 0.37 * Vec2(delta[2 * i], delta[2 * i + 1]);
@@ -353,7 +356,7 @@ TEST_CASE("adaptive damping rescues an undamped iteration") {
 
 TEST_CASE("a mesh without free nodes is converged from the start") {
   const Mesh mesh = make_mesh(square(1, Cells::triangles));
-  REQUIRE(mesh.topology->free_nodes().empty());
+  REQUIRE(mesh.topology->interior_nodes().empty());
   Smoother smoother(mesh, tight());
   CHECK(smoother.run() == mesh.coordinates);
   CHECK(smoother.converged());
@@ -381,16 +384,16 @@ TEST_CASE("a coordinate that is not a number is a NumericError, not a result") {
   const Mesh good = sample(Cells::triangles);
   Smoother smoother(good, tight());
   for (const Index node :
-       {good.topology->free_nodes().front(), good.topology->free_nodes().back()}) {
+       {good.topology->interior_nodes().front(), good.topology->interior_nodes().back()}) {
     for (const double bad :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
       Coordinates x = good.coordinates;
-      x.point(node)[1] = bad;
+      coordinate(x, node, 1) = bad;
       CHECK_THROWS_AS(smoother.solver().start(x), NumericError);
       Coordinates later = good.coordinates;
-      later.point(good.topology->free_nodes()[0])[0] += 0.01;
+      coordinate(later, good.topology->interior_nodes()[0], 0) += 0.01;
       smoother.solver().start(later);
-      later.point(node)[1] = bad;
+      coordinate(later, node, 1) = bad;
       CHECK_THROWS_AS(smoother.solver().step(later), NumericError);
     }
   }
@@ -413,7 +416,8 @@ TEST_CASE("everything in one point untangles") {
   Mesh mesh = sample(Cells::triangles);
   Smoother reference(mesh, tight());
   const Coordinates expected = reference.run();
-  for (const Index node : mesh.topology->free_nodes()) mesh.coordinates.set_xy(node, {0.3, 0.1});
+  for (const Index node : mesh.topology->interior_nodes())
+    mesh.coordinates.set_xy(node, {0.3, 0.1});
   Smoother smoother(mesh, tight());
   const Coordinates x = smoother.run();
   CHECK(smoother.converged());

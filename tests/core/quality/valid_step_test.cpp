@@ -27,7 +27,7 @@ TEST_CASE("the largest valid step is where the first corner loses its area") {
       Random random(seed);
       const Mesh mesh = make_mesh(square(8, cells));
       Coordinates to = mesh.coordinates;
-      for (const Index node : mesh.topology->free_nodes()) {
+      for (const Index node : mesh.topology->interior_nodes()) {
         to.set_xy(node, to.xy(node) + 0.5 * random.vector());
       }
       const double step = largest_valid_step(*mesh.topology, mesh.coordinates, to, 2);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "support/random.h"
 
@@ -113,6 +114,47 @@ TEST_CASE_TEMPLATE("what a box tree finds is what looking at every box finds", B
       }
 }
 
+TEST_CASE_TEMPLATE("a tree of points finds what a tree of boxes without extent finds", Boxes,
+                   Box<2>, Box<3>) {
+  constexpr int D = decltype(Boxes::min)::RowsAtCompileTime;
+  for (const Kind kind : {Kind::points, Kind::coincident}) {
+    for (const int count : {1, 8, 9, 64, 65, 700}) {
+      CAPTURE(static_cast<int>(kind));
+      CAPTURE(count);
+      Random random(7);
+      auto boxes = random_boxes<D>(random, count, kind);
+      std::vector<Vec<D>> points;
+      for (const Box<D>& box : boxes) points.push_back(box.min);
+      BoxTree<D> tree(points);
+      CHECK(tree.size() == count);
+      check_against_brute_force(tree, boxes, random);
+      // Items that were points need not stay so.
+      for (Box<D>& box : boxes) box.max += 0.1 * random_point<D>(random).cwiseAbs();
+      tree.refit(boxes);
+      check_against_brute_force(tree, boxes, random);
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("points that are much closer together in one place than in another are found",
+                   Boxes, Box<2>, Box<3>) {
+  constexpr int D = decltype(Boxes::min)::RowsAtCompileTime;
+  Random random(13);
+  std::vector<Box<D>> boxes;
+  std::vector<Vec<D>> points;
+  for (int i = 0; i < 400; ++i) {
+    points.push_back(std::pow(10.0, random.uniform(-14, 0)) * random_point<D>(random));
+    boxes.push_back({points.back(), points.back()});
+  }
+  const BoxTree<D> tree(points);
+  for (int trial = 0; trial < 300; ++trial) {
+    const Vec<D> p = std::pow(10.0, random.uniform(-14, 0)) * random_point<D>(random);
+    const auto found = tree.nearest(p, 10);
+    REQUIRE(found);
+    CHECK(found->item == nearest_by_hand(boxes, p, 10));
+  }
+}
+
 TEST_CASE_TEMPLATE("a tree that was refitted finds items where they are now", Boxes, Box<2>,
                    Box<3>) {
   constexpr int D = decltype(Boxes::min)::RowsAtCompileTime;
@@ -130,8 +172,8 @@ TEST_CASE_TEMPLATE("a tree that was refitted finds items where they are now", Bo
 TEST_CASE_TEMPLATE("a tree of nothing finds nothing", Boxes, Box<2>, Box<3>) {
   constexpr int D = decltype(Boxes::min)::RowsAtCompileTime;
   BoxTree<D> none;
-  BoxTree<D> empty{std::span<const Box<D>>()};
-  for (BoxTree<D>* tree : {&none, &empty}) {
+  BoxTree<D> empty{std::span<const Box<D>>()}, pointless{std::span<const Vec<D>>()};
+  for (BoxTree<D>* tree : {&none, &empty, &pointless}) {
     tree->refit({});
     CHECK(tree->size() == 0);
     CHECK_FALSE(tree->nearest(Vec<D>::Zero(), 1e300));
@@ -173,6 +215,15 @@ TEST_CASE("the distance is the caller's, and of items equally near the lowest is
       CHECK(again.has_value() == (radius > found->distance));
     }
   }
+}
+
+TEST_CASE("nothing is near to a point that is no number") {
+  Random random(2);
+  const BoxTree<2> tree(random_boxes<2>(random, 50, Kind::points));
+  const Vec2 nowhere(std::numeric_limits<double>::quiet_NaN(), 0);
+  CHECK_FALSE(tree.nearest(nowhere, 10));
+  CHECK_FALSE(
+      tree.nearest(nowhere, 10, [](Index) { return std::numeric_limits<double>::quiet_NaN(); }));
 }
 
 TEST_CASE("a ray meets items in order, and those of boxes it misses are not asked") {

@@ -27,7 +27,7 @@ TEST_CASE("a VCV starts as the paper has it: equal angles, unit edges, one trian
     const auto topology = Topology::build(square(6, cells));
     const VirtualControlVolumes vcv(topology);
     CHECK(&vcv.topology() == topology.get());
-    for (const Index node : topology->free_nodes()) {
+    for (const Index node : topology->interior_nodes()) {
       const auto n = topology->star(node).size();
       REQUIRE(vcv.angles(node).size() == n);
       REQUIRE(vcv.lengths(node).size() == n);
@@ -46,8 +46,8 @@ TEST_CASE("nodes that are not free have no VCV") {
   const auto topology = Topology::build(square(3, Cells::triangles));
   const VirtualControlVolumes vcv(topology);
   for (Index i = 0; i < topology->node_count(); ++i) {
-    CHECK(vcv.angles(i).empty() == topology->constrained(i));
-    CHECK(vcv.lengths(i).empty() == topology->constrained(i));
+    CHECK(vcv.angles(i).empty() == topology->on_boundary(i));
+    CHECK(vcv.lengths(i).empty() == topology->on_boundary(i));
   }
 }
 
@@ -55,7 +55,7 @@ TEST_CASE("set changes one VCV and reset brings it back") {
   const auto topology = Topology::build(square(4, Cells::triangles));
   VirtualControlVolumes vcv(topology);
   const VirtualControlVolumes original = vcv;
-  const Index node = topology->free_nodes()[4];
+  const Index node = topology->interior_nodes()[4];
   REQUIRE(vcv.angles(node).size() == 6);
   const std::vector<double> angles{0.5, 1.0, 1.5, 0.7, 0.8, 2 * pi - 4.5};
   const std::vector<double> lengths{1, 2, 3, 0.5, 1e-6, 1e6};
@@ -63,7 +63,7 @@ TEST_CASE("set changes one VCV and reset brings it back") {
   CHECK(std::ranges::equal(vcv.angles(node), angles));
   CHECK(std::ranges::equal(vcv.lengths(node), lengths));
   CHECK((vcv.point(node, 2) - 3 * Vec2(std::cos(1.5), std::sin(1.5))).norm() < 1e-14);
-  for (const Index other : topology->free_nodes()) {
+  for (const Index other : topology->interior_nodes()) {
     if (other == node) continue;
     CHECK(std::ranges::equal(vcv.angles(other), original.angles(other)));
     CHECK(std::ranges::equal(vcv.lengths(other), original.lengths(other)));

@@ -7,12 +7,12 @@ namespace winslow::gui::test {
 
 TEST_CASE("a press and its release never fall into one frame") {
   InputQueue queue;
-  queue.move(Vec2(3, 4));
+  queue.move(ScreenPoint(3, 4));
   queue.button(MouseButton::left, true);
   queue.button(MouseButton::left, false);
   const InputState down = queue.next_frame();
   CHECK(down.down(MouseButton::left));
-  CHECK(down.mouse == Vec2(3, 4));
+  CHECK(down.mouse == ScreenPoint(3, 4));
   CHECK_FALSE(queue.empty());
   CHECK_FALSE(queue.next_frame().down(MouseButton::left));
   CHECK(queue.empty());
@@ -21,11 +21,11 @@ TEST_CASE("a press and its release never fall into one frame") {
 TEST_CASE("a motion after a press waits for the next frame") {
   InputQueue queue;
   queue.button(MouseButton::left, true);
-  queue.move(Vec2(9, 9));
+  queue.move(ScreenPoint(9, 9));
   queue.wheel(Vec2(0, 1));
-  CHECK(queue.next_frame().mouse != Vec2(9, 9));
+  CHECK(queue.next_frame().mouse != ScreenPoint(9, 9));
   const InputState next = queue.next_frame();
-  CHECK(next.mouse == Vec2(9, 9));
+  CHECK(next.mouse == ScreenPoint(9, 9));
   CHECK(next.wheel.y() == 1);
   CHECK(queue.next_frame().wheel.y() == 0);
 }

@@ -84,7 +84,7 @@ TEST_CASE("the card of a demo covers neither the body nor where it goes") {
     rig.frames(2);
     const auto card = rig.bench->widgets().find("demo/card");
     REQUIRE(card.has_value());
-    for (const Index node : rig.mesh().topology->marker_nodes(rig.marker("airfoil")))
+    for (const Index node : rig.mesh().topology->markers().nodes(rig.marker("airfoil")))
       CHECK(rig.pixel(rig.session().coordinates().xy(node)).y() < card->min.y());
   }
 }

@@ -16,8 +16,14 @@ namespace {
 /// What commands see of a studio, and where they put what is to happen.
 struct View {
   explicit View(const Rig& rig)
-      : context{rig.session(), rig.bench->view(),    rig.bench->view_state(), theme,
-                actions,       rig.bench->capture(), rig.bench->recent(),     rig.bench->demo()} {}
+      : context{rig.session(),
+                rig.bench->view_control().options(),
+                rig.bench->view_control().state(),
+                theme,
+                actions,
+                rig.bench->capture(),
+                rig.bench->recent(),
+                rig.bench->demo()} {}
   Theme theme;
   ActionQueue actions;
   PanelContext context;
@@ -132,7 +138,7 @@ TEST_CASE("every command that can be run runs, with a mesh and without one") {
 TEST_CASE("a key runs its command only where the command can be run") {
   Rig rig;
   rig.key(keys::s, {keys::control, keys::shift});  // save as, without a mesh
-  CHECK_FALSE(rig.bench->file_dialog().is_open());
+  CHECK_FALSE(rig.bench->dialogs().file_dialog().is_open());
   rig.open(two_body_mesh());
   rig.key(GLFW_KEY_TAB);
   CHECK(rig.session().selection().markers() == std::vector<Index>{rig.marker("left")});
@@ -157,7 +163,7 @@ TEST_CASE("fuzzy search wants the letters in order and prefers words and neighbo
 TEST_CASE("two edits of one frame both hold: neither replaces what the other says") {
   Rig rig;
   rig.open(ring_mesh());
-  const ViewOptions before = rig.bench->view();
+  const ViewOptions before = rig.bench->view_control().options();
   View view(rig);
   // Both see the options as they are at the beginning of the frame.
   user_command("legend").run(view.context);
@@ -169,8 +175,8 @@ TEST_CASE("two edits of one frame both hold: neither replaces what the other say
   view.context.emit(action::EditSmoothOptions{difference(solver, damped)});
   view.context.emit(action::EditSmoothOptions{difference(solver, serial)});
   for (const Action& a : view.actions) rig.bench->apply(a);
-  CHECK(rig.bench->view().legend != before.legend);
-  CHECK(rig.bench->view().node_ids != before.node_ids);
+  CHECK(rig.bench->view_control().options().legend != before.legend);
+  CHECK(rig.bench->view_control().options().node_ids != before.node_ids);
   CHECK(rig.session().jobs().smooth_options().damping == 0.1);
   CHECK(rig.session().jobs().smooth_options().threads == 1);
 }

@@ -34,9 +34,9 @@ TEST_CASE("the palette finds a command by a few letters and runs it") {
   open_palette(rig);
   rig.type("legnd");
   CHECK(top_row(rig) == "legend");
-  const bool before = rig.bench->view().legend;
+  const bool before = rig.bench->view_control().options().legend;
   rig.key(keys::enter);
-  CHECK(rig.bench->view().legend != before);
+  CHECK(rig.bench->view_control().options().legend != before);
   CHECK_FALSE(rig.visible("palette_query"));
 }
 
@@ -53,12 +53,12 @@ TEST_CASE("arrow keys choose in the palette, Esc leaves it, a click runs a row")
   REQUIRE(top_row(rig) == "save");
   rig.key(GLFW_KEY_DOWN);
   rig.key(keys::enter);
-  CHECK(rig.bench->file_dialog().is_open());  // "Save as...", the row below
+  CHECK(rig.bench->dialogs().file_dialog().is_open());  // "Save as...", the row below
   rig.key(keys::escape);
   open_palette(rig);
   rig.type("nodes");
   rig.click("palette/nodes");
-  CHECK(rig.bench->view().nodes);
+  CHECK(rig.bench->view_control().options().nodes);
 }
 
 TEST_CASE("a command that cannot be run is shown with the reason and does nothing") {
@@ -67,14 +67,14 @@ TEST_CASE("a command that cannot be run is shown with the reason and does nothin
   rig.type("save as");
   CHECK(top_row(rig) == "save_as");
   rig.key(keys::enter);
-  CHECK_FALSE(rig.bench->file_dialog().is_open());
+  CHECK_FALSE(rig.bench->dialogs().file_dialog().is_open());
   CHECK(rig.visible("palette_query"));
   rig.key(keys::escape);
   rig.open(ring_mesh());
   open_palette(rig);
   rig.type("save as");
   rig.key(keys::enter);
-  CHECK(rig.bench->file_dialog().is_open());
+  CHECK(rig.bench->dialogs().file_dialog().is_open());
 }
 
 TEST_CASE("the palette begins with what was run last") {
@@ -86,9 +86,9 @@ TEST_CASE("the palette begins with what was run last") {
   rig.key(keys::enter);
   open_palette(rig);
   CHECK(top_row(rig) == "style");
-  const ElementStyle before = style_of(rig.bench->view());
+  const ElementStyle before = style_of(rig.bench->view_control().options());
   rig.key(keys::enter);
-  CHECK(style_of(rig.bench->view()) != before);
+  CHECK(style_of(rig.bench->view_control().options()) != before);
 }
 
 TEST_CASE("? and F1 show the keys, Esc, ? and any click put them away") {
@@ -102,7 +102,7 @@ TEST_CASE("? and F1 show the keys, Esc, ? and any click put them away") {
   rig.type("?");
   CHECK_FALSE(rig.visible("help/close"));
   rig.type("?");
-  rig.click(Vec2(20, 400));
+  rig.click(ScreenPoint(20, 400));
   CHECK_FALSE(rig.visible("help/close"));
 }
 

@@ -36,7 +36,7 @@ void run_tangled(Rig& rig) {
   REQUIRE(rig.settle());
   rig.bench->apply(action::RunSmooth{});
   REQUIRE(rig.settle());
-  rig.move(Vec2(2, 2));
+  rig.move(ScreenPoint(2, 2));
   rig.frames(3);
 }
 
@@ -60,21 +60,21 @@ TEST_CASE("each entry of the key shows and hides its curve") {
                                Series{"convergence/move", palette().move_line},
                                Series{"convergence/sine", palette().warning}}) {
     INFO(series.id);
-    CHECK(count_of(rig, rig.bench->picture(), series.color) > 20);
+    CHECK(count_of(rig, rig.bench->pictures().picture(), series.color) > 20);
     rig.click(series.id);
-    rig.move(Vec2(2, 2));
+    rig.move(ScreenPoint(2, 2));
     rig.frames(3);
-    CHECK(count_of(rig, rig.bench->picture(), series.color) < 5);
+    CHECK(count_of(rig, rig.bench->pictures().picture(), series.color) < 5);
   }
-  const Image with = rig.bench->picture();
+  const Image with = rig.bench->pictures().picture();
   rig.click("convergence/inverted");
-  rig.move(Vec2(2, 2));
+  rig.move(ScreenPoint(2, 2));
   rig.frames(3);
-  CHECK(rig.bench->picture().rgba != with.rgba);
+  CHECK(rig.bench->pictures().picture().rgba != with.rgba);
   rig.click("convergence/residual");
-  rig.move(Vec2(2, 2));
+  rig.move(ScreenPoint(2, 2));
   rig.frames(3);
-  CHECK(count_of(rig, rig.bench->picture(), palette().accent) > 20);
+  CHECK(count_of(rig, rig.bench->pictures().picture(), palette().accent) > 20);
 }
 
 TEST_CASE("the CSV export holds every iteration shown, to the bit, and asks before it replaces") {
@@ -82,7 +82,7 @@ TEST_CASE("the CSV export holds every iteration shown, to the bit, and asks befo
   run_tangled(rig);
   const auto path = rig.folder / "run.csv";
   rig.click("convergence/export");
-  REQUIRE(rig.bench->file_dialog().is_open());
+  REQUIRE(rig.bench->dialogs().file_dialog().is_open());
   rig.fill("dialog/name", path.string());
   rig.click("dialog/accept");
   REQUIRE(rig.settle());
@@ -120,14 +120,14 @@ TEST_CASE("the readout follows the mouse from iteration to iteration") {
   Rig rig(1300, 900);
   run_tangled(rig);
   const auto plot = rig.bench->widgets().find("convergence/plot");
-  const Image away = rig.bench->picture();
-  rig.move(Vec2(plot->min.x() + 80, plot->centre().y()));
+  const Image away = rig.bench->pictures().picture();
+  rig.move(ScreenPoint(plot->min.x() + 80, plot->centre().y()));
   rig.frames(3);
-  const Image left = rig.bench->picture();
-  rig.move(Vec2(plot->max.x() - 80, plot->centre().y()));
+  const Image left = rig.bench->pictures().picture();
+  rig.move(ScreenPoint(plot->max.x() - 80, plot->centre().y()));
   rig.frames(3);
   CHECK(left.rgba != away.rgba);
-  CHECK(rig.bench->picture().rgba != left.rgba);
+  CHECK(rig.bench->pictures().picture().rgba != left.rgba);
 }
 
 TEST_CASE("thousands of points become a few for each column of pixels, peaks kept") {

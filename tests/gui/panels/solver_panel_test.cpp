@@ -71,7 +71,7 @@ TEST_CASE("the direct method shows tangled meshes on its way to a valid one") {
   CHECK(inverted_on_screen(rig) > 0);
   CHECK(rig.session().mesh().convergence().back().inverted == inverted_on_screen(rig));
   // The boundary is at its place from the first iteration on.
-  const Index node = rig.mesh().topology->marker_nodes(rig.marker("flap"))[0];
+  const Index node = rig.mesh().topology->markers().nodes(rig.marker("flap"))[0];
   const Vec2 rest = rig.mesh().coordinates.xy(node);
   const Vec2 now = rig.session().coordinates().xy(node);
   CHECK(rest.dot(now) == doctest::Approx(std::cos(pi * 75 / 180) * rest.squaredNorm()));

@@ -28,19 +28,19 @@ TEST_CASE("the cards of the welcome page open the bundled meshes") {
 
 TEST_CASE("pictures of the bundled meshes come after the first frames and not before") {
   Rig rig(1400, 860);
-  CHECK(rig.bench->welcome().thumbnails().find("quads") == nullptr);
-  const Image before = rig.bench->picture();
+  CHECK(rig.bench->regions().welcome().thumbnails().find("quads") == nullptr);
+  const Image before = rig.bench->pictures().picture();
   const auto drawn = [&] {
     for (const BundledMesh& mesh : bundled_meshes())
-      if (!rig.bench->welcome().thumbnails().find(mesh.id)) return false;
+      if (!rig.bench->regions().welcome().thumbnails().find(mesh.id)) return false;
     return true;
   };
   REQUIRE(rig.wait(drawn));
   rig.frames();
-  const Image after = rig.bench->picture();
+  const Image after = rig.bench->pictures().picture();
   for (const BundledMesh& mesh : bundled_meshes()) {
     const auto card = *rig.bench->widgets().find("welcome/" + mesh.id);
-    const Vec2 size = card.max - card.min;
+    const ScreenVector size = card.max - card.min;
     int changed = 0;
     for (int k = 1; k < 60; ++k) {
       const auto x = static_cast<int>(card.min.x() + size.x() * k / 60);
@@ -88,9 +88,7 @@ TEST_CASE("meshes and demos of the welcome page are all on screen at 1100 by 720
     CHECK(rect->min.y() >= page.y);
     CHECK(rect->max.x() <= page.x + page.width);
     CHECK(rect->max.y() <= page.y + page.height);
-    for (const WidgetMap::Rect& other : seen)
-      CHECK(((rect->min.array() >= other.max.array()).any() ||
-             (other.min.array() >= rect->max.array()).any()));
+    for (const WidgetMap::Rect& other : seen) CHECK(apart(*rect, other));
     seen.push_back(*rect);
   }
 }
@@ -109,7 +107,7 @@ TEST_CASE("a script's wait waits for the pictures on the cards, over a mesh as w
   HeadlessStudio studio(1100, 720);
   const auto pictured = [&] {
     return std::ranges::all_of(bundled_meshes(), [&](const BundledMesh& mesh) {
-      return studio.bench().welcome().thumbnails().find(mesh.id) != nullptr;
+      return studio.bench().regions().welcome().thumbnails().find(mesh.id) != nullptr;
     });
   };
   const TemporaryFolder folder;

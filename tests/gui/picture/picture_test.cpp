@@ -60,7 +60,7 @@ TEST_CASE("Colours come with a legend on the right, which can be left out") {
   const auto has_color = [](const Image& image, const Rgb& color) {
     for (int y = 0; y < image.height; ++y) {
       for (int x = image.width / 2; x < image.width; ++x) {
-        if (distance(color_at(image, Vec2(x, y)), color) < 0.02) return true;
+        if (distance(color_at(image, ScreenPoint(x, y)), color) < 0.02) return true;
       }
     }
     return false;

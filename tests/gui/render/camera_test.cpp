@@ -6,6 +6,8 @@
 
 using namespace winslow;
 using gui::Camera;
+using gui::ScreenPoint;
+using gui::ScreenVector;
 
 namespace {
 
@@ -20,8 +22,8 @@ Camera make_camera() {
 
 TEST_CASE("The camera's centre is the middle of the viewport, and y points up") {
   const Camera camera = make_camera();
-  CHECK((camera.to_screen({5, -3}) - Vec2(430, 320)).norm() < 1e-9);
-  CHECK((camera.to_screen({6, -2}) - Vec2(530, 220)).norm() < 1e-9);
+  CHECK((camera.to_screen({5, -3}) - ScreenPoint(430, 320)).norm() < 1e-9);
+  CHECK((camera.to_screen({6, -2}) - ScreenPoint(530, 220)).norm() < 1e-9);
   CHECK((camera.to_world({430, 320}) - Vec2(5, -3)).norm() < 1e-12);
 }
 
@@ -32,14 +34,14 @@ TEST_CASE("Screen and world are inverse to each other") {
   Camera camera = make_camera();
   for (int k = 0; k < 200; ++k) {
     camera.look_at(100 * random.vector(), std::pow(10.0, random.uniform(-8, 2)));
-    const Vec2 screen = 1000 * random.vector(0, 1);
+    const ScreenPoint screen(random.uniform(0, 1000), random.uniform(0, 1000));
     CHECK((camera.to_screen(camera.to_world(screen)) - screen).norm() < 1e-4);
   }
 }
 
 TEST_CASE("Zooming keeps the point under the cursor, to a millionfold and back") {
   Camera camera = make_camera();
-  const Vec2 cursor(123, 456);
+  const ScreenPoint cursor(123, 456);
   const Vec2 before = camera.to_world(cursor);
   for (int k = 0; k < 20; ++k) camera.zoom_at(cursor, 2);
   CHECK(camera.units_per_pixel() == doctest::Approx(0.01 / 1048576));
@@ -60,8 +62,8 @@ TEST_CASE("Fitting shows a box whole, with its margin") {
   for (const Vec2& size : {Vec2(10, 1), Vec2(1, 10), Vec2(4, 3)}) {
     const Bounds box{{-2, 7}, Vec2(-2, 7) + size};
     camera.fit(box, 0.05);
-    const Vec2 low = camera.to_screen({box.min.x(), box.max.y()});
-    const Vec2 high = camera.to_screen({box.max.x(), box.min.y()});
+    const ScreenPoint low = camera.to_screen({box.min.x(), box.max.y()});
+    const ScreenPoint high = camera.to_screen({box.max.x(), box.min.y()});
     CHECK(low.x() >= 30 + 0.05 * 800 - 1e-6);
     CHECK(high.x() <= 830 - 0.05 * 800 + 1e-6);
     CHECK(low.y() >= 20 + 0.05 * 600 - 1e-6);
@@ -69,7 +71,7 @@ TEST_CASE("Fitting shows a box whole, with its margin") {
     const bool touches_x = std::abs(low.x() - 70) < 1e-6;
     const bool touches_y = std::abs(low.y() - 50) < 1e-6;
     CHECK((touches_x || touches_y));
-    CHECK((0.5 * (low + high) - Vec2(430, 320)).norm() < 1e-6);
+    CHECK((midpoint(low, high) - ScreenPoint(430, 320)).norm() < 1e-6);
   }
 }
 
@@ -98,11 +100,23 @@ TEST_CASE("The matrix takes positions relative to an origin to the same place as
   Camera camera = make_camera();
   camera.look_at({1e3 + 1e-7, 2e3}, 1e-9);
   const Vec2 origin(1e3, 2e3);
-  const auto m = camera.matrix(origin);
+  const auto m = camera.matrix({origin.x(), origin.y(), 0});
   const Vec2 world(1e3 + 3e-7, 2e3 - 1e-7);
   const Vec2 relative = world - origin;
   const double clip_x = m[0] * relative.x() + m[12];
   const double clip_y = m[5] * relative.y() + m[13];
-  const Vec2 screen(30 + 400 * (clip_x + 1), 20 + 300 * (1 - clip_y));
+  const ScreenPoint screen(30 + 400 * (clip_x + 1), 20 + 300 * (1 - clip_y));
   CHECK((screen - camera.to_screen(world)).norm() < 0.01);
+}
+
+TEST_CASE("A part of the framebuffer shows the same points at the same pixels") {
+  const Camera camera = make_camera();  // its viewport: 30 to 830 by 20 to 620
+  const auto part = gui::part_of(camera, {{500, 300}, {900, 700}});
+  REQUIRE(part);
+  CHECK(part->viewport_origin() == ScreenPoint(0, 0));
+  CHECK(part->viewport_width() == 330);
+  CHECK(part->viewport_height() == 320);
+  const Vec2 point(6.2, -4.1);
+  CHECK((part->to_screen(point) + ScreenVector(500, 300) - camera.to_screen(point)).norm() < 1e-9);
+  CHECK_FALSE(gui::part_of(camera, {{0, 0}, {30, 700}}));
 }

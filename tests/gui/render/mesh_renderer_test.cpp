@@ -201,8 +201,10 @@ TEST_CASE("A millionfold zoom fills both sides of a slanted edge exactly") {
   // The diagonal runs from the lower left to the upper right corner of the picture.
   for (int k = 10; k < 190; k += 20) {
     CAPTURE(k);
-    CHECK(distance(color_at(image, Vec2(k + 3, 199 - k)), sample_color_map("viridis", 0)) < 0.01);
-    CHECK(distance(color_at(image, Vec2(k - 3, 199 - k)), sample_color_map("viridis", 1)) < 0.01);
+    CHECK(distance(color_at(image, ScreenPoint(k + 3, 199 - k)), sample_color_map("viridis", 0)) <
+          0.01);
+    CHECK(distance(color_at(image, ScreenPoint(k - 3, 199 - k)), sample_color_map("viridis", 1)) <
+          0.01);
   }
 }
 
@@ -217,7 +219,7 @@ TEST_CASE("Lines fade as cells shrink, until only the colours remain") {
     const Image image = scene.draw(style);
     double sum = 0;
     for (int y = 30; y < 70; ++y) {
-      for (int x = 30; x < 70; ++x) sum += 1 - color_at(image, Vec2(x, y))[1];
+      for (int x = 30; x < 70; ++x) sum += 1 - color_at(image, ScreenPoint(x, y))[1];
     }
     dark.push_back(sum / 1600);
   }
@@ -235,18 +237,18 @@ TEST_CASE("Markers wear their own colour and width") {
   const Mesh mesh = make_mesh(winslow::test::square(4, Cells::quads));
   scene.show(mesh);
   std::vector<MeshRenderer::MarkerStyle> styles(4, {{0, 0, 0, 1}, 1});
-  const Index right = *mesh.topology->find_marker("right");
+  const Index right = *mesh.topology->markers().find("right");
   styles[static_cast<std::size_t>(right)] = {{0, 0.5f, 0, 1}, 7};
   scene.renderer.set_marker_styles(styles);
   MeshStyle style = fill_only();
   style.fill_color = {1, 1, 1, 1};
   const Image image = scene.draw(style);
-  const Vec2 on_right = scene.camera.to_screen({1, 0.6});
+  const ScreenPoint on_right = scene.camera.to_screen({1, 0.6});
   CHECK(distance(color_at(image, on_right), {0, 0.5f, 0}) < 0.01);
-  CHECK(distance(color_at(image, on_right - Vec2(2.5, 0)), {0, 0.5f, 0}) < 0.01);
-  CHECK(distance(color_at(image, on_right - Vec2(5, 0)), white) < 0.01);
-  const Vec2 on_left = scene.camera.to_screen({0, 0.6});
-  CHECK(distance(color_at(image, on_left - Vec2(2.5, 0)), white) < 0.01);
+  CHECK(distance(color_at(image, on_right - ScreenVector(2.5, 0)), {0, 0.5f, 0}) < 0.01);
+  CHECK(distance(color_at(image, on_right - ScreenVector(5, 0)), white) < 0.01);
+  const ScreenPoint on_left = scene.camera.to_screen({0, 0.6});
+  CHECK(distance(color_at(image, on_left - ScreenVector(2.5, 0)), white) < 0.01);
 }
 
 TEST_CASE("Nodes are drawn as points") {
@@ -258,8 +260,59 @@ TEST_CASE("Nodes are drawn as points") {
   style.edge_color = {0, 0, 1, 1};
   const Image image = scene.draw(style);
   CHECK(distance(color_at(image, scene.camera.to_screen({0.5, 0.5})), {0, 0, 1}) < 0.05);
-  CHECK(distance(color_at(image, scene.camera.to_screen({0.5, 0.5}) + Vec2(6, 0)), {0, 0, 1}) >
-        0.3);
+  CHECK(distance(color_at(image, scene.camera.to_screen({0.5, 0.5}) + ScreenVector(6, 0)),
+                 {0, 0, 1}) > 0.3);
+}
+
+TEST_CASE("With depth what lies nearer hides what lies behind, else what comes later does") {
+  Scene scene;
+  // A large square, and after it a small one before its middle.
+  MeshData data;
+  for (const double half : {1.0, 0.3}) {
+    const auto first = static_cast<Index>(data.coordinates.size());
+    for (const Vec2& corner : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)})
+      data.coordinates.push_xy(half * corner);
+    winslow::test::add_triangle(data, first, first + 1, first + 2);
+    winslow::test::add_triangle(data, first, first + 2, first + 3);
+  }
+  const Mesh mesh = make_mesh(data);
+  const std::uint32_t red = 0xFF0000FF, green = 0xFF00FF00;
+  const std::array<float, 3> is_red{1, 0, 0}, is_green{0, 1, 0};
+  const auto draw = [&](bool depth_test, float large, float small) {
+    PreparedMesh prepared = prepare_mesh(mesh.topology, mesh.coordinates);
+    prepared.whole.depth_test = depth_test;
+    prepared.whole.heights = {large, large, large, large, small, small, small, small};
+    scene.renderer.set_mesh(std::move(prepared));
+    scene.renderer.set_colors({red, red, green, green}, {});
+    MeshStyle style;
+    style.wireframe = false;
+    style.boundary_width = 6;
+    return scene.draw(style);
+  };
+  scene.camera.fit(bounds(mesh));
+  const ScreenPoint middle = scene.camera.to_screen({0, 0});
+  const ScreenPoint inner_rim = scene.camera.to_screen({0, -0.3});
+  CHECK(glIsEnabled(GL_DEPTH_TEST) == GL_FALSE);
+  CHECK(distance(color_at(draw(false, 0.5f, 0), middle), is_green) < 0.01);
+  CHECK(distance(color_at(draw(true, 0.5f, 0), middle), is_red) < 0.01);
+  CHECK(distance(color_at(draw(true, 0.5f, 0), inner_rim), is_red) < 0.01);
+  CHECK(distance(color_at(draw(true, 0, 0.5f), middle), is_green) < 0.01);
+  CHECK(distance(color_at(draw(true, 50, 0), middle), is_red) < 0.01);
+  CHECK(glIsEnabled(GL_DEPTH_TEST) == GL_FALSE);
+  CHECK(glGetError() == GL_NO_ERROR);
+}
+
+TEST_CASE("A list without heights is plane again after one with them") {
+  Scene scene;
+  const Mesh mesh = two_quads(0.2);
+  scene.show(mesh);
+  const Image plane = scene.draw(fill_only());
+  PreparedMesh prepared = prepare_mesh(mesh.topology, mesh.coordinates);
+  prepared.whole.heights.assign(static_cast<std::size_t>(mesh.coordinates.size()), 0.5f);
+  scene.renderer.set_mesh(std::move(prepared));
+  CHECK(scene.draw(fill_only()).rgba == plane.rgba);  // seen from above
+  scene.renderer.set_mesh(mesh.topology, mesh.coordinates);
+  CHECK(scene.draw(fill_only()).rgba == plane.rgba);
 }
 
 TEST_CASE("A mesh that moved is drawn where it is now, within its viewport only") {

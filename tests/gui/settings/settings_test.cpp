@@ -71,15 +71,15 @@ TEST_CASE("a second studio on the same profile looks as the first was left") {
     Rig rig(1440, 800, profile);
     rig.open(ring_mesh());
     rig.key(GLFW_KEY_D, {keys::control});
-    const Vec2 grip = rig.bench->widgets().find("splitter/left")->centre();
-    rig.drag(grip, grip + Vec2(40, 0));
+    const ScreenPoint grip = rig.bench->widgets().find("splitter/left")->centre();
+    rig.drag(grip, grip + ScreenVector(40, 0));
     rig.release();
     rig.click("section/solver");
     rig.click("tab/view");
   }
   Rig rig(1440, 800, profile);
-  CHECK(rig.bench->view().lightness == Lightness::dark);
-  CHECK(rig.bench->view().side_tab == SideTab::view);
+  CHECK(rig.bench->view_control().options().lightness == Lightness::dark);
+  CHECK(rig.bench->view_control().options().side_tab == SideTab::view);
   CHECK(rig.bench->layout().left_width == doctest::Approx(332).epsilon(0.01));
   rig.open(ring_mesh());
   CHECK(rig.visible("section/solver"));
@@ -98,7 +98,7 @@ TEST_CASE("a damaged settings file does no harm and is not lost") {
   const TemporaryFolder home;
   std::ofstream(home / "settings.json") << "{\"view\": {\"bands\"";
   Rig rig(1100, 720, home.path());
-  CHECK(rig.bench->view() == ViewOptions());
+  CHECK(rig.bench->view_control().options() == ViewOptions());
   REQUIRE(rig.session().messages().notice().has_value());
   CHECK(rig.session().messages().notice()->kind == Notice::Kind::warning);
   CHECK(rig.session().messages().notice()->text.find("settings.json") != std::string::npos);

@@ -80,7 +80,7 @@ Mesh two_body_mesh() {
 
 Mesh tangled_mesh() {
   Mesh mesh = ring_mesh();
-  const Index node = mesh.topology->free_nodes()[30];
+  const Index node = mesh.topology->interior_nodes()[30];
   mesh.coordinates.set_xy(node, -mesh.coordinates.xy(node));
   return mesh;
 }

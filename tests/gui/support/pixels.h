@@ -2,20 +2,21 @@
 
 #include <cmath>
 
-#include "core/types.h"
+#include "gui/base/screen.h"
 #include "gui/render/image.h"
 
 namespace winslow::gui::test {
 
 /// Mean of red, green and blue of a pixel, 0 to 1.
-inline double brightness(const Image& image, const Vec2& at) {
+inline double brightness(const Image& image, const ScreenPoint& at) {
   const auto* p =
       image.pixel(static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y())));
   return (p[0] + p[1] + p[2]) / (3 * 255.0);
 }
 
 /// How many pixels of a box differ between two pictures.
-inline int differing(const Image& a, const Image& b, const Vec2& min, const Vec2& max) {
+inline int differing(const Image& a, const Image& b, const ScreenPoint& min,
+                     const ScreenPoint& max) {
   int count = 0;
   for (int y = static_cast<int>(min.y()); y < static_cast<int>(max.y()); ++y)
     for (int x = static_cast<int>(min.x()); x < static_cast<int>(max.x()); ++x) {

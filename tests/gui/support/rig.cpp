@@ -47,7 +47,7 @@ void Rig::open(const Mesh& mesh, const std::string& name) {
   REQUIRE(session().document() != nullptr);
 }
 
-void Rig::move(const Vec2& to) {
+void Rig::move(const ScreenPoint& to) {
   input.move(to);
   frames(1);
 }
@@ -62,7 +62,7 @@ void Rig::release(MouseButton button) {
   frames();
 }
 
-void Rig::click(const Vec2& at) {
+void Rig::click(const ScreenPoint& at) {
   move(at);
   frames(1);
   press();
@@ -76,14 +76,14 @@ void Rig::click(const std::string& widget) {
   click(rect->centre());
 }
 
-void Rig::drag(const Vec2& from, const Vec2& to, int steps, MouseButton button) {
+void Rig::drag(const ScreenPoint& from, const ScreenPoint& to, int steps, MouseButton button) {
   move(from);
   frames(1);
   press(button);
   for (int i = 1; i <= steps; ++i) move(from + (to - from) * (static_cast<double>(i) / steps));
 }
 
-void Rig::wheel(const Vec2& at, double notches) {
+void Rig::wheel(const ScreenPoint& at, double notches) {
   move(at);
   frames(1);
   input.wheel(Vec2(0, notches));
@@ -119,7 +119,7 @@ void turn_flap(Rig& rig, double degrees, const Vec2& by) {
 }
 
 void set_view(Rig& rig, const std::function<void(ViewOptions&)>& change) {
-  ViewOptions view = rig.bench->view();
+  ViewOptions view = rig.bench->view_control().options();
   change(view);
   rig.bench->apply(action::EditView{whole(view)});
   REQUIRE(rig.settle());

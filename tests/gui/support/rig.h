@@ -35,16 +35,16 @@ class Rig {
   /// Opens a mesh and waits for it.
   void open(const Mesh& mesh, const std::string& name = "mesh.su2");
 
-  void move(const Vec2& to);
+  void move(const ScreenPoint& to);
   void press(MouseButton button = MouseButton::left);
   void release(MouseButton button = MouseButton::left);
-  void click(const Vec2& at);
+  void click(const ScreenPoint& at);
   /// Clicks a widget. Fails the test if it is not on screen.
   void click(const std::string& widget);
   /// Presses, goes there in steps, and stays down.
-  void drag(const Vec2& from, const Vec2& to, int steps = 6,
+  void drag(const ScreenPoint& from, const ScreenPoint& to, int steps = 6,
             MouseButton button = MouseButton::left);
-  void wheel(const Vec2& at, double notches);
+  void wheel(const ScreenPoint& at, double notches);
   void key(int glfw_key, std::vector<int> modifiers = {});
   void type(const std::string& text);
   /// Types into a field in place of what is there.
@@ -56,11 +56,17 @@ class Rig {
   const Session& session() const { return bench->session(); }
   const Document& document() const { return *session().document(); }
   const Mesh& mesh() const { return document().state().mesh; }
-  Index marker(const std::string& name) const { return *mesh().topology->find_marker(name); }
+  Index marker(const std::string& name) const { return *mesh().topology->markers().find(name); }
   /// Pixel of a point of the mesh.
-  Vec2 pixel(const Vec2& world) const { return bench->camera().to_screen(world); }
+  ScreenPoint pixel(const Vec2& world) const {
+    return bench->view_control().camera().to_screen(world);
+  }
+  /// What the mouse acts upon now.
+  ViewportScene scene() const {
+    return bench->pane().scene(static_cast<double>(bench->theme().scale));
+  }
   /// The gizmo of the selection, which there must be.
-  Gizmo gizmo() const { return Viewport::gizmo(bench->scene(), bench->camera()).value(); }
+  Gizmo gizmo() const { return Viewport::gizmo(scene(), bench->view_control().view()).value(); }
 
   TemporaryFolder folder;
   std::unique_ptr<HeadlessContext> context;
@@ -72,6 +78,12 @@ class Rig {
 
   int width_, height_;
 };
+
+/// They do not overlap on screen.
+inline bool apart(const WidgetMap::Rect& a, const WidgetMap::Rect& b) {
+  return a.min.x() >= b.max.x() || a.min.y() >= b.max.y() || b.min.x() >= a.max.x() ||
+         b.min.y() >= a.max.y();
+}
 
 /// Turns the flap about the origin by degrees, shifts it, and waits for the mesh.
 void turn_flap(Rig& rig, double degrees, const Vec2& by = Vec2(0, 0));

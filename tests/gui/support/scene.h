@@ -44,9 +44,9 @@ class Scene {
 };
 
 /// Red, green and blue of a pixel in [0, 1].
-inline std::array<double, 3> color_at(const Image& image, const Vec2& screen) {
-  const auto* p = image.pixel(static_cast<int>(std::floor(screen.x())),
-                              static_cast<int>(std::floor(screen.y())));
+inline std::array<double, 3> color_at(const Image& image, const ScreenPoint& at) {
+  const auto* p =
+      image.pixel(static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y())));
   return {p[0] / 255.0, p[1] / 255.0, p[2] / 255.0};
 }
 

@@ -21,11 +21,11 @@ struct SessionParts {
     jobs.show_position();
   }
 
-  Index marker(const std::string& name) const { return *mesh.topology()->find_marker(name); }
+  Index marker(const std::string& name) const { return *mesh.topology()->markers().find(name); }
   /// A node that is on no boundary.
   Index free_node() const {
     Index node = 0;
-    while (mesh.topology()->constrained(node)) ++node;
+    while (mesh.topology()->on_boundary(node)) ++node;
     return node;
   }
   const History& done() const { return mesh.document()->history(); }

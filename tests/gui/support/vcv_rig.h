@@ -14,10 +14,10 @@ namespace winslow::gui::test {
 /// A free node in the middle of the ring with six neighbours, none of them on the boundary.
 inline Index inner_node(const Rig& rig, std::size_t skip = 0) {
   const Topology& topology = *rig.mesh().topology;
-  for (const Index node : topology.free_nodes()) {
+  for (const Index node : topology.interior_nodes()) {
     const auto ring = topology.neighbours(node);
     const bool inner = ring.size() == 6 &&
-                       std::ranges::none_of(ring, [&](Index k) { return topology.constrained(k); });
+                       std::ranges::none_of(ring, [&](Index k) { return topology.on_boundary(k); });
     if (inner && skip-- == 0) return node;
   }
   FAIL("no such node");

@@ -66,7 +66,7 @@ inline void check_same_mesh(const Mesh& a, const Mesh& b, const Comparison& what
   CHECK(s.elements().values == t.elements().values);
   if (what.markers) {
     REQUIRE(s.markers().size() == t.markers().size());
-    CHECK(s.markers_from_file() == t.markers_from_file());
+    CHECK(s.markers().from_file() == t.markers().from_file());
     for (std::size_t m = 0; m < s.markers().size(); ++m) {
       CHECK(s.markers()[m].name == t.markers()[m].name);
       CHECK(s.markers()[m].faces == t.markers()[m].faces);

@@ -24,7 +24,7 @@ TEST_CASE("OBJ, OFF, PLY: the elements of the SU2 file; STL: its triangles") {
     CAPTURE(name);
     const io::MeshFile file = io::read_mesh(std::string(WINSLOW_TEST_DATA "/") + name);
     check_same_mesh(file.mesh, expected.mesh, plain);
-    CHECK_FALSE(file.mesh.topology->markers_from_file());
+    CHECK_FALSE(file.mesh.topology->markers().from_file());
   }
   for (const char* name : {"square.stl", "square_b.stl"}) {
     const io::MeshFile file = io::read_mesh(std::string(WINSLOW_TEST_DATA "/") + name);

@@ -86,7 +86,7 @@ TEST_CASE("markers written as CSV have every point of their lines, to the last d
     std::getline(row, node, ',');
     std::getline(row, x, ',');
     std::getline(row, y, ',');
-    CHECK(mesh.topology->find_marker(name).has_value());
+    CHECK(mesh.topology->markers().find(name).has_value());
     const Vec2 p = mesh.coordinates.xy(std::stoi(node));
     CHECK(std::stod(x) == p.x());
     CHECK(std::stod(y) == p.y());

@@ -77,7 +77,7 @@ TEST_CASE("VTK: polygon data, pixels and polylines become elements and marker ed
   Comparison plain;
   plain.markers = false;
   check_same_mesh(polygons.mesh, expected().mesh, plain);
-  CHECK_FALSE(polygons.mesh.topology->markers_from_file());
+  CHECK_FALSE(polygons.mesh.topology->markers().from_file());
   const io::MeshFile pixels =
       read_from_text("a.vtk", head + "UNSTRUCTURED_GRID\nPOINTS 9 double\n" + points +
                                   "CELLS 3 14\n4 0 1 3 4\n4 1 2 4 5\n3 0 1 2\nCELL_TYPES 3\n8 8 4\n"

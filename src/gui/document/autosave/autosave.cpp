@@ -92,7 +92,8 @@ bool Autosave::update(Session& session) {
 
 Autosave::Mark Autosave::mark_of(const Document& document, std::uint64_t generation) {
   Mark mark{generation, document.history().position(), {}, document.path()};
-  for (const Document::Tag& tag : document.tags()) mark.revisions.push_back(tag.revision);
+  for (const EditHistory::Tag& tag : document.edits().tags())
+    mark.revisions.push_back(tag.revision);
   return mark;
 }
 
@@ -107,13 +108,10 @@ void Autosave::keep(const Session& session) {
   written_ = std::move(mark);
   const fs::path source = fs::absolute(document->source());
   const bool restored = session.generation() == restored_generation_;
-  SessionRecord record{session.generation(),
-                       source,
-                       fs::absolute(document->path()),
-                       restored ? restored_mesh_ : source,
-                       document->source_stamp(),
-                       document->history(),
-                       document->tags()};
+  SessionRecord record{session.generation(),           source,
+                       fs::absolute(document->path()), restored ? restored_mesh_ : source,
+                       document->source_stamp(),       document->history(),
+                       document->edits().tags()};
   tasks_.push_back([this, folder = folder_, record = std::move(record),
                     done = std::exchange(taken_over_, {})]() -> Then {
     try {

@@ -22,7 +22,7 @@ struct SessionRecord {
   std::filesystem::path mesh;      ///< what to copy the mesh as opened from
   std::optional<FileStamp> stamp;  ///< of that file as it was read
   History history;
-  std::vector<Document::Tag> tags;  ///< of each position
+  std::vector<EditHistory::Tag> tags;  ///< of each position
 };
 
 /// Writes one running studio's session into a folder of its own: a copy of the mesh file as it was

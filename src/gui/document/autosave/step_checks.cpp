@@ -34,7 +34,7 @@ std::string fault_of_column(const LayerColumn& column, Index nodes) {
   for (const double value : {column.first, column.asked, column.room})
     if (!std::isfinite(value)) return "a height that is no number";
   for (const LayerLimit limit : {column.limit, column.granted_limit})
-    if (limit < LayerLimit::none || limit > LayerLimit::room) return "a reason that there is not";
+    if (limit < LayerLimit::none || limit > LayerLimit::room) return "a reason that does not exist";
   for (const auto* heights : {&column.heights, &column.granted, &column.corrections})
     if (!all_positive(*heights)) return "a height that is not positive";
   if (!column.granted.empty() && column.granted.size() != column.count())
@@ -65,7 +65,7 @@ std::string fault_of(const MeshData& data) {
   const auto regions = static_cast<Index>(data.regions.size());
   if (!std::ranges::all_of(data.element_region,
                            [&](Index region) { return region == -1 || within(region, regions); }))
-    return "an element in a region that there is not";
+    return "an element in a region that does not exist";
   return {};
 }
 
@@ -79,12 +79,12 @@ std::string fault_of(const LayerStack& stack, const Topology& topology) {
   }
   for (const ColumnPair& pair : stack.pairs)
     if (pair.left >= stack.columns.size() || pair.right >= stack.columns.size())
-      return "neighbours of a column that there is not";
+      return "neighbours of a column that does not exist";
   if (stack.layer_of_element.size() != static_cast<std::size_t>(topology.element_count()))
     return "layers of " + std::to_string(stack.layer_of_element.size()) + " elements";
   for (const int layer : stack.layer_of_element)
     if (layer < -1 || layer >= static_cast<int>(most))
-      return "an element in a layer that there is not";
+      return "an element in a layer that does not exist";
   return {};
 }
 
@@ -92,7 +92,7 @@ std::string fault_of(const std::vector<VirtualControlVolumes::Role>& roles) {
   for (const auto& role : roles) {
     unsigned char byte = 0;
     std::memcpy(&byte, &role.own_shape, 1);
-    if (byte > 1) return "a role that there is not";
+    if (byte > 1) return "a role that does not exist";
   }
   return {};
 }

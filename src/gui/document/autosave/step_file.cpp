@@ -117,7 +117,7 @@ MeshData data_of(const Topology& topology) {
   for (Index e = 0; e < topology.element_count(); ++e)
     data.add_element(topology.element_type(e), topology.element(e));
   // Markers that stand for loops come back by themselves.
-  if (topology.markers_from_file()) data.markers = topology.markers();
+  if (topology.markers().from_file()) data.markers = topology.markers().list();
   data.regions = topology.regions();
   data.element_region.assign(topology.element_regions().begin(), topology.element_regions().end());
   return data;

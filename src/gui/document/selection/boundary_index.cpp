@@ -143,7 +143,7 @@ const BoundaryIndex::Body* BoundaryIndex::body_of(Index marker) const {
 double BoundaryIndex::reach(const std::vector<Index>& markers, const Vec2& point) const {
   double reach = 0;
   for (Index m : markers)
-    for (Index node : topology_->marker_nodes(m))
+    for (Index node : topology_->markers().nodes(m))
       reach = std::max(reach, (coordinates_.xy(node) - point).norm());
   return reach;
 }

@@ -86,8 +86,8 @@ void Files::restore(RestoredSession restored) {
   Document& document = *mesh_.document();
   const std::size_t count = restored.steps.size();
   for (auto& step : restored.steps)
-    document.push(std::move(step.command), std::move(step.result), step.seconds);
-  document.go_to(restored.position);
+    document.edits().push(std::move(step.command), std::move(step.result), step.seconds);
+  document.edits().go_to(restored.position);
   document.set_path(restored.path);
   jobs_.show_position();
   messages_.tell(Notice::Kind::success, "The session of " + document.name() +
@@ -142,7 +142,7 @@ void Files::on(const action::SaveMesh& a) {
 void Files::start_saver(const std::filesystem::path& path, bool copy) {
   const Document& document = *mesh_.document();
   saver_.start([path, mesh = document.state().mesh, details = document.details(),
-                generation = mesh_.generation(), revision = document.revision(), copy] {
+                generation = mesh_.generation(), revision = document.edits().revision(), copy] {
     SaveOutcome outcome{path, generation, revision, {}, {}, copy};
     outcome.error = error_of([&] { outcome.warnings = io::write_mesh(path, mesh, details.get()); });
     return outcome;

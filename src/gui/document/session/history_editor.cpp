@@ -15,7 +15,7 @@ void HistoryEditor::on(const action::Undo&) {
   const History& history = mesh_.document()->history();
   if (!history.can_undo()) return;
   const std::string undone = describe(history.command(history.position()));
-  mesh_.document()->undo();
+  mesh_.document()->edits().undo();
   jobs_.show_position();
   messages_.tell(Notice::Kind::information, "Undone: " + undone);
 }
@@ -24,7 +24,7 @@ void HistoryEditor::on(const action::Redo&) {
   if (!mesh_.document() || mesh_.job().active() || mesh_.held().body ||
       !mesh_.document()->history().can_redo())
     return;
-  mesh_.document()->redo();
+  mesh_.document()->edits().redo();
   jobs_.show_position();
   const History& history = mesh_.document()->history();
   messages_.tell(Notice::Kind::information,
@@ -34,7 +34,7 @@ void HistoryEditor::on(const action::Redo&) {
 void HistoryEditor::on(const action::GoToStep& a) {
   if (!mesh_.document()) return;
   jobs_.stop();
-  mesh_.document()->go_to(a.position);
+  mesh_.document()->edits().go_to(a.position);
   jobs_.show_position();
   const History& history = mesh_.document()->history();
   messages_.tell(Notice::Kind::information,
@@ -78,15 +78,16 @@ void HistoryEditor::revise(std::size_t step, std::string why, CommandQueue::Plan
     plan.commands.push_back(history.command(k));
   plan.start = step - 1;
   plan.revision = true;
-  mesh_.document()->keep(std::move(why));
-  mesh_.document()->go_to(plan.start);
-  mesh_.document()->forget_redo();
+  mesh_.document()->edits().keep(std::move(why));
+  mesh_.document()->edits().go_to(plan.start);
+  mesh_.document()->edits().forget_redo();
   jobs_.start(std::move(plan));
 }
 
 void HistoryEditor::on(const action::BringBack& a) {
-  if (!mesh_.document() || a.kept >= mesh_.document()->kept().size() || !may_change()) return;
-  mesh_.document()->bring_back(a.kept);
+  if (!mesh_.document() || a.kept >= mesh_.document()->edits().kept().size() || !may_change())
+    return;
+  mesh_.document()->edits().bring_back(a.kept);
   jobs_.show_position();
   messages_.tell(Notice::Kind::success,
                  "The earlier history is back; the other one is kept in its place.");
@@ -116,7 +117,7 @@ bool HistoryEditor::poll() {
   } else if (mesh_.document() && outcome->generation == mesh_.generation() && may_change()) {
     // The first command forgets what could have been redone.
     if (mesh_.document()->history().can_redo())
-      mesh_.document()->keep("Before " + name + " was replayed");
+      mesh_.document()->edits().keep("Before " + name + " was replayed");
     CommandQueue::Plan plan;
     plan.title = "Replaying " + name;
     plan.commands = std::move(outcome->commands);

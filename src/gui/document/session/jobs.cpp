@@ -116,14 +116,14 @@ void Jobs::on(const action::RerunStep& a) {
                    "The solver is at work. Wait until it is done, or cancel it.");
     return;
   }
-  document->go_to(a.position - 1);
+  document->edits().go_to(a.position - 1);
   show_position();
   start(document->history().command(a.position), true);
   rerun_ = a.position;
 }
 
 void Jobs::end_rerun() {
-  mesh_.document()->go_to(*rerun_);
+  mesh_.document()->edits().go_to(*rerun_);
   rerun_.reset();
   show_position();
 }
@@ -170,7 +170,8 @@ void Jobs::keep(JobRunner::Outcome outcome) {
   const std::string what = describe(outcome.command);
   const SmoothResult smooth = outcome.result->smooth;
   if (const auto* move = std::get_if<MoveCommand>(&outcome.command)) selection_.moved(move->motion);
-  mesh_.document()->push(std::move(outcome.command), std::move(*outcome.result), outcome.seconds);
+  mesh_.document()->edits().push(std::move(outcome.command), std::move(*outcome.result),
+                                 outcome.seconds);
   mesh_.changed();
   selection_.update_anchors();
   messages_.set_banner_of_result(smooth);
@@ -205,7 +206,7 @@ void Jobs::run_queue(bool paused) {
     return;
   }
   const auto plan = queue_.stop();
-  if (plan.end) mesh_.document()->go_to(*plan.end);
+  if (plan.end) mesh_.document()->edits().go_to(*plan.end);
   show_position();
   messages_.tell(
       Notice::Kind::success,
@@ -229,7 +230,7 @@ void Jobs::stop_queue_at(const std::string& error) {
   if (plan.revision) {
     text += "\nThe history from before the change is kept.";
     prompt.choices.push_back(
-        {"Bring it back", {action::BringBack{mesh_.document()->kept().size() - 1}}, true});
+        {"Bring it back", {action::BringBack{mesh_.document()->edits().kept().size() - 1}}, true});
     prompt.choices.push_back({"Leave it so", {}, false});
   } else {
     prompt.choices.push_back({"OK", {}, true});
@@ -243,7 +244,7 @@ void Jobs::abandon_queue() {
   if (!queue_.active()) return;
   const auto plan = queue_.stop();
   // What was begun would be neither the old history nor the new one.
-  if (plan.revision) mesh_.document()->take_back();
+  if (plan.revision) mesh_.document()->edits().take_back();
   show_position();
 }
 

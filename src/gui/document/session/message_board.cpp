@@ -14,7 +14,7 @@ void MessageBoard::tell(Notice::Kind kind, std::string text) {
 
 bool MessageBoard::banner_dismissed() const {
   const Document* document = mesh_.document();
-  return document && dismissed_ == std::pair(mesh_.generation(), document->revision());
+  return document && dismissed_ == std::pair(mesh_.generation(), document->edits().revision());
 }
 
 void MessageBoard::set_banner(Banner::Kind kind, std::string text) {
@@ -52,7 +52,7 @@ void MessageBoard::on(const action::DismissPrompt&) {
 
 void MessageBoard::on(const action::DismissBanner&) {
   if (banner_ && mesh_.document())
-    dismissed_ = std::pair(mesh_.generation(), mesh_.document()->revision());
+    dismissed_ = std::pair(mesh_.generation(), mesh_.document()->edits().revision());
   banner_.reset();
 }
 

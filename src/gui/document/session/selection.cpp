@@ -17,7 +17,7 @@ std::vector<Index> same_names(const std::vector<Index>& markers, const Topology&
   std::vector<Index> found;
   for (const Index m : markers) {
     if (m < 0 || static_cast<std::size_t>(m) >= before.markers().size()) continue;
-    if (const auto same = now.find_marker(before.markers()[static_cast<std::size_t>(m)].name))
+    if (const auto same = now.markers().find(before.markers()[static_cast<std::size_t>(m)].name))
       found.push_back(*same);
   }
   std::sort(found.begin(), found.end());
@@ -129,7 +129,7 @@ void Selection::update_anchors() {
   // A job shows a mesh that is none of the history: what it comes to has anchors of its own.
   if (mesh_.topology() != mesh_.document()->topology()) return;
   const Mesh& mesh = mesh_.document()->state().mesh;
-  std::vector<Index> nodes = mesh.topology->nodes_of_markers(names());
+  std::vector<Index> nodes = mesh.topology->markers().nodes_of(names());
   if (nodes.empty()) return;
   std::sort(nodes.begin(), nodes.end());
   // A body of several markers is a loop once all of them are selected.
@@ -205,7 +205,7 @@ void Selection::on(const action::PinNodes& a) {
   if (!a.pinned) return nodes_.unpin(a.nodes);
   std::vector<Index> with_vcv = a.nodes;
   std::erase_if(with_vcv, [this](Index node) {
-    return !exists(node) || mesh_.topology()->constrained(node) || !mesh_.topology()->used(node);
+    return !exists(node) || mesh_.topology()->on_boundary(node) || !mesh_.topology()->used(node);
   });
   nodes_.pin(with_vcv);
 }

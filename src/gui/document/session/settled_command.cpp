@@ -25,7 +25,7 @@ RigidMotion about(const Vec2& pivot, const RigidMotion& motion, double size) {
 void settle(MoveCommand& move, double fraction, const Mesh& base, const Coordinates& now,
             bool started_elsewhere) {
   const Coordinates& rest = base.coordinates;
-  const std::vector<Index> nodes = base.topology->nodes_of_markers(move.markers);
+  const std::vector<Index> nodes = base.topology->markers().nodes_of(move.markers);
   RigidMotion reached = fit_rigid_motion(nodes, rest, now);
   // Full turns do not show in where the body is.
   const double turned = (started_elsewhere ? 1 : fraction) * move.motion.rotate;

@@ -4,7 +4,9 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <string>
 #include <system_error>
+#include <utility>
 
 #include "gui/widgets/controls.h"
 
@@ -12,52 +14,32 @@ namespace winslow::gui {
 
 namespace fs = std::filesystem;
 
-FileDialog::FileDialog() {
-  std::error_code ignored;
-  wanted_folder_ = fs::current_path(ignored);
-}
-
 void FileDialog::open(FilePurpose purpose, const fs::path& suggested,
                       std::optional<std::size_t> step) {
   purpose_ = purpose;
   step_ = step;
   kind_ = dialog_of(purpose);
-  filter_ = 0;
-  fs::path folder = listing_.folder().empty() ? wanted_folder_ : listing_.folder();
-  name_.clear();
-  error_.clear();
-  new_folder_.reset();
+  set_filter(0);
+  fs::path folder = choice_.folder.listing().folder().empty() ? choice_.folder.wanted()
+                                                              : choice_.folder.listing().folder();
+  choice_.name.clear();
+  choice_.error.clear();
+  browser_.open(kind_.saves);
   if (!suggested.empty()) {
     std::error_code ignored;
     const fs::path parent = fs::absolute(suggested, ignored).parent_path();
     if (fs::is_directory(parent, ignored)) folder = parent;
-    if (kind_.saves) name_ = suggested.filename().string();
+    if (kind_.saves) choice_.name = suggested.filename().string();
   }
-  open_ = wanted_ = focus_name_ = true;
-  go(folder);
-}
-
-void FileDialog::go(const fs::path& folder) {
-  wanted_folder_ = folder.lexically_normal();
-  if (!wanted_folder_.has_filename() && wanted_folder_ != wanted_folder_.root_path())
-    wanted_folder_ = wanted_folder_.parent_path();  // "/a/b/" is "/a/b"
-  typed_folder_ = wanted_folder_.string();
-  chosen_.reset();
-  error_.clear();
-  focus_name_ = true;
-  listing_.go(wanted_folder_);
-}
-
-void FileDialog::go_up() {
-  if (wanted_folder_.has_parent_path()) go(wanted_folder_.parent_path());
+  open_ = wanted_ = choice_.focus_name = true;
+  choice_.go(folder);
 }
 
 void FileDialog::draw(const PanelContext& context) {
   if (!open_) return;
-  if (listing_.poll() && !listing_.error().empty()) {
-    error_ = listing_.error();
-    wanted_folder_ = listing_.folder();
-    typed_folder_ = wanted_folder_.string();
+  if (std::string problem = choice_.folder.poll(); !problem.empty()) {
+    choice_.error = std::move(problem);
+    choice_.address = choice_.folder.wanted().string();
   }
   constexpr const char* popup = "###file_dialog";
   if (wanted_) ImGui::OpenPopup(popup);
@@ -86,29 +68,29 @@ void FileDialog::draw_content(const PanelContext& context) {
   ImGui::PushFont(context.theme.bold);
   ImGui::TextUnformatted(kind_.title.c_str());
   ImGui::PopFont();
-  draw_bar(context);
-  if (new_folder_) draw_new_folder(context);
-  const float message = error_.empty() ? 0 : ImGui::GetTextLineHeightWithSpacing();
+  browser_.draw_address(context);
+  const float message = choice_.error.empty() ? 0 : ImGui::GetTextLineHeightWithSpacing();
   const float footer = 2 * ImGui::GetFrameHeightWithSpacing() + message + context.theme.px(8);
   const float height = std::max(ImGui::GetContentRegionAvail().y - footer, context.theme.px(60));
-  draw_places(context, height);
-  ImGui::SameLine();
-  draw_list(context, height);
-  draw_name(context);
-  draw_footer(context);
+  const bool chosen = browser_.draw(context, height);
+  if (chosen) accept(context);
+  const bool entered = name_field_.draw(context);
+  draw_footer(context, entered);
 }
 
-void FileDialog::draw_footer(const PanelContext& context) {
+void FileDialog::draw_footer(const PanelContext& context, bool entered) {
   const Theme& theme = context.theme;
-  if (!error_.empty()) {
-    ui::text_colored(palette().danger, ui::elided(error_, ImGui::GetContentRegionAvail().x));
+  if (!choice_.error.empty()) {
+    ui::text_colored(palette().danger, ui::elided(choice_.error, ImGui::GetContentRegionAvail().x));
     ui::note("dialog/error");
-    ui::tooltip(error_);
+    ui::tooltip(choice_.error);
   }
   draw_filter(context);
   ImGui::SameLine(0, theme.px(12));
-  ui::checkbox("dialog/hidden", "Hidden files", hidden_files_,
-               "Show files whose names begin with a dot.");
+  bool hidden = choice_.folder.shows_hidden();
+  if (ui::checkbox("dialog/hidden", "Hidden files", hidden,
+                   "Show files whose names begin with a dot."))
+    choice_.folder.show_hidden(hidden);
   const float button = theme.px(96);
   const float buttons = 2 * button + ImGui::GetStyle().ItemSpacing.x;
   ImGui::SameLine();
@@ -117,9 +99,8 @@ void FileDialog::draw_footer(const PanelContext& context) {
       ui::button("dialog/cancel", "Cancel", {"", ui::ButtonStyle::normal, true, button});
   ImGui::SameLine();
   const bool pressed = ui::button("dialog/accept", kind_.button,
-                                  {"", ui::ButtonStyle::primary, !name_.empty(), button});
-  if ((pressed || entered_) && !name_.empty()) accept(context);
-  entered_ = false;
+                                  {"", ui::ButtonStyle::primary, !choice_.name.empty(), button});
+  if ((pressed || entered) && !choice_.name.empty()) accept(context);
   if (cancelled || (open_ && ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false))) close();
 }
 
@@ -131,30 +112,34 @@ void FileDialog::draw_filter(const PanelContext& context) {
   ImGui::SetNextItemWidth(context.theme.px(180));
   const char* tip = kind_.saves ? "Format in which it is written: the ending of the name says it."
                                 : "Which files are listed.";
-  if (!ui::combo("dialog/filter", labels, filter_, tip)) return;
-  focus_name_ = true;
+  std::size_t filter = filter_;
+  if (!ui::combo("dialog/filter", labels, filter, tip)) return;
+  set_filter(filter);
+  choice_.focus_name = true;
   const FileKind& kind = kind_.kinds[filter_];
-  if (!kind_.saves || kind.extensions.size() != 1 || name_.empty()) return;
-  name_ = fs::path(name_).replace_extension(kind.extensions[0]).string();
+  if (!kind_.saves || kind.extensions.size() != 1 || choice_.name.empty()) return;
+  choice_.name = fs::path(choice_.name).replace_extension(kind.extensions[0]).string();
 }
 
 void FileDialog::accept(const PanelContext& context) {
-  fs::path path = wanted_folder_ / name_;  // a name that is an absolute path stands for itself
+  fs::path path =
+      choice_.folder.wanted() / choice_.name;  // a name that is an absolute path stands for itself
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) {
-    name_.clear();
-    return go(path);
+    choice_.name.clear();
+    return choice_.go(path);
   }
-  focus_name_ = true;  // for what is not accepted
+  choice_.focus_name = true;  // for what is not accepted
   if (!kind_.saves) {
     // A few letters are enough for the only file that begins with them.
-    if (!fs::exists(path, ignored) && chosen_) path = wanted_folder_ / *chosen_;
+    if (!fs::exists(path, ignored) && choice_.folder.chosen())
+      path = choice_.folder.wanted() / *choice_.folder.chosen();
     if (fs::is_directory(path, ignored)) {
-      name_.clear();
-      return go(path);
+      choice_.name.clear();
+      return choice_.go(path);
     }
     if (!fs::exists(path, ignored)) {
-      error_ = "There is no such file.";
+      choice_.error = "There is no such file.";
       return;
     }
     return choose(context, path);
@@ -166,10 +151,10 @@ void FileDialog::accept(const PanelContext& context) {
   const bool frames = kind_.folders && !path.has_extension();
   if (!frames && !matches(kind_.kinds[0], path.filename().string())) {
     const auto& known = kind_.kinds[0].extensions;
-    error_ = "The name must end in ";
+    choice_.error = "The name must end in ";
     for (std::size_t k = 0; k < known.size(); ++k)
-      error_ += (k == 0 ? "" : k + 1 == known.size() ? " or " : ", ") + known[k];
-    error_ += ".";
+      choice_.error += (k == 0 ? "" : k + 1 == known.size() ? " or " : ", ") + known[k];
+    choice_.error += ".";
     return;
   }
   choose(context, path);
@@ -206,6 +191,11 @@ void FileDialog::choose(const PanelContext& context, const fs::path& path) {
       break;
   }
   close();
+}
+
+void FileDialog::set_filter(std::size_t filter) {
+  filter_ = filter;
+  choice_.folder.set_filter(kind_.kinds[filter]);
 }
 
 void FileDialog::close() {

@@ -23,8 +23,8 @@ std::string summary(const ColumnOverride& column) {
 bool on_walls(Index node, const Topology& topology, const std::vector<LayerWall>& walls) {
   return std::ranges::any_of(walls, [&](const LayerWall& wall) {
     return std::ranges::any_of(wall.markers, [&](const std::string& name) {
-      const auto marker = topology.find_marker(name);
-      return marker && std::ranges::binary_search(topology.marker_nodes(*marker), node);
+      const auto marker = topology.markers().find(name);
+      return marker && std::ranges::binary_search(topology.markers().nodes(*marker), node);
     });
   });
 }

@@ -23,7 +23,8 @@ std::vector<const LayerColumn*> shown_columns(const Session& session, const Laye
   for (const LayerColumn& column : stack.columns) {
     all.push_back(&column);
     for (const Index marker : session.selection().markers())
-      if (std::ranges::binary_search(session.topology()->marker_nodes(marker), column.wall_node)) {
+      if (std::ranges::binary_search(session.topology()->markers().nodes(marker),
+                                     column.wall_node)) {
         selected.push_back(&column);
         break;
       }

@@ -10,7 +10,7 @@ namespace {
 int known_layers(const Session& session, const LayerWall& wall) {
   const auto stack = session.layers();
   if (!stack) return 0;
-  const auto nodes = session.topology()->nodes_of_markers(wall.markers);
+  const auto nodes = session.topology()->markers().nodes_of(wall.markers);
   std::size_t most = 0;
   for (const LayerColumn& column : stack->columns)
     if (std::ranges::binary_search(nodes, column.wall_node)) most = std::max(most, column.count());
@@ -27,7 +27,7 @@ bool may_have_layers(const Topology& topology, const std::vector<LayerWall>& wal
   };
   for (const LayerWall& wall : walls)
     for (const std::string& name : wall.markers) {
-      const auto marker = topology.find_marker(name);
+      const auto marker = topology.markers().find(name);
       if (!marker) continue;
       const auto& edges = topology.markers()[static_cast<std::size_t>(*marker)].faces;
       if (std::ranges::any_of(edges, on_quadrilateral)) return true;

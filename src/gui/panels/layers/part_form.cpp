@@ -13,7 +13,7 @@ namespace {
 WallPart box_of(const PanelContext& context, const std::vector<std::string>& names) {
   constexpr double far = std::numeric_limits<double>::infinity();
   WallPart box{far, -far, far, -far};
-  for (const Index node : context.topology()->nodes_of_markers(names)) {
+  for (const Index node : context.topology()->markers().nodes_of(names)) {
     const Vec2 p = context.session.coordinates().xy(node);
     box = {std::min(box.xmin, p.x()), std::max(box.xmax, p.x()), std::min(box.ymin, p.y()),
            std::max(box.ymax, p.y())};

@@ -24,7 +24,7 @@ std::string summary(const LayerWall& wall) {
 std::vector<Index> indices(const std::vector<std::string>& names, const Topology& topology) {
   std::vector<Index> markers;
   for (const std::string& name : names)
-    if (const auto marker = topology.find_marker(name)) markers.push_back(*marker);
+    if (const auto marker = topology.markers().find(name)) markers.push_back(*marker);
   return markers;
 }
 

@@ -6,7 +6,7 @@
 
 namespace winslow::gui {
 
-void PictureDialog::set_extents(const Vec2& window, const Vec2& mesh) {
+void PictureDialog::set_extents(const ScreenVector& window, const ScreenVector& mesh) {
   window_ = window;
   mesh_ = mesh;
 }
@@ -16,7 +16,7 @@ void PictureDialog::draw(const PanelContext& context) {
     settings_.set(context.capture.picture(), window_.x(), window_.y());
   ui::Dialog dialog("###picture", "Save a picture", wanted_, context.theme);
   if (!dialog.shown()) return;
-  const Vec2& extent = settings_.spec().panels ? window_ : mesh_;
+  const ScreenVector& extent = settings_.spec().panels ? window_ : mesh_;
   settings_.draw("picture", false, extent.x(), extent.y());
   ImGui::Spacing();
   ui::text_dim("A name that ends in .svg or .pdf gives vector graphics");

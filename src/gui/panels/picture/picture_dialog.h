@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gui/base/screen.h"
 #include "gui/panels/panel.h"
 #include "gui/panels/picture/picture_settings.h"
 
@@ -10,12 +11,12 @@ class PictureDialog : public Panel {
  public:
   void open() { wanted_ = opened_ = true; }
   /// On screen, pixels: of the window, and of the mesh alone.
-  void set_extents(const Vec2& window, const Vec2& mesh);
+  void set_extents(const ScreenVector& window, const ScreenVector& mesh);
   void draw(const PanelContext& context) override;
 
  private:
   bool wanted_ = false, opened_ = false;
-  Vec2 window_{1, 1}, mesh_{1, 1};
+  ScreenVector window_{1, 1}, mesh_{1, 1};
   PictureSettings settings_;
 };
 

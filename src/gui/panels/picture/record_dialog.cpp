@@ -22,7 +22,7 @@ void RecordDialog::open(std::optional<std::size_t> step) {
   wanted_ = opened_ = true;
 }
 
-void RecordDialog::set_extents(const Vec2& window, const Vec2& mesh) {
+void RecordDialog::set_extents(const ScreenVector& window, const ScreenVector& mesh) {
   window_ = window;
   mesh_ = mesh;
 }
@@ -50,7 +50,7 @@ void RecordDialog::draw(const PanelContext& context) {
   ui::row("Frames a second", "Of the film");
   ui::number("record/rate", spec_.rate);
   spec_.rate = std::clamp(spec_.rate, 1, fastest);
-  const Vec2& extent = settings_.spec().panels ? window_ : mesh_;
+  const ScreenVector& extent = settings_.spec().panels ? window_ : mesh_;
   settings_.draw("record", true, extent.x(), extent.y());
   ui::checkbox("record/keep", "Keep the PNG frames beside the film", spec_.keep_frames);
   const auto answer = dialog.buttons("record", "Choose file...", settings_.error().empty());

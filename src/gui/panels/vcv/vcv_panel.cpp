@@ -248,7 +248,7 @@ const std::vector<Index>& VcvPanel::spread_targets(const PanelContext& context,
     std::ranges::copy_if(spread_.pinned, std::back_inserter(targets_), fits);
     return targets_;
   }
-  for (const Index node : topology.free_nodes()) {
+  for (const Index node : topology.interior_nodes()) {
     const Vec2 away = session.coordinates().xy(node) - view.position;
     if (away.norm() <= radius_ && fits(node)) targets_.push_back(node);
   }

@@ -161,7 +161,7 @@ void Capture::record_frame(PictureSource& source) {
         PictureSpec spec = recorder_.spec().picture;
         if (!spec.size) {
           // The window may change its size on the way; a film must not.
-          const Vec2 extent = source.picture_extent(spec);
+          const ScreenVector extent = source.picture_extent(spec);
           recorder_.fix_size(picture_size(spec, extent.x(), extent.y()));
           spec = recorder_.spec().picture;
         }

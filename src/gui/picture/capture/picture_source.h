@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gui/base/screen.h"
 #include "gui/picture/figure/vector_figure.h"
 #include "gui/render/image.h"
 #include "gui/settings/picture_spec.h"
@@ -15,7 +16,7 @@ class PictureSource {
   /// Throws UsageError for a size out of range, Error where OpenGL cannot.
   virtual Image picture(const PictureSpec& spec) = 0;
   /// Width and height on screen, pixels, of what a picture shows.
-  virtual Vec2 picture_extent(const PictureSpec& spec) const = 0;
+  virtual ScreenVector picture_extent(const PictureSpec& spec) const = 0;
   /// The mesh alone, for vector graphics.
   virtual VectorFigure figure(bool legend) const = 0;
 };

@@ -4,9 +4,10 @@
 
 namespace winslow::gui {
 
-std::optional<std::array<Vec2, 2>> clip_line(const Vec2& a, const Vec2& b, const Bounds& box) {
+std::optional<std::array<ScreenPoint, 2>> clip_line(const ScreenPoint& a, const ScreenPoint& b,
+                                                    const ScreenBox& box) {
   // Liang and Barsky: the line is a + t (b - a); each side narrows the range of t.
-  const Vec2 d = b - a;
+  const ScreenVector d = b - a;
   double first = 0;
   double last = 1;
   for (const int axis : {0, 1}) {
@@ -18,21 +19,21 @@ std::optional<std::array<Vec2, 2>> clip_line(const Vec2& a, const Vec2& b, const
     }
   }
   if (first > last) return std::nullopt;
-  return std::array<Vec2, 2>{Vec2(a + first * d), Vec2(a + last * d)};
+  return std::array<ScreenPoint, 2>{ScreenPoint(a + first * d), ScreenPoint(a + last * d)};
 }
 
-std::vector<Vec2> clip_polygon(std::vector<Vec2> polygon, const Bounds& box) {
+std::vector<ScreenPoint> clip_polygon(std::vector<ScreenPoint> polygon, const ScreenBox& box) {
   // Sutherland and Hodgman: one side of the box after the other.
   for (const int axis : {0, 1})
     for (const bool upper : {false, true}) {
       const double limit = upper ? box.max[axis] : box.min[axis];
-      const auto inside = [&](const Vec2& p) {
+      const auto inside = [&](const ScreenPoint& p) {
         return upper ? p[axis] <= limit : p[axis] >= limit;
       };
-      std::vector<Vec2> kept;
+      std::vector<ScreenPoint> kept;
       for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Vec2& p = polygon[k];
-        const Vec2& q = polygon[(k + 1) % polygon.size()];
+        const ScreenPoint& p = polygon[k];
+        const ScreenPoint& q = polygon[(k + 1) % polygon.size()];
         if (inside(p)) kept.push_back(p);
         if (inside(p) != inside(q))
           kept.emplace_back(p + (limit - p[axis]) / (q[axis] - p[axis]) * (q - p));

@@ -24,15 +24,17 @@ constexpr double rim = 0.3;
 
 class MeshDrawing {
  public:
-  MeshDrawing(Page& page, const VectorFigure& figure, const Camera& camera, const Vec2& origin)
+  MeshDrawing(Page& page, const VectorFigure& figure, const Camera& camera,
+              const ScreenPoint& origin)
       : page_(page), figure_(figure), camera_(camera), theme_(picture_theme(figure.dark)) {
-    area_ = {origin, origin + Vec2(camera.viewport_width(), camera.viewport_height())};
-    box_ = {area_.min - Vec2::Constant(cell_margin), area_.max + Vec2::Constant(cell_margin)};
+    area_ = {origin, origin + ScreenVector(camera.viewport_width(), camera.viewport_height())};
+    box_ = {area_.min - ScreenVector(cell_margin, cell_margin),
+            area_.max + ScreenVector(cell_margin, cell_margin)};
     shift_ = origin - camera.viewport_origin();
   }
 
   void draw() {
-    const Vec2 size = area_.size();
+    const ScreenVector size = area_.size();
     page_.clip(area_.min.x(), area_.min.y(), size.x(), size.y());
     if (figure_.fill) draw_elements();
     const EdgeGroups groups = group_edges(topology());
@@ -43,15 +45,15 @@ class MeshDrawing {
 
  private:
   const Topology& topology() const { return *figure_.mesh.topology; }
-  Vec2 at(Index node) const {
+  ScreenPoint at(Index node) const {
     return camera_.to_screen(figure_.mesh.coordinates.xy(node)) + shift_;
   }
 
-  void add_polygon(std::vector<Vec2> polygon) {
+  void add_polygon(std::vector<ScreenPoint> polygon) {
     bool inside = true;
-    for (const Vec2& p : polygon)
-      inside =
-          inside && (p.array() >= box_.min.array()).all() && (p.array() <= box_.max.array()).all();
+    for (const ScreenPoint& p : polygon)
+      inside = inside && p.x() >= box_.min.x() && p.y() >= box_.min.y() && p.x() <= box_.max.x() &&
+               p.y() <= box_.max.y();
     if (!inside) polygon = clip_polygon(std::move(polygon), box_);
     if (polygon.size() < 3) return;
     page_.move_to(polygon[0].x(), polygon[0].y());
@@ -63,7 +65,7 @@ class MeshDrawing {
     const auto corners = topology().element(e);
     const Coordinates& x = figure_.mesh.coordinates;
     if (corners.size() == 3 || !is_inverted(x, corners)) {
-      std::vector<Vec2> polygon;
+      std::vector<ScreenPoint> polygon;
       for (const Index node : corners) polygon.push_back(at(node));
       // The polygon of a valid quadrilateral is convex, as clipping needs it.
       return add_polygon(std::move(polygon));
@@ -76,13 +78,14 @@ class MeshDrawing {
   }
 
   bool seen(Index e) const {
-    Bounds bounds{at(topology().element(e)[0]), at(topology().element(e)[0])};
+    ScreenBox box{at(topology().element(e)[0]), at(topology().element(e)[0])};
     for (const Index node : topology().element(e)) {
-      bounds.min = bounds.min.cwiseMin(at(node));
-      bounds.max = bounds.max.cwiseMax(at(node));
+      const ScreenPoint p = at(node);
+      box.min = {std::min(box.min.x(), p.x()), std::min(box.min.y(), p.y())};
+      box.max = {std::max(box.max.x(), p.x()), std::max(box.max.y(), p.y())};
     }
-    return (bounds.max.array() >= area_.min.array()).all() &&
-           (bounds.min.array() <= area_.max.array()).all();
+    return box.max.x() >= area_.min.x() && box.max.y() >= area_.min.y() &&
+           box.min.x() <= area_.max.x() && box.min.y() <= area_.max.y();
   }
 
   /// The middle of the colour's part of the scale, so that equal colours are one path.
@@ -179,14 +182,14 @@ class MeshDrawing {
   const VectorFigure& figure_;
   const Camera& camera_;
   const PictureTheme& theme_;
-  Bounds area_, box_;
-  Vec2 shift_;
+  ScreenBox area_, box_;
+  ScreenVector shift_;
 };
 
 }  // namespace
 
 void draw_figure_mesh(Page& page, const VectorFigure& figure, const Camera& camera,
-                      const Vec2& origin) {
+                      const ScreenPoint& origin) {
   MeshDrawing(page, figure, camera, origin).draw();
 }
 

@@ -10,6 +10,6 @@ namespace winslow::gui {
 /// in the colours of their values, inverted ones in red, edges, the boundary in its markers'
 /// colours. Each edge is drawn once; edges of one kind form one path.
 void draw_figure_mesh(Page& page, const VectorFigure& figure, const Camera& camera,
-                      const Vec2& origin);
+                      const ScreenPoint& origin);
 
 }  // namespace winslow::gui

@@ -13,11 +13,12 @@ constexpr double line_margin = 8;  // points around the viewport where lines go 
 
 class VcvDrawing {
  public:
-  VcvDrawing(Page& page, const VectorFigure& figure, const Vec2& origin)
+  VcvDrawing(Page& page, const VectorFigure& figure, const ScreenPoint& origin)
       : page_(page), figure_(figure), unit_(0.06 * figure.font_size) {
     const Camera& camera = figure.camera;
-    area_ = {origin, origin + Vec2(camera.viewport_width(), camera.viewport_height())};
-    box_ = {area_.min - Vec2::Constant(line_margin), area_.max + Vec2::Constant(line_margin)};
+    area_ = {origin, origin + ScreenVector(camera.viewport_width(), camera.viewport_height())};
+    box_ = {area_.min - ScreenVector(line_margin, line_margin),
+            area_.max + ScreenVector(line_margin, line_margin)};
     shift_ = origin - camera.viewport_origin();
   }
 
@@ -34,7 +35,7 @@ class VcvDrawing {
   }
 
  private:
-  Vec2 at(const Vec2& world) const { return figure_.camera.to_screen(world) + shift_; }
+  ScreenPoint at(const Vec2& world) const { return figure_.camera.to_screen(world) + shift_; }
 
   /// One path: between triangles that are filled one by one the ground would shine through.
   void draw_ground() {
@@ -49,7 +50,7 @@ class VcvDrawing {
     page_.fill();
   }
 
-  void add_line(const Vec2& a, const Vec2& b) {
+  void add_line(const ScreenPoint& a, const ScreenPoint& b) {
     const auto line = clip_line(a, b, box_);
     if (!line) return;
     page_.move_to((*line)[0].x(), (*line)[0].y());
@@ -89,14 +90,15 @@ class VcvDrawing {
   const VectorFigure& figure_;
   VcvColors colors_;
   double unit_;
-  Bounds area_, box_;
-  Vec2 shift_, centre_{0, 0};
-  std::vector<Vec2> ends_;
+  ScreenBox area_, box_;
+  ScreenVector shift_;
+  ScreenPoint centre_;
+  std::vector<ScreenPoint> ends_;
 };
 
 }  // namespace
 
-void draw_figure_vcvs(Page& page, const VectorFigure& figure, const Vec2& origin) {
+void draw_figure_vcvs(Page& page, const VectorFigure& figure, const ScreenPoint& origin) {
   const Bounds seen = figure.camera.visible();
   const Camera& camera = figure.camera;
   page.clip(origin.x(), origin.y(), camera.viewport_width(), camera.viewport_height());

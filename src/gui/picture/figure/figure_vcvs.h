@@ -7,6 +7,6 @@ namespace winslow::gui {
 
 /// Draws the VCVs of a figure over its mesh, shifted by `origin` on the page, as draw_vcvs() does
 /// on screen.
-void draw_figure_vcvs(Page& page, const VectorFigure& figure, const Vec2& origin);
+void draw_figure_vcvs(Page& page, const VectorFigure& figure, const ScreenPoint& origin);
 
 }  // namespace winslow::gui

@@ -15,8 +15,8 @@ namespace winslow::gui {
 
 /// A place of the mesh drawn larger, over a part of it.
 struct FigureInset {
-  Camera camera;  ///< its viewport is where the inset goes, as the figure's
-  Bounds source;  ///< what it magnifies, in points
+  Camera camera;     ///< its viewport is where the inset goes, as the figure's
+  ScreenBox source;  ///< what it magnifies
 };
 
 /// A mesh as vector graphics: what is drawn. Lengths are points, 1/72 of an inch, which stand for

@@ -78,7 +78,7 @@ class FigureDrawing {
   }
   double bar_width() const { return figure_.legend->histogram ? 4 * em_ : em_; }
 
-  void draw_legend(const Vec2& at, double height) {
+  void draw_legend(const ScreenPoint& at, double height) {
     const Legend& legend = *figure_.legend;
     page_.set_color(rgb(theme_.ink));
     page_.text(at.x(), at.y() + 0.5 * em_, legend.title, em_, FontWeight::semibold);
@@ -142,12 +142,13 @@ class FigureDrawing {
   }
 
   /// A frame, a line to what it magnifies, a frame around that.
-  void draw_inset(const FigureInset& inset, const Vec2& origin) {
-    const Vec2 shift = origin - figure_.camera.viewport_origin();
-    const Vec2 at = inset.camera.viewport_origin() + shift;
-    const Vec2 size(inset.camera.viewport_width(), inset.camera.viewport_height());
-    const Vec2 from = inset.source.min + shift, extent = inset.source.size();
-    const Vec2 middle = from + 0.5 * extent, centre = at + 0.5 * size;
+  void draw_inset(const FigureInset& inset, const ScreenPoint& origin) {
+    const ScreenVector shift = origin - figure_.camera.viewport_origin();
+    const ScreenPoint at = inset.camera.viewport_origin() + shift;
+    const ScreenVector size(inset.camera.viewport_width(), inset.camera.viewport_height());
+    const ScreenPoint from = inset.source.min + shift;
+    const ScreenVector extent = inset.source.size();
+    const ScreenPoint middle = from + 0.5 * extent, centre = at + 0.5 * size;
     page_.clip(origin.x(), origin.y(), figure_.camera.viewport_width(),
                figure_.camera.viewport_height());
     page_.set_color(rgb(theme_.ink));

@@ -30,10 +30,10 @@ class FrameTaker {
   void take() {
     PictureSpec spec = options_.recording.picture;
     if (!spec.size) {
-      const Vec2 extent = studio_.bench().picture_extent(spec);
+      const ScreenVector extent = studio_.bench().pictures().picture_extent(spec);
       spec.size = picture_size(spec, extent.x(), extent.y());
     }
-    recorder_.add(studio_.bench().picture(spec));  // waits for the disk where need be
+    recorder_.add(studio_.bench().pictures().picture(spec));  // waits for the disk where need be
   }
 
   /// Returns what to tell the user.
@@ -76,11 +76,11 @@ void judge(const Session& session, HeadlessResult& result) {
 void write_picture(HeadlessStudio& studio, const HeadlessOptions& options) {
   const PictureSpec& spec = options.recording.picture;
   if (is_vector_format(options.picture))
-    write_figure(options.picture, studio.bench().figure(spec.legend));
+    write_figure(options.picture, studio.bench().pictures().figure(spec.legend));
   else if (spec == PictureSpec{})
-    write_png(options.picture, studio.bench().picture());
+    write_png(options.picture, studio.bench().pictures().picture());
   else
-    write_png(options.picture, studio.bench().picture(spec));
+    write_png(options.picture, studio.bench().pictures().picture(spec));
 }
 
 }  // namespace

@@ -76,20 +76,21 @@ class ScriptPlayer {
   }
 
   /// Pixel of a point of the mesh.
-  Vec2 mesh_point(const std::vector<std::string>& words, std::size_t first) {
-    return bench().camera().to_screen({number(words[first]), number(words[first + 1])});
+  ScreenPoint mesh_point(const std::vector<std::string>& words, std::size_t first) {
+    return bench().view_control().camera().to_screen(
+        {number(words[first]), number(words[first + 1])});
   }
 
   /// Pixel of a widget, or of a point of the mesh where there are two numbers.
-  Vec2 target(const std::vector<std::string>& words, std::size_t first) {
+  ScreenPoint target(const std::vector<std::string>& words, std::size_t first) {
     return words.size() == first + 2 ? mesh_point(words, first) : widget(words[first]);
   }
-  Vec2 widget(const std::string& id) {
+  ScreenPoint widget(const std::string& id) {
     auto found = bench().widgets().find(id);
     if (found && !found->shown) {
-      bench().scroll_to(id);
+      bench().widgets().want(id);
       studio_.frames(3);  // one asks for it, the next scrolls, the last is laid out there
-      bench().scroll_to({});
+      bench().widgets().want({});
       found = bench().widgets().find(id);
     }
     if (!found) throw UsageError("there is no widget \"" + id + "\" on screen");
@@ -98,7 +99,7 @@ class ScriptPlayer {
     return found->centre();
   }
 
-  void move(const Vec2& to) {
+  void move(const ScreenPoint& to) {
     input().move(to);
     studio_.frames(2);
   }
@@ -107,7 +108,7 @@ class ScriptPlayer {
     input().leave();
     studio_.frames(3);
   }
-  void press(const Vec2& at) {
+  void press(const ScreenPoint& at) {
     move(at);
     input().button(MouseButton::left, true);
     studio_.frames(1);
@@ -116,17 +117,17 @@ class ScriptPlayer {
     input().button(MouseButton::left, false);
     studio_.frames();
   }
-  void click(const Vec2& at) {
+  void click(const ScreenPoint& at) {
     press(at);
     release();
   }
-  void drag(const Vec2& from, const Vec2& to) {
+  void drag(const ScreenPoint& from, const ScreenPoint& to) {
     press(from);
     for (int k = 1; k <= drag_steps; ++k)
       move(from + (to - from) * (static_cast<double>(k) / drag_steps));
     release();
   }
-  void wheel(const Vec2& at, double notches) {
+  void wheel(const ScreenPoint& at, double notches) {
     move(at);
     input().wheel({0, notches});
     studio_.frames();
@@ -176,9 +177,10 @@ class ScriptPlayer {
     const std::filesystem::path path = out_ / words[1];
     check_picture_name(path);
     if (is_vector_format(path))
-      write_figure(path, bench().figure(spec.legend));
+      write_figure(path, bench().pictures().figure(spec.legend));
     else
-      write_png(path, spec == PictureSpec{} ? bench().picture() : bench().picture(spec));
+      write_png(path, spec == PictureSpec{} ? bench().pictures().picture()
+                                            : bench().pictures().picture(spec));
     say_("Wrote " + path.string());
   }
 

@@ -34,7 +34,8 @@ Dialogs::~Dialogs() = default;
 
 const FileDialog& Dialogs::file_dialog() const { return windows_->file; }
 
-void Dialogs::draw(const PanelContext& context, const Vec2& window, const Vec2& mesh) {
+void Dialogs::draw(const PanelContext& context, const ScreenVector& window,
+                   const ScreenVector& mesh) {
   Windows& w = *windows_;
   w.picture.set_extents(window, mesh);
   w.record.set_extents(window, mesh);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "gui/base/screen.h"
 #include "gui/document/actions/dialog_actions.h"
 #include "gui/document/actions/dispatch.h"
 #include "gui/menu/panel_context.h"
@@ -23,7 +24,7 @@ class Dialogs {
   void apply(const DialogAction& action) { Dispatch::to(*this, action); }
   const FileDialog& file_dialog() const;
   /// Draws those that are up. window, mesh: their sizes on screen, pixels.
-  void draw(const PanelContext& context, const Vec2& window, const Vec2& mesh);
+  void draw(const PanelContext& context, const ScreenVector& window, const ScreenVector& mesh);
 
  private:
   friend class Dispatch;

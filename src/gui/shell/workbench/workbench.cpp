@@ -6,21 +6,21 @@
 
 #include <algorithm>
 #include <string_view>
-#include <system_error>
-#include <utility>
 
 #include "gui/menu/shortcuts.h"
 #include "gui/panels/files/file_dialog.h"
-#include "gui/render/frame_buffer.h"
-#include "gui/render/gl.h"
-#include "gui/shell/workbench/panel_list.h"
-#include "gui/view/navigation/go_to.h"
 
 namespace winslow::gui {
 
 namespace {
 
-constexpr int samples = 4;
+// Held longer than this, the magnifier's key is let go of to be rid of it.
+constexpr float tap_seconds = 0.4f;
+
+bool magnifier_let_go() {
+  return ImGui::GetIO().KeysDownDurationPrev[GLFW_KEY_M] > tap_seconds &&
+         ImGui::IsKeyReleased(GLFW_KEY_M);
+}
 
 bool popup_open() {
   return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
@@ -42,11 +42,12 @@ void close_list() {
 }  // namespace
 
 Workbench::Workbench(const WorkbenchOptions& options)
-    : options_(options),
+    : demo_meshes_(options.demo_meshes),
       settings_file_(options.profile),
-      ui_(std::make_unique<UiLayer>(options.scale)),
+      window_(options.scale),
       autosave_(options.profile),
-      panels_(make_panels()) {
+      view_control_(session_, options.scale),
+      pictures_({session_, context(), view_control_.view(), window_, regions_, pane_}) {
   take_settings(settings_file_.initial());
 }
 
@@ -59,69 +60,74 @@ void Workbench::apply(const Action& action) {
 }
 
 bool Workbench::poll() {
-  const bool drawn = mesh_view_.poll();
-  const bool compared = before_.poll();
+  const bool drawn = pane_.poll();
   const bool captured = capture_.poll();
-  const bool pictured = shows_welcome() && welcome_.busy();
+  const bool pictured = regions_.shows_welcome(session_) && regions_.welcome().busy();
   const bool changed = session_.poll();
-  return autosave_.update(session_) || drawn || compared || captured || pictured || changed;
+  return autosave_.update(session_) || drawn || captured || pictured || changed;
 }
 
 bool Workbench::settled() const {
-  if (session_.working() || mesh_view_.busy() || before_.busy() || capture_.busy() ||
-      file_dialog().busy())
+  if (session_.working() || pane_.busy() || capture_.busy() || dialogs_.file_dialog().busy())
     return false;
   if (demo_.demo() && (demo_.automatic() || !demo_.ready(session_))) return false;
-  if (shows_welcome() && welcome_.busy()) return false;
+  if (regions_.shows_welcome(session_) && regions_.welcome().busy()) return false;
   if (!session_.document()) return true;
   const auto& measured = session_.quality().latest();
-  return measured && measured->shape == session_.shape() && measured->field == view_.color;
+  return measured && measured->shape == session_.shape() &&
+         measured->field == view_control_.options().color;
 }
 
 void Workbench::update(const InputState& input, int width, int height, double seconds) {
-  width_ = std::max(width, 1);
-  height_ = std::max(height, 1);
+  window_.width = std::max(width, 1);
+  window_.height = std::max(height, 1);
   poll();
-  before_.update(session_, view_);
-  ui_->set_scale(scale());
-  ui_->set_palette(view_.lightness == Lightness::dark ? dark_palette() : light_palette());
-  ui_->begin(input, width_, height_, seconds);
+  pane_.update_before();
+  const ViewOptions& view = view_control_.options();
+  view_control_.scale().set_window(window_.width, window_.height);
+  window_.ui.set_scale(view_control_.scale().of(view.scale));
+  window_.ui.set_palette(view.lightness == Lightness::dark ? dark_palette() : light_palette());
+  window_.ui.begin(input, window_.width, window_.height, seconds);
   demo_.update(session_, seconds, actions_);
   take_input(input);
-  draw_menu();
-  const Area& v = layout_.viewport;
-  camera_.set_viewport(v.x, v.y, v.width, v.height);
-  if (generation_ != session_.generation()) look_at_start();
-  view_state_.can_go_back = view_history_.can_go_back(camera_);
-  view_state_.can_go_forward = view_history_.can_go_forward();
-  draw_regions();
-  draw_splitters();
-  draw_viewport();
-  dialogs_.draw(context(), Vec2(width_, height_), Vec2(v.width, v.height));
-  drive_viewport(input);
-  view_history_.observe(camera_, viewport_.gesture() != Viewport::Gesture::none, seconds);
+  draw_window(input);
+  view_control_.observe(pane_.viewport().gesture() != Viewport::Gesture::none, seconds);
   dispatch();
   finish_frame();
   follow_files(seconds);
-  forget_pictures(seconds);
+  pictures_.forget_idle(seconds);
   keep_settings(seconds);
+}
+
+void Workbench::draw_window(const InputState& input) {
+  const PanelContext shown = context();
+  regions_.draw_menu(shown, window_);
+  const Area& v = window_.layout.viewport;
+  if (view_control_.begin_frame(v.x, v.y, v.width, v.height)) regions_.welcome().close();
+  regions_.draw(shown, window_.layout);
+  if (const auto divided = regions_.drag_splitters(shown, window_.layout))
+    view_control_.move_divider(static_cast<double>(*divided / v.width));
+  regions_.draw_over_mesh(shown, v, Regions::Cards::all);
+  const auto card = demo_.demo() ? widgets().find("demo/card") : std::nullopt;
+  view_control_.set_card(card ? std::optional(ScreenBox{card->min, card->max}) : std::nullopt);
+  dialogs_.draw(shown, ScreenVector(window_.width, window_.height),
+                ScreenVector(v.width, v.height));
+  pane_.drive(input, shown, v);
 }
 
 void Workbench::take_input(const InputState& input) {
   take_dropped(input);
   const bool listed = popup_open();
   close_list();
-  if (listed || ui_->wants_keyboard()) return;
-  if (view_state_.box_zoom_armed && ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
-    view_state_.box_zoom_armed = false;
-    return;
-  }
-  release_lens();
-  handle_shortcuts(context(), viewport_.dragging());
+  if (listed || window_.ui.wants_keyboard()) return;
+  if (view_control_.state().box_zoom_armed && ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false))
+    return view_control_.disarm_box_zoom();
+  if (magnifier_let_go()) view_control_.release_magnifier();
+  handle_shortcuts(context(), pane_.viewport().dragging());
 }
 
 void Workbench::dispatch() {
-  view_state_.go_to_wanted = false;
+  view_control_.end_requests();
   // Actions may bring forth others (a choice in a dialog); those come in the same frame.
   for (std::size_t i = 0; i < actions_.size(); ++i) {
     const Action action = actions_[i];
@@ -131,81 +137,21 @@ void Workbench::dispatch() {
 }
 
 void Workbench::finish_frame() {
-  if (generation_ != session_.generation()) look_at_start();
-  if (session_.mesh().boundary() && !session_.in_motion())
-    reach_ = session_.mesh().boundary()->reach(session_.selection().markers(),
-                                               session_.selection().pivot());
-  session_.quality().watch(view_.color);
-  update_mesh_view();
-  draw_overlays(*ImGui::GetBackgroundDrawList());
-  ui_->end();
-  capture_.after_frame(*this);
-}
-
-void Workbench::paint() {
-  glViewport(0, 0, width_, height_);
-  glDisable(GL_SCISSOR_TEST);
-  const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(
-      (view_.lightness == Lightness::dark ? dark_palette() : light_palette()).card);
-  glClearColor(ground.x, ground.y, ground.z, 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  tile_ = {0, 0, static_cast<float>(width_), static_cast<float>(height_)};
-  mesh_view_.draw_kept(camera_, width_, height_);
-  ui_->paint();
-}
-
-Image Workbench::picture() {
-  GLint bound = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-  FrameBuffer buffer(width_, height_, samples);
-  buffer.bind();
-  paint();
-  Image image = buffer.read();
-  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
-  return image;
-}
-
-int Workbench::cursor() const {
-  if (viewport_.gesture() == Viewport::Gesture::pan ||
-      viewport_.gesture() == Viewport::Gesture::box)
-    return ImGuiMouseCursor_ResizeAll;
-  if (viewport_.dragging() || viewport_.over_body() || viewport_.hovered_handle() != Handle::none ||
-      viewport_.hovered_node())
-    return ImGuiMouseCursor_Hand;
-  return ui_->cursor();
+  if (view_control_.follow_mesh()) regions_.welcome().close();
+  pane_.measure_selection();
+  session_.quality().watch(view_control_.options().color);
+  pane_.update(view_control_.options(), view_control_.view(), theme().scale);
+  const PanelContext shown = context();
+  pane_.draw_overlays(*ImGui::GetBackgroundDrawList(),
+                      {shown, view_control_.view(), layout().viewport, pane_.lens()});
+  window_.ui.end();
+  capture_.after_frame(pictures_);
 }
 
 std::string Workbench::title() const {
   const Document* document = session_.document();
   if (!document) return "winslow";
   return (document->modified() ? "* " : "") + document->name() + " - winslow";
-}
-
-void Workbench::on(const action::InspectNode& a) {
-  session_.apply(action::SelectNode{a.node});
-  if (!a.node) return;
-  view_.side_tab = SideTab::vcv;
-  view_.right_panel = true;
-  // A number that was typed may be that of a node anywhere.
-  if (session_.nodes().inspected() != a.node) return;
-  const Vec2 pixel =
-      camera_.to_screen(session_.coordinates().xy(*a.node)) - camera_.viewport_origin();
-  const Vec2 size(camera_.viewport_width(), camera_.viewport_height());
-  if ((pixel.array() >= 0).all() && (pixel.array() <= size.array()).all()) return;
-  const Bounds box = surroundings({MeshItem::Kind::node, *a.node}, session_);
-  on(action::LookAt{box.centre(), 4 * box.size().norm()});
-}
-
-void Workbench::on(const action::RestoreSession& a) {
-  const Document* document = session_.document();
-  if (a.discard_changes || !document || !(document->modified() || session_.in_motion()))
-    return autosave_.restore(a.folder);
-  session_.messages().ask(
-      {Prompt::Kind::question,
-       "Discard the changes?",
-       document->name() + " has changes that are not saved. Restoring the session would lose them.",
-       {{"Discard and restore", {action::RestoreSession{a.folder, true}}, false},
-        {"Cancel", {}, true}}});
 }
 
 }  // namespace winslow::gui

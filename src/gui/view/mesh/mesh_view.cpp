@@ -143,14 +143,13 @@ void MeshView::draw_kept(const Camera& camera, int width, int height) {
 }
 
 void MeshView::draw_split(const Camera& camera, int width, int height) {
-  const Vec2 from = camera.viewport_origin();
-  const Vec2 to = from + Vec2(camera.viewport_width(), camera.viewport_height());
+  const auto [from, to] = camera.viewport();
   const double middle = std::clamp(camera.to_screen(Vec2(divider_, 0)).x(), from.x(), to.x());
   MeshStyle left = style_;
-  left.clip = Bounds{from, Vec2(middle, to.y())};
+  left.clip = ScreenBox{from, {middle, to.y()}};
   before_.renderer().draw(camera, left, width, height);
   MeshStyle right = style_;
-  right.clip = Bounds{Vec2(middle, from.y()), to};
+  right.clip = ScreenBox{{middle, from.y()}, to};
   now_.renderer().draw(camera, right, width, height);
 }
 

@@ -33,6 +33,8 @@ class MeshView {
   void forget_picture() { kept_key_.reset(); }
   /// The mesh on screen is drawn, though perhaps without its colours yet.
   bool has_mesh() const { return has_mesh_ && now_.has_mesh(); }
+  /// It has its colours, too.
+  bool has_colors() const { return has_mesh() && legend().has_value(); }
   /// Where the mesh before ends and the mesh now begins, if they are side by side: x of the mesh.
   void set_divider(double x) { divider_ = x; }
   /// The present mesh alone, with the camera of a magnifier.

@@ -103,12 +103,12 @@ std::vector<std::pair<std::string, std::string>> describe_node(Index i, const Se
   const Vec2 p = session.coordinates().xy(i);
   std::string markers;
   for (std::size_t m = 0; m < topology.markers().size(); ++m) {
-    const auto nodes = topology.marker_nodes(static_cast<Index>(m));
+    const auto nodes = topology.markers().nodes(static_cast<Index>(m));
     if (std::ranges::binary_search(nodes, i))
       markers += (markers.empty() ? "" : ", ") + topology.markers()[m].name;
   }
   const char* role = !topology.used(i)         ? "unused"
-                     : topology.constrained(i) ? "boundary"
+                     : topology.on_boundary(i) ? "boundary"
                                                : "interior";
   return {{"Node " + std::to_string(i), role},
           {"x", coordinate(p.x())},
@@ -125,8 +125,8 @@ MeshItem parse_item(const std::string& text, const Session& session, const ViewO
   if (wanted.empty()) throw UsageError(expected);
   const Topology& topology = *session.topology();
   // A marker may be called "n1" or "worst": a name that exists wins.
-  if (const auto marker = topology.find_marker(wanted); marker)
-    if (const auto nodes = topology.marker_nodes(*marker); !nodes.empty())
+  if (const auto marker = topology.markers().find(wanted); marker)
+    if (const auto nodes = topology.markers().nodes(*marker); !nodes.empty())
       return {MeshItem::Kind::node, nodes.front()};
   if (const auto number = whole_number(wanted))
     return checked(MeshItem::Kind::element, *number, topology);

@@ -6,7 +6,7 @@ namespace winslow::gui {
 
 namespace {
 
-ImVec2 pixel(const Vec2& p) { return {static_cast<float>(p.x()), static_cast<float>(p.y())}; }
+ImVec2 pixel(const ScreenPoint& p) { return static_cast<ImVec2>(p); }
 
 ImU32 halo() { return faded(palette().card, 0.8f); }
 
@@ -31,12 +31,13 @@ void draw_arrow(ImDrawList& list, const Gizmo& g, int axis, bool hot, const Them
   const ImU32 paint = axis == 0 ? palette().axis_x : palette().axis_y;
   const ImVec2 from = pixel(g.shaft(axis));
   const ImVec2 to = pixel(g.tip(axis));
-  const Vec2 along = (g.tip(axis) - g.shaft(axis)).normalized();
-  const Vec2 across(-along.y(), along.x());
+  const ScreenVector shaft = g.tip(axis) - g.shaft(axis);
+  const ScreenVector along = shaft / shaft.norm();
+  const ScreenVector across(-along.y(), along.x());
   const double head = static_cast<double>(theme.px(hot ? 12.0f : 10.0f));
-  const Vec2 end = g.tip(axis) + 0.5 * head * along;
-  const Vec2 left = end - head * along + 0.42 * head * across;
-  const Vec2 right = end - head * along - 0.42 * head * across;
+  const ScreenPoint end = g.tip(axis) + 0.5 * head * along;
+  const ScreenPoint left = end - head * along + 0.42 * head * across;
+  const ScreenPoint right = end - head * along - 0.42 * head * across;
   const float width = theme.px(hot ? 3.2f : 2.2f);
   list.AddLine(from, to, halo(), width + theme.px(2.5f));
   list.AddTriangle(pixel(end), pixel(left), pixel(right), halo(), theme.px(2.5f));

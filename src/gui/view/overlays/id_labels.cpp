@@ -24,31 +24,20 @@ bool within(const Bounds& box, const Vec2& p) {
 }  // namespace
 
 IdLabels::Key IdLabels::key_of(const ViewOverlay& o) {
-  const Vec2 origin = o.camera.viewport_origin();
-  return {o.session.generation(),
-          o.session.shape(),
-          o.camera.centre().x(),
-          o.camera.centre().y(),
-          o.camera.units_per_pixel(),
-          origin.x(),
-          origin.y(),
-          o.camera.viewport_width(),
-          o.camera.viewport_height(),
-          o.theme.scale,
-          o.view.node_ids,
-          o.view.element_ids};
+  return {o.session.generation(), o.session.shape(),  o.view.visible(),     o.view.viewport(),
+          o.theme.scale,          o.options.node_ids, o.options.element_ids};
 }
 
 void IdLabels::find(const ViewOverlay& o) {
   labels_.clear();
-  if (o.view.element_ids) find_elements(o);
-  if (o.view.node_ids) find_nodes(o);
+  if (o.options.element_ids) find_elements(o);
+  if (o.options.node_ids) find_nodes(o);
 }
 
 void IdLabels::find_nodes(const ViewOverlay& o) {
   const Topology& topology = *o.session.topology();
   const Coordinates& x = o.session.coordinates();
-  const Bounds seen = o.camera.visible();
+  const Bounds seen = o.view.visible();
   for (Index i = 0; i < x.size() && labels_.size() < most_labels; ++i) {
     const Vec2 p = x.xy(i);
     if (!within(seen, p) || !topology.used(i)) continue;
@@ -57,16 +46,16 @@ void IdLabels::find_nodes(const ViewOverlay& o) {
       shortest = std::min(shortest, (x.xy(j) - p).norm());
     const std::string text = std::to_string(i);
     // Half of an edge belongs to each of its ends.
-    const double room = shortest / o.camera.units_per_pixel();
+    const double room = shortest / o.view.pixel_size(p);
     if (room < static_cast<double>(size_of(o.theme, text).x + o.theme.px(10))) continue;
-    labels_.push_back({o.camera.to_screen(p), text, true});
+    labels_.push_back({o.view.to_screen(p), text, true});
   }
 }
 
 void IdLabels::find_elements(const ViewOverlay& o) {
   const Topology& topology = *o.session.topology();
   const Coordinates& x = o.session.coordinates();
-  const Bounds seen = o.camera.visible();
+  const Bounds seen = o.view.visible();
   for (Index e = 0; e < topology.element_count() && labels_.size() < most_labels; ++e) {
     const auto nodes = topology.element(e);
     Vec2 middle(0, 0);
@@ -82,16 +71,16 @@ void IdLabels::find_elements(const ViewOverlay& o) {
       around += (b - a).norm();
     }
     // Twice the area over the girth is the radius of a circle inside.
-    const double radius = std::abs(twice_area) / around / o.camera.units_per_pixel();
+    const double radius = std::abs(twice_area) / around / o.view.pixel_size(middle);
     const std::string text = std::to_string(e);
     const ImVec2 size = size_of(o.theme, text);
     if (2 * radius < static_cast<double>(std::hypot(size.x, size.y))) continue;
-    labels_.push_back({o.camera.to_screen(middle), text, false});
+    labels_.push_back({o.view.to_screen(middle), text, false});
   }
 }
 
 void IdLabels::draw(ImDrawList& list, const ViewOverlay& o) {
-  if (!o.view.node_ids && !o.view.element_ids) {
+  if (!o.options.node_ids && !o.options.element_ids) {
     key_ = Key();
     return;
   }
@@ -115,9 +104,9 @@ void IdLabels::draw(ImDrawList& list, const ViewOverlay& o) {
     ui::note((label.node ? "id/n" : "id/e") + label.text, min, max);
   }
   if (!labels_.empty()) return;
-  const Vec2 origin = o.camera.viewport_origin();
-  const float y = static_cast<float>(origin.y() + o.camera.viewport_height()) - o.theme.px(36);
-  draw_tag(list, o.theme, ImVec2(static_cast<float>(origin.x()) + o.theme.px(12), y),
+  const ScreenBox seen = o.view.viewport();
+  const float y = static_cast<float>(seen.max.y()) - o.theme.px(36);
+  draw_tag(list, o.theme, ImVec2(static_cast<float>(seen.min.x()) + o.theme.px(12), y),
            "Zoom in to see the ids");
   ui::note("id/none", ImVec2(0, y), ImVec2(1, y + 1));
 }

@@ -18,14 +18,15 @@ class IdLabels {
 
  private:
   struct Label {
-    Vec2 at;  ///< pixels, middle of the text
+    ScreenPoint at;  ///< middle of the text
     std::string text;
     bool node = false;
   };
   /// What the labels depend on.
   struct Key {
     std::uint64_t generation = 0, shape = 0;
-    double x = 0, y = 0, units = 0, left = 0, top = 0, width = 0, height = 0;
+    Bounds seen{{0, 0}, {0, 0}};
+    ScreenBox viewport;
     float scale = 0;
     bool nodes = false, elements = false;
     bool operator==(const Key&) const = default;

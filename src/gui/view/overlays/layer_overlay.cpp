@@ -11,34 +11,37 @@ namespace winslow::gui {
 
 namespace {
 
-ImVec2 pixel(const Vec2& p) { return {static_cast<float>(p.x()), static_cast<float>(p.y())}; }
+ImVec2 pixel(const ScreenPoint& p) { return static_cast<ImVec2>(p); }
 
-/// Nodes of a planned column, the wall's first, in pixels.
-std::vector<Vec2> points_of(const LayerColumn& column, const Coordinates& x, const Camera& camera) {
-  std::vector<Vec2> points{x.xy(column.wall_node)};
-  for (std::size_t k = 0; k < column.count(); ++k)
-    points.push_back(points.back() + wanted_length(column, k) * column.direction);
-  for (Vec2& p : points) p = camera.to_screen(p);
+/// Nodes of a planned column, the wall's first.
+std::vector<ScreenPoint> points_of(const LayerColumn& column, const Coordinates& x,
+                                   const View& view) {
+  Vec2 at = x.xy(column.wall_node);
+  std::vector<ScreenPoint> points{view.to_screen(at)};
+  for (std::size_t k = 0; k < column.count(); ++k) {
+    at += wanted_length(column, k) * column.direction;
+    points.push_back(view.to_screen(at));
+  }
   return points;
 }
 
 /// The outlines of layers that can be told apart on screen, and the last one.
-void draw_outlines(ImDrawList& list, const Overlay& o, const std::vector<Vec2>& a,
-                   const std::vector<Vec2>& b) {
+void draw_outlines(ImDrawList& list, const Overlay& o, const std::vector<ScreenPoint>& a,
+                   const std::vector<ScreenPoint>& b) {
   constexpr double apart = 2.5;  // pixels
   const std::size_t top = std::max(a.size(), b.size());
-  Vec2 last = a.front();
+  ScreenPoint last = a.front();
   for (std::size_t k = 1; k < top; ++k) {
-    const Vec2 from = a[std::min(k, a.size() - 1)];
-    const Vec2 to = b[std::min(k, b.size() - 1)];
+    const ScreenPoint from = a[std::min(k, a.size() - 1)];
+    const ScreenPoint to = b[std::min(k, b.size() - 1)];
     if (k + 1 < top && (from - last).norm() < apart) continue;
     last = from;
     list.AddLine(pixel(from), pixel(to), faded(palette().accent, 0.7f), o.theme.px(1));
   }
 }
 
-double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const double length = (b - a).squaredNorm();
+double distance(const ScreenPoint& p, const ScreenPoint& a, const ScreenPoint& b) {
+  const double length = (b - a).squared_norm();
   const double t = length > 0 ? std::clamp((p - a).dot(b - a) / length, 0.0, 1.0) : 0.0;
   return (p - a - t * (b - a)).norm();
 }
@@ -61,14 +64,13 @@ void draw_layer_preview(ImDrawList& list, const Overlay& o) {
   const LayerStack* plan = o.session.jobs().layer_preview().plan();
   if (!plan || o.session.in_motion()) return;
   const Coordinates& x = o.session.jobs().layer_preview().coordinates();
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const Vec2 pointer(static_cast<double>(mouse.x), static_cast<double>(mouse.y));
+  const ScreenPoint pointer(ImGui::GetIO().MousePos);
   double nearest = static_cast<double>(o.theme.px(6));
   const LayerColumn* pointed = nullptr;
-  std::vector<std::vector<Vec2>> columns;
+  std::vector<std::vector<ScreenPoint>> columns;
   columns.reserve(plan->columns.size());
   for (const LayerColumn& column : plan->columns) {
-    columns.push_back(points_of(column, x, o.camera));
+    columns.push_back(points_of(column, x, o.view));
     const auto& points = columns.back();
     const bool cut = cut_short(column);
     list.AddLine(pixel(points.front()), pixel(points.back()),

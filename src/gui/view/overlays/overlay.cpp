@@ -18,7 +18,7 @@ namespace winslow::gui {
 
 namespace {
 
-ImVec2 pixel(const Vec2& p) { return {static_cast<float>(p.x()), static_cast<float>(p.y())}; }
+ImVec2 pixel(const ScreenPoint& p) { return static_cast<ImVec2>(p); }
 
 std::string number(double value, const char* format = "%.4g") {
   std::array<char, 48> buffer{};
@@ -35,9 +35,10 @@ struct Label {
 /// panels would cover them.
 ImVec2 beside_mouse(const Overlay& o, const ImVec2& size) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const ImVec2 start = pixel(o.camera.viewport_origin());
-  const float right = start.x + static_cast<float>(o.camera.viewport_width());
-  const float bottom = start.y + static_cast<float>(o.camera.viewport_height());
+  const ScreenBox seen = o.view.viewport();
+  const ImVec2 start = pixel(seen.min);
+  const float right = start.x + static_cast<float>(seen.size().x());
+  const float bottom = start.y + static_cast<float>(seen.size().y());
   ImVec2 at(mouse.x + o.theme.px(18), mouse.y + o.theme.px(14));
   if (at.x + size.x > right) at.x = std::max(start.x, mouse.x - o.theme.px(12) - size.x);
   if (at.y + size.y > bottom) at.y = std::max(start.y, mouse.y - o.theme.px(8) - size.y);
@@ -69,8 +70,8 @@ void draw_edges(ImDrawList& list, const Overlay& o, const std::vector<Index>& ma
   const Topology& topology = *o.session.mesh().motion_base().mesh.topology;
   for (Index m : markers)
     for (const Face& edge : topology.markers()[static_cast<std::size_t>(m)].faces)
-      list.AddLine(pixel(o.camera.to_screen(place(edge[0]))),
-                   pixel(o.camera.to_screen(place(edge[1]))), palette().accent, o.theme.px(1.5f));
+      list.AddLine(pixel(o.view.to_screen(place(edge[0]))), pixel(o.view.to_screen(place(edge[1]))),
+                   palette().accent, o.theme.px(1.5f));
 }
 
 /// The body where the mouse wants it: the mesh may be a step behind.
@@ -84,7 +85,7 @@ void draw_wanted(ImDrawList& list, const Overlay& o) {
   const auto& nodes = drag->grip().nodes;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Vec2 at = rest.xy(nodes[i]) + drag->grip().shares[i] * drag->wanted().translate;
-    list.AddCircleFilled(pixel(o.camera.to_screen(at)), o.theme.px(2.5f), palette().accent);
+    list.AddCircleFilled(pixel(o.view.to_screen(at)), o.theme.px(2.5f), palette().accent);
   }
 }
 
@@ -92,7 +93,7 @@ void draw_preview(ImDrawList& list, const Overlay& o) {
   const auto& preview = o.session.selection().deformation_preview();
   if (!preview) return;
   for (const auto& [a, b] : preview->outline)
-    list.AddLine(pixel(o.camera.to_screen(a)), pixel(o.camera.to_screen(b)), palette().accent,
+    list.AddLine(pixel(o.view.to_screen(a)), pixel(o.view.to_screen(b)), palette().accent,
                  o.theme.px(1.5f));
 }
 
@@ -104,7 +105,7 @@ void draw_shape(ImDrawList& list, const Overlay& o) {
     const DragGrip grip =
         grip_of(*edit.arc, edit.radius, *o.scene.boundary, *o.session.topology(), x);
     for (std::size_t i = 0; i < grip.nodes.size(); ++i) {
-      const ImVec2 at = pixel(o.camera.to_screen(x.xy(grip.nodes[i])));
+      const ImVec2 at = pixel(o.view.to_screen(x.xy(grip.nodes[i])));
       const auto share = static_cast<float>(grip.shares[i]);
       list.AddCircleFilled(at, o.theme.px(2.0f + 3.0f * share), palette().card);
       list.AddCircleFilled(at, o.theme.px(1.0f + 3.0f * share),
@@ -112,7 +113,7 @@ void draw_shape(ImDrawList& list, const Overlay& o) {
     }
   }
   if (const auto& node = o.viewport.hovered_node(); node && node->node < x.size()) {
-    const ImVec2 at = pixel(o.camera.to_screen(x.xy(node->node)));
+    const ImVec2 at = pixel(o.view.to_screen(x.xy(node->node)));
     list.AddCircle(at, o.theme.px(7), palette().card, 24, o.theme.px(4));
     list.AddCircle(at, o.theme.px(7), palette().accent, 24, o.theme.px(2));
   }
@@ -126,7 +127,7 @@ std::string motion_text(const Overlay& o) {
   std::string text =
       "x " + number(m.translate.x(), "%+.4g") + "   y " + number(m.translate.y(), "%+.4g");
   if (drag.axis()) text += *drag.axis() == 0 ? "   along x" : "   along y";
-  if (drag.snapped()) text += "   grid " + number(MotionGesture::grid_step(o.camera));
+  if (drag.snapped()) text += "   grid " + number(MotionGesture::grid_step(o.view, m.pivot));
   return text;
 }
 
@@ -168,10 +169,10 @@ void draw_rings(ImDrawList& list, const Overlay& o) {
   if (!o.session.document()) return;
   const Coordinates& x = o.session.coordinates();
   if (nodes.inspected())
-    draw_node_ring(list, pixel(o.camera.to_screen(x.xy(*nodes.inspected()))), o.theme.px(6),
+    draw_node_ring(list, pixel(o.view.to_screen(x.xy(*nodes.inspected()))), o.theme.px(6),
                    o.theme.px(2), palette().accent);
   if (nodes.hovered())
-    draw_node_ring(list, pixel(o.camera.to_screen(x.xy(*nodes.hovered()))), o.theme.px(8),
+    draw_node_ring(list, pixel(o.view.to_screen(x.xy(*nodes.hovered()))), o.theme.px(8),
                    o.theme.px(1.5f), palette().accent);
 }
 
@@ -182,7 +183,7 @@ void draw_pins(ImDrawList& list, const Overlay& o) {
   std::vector<NodalView> pinned;
   for (const Index node : o.session.nodes().pinned())
     pinned.push_back(inspect_node(*o.session.vcv(), o.session.coordinates(), node));
-  draw_vcvs(list, o.camera, pinned, o.theme.px(1), o.theme.small);
+  draw_vcvs(list, o.view, pinned, o.theme.px(1), o.theme.small);
 }
 
 void draw_overlay(ImDrawList& list, const Overlay& o) {
@@ -197,7 +198,7 @@ void draw_overlay(ImDrawList& list, const Overlay& o) {
 
 void draw_handles(ImDrawList& list, const Overlay& o) {
   if (!o.session.document()) return;
-  if (const auto gizmo = Viewport::gizmo(o.scene, o.camera))
+  if (const auto gizmo = Viewport::gizmo(o.scene, o.view))
     draw_gizmo(list, *gizmo, hot_handle(o.viewport),
                o.viewport.gesture() == Viewport::Gesture::rotate, o.theme);
 }

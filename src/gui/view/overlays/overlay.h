@@ -3,7 +3,7 @@
 #include <imgui.h>
 
 #include "gui/document/session/session.h"
-#include "gui/render/camera.h"
+#include "gui/render/view.h"
 #include "gui/view/tools/viewport.h"
 #include "gui/widgets/theme.h"
 
@@ -14,7 +14,7 @@ struct Overlay {
   const Session& session;
   const Viewport& viewport;
   const ViewportScene& scene;
-  const Camera& camera;
+  const View& view;
   const Theme& theme;
 };
 

@@ -13,9 +13,8 @@ ImU32 color(const Rgb& c, float alpha = 1) {
   return ImGui::ColorConvertFloat4ToU32(ImVec4(c[0], c[1], c[2], alpha));
 }
 
-ImVec2 pixel(const Camera& camera, const Vec2& world) {
-  const Vec2 p = camera.to_screen(world);
-  return {static_cast<float>(p.x()), static_cast<float>(p.y())};
+ImVec2 pixel(const View& view, const Vec2& world) {
+  return static_cast<ImVec2>(view.to_screen(world));
 }
 
 void draw_number(ImDrawList& list, const ImVec2& centre, Index node, float room, ImFont* font) {
@@ -28,13 +27,12 @@ void draw_number(ImDrawList& list, const ImVec2& centre, Index node, float room,
   list.AddText(font, font->FontSize, at, color(VcvColors().line), text.c_str());
 }
 
-void draw_one(ImDrawList& list, const Camera& camera, const NodalView& node, float unit,
-              ImFont* font) {
-  const ImVec2 centre = pixel(camera, node.position);
+void draw_one(ImDrawList& list, const View& view, const NodalView& node, float unit, ImFont* font) {
+  const ImVec2 centre = pixel(view, node.position);
   const VcvColors colors;
   const ImU32 line = color(colors.line);
   std::vector<ImVec2> ends;
-  for (const Vec2& p : vcv_over_star(node)) ends.push_back(pixel(camera, p));
+  for (const Vec2& p : vcv_over_star(node)) ends.push_back(pixel(view, p));
   const std::size_t n = ends.size();
   for (std::size_t k = 0; k < n; ++k)
     list.AddTriangleFilled(centre, ends[k], ends[(k + 1) % n],
@@ -45,17 +43,18 @@ void draw_one(ImDrawList& list, const Camera& camera, const NodalView& node, flo
   for (std::size_t k = 0; k < n; ++k)
     list.AddLine(centre, ends[k], node.weights[k] < 0 ? color(colors.negative) : line, 1.3f * unit);
   list.AddPolyline(ends.data(), count, line, ImDrawFlags_Closed, 2 * unit);
-  const auto reach = static_cast<float>(node.physical.mean_length() / camera.units_per_pixel());
+  const auto reach =
+      static_cast<float>(node.physical.mean_length() / view.pixel_size(node.position));
   draw_number(list, centre, node.node, reach, font);
 }
 
 }  // namespace
 
-void draw_vcvs(ImDrawList& list, const Camera& camera, std::span<const NodalView> nodes, float unit,
+void draw_vcvs(ImDrawList& list, const View& view, std::span<const NodalView> nodes, float unit,
                ImFont* font) {
-  const Bounds seen = camera.visible();
+  const Bounds seen = view.visible();
   for (const NodalView& node : nodes)
-    if (vcv_in_sight(node, seen)) draw_one(list, camera, node, unit, font);
+    if (vcv_in_sight(node, seen)) draw_one(list, view, node, unit, font);
 }
 
 void draw_node_ring(ImDrawList& list, const ImVec2& at, float radius, float width, ImU32 ink) {

@@ -5,14 +5,14 @@
 #include <span>
 
 #include "core/inspect/nodal_view.h"
-#include "gui/render/camera.h"
+#include "gui/render/view.h"
 
 namespace winslow::gui {
 
 /// VCVs drawn over the mesh at their nodes, as in figure 1 of AIAA 2009-1362: each as large as its
 /// star on average, turned to lie over it. unit: width of a hair line, pixels; font: of the node
 /// numbers, which are left out where there is no room.
-void draw_vcvs(ImDrawList& list, const Camera& camera, std::span<const NodalView> nodes, float unit,
+void draw_vcvs(ImDrawList& list, const View& view, std::span<const NodalView> nodes, float unit,
                ImFont* font);
 
 /// A ring around a node.

@@ -12,26 +12,26 @@ namespace winslow::gui {
 
 namespace {
 
-ImVec2 pixel(const Vec2& p) { return {static_cast<float>(p.x()), static_cast<float>(p.y())}; }
+ImVec2 pixel(const ScreenPoint& p) { return static_cast<ImVec2>(p); }
 
 ImU32 color_of(const Rgba& c) {
   return ImGui::ColorConvertFloat4ToU32(ImVec4(c[0], c[1], c[2], c[3]));
 }
 
-bool inside(const Camera& camera, const Vec2& p, double room) {
-  const Vec2 q = p - camera.viewport_origin();
-  return q.x() > -room && q.y() > -room && q.x() < camera.viewport_width() + room &&
-         q.y() < camera.viewport_height() + room;
+bool inside(const ScreenBox& seen, const ScreenPoint& p, double room) {
+  const ScreenVector q = p - seen.min;
+  const ScreenVector size = seen.size();
+  return q.x() > -room && q.y() > -room && q.x() < size.x() + room && q.y() < size.y() + room;
 }
 
 /// A chevron that points along a direction of the screen.
-void draw_arrow(ImDrawList& list, const ViewOverlay& o, const Vec2& at, const Vec2& along,
-                ImU32 color) {
+void draw_arrow(ImDrawList& list, const ViewOverlay& o, const ScreenPoint& at,
+                const ScreenVector& along, ImU32 color) {
   const double size = static_cast<double>(o.theme.px(6));
-  const Vec2 across(-along.y(), along.x());
-  const Vec2 tip = at + size * along;
-  const Vec2 left = at - 0.5 * size * along + 0.7 * size * across;
-  const Vec2 right = at - 0.5 * size * along - 0.7 * size * across;
+  const ScreenVector across(-along.y(), along.x());
+  const ScreenPoint tip = at + size * along;
+  const ScreenPoint left = at - 0.5 * size * along + 0.7 * size * across;
+  const ScreenPoint right = at - 0.5 * size * along - 0.7 * size * across;
   list.AddTriangleFilled(pixel(tip), pixel(left), pixel(right), color);
 }
 
@@ -41,19 +41,21 @@ void draw_loop(ImDrawList& list, const ViewOverlay& o, const std::vector<Index>&
   const double arrow_gap = static_cast<double>(o.theme.px(64));
   const double node_gap = static_cast<double>(o.theme.px(7));
   double since_arrow = 0.5 * arrow_gap;
-  Vec2 last_dot(-1e9, -1e9);
-  Vec2 from = o.camera.to_screen(o.session.coordinates().xy(nodes.back()));
+  ScreenPoint last_dot(-1e9, -1e9);
+  ScreenPoint from = o.view.to_screen(o.session.coordinates().xy(nodes.back()));
   for (const Index node : nodes) {
-    const Vec2 to = o.camera.to_screen(o.session.coordinates().xy(node));
+    const ScreenPoint to = o.view.to_screen(o.session.coordinates().xy(node));
     const double length = (to - from).norm();
     since_arrow += length;
-    if (o.view.directions && since_arrow >= arrow_gap && length > 0) {
+    if (o.options.directions && since_arrow >= arrow_gap && length > 0) {
       since_arrow = 0;
-      const Vec2 middle = 0.5 * (from + to);
-      if (inside(o.camera, middle, 0)) draw_arrow(list, o, middle, (to - from) / length, color);
+      const ScreenPoint middle = midpoint(from, to);
+      if (inside(o.view.viewport(), middle, 0))
+        draw_arrow(list, o, middle, (to - from) / length, color);
     }
     // Closer together they would be a thick line.
-    if (o.view.rim_nodes && (to - last_dot).norm() >= node_gap && inside(o.camera, to, 4)) {
+    if (o.options.rim_nodes && (to - last_dot).norm() >= node_gap &&
+        inside(o.view.viewport(), to, 4)) {
       last_dot = to;
       list.AddCircleFilled(pixel(to), o.theme.px(3.4f), palette().card, 12);
       list.AddCircleFilled(pixel(to), o.theme.px(2.4f), color, 12);
@@ -80,7 +82,7 @@ void draw_focus(ImDrawList& list, const ViewOverlay& o) {
   if (!focus || !exists(*focus, o.session)) return;
   const Coordinates& x = o.session.coordinates();
   if (focus->kind == MeshItem::Kind::node) {
-    const ImVec2 c = pixel(o.camera.to_screen(x.xy(focus->id)));
+    const ImVec2 c = pixel(o.view.to_screen(x.xy(focus->id)));
     list.AddCircle(c, o.theme.px(9), palette().card, 32, o.theme.px(5));
     list.AddCircle(c, o.theme.px(9), palette().accent, 32, o.theme.px(2.5f));
     list.AddCircleFilled(c, o.theme.px(2.5f), palette().accent);
@@ -89,31 +91,31 @@ void draw_focus(ImDrawList& list, const ViewOverlay& o) {
   std::array<ImVec2, 4> corners;
   const auto nodes = o.session.topology()->element(focus->id);
   for (std::size_t k = 0; k < nodes.size(); ++k)
-    corners[k] = pixel(o.camera.to_screen(x.xy(nodes[k])));
+    corners[k] = pixel(o.view.to_screen(x.xy(nodes[k])));
   const auto count = static_cast<int>(nodes.size());
   list.AddPolyline(corners.data(), count, palette().card, ImDrawFlags_Closed, o.theme.px(6));
   list.AddPolyline(corners.data(), count, palette().accent, ImDrawFlags_Closed, o.theme.px(3));
 }
 
 void draw_rim(ImDrawList& list, const ViewOverlay& o) {
-  if (!o.view.rim_nodes && !o.view.directions) return;
-  const ImU32 color = color_of(mesh_colors(o.view).dark ? Rgba{0.95f, 0.96f, 1.0f, 1}
-                                                        : Rgba{0.10f, 0.12f, 0.16f, 1});
+  if (!o.options.rim_nodes && !o.options.directions) return;
+  const ImU32 color = color_of(mesh_colors(o.options).dark ? Rgba{0.95f, 0.96f, 1.0f, 1}
+                                                           : Rgba{0.10f, 0.12f, 0.16f, 1});
   for (const auto& loop : o.session.topology()->boundary_loops())
     if (!loop.empty()) draw_loop(list, o, loop, color);
 }
 
 void draw_comparison(ImDrawList& list, const ViewOverlay& o) {
-  if (o.view.comparison == Comparison::none) return;
-  const Vec2 origin = o.camera.viewport_origin();
+  if (o.options.comparison == Comparison::none) return;
+  const auto [origin, end] = o.view.viewport();
   const auto x = static_cast<float>(origin.x());
   const auto y = static_cast<float>(origin.y());
-  const auto width = static_cast<float>(o.camera.viewport_width());
-  const auto height = static_cast<float>(o.camera.viewport_height());
+  const auto width = static_cast<float>(end.x() - origin.x());
+  const auto height = static_cast<float>(end.y() - origin.y());
   const float gap = o.theme.px(10);
   const char* before =
-      o.view.before == BeforeState::loaded ? "As loaded" : "Before the last command";
-  if (o.view.comparison == Comparison::ghost) {
+      o.options.before == BeforeState::loaded ? "As loaded" : "Before the last command";
+  if (o.options.comparison == Comparison::ghost) {
     const float line = o.theme.px(22);
     const ImVec2 at(x + gap, y + gap);
     const std::string text = std::string("          ") + before;
@@ -124,10 +126,10 @@ void draw_comparison(ImDrawList& list, const ViewOverlay& o) {
                        ImVec2(at.x + o.theme.px(9) + line, middle + o.theme.px(5)),
                        faded(palette().text, 0.5f), o.theme.px(2));
     list.AddLine(ImVec2(at.x + o.theme.px(7), middle), ImVec2(at.x + o.theme.px(7) + line, middle),
-                 color_of(mesh_colors(o.view).ghost) | IM_COL32_A_MASK, o.theme.px(2));
+                 color_of(mesh_colors(o.options).ghost) | IM_COL32_A_MASK, o.theme.px(2));
     return;
   }
-  const float middle = x + static_cast<float>(o.view.divider) * width;
+  const float middle = x + static_cast<float>(o.options.divider) * width;
   list.AddLine(ImVec2(middle, y), ImVec2(middle, y + height), palette().card, o.theme.px(5));
   list.AddLine(ImVec2(middle, y), ImVec2(middle, y + height), palette().accent, o.theme.px(2));
   const ImVec2 grip(middle, y + height / 2);
@@ -148,7 +150,7 @@ void draw_comparison(ImDrawList& list, const ViewOverlay& o) {
   list.PopClipRect();
 }
 
-void draw_zoom_box(ImDrawList& list, const Theme& theme, const Bounds& box) {
+void draw_zoom_box(ImDrawList& list, const Theme& theme, const ScreenBox& box) {
   list.AddRectFilled(pixel(box.min), pixel(box.max), palette().accent_soft);
   list.AddRect(pixel(box.min), pixel(box.max), palette().accent, 0, 0, theme.px(1.5f));
 }
@@ -157,7 +159,7 @@ void draw_inset_source(ImDrawList& list, const Theme& theme, const Inset& inset)
   if (!inset.pinned) return;
   const ImVec2 from = pixel(inset.source.min);
   const ImVec2 to = pixel(inset.source.max);
-  const Bounds frame = inset.frame();
+  const ScreenBox frame = inset.frame();
   list.AddRect(from, to, palette().card, 0, 0, theme.px(4));
   list.AddRect(from, to, palette().accent, 0, 0, theme.px(1.5f));
   list.AddLine(pixel(frame.centre()), pixel(inset.source.centre()), faded(palette().accent, 0.7f),
@@ -165,12 +167,12 @@ void draw_inset_source(ImDrawList& list, const Theme& theme, const Inset& inset)
 }
 
 void draw_inset_frame(ImDrawList& list, const ViewOverlay& o, const Inset& inset) {
-  const Bounds frame = inset.frame();
+  const ScreenBox frame = inset.frame();
   const ImVec2 min = pixel(frame.min);
   const ImVec2 max = pixel(frame.max);
   list.AddRect(min, max, palette().card, 0, 0, o.theme.px(5));
   list.AddRect(min, max, palette().accent, 0, 0, o.theme.px(2));
-  const std::string factor = "\xC3\x97 " + std::to_string(std::lround(o.view.magnifier.factor));
+  const std::string factor = "\xC3\x97 " + std::to_string(std::lround(o.options.magnifier.factor));
   draw_tag(list, o.theme, ImVec2(min.x + o.theme.px(6), min.y + o.theme.px(6)), factor.c_str());
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "gui/document/session/session.h"
-#include "gui/render/camera.h"
+#include "gui/render/view.h"
 #include "gui/settings/view_options.h"
 #include "gui/settings/view_state.h"
 #include "gui/view/tools/magnifier.h"
@@ -16,9 +16,9 @@ namespace winslow::gui {
 /// What is drawn over the mesh to help looking at it.
 struct ViewOverlay {
   const Session& session;
-  const ViewOptions& view;
+  const ViewOptions& options;
   const ViewState& state;
-  const Camera& camera;
+  const View& view;
   const Theme& theme;
 };
 
@@ -29,7 +29,7 @@ void draw_rim(ImDrawList& list, const ViewOverlay& overlay);
 /// What is compared with what: the divider and the names of both sides, or of the ghost.
 void draw_comparison(ImDrawList& list, const ViewOverlay& overlay);
 /// The box that the mouse draws to zoom to (pixels).
-void draw_zoom_box(ImDrawList& list, const Theme& theme, const Bounds& box);
+void draw_zoom_box(ImDrawList& list, const Theme& theme, const ScreenBox& box);
 /// Where a pinned magnifier looks: below its picture, should they overlap.
 void draw_inset_source(ImDrawList& list, const Theme& theme, const Inset& inset);
 /// Frame of a magnifier.

@@ -17,28 +17,32 @@ constexpr double shortest_arrow = 32, longest_arrow = 64;
 constexpr double ring_gap = 26;
 constexpr double smallest_ring = 52;
 
-Vec2 direction(int axis) { return axis == 0 ? Vec2(1, 0) : Vec2(0, -1); }
+ScreenVector direction(int axis) { return axis == 0 ? ScreenVector(1, 0) : ScreenVector(0, -1); }
 
-double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 d = b - a;
-  const double t = std::clamp((p - a).dot(d) / std::max(d.squaredNorm(), 1e-30), 0.0, 1.0);
+double distance_to_segment(const ScreenPoint& p, const ScreenPoint& a, const ScreenPoint& b) {
+  const ScreenVector d = b - a;
+  const double t = std::clamp((p - a).dot(d) / std::max(d.squared_norm(), 1e-30), 0.0, 1.0);
   return (p - a - t * d).norm();
 }
 
 }  // namespace
 
-Vec2 Gizmo::knob() const { return pivot + radius * Vec2(std::cos(angle), -std::sin(angle)); }
+ScreenPoint Gizmo::knob() const {
+  return pivot + radius * ScreenVector(std::cos(angle), -std::sin(angle));
+}
 
-Vec2 Gizmo::shaft(int axis) const { return pivot + shaft_start * scale * direction(axis); }
+ScreenPoint Gizmo::shaft(int axis) const { return pivot + shaft_start * scale * direction(axis); }
 
-Vec2 Gizmo::tip(int axis) const {
+ScreenPoint Gizmo::tip(int axis) const {
   const double length = std::clamp(0.6 * radius, shortest_arrow * scale, longest_arrow * scale);
   return pivot + length * direction(axis);
 }
 
-Vec2 Gizmo::pin() const { return pivot + pin_distance * scale * Vec2(-0.7071, 0.7071); }
+ScreenPoint Gizmo::pin() const {
+  return pivot + pin_distance * scale * ScreenVector(-0.7071, 0.7071);
+}
 
-Handle Gizmo::at(const Vec2& p) const {
+Handle Gizmo::at(const ScreenPoint& p) const {
   const double r = grip_radius * scale;
   if ((p - knob()).norm() <= r) return Handle::ring;
   if ((p - pivot).norm() <= centre_radius * scale) return Handle::centre;
@@ -50,14 +54,14 @@ Handle Gizmo::at(const Vec2& p) const {
   return off_ring <= 0.7 * r ? Handle::ring : Handle::none;
 }
 
-Gizmo make_gizmo(const Camera& camera, const Vec2& pivot, double reach, double turned,
-                 double scale) {
-  const double room = 0.42 * std::min(camera.viewport_width(), camera.viewport_height());
+Gizmo make_gizmo(const View& view, const Vec2& pivot, double reach, double turned, double scale) {
+  const ScreenVector size = view.viewport().size();
+  const double room = 0.42 * std::min(size.x(), size.y());
   Gizmo gizmo;
-  gizmo.pivot = camera.to_screen(pivot);
+  gizmo.pivot = view.to_screen(pivot);
   // Seen from afar the ring stays large enough to take, seen from near within the window.
   gizmo.radius = std::max(smallest_ring * scale,
-                          std::min(reach / camera.units_per_pixel() + ring_gap * scale, room));
+                          std::min(reach / view.pixel_size(pivot) + ring_gap * scale, room));
   gizmo.angle = pi / 4 + radians(turned);
   gizmo.scale = scale;
   return gizmo;

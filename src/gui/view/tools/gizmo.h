@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "gui/render/camera.h"
+#include "gui/render/view.h"
 
 namespace winslow::gui {
 
@@ -18,22 +18,21 @@ enum class Handle {
 
 /// Where the gizmo of the selection is on screen; lengths in framebuffer pixels.
 struct Gizmo {
-  Vec2 pivot{0, 0};
+  ScreenPoint pivot;
   double radius = 0;  ///< of the ring
   double angle = 0;   ///< of the knob on the ring, radians, counter-clockwise on screen
   double scale = 1;   ///< of the interface
 
-  Vec2 knob() const;
+  ScreenPoint knob() const;
   /// Where the shaft of an arrow begins and ends. axis: 0 for x, 1 for y.
-  Vec2 shaft(int axis) const;
-  Vec2 tip(int axis) const;
-  Vec2 pin() const;
-  Handle at(const Vec2& pixel) const;
+  ScreenPoint shaft(int axis) const;
+  ScreenPoint tip(int axis) const;
+  ScreenPoint pin() const;
+  Handle at(const ScreenPoint& pixel) const;
 };
 
 /// reach: of the selection around its pivot, in units of the mesh. turned: degrees by which a drag
 /// has turned it so far.
-Gizmo make_gizmo(const Camera& camera, const Vec2& pivot, double reach, double turned,
-                 double scale);
+Gizmo make_gizmo(const View& view, const Vec2& pivot, double reach, double turned, double scale);
 
 }  // namespace winslow::gui

@@ -13,39 +13,37 @@ constexpr double margin = 14;
 
 }  // namespace
 
-Bounds Inset::frame() const {
-  return {camera.viewport_origin(),
-          camera.viewport_origin() + Vec2(camera.viewport_width(), camera.viewport_height())};
-}
-
 std::optional<Inset> magnifier_inset(const Magnifier& magnifier, const Camera& camera,
-                                     const Vec2& mouse, bool mouse_over, double scale) {
+                                     const ScreenPoint& mouse, bool mouse_over, double scale) {
   if (!magnifier.on) return std::nullopt;
   const bool pinned = magnifier.pin.has_value();
   if (!pinned && !mouse_over) return std::nullopt;
-  const Vec2 origin = camera.viewport_origin();
-  const Vec2 size(camera.viewport_width(), camera.viewport_height());
-  const double side =
-      std::floor(std::min((pinned ? pinned_side : lens_side) * scale, 0.6 * size.minCoeff()));
+  const ScreenPoint origin = camera.viewport_origin();
+  const ScreenVector size(camera.viewport_width(), camera.viewport_height());
+  const double side = std::floor(
+      std::min((pinned ? pinned_side : lens_side) * scale, 0.6 * std::min(size.x(), size.y())));
   if (side < 40) return std::nullopt;
   Inset inset;
   inset.pinned = pinned;
   const Vec2 place =
       pinned ? Vec2((*magnifier.pin)[0], (*magnifier.pin)[1]) : camera.to_world(mouse);
-  Vec2 corner;
+  ScreenPoint corner;
   if (pinned) {
     // Bottom left: the legend is at the right.
-    corner = Vec2(origin.x() + margin * scale, origin.y() + size.y() - side - margin * scale);
+    corner =
+        ScreenPoint(origin.x() + margin * scale, origin.y() + size.y() - side - margin * scale);
   } else {
-    corner = (mouse - Vec2::Constant(side / 2))
-                 .cwiseMax(origin)
-                 .cwiseMin(origin + size - Vec2::Constant(side));
+    const ScreenPoint wanted = mouse - ScreenVector(side / 2, side / 2);
+    const ScreenPoint last = origin + size - ScreenVector(side, side);
+    corner = {std::min(std::max(wanted.x(), origin.x()), last.x()),
+              std::min(std::max(wanted.y(), origin.y()), last.y())};
   }
-  corner = Vec2(std::round(corner.x()), std::round(corner.y()));
+  corner = ScreenPoint(std::round(corner.x()), std::round(corner.y()));
   inset.camera.set_viewport(corner.x(), corner.y(), side, side);
   inset.camera.look_at(place, camera.units_per_pixel() / magnifier.factor);
-  const Vec2 centre = camera.to_screen(place);
-  const Vec2 half = Vec2::Constant(0.5 * side / magnifier.factor);
+  const ScreenPoint centre = camera.to_screen(place);
+  const double half_side = 0.5 * side / magnifier.factor;
+  const ScreenVector half(half_side, half_side);
   inset.source = {centre - half, centre + half};
   return inset;
 }

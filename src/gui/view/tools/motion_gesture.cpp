@@ -18,29 +18,29 @@ double angle_about(const Vec2& pivot, const Vec2& point) {
 
 }  // namespace
 
-void MotionGesture::begin(Kind kind, const Vec2& pixel, const Vec2& pivot,
+void MotionGesture::begin(Kind kind, const ScreenPoint& from, const Vec2& pivot,
                           std::optional<int> axis) {
   kind_ = kind;
   axis_ = axis;
   modifiers_ = {};
   motion_ = RigidMotion{0, pivot, Vec2(0, 0)};
-  last_ = pixel;
+  last_ = from;
   moved_ = Vec2(0, 0);
   turned_ = 0;
 }
 
-bool MotionGesture::follow(const Vec2& pixel, Modifiers modifiers, const Camera& camera) {
+bool MotionGesture::follow(const ScreenPoint& mouse, Modifiers modifiers, const View& view) {
   const double speed = modifiers.fine ? fine_share : 1;
-  const Vec2 from = camera.to_world(last_);
-  const Vec2 to = camera.to_world(pixel);
-  last_ = pixel;
+  const Vec2 from = view.to_plane(last_);
+  const Vec2 to = view.to_plane(mouse);
+  last_ = mouse;
   modifiers_ = modifiers;
   RigidMotion next = motion_;
   if (kind_ == Kind::move) {
     moved_ += speed * (to - from);
     next.translate = moved_;
     if (modifiers.snap) {
-      const double step = grid_step(camera);
+      const double step = grid_step(view, motion_.pivot);
       next.translate = step * (moved_ / step).array().round().matrix();
     }
     if (axis_) next.translate[1 - *axis_] = 0;
@@ -61,8 +61,8 @@ void MotionGesture::toggle_axis(int axis) {
     axis_ = axis;
 }
 
-double MotionGesture::grid_step(const Camera& camera) {
-  const double least = smallest_step * camera.units_per_pixel();
+double MotionGesture::grid_step(const View& view, const Vec2& at) {
+  const double least = smallest_step * view.pixel_size(at);
   const double decade = std::pow(10, std::floor(std::log10(least)));
   for (const double digit : {1.0, 2.0, 5.0})
     if (digit * decade >= least) return digit * decade;

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/motion/motion.h"
-#include "gui/render/camera.h"
+#include "gui/render/view.h"
 
 namespace winslow::gui {
 
@@ -16,10 +16,10 @@ class MotionGesture {
     bool snap = false;  ///< to the grid, or to steps of 5 degrees
   };
 
-  /// pixel: where the mouse is. pivot: in units of the mesh. axis: 0 or 1 keeps a move to x or y.
-  void begin(Kind kind, const Vec2& pixel, const Vec2& pivot, std::optional<int> axis);
-  /// The mouse went to `pixel`. True if that changed the motion.
-  bool follow(const Vec2& pixel, Modifiers modifiers, const Camera& camera);
+  /// from: where the mouse is. pivot: in units of the mesh. axis: 0 or 1 keeps a move to x or y.
+  void begin(Kind kind, const ScreenPoint& from, const Vec2& pivot, std::optional<int> axis);
+  /// The mouse went to a place. True if that changed the motion.
+  bool follow(const ScreenPoint& mouse, Modifiers modifiers, const View& view);
   /// Keeps a move to an axis; the same one again sets it free.
   void toggle_axis(int axis);
 
@@ -28,15 +28,16 @@ class MotionGesture {
   /// Total, since begin().
   const RigidMotion& motion() const { return motion_; }
   bool snapped() const { return modifiers_.snap; }
-  /// Step of the grid: a round number of mesh units that is 8 to 20 pixels on screen.
-  static double grid_step(const Camera& camera);
+  /// Step of the grid: a round number of mesh units that is 8 to 20 pixels on screen at a
+  /// point.
+  static double grid_step(const View& view, const Vec2& at);
 
  private:
   Kind kind_ = Kind::move;
   std::optional<int> axis_;
   Modifiers modifiers_;
   RigidMotion motion_;
-  Vec2 last_{0, 0};    // pixels
+  ScreenPoint last_;
   Vec2 moved_{0, 0};   // by the mouse, units of the mesh
   double turned_ = 0;  // by the mouse, degrees, unwrapped
 };

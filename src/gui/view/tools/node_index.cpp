@@ -3,11 +3,11 @@
 namespace winslow::gui {
 
 NodeIndex::NodeIndex(const Topology& topology, const Coordinates& coordinates) {
-  std::vector<Box<2>> places;
+  std::vector<Vec2> places;
   for (Index node = 0; node < topology.node_count(); ++node) {
     if (!topology.used(node)) continue;
     nodes_.push_back(node);
-    places.push_back({coordinates.xy(node), coordinates.xy(node)});
+    places.push_back(coordinates.xy(node));
   }
   tree_ = BoxTree<2>(places);
 }

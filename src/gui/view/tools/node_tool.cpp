@@ -11,17 +11,17 @@ constexpr double click_slack = 4;
 }  // namespace
 
 std::optional<Index> NodeTool::node_at(const PointerState& pointer, double scale,
-                                       const Session& session, const Camera& camera) {
+                                       const Session& session, const View& view) {
   // The coordinates are looked at, not copied, unless they are to be indexed anew.
   if (!session.in_motion())
     picker_.prepare(session.shape(), session.topology(), session.coordinates());
-  return picker_.pick(session.shape(), *session.topology(), session.coordinates(),
-                      camera.to_world(pointer.position),
-                      node_pick_radius * scale * camera.units_per_pixel());
+  const Vec2 point = view.to_plane(pointer.position);
+  return picker_.pick(session.shape(), *session.topology(), session.coordinates(), point,
+                      node_pick_radius * scale * view.pixel_size(point));
 }
 
 bool NodeTool::update(const PointerState& pointer, bool active, double scale,
-                      const Session& session, const Camera& camera, ActionQueue& actions) {
+                      const Session& session, const View& view, ActionQueue& actions) {
   const bool pressed_now = pointer.left && !was_down_;
   const bool released_now = !pointer.left && was_down_;
   was_down_ = pointer.left;
@@ -32,12 +32,12 @@ bool NodeTool::update(const PointerState& pointer, bool active, double scale,
   }
   if (!pointer.left && !released_now) {
     const std::optional<Index> now =
-        active && pointer.over ? node_at(pointer, scale, session, camera) : std::nullopt;
+        active && pointer.over ? node_at(pointer, scale, session, view) : std::nullopt;
     if (now != hovered_) actions.emplace_back(action::HoverNode{now});
     hovered_ = now;
   }
   if (pressed_now) {
-    pressed_ = active && pointer.over ? node_at(pointer, scale, session, camera) : std::nullopt;
+    pressed_ = active && pointer.over ? node_at(pointer, scale, session, view) : std::nullopt;
     press_ = pointer.position;
   }
   const bool mine = pressed_.has_value();

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "gui/document/session/session.h"
-#include "gui/render/camera.h"
+#include "gui/render/view.h"
 #include "gui/view/tools/node_index.h"
 #include "gui/view/tools/viewport.h"
 
@@ -15,15 +15,15 @@ class NodeTool {
  public:
   /// active: clicks near nodes are for the tool. Returns true if the click under way is.
   bool update(const PointerState& pointer, bool active, double scale, const Session& session,
-              const Camera& camera, ActionQueue& actions);
+              const View& view, ActionQueue& actions);
 
  private:
   std::optional<Index> node_at(const PointerState& pointer, double scale, const Session& session,
-                               const Camera& camera);
+                               const View& view);
 
   NodePicker picker_;
   std::optional<Index> hovered_, pressed_;
-  Vec2 press_{0, 0};
+  ScreenPoint press_;
   bool was_down_ = false;
 };
 

@@ -14,20 +14,21 @@ constexpr double node_radius = 10;
 constexpr double snap_radius = 14;
 constexpr double zoom_per_notch = 1.2;
 
-double world(double pixels, const ViewportScene& scene, const Camera& camera) {
-  return pixels * scene.scale * camera.units_per_pixel();
+/// A tolerance around a point, in units of the mesh.
+double world(double pixels, const ViewportScene& scene, const View& view, const Vec2& at) {
+  return pixels * scene.scale * view.pixel_size(at);
 }
 
 }  // namespace
 
-std::optional<Gizmo> Viewport::gizmo(const ViewportScene& scene, const Camera& camera) {
+std::optional<Gizmo> Viewport::gizmo(const ViewportScene& scene, const View& view) {
   if (!scene.boundary || scene.selection.empty() || scene.shape.active) return std::nullopt;
-  return make_gizmo(camera, scene.pivot, scene.reach, scene.turned, scene.scale);
+  return make_gizmo(view, scene.pivot, scene.reach, scene.turned, scene.scale);
 }
 
-void Viewport::update(const PointerState& p, const ViewportScene& scene, Camera& camera,
+void Viewport::update(const PointerState& p, const ViewportScene& scene, View& view,
                       ActionQueue& actions) {
-  if (p.over && p.wheel != 0 && !scene.wheel_is_lens) wheel(p, scene, camera, actions);
+  if (p.over && p.wheel != 0 && !scene.wheel_is_lens) wheel(p, scene, view, actions);
   const bool pan_pressed = (p.middle && !last_.middle) || (p.right && !last_.right);
   const bool left_pressed = p.left && !last_.left;
 
@@ -36,7 +37,7 @@ void Viewport::update(const PointerState& p, const ViewportScene& scene, Camera&
   } else if (p.accept && !last_.accept && dragging()) {
     end(actions, false);
   } else if (gesture_ == Gesture::none) {
-    hover(p, scene, camera, actions);
+    hover(p, scene, view, actions);
     if (p.over && start_box(p, scene)) {
       press_ = p.position;
       gesture_ = Gesture::box;
@@ -47,10 +48,10 @@ void Viewport::update(const PointerState& p, const ViewportScene& scene, Camera&
       press(p, scene, actions);
     }
   } else if (pan_button_ ? !(p.middle || p.right) : !p.left) {
-    follow(p, scene, camera, actions);
-    release(p, scene, camera, actions);
+    follow(p, scene, view, actions);
+    release(p, scene, view, actions);
   } else {
-    follow(p, scene, camera, actions);
+    follow(p, scene, view, actions);
   }
   last_ = p;
 }
@@ -62,33 +63,36 @@ bool Viewport::start_box(const PointerState& p, const ViewportScene& scene) {
   return scene.box_zoom && p.left && !last_.left;
 }
 
-std::optional<Bounds> Viewport::box() const {
+std::optional<ScreenBox> Viewport::box() const {
   if (gesture_ != Gesture::box) return std::nullopt;
-  return Bounds{press_.cwiseMin(last_.position), press_.cwiseMax(last_.position)};
+  const ScreenPoint& a = press_;
+  const ScreenPoint& b = last_.position;
+  return ScreenBox{{std::min(a.x(), b.x()), std::min(a.y(), b.y())},
+                   {std::max(a.x(), b.x()), std::max(a.y(), b.y())}};
 }
 
-void Viewport::wheel(const PointerState& p, const ViewportScene& scene, Camera& camera,
+void Viewport::wheel(const PointerState& p, const ViewportScene& scene, View& view,
                      ActionQueue& actions) {
   const double factor = std::pow(zoom_per_notch, p.wheel);
-  if (gesture_ != Gesture::shape) return camera.zoom_at(p.position, factor);
+  if (gesture_ != Gesture::shape) return view.zoom_at(p.position, factor);
   // From nothing it grows to something that can be seen.
-  const double least = 10 * camera.units_per_pixel();
+  const double least = 10 * view.pixel_size(view.to_plane(p.position));
   const double radius = std::max(scene.shape.radius * factor, p.wheel > 0 ? least : 0.0);
   actions.emplace_back(action::SetShapeEdit{true, radius < 0.5 * least ? 0 : radius});
 }
 
-void Viewport::hover(const PointerState& p, const ViewportScene& scene, const Camera& camera,
+void Viewport::hover(const PointerState& p, const ViewportScene& scene, const View& view,
                      ActionQueue& actions) {
   hit_.reset();
   node_.reset();
   hovered_handle_ = Handle::none;
   if (p.over && scene.boundary) {
-    const Vec2 at = camera.to_world(p.position);
-    if (const auto g = gizmo(scene, camera)) hovered_handle_ = g->at(p.position);
+    const Vec2 at = view.to_plane(p.position);
+    if (const auto g = gizmo(scene, view)) hovered_handle_ = g->at(p.position);
     if (scene.shape.active)
-      node_ = scene.boundary->pick_node(at, world(node_radius, scene, camera));
+      node_ = scene.boundary->pick_node(at, world(node_radius, scene, view, at));
     if (hovered_handle_ == Handle::none && !node_)
-      hit_ = scene.boundary->pick(at, world(pick_radius, scene, camera));
+      hit_ = scene.boundary->pick(at, world(pick_radius, scene, view, at));
   }
   std::vector<Index> now = hit_ ? hit_->markers : std::vector<Index>{};
   if (now == last_hover_) return;
@@ -157,37 +161,37 @@ void Viewport::leave_press(const ViewportScene& scene, ActionQueue& actions) {
   begin(Gesture::move, scene, actions);
 }
 
-void Viewport::follow(const PointerState& p, const ViewportScene& scene, Camera& camera,
+void Viewport::follow(const PointerState& p, const ViewportScene& scene, View& view,
                       ActionQueue& actions) {
   const bool pressed = gesture_ == Gesture::press_body || gesture_ == Gesture::press_empty ||
                        gesture_ == Gesture::press_node;
   if (pressed && (p.position - press_).norm() > drag_threshold * scene.scale)
     leave_press(scene, actions);
   if (gesture_ == Gesture::pan)
-    camera.pan(p.position - last_.position);
+    view.pan(p.position - last_.position);
   else if (gesture_ == Gesture::pivot)
-    follow_pivot(p, scene, camera, actions);
+    follow_pivot(p, scene, view, actions);
   else if (dragging())
-    follow_drag(p, camera, actions);
+    follow_drag(p, view, actions);
 }
 
-void Viewport::follow_drag(const PointerState& p, const Camera& camera, ActionQueue& actions) {
+void Viewport::follow_drag(const PointerState& p, const View& view, ActionQueue& actions) {
   if (gesture_ != Gesture::rotate) {
     if (p.key_x && !last_.key_x) drag_.toggle_axis(0);
     if (p.key_y && !last_.key_y) drag_.toggle_axis(1);
   }
-  if (drag_.follow(p.position, {p.shift, p.control}, camera))
+  if (drag_.follow(p.position, {p.shift, p.control}, view))
     actions.emplace_back(action::DragTo{drag_.motion()});
 }
 
-void Viewport::follow_pivot(const PointerState& p, const ViewportScene& scene, const Camera& camera,
+void Viewport::follow_pivot(const PointerState& p, const ViewportScene& scene, const View& view,
                             ActionQueue& actions) {
   if (p.position == last_.position && p.control == last_.control) return;
   snapped_to_.clear();
-  Vec2 at = camera.to_world(p.position);
+  Vec2 at = view.to_plane(p.position);
   if (p.control) {
     const Vec2 mouse = at;
-    double best = world(snap_radius, scene, camera);
+    double best = world(snap_radius, scene, view, mouse);
     const auto try_point = [&](const Vec2& point, const std::string& name) {
       if ((point - mouse).norm() >= best) return;
       best = (point - mouse).norm();
@@ -210,17 +214,18 @@ void Viewport::select_node(bool extend, const ViewportScene& scene, ActionQueue&
   actions.emplace_back(action::SelectArc{arc});
 }
 
-void Viewport::release(const PointerState& p, const ViewportScene& scene, const Camera& camera,
+void Viewport::release(const PointerState& p, const ViewportScene& scene, const View& view,
                        ActionQueue& actions) {
   const bool add = p.shift || p.control;
   if (p.click_taken && gesture_ != Gesture::box) return end(actions, false);
   if (gesture_ == Gesture::box) {
     last_.position = p.position;
-    const Bounds pixels = *box();
+    const ScreenBox pixels = *box();
+    const ScreenVector size = pixels.size();
     // A click is no box.
-    if (pixels.size().minCoeff() > drag_threshold) {
-      const Vec2 a = camera.to_world(pixels.min);
-      const Vec2 b = camera.to_world(pixels.max);
+    if (std::min(size.x(), size.y()) > drag_threshold) {
+      const Vec2 a = view.to_plane(pixels.min);
+      const Vec2 b = view.to_plane(pixels.max);
       actions.emplace_back(action::ZoomTo{{a.cwiseMin(b), a.cwiseMax(b)}});
     }
   } else if (gesture_ == Gesture::press_body)

@@ -8,15 +8,15 @@
 #include "gui/document/actions/actions.h"
 #include "gui/document/selection/boundary_index.h"
 #include "gui/document/selection/shape_edit.h"
-#include "gui/render/camera.h"
+#include "gui/render/view.h"
 #include "gui/view/tools/gizmo.h"
 #include "gui/view/tools/motion_gesture.h"
 
 namespace winslow::gui {
 
-/// The mouse over the mesh, in framebuffer pixels.
+/// The mouse over the mesh.
 struct PointerState {
-  Vec2 position{0, 0};
+  ScreenPoint position;
   bool over = false;  ///< over the viewport, with nothing of the interface in between
   bool left = false, middle = false, right = false;
   double wheel = 0;  ///< notches; up zooms in
@@ -43,10 +43,10 @@ struct ViewportScene {
 };
 
 /// Turns the mouse into actions: select, drag, rotate, set the pivot, change shapes; pans and zooms
-/// the camera. Knows nothing of OpenGL or of widgets.
+/// the view. Knows nothing of OpenGL or of widgets.
 class Viewport {
  public:
-  void update(const PointerState& pointer, const ViewportScene& scene, Camera& camera,
+  void update(const PointerState& pointer, const ViewportScene& scene, View& view,
               ActionQueue& actions);
 
   enum class Gesture {
@@ -68,8 +68,8 @@ class Viewport {
   }
   Handle hovered_handle() const { return hovered_handle_; }
   bool over_body() const { return hit_.has_value(); }
-  /// The box being drawn to zoom to, in pixels.
-  std::optional<Bounds> box() const;
+  /// The box being drawn to zoom to.
+  std::optional<ScreenBox> box() const;
   /// Boundary node under the mouse while shapes are edited.
   const std::optional<BoundaryIndex::NodeHit>& hovered_node() const { return node_; }
   /// The drag so far.
@@ -78,23 +78,21 @@ class Viewport {
   const std::string& snapped_to() const { return snapped_to_; }
 
   /// None if nothing is selected, or shapes are edited.
-  static std::optional<Gizmo> gizmo(const ViewportScene& scene, const Camera& camera);
+  static std::optional<Gizmo> gizmo(const ViewportScene& scene, const View& view);
 
  private:
-  void hover(const PointerState& p, const ViewportScene& scene, const Camera& camera,
+  void hover(const PointerState& p, const ViewportScene& scene, const View& view,
              ActionQueue& actions);
   void press(const PointerState& p, const ViewportScene& scene, ActionQueue& actions);
   void press_handle(const PointerState& p, const ViewportScene& scene, ActionQueue& actions);
   void leave_press(const ViewportScene& scene, ActionQueue& actions);
-  void follow(const PointerState& p, const ViewportScene& scene, Camera& camera,
-              ActionQueue& actions);
+  void follow(const PointerState& p, const ViewportScene& scene, View& view, ActionQueue& actions);
   bool start_box(const PointerState& p, const ViewportScene& scene);
-  void follow_drag(const PointerState& p, const Camera& camera, ActionQueue& actions);
-  void follow_pivot(const PointerState& p, const ViewportScene& scene, const Camera& camera,
+  void follow_drag(const PointerState& p, const View& view, ActionQueue& actions);
+  void follow_pivot(const PointerState& p, const ViewportScene& scene, const View& view,
                     ActionQueue& actions);
-  void wheel(const PointerState& p, const ViewportScene& scene, Camera& camera,
-             ActionQueue& actions);
-  void release(const PointerState& p, const ViewportScene& scene, const Camera& camera,
+  void wheel(const PointerState& p, const ViewportScene& scene, View& view, ActionQueue& actions);
+  void release(const PointerState& p, const ViewportScene& scene, const View& view,
                ActionQueue& actions);
   void select_node(bool extend, const ViewportScene& scene, ActionQueue& actions);
   void begin(Gesture gesture, const ViewportScene& scene, ActionQueue& actions,
@@ -104,7 +102,7 @@ class Viewport {
   Gesture gesture_ = Gesture::none;
   bool pan_button_ = false;  // the pan is held by the middle or right button
   PointerState last_;
-  Vec2 press_{0, 0};  // pixels
+  ScreenPoint press_;
   std::optional<BoundaryIndex::Hit> hit_;
   std::optional<BoundaryIndex::NodeHit> node_;
   Handle hovered_handle_ = Handle::none;

@@ -62,7 +62,7 @@ static_assert(Dispatch::complete<VcvEditor, VcvAction>());
 static_assert(Dispatch::complete<Jobs, JobAction>());
 static_assert(Dispatch::complete<HistoryEditor, HistoryAction>());
 static_assert(Dispatch::complete<MessageBoard, MessageAction>());
-static_assert(Dispatch::complete<Workbench, ViewAction>());
+static_assert(Dispatch::complete<ViewControl, ViewAction>());
 static_assert(Dispatch::complete<Capture, PictureAction>());
 static_assert(Dispatch::complete<Dialogs, DialogAction>());
 static_assert(Dispatch::complete<Workbench, ShellAction>());

@@ -145,7 +145,7 @@ TEST_CASE("a session whose layers were damaged is restored up to them, and it is
   CHECK(rig.session().messages().prompt()->text.find("lost") != std::string::npos);
   CHECK(rig.document().history().size() == 2);
   CHECK(rig.session().layers() == nullptr);
-  rig.bench->picture();
+  rig.bench->pictures().picture();
 }
 
 }  // namespace winslow::gui::test

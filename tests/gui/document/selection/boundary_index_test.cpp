@@ -12,8 +12,8 @@ TEST_CASE("the boundary index finds rims, holes and nothing") {
   const Mesh mesh = two_body_mesh();
   BoundaryIndex index(mesh.topology);
   index.update(mesh.coordinates);
-  const Index left = *mesh.topology->find_marker("left");
-  const Index outer = *mesh.topology->find_marker("outer");
+  const Index left = *mesh.topology->markers().find("left");
+  const Index outer = *mesh.topology->markers().find("outer");
 
   const auto rim = index.pick(Vec2(-1.45, 0.2), 0.1);
   REQUIRE(rim.has_value());
@@ -32,7 +32,7 @@ TEST_CASE("the boundary index finds rims, holes and nothing") {
   CHECK_FALSE(index.pick(Vec2(20, 0), 0.1).has_value());
 
   Coordinates moved = mesh.coordinates;
-  for (Index node : mesh.topology->marker_nodes(left))
+  for (Index node : mesh.topology->markers().nodes(left))
     moved.set_xy(node, moved.xy(node) + Vec2(1.5, 0));
   index.update(moved);
   CHECK_FALSE(index.pick(Vec2(-2.4, 0), 0.05).has_value());
@@ -44,7 +44,7 @@ TEST_CASE("the nearest boundary edge is the one a search through all of them fin
   const Mesh mesh = ring_mesh(60, 3);
   BoundaryIndex index(mesh.topology);
   index.update(mesh.coordinates);
-  const Index flap = *mesh.topology->find_marker("flap");
+  const Index flap = *mesh.topology->markers().find("flap");
   for (int k = 0; k < 200; ++k) {
     const double angle = 0.1 * k;
     const double radius = 0.2 + 0.013 * k;

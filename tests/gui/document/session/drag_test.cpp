@@ -14,7 +14,7 @@ namespace {
 double error_of_marker(const Mesh& before, const Mesh& after, const std::string& marker,
                        const RigidMotion& motion) {
   double error = 0;
-  for (Index node : before.topology->marker_nodes(*before.topology->find_marker(marker)))
+  for (Index node : before.topology->markers().nodes(*before.topology->markers().find(marker)))
     error = std::max(
         error,
         (transform(motion, before.coordinates.xy(node)) - after.coordinates.xy(node)).norm());
@@ -32,10 +32,10 @@ TEST_CASE("dragging a body moves its boundary by exactly the drag and repairs th
   Rig rig;
   rig.open(ring_mesh());
   const Mesh before = rig.mesh();
-  const Vec2 from = rig.pixel(Vec2(0, 0));
-  const Vec2 to = from + Vec2(37, -23);
-  const Vec2 by(37 * rig.bench->camera().units_per_pixel(),
-                23 * rig.bench->camera().units_per_pixel());
+  const ScreenPoint from = rig.pixel(Vec2(0, 0));
+  const ScreenPoint to = from + ScreenVector(37, -23);
+  const Vec2 by(37 * rig.bench->view_control().camera().units_per_pixel(),
+                23 * rig.bench->view_control().camera().units_per_pixel());
   rig.drag(from, to);
   CHECK(rig.session().dragging());
   rig.release();
@@ -52,7 +52,7 @@ TEST_CASE("dragging a body moves its boundary by exactly the drag and repairs th
   CHECK(error_of_marker(before, after, "farfield", {}) == 0);
   CHECK(check_validity(*after.topology, after.coordinates).inverted == 0);
   CHECK(rig.document().history().result(1).converged);
-  const Index inner = after.topology->free_nodes().front();
+  const Index inner = after.topology->interior_nodes().front();
   CHECK((after.coordinates.xy(inner) - before.coordinates.xy(inner)).norm() > 1e-3);
 }
 
@@ -60,16 +60,16 @@ TEST_CASE("the mesh follows while the body is still held") {
   Rig rig;
   rig.open(ring_mesh());
   const Mesh before = rig.mesh();
-  rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + Vec2(40, 0));
-  const double by = 40 * rig.bench->camera().units_per_pixel();
-  const Index node = before.topology->marker_nodes(rig.marker("flap"))[0];
+  rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + ScreenVector(40, 0));
+  const double by = 40 * rig.bench->view_control().camera().units_per_pixel();
+  const Index node = before.topology->markers().nodes(rig.marker("flap"))[0];
   const bool followed = rig.wait([&] {
     const double moved = rig.session().coordinates().xy(node).x() - before.coordinates.xy(node).x();
     return std::abs(moved - by) < 1e-9 && rig.session().mesh().body_drag()->settled();
   });
   CHECK(followed);
   CHECK(rig.session().mesh().body_drag()->reach() == BodyDrag::Reach::there);
-  const Index inner = before.topology->free_nodes().front();
+  const Index inner = before.topology->interior_nodes().front();
   CHECK((rig.session().coordinates().xy(inner) - before.coordinates.xy(inner)).norm() > 1e-3);
   CHECK(check_validity(*before.topology, rig.session().coordinates()).inverted == 0);
   CHECK(rig.document().history().size() == 1);
@@ -82,7 +82,7 @@ TEST_CASE("Esc cancels a drag and puts the mesh back") {
   Rig rig;
   rig.open(ring_mesh());
   const Mesh before = rig.mesh();
-  rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + Vec2(50, 10));
+  rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + ScreenVector(50, 10));
   REQUIRE(rig.wait([&] { return rig.session().coordinates() != before.coordinates; }));
   rig.key(keys::escape);
   CHECK_FALSE(rig.session().dragging());
@@ -101,7 +101,8 @@ TEST_CASE("the ring turns the selection about its pivot by the angle the mouse g
   const Gizmo gizmo = rig.gizmo();
   // From the knob at 45 degrees to 75 degrees on the ring.
   const double end = radians(75);
-  const Vec2 target = gizmo.pivot + gizmo.radius * Vec2(std::cos(end), -std::sin(end));
+  const ScreenPoint target =
+      gizmo.pivot + gizmo.radius * ScreenVector(std::cos(end), -std::sin(end));
   rig.drag(gizmo.knob(), target, 8);
   rig.release();
   REQUIRE(rig.settle());
@@ -117,7 +118,7 @@ TEST_CASE("a drag shows valid meshes while held, and takes the steps chosen when
   Rig rig;
   rig.open(ring_mesh());
   rig.bench->apply(action::EditMotionOptions{whole(MotionOptions{8, true})});
-  rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + Vec2(60, 0));
+  rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + ScreenVector(60, 0));
   REQUIRE(rig.session().mesh().body_drag() != nullptr);
   rig.release();
   REQUIRE(rig.settle());
@@ -129,7 +130,7 @@ TEST_CASE("in the direct mode the boundary goes at once, and the job shows what 
   Rig rig;
   rig.open(ring_mesh());
   rig.bench->apply(action::EditMotionOptions{whole(MotionOptions{1, true})});
-  rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + Vec2(60, 0));
+  rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + ScreenVector(60, 0));
   CHECK(rig.session().mesh().body_drag() == nullptr);
   REQUIRE(rig.session().job().active());
   CHECK(std::get<MoveCommand>(rig.session().job().command()).how.increments == 1);
@@ -141,7 +142,7 @@ TEST_CASE("in the direct mode the boundary goes at once, and the job shows what 
 TEST_CASE("a mesh that is solved under the mouse is what the command gives") {
   Rig rig;
   rig.open(ring_mesh());
-  rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + Vec2(40, 0));
+  rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + ScreenVector(40, 0));
   REQUIRE(rig.wait([&] { return rig.session().mesh().body_drag()->settled(); }));
   const Coordinates held = rig.session().coordinates();
   rig.release();
@@ -161,14 +162,14 @@ TEST_CASE("a drag stops where the mesh can go no further, and says so") {
   const Mesh before = rig.mesh();
   rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0.2, 0)));
   REQUIRE(rig.wait([&] { return rig.session().mesh().body_drag()->settled(); }));
-  const Image there = rig.bench->picture();
+  const Image there = rig.bench->pictures().picture();
   // Through the far field.
-  rig.move(rig.pixel(Vec2(0.2, 0)) + Vec2(600, 0));
+  rig.move(rig.pixel(Vec2(0.2, 0)) + ScreenVector(600, 0));
   REQUIRE(rig.wait(
       [&] { return rig.session().mesh().body_drag()->reach() == BodyDrag::Reach::limit; }));
   CHECK(check_validity(*before.topology, rig.session().coordinates()).inverted == 0);
   rig.frames();
-  CHECK(rig.bench->picture().rgba != there.rgba);
+  CHECK(rig.bench->pictures().picture().rgba != there.rgba);
   rig.release();
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);
@@ -235,18 +236,18 @@ TEST_CASE("a second drag before the first has converged adds to it") {
   slow.max_iterations = 4000;
   rig.bench->apply(action::EditSmoothOptions{whole(slow)});
   const Mesh before = rig.mesh();
-  const double unit = rig.bench->camera().units_per_pixel();
-  rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + Vec2(30, 0));
+  const double unit = rig.bench->view_control().camera().units_per_pixel();
+  rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + ScreenVector(30, 0));
   rig.release();
   // So little damping that the first is far from done when the second starts.
-  const Index node = before.topology->marker_nodes(rig.marker("flap"))[0];
+  const Index node = before.topology->markers().nodes(rig.marker("flap"))[0];
   REQUIRE(rig.wait([&] {
     const Vec2 moved = rig.session().coordinates().xy(node) - before.coordinates.xy(node);
     return std::abs(moved.x() - 30 * unit) < 1e-9;
   }));
   REQUIRE(rig.session().job().active());
-  const Vec2 on_body = rig.pixel(rig.session().selection().pivot() - Vec2(0.35, 0));
-  rig.drag(on_body, on_body + Vec2(0, -20));
+  const ScreenPoint on_body = rig.pixel(rig.session().selection().pivot() - Vec2(0.35, 0));
+  rig.drag(on_body, on_body + ScreenVector(0, -20));
   rig.bench->apply(action::EditSmoothOptions{whole(SmoothOptions{})});
   rig.release();
   REQUIRE(rig.settle());

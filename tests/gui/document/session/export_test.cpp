@@ -92,7 +92,7 @@ TEST_CASE("the menu exports the selected markers as a curve") {
   rig.frames();
   REQUIRE(rig.visible("menu/Markers.dat"));
   rig.click("menu/Markers.dat");
-  REQUIRE(rig.wait([&] { return rig.bench->file_dialog().is_open(); }));
+  REQUIRE(rig.wait([&] { return rig.bench->dialogs().file_dialog().is_open(); }));
   rig.key(keys::enter);  // the name proposed
   REQUIRE(rig.settle());
   std::ifstream file(rig.folder / "mesh_markers.dat");

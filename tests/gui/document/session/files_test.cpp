@@ -37,7 +37,7 @@ TEST_CASE("the open dialog lists meshes alone and opens the one chosen") {
   std::ofstream(rig.folder / "notes.txt") << "not a mesh\n";
   fs::create_directory(rig.folder / "inner");
   rig.key(keys::o, {keys::control});
-  REQUIRE(rig.bench->file_dialog().is_open());
+  REQUIRE(rig.bench->dialogs().file_dialog().is_open());
   rig.fill("dialog/folder", rig.folder.path().string());
   rig.click("dialog/folder");
   rig.key(keys::enter);
@@ -49,7 +49,7 @@ TEST_CASE("the open dialog lists meshes alone and opens the one chosen") {
   REQUIRE(rig.settle());
   REQUIRE(rig.session().document() != nullptr);
   CHECK(rig.document().path() == path);
-  CHECK_FALSE(rig.bench->file_dialog().is_open());
+  CHECK_FALSE(rig.bench->dialogs().file_dialog().is_open());
 }
 
 TEST_CASE("a file dropped on the window is opened") {
@@ -59,7 +59,7 @@ TEST_CASE("a file dropped on the window is opened") {
   rig.frames();
   REQUIRE(rig.settle());
   REQUIRE(rig.session().document() != nullptr);
-  CHECK(rig.document().topology()->find_marker("left").has_value());
+  CHECK(rig.document().topology()->markers().find("left").has_value());
 }
 
 TEST_CASE("every answer of a prompt is within a small window, at a large scale, too") {
@@ -166,11 +166,11 @@ TEST_CASE("save as goes through the dialog into another format") {
   Rig rig;
   rig.open(ring_mesh());
   rig.key(keys::s, {keys::control, keys::shift});
-  REQUIRE(rig.bench->file_dialog().is_open());
+  REQUIRE(rig.bench->dialogs().file_dialog().is_open());
   rig.frames(3);
   rig.fill("dialog/name", "copy.xyz");
   rig.click("dialog/accept");
-  CHECK(rig.bench->file_dialog().is_open());  // no format of ours
+  CHECK(rig.bench->dialogs().file_dialog().is_open());  // no format of ours
   rig.frames(2);
   const auto error = rig.bench->widgets().find("dialog/error");
   REQUIRE(error.has_value());
@@ -180,7 +180,7 @@ TEST_CASE("save as goes through the dialog into another format") {
   REQUIRE(rig.settle());
   const Mesh saved = io::read_mesh(rig.folder / "copy.msh").mesh;
   CHECK(saved.coordinates == rig.mesh().coordinates);
-  CHECK(saved.topology->find_marker("flap").has_value());
+  CHECK(saved.topology->markers().find("flap").has_value());
   CHECK(rig.document().name() == "copy.msh");
 }
 

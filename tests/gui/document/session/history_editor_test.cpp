@@ -58,7 +58,7 @@ TEST_CASE("a step is deleted, those after it run again, and the history before c
   parts.history.apply(action::DeleteStep{1});
   parts.finish();
   CHECK(parts.done().size() == 2);
-  REQUIRE(parts.mesh.document()->kept().size() == 1);
+  REQUIRE(parts.mesh.document()->edits().kept().size() == 1);
   CHECK(parts.mesh.coordinates() != parts.meshes[2]);
   parts.history.apply(action::BringBack{0});
   CHECK(parts.done().size() == 3);

@@ -84,7 +84,7 @@ TEST_CASE("what an edit replaced can be brought back, every position to the bit"
   REQUIRE(rig.settle());
   const Coordinates edited = rig.mesh().coordinates;
   CHECK(edited != meshes[3]);
-  REQUIRE(rig.document().kept().size() == 1);
+  REQUIRE(rig.document().edits().kept().size() == 1);
   rig.frames(2);
   rig.click("history/kept/0");
   for (std::size_t k = meshes.size(); k-- > 0;) {
@@ -171,7 +171,7 @@ TEST_CASE("a cancelled edit leaves the history as it was") {
   CHECK(rig.document().history().position() == 3);
   for (std::size_t k = 0; k < meshes.size(); ++k)
     CHECK(rig.document().history().state(k).mesh.coordinates == meshes[k]);
-  CHECK(rig.document().kept().empty());
+  CHECK(rig.document().edits().kept().empty());
 }
 
 TEST_CASE("an edit that fails on the way says where and keeps what was there") {
@@ -210,7 +210,7 @@ TEST_CASE("a recipe that is saved and replayed gives the same mesh") {
   for (std::size_t k = 0; k < meshes.size(); ++k)
     CHECK(rig.document().history().state(k).mesh.coordinates == meshes[k]);
   // What could have been redone before is not lost either.
-  CHECK(rig.document().kept().size() == 1);
+  CHECK(rig.document().edits().kept().size() == 1);
 }
 
 TEST_CASE("a recipe with an error is refused with its line, one that fails stops there") {

@@ -39,7 +39,7 @@ void show_everything(Rig& rig, Comparison comparison, const ElementField& field)
     view.color = field;
     view.node_ids = view.element_ids = view.rim_nodes = view.nodes = true;
   });
-  rig.bench->picture();
+  rig.bench->pictures().picture();
 }
 
 void check_same_mesh(const MeshState& a, const MeshState& b) {
@@ -80,7 +80,7 @@ TEST_CASE("the studio follows layers in, back and forth, whatever is drawn") {
     CHECK(rig.session().topology() == rig.mesh().topology);
     CHECK(rig.session().mesh().boundary()->topology() == rig.mesh().topology);
     CHECK(rig.mesh().topology->node_count() > nodes);
-    rig.bench->picture();
+    rig.bench->pictures().picture();
     for (const ElementField& field : all_element_fields()) {
       show_everything(rig, comparison, field);
       const auto& measured = rig.session().quality().latest();
@@ -90,15 +90,15 @@ TEST_CASE("the studio follows layers in, back and forth, whatever is drawn") {
     rig.key(keys::z, {keys::control});
     REQUIRE(rig.settle());
     CHECK(rig.mesh().topology->node_count() == nodes);
-    rig.bench->picture();
+    rig.bench->pictures().picture();
     rig.key(keys::z, {keys::control, keys::shift});
     REQUIRE(rig.settle());
     CHECK(rig.mesh().topology->node_count() > nodes);
-    rig.bench->picture();
+    rig.bench->pictures().picture();
     rig.bench->apply(action::GoToStep{0});
     REQUIRE(rig.settle());
     CHECK(rig.session().mesh().boundary()->topology() == rig.mesh().topology);
-    rig.bench->picture();
+    rig.bench->pictures().picture();
   }
 }
 
@@ -133,7 +133,7 @@ TEST_CASE("a body dragged with the mouse keeps its layers") {
   Rig rig;
   rig.open(ring_mesh());
   insert(rig);
-  const Vec2 from = rig.pixel(Vec2(0, 0));
+  const ScreenPoint from = rig.pixel(Vec2(0, 0));
   rig.drag(from, rig.pixel(Vec2(0.3, 0.2)));
   rig.release();
   REQUIRE(rig.settle());
@@ -156,7 +156,7 @@ TEST_CASE("Esc while layers are being inserted leaves the mesh as it was, pins a
   rig.bench->apply(action::StepSolver{1});
   REQUIRE(rig.wait([&] { return rig.session().topology() != before.mesh.topology; }));
   rig.frames(4);
-  rig.bench->picture();
+  rig.bench->pictures().picture();
   CHECK(rig.session().topology()->node_count() > before.mesh.topology->node_count());
   CHECK(rig.session().coordinates().size() == rig.session().topology()->node_count());
   CHECK(rig.session().nodes().pinned() == std::vector<Index>{far});
@@ -170,7 +170,7 @@ TEST_CASE("Esc while layers are being inserted leaves the mesh as it was, pins a
   CHECK(rig.session().mesh().boundary()->topology() == before.mesh.topology);
   CHECK(rig.session().nodes().pinned() == std::vector<Index>{near, far});
   CHECK(rig.session().nodes().inspected() == near);
-  rig.bench->picture();
+  rig.bench->pictures().picture();
 }
 
 TEST_CASE("a past insertion is changed in the history, and what came after it runs again") {
@@ -180,7 +180,7 @@ TEST_CASE("a past insertion is changed in the history, and what came after it ru
   turn_flap(rig, 10);
   rig.click("tab/history");
   rig.frames(3);
-  const Vec2 step = rig.bench->widgets().find("history/1")->centre();
+  const ScreenPoint step = rig.bench->widgets().find("history/1")->centre();
   rig.move(step);
   rig.press(MouseButton::right);
   rig.release(MouseButton::right);
@@ -200,7 +200,7 @@ TEST_CASE("a past insertion is changed in the history, and what came after it ru
     CHECK(stack->columns.front().heights.front() == doctest::Approx(0.008));
   }
   CHECK(rig.session().topology()->node_count() == 24 * 7 + 24 * 6);
-  rig.bench->picture();
+  rig.bench->pictures().picture();
   rig.bench->apply(action::BringBack{0});
   REQUIRE(rig.settle());
   CHECK(rig.document().state().layers->columns.front().count() == 4);
@@ -264,7 +264,7 @@ TEST_CASE("layers in a mesh of many nodes") {
     rig.bench->apply(action::Undo{});
     REQUIRE(rig.settle());
     CHECK(rig.session().topology()->node_count() == nodes);
-    rig.bench->picture();
+    rig.bench->pictures().picture();
   }
 }
 
@@ -308,7 +308,7 @@ TEST_CASE("steps before and after layers can be changed and deleted") {
   rig.bench->apply(action::BringBack{0});
   REQUIRE(rig.settle());
   CHECK(rig.document().state().layers != nullptr);
-  rig.bench->picture();
+  rig.bench->pictures().picture();
 }
 
 TEST_CASE("a session with layers is restored to the bit") {
@@ -356,7 +356,7 @@ TEST_CASE("the panel plans layers, shows them and inserts them") {
   CHECK(plan->columns.front().heights.front() == doctest::Approx(0.02));
   CHECK(rig.visible("layers/summary"));
   CHECK(rig.visible("layers/plot"));
-  rig.bench->picture();
+  rig.bench->pictures().picture();
   rig.click("layers/insert");
   REQUIRE(rig.settle());
   REQUIRE(rig.document().state().layers != nullptr);
@@ -364,7 +364,7 @@ TEST_CASE("the panel plans layers, shows them and inserts them") {
   rig.frames();
   CHECK(rig.visible("layers/result"));
   CHECK(rig.visible("layers/realised"));
-  rig.bench->picture();
+  rig.bench->pictures().picture();
   // A plan for the same once more would only hide the layers; another one is shown.
   CHECK_FALSE(rig.session().jobs().layer_preview().wanted());
   rig.fill("layers/count", "2");
@@ -392,7 +392,7 @@ TEST_CASE("a mesh that comes with the program is never written over") {
   CHECK(rig.session().messages().notice()->text == bundled_text);
   rig.key(keys::s, {keys::control});
   rig.frames(3);
-  CHECK(rig.bench->file_dialog().is_open());
+  CHECK(rig.bench->dialogs().file_dialog().is_open());
   CHECK(content() == before);
 }
 

@@ -58,7 +58,7 @@ TEST_CASE("nodes: one that does not exist is said, one without a VCV is not pinn
   SessionParts parts(ring_mesh());
   Selection& selection = parts.selection;
   const Index node = parts.free_node();
-  const Index on_wall = parts.mesh.topology()->marker_nodes(parts.marker("flap"))[0];
+  const Index on_wall = parts.mesh.topology()->markers().nodes(parts.marker("flap"))[0];
   selection.apply(action::SelectNode{node});
   CHECK(selection.nodes().inspected() == node);
   selection.apply(action::SelectNode{123456});

@@ -142,14 +142,14 @@ TEST_CASE("scrambling tangles the mesh and smoothing recovers it") {
 TEST_CASE("the convergence plot shows the run and reads out an iteration under the mouse") {
   Rig rig;
   rig.open(ring_mesh());
-  const Image empty = rig.bench->picture();
+  const Image empty = rig.bench->pictures().picture();
   rig.click("solver/run");
   REQUIRE(rig.settle());
   const auto plot = rig.bench->widgets().find("convergence/plot");
   REQUIRE(plot.has_value());
   rig.move(rig.pixel(Vec2(1, 1)));
   rig.frames();
-  const Image drawn = rig.bench->picture();
+  const Image drawn = rig.bench->pictures().picture();
   int blue = 0;
   int blue_before = 0;
   const auto is_blue = [](const std::uint8_t* c) { return c[2] > 180 && c[0] < 110 && c[1] < 150; };
@@ -163,7 +163,7 @@ TEST_CASE("the convergence plot shows the run and reads out an iteration under t
   CHECK(blue > 60);
   rig.move(plot->centre());
   rig.frames(3);
-  CHECK(rig.bench->picture().rgba != drawn.rgba);
+  CHECK(rig.bench->pictures().picture().rgba != drawn.rgba);
 }
 
 TEST_CASE("no frame waits for the solver") {

@@ -29,13 +29,17 @@ struct Dialog : Rig {
   }
   void show_open() {
     key(keys::o, {keys::control});
-    REQUIRE(bench->file_dialog().is_open());
+    REQUIRE(bench->dialogs().file_dialog().is_open());
     type(folder.path().string() + "/");
     REQUIRE(arrive(folder.path()));
   }
   bool arrive(const fs::path& at) {
-    return wait([&] { return !bench->file_dialog().busy() && bench->file_dialog().folder() == at; },
-                20);
+    return wait(
+        [&] {
+          return !bench->dialogs().file_dialog().busy() &&
+                 bench->dialogs().file_dialog().folder() == at;
+        },
+        20);
   }
   bool listed(const std::string& name) const { return visible("dialog/entry/" + name); }
 };
@@ -57,7 +61,7 @@ TEST_CASE("a mesh is opened by keys alone: a path, a folder, the first letters o
   REQUIRE(rig.settle());
   REQUIRE(rig.session().document() != nullptr);
   CHECK(rig.document().name() == "beta.vtk");
-  CHECK_FALSE(rig.bench->file_dialog().is_open());
+  CHECK_FALSE(rig.bench->dialogs().file_dialog().is_open());
 }
 
 TEST_CASE("arrow keys go through the list, Enter opens a folder or a file, Esc leaves") {
@@ -73,9 +77,9 @@ TEST_CASE("arrow keys go through the list, Enter opens a folder or a file, Esc l
   REQUIRE(rig.session().document() != nullptr);
   CHECK(rig.document().name() == "deep.su2");
   rig.key(keys::o, {keys::control});
-  REQUIRE(rig.bench->file_dialog().is_open());
+  REQUIRE(rig.bench->dialogs().file_dialog().is_open());
   rig.key(keys::escape);
-  CHECK_FALSE(rig.bench->file_dialog().is_open());
+  CHECK_FALSE(rig.bench->dialogs().file_dialog().is_open());
   CHECK(rig.document().name() == "deep.su2");
 }
 
@@ -136,7 +140,7 @@ TEST_CASE("a folder that cannot be read is said, and the one before stays") {
   rig.key(keys::enter);
   rig.frames();
   CHECK(rig.visible("dialog/error"));
-  CHECK(rig.bench->file_dialog().folder() == rig.folder.path());
+  CHECK(rig.bench->dialogs().file_dialog().folder() == rig.folder.path());
   CHECK(rig.listed("alpha.su2"));
 }
 
@@ -170,7 +174,7 @@ TEST_CASE("the places lead to the home folder and to the bundled meshes") {
   rig.click("dialog/place/System");
   CHECK(rig.arrive("/"));
   rig.click("dialog/cancel");
-  CHECK_FALSE(rig.bench->file_dialog().is_open());
+  CHECK_FALSE(rig.bench->dialogs().file_dialog().is_open());
 }
 
 }  // namespace winslow::gui::test

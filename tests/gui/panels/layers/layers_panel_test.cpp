@@ -36,7 +36,7 @@ void add_wall(Rig& rig, const std::string& marker, const std::string& count,
 
 /// The tallest column on a marker; null: there is none with layers.
 const LayerColumn* tallest(const Rig& rig, const LayerStack& stack, const std::string& marker) {
-  const auto nodes = rig.session().topology()->marker_nodes(rig.marker(marker));
+  const auto nodes = rig.session().topology()->markers().nodes(rig.marker(marker));
   const LayerColumn* found = nullptr;
   for (const LayerColumn& column : stack.columns)
     if (std::ranges::binary_search(nodes, column.wall_node) && column.count() > 0 &&
@@ -98,7 +98,7 @@ TEST_CASE("walls of a list have layers of their own, inserted together") {
   REQUIRE(rig.settle());
   check_layers(rig, rig.session().jobs().layer_preview().plan(), "left", 5, 0.01);
   check_layers(rig, rig.session().jobs().layer_preview().plan(), "right", 3, 0.02);
-  rig.bench->picture();
+  rig.bench->pictures().picture();
 
   rig.click("layers/insert");
   REQUIRE(rig.settle());
@@ -150,7 +150,7 @@ TEST_CASE(
   rig.frames(3);
   REQUIRE(rig.visible("layers/xmin"));
   const Mesh& mesh = rig.mesh();
-  const auto nodes = mesh.topology->marker_nodes(rig.marker("left"));
+  const auto nodes = mesh.topology->markers().nodes(rig.marker("left"));
   double low = 1e9, high = -1e9;
   for (const Index node : nodes) {
     low = std::min(low, mesh.coordinates.xy(node).y());
@@ -275,7 +275,7 @@ TEST_CASE("single columns are set by hand for a node that is inspected") {
   REQUIRE(rig.visible("layers/columns/add"));
   CHECK_FALSE(enabled(rig, "layers/columns/add"));  // no node is inspected
   const auto corner = [&]() -> Index {
-    for (const Index node : rig.session().topology()->marker_nodes(rig.marker("left")))
+    for (const Index node : rig.session().topology()->markers().nodes(rig.marker("left")))
       if ((rig.mesh().coordinates.xy(node) - Vec2(-2.5, -0.5)).norm() < 1e-9) return node;
     return -1;
   }();
@@ -299,7 +299,7 @@ TEST_CASE("single columns are set by hand for a node that is inspected") {
   rig.frames(3);
   rig.fill("layers/columns/thickness", "0.045");
   REQUIRE(rig.settle());
-  rig.bench->picture();
+  rig.bench->pictures().picture();
   rig.click("layers/insert");
   REQUIRE(rig.settle());
   REQUIRE(rig.session().messages().prompt() == nullptr);

@@ -59,7 +59,7 @@ TEST_CASE(
   const std::size_t steps = rig.document().history().size();
   const double radius = 2.2 * view_of(rig, node).physical.mean_length();
   std::vector<Index> expected, others;
-  for (const Index k : rig.mesh().topology->free_nodes()) {
+  for (const Index k : rig.mesh().topology->interior_nodes()) {
     const double away =
         (rig.session().coordinates().xy(k) - rig.session().coordinates().xy(node)).norm();
     const bool inside = away <= radius && rig.mesh().topology->neighbours(k).size() == 6;

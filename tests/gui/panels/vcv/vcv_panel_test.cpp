@@ -10,15 +10,15 @@ namespace winslow::gui::test {
 
 namespace {
 
-Vec2 end_of_edge(const Rig& rig, std::size_t k) {
+ScreenPoint end_of_edge(const Rig& rig, std::size_t k) {
   const auto rect = rig.bench->widgets().find("vcv/end/" + std::to_string(k));
   REQUIRE(rect.has_value());
   return rect->centre();
 }
 
 /// Drags an end of the VCV across the picture and lets go.
-void drag_end(Rig& rig, std::size_t k, const Vec2& by) {
-  const Vec2 from = end_of_edge(rig, k);
+void drag_end(Rig& rig, std::size_t k, const ScreenVector& by) {
+  const ScreenPoint from = end_of_edge(rig, k);
   rig.drag(from, from + by, 5);
 }
 
@@ -30,11 +30,11 @@ TEST_CASE("with the VCV tab open a click near a node inspects it and leaves the 
   rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
   CHECK(rig.visible("vcv/hint"));
   const Index node = inner_node(rig);
-  const Vec2 at = rig.pixel(rig.mesh().coordinates.xy(node));
-  rig.move(at + Vec2(3, -2));
+  const ScreenPoint at = rig.pixel(rig.mesh().coordinates.xy(node));
+  rig.move(at + ScreenVector(3, -2));
   rig.frames(1);
   CHECK(rig.session().nodes().hovered() == node);
-  rig.click(at + Vec2(3, -2));
+  rig.click(at + ScreenVector(3, -2));
   CHECK(rig.session().nodes().inspected() == node);
   CHECK(rig.session().selection().contains(rig.marker("flap")));
   CHECK(rig.visible("vcv/plot"));
@@ -45,7 +45,7 @@ TEST_CASE("with the VCV tab open a click near a node inspects it and leaves the 
 TEST_CASE("Alt and a click inspect a node from any tab; without Alt it does not") {
   Rig rig(1300, 800);
   rig.open(ring_mesh());
-  const Vec2 at = rig.pixel(rig.mesh().coordinates.xy(inner_node(rig)));
+  const ScreenPoint at = rig.pixel(rig.mesh().coordinates.xy(inner_node(rig)));
   rig.click(at);
   CHECK_FALSE(rig.session().nodes().inspected().has_value());
   rig.input.key(keys::alt, true);
@@ -53,7 +53,7 @@ TEST_CASE("Alt and a click inspect a node from any tab; without Alt it does not"
   rig.input.key(keys::alt, false);
   rig.frames();
   CHECK(rig.session().nodes().inspected() == inner_node(rig));
-  CHECK(rig.bench->view().side_tab == SideTab::vcv);
+  CHECK(rig.bench->view_control().options().side_tab == SideTab::vcv);
 }
 
 TEST_CASE("a typed number inspects a node; one on the boundary has no VCV, and the panel says so") {
@@ -63,25 +63,25 @@ TEST_CASE("a typed number inspects a node; one on the boundary has no VCV, and t
   enter_node(rig, std::to_string(node));
   CHECK(rig.session().nodes().inspected() == node);
   CHECK(rig.visible("vcv/kappa"));
-  const Index rim = rig.mesh().topology->marker_nodes(rig.marker("flap"))[0];
+  const Index rim = rig.mesh().topology->markers().nodes(rig.marker("flap"))[0];
   enter_node(rig, std::to_string(rim));
   CHECK(rig.session().nodes().inspected() == rim);
   CHECK(rig.visible("vcv/none"));
   CHECK_FALSE(rig.visible("vcv/plot"));
-  const Camera before = rig.bench->camera();
+  const Camera before = rig.bench->view_control().camera();
   enter_node(rig, "99999");
-  CHECK(rig.bench->camera().centre() == before.centre());
+  CHECK(rig.bench->view_control().camera().centre() == before.centre());
   // One out of sight is brought into it; one in sight leaves the view alone.
   rig.bench->apply(action::LookAt{Vec2(50, 50), 1});
   rig.frames();
   enter_node(rig, std::to_string(node));
   rig.frames();
-  const Vec2 seen = rig.pixel(rig.mesh().coordinates.xy(node));
+  const ScreenPoint seen = rig.pixel(rig.mesh().coordinates.xy(node));
   const Area& v = rig.bench->layout().viewport;
-  CHECK((seen - Vec2(v.x + v.width / 2, v.y + v.height / 2)).norm() < 100);
-  const Vec2 centre = rig.bench->camera().centre();
+  CHECK((seen - ScreenPoint(v.x + v.width / 2, v.y + v.height / 2)).norm() < 100);
+  const Vec2 centre = rig.bench->view_control().camera().centre();
   enter_node(rig, std::to_string(rig.mesh().topology->neighbours(node)[0]));
-  CHECK(rig.bench->camera().centre() == centre);
+  CHECK(rig.bench->view_control().camera().centre() == centre);
   enter_node(rig, std::to_string(rim));
   enter_node(rig, "99999");
   CHECK(rig.session().nodes().inspected() == rim);
@@ -93,9 +93,9 @@ TEST_CASE("a body is still dragged by its rim while the VCV tab is open") {
   Rig rig(1300, 800);
   open_ring(rig);
   const std::size_t steps = rig.document().history().size();
-  const Index rim = rig.mesh().topology->marker_nodes(rig.marker("flap"))[3];
-  const Vec2 from = rig.pixel(rig.mesh().coordinates.xy(rim));
-  rig.drag(from, from + Vec2(30, 10));
+  const Index rim = rig.mesh().topology->markers().nodes(rig.marker("flap"))[3];
+  const ScreenPoint from = rig.pixel(rig.mesh().coordinates.xy(rim));
+  rig.drag(from, from + ScreenVector(30, 10));
   CHECK(rig.session().dragging());
   rig.release();
   REQUIRE(rig.settle());
@@ -112,11 +112,11 @@ TEST_CASE("dragging an end of a VCV opens the angle of the mesh while held; one 
   const Mesh before = rig.mesh();
   const std::size_t steps = rig.document().history().size();
   const NodalView start = view_of(rig, node);
-  const Vec2 centre = rig.bench->widgets().find("vcv/plot")->centre();
-  const Vec2 end = end_of_edge(rig, 2);
+  const ScreenPoint centre = rig.bench->widgets().find("vcv/plot")->centre();
+  const ScreenPoint end = end_of_edge(rig, 2);
   // Across the edge, counter-clockwise on screen: y is down.
-  const Vec2 out = end - centre;
-  drag_end(rig, 2, 0.5 * Vec2(out.y(), -out.x()));
+  const ScreenVector out = end - centre;
+  drag_end(rig, 2, 0.5 * ScreenVector(out.y(), -out.x()));
   REQUIRE(rig.session().job().active());
   const bool followed = rig.wait([&] {
     return valid(rig) && view_of(rig, node).physical.angles[1] > start.physical.angles[1] + 0.05;
@@ -148,7 +148,7 @@ TEST_CASE("Shift keeps the length of an edge, Ctrl its angles") {
   for (const int modifier : {keys::shift, keys::control}) {
     const std::size_t steps = rig.document().history().position();
     rig.input.key(modifier, true);
-    drag_end(rig, 1, Vec2(-16, 9));
+    drag_end(rig, 1, ScreenVector(-16, 9));
     rig.release();
     rig.input.key(modifier, false);
     REQUIRE(rig.settle());
@@ -172,11 +172,11 @@ TEST_CASE("Esc ends a drag of a VCV and puts the mesh back") {
   rig.frames(3);
   const Coordinates before = rig.session().coordinates();
   const std::size_t steps = rig.document().history().size();
-  drag_end(rig, 0, Vec2(-20, -20));
+  drag_end(rig, 0, ScreenVector(-20, -20));
   REQUIRE(rig.session().job().active());
   rig.key(keys::escape);
   CHECK_FALSE(rig.session().job().active());
-  rig.move(end_of_edge(rig, 0) + Vec2(5, 5));
+  rig.move(end_of_edge(rig, 0) + ScreenVector(5, 5));
   CHECK_FALSE(rig.session().job().active());
   rig.release();
   REQUIRE(rig.settle());
@@ -189,38 +189,38 @@ TEST_CASE("a pinned VCV is drawn over the mesh, and gone when it is unpinned") {
   open_ring(rig);
   const Index node = inner_node(rig);
   rig.bench->apply(action::InspectNode{node});
-  rig.move(Vec2(5, 795));
+  rig.move(ScreenPoint(5, 795));
   rig.frames(3);
-  const Image plain = rig.bench->picture();
-  const Vec2 at = rig.pixel(rig.mesh().coordinates.xy(node));
-  const double reach =
-      0.7 * view_of(rig, node).physical.mean_length() / rig.bench->camera().units_per_pixel();
-  const Vec2 box = Vec2::Constant(reach);
+  const Image plain = rig.bench->pictures().picture();
+  const ScreenPoint at = rig.pixel(rig.mesh().coordinates.xy(node));
+  const double reach = 0.7 * view_of(rig, node).physical.mean_length() /
+                       rig.bench->view_control().camera().units_per_pixel();
+  const ScreenVector box(reach, reach);
   rig.click("vcv/pin");
-  rig.move(Vec2(5, 795));
+  rig.move(ScreenPoint(5, 795));
   rig.frames(2);
   CHECK(rig.session().nodes().pinned() == std::vector<Index>{node});
-  const int changed = differing(plain, rig.bench->picture(), at - box, at + box);
+  const int changed = differing(plain, rig.bench->pictures().picture(), at - box, at + box);
   CHECK(changed > 2 * reach * reach);
   rig.click("vcv/clear_pins");
-  rig.move(Vec2(5, 795));
+  rig.move(ScreenPoint(5, 795));
   rig.frames(2);
   CHECK(rig.session().nodes().pinned().empty());
-  CHECK(differing(plain, rig.bench->picture(), at - box, at + box) == 0);
+  CHECK(differing(plain, rig.bench->pictures().picture(), at - box, at + box) == 0);
 }
 
 TEST_CASE("colouring by kappa changes the mesh and its legend, and follows an edit") {
   Rig rig(1300, 800);
   open_ring(rig);
-  ViewOptions view = rig.bench->view();
-  const Image plain = rig.bench->picture();
+  ViewOptions view = rig.bench->view_control().options();
+  const Image plain = rig.bench->pictures().picture();
   view.color = NodalField::kappa;
   rig.bench->apply(action::EditView{whole(view)});
   REQUIRE(rig.settle());
   rig.frames(2);
   const Area& v = rig.bench->layout().viewport;
-  const Vec2 min(v.x, v.y), max(v.x + v.width, v.y + v.height);
-  CHECK(differing(plain, rig.bench->picture(), min, max) > 10000);
+  const ScreenPoint min(v.x, v.y), max(v.x + v.width, v.y + v.height);
+  CHECK(differing(plain, rig.bench->pictures().picture(), min, max) > 10000);
   const auto& measured = rig.session().quality().latest();
   REQUIRE(measured != nullptr);
   CHECK(measured->field == NodalField::kappa);

@@ -41,14 +41,14 @@ double difference(const Image& small, const Image& large, int ratio, int block) 
 TEST_CASE("a picture at three times the size shows the same") {
   Rig rig(900, 600);
   rig.open(ring_mesh());
-  const Image window = rig.bench->picture();
-  const Image large = rig.bench->picture({.scale = 3, .size = {}});
+  const Image window = rig.bench->pictures().picture();
+  const Image large = rig.bench->pictures().picture({.scale = 3, .size = {}});
   REQUIRE(large.width == 2700);
   REQUIRE(large.height == 1800);
   CHECK(difference(window, large, 3, 60) < 12);
   // Were it another part of the mesh, or the lines three times as thin, this would not hold.
-  const Image alone = rig.bench->picture({.size = {}, .panels = false});
-  const Image alone3 = rig.bench->picture({.scale = 3, .size = {}, .panels = false});
+  const Image alone = rig.bench->pictures().picture({.size = {}, .panels = false});
+  const Image alone3 = rig.bench->pictures().picture({.scale = 3, .size = {}, .panels = false});
   REQUIRE(alone3.width == 3 * alone.width);
   CHECK(difference(alone, alone3, 3, 30) < 20);
 }
@@ -59,22 +59,22 @@ TEST_CASE("a picture leaves the window as it was") {
   rig.click("section/solver");
   rig.move({1, 1});
   rig.frames(3);
-  const Image before = rig.bench->picture();
-  const Vec2 centre = rig.pixel({0.5, 0.5});
-  rig.bench->picture({.scale = 2, .size = {}, .panels = false});
+  const Image before = rig.bench->pictures().picture();
+  const ScreenPoint centre = rig.pixel({0.5, 0.5});
+  rig.bench->pictures().picture({.scale = 2, .size = {}, .panels = false});
   CHECK(rig.pixel({0.5, 0.5}) == centre);
   rig.frames(3);
-  CHECK(rig.bench->picture().rgba == before.rgba);
+  CHECK(rig.bench->pictures().picture().rgba == before.rgba);
 }
 
 TEST_CASE("without panels a picture shows the mesh alone") {
   Rig rig(900, 600);
   rig.open(ring_mesh());
   const Layout& layout = rig.bench->layout();
-  const Image alone = rig.bench->picture({.size = {}, .panels = false, .legend = false});
+  const Image alone = rig.bench->pictures().picture({.size = {}, .panels = false, .legend = false});
   CHECK(alone.width == static_cast<int>(std::lround(layout.viewport.width)));
   CHECK(alone.height == static_cast<int>(std::lround(layout.viewport.height)));
-  const Image window = rig.bench->picture();
+  const Image window = rig.bench->pictures().picture();
   // The middle of the viewport is the same in both; the corner is paper, without a toolbar.
   const auto x = static_cast<int>(layout.viewport.x + 0.3f * layout.viewport.width);
   const auto y = static_cast<int>(layout.viewport.y + 0.5f * layout.viewport.height);
@@ -88,15 +88,15 @@ TEST_CASE("without panels a picture shows the mesh alone") {
 TEST_CASE("a transparent picture has no paper, and undivided colours") {
   Rig rig(900, 600);
   rig.open(ring_mesh());
-  const Image image =
-      rig.bench->picture({.size = {}, .panels = false, .transparent = true, .legend = false});
+  const Image image = rig.bench->pictures().picture(
+      {.size = {}, .panels = false, .transparent = true, .legend = false});
   CHECK(image.pixel(0, 0)[3] == 0);
   CHECK(image.pixel(image.width / 2, image.height / 2)[3] == 0);  // inside the body
   const auto opaque = [&](int x) { return image.pixel(x, image.height / 2)[3] == 255; };
   int count = 0;
   for (int x = 0; x < image.width; ++x) count += opaque(x);
   CHECK(count > image.width / 3);
-  const Image paper = rig.bench->picture({.size = {}, .panels = false, .legend = false});
+  const Image paper = rig.bench->pictures().picture({.size = {}, .panels = false, .legend = false});
   for (int x = 0; x < image.width; ++x)
     if (opaque(x))
       CHECK(image.pixel(x, image.height / 2)[1] == paper.pixel(x, image.height / 2)[1]);
@@ -106,10 +106,10 @@ TEST_CASE("a picture larger than a tile has no seams") {
   Rig rig(900, 600);
   rig.open(ring_mesh());
   // 2048 pixels are drawn at once: the same picture, in one piece and in several.
-  const Image whole =
-      rig.bench->picture({.size = std::array{1500, 900}, .panels = false, .legend = false});
-  const Image pieces =
-      rig.bench->picture({.size = std::array{3000, 1800}, .panels = false, .legend = false});
+  const Image whole = rig.bench->pictures().picture(
+      {.size = std::array{1500, 900}, .panels = false, .legend = false});
+  const Image pieces = rig.bench->pictures().picture(
+      {.size = std::array{3000, 1800}, .panels = false, .legend = false});
   CHECK(difference(whole, pieces, 2, 20) < 20);
 }
 
@@ -120,8 +120,8 @@ TEST_CASE("a background of two colours runs over the whole of a picture, not of 
     view.backdrop = Backdrop::gradient;
     view.fill = view.wireframe = false;
   });
-  const Image image =
-      rig.bench->picture({.size = std::array{2400, 3000}, .panels = false, .legend = false});
+  const Image image = rig.bench->pictures().picture(
+      {.size = std::array{2400, 3000}, .panels = false, .legend = false});
   double before = mean(image, 10, 0, 4)[0];
   const double first = before;
   for (int y = 4; y + 4 <= image.height; y += 4) {
@@ -166,7 +166,7 @@ TEST_CASE("a typed size is used, and one that cannot be is refused before a file
   rig.fill("picture/height", "300");
   rig.click("picture/accept");
   CHECK(rig.bench->capture().picture().size == std::array{1200, 300});
-  CHECK(rig.bench->file_dialog().is_open());
+  CHECK(rig.bench->dialogs().file_dialog().is_open());
 }
 
 TEST_CASE("a picture that cannot be written says so") {

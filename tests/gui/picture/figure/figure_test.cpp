@@ -127,7 +127,7 @@ TEST_CASE("an inset of a figure shows its place again, larger, and only there") 
   FigureInset inset;
   inset.camera.set_viewport(10, 180, 110, 110);
   inset.camera.look_at({0, 0}, figure.camera.units_per_pixel() / 2);
-  inset.source = {Vec2(172.5, 122.5), Vec2(227.5, 177.5)};
+  inset.source = {{172.5, 122.5}, {227.5, 177.5}};
   figure.inset = inset;
   write_figure(folder / "inset.svg", figure);
   pugi::xml_document plain, with;
@@ -147,7 +147,7 @@ TEST_CASE("VCVs of a figure are vectors: outline and edges in their colour, nega
   VectorFigure figure = ring_figure();
   const MeshState state = make_state(figure.mesh);
   const Topology& topology = *figure.mesh.topology;
-  for (const Index node : topology.free_nodes())
+  for (const Index node : topology.interior_nodes())
     if (topology.neighbours(node).size() == 6 && figure.vcvs.size() < 2)
       figure.vcvs.push_back(inspect_node(*state.vcv, figure.mesh.coordinates, node));
   REQUIRE(figure.vcvs.size() == 2);
@@ -176,7 +176,7 @@ TEST_CASE("a VCV larger than the page is cut off at it") {
   TemporaryFolder folder;
   VectorFigure figure = ring_figure();
   const MeshState state = make_state(figure.mesh);
-  const Index node = figure.mesh.topology->free_nodes()[0];
+  const Index node = figure.mesh.topology->interior_nodes()[0];
   figure.vcvs.push_back(inspect_node(*state.vcv, figure.mesh.coordinates, node));
   figure.camera.look_at(figure.vcvs[0].position, 1e-9);
   write_figure(folder / "deep.svg", figure);
@@ -187,11 +187,11 @@ TEST_CASE("a VCV larger than the page is cut off at it") {
 }
 
 TEST_CASE("lines and polygons are cut at a box") {
-  const Bounds box{{0, 0}, {2, 1}};
+  const ScreenBox box{{0, 0}, {2, 1}};
   const auto line = clip_line({-1, 0.5}, {3, 0.5}, box);
   REQUIRE(line);
-  CHECK((*line)[0].isApprox(Vec2(0, 0.5)));
-  CHECK((*line)[1].isApprox(Vec2(2, 0.5)));
+  CHECK(((*line)[0] - ScreenPoint(0, 0.5)).norm() < 1e-12);
+  CHECK(((*line)[1] - ScreenPoint(2, 0.5)).norm() < 1e-12);
   CHECK_FALSE(clip_line({-1, 2}, {3, 2}, box));
   CHECK_FALSE(clip_line({-1, 0.5}, {-0.5, 3}, box));
   const auto polygon = clip_polygon({{-5, -5}, {5, -5}, {5, 5}, {-5, 5}}, box);
@@ -210,7 +210,7 @@ TEST_CASE("the studio saves its view as vector graphics, colours and legend incl
   REQUIRE(svg.load_string(colored.c_str()));
   CHECK(lines_of_color(svg, marker_color(0)) == 24 + 1);  // and its line in the key
   // Without colours there is neither legend nor a path for each of them.
-  ViewOptions plain = rig.bench->view();
+  ViewOptions plain = rig.bench->view_control().options();
   plain.color.reset();
   rig.bench->apply(action::EditView{whole(plain)});
   rig.bench->apply(action::SavePicture{path, true});
@@ -223,7 +223,7 @@ TEST_CASE("pinned VCVs are in the studio's vector graphics") {
   rig.open(ring_mesh());
   const Topology& topology = *rig.mesh().topology;
   Index node = -1;
-  for (const Index k : topology.free_nodes())
+  for (const Index k : topology.interior_nodes())
     if (topology.neighbours(k).size() == 6) node = k;
   REQUIRE(node >= 0);
   const auto lines_when_pinned = [&](const std::string& name) {

@@ -55,7 +55,7 @@ TEST_CASE("a recipe replayed without a display gives what the studio gives") {
   REQUIRE(rig.settle());
   rig.frames(4);
   const auto interactive = rig.folder / "interactive.png";
-  write_png(interactive, rig.bench->picture({.size = {}, .panels = false}));
+  write_png(interactive, rig.bench->pictures().picture({.size = {}, .panels = false}));
 
   HeadlessOptions options = small_window();
   options.recipe = write_recipe_file(rig.folder, {turn_flap()});

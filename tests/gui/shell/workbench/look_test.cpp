@@ -20,31 +20,31 @@ TEST_CASE("the dark theme darkens panels, menus and what lies behind the mesh") 
   Rig rig;
   rig.open(ring_mesh());
   // A place beside the mesh, one in a panel, one in the toolbar.
-  const Vec2 beside = rig.pixel(Vec2(3.3, 0));
-  const Vec2 panel(20, 700 - 40);
-  const Image light = rig.bench->picture();
+  const ScreenPoint beside = rig.pixel(Vec2(3.3, 0));
+  const ScreenPoint panel(20, 700 - 40);
+  const Image light = rig.bench->pictures().picture();
   rig.key(GLFW_KEY_D, {keys::control});
-  const Image dark = rig.bench->picture();
-  for (const Vec2& p : {beside, panel, Vec2(700, 40)}) {
+  const Image dark = rig.bench->pictures().picture();
+  for (const ScreenPoint& p : {beside, panel, ScreenPoint(700, 40)}) {
     CHECK(brightness(light, p) > 0.9);
     CHECK(brightness(dark, p) < 0.25);
   }
   rig.key(GLFW_KEY_D, {keys::control});
-  CHECK(rig.bench->picture().rgba == light.rgba);
+  CHECK(rig.bench->pictures().picture().rgba == light.rgba);
 }
 
 TEST_CASE("the background can be grey, black or a gradient whatever the theme") {
   Rig rig;
   rig.open(ring_mesh());
   const Area v = rig.bench->layout().viewport;
-  const Vec2 top(v.x + 10, v.y + 10);
-  const Vec2 bottom(v.x + 10, v.y + v.height - 10);
+  const ScreenPoint top(v.x + 10, v.y + 10);
+  const ScreenPoint bottom(v.x + 10, v.y + v.height - 10);
   set_view(rig, [](ViewOptions& view) { view.backdrop = Backdrop::black; });
-  CHECK(brightness(rig.bench->picture(), top) == 0);
+  CHECK(brightness(rig.bench->pictures().picture(), top) == 0);
   set_view(rig, [](ViewOptions& view) { view.backdrop = Backdrop::grey; });
-  CHECK(brightness(rig.bench->picture(), top) == doctest::Approx(0.81).epsilon(0.03));
+  CHECK(brightness(rig.bench->pictures().picture(), top) == doctest::Approx(0.81).epsilon(0.03));
   set_view(rig, [](ViewOptions& view) { view.backdrop = Backdrop::gradient; });
-  const Image gradient = rig.bench->picture();
+  const Image gradient = rig.bench->pictures().picture();
   CHECK(brightness(gradient, top) > brightness(gradient, bottom) + 0.1);
 }
 
@@ -70,22 +70,22 @@ TEST_CASE("the scale of the interface is chosen, or the screen's own") {
   };
   const double before = height();
   for (int i = 0; i < 3; ++i) rig.key(GLFW_KEY_EQUAL, {keys::control});
-  CHECK(rig.bench->view().scale == 1.5);
+  CHECK(rig.bench->view_control().options().scale == 1.5);
   CHECK(height() == doctest::Approx(1.5 * before).epsilon(0.1));
   rig.key(GLFW_KEY_MINUS, {keys::control});
-  CHECK(rig.bench->view().scale == 1.25);
+  CHECK(rig.bench->view_control().options().scale == 1.25);
   rig.key(GLFW_KEY_0, {keys::control});
   CHECK(height() == before);
   CHECK_FALSE(said(rig, "no room"));
   for (int i = 0; i < 6; ++i) rig.key(GLFW_KEY_EQUAL, {keys::control});
-  CHECK(rig.bench->view().scale == 2);
+  CHECK(rig.bench->view_control().options().scale == 2);
   CHECK(said(rig, "no room for a larger interface"));
   set_view(rig, [](ViewOptions& view) { view.scale = 3; });
   CHECK(said(rig, "room for 200 % only"));
   rig.key(GLFW_KEY_MINUS, {keys::control});
-  CHECK(rig.bench->view().scale == 1.75);
+  CHECK(rig.bench->view_control().options().scale == 1.75);
   for (int i = 0; i < 8; ++i) rig.key(GLFW_KEY_MINUS, {keys::control});
-  CHECK(rig.bench->view().scale == .75);
+  CHECK(rig.bench->view_control().options().scale == .75);
   CHECK(said(rig, "as small as it gets"));
   rig.key(GLFW_KEY_0, {keys::control});
   // Moved to a screen that wants two pixels for one.
@@ -104,13 +104,13 @@ TEST_CASE("the scale of the interface is chosen, or the screen's own") {
 TEST_CASE("W steps through surfaces and edges, surfaces, edges") {
   Rig rig;
   rig.open(two_body_mesh());
-  const Vec2 middle = rig.pixel(Vec2(0.25, 0.3));
-  const Vec2 edge = rig.pixel(Vec2(0.0, 0.25));
-  const auto picture = [&] { return rig.bench->picture(); };
+  const ScreenPoint middle = rig.pixel(Vec2(0.25, 0.3));
+  const ScreenPoint edge = rig.pixel(Vec2(0.0, 0.25));
+  const auto picture = [&] { return rig.bench->pictures().picture(); };
   Image both = picture();
   CHECK(brightness(both, edge) < brightness(both, middle) - 0.1);
   rig.key(keys::w);
-  CHECK(rig.bench->view().fill);
+  CHECK(rig.bench->view_control().options().fill);
   const Image surfaces = picture();
   CHECK(brightness(surfaces, edge) == doctest::Approx(brightness(surfaces, middle)).epsilon(0.02));
   rig.key(keys::w);
@@ -129,9 +129,9 @@ TEST_CASE("the picture kept of a large mesh is the one that would be drawn, what
   Image last;
   const auto check_kept = [&](const char* what, bool changes) {
     CAPTURE(what);
-    const Image kept = rig.bench->picture();
-    rig.bench->forget_picture();
-    CHECK((kept.rgba == rig.bench->picture().rgba));
+    const Image kept = rig.bench->pictures().picture();
+    rig.bench->pane().mesh_view().forget_picture();
+    CHECK((kept.rgba == rig.bench->pictures().picture().rgba));
     CHECK((kept.rgba != last.rgba) == changes);
     last = kept;
   };

@@ -41,8 +41,14 @@ TEST_CASE("panels are drawn where they stand, if they are shown and serve the me
   const Theme theme;
   ActionQueue actions;
   const Workbench& bench = *rig.bench;
-  const PanelContext context{rig.session(), bench.view(),    bench.view_state(), theme,
-                             actions,       bench.capture(), bench.recent(),     bench.demo()};
+  const PanelContext context{rig.session(),
+                             bench.view_control().options(),
+                             bench.view_control().state(),
+                             theme,
+                             actions,
+                             bench.capture(),
+                             bench.recent(),
+                             bench.demo()};
   // A line stands in place of a panel that does not serve the mesh.
   ImGui::NewFrame();
   registry.draw(Region::left, context, MeshKind::plane);
@@ -68,7 +74,7 @@ TEST_CASE("two panels of one id are refused") {
 
 TEST_CASE("every panel of the studio serves plane meshes and has a title") {
   Rig rig;
-  const auto& panels = rig.bench->panels().panels();
+  const auto& panels = rig.bench->regions().panels().panels();
   CHECK(panels.size() == 19);
   std::set<Region> regions;
   for (const RegisteredPanel& panel : panels) {

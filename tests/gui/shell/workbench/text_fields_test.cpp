@@ -34,11 +34,11 @@ TEST_CASE("Ctrl+Z after a name was taken from the list keeps the dialog whole") 
   Rig rig;
   write(rig.folder, ring_mesh(), "a.su2");
   rig.key(keys::o, {keys::control});
-  REQUIRE(rig.bench->file_dialog().is_open());
+  REQUIRE(rig.bench->dialogs().file_dialog().is_open());
   rig.type(rig.folder.path().string() + "/");
   REQUIRE(rig.wait([&] {
-    return !rig.bench->file_dialog().busy() &&
-           rig.bench->file_dialog().folder() == rig.folder.path();
+    return !rig.bench->dialogs().file_dialog().busy() &&
+           rig.bench->dialogs().file_dialog().folder() == rig.folder.path();
   }));
   rig.key(keys::z, {keys::control});  // the path was taken out of the field
   rig.type("a name longer than that of the file");

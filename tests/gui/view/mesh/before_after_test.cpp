@@ -67,36 +67,37 @@ TEST_CASE("before is the mesh as loaded or as it was before the last command") {
   rig.bench->apply(again);
   REQUIRE(rig.settle());
   const auto min_before = [&] {
-    return rig.bench->before().report()->of(Metric::normalized_jacobian).statistics.min;
+    return rig.bench->pane().before().report()->of(Metric::normalized_jacobian).statistics.min;
   };
   CHECK(min_before() ==
         rig.document().loaded_quality().of(Metric::normalized_jacobian).statistics.min);
   rig.click("quality/before");
   rig.click("quality/before/Before last command");
   REQUIRE(rig.settle());
-  CHECK(rig.bench->view().before == BeforeState::last_command);
+  CHECK(rig.bench->view_control().options().before == BeforeState::last_command);
   const Mesh& between = rig.document().history().state(1).mesh;
-  CHECK(*rig.bench->before().coordinates() == between.coordinates);
-  REQUIRE(rig.bench->before().report() != nullptr);
+  CHECK(*rig.bench->pane().before().coordinates() == between.coordinates);
+  REQUIRE(rig.bench->pane().before().report() != nullptr);
   CHECK(min_before() == measure_quality(between).of(Metric::normalized_jacobian).statistics.min);
   rig.key(keys::z, {keys::control});
   REQUIRE(rig.settle());
   rig.frames();
-  CHECK(*rig.bench->before().coordinates() == rig.document().history().initial().mesh.coordinates);
+  CHECK(*rig.bench->pane().before().coordinates() ==
+        rig.document().history().initial().mesh.coordinates);
 }
 
 TEST_CASE("a ghost shows where the edges were") {
   Rig rig;
   open_and_move(rig);
   set_view(rig, [](ViewOptions& view) { view.color.reset(); });
-  rig.move(Vec2(5, 5));
+  rig.move(ScreenPoint(5, 5));
   rig.frames();
-  const Image plain = rig.bench->picture();
+  const Image plain = rig.bench->pictures().picture();
   rig.key(GLFW_KEY_G);
-  REQUIRE(rig.bench->view().comparison == Comparison::ghost);
+  REQUIRE(rig.bench->view_control().options().comparison == Comparison::ghost);
   REQUIRE(rig.settle());
   rig.frames();
-  const Image ghost = rig.bench->picture();
+  const Image ghost = rig.bench->pictures().picture();
   // On an edge of the initial grid near the moved body, and where nothing has moved.
   const Mesh& first = rig.document().history().initial().mesh;
   const Mesh& now = rig.mesh();
@@ -108,51 +109,51 @@ TEST_CASE("a ghost shows where the edges were") {
     const Vec2 is = 0.5 * (now.coordinates.xy(edge.nodes[0]) + now.coordinates.xy(edge.nodes[1]));
     if ((rig.pixel(was) - rig.pixel(is)).norm() < 6 || edge.elements[1] < 0) continue;
     ++moved;
-    const Vec2 p = rig.pixel(was);
-    shown += differing(plain, ghost, p - Vec2(1, 1), p + Vec2(2, 2)) > 0;
+    const ScreenPoint p = rig.pixel(was);
+    shown += differing(plain, ghost, p - ScreenVector(1, 1), p + ScreenVector(2, 2)) > 0;
   }
   REQUIRE(moved > 4);
   CHECK(shown > moved * 8 / 10);
   rig.key(GLFW_KEY_G);
   rig.frames();
-  CHECK(rig.bench->picture().rgba == plain.rgba);
+  CHECK(rig.bench->pictures().picture().rgba == plain.rgba);
 }
 
 TEST_CASE("side by side, the mesh before is left of the divider and the mesh now right of it") {
   Rig rig;
   open_and_move(rig);
   set_view(rig, [](ViewOptions& view) { view.legend = false; });
-  rig.move(Vec2(5, 5));
+  rig.move(ScreenPoint(5, 5));
   rig.frames();
-  const Image now = rig.bench->picture();
+  const Image now = rig.bench->pictures().picture();
   rig.key(GLFW_KEY_G, {keys::shift});
   REQUIRE(rig.settle());
   rig.frames();
   const Area v = rig.bench->layout().viewport;
   const auto band = [&](double x) {
-    return std::pair(Vec2(x - 40, v.y + 40), Vec2(x + 40, v.y + v.height - 10));
+    return std::pair(ScreenPoint(x - 40, v.y + 40), ScreenPoint(x + 40, v.y + v.height - 10));
   };
   // The moved body, under the divider's right side and then under its left.
   const double body = rig.pixel(Vec2(2, 0)).x();
   const auto [min, max] = band(body);
   REQUIRE(rig.visible("splitter/compare"));
-  CHECK(differing(now, rig.bench->picture(), min, max) == 0);
-  const Vec2 grip = rig.bench->widgets().find("splitter/compare")->centre();
-  rig.drag(grip, Vec2(body + 90, grip.y()));
+  CHECK(differing(now, rig.bench->pictures().picture(), min, max) == 0);
+  const ScreenPoint grip = rig.bench->widgets().find("splitter/compare")->centre();
+  rig.drag(grip, ScreenPoint(body + 90, grip.y()));
   rig.release();
-  rig.move(Vec2(5, 5));
+  rig.move(ScreenPoint(5, 5));
   rig.frames();
-  CHECK(rig.bench->view().divider > 0.6);
-  CHECK(differing(now, rig.bench->picture(), min, max) > 300);
+  CHECK(rig.bench->view_control().options().divider > 0.6);
+  CHECK(differing(now, rig.bench->pictures().picture(), min, max) > 300);
   rig.bench->apply(action::Undo{});
   REQUIRE(rig.settle());
   set_view(rig, [](ViewOptions& view) { view.comparison = Comparison::none; });
-  const Image first = rig.bench->picture();
+  const Image first = rig.bench->pictures().picture();
   rig.bench->apply(action::Redo{});
   set_view(rig, [](ViewOptions& view) { view.comparison = Comparison::split; });
-  rig.move(Vec2(5, 5));
+  rig.move(ScreenPoint(5, 5));
   rig.frames();
-  CHECK(differing(first, rig.bench->picture(), min, max) < 40);
+  CHECK(differing(first, rig.bench->pictures().picture(), min, max) < 40);
 }
 
 }  // namespace winslow::gui::test

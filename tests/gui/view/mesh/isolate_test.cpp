@@ -35,18 +35,18 @@ TEST_CASE("isolated elements stay, the others fade or go") {
   set_view(rig, [](ViewOptions& view) { view.legend = false; });
   const auto values = rig.session().quality().latest()->values;
   const double threshold = median(values);
-  const Image all = rig.bench->picture();
+  const Image all = rig.bench->pictures().picture();
   const auto check = [&](double rest, double others) {
     set_view(rig, [&](ViewOptions& view) {
       view.isolation.on = true;
       view.isolation.threshold = threshold;
       view.isolation.rest = rest;
     });
-    const Image some = rig.bench->picture();
+    const Image some = rig.bench->pictures().picture();
     int kept = 0;
     int faded = 0;
     for (Index e = 0; e < rig.mesh().topology->element_count(); e += 3) {
-      const Vec2 p = rig.pixel(centre_of(rig.mesh(), e));
+      const ScreenPoint p = rig.pixel(centre_of(rig.mesh(), e));
       const double difference = std::abs(brightness(some, p) - brightness(all, p));
       // Small ones are covered by the edges of their neighbours.
       if (values[static_cast<std::size_t>(e)] < threshold)
@@ -80,17 +80,18 @@ TEST_CASE("the threshold is dragged in the legend, without the mesh moving") {
   Rig rig;
   rig.open(ring_mesh());
   rig.key(GLFW_KEY_I);
-  REQUIRE(rig.bench->view().isolation.on);
+  REQUIRE(rig.bench->view_control().options().isolation.on);
   rig.frames();
   const auto bars = rig.bench->widgets().find("legend/bars");
   REQUIRE(bars.has_value());
-  const Vec2 centre = rig.bench->camera().centre();
+  const Vec2 centre = rig.bench->view_control().camera().centre();
   const double height = bars->max.y() - bars->min.y();
-  const Vec2 from(bars->centre().x(), bars->max.y() - 0.5 * height);
-  rig.drag(from, Vec2(bars->centre().x(), bars->max.y() - 0.8 * height));
+  const ScreenPoint from(bars->centre().x(), bars->max.y() - 0.5 * height);
+  rig.drag(from, ScreenPoint(bars->centre().x(), bars->max.y() - 0.8 * height));
   rig.release();
-  CHECK(rig.bench->view().isolation.threshold == doctest::Approx(0.8).epsilon(0.03));
-  CHECK(rig.bench->camera().centre() == centre);
+  CHECK(rig.bench->view_control().options().isolation.threshold ==
+        doctest::Approx(0.8).epsilon(0.03));
+  CHECK(rig.bench->view_control().camera().centre() == centre);
   CHECK(rig.session().selection().empty());
 }
 
@@ -101,9 +102,9 @@ TEST_CASE("colouring by another metric isolates its bad side") {
   rig.click("tab/view");
   rig.click("view/color");
   rig.click("view/color/" + std::string(metric_label(Metric::aspect_ratio)));
-  CHECK(rig.bench->view().isolation.on);
-  CHECK(rig.bench->view().isolation.above);
-  CHECK(rig.bench->view().isolation.threshold > 1);
+  CHECK(rig.bench->view_control().options().isolation.on);
+  CHECK(rig.bench->view_control().options().isolation.above);
+  CHECK(rig.bench->view_control().options().isolation.threshold > 1);
 }
 
 TEST_CASE("ids are shown where they fit, and nowhere else") {
@@ -117,9 +118,9 @@ TEST_CASE("ids are shown where they fit, and nowhere else") {
   CHECK(count("n") + count("e") == 0);
   rig.key(GLFW_KEY_I, {keys::shift});
   rig.key(GLFW_KEY_E, {keys::shift});
-  REQUIRE(rig.bench->view().node_ids);
-  REQUIRE(rig.bench->view().element_ids);
-  const Vec2 at = rig.pixel(Vec2(-0.3, 0.4));
+  REQUIRE(rig.bench->view_control().options().node_ids);
+  REQUIRE(rig.bench->view_control().options().element_ids);
+  const ScreenPoint at = rig.pixel(Vec2(-0.3, 0.4));
   rig.wheel(at, 6);
   rig.frames();
   CHECK(count("e") > 0);
@@ -132,9 +133,7 @@ TEST_CASE("ids are shown where they fit, and nowhere else") {
     if (!name.starts_with("id/e")) continue;
     CHECK(rect.centre().x() >= v.x);
     CHECK(rect.centre().y() <= v.y + v.height);
-    for (const auto& other : boxes)
-      CHECK(((rect.min.array() >= other.max.array()).any() ||
-             (rect.max.array() <= other.min.array()).any()));
+    for (const auto& other : boxes) CHECK(apart(rect, other));
     boxes.push_back(rect);
   }
   rig.key(keys::f);
@@ -147,19 +146,20 @@ TEST_CASE("ids are shown where they fit, and nowhere else") {
 TEST_CASE("the boundary's nodes and directions are drawn along it") {
   Rig rig;
   rig.open(ring_mesh());
-  rig.move(Vec2(5, 5));
+  rig.move(ScreenPoint(5, 5));
   rig.frames();
-  const Image plain = rig.bench->picture();
-  const Vec2 node = rig.pixel(rig.mesh().coordinates.xy(0));
+  const Image plain = rig.bench->pictures().picture();
+  const ScreenPoint node = rig.pixel(rig.mesh().coordinates.xy(0));
   set_view(rig, [](ViewOptions& view) { view.rim_nodes = true; });
-  CHECK(differing(plain, rig.bench->picture(), node - Vec2(5, 5), node + Vec2(5, 5)) > 10);
+  CHECK(differing(plain, rig.bench->pictures().picture(), node - ScreenVector(5, 5),
+                  node + ScreenVector(5, 5)) > 10);
   set_view(rig, [](ViewOptions& view) {
     view.rim_nodes = false;
     view.directions = true;
   });
-  const Vec2 origin = rig.pixel(Vec2(0, 0));
-  CHECK(differing(plain, rig.bench->picture(), origin - Vec2(200, 100), origin + Vec2(200, 100)) >
-        20);
+  const ScreenPoint origin = rig.pixel(Vec2(0, 0));
+  CHECK(differing(plain, rig.bench->pictures().picture(), origin - ScreenVector(200, 100),
+                  origin + ScreenVector(200, 100)) > 20);
 }
 
 TEST_CASE("bands and a fixed range are those of the legend and of the mesh") {
@@ -169,7 +169,7 @@ TEST_CASE("bands and a fixed range are those of the legend and of the mesh") {
     const auto bar = rig.bench->widgets().find("legend");
     REQUIRE(bar.has_value());
     std::set<std::array<int, 3>> found;
-    const Image image = rig.bench->picture();
+    const Image image = rig.bench->pictures().picture();
     const auto x = static_cast<int>(bar->min.x()) + 16;
     for (int y = static_cast<int>(bar->min.y()) + 45; y < static_cast<int>(bar->max.y()) - 25;
          ++y) {
@@ -183,22 +183,22 @@ TEST_CASE("bands and a fixed range are those of the legend and of the mesh") {
   rig.click("view/bands");
   rig.click("view/bands/5 bands");
   REQUIRE(rig.settle());
-  rig.move(Vec2(5, 5));
+  rig.move(ScreenPoint(5, 5));
   rig.frames();
-  CHECK(rig.bench->view().bands == 5);
+  CHECK(rig.bench->view_control().options().bands == 5);
   // Five, and what smoothing makes of their borders.
   CHECK(colors() <= 10);
-  const Vec2 at = rig.pixel(centre_of(rig.mesh(), 60));
-  const double before = brightness(rig.bench->picture(), at);
+  const ScreenPoint at = rig.pixel(centre_of(rig.mesh(), 60));
+  const double before = brightness(rig.bench->pictures().picture(), at);
   rig.click("view/range_auto");
   rig.fill("view/range_low", "0.95");
   rig.fill("view/range_high", "0.99");
   REQUIRE(rig.settle());
   rig.frames();
-  REQUIRE(rig.bench->view().range.has_value());
-  CHECK((*rig.bench->view().range)[0] == 0.95);
+  REQUIRE(rig.bench->view_control().options().range.has_value());
+  CHECK((*rig.bench->view_control().options().range)[0] == 0.95);
   // Everything is below the range: the dark end.
-  CHECK(brightness(rig.bench->picture(), at) < before - 0.1);
+  CHECK(brightness(rig.bench->pictures().picture(), at) < before - 0.1);
 }
 
 }  // namespace winslow::gui::test

@@ -36,10 +36,10 @@ TEST_CASE("Ctrl+G and an id go to an element, highlight it and say what it is") 
   rig.type("e45");
   rig.key(keys::enter);
   const MeshItem item{MeshItem::Kind::element, 45};
-  REQUIRE(rig.bench->view_state().focus == item);
+  REQUIRE(rig.bench->view_control().state().focus == item);
   const Vec2 middle = middle_of(rig.mesh(), 45);
-  CHECK((rig.bench->camera().centre() - middle).norm() <
-        0.1 * rig.bench->camera().visible().size().norm());
+  CHECK((rig.bench->view_control().camera().centre() - middle).norm() <
+        0.1 * rig.bench->view_control().camera().visible().size().norm());
   rig.frames();
   CHECK(rig.visible("go_to/item"));
   CHECK(value(rig, item, "Element 45") == "triangle");
@@ -50,33 +50,33 @@ TEST_CASE("Ctrl+G and an id go to an element, highlight it and say what it is") 
   rig.frames(2);
   rig.type("e46");
   rig.key(keys::enter);
-  CHECK(rig.bench->view_state().focus == MeshItem{MeshItem::Kind::element, 46});
+  CHECK(rig.bench->view_control().state().focus == MeshItem{MeshItem::Kind::element, 46});
   rig.key(GLFW_KEY_G, {keys::control});
   rig.frames(2);
   rig.type("e45");
   rig.key(keys::enter);
   rig.frames();
-  const Image lit = rig.bench->picture();
+  const Image lit = rig.bench->pictures().picture();
   rig.click("go_to/clear");
   rig.frames();
   const Area v = rig.bench->layout().viewport;
-  CHECK(differing(lit, rig.bench->picture(), Vec2(v.x, v.y), Vec2(v.x + v.width, v.y + v.height)) >
-        100);
+  CHECK(differing(lit, rig.bench->pictures().picture(), ScreenPoint(v.x, v.y),
+                  ScreenPoint(v.x + v.width, v.y + v.height)) > 100);
 }
 
 TEST_CASE("a node is found by its id, by a point and by its marker") {
   Rig rig(1100, 1000);
   rig.open(ring_mesh());
-  const MeshItem node = parse_item("n7", rig.session(), rig.bench->view());
+  const MeshItem node = parse_item("n7", rig.session(), rig.bench->view_control().options());
   CHECK(node == MeshItem{MeshItem::Kind::node, 7});
   CHECK(value(rig, node, "Degree") == std::to_string(rig.mesh().topology->neighbours(7).size()));
   CHECK(value(rig, node, "Marker") == "flap");
   const Vec2 p = rig.mesh().coordinates.xy(60);
   const std::string point = std::to_string(p.x()) + ", " + std::to_string(p.y());
-  CHECK(parse_item(point, rig.session(), rig.bench->view()).id == 60);
-  const MeshItem far = parse_item("farfield", rig.session(), rig.bench->view());
+  CHECK(parse_item(point, rig.session(), rig.bench->view_control().options()).id == 60);
+  const MeshItem far = parse_item("farfield", rig.session(), rig.bench->view_control().options());
   CHECK(value(rig, far, "Marker") == "farfield");
-  CHECK(parse_item(" #12 ", rig.session(), rig.bench->view()) ==
+  CHECK(parse_item(" #12 ", rig.session(), rig.bench->view_control().options()) ==
         MeshItem{MeshItem::Kind::element, 12});
 }
 
@@ -86,55 +86,58 @@ TEST_CASE("what cannot be gone to is said, and nothing moves") {
   for (const char* text : {"n99999", "e-1", "", "  ", "node 5", "1, 2, 3", "nan, 0", "worst 0",
                            "worst 5000", "n", "n1.5"}) {
     INFO(text);
-    CHECK_THROWS_AS(parse_item(text, rig.session(), rig.bench->view()), UsageError);
+    CHECK_THROWS_AS(parse_item(text, rig.session(), rig.bench->view_control().options()),
+                    UsageError);
   }
-  const Vec2 before = rig.bench->camera().centre();
+  const Vec2 before = rig.bench->view_control().camera().centre();
   rig.key(GLFW_KEY_G, {keys::control});
   rig.frames(2);
   rig.type("e99999");
   rig.key(keys::enter);
   CHECK(rig.visible("go_to/error"));
-  CHECK_FALSE(rig.bench->view_state().focus.has_value());
-  CHECK(rig.bench->camera().centre() == before);
+  CHECK_FALSE(rig.bench->view_control().state().focus.has_value());
+  CHECK(rig.bench->view_control().camera().centre() == before);
 }
 
 TEST_CASE("the list of worst elements: metric, length, click, next and previous") {
   Rig rig(1100, 1000);
   rig.open(ring_mesh());
-  CHECK(worst_elements(rig.session(), rig.bench->view()).size() == 20);
+  CHECK(worst_elements(rig.session(), rig.bench->view_control().options()).size() == 20);
   rig.click("worst/metric");
   rig.click("worst/metric/" + std::string(metric_label(Metric::condition_number)));
   rig.click("worst/count");
   rig.click("worst/count/10");
-  const auto worst = worst_elements(rig.session(), rig.bench->view());
+  const auto worst = worst_elements(rig.session(), rig.bench->view_control().options());
   REQUIRE(worst.size() == 10);
   const auto& report = rig.session().quality().latest()->report;
   for (std::size_t k = 0; k < 10; ++k)
     CHECK(worst[k].element == report.of(Metric::condition_number).worst[k].element);
   rig.click("quality/worst/1");
-  CHECK(rig.bench->view_state().focus == MeshItem{MeshItem::Kind::element, worst[1].element});
-  CHECK((rig.bench->camera().centre() - worst[1].centre).norm() <
-        0.1 * rig.bench->camera().visible().size().norm());
+  CHECK(rig.bench->view_control().state().focus ==
+        MeshItem{MeshItem::Kind::element, worst[1].element});
+  CHECK((rig.bench->view_control().camera().centre() - worst[1].centre).norm() <
+        0.1 * rig.bench->view_control().camera().visible().size().norm());
   rig.move(rig.pixel(worst[1].centre));
   rig.type("]");
-  CHECK(rig.bench->view_state().focus->id == worst[2].element);
+  CHECK(rig.bench->view_control().state().focus->id == worst[2].element);
   rig.type("[");
   rig.type("[");
   rig.type("[");
-  CHECK(rig.bench->view_state().focus->id == worst[0].element);
-  CHECK(parse_item("worst 3", rig.session(), rig.bench->view()).id == worst[2].element);
+  CHECK(rig.bench->view_control().state().focus->id == worst[0].element);
+  CHECK(parse_item("worst 3", rig.session(), rig.bench->view_control().options()).id ==
+        worst[2].element);
 }
 
 TEST_CASE("another mesh forgets what was gone to") {
   Rig rig;
   rig.open(two_body_mesh());
   rig.bench->apply(action::GoTo{MeshItem{MeshItem::Kind::node, 3}});
-  REQUIRE(rig.bench->view_state().focus.has_value());
+  REQUIRE(rig.bench->view_control().state().focus.has_value());
   rig.bench->apply(action::GoTo{MeshItem{MeshItem::Kind::node, 100000}});
-  CHECK(rig.bench->view_state().focus->id == 3);
+  CHECK(rig.bench->view_control().state().focus->id == 3);
   rig.open(ring_mesh(), "other.su2");
-  CHECK_FALSE(rig.bench->view_state().focus.has_value());
-  CHECK_FALSE(rig.bench->view_state().can_go_back);
+  CHECK_FALSE(rig.bench->view_control().state().focus.has_value());
+  CHECK_FALSE(rig.bench->view_control().state().can_go_back);
 }
 
 }  // namespace winslow::gui::test

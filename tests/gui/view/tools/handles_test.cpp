@@ -29,12 +29,12 @@ TEST_CASE("the arrows move along one axis, whatever the mouse does across it") {
     CAPTURE(axis);
     Rig rig;
     open_ring(rig);
-    const Vec2 from = 0.5 * (rig.gizmo().shaft(axis) + rig.gizmo().tip(axis));
-    rig.drag(from, from + Vec2(31, -19));
+    const ScreenPoint from = midpoint(rig.gizmo().shaft(axis), rig.gizmo().tip(axis));
+    rig.drag(from, from + ScreenVector(31, -19));
     rig.release();
     REQUIRE(rig.settle());
     REQUIRE(rig.document().history().size() == 2);
-    const double unit = rig.bench->camera().units_per_pixel();
+    const double unit = rig.bench->view_control().camera().units_per_pixel();
     const Vec2 by = last_move(rig).motion.translate;
     CHECK(by[axis] == doctest::Approx(unit * (axis == 0 ? 31 : 19)));
     CHECK(by[1 - axis] == 0);
@@ -44,11 +44,11 @@ TEST_CASE("the arrows move along one axis, whatever the mouse does across it") {
 TEST_CASE("the centre moves freely, Shift is a tenth of the speed") {
   Rig rig;
   open_ring(rig);
-  const Vec2 from = rig.gizmo().pivot;
-  const double unit = rig.bench->camera().units_per_pixel();
-  rig.drag(from, from + Vec2(20, 0));
+  const ScreenPoint from = rig.gizmo().pivot;
+  const double unit = rig.bench->view_control().camera().units_per_pixel();
+  rig.drag(from, from + ScreenVector(20, 0));
   rig.input.key(keys::shift, true);
-  rig.move(from + Vec2(60, -30));
+  rig.move(from + ScreenVector(60, -30));
   rig.input.key(keys::shift, false);
   rig.frames();
   rig.release();
@@ -61,14 +61,14 @@ TEST_CASE("the centre moves freely, Shift is a tenth of the speed") {
 TEST_CASE("Ctrl snaps a move to the grid and a turn to 5 degrees") {
   Rig rig;
   open_ring(rig);
-  rig.drag(rig.gizmo().pivot, rig.gizmo().pivot + Vec2(33, -17));
+  rig.drag(rig.gizmo().pivot, rig.gizmo().pivot + ScreenVector(33, -17));
   rig.input.key(keys::control, true);
-  rig.move(rig.pixel(Vec2(0, 0)) + Vec2(34, -17));
+  rig.move(rig.pixel(Vec2(0, 0)) + ScreenVector(34, -17));
   rig.frames();
   rig.release();
   rig.input.key(keys::control, false);
   REQUIRE(rig.settle());
-  const double step = MotionGesture::grid_step(rig.bench->camera());
+  const double step = MotionGesture::grid_step(rig.bench->view_control().view(), Vec2(0, 0));
   const Vec2 by = last_move(rig).motion.translate;
   for (const int axis : {0, 1}) {
     CHECK(by[axis] != 0);
@@ -77,7 +77,7 @@ TEST_CASE("Ctrl snaps a move to the grid and a turn to 5 degrees") {
 
   const Gizmo gizmo = rig.gizmo();
   const double end = radians(45 + 33.3);
-  rig.drag(gizmo.knob(), gizmo.pivot + gizmo.radius * Vec2(std::cos(end), -std::sin(end)));
+  rig.drag(gizmo.knob(), gizmo.pivot + gizmo.radius * ScreenVector(std::cos(end), -std::sin(end)));
   rig.input.key(keys::control, true);
   rig.frames(2);
   rig.release();
@@ -89,8 +89,8 @@ TEST_CASE("Ctrl snaps a move to the grid and a turn to 5 degrees") {
 TEST_CASE("X and Y lock a drag that is under way, and again set it free") {
   Rig rig;
   open_ring(rig);
-  const Vec2 from = rig.gizmo().pivot;
-  rig.drag(from, from + Vec2(25, -15));
+  const ScreenPoint from = rig.gizmo().pivot;
+  rig.drag(from, from + ScreenVector(25, -15));
   rig.key(GLFW_KEY_X);
   CHECK(rig.session().mesh().live_motion()->translate.y() == 0);
   rig.key(GLFW_KEY_Y);
@@ -106,16 +106,16 @@ TEST_CASE("X and Y lock a drag that is under way, and again set it free") {
 TEST_CASE("Enter accepts a drag with the button still down; letting go does nothing more") {
   Rig rig;
   open_ring(rig);
-  const Vec2 from = rig.gizmo().pivot;
-  rig.drag(from, from + Vec2(25, 0));
+  const ScreenPoint from = rig.gizmo().pivot;
+  rig.drag(from, from + ScreenVector(25, 0));
   rig.key(keys::enter);
   CHECK_FALSE(rig.session().dragging());
-  rig.move(from + Vec2(90, 0));
+  rig.move(from + ScreenVector(90, 0));
   rig.release();
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);
   CHECK(last_move(rig).motion.translate.x() ==
-        doctest::Approx(25 * rig.bench->camera().units_per_pixel()));
+        doctest::Approx(25 * rig.bench->view_control().camera().units_per_pixel()));
   CHECK_FALSE(rig.session().selection().empty());
 }
 
@@ -159,7 +159,7 @@ TEST_CASE("the pivot goes to the edges and the centroid by name, and turns are a
   choose("Leading edge");
   CHECK((rig.session().selection().pivot() - Vec2(-0.5, 0)).norm() < 1e-9);
   const Index nose = [&] {
-    for (Index node : rig.mesh().topology->marker_nodes(rig.marker("flap")))
+    for (Index node : rig.mesh().topology->markers().nodes(rig.marker("flap")))
       if ((rig.mesh().coordinates.xy(node) - Vec2(-0.5, 0)).norm() < 1e-9) return node;
     return Index(-1);
   }();
@@ -177,13 +177,13 @@ TEST_CASE("with Alt the disc in the middle takes the pivot elsewhere and leaves 
   Rig rig;
   open_ring(rig);
   const Coordinates before = rig.session().coordinates();
-  const Vec2 disc = rig.gizmo().pivot;
+  const ScreenPoint disc = rig.gizmo().pivot;
   rig.input.key(keys::alt, true);
-  rig.drag(disc, disc + Vec2(20, -12));
+  rig.drag(disc, disc + ScreenVector(20, -12));
   rig.release();
   rig.input.key(keys::alt, false);
   REQUIRE(rig.settle());
-  CHECK((rig.pixel(rig.session().selection().pivot()) - disc - Vec2(20, -12)).norm() < 1.5);
+  CHECK((rig.pixel(rig.session().selection().pivot()) - disc - ScreenVector(20, -12)).norm() < 1.5);
   CHECK(rig.session().coordinates() == before);
   CHECK_FALSE(rig.session().nodes().inspected().has_value());
 }
@@ -192,14 +192,14 @@ TEST_CASE("with Ctrl the pivot's pin snaps to the trailing edge and to nodes; Es
   Rig rig;
   open_ring(rig);
   const Mesh& mesh = rig.mesh();
-  rig.drag(rig.gizmo().pin(), rig.pixel(Vec2(0.5, 0)) + Vec2(5, 4));
+  rig.drag(rig.gizmo().pin(), rig.pixel(Vec2(0.5, 0)) + ScreenVector(5, 4));
   rig.input.key(keys::control, true);
   rig.frames();
   CHECK((rig.session().selection().pivot() - Vec2(0.5, 0)).norm() < 1e-9);
-  CHECK(rig.bench->viewport().snapped_to() == "trailing edge");
-  const auto nodes = mesh.topology->marker_nodes(rig.marker("flap"));
+  CHECK(rig.bench->pane().viewport().snapped_to() == "trailing edge");
+  const auto nodes = mesh.topology->markers().nodes(rig.marker("flap"));
   const Vec2 node = mesh.coordinates.xy(nodes[3]);
-  rig.move(rig.pixel(node) + Vec2(1, 1));
+  rig.move(rig.pixel(node) + ScreenVector(1, 1));
   rig.frames();
   CHECK((rig.session().selection().pivot() - node).norm() < 1e-12);
   rig.input.key(keys::control, false);
@@ -212,16 +212,16 @@ TEST_CASE("with Ctrl the pivot's pin snaps to the trailing edge and to nodes; Es
 TEST_CASE("hovering a handle says what it does") {
   Rig rig;
   open_ring(rig);
-  rig.move(Vec2(2, 700));
+  rig.move(ScreenPoint(2, 700));
   rig.frames();
-  const Image before = rig.bench->picture();
-  const Vec2 at = rig.gizmo().tip(0);
+  const Image before = rig.bench->pictures().picture();
+  const ScreenPoint at = rig.gizmo().tip(0);
   rig.move(at);
   rig.frames();
-  CHECK(rig.bench->viewport().hovered_handle() == Handle::arrow_x);
-  const Image hinted = rig.bench->picture();
+  CHECK(rig.bench->pane().viewport().hovered_handle() == Handle::arrow_x);
+  const Image hinted = rig.bench->pictures().picture();
   // The hint stands to the right of the mouse, below it.
-  CHECK(differing(before, hinted, at + Vec2(20, 16), at + Vec2(100, 36)) > 300);
+  CHECK(differing(before, hinted, at + ScreenVector(20, 16), at + ScreenVector(100, 36)) > 300);
 }
 
 TEST_CASE("the numbers of a drag stay in sight: over the legend, and where the view ends") {
@@ -230,13 +230,14 @@ TEST_CASE("the numbers of a drag stay in sight: over the legend, and where the v
   const auto legend = rig.bench->widgets().find("legend");
   REQUIRE(legend.has_value());
   const Area& v = rig.bench->layout().viewport;
-  const Vec2 at(v.x + v.width - 8, legend->min.y() + 50);
+  const ScreenPoint at(v.x + v.width - 8, legend->min.y() + 50);
   rig.drag(rig.gizmo().pivot, at);
   rig.frames();
-  const Image image = rig.bench->picture();
+  const Image image = rig.bench->pictures().picture();
   int dark = 0;
   for (int x = 14; x < 120; ++x)
-    for (int y = 14; y < 32; ++y) dark += brightness(image, at + Vec2(-x, y)) < 0.35 ? 1 : 0;
+    for (int y = 14; y < 32; ++y)
+      dark += brightness(image, at + ScreenVector(-x, y)) < 0.35 ? 1 : 0;
   CHECK(dark > 1000);
   rig.key(keys::escape);
   rig.release();
@@ -245,17 +246,17 @@ TEST_CASE("the numbers of a drag stay in sight: over the legend, and where the v
 TEST_CASE("the status line and the handle say when no valid mesh lies beyond") {
   Rig rig;
   open_ring(rig);
-  const Vec2 from = rig.gizmo().pivot;
-  rig.drag(from, from + Vec2(20, 0));
+  const ScreenPoint from = rig.gizmo().pivot;
+  rig.drag(from, from + ScreenVector(20, 0));
   REQUIRE(rig.wait([&] { return rig.session().mesh().body_drag()->settled(); }));
   rig.frames();
-  const Image free = rig.bench->picture();
-  const Vec2 far = from + Vec2(450, 0);
+  const Image free = rig.bench->pictures().picture();
+  const ScreenPoint far = from + ScreenVector(450, 0);
   rig.move(far);
   REQUIRE(rig.wait(
       [&] { return rig.session().mesh().body_drag()->reach() == BodyDrag::Reach::limit; }));
   rig.frames();
-  const Image held = rig.bench->picture();
+  const Image held = rig.bench->pictures().picture();
   const auto state = rig.bench->widgets().find("status/state");
   REQUIRE(state.has_value());
   CHECK(differing(free, held, state->min, state->max) > 50);

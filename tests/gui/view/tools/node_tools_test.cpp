@@ -44,7 +44,7 @@ TEST_CASE("the node index finds the same node as a look at all of them") {
 
 TEST_CASE("a drag of a VCV's edge turns and pulls it, within limits; the other edges stay") {
   const Mesh mesh = ring_mesh();
-  const NodalView view = view_in(mesh, mesh.topology->free_nodes()[40]);
+  const NodalView view = view_in(mesh, mesh.topology->interior_nodes()[40]);
   REQUIRE(view.neighbours.size() == 6);
   using Constraint = VcvDrag::Constraint;
   for (std::size_t edge = 0; edge < 6; ++edge) {
@@ -76,7 +76,7 @@ TEST_CASE("a picture shows the VCVs asked for, and refuses a node that has none"
   options.width = 300;
   options.height = 240;
   const Image plain = draw_picture(mesh, options);
-  options.vcvs = {mesh.topology->free_nodes()[40]};
+  options.vcvs = {mesh.topology->interior_nodes()[40]};
   const Image one = draw_picture(mesh, options);
   CHECK(plain.rgba != one.rgba);
   options.vcvs = {0};

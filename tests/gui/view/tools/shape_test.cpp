@@ -11,7 +11,7 @@ namespace winslow::gui::test {
 namespace {
 
 Index flap_node(const Rig& rig, std::size_t k) {
-  return rig.mesh().topology->marker_nodes(rig.marker("flap"))[k];
+  return rig.mesh().topology->markers().nodes(rig.marker("flap"))[k];
 }
 
 double moved(const Rig& rig, const Mesh& before, Index node) {
@@ -21,7 +21,7 @@ double moved(const Rig& rig, const Mesh& before, Index node) {
 /// The highest node of the flap: no corner is near it.
 Index top_node(const Rig& rig) {
   Index top = flap_node(rig, 0);
-  for (Index node : rig.mesh().topology->marker_nodes(rig.marker("flap")))
+  for (Index node : rig.mesh().topology->markers().nodes(rig.marker("flap")))
     if (rig.mesh().coordinates.xy(node).y() > rig.mesh().coordinates.xy(top).y()) top = node;
   return top;
 }
@@ -41,16 +41,16 @@ TEST_CASE("a boundary node is dragged alone when nothing fades") {
   rig.bench->apply(action::SetShapeEdit{true, 0});
   const Mesh before = rig.mesh();
   const Index top = top_node(rig);
-  const Vec2 from = rig.pixel(before.coordinates.xy(top));
-  rig.drag(from, from + Vec2(0, -12));
+  const ScreenPoint from = rig.pixel(before.coordinates.xy(top));
+  rig.drag(from, from + ScreenVector(0, -12));
   CHECK(rig.session().dragging());
   rig.release();
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);
-  const double by = 12 * rig.bench->camera().units_per_pixel();
+  const double by = 12 * rig.bench->view_control().camera().units_per_pixel();
   const Vec2 wanted = before.coordinates.xy(top) + Vec2(0, by);
   CHECK((rig.mesh().coordinates.xy(top) - wanted).norm() < 1e-9);
-  for (Index node : before.topology->marker_nodes(rig.marker("flap")))
+  for (Index node : before.topology->markers().nodes(rig.marker("flap")))
     if (node != top) CHECK(moved(rig, before, node) == 0);
   CHECK(check_validity(*before.topology, rig.mesh().coordinates).inverted == 0);
   CHECK(last_deform(rig).markers == std::vector<std::string>{"flap"});
@@ -65,14 +65,14 @@ TEST_CASE("the wheel widens what a drag takes along, while it is under way") {
   rig.bench->apply(action::SetShapeEdit{true, 0});
   const Mesh before = rig.mesh();
   const Index top = top_node(rig);
-  const Vec2 from = rig.pixel(before.coordinates.xy(top));
-  rig.drag(from, from + Vec2(0, -10));
-  const double zoom = rig.bench->camera().units_per_pixel();
+  const ScreenPoint from = rig.pixel(before.coordinates.xy(top));
+  rig.drag(from, from + ScreenVector(0, -10));
+  const double zoom = rig.bench->view_control().camera().units_per_pixel();
   for (int k = 0; k < 8; ++k) {
     rig.input.wheel(Vec2(0, 1));
     rig.frames(1);
   }
-  CHECK(rig.bench->camera().units_per_pixel() == zoom);
+  CHECK(rig.bench->view_control().camera().units_per_pixel() == zoom);
   const double radius = rig.session().selection().shape_edit().radius;
   CHECK(radius > 0.2);
   rig.release();
@@ -81,7 +81,7 @@ TEST_CASE("the wheel widens what a drag takes along, while it is under way") {
   int along = 0;
   const double whole = moved(rig, before, top);
   CHECK(whole == doctest::Approx(10 * zoom));
-  for (Index node : before.topology->marker_nodes(rig.marker("flap"))) {
+  for (Index node : before.topology->markers().nodes(rig.marker("flap"))) {
     const double d = moved(rig, before, node);
     CHECK(d <= whole * (1 + 1e-12));
     along += d > 0 && node != top;
@@ -112,7 +112,7 @@ TEST_CASE("Shift+click takes the arc between two nodes, and a drag moves it whol
   rig.input.key(keys::shift, false);
   CHECK(rig.session().selection().shape_edit().arc == BoundaryArc{body, 4, 7});
   const Vec2 outward = before.coordinates.xy(loop[5]).normalized();
-  rig.drag(at(6), at(6) + 8 * Vec2(outward.x(), -outward.y()));
+  rig.drag(at(6), at(6) + 8 * ScreenVector(outward.x(), -outward.y()));
   rig.release();
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);
@@ -120,7 +120,7 @@ TEST_CASE("Shift+click takes the arc between two nodes, and a drag moves it whol
     CAPTURE(k);
     const double d = moved(rig, before, loop[k]);
     if (k >= 4 && k <= 7)
-      CHECK(d == doctest::Approx(8 * rig.bench->camera().units_per_pixel()));
+      CHECK(d == doctest::Approx(8 * rig.bench->view_control().camera().units_per_pixel()));
     else
       CHECK(d == 0);
   }
@@ -133,13 +133,14 @@ TEST_CASE("editing shapes never drags a body, and Esc ends it") {
   rig.key(keys::e);
   // Near enough that the middle of the body is away from its nodes.
   rig.wheel(rig.pixel(Vec2(0, 0)), 6);
-  const Vec2 inside = rig.pixel(Vec2(0, 0));
-  const Vec2 world = rig.bench->camera().to_world(inside);
-  rig.drag(inside, inside + Vec2(20, 20));
+  const ScreenPoint inside = rig.pixel(Vec2(0, 0));
+  const Vec2 world = rig.bench->view_control().camera().to_world(inside);
+  rig.drag(inside, inside + ScreenVector(20, 20));
   rig.release();
   REQUIRE(rig.settle());
   CHECK(rig.document().history().size() == 1);
-  CHECK((rig.bench->camera().to_screen(world) - (inside + Vec2(20, 20))).norm() < 1e-6);
+  CHECK((rig.bench->view_control().camera().to_screen(world) - (inside + ScreenVector(20, 20)))
+            .norm() < 1e-6);
   rig.key(keys::escape);
   CHECK_FALSE(rig.session().selection().shape_edit().active);
   CHECK_FALSE(rig.session().selection().empty());
@@ -151,25 +152,25 @@ TEST_CASE("the sine panel shows its outline first and then deforms by it") {
   rig.click("section/shape");
   rig.click("marker/flap");
   const Mesh before = rig.mesh();
-  rig.move(Vec2(2, 2));
+  rig.move(ScreenPoint(2, 2));
   rig.frames();
-  const Image plain = rig.bench->picture();
+  const Image plain = rig.bench->pictures().picture();
   rig.fill("shape/amplitude", "0.05");
   rig.fill("shape/waves", "2");
   rig.frames();
   REQUIRE(rig.session().selection().deformation_preview().has_value());
   CHECK(rig.session().selection().deformation_preview()->outline.size() == 24);
-  rig.move(Vec2(2, 2));
+  rig.move(ScreenPoint(2, 2));
   rig.frames();
-  const Vec2 low = rig.pixel(Vec2(-0.6, 0.25));
-  const Vec2 high = rig.pixel(Vec2(0.6, -0.25));
-  CHECK(differing(plain, rig.bench->picture(), low, high) > 20);
+  const ScreenPoint low = rig.pixel(Vec2(-0.6, 0.25));
+  const ScreenPoint high = rig.pixel(Vec2(0.6, -0.25));
+  CHECK(differing(plain, rig.bench->pictures().picture(), low, high) > 20);
   CHECK(rig.mesh().coordinates == before.coordinates);
   rig.click("shape/apply");
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);
   CHECK_FALSE(rig.session().selection().deformation_preview().has_value());
-  for (Index node : before.topology->marker_nodes(rig.marker("flap"))) {
+  for (Index node : before.topology->markers().nodes(rig.marker("flap"))) {
     const Vec2 was = before.coordinates.xy(node);
     const double s = was.x() + 0.5;
     const Vec2 wanted = was + Vec2(0, 0.05 * std::sin(2 * pi * 2 * s));

@@ -1,0 +1,116 @@
+#include "core/problem/node_classes.h"
+
+#include <Eigen/Geometry>
+#include <string>
+
+#include "core/error.h"
+
+namespace winslow {
+
+namespace {
+
+bool held(NodeClass c) { return c == NodeClass::fixed || c == NodeClass::prescribed; }
+
+Vec3 unit(const Vec3& direction, const char* what, Index node) {
+  const double length = direction.norm();
+  if (!(length > 0) || !direction.allFinite()) {
+    throw UsageError(std::string("the ") + what + " at node " + std::to_string(node) +
+                     " has no direction");
+  }
+  return direction / length;
+}
+
+}  // namespace
+
+TangentFrame TangentFrame::axes(int dimension) {
+  TangentFrame frame;
+  for (int k = 0; k < dimension; ++k) frame.add(Vec3::Unit(k));
+  return frame;
+}
+
+NodeClasses::NodeClasses(std::shared_ptr<const Topology> topology)
+    : topology_(std::move(topology)),
+      classes_(static_cast<std::size_t>(topology_->node_count()), NodeClass::fixed) {
+  set(topology_->interior_nodes(), NodeClass::free);
+}
+
+int NodeClasses::unknowns(Index node) const {
+  switch ((*this)[node]) {
+    case NodeClass::fixed:
+    case NodeClass::prescribed:
+      return 0;
+    case NodeClass::on_curve:
+      return 1;
+    case NodeClass::on_surface:
+      return 2;
+    case NodeClass::free:
+      break;
+  }
+  return topology_->space_dimension();
+}
+
+TangentFrame NodeClasses::frame(Index node) const {
+  const auto found = frames_.find(node);
+  return found != frames_.end() ? found->second : TangentFrame::axes(unknowns(node));
+}
+
+void NodeClasses::set_free(std::span<const Index> nodes) {
+  for (const Index node : nodes) {
+    require(node);
+    if (!topology_->used(node)) {
+      throw UsageError("no element uses node " + std::to_string(node) + ": it cannot be free");
+    }
+  }
+  set(nodes, NodeClass::free);
+}
+
+void NodeClasses::set_on_curve(Index node, const Vec3& tangent) {
+  require(node);
+  if (topology_->space_dimension() == 2 && tangent.z() != 0) {
+    throw UsageError("the tangent at node " + std::to_string(node) + " leaves the plane");
+  }
+  const Vec3 direction = unit(tangent, "tangent", node);
+  classes_[static_cast<std::size_t>(node)] = NodeClass::on_curve;
+  frames_[node] = TangentFrame();
+  frames_[node].add(direction);
+}
+
+void NodeClasses::set_on_surface(Index node, const Vec3& normal) {
+  require(node);
+  if (topology_->space_dimension() == 2) {
+    throw UsageError("node " + std::to_string(node) + " lies in the plane: there is no surface");
+  }
+  const Vec3 direction = unit(normal, "normal", node);
+  const Vec3 first = direction.unitOrthogonal();
+  TangentFrame frame;
+  frame.add(first);
+  frame.add(direction.cross(first));
+  classes_[static_cast<std::size_t>(node)] = NodeClass::on_surface;
+  frames_[node] = frame;
+}
+
+bool NodeClasses::same_unknowns(const NodeClasses& other) const {
+  if (topology_ != other.topology_) return false;
+  if (this == &other) return true;
+  for (std::size_t i = 0; i < classes_.size(); ++i) {
+    const NodeClass a = classes_[i], b = other.classes_[i];
+    if (a != b && !(held(a) && held(b))) return false;
+  }
+  return frames_ == other.frames_;
+}
+
+void NodeClasses::require(Index node) const {
+  if (node >= 0 && node < topology_->node_count()) return;
+  throw UsageError("there is no node " + std::to_string(node) + ": the mesh has " +
+                   std::to_string(topology_->node_count()));
+}
+
+void NodeClasses::set(std::span<const Index> nodes, NodeClass value) {
+  for (const Index node : nodes) {
+    require(node);
+    if (slides(node)) frames_.erase(node);
+    classes_[static_cast<std::size_t>(node)] = value;
+  }
+}
+
+}  // namespace winslow

@@ -1,0 +1,144 @@
+#include "core/problem/node_unknowns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <type_traits>
+
+#include "core/error.h"
+#include "core/quality/quality.h"
+#include "core/quality/valid_step.h"
+
+namespace winslow {
+
+namespace {
+
+template <int D>
+double mean_edge_at(const Topology& topology, const Points<D>& x, Index node) {
+  double sum = 0;
+  const auto neighbours = topology.neighbours(node);
+  for (const Index k : neighbours) sum += (x[k] - x[node]).norm();
+  return sum / static_cast<double>(neighbours.size());
+}
+
+/// visit(D as a constant, the points of x): what is the same in the plane and in space.
+template <typename Visit>
+void in_dimension(const Coordinates& x, Visit&& visit) {
+  if (x.dimension() == 2) {
+    visit(std::integral_constant<int, 2>(), PlanePoints(x));
+  } else {
+    visit(std::integral_constant<int, 3>(), SpacePoints(x));
+  }
+}
+
+}  // namespace
+
+NodeUnknowns::NodeUnknowns(std::shared_ptr<const NodeClasses> classes, int threads)
+    : classes_(std::move(classes)), threads_(threads) {
+  auto layout = std::make_shared<Layout>();
+  std::size_t next = 0;
+  for (Index node = 0; node < topology().node_count(); ++node) {
+    const int count = classes_->unknowns(node);
+    if (count == 0) continue;
+    layout->nodes.push_back(node);
+    layout->first.push_back(next);
+    next += static_cast<std::size_t>(count);
+  }
+  layout->first.push_back(next);
+  layout_ = std::move(layout);
+}
+
+void NodeUnknowns::require_free_interior(const char* what) const {
+  for (const Index node : nodes()) {
+    if ((*classes_)[node] == NodeClass::free && !topology().on_boundary(node)) continue;
+    throw UsageError(std::string(what) + ": node " + std::to_string(node) +
+                     " of the boundary is to slide, and only interior nodes can move");
+  }
+}
+
+/// Velocity of nodes()[i] where its unknowns change at the given rates (#unknowns of all nodes).
+template <int D>
+Vec<D> NodeUnknowns::move_of(std::size_t i, std::span<const double> rates) const {
+  const double* own = rates.data() + first(i);
+  if (count(i) == D && !classes_->slides(nodes()[i])) return Vec<D>(own);
+  Vec<D> move = Vec<D>::Zero();
+  for (const Vec3& direction : classes_->frame(nodes()[i])) move += *own++ * direction.head<D>();
+  return move;
+}
+
+double NodeUnknowns::mean_edge(const Coordinates& x, Index node) const {
+  double mean = 0;
+  in_dimension(x, [&](auto, const auto& points) { mean = mean_edge_at(topology(), points, node); });
+  return mean;
+}
+
+void NodeUnknowns::values(const Coordinates& x, std::span<double> out) const {
+  in_dimension(x, [&](auto dimension, const auto& points) {
+    constexpr int D = decltype(dimension)::value;
+    for (std::size_t i = 0; i < nodes().size(); ++i) {
+      const Vec<D> p = points[nodes()[i]];
+      double* own = out.data() + first(i);
+      if (!classes_->slides(nodes()[i])) {
+        std::copy(p.data(), p.data() + D, own);
+        continue;
+      }
+      for (const Vec3& direction : classes_->frame(nodes()[i])) {
+        *own++ = direction.head<D>().dot(p);
+      }
+    }
+  });
+}
+
+void NodeUnknowns::lengths(const Coordinates& x, std::span<double> out) const {
+  in_dimension(x, [&](auto, const auto& points) {
+    for (std::size_t i = 0; i < nodes().size(); ++i) {
+      std::fill_n(out.data() + first(i), count(i), mean_edge_at(topology(), points, nodes()[i]));
+    }
+  });
+}
+
+double NodeUnknowns::advance(std::span<const double> direction, double step, Coordinates& x) const {
+  double largest2 = 0;
+  in_dimension(x, [&](auto dimension, const auto&) {
+    constexpr int D = decltype(dimension)::value;
+    for (std::size_t i = 0; i < nodes().size(); ++i) {
+      const Vec<D> move = step * move_of<D>(i, direction);
+      x.template set<D>(nodes()[i], x.template get<D>(nodes()[i]) + move);
+      largest2 = std::max(largest2, move.squaredNorm());
+    }
+  });
+  return std::sqrt(largest2);
+}
+
+void NodeUnknowns::velocities(std::span<const double> rates, Coordinates& out) const {
+  in_dimension(out, [&](auto dimension, const auto&) {
+    constexpr int D = decltype(dimension)::value;
+    for (std::size_t i = 0; i < nodes().size(); ++i) {
+      out.template set<D>(nodes()[i], move_of<D>(i, rates));
+    }
+  });
+}
+
+double NodeUnknowns::largest_valid_step(const Coordinates& from, const Coordinates& to) const {
+  return winslow::largest_valid_step(topology(), from, to, threads_);
+}
+
+Validity NodeUnknowns::validity(const Coordinates& x) const {
+  return check_validity(topology(), x, threads_);
+}
+
+double NodeUnknowns::residual_round_off(const Coordinates& x) const {
+  constexpr double safety = 16;
+  double worst = 0;
+  in_dimension(x, [&](auto, const auto& points) {
+    for (const Index node : nodes()) {
+      const double edge = mean_edge_at(topology(), points, node);
+      if (edge > 0) worst = std::max(worst, points[node].template lpNorm<Eigen::Infinity>() / edge);
+    }
+  });
+  // A tangled start can have edges of almost no length; it must not pass for converged.
+  return std::min(safety * std::numeric_limits<double>::epsilon() * worst, 1e-7);
+}
+
+}  // namespace winslow

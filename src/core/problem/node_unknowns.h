@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/mesh/coordinates.h"
+#include "core/problem/node_classes.h"
+#include "core/quality/validity.h"
+
+namespace winslow {
+
+/// The unknowns of a mesh: those of each node that has any, in ascending order of the nodes. A free
+/// node has its coordinates, one on a curve or a surface its distances from the origin along the
+/// directions of its frame. Members are as of SmoothingProblem. Copies share what is worked out.
+class NodeUnknowns {
+ public:
+  /// threads: 0 for all cores; no result depends on it.
+  NodeUnknowns(std::shared_ptr<const NodeClasses> classes, int threads);
+
+  const NodeClasses& classes() const { return *classes_; }
+  const Topology& topology() const { return classes_->topology(); }
+  int threads() const { return threads_; }
+
+  /// The nodes that have unknowns, ascending.
+  std::span<const Index> nodes() const { return layout_->nodes; }
+  /// Number of the first unknown of nodes()[i].
+  std::size_t first(std::size_t i) const { return layout_->first[i]; }
+  /// Number of unknowns of nodes()[i].
+  std::size_t count(std::size_t i) const { return layout_->first[i + 1] - layout_->first[i]; }
+  /// Throws UsageError unless all nodes that have unknowns are free and in the interior: what the
+  /// formulations can do without the geometry of the boundary. what: names the formulation.
+  void require_free_interior(const char* what) const;
+
+  /// Mean length of the edges at a node, in units of the mesh.
+  double mean_edge(const Coordinates& x, Index node) const;
+
+  std::size_t unknowns() const { return layout_->first.back(); }
+  void values(const Coordinates& x, std::span<double> out) const;
+  void lengths(const Coordinates& x, std::span<double> out) const;
+  double advance(std::span<const double> direction, double step, Coordinates& x) const;
+  void velocities(std::span<const double> rates, Coordinates& out) const;
+  double largest_valid_step(const Coordinates& from, const Coordinates& to) const;
+  Validity validity(const Coordinates& x) const;
+  /// Residuals are differences of coordinates over edge lengths, so they carry the round-off of the
+  /// coordinates in units of the edges.
+  double residual_round_off(const Coordinates& x) const;
+
+ private:
+  struct Layout {
+    std::vector<Index> nodes;
+    std::vector<std::size_t> first;  // one more than nodes
+  };
+  template <int D>
+  Vec<D> move_of(std::size_t i, std::span<const double> rates) const;
+
+  std::shared_ptr<const NodeClasses> classes_;
+  std::shared_ptr<const Layout> layout_;
+  int threads_;
+};
+
+}  // namespace winslow

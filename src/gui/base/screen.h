@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cmath>
+
+/// Places on screen. They are no places of a mesh: types of their own, which neither become nor
+/// come from a Vec2, so that only a view or a camera leads from one to the other.
+namespace winslow::gui {
+
+/// A distance on screen, pixels of the framebuffer: x to the right, y down.
+class ScreenVector {
+ public:
+  constexpr ScreenVector() = default;
+  constexpr ScreenVector(double x, double y) : x_(x), y_(y) {}
+  /// Of an ImVec2 and its like.
+  template <class V>
+  requires requires(const V& v) { v.x + v.y; }
+  constexpr explicit ScreenVector(const V& v)
+      : x_(static_cast<double>(v.x)), y_(static_cast<double>(v.y)) {}
+
+  constexpr double x() const { return x_; }
+  constexpr double y() const { return y_; }
+  constexpr double operator[](int axis) const { return axis == 0 ? x_ : y_; }
+  constexpr double dot(const ScreenVector& other) const { return x_ * other.x_ + y_ * other.y_; }
+  constexpr double squared_norm() const { return dot(*this); }
+  double norm() const { return std::sqrt(squared_norm()); }
+
+  constexpr ScreenVector operator-() const { return {-x_, -y_}; }
+  constexpr bool operator==(const ScreenVector&) const = default;
+  friend constexpr ScreenVector operator+(const ScreenVector& a, const ScreenVector& b) {
+    return {a.x_ + b.x_, a.y_ + b.y_};
+  }
+  friend constexpr ScreenVector operator-(const ScreenVector& a, const ScreenVector& b) {
+    return {a.x_ - b.x_, a.y_ - b.y_};
+  }
+  friend constexpr ScreenVector operator*(double s, const ScreenVector& v) {
+    return {s * v.x_, s * v.y_};
+  }
+  friend constexpr ScreenVector operator*(const ScreenVector& v, double s) { return s * v; }
+  friend constexpr ScreenVector operator/(const ScreenVector& v, double s) {
+    return {v.x_ / s, v.y_ / s};
+  }
+
+ private:
+  double x_ = 0, y_ = 0;
+};
+
+/// A place on screen, pixels of the framebuffer; (0, 0) is the top left corner.
+class ScreenPoint {
+ public:
+  constexpr ScreenPoint() = default;
+  constexpr ScreenPoint(double x, double y) : x_(x), y_(y) {}
+  /// Of an ImVec2 and its like.
+  template <class V>
+  requires requires(const V& v) { v.x + v.y; }
+  constexpr explicit ScreenPoint(const V& v)
+      : x_(static_cast<double>(v.x)), y_(static_cast<double>(v.y)) {}
+  template <class V>
+  requires requires(V& v) { v.x = v.y = 1.0f; }
+  constexpr explicit operator V() const {
+    return V(static_cast<float>(x_), static_cast<float>(y_));
+  }
+
+  constexpr double x() const { return x_; }
+  constexpr double y() const { return y_; }
+  constexpr double operator[](int axis) const { return axis == 0 ? x_ : y_; }
+
+  constexpr bool operator==(const ScreenPoint&) const = default;
+  friend constexpr ScreenVector operator-(const ScreenPoint& a, const ScreenPoint& b) {
+    return {a.x_ - b.x_, a.y_ - b.y_};
+  }
+  friend constexpr ScreenPoint operator+(const ScreenPoint& p, const ScreenVector& v) {
+    return {p.x_ + v.x(), p.y_ + v.y()};
+  }
+  friend constexpr ScreenPoint operator-(const ScreenPoint& p, const ScreenVector& v) {
+    return {p.x_ - v.x(), p.y_ - v.y()};
+  }
+
+ private:
+  double x_ = 0, y_ = 0;
+};
+
+constexpr ScreenPoint midpoint(const ScreenPoint& a, const ScreenPoint& b) {
+  return {0.5 * (a.x() + b.x()), 0.5 * (a.y() + b.y())};
+}
+
+/// A rectangle on screen.
+struct ScreenBox {
+  ScreenPoint min, max;
+
+  constexpr ScreenVector size() const { return max - min; }
+  constexpr ScreenPoint centre() const { return midpoint(min, max); }
+  /// On the upper and left sides, too, not on the others.
+  constexpr bool contains(const ScreenPoint& p) const {
+    return p.x() >= min.x() && p.y() >= min.y() && p.x() < max.x() && p.y() < max.y();
+  }
+  constexpr bool operator==(const ScreenBox&) const = default;
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,183 @@
+#include "gui/panels/files/file_browser.h"
+
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+
+#include "gui/files/places.h"
+#include "gui/widgets/controls.h"
+
+namespace winslow::gui {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Columns of the list, right of the names.
+constexpr float date_width = 130;
+constexpr float size_width = 76;
+
+}  // namespace
+
+void FileBrowser::open(bool new_folders) {
+  new_folders_ = new_folders;
+  new_folder_.reset();
+}
+
+bool FileBrowser::draw(const PanelContext& context, float height) {
+  draw_places(context, height);
+  ImGui::SameLine();
+  return draw_list(context, height);
+}
+
+void FileBrowser::draw_address(const PanelContext& context) {
+  const std::string up = context.theme.icon(Icon::up);
+  if (ui::button("dialog/up", up.empty() ? "Up" : up, {"The folder above (Backspace)"}))
+    choice_.go_up();
+  ImGui::SameLine();
+  const float button = new_folders_ ? context.theme.px(110) : 0;
+  ImGui::SetNextItemWidth(new_folders_ ? -button - ImGui::GetStyle().ItemSpacing.x : -FLT_MIN);
+  if (ImGui::InputText("##folder", &choice_.address, ImGuiInputTextFlags_EnterReturnsTrue)) {
+    std::error_code ignored;
+    if (fs::is_directory(choice_.address, ignored))
+      choice_.go(choice_.address);
+    else
+      choice_.error = "There is no such folder.";
+  }
+  ui::note("dialog/folder");
+  if (!new_folders_) return;
+  ImGui::SameLine();
+  if (ui::button("dialog/new_folder", "New folder",
+                 {"Make a folder in this one.", ui::ButtonStyle::normal, true, button}))
+    new_folder_ = new_folder_ ? std::nullopt : std::optional<std::string>("");
+  if (new_folder_) draw_new_folder(context);
+}
+
+void FileBrowser::draw_new_folder(const PanelContext& context) {
+  const float button = context.theme.px(110);
+  ImGui::SetNextItemWidth(-button - ImGui::GetStyle().ItemSpacing.x);
+  if (ImGui::IsItemDeactivated() || new_folder_->empty()) ImGui::SetKeyboardFocusHere();
+  const bool entered =
+      ImGui::InputTextWithHint("##new_folder", "Name of the new folder", &*new_folder_,
+                               ImGuiInputTextFlags_EnterReturnsTrue);
+  ui::note("dialog/new_folder_name");
+  ImGui::SameLine();
+  const bool pressed = ui::button("dialog/make_folder", "Make",
+                                  {"", ui::ButtonStyle::normal, !new_folder_->empty(), button});
+  if ((!entered && !pressed) || new_folder_->empty()) return;
+  const fs::path folder = choice_.folder.wanted() / *new_folder_;
+  std::error_code failed;
+  fs::create_directory(folder, failed);
+  new_folder_.reset();
+  if (failed)
+    choice_.error = "The folder cannot be made: " + failed.message() + ".";
+  else
+    choice_.go(folder);
+}
+
+void FileBrowser::draw_places(const PanelContext& context, float height) {
+  const Theme& theme = context.theme;
+  ImGui::BeginChild("places", ImVec2(theme.px(168), height), true);
+  std::string group;
+  for (const Place& place : places(context.recent.folders())) {
+    if (place.group != group) {
+      if (!group.empty()) ImGui::Spacing();
+      ui::text_colored(palette().text_faint, place.group);
+      group = place.group;
+    }
+    const std::string label =
+        ui::elided(place.label, ImGui::GetContentRegionAvail().x) + "###" + place.folder.string();
+    const bool present = place.folder == choice_.folder.listing().folder();
+    if (ImGui::Selectable(label.c_str(), present, ImGuiSelectableFlags_DontClosePopups))
+      choice_.go(place.folder);
+    ui::note("dialog/place/" + place.label);
+    ui::tooltip(place.folder.string());
+  }
+  ImGui::EndChild();
+}
+
+void FileBrowser::draw_headers(const PanelContext& context) {
+  const Theme& theme = context.theme;
+  const float right = ImGui::GetContentRegionMax().x;
+  struct Header {
+    SortBy by;
+    const char* label;
+    const char* id;
+    float x;
+  };
+  const std::array<Header, 3> headers{
+      {{SortBy::name, "Name", "dialog/sort/name", ImGui::GetCursorPosX()},
+       {SortBy::date, "Changed", "dialog/sort/date", right - theme.px(date_width + size_width)},
+       {SortBy::size, "Size", "dialog/sort/size", right - theme.px(size_width)}}};
+  for (const Header& header : headers) {
+    ImGui::SetCursorPosX(header.x);
+    const bool present = sort_ == header.by;
+    ImGui::PushStyleColor(ImGuiCol_Text, present ? palette().text : palette().text_dim);
+    const std::string label = std::string(header.label) + (present ? reversed_ ? " ^" : " v" : "");
+    const float width = header.by == SortBy::name ? headers[1].x - header.x : theme.px(70);
+    if (ImGui::Selectable((label + "###" + header.id).c_str(), false,
+                          ImGuiSelectableFlags_DontClosePopups, ImVec2(width, 0))) {
+      reversed_ = present && !reversed_;
+      sort_ = header.by;
+      choice_.folder.sort(sort_, reversed_);
+      choice_.focus_name = true;
+    }
+    ui::note(header.id);
+    ui::tooltip("Sort by this; again: the other way round.");
+    ImGui::PopStyleColor();
+    if (header.by != SortBy::size) ImGui::SameLine();
+  }
+  ImGui::Separator();
+}
+
+bool FileBrowser::draw_list(const PanelContext& context, float height) {
+  ImGui::BeginChild("files", ImVec2(0, height), true);
+  draw_headers(context);
+  ImGui::BeginChild("entries");
+  const FolderEntry* pressed = nullptr;
+  const auto rows = choice_.folder.shown();
+  const std::string chosen = choice_.folder.chosen().value_or(choice_.name);
+  for (const FolderEntry* entry : rows)
+    if (draw_entry(context, *entry, entry->name == chosen)) pressed = entry;
+  if (rows.empty())
+    ui::text_dim(choice_.folder.listing().busy() ? "Reading the folder ..."
+                                                 : "Nothing of this kind is here.");
+  ImGui::EndChild();
+  ImGui::EndChild();
+  if (!pressed) return false;
+  choice_.focus_name = true;
+  const std::string name = pressed->name;  // the entry goes when another folder is shown
+  if (pressed->folder) {
+    choice_.go(choice_.folder.wanted() / name);
+    return false;
+  }
+  choice_.name = name;
+  choice_.folder.choose(name);
+  return ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+}
+
+bool FileBrowser::draw_entry(const PanelContext& context, const FolderEntry& entry, bool chosen) {
+  const Theme& theme = context.theme;
+  const std::string glyph = theme.icon(entry.folder ? Icon::folder : Icon::file);
+  const std::string lead = glyph.empty() ? (entry.folder ? "[ ] " : "") : glyph + "  ";
+  const float right = ImGui::GetContentRegionMax().x;
+  const float room = right - theme.px(date_width + size_width) - ImGui::GetCursorPosX();
+  const bool pressed = ImGui::Selectable(
+      ("##" + entry.name).c_str(), chosen,
+      ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups);
+  ui::note("dialog/entry/" + entry.name);
+  if (chosen && choice_.folder.take_reveal()) ImGui::SetScrollHereY(0.5f);
+  ImGui::SameLine(ImGui::GetStyle().WindowPadding.x);
+  ImGui::TextUnformatted(ui::elided(lead + entry.name, room).c_str());
+  ImGui::SameLine(right - theme.px(date_width + size_width));
+  ui::text_colored(palette().text_faint, date_text(entry.changed));
+  if (!entry.folder) {
+    ImGui::SameLine(right - theme.px(size_width));
+    ui::text_colored(palette().text_faint, size_text(entry.size));
+  }
+  return pressed;
+}
+
+}  // namespace winslow::gui

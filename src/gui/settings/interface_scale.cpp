@@ -1,0 +1,30 @@
+#include "gui/settings/interface_scale.h"
+
+#include <algorithm>
+
+#include "gui/settings/view_options.h"
+
+namespace winslow::gui {
+
+void InterfaceScale::set_window(int width, int height) {
+  width_ = width;
+  height_ = height;
+}
+
+float InterfaceScale::of(double chosen) const {
+  return fitting(chosen > 0 ? chosen : static_cast<double>(screen_));
+}
+
+/// With less the buttons of a prompt would lie outside the window.
+float InterfaceScale::fitting(double wanted) const {
+  // Of a layout in which tables and labels have room; a window can be made hardly smaller.
+  constexpr double least_width = 720, least_height = 450;
+  const double fits = std::min(width_ / least_width, height_ / least_height);
+  if (wanted <= fits) return static_cast<float>(wanted);
+  double largest = scales.front();
+  for (const double s : scales)
+    if (s <= fits) largest = s;
+  return static_cast<float>(std::min(wanted, largest));
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,258 @@
+#include "gui/shell/workbench/picture_painter.h"
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+#include "core/error.h"
+#include "core/inspect/nodal_view.h"
+#include "gui/base/text.h"
+#include "gui/render/frame_buffer.h"
+#include "gui/render/gl.h"
+#include "gui/view/mesh/mesh_colors.h"
+
+namespace winslow::gui {
+
+namespace {
+
+constexpr int samples = 4;
+/// Side of the pieces that a picture is drawn in, pixels: multisampled, 130 MB.
+constexpr int tile_side = 2048;
+/// Windows of the interface need a frame or two to find their sizes.
+constexpr int frames_to_settle = 3;
+
+/// Copies a part to where it belongs, cut off where the whole ends.
+void copy_into(Image& whole, const Image& part, int x, int y) {
+  const auto columns = static_cast<std::size_t>(std::min(part.width, whole.width - x));
+  for (int row = 0; row < std::min(part.height, whole.height - y); ++row) {
+    const auto at = 4 * (static_cast<std::size_t>(y + row) * static_cast<std::size_t>(whole.width) +
+                         static_cast<std::size_t>(x));
+    std::copy_n(part.pixel(0, row), 4 * columns,
+                whole.rgba.begin() + static_cast<std::ptrdiff_t>(at));
+  }
+}
+
+}  // namespace
+
+/// A picture being made.
+struct PicturePainter::Picture {
+  std::unique_ptr<WindowFrame> frame;
+  bool kept = false;  ///< its frame is that of the picture before
+  bool mesh_alone = false;
+  ViewOptions options;
+  PlaneView view;
+  ActionQueue actions;  ///< nobody carries them out
+  PanelContext context;
+  Lens lens;
+
+  Picture(std::unique_ptr<WindowFrame> of, const Shown& shown)
+      : frame(std::move(of)),
+        options(shown.context.view),
+        view(shown.view),
+        context{shown.context.session,
+                options,
+                shown.context.view_state,
+                frame->ui.theme(),
+                actions,
+                shown.context.capture,
+                shown.context.recent,
+                shown.context.demo,
+                shown.context.before},
+        lens(shown.pane.mesh_view()) {}
+};
+
+PicturePainter::~PicturePainter() = default;
+
+void PicturePainter::paint_window() {
+  WindowFrame& window = shown_.window;
+  glViewport(0, 0, window.width, window.height);
+  glDisable(GL_SCISSOR_TEST);
+  const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(
+      (shown_.context.view.lightness == Lightness::dark ? dark_palette() : light_palette()).card);
+  glClearColor(ground.x, ground.y, ground.z, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  shown_.pane.lens().set_tile({ScreenPoint(), ScreenPoint(window.width, window.height)});
+  shown_.pane.mesh_view().draw_kept(shown_.view.camera(), window.width, window.height);
+  window.ui.paint();
+}
+
+Image PicturePainter::picture() {
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  FrameBuffer buffer(shown_.window.width, shown_.window.height, samples);
+  buffer.bind();
+  paint_window();
+  Image image = buffer.read();
+  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+  return image;
+}
+
+/// Letters of large pictures take tens of megabytes.
+void PicturePainter::forget_idle(double seconds) {
+  constexpr double patience = 1;
+  age_ += seconds;
+  if (age_ < patience || !last_) return;
+  last_.reset();
+  shown_.window.ui.make_current();
+}
+
+ScreenVector PicturePainter::picture_extent(const PictureSpec& spec) const {
+  const Area& v = shown_.window.layout.viewport;
+  return spec.panels ? ScreenVector(shown_.window.width, shown_.window.height)
+                     : ScreenVector(v.width, v.height);
+}
+
+Image PicturePainter::picture(const PictureSpec& spec) {
+  const ScreenVector extent = picture_extent(spec);
+  const auto [width, height] = picture_size(spec, extent.x(), extent.y());
+  const double ratio = std::min({width / extent.x(), height / extent.y(), largest_picture_scale});
+  const float unit = shown_.window.ui.theme().scale * static_cast<float>(ratio);
+  const Bounds visible = shown_.view.camera().visible();
+  // Colours must be those of this mesh, not of one a moment ago.
+  shown_.session.quality().measure_now(shown_.context.view.color);
+
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  std::unique_ptr<Picture> picture;
+  try {
+    picture = begin(spec, unit);
+    picture->frame->width = width;
+    picture->frame->height = height;
+    const int frames = picture->kept && picture->mesh_alone ? 1 : frames_to_settle;
+    for (int frame = 0; frame < frames; ++frame) {
+      picture->frame->ui.resemble(shown_.window.ui);
+      lay_out(*picture, visible);
+    }
+    Image image = paint_tiles(*picture, spec.transparent && picture->mesh_alone);
+    end(std::move(picture), bound);
+    return image;
+  } catch (...) {
+    end(std::move(picture), bound);
+    throw;
+  }
+}
+
+std::unique_ptr<PicturePainter::Picture> PicturePainter::begin(const PictureSpec& spec,
+                                                               float scale) {
+  const bool kept = last_ && last_->ui.theme().scale == scale;
+  std::unique_ptr<WindowFrame> frame =
+      kept ? std::move(last_) : std::make_unique<WindowFrame>(scale);
+  last_.reset();
+  frame->layout = shown_.window.layout;
+  auto picture = std::make_unique<Picture>(std::move(frame), shown_);
+  picture->kept = kept;
+  picture->mesh_alone = !spec.panels;
+  picture->options.legend = picture->options.legend && spec.legend;
+  return picture;
+}
+
+/// The frame of a picture may serve the next, and what is drawn is the window's again. picture:
+/// null if it could not be begun.
+void PicturePainter::end(std::unique_ptr<Picture> picture, int framebuffer) {
+  if (picture) last_ = std::move(picture->frame);
+  age_ = 0;
+  UiLayer& ui = shown_.window.ui;
+  ui.make_current();
+  shown_.pane.update(shown_.context.view, shown_.view, ui.theme().scale);
+  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(framebuffer));
+}
+
+void PicturePainter::lay_out(Picture& picture, const Bounds& visible) {
+  WindowFrame& frame = *picture.frame;
+  frame.ui.begin(InputState{}, frame.width, frame.height, 1.0 / 60);
+  if (picture.mesh_alone) {
+    frame.layout = Layout();
+    frame.layout.viewport = {0, 0, static_cast<float>(frame.width),
+                             static_cast<float>(frame.height)};
+  } else {
+    shown_.regions.draw_menu(picture.context, frame);
+  }
+  const Area& v = frame.layout.viewport;
+  picture.view.camera().set_viewport(v.x, v.y, v.width, v.height);
+  if (shown_.session.document()) picture.view.camera().fit(visible, 0);
+  const float scale = frame.ui.theme().scale;
+  picture.lens.place(pinned_inset(shown_.session, picture.options, picture.view.camera(),
+                                  static_cast<double>(scale)));
+  if (!picture.mesh_alone) shown_.regions.draw(picture.context, frame.layout);
+  shown_.regions.draw_over_mesh(
+      picture.context, frame.layout.viewport,
+      picture.mesh_alone ? Regions::Cards::none : Regions::Cards::of_the_mesh);
+  // A picture is of this mesh: here, unlike in a frame, what is prepared is waited for.
+  ViewportPane& pane = shown_.pane;
+  const auto update = [&] { pane.update(picture.options, picture.view, scale); };
+  for (update(); pane.mesh_view().busy(); update()) std::this_thread::yield();
+  pane.draw_overlays(*ImGui::GetBackgroundDrawList(),
+                     {picture.context, picture.view, v, picture.lens, picture.mesh_alone});
+  frame.ui.end();
+  picture.actions.clear();  // nobody pressed anything
+}
+
+Image PicturePainter::paint_tiles(Picture& picture, bool transparent) {
+  const int width = picture.frame->width, height = picture.frame->height;
+  Image whole;
+  whole.width = width;
+  whole.height = height;
+  whole.rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  const int side_x = std::min(width, tile_side);
+  const int side_y = std::min(height, tile_side);
+  const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(palette().card);
+  const FrameBuffer buffer(side_x, side_y, samples);
+  for (int y = 0; y < height; y += side_y)
+    for (int x = 0; x < width; x += side_x) {
+      if (transparent)
+        buffer.clear({0, 0, 0, 0});
+      else
+        buffer.clear({ground.x, ground.y, ground.z, 1});
+      const ScreenBox tile{ScreenPoint(x, y), ScreenPoint(x + side_x, y + side_y)};
+      picture.lens.set_tile(tile);
+      if (const auto part = part_of(picture.view.camera(), tile))
+        shown_.pane.mesh_view().draw(*part, transparent ? nullptr : &picture.view.camera(), side_x,
+                                     side_y);
+      picture.frame->ui.paint_part(static_cast<float>(x), static_cast<float>(y),
+                                   static_cast<float>(side_x), static_cast<float>(side_y));
+      copy_into(whole, buffer.read(), x, y);
+    }
+  if (transparent) divide_by_alpha(whole);
+  return whole;
+}
+
+VectorFigure PicturePainter::figure(bool legend) const {
+  VectorFigure figure;
+  const Session& session = shown_.session;
+  const ViewOptions& view = shown_.context.view;
+  const auto& shown_legend = shown_.pane.mesh_view().legend();
+  const Document* document = session.document();
+  if (!document) throw Error("There is no mesh to draw.");
+  figure.mesh = Mesh{session.topology(), session.coordinates()};
+  const double scale = static_cast<double>(shown_.window.ui.theme().scale);
+  const Area& v = shown_.window.layout.viewport;
+  figure.camera.set_viewport(0, 0, v.width / scale, v.height / scale);
+  figure.camera.look_at(shown_.view.camera().centre(),
+                        shown_.view.camera().units_per_pixel() * scale);
+  if (const auto inset = pinned_inset(session, view, figure.camera, 1))
+    figure.inset = FigureInset{inset->camera, inset->source};
+  figure.fill = view.fill;
+  figure.wireframe = view.wireframe;
+  figure.mark_inverted = view.mark_inverted;
+  figure.framed = true;
+  figure.edge_width = 0.8 * view.line_width;
+  figure.dark = mesh_colors(view).dark;
+  figure.title = document->name();
+  if (view.fill && view.color && shown_legend) {
+    figure.values = element_values(*document->state().vcv, figure.mesh.coordinates, *view.color);
+    figure.scale = shown_legend->scale;
+    if (legend) figure.legend = shown_legend;
+  }
+  for (const Index node : session.nodes().pinned())
+    figure.vcvs.push_back(inspect_node(*session.vcv(), figure.mesh.coordinates, node));
+  const auto& markers = figure.mesh.topology->markers();
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    figure.marker_colors.push_back(marker_color(static_cast<Index>(m), figure.dark));
+    figure.key.emplace_back(markers[m].name, figure.marker_colors.back());
+  }
+  const Index inverted = check_validity(*figure.mesh.topology, figure.mesh.coordinates).inverted;
+  if (inverted > 0) figure.warning = counted(inverted, "inverted element");
+  return figure;
+}
+
+}  // namespace winslow::gui

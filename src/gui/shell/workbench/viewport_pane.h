@@ -1,0 +1,83 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <optional>
+
+#include "gui/base/input.h"
+#include "gui/menu/panel_context.h"
+#include "gui/panels/layout.h"
+#include "gui/panels/legend_card.h"
+#include "gui/view/mesh/before_mesh.h"
+#include "gui/view/mesh/mesh_view.h"
+#include "gui/view/navigation/view_control.h"
+#include "gui/view/overlays/id_labels.h"
+#include "gui/view/overlays/lens.h"
+#include "gui/view/tools/node_tool.h"
+#include "gui/view/tools/viewport.h"
+
+namespace winslow::gui {
+
+/// The mesh's part of a frame: of the window, or of a picture.
+struct MeshFrame {
+  const PanelContext& context;
+  const View& view;
+  const Area& area;
+  Lens& lens;
+  bool mesh_alone = false;  ///< nothing that is there for the mouse's sake
+};
+
+/// The part of the window that shows the mesh: the mesh itself, what is drawn over it, and the
+/// mouse over it.
+class ViewportPane {
+ public:
+  ViewportPane(const Session& session, ViewControl& control)
+      : session_(session), control_(control) {}
+
+  /// Takes what threads have done. True if a new frame would look different.
+  bool poll();
+  /// The picture is not that of the mesh yet.
+  bool busy() const { return mesh_view_.busy() || before_.busy(); }
+  /// Follows the mesh and its colours. scale: of the interface.
+  void update(const ViewOptions& options, const View& view, float scale);
+  void update_before() { before_.update(session_, control_.options()); }
+  /// Measures what is selected, for the gizmo: not while it moves, so that the ring stays.
+  void measure_selection();
+
+  /// Hands the mouse to what it is over. area: of the pane.
+  void drive(const InputState& input, const PanelContext& context, const Area& area);
+  void draw_overlays(ImDrawList& list, const MeshFrame& frame);
+
+  /// What the mouse acts upon now. scale: of the interface.
+  ViewportScene scene(double scale) const;
+  const Viewport& viewport() const { return viewport_; }
+  /// What the mesh is compared with, as of the last frame.
+  const BeforeMesh& before() const { return before_; }
+  MeshView& mesh_view() { return mesh_view_; }
+  const MeshView& mesh_view() const { return mesh_view_; }
+  /// Of the window.
+  Lens& lens() { return lens_; }
+  /// Shape of the mouse cursor over the mesh (ImGuiMouseCursor); none: whatever the interface has.
+  std::optional<int> cursor() const;
+
+ private:
+  void take_for_insets(PointerState& pointer, const PanelContext& context);
+  void draw_legend(ImDrawList& list, const MeshFrame& frame);
+
+  const Session& session_;
+  ViewControl& control_;
+  BeforeMesh before_;
+  MeshView mesh_view_;
+  Lens lens_{mesh_view_};
+  Viewport viewport_;
+  NodeTool node_tool_;
+  IdLabels id_labels_;
+  LegendCard legend_card_;
+  double reach_ = 0;  // of the selection, when nothing was moving
+};
+
+/// The magnifier as a picture has it: one that follows the mouse is none of the mesh's.
+std::optional<Inset> pinned_inset(const Session& session, const ViewOptions& view,
+                                  const Camera& camera, double scale);
+
+}  // namespace winslow::gui

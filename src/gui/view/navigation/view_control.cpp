@@ -1,0 +1,180 @@
+#include "gui/view/navigation/view_control.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "gui/view/navigation/go_to.h"
+
+namespace winslow::gui {
+
+namespace {
+
+/// Moves what is in the middle of the view up, and away, so that a card at its foot does not cover
+/// it. A card that does not reach the middle leaves it alone.
+void look_above(Camera& camera, const ScreenBox& card) {
+  const ScreenPoint origin = camera.viewport_origin();
+  const double width = camera.viewport_width(), height = camera.viewport_height();
+  const double free = card.min.y() - origin.y();
+  if (card.max.x() < origin.x() + width / 2 || free < height / 4) return;
+  const double unit = camera.units_per_pixel() * std::min(width, height) / std::min(width, free);
+  camera.look_at(camera.centre() - Vec2(0, (height - free) / 2 * unit), unit);
+}
+
+}  // namespace
+
+bool ViewControl::begin_frame(double x, double y, double width, double height) {
+  view_.camera().set_viewport(x, y, width, height);
+  const bool another = follow_mesh();
+  state_.can_go_back = history_.can_go_back(view_.camera());
+  state_.can_go_forward = history_.can_go_forward();
+  return another;
+}
+
+bool ViewControl::follow_mesh() {
+  if (generation_ == session_.generation()) return false;
+  generation_ = session_.generation();
+  history_.clear();
+  state_ = ViewState();
+  options_.magnifier.pin.reset();
+  look_at_start();
+  return true;
+}
+
+void ViewControl::look_at_start() {
+  const Document* document = session_.document();
+  if (!document) return;
+  const Bounds all = bounds(document->state().mesh);
+  std::vector<Index> holes;
+  for (const auto& body : session_.mesh().boundary()->bodies())
+    if (body.hole) holes.insert(holes.end(), body.nodes.begin(), body.nodes.end());
+  if (!holes.empty()) {
+    Bounds bodies = bounds(document->state().mesh.coordinates, holes);
+    // With a far field of a hundred chords the bodies would be a dot.
+    if (bodies.size().maxCoeff() < 0.15 * all.size().maxCoeff()) {
+      const Vec2 room = Vec2::Constant(0.6 * bodies.size().maxCoeff());
+      return view_.camera().fit({bodies.min - room, bodies.max + room});
+    }
+  }
+  view_.camera().fit(all);
+}
+
+void ViewControl::move_divider(double by) {
+  options_.divider = std::clamp(options_.divider + by, 0.02, 0.98);
+}
+
+void ViewControl::release_magnifier() {
+  if (!options_.magnifier.pin) options_.magnifier.on = false;
+}
+
+void ViewControl::on(const action::EditView& a) {
+  const double before = options_.scale;
+  a.edit.apply_to(options_);
+  const bool scaled = options_.scale != before && options_.scale > 0;
+  const float fits = scale_.of(options_.scale);
+  if (!scaled || static_cast<double>(fits) >= options_.scale - 1e-3) return;
+  session_.messages().tell(
+      Notice::Kind::information,
+      "This window has room for " + std::to_string(std::lround(100 * fits)) + " % only");
+}
+
+void ViewControl::on(const action::StepScale& a) {
+  if (a.by == 0) {
+    options_.scale = 0;
+    return;
+  }
+  const auto tell = [&](const char* text) {
+    session_.messages().tell(Notice::Kind::information, text);
+  };
+  const auto now = static_cast<double>(scale_.of(options_.scale));
+  const auto up = std::ranges::find_if(scales, [&](double s) { return s > now + 1e-3; });
+  const auto here = std::ranges::find_if(scales, [&](double s) { return s > now - 1e-3; });
+  if (a.by < 0) {
+    if (here == scales.begin()) return tell("The interface is as small as it gets");
+    options_.scale = *(here - 1);
+    return;
+  }
+  if (up == scales.end()) return tell("The interface is as large as it gets");
+  if (static_cast<double>(scale_.fitting(*up)) < *up - 1e-3)
+    return tell("This window has no room for a larger interface");
+  options_.scale = *up;
+}
+
+void ViewControl::on(const action::InspectNode& a) {
+  session_.apply(action::SelectNode{a.node});
+  if (!a.node) return;
+  options_.side_tab = SideTab::vcv;
+  options_.right_panel = true;
+  // A number that was typed may be that of a node anywhere.
+  if (session_.nodes().inspected() != a.node) return;
+  const ScreenVector pixel = view_.camera().to_screen(session_.coordinates().xy(*a.node)) -
+                             view_.camera().viewport_origin();
+  if (pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() <= view_.camera().viewport_width() &&
+      pixel.y() <= view_.camera().viewport_height())
+    return;
+  const Bounds box = surroundings({MeshItem::Kind::node, *a.node}, session_);
+  on(action::LookAt{box.centre(), 4 * box.size().norm()});
+}
+
+void ViewControl::on(const action::FitView&) {
+  if (!session_.document()) return;
+  history_.leave(view_.camera());
+  view_.camera().fit(bounds(Mesh{session_.topology(), session_.coordinates()}));
+}
+
+void ViewControl::on(const action::FitSelection&) {
+  if (!session_.document() || session_.selection().empty()) return;
+  history_.leave(view_.camera());
+  std::vector<Index> nodes;
+  for (Index m : session_.selection().markers()) {
+    const auto of_marker = session_.topology()->markers().nodes(m);
+    nodes.insert(nodes.end(), of_marker.begin(), of_marker.end());
+  }
+  view_.camera().fit(bounds(session_.coordinates(), nodes), 0.2);
+}
+
+void ViewControl::on(const action::LookAt& a) {
+  history_.leave(view_.camera());
+  const Vec2 half = Vec2::Constant(a.radius);
+  view_.camera().fit({a.point - half, a.point + half});
+  if (card_) look_above(view_.camera(), *card_);
+}
+
+void ViewControl::on(const action::ZoomTo& a) {
+  history_.leave(view_.camera());
+  view_.camera().fit(a.box, 0);
+}
+
+void ViewControl::on(const action::BoxZoom&) {
+  state_.box_zoom_armed = session_.document() && !state_.box_zoom_armed;
+}
+
+void ViewControl::on(const action::GoTo& a) {
+  if (a.item && !exists(*a.item, session_)) return;
+  state_.focus = a.item;
+  if (!a.item) return;
+  const Bounds box = surroundings(*a.item, session_);
+  on(action::LookAt{box.centre(), 4 * box.size().norm()});
+}
+
+void ViewControl::on(const action::AskGoTo&) {
+  if (!session_.document()) return;
+  options_.right_panel = true;
+  options_.side_tab = SideTab::quality;
+  state_.go_to_wanted = true;
+}
+
+void ViewControl::on(const action::PinMagnifier&) {
+  if (!session_.document()) return;
+  if (options_.magnifier.on && options_.magnifier.pin) {
+    options_.magnifier.pin.reset();
+    options_.magnifier.on = false;
+    return;
+  }
+  const Vec2 place = mouse_ ? view_.camera().to_world(*mouse_) : view_.camera().centre();
+  options_.magnifier.on = true;
+  options_.magnifier.pin = {{place.x(), place.y()}};
+}
+
+}  // namespace winslow::gui

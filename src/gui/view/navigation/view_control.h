@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "gui/document/actions/dispatch.h"
+#include "gui/document/actions/view_actions.h"
+#include "gui/document/session/session.h"
+#include "gui/render/view.h"
+#include "gui/settings/interface_scale.h"
+#include "gui/settings/view_options.h"
+#include "gui/settings/view_state.h"
+#include "gui/view/navigation/view_history.h"
+
+namespace winslow::gui {
+
+/// Where the user looks and what is drawn: carries out the actions on the view. Knows nothing of
+/// OpenGL or of widgets.
+class ViewControl {
+ public:
+  /// screen_scale: pixels per unit of the layout that the screen wants.
+  ViewControl(Session& session, float screen_scale) : session_(session), scale_(screen_scale) {}
+
+  void apply(const ViewAction& action) { Dispatch::to(*this, action); }
+
+  const ViewOptions& options() const { return options_; }
+  /// As they were kept from the last run.
+  void set_options(const ViewOptions& options) { options_ = options; }
+  const ViewState& state() const { return state_; }
+  const PlaneView& view() const { return view_; }
+  /// For the mouse, which pans and zooms.
+  PlaneView& view() { return view_; }
+  const Camera& camera() const { return view_.camera(); }
+  InterfaceScale& scale() { return scale_; }
+  const InterfaceScale& scale() const { return scale_; }
+
+  /// In every frame, when it is known where in the framebuffer the mesh is drawn, pixels. True if
+  /// another mesh is open than in the frame before.
+  bool begin_frame(double x, double y, double width, double height);
+  /// Looks at the mesh that is open if it is another than before. True if it is.
+  bool follow_mesh();
+  /// In every frame. mouse_busy: the mouse is changing the view. seconds: since the last frame.
+  void observe(bool mouse_busy, double seconds) {
+    history_.observe(view_.camera(), mouse_busy, seconds);
+  }
+  /// What was asked of this frame alone is done.
+  void end_requests() { state_.go_to_wanted = false; }
+
+  /// Where the mouse is over the mesh; none: it is elsewhere.
+  void set_mouse(const std::optional<ScreenPoint>& mouse) { mouse_ = mouse; }
+  /// A card at the foot of the viewport: what one goes to is shown above it.
+  void set_card(const std::optional<ScreenBox>& card) { card_ = card; }
+  /// Moves the divider between two meshes; by: a share of the viewport's width.
+  void move_divider(double by);
+  void disarm_box_zoom() { state_.box_zoom_armed = false; }
+  /// Puts the magnifier away unless it is pinned.
+  void release_magnifier();
+
+ private:
+  friend class Dispatch;
+  void on(const action::EditView& a);
+  void on(const action::InspectNode& a);
+  void on(const action::FitView&);
+  void on(const action::FitSelection&);
+  void on(const action::LookAt& a);
+  void on(const action::ZoomTo& a);
+  void on(const action::BoxZoom&);
+  void on(const action::BackView&) { history_.back(view_.camera()); }
+  void on(const action::ForwardView&) { history_.forward(view_.camera()); }
+  void on(const action::GoTo& a);
+  void on(const action::AskGoTo&);
+  void on(const action::PinMagnifier&);
+  void on(const action::StepScale& a);
+  void look_at_start();
+
+  Session& session_;
+  ViewOptions options_;
+  ViewState state_;
+  PlaneView view_;
+  ViewHistory history_;
+  InterfaceScale scale_;
+  std::uint64_t generation_ = 0;  // of the mesh that the camera was set up for
+  std::optional<ScreenPoint> mouse_;
+  std::optional<ScreenBox> card_;
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,168 @@
+#include <doctest/doctest.h>
+
+#include <functional>
+
+#include "core/command/command.h"
+#include "core/drag/drag_session.h"
+#include "core/error.h"
+#include "core/formulation/pointwise_winslow.h"
+#include "core/formulation/variational_winslow.h"
+#include "core/inspect/element_field.h"
+#include "core/inspect/nodal_view.h"
+#include "core/layers/clearance.h"
+#include "core/layers/layer_control.h"
+#include "core/layers/layer_detection.h"
+#include "core/layers/layer_fit.h"
+#include "core/layers/layer_insertion.h"
+#include "core/layers/layer_measures.h"
+#include "core/layers/sound_plan.h"
+#include "core/layers/wall_chain.h"
+#include "core/motion/transfer.h"
+#include "core/quality/quality.h"
+#include "core/quality/valid_step.h"
+#include "core/strategy/smooth_run.h"
+#include "support/formulations.h"
+#include "support/space_meshes.h"
+
+using namespace winslow;
+using namespace winslow::test;
+
+/// What works on plane meshes alone refuses all others, and says what it is that refuses.
+namespace {
+
+struct Other {
+  std::string kind;
+  Mesh mesh;
+};
+
+std::vector<Other> other_meshes() {
+  const auto bowl = [](const Vec2& p) -> Vec3 { return {p.x(), p.y(), p.squaredNorm()}; };
+  std::vector<Other> others;
+  for (const Cells cells : {Cells::triangles, Cells::quads, Cells::mixed})
+    others.push_back({"surface mesh", make_mesh(lifted(square(3, cells), bowl))});
+  for (const Volumes volumes : all_volumes)
+    others.push_back({"volume mesh", make_mesh(cube(2, volumes))});
+  return others;
+}
+
+void check_refused(const std::string& who, const std::function<void(const Mesh&)>& call) {
+  for (const Other& other : other_meshes()) {
+    CAPTURE(who);
+    const std::string message = who + ": only for a plane mesh, and this is a " + other.kind;
+    CHECK_THROWS_WITH_AS(call(other.mesh), message.c_str(), UsageError);
+  }
+}
+
+/// A state whose VCVs say nothing against its mesh.
+MeshState state_of(const Mesh& mesh) {
+  return {mesh, make_state(make_mesh(square(3, Cells::quads))).vcv};
+}
+
+std::vector<std::string> a_marker(const Mesh& mesh) { return {mesh.topology->markers()[0].name}; }
+
+LayerOptions layers_at(const Mesh& mesh, bool match_outside) {
+  LayerOptions options;
+  options.walls.push_back({a_marker(mesh), {3, 0.01, 1.2, 1.0, {}, match_outside}});
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("commands are refused by their names on meshes that are not plane") {
+  for (const Command& command : all_commands()) {
+    check_refused(std::string(command_name(command)),
+                  [&](const Mesh& mesh) { execute(command, state_of(mesh)); });
+  }
+}
+
+TEST_CASE("quality and bounds are those of plane meshes") {
+  check_refused("quality", [](const Mesh& mesh) { measure_quality(mesh); });
+  check_refused("quality",
+                [](const Mesh& mesh) { element_values(mesh, Metric::condition_number); });
+  check_refused("quality",
+                [](const Mesh& mesh) { element_value(mesh, 0, Metric::condition_number); });
+  check_refused("quality",
+                [](const Mesh& mesh) { check_validity(*mesh.topology, mesh.coordinates); });
+  check_refused("steps that keep a mesh valid", [](const Mesh& mesh) {
+    largest_valid_step(*mesh.topology, mesh.coordinates, mesh.coordinates);
+  });
+  check_refused("bounds", [](const Mesh& mesh) { bounds(mesh); });
+}
+
+TEST_CASE("virtual control volumes are those of plane meshes") {
+  const std::string who = "virtual control volumes";
+  check_refused(who, [](const Mesh& mesh) { VirtualControlVolumes vcv(mesh.topology); });
+  check_refused(who, [](const Mesh& mesh) { make_state(mesh); });
+}
+
+TEST_CASE("motions are those of plane meshes") {
+  const auto move = [](const auto& motion) {
+    return [motion](const Mesh& mesh) {
+      make_motion(*mesh.topology, mesh.coordinates, a_marker(mesh), motion);
+    };
+  };
+  check_refused("motions", move(RigidMotion{}));
+  check_refused("motions", move(SineDeformation{}));
+  DisplacementTable table;
+  table.entries.emplace_back().node = 0;
+  check_refused("motions", move(table));
+  check_refused("motions", [](const Mesh& mesh) {
+    make_transfer(NodeClasses(mesh.topology), mesh.coordinates, mesh.coordinates);
+  });
+  check_refused("motions", [](const Mesh& mesh) {
+    DragGrip grip;
+    grip.markers = a_marker(mesh);
+    DragSession session(state_of(mesh), grip, SmoothOptions{});
+  });
+}
+
+TEST_CASE("layers are those of plane meshes") {
+  for (const bool match : {false, true}) {
+    check_refused("layers", [&](const Mesh& mesh) { plan_layers(mesh, layers_at(mesh, match)); });
+    check_refused("layers", [&](const Mesh& mesh) { sound_plan(mesh, layers_at(mesh, match)); });
+  }
+  check_refused("layers", [](const Mesh& mesh) { detect_layers(mesh, layers_at(mesh, false)); });
+  check_refused("layers",
+                [](const Mesh& mesh) { find_wall_chains(mesh, layers_at(mesh, false).walls); });
+  check_refused("layers", [](const Mesh& mesh) { insert_layers(mesh, {}); });
+  check_refused("layers", [](const Mesh& mesh) { with_other_layers({}, {}, *mesh.topology); });
+  check_refused("layers", [](const Mesh& mesh) {
+    fitted_layers({}, *mesh.topology, mesh.coordinates, mesh.coordinates);
+  });
+  check_refused("layers",
+                [](const Mesh& mesh) { Clearance clearance(*mesh.topology, mesh.coordinates, 1); });
+  check_refused("layers", [](const Mesh& mesh) {
+    LayerStack stack;
+    const LayerOptions options = layers_at(mesh, false);
+    respace_layers(stack, mesh, options);
+  });
+  check_refused("virtual control volumes", [](const Mesh& mesh) {
+    layer_vcvs(mesh.topology, {}, *state_of(mesh).vcv, mesh.coordinates);
+  });
+}
+
+TEST_CASE("coordinates in space are refused where those of a plane mesh are expected") {
+  const MeshState state = make_state(make_mesh(square(3, Cells::triangles)));
+  const VirtualControlVolumes& vcv = *state.vcv;
+  const Coordinates space(3, state.mesh.coordinates.size());
+  const char* message = "found points of space, expected points of the plane";
+  const Index node = state.mesh.topology->interior_nodes().front();
+  CHECK_THROWS_WITH_AS(check_validity(*state.mesh.topology, space), message, UsageError);
+  CHECK_THROWS_WITH_AS(largest_valid_step(*state.mesh.topology, space, space), message, UsageError);
+  CHECK_THROWS_WITH_AS(inspect_node(vcv, space, node), message, UsageError);
+  for (const NodalField field :
+       {NodalField::kappa, NodalField::smallest_weight, NodalField::residual})
+    CHECK_THROWS_WITH_AS(node_values(vcv, space, field, 1), message, UsageError);
+  LayerStack stack;
+  stack.columns.resize(1);
+  stack.columns[0].nodes = {0, 1};
+  stack.columns[0].heights = {1};
+  CHECK_THROWS_WITH_AS(correct_layers(stack, space), message, UsageError);
+  std::vector<double> out(2 * state.mesh.topology->interior_nodes().size());
+  CHECK_THROWS_WITH_AS(pointwise(vcv).residual(space, out), message, UsageError);
+  const VariationalWinslow variational(free_interior(state.mesh.topology),
+                                       TargetShapes::build(vcv, {}, nullptr), {}, 1);
+  CHECK_THROWS_WITH_AS(variational.energy(space), message, UsageError);
+  CHECK_THROWS_WITH_AS(variational.residual(space, out), message, UsageError);
+  CHECK_THROWS_WITH_AS(variational.worst_distortion(space), message, UsageError);
+}
