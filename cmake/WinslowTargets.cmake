@@ -84,6 +84,9 @@ function(winslow_tests name)
     ${name}_tests PRIVATE WINSLOW_ASSETS="${PROJECT_SOURCE_DIR}/assets"
                           WINSLOW_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data")
   winslow_compile_options(${name}_tests)
+  # Tests call what is optimised; they are not worth optimising themselves. This halves the time
+  # that they take to compile.
+  target_compile_options(${name}_tests PRIVATE $<IF:$<BOOL:${WINSLOW_SANITIZE}>,-O0,$<$<CONFIG:Release>:-O1>>)
   winslow_unity(${name}_tests ${CMAKE_CURRENT_SOURCE_DIR}/${name} SOURCES ${sources} APART ${arg_APART})
   list(TRANSFORM sources REPLACE ".*/tests/${name}/" "")
   list(FILTER sources INCLUDE REGEX "_test\\.cpp$")
