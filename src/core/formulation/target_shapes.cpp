@@ -2,54 +2,38 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "core/error.h"
+#include "core/formulation/stretch_field.h"
+#include "core/formulation/target_metric.h"
 
 namespace winslow {
 
 namespace {
 
-/// Metric of a target triangle over its two edges m1, m2 from the corner: symmetric, determinant 1.
-struct Metric2 {
-  double a11 = 0, a12 = 0, a22 = 0;
-
-  static Metric2 of(const Vec2& m1, const Vec2& m2) {
-    const double det = m1.x() * m2.y() - m1.y() * m2.x();
-    return {m2.squaredNorm() / det, -m1.dot(m2) / det, m1.squaredNorm() / det};
-  }
-  static Metric2 of_angle(double angle) {
-    return of(Vec2(1, 0), Vec2(std::cos(angle), std::sin(angle)));
-  }
-  Metric2& add(double share, const Metric2& other) {
-    a11 += share * other.a11;
-    a12 += share * other.a12;
-    a22 += share * other.a22;
-    return *this;
-  }
-  /// A sum of such metrics, scaled back to determinant 1, lies on the geodesic between them.
-  Metric2 normalized() const {
-    const double scale = 1 / std::sqrt(a11 * a22 - a12 * a12);
-    return {a11 * scale, a12 * scale, a22 * scale};
-  }
-  ShapeTerm term(double weight) const { return {a11 + a12, a22 + a12, -a12, weight}; }
-};
-
 class Builder {
  public:
-  Builder(const VirtualControlVolumes& vcv, const TargetBlend& blend, const Coordinates* rest)
-      : vcv_(vcv), topology_(vcv.topology()), blend_(blend), rest_(rest) {
-    const double sum = blend.element + blend.vcv + blend.rest;
-    if (!(blend.element >= 0 && blend.vcv >= 0 && blend.rest >= 0) || !(sum > 0) ||
-        !std::isfinite(sum)) {
+  Builder(const VirtualControlVolumes& vcv, const TargetBlend& blend, const Coordinates* given,
+          int threads)
+      : vcv_(vcv), topology_(vcv.topology()), blend_(blend), given_(given) {
+    const double sum = blend.automatic + blend.element + blend.vcv + blend.rest;
+    if (!(blend.automatic >= 0 && blend.element >= 0 && blend.vcv >= 0 && blend.rest >= 0) ||
+        !(sum > 0) || !std::isfinite(sum)) {
       throw UsageError("the shares of the target shapes must not be negative, nor all zero");
     }
-    if (blend.rest > 0 && !rest) throw UsageError("no rest mesh given for the rest targets");
+    if (refers_to_given(blend) && !given) throw UsageError("targets that refer to no mesh");
+    if (blend.automatic > 0) {
+      stretch_ = stretch_field(topology_, *given, threads);
+      shapes_.stretched = stretch_.stretched;
+    }
+    blend_.automatic /= sum;
     blend_.element /= sum;
     blend_.vcv /= sum;
     blend_.rest /= sum;
-    edited_blend_ = {0, blend_.element + blend_.vcv, blend_.rest};
+    edited_blend_ = {0, 0, blend_.automatic + blend_.element + blend_.vcv, blend_.rest};
   }
 
   TargetShapes build() {
@@ -84,34 +68,66 @@ class Builder {
   }
 
   /// Rest metric of a corner, times the share.
-  void add_rest(Metric2& metric, const std::array<Index, 3>& nodes, Index e) const {
+  void add_rest(TargetMetric& metric, const std::array<Index, 3>& nodes, Index e) const {
     if (blend_.rest == 0) return;
-    const Vec2 m1 = rest_->xy(nodes[1]) - rest_->xy(nodes[0]);
-    const Vec2 m2 = rest_->xy(nodes[2]) - rest_->xy(nodes[0]);
-    if (!(m1.x() * m2.y() - m1.y() * m2.x() > 0)) {
+    const auto own = own_metric(nodes);
+    if (!own) {
       throw MeshError(MeshEntity::element, e,
                       "element " + std::to_string(e) +
                           " is inverted in the rest mesh, which is to be the target; choose other "
                           "targets");
     }
-    metric.add(blend_.rest, Metric2::of(m1, m2));
+    metric.add(blend_.rest, *own);
+  }
+
+  /// Of a corner in the mesh as given; none if it is inverted.
+  std::optional<TargetMetric> own_metric(const std::array<Index, 3>& nodes) const {
+    const Vec2 m1 = given_->xy(nodes[1]) - given_->xy(nodes[0]);
+    const Vec2 m2 = given_->xy(nodes[2]) - given_->xy(nodes[0]);
+    if (!(m1.x() * m2.y() - m1.y() * m2.x() > 0)) return std::nullopt;
+    return TargetMetric::of(m1, m2);
+  }
+
+  /// How much of the way from the regular shape to its own the target of a corner lies.
+  double own_share(Index e, const TargetMetric& regular, const TargetMetric& own) const {
+    const double stretch = 0.5 * stretch_between(regular, own);
+    const double limit = stretch > stretch_.longest[at(e)] ? stretch_.longest[at(e)] / stretch : 1;
+    return stretch_.share[at(e)] * limit;
+  }
+
+  double element_weight(Index e) const {
+    const double held = blend_.automatic > 0 ? stretch_.weight[at(e)] : 1;
+    return vcv_.role(e).weight * (blend_.automatic * held + 1 - blend_.automatic);
+  }
+
+  /// Metric of a corner of a regular element, and of one that keeps its stretch as the field says,
+  /// times their shares.
+  void add_regular(TargetMetric& metric, const TargetBlend& blend,
+                   const std::array<Index, 3>& nodes, Index e) const {
+    const double angle = topology_.element_type(e) == ElementType::triangle ? pi / 3 : pi / 2;
+    const TargetMetric regular = TargetMetric::of_angle(angle);
+    metric.add(blend.element, regular);
+    if (blend.automatic == 0) return;
+    const auto own = own_metric(nodes);
+    metric.add(blend.automatic,
+               own ? between(regular, *own, own_share(e, regular, *own)) : regular);
   }
 
   /// VCV metric of the corner at a free node, times the share. A VCV of two edges has straight
   /// angles, which are no shape to strive for: there the element's own target stands in.
-  void add_vcv(Metric2& metric, Index e, Index node) const {
+  void add_vcv(TargetMetric& metric, Index e, Index node) const {
     const double ideal = topology_.element_type(e) == ElementType::triangle ? pi / 3 : pi / 2;
     if (topology_.neighbours(node).size() == 2) {
-      metric.add(blend_at(node).vcv, Metric2::of_angle(ideal));
+      metric.add(blend_at(node).vcv, TargetMetric::of_angle(ideal));
     } else {
       const auto [first, second] = vcv_edges(e, node);
-      metric.add(blend_at(node).vcv, Metric2::of(first, second));
+      metric.add(blend_at(node).vcv, TargetMetric::of(first, second));
     }
   }
 
   /// VCV metric of a corner at the boundary, where there is no VCV, times the share: the corner of
   /// the parallelogram that the VCVs of the adjacent corners span, or that of the opposite corner.
-  void add_parallelogram(Metric2& metric, Index e, std::size_t corner) const {
+  void add_parallelogram(TargetMetric& metric, Index e, std::size_t corner) const {
     const auto element = topology_.element(e);
     const auto node = [&](std::size_t step) { return element[(corner + step) % 4]; };
     const double share = edited_blend_.vcv;
@@ -123,18 +139,18 @@ class Builder {
     const double each = next && previous ? share / 2 : share;
     if (next) {
       const auto [to_opposite, to_corner] = vcv_edges(e, node(1));
-      metric.add(each, Metric2::of(-to_corner, to_opposite));
+      metric.add(each, TargetMetric::of(-to_corner, to_opposite));
     }
     if (previous) {
       const auto [to_corner, to_opposite] = vcv_edges(e, node(3));
-      metric.add(each, Metric2::of(to_opposite, -to_corner));
+      metric.add(each, TargetMetric::of(to_opposite, -to_corner));
     }
     if (next || previous) return;
     if (counts(2)) {
       const auto [to_previous, to_next] = vcv_edges(e, node(2));
-      metric.add(each, Metric2::of(-to_previous, -to_next));
+      metric.add(each, TargetMetric::of(-to_previous, -to_next));
     } else {
-      metric.add(each, Metric2::of_angle(pi / 2));
+      metric.add(each, TargetMetric::of_angle(pi / 2));
     }
   }
 
@@ -154,17 +170,16 @@ class Builder {
     if (blend_.vcv > 0 || (any_edited(element) && !vcv_.role(e).own_shape)) {
       add_vcv_terms(e);
     } else {
-      shapes_.terms.push_back(
-          common_metric(blend_, first, e).normalized().term(vcv_.role(e).weight));
+      shapes_.terms.push_back(common_metric(blend_, first, e).normalized().term(element_weight(e)));
     }
     shapes_.offsets.push_back(static_cast<Index>(shapes_.terms.size()));
   }
 
   /// What a triangle's target has besides VCVs, over its edges at corner 0.
-  Metric2 common_metric(const TargetBlend& blend, const std::array<Index, 3>& first,
-                        Index e) const {
-    Metric2 common;
-    common.add(blend.element, Metric2::of_angle(pi / 3));
+  TargetMetric common_metric(const TargetBlend& blend, const std::array<Index, 3>& first,
+                             Index e) const {
+    TargetMetric common;
+    add_regular(common, blend, first, e);
     add_rest(common, first, e);
     return common;
   }
@@ -176,11 +191,12 @@ class Builder {
       return !topology_.on_boundary(node) && (blend_.vcv > 0 || vcv_.edited(node));
     };
     const auto corners = std::count_if(element.begin(), element.end(), counts);
-    const double weight = vcv_.role(e).weight / static_cast<double>(corners);
+    const double weight = element_weight(e) / static_cast<double>(corners);
     for (std::size_t k = 0; k < 3; ++k) {
       if (!counts(element[k])) continue;
       // The VCV's metric belongs to the edges at corner k: express the common part there too.
-      Metric2 metric = rotated(common_metric(blend_at(element[k]), corner_nodes(element, 0), e), k);
+      TargetMetric metric =
+          rotated(common_metric(blend_at(element[k]), corner_nodes(element, 0), e), k);
       add_vcv(metric, e, element[k]);
       const ShapeTerm t = metric.normalized().term(weight);
       shapes_.terms.push_back(k == 0   ? t
@@ -190,7 +206,7 @@ class Builder {
   }
 
   /// A metric over the edges at corner 0, over those at corner k of the same triangle.
-  static Metric2 rotated(const Metric2& m, std::size_t k) {
+  static TargetMetric rotated(const TargetMetric& m, std::size_t k) {
     if (k == 0) return m;
     // Edges from corner 1 are (c - b, a - b), from corner 2 (a - c, b - c). The form is the same
     // function of the three edge vectors.
@@ -212,20 +228,20 @@ class Builder {
       const auto nodes = corner_nodes(element, k);
       const bool follows = topology_.on_boundary(nodes[0]) && any_edited(element);
       const TargetBlend& blend = follows ? edited_blend_ : blend_at(nodes[0]);
-      Metric2 metric;
-      metric.add(blend.element, Metric2::of_angle(pi / 2));
+      TargetMetric metric;
+      add_regular(metric, blend, nodes, e);
       if (follows) {
         add_parallelogram(metric, e, k);
       } else if (blend.vcv > 0) {
         if (topology_.on_boundary(nodes[0])) {
-          metric.add(blend.vcv, Metric2::of_angle(pi / 2));  // there is no VCV at the boundary
+          metric.add(blend.vcv, TargetMetric::of_angle(pi / 2));  // there is no VCV at the boundary
         } else {
           add_vcv(metric, e, nodes[0]);
         }
       }
       add_rest(metric, nodes, e);
       shapes_.triangles.push_back(nodes);
-      shapes_.terms.push_back(metric.normalized().term(vcv_.role(e).weight / count));
+      shapes_.terms.push_back(metric.normalized().term(element_weight(e) / count));
       shapes_.offsets.push_back(static_cast<Index>(shapes_.terms.size()));
     }
   }
@@ -234,15 +250,18 @@ class Builder {
   const Topology& topology_;
   TargetBlend blend_;
   TargetBlend edited_blend_;  // at nodes whose VCVs were edited
-  const Coordinates* rest_;
+  const Coordinates* given_;
+  StretchField stretch_;  // where the blend has a share for it
   TargetShapes shapes_;
 };
 
 }  // namespace
 
+bool refers_to_given(const TargetBlend& blend) { return blend.automatic > 0 || blend.rest > 0; }
+
 TargetShapes TargetShapes::build(const VirtualControlVolumes& vcv, const TargetBlend& blend,
-                                 const Coordinates* rest) {
-  return Builder(vcv, blend, rest).build();
+                                 const Coordinates* given, int threads) {
+  return Builder(vcv, blend, given, threads).build();
 }
 
 }  // namespace winslow

@@ -53,6 +53,7 @@ std::vector<Index> make_row_of_node(const NodeUnknowns& nodes) {
 /// Targets in the order of `old_number`.
 TargetShapes reordered(const TargetShapes& shapes, const std::vector<Index>& old_number) {
   TargetShapes out;
+  out.stretched = shapes.stretched;
   out.triangles.reserve(old_number.size());
   out.terms.reserve(shapes.terms.size());
   for (const Index t : old_number) {

@@ -36,20 +36,26 @@ std::vector<ChoiceItem> linear_solvers(bool symmetric) {
 }
 
 Option targets_option(SmoothOptions& o) {
-  return {.key = "targets",
-          .value = SharesOption{{{"element", "Regular elements",
-                                  "equilateral triangles, square corners; the best worst elements",
-                                  &o.targets.element},
-                                 {"vcv", "VCV stencils",
-                                  "the virtual control volumes, with their angles and edge lengths",
-                                  &o.targets.vcv},
-                                 {"rest", "Rest mesh",
-                                  "each element's own shape before the motion, to keep a graded or "
-                                  "stretched mesh as it is",
-                                  &o.targets.rest}}},
-          .label = "Targets",
-          .help = "Variational: shapes that the elements are driven towards, alone or blended",
-          .applies = is_variational(o)};
+  return {
+      .key = "targets",
+      .value = SharesOption{{{"auto", "As the mesh is made",
+                              "regular elements where the mesh is isotropic, each element's own "
+                              "shape where it is stretched like its neighbours",
+                              &o.targets.automatic},
+                             {"element", "Regular elements",
+                              "equilateral triangles, square corners everywhere; for isotropic "
+                              "meshes only",
+                              &o.targets.element},
+                             {"vcv", "VCV stencils",
+                              "the virtual control volumes, with their angles and edge lengths",
+                              &o.targets.vcv},
+                             {"rest", "Rest mesh",
+                              "each element's own shape before the motion, to keep a graded or "
+                              "stretched mesh as it is",
+                              &o.targets.rest}}},
+      .label = "Targets",
+      .help = "Variational: shapes that the elements are driven towards, alone or blended",
+      .applies = is_variational(o)};
 }
 
 OptionTable equations(SmoothOptions& o) {

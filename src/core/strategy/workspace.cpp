@@ -6,12 +6,12 @@ namespace winslow {
 
 void SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualControlVolumes>& vcv,
                                  const std::shared_ptr<const NodeClasses>& classes,
-                                 const SmoothOptions& options, const Coordinates& rest) {
+                                 const SmoothOptions& options, const Coordinates& given) {
   const bool same_unknowns =
       vcv_ && classes_->same_unknowns(*classes) && options_.threads == options.threads;
   const bool same_vcv = same_unknowns && vcv == vcv_;
   const bool same_targets = same_vcv && options_.targets == options.targets &&
-                            (options.targets.rest == 0 || (rest_ && *rest_ == rest));
+                            (!refers_to_given(options.targets) || (given_ && *given_ == given));
   picard_.reset();
   newton_.reset();
   pointwise_newton_.reset();
@@ -26,10 +26,10 @@ void SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualControlVolum
     symmetric_linear_.reset();
     newton_linear_.reset();
   }
-  if (options.targets.rest > 0) {
-    if (!same_targets) rest_ = rest;
+  if (refers_to_given(options.targets)) {
+    if (!same_targets) given_ = given;
   } else {
-    rest_.reset();
+    given_.reset();
   }
   vcv_ = vcv;
   classes_ = classes;
@@ -82,7 +82,8 @@ PicardSolver& SmoothingWorkspace::picard() {
 }
 
 TargetShapes SmoothingWorkspace::target_shapes() const {
-  return TargetShapes::build(*vcv_, options_.targets, rest_ ? &*rest_ : nullptr);
+  return TargetShapes::build(*vcv_, options_.targets, given_ ? &*given_ : nullptr,
+                             options_.threads);
 }
 
 std::shared_ptr<const VariationalWinslow> SmoothingWorkspace::energy() {

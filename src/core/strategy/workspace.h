@@ -20,8 +20,8 @@ namespace winslow {
 class SmoothingWorkspace {
  public:
   /// Says what is to be solved; parts that are still good are kept. classes: which nodes move.
-  /// rest: the mesh that the share `rest` of the targets refers to; kept by value where that is not
-  /// zero. Throws UsageError.
+  /// given: the mesh that targets `auto` and `rest` refer to; kept by value where they do. Throws
+  /// UsageError.
   void prepare(const std::shared_ptr<const VirtualControlVolumes>& vcv,
                const std::shared_ptr<const NodeClasses>& classes, const SmoothOptions& options,
                const Coordinates& rest);
@@ -53,7 +53,7 @@ class SmoothingWorkspace {
   std::shared_ptr<const VirtualControlVolumes> vcv_;
   std::shared_ptr<const NodeClasses> classes_;
   SmoothOptions options_;
-  std::optional<Coordinates> rest_;           // only where the targets refer to it
+  std::optional<Coordinates> given_;          // only where the targets refer to it
   ClipVariants<PointwiseWinslow> pointwise_;  // null: not made yet
   std::shared_ptr<const VariationalWinslow> energy_;
   bool pointwise_stale_ = false, energy_stale_ = false;  // they are of other VCVs or targets

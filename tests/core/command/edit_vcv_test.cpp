@@ -227,9 +227,9 @@ TEST_CASE("an edited VCV counts although the blend has no share for VCVs, only a
   const Topology& topology = *before.mesh.topology;
   const Index node = inner_node(topology);
   const auto vcv = edit_vcvs(*before.vcv, std::vector{wide_angle(topology, node)});
-  const TargetShapes plain = TargetShapes::build(*before.vcv, {1, 0, 0}, nullptr);
-  const TargetShapes edited = TargetShapes::build(*vcv, {1, 0, 0}, nullptr);
-  const TargetShapes of_vcv = TargetShapes::build(*vcv, {0, 1, 0}, nullptr);
+  const TargetShapes plain = TargetShapes::build(*before.vcv, TargetBlend::regular(), nullptr);
+  const TargetShapes edited = TargetShapes::build(*vcv, TargetBlend::regular(), nullptr);
+  const TargetShapes of_vcv = TargetShapes::build(*vcv, {0, 0, 1, 0}, nullptr);
   REQUIRE(plain.triangles == edited.triangles);
   std::size_t changed = 0;
   for (std::size_t t = 0; t < plain.triangles.size(); ++t) {

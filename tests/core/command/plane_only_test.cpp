@@ -161,7 +161,8 @@ TEST_CASE("coordinates in space are refused where those of a plane mesh are expe
   std::vector<double> out(2 * state.mesh.topology->interior_nodes().size());
   CHECK_THROWS_WITH_AS(pointwise(vcv).residual(space, out), message, UsageError);
   const VariationalWinslow variational(free_interior(state.mesh.topology),
-                                       TargetShapes::build(vcv, {}, nullptr), {}, 1);
+                                       TargetShapes::build(vcv, TargetBlend::regular(), nullptr),
+                                       {}, 1);
   CHECK_THROWS_WITH_AS(variational.energy(space), message, UsageError);
   CHECK_THROWS_WITH_AS(variational.residual(space, out), message, UsageError);
   CHECK_THROWS_WITH_AS(variational.worst_distortion(space), message, UsageError);

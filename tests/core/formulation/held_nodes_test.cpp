@@ -85,7 +85,7 @@ TEST_CASE("variational form: held interior nodes have no equations, and move the
     CAPTURE(name_of(cells));
     Random random(5);
     const Sample s = make_sample(21, cells, false);
-    const TargetShapes shapes = TargetShapes::build(s.vcv, {}, nullptr);
+    const TargetShapes shapes = TargetShapes::build(s.vcv, TargetBlend::regular(), nullptr);
     const auto classes = some_held(s.mesh.topology);
     const VariationalWinslow held(classes, shapes, {}, 1);
     const VariationalWinslow free(free_interior(s.mesh.topology), shapes, {}, 1);
@@ -141,8 +141,10 @@ TEST_CASE("nodes that slide are refused, not taken for free ones") {
   classes->set_on_curve(corner, {1, 0, 0});
   CHECK_THROWS_WITH_AS(PointwiseWinslow(s.vcv, classes, 1),
                        doctest::Contains("the pointwise form: node"), UsageError);
-  CHECK_THROWS_WITH_AS(VariationalWinslow(classes, TargetShapes::build(s.vcv, {}, nullptr), {}, 1),
-                       doctest::Contains("the variational form: node"), UsageError);
+  CHECK_THROWS_WITH_AS(
+      VariationalWinslow(classes, TargetShapes::build(s.vcv, TargetBlend::regular(), nullptr), {},
+                         1),
+      doctest::Contains("the variational form: node"), UsageError);
   classes->set_free(std::array<Index, 1>{corner});
   CHECK_THROWS_AS(PointwiseWinslow(s.vcv, classes, 1), UsageError);
 }

@@ -78,8 +78,8 @@ double norm(const std::vector<double>& v) {
   return std::sqrt(sum);
 }
 
-const std::array<TargetBlend, 4> blends{TargetBlend{1, 0, 0}, TargetBlend{0, 1, 0},
-                                        TargetBlend{0, 0, 1}, TargetBlend{0.5, 0.3, 0.2}};
+const std::array<TargetBlend, 4> blends{TargetBlend{0, 1, 0, 0}, TargetBlend{0, 0, 1, 0},
+                                        TargetBlend{0, 0, 0, 1}, TargetBlend{0, 0.5, 0.3, 0.2}};
 const std::array<PenaltyOptions, 4> penalties{PenaltyOptions{8, 1.78}, PenaltyOptions{1, 0},
                                               PenaltyOptions{4, 0}, PenaltyOptions{2.5, 0}};
 
@@ -225,7 +225,7 @@ TEST_CASE("a triangle's projected Hessian is its Hessian without the negative ei
 TEST_CASE("perfect elements have distortion one and no force") {
   const Mesh mesh = make_mesh(square(6, Cells::quads));
   const VirtualControlVolumes vcv(mesh.topology);
-  for (const TargetBlend& blend : {TargetBlend{1, 0, 0}, TargetBlend{0, 1, 0}}) {
+  for (const TargetBlend& blend : {TargetBlend{0, 1, 0, 0}, TargetBlend{0, 0, 1, 0}}) {
     const VariationalWinslow energy(free_interior(mesh.topology),
                                     TargetShapes::build(vcv, blend, nullptr), {4, 0}, 1);
     // Every element has weight one, however many of its nodes lie at the boundary; the four of the
@@ -251,7 +251,8 @@ TEST_CASE("an inverted element has infinite energy, and a finite one when regula
   tangle(mesh, random);
   const VirtualControlVolumes vcv(mesh.topology);
   const VariationalWinslow energy(free_interior(mesh.topology),
-                                  TargetShapes::build(vcv, {}, nullptr), {1, 0}, 1);
+                                  TargetShapes::build(vcv, TargetBlend::regular(), nullptr), {1, 0},
+                                  1);
   CHECK(std::isinf(energy.energy(mesh.coordinates)));
   const Regularisation regularisation{std::vector<double>(energy.shapes().triangles.size(), 0.01)};
   const double value = energy.regularised_energy(mesh.coordinates, regularisation);
@@ -287,7 +288,7 @@ TEST_CASE("no result depends on the number of threads, to the last bit") {
   }
   REQUIRE(mesh.topology->interior_nodes().size() > 2 * parallel_block);
   const VirtualControlVolumes vcv(mesh.topology);
-  const TargetShapes shapes = TargetShapes::build(vcv, {0.5, 0.5, 0}, nullptr);
+  const TargetShapes shapes = TargetShapes::build(vcv, {0, 0.5, 0.5, 0}, nullptr);
   const VariationalWinslow one(free_interior(mesh.topology), shapes, {}, 1),
       four(free_interior(mesh.topology), shapes, {}, 4);
   CHECK(one.energy(mesh.coordinates) == four.energy(mesh.coordinates));
@@ -308,11 +309,11 @@ TEST_CASE("no result depends on the number of threads, to the last bit") {
 TEST_CASE("targets that make no sense are refused") {
   const Mesh mesh = make_mesh(square(6, Cells::triangles));
   const VirtualControlVolumes vcv(mesh.topology);
-  CHECK_THROWS_AS(TargetShapes::build(vcv, {0, 0, 0}, nullptr), UsageError);
-  CHECK_THROWS_AS(TargetShapes::build(vcv, {-1, 2, 0}, nullptr), UsageError);
-  CHECK_THROWS_AS(TargetShapes::build(vcv, {0, 0, 1}, nullptr), UsageError);
+  CHECK_THROWS_AS(TargetShapes::build(vcv, {0, 0, 0, 0}, nullptr), UsageError);
+  CHECK_THROWS_AS(TargetShapes::build(vcv, {0, -1, 2, 0}, nullptr), UsageError);
+  CHECK_THROWS_AS(TargetShapes::build(vcv, {0, 0, 0, 1}, nullptr), UsageError);
   Random random(1);
   Mesh tangled = mesh;
   tangle(tangled, random);
-  CHECK_THROWS_AS(TargetShapes::build(vcv, {0, 0, 1}, &tangled.coordinates), MeshError);
+  CHECK_THROWS_AS(TargetShapes::build(vcv, {0, 0, 0, 1}, &tangled.coordinates), MeshError);
 }

@@ -24,7 +24,8 @@ struct Solver {
                   const PenaltyOptions& penalty = {})
       : vcv(mesh.topology),
         energy(std::make_shared<const VariationalWinslow>(
-            free_interior(mesh.topology), TargetShapes::build(vcv, {}, nullptr), penalty, 0)) {
+            free_interior(mesh.topology), TargetShapes::build(vcv, TargetBlend::regular(), nullptr),
+            penalty, 0)) {
     LinearOptions linear_options;
     linear_options.solver = linear_name;
     linear_options.tolerance = 1e-8;
@@ -52,7 +53,8 @@ constexpr double loose = 1e-3;  // tolerance of linear solves
 std::shared_ptr<const VariationalWinslow> winslows_functional(const Mesh& mesh) {
   const VirtualControlVolumes vcv(mesh.topology);
   return std::make_shared<const VariationalWinslow>(
-      free_interior(mesh.topology), TargetShapes::build(vcv, {}, nullptr), PenaltyOptions{1, 0}, 0);
+      free_interior(mesh.topology), TargetShapes::build(vcv, TargetBlend::regular(), nullptr),
+      PenaltyOptions{1, 0}, 0);
 }
 
 BoundaryMotion along(const Motion& motion, const Coordinates& rest) {

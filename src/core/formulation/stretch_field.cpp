@@ -1,0 +1,170 @@
+#include "core/formulation/stretch_field.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "core/formulation/target_metric.h"
+#include "core/parallel/parallel_for.h"
+
+namespace winslow {
+
+namespace {
+
+constexpr double inverted = std::numeric_limits<double>::quiet_NaN();
+
+double rising_step(double value, double low, double high) {
+  const double t = std::clamp((value - low) / (high - low), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+bool is_inverted(std::span<const Index> nodes, const PlanePoints& x) {
+  const std::size_t n = nodes.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec2 a = x[nodes[k]], to_b = x[nodes[(k + 1) % n]] - a,
+               to_c = x[nodes[(k + n - 1) % n]] - a;
+    if (!(to_b.x() * to_c.y() - to_b.y() * to_c.x() > 0)) return true;
+  }
+  return false;
+}
+
+/// s of StretchField; NaN of an inverted element.
+double stretch_of(std::span<const Index> nodes, const PlanePoints& x) {
+  if (is_inverted(nodes, x)) return inverted;
+  if (nodes.size() == 3) {
+    return 0.5 *
+           stretch_between(TargetMetric::of_angle(pi / 3),
+                           TargetMetric::of(x[nodes[1]] - x[nodes[0]], x[nodes[2]] - x[nodes[0]]));
+  }
+  const Vec2 p = x[nodes[1]] - x[nodes[0]] + x[nodes[2]] - x[nodes[3]];
+  const Vec2 q = x[nodes[3]] - x[nodes[0]] + x[nodes[2]] - x[nodes[1]];
+  return 0.5 * stretch_between(TargetMetric::of_angle(pi / 2), TargetMetric::of(p, q));
+}
+
+class Field {
+ public:
+  Field(const Topology& topology, const Coordinates& given, int threads)
+      : topology_(topology), threads_(threads), stretch_(at(topology.element_count())) {
+    const PlanePoints x(given);
+    for_each_element([&](Index e) { stretch_[at(e)] = stretch_of(topology_.element(e), x); });
+  }
+
+  StretchField build() const {
+    StretchField field;
+    field.share.assign(stretch_.size(), 0.0);
+    field.longest.assign(stretch_.size(), 0.0);
+    field.weight.assign(stretch_.size(), 1.0);
+    if (tangled()) return field;
+    std::vector<double>& around = field.longest;
+    for_each_element([&](Index e) { around[at(e)] = stretch_around(e); });
+    for_each_element([&](Index e) { field.share[at(e)] = share_by_neighbours(e, around[at(e)]); });
+    constexpr int rows = 3;
+    for (int row = 0; row < rows; ++row) spread(field.share);
+    for_each_element([&](Index e) {
+      if (std::isnan(around[at(e)])) {
+        field.share[at(e)] = field.longest[at(e)] = 0;
+        return;
+      }
+      hold_wall(e, field);
+      field.longest[at(e)] = around[at(e)] + (is_triangle(e) ? 0.35 : 0.7);
+    });
+    field.stretched = stretched_part(field.share);
+    return field;
+  }
+
+ private:
+  template <class Visit>
+  void for_each_element(Visit&& visit) const {
+    parallel_for(threads_, topology_.element_count(), [&](Index begin, Index end) {
+      for (Index e = begin; e < end; ++e) visit(e);
+    });
+  }
+
+  bool is_triangle(Index e) const { return topology_.element_type(e) == ElementType::triangle; }
+
+  bool tangled() const {
+    constexpr double most = 0.05;
+    const auto lost =
+        std::count_if(stretch_.begin(), stretch_.end(), [](double s) { return std::isnan(s); });
+    return static_cast<double>(lost) > most * static_cast<double>(stretch_.size());
+  }
+
+  double share_by_neighbours(Index e, double around) const {
+    if (std::isnan(around)) return 0;
+    return is_triangle(e) ? rising_step(around, 0.45, 0.8) : 1;
+  }
+
+  /// A well-shaped triangle at the boundary keeps its shape, and with it its height.
+  void hold_wall(Index e, StretchField& field) const {
+    const auto nodes = topology_.element(e);
+    if (!is_triangle(e) || std::none_of(nodes.begin(), nodes.end(),
+                                        [&](Index node) { return topology_.on_boundary(node); })) {
+      return;
+    }
+    constexpr double more = 5;
+    const double held = 1 - rising_step(stretch_[at(e)], 0, 0.2);
+    field.share[at(e)] = std::max(field.share[at(e)], held);
+    field.weight[at(e)] = 1 + more * held;
+  }
+
+  double stretched_part(const std::vector<double>& share) const {
+    constexpr double twice_as_long = 0.35;
+    std::size_t count = 0;
+    for (std::size_t e = 0; e < share.size(); ++e)
+      count += share[e] > 0.5 && stretch_[e] > twice_as_long ? 1 : 0;
+    return share.empty() ? 0 : static_cast<double>(count) / static_cast<double>(share.size());
+  }
+
+  /// Median of the stretch of the elements of this type around, the element itself included; NaN if
+  /// one of those around, of whatever type, is inverted.
+  double stretch_around(Index e) const {
+    std::vector<std::pair<Index, double>> found;
+    for (const Index node : topology_.element(e)) {
+      for (const Index other : topology_.star(node)) {
+        if (std::isnan(stretch_[at(other)])) return inverted;
+        if (topology_.element_type(other) == topology_.element_type(e))
+          found.push_back({other, stretch_[at(other)]});
+      }
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    const auto middle = found.begin() + static_cast<std::ptrdiff_t>((found.size() - 1) / 2);
+    std::nth_element(found.begin(), middle, found.end(),
+                     [](const auto& a, const auto& b) { return a.second < b.second; });
+    return middle->second;
+  }
+
+  /// One more row: each share rises to the mean of the shares around, or stays.
+  void spread(std::vector<double>& share) const {
+    std::vector<double> at_node(at(topology_.node_count()), 0.0);
+    parallel_for(threads_, topology_.node_count(), [&](Index begin, Index end) {
+      for (Index node = begin; node < end; ++node) {
+        const auto star = topology_.star(node);
+        for (const Index e : star) at_node[at(node)] += share[at(e)];
+        if (!star.empty()) at_node[at(node)] /= static_cast<double>(star.size());
+      }
+    });
+    for_each_element([&](Index e) {
+      double mean = 0;
+      const auto nodes = topology_.element(e);
+      for (const Index node : nodes) mean += at_node[at(node)];
+      mean /= static_cast<double>(nodes.size());
+      share[at(e)] = std::max(share[at(e)], mean);
+    });
+  }
+
+  const Topology& topology_;
+  int threads_;
+  std::vector<double> stretch_;  // #elements
+};
+
+}  // namespace
+
+StretchField stretch_field(const Topology& topology, const Coordinates& given, int threads) {
+  return Field(topology, given, threads).build();
+}
+
+}  // namespace winslow
