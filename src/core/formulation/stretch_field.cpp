@@ -69,7 +69,7 @@ class Field {
         return;
       }
       hold_wall(e, field);
-      field.longest[at(e)] = around[at(e)] + (is_triangle(e) ? 0.35 : 0.7);
+      field.longest[at(e)] = around[at(e)] + tolerance(e, around[at(e)]);
     });
     field.stretched = stretched_part(field.share);
     return field;
@@ -95,6 +95,13 @@ class Field {
   double share_by_neighbours(Index e, double around) const {
     if (std::isnan(around)) return 0;
     return is_triangle(e) ? rising_step(around, 0.45, 0.8) : 1;
+  }
+
+  /// Of the corners of stretched quadrilaterals some are sharp by the shape of the boundary, as at
+  /// a trailing edge, and far more stretched than the element.
+  double tolerance(Index e, double around) const {
+    if (is_triangle(e)) return 0.35;
+    return 0.7 + 1.8 * rising_step(around, 0.45, 0.8);
   }
 
   /// A well-shaped triangle at the boundary keeps its shape, and with it its height.

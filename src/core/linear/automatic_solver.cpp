@@ -21,7 +21,8 @@ class AutomaticSolver final : public LinearSolver {
   }
 
   void set_matrix(const SparseMatrix& matrix, bool keep) override {
-    const std::string_view suitable = suitable_solver(matrix);
+    if (hard_ != matrix.pattern) hard_.reset();
+    const std::string_view suitable = hard_ ? direct : suitable_solver(matrix);
     if (!chosen_ || chosen_->name() != suitable) {
       options_.solver = suitable;
       chosen_ = make_linear_solver(options_, threads_);
@@ -38,6 +39,7 @@ class AutomaticSolver final : public LinearSolver {
     constexpr double usable = 10;  // tolerances
     try {
       const LinearResult result = chosen_->solve(rhs, columns, x);
+      remember_if_hard(result);
       if (result.relative_residual <= usable * options_.tolerance) return result;
     } catch (const NumericError&) {
       // Broken down, or not positive definite after all.
@@ -55,11 +57,21 @@ class AutomaticSolver final : public LinearSolver {
  private:
   static constexpr std::string_view direct = "direct";
 
+  /// On stretched meshes multigrid takes many iterations, and a factorisation is the faster up to
+  /// much larger ones; beyond that its memory stands against it.
+  void remember_if_hard(const LinearResult& result) {
+    constexpr int many = 50;
+    constexpr Index limit = 300'000;
+    if (result.iterations > many && matrix_->symmetric && matrix_->rows() <= limit)
+      hard_ = matrix_->pattern;
+  }
+
   LinearOptions options_;
   int threads_;
   const SparseMatrix* matrix_ = nullptr;
-  std::unique_ptr<LinearSolver> fallback_;  // made when first needed
-  bool factorised_ = false;                 // the fallback has the present matrix
+  std::shared_ptr<const SparsityPattern> hard_;  // of matrices that multigrid is slow on, if any
+  std::unique_ptr<LinearSolver> fallback_;       // made when first needed
+  bool factorised_ = false;                      // the fallback has the present matrix
   std::unique_ptr<LinearSolver> chosen_;
 };
 

@@ -36,10 +36,14 @@ class DirectSolver final : public LinearSolver {
   LinearResult solve(std::span<const double> rhs, int columns, std::span<double> x) override {
     if (matrix_->rows() == 0) return {1, 0};
     if (outdated_) {
+      // A factorisation takes about as long as so many iterations with the old factor.
+      constexpr int worthwhile = 12;
+      KrylovOptions few = krylov_;
+      few.max_iterations = std::min(few.max_iterations, worthwhile);
       const std::vector<double> guess(x.begin(), x.end());
       const LinearResult corrected = krylov_solve(
           *matrix_,
-          [&](std::span<const double> r, std::span<double> z) { factor_->solve(r, 1, z); }, krylov_,
+          [&](std::span<const double> r, std::span<double> z) { factor_->solve(r, 1, z); }, few,
           rhs, columns, x);
       // Slack for what round-off makes of the residual that the iteration updates.
       if (corrected.relative_residual <= 2 * krylov_.tolerance) return corrected;
