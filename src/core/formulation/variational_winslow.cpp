@@ -134,8 +134,14 @@ std::shared_ptr<const VariationalWinslow> VariationalWinslow::with_penalty(
 
 std::shared_ptr<const VariationalWinslow> VariationalWinslow::with_shapes(
     const TargetShapes& shapes) const {
+  return with_ordered_shapes(
+      std::make_shared<const TargetShapes>(reordered(shapes, structure_->shape_order)));
+}
+
+std::shared_ptr<const VariationalWinslow> VariationalWinslow::with_ordered_shapes(
+    std::shared_ptr<const TargetShapes> shapes) const {
   auto other = std::make_shared<VariationalWinslow>(*this);
-  other->shapes_ = std::make_shared<const TargetShapes>(reordered(shapes, structure_->shape_order));
+  other->shapes_ = std::move(shapes);
   return other;
 }
 

@@ -45,6 +45,10 @@ class VariationalWinslow final : public NodeProblem<UntanglingProblem> {
   /// pattern stays the same object.
   std::shared_ptr<const VariationalWinslow> with_shapes(const TargetShapes& shapes) const;
 
+  /// The same with other terms, in the order of shapes().
+  std::shared_ptr<const VariationalWinslow> with_ordered_shapes(
+      std::shared_ptr<const TargetShapes> shapes) const;
+
   std::string_view name() const override { return "variational"; }
   ResidualNorms residual(const Coordinates& x, std::span<double> out) const override;
   void boundary_response(const Coordinates& x, const Coordinates& displacement,

@@ -17,11 +17,12 @@ Coordinates displacements(const Coordinates& from, const Coordinates& to) {
 
 }  // namespace
 
-PathFollower::Trial PathFollower::attempt(const BoundaryMotion& motion, const Goal& goal,
-                                          Coordinates& x, IterationRecord& record) {
+PathFollower::Trial PathFollower::attempt(const Path& path, const Goal& goal, Coordinates& x,
+                                          IterationRecord& record) {
+  if (path.change_problem) path.change_problem(goal.fraction);
   const SmoothingProblem& problem = solver_.problem();
   Coordinates moved = x;
-  motion(goal.fraction, moved);
+  path.move(goal.fraction, moved);
   const Coordinates displacement = displacements(x, moved);
   std::vector<double> answer(problem.unknowns());
   if (goal.correct) {
@@ -50,8 +51,13 @@ PathFollower::Trial PathFollower::attempt(const BoundaryMotion& motion, const Go
   return trial;
 }
 
-double PathFollower::follow(const BoundaryMotion& motion, double from, Coordinates& x,
-                            const Accept& accept) {
+double PathFollower::follow(const Path& path, double from, Coordinates& x, const Accept& accept) {
+  const double reached = go(path, from, x, accept);
+  if (path.change_problem) path.change_problem(reached);
+  return reached;
+}
+
+double PathFollower::go(const Path& path, double from, Coordinates& x, const Accept& accept) {
   double fraction = from;
   double step = options_.first_step;
   bool correct = true;
@@ -64,9 +70,10 @@ double PathFollower::follow(const BoundaryMotion& motion, double from, Coordinat
     // A correction does not get shorter with the step: where the path is hard to follow it would
     // outweigh the prediction, and lead astray.
     constexpr double long_step = 0.02;
-    const bool may_correct = correct && to - fraction > long_step;
+    // Where the problem changes, what x lacks to solve it is the prediction.
+    const bool may_correct = path.change_problem || (correct && to - fraction > long_step);
     const bool may_shorten = to - fraction > options_.cautious_step;
-    const Trial trial = attempt(motion, {to, may_correct, may_shorten}, trial_x, record);
+    const Trial trial = attempt(path, {to, may_correct, may_shorten}, trial_x, record);
     if (!trial.valid) {
       correct = false;
       constexpr double margin = 0.7;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
 #include "core/outer/steady_solver.h"
 
@@ -8,6 +9,17 @@ namespace winslow {
 
 /// Puts the prescribed nodes of x where they are once that share of a motion is done.
 using BoundaryMotion = std::function<void(double fraction, Coordinates& x)>;
+
+/// What changes along a path.
+struct Path {
+  Path(BoundaryMotion motion, std::function<void(double fraction)> change = {})  // NOLINT: a motion
+      : move(std::move(motion)), change_problem(std::move(change)) {}            // is a path
+
+  BoundaryMotion move;
+  /// Has the solver go over to the problem that belongs to a share of the path; empty where it is
+  /// the same all along.
+  std::function<void(double fraction)> change_problem;
+};
 
 /// How a path is followed. The defaults need no touch.
 struct PathOptions {
@@ -35,8 +47,9 @@ class PathFollower {
 
   /// Moves the boundary from x (valid; the boundary at fraction `from` of the motion) as far
   /// towards the end of the motion as valid meshes lead. Returns the fraction reached; x is the
-  /// mesh there, near the path but not converged.
-  double follow(const BoundaryMotion& motion, double from, Coordinates& x, const Accept& accept);
+  /// mesh there, near the path but not converged, and the solver is on the problem of that
+  /// fraction.
+  double follow(const Path& path, double from, Coordinates& x, const Accept& accept);
 
  private:
   struct Goal {
@@ -50,8 +63,8 @@ class PathFollower {
     int corrections = 0;
     bool trusted = false;  // the path was met by full Newton steps
   };
-  Trial attempt(const BoundaryMotion& motion, const Goal& goal, Coordinates& x,
-                IterationRecord& record);
+  double go(const Path& path, double from, Coordinates& x, const Accept& accept);
+  Trial attempt(const Path& path, const Goal& goal, Coordinates& x, IterationRecord& record);
 
   SteadySolver& solver_;
   PathOptions options_;

@@ -2,9 +2,17 @@
 
 #include <algorithm>
 
-#include "core/outer/path_follower.h"
-
 namespace winslow {
+
+namespace {
+
+/// An outer iteration whose step was cut very short.
+bool creeps(const IterationRecord& record) {
+  constexpr double short_step = 0.1;
+  return record.iteration > 0 && record.damping < short_step;
+}
+
+}  // namespace
 
 bool NewtonRun::untangle(Coordinates& x, double fraction, const Coordinates* reference) {
   Untangling untangling(state_, workspace_, recorder_);
@@ -15,15 +23,51 @@ bool NewtonRun::untangle(Coordinates& x, double fraction, const Coordinates* ref
   return false;
 }
 
-void NewtonRun::approach(Coordinates& x, double fraction) {
+/// False if Newton's steps have to be cut so short that very many would be needed, and there is
+/// another way: single elements far from their targets allow no longer ones, and the larger the
+/// mesh, the more of them there are.
+bool NewtonRun::approach(Coordinates& x, double fraction) {
   constexpr int limit = 30;
-  relax(x, fraction);
-  recorder_.iterate(newton(), x, Stage::relax, fraction, limit, near_enough);
+  bool creeping = false;
+  const auto enough = [&](const IterationRecord& record) {
+    creeping = has_targets() && creeps(record);
+    return creeping || near_enough(record);
+  };
+  relax(x, fraction, enough);
+  if (!creeping) recorder_.iterate(newton(), x, Stage::relax, fraction, limit, enough);
+  return !creeping;
 }
 
-void NewtonRun::converge(Coordinates& x, double fraction) {
-  relax(x, fraction);
-  recorder_.iterate(newton(), x, Stage::newton, fraction);
+/// Puts x back to `start`, which is the solution for its own shapes.
+void NewtonRun::begin_with_own_shapes(const Coordinates& start, Coordinates& x) {
+  x = start;
+  begin_anew();
+  vary_targets(x);
+}
+
+void NewtonRun::relax_along_targets(Coordinates& x, double fraction) {
+  const Path path([](double, Coordinates&) {}, [this](double share) { set_target_share(share); });
+  const auto accept = [&](const IterationRecord& record, const Coordinates& at) {
+    recorder_.report(record, at, Stage::relax, fraction, true);
+    return recorder_.remaining() > 0;
+  };
+  const int before = newton().linear_solves();
+  PathFollower(newton(), {}).follow(path, 0, x, accept);
+  recorder_.result().linear_solves += newton().linear_solves() - before;
+  set_target_share(1);
+}
+
+/// at_any_pace: otherwise false is returned where Newton's method creeps (see approach).
+bool NewtonRun::converge(Coordinates& x, double fraction, bool at_any_pace) {
+  bool creeping = false;
+  const auto too_slow = [&](const IterationRecord& record) {
+    creeping = !at_any_pace && has_targets() && creeps(record);
+    return creeping;
+  };
+  relax(x, fraction,
+        [&](const IterationRecord& record) { return too_slow(record) || near_enough(record); });
+  if (!creeping) recorder_.iterate(newton(), x, Stage::newton, fraction, too_slow);
+  if (creeping) return false;
   while (recorder_.result().converged && sharpen(x)) {
     const Coordinates solution = x;
     const SmoothResult outcome = recorder_.result();
@@ -33,17 +77,23 @@ void NewtonRun::converge(Coordinates& x, double fraction) {
     recorder_.restore_outcome(outcome);
   }
   recorder_.result().linear_solver = linear().description();
+  return true;
 }
 
 void NewtonRun::smooth(Coordinates& x, double fraction, const Coordinates* reference) {
-  if (untangle(x, fraction, reference)) converge(x, fraction);
+  if (!untangle(x, fraction, reference)) return;
+  const Coordinates start = x;
+  if (converge(x, fraction, false)) return;
+  begin_with_own_shapes(start, x);
+  relax_along_targets(x, fraction);
+  converge(x, fraction);
 }
 
 /// Back to the solution, near enough to follow the path from there. False if it is not found.
 bool NewtonRun::settle(Coordinates& x, double fraction) {
   constexpr int limit = 25;
   constexpr double settled = 1e-4;
-  relax(x, fraction);
+  relax(x, fraction, near_enough);
   const IterationRecord last =
       recorder_.iterate(newton(), x, Stage::newton, fraction, limit,
                         [](const IterationRecord& record) { return record.residual < settled; });
@@ -52,9 +102,19 @@ bool NewtonRun::settle(Coordinates& x, double fraction) {
 
 void NewtonRun::follow(const Motion& motion, const Coordinates& rest, Coordinates& x) {
   if (!untangle(x, 0, nullptr)) return;
-  approach(x, 0);
+  Path path([&](double fraction, Coordinates& at) { motion.apply(rest, fraction, at); });
+  const Coordinates start = x;
+  if (!approach(x, 0)) {
+    begin_with_own_shapes(start, x);
+    set_target_share(0);
+    path.change_problem = [this](double share) { set_target_share(share); };
+  }
+  follow_path(path, x);
+  recorder_.result().linear_solver = linear().description();
+}
+
+void NewtonRun::follow_path(const Path& path, Coordinates& x) {
   SteadySolver& solver = newton();
-  const auto boundary = [&](double fraction, Coordinates& at) { motion.apply(rest, fraction, at); };
   double min_sine = 1;
   const auto accept = [&](const IterationRecord& record, const Coordinates& at) {
     recorder_.report(record, at, Stage::path, record.fraction, true);
@@ -70,7 +130,7 @@ void NewtonRun::follow(const Motion& motion, const Coordinates& rest, Coordinate
   for (int failures = 0; reached < 1 && failures < 2 && recorder_.remaining() > 0;) {
     const int before = solver.linear_solves();
     const double last = reached;
-    reached = PathFollower(solver, options).follow(boundary, reached, x, accept);
+    reached = PathFollower(solver, options).follow(path, reached, x, accept);
     recorder_.result().linear_solves += solver.linear_solves() - before;
     if (reached >= 1) break;
     const double least = min_sine < pressed ? worthwhile_pressed : worthwhile;
@@ -85,7 +145,6 @@ void NewtonRun::follow(const Motion& motion, const Coordinates& rest, Coordinate
     options.greedy = failures > 0;
   }
   if (reached >= 1) converge(x, reached);
-  recorder_.result().linear_solver = linear().description();
 }
 
 void NewtonRun::move_in_steps(const Motion& motion, const Coordinates& rest, int increments,

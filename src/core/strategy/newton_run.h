@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/motion/motion.h"
+#include "core/outer/path_follower.h"
 #include "core/outer/steady_solver.h"
 #include "core/strategy/mesh_state.h"
 #include "core/strategy/run_recorder.h"
@@ -35,12 +36,21 @@ class NewtonRun {
   /// After untangling by the energy, which used linear() for its own systems, and whose mesh has
   /// little to do with what newton() was made fit for.
   virtual void begin_anew() {}
-  /// Before Newton's method, from a valid mesh that may be far from the solution.
-  virtual void relax(Coordinates& /*x*/, double /*fraction*/) {}
+  /// Before Newton's method, from a valid mesh that may be far from the solution, until `enough`
+  /// says so.
+  virtual void relax(Coordinates& /*x*/, double /*fraction*/,
+                     const RunRecorder::Enough& /*enough*/) {}
   /// At a solution: whether Newton's method should go on to a better one that relax() set aside.
   virtual bool sharpen(const Coordinates& /*x*/) { return false; }
   /// Whether a mesh on the path has left the range that relax() made Newton's method fit for.
   virtual bool strained(const Coordinates& /*x*/) { return false; }
+  /// Whether vary_targets() is of use.
+  virtual bool has_targets() const { return false; }
+  /// Takes the shapes of a valid mesh for the targets at share 0 of a path, so that the mesh is the
+  /// solution there.
+  virtual void vary_targets(const Coordinates& /*from*/) {}
+  /// Newton's method is on the targets at this share of the way from there to those wanted.
+  virtual void set_target_share(double /*share*/) {}
   /// Whether to go on from a lost path to which Newton's method does not lead back.
   virtual bool insists() const { return true; }
 
@@ -52,9 +62,12 @@ class NewtonRun {
 
  private:
   bool untangle(Coordinates& x, double fraction, const Coordinates* reference);
-  void approach(Coordinates& x, double fraction);
+  bool approach(Coordinates& x, double fraction);
+  void begin_with_own_shapes(const Coordinates& start, Coordinates& x);
+  void relax_along_targets(Coordinates& x, double fraction);
+  void follow_path(const Path& path, Coordinates& x);
   bool settle(Coordinates& x, double fraction);
-  void converge(Coordinates& x, double fraction);
+  bool converge(Coordinates& x, double fraction, bool at_any_pace = true);
 
   const MeshState& state_;
   SmoothingWorkspace& workspace_;

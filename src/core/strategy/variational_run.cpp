@@ -4,14 +4,14 @@
 
 namespace winslow {
 
-void VariationalRun::relax(Coordinates& x, double fraction) {
+void VariationalRun::relax(Coordinates& x, double fraction, const RunRecorder::Enough& enough) {
   constexpr double far = 1.5;  // knees
   constexpr int limit = 40;
   if (asked_for().exponent <= 2) return;
   const bool raised = energy().penalty().knee != asked_for().knee;
   if (!raised && energy().worst_distortion(x) < far * knee()) return;
   change_penalty({2, 0});
-  recorder().iterate(newton(), x, Stage::relax, fraction, limit, near_enough);
+  recorder().iterate(newton(), x, Stage::relax, fraction, limit, enough);
   change_penalty(fitting(x));
 }
 
@@ -21,6 +21,16 @@ const VariationalWinslow& VariationalRun::energy() {
 }
 
 void VariationalRun::begin_anew() { change_penalty(asked_for()); }
+
+void VariationalRun::vary_targets(const Coordinates& from) {
+  target_path_.emplace(workspace().energy(), from, workspace().options().threads);
+}
+
+void VariationalRun::set_target_share(double share) {
+  const PenaltyOptions penalty = energy().penalty();
+  energy_ = target_path_->at_share(share)->with_penalty(penalty);
+  workspace().newton().set_problem(energy_);
+}
 
 void VariationalRun::change_penalty(const PenaltyOptions& penalty) {
   energy_ = energy().with_penalty(penalty);

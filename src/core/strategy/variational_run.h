@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "core/formulation/target_path.h"
 #include "core/strategy/newton_run.h"
 
 namespace winslow {
@@ -18,7 +21,10 @@ class VariationalRun final : public NewtonRun {
   /// Far from a solution the steep penalty makes Newton's method creep: a gentle one first. Where
   /// even the mesh that this leads to has elements far beyond the knee, the knee is doubled until
   /// it has none.
-  void relax(Coordinates& x, double fraction) override;
+  void relax(Coordinates& x, double fraction, const RunRecorder::Enough& enough) override;
+  bool has_targets() const override { return true; }
+  void vary_targets(const Coordinates& from) override;
+  void set_target_share(double share) override;
   /// The mesh that the knee was doubled for was not a solution yet: a solution may do with less.
   bool sharpen(const Coordinates& x) override;
   bool strained(const Coordinates& x) override;
@@ -33,6 +39,7 @@ class VariationalRun final : public NewtonRun {
   const VariationalWinslow& energy();
 
   std::shared_ptr<const VariationalWinslow> energy_;  // that newton() is on; null: not made yet
+  std::optional<TargetPath> target_path_;
 };
 
 }  // namespace winslow
