@@ -76,9 +76,8 @@ void QualityPanel::draw_table(const PanelContext& context) {
     table.label(row.name, title);
     ui::tooltip(row.tip);
     if (row.title) continue;
-    const bool alarming = title && row.now != "0";
     table.cell(0, row.before, palette().text_dim);
-    table.cell(1, row.now, alarming ? palette().danger : palette().text);
+    table.cell(1, row.now, row.alarming ? palette().danger : palette().text);
     table.cell(2, row.change, color_of(row.verdict));
     ui::tooltip(row.verdict == 0  ? ""
                 : row.verdict > 0 ? "Better than before."

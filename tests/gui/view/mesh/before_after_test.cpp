@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "core/quality/mesh_change.h"
 #include "gui/base/text.h"
 #include "gui/panels/quality_table.h"
 #include "gui/support/keys.h"
@@ -56,6 +57,47 @@ TEST_CASE("the numbers of the table are those of the quality report") {
     CHECK(same.verdict == 0);
   }
   CHECK(quality_table(nullptr, now)[1].before == "-");
+}
+
+TEST_CASE("stretching is not judged: neither green for less of it nor red for more") {
+  const QualityReport round = measure_quality(ring_mesh(24, 6));
+  const QualityReport flat = measure_quality(ring_mesh(24, 24));
+  for (const bool lower : {true, false}) {
+    const auto rows = lower ? quality_table(&flat, round) : quality_table(&round, flat);
+    int changes = 0;
+    for (const char* title : {"Aspect ratio", "Condition number"}) {
+      for (const int below : {1, 2, 3}) {
+        changes += row(rows, title, below).change.empty() ? 0 : 1;
+        CHECK(row(rows, title, below).verdict == 0);
+      }
+    }
+    CHECK(changes >= 3);
+  }
+}
+
+TEST_CASE("the table has the first heights at walls, and node by node over those before") {
+  Mesh after = ring_mesh();
+  const QualityReport before = measure_quality(after);
+  REQUIRE(before.walls.walls.size() == 1);
+  // All but the far field a little larger, seen from the flap: heights grow, the wall stays.
+  const Wall wall = find_walls(after).front();
+  for (const Index node : after.topology->interior_nodes())
+    after.coordinates.set_xy(node, 1.01 * after.coordinates.xy(node));
+  const QualityReport now = measure_quality(after);
+  const auto rows = quality_table(&before, now);
+  CHECK(row(rows, "First height", 1).before == short_number(before.walls.first_height.min));
+  CHECK(row(rows, "First height", 5).now == short_number(now.walls.first_height.max));
+  CHECK(row(rows, "First height", 3).verdict == 0);
+  const auto change = compare_first_heights(before.walls.walls, now.walls.walls);
+  REQUIRE(change);
+  CHECK(row(rows, "First height over before", 3).name == "median");
+  CHECK(row(rows, "First height over before", 3).now == short_number(change->ratio.median));
+  CHECK(row(rows, "First height over before", 6).now == short_number(100 * change->off) + " %");
+  CHECK(row(rows, "First height over before", 6).alarming == spoils_walls(*change));
+  CHECK(row(rows, "Tilt of the first edge", 2).now == short_number(now.walls.tilt.max));
+  CHECK(row(rows, "Size ratio", 2).now == short_number(now.walls.size_ratio.max));
+  for (const QualityRow& one : quality_table(nullptr, now))
+    CHECK(one.name != "First height over before");
 }
 
 TEST_CASE("before is the mesh as loaded or as it was before the last command") {
