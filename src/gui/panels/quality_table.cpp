@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "core/quality/mesh_change.h"
 #include "gui/base/text.h"
@@ -19,6 +20,15 @@ Better better(const FieldInfo& info) {
 }
 
 using Text = std::string (*)(double);
+
+/// Three significant digits, narrow enough for a column whatever the unit.
+std::string wall_number(double value) {
+  char text[24];
+  const double size = std::abs(value);
+  const bool plain = size == 0 || (size >= 0.01 && size < 1000);
+  std::snprintf(text, sizeof text, plain ? "%.3g" : "%.2e", value);
+  return text;
+}
 
 /// text: writes the numbers.
 QualityRow row_of(const char* name, const double* before, double now, Better better,
@@ -99,7 +109,7 @@ void add_wall_rows(const WallReport* before, const WallReport& now, const WallRo
   const Quantiles* b = before && (before->*what.of).count > 0 ? &(before->*what.of) : nullptr;
   for (const Place& place : what.places) {
     rows.push_back(
-        row_of(place.name, b ? &(b->*place.of) : nullptr, n.*place.of, what.better, short_number));
+        row_of(place.name, b ? &(b->*place.of) : nullptr, n.*place.of, what.better, wall_number));
   }
 }
 
@@ -114,11 +124,11 @@ void add_height_change(const WallReport& before, const WallReport& now,
   for (const Place& place : whole_spread) {
     QualityRow& row = rows.emplace_back();
     row.name = place.name;
-    row.now = short_number(change->ratio.*place.of);
+    row.now = wall_number(change->ratio.*place.of);
   }
   QualityRow& row = rows.emplace_back();
   row.name = "changed";
-  row.now = short_number(100 * change->off) + " %";
+  row.now = wall_number(100 * change->off) + " %";
   row.alarming = spoils_walls(*change);
 }
 
@@ -136,10 +146,14 @@ std::vector<QualityRow> quality_table(const QualityReport* before, const Quality
     rows.push_back(row_of("max", b ? &b->max : nullptr, n.max, better(info)));
   }
   rows.push_back(inverted_row(before, now));
+  return rows;
+}
+
+std::vector<QualityRow> wall_table(const WallReport* before, const WallReport& now) {
+  std::vector<QualityRow> rows;
   for (const WallRows& what : wall_rows) {
-    add_wall_rows(before ? &before->walls : nullptr, now.walls, what, rows);
-    if (before && what.of == &WallReport::first_height)
-      add_height_change(before->walls, now.walls, rows);
+    add_wall_rows(before, now, what, rows);
+    if (before && what.of == &WallReport::first_height) add_height_change(*before, now, rows);
   }
   return rows;
 }

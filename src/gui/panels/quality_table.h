@@ -18,8 +18,10 @@ struct QualityRow {
   bool alarming = false;    ///< a flow solver will not like what it says
 };
 
-/// The reported metrics (minimum, average, maximum), the number of inverted elements, and what is
-/// measured of the cells at walls. before: null while it is being measured.
+/// The reported metrics (minimum, average, maximum) and the number of inverted elements. before:
+/// null while it is being measured.
 std::vector<QualityRow> quality_table(const QualityReport* before, const QualityReport& now);
+/// What is measured of the cells at walls, and how first heights have changed. before: as above.
+std::vector<QualityRow> wall_table(const WallReport* before, const WallReport& now);
 
 }  // namespace winslow::gui
