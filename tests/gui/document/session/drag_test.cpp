@@ -208,7 +208,7 @@ TEST_CASE("what a banner says wraps in a narrow window, above its buttons and wi
   rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
   rig.bench->apply(action::ApplyMotion{{0, Vec2(0, 0), Vec2(40, 0)}});
   REQUIRE(rig.settle());
-  for (const int width : {1600, 1100, 800}) {
+  for (const int width : {3400, 1100, 800}) {
     INFO("width ", width);
     rig.resize(width, 720);
     rig.frames(4);
@@ -222,7 +222,7 @@ TEST_CASE("what a banner says wraps in a narrow window, above its buttons and wi
     CHECK(button->shown);
     const bool beside = text->max.x() <= button->min.x();
     CHECK((beside || text->max.y() <= button->min.y()));
-    CHECK(beside == (width == 1600));
+    CHECK(beside == (width == 3400));
   }
 }
 
