@@ -67,7 +67,7 @@ void describe_change(json& block, std::span<const WallMeasures> before,
 
 void print_walls(std::ostream& out, const WallReport* before, const WallReport& now) {
   if (now.size_ratio.count == 0) return;
-  out << formatted("%-22s%11s%11s%11s%11s%11s\n", "", "minimum", "5 %", "median", "95 %",
+  out << formatted("%-22s%11s%11s%11s%11s%11s\n", "Walls", "minimum", "5 %", "median", "95 %",
                    "maximum");
   const auto change =
       before ? compare_first_heights(before->walls, now.walls) : std::optional<FirstHeightChange>();

@@ -104,6 +104,10 @@ void NewtonRun::follow(const Motion& motion, const Coordinates& rest, Coordinate
       recorder_.iterate(solver, x, Stage::newton, reached, 0);
       break;
     }
+    if (!(limit = fault(x)).empty()) {
+      x = std::move(end_of_path);
+      break;
+    }
     options.first_step = std::min(0.02, 0.5 * (1 - reached));
     options.greedy = failures > 0;
   }
