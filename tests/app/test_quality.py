@@ -15,7 +15,7 @@ class Quality(ProgramTest):
                      "Condition number", "16 nodes, 9 elements, 0 inverted"):
             self.assertIn(word, text)
         lists = text.split("Worst elements by ")[1:]
-        self.assertEqual(len(lists), 3)
+        self.assertEqual(len(lists), 6)
         for block in lists:
             rows = [line.split() for line in block.splitlines()[2:] if line.strip()]
             self.assertEqual(len(rows), 2)

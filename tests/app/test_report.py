@@ -3,7 +3,9 @@ import csv
 import support
 from support import INVERTED, NOT_CONVERGED, ProgramTest
 
-METRICS = ("normalized_jacobian", "aspect_ratio", "condition_number")
+METRICS = ("normalized_jacobian", "aspect_ratio", "condition_number", "smallest_angle",
+           "largest_angle", "skewness")
+BEST_OF_SQUARES = (1, 1, 1, 90, 90, 0)
 MOVE = ("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--rotate", "25")
 
 
@@ -14,7 +16,7 @@ class Report(ProgramTest):
         report = self.json("r.json")
         for key in ("formulation", "converged", "outer_iterations", "linear_solves", "residual",
                     "inverted", "fraction_reached", "quality", "nodes", "elements", "seconds",
-                    "peak_memory_bytes"):
+                    "peak_memory_bytes", "quality_before", "walls", "units"):
             self.assertIn(key, report)
         for metric in METRICS:
             block = report["quality"][metric]
@@ -49,9 +51,9 @@ class Report(ProgramTest):
                  for j in range(3) for i in range(3)]
         support.write_su2(self.path("grid.su2"), nodes, quads, {})
         self.winslow("quality", "grid.su2", "--report", "q.json")
-        for metric in METRICS:
+        for metric, best in zip(METRICS, BEST_OF_SQUARES):
             for value in self.json("q.json")["quality"][metric].values():
-                self.assertAlmostEqual(value, 1.0, delta=1e-12)
+                self.assertAlmostEqual(value, best, delta=1e-12)
 
     def test_tells_of_a_scramble_too(self):
         self.ring()

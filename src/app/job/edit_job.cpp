@@ -11,8 +11,9 @@
 #include "app/output/layer_table.h"
 #include "app/output/quality_table.h"
 #include "app/output/report.h"
+#include "app/output/wall_table.h"
 #include "core/error.h"
-#include "core/quality/quality.h"
+#include "core/quality/mesh_change.h"
 #include "io/recipe/recipe.h"
 #include "io/tables/convergence_csv.h"
 
@@ -82,9 +83,20 @@ bool out_of_iterations(const RunReport& run) {
                      [](const CommandRecord& c) { return c.result.out_of_iterations; });
 }
 
+/// The limit of the quality before which a motion ended; empty: none.
+std::string limited_by(const RunReport& run) {
+  std::string limit;
+  for (const CommandRecord& c : run.commands)
+    if (!c.result.limited_by.empty()) limit = c.result.limited_by;
+  return limit;
+}
+
+bool complete(const RunReport& run) {
+  return fraction_reached(run) >= 1 && limited_by(run).empty();
+}
+
 ExitCode judge(const RunReport& run, const QualityReport& quality) {
-  if (quality.inverted > 0) return ExitCode::inverted;
-  if (fraction_reached(run) < 1) return ExitCode::inverted;
+  if (quality.inverted > 0 || !complete(run)) return ExitCode::inverted;
   return all_converged(run.commands) ? ExitCode::done : ExitCode::not_converged;
 }
 
@@ -114,8 +126,7 @@ void write_recipe(const EditJob& job) {
 void save(const EditJob& job, const Mesh& mesh, const io::MeshFile& source,
           const QualityReport& quality, RunReport& run) {
   const bool valid = quality.inverted == 0 || job.files.allow_inverted;
-  const bool complete = fraction_reached(run) >= 1 || job.files.accept_partial;
-  if (valid && complete) {
+  if (valid && (complete(run) || job.files.accept_partial)) {
     const auto warnings =
         io::write_mesh(job.files.output, mesh, source.details.get(), job.files.encoding);
     warn(job.files, warnings);
@@ -143,6 +154,8 @@ void print_outcome(const EditJob& job, const MeshState& state, const QualityRepo
   std::cout << '\n';
   print_quality_table(std::cout, state.mesh, quality);
   std::cout << '\n';
+  print_walls(std::cout, run.before ? &run.before->walls : nullptr, quality.walls);
+  std::cout << '\n';
   if (state.layers) {
     print_layers(std::cout, *state.layers, state.mesh.coordinates, cut_columns_shown);
     std::cout << '\n';
@@ -154,14 +167,30 @@ void print_outcome(const EditJob& job, const MeshState& state, const QualityRepo
   std::cout << run.seconds.total << " s\n";
 }
 
+/// What a flow solver will not like about the result that is no fault of validity. Heights that
+/// were asked for are none.
+void warn_of_damage(const EditJob& job, const Mesh& before, const Mesh& after, RunReport& run) {
+  if (std::ranges::any_of(job.commands, asks_for_heights)) return;
+  const std::string damage = describe_damage(before, after);
+  if (damage.empty()) return;
+  const std::string text =
+      damage + "; --targets that keep the elements' own shapes, such as rest, avoid that";
+  warn(job.files, {text});
+  run.warnings.push_back(text);
+}
+
+std::string why_incomplete(const RunReport& run) {
+  if (const std::string limit = limited_by(run); !limit.empty()) return limit + " beyond";
+  return out_of_iterations(run) ? "the limit of iterations was reached"
+                                : "no valid mesh was found beyond";
+}
+
 /// Why the exit code is not 0; said even with --quiet.
 void print_verdict(const EditJob& job, const Mesh& mesh, const QualityReport& quality,
                    const RunReport& run, ExitCode code) {
   if (code == ExitCode::inverted && quality.inverted == 0) {
     std::cerr << "winslow: the motion could be followed to " << 100 * fraction_reached(run)
-              << " % only: "
-              << (out_of_iterations(run) ? "the limit of iterations was reached"
-                                         : "no valid mesh was found beyond")
+              << " % only: " << why_incomplete(run)
               << (run.written ? "; the mesh there was written"
                               : "; nothing was written (--accept-partial writes the mesh there)")
               << '\n';
@@ -184,7 +213,7 @@ ExitCode run_edit_job(const EditJob& job) {
   check_options(job.commands);
   const InterruptGuard interrupts;
   Stopwatch total, lap;
-  RunReport run{job.name, job.files.input, job.files.output, false, {}, {}, {}};
+  RunReport run{job.name, job.files.input, job.files.output, false, {}, {}, {}, {}};
 
   io::MeshFile source = io::read_mesh(job.files.input);
   warn(job.files, source.warnings);
@@ -197,10 +226,12 @@ ExitCode run_edit_job(const EditJob& job) {
   QualityOptions quality_options;
   quality_options.threads = thread_count(job.commands);
   const QualityReport quality = measure_quality(result.mesh, quality_options);
+  run.before = measure_quality(source.mesh, quality_options);
   run.seconds.solve = lap.lap();
 
   const SignalsHeld held;
   InterruptGuard::check();
+  warn_of_damage(job, source.mesh, result.mesh, run);
   save(job, result.mesh, source, quality, run);
   run.seconds.save = lap.lap();
   run.seconds.total = total.seconds();

@@ -2,11 +2,41 @@
 
 #include "app/options/option_flags.h"
 #include "core/command/option_tables.h"
+#include "core/error.h"
 
 namespace winslow::app {
+namespace {
+
+/// "normalized_jacobian=0.2"
+void set_limit(QualityFloor& floor, const std::string& word) {
+  const std::size_t equals = word.find('=');
+  double limit = 0;
+  if (equals == std::string::npos || !CLI::detail::lexical_cast(word.substr(equals + 1), limit))
+    throw UsageError("--min-quality " + word + ": expected METRIC=VALUE with a number");
+  floor.set(parse_metric(word.substr(0, equals)), limit);
+}
+
+}  // namespace
 
 void add_smooth_flags(CLI::App& app, SmoothOptions& options) {
   add_option_flags(app, option_table(options), "Smoothing");
+}
+
+void add_min_quality_flag(CLI::App& app, QualityFloor& floor) {
+  std::string names;
+  for (const Metric metric : reported_metrics())
+    names += (names.empty() ? "" : ", ") + std::string(metric_name(metric));
+  app.add_option_function<std::vector<std::string>>(
+         "--min-quality",
+         [&floor](const std::vector<std::string>& words) {
+           for (const std::string& word : words) set_limit(floor, word);
+         },
+         "End the motion before any element is worse than this; several limits hold together: " +
+             names)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->option_text("METRIC=VALUE")
+      ->group("Motion");
 }
 
 void add_direct_flag(CLI::App& app, MotionOptions& options) {

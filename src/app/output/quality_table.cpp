@@ -6,7 +6,6 @@
 #include <ostream>
 #include <string>
 
-#include "app/output/element_centre.h"
 #include "app/output/formatted.h"
 
 namespace winslow::app {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "app/output/element_centre.h"
+#include "app/output/wall_table.h"
 #include "core/layers/layer_measures.h"
 #include "io/file/atomic_file.h"
 
@@ -27,6 +27,13 @@ json describe_worst(const QualityReport::PerMetric& metric) {
   return list;
 }
 
+json describe_metrics(const QualityReport& quality) {
+  json metrics;
+  for (const Metric m : reported_metrics())
+    metrics[std::string(metric_name(m))] = describe_statistics(quality.of(m).statistics);
+  return metrics;
+}
+
 json describe_result(const CommandRecord& record) {
   const SmoothResult& r = record.result;
   return {{"command", record.name},
@@ -37,6 +44,7 @@ json describe_result(const CommandRecord& record) {
           {"linear_solves", r.linear_solves},
           {"residual", r.residual},
           {"fraction_reached", r.fraction_reached},
+          {"limited_by", r.limited_by.empty() ? json() : json(r.limited_by)},
           {"increments", r.increments},
           {"linear_solver", r.linear_solver},
           {"inverted", r.inverted}};
@@ -70,24 +78,29 @@ bool all_converged(const std::vector<CommandRecord>& commands) {
                      [](const CommandRecord& c) { return c.result.converged; });
 }
 
-json describe_mesh(const Mesh& mesh, const QualityReport& quality) {
+json describe_mesh(const Mesh& mesh, const QualityReport& quality, const QualityReport* before) {
   json inverted = json::array();
   for (const Index e : quality.inverted_elements) {
     const Vec2 c = element_centre(mesh, e);
     inverted.push_back({{"element", e}, {"centre", {c.x(), c.y()}}});
   }
-  json metrics, worst;
+  json worst, units;
   for (const Metric m : reported_metrics()) {
     const std::string name(metric_name(m));
-    metrics[name] = describe_statistics(quality.of(m).statistics);
+    const std::string unit(metric_info(m).field.unit);
     worst[name] = describe_worst(quality.of(m));
+    units[name] = unit.empty() ? "1" : unit;
   }
-  return {{"nodes", mesh.topology->node_count()},
-          {"elements", mesh.topology->element_count()},
-          {"inverted", quality.inverted},
-          {"inverted_elements", inverted},
-          {"quality", metrics},
-          {"worst", worst}};
+  json report{{"nodes", mesh.topology->node_count()},
+              {"elements", mesh.topology->element_count()},
+              {"inverted", quality.inverted},
+              {"inverted_elements", inverted},
+              {"quality", describe_metrics(quality)},
+              {"units", units},
+              {"worst", worst},
+              {"walls", describe_walls(before ? &before->walls : nullptr, quality.walls, mesh)}};
+  if (before) report["quality_before"] = describe_metrics(*before);
+  return report;
 }
 
 json describe_layers(const LayerStack& stack, const Coordinates& x) {
@@ -130,7 +143,7 @@ json describe_layers(const LayerStack& stack, const Coordinates& x) {
 }
 
 json describe_run(const RunReport& run, const Mesh& mesh, const QualityReport& quality) {
-  json report = describe_mesh(mesh, quality);
+  json report = describe_mesh(mesh, quality, run.before ? &*run.before : nullptr);
   report.update(describe_totals(run.commands));
   report["command"] = run.command;
   report["input"] = run.input;

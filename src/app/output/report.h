@@ -26,15 +26,18 @@ struct CommandRecord {
 struct RunReport {
   std::string command;  ///< the subcommand
   std::string input, output;
-  bool written = false;  ///< output was written
+  bool written = false;                 ///< output was written
+  std::optional<QualityReport> before;  ///< of the mesh that was read
   std::vector<CommandRecord> commands;
   Timings seconds;
   std::vector<std::string> warnings;
 };
 
 /// The block "quality", and what else is said of a mesh: "nodes", "elements", "inverted",
-/// "inverted_elements" (ids and centres of the first 100), "min_sine".
-nlohmann::json describe_mesh(const Mesh& mesh, const QualityReport& quality);
+/// "inverted_elements" (ids and centres of the first 100), "worst", "walls", "units". The blocks
+/// "quality_before" and "walls" say how it was, too, where `before` is given.
+nlohmann::json describe_mesh(const Mesh& mesh, const QualityReport& quality,
+                             const QualityReport* before = nullptr);
 
 /// The block "layers": statistics of first_height, thickness, spacing_error, first_error and
 /// orthogonality, counts, and the columns that were cut short.

@@ -23,6 +23,7 @@ class DeformSubcommand : public Subcommand {
     add_shape_flags();
     add_option_flags(app(), option_table(command_), "Motion");
     add_direct_flag(app(), command_.how);
+    add_min_quality_flag(app(), command_.how.floor);
     add_hold_layers_flag(app(), held_);
     add_smooth_flags(app(), command_.smooth);
     add_job_flags(app(), files_);

@@ -5,6 +5,7 @@
 #include "app/output/quality_table.h"
 #include "app/output/report.h"
 #include "app/output/stopwatch.h"
+#include "app/output/wall_table.h"
 #include "app/subcommands/subcommand.h"
 #include "io/format/mesh_file.h"
 
@@ -71,6 +72,8 @@ class QualitySubcommand : public Subcommand {
   void print(const io::MeshFile& file, const QualityReport& quality) const {
     for (const std::string& text : file.warnings) std::cerr << "winslow: warning: " << text << '\n';
     print_quality_table(std::cout, file.mesh, quality);
+    std::cout << '\n';
+    print_walls(std::cout, nullptr, quality.walls);
     print_inverted_elements(std::cout, file.mesh, quality, inverted_elements_shown);
     if (options_.worst > 0) print_worst_elements(std::cout, quality);
     if (histogram_) print_histograms(std::cout, quality);

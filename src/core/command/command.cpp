@@ -84,10 +84,20 @@ CommandResult finish(const MeshState& state, Coordinates x, SmoothResult smooth)
   return result;
 }
 
+/// Limits of the quality are kept on a path, so there has to be one.
+void require_path(const MotionOptions& how, const SmoothOptions& smooth) {
+  if (!how.floor.given()) return;
+  if (how.increments == 0 && how.smooth_after && smooth.outer != OuterMethod::picard) return;
+  throw UsageError(
+      "limits of the quality (min-quality) are kept along the path of a motion: they need 0 steps, "
+      "smoothing afterwards, and another outer iteration than picard");
+}
+
 CommandResult run_motion(const MeshState& state, const Motion& motion, const MotionOptions& how,
                          const SmoothOptions& smooth, const RunOptions& options) {
   if (how.increments < 0) throw UsageError("the number of increments is negative");
   validate(smooth);
+  require_path(how, smooth);
   if (state.layers && state.layers->held && how.smooth_after) {
     CommandResult result{state, {}};
     result.smooth = move_with_layers(result.state, motion, how, smooth, options);
@@ -190,6 +200,11 @@ SmoothOptions* smooth_options(Command& command) {
         }
       },
       command);
+}
+
+bool asks_for_heights(const Command& command) {
+  const auto* layers = std::get_if<LayersCommand>(&command);
+  return layers && layers->task != LayerTask::hold;
 }
 
 std::vector<std::string> markers_of(const Command& command) {

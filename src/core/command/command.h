@@ -98,6 +98,8 @@ std::vector<Command> all_commands();
 std::string describe(const Command& command);
 /// Smoothing options of a command, null if it has none.
 SmoothOptions* smooth_options(Command& command);
+/// True of a command that is there to change the heights of cells at walls.
+bool asks_for_heights(const Command& command);
 /// Markers that a command names.
 std::vector<std::string> markers_of(const Command& command);
 

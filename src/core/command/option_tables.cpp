@@ -14,8 +14,27 @@ OptionTable joined(OptionTable first, OptionTable second) {
 
 }  // namespace
 
+OptionTable option_table(QualityFloor& floor) {
+  OptionTable rows;
+  for (std::size_t m = 0; m < floor.limits.size(); ++m) {
+    const FieldInfo& info = metric_info(reported_metrics()[m]).field;
+    // On the command line they are given together, as --min-quality METRIC=VALUE.
+    rows.push_back({.key = info.name,
+                    .value = OptionalRealOption{&floor.limits[m]},
+                    .label = info.label,
+                    .help = info.larger_is_better
+                                ? "The motion ends before this is less for any element"
+                                : "The motion ends before this is more for any element",
+                    .unit = info.unit,
+                    .object = "min_quality",
+                    .applies = floor.limits[m].has_value(),
+                    .on_command_line = OnCommandLine::no});
+  }
+  return rows;
+}
+
 OptionTable option_table(MotionOptions& how) {
-  return {
+  OptionTable rows{
       {.key = "increments",
        .value = IntegerOption{&how.increments, between(0, 1000000)},
        .label = "Steps",
@@ -28,6 +47,7 @@ OptionTable option_table(MotionOptions& how) {
        .label = "Smooth afterwards",
        .help = "Smooth the interior after the boundary has moved"},
   };
+  return joined(std::move(rows), option_table(how.floor));
 }
 
 OptionTable option_table(SmoothCommand&) { return {}; }

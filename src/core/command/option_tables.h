@@ -5,6 +5,7 @@
 
 namespace winslow {
 
+OptionTable option_table(QualityFloor& floor);
 OptionTable option_table(MotionOptions& how);
 
 /// All that a user can set of a command, but for markers, lists (walls, VCVs, displacements) and

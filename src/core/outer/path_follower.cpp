@@ -91,6 +91,13 @@ double PathFollower::go(const Path& path, double from, Coordinates& x, const Acc
       step = 0.5 * (to - fraction);
       continue;
     }
+    if (options_.admits && !options_.admits(trial_x)) {
+      if (trial.corrections > 0) solver_.reject();
+      correct = false;
+      step = 0.5 * (to - fraction);
+      if (step < options_.finest_step) return fraction;
+      continue;
+    }
     x = std::move(trial_x);
     fraction = to;
     correct = true;

@@ -31,6 +31,10 @@ struct PathOptions {
   double trusted_residual = 0.3;  ///< of a prediction, above which the step is shortened
   double cautious_step = 2e-3;    ///< share of the motion below which no step is shortened for
                                   ///< a large residual: see greedy
+  /// Valid meshes that the path may lead over; null: all of them. The steps before one that is
+  /// refused are shortened to `finest_step`.
+  std::function<bool(const Coordinates&)> admits;
+  double finest_step = 1e-3;
   bool greedy = false;  ///< accept any valid mesh after a step that short, instead of giving up
 };
 

@@ -12,6 +12,7 @@ namespace winslow {
 struct Corner {
   double l1 = 0, l2 = 0, l3 = 0;  ///< edges at the corner (next, previous), and the one across
   double area2 = 0;               ///< twice the signed area
+  double dot = 0;                 ///< scalar product of the two edges at the corner
 
   Corner() = default;
   Corner(const Vec2& at, const Vec2& next, const Vec2& previous) {
@@ -21,10 +22,14 @@ struct Corner {
     l2 = b.norm();
     l3 = (next - previous).norm();
     area2 = a.x() * b.y() - a.y() * b.x();
+    dot = a.dot(b);
   }
 
   bool inverted() const { return !(area2 > 0); }
   double sine() const { return l1 > 0 && l2 > 0 ? area2 / (l1 * l2) : 0; }
+  /// From the next edge counter-clockwise to the previous one, degrees in (-180, 180]: negative
+  /// where the corner is inverted.
+  double angle() const { return degrees(std::atan2(area2, dot)); }
   /// R/(2r): 1 for the equilateral triangle.
   double radius_ratio() const {
     return inverted() ? std::numeric_limits<double>::infinity()

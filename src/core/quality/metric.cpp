@@ -40,6 +40,28 @@ double condition_number(Corners corners) {
   return largest;
 }
 
+double smallest_angle(Corners corners) {
+  double smallest = 180;
+  for (const Corner& corner : corners) smallest = std::min(smallest, corner.angle());
+  return smallest;
+}
+
+double largest_angle(Corners corners) {
+  double largest = 0;
+  for (const Corner& corner : corners) {
+    const double angle = corner.angle();
+    largest = std::max(largest, angle < 0 ? angle + 360 : angle);
+  }
+  return largest;
+}
+
+double skewness(Corners corners) {
+  const double ideal = corners.size() == 3 ? 60 : 90;
+  const double wide = (largest_angle(corners) - ideal) / (180 - ideal);
+  const double narrow = (ideal - smallest_angle(corners)) / ideal;
+  return std::max({wide, narrow, 0.0});  // round-off of a perfect element is no skewness below 0
+}
+
 double area(Corners corners) {
   if (corners.size() == 3) return 0.5 * corners[0].area2;
   double sum = 0;
@@ -61,31 +83,73 @@ constexpr std::array metrics{
         .of_element = smallest_sine,
         .reported = true,
         .of_corner = [](const Corner& corner) { return corner.sine(); }},
-    MetricInfo{.field = {.name = "aspect_ratio",
-                         .label = "Aspect ratio",
-                         .help = "R/2r, circumradius over twice the inradius. 1 is best. Inverted "
-                                 "elements are left out.",
+    MetricInfo{
+        .field = {.name = "aspect_ratio",
+                  .label = "Aspect ratio",
+                  .help = "R/2r, circumradius over twice the inradius. 1 is best for a mesh "
+                          "that is not stretched on purpose. Inverted elements are left out.",
+                  .larger_is_better = false,
+                  .colors = ColorRange::from_one,
+                  .threshold = 1.5,
+                  .judged = false},
+        .of_element = aspect_ratio,
+        .reported = true},
+    MetricInfo{
+        .field = {.name = "condition_number",
+                  .label = "Condition number",
+                  .help = "Weighted condition number of the corners. 1 is best for a mesh "
+                          "that is not stretched on purpose. Inverted elements are left out.",
+                  .larger_is_better = false,
+                  .colors = ColorRange::from_one,
+                  .threshold = 1.5,
+                  .judged = false},
+        .of_element = condition_number,
+        .reported = true},
+    MetricInfo{
+        .field = {.name = "smallest_angle",
+                  .label = "Smallest angle",
+                  .help = "Smallest angle of an element's corners, in degrees, negative where "
+                          "a corner is inverted. 60 is best of a triangle, 90 of a "
+                          "quadrilateral.",
+                  .larger_is_better = true,
+                  .colors = ColorRange::robust_both_sides,
+                  .threshold = 30,
+                  .unit = "degrees"},
+        .of_element = smallest_angle,
+        .reported = true,
+        .best = 90},
+    MetricInfo{.field = {.name = "largest_angle",
+                         .label = "Largest angle",
+                         .help = "Largest angle of an element's corners, in degrees, more than 180 "
+                                 "where a corner is inverted. 60 is best of a triangle, 90 of a "
+                                 "quadrilateral.",
                          .larger_is_better = false,
-                         .colors = ColorRange::from_one,
-                         .threshold = 1.5},
-               .of_element = aspect_ratio,
-               .reported = true},
-    MetricInfo{.field = {.name = "condition_number",
-                         .label = "Condition number",
-                         .help = "Weighted condition number of the corners. 1 is best. Inverted "
-                                 "elements are left out.",
-                         .larger_is_better = false,
-                         .colors = ColorRange::from_one,
-                         .threshold = 1.5},
-               .of_element = condition_number,
-               .reported = true},
+                         .colors = ColorRange::from_zero,
+                         .threshold = 120,
+                         .unit = "degrees"},
+               .of_element = largest_angle,
+               .reported = true,
+               .best = 60},
+    MetricInfo{
+        .field = {.name = "skewness",
+                  .label = "Skewness",
+                  .help = "Equiangle skewness: how far the worst angle is from 60 degrees (90 "
+                          "of a quadrilateral), relative to the farthest it can be. 0 is "
+                          "best, 1 degenerate, more is inverted.",
+                  .larger_is_better = false,
+                  .colors = ColorRange::from_zero,
+                  .threshold = 0.5},
+        .of_element = skewness,
+        .reported = true,
+        .best = 0},
     MetricInfo{.field = {.name = "area",
                          .label = "Area",
                          .help = "Signed area, in squared units of the mesh.",
                          .larger_is_better = true,
                          .colors = ColorRange::robust_both_sides,
                          .threshold = 0,
-                         .has_sign = true},
+                         .has_sign = true,
+                         .unit = "squared units of the mesh"},
                .of_element = area},
 };
 static_assert(metrics.size() == static_cast<std::size_t>(Metric::area) + 1);

@@ -22,10 +22,25 @@ namespace winslow {
 ///   (1+sqrt(2))/2 of a square's corner. 1 is best.
 /// - condition_number: (l1^2+l2^2+l3^2)/(4 sqrt(3) A) of a triangle, weighted to the equilateral;
 ///   of a quadrilateral the largest (l1^2+l2^2)/(4A) over its corners, as in Verdict. 1 is best.
+/// - smallest_angle, largest_angle: of the corners, in degrees. An inverted corner of angle -a
+/// counts
+///   as -a in the smallest and as the reflex angle 360 - a in the largest, so that neither hides
+///   it. (Verdict, C. J. Stimpson et al., SAND2007-1751: minimum and maximum included angle.)
+/// - skewness: with these two, max((largest - ideal) / (180 - ideal), (ideal - smallest) / ideal),
+///   ideal = 60 of a triangle, 90 of a quadrilateral. 0 is best, 1 degenerate, more than 1
+///   inverted. (ANSYS Fluent User's Guide, "normalized equiangular skewness"; VTK: equiangle skew.)
 /// - area: signed area of the element, in squared units of the file.
 /// An element is inverted if any of its corners has an area that is not positive. Aspect ratio and
 /// condition number of an inverted element are infinite; statistics leave them out.
-enum class Metric { normalized_jacobian, aspect_ratio, condition_number, area };
+enum class Metric {
+  normalized_jacobian,
+  aspect_ratio,
+  condition_number,
+  smallest_angle,
+  largest_angle,
+  skewness,
+  area
+};
 
 /// Between which values a field is shown in colours. The "robust" largest value leaves out the
 /// worst half percent, so that a single sliver does not wash out the rest.
@@ -47,6 +62,10 @@ struct FieldInfo {
   ColorRange colors;
   double threshold;       ///< beyond which elements are isolated unless the user says otherwise
   bool has_sign = false;  ///< diverging colours have their middle at zero
+  /// A change is shown as better or worse. Not of measures of stretching: the cells at a wall are
+  /// stretched on purpose, and a mesh that has lost that is not better.
+  bool judged = true;
+  std::string_view unit = {};  ///< "degrees"; empty: a pure number
 };
 
 struct MetricInfo {

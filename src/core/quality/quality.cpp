@@ -61,13 +61,6 @@ Histogram histogram_of(std::span<const double> values, double low, double high, 
   return h;
 }
 
-Vec2 centre_of(const Mesh& mesh, Index e) {
-  Vec2 sum(0, 0);
-  const auto nodes = mesh.topology->element(e);
-  for (const Index node : nodes) sum += mesh.coordinates.xy(node);
-  return sum / static_cast<double>(nodes.size());
-}
-
 /// The elements with the smallest (or largest) values, worst first, ties by index.
 std::vector<WorstElement> worst_of(const Mesh& mesh, std::span<const double> values, bool smallest,
                                    int count) {
@@ -82,7 +75,7 @@ std::vector<WorstElement> worst_of(const Mesh& mesh, std::span<const double> val
                     });
   std::vector<WorstElement> worst;
   for (std::size_t i = 0; i < n; ++i) {
-    worst.push_back({order[i], values[at(order[i])], centre_of(mesh, order[i])});
+    worst.push_back({order[i], values[at(order[i])], element_centre(mesh, order[i])});
   }
   return worst;
 }
@@ -168,6 +161,7 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
     const double high = info.field.larger_is_better ? info.best : part.statistics.max;
     part.histogram = histogram_of(counted, low, high, options.histogram_bins);
   }
+  report.walls = measure_walls(mesh);
   return report;
 }
 
@@ -185,6 +179,13 @@ std::vector<double> element_values(const Mesh& mesh, Metric metric) {
 double element_value(const Mesh& mesh, Index element, Metric metric) {
   require_plane(*mesh.topology, "quality");
   return value_of(mesh, element, metric);
+}
+
+Vec2 element_centre(const Mesh& mesh, Index element) {
+  Vec2 sum(0, 0);
+  const auto nodes = mesh.topology->element(element);
+  for (const Index node : nodes) sum += mesh.coordinates.xy(node);
+  return sum / static_cast<double>(nodes.size());
 }
 
 Validity check_validity(const Topology& topology, const Coordinates& coordinates, int threads) {

@@ -5,6 +5,7 @@
 #include "core/mesh/mesh.h"
 #include "core/quality/metric.h"
 #include "core/quality/validity.h"
+#include "core/quality/wall_measures.h"
 
 namespace winslow {
 
@@ -41,6 +42,7 @@ struct QualityReport {
     std::vector<WorstElement> worst;
   };
   std::vector<PerMetric> metrics;  ///< of reported_metrics(), in their order
+  WallReport walls;
 
   /// Throws UsageError for a metric that is not reported.
   const PerMetric& of(Metric metric) const&;
@@ -53,6 +55,8 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options = 
 std::vector<double> element_values(const Mesh& mesh, Metric metric);
 /// The same of one element.
 double element_value(const Mesh& mesh, Index element, Metric metric);
+/// Mean of an element's corners, in units of the mesh: tells a user where to look.
+Vec2 element_centre(const Mesh& mesh, Index element);
 
 /// Cheaper than a report. threads: 0 for all cores; the result does not depend on it.
 Validity check_validity(const Topology& topology, const Coordinates& coordinates, int threads = 0);

@@ -285,7 +285,14 @@ SmoothResult move_with_layers(MeshState& state, const Motion& motion, const Moti
   Coordinates x = starting_point(state, run);
   runs.move(state, motion, how, smooth, run.start, x);
   state.mesh.coordinates = std::move(x);
-  return hold_spacing(state, std::move(result), smooth, run);
+  const MeshState moved = state;
+  SmoothResult held = hold_spacing(state, result, smooth, run);
+  // Nor is one within the limits: its heights are then as the motion left them.
+  if (!how.floor.given() || how.floor.fault(state.mesh.topology, state.mesh.coordinates).empty()) {
+    return held;
+  }
+  state = moved;
+  return result;
 }
 
 }  // namespace winslow

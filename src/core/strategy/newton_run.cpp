@@ -100,6 +100,23 @@ bool NewtonRun::settle(Coordinates& x, double fraction) {
   return last.residual < settled;
 }
 
+/// The limit that a mesh breaks; empty: none.
+std::string NewtonRun::fault(const Coordinates& x) const {
+  return floor_.given() ? floor_.fault(state_.mesh.topology, x) : std::string();
+}
+
+/// Converges at the end of a path. Meshes of the path are near their solutions only: where such a
+/// mesh is within the limits and its solution is not, it stays.
+void NewtonRun::end_path(Coordinates& x, double reached) {
+  Coordinates end_of_path = x;
+  converge(x, reached);
+  const std::string broken = fault(x);
+  if (broken.empty()) return;
+  recorder_.result().limited_by = broken;
+  x = std::move(end_of_path);
+  recorder_.iterate(newton(), x, Stage::newton, reached, 0);
+}
+
 void NewtonRun::follow(const Motion& motion, const Coordinates& rest, Coordinates& x) {
   if (!untangle(x, 0, nullptr)) return;
   Path path([&](double fraction, Coordinates& at) { motion.apply(rest, fraction, at); });
@@ -121,18 +138,24 @@ void NewtonRun::follow_path(const Path& path, Coordinates& x) {
     min_sine = record.min_sine;
     return recorder_.remaining() > 0 && !strained(at);
   };
+  std::string& limit = recorder_.result().limited_by;  // between the last mesh and the next
+  limit = fault(x);
   // Where the path is lost, the way back to it is Newton's method with the boundary held; then it
   // goes on from there. Only where that gains nothing, twice, is the motion blocked. Pressed
   // against a wall it could go on for ever, in steps that are worth less and less.
   constexpr double pressed = 0.01, worthwhile = 1e-5, worthwhile_pressed = 5e-3;
   PathOptions options;
+  options.admits = [&](const Coordinates& at) { return (limit = fault(at)).empty(); };
+  // What a limit is compared with are to be solutions, not meshes somewhere near them.
+  if (floor_.given()) options.loose_tolerance = 1e-3;
   double reached = 0;
-  for (int failures = 0; reached < 1 && failures < 2 && recorder_.remaining() > 0;) {
+  for (int failures = 0;
+       limit.empty() && reached < 1 && failures < 2 && recorder_.remaining() > 0;) {
     const int before = solver.linear_solves();
     const double last = reached;
     reached = PathFollower(solver, options).follow(path, reached, x, accept);
     recorder_.result().linear_solves += solver.linear_solves() - before;
-    if (reached >= 1) break;
+    if (reached >= 1 || !limit.empty()) break;
     const double least = min_sine < pressed ? worthwhile_pressed : worthwhile;
     failures = reached - last > least ? 0 : failures + 1;
     Coordinates end_of_path = x;
@@ -141,10 +164,14 @@ void NewtonRun::follow_path(const Path& path, Coordinates& x) {
       recorder_.iterate(solver, x, Stage::newton, reached, 0);
       break;
     }
+    if (!(limit = fault(x)).empty()) {
+      x = std::move(end_of_path);
+      break;
+    }
     options.first_step = std::min(0.02, 0.5 * (1 - reached));
     options.greedy = failures > 0;
   }
-  if (reached >= 1) converge(x, reached);
+  if (reached >= 1 || !limit.empty()) end_path(x, reached);
 }
 
 void NewtonRun::move_in_steps(const Motion& motion, const Coordinates& rest, int increments,

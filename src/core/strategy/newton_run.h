@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <utility>
+
 #include "core/motion/motion.h"
 #include "core/outer/path_follower.h"
 #include "core/outer/steady_solver.h"
@@ -16,6 +19,8 @@ class NewtonRun {
  public:
   virtual ~NewtonRun() = default;
 
+  /// Limits before which follow() ends.
+  void keep_within(QualityFloor floor) { floor_ = std::move(floor); }
   /// The boundary stays. reference: a valid mesh of the same connectivity that says how large the
   /// triangles are to be while they are untangled; may be null.
   virtual void smooth(Coordinates& x, double fraction, const Coordinates* reference);
@@ -68,10 +73,13 @@ class NewtonRun {
   void follow_path(const Path& path, Coordinates& x);
   bool settle(Coordinates& x, double fraction);
   bool converge(Coordinates& x, double fraction, bool at_any_pace = true);
+  std::string fault(const Coordinates& x) const;
+  void end_path(Coordinates& x, double reached);
 
   const MeshState& state_;
   SmoothingWorkspace& workspace_;
   RunRecorder& recorder_;
+  QualityFloor floor_;
 };
 
 }  // namespace winslow

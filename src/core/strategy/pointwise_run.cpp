@@ -16,8 +16,9 @@ void PointwiseRun::attempt(const Way& by_newton, const Way& by_fixed_point, Coor
   const Coordinates start = x;
   by_newton(x);
   const SmoothResult& result = recorder().result();
-  if (complete(result) || workspace().options().outer == OuterMethod::newton ||
-      recorder().remaining() <= 0) {
+  // Where a limit ended the path, a fixed point, which follows none, would run past it.
+  if (complete(result) || !result.limited_by.empty() ||
+      workspace().options().outer == OuterMethod::newton || recorder().remaining() <= 0) {
     return;
   }
   const SmoothResult newtons = result;

@@ -6,6 +6,7 @@
 
 #include "core/mesh/topology.h"
 #include "core/outer/outer_solver.h"
+#include "core/quality/quality_floor.h"
 
 namespace winslow {
 
@@ -38,8 +39,10 @@ struct SmoothResult {
   double residual = 0;
   bool out_of_iterations = false;  ///< ended by the limit of outer iterations
   double fraction_reached = 1;     ///< share of the boundary motion in the result
-  int increments = 1;              ///< steps in which the boundary was moved
-  std::string linear_solver;       ///< what solved the linear systems, e.g. "CHOLMOD ..."
+  /// The limit that a motion ended before, as QualityFloor::fault() says it; empty: none.
+  std::string limited_by;
+  int increments = 1;         ///< steps in which the boundary was moved
+  std::string linear_solver;  ///< what solved the linear systems, e.g. "CHOLMOD ..."
   Index inverted = 0;
   std::vector<IterationRecord> history;
 };
@@ -51,6 +54,9 @@ struct MotionOptions {
   /// iteration: at once; if that ends tangled, again in 8 and then in 32 steps).
   int increments = 0;
   bool smooth_after = true;  ///< false: move the boundary only
+  /// The path ends before a mesh that breaks one of these limits. Needs a path to follow:
+  /// increments 0, smoothing, and no fixed point.
+  QualityFloor floor = {};
 };
 
 }  // namespace winslow

@@ -43,6 +43,7 @@ void RunRecorder::restore_outcome(const SmoothResult& earlier) {
   result_.residual = earlier.residual;
   result_.out_of_iterations = earlier.out_of_iterations;
   result_.fraction_reached = earlier.fraction_reached;
+  result_.limited_by = earlier.limited_by;
   result_.increments = earlier.increments;
   result_.linear_solver = earlier.linear_solver;
   result_.inverted = earlier.inverted;

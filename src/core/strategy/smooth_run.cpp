@@ -109,9 +109,11 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const M
     return result;
   }
   const auto steps = make_newton_run(state, workspace, recorder);
+  steps->keep_within(how.floor);
+  const bool near_start = run.start && !how.floor.given();  // limits hold all the way
   if (how.increments > 0) {
     steps->move_in_steps(motion, state.mesh.coordinates, how.increments, x);
-  } else if (!run.start || !move_from(state, motion, *run.start, workspace, *steps, x)) {
+  } else if (!near_start || !move_from(state, motion, *run.start, workspace, *steps, x)) {
     x = state.mesh.coordinates;
     steps->follow(motion, state.mesh.coordinates, x);
   }

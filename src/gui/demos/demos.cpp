@@ -6,7 +6,7 @@ namespace winslow::gui {
 
 namespace {
 
-constexpr MotionOptions boundary_alone{0, false};
+const MotionOptions boundary_alone{0, false};
 
 MoveCommand move(const char* marker, const RigidMotion& motion, const MotionOptions& how = {}) {
   return {{marker}, motion, how, {}};

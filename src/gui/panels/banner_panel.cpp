@@ -45,8 +45,9 @@ void BannerPanel::draw(const PanelContext& context) {
   if (!banner) return;
   const bool bad =
       banner->kind == Banner::Kind::inverted_result || banner->kind == Banner::Kind::inverted_input;
-  const bool undo =
-      banner->kind == Banner::Kind::inverted_result || banner->kind == Banner::Kind::partial_motion;
+  const bool undo = banner->kind == Banner::Kind::inverted_result ||
+                    banner->kind == Banner::Kind::partial_motion ||
+                    banner->kind == Banner::Kind::damaged;
   ImGui::AlignTextToFramePadding();
   ImGui::PushTextWrapPos(0);
   ui::text_colored(bad ? palette().danger : palette().warning, text_of(context));

@@ -38,6 +38,43 @@ ImU32 color_of(int verdict) {
   return verdict > 0 ? palette().success : palette().danger;
 }
 
+/// What the mesh is like now: as measured last.
+const QualityReport& report_of(const PanelContext& context) {
+  const auto& measured = context.session.quality().latest();
+  return measured ? measured->report : context.session.document()->loaded_quality();
+}
+
+const QualityReport* report_before(const PanelContext& context) {
+  return context.before ? context.before->report() : nullptr;
+}
+
+void draw_row(Table& table, const QualityRow& row) {
+  table.label(row.name, row.title || !row.tip.empty());
+  ui::tooltip(row.tip);
+  if (row.title) return;
+  table.cell(0, row.before, palette().text_dim);
+  table.cell(1, row.now, row.alarming ? palette().danger : palette().text);
+  table.cell(2, row.change, color_of(row.verdict));
+  ui::tooltip(row.verdict == 0  ? ""
+              : row.verdict > 0 ? "Better than before."
+                                : "Worse than before.");
+}
+
+/// id: of the whole table.
+void draw_rows(const PanelContext& context, const std::vector<QualityRow>& rows, const char* id) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(8), context.theme.px(4)));
+  ImGui::BeginGroup();
+  Table table(context.theme);
+  table.label("", true);
+  const std::array<const char*, 3> heads{"before", "now", "change"};
+  for (int column = 0; column < 3; ++column)
+    table.cell(column, heads[static_cast<std::size_t>(column)], palette().text_dim);
+  for (const QualityRow& row : rows) draw_row(table, row);
+  ImGui::EndGroup();
+  ui::note(id);
+  ImGui::PopStyleVar();
+}
+
 }  // namespace
 
 void QualityPanel::draw(const PanelContext& context) {
@@ -46,7 +83,7 @@ void QualityPanel::draw(const PanelContext& context) {
     return;
   }
   draw_choice(context);
-  draw_table(context);
+  draw_rows(context, quality_table(report_before(context), report_of(context)), "quality/table");
 }
 
 void QualityPanel::draw_choice(const PanelContext& context) {
@@ -59,34 +96,12 @@ void QualityPanel::draw_choice(const PanelContext& context) {
   context.edit_view([&](ViewOptions& view) { view.before = static_cast<BeforeState>(which); });
 }
 
-void QualityPanel::draw_table(const PanelContext& context) {
-  const auto& measured = context.session.quality().latest();
-  const QualityReport& now =
-      measured ? measured->report : context.session.document()->loaded_quality();
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(8), context.theme.px(4)));
-  ImGui::BeginGroup();
-  Table table(context.theme);
-  table.label("", true);
-  const std::array<const char*, 3> heads{"before", "now", "change"};
-  for (int column = 0; column < 3; ++column)
-    table.cell(column, heads[static_cast<std::size_t>(column)], palette().text_dim);
-  for (const QualityRow& row :
-       quality_table(context.before ? context.before->report() : nullptr, now)) {
-    const bool title = row.title || !row.tip.empty();
-    table.label(row.name, title);
-    ui::tooltip(row.tip);
-    if (row.title) continue;
-    const bool alarming = title && row.now != "0";
-    table.cell(0, row.before, palette().text_dim);
-    table.cell(1, row.now, alarming ? palette().danger : palette().text);
-    table.cell(2, row.change, color_of(row.verdict));
-    ui::tooltip(row.verdict == 0  ? ""
-                : row.verdict > 0 ? "Better than before."
-                                  : "Worse than before.");
-  }
-  ImGui::EndGroup();
-  ui::note("quality/table");
-  ImGui::PopStyleVar();
+void WallPanel::draw(const PanelContext& context) {
+  if (!context.session.document()) return;
+  const QualityReport& now = report_of(context);
+  if (now.walls.walls.empty() || !ui::section("section/walls", "Walls")) return;
+  const QualityReport* before = report_before(context);
+  draw_rows(context, wall_table(before ? &before->walls : nullptr, now.walls), "quality/walls");
 }
 
 }  // namespace winslow::gui

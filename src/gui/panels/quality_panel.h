@@ -12,7 +12,13 @@ class QualityPanel : public Panel {
 
  private:
   void draw_choice(const PanelContext& context);
-  void draw_table(const PanelContext& context);
+};
+
+/// What a flow solver cares for at the walls of bodies, before and now. Nothing for a mesh without
+/// walls.
+class WallPanel : public Panel {
+ public:
+  void draw(const PanelContext& context) override;
 };
 
 }  // namespace winslow::gui

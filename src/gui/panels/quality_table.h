@@ -15,10 +15,13 @@ struct QualityRow {
   std::string before, now;  ///< as written in the table; "-" where not known yet
   std::string change;       ///< with its sign; empty if too small to see or not known
   int verdict = 0;          ///< 1: better than before, -1: worse, 0: neither
+  bool alarming = false;    ///< a flow solver will not like what it says
 };
 
-/// Normalized Jacobian, aspect ratio, condition number (minimum, average, maximum) and the number
-/// of inverted elements. before: null while it is being measured.
+/// The reported metrics (minimum, average, maximum) and the number of inverted elements. before:
+/// null while it is being measured.
 std::vector<QualityRow> quality_table(const QualityReport* before, const QualityReport& now);
+/// What is measured of the cells at walls, and how first heights have changed. before: as above.
+std::vector<QualityRow> wall_table(const WallReport* before, const WallReport& now);
 
 }  // namespace winslow::gui

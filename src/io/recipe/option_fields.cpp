@@ -1,5 +1,6 @@
 #include "io/recipe/option_fields.h"
 
+#include <algorithm>
 #include <string>
 
 namespace winslow::io {
@@ -99,8 +100,13 @@ void write_options(ObjectWriter& writer, const OptionTable& table) {
   for_each_key(
       table, [&](const Option& option) { write(writer, option); },
       [&](std::string_view object) {
+        const OptionTable rows = rows_in(table, object);
+        // An object of numbers of which none is set says nothing.
+        if (std::ranges::all_of(rows,
+                                [](const Option& o) { return write_value(o.value).is_null(); }))
+          return;
         writer.object(std::string(object).c_str(), [&](ObjectWriter& within) {
-          for (const Option& option : rows_in(table, object)) write(within, option);
+          for (const Option& option : rows) write(within, option);
         });
       });
 }

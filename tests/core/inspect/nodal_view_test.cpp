@@ -184,7 +184,8 @@ TEST_CASE("fields do not depend on the number of threads, and have names to be f
   }
   CHECK_THROWS_WITH_AS(parse_field("beauty"),
                        "found \"beauty\", expected one of normalized_jacobian, aspect_ratio, "
-                       "condition_number, area, kappa, smallest_weight, residual, "
+                       "condition_number, smallest_angle, largest_angle, skewness, area, kappa, "
+                       "smallest_weight, residual, "
                        "layer, spacing_error",
                        UsageError);
 }

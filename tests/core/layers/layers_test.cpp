@@ -284,6 +284,26 @@ TEST_CASE("layers are kept when the wall moves and when its shape changes") {
         0.05);
 }
 
+TEST_CASE("a motion of held layers ends before a limit of the quality, too") {
+  const MeshState layered = execute(layers_at("inner", thin()), ring()).state;
+  MoveCommand move;
+  move.markers = {"inner"};
+  move.motion.rotate = 60;
+  const auto sine = [](const MeshState& state) {
+    return check_validity(*state.mesh.topology, state.mesh.coordinates).min_sine;
+  };
+  const CommandResult whole = execute(move, layered);
+  REQUIRE(whole.smooth.fraction_reached == 1);
+  const double limit = 0.5 * (sine(layered) + sine(whole.state));
+  REQUIRE(limit > sine(whole.state));
+  move.how.floor.set(Metric::normalized_jacobian, limit);
+  const CommandResult limited = execute(move, layered);
+  CHECK(limited.smooth.fraction_reached > 0.05);
+  CHECK(limited.smooth.fraction_reached < 1);
+  CHECK_FALSE(limited.smooth.limited_by.empty());
+  CHECK(sine(limited.state) >= limit);
+}
+
 TEST_CASE("undo of an insertion gives back the mesh without layers, to the bit") {
   const MeshState before = ring();
   History history(before);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <vector>
 
 #include "core/error.h"
 #include "core/inspect/element_field.h"
@@ -60,5 +61,42 @@ TEST_CASE("a report has what the table says is reported, and nothing of the othe
     } else {
       CHECK_THROWS_AS(report.of(metric), UsageError);
     }
+  }
+}
+
+TEST_CASE("angles and skewness of triangles and quadrilaterals that are known by hand") {
+  const auto of = [](Metric metric, const std::vector<Vec2>& p) {
+    std::vector<Corner> corners;
+    for (std::size_t k = 0; k < p.size(); ++k)
+      corners.emplace_back(p[k], p[(k + 1) % p.size()], p[(k + p.size() - 1) % p.size()]);
+    return metric_info(metric).of_element(corners);
+  };
+  const double steep = std::sqrt(3.0);
+  const std::vector<Vec2> half_square{{0, 0}, {1, 0}, {0, 1}};
+  CHECK(of(Metric::smallest_angle, half_square) == doctest::Approx(45));
+  CHECK(of(Metric::largest_angle, half_square) == doctest::Approx(90));
+  CHECK(of(Metric::skewness, half_square) == doctest::Approx(0.25));
+  const std::vector<Vec2> obtuse{{-steep, 0}, {steep, 0}, {0, 1}};  // 30, 30, 120 degrees
+  CHECK(of(Metric::smallest_angle, obtuse) == doctest::Approx(30));
+  CHECK(of(Metric::largest_angle, obtuse) == doctest::Approx(120));
+  CHECK(of(Metric::skewness, obtuse) == doctest::Approx(0.5));
+  const std::vector<Vec2> rhombus{{0, 0}, {2, 0}, {3, steep}, {1, steep}};  // 60, 120
+  CHECK(of(Metric::smallest_angle, rhombus) == doctest::Approx(60));
+  CHECK(of(Metric::largest_angle, rhombus) == doctest::Approx(120));
+  CHECK(of(Metric::skewness, rhombus) == doctest::Approx(1.0 / 3));
+  const std::vector<Vec2> cell_at_a_wall{{0, 0}, {1, 0}, {1, 1e-6}, {0, 1e-6}};
+  CHECK(of(Metric::skewness, cell_at_a_wall) == doctest::Approx(0));
+  const std::vector<Vec2> arrowhead{{0, 0}, {2, 0}, {0.5, 0.5}, {0, 2}};  // inverted at its third
+  CHECK(of(Metric::smallest_angle, arrowhead) < 0);
+  CHECK(of(Metric::largest_angle, arrowhead) ==
+        doctest::Approx(360 + of(Metric::smallest_angle, arrowhead)));
+  CHECK(of(Metric::skewness, arrowhead) > 1);
+}
+
+TEST_CASE("measures of stretching are not judged, all others are") {
+  for (const Metric metric : reported_metrics()) {
+    CAPTURE(metric_name(metric));
+    const bool stretching = metric == Metric::aspect_ratio || metric == Metric::condition_number;
+    CHECK(metric_info(metric).field.judged != stretching);
   }
 }

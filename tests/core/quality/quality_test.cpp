@@ -357,7 +357,8 @@ TEST_CASE("metrics are known by name") {
   CHECK(metric_name(Metric::normalized_jacobian) == "normalized_jacobian");
   CHECK_THROWS_WITH_AS(parse_metric("beauty"),
                        "unknown metric 'beauty', expected one of: normalized_jacobian, "
-                       "aspect_ratio, condition_number, area",
+                       "aspect_ratio, condition_number, smallest_angle, largest_angle, "
+                       "skewness, area",
                        UsageError);
   const Mesh mesh = make_mesh(square(2, Cells::quads));
   CHECK_THROWS_AS(measure_quality(mesh).of(Metric::area), UsageError);

@@ -2,8 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <string>
 #include <vector>
 
+#include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
 #include "support/meshes.h"
 
@@ -78,4 +82,71 @@ TEST_CASE("a motion may take interior nodes: they go where it says and the other
     REQUIRE(smooth_interior(smooth, options, back, {}).converged);
     CHECK((back.xy(middle) - rest.xy(middle)).norm() < 1e-6);
   }
+}
+
+TEST_CASE("a path ends at the last mesh within the limits, however the limit is set") {
+  const MeshState state = make_state(make_mesh(annulus(24, 8, 1.25, Cells::mixed)));
+  SmoothOptions options;
+  options.threads = 1;
+  const auto motion =
+      make_motion(*state.mesh.topology, state.mesh.coordinates, std::vector<std::string>{"inner"},
+                  RigidMotion{120, Vec2(0, 0), Vec2(0, 0)});
+  Coordinates whole = state.mesh.coordinates;
+  const SmoothResult all = smooth_motion(state, *motion, {}, options, whole, {});
+  REQUIRE(all.fraction_reached == 1);
+  REQUIRE(all.limited_by.empty());
+  for (const Metric metric :
+       {Metric::normalized_jacobian, Metric::smallest_angle, Metric::skewness}) {
+    CAPTURE(metric_name(metric));
+    const auto worst = [&](const Coordinates& x) {
+      const auto values = element_values({state.mesh.topology, x}, metric);
+      const auto [least, most] = std::minmax_element(values.begin(), values.end());
+      return metric_info(metric).field.larger_is_better ? *least : *most;
+    };
+    Coordinates rest = state.mesh.coordinates;
+    smooth_interior(state, options, rest, {});
+    const double from = worst(rest), to = worst(whole);
+    const double limit = 0.5 * (from + to);
+    MotionOptions how;
+    how.floor.set(metric, limit);
+    Coordinates x = state.mesh.coordinates;
+    const SmoothResult result = smooth_motion(state, *motion, how, options, x, {});
+    CHECK(result.fraction_reached > 0.05);
+    CHECK(result.fraction_reached < 1);
+    CHECK_FALSE(result.limited_by.empty());
+    CHECK(how.floor.fault(state.mesh.topology, x).empty());
+    CHECK(std::abs(worst(x) - limit) < 0.05 * std::abs(from - to));
+    // The boundary is where the result says.
+    Coordinates there = state.mesh.coordinates;
+    motion->apply(state.mesh.coordinates, result.fraction_reached, there);
+    for (const Index node : motion->nodes()) CHECK((x.xy(node) - there.xy(node)).norm() < 1e-12);
+    // And a little farther it would be beyond the limit.
+    MotionOptions farther = how;
+    farther.floor = {};
+    const auto more =
+        make_motion(*state.mesh.topology, state.mesh.coordinates, std::vector<std::string>{"inner"},
+                    RigidMotion{120 * (result.fraction_reached + 0.01), Vec2(0, 0), Vec2(0, 0)});
+    Coordinates beyond = state.mesh.coordinates;
+    smooth_motion(state, *more, farther, options, beyond, {});
+    CHECK_FALSE(how.floor.fault(state.mesh.topology, beyond).empty());
+  }
+}
+
+TEST_CASE("the fixed point does not take over where a limit has ended the path") {
+  const MeshState state = make_state(make_mesh(annulus(24, 8, 1.25, Cells::triangles)));
+  SmoothOptions options;
+  options.formulation = "pointwise";
+  options.threads = 1;
+  const auto motion =
+      make_motion(*state.mesh.topology, state.mesh.coordinates, std::vector<std::string>{"inner"},
+                  RigidMotion{90, Vec2(0, 0), Vec2(0, 0)});
+  Coordinates x = state.mesh.coordinates;
+  REQUIRE(smooth_motion(state, *motion, {}, options, x, {}).fraction_reached == 1);
+  MotionOptions how;
+  how.floor.set(Metric::normalized_jacobian,
+                check_validity(*state.mesh.topology, x).min_sine + 0.05);
+  x = state.mesh.coordinates;
+  const SmoothResult result = smooth_motion(state, *motion, how, options, x, {});
+  CHECK(result.fraction_reached < 1);
+  CHECK(how.floor.fault(state.mesh.topology, x).empty());
 }

@@ -70,6 +70,7 @@ void check_equal(const SmoothOptions& a, const SmoothOptions& b) {
 void check_equal(const MotionOptions& a, const MotionOptions& b) {
   CHECK(a.increments == b.increments);
   CHECK(a.smooth_after == b.smooth_after);
+  CHECK(a.floor == b.floor);
 }
 
 /// A command, written to a file and read back.
@@ -344,4 +345,18 @@ TEST_CASE("what is wrong with an edit of VCVs is named") {
                  "commands[0].nodes[0].neighbours: found 3, expected a list of whole numbers"));
   CHECK(contains(of(", \"nodes\": [{\"node\": 1, \"length\": [1]}]"),
                  "commands[0].nodes[0].length: unknown key"));
+}
+
+TEST_CASE("limits of the quality stand in an object of their own, if there are any") {
+  MoveCommand command;
+  command.markers = {"a"};
+  CHECK_FALSE(io::to_json(command).contains("min_quality"));
+  command.how.floor.set(Metric::normalized_jacobian, 0.25);
+  command.how.floor.set(Metric::skewness, 0.875);
+  const auto json = io::to_json(command);
+  CHECK(json["min_quality"] == nlohmann::json{{"normalized_jacobian", 0.25}, {"skewness", 0.875}});
+  check_equal(round_trip(command).how, command.how);
+  CHECK(contains(complaint(with_command(R"({"command": "move", "markers": ["a"],
+    "min_quality": {"beauty": 1}})")),
+                 "min_quality.beauty: unknown key"));
 }

@@ -163,9 +163,11 @@ void Jobs::keep(JobRunner::Outcome outcome) {
   messages_.clear_banner();
   const JobRunner& job = mesh_.job();
   const double reached = settle_command(outcome, job.base().mesh, job.started_elsewhere());
+  const std::string limit = outcome.result->smooth.limited_by;
   if (reached < 1)
     messages_.set_banner(Banner::Kind::partial_motion,
-                         "No valid mesh was found beyond " + short_number(100 * reached) +
+                         (limit.empty() ? "No valid mesh was found" : limit) + " beyond " +
+                             short_number(100 * reached) +
                              " % of the way: the body is where it got to.");
   const std::string what = describe(outcome.command);
   const SmoothResult smooth = outcome.result->smooth;

@@ -1,5 +1,8 @@
 #include "gui/document/session/message_board.h"
 
+#include <cctype>
+
+#include "core/quality/mesh_change.h"
 #include "gui/base/text.h"
 
 namespace winslow::gui {
@@ -33,8 +36,10 @@ void MessageBoard::set_banner_of_position() {
 }
 
 void MessageBoard::set_banner_of_result(const SmoothResult& smooth) {
-  if (banner_ && banner_->kind == Banner::Kind::partial_motion && smooth.inverted == 0) return;
-  if (smooth.inverted > 0) {
+  const std::string damage = damage_of_last_command();
+  if (banner_ && banner_->kind == Banner::Kind::partial_motion && smooth.inverted == 0) {
+    if (!damage.empty()) banner_->text += ' ' + damage;
+  } else if (smooth.inverted > 0) {
     set_banner(Banner::Kind::inverted_result, "The result has " +
                                                   counted(smooth.inverted, "inverted element") +
                                                   ". A flow solver cannot use this mesh.");
@@ -42,8 +47,23 @@ void MessageBoard::set_banner_of_result(const SmoothResult& smooth) {
     set_banner(Banner::Kind::not_converged,
                "Stopped after " + counted(smooth.outer_iterations, "iteration") +
                    " at a residual of " + short_number(smooth.residual) +
-                   ": valid, but not converged.");
+                   ": valid, but not converged." + (damage.empty() ? "" : ' ' + damage));
+  } else if (!damage.empty()) {
+    set_banner(Banner::Kind::damaged, damage);
   }
+}
+
+/// A sentence on what the command that led to the present mesh has spoilt; empty: nothing.
+std::string MessageBoard::damage_of_last_command() const {
+  const Document* document = mesh_.document();
+  if (!document || document->history().position() == 0) return {};
+  const History& history = document->history();
+  if (asks_for_heights(history.command(history.position()))) return {};
+  std::string text = describe_damage(history.state(history.position() - 1).mesh,
+                                     history.state(history.position()).mesh);
+  if (text.empty()) return {};
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text + "; targets that keep the elements' own shapes, such as \"Rest mesh\", avoid that.";
 }
 
 void MessageBoard::on(const action::DismissPrompt&) {

@@ -36,13 +36,15 @@ class MessageBoard {
   void clear_banner() { banner_.reset(); }
   /// What the mesh at the present position of the history calls for, if anything.
   void set_banner_of_position();
-  /// What the result of a command calls for; a motion that ended early has said so already.
+  /// What the result of the last command calls for; a motion that ended early has said so already.
   void set_banner_of_result(const SmoothResult& smooth);
 
  private:
   friend class Dispatch;
   void on(const action::DismissPrompt&);
   void on(const action::DismissBanner&);
+
+  std::string damage_of_last_command() const;
 
   const LiveMesh& mesh_;
   std::deque<Prompt> prompts_;

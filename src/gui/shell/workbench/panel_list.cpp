@@ -53,6 +53,7 @@ PanelRegistry make_panels() {
   r.add(entry<LayersPanel>("layers", "Layers", Region::left, plane));
   r.add(entry<SolverPanel>("solver", "Solver", Region::left, plane));
   r.add(in_tab<QualityPanel>(SideTab::quality, "quality", "Quality", plane));
+  r.add(in_tab<WallPanel>(SideTab::quality, "walls", "Walls", plane));
   r.add(in_tab<GoToPanel>(SideTab::quality, "go_to", "Go to", plane));
   r.add(in_tab<WorstPanel>(SideTab::quality, "worst", "Worst elements", plane));
   r.add(in_tab<IsolatePanel>(SideTab::quality, "isolate", "Isolate", plane));

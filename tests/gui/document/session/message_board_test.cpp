@@ -53,4 +53,28 @@ TEST_CASE(
   CHECK(board.banner()->kind == Banner::Kind::not_converged);
 }
 
+TEST_CASE("a command that spoils the cells at walls is named, in each place of the history") {
+  SessionParts parts(ring_mesh(48, 24));
+  MessageBoard& board = parts.messages;
+  CHECK_FALSE(board.banner().has_value());
+  SmoothCommand regular;  // makes cells of one shape of stretched ones
+  regular.smooth.targets = {.element = 1, .vcv = 0, .rest = 0};
+  REQUIRE(parts.jobs.start(regular, false));
+  parts.finish();
+  REQUIRE(board.banner().has_value());
+  CHECK(board.banner()->kind == Banner::Kind::damaged);
+  const std::string text = board.banner()->text;
+  CHECK(text.starts_with("First heights changed by more than 5 %"));
+  CHECK(text.find(" at (") != std::string::npos);
+  CHECK(text.ends_with("avoid that."));
+  REQUIRE(parts.jobs.start(regular, false));  // nothing changes any more
+  parts.finish();
+  CHECK_FALSE(board.banner().has_value());
+  parts.history.apply(action::Undo{});
+  REQUIRE(board.banner().has_value());
+  CHECK(board.banner()->text == text);
+  parts.history.apply(action::Undo{});
+  CHECK_FALSE(board.banner().has_value());
+}
+
 }  // namespace winslow::gui::test

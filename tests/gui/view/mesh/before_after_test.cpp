@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "core/quality/mesh_change.h"
 #include "gui/base/text.h"
 #include "gui/panels/quality_table.h"
 #include "gui/support/keys.h"
@@ -20,6 +21,7 @@ void open_and_move(Rig& rig) {
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);
   rig.bench->apply(action::SelectMarkers{});
+  rig.bench->apply(action::DismissBanner{});  // the strip would move the mesh in the pictures
   rig.frames();
 }
 
@@ -56,6 +58,51 @@ TEST_CASE("the numbers of the table are those of the quality report") {
     CHECK(same.verdict == 0);
   }
   CHECK(quality_table(nullptr, now)[1].before == "-");
+}
+
+TEST_CASE("stretching is not judged: neither green for less of it nor red for more") {
+  const QualityReport round = measure_quality(ring_mesh(24, 6));
+  const QualityReport flat = measure_quality(ring_mesh(24, 24));
+  for (const bool lower : {true, false}) {
+    const auto rows = lower ? quality_table(&flat, round) : quality_table(&round, flat);
+    int changes = 0;
+    for (const char* title : {"Aspect ratio", "Condition number"}) {
+      for (const int below : {1, 2, 3}) {
+        changes += row(rows, title, below).change.empty() ? 0 : 1;
+        CHECK(row(rows, title, below).verdict == 0);
+      }
+    }
+    CHECK(changes >= 3);
+  }
+}
+
+TEST_CASE("the table of walls has first heights, and node by node over those before") {
+  Mesh after = ring_mesh();
+  const WallReport before = measure_walls(after);
+  REQUIRE(before.walls.size() == 1);
+  // All but the far field a little farther out: heights grow, the wall stays.
+  for (const Index node : after.topology->interior_nodes())
+    after.coordinates.set_xy(node, 1.01 * after.coordinates.xy(node));
+  const WallReport now = measure_walls(after);
+  const auto rows = wall_table(&before, now);
+  const auto number = [](const std::string& text) { return std::stod(text); };
+  const auto near = [](double value) { return doctest::Approx(value).epsilon(0.006); };
+  CHECK(number(row(rows, "First height", 1).before) == near(before.first_height.min));
+  CHECK(number(row(rows, "First height", 5).now) == near(now.first_height.max));
+  CHECK(row(rows, "First height", 3).change.starts_with("+"));
+  CHECK(row(rows, "First height", 3).verdict == 0);
+  const auto change = compare_first_heights(before.walls, now.walls);
+  REQUIRE(change);
+  CHECK(row(rows, "First height over before", 3).name == "median");
+  CHECK(number(row(rows, "First height over before", 3).now) == near(change->ratio.median));
+  CHECK(number(row(rows, "First height over before", 6).now) == near(100 * change->off));
+  CHECK(row(rows, "First height over before", 6).alarming == spoils_walls(*change));
+  CHECK(number(row(rows, "Tilt of the first edge", 2).now) == near(now.tilt.max));
+  CHECK(number(row(rows, "Size ratio", 2).now) == near(now.size_ratio.max));
+  for (const QualityRow& one : wall_table(nullptr, now)) {
+    CHECK(one.name != "First height over before");
+    CHECK(one.change.empty());
+  }
 }
 
 TEST_CASE("before is the mesh as loaded or as it was before the last command") {
@@ -150,6 +197,7 @@ TEST_CASE("side by side, the mesh before is left of the divider and the mesh now
   set_view(rig, [](ViewOptions& view) { view.comparison = Comparison::none; });
   const Image first = rig.bench->pictures().picture();
   rig.bench->apply(action::Redo{});
+  rig.bench->apply(action::DismissBanner{});
   set_view(rig, [](ViewOptions& view) { view.comparison = Comparison::split; });
   rig.move(ScreenPoint(5, 5));
   rig.frames();

@@ -1,0 +1,222 @@
+#include "core/quality/wall_measures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace winslow {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// Signed area of the parallelogram between two vectors.
+double spanned(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 along = b - a;
+  const double length2 = along.squaredNorm();
+  const double t = length2 > 0 ? std::clamp((p - a).dot(along) / length2, 0.0, 1.0) : 0.0;
+  return (p - (a + t * along)).norm();
+}
+
+/// Edge k of a wall, from node k to the next, with the wall's nodes before and after it.
+struct WallEdge {
+  WallEdge(const Wall& wall, std::size_t k) {
+    const std::size_t n = wall.nodes.size();
+    for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = wall.nodes[(k + n + i - 1) % n];
+  }
+  Index from() const { return nodes[1]; }
+  Index to() const { return nodes[2]; }
+  bool holds(Index node) const {
+    return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+  }
+  double distance(const PlanePoints& x, Index node) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+      least = std::min(least, distance_to_segment(x[node], x[nodes[i]], x[nodes[i + 1]]));
+    return least;
+  }
+
+  std::array<Index, 4> nodes{};
+};
+
+std::size_t place_in(std::span<const Index> element, Index node) {
+  return static_cast<std::size_t>(std::find(element.begin(), element.end(), node) -
+                                  element.begin());
+}
+
+/// Height of the corner that faces an end of the edge; NaN if it is on the wall, and so is the
+/// other one.
+double facing_height(const Topology& topology, const PlanePoints& x, const WallEdge& edge,
+                     Index element, bool at_start) {
+  const auto corners = topology.element(element);
+  const std::size_t n = corners.size(), start = place_in(corners, edge.from());
+  // Counter-clockwise from the start: its end, then what faces the end, then what faces the start.
+  const Index of_end = corners[(start + 2) % n], of_start = corners[(start + n - 1) % n];
+  for (const Index node : at_start ? std::array{of_start, of_end} : std::array{of_end, of_start}) {
+    if (!edge.holds(node)) return edge.distance(x, node);
+  }
+  return none;
+}
+
+Index element_at(const Topology& topology, const WallEdge& edge) {
+  const auto face = topology.find_face(Face(edge.from(), edge.to()));
+  return topology.edges()[at(*face)].elements[0];
+}
+
+double mean_of_known(double a, double b) {
+  if (std::isnan(a)) return b;
+  return std::isnan(b) ? a : 0.5 * (a + b);
+}
+
+/// Least angle between a normal and the edges that lead from a wall node into the mesh, degrees.
+double least_tilt(const Topology& topology, const PlanePoints& x, Index node, const Vec2& normal) {
+  if (normal.squaredNorm() == 0) return none;
+  // The first and the last neighbour of a boundary node are those along the boundary.
+  const auto row = topology.neighbours(node);
+  double least = none;
+  for (std::size_t k = 1; k + 1 < row.size(); ++k) {
+    const Vec2 edge = x[row[k]] - x[node];
+    const double tilt = degrees(std::atan2(std::abs(spanned(normal, edge)), normal.dot(edge)));
+    least = std::isnan(least) ? tilt : std::min(least, tilt);
+  }
+  return least;
+}
+
+/// Walks from quadrilateral to quadrilateral over opposite edges.
+class Column {
+ public:
+  Column(const Topology& topology, const PlanePoints& x, std::array<Index, 2> edge, Index element)
+      : topology_(topology), x_(x), edge_(edge), element_(element) {}
+
+  /// Height of the next cell; none at the end of the column.
+  std::optional<double> next() {
+    if (element_ < 0 || topology_.element_type(element_) != ElementType::quadrilateral) return {};
+    const auto corners = topology_.element(element_);
+    const std::size_t a = place_in(corners, edge_[0]), b = place_in(corners, edge_[1]);
+    const std::size_t first = (a + 1) % 4 == b ? a : b;
+    const std::array<Index, 2> opposite{corners[(first + 2) % 4], corners[(first + 3) % 4]};
+    const double height = (middle(opposite) - middle(edge_)).norm();
+    const auto& across =
+        topology_.edges()[at(*topology_.find_face(Face(opposite[0], opposite[1])))].elements;
+    element_ = across[0] == element_ ? across[1] : across[0];
+    edge_ = opposite;
+    return height;
+  }
+
+ private:
+  Vec2 middle(const std::array<Index, 2>& edge) const { return 0.5 * (x_[edge[0]] + x_[edge[1]]); }
+
+  const Topology& topology_;
+  const PlanePoints& x_;
+  std::array<Index, 2> edge_;  // by which the element is entered
+  Index element_;
+};
+
+double larger_over_smaller(double a, double b) { return std::max(a, b) / std::min(a, b); }
+
+double area_of(const PlanePoints& x, std::span<const Index> element) {
+  const Vec2 origin = x[element[0]];
+  double area2 = 0;
+  for (std::size_t k = 1; k + 1 < element.size(); ++k)
+    area2 += spanned(x[element[k]] - origin, x[element[k + 1]] - origin);
+  return 0.5 * area2;
+}
+
+}  // namespace
+
+std::vector<double> first_heights(const Mesh& mesh, const Wall& wall) {
+  const PlanePoints x(mesh.coordinates);
+  const std::size_t n = wall.nodes.size();
+  std::vector<double> heights(n, none);
+  for (std::size_t k = 0; k < n; ++k) {
+    const WallEdge edge(wall, k);
+    const Index element = element_at(*mesh.topology, edge);
+    for (const bool at_start : {true, false}) {
+      double& height = heights[at_start ? k : (k + 1) % n];
+      height = mean_of_known(height, facing_height(*mesh.topology, x, edge, element, at_start));
+    }
+  }
+  return heights;
+}
+
+std::vector<double> first_edge_tilts(const Mesh& mesh, const Wall& wall) {
+  const PlanePoints x(mesh.coordinates);
+  const std::size_t n = wall.nodes.size();
+  std::vector<double> tilts(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    Vec2 normal(0, 0);
+    for (const std::size_t from : {(k + n - 1) % n, k}) {
+      const Vec2 edge = x[wall.nodes[(from + 1) % n]] - x[wall.nodes[from]];
+      normal += Vec2(-edge.y(), edge.x()).normalized();
+    }
+    tilts[k] = least_tilt(*mesh.topology, x, wall.nodes[k], normal);
+  }
+  return tilts;
+}
+
+std::vector<double> column_growth(const Mesh& mesh, const Wall& wall) {
+  const PlanePoints x(mesh.coordinates);
+  std::vector<double> ratios;
+  for (std::size_t k = 0; k < wall.nodes.size(); ++k) {
+    const WallEdge edge(wall, k);
+    Column column(*mesh.topology, x, {edge.from(), edge.to()}, element_at(*mesh.topology, edge));
+    std::optional<double> last = column.next();
+    while (const std::optional<double> height = last ? column.next() : std::nullopt) {
+      ratios.push_back(larger_over_smaller(*height, *last));
+      last = height;
+    }
+  }
+  return ratios;
+}
+
+std::vector<double> size_ratios(const Mesh& mesh) {
+  const Topology& topology = *mesh.topology;
+  require_plane(topology, "sizes of elements");
+  const PlanePoints x(mesh.coordinates);
+  std::vector<double> areas(at(topology.element_count()));
+  for (Index e = 0; e < topology.element_count(); ++e)
+    areas[at(e)] = area_of(x, topology.element(e));
+  std::vector<double> ratios;
+  for (const Topology::Edge& edge : topology.edges()) {
+    if (edge.elements[1] < 0) continue;
+    const double a = areas[at(edge.elements[0])], b = areas[at(edge.elements[1])];
+    if (a > 0 && b > 0) ratios.push_back(std::sqrt(larger_over_smaller(a, b)));
+  }
+  return ratios;
+}
+
+Index WallReport::node_count() const {
+  std::size_t count = 0;
+  for (const WallMeasures& wall : walls) count += wall.wall.nodes.size();
+  return static_cast<Index>(count);
+}
+
+WallReport measure_walls(const Mesh& mesh) {
+  WallReport report;
+  std::vector<double> heights, tilts, growths;
+  const auto append = [](std::vector<double>& all, const std::vector<double>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+  };
+  for (Wall& wall : find_walls(mesh)) {
+    WallMeasures& of = report.walls.emplace_back();
+    of.first_height = first_heights(mesh, wall);
+    of.tilt = first_edge_tilts(mesh, wall);
+    const std::vector<double> growth = column_growth(mesh, wall);
+    of.growth = quantiles_of(growth);
+    of.wall = std::move(wall);
+    append(heights, of.first_height);
+    append(tilts, of.tilt);
+    append(growths, growth);
+  }
+  report.first_height = quantiles_of(std::move(heights));
+  report.tilt = quantiles_of(std::move(tilts));
+  report.growth = quantiles_of(std::move(growths));
+  report.size_ratio = quantiles_of(size_ratios(mesh));
+  return report;
+}
+
+}  // namespace winslow

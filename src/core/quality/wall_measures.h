@@ -1,0 +1,61 @@
+#pragma once
+
+#include <vector>
+
+#include "core/quality/quantiles.h"
+#include "core/quality/walls.h"
+
+/// What the user of a flow solver judges the cells at walls by. All of it is for plane meshes of
+/// triangles and quadrilaterals; units are those of the mesh unless said otherwise.
+namespace winslow {
+
+/// First heights at the nodes of a wall (#nodes of it; NaN where there is none).
+///
+/// Each edge of the wall has one element. At either end of the edge, the corner of that element
+/// that faces the end is the one to which an edge off the wall leads from there (of a
+/// quadrilateral), or the apex (of a triangle). Its height is its distance from the wall: the least
+/// distance to the edge itself and to the wall's next edge on either side, as line segments. The
+/// first height of a node is the mean of the heights that the two edges meeting there give for it.
+///
+/// On an O-grid both heights are of the same corner, the next node along the grid line off the
+/// wall. Triangles that touch the wall with a corner only do not count, so that it does not matter
+/// how many edges leave a node. A corner that lies on the three edges itself (a quadrilateral in a
+/// concave corner) is no height: the other far corner stands in, or the edge says nothing.
+std::vector<double> first_heights(const Mesh& mesh, const Wall& wall);
+
+/// By how many degrees the first edge off each node of a wall deviates from the wall's normal there
+/// (#nodes; NaN where no edge leads off the wall, or the normal is not defined). The normal is the
+/// mean of the unit normals of the two wall edges; the first edge is that which deviates least.
+std::vector<double> first_edge_tilts(const Mesh& mesh, const Wall& wall);
+
+/// Growth ratios along the columns of quadrilaterals that stand on a wall's edges, one for each
+/// pair of consecutive cells, in no special order: the larger of their heights over the smaller, so
+/// at least 1. The height of a cell is the distance between the midpoints of its edge towards the
+/// wall and the one opposite. A column ends at a triangle and at the boundary: a wall that has
+/// triangles has no ratios.
+std::vector<double> column_growth(const Mesh& mesh, const Wall& wall);
+
+/// Size ratios of all pairs of elements that share an edge: the square root of the larger area over
+/// the smaller, at least 1, in the order of the edges. Pairs with an area that is not positive are
+/// left out.
+std::vector<double> size_ratios(const Mesh& mesh);
+
+/// One wall.
+struct WallMeasures {
+  Wall wall;
+  std::vector<double> first_height, tilt;  ///< see first_heights() and first_edge_tilts()
+  Quantiles growth;                        ///< of column_growth()
+};
+
+/// All walls of a mesh.
+struct WallReport {
+  std::vector<WallMeasures> walls;
+  Quantiles first_height, tilt, growth;  ///< of all of them together
+  Quantiles size_ratio;                  ///< of the whole mesh
+
+  Index node_count() const;
+};
+
+WallReport measure_walls(const Mesh& mesh);
+
+}  // namespace winslow

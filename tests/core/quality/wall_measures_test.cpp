@@ -1,0 +1,198 @@
+#include "core/quality/wall_measures.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "core/error.h"
+#include "core/quality/mesh_change.h"
+#include "support/meshes.h"
+
+using namespace winslow;
+using namespace winslow::test;
+
+namespace {
+
+/// Quadrilaterals inside a circle and outside another, stretched towards the inner one: each ring
+/// `growth` times as high as the one before, the first of height `first`.
+MeshData o_grid(Index sectors, Index rings, double first, double growth, double turn = 0) {
+  MeshData data;
+  double radius = 1;
+  for (Index i = 0; i <= rings; ++i) {
+    for (Index j = 0; j < sectors; ++j) {
+      const double phi = 2 * pi * j / sectors + turn * (radius - 1);
+      data.coordinates.push_xy(radius * Vec2(std::cos(phi), std::sin(phi)));
+    }
+    radius += first * std::pow(growth, i);
+  }
+  const auto id = [&](Index i, Index j) { return i * sectors + j % sectors; };
+  for (Index i = 0; i < rings; ++i)
+    for (Index j = 0; j < sectors; ++j)
+      add_quad(data, id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1));
+  mark_boundary(data, [](const Vec2& p) { return p.norm() < 1 + 1e-9 ? "body" : "far"; });
+  return data;
+}
+
+void check_all(const std::vector<double>& values, double wanted) {
+  REQUIRE_FALSE(values.empty());
+  for (const double value : values) CHECK(value == doctest::Approx(wanted).epsilon(1e-9));
+}
+
+}  // namespace
+
+TEST_CASE("quantiles are those of a list that is sorted by hand") {
+  std::vector<double> values;
+  for (int k = 100; k >= 0; --k) values.push_back(k);  // the q-quantile of 0 .. 100 is 100 q
+  values.push_back(std::nan(""));
+  const Quantiles q = quantiles_of(values);
+  CHECK(q.count == 101);
+  CHECK(q.min == 0);
+  CHECK(q.low == doctest::Approx(5));
+  CHECK(q.median == doctest::Approx(50));
+  CHECK(q.high == doctest::Approx(95));
+  CHECK(q.max == 100);
+  CHECK(quantiles_of({1, 2}).median == doctest::Approx(1.5));
+  CHECK(quantiles_of({1, 2}).high == doctest::Approx(1.95));
+  CHECK(quantiles_of({7}).low == 7);
+  CHECK(quantiles_of({}).count == 0);
+}
+
+TEST_CASE("walls are the loops around bodies, with the markers on them") {
+  const Mesh mesh = make_mesh(square_with_two_holes(10, Cells::mixed));
+  const auto walls = find_walls(mesh);
+  REQUIRE(walls.size() == 2);
+  CHECK(walls[0].markers.size() == 1);
+  CHECK(walls[0].markers[0] != walls[1].markers[0]);
+  for (const Wall& wall : walls) {
+    CHECK(wall.nodes.size() == 8);
+    for (const std::string& name : wall.markers) CHECK(name != "outer");
+  }
+  CHECK(find_walls(make_mesh(square(4, Cells::quads))).empty());
+  CHECK(measure_walls(make_mesh(square(4, Cells::quads))).first_height.count == 0);
+}
+
+TEST_CASE("an O-grid has the first height and the growth that it was made with") {
+  const double first = 1e-5;
+  const Mesh mesh = make_mesh(o_grid(37, 12, first, 1.2));
+  const auto walls = find_walls(mesh);
+  REQUIRE(walls.size() == 1);
+  check_all(first_heights(mesh, walls[0]), first);
+  for (const double tilt : first_edge_tilts(mesh, walls[0])) CHECK(std::abs(tilt) < 1e-6);
+  const auto growth = column_growth(mesh, walls[0]);
+  CHECK(growth.size() == 37 * 11);
+  check_all(growth, 1.2);
+  const WallReport report = measure_walls(mesh);
+  CHECK(report.node_count() == 37);
+  CHECK(report.first_height.min == doctest::Approx(first).epsilon(1e-9));
+  CHECK(report.growth.max == doctest::Approx(1.2).epsilon(1e-9));
+}
+
+TEST_CASE("a height is normal to the wall where the edges are not") {
+  // Each ring is turned by 0.004 against the one before, less than half a sector: edges off the
+  // wall lean by 76 degrees, and the corner that they lead to lies above the wall's next edge.
+  const double first = 1e-3, turn = 4;
+  const Index sectors = 720;
+  const Mesh mesh = make_mesh(o_grid(sectors, 3, first, 1, turn));
+  const Wall wall = find_walls(mesh).front();
+  const double along = (1 + first) * std::sin(turn * first);
+  const double off = (1 + first) * std::cos(turn * first) - 1;
+  check_all(first_edge_tilts(mesh, wall), degrees(std::atan2(along, off)));
+  // Distance from the chord, whose normal is turned by half a sector.
+  const double half = pi / sectors;
+  check_all(first_heights(mesh, wall),
+            (1 + first) * std::cos(turn * first - half) - std::cos(half));
+}
+
+TEST_CASE(
+    "triangles: split quadrilaterals have the height of these, however many edges there are") {
+  const double growth = 1.01;
+  const Mesh mesh = make_mesh(annulus(48, 4, growth, Cells::mixed));
+  const Wall wall = find_walls(mesh).front();
+  const auto heights = first_heights(mesh, wall);
+  check_all(heights, growth - 1);
+  check_all(first_heights(make_mesh(annulus(48, 4, growth, Cells::quads)), wall), growth - 1);
+}
+
+TEST_CASE("triangles: apexes between two nodes are as far from the wall as from its chord") {
+  const Index sectors = 40;
+  const double growth = 1.05;
+  const Mesh mesh = make_mesh(annulus(sectors, 4, growth, Cells::triangles));
+  const Wall wall = find_walls(mesh).front();
+  check_all(first_heights(mesh, wall), growth - std::cos(pi / sectors));
+  CHECK(column_growth(mesh, wall).empty());
+  CHECK(measure_walls(mesh).growth.count == 0);
+}
+
+TEST_CASE("a quadrilateral in a concave corner of a wall is measured by its other corner") {
+  // An L-shaped body: cells (2, 2), (3, 2), (2, 3) of a grid of 6 by 6 are missing, so that cell
+  // (3, 3) has two edges on the wall.
+  MeshData data = grid_with_holes(6, Cells::quads, [](Index i, Index j) {
+    return (i == 2 && j == 2) || (i == 3 && j == 2) || (i == 2 && j == 3);
+  });
+  const Mesh mesh = make_mesh(data);
+  const Wall wall = find_walls(mesh).front();
+  CHECK(wall.nodes.size() == 8);
+  const auto heights = first_heights(mesh, wall);
+  REQUIRE(heights.size() == 8);
+  for (std::size_t k = 0; k < heights.size(); ++k) {
+    const Vec2 p = 6 * mesh.coordinates.xy(wall.nodes[k]);
+    CAPTURE(p.transpose());
+    CHECK(heights[k] == doctest::Approx(1.0 / 6));
+  }
+}
+
+TEST_CASE("size ratios are of areas across shared edges") {
+  const double growth = 1.3;
+  const Mesh mesh = make_mesh(annulus(24, 5, growth, Cells::quads));
+  const auto ratios = size_ratios(mesh);
+  std::size_t across = 0;
+  for (const double ratio : ratios) {
+    const bool along_ring = std::abs(ratio - 1) < 1e-9;
+    if (!along_ring) CHECK(ratio == doctest::Approx(growth));  // similar cells: lengths scale
+    across += along_ring ? 0 : 1;
+  }
+  CHECK(across == 24 * 4);
+  CHECK(ratios.size() == 24 * 4 + 24 * 5);
+}
+
+TEST_CASE("first heights of two meshes are compared node by node") {
+  const Mesh before = make_mesh(o_grid(40, 6, 0.01, 1.2));
+  Mesh after = before;
+  const Index node = 40 + 7;  // above node 7 of the wall
+  after.coordinates.set_xy(node, 1.013 * before.coordinates.xy(7));
+  const auto change =
+      compare_first_heights(measure_walls(before).walls, measure_walls(after).walls);
+  REQUIRE(change);
+  CHECK(change->ratio.count == 40);
+  CHECK(change->worst_node == 7);
+  CHECK(change->worst_ratio == doctest::Approx(1.3));
+  CHECK(change->off == doctest::Approx(1.0 / 40));
+  CHECK(change->ratio.median == doctest::Approx(1));
+  CHECK(spoils_walls(*change));  // one node, but by more than a fifth
+  const Mesh other = make_mesh(o_grid(41, 6, 0.01, 1.2));
+  CHECK_FALSE(compare_first_heights(measure_walls(before).walls, measure_walls(other).walls));
+}
+
+TEST_CASE("damage is named with its figures and its place, and only where there is any") {
+  const Mesh before = make_mesh(o_grid(40, 6, 0.01, 1.2));
+  Mesh after = before;
+  CHECK(describe_damage(before, after).empty());
+  after.coordinates.set_xy(40, Vec2(1.0115, 0));
+  CHECK(describe_damage(before, after).empty());  // 1 of 40 by 15 %
+  after.coordinates.set_xy(40, Vec2(1.005, 0));
+  std::string damage = describe_damage(before, after);
+  CHECK(damage.find("at 2.5 % of the wall nodes, at worst to 0.5 times what they were at (1, 0)") !=
+        std::string::npos);
+  CHECK(damage.find("sine") == std::string::npos);
+  // A node of the third ring slides along it, so that edges lean which are far from the wall.
+  after = before;
+  const Index node = 3 * 40;
+  const double radius = before.coordinates.xy(node).x();
+  after.coordinates.set_xy(node, radius * Vec2(std::cos(0.1), std::sin(0.1)));
+  damage = describe_damage(before, after);
+  CHECK(damage.starts_with("the smallest sine fell from "));
+  Mesh tangled = before;
+  tangled.coordinates.set_xy(node, Vec2(0, 0));
+  CHECK(describe_damage(before, tangled).empty());
+  CHECK(describe_damage(tangled, before).empty());
+}
