@@ -49,10 +49,17 @@ struct MeshFormat {
 
   Evidence (*recognise)(const Content& content);
   ParsedMesh (*read)(Source& source);
+  /// Of formats that hold several meshes, zones, in one file; null: this one does not. The number
+  /// of the zone; 0: the first. Throws UsageError if there is none of that number.
+  ParsedMesh (*read_zone)(Source& source, int zone) = nullptr;
   /// options.binary is what to do, whatever the source was. details: of the file that the mesh came
   /// from, of this format or of another; may be null. Returns warnings.
   std::vector<std::string> (*write)(std::ostream& out, const Mesh& mesh,
                                     const FormatDetails* details, const WriteOptions& options);
+  /// Null: the format has no zones. All come from one file of this format; zones of it that are not
+  /// given are written as they were.
+  std::vector<std::string> (*write_zones)(std::ostream& out,
+                                          std::span<const MeshZone> zones) = nullptr;
 };
 
 /// All formats, in the order of lists.
