@@ -20,6 +20,7 @@ struct CommandRecord {
   std::string description;                 ///< describe()
   std::optional<std::string> formulation;  ///< of commands that smooth
   SmoothResult result;
+  int zone = 0;  ///< number of the zone that it was carried out on; 0: of a file that has none
 };
 
 /// All that --report tells of a run.
@@ -40,8 +41,20 @@ nlohmann::json describe_mesh(const Mesh& mesh, const QualityReport& quality);
 /// orthogonality, counts, and the columns that were cut short.
 nlohmann::json describe_layers(const LayerStack& stack, const Coordinates& x);
 
+/// What came of a zone, or of the one mesh of a file.
+struct ZoneResult {
+  int zone;  ///< 0: of a file that has none
+  const Mesh* mesh;
+  const QualityReport* quality;
+  const LayerStack* layers;  ///< null: none
+};
+
+/// What is said of meshes: of one mesh itself; of several "nodes", "elements" and "inverted"
+/// together, and "zones", a list of what is said of each.
+nlohmann::json describe_zones(const std::vector<ZoneResult>& zones);
+
 /// The whole report (docs/command-line.md lists the keys).
-nlohmann::json describe_run(const RunReport& run, const Mesh& mesh, const QualityReport& quality);
+nlohmann::json describe_run(const RunReport& run, const std::vector<ZoneResult>& zones);
 
 /// Writes JSON atomically. Throws OutputError.
 void write_json(const std::filesystem::path& path, const nlohmann::json& json);

@@ -7,6 +7,7 @@ namespace winslow::gui {
 
 struct StudioOptions {
   std::optional<std::filesystem::path> mesh;  ///< opened at the start
+  int zone = 0;                               ///< of it; 0: the first
   int width = 0, height = 0;                  ///< of the window, in screen units; 0: as last time
 };
 

@@ -68,8 +68,20 @@ MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options
   }
   parsed.details->format = file.format;
   file.details = std::move(parsed.details);
-  for (std::string& warning : file.warnings) warning = source.name() + ": " + warning;
+  const std::string zone =
+      file.details->zones.empty() ? "" : "zone " + std::to_string(file.details->zone) + ": ";
+  for (std::string& warning : file.warnings) warning = source.name() + ": " + zone + warning;
   return file;
+}
+
+std::vector<std::string> zones_left(const MeshFile& file, const std::filesystem::path& path) {
+  if (!file.details || file.details->zones.size() < 2) return {};
+  std::string numbers;
+  for (const int number : file.details->zones)
+    numbers += (numbers.empty() ? "" : ", ") + std::to_string(number);
+  return {path.string() + ": has " + std::to_string(file.details->zones.size()) + " zones (" +
+          numbers + "); this is zone " + std::to_string(file.details->zone) +
+          ", --zone N opens another"};
 }
 
 bool keeps_zones(const std::filesystem::path& path, const FormatDetails& details) {

@@ -65,7 +65,8 @@ struct MeshFormat {
 /// All formats, in the order of lists.
 std::span<const MeshFormat* const> mesh_formats();
 
-/// Null if there is none: by extension (in any case of letters), by the first bytes and the size.
+/// Null if there is none: by extension (in any case of letters, ".gz" after it left out), by the
+/// first bytes and the size.
 const MeshFormat* format_of_extension(const std::filesystem::path& path);
 const MeshFormat* format_of_content(std::string_view content);
 

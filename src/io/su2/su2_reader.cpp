@@ -332,11 +332,6 @@ ParsedMesh read_zone(Source& source, int number) {
   details.zones = list.numbers();
   details.blocks = std::make_shared<const std::vector<std::string>>(list.blocks(source));
   details.block = chosen + 1;
-  if (number == 0) {
-    mesh.warnings.push_back("the file has " + std::to_string(list.zones.size()) + " zones (" +
-                            listed(list.numbers()) + "), zone " + std::to_string(zone.number) +
-                            " is read; --zone N reads another");
-  }
   return mesh;
 }
 
