@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "io/file/atomic_file.h"
+#include "io/format/marker_overlap.h"
 #include "io/format/mesh_format.h"
 
 namespace winslow::io {
@@ -66,6 +67,8 @@ MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options
   } catch (const MeshError& error) {
     source.fail(place_of(error, parsed.where), error.what());
   }
+  for (std::string& text : marker_overlaps(*file.mesh.topology))
+    file.warnings.push_back(std::move(text));
   parsed.details->format = file.format;
   file.details = std::move(parsed.details);
   const std::string zone =

@@ -12,6 +12,12 @@
 /// SU2 native format, https://su2code.github.io/docs_v7/Mesh-File/ (NDIME= 2).
 namespace winslow::io::su2 {
 
+/// A node that a free-form deformation box lists, and where it lay in the file.
+struct BoxPoint {
+  Index node;
+  Vec2 place;
+};
+
 /// What an SU2 file says beyond a mesh: the order of its sections, comments, what we do not know,
 /// and its other zones.
 struct Details : FormatDetails {
@@ -34,7 +40,8 @@ struct Details : FormatDetails {
   std::size_t markers = 0;
   /// Of a file of several zones: what stands before the first one, then each zone as it is.
   std::shared_ptr<const std::vector<std::string>> blocks;
-  std::size_t block = 0;  ///< the zone's place in `blocks`
+  std::size_t block = 0;             ///< the zone's place in `blocks`
+  std::vector<BoxPoint> box_points;  ///< of boxes anywhere in the file
 };
 
 extern const MeshFormat format;

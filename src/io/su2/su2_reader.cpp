@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/su2/su2.h"
+#include "io/su2/su2_box.h"
 #include "io/su2/su2_lines.h"
 #include "io/su2/su2_points.h"
 #include "io/su2/su2_zones.h"
@@ -328,6 +329,7 @@ ParsedMesh read_zone(Source& source, int number) {
   Details& details = reader.details();
   ParsedMesh mesh = reader.read(list.several && says_dimension(source, list.zones[0].begin));
   details.zone = zone.number;
+  details.box_points = box_points(source, mesh);
   if (!list.several) return mesh;
   details.zones = list.numbers();
   details.blocks = std::make_shared<const std::vector<std::string>>(list.blocks(source));

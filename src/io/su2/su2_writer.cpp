@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "io/su2/su2.h"
+#include "io/su2/su2_box.h"
 #include "io/text/scanner.h"
 #include "io/text/text_writer.h"
 
@@ -172,6 +173,12 @@ void write_zone(std::ostream& out, const Mesh& mesh, const Details* details,
   if (details != nullptr && !fits && says_more(*details)) {
     warnings.emplace_back(
         "the mesh has changed: comments and unknown keywords of the source are not written");
+  }
+  if (fits && box_is_stale(details->box_points, mesh.coordinates)) {
+    warnings.emplace_back(
+        "the free-form deformation box (FFD_SURFACE_POINTS) still holds where its points lay "
+        "before "
+        "they moved: have SU2_DEF set it up anew (DV_KIND= FFD_SETTING)");
   }
   if (!topology.regions().empty()) {
     warnings.emplace_back("SU2 has no regions: the names of element sets are not written");

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "io/format/mesh_format.h"
 #include "io/support/samples.h"
 
@@ -157,6 +159,36 @@ TEST_CASE("SU2: only a mesh that has changed and had comments is written with a 
   REQUIRE(bare.find('%') == std::string::npos);
   CHECK(warnings_for("\n" + bare + "\n").empty());
   CHECK(any_contains(warnings_for("% by hand\n" + bare), "comments and unknown keywords"));
+}
+
+TEST_CASE("SU2: a box whose surface points have moved is told of, once") {
+  const TemporaryFolder folder;
+  const std::string box =
+      "FFD_NBOX= 1\nFFD_TAG= BOX\nFFD_CORNER_POINTS= 0\nFFD_SURFACE_POINTS= 3\n"
+      "lower 0 0.0 0.0 0.5\nlower 1 0.5 0.0 0.5\nelsewhere 4 0.5 0.5 0.5\n";
+  write_text(folder / "a.su2", sample + box);
+  io::MeshFile file = io::read_mesh(folder / "a.su2");
+  const auto told = [&] {
+    const auto warnings = io::write_mesh(folder / "b.su2", file.mesh, file.details.get());
+    return std::count_if(warnings.begin(), warnings.end(), [](const std::string& text) {
+      return contains(text, "FFD_SURFACE_POINTS");
+    });
+  };
+  CHECK(told() == 0);
+  file.mesh.coordinates.set_xy(4, {0.5, 0.51});  // none of the box's points
+  CHECK(told() == 0);
+  file.mesh.coordinates.set_xy(0, {-0.1, 0});
+  file.mesh.coordinates.set_xy(1, {0.4, 0});
+  CHECK(told() == 1);
+}
+
+TEST_CASE("SU2: edges in two markers, or twice in one, are a warning") {
+  const io::MeshFile file = read_from_text(
+      "a.su2", replaced(replaced(sample, "MARKER_ELEMS= 2\n3 8", "MARKER_ELEMS= 4\n3 8"), "3 7 6\n",
+                        "3 7 6\n3 7 8\n3 1 0\n"));
+  CHECK(any_contains(file.warnings, "marker \"upper\" names 1 edge again"));
+  CHECK(any_contains(file.warnings, "markers \"lower\" and \"upper\" share 1 edge"));
+  CHECK_FALSE(any_contains(io::read_mesh(WINSLOW_TEST_DATA "/square.su2").warnings, "share"));
 }
 
 TEST_CASE("SU2: bad input is refused with file and line") {
