@@ -99,6 +99,7 @@ void run_studio(const StudioOptions& options) {
 void screenshot_studio(const StudioOptions& options, const std::filesystem::path& png) {
   HeadlessOptions headless;
   headless.mesh = options.mesh;
+  headless.zone = options.zone;
   headless.width = options.width;
   headless.height = options.height;
   headless.picture = png;

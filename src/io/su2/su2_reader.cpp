@@ -93,7 +93,8 @@ class Reader {
   }
 
   void keep_unknown(const Line& l) {
-    if (l.key != "NZONE" && l.key != "IZONE" && unknown_.insert(std::string(l.key)).second) {
+    if (l.key != "NZONE" && l.key != "IZONE" && unknown_.insert(std::string(l.key)).second &&
+        unknown_.size() <= unknown_shown) {
       unknown_list_ += (unknown_list_.empty() ? "" : ", ") + in_quotes(l.key) + " (line " +
                        line_number(l.offset) + ")";
     }
@@ -285,6 +286,8 @@ class Reader {
   void add_warnings() {
     if (!unknown_list_.empty()) {
       const bool one = unknown_.size() == 1;
+      if (unknown_.size() > unknown_shown)
+        unknown_list_ += " and " + std::to_string(unknown_.size() - unknown_shown) + " more";
       mesh_.warnings.push_back((one ? "keyword " : "keywords ") + unknown_list_ +
                                (one ? " is" : " are") +
                                " not understood; the lines are kept as they are");
@@ -295,6 +298,8 @@ class Reader {
           "the lines is used and the numbers are not");
     }
   }
+
+  static constexpr std::size_t unknown_shown = 3;  // a box for deformations has a dozen of its own
 
   const Source& source_;
   LineReader lines_;

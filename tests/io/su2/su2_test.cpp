@@ -71,6 +71,8 @@ TEST_CASE("SU2: what it does not know is kept and warned about") {
                      "(line 31) are not understood"));
   io::write_mesh(folder / "b.su2", file.mesh, file.details.get());
   CHECK(read_text(folder / "b.su2") == sample + extra);
+  CHECK(any_contains(read_from_text("a.su2", sample + extra + "FFD_A= 1\nFFD_B= 2\n").warnings,
+                     "'FFD_CORNER_POINTS' (line 31) and 2 more are not understood"));
 }
 
 TEST_CASE("SU2: SEND_RECEIVE is no boundary, but stays in the file") {
