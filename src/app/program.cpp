@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/options/suggestion.h"
+#include "app/output/terminal.h"
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"
 
@@ -14,7 +15,7 @@ namespace winslow::app {
 namespace {
 
 ExitCode fail(ExitCode code, const std::string& message) {
-  std::cerr << "winslow: " << message << '\n';
+  std::cerr << "winslow: " << printable(message) << '\n';
   return code;
 }
 

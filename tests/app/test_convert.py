@@ -1,3 +1,5 @@
+import gzip
+
 import support
 from support import INPUT, USAGE, ProgramTest
 
@@ -29,6 +31,27 @@ class Convert(ProgramTest):
         run = self.winslow("convert", "ring.su2", "m.msh")
         self.assertIn("216 nodes, 384 elements, 2 markers", run.stdout)
         self.assertEqual(self.winslow("convert", "ring.su2", "m.msh", "--quiet").stdout, "")
+
+    def test_the_output_may_be_given_as_in_other_commands(self):
+        self.ring()
+        self.winslow("convert", "ring.su2", "-o", "a.vtk")
+        self.winslow("convert", "ring.su2", "b.vtk")
+        self.assertEqual(self.path("a.vtk").read_bytes(), self.path("b.vtk").read_bytes())
+        self.winslow("convert", "ring.su2", "c.vtk", "-o", "d.vtk", code=USAGE)
+        self.winslow("convert", "ring.su2", code=USAGE)
+        self.assertEqual(self.files(), ["a.vtk", "b.vtk", "ring.su2"])
+
+    def test_compressed_files(self):
+        self.ring()
+        self.winslow("convert", "ring.su2", "m.su2.gz")
+        self.winslow("convert", "ring.su2", "m.su2")
+        self.assertEqual(gzip.decompress(self.path("m.su2.gz").read_bytes()),
+                         self.path("m.su2").read_bytes())
+        self.winslow("convert", "m.su2.gz", "back.vtu.gz")
+        self.winslow("convert", "back.vtu.gz", "back.su2")
+        self.assertEqual(support.read_su2(self.path("back.su2")),
+                         support.read_su2(self.path("ring.su2")))
+        self.winslow("convert", "ring.su2", "m.docx.gz", code=USAGE)
 
     def test_errors(self):
         self.ring()

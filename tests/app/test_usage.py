@@ -99,6 +99,20 @@ class Files(ProgramTest):
         self.path("locked").chmod(stat.S_IRUSR | stat.S_IXUSR)
         self.winslow("smooth", "ring.su2", "-o", "locked/o.su2", code=INPUT)
 
+    def test_control_characters_of_names_do_not_reach_the_terminal(self):
+        nodes, elements, markers = support.ring_mesh()
+        markers = {"bo\x1b[31mdy": markers["body"], "far\u009bfield": markers["farfield"]}
+        support.write_su2(self.path("m.su2"), nodes, elements, markers)
+        run = self.winslow("move", "m.su2", "-o", "o.su2", "--marker", "bo\x1b[31mdy", "--rotate", "1")
+        self.assertIn("Rotate bo\\x1b[31mdy", run.stdout)
+        run = self.winslow("move", "m.su2", "-o", "o.su2", "--marker", "x\x07", "--rotate", "1",
+                           code=USAGE)
+        self.assertIn("far\\x9bfield", run.stderr)
+        self.assertIn("x\\x07", run.stderr)
+        for char in "\x1b\x07\u009b":
+            self.assertNotIn(char, run.stdout + run.stderr)
+        self.assertIn("bo\x1b[31mdy", self.path("o.su2").read_text())
+
     def test_warnings_of_the_reader_are_shown_and_reported(self):
         nodes, elements, markers = support.ring_mesh()
         support.write_su2(self.path("m.su2"), nodes + [(9.0, 9.0)], elements, markers)

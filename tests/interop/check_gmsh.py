@@ -121,9 +121,20 @@ def check_gmsh_vtk(folder):
              ["marker_17", "marker_23", "marker_4", "marker_99"])
 
 
+def check_our_vtk(folder):
+    """Gmsh opens legacy VTK with markers as winslow writes it."""
+    run(args.gmsh, "-2", HERE / "two_regions.geo", "-o", folder / "ours.su2", "-format", "su2", "-v", "2")
+    run(args.convert, folder / "ours.su2", folder / "ours.vtk")
+    count = len(read_su2(folder / "ours.su2")["points"])
+    said = run(args.gmsh, "-0", folder / "ours.vtk", "-o", folder / "seen.msh", "-v", "5")
+    check("our vtk: it has markers", "marker:" in (folder / "ours.vtk").read_text())
+    check("our vtk: Gmsh reads all points", f"Reading {count} points" in said, said)
+
+
 with workspace() as name:
     folder = pathlib.Path(name)
     check_msh(folder)
     check_su2(folder)
     check_gmsh_vtk(folder)
+    check_our_vtk(folder)
 finish()

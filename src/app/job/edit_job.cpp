@@ -1,16 +1,18 @@
 #include "app/job/edit_job.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/job/interrupt.h"
-#include "app/job/markers.h"
 #include "app/job/progress.h"
+#include "app/job/zone_runs.h"
 #include "app/output/layer_table.h"
 #include "app/output/quality_table.h"
 #include "app/output/report.h"
+#include "app/output/terminal.h"
 #include "app/output/wall_table.h"
 #include "core/error.h"
 #include "core/quality/mesh_change.h"
@@ -55,19 +57,25 @@ CommandRecord make_record(Command command, SmoothResult result) {
   return record;
 }
 
-/// Applies the commands one after the other.
-MeshState apply(const EditJob& job, MeshState state, RunReport& run) {
+/// Applies the commands of a zone one after the other.
+void apply(const EditJob& job, ZoneRun& zone, RunReport& run) {
+  MeshState state = make_state(zone.source.mesh);
+  const std::string name = zone.name();
   ProgressMonitor monitor(!job.files.quiet && terminal_attached());
   RunOptions options;
   options.monitor = &monitor;
-  for (const Command& command : job.commands) {
-    monitor.set_label(describe(command));
+  for (const Command& command : zone.commands) {
+    monitor.set_label(printable((name.empty() ? "" : name + ": ") + describe(command)));
     CommandResult result = execute(command, state, options);
     InterruptGuard::check();
     run.commands.push_back(make_record(command, std::move(result.smooth)));
+    if (!name.empty()) {
+      run.commands.back().description.insert(0, name + ": ");
+      run.commands.back().zone = zone.source.details->zone;
+    }
     state = std::move(result.state);
   }
-  return state;
+  zone.result = std::move(state);
 }
 
 double fraction_reached(const RunReport& run) {
@@ -83,6 +91,12 @@ bool out_of_iterations(const RunReport& run) {
                      [](const CommandRecord& c) { return c.result.out_of_iterations; });
 }
 
+Index inverted_elements(const std::vector<ZoneRun>& zones) {
+  Index sum = 0;
+  for (const ZoneRun& zone : zones) sum += zone.quality.inverted;
+  return sum;
+}
+
 /// The limit of the quality before which a motion ended; empty: none.
 std::string limited_by(const RunReport& run) {
   std::string limit;
@@ -95,14 +109,13 @@ bool complete(const RunReport& run) {
   return fraction_reached(run) >= 1 && limited_by(run).empty();
 }
 
-ExitCode judge(const RunReport& run, const QualityReport& quality) {
-  if (quality.inverted > 0 || !complete(run)) return ExitCode::inverted;
+ExitCode judge(const RunReport& run, const std::vector<ZoneRun>& zones) {
+  if (inverted_elements(zones) > 0 || !complete(run)) return ExitCode::inverted;
   return all_converged(run.commands) ? ExitCode::done : ExitCode::not_converged;
 }
 
 void warn(const JobFiles& files, const std::vector<std::string>& warnings) {
-  if (files.quiet) return;
-  for (const std::string& text : warnings) std::cerr << "winslow: warning: " << text << '\n';
+  if (!files.quiet) print_warnings(warnings);
 }
 
 void write_history(const std::string& path, const RunReport& run) {
@@ -119,16 +132,18 @@ void write_recipe(const EditJob& job) {
   const auto relative = [&](const std::string& path) {
     return fs::proximate(fs::absolute(path), folder).generic_string();
   };
-  io::write_recipe(recipe, {relative(job.files.input), relative(job.files.output), job.commands});
+  io::write_recipe(recipe, {relative(job.files.input), relative(job.files.output), job.commands,
+                            job.files.zone});
 }
 
 /// Writes mesh, history and recipe; the report comes last, since it tells how long the rest took.
-void save(const EditJob& job, const Mesh& mesh, const io::MeshFile& source,
-          const QualityReport& quality, RunReport& run) {
-  const bool valid = quality.inverted == 0 || job.files.allow_inverted;
+void save(const EditJob& job, const std::vector<ZoneRun>& zones, RunReport& run) {
+  const bool valid = inverted_elements(zones) == 0 || job.files.allow_inverted;
   if (valid && (complete(run) || job.files.accept_partial)) {
-    const auto warnings =
-        io::write_mesh(job.files.output, mesh, source.details.get(), job.files.encoding);
+    std::vector<io::MeshZone> meshes;
+    for (const ZoneRun& zone : zones)
+      meshes.push_back({&zone.result.mesh, zone.source.details.get()});
+    const auto warnings = io::write_mesh_zones(job.files.output, meshes, job.files.encoding);
     warn(job.files, warnings);
     run.warnings.insert(run.warnings.end(), warnings.begin(), warnings.end());
     run.written = true;
@@ -137,10 +152,9 @@ void save(const EditJob& job, const Mesh& mesh, const io::MeshFile& source,
   if (!job.files.save_recipe.empty()) write_recipe(job);
 }
 
-void print_outcome(const EditJob& job, const MeshState& state, const QualityReport& quality,
-                   const RunReport& run) {
+void print_commands(const RunReport& run) {
   for (const CommandRecord& c : run.commands) {
-    std::cout << c.description << ": ";
+    std::cout << printable(c.description) << ": ";
     if (c.result.outer_iterations == 0) {
       std::cout << "done";
     } else {
@@ -148,33 +162,43 @@ void print_outcome(const EditJob& job, const MeshState& state, const QualityRepo
                 << c.result.outer_iterations << " iterations, residual " << c.result.residual;
     }
     if (c.result.linear_solves > 0) std::cout << ", " << c.result.linear_solves << " linear solves";
+    if (c.result.stretched)
+      std::cout << ", " << std::lround(100 * *c.result.stretched)
+                << " % of the elements kept stretched";
     if (c.result.increments > 1) std::cout << ", in " << c.result.increments << " steps";
     std::cout << '\n';
   }
-  std::cout << '\n';
-  print_quality_table(std::cout, state.mesh, quality);
-  std::cout << '\n';
-  print_walls(std::cout, run.before ? &run.before->walls : nullptr, quality.walls);
-  std::cout << '\n';
-  if (state.layers) {
-    print_layers(std::cout, *state.layers, state.mesh.coordinates, cut_columns_shown);
+}
+
+void print_outcome(const EditJob& job, const std::vector<ZoneRun>& zones, const RunReport& run) {
+  print_commands(run);
+  for (const ZoneRun& zone : zones) {
     std::cout << '\n';
+    print_zone_heading(std::cout, zone.name());
+    print_quality_table(std::cout, zone.result.mesh, zone.quality);
+    std::cout << '\n';
+    print_walls(std::cout, &zone.before.walls, zone.quality.walls);
+    if (!zone.result.layers) continue;
+    std::cout << '\n';
+    print_layers(std::cout, *zone.result.layers, zone.result.mesh.coordinates, cut_columns_shown);
   }
+  std::cout << '\n';
   if (run.written)
-    std::cout << "Wrote " << job.files.output << " in ";
+    std::cout << "Wrote " << printable(job.files.output) << " in ";
   else
-    std::cout << "Nothing written to " << job.files.output << " after ";
+    std::cout << "Nothing written to " << printable(job.files.output) << " after ";
   std::cout << run.seconds.total << " s\n";
 }
 
 /// What a flow solver will not like about the result that is no fault of validity. Heights that
 /// were asked for are none.
-void warn_of_damage(const EditJob& job, const Mesh& before, const Mesh& after, RunReport& run) {
-  if (std::ranges::any_of(job.commands, asks_for_heights)) return;
-  const std::string damage = describe_damage(before, after);
+void warn_of_damage(const EditJob& job, const ZoneRun& zone, RunReport& run) {
+  if (std::ranges::any_of(zone.commands, asks_for_heights)) return;
+  const std::string damage = describe_damage(zone.source.mesh, zone.result.mesh);
   if (damage.empty()) return;
-  const std::string text =
-      damage + "; --targets that keep the elements' own shapes, such as rest, avoid that";
+  const std::string name = zone.name();
+  const std::string text = (name.empty() ? "" : name + ": ") + damage +
+                           "; --targets auto and rest keep the shapes that elements have";
   warn(job.files, {text});
   run.warnings.push_back(text);
 }
@@ -186,24 +210,49 @@ std::string why_incomplete(const RunReport& run) {
 }
 
 /// Why the exit code is not 0; said even with --quiet.
-void print_verdict(const EditJob& job, const Mesh& mesh, const QualityReport& quality,
-                   const RunReport& run, ExitCode code) {
-  if (code == ExitCode::inverted && quality.inverted == 0) {
+void print_verdict(const EditJob& job, const std::vector<ZoneRun>& zones, const RunReport& run,
+                   ExitCode code) {
+  const Index inverted = inverted_elements(zones);
+  if (code == ExitCode::inverted && inverted == 0) {
     std::cerr << "winslow: the motion could be followed to " << 100 * fraction_reached(run)
               << " % only: " << why_incomplete(run)
               << (run.written ? "; the mesh there was written"
                               : "; nothing was written (--accept-partial writes the mesh there)")
               << '\n';
   } else if (code == ExitCode::inverted) {
-    std::cerr << "winslow: the result has " << quality.inverted << " inverted element"
-              << (quality.inverted == 1 ? "" : "s")
+    std::cerr << "winslow: the result has " << inverted << " inverted element"
+              << (inverted == 1 ? "" : "s")
               << (run.written ? "" : "; nothing was written (--allow-inverted writes it)") << '\n';
-    if (!job.files.quiet) {
-      print_inverted_elements(std::cerr, mesh, quality, inverted_elements_shown);
+    if (job.files.quiet) return;
+    for (const ZoneRun& zone : zones) {
+      if (zone.quality.inverted > 0) print_zone_heading(std::cerr, zone.name());
+      print_inverted_elements(std::cerr, zone.result.mesh, zone.quality, inverted_elements_shown);
     }
   } else if (code == ExitCode::not_converged) {
     std::cerr << "winslow: not converged within the limit; the mesh is valid and was written\n";
   }
+}
+
+/// Reads the mesh, or the zones that the commands are about.
+std::vector<ZoneRun> load(const EditJob& job, RunReport& run) {
+  std::vector<io::MeshFile> files = read_zones(job.files.input, job.files.zone);
+  if (files.size() > 1 && !io::keeps_zones(job.files.output, *files[0].details)) {
+    throw UsageError(job.files.output + ": cannot hold the " + std::to_string(files.size()) +
+                     " zones of " + job.files.input + "; choose one with --zone N");
+  }
+  run.warnings = warnings_of(files);
+  warn(job.files, run.warnings);
+  return share_out(std::move(files), job.commands, job.files.input);
+}
+
+nlohmann::json describe(const std::vector<ZoneRun>& zones, const RunReport& run) {
+  std::vector<ZoneResult> results;
+  for (const ZoneRun& zone : zones) {
+    results.push_back({zone.name().empty() ? 0 : zone.source.details->zone, &zone.result.mesh,
+                       &zone.quality, &zone.before,
+                       zone.result.layers ? &*zone.result.layers : nullptr});
+  }
+  return describe_run(run, results);
 }
 
 }  // namespace
@@ -213,38 +262,31 @@ ExitCode run_edit_job(const EditJob& job) {
   check_options(job.commands);
   const InterruptGuard interrupts;
   Stopwatch total, lap;
-  RunReport run{job.name, job.files.input, job.files.output, false, {}, {}, {}, {}};
+  RunReport run{job.name, job.files.input, job.files.output, false, {}, {}, {}};
 
-  io::MeshFile source = io::read_mesh(job.files.input);
-  warn(job.files, source.warnings);
-  run.warnings = source.warnings;
-  check_markers(job.commands, *source.mesh.topology, job.files.input);
+  std::vector<ZoneRun> zones = load(job, run);
   run.seconds.load = lap.lap();
   InterruptGuard::check();
 
-  const MeshState result = apply(job, make_state(source.mesh), run);
   QualityOptions quality_options;
   quality_options.threads = thread_count(job.commands);
-  const QualityReport quality = measure_quality(result.mesh, quality_options);
-  run.before = measure_quality(source.mesh, quality_options);
+  for (ZoneRun& zone : zones) {
+    apply(job, zone, run);
+    zone.quality = measure_quality(zone.result.mesh, quality_options);
+    zone.before = measure_quality(zone.source.mesh, quality_options);
+  }
   run.seconds.solve = lap.lap();
 
   const SignalsHeld held;
   InterruptGuard::check();
-  warn_of_damage(job, source.mesh, result.mesh, run);
-  save(job, result.mesh, source, quality, run);
+  for (const ZoneRun& zone : zones) warn_of_damage(job, zone, run);
+  save(job, zones, run);
   run.seconds.save = lap.lap();
   run.seconds.total = total.seconds();
-  if (!job.files.report.empty()) {
-    nlohmann::json report = describe_run(run, result.mesh, quality);
-    if (result.layers) {
-      report["layers"] = describe_layers(*result.layers, result.mesh.coordinates);
-    }
-    write_json(job.files.report, report);
-  }
-  const ExitCode code = judge(run, quality);
-  if (!job.files.quiet) print_outcome(job, result, quality, run);
-  print_verdict(job, result.mesh, quality, run, code);
+  if (!job.files.report.empty()) write_json(job.files.report, describe(zones, run));
+  const ExitCode code = judge(run, zones);
+  if (!job.files.quiet) print_outcome(job, zones, run);
+  print_verdict(job, zones, run, code);
   return code;
 }
 

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <limits>
 #include <set>
 
 #include "app/options/suggestion.h"
@@ -19,7 +20,16 @@ void add_input(CLI::App& app, std::string& input) {
       ->type_name("");
 }
 
+void add_zone_flag(CLI::App& app, int& zone, const std::string& without) {
+  app.add_option(
+         "--zone", zone,
+         "Zone of a mesh file that has several, by its number (SU2: IZONE=); without: " + without)
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()))
+      ->option_text("N");
+}
+
 void add_job_flags(CLI::App& app, JobFiles& files) {
+  add_zone_flag(app, files.zone, "all that have the markers named, all zones if none is named");
   const char* group = "Output";
   app.add_option("-o,--output", files.output, "Mesh to write; may be IN itself")
       ->type_name("OUT")

@@ -12,6 +12,7 @@ namespace winslow::app {
 /// Files of a job that changes a mesh, and what is said about it.
 struct JobFiles {
   std::string input;
+  int zone = 0;  ///< of a file of several zones; 0: all of them
   std::string output;
   std::string report;       ///< JSON; empty: none
   std::string history;      ///< CSV; empty: none
@@ -23,8 +24,10 @@ struct JobFiles {
 };
 
 void add_input(CLI::App& app, std::string& input);
-/// Declares -o, --report, --history, --allow-inverted, --accept-partial, --quiet and those of
-/// add_encoding_flags.
+/// Declares --zone; `without`: what is done where it is not given.
+void add_zone_flag(CLI::App& app, int& zone, const std::string& without);
+/// Declares --zone, -o, --report, --history, --allow-inverted, --accept-partial, --quiet and those
+/// of add_encoding_flags.
 void add_job_flags(CLI::App& app, JobFiles& files);
 /// Declares --save-recipe.
 void add_recipe_flag(CLI::App& app, JobFiles& files);

@@ -26,6 +26,10 @@ std::string counted(Index n, const char* one, const char* many) {
 
 }  // namespace
 
+void print_zone_heading(std::ostream& out, const std::string& name) {
+  if (!name.empty()) out << name << '\n';
+}
+
 void print_quality_table(std::ostream& out, const Mesh& mesh, const QualityReport& quality) {
   out << formatted("%-22s%11s%11s%11s\n", "", "minimum", "average", "maximum");
   for (const Metric m : reported_metrics()) {

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <iosfwd>
+#include <string>
 
 #include "core/mesh/mesh.h"
 #include "core/quality/quality.h"
 
 namespace winslow::app {
 
+/// "zone 2" over what follows about it; nothing for an empty name.
+void print_zone_heading(std::ostream& out, const std::string& name);
 /// Minimum, average and maximum of the three metrics, as the paper tabulates them, and the number
 /// of nodes, elements and inverted elements.
 void print_quality_table(std::ostream& out, const Mesh& mesh, const QualityReport& quality);

@@ -36,18 +36,19 @@ json describe_metrics(const QualityReport& quality) {
 
 json describe_result(const CommandRecord& record) {
   const SmoothResult& r = record.result;
-  return {{"command", record.name},
-          {"description", record.description},
-          {"formulation", record.formulation ? json(*record.formulation) : json()},
-          {"converged", r.converged},
-          {"outer_iterations", r.outer_iterations},
-          {"linear_solves", r.linear_solves},
-          {"residual", r.residual},
-          {"fraction_reached", r.fraction_reached},
-          {"limited_by", r.limited_by.empty() ? json() : json(r.limited_by)},
-          {"increments", r.increments},
-          {"linear_solver", r.linear_solver},
-          {"inverted", r.inverted}};
+  json report = {{"command", record.name},
+                 {"description", record.description},
+                 {"formulation", record.formulation ? json(*record.formulation) : json()},
+                 {"converged", r.converged},
+                 {"outer_iterations", r.outer_iterations},
+                 {"linear_solves", r.linear_solves},
+                 {"residual", r.residual},
+                 {"fraction_reached", r.fraction_reached},
+                 {"increments", r.increments},
+                 {"linear_solver", r.linear_solver},
+                 {"inverted", r.inverted}};
+  if (record.zone != 0) report["zone"] = record.zone;
+  return report;
 }
 
 /// The keys that a run has as a whole: sums over its commands, or what the last one says.
@@ -142,8 +143,24 @@ json describe_layers(const LayerStack& stack, const Coordinates& x) {
           {"cut_short", cut}};
 }
 
-json describe_run(const RunReport& run, const Mesh& mesh, const QualityReport& quality) {
-  json report = describe_mesh(mesh, quality, run.before ? &*run.before : nullptr);
+json describe_zones(const std::vector<ZoneResult>& zones) {
+  json list = json::array();
+  Index nodes = 0, elements = 0, inverted = 0;
+  for (const ZoneResult& z : zones) {
+    json block = describe_mesh(*z.mesh, *z.quality, z.before);
+    if (z.layers != nullptr) block["layers"] = describe_layers(*z.layers, z.mesh->coordinates);
+    if (z.zone != 0) block["zone"] = z.zone;
+    list.push_back(std::move(block));
+    nodes += z.mesh->topology->node_count();
+    elements += z.mesh->topology->element_count();
+    inverted += z.quality->inverted;
+  }
+  if (list.size() == 1) return list[0];
+  return {{"nodes", nodes}, {"elements", elements}, {"inverted", inverted}, {"zones", list}};
+}
+
+json describe_run(const RunReport& run, const std::vector<ZoneResult>& zones) {
+  json report = describe_zones(zones);
   report.update(describe_totals(run.commands));
   report["command"] = run.command;
   report["input"] = run.input;

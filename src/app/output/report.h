@@ -20,14 +20,14 @@ struct CommandRecord {
   std::string description;                 ///< describe()
   std::optional<std::string> formulation;  ///< of commands that smooth
   SmoothResult result;
+  int zone = 0;  ///< number of the zone that it was carried out on; 0: of a file that has none
 };
 
 /// All that --report tells of a run.
 struct RunReport {
   std::string command;  ///< the subcommand
   std::string input, output;
-  bool written = false;                 ///< output was written
-  std::optional<QualityReport> before;  ///< of the mesh that was read
+  bool written = false;  ///< output was written
   std::vector<CommandRecord> commands;
   Timings seconds;
   std::vector<std::string> warnings;
@@ -43,8 +43,21 @@ nlohmann::json describe_mesh(const Mesh& mesh, const QualityReport& quality,
 /// orthogonality, counts, and the columns that were cut short.
 nlohmann::json describe_layers(const LayerStack& stack, const Coordinates& x);
 
+/// What came of a zone, or of the one mesh of a file.
+struct ZoneResult {
+  int zone;  ///< 0: of a file that has none
+  const Mesh* mesh;
+  const QualityReport* quality;
+  const QualityReport* before;  ///< of what was read; null: nothing was done to it
+  const LayerStack* layers;     ///< null: none
+};
+
+/// What is said of meshes: of one mesh itself; of several "nodes", "elements" and "inverted"
+/// together, and "zones", a list of what is said of each.
+nlohmann::json describe_zones(const std::vector<ZoneResult>& zones);
+
 /// The whole report (docs/command-line.md lists the keys).
-nlohmann::json describe_run(const RunReport& run, const Mesh& mesh, const QualityReport& quality);
+nlohmann::json describe_run(const RunReport& run, const std::vector<ZoneResult>& zones);
 
 /// Writes JSON atomically. Throws OutputError.
 void write_json(const std::filesystem::path& path, const nlohmann::json& json);

@@ -1,8 +1,11 @@
 #include <iostream>
 
 #include "app/job/interrupt.h"
+#include "app/job/zone_runs.h"
 #include "app/options/file_flags.h"
+#include "app/output/terminal.h"
 #include "app/subcommands/subcommand.h"
+#include "core/error.h"
 #include "core/quality/quality.h"
 #include "io/format/mesh_file.h"
 
@@ -15,37 +18,68 @@ class ConvertSubcommand : public Subcommand {
       : Subcommand(program.add_subcommand(
             "convert", "Write a mesh in another format, its nodes where they are")) {
     add_input(app(), input_);
+    add_zone_flag(app(), zone_, "all zones, where OUT can hold them");
+    app().add_option("OUT", output_, "Mesh to write; its extension says the format")->type_name("");
     app()
-        .add_option("OUT", output_, "Mesh to write; its extension says the format")
-        ->required()
-        ->type_name("");
+        .add_option("-o,--output", output_flag_, "The same as OUT, as other commands take it")
+        ->type_name("OUT")
+        ->group("Output");
     add_encoding_flags(app(), encoding_);
     add_quiet_flag(app(), quiet_);
   }
 
   ExitCode run() override {
+    choose_output();
     check_mesh_output(output_);
     const InterruptGuard interrupts;
-    io::MeshFile file = io::read_mesh(input_);
+    const std::vector<io::MeshFile> files = read_zones(input_, zone_);
     InterruptGuard::check();
     const SignalsHeld held;
-    const auto lost = io::write_mesh(output_, file.mesh, file.details.get(), encoding_);
+    encoding_.zone_alone = zone_ != 0;
+    std::vector<io::MeshZone> meshes;
+    for (const io::MeshFile& file : files) meshes.push_back({&file.mesh, file.details.get()});
+    std::vector<std::string> warnings = warnings_of(files);
+    const auto lost = io::write_mesh_zones(output_, meshes, encoding_);
     if (quiet_) return ExitCode::done;
-    file.warnings.insert(file.warnings.end(), lost.begin(), lost.end());
-    for (const std::string& text : file.warnings) std::cerr << "winslow: warning: " << text << '\n';
-    const Validity validity = check_validity(*file.mesh.topology, file.mesh.coordinates);
-    if (validity.inverted > 0) {
-      std::cerr << "winslow: warning: " << input_ << ": " << validity.inverted
-                << " inverted elements, written as they are\n";
-    }
-    std::cout << "Wrote " << output_ << ": " << file.mesh.topology->node_count() << " nodes, "
-              << file.mesh.topology->element_count() << " elements, "
-              << file.mesh.topology->markers().size() << " markers\n";
+    warnings.insert(warnings.end(), lost.begin(), lost.end());
+    print_warnings(warnings);
+    tell(files);
     return ExitCode::done;
   }
 
  private:
-  std::string input_, output_;
+  void choose_output() {
+    if (output_.empty() == output_flag_.empty()) {
+      throw UsageError(output_.empty()
+                           ? "no file to write to: give one as OUT or with -o OUT"
+                           : "two files to write to, " + output_ + " and " + output_flag_ +
+                                 "; expected one, as OUT or with -o OUT");
+    }
+    if (output_.empty()) output_ = output_flag_;
+  }
+
+  void tell(const std::vector<io::MeshFile>& files) const {
+    Index nodes = 0, elements = 0, inverted = 0;
+    std::size_t markers = 0;
+    for (const io::MeshFile& file : files) {
+      const Topology& topology = *file.mesh.topology;
+      nodes += topology.node_count();
+      elements += topology.element_count();
+      markers += topology.markers().size();
+      inverted += check_validity(topology, file.mesh.coordinates).inverted;
+    }
+    if (inverted > 0) {
+      print_warnings(
+          {input_ + ": " + std::to_string(inverted) + " inverted elements, written as they are"});
+    }
+    std::cout << "Wrote " << printable(output_) << ": " << nodes << " nodes, " << elements
+              << " elements, " << markers << " markers";
+    if (files.size() > 1) std::cout << " in " << files.size() << " zones";
+    std::cout << '\n';
+  }
+
+  std::string input_, output_, output_flag_;
+  int zone_ = 0;
   io::WriteOptions encoding_;
   bool quiet_ = false;
 };

@@ -1,10 +1,14 @@
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <utility>
 
+#include "app/job/zone_runs.h"
 #include "app/options/file_flags.h"
 #include "app/output/quality_table.h"
 #include "app/output/report.h"
 #include "app/output/stopwatch.h"
+#include "app/output/terminal.h"
 #include "app/output/wall_table.h"
 #include "app/subcommands/subcommand.h"
 #include "io/format/mesh_file.h"
@@ -22,6 +26,7 @@ class QualitySubcommand : public Subcommand {
             "Print the quality of a mesh and its worst elements; exit status 4 if any element is "
             "inverted")) {
     add_input(app(), input_);
+    add_zone_flag(app(), zone_, "every zone is reported");
     app()
         .add_option("--worst", options_.worst, "How many of the worst elements to list")
         ->check(CLI::Range(0, 1000000))
@@ -43,21 +48,29 @@ class QualitySubcommand : public Subcommand {
     check_output(report_);
     if (!report_.empty()) check_distinct({report_, input_});
     Stopwatch total;
-    const io::MeshFile file = io::read_mesh(input_);
+    std::vector<io::MeshFile> files = read_zones(input_, zone_);
+    warnings_ = warnings_of(files);
+    std::vector<ZoneRun> zones = share_out(std::move(files), {}, input_);
     Timings seconds;
     seconds.load = total.seconds();
-    const QualityReport quality = measure_quality(file.mesh, options_);
+    for (ZoneRun& zone : zones) zone.quality = measure_quality(zone.source.mesh, options_);
     seconds.solve = total.seconds() - seconds.load;
     seconds.total = total.seconds();
-    if (!report_.empty()) write_json(report_, describe(file, quality, seconds));
-    if (!quiet_) print(file, quality);
-    return quality.inverted > 0 ? ExitCode::inverted : ExitCode::done;
+    if (!report_.empty()) write_json(report_, describe(zones, seconds));
+    if (!quiet_) print(zones);
+    const bool inverted = std::any_of(zones.begin(), zones.end(),
+                                      [](const ZoneRun& z) { return z.quality.inverted > 0; });
+    return inverted ? ExitCode::inverted : ExitCode::done;
   }
 
  private:
-  nlohmann::json describe(const io::MeshFile& file, const QualityReport& quality,
-                          const Timings& seconds) const {
-    nlohmann::json report = describe_mesh(file.mesh, quality);
+  nlohmann::json describe(const std::vector<ZoneRun>& zones, const Timings& seconds) const {
+    std::vector<ZoneResult> results;
+    for (const ZoneRun& z : zones) {
+      results.push_back(
+          {z.name().empty() ? 0 : z.source.details->zone, &z.source.mesh, &z.quality, nullptr});
+    }
+    nlohmann::json report = describe_zones(results);
     report["command"] = "quality";
     report["input"] = input_;
     report["seconds"] = {{"load", seconds.load},
@@ -65,21 +78,28 @@ class QualitySubcommand : public Subcommand {
                          {"save", seconds.save},
                          {"total", seconds.total}};
     report["peak_memory_bytes"] = peak_memory_bytes();
-    report["warnings"] = file.warnings;
+    report["warnings"] = warnings_;
     return report;
   }
 
-  void print(const io::MeshFile& file, const QualityReport& quality) const {
-    for (const std::string& text : file.warnings) std::cerr << "winslow: warning: " << text << '\n';
-    print_quality_table(std::cout, file.mesh, quality);
-    std::cout << '\n';
-    print_walls(std::cout, nullptr, quality.walls);
-    print_inverted_elements(std::cout, file.mesh, quality, inverted_elements_shown);
-    if (options_.worst > 0) print_worst_elements(std::cout, quality);
-    if (histogram_) print_histograms(std::cout, quality);
+  void print(const std::vector<ZoneRun>& zones) const {
+    print_warnings(warnings_);
+    for (const ZoneRun& zone : zones) {
+      if (&zone != &zones.front()) std::cout << '\n';
+      print_zone_heading(std::cout, zone.name());
+      const Mesh& mesh = zone.source.mesh;
+      print_quality_table(std::cout, mesh, zone.quality);
+      std::cout << '\n';
+      print_walls(std::cout, nullptr, zone.quality.walls);
+      print_inverted_elements(std::cout, mesh, zone.quality, inverted_elements_shown);
+      if (options_.worst > 0) print_worst_elements(std::cout, zone.quality);
+      if (histogram_) print_histograms(std::cout, zone.quality);
+    }
   }
 
   std::string input_, report_;
+  int zone_ = 0;
+  std::vector<std::string> warnings_;
   QualityOptions options_;
   bool histogram_ = false, quiet_ = false;
 };

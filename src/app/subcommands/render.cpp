@@ -11,6 +11,7 @@
 #include "app/job/motion_frames.h"
 #include "app/options/file_flags.h"
 #include "app/options/suggestion.h"
+#include "app/output/terminal.h"
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"
 #include "core/inspect/element_field.h"
@@ -31,6 +32,7 @@ constexpr int largest_picture = 16384;
 /// What the user asked for, in terms that need no OpenGL.
 struct RenderFlags {
   std::string input, output;
+  int zone = 0;
   std::string color, map = "viridis", title;
   std::optional<std::array<double, 4>> bounds;
   std::optional<std::array<double, 2>> range;
@@ -153,6 +155,7 @@ class RenderSubcommand : public Subcommand {
                                           "Draw a mesh as a picture (PNG, SVG, PDF); needs no "
                                           "display, inverted elements are red")) {
     add_input(app(), flags_.input);
+    add_zone_flag(app(), flags_.zone, "the first");
     app()
         .add_option("-o,--output", flags_.output, "Picture to write: .png, .svg or .pdf")
         ->type_name("PIC");
@@ -180,22 +183,21 @@ class RenderSubcommand : public Subcommand {
 
   ExitCode run() override {
     check_flags();
-    const io::MeshFile file = io::read_mesh(flags_.input);
+    const io::MeshFile file = io::read_mesh(flags_.input, {.zone = flags_.zone});
     if (!flags_.quiet) {
-      for (const std::string& text : file.warnings) {
-        std::cerr << "winslow: warning: " << text << '\n';
-      }
+      print_warnings(file.warnings);
+      if (flags_.zone == 0) print_warnings(io::zones_left(file, flags_.input));
     }
     if (!flags_.frames.empty()) {
       const std::string said = draw_frames(flags_, file.mesh, frames_of(file.mesh));
-      if (!flags_.quiet) std::cout << said << '\n';
+      if (!flags_.quiet) std::cout << printable(said) << '\n';
     }
     if (flags_.output.empty()) return ExitCode::done;
     if (flags_.before.empty())
       draw(flags_, file.mesh);
     else
       draw_both(flags_, read_before(file.mesh), file.mesh);
-    if (!flags_.quiet) std::cout << "Wrote " << flags_.output << '\n';
+    if (!flags_.quiet) std::cout << "Wrote " << printable(flags_.output) << '\n';
     return ExitCode::done;
   }
 
@@ -234,7 +236,7 @@ class RenderSubcommand : public Subcommand {
   }
 
   Mesh read_before(const Mesh& after) const {
-    Mesh before = io::read_mesh(flags_.before).mesh;
+    Mesh before = io::read_mesh(flags_.before, {.zone = flags_.zone}).mesh;
     const Topology& a = *before.topology;
     const Topology& b = *after.topology;
     bool same = before.coordinates.size() == after.coordinates.size() &&

@@ -32,6 +32,7 @@ class ReplaySubcommand : public Subcommand {
     if (files_.output.empty() && !recipe.output.empty()) {
       files_.output = (folder / recipe.output).string();
     }
+    if (files_.zone == 0) files_.zone = recipe.zone;
     if (files_.input.empty()) {
       throw UsageError(recipe_ + " names no mesh to start from: give one with --input IN");
     }

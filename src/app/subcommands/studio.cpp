@@ -4,6 +4,7 @@
 #include "app/job/markers.h"
 #include "app/options/file_flags.h"
 #include "app/options/suggestion.h"
+#include "app/output/terminal.h"
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"
 #ifdef WINSLOW_HAS_GUI
@@ -24,6 +25,7 @@ class StudioSubcommand : public Subcommand {
       : Subcommand(program.add_subcommand(
             "studio", "Open the window in which meshes are moved and repaired by hand")) {
     app().add_option("IN", input_, "Mesh to open")->type_name("");
+    add_zone_flag(app(), zone_, "the first");
     app()
         .add_option("--size", size_, "Width and height of the window [1440 900]")
         ->type_name("W H");
@@ -122,6 +124,7 @@ class StudioSubcommand : public Subcommand {
     if (headless()) return run_headless();
     gui::StudioOptions options;
     if (!input_.empty()) options.mesh = input_;
+    options.zone = zone_;
     options.width = size_[0];
     options.height = size_[1];
     gui::run_studio(options);
@@ -131,6 +134,7 @@ class StudioSubcommand : public Subcommand {
   ExitCode run_headless() const {
     gui::HeadlessOptions options;
     if (!input_.empty()) options.mesh = input_;
+    options.zone = zone_;
     options.recipe = recipe_;
     options.script = script_;
     options.picture = screenshot_;
@@ -149,10 +153,8 @@ class StudioSubcommand : public Subcommand {
       check_markers(commands, topology, file);
     };
     if (!quiet_) {
-      options.say = [](const std::string& line) { std::cout << line << std::endl; };
-      options.warn = [](const std::string& text) {
-        std::cerr << "winslow: warning: " << text << '\n';
-      };
+      options.say = [](const std::string& line) { std::cout << printable(line) << std::endl; };
+      options.warn = [](const std::string& text) { print_warnings({text}); };
     }
     if (gui::film_format(frames_)) check_output(frames_);
     const gui::HeadlessResult result = gui::run_headless(options);
@@ -186,6 +188,7 @@ class StudioSubcommand : public Subcommand {
   std::string panels_ = "all";
   std::array<int, 2> size_{1440, 900};
   int rate_ = 20;
+  int zone_ = 0;
   double scale_ = 1;
   bool headless_ = false, transparent_ = false, quiet_ = false;
 };

@@ -37,10 +37,15 @@ Mesh make_mesh(const MeshData& data, std::vector<std::string>* warnings) {
   check_finite(data.coordinates);
   Mesh mesh{Topology::build(data), data.coordinates};
   check_isolated(*mesh.topology);
-  check_duplicates(mesh);
+  const Index doubled = check_duplicates(mesh);
   check_extents(mesh);
   check_hanging(mesh);
   if (warnings) add_warnings(*mesh.topology, *warnings);
+  if (warnings && doubled > 0) {
+    warnings->push_back(std::to_string(doubled) +
+                        " boundary nodes lie where others do: a crack or a baffle, or parts that "
+                        "were not joined");
+  }
   return mesh;
 }
 

@@ -117,14 +117,55 @@ void sort_by_position(const Points<D>& x, std::vector<Index>& nodes) {
   });
 }
 
-/// A pair of nodes in the same place, of some in the order of their positions.
-template <int D>
-std::optional<std::array<Index, 2>> find_duplicate(const Points<D>& x,
-                                                   std::span<const Index> sorted) {
+/// Calls visit(first, other) for each node that lies where the first of its place does; nodes in
+/// the order of their positions.
+template <int D, class Visit>
+void for_duplicates(const Points<D>& x, std::span<const Index> sorted, Visit visit) {
+  std::size_t first = 0;
   for (std::size_t k = 1; k < sorted.size(); ++k) {
-    if (x[sorted[k - 1]] == x[sorted[k]]) return {{sorted[k - 1], sorted[k]}};
+    if (x[sorted[first]] != x[sorted[k]]) {
+      first = k;
+    } else {
+      visit(sorted[first], sorted[k]);
+    }
   }
-  return std::nullopt;
+}
+
+[[noreturn]] void refuse_duplicate(Index first, Index second) {
+  throw MeshError(MeshEntity::node, second,
+                  "node " + std::to_string(second) + " lies exactly where node " +
+                      std::to_string(first) + " does (duplicate node)");
+}
+
+/// An edge or face without extent would pass for a crack.
+template <int D>
+void check_corners_apart(const Mesh& mesh, const std::vector<bool>& shared_place) {
+  const Points<D> x(mesh.coordinates);
+  for (Index e = 0; e < mesh.topology->element_count(); ++e) {
+    const auto corners = mesh.topology->element(e);
+    for (std::size_t k = 1; k < corners.size(); ++k) {
+      if (!shared_place[at(corners[k])]) continue;
+      for (std::size_t j = 0; j < k; ++j) {
+        if (x[corners[j]] == x[corners[k]])
+          refuse_duplicate(std::min(corners[j], corners[k]), std::max(corners[j], corners[k]));
+      }
+    }
+  }
+}
+
+template <int D>
+Index count_duplicates(const Mesh& mesh, std::span<const Index> sorted) {
+  std::vector<bool> on_boundary(at(mesh.topology->node_count()), false);
+  for (const Index node : boundary_nodes(*mesh.topology)) on_boundary[at(node)] = true;
+  std::vector<bool> shared_place(on_boundary.size(), false);
+  Index count = 0;
+  for_duplicates(Points<D>(mesh.coordinates), sorted, [&](Index first, Index second) {
+    if (!on_boundary[at(first)] || !on_boundary[at(second)]) refuse_duplicate(first, second);
+    shared_place[at(first)] = shared_place[at(second)] = true;
+    ++count;
+  });
+  if (count > 0) check_corners_apart<D>(mesh, shared_place);
+  return count;
 }
 
 }  // namespace
@@ -179,20 +220,14 @@ void check_isolated(const Topology& topology) {
                       " with any other (isolated)");
 }
 
-void check_duplicates(const Mesh& mesh) {
+Index check_duplicates(const Mesh& mesh) {
   std::vector<Index> used;
   for (Index i = 0; i < mesh.topology->node_count(); ++i) {
     if (mesh.topology->used(i)) used.push_back(i);
   }
-  const Coordinates& x = mesh.coordinates;
-  const auto sorted = by_position(x, std::move(used));
-  const auto pair = x.dimension() == 2 ? find_duplicate(PlanePoints(x), sorted)
-                                       : find_duplicate(SpacePoints(x), sorted);
-  if (!pair) return;
-  const auto [first, second] = *pair;
-  throw MeshError(MeshEntity::node, second,
-                  "node " + std::to_string(second) + " lies exactly where node " +
-                      std::to_string(first) + " does (duplicate node)");
+  const auto sorted = by_position(mesh.coordinates, std::move(used));
+  return mesh.coordinates.dimension() == 2 ? count_duplicates<2>(mesh, sorted)
+                                           : count_duplicates<3>(mesh, sorted);
 }
 
 void check_extents(const Mesh& mesh) {

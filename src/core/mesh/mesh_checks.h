@@ -8,8 +8,10 @@ namespace winslow {
 void check_finite(const Coordinates& coordinates);
 /// An element that shares no face with another, of a mesh that has several.
 void check_isolated(const Topology& topology);
-/// Two used nodes in exactly one place.
-void check_duplicates(const Mesh& mesh);
+/// Two used nodes in exactly one place, unless they are on the boundary and of different elements:
+/// the two sides of a crack or of a baffle without thickness. Returns how many nodes lie where
+/// another one does.
+Index check_duplicates(const Mesh& mesh);
 /// An element whose corners lie on one line, or in one plane for a volume element.
 void check_extents(const Mesh& mesh);
 /// A boundary node inside a boundary edge or, of a volume mesh, face that it is no corner of.

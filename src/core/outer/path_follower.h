@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <functional>
 #include <utility>
 
@@ -12,8 +13,9 @@ using BoundaryMotion = std::function<void(double fraction, Coordinates& x)>;
 
 /// What changes along a path.
 struct Path {
-  Path(BoundaryMotion motion, std::function<void(double fraction)> change = {})  // NOLINT: a motion
-      : move(std::move(motion)), change_problem(std::move(change)) {}            // is a path
+  /// Of the boundary alone.
+  template <std::invocable<double, Coordinates&> Motion>
+  Path(Motion motion) : move(std::move(motion)) {}  // NOLINT: a motion is a path
 
   BoundaryMotion move;
   /// Has the solver go over to the problem that belongs to a share of the path; empty where it is

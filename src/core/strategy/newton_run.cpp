@@ -46,7 +46,8 @@ void NewtonRun::begin_with_own_shapes(const Coordinates& start, Coordinates& x) 
 }
 
 void NewtonRun::relax_along_targets(Coordinates& x, double fraction) {
-  const Path path([](double, Coordinates&) {}, [this](double share) { set_target_share(share); });
+  Path path([](double, Coordinates&) {});
+  path.change_problem = [this](double share) { set_target_share(share); };
   const auto accept = [&](const IterationRecord& record, const Coordinates& at) {
     recorder_.report(record, at, Stage::relax, fraction, true);
     return recorder_.remaining() > 0;

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "core/error.h"
 #include "core/motion/transfer.h"
@@ -71,6 +72,12 @@ int budget(const SmoothOptions& options) {
   return by_fixed_point(options) ? std::numeric_limits<int>::max() : options.max_iterations;
 }
 
+/// Of the targets that a run by Newton's method went for.
+std::optional<double> stretched(SmoothingWorkspace& workspace) {
+  if (workspace.options().formulation != "variational") return std::nullopt;
+  return workspace.energy()->shapes().stretched;
+}
+
 }  // namespace
 
 SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& options, Coordinates& x,
@@ -85,6 +92,7 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& option
     result.linear_solver = workspace.linear().description();
   } else {
     make_newton_run(state, workspace, recorder)->smooth(x, 1, nullptr);
+    result.stretched = stretched(workspace);
   }
   return result;
 }
@@ -117,6 +125,7 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const M
     x = state.mesh.coordinates;
     steps->follow(motion, state.mesh.coordinates, x);
   }
+  result.stretched = stretched(workspace);
   return result;
 }
 

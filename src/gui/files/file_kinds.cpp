@@ -84,7 +84,9 @@ std::string lower_case(std::string text) {
 }
 
 std::string extension_of(const std::string& name) {
-  return lower_case(std::filesystem::path(name).extension().string());
+  const std::filesystem::path path(name);
+  const std::string last = lower_case(path.extension().string());
+  return last == ".gz" ? lower_case(path.stem().extension().string()) : last;
 }
 
 bool matches(const FileKind& kind, const std::string& name) {

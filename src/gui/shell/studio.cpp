@@ -92,13 +92,14 @@ void run_studio(const StudioOptions& options) {
   const std::array<int, 2> size = window_size(options, SettingsFile(profile).initial());
   Window window(size[0], size[1], "winslow");
   Workbench workbench({window.scale(), profile});
-  if (options.mesh) workbench.apply(action::OpenMesh{*options.mesh});
+  if (options.mesh) workbench.apply(action::OpenMesh{*options.mesh, false, options.zone});
   StudioLoop(window, workbench).run();
 }
 
 void screenshot_studio(const StudioOptions& options, const std::filesystem::path& png) {
   HeadlessOptions headless;
   headless.mesh = options.mesh;
+  headless.zone = options.zone;
   headless.width = options.width;
   headless.height = options.height;
   headless.picture = png;

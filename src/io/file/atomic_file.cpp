@@ -1,17 +1,21 @@
 #include "io/file/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <streambuf>
 #include <string>
 #include <utility>
 
 #include "core/error.h"
+#include "io/file/gzip.h"
 
 namespace winslow::io {
 namespace {
@@ -55,16 +59,28 @@ class DescriptorBuffer : public std::streambuf {
   throw OutputError(path.string() + ": cannot be written: " + std::strerror(error));
 }
 
+/// Has `write` fill a buffer; false where it did not take all.
+bool write_through(std::streambuf& buffer, const std::function<void(std::ostream&)>& write) {
+  std::ostream out(&buffer);
+  write(out);
+  out.flush();
+  return static_cast<bool>(out);
+}
+
 /// Fills the file behind `fd` and closes it. Throws OutputError, or what `write` throws.
 void fill(int fd, const fs::path& path, bool flush_to_disk,
           const std::function<void(std::ostream&)>& write) {
   int error = 0;
   try {
     DescriptorBuffer buffer(fd);
-    std::ostream out(&buffer);
-    write(out);
-    out.flush();
-    error = buffer.error() != 0 ? buffer.error() : (out ? 0 : EIO);
+    bool good = false;
+    if (is_gzip_name(path)) {
+      GzipBuffer gzip(buffer);
+      good = write_through(gzip, write) && gzip.finish();
+    } else {
+      good = write_through(buffer, write);
+    }
+    error = buffer.error() != 0 ? buffer.error() : (good ? 0 : EIO);
     if (error == 0 && flush_to_disk && ::fsync(fd) != 0) error = errno;
   } catch (...) {
     ::close(fd);
@@ -93,12 +109,62 @@ mode_t default_mode() {
   return 0666 & ~mask;
 }
 
+/// How the names of temporary files for a target begin. The target's own name may be as long as a
+/// name can be, so its hash (FNV-1a) stands for it.
+std::string temporary_prefix(const fs::path& target) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : target.filename().string())
+    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  std::array<char, 40> text;
+  std::snprintf(text.data(), text.size(), ".winslow-%016llx-",
+                static_cast<unsigned long long>(hash));
+  return text.data();
+}
+
+/// Removes temporary files of a target that nobody writes any more: who does holds a lock.
+void remove_orphans(const fs::path& folder, const std::string& prefix) {
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    if (!it->path().filename().string().starts_with(prefix)) continue;
+    const int fd = ::open(it->path().c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK);
+    if (fd < 0) continue;
+    if (::flock(fd, LOCK_EX | LOCK_NB) == 0) ::unlink(it->path().c_str());
+    ::close(fd);
+  }
+}
+
+/// A temporary file, locked for as long as it is not closed and `lock` neither.
+struct Temporary {
+  std::string name;
+  int fd = -1, lock = -1;
+};
+
+Temporary make_temporary(const fs::path& folder, const fs::path& target) {
+  const std::string prefix = temporary_prefix(target);
+  remove_orphans(folder, prefix);
+  constexpr int attempts = 100;
+  for (int i = 0; i < attempts; ++i) {
+    Temporary file;
+    file.name = (folder / (prefix + "XXXXXX")).string();
+    file.fd = ::mkostemp(file.name.data(), O_CLOEXEC);
+    if (file.fd < 0) fail(target, errno);
+    ::flock(file.fd, LOCK_EX | LOCK_NB);
+    // Another writer may have taken it for an orphan before it was locked.
+    struct stat status {};
+    if (::fstat(file.fd, &status) == 0 && status.st_nlink > 0) {
+      file.lock = ::fcntl(file.fd, F_DUPFD_CLOEXEC, 0);
+      return file;
+    }
+    ::close(file.fd);
+  }
+  fail(target, EBUSY);
+}
+
 void replace_file(const fs::path& target, mode_t mode,
                   const std::function<void(std::ostream&)>& write) {
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  std::string temporary = (folder / ("." + target.filename().string() + ".XXXXXX")).string();
-  const int fd = ::mkostemp(temporary.data(), O_CLOEXEC);
-  if (fd < 0) fail(target, errno);
+  const Temporary temporary = make_temporary(folder, target);
+  const int fd = temporary.fd;
   try {
     if (::fchmod(fd, mode) != 0) {
       const int error = errno;
@@ -106,11 +172,13 @@ void replace_file(const fs::path& target, mode_t mode,
       fail(target, error);
     }
     fill(fd, target, true, write);
-    if (::rename(temporary.c_str(), target.c_str()) != 0) fail(target, errno);
+    if (::rename(temporary.name.c_str(), target.c_str()) != 0) fail(target, errno);
   } catch (...) {
-    ::unlink(temporary.c_str());
+    ::unlink(temporary.name.c_str());
+    ::close(temporary.lock);
     throw;
   }
+  ::close(temporary.lock);
   // The new name is safe only once the folder is: best effort, not every file system can.
   const int folder_fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (folder_fd >= 0) {

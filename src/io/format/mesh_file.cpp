@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "io/file/atomic_file.h"
+#include "io/format/marker_overlap.h"
 #include "io/format/mesh_format.h"
 
 namespace winslow::io {
@@ -50,25 +51,56 @@ std::size_t place_of(const MeshError& error, const SourceMap& where) {
 
 }  // namespace
 
-MeshFile read_mesh(const std::filesystem::path& path) {
+MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
   Source source = Source::load(path);
   MeshFile file;
   file.format = detect(source, path, file.warnings);
-  ParsedMesh parsed = file.format->read(source);
+  if (options.zone != 0 && !file.format->read_zone) {
+    throw UsageError(source.name() + ": no zone " + std::to_string(options.zone) +
+                     ": a file of this format is one mesh");
+  }
+  ParsedMesh parsed = file.format->read_zone ? file.format->read_zone(source, options.zone)
+                                             : file.format->read(source);
   file.warnings.insert(file.warnings.end(), parsed.warnings.begin(), parsed.warnings.end());
   try {
     file.mesh = make_mesh(parsed.data, &file.warnings);
   } catch (const MeshError& error) {
     source.fail(place_of(error, parsed.where), error.what());
   }
+  for (std::string& text : marker_overlaps(*file.mesh.topology))
+    file.warnings.push_back(std::move(text));
   parsed.details->format = file.format;
   file.details = std::move(parsed.details);
-  for (std::string& warning : file.warnings) warning = source.name() + ": " + warning;
+  const std::string zone =
+      file.details->zones.empty() ? "" : "zone " + std::to_string(file.details->zone) + ": ";
+  for (std::string& warning : file.warnings) warning = source.name() + ": " + zone + warning;
   return file;
+}
+
+std::vector<std::string> zones_left(const MeshFile& file, const std::filesystem::path& path) {
+  if (!file.details || file.details->zones.size() < 2) return {};
+  std::string numbers;
+  for (const int number : file.details->zones)
+    numbers += (numbers.empty() ? "" : ", ") + std::to_string(number);
+  return {path.string() + ": has " + std::to_string(file.details->zones.size()) + " zones (" +
+          numbers + "); this is zone " + std::to_string(file.details->zone) +
+          ", --zone N opens another"};
+}
+
+bool keeps_zones(const std::filesystem::path& path, const FormatDetails& details) {
+  const MeshFormat* format = format_of_extension(path);
+  return format != nullptr && format->write_zones && format == details.format;
 }
 
 std::vector<std::string> write_mesh(const std::filesystem::path& path, const Mesh& mesh,
                                     const FormatDetails* details, const WriteOptions& options) {
+  const MeshZone zone{&mesh, details};
+  return write_mesh_zones(path, {&zone, 1}, options);
+}
+
+std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,
+                                          std::span<const MeshZone> zones,
+                                          const WriteOptions& options) {
   const MeshFormat* format = options.format ? options.format : format_of_extension(path);
   if (!format) {
     throw UsageError(path.string() + ": unknown file format, expected one of " +
@@ -78,12 +110,24 @@ std::vector<std::string> write_mesh(const std::filesystem::path& path, const Mes
       options.gmsh_version != "4.1") {
     throw UsageError("unknown MSH version \"" + options.gmsh_version + "\", expected 2.2 or 4.1");
   }
+  const FormatDetails* details = zones.front().details;
+  const bool as_source = details != nullptr && details->format == format;
+  const bool all_zones = format->write_zones && as_source && !options.zone_alone;
+  if (zones.size() > 1 && !all_zones) {
+    throw UsageError(path.string() + ": a " + std::string(format->title) +
+                     " file cannot hold several zones; choose one with --zone N");
+  }
   WriteOptions encoding = options;
-  const bool as_source = options.keep_encoding && details != nullptr && details->format == format;
-  encoding.binary = options.binary || (as_source && details->binary);
+  encoding.binary = options.binary || (options.keep_encoding && as_source && details->binary);
   std::vector<std::string> warnings;
-  write_atomically(
-      path, [&](std::ostream& out) { warnings = format->write(out, mesh, details, encoding); });
+  write_atomically(path, [&](std::ostream& out) {
+    warnings = all_zones ? format->write_zones(out, zones)
+                         : format->write(out, *zones.front().mesh, details, encoding);
+  });
+  if (details != nullptr && details->zones.size() > 1 && !all_zones && !options.zone_alone) {
+    warnings.push_back("only zone " + std::to_string(details->zone) + " of " +
+                       std::to_string(details->zones.size()) + " is written");
+  }
   for (std::string& warning : warnings) warning = path.string() + ": " + warning;
   return warnings;
 }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct FormatDetails {
   const MeshFormat* format = nullptr;  ///< of the source
   bool binary = false;                 ///< the source was binary
   std::vector<double> plane_z;         ///< z of each node, or one for all; empty: 0
+  std::vector<int> zones;              ///< numbers of all zones of the file; empty: it has none
+  int zone = 0;                        ///< the one that was read
 };
 
 /// A mesh read from a file.
@@ -30,16 +33,22 @@ struct MeshFile {
   std::vector<std::string> warnings;             ///< sentences; each names the file
 };
 
+struct ReadOptions {
+  int zone = 0;  ///< number of the zone to read, of formats that have zones; 0: the first
+};
+
 /// Reads a mesh. The format is found by content (a warning, if the extension says otherwise), or by
 /// extension where the content tells nothing. Throws InputError "FILE:LINE: ..." / "FILE: byte N:
 /// ...": never crashes on any content, and never allocates more than the file's size justifies.
-MeshFile read_mesh(const std::filesystem::path& path);
+/// Throws UsageError for a zone that the file does not have.
+MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
 struct WriteOptions {
   const MeshFormat* format = nullptr;  ///< null: by the extension of the path
   bool binary = false;                 ///< binary instead of text, where the format has it
   bool keep_encoding = true;  ///< binary also where the source is binary and of this format
   std::string gmsh_version;   ///< "2.2" or "4.1"; empty: that of the source, else 4.1
+  bool zone_alone = false;    ///< of a file of several zones: write none but the one that was read
 };
 
 /// Writes a mesh to a temporary name beside `path` and renames it. `details` of another format, or
@@ -47,5 +56,21 @@ struct WriteOptions {
 /// Throws OutputError (the target is then as it was) and UsageError (unknown extension).
 std::vector<std::string> write_mesh(const std::filesystem::path& path, const Mesh& mesh,
                                     const FormatDetails* details, const WriteOptions& options = {});
+
+/// One of the zones of a file.
+struct MeshZone {
+  const Mesh* mesh;
+  const FormatDetails* details;
+};
+
+/// Writes zones that were read from one file back into one file, with its other zones as they were.
+/// Throws UsageError if there are several and the format to write has no zones.
+std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,
+                                          std::span<const MeshZone> zones,
+                                          const WriteOptions& options = {});
+/// A sentence that says which of the file's zones was read, if it has others; else nothing.
+std::vector<std::string> zones_left(const MeshFile& file, const std::filesystem::path& path);
+/// True if all zones of the file that the details belong to can go into a file of that name.
+bool keeps_zones(const std::filesystem::path& path, const FormatDetails& details);
 
 }  // namespace winslow::io

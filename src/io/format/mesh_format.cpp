@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/file/gzip.h"
 #include "io/text/scanner.h"
 
 namespace winslow::io {
@@ -20,7 +21,8 @@ bool Evidence::stronger_than(const Evidence& other) const {
 }
 
 const MeshFormat* format_of_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
+  std::string extension =
+      (is_gzip_name(path) ? path.stem().extension() : path.extension()).string();
   if (extension.empty()) return nullptr;
   extension.erase(0, 1);
   std::transform(extension.begin(), extension.end(), extension.begin(),

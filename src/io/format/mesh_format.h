@@ -49,16 +49,24 @@ struct MeshFormat {
 
   Evidence (*recognise)(const Content& content);
   ParsedMesh (*read)(Source& source);
+  /// Of formats that hold several meshes, zones, in one file; null: this one does not. The number
+  /// of the zone; 0: the first. Throws UsageError if there is none of that number.
+  ParsedMesh (*read_zone)(Source& source, int zone) = nullptr;
   /// options.binary is what to do, whatever the source was. details: of the file that the mesh came
   /// from, of this format or of another; may be null. Returns warnings.
   std::vector<std::string> (*write)(std::ostream& out, const Mesh& mesh,
                                     const FormatDetails* details, const WriteOptions& options);
+  /// Null: the format has no zones. All come from one file of this format; zones of it that are not
+  /// given are written as they were.
+  std::vector<std::string> (*write_zones)(std::ostream& out,
+                                          std::span<const MeshZone> zones) = nullptr;
 };
 
 /// All formats, in the order of lists.
 std::span<const MeshFormat* const> mesh_formats();
 
-/// Null if there is none: by extension (in any case of letters), by the first bytes and the size.
+/// Null if there is none: by extension (in any case of letters, ".gz" after it left out), by the
+/// first bytes and the size.
 const MeshFormat* format_of_extension(const std::filesystem::path& path);
 const MeshFormat* format_of_content(std::string_view content);
 

@@ -27,6 +27,8 @@ Recipe parse_recipe(const json& document, const std::filesystem::path& folder) {
   Recipe recipe;
   reader.field("input", recipe.input);
   reader.field("output", recipe.output);
+  reader.field("zone", recipe.zone);
+  if (recipe.zone < 0) throw JsonValueError("zone", "expected the number of a zone");
   const json& commands = reader.at("commands");
   if (!commands.is_array()) throw JsonValueError("commands", "expected a list of commands");
   for (std::size_t i = 0; i < commands.size(); ++i) {
@@ -54,6 +56,7 @@ void write_recipe(const std::filesystem::path& path, const Recipe& recipe) {
   document["winslow_recipe"] = recipe_version;
   if (!recipe.input.empty()) document["input"] = recipe.input;
   if (!recipe.output.empty()) document["output"] = recipe.output;
+  if (recipe.zone != 0) document["zone"] = recipe.zone;
   document["commands"] = json::array();
   for (const Command& command : recipe.commands) {
     document["commands"].push_back(nlohmann::ordered_json(to_json(command)));

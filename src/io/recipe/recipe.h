@@ -14,6 +14,7 @@ struct Recipe {
   std::string input;   ///< mesh to start from, relative to the recipe; may be empty
   std::string output;  ///< mesh to write, relative to the recipe; may be empty
   std::vector<Command> commands;
+  int zone = 0;  ///< of an input of several zones: the one that the commands are for; 0: all
 };
 
 nlohmann::json to_json(const Command& command);

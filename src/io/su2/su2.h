@@ -1,6 +1,8 @@
 #pragma once
 
+#include <memory>
 #include <ostream>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,26 +12,48 @@
 /// SU2 native format, https://su2code.github.io/docs_v7/Mesh-File/ (NDIME= 2).
 namespace winslow::io::su2 {
 
-/// What an SU2 file says beyond a mesh: the order of its sections, comments, what we do not know.
+/// A node that a free-form deformation box lists, and where it lay in the file.
+struct BoxPoint {
+  Index node;
+  Vec2 place;
+};
+
+/// What an SU2 file says beyond a mesh: the order of its sections, comments, what we do not know,
+/// and its other zones.
 struct Details : FormatDetails {
   enum class Part { text, dimension, elements, points, marker_count, marker };
   struct Item {
     Part part;
-    std::string text;  ///< Part::text: lines as they are. Part::points: what follows the count.
+    std::string text;  ///< Part::text: bytes as they are. Part::points: what follows the count.
   };
   std::vector<Item> items;
+  std::string line_end = "\n";  ///< or "\r\n", as in the source
   bool element_numbers = false;
   bool point_numbers = false;
   bool edge_numbers = false;
+  /// What follows the two coordinates in the line of each point, where that is more than the
+  /// point's number (a third coordinate, two numbers); else empty.
+  std::vector<std::string> point_tails;
   int raw_markers = 0;  ///< markers kept as text (SEND_RECEIVE)
   Index nodes = 0;      ///< sizes of the mesh that the details belong to
   Index elements = 0;
   std::size_t markers = 0;
+  /// Of a file of several zones: what stands before the first one, then each zone as it is.
+  std::shared_ptr<const std::vector<std::string>> blocks;
+  std::size_t block = 0;             ///< the zone's place in `blocks`
+  std::vector<BoxPoint> box_points;  ///< of boxes anywhere in the file
 };
 
 extern const MeshFormat format;
 
-ParsedMesh read(Source& source);
+/// zone: as IZONE= says; 0: the first one. Throws UsageError if the file has no such zone.
+ParsedMesh read_zone(Source& source, int zone);
+
+/// Points are written as they were read: a third coordinate or a second number after x and y goes
+/// back as it came, a number that counts from 0 is written anew. Of a file of several zones the one
+/// of the details is written, as a file of its own.
 std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const Details* details);
+/// Zones of one file; those that are not among them are written as they were.
+std::vector<std::string> write_zones(std::ostream& out, std::span<const MeshZone> zones);
 
 }  // namespace winslow::io::su2

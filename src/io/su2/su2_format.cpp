@@ -5,7 +5,8 @@ namespace winslow::io::su2 {
 namespace {
 
 bool is_keyword(std::string_view line) {
-  for (const std::string_view key : {"NDIME", "NPOIN", "NELEM", "NMARK", "MARKER_TAG", "NZONE"}) {
+  for (const std::string_view key :
+       {"NDIME", "NPOIN", "NELEM", "NMARK", "MARKER_TAG", "MARKERTAG", "NZONE", "IZONE"}) {
     if (line.starts_with(key) && line.find('=') != std::string_view::npos) return true;
   }
   return false;
@@ -23,10 +24,12 @@ const MeshFormat format{
     .quadrilaterals = "yes",
     .keeps_markers = true,
     .recognise = [](const Content& content) { return keyword_on_line(content, is_keyword); },
-    .read = read,
+    .read = [](Source& source) { return read_zone(source, 0); },
+    .read_zone = read_zone,
     .write =
         [](std::ostream& out, const Mesh& mesh, const FormatDetails* details, const WriteOptions&) {
           return write(out, mesh, dynamic_cast<const Details*>(details));
-        }};
+        },
+    .write_zones = write_zones};
 
 }  // namespace winslow::io::su2

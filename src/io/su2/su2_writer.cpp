@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <span>
+#include <string_view>
 
 #include "io/su2/su2.h"
+#include "io/su2/su2_box.h"
+#include "io/text/scanner.h"
 #include "io/text/text_writer.h"
 
 namespace winslow::io::su2 {
@@ -50,7 +53,7 @@ class Writer {
         out_ << item.text;
         break;
       case Details::Part::dimension:
-        out_ << "NDIME= 2\n";
+        out_ << "NDIME= 2" << details_.line_end;
         break;
       case Details::Part::elements:
         write_elements();
@@ -59,7 +62,8 @@ class Writer {
         write_points(item.text);
         break;
       case Details::Part::marker_count:
-        out_ << "NMARK= " << names_.size() + static_cast<std::size_t>(details_.raw_markers) << '\n';
+        out_ << "NMARK= " << names_.size() + static_cast<std::size_t>(details_.raw_markers)
+             << details_.line_end;
         break;
       case Details::Part::marker:
         write_marker(next_marker_++);
@@ -68,7 +72,7 @@ class Writer {
   }
 
   void write_elements() {
-    out_ << "NELEM= " << topology().element_count() << '\n';
+    out_ << "NELEM= " << topology().element_count() << details_.line_end;
     for (Index e = 0; e < topology().element_count(); ++e) {
       out_ << (topology().element_type(e) == ElementType::triangle ? 5 : 9);
       for (const Index node : topology().element(e)) out_ << ' ' << node;
@@ -79,26 +83,34 @@ class Writer {
   void write_points(const std::string& after_count) {
     out_ << "NPOIN= " << mesh_.coordinates.size();
     if (!after_count.empty()) out_ << ' ' << after_count;
-    out_ << '\n';
+    out_ << details_.line_end;
     for (Index i = 0; i < mesh_.coordinates.size(); ++i) {
       const Vec2 p = mesh_.coordinates.xy(i);
       out_ << p.x() << ' ' << p.y();
-      end_line(details_.point_numbers, i);
+      end_point(i);
     }
   }
 
   void write_marker(std::size_t m) {
     const auto& edges = topology().markers()[m].faces;
-    out_ << "MARKER_TAG= " << names_[m] << "\nMARKER_ELEMS= " << edges.size() << '\n';
+    out_ << "MARKER_TAG= " << names_[m] << details_.line_end;
+    out_ << "MARKER_ELEMS= " << edges.size() << details_.line_end;
     for (std::size_t e = 0; e < edges.size(); ++e) {
       out_ << "3 " << edges[e][0] << ' ' << edges[e][1];
       end_line(details_.edge_numbers, static_cast<Index>(e));
     }
   }
 
+  void end_point(Index i) {
+    if (details_.point_tails.empty()) return end_line(details_.point_numbers, i);
+    const std::string& tail = details_.point_tails[static_cast<std::size_t>(i)];
+    if (!tail.empty()) out_ << ' ' << tail;
+    out_ << details_.line_end;
+  }
+
   void end_line(bool numbered, Index number) {
     if (numbered) out_ << ' ' << number;
-    out_ << '\n';
+    out_ << details_.line_end;
   }
 
   TextWriter out_;
@@ -108,20 +120,41 @@ class Writer {
   std::size_t next_marker_ = 0;
 };
 
-Details default_details(std::size_t markers) {
+/// What is written for a mesh that has no details, or none that fit it.
+Details default_details(std::size_t markers, const Details* source) {
   using Part = Details::Part;
   Details details;
   details.items = {
       {Part::dimension, {}}, {Part::elements, {}}, {Part::points, {}}, {Part::marker_count, {}}};
   details.items.resize(details.items.size() + markers, {Part::marker, {}});
   details.element_numbers = details.point_numbers = true;
+  if (source == nullptr) return details;
+  details.line_end = source->line_end;
+  if (source->blocks) {
+    const std::string head = "IZONE= " + std::to_string(source->zone) + source->line_end;
+    details.items.insert(details.items.begin(), {Part::text, head});
+  }
   return details;
 }
 
-}  // namespace
+/// Comments, or keywords that we do not know. NZONE and IZONE are written in any case or, of the
+/// one zone of a file, say nothing.
+bool says_more(const Details& details) {
+  for (const auto& item : details.items) {
+    if (item.part != Details::Part::text) continue;
+    std::string_view rest = item.text;
+    while (!rest.empty()) {
+      const auto end = std::min(rest.find('\n'), rest.size() - 1) + 1;
+      const auto line = trimmed(rest.substr(0, end));
+      rest.remove_prefix(end);
+      if (!line.empty() && !line.starts_with("NZONE") && !line.starts_with("IZONE")) return true;
+    }
+  }
+  return false;
+}
 
-std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const Details* details) {
-  std::vector<std::string> warnings;
+void write_zone(std::ostream& out, const Mesh& mesh, const Details* details,
+                std::vector<std::string>& warnings) {
   const Topology& topology = *mesh.topology;
   const std::span<const Marker> markers = topology.markers().from_file()
                                               ? std::span<const Marker>(topology.markers().list())
@@ -136,15 +169,70 @@ std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const Detail
   } else {
     names = safe_names(markers, warnings);
   }
-  const Details plain = fits ? Details{} : default_details(markers.size());
-  if (details != nullptr && !fits) {
+  const Details plain = fits ? Details{} : default_details(markers.size(), details);
+  if (details != nullptr && !fits && says_more(*details)) {
     warnings.emplace_back(
         "the mesh has changed: comments and unknown keywords of the source are not written");
+  }
+  if (fits && box_is_stale(details->box_points, mesh.coordinates)) {
+    warnings.emplace_back(
+        "the free-form deformation box (FFD_SURFACE_POINTS) still holds where its points lay "
+        "before "
+        "they moved: have SU2_DEF set it up anew (DV_KIND= FFD_SETTING)");
   }
   if (!topology.regions().empty()) {
     warnings.emplace_back("SU2 has no regions: the names of element sets are not written");
   }
   Writer(out, mesh, fits ? *details : plain, std::move(names)).write();
+}
+
+/// The details of a zone for a file that has no other.
+Details without_zones(Details details) {
+  using Part = Details::Part;
+  std::string& first = details.items.front().text;  // begins with the line IZONE=
+  first.erase(0, std::min(first.find('\n'), first.size() - 1) + 1);
+  details.blocks = nullptr;
+  const auto says_dimension = [](const auto& item) { return item.part == Part::dimension; };
+  if (std::none_of(details.items.begin(), details.items.end(), says_dimension)) {
+    details.items.insert(details.items.begin(), {Part::dimension, {}});
+  }
+  return details;
+}
+
+}  // namespace
+
+std::vector<std::string> write_zones(std::ostream& out, std::span<const MeshZone> zones) {
+  std::vector<std::string> warnings;
+  const auto details_of = [](const MeshZone& zone) {
+    return dynamic_cast<const Details*>(zone.details);
+  };
+  const Details* first = details_of(zones.front());
+  if (first == nullptr || !first->blocks) {
+    write_zone(out, *zones.front().mesh, first, warnings);
+    return warnings;
+  }
+  const auto& blocks = *first->blocks;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const auto changed = std::find_if(zones.begin(), zones.end(), [&](const MeshZone& zone) {
+      return details_of(zone)->block == b;
+    });
+    if (changed == zones.end()) {
+      out << blocks[b];
+    } else {
+      write_zone(out, *changed->mesh, details_of(*changed), warnings);
+    }
+  }
+  return warnings;
+}
+
+std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const Details* details) {
+  std::vector<std::string> warnings;
+  if (details == nullptr || !details->blocks) {
+    write_zone(out, mesh, details, warnings);
+    return warnings;
+  }
+  const Details alone = without_zones(*details);
+  write_zone(out, mesh, &alone, warnings);
   return warnings;
 }
 

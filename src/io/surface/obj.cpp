@@ -8,11 +8,17 @@
 namespace winslow::io::surface {
 namespace {
 
+/// What a keyword says that a mesh does not hold; empty: nothing.
+std::string dropped_with(std::string_view word) {
+  if (word == "vn") return "normals";
+  if (word == "vt" || word == "vp") return "texture coordinates";
+  if (word == "g" || word == "o") return "groups";
+  if (word == "usemtl" || word == "mtllib") return "materials";
+  return {};
+}
+
 bool known_keyword(std::string_view word) {
-  for (const std::string_view known : {"vn", "vt", "vp", "g", "o", "s", "usemtl", "mtllib", "p"}) {
-    if (word == known) return true;
-  }
-  return word.front() == '#';
+  return word == "p" || word == "s" || !dropped_with(word).empty() || word.front() == '#';
 }
 
 /// One corner of a face: "7", "7/1", "7//3" or "7/1/3"; counted from 1, or back from the last
@@ -41,6 +47,9 @@ ParsedMesh read_obj(Source& source) {
       const double x = scan.number(expected);
       const double y = scan.number(expected);
       builder.add_vertex(x, y, scan.number(expected), offset);
+      const auto more = scan.word();
+      const bool weight = scan.word().empty();  // x y z w, or x y z r g b
+      if (!more.empty() && more.front() != '#' && !weight) builder.drops("colours");
     } else if (keyword == "f") {
       corners.clear();
       for (auto word = scan.word(); !word.empty() && word.front() != '#'; word = scan.word()) {
@@ -49,6 +58,8 @@ ParsedMesh read_obj(Source& source) {
       builder.add_face(corners, offset);
     } else if (keyword == "l") {
       lines = true;
+    } else if (const auto dropped = dropped_with(keyword); !dropped.empty()) {
+      builder.drops(dropped);
     } else if (!known_keyword(keyword)) {
       scan.fail(keyword, "v, f or another keyword of an OBJ file");
     }

@@ -17,13 +17,17 @@ void begin_record(Scanner& scan, const Expected& expected) {
   }
 }
 
-void read_header(Scanner& scan) {
+void read_header(Scanner& scan, Builder& builder) {
   begin_record(scan, {"OFF"});
   const std::size_t begin = scan.offset();
   const auto magic = scan.word();
   // C, N and ST announce columns after the coordinates, which we skip; 4 and n are other spaces.
   for (const std::string_view known : {"OFF", "COFF", "NOFF", "CNOFF", "STOFF", "STCNOFF"}) {
     if (magic != known) continue;
+    const auto columns = known.substr(0, known.size() - 3);
+    if (columns.find('C') != std::string_view::npos) builder.drops("colours");
+    if (columns.find('N') != std::string_view::npos) builder.drops("normals");
+    if (columns.starts_with("ST")) builder.drops("texture coordinates");
     const std::size_t here = scan.offset();
     if (scan.word() == "BINARY") scan.source().fail(begin, "a binary OFF file", "an ASCII one");
     scan.seek(here);
@@ -37,7 +41,7 @@ void read_header(Scanner& scan) {
 ParsedMesh read_off(Source& source) {
   Scanner scan(source);
   Builder builder(source);
-  read_header(scan);
+  read_header(scan, builder);
   begin_record(scan, {"the number of vertices"});
   const Index vertices = scan.count({"the number of vertices"}, 4);
   const Index faces = scan.count({"the number of faces"}, 4);
@@ -65,6 +69,8 @@ ParsedMesh read_off(Source& source) {
       corners[static_cast<std::size_t>(k)] = scan.index({"a vertex of face", f, faces});
     }
     builder.add_face({corners.data(), static_cast<std::size_t>(size)}, offset);
+    const auto more = scan.word();
+    if (!more.empty() && more.front() != '#') builder.drops("colours");
     scan.line();
   }
   scan.skip_space();

@@ -123,7 +123,17 @@ class Reader {
     }
     property.type = type();
     property.name = scan_.word();
+    note_dropped(property.name);
     elements_.back().properties.push_back(std::move(property));
+  }
+
+  void note_dropped(std::string_view name) {
+    for (const std::string_view colour : {"red", "green", "blue", "alpha", "diffuse_red"}) {
+      if (name == colour) return builder_.drops("colours");
+    }
+    if (name == "nx" || name == "ny" || name == "nz") return builder_.drops("normals");
+    const bool own = name == "x" || name == "y" || name == "z" || name.starts_with("vertex_ind");
+    if (!own) builder_.drops("property " + in_quotes(name) + " and its values");
   }
 
   /// Refuses counts that the file cannot hold, before anything is read.

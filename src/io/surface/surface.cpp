@@ -21,6 +21,8 @@ ParsedMesh Builder::finish(bool binary) {
   if (mesh_.data.types.empty()) source_.fail(source_.text().size(), "no faces", "a mesh");
   set_planar_nodes(source_, xyz_, mesh_);
   mesh_.details->binary = binary;
+  for (const std::string& what : dropped_)
+    mesh_.warnings.push_back(what + " of the file are not kept");
   return std::move(mesh_);
 }
 

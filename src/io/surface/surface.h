@@ -1,6 +1,7 @@
 #pragma once
 
 #include <ostream>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,6 +38,8 @@ class Builder {
     mesh_.details = std::make_shared<FormatDetails>();
   }
   ParsedMesh& mesh() { return mesh_; }
+  /// Notes that the file holds what a mesh does not: "colours", "groups", ... Said once each.
+  void drops(const std::string& what) { dropped_.insert(what); }
   Index vertices() const { return static_cast<Index>(xyz_.size() / 3); }
 
   void add_vertex(double x, double y, double z, std::size_t offset);
@@ -49,6 +52,7 @@ class Builder {
   const Source& source_;
   ParsedMesh mesh_;
   std::vector<double> xyz_;
+  std::set<std::string> dropped_;
 };
 
 /// Sentences about what a surface format cannot hold.

@@ -24,6 +24,25 @@ double out_of_range_value(std::string_view text) {
   return negative ? -magnitude : magnitude;
 }
 
+std::optional<double> parse_decimal(std::string_view text) {
+  text = without_plus(text);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc::invalid_argument || end != text.data() + text.size()) return std::nullopt;
+  if (error == std::errc::result_out_of_range) return out_of_range_value(text);
+  return value;
+}
+
+/// "1.5D+03": Fortran's double precision.
+std::optional<double> parse_fortran(std::string_view text) {
+  constexpr std::size_t longest = 64;
+  const auto exponent = text.find_first_of("dD");
+  if (exponent == std::string_view::npos || text.size() > longest) return std::nullopt;
+  std::string decimal(text);
+  decimal[exponent] = 'e';
+  return parse_decimal(decimal);
+}
+
 }  // namespace
 
 std::optional<std::int64_t> parse_integer(std::string_view text) {
@@ -35,12 +54,8 @@ std::optional<std::int64_t> parse_integer(std::string_view text) {
 }
 
 std::optional<double> parse_number(std::string_view text) {
-  text = without_plus(text);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error == std::errc::invalid_argument || end != text.data() + text.size()) return std::nullopt;
-  if (error == std::errc::result_out_of_range) return out_of_range_value(text);
-  return value;
+  const auto value = parse_decimal(text);
+  return value ? value : parse_fortran(text);
 }
 
 void append_number(std::string& text, double value) {

@@ -11,7 +11,8 @@ namespace winslow::io {
 std::optional<std::int64_t> parse_integer(std::string_view text);
 
 /// Number that fills the whole text, to the nearest double, whatever the locale; "nan" and "inf"
-/// are numbers here. Too small becomes zero or subnormal, too large infinite.
+/// are numbers here, and so is Fortran's "1.5D+03". Too small becomes zero or subnormal, too large
+/// infinite.
 std::optional<double> parse_number(std::string_view text);
 
 /// Shortest decimal text that parse_number turns into the same double.

@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include "core/error.h"
+#include "io/file/gzip.h"
 
 namespace winslow::io {
 namespace {
@@ -45,6 +46,14 @@ std::string read_all(int fd, const std::string& name, std::size_t expected_size)
   }
 }
 
+/// Editors on Windows put one before UTF-8 text. No binary format begins with its bytes.
+void remove_byte_order_mark(std::string& bytes, const std::string& name) {
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
+    throw InputError(name + ":1: found UTF-16 text, expected UTF-8 or ASCII");
+  }
+}
+
 }  // namespace
 
 Source Source::load(const std::filesystem::path& path) {
@@ -60,6 +69,8 @@ Source Source::load(const std::filesystem::path& path) {
   }
   const auto size = S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
   std::string bytes = read_all(file.get(), name, size);
+  if (is_gzip(bytes)) bytes = gunzip(bytes, name);
+  remove_byte_order_mark(bytes, name);
   if (bytes.empty()) throw InputError(name + ":1: found an empty file, expected a mesh");
   return {name, std::move(bytes)};
 }

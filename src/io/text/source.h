@@ -10,7 +10,8 @@ namespace winslow::io {
 /// The bytes of an input file, and how to name a place in it in an error message.
 class Source {
  public:
-  /// Reads a file whole. Throws InputError: no such file, a directory, not readable, empty.
+  /// Reads a file whole; one that gzip compressed is unpacked, a byte order mark left out. Throws
+  /// InputError: no such file, a directory, not readable, empty.
   static Source load(const std::filesystem::path& path);
   Source(std::string name, std::string bytes) : name_(std::move(name)), bytes_(std::move(bytes)) {}
 

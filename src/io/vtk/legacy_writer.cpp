@@ -110,13 +110,14 @@ std::vector<std::string> write_legacy(std::ostream& stream, const Mesh& mesh,
   ArrayWriter array(out, binary);
   out << "# vtk DataFile Version 3.0\nmesh\n" << (binary ? "BINARY\n" : "ASCII\n");
   out << "DATASET UNSTRUCTURED_GRID\n";
-  write_names(out, array, grid);
   out << "POINTS " << grid.points.size() / 3 << " double\n";
   for (std::size_t i = 0; i < grid.points.size(); ++i) {
     array.put(grid.points[i], i % 3 == 2 ? '\n' : ' ');
   }
   array.end();
   write_cells(out, array, grid);
+  // Not before POINTS, where VTK puts them itself: Gmsh looks for POINTS in that line.
+  write_names(out, array, grid);
   write_tags(out, array, grid);
   return warnings;
 }

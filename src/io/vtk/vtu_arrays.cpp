@@ -15,6 +15,9 @@ namespace {
 
 /// Deflate cannot shrink data by more than this.
 constexpr std::uint64_t best_compression = 1032;
+/// Coordinates and ids differ from one another, so they do not shrink by nearly as much. What is
+/// small is not worth a question.
+constexpr std::uint64_t likely_compression = 200, small_enough = 1 << 20;
 
 std::string name_of(const pugi::xml_node& array) {
   return "array " + in_quotes(array.attribute("Name").value());
@@ -94,19 +97,20 @@ std::uint64_t VtuArrays::integer_at(std::string_view bytes, std::size_t at,
 }
 
 /// Decodes base64 and takes header and compression away.
-std::string VtuArrays::base64_content(std::string_view text, const pugi::xml_node& array) const {
+std::string VtuArrays::base64_content(std::string_view text, const pugi::xml_node& array,
+                                      Count count) const {
   const auto bytes = decode_base64(trimmed(text));
   if (!bytes) fail(array, "malformed base64 in " + name_of(array), "base64");
   std::size_t first = 0;
-  return content(*bytes, array, first);
+  return content(*bytes, array, first, count);
 }
 
 /// `first`: gets the position in `stream` of the first byte of uncompressed data.
 std::string VtuArrays::content(std::string_view stream, const pugi::xml_node& array,
-                               std::size_t& first) const {
+                               std::size_t& first, Count count) const {
   if (stream.size() < header_bytes_)
     fail(array, "the end of the data", "the size of " + name_of(array));
-  if (compressed_) return inflated(stream, array);
+  if (compressed_) return inflated(stream, array, count);
   const std::uint64_t size = integer_at(stream, 0, header_bytes_);
   if (size > stream.size() - header_bytes_) {
     fail(array, std::to_string(size) + " bytes in " + name_of(array),
@@ -116,8 +120,38 @@ std::string VtuArrays::content(std::string_view stream, const pugi::xml_node& ar
   return std::string(stream.substr(header_bytes_, static_cast<std::size_t>(size)));
 }
 
+/// Compares what the header of compressed data declares with what there can be.
+void VtuArrays::check_sizes(std::string_view stream, const pugi::xml_node& array,
+                            Count count) const {
+  const std::size_t w = header_bytes_;
+  const std::uint64_t blocks = integer_at(stream, 0, w);
+  const std::uint64_t block_size = integer_at(stream, w, w);
+  const std::uint64_t last_size = integer_at(stream, 2 * w, w);
+  const std::uint64_t most = stream.size() * best_compression;
+  std::uint64_t total = last_size != 0 ? last_size : block_size;
+  if (total <= most && block_size > 0 && blocks - 1 > (most - total) / block_size) total = most + 1;
+  if (total <= most) total += (blocks - 1) * block_size;
+  std::uint64_t packed = 0;
+  for (std::uint64_t b = 0; b < blocks && packed <= stream.size(); ++b)
+    packed += integer_at(stream, static_cast<std::size_t>(3 + b) * w, w);
+  packed = std::min<std::uint64_t>(packed, stream.size());
+  if (count && total != *count * type_of(array).bytes) {
+    fail(array, (total > most ? "too many" : std::to_string(total)) + " bytes in " + name_of(array),
+         std::to_string(*count) + " numbers, " + std::to_string(*count * type_of(array).bytes) +
+             " bytes");
+  }
+  if (!count && total > std::max(small_enough, packed * likely_compression)) {
+    fail(array,
+         std::to_string(packed) + " bytes that are to unpack to " +
+             (total > most ? "more than they can" : std::to_string(total)) + " in " +
+             name_of(array),
+         "no more than " + std::to_string(likely_compression) + " times as many");
+  }
+}
+
 /// Header: number of blocks, their size, the size of the last one (0: full), compressed sizes.
-std::string VtuArrays::inflated(std::string_view stream, const pugi::xml_node& array) const {
+std::string VtuArrays::inflated(std::string_view stream, const pugi::xml_node& array,
+                                Count count) const {
   const std::size_t w = header_bytes_;
   const std::uint64_t blocks = integer_at(stream, 0, w);
   if (blocks == 0) return {};
@@ -125,6 +159,7 @@ std::string VtuArrays::inflated(std::string_view stream, const pugi::xml_node& a
     fail(array, std::to_string(blocks) + " compressed blocks in " + name_of(array),
          "at most what the data can hold");
   }
+  check_sizes(stream, array, count);
   const std::uint64_t block_size = integer_at(stream, w, w);
   const std::uint64_t last_size = integer_at(stream, 2 * w, w);
   std::string data;
@@ -150,7 +185,8 @@ std::string VtuArrays::inflated(std::string_view stream, const pugi::xml_node& a
   return data;
 }
 
-std::string VtuArrays::appended_bytes(const pugi::xml_node& array, std::size_t& first) const {
+std::string VtuArrays::appended_bytes(const pugi::xml_node& array, std::size_t& first,
+                                      Count count) const {
   const std::string_view text = array.attribute("offset").value();
   const auto offset = parse_integer(text);
   const std::size_t size = appended_end_ - appended_begin_;
@@ -162,12 +198,12 @@ std::string VtuArrays::appended_bytes(const pugi::xml_node& array, std::size_t& 
   const auto stream = source_.text().substr(begin, appended_end_ - begin);
   if (!appended_base64_) {
     std::size_t skipped = 0;
-    std::string bytes = content(stream, array, skipped);
+    std::string bytes = content(stream, array, skipped, count);
     first = begin + skipped;
     return bytes;
   }
   first = begin;
-  return base64_content(appended_piece(stream, array), array);
+  return base64_content(appended_piece(stream, array), array, count);
 }
 
 /// The base64 text of one array: where it ends only its header tells, for the next array follows.
@@ -203,21 +239,22 @@ std::string_view VtuArrays::appended_piece(std::string_view stream,
   return stream.substr(0, encoded_size(header_size) + encoded_size(std::min(packed, most)));
 }
 
-std::string VtuArrays::bytes_of(const pugi::xml_node& array, std::size_t& first) const {
+std::string VtuArrays::bytes_of(const pugi::xml_node& array, std::size_t& first,
+                                Count count) const {
   const std::string_view format = array.attribute("format").as_string("ascii");
-  if (format == "appended") return appended_bytes(array, first);
+  if (format == "appended") return appended_bytes(array, first, count);
   if (format != "binary") {
     fail(array, "format " + in_quotes(format) + " of " + name_of(array),
          "ascii, binary or appended");
   }
   const auto text = inline_text(array);
   first = text.empty() ? place(array) : source_.offset_of(text);
-  return text.empty() ? std::string() : base64_content(text, array);
+  return text.empty() ? std::string() : base64_content(text, array, count);
 }
 
 template <class Number>
-std::vector<Number> VtuArrays::read(const pugi::xml_node& array,
-                                    std::vector<std::size_t>* places) const {
+std::vector<Number> VtuArrays::read(const pugi::xml_node& array, std::vector<std::size_t>* places,
+                                    Count count) const {
   const Type type = type_of(array);
   std::vector<Number> values;
   if (std::string_view(array.attribute("format").as_string("ascii")) == "ascii") {
@@ -243,7 +280,7 @@ std::vector<Number> VtuArrays::read(const pugi::xml_node& array,
     fail(array, "numbers with a fraction in " + name_of(array), "integers");
   }
   std::size_t first = 0;
-  const std::string bytes = bytes_of(array, first);
+  const std::string bytes = bytes_of(array, first, count);
   if (bytes.size() % type.bytes != 0) {
     fail(array, std::to_string(bytes.size()) + " bytes in " + name_of(array),
          "a multiple of " + std::to_string(type.bytes));
@@ -268,13 +305,13 @@ std::vector<Number> VtuArrays::read(const pugi::xml_node& array,
 }
 
 std::vector<double> VtuArrays::numbers(const pugi::xml_node& array,
-                                       std::vector<std::size_t>* places) const {
-  return read<double>(array, places);
+                                       std::vector<std::size_t>* places, Count count) const {
+  return read<double>(array, places, count);
 }
 
 std::vector<std::int64_t> VtuArrays::integers(const pugi::xml_node& array,
-                                              std::vector<std::size_t>* places) const {
-  return read<std::int64_t>(array, places);
+                                              std::vector<std::size_t>* places, Count count) const {
+  return read<std::int64_t>(array, places, count);
 }
 
 }  // namespace winslow::io::vtk

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
@@ -21,12 +22,17 @@ class VtuArrays {
   /// Offset of an element in the source.
   std::size_t place(const pugi::xml_node& node) const;
 
+  /// How many numbers there must be, where that is known from other arrays: compressed data that
+  /// would unpack to another count is refused before memory is asked for. Without it, data that
+  /// would unpack to more than coordinates and ids can shrink by is refused.
+  using Count = std::optional<std::size_t>;
   /// All numbers of an array. `places`, if given, gets the byte offset of each (of the array, where
   /// single numbers have none).
   std::vector<double> numbers(const pugi::xml_node& array,
-                              std::vector<std::size_t>* places = nullptr) const;
+                              std::vector<std::size_t>* places = nullptr, Count count = {}) const;
   std::vector<std::int64_t> integers(const pugi::xml_node& array,
-                                     std::vector<std::size_t>* places = nullptr) const;
+                                     std::vector<std::size_t>* places = nullptr,
+                                     Count count = {}) const;
 
  private:
   struct Type {
@@ -36,18 +42,20 @@ class VtuArrays {
   };
   Type type_of(const pugi::xml_node& array) const;
   std::string_view inline_text(const pugi::xml_node& array) const;
-  std::string bytes_of(const pugi::xml_node& array, std::size_t& first) const;
-  std::string appended_bytes(const pugi::xml_node& array, std::size_t& first) const;
+  std::string bytes_of(const pugi::xml_node& array, std::size_t& first, Count count) const;
+  std::string appended_bytes(const pugi::xml_node& array, std::size_t& first, Count count) const;
   std::string_view appended_piece(std::string_view stream, const pugi::xml_node& array) const;
-  std::string content(std::string_view stream, const pugi::xml_node& array,
-                      std::size_t& first) const;
-  std::string base64_content(std::string_view text, const pugi::xml_node& array) const;
-  std::string inflated(std::string_view stream, const pugi::xml_node& array) const;
+  std::string content(std::string_view stream, const pugi::xml_node& array, std::size_t& first,
+                      Count count) const;
+  std::string base64_content(std::string_view text, const pugi::xml_node& array, Count count) const;
+  void check_sizes(std::string_view stream, const pugi::xml_node& array, Count count) const;
+  std::string inflated(std::string_view stream, const pugi::xml_node& array, Count count) const;
   std::uint64_t integer_at(std::string_view bytes, std::size_t at, std::size_t width) const;
   [[noreturn]] void fail(const pugi::xml_node& array, const std::string& found,
                          const std::string& expected) const;
   template <class Number>
-  std::vector<Number> read(const pugi::xml_node& array, std::vector<std::size_t>* places) const;
+  std::vector<Number> read(const pugi::xml_node& array, std::vector<std::size_t>* places,
+                           Count count) const;
 
   const Source& source_;
   std::size_t xml_begin_;

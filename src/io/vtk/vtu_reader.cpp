@@ -143,8 +143,8 @@ class VtuReader {
     grid_.connectivity = arrays.integers(array(arrays, cells, "connectivity"), &node_places);
     const auto ends = arrays.integers(array(arrays, cells, "offsets"), &offset_places);
     const auto types = array(arrays, cells, "types");
-    grid_.types = arrays.integers(types);
     check_count(arrays, piece, "NumberOfCells", ends.size());
+    grid_.types = arrays.integers(types, nullptr, ends.size());
     if (grid_.types.size() != ends.size()) {
       source_.fail(arrays.place(types), std::to_string(grid_.types.size()) + " cell types",
                    std::to_string(ends.size()) + ", one for each cell");
@@ -167,10 +167,18 @@ class VtuReader {
     }
   }
 
+  /// Of an array with a number for each cell; others are none of ours and are not read.
+  std::vector<double> cell_numbers(const VtuArrays& arrays, const pugi::xml_node& data,
+                                   unsigned components) const {
+    if (components != 1) return {};
+    return arrays.numbers(data, nullptr, grid_.types.size());
+  }
+
   void read_data(const VtuArrays& arrays, const pugi::xml_node& grid, const pugi::xml_node& piece) {
     for (const auto& data : piece.child("CellData").children("DataArray")) {
       const auto components = data.attribute("NumberOfComponents").as_uint(1);
-      collector_.cell_array(data.attribute("Name").value(), arrays.numbers(data), components);
+      collector_.cell_array(data.attribute("Name").value(), cell_numbers(arrays, data, components),
+                            components);
     }
     for (const auto& parent : {grid.child("FieldData"), piece.child("FieldData")}) {
       for (const auto& data : parent.children("DataArray")) {

@@ -99,6 +99,29 @@ TEST_CASE("two nodes in one place are refused") {
   CHECK(says(error.what(), "duplicate"));
 }
 
+TEST_CASE("the two sides of a crack are a mesh, corners of an element in one place are not") {
+  // Two rows of four squares. Of the line between them the middle node is double, 7 below and 15
+  // above, so that the line is open from node 6 to node 8.
+  MeshData data;
+  for (int j = 0; j < 3; ++j) {
+    for (int i = 0; i < 5; ++i) data.coordinates.push_xy(Vec2(i, j));
+  }
+  data.coordinates.push_xy(Vec2(2, 1));
+  const auto upper = [](Index node) { return node == 7 ? Index{15} : node; };
+  for (Index i = 0; i < 4; ++i) {
+    add_quad(data, i, i + 1, i + 6, i + 5);
+    add_quad(data, upper(i + 5), upper(i + 6), i + 11, i + 10);
+  }
+  std::vector<std::string> warnings;
+  const Mesh mesh = make_mesh(data, &warnings);
+  CHECK(mesh.topology->on_boundary(15));
+  REQUIRE(!warnings.empty());
+  CHECK(says(warnings.back(), "1 boundary nodes lie where others do: a crack or a baffle"));
+
+  data.coordinates.set_xy(15, data.coordinates.xy(12));
+  CHECK(says(refusal(data).what(), "node 15 lies exactly where node 12 does (duplicate node)"));
+}
+
 TEST_CASE("an unused node may lie on a used one: it is only a warning") {
   MeshData data = square(3, Cells::quads);
   data.coordinates.push_xy(data.coordinates.xy(0));

@@ -1,6 +1,7 @@
 #include "io/file/atomic_file.h"
 
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <iterator>
@@ -48,6 +49,44 @@ TEST_CASE("when writing fails the target is as it was") {
       io::write_atomically(folder / "a", [](std::ostream& out) { out.setstate(std::ios::badbit); }),
       OutputError);
   CHECK(read_text(folder / "a") == "before");
+  CHECK(files_in(folder.path()) == 1);
+}
+
+TEST_CASE("a name may be as long as names can be") {
+  const TemporaryFolder folder;
+  const std::string longest(255, 'n');
+  write_hello(folder / longest);
+  CHECK(read_text(folder / longest) == "hello");
+  CHECK_THROWS_AS(write_hello(folder / (longest + "n")), OutputError);
+  CHECK(files_in(folder.path()) == 1);
+}
+
+TEST_CASE("what a killed program left is removed by the next write of that name, by no other") {
+  const TemporaryFolder folder;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    io::write_atomically(folder / "a", [](std::ostream&) { ::_exit(0); });
+    ::_exit(1);
+  }
+  int status = 1;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  REQUIRE(status == 0);
+  CHECK(files_in(folder.path()) == 1);
+  write_hello(folder / "b");
+  CHECK(files_in(folder.path()) == 2);
+  write_hello(folder / "a");
+  CHECK(files_in(folder.path()) == 2);
+  CHECK(read_text(folder / "a") == "hello");
+}
+
+TEST_CASE("a file that is being written is no orphan") {
+  const TemporaryFolder folder;
+  io::write_atomically(folder / "a", [&](std::ostream& out) {
+    out << "outer";
+    write_hello(folder / "a");
+    CHECK(read_text(folder / "a") == "hello");
+  });
+  CHECK(read_text(folder / "a") == "outer");
   CHECK(files_in(folder.path()) == 1);
 }
 

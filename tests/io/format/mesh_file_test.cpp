@@ -52,6 +52,26 @@ TEST_CASE("the content decides the format, whatever the name") {
   }
 }
 
+TEST_CASE("a byte order mark is left out in every text format; UTF-16 is refused") {
+  for (const char* name : {"square.su2", "square_22.msh", "square_41.msh", "square.vtk",
+                           "square.vtu", "square.obj", "square.off", "square.ply", "square.stl"}) {
+    CAPTURE(name);
+    const std::string original = std::string(WINSLOW_TEST_DATA "/") + name;
+    const io::MeshFile file = read_from_text(name, "\xEF\xBB\xBF" + read_text(original));
+    check_same_mesh(file.mesh, io::read_mesh(original).mesh);
+  }
+  const TemporaryFolder folder;
+  write_text(folder / "a.su2", std::string("\xFF\xFEN\0D\0", 6));
+  CHECK_CONTAINS(reading_error(folder / "a.su2"), "a.su2:1: found UTF-16 text");
+}
+
+TEST_CASE("coordinates may have Fortran's exponents") {
+  const std::string text = read_text(WINSLOW_TEST_DATA "/square.su2");
+  const io::MeshFile file =
+      read_from_text("a.su2", replaced(text, "0.5 0.5 4", "5.0D-01 .05d+1 4"));
+  CHECK(file.mesh.coordinates.xy(4) == Vec2(0.5, 0.5));
+}
+
 TEST_CASE("lines that end in CR LF are accepted in every text format") {
   for (const char* name : {"square.su2", "square_22.msh", "square_41.msh", "square.vtk",
                            "square.vtu", "square.obj", "square.off", "square.ply", "square.stl"}) {

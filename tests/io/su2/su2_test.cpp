@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "io/format/mesh_format.h"
 #include "io/support/samples.h"
 
@@ -64,9 +66,13 @@ TEST_CASE("SU2: what it does not know is kept and warned about") {
   const TemporaryFolder folder;
   write_text(folder / "a.su2", sample + extra);
   const io::MeshFile file = io::read_mesh(folder / "a.su2");
-  CHECK(any_contains(file.warnings, "keyword 'FFD_NBOX' (line 29)"));
+  CHECK(any_contains(file.warnings,
+                     "keywords 'FFD_NBOX' (line 29), 'FFD_TAG' (line 30), 'FFD_CORNER_POINTS' "
+                     "(line 31) are not understood"));
   io::write_mesh(folder / "b.su2", file.mesh, file.details.get());
   CHECK(read_text(folder / "b.su2") == sample + extra);
+  CHECK(any_contains(read_from_text("a.su2", sample + extra + "FFD_A= 1\nFFD_B= 2\n").warnings,
+                     "'FFD_CORNER_POINTS' (line 31) and 2 more are not understood"));
 }
 
 TEST_CASE("SU2: SEND_RECEIVE is no boundary, but stays in the file") {
@@ -90,6 +96,101 @@ TEST_CASE("SU2: names that SU2 cannot hold are changed, with a warning, and stay
   const io::MeshFile file = io::read_mesh(folder / "a.su2");
   CHECK(file.mesh.topology->markers()[0].name == "a_wall");
   CHECK(file.mesh.topology->markers()[1].name == "a_wall_");
+}
+
+TEST_CASE("SU2: what follows the coordinates of a point means nothing, and goes back as it came") {
+  const TemporaryFolder folder;
+  std::string wide = sample;
+  const auto begin = wide.find("NPOIN= 9\n") + 9;
+  std::string points;
+  for (std::size_t at = begin; at < wide.find("NMARK"); at = wide.find('\n', at) + 1) {
+    const std::string line = wide.substr(at, wide.find('\n', at) - at);
+    const auto number = line.rfind(' ');
+    points += line.substr(0, number) + " 1e-1" + line.substr(number) + line.substr(number) + "\n";
+  }
+  wide.replace(begin, wide.find("NMARK") - begin, points);
+  write_text(folder / "a.su2", wide);
+  const io::MeshFile file = io::read_mesh(folder / "a.su2");
+  check_same_mesh(file.mesh, io::read_mesh(WINSLOW_TEST_DATA "/square.su2").mesh);
+  io::write_mesh(folder / "b.su2", file.mesh, file.details.get());
+  CHECK(read_text(folder / "b.su2") == wide);
+}
+
+TEST_CASE("SU2: a point line short of a coordinate is no point, though it ends in a number") {
+  CHECK(input_error("a.su2", replaced(sample, "0.5 1 7", "0.5 7")) ==
+        "a.su2:18: found the end of the line, expected two coordinates before the number of the "
+        "point");
+  CHECK_CONTAINS(input_error("a.su2", replaced(sample, "0.5 1 7", "0.5")),
+                 "a.su2:18: found the end of the line, expected y of point 8 of 9");
+  // Every line lacks one; and three points that lie so by chance.
+  const std::string square = "NDIME= 2\nNELEM= 1\n9 0 1 2 3\nNPOIN= 4\n0 0\n1 1\n1 2\n0 3\n";
+  CHECK_CONTAINS(input_error("a.su2", square), "a.su2:5: found the end of the line, expected two");
+  const auto file =
+      read_from_text("a.su2", "NDIME= 2\nNELEM= 1\n5 0 1 2\nNPOIN= 3\n0 0\n1 1\n0 2\n");
+  CHECK(file.mesh.coordinates.xy(2) == Vec2(0, 2));
+}
+
+TEST_CASE("SU2: MARKERTAG= is MARKER_TAG=") {
+  const io::MeshFile file =
+      read_from_text("a.su2", replaced(sample, "MARKER_TAG= upper", "MARKERTAG= upper"));
+  CHECK(file.mesh.topology->markers()[1].name == "upper");
+}
+
+TEST_CASE("SU2: what is kept as text is kept to the byte, and Windows line ends stay") {
+  std::string text = "% made  by hand \t\n\n" + sample + "FFD_NBOX=1   % one\n\tx  y\n\n";
+  std::string crlf;
+  for (const char c : text) crlf += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  const TemporaryFolder folder;
+  for (const std::string& content : {text, crlf}) {
+    write_text(folder / "a.su2", content);
+    const io::MeshFile file = io::read_mesh(folder / "a.su2");
+    io::write_mesh(folder / "b.su2", file.mesh, file.details.get());
+    CHECK(read_text(folder / "b.su2") == content);
+  }
+}
+
+TEST_CASE("SU2: only a mesh that has changed and had comments is written with a warning") {
+  const TemporaryFolder folder;
+  MeshData data = grid_with_holes(2, Cells::quads, [](Index, Index) { return false; });
+  const Mesh other = make_mesh(data);
+  const std::string bare = sample.substr(sample.find("NDIME"));
+  const auto warnings_for = [&](const std::string& text) {
+    write_text(folder / "a.su2", text);
+    return io::write_mesh(folder / "b.su2", other, io::read_mesh(folder / "a.su2").details.get());
+  };
+  REQUIRE(bare.find('%') == std::string::npos);
+  CHECK(warnings_for("\n" + bare + "\n").empty());
+  CHECK(any_contains(warnings_for("% by hand\n" + bare), "comments and unknown keywords"));
+}
+
+TEST_CASE("SU2: a box whose surface points have moved is told of, once") {
+  const TemporaryFolder folder;
+  const std::string box =
+      "FFD_NBOX= 1\nFFD_TAG= BOX\nFFD_CORNER_POINTS= 0\nFFD_SURFACE_POINTS= 3\n"
+      "lower 0 0.0 0.0 0.5\nlower 1 0.5 0.0 0.5\nelsewhere 4 0.5 0.5 0.5\n";
+  write_text(folder / "a.su2", sample + box);
+  io::MeshFile file = io::read_mesh(folder / "a.su2");
+  const auto told = [&] {
+    const auto warnings = io::write_mesh(folder / "b.su2", file.mesh, file.details.get());
+    return std::count_if(warnings.begin(), warnings.end(), [](const std::string& text) {
+      return contains(text, "FFD_SURFACE_POINTS");
+    });
+  };
+  CHECK(told() == 0);
+  file.mesh.coordinates.set_xy(4, {0.5, 0.51});  // none of the box's points
+  CHECK(told() == 0);
+  file.mesh.coordinates.set_xy(0, {-0.1, 0});
+  file.mesh.coordinates.set_xy(1, {0.4, 0});
+  CHECK(told() == 1);
+}
+
+TEST_CASE("SU2: edges in two markers, or twice in one, are a warning") {
+  const io::MeshFile file = read_from_text(
+      "a.su2", replaced(replaced(sample, "MARKER_ELEMS= 2\n3 8", "MARKER_ELEMS= 4\n3 8"), "3 7 6\n",
+                        "3 7 6\n3 7 8\n3 1 0\n"));
+  CHECK(any_contains(file.warnings, "marker \"upper\" names 1 edge again"));
+  CHECK(any_contains(file.warnings, "markers \"lower\" and \"upper\" share 1 edge"));
+  CHECK_FALSE(any_contains(io::read_mesh(WINSLOW_TEST_DATA "/square.su2").warnings, "share"));
 }
 
 TEST_CASE("SU2: bad input is refused with file and line") {
@@ -117,9 +218,11 @@ TEST_CASE("SU2: bad input is refused with file and line") {
   CHECK_CONTAINS(error("5 3 4 6 2", "5 3 4 4 2"), "a.su2:6: element 2 uses node 4 twice");
   CHECK_CONTAINS(error("5 5 8 7 5", "5 4 5 7 5"), "a.su2:9: ");
   CHECK_CONTAINS(error("0.5 1 7", "x 1 7"), "a.su2:18: found 'x', expected point 8 of 9");
-  CHECK_CONTAINS(error("0.5 1 7", "0.5 1 7 7"), "a.su2:18: found '7', expected the end");
+  CHECK_CONTAINS(error("5 3 4 6 2", "5 3 4 6 2 2"), "a.su2:6: found '2', expected the end");
   CHECK_CONTAINS(error("5 3 4 6 2", "10 3 4 6 2"), "element type 10 (a 3D mesh)");
   CHECK_CONTAINS(error("5 3 4 6 2", "22 3 4 6 2"), "element type 22 (second order)");
+  CHECK_CONTAINS(error("5 3 4 6 2", "305 3 4 6 2"), "element type 305 (order 4)");
+  CHECK_CONTAINS(error("3 8 7", "303 8 7 6 5"), "marker element type 303 (order 4)");
   CHECK_CONTAINS(error("3 8 7", "5 8 7 6"), "a.su2:27: found marker element type 5 (a 3D mesh)");
   CHECK_CONTAINS(error("NDIME= 2", "NDIME= 3"), "a.su2:2: found NDIME= 3 (a 3D mesh)");
   CHECK_CONTAINS(error("NDIME= 2\n", ""), "found no NDIME=");
@@ -127,7 +230,7 @@ TEST_CASE("SU2: bad input is refused with file and line") {
   CHECK_CONTAINS(error("MARKER_TAG= upper", "MARKER_TAG= lower"),
                  "a.su2:25: found a second marker 'lower'");
   CHECK_CONTAINS(error("MARKER_TAG= upper\n", ""), "found MARKER_ELEMS=, expected MARKER_TAG=");
-  CHECK_CONTAINS(error("NDIME= 2", "NZONE= 2\nNDIME= 2"), "a.su2:2: found NZONE= 2");
+  CHECK_CONTAINS(error("NDIME= 2", "NZONE= 2\nNDIME= 2"), "a.su2:2: found 0 IZONE= in the file");
   CHECK(error("NPOIN= 9", "NPOIN= 1000000000000") ==
         "a.su2:10: found 1000000000000 as the number of points, expected no more than the 42 that "
         "the rest of the file can hold (a wrong count, or a truncated file)");

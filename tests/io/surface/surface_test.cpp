@@ -70,6 +70,30 @@ TEST_CASE("OBJ: references of every form, comments, other keywords") {
   CHECK(any_contains(file.warnings, "line elements are not kept"));
 }
 
+TEST_CASE("surfaces: what a mesh does not hold is said, once each") {
+  const std::string faces = "f 1 2 3\nf 1 3 4\n", head = "v 1 0 0\nv 1 1 0\nv 0 1 0\n";
+  const auto obj = read_from_text(
+      "a.obj", "g left\nv 0 0 0 0.5 0.5 0.5\n" + head + "usemtl red\ng right\n" + faces);
+  CHECK(any_contains(obj.warnings, "groups of the file are not kept"));
+  CHECK(any_contains(obj.warnings, "colours of the file are not kept"));
+  CHECK(any_contains(obj.warnings, "materials of the file are not kept"));
+  CHECK(obj.warnings.size() == 3);
+  CHECK(read_from_text("a.obj", "v 0 0 0 1\n" + head + faces).warnings.empty());
+
+  const auto off = read_from_text(
+      "a.off", "COFF\n3 1 0\n0 0 0 9 9 9 9\n1 0 0 9 9 9 9\n0 1 0 9 9 9 9\n3 0 1 2\n");
+  CHECK(any_contains(off.warnings, "colours of the file are not kept"));
+  const auto ply = read_from_text(
+      "a.ply",
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nproperty uchar red\nproperty float quality\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n0 0 0 1 1\n1 0 0 1 1\n0 1 0 1 1\n"
+      "3 0 1 2\n");
+  CHECK(any_contains(ply.warnings, "colours of the file are not kept"));
+  CHECK(any_contains(ply.warnings, "property 'quality' and its values of the file are not kept"));
+  CHECK(ply.warnings.size() == 2);
+}
+
 TEST_CASE("OBJ: bad input is refused with file and line") {
   const std::string text = data("square.obj");
   const auto error = [&](const std::string& part, const std::string& by) {

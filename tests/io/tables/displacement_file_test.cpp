@@ -23,6 +23,13 @@ std::string error(const std::string& text) {
 
 }  // namespace
 
+TEST_CASE("displacements: a byte order mark is no part of the first name; Fortran's exponents") {
+  const DisplacementTable table = read("\xEF\xBB\xBFnode,dx,dy\r\n7,0.5D0,-1.0D-03\r\n");
+  REQUIRE(table.entries.size() == 1);
+  CHECK(table.entries[0].node == 7);
+  CHECK(table.entries[0].displacement == Vec2(0.5, -1e-3));
+}
+
 TEST_CASE("displacements: columns by name, by number, with any separator") {
   const DisplacementTable a = read("# moved\nnode,dx,dy\n7,0.5,-1e-3\n\n8,+1,2\n");
   REQUIRE(a.entries.size() == 2);

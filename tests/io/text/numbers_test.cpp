@@ -21,12 +21,16 @@ TEST_CASE("numbers: only whole words, signs, exponents, out of range") {
   CHECK(io::parse_number("1e3") == 1000.0);
   CHECK(io::parse_number("+.5") == 0.5);
   CHECK(io::parse_number("-0.5E-1") == -0.05);
+  CHECK(io::parse_number("1.5D+03") == 1500.0);
+  CHECK(io::parse_number("-.5d-1") == -0.05);
+  CHECK(io::parse_number("1D999") == std::numeric_limits<double>::infinity());
   CHECK(io::parse_number("1e999") == std::numeric_limits<double>::infinity());
   CHECK(io::parse_number("-1e999") == -std::numeric_limits<double>::infinity());
   CHECK(io::parse_number("1e-999") == 0.0);
   CHECK(std::signbit(*io::parse_number("-1e-999")));
   CHECK(std::isnan(*io::parse_number("nan")));
-  for (const char* bad : {"", ".", "e5", "1,5", "1.5f", "0x10", "--1"}) {
+  for (const char* bad :
+       {"", ".", "e5", "1,5", "1.5f", "0x10", "--1", "d", "d5", "1d", "1dd5", "1e5d5"}) {
     CAPTURE(bad);
     CHECK_FALSE(io::parse_number(bad).has_value());
   }

@@ -94,25 +94,25 @@ TEST_CASE("VTK: bad input is refused with file and line") {
     return input_error("a.vtk", replaced(legacy, part, by));
   };
   CHECK_CONTAINS(input_error("a.vtk", legacy.substr(0, legacy.find("1 0.5 0"))),
-                 "a.vtk:10: found 9 as the number of points, expected no more than the 8");
-  CHECK_CONTAINS(error("POINTS 9", "POINTS 10"), "a.vtk:20: found 'CELLS', expected a coordinate");
-  CHECK_CONTAINS(error("POINTS 9", "POINTS 8"), "a.vtk:19: found '1', expected a keyword");
-  CHECK_CONTAINS(error("POINTS 9", "POINTS 900000000000"), "a.vtk:10: found 900000000000");
+                 "a.vtk:5: found 9 as the number of points, expected no more than the 8");
+  CHECK_CONTAINS(error("POINTS 9", "POINTS 10"), "a.vtk:15: found 'CELLS', expected a coordinate");
+  CHECK_CONTAINS(error("POINTS 9", "POINTS 8"), "a.vtk:14: found '1', expected a keyword");
+  CHECK_CONTAINS(error("POINTS 9", "POINTS 900000000000"), "a.vtk:5: found 900000000000");
   CHECK_CONTAINS(error("CELLS 10 38", "CELLS 10 39"), "found 'CELL_TYPES', expected a number");
   CHECK_CONTAINS(error("CELLS 10 38", "CELLS 11 38"), "expected 11 cells");
   CHECK(
-      contains(error("CELLS 10 38", "CELLS 10 38000000000000"), "a.vtk:20: found 38000000000000"));
+      contains(error("CELLS 10 38", "CELLS 10 38000000000000"), "a.vtk:15: found 38000000000000"));
   CHECK_CONTAINS(error("CELL_TYPES 10\n9\n", "CELL_TYPES 9\n"), "found 9 cell types, expected 10");
-  CHECK(error("3 5 8 7", "3 5 9 7") == "a.vtk:26: found node 9, expected 0 to 8");
-  CHECK(error("3 5 8 7", "3 5 -1 7") == "a.vtk:26: found node -1, expected 0 to 8");
-  CHECK_CONTAINS(error("3 5 8 7", "3 5 5 7"), "a.vtk:26: element 5 uses node 5 twice");
-  CHECK_CONTAINS(error("3 5 8 7", "99 5 8 7"), "a.vtk:26: found 99 as the size of a cell");
-  CHECK_CONTAINS(error("1 0.5 0", "1 nan 0"), "a.vtk:16: found nan");
-  CHECK_CONTAINS(error("1 0.5 0", "1 0.5 3"), "a.vtk:16: found z = 3 after z = 0 (a 3D mesh)");
+  CHECK(error("3 5 8 7", "3 5 9 7") == "a.vtk:21: found node 9, expected 0 to 8");
+  CHECK(error("3 5 8 7", "3 5 -1 7") == "a.vtk:21: found node -1, expected 0 to 8");
+  CHECK_CONTAINS(error("3 5 8 7", "3 5 5 7"), "a.vtk:21: element 5 uses node 5 twice");
+  CHECK_CONTAINS(error("3 5 8 7", "99 5 8 7"), "a.vtk:21: found 99 as the size of a cell");
+  CHECK_CONTAINS(error("1 0.5 0", "1 nan 0"), "a.vtk:11: found nan");
+  CHECK_CONTAINS(error("1 0.5 0", "1 0.5 3"), "a.vtk:11: found z = 3 after z = 0 (a 3D mesh)");
   CHECK_CONTAINS(error("CELL_TYPES 10\n9", "CELL_TYPES 10\n10"),
-                 "a.vtk:21: found cell type 10 (a 3D mesh)");
+                 "a.vtk:16: found cell type 10 (a 3D mesh)");
   CHECK_CONTAINS(error("CELL_TYPES 10\n9", "CELL_TYPES 10\n22"), "(second or higher order)");
-  CHECK_CONTAINS(error("CELL_TYPES 10\n9", "CELL_TYPES 10\n5"), "a.vtk:21: found 4 nodes");
+  CHECK_CONTAINS(error("CELL_TYPES 10\n9", "CELL_TYPES 10\n5"), "a.vtk:16: found 4 nodes");
   CHECK_CONTAINS(error("CELL_DATA 10", "CELL_DATA 9"), "found data for 9 cells, expected 10");
   CHECK(
       contains(error("UNSTRUCTURED_GRID", "STRUCTURED_GRID"), "a.vtk:4: found 'STRUCTURED_GRID'"));
@@ -176,6 +176,40 @@ TEST_CASE("VTU appended: truncated data, wrong sizes and offsets are refused") {
                  "offset '100000'");
   CHECK(
       contains(input_error("a.vtu", replaced(xml_binary, "LittleEndian", "BigEndian")), "a.vtu:"));
+}
+
+TEST_CASE(
+    "VTK: names of markers follow the cells, where Gmsh takes them; before POINTS they are read") {
+  CHECK(legacy.find("FIELD") > legacy.find("CELL_TYPES"));
+  CHECK(legacy.find("FIELD") < legacy.find("CELL_DATA"));
+  const auto begin = legacy.find("FIELD"), end = legacy.find("CELL_DATA");
+  const std::string names = legacy.substr(begin, end - begin);
+  const std::string old = replaced(replaced(legacy, names, ""), "POINTS", names + "POINTS");
+  check_same_mesh(read_from_text("a.vtk", old).mesh, expected().mesh);
+}
+
+TEST_CASE("VTU: compressed data that declares too much is refused before it is unpacked") {
+  const auto bytes = [](std::uint32_t value) {
+    return std::string(reinterpret_cast<const char*>(&value), sizeof value);
+  };
+  const auto with = [&](const std::string& name, std::uint32_t size, std::uint32_t packed) {
+    const std::string array = "Name=\"" + name + "\" format=\"ascii\">";
+    const auto begin = xml.find(array);
+    REQUIRE(begin != std::string::npos);
+    const auto end = xml.find("</DataArray>", begin);
+    const std::string data =
+        io::vtk::encode_base64(bytes(1) + bytes(size) + bytes(size) + bytes(packed)) +
+        io::vtk::encode_base64(std::string(packed, '\0'));
+    std::string text =
+        xml.substr(0, begin) + "Name=\"" + name + "\" format=\"binary\">" + data + xml.substr(end);
+    text = replaced(text, "header_type=\"UInt64\"", "header_type=\"UInt32\"");
+    return replaced(text, "<VTKFile ", "<VTKFile compressor=\"vtkZLibDataCompressor\" ");
+  };
+  CHECK_CONTAINS(input_error("a.vtu", with("connectivity", 5000000, 10000)),
+                 "found 10000 bytes that are to unpack to 5000000 in array 'connectivity', "
+                 "expected no more than 200 times as many");
+  CHECK_CONTAINS(input_error("a.vtu", with("types", 64000, 100)),
+                 "found 64000 bytes in array 'types', expected 10 numbers, 10 bytes");
 }
 
 TEST_CASE("VTU: inline base64, appended base64, both byte orders, zlib blocks") {

@@ -12,6 +12,7 @@ namespace winslow::gui::action {
 struct OpenMesh {
   std::filesystem::path path;
   bool discard_changes = false;  ///< false: ask if the open mesh has unsaved changes
+  int zone = 0;                  ///< of a file of several zones; 0: the first
 };
 struct SaveMesh {
   std::filesystem::path path;   ///< empty: where the mesh came from

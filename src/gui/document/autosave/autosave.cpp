@@ -112,6 +112,8 @@ void Autosave::keep(const Session& session) {
                        fs::absolute(document->path()), restored ? restored_mesh_ : source,
                        document->source_stamp(),       document->history(),
                        document->edits().tags()};
+  const auto details = document->details();
+  if (details && !details->zones.empty()) record.zone = details->zone;
   tasks_.push_back([this, folder = folder_, record = std::move(record),
                     done = std::exchange(taken_over_, {})]() -> Then {
     try {

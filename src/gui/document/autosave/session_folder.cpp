@@ -53,8 +53,8 @@ bool copy_unchanged(const SessionRecord& session, const fs::path& to) {
 }
 
 /// The mesh as opened. What its format keeps besides a mesh is lost where the file had changed.
-Document::Loaded read_start(const fs::path& file) {
-  if (!file.filename().string().starts_with(start_prefix)) return Document::load(file);
+Document::Loaded read_start(const fs::path& file, int zone) {
+  if (!file.filename().string().starts_with(start_prefix)) return Document::load(file, zone);
   Document::Loaded loaded;
   loaded.state = read_step(file, MeshState{}).state;
   loaded.file.mesh = loaded.state.mesh;
@@ -81,6 +81,7 @@ json manifest_of(const SessionRecord& session, const std::string& start) {
           {"source", session.source.string()},
           {"path", session.path.string()},
           {"mesh", start},
+          {"zone", session.zone},
           {"time", local_time()},
           {"position", session.history.position()},
           {"steps", std::move(steps)}};
@@ -203,7 +204,9 @@ RestoredSession read_session(const fs::path& folder) {
   read_summary(folder);  // checks the version
   const json manifest = read_manifest(folder);
   RestoredSession session;
-  session.loaded = read_start(file_of(manifest, "mesh", folder));
+  session.loaded =
+      read_start(file_of(manifest, "mesh", folder),
+                 manifest.contains("zone") ? value_of<int>(manifest, "zone", folder) : 0);
   session.loaded.path = value_of<std::string>(manifest, "source", folder);
   session.path = value_of<std::string>(manifest, "path", folder);
   const auto steps = value_of<json::array_t>(manifest, "steps", folder);

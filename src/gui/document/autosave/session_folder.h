@@ -23,6 +23,7 @@ struct SessionRecord {
   std::optional<FileStamp> stamp;  ///< of that file as it was read
   History history;
   std::vector<EditHistory::Tag> tags;  ///< of each position
+  int zone = 0;                        ///< of a file of several zones: the one that is open
 };
 
 /// Writes one running studio's session into a folder of its own: a copy of the mesh file as it was

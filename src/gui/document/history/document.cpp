@@ -15,11 +15,15 @@ std::filesystem::path resolved(const std::filesystem::path& path) {
 
 }  // namespace
 
-Document::Loaded Document::load(const std::filesystem::path& path) {
+Document::Loaded Document::load(const std::filesystem::path& path, int zone) {
   Loaded loaded;
   loaded.path = path;
   loaded.stamp = stamp_of(path);
-  loaded.file = io::read_mesh(path);
+  loaded.file = io::read_mesh(path, {.zone = zone});
+  if (zone == 0) {
+    for (std::string& text : io::zones_left(loaded.file, path))
+      loaded.file.warnings.push_back(std::move(text));
+  }
   loaded.quality = measure_quality(loaded.file.mesh);
   loaded.state = make_state(loaded.file.mesh);
   if (stamp_of(path) != loaded.stamp) loaded.stamp.reset();

@@ -27,8 +27,9 @@ class Document {
     QualityReport quality;
     std::optional<FileStamp> stamp;  ///< of the file that was read; empty: it changed meanwhile
   };
-  /// Reads and prepares a mesh. Throws what io::read_mesh throws.
-  static Loaded load(const std::filesystem::path& path);
+  /// Reads and prepares a mesh, of a file of several zones that one; 0: the first. Throws what
+  /// io::read_mesh throws.
+  static Loaded load(const std::filesystem::path& path, int zone = 0);
 
   explicit Document(Loaded loaded);
 

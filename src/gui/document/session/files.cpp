@@ -24,23 +24,24 @@ bool Files::unsaved() const {
 void Files::on(const action::OpenMesh& a) {
   if (a.path.empty()) return;
   if (unsaved() && !a.discard_changes) {
-    messages_.ask(
-        {Prompt::Kind::question,
-         "Discard the changes?",
-         mesh_.document()->name() + " has changes that are not saved. Opening " +
-             a.path.filename().string() + " would lose them.",
-         {{"Discard and open", {action::OpenMesh{a.path, true}}, false}, {"Cancel", {}, true}}});
+    messages_.ask({Prompt::Kind::question,
+                   "Discard the changes?",
+                   mesh_.document()->name() + " has changes that are not saved. Opening " +
+                       a.path.filename().string() + " would lose them.",
+                   {{"Discard and open", {action::OpenMesh{a.path, true, a.zone}}, false},
+                    {"Cancel", {}, true}}});
     return;
   }
   if (loader_.busy()) {
     next_path_ = a.path;
+    next_zone_ = a.zone;
     return;
   }
   loading_path_ = a.path;
-  loader_.start([path = a.path] {
+  loader_.start([path = a.path, zone = a.zone] {
     LoadOutcome outcome;
     outcome.error = error_of(
-        [&] { outcome.loaded = std::make_shared<Document::Loaded>(Document::load(path)); });
+        [&] { outcome.loaded = std::make_shared<Document::Loaded>(Document::load(path, zone)); });
     return outcome;
   });
 }
@@ -50,7 +51,7 @@ bool Files::poll_loader() {
   if (!outcome) return false;
   const auto path = std::exchange(loading_path_, {});
   if (!next_path_.empty()) {
-    on(action::OpenMesh{std::exchange(next_path_, {}), true});
+    on(action::OpenMesh{std::exchange(next_path_, {}), true, next_zone_});
   } else if (outcome->loaded) {
     adopt(std::move(*outcome->loaded));
   } else {

@@ -80,6 +80,7 @@ class Files {
   bool quit_ = false;
   std::filesystem::path loading_path_;
   std::filesystem::path next_path_;  // asked for while another mesh was being read
+  int next_zone_ = 0;                // of that file
   Background<LoadOutcome> loader_;
   Background<SaveOutcome> saver_;
   Background<CsvOutcome> csv_writer_;

@@ -60,8 +60,8 @@ void HeadlessStudio::settle() {
   throw_if_wrong();
 }
 
-void HeadlessStudio::open(const std::filesystem::path& mesh) {
-  bench_->apply(action::OpenMesh{mesh, true});
+void HeadlessStudio::open(const std::filesystem::path& mesh, int zone) {
+  bench_->apply(action::OpenMesh{mesh, true, zone});
   try {
     settle();
   } catch (const Error&) {

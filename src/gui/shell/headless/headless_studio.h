@@ -29,7 +29,7 @@ class HeadlessStudio {
   /// Runs frames until nothing is under way. Throws what went wrong on the way as Error.
   void settle();
   /// Opens a mesh and waits for it. Throws InputError.
-  void open(const std::filesystem::path& mesh);
+  void open(const std::filesystem::path& mesh, int zone = 0);
 
   /// Carries out commands, one after the other. seen: called with every new mesh on the way;
   /// without it the solver is not held up. Throws Error.

@@ -94,7 +94,7 @@ HeadlessResult run_headless(const HeadlessOptions& options) {
 
   HeadlessResult result;
   HeadlessStudio studio(options.width, options.height);
-  if (!mesh.empty()) studio.open(mesh);
+  if (!mesh.empty()) studio.open(mesh, options.zone != 0 ? options.zone : recipe.zone);
   if (const Document* document = studio.bench().session().document()) {
     for (const std::string& text : document->warnings()) options.warn(text);
     // Said here; a question on screen would be in the picture.

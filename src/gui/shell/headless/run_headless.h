@@ -14,6 +14,7 @@ namespace winslow::gui {
 /// The studio as a program without a window.
 struct HeadlessOptions {
   std::optional<std::filesystem::path> mesh;  ///< to start with; before that of the recipe
+  int zone = 0;                               ///< of it; 0: the recipe's, or else the first
   std::filesystem::path recipe;               ///< carried out; empty: none
   std::filesystem::path script;               ///< played then; empty: none (docs/studio.md)
   std::filesystem::path picture;              ///< of the end: .png, .svg or .pdf; empty: none

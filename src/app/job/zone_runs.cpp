@@ -1,0 +1,113 @@
+#include "app/job/zone_runs.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "app/job/markers.h"
+#include "core/error.h"
+
+namespace winslow::app {
+namespace {
+
+void keep_known(std::vector<std::string>& markers, const Topology& topology) {
+  std::erase_if(
+      markers, [&](const std::string& name) { return !topology.markers().find(name).has_value(); });
+}
+
+/// The command for one zone; nothing, if it is about markers of other zones.
+std::optional<Command> restricted(Command command, const Topology& topology) {
+  if (markers_of(command).empty()) return command;
+  std::visit(
+      [&](auto& c) {
+        if constexpr (requires { c.markers; }) {
+          keep_known(c.markers, topology);
+        } else if constexpr (requires { c.layers.walls; }) {
+          for (LayerWall& wall : c.layers.walls) keep_known(wall.markers, topology);
+          std::erase_if(c.layers.walls, [](const LayerWall& wall) { return wall.markers.empty(); });
+        }
+      },
+      command);
+  if (markers_of(command).empty()) return std::nullopt;
+  return command;
+}
+
+/// What a command says of single nodes; empty: nothing.
+std::string about_nodes(const Command& command) {
+  if (std::holds_alternative<EditVcvCommand>(command)) return "edits VCVs of nodes";
+  if (const auto* deform = std::get_if<DeformCommand>(&command)) {
+    if (std::holds_alternative<DisplacementTable>(deform->shape)) return "displaces single nodes";
+  }
+  if (const auto* layers = std::get_if<LayersCommand>(&command)) {
+    if (!layers->layers.overrides.empty()) return "says what columns of single nodes are like";
+  }
+  return {};
+}
+
+void refuse_ambiguous(const std::vector<ZoneRun>& runs, const std::string& file) {
+  std::vector<std::string> seen;
+  for (const ZoneRun& run : runs) {
+    for (const Command& command : run.commands) {
+      const std::string about = about_nodes(command);
+      if (about.empty()) continue;
+      if (std::find(seen.begin(), seen.end(), about) != seen.end()) {
+        throw UsageError(std::string(command_name(command)) + " " + about + ", and " + file +
+                         " has several zones that it could mean; choose one with --zone N");
+      }
+      seen.push_back(about);
+      break;  // several such commands of one zone mean the same nodes
+    }
+  }
+}
+
+}  // namespace
+
+std::string ZoneRun::name() const {
+  if (!source.details || source.details->zones.empty()) return {};
+  return "zone " + std::to_string(source.details->zone);
+}
+
+std::vector<io::MeshFile> read_zones(const std::string& path, int zone) {
+  std::vector<io::MeshFile> files;
+  files.push_back(io::read_mesh(path, {.zone = zone}));
+  if (zone != 0) return files;
+  const std::vector<int> numbers = files[0].details->zones;
+  for (std::size_t i = 1; i < numbers.size(); ++i) {
+    files.push_back(io::read_mesh(path, {.zone = numbers[i]}));
+  }
+  return files;
+}
+
+std::vector<std::string> warnings_of(const std::vector<io::MeshFile>& files) {
+  std::vector<std::string> all;
+  for (const io::MeshFile& file : files) {
+    for (const std::string& text : file.warnings) {
+      if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
+    }
+  }
+  return all;
+}
+
+std::vector<ZoneRun> share_out(std::vector<io::MeshFile> zones,
+                               const std::vector<Command>& commands, const std::string& file) {
+  std::vector<const Topology*> topologies;
+  for (const io::MeshFile& zone : zones) topologies.push_back(zone.mesh.topology.get());
+  check_markers(commands, topologies, file);
+  if (zones.size() == 1) return {ZoneRun{std::move(zones[0]), commands, {}, {}}};
+  std::vector<ZoneRun> runs;
+  for (io::MeshFile& zone : zones) {
+    ZoneRun run;
+    for (const Command& command : commands) {
+      auto own = restricted(command, *zone.mesh.topology);
+      if (own) run.commands.push_back(std::move(*own));
+    }
+    if (run.commands.empty() && !commands.empty()) continue;
+    run.source = std::move(zone);
+    runs.push_back(std::move(run));
+  }
+  refuse_ambiguous(runs, file);
+  return runs;
+}
+
+}  // namespace winslow::app

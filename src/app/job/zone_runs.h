@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/command/command.h"
+#include "core/quality/quality.h"
+#include "io/format/mesh_file.h"
+
+namespace winslow::app {
+
+/// The mesh of a file, or one of its zones, and what becomes of it.
+struct ZoneRun {
+  io::MeshFile source;
+  std::vector<Command> commands;
+  MeshState result;
+  QualityReport quality, before;  ///< of the result; of what was read
+
+  /// "zone 2"; empty for a file that is one mesh.
+  std::string name() const;
+};
+
+/// The zone of that number; 0: all zones of the file, in its order. A file without zones is one
+/// mesh. Throws what io::read_mesh throws.
+std::vector<io::MeshFile> read_zones(const std::string& path, int zone);
+
+/// Warnings of all of them; what several say alike is said once.
+std::vector<std::string> warnings_of(const std::vector<io::MeshFile>& files);
+
+/// Shares commands out to zones. A command that names markers goes to the zones that have any of
+/// them, with those alone; one that names none goes to all. Zones that no command goes to are left
+/// out. Throws UsageError for a marker that no zone has (the message suggests the nearest), and for
+/// numbers of nodes that would mean other nodes in each of several zones.
+std::vector<ZoneRun> share_out(std::vector<io::MeshFile> zones,
+                               const std::vector<Command>& commands, const std::string& file);
+
+}  // namespace winslow::app

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <streambuf>
+#include <string>
+#include <string_view>
+
+namespace winslow::io {
+
+/// "mesh.su2.gz": the extension says that a file is to be compressed.
+bool is_gzip_name(const std::filesystem::path& path);
+/// The content of a file says that it is compressed.
+bool is_gzip(std::string_view bytes);
+
+/// What a compressed file holds; `name` for messages. Throws InputError where it is damaged, ends
+/// early, or would grow beyond what a mesh can shrink to.
+std::string gunzip(std::string_view bytes, const std::string& name);
+
+/// Compresses what is written to it and passes it on to another buffer.
+class GzipBuffer : public std::streambuf {
+ public:
+  explicit GzipBuffer(std::streambuf& target);
+  ~GzipBuffer() override;
+  GzipBuffer(const GzipBuffer&) = delete;
+  GzipBuffer& operator=(const GzipBuffer&) = delete;
+
+  /// Writes the end of the compressed data. False if the target took not all of it.
+  bool finish();
+
+ protected:
+  int_type overflow(int_type c) override;
+  int sync() override;
+
+ private:
+  struct State;
+  bool pass_on(int flush);
+
+  std::streambuf& target_;
+  std::unique_ptr<State> state_;
+  bool good_ = true;
+  std::array<char, 1 << 16> buffer_{};
+};
+
+}  // namespace winslow::io

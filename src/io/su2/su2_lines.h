@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "io/text/scanner.h"
+
+namespace winslow::io::su2 {
+
+/// A line of an SU2 file: "KEY= value % comment", or data.
+struct Line {
+  std::size_t offset = 0;  ///< of its first byte in the source
+  std::string_view bytes;  ///< all of it, with its end
+  std::string_view text;   ///< without comment and blanks at both ends
+  std::string_view key;    ///< empty: not a keyword line
+  std::string_view value;
+
+  bool blank() const { return text.empty(); }
+};
+
+/// Takes the words of a line one after the other.
+class LineWords {
+ public:
+  explicit LineWords(std::string_view text) : rest_(text) {}
+  /// Empty at the end of the line.
+  std::string_view next();
+  /// What has not been taken yet, without blanks at both ends.
+  std::string_view rest() const { return trimmed(rest_); }
+
+ private:
+  std::string_view rest_;
+};
+
+/// Walks over the lines of a zone.
+class LineReader {
+ public:
+  LineReader(const Source& source, std::size_t begin, std::size_t end)
+      : source_(source), scan_(source, begin, end), end_(end) {}
+
+  const Source& source() const { return source_; }
+  bool at_end() const { return scan_.at_end(); }
+  std::size_t offset() const { return scan_.offset(); }
+  std::size_t bytes_left() const { return scan_.bytes_left(); }
+  void back_to(const Line& line) { scan_.seek(line.offset); }
+
+  Line next();
+  /// The next line that is neither blank nor a comment alone. Throws InputError at the end.
+  Line next_data(const Expected& expected);
+
+  /// Throws "found <the word>, expected ..." at the word; an empty one is a line's end.
+  [[noreturn]] void fail(std::string_view word, const std::string& expected) const {
+    scan_.fail(word, expected);
+  }
+
+ private:
+  const Source& source_;
+  Scanner scan_;
+  std::size_t end_;
+};
+
+}  // namespace winslow::io::su2

@@ -1,0 +1,86 @@
+#include "io/su2/su2_points.h"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "io/text/numbers.h"
+
+namespace winslow::io::su2 {
+namespace {
+
+/// What the ends of the lines of all points have in common.
+class Tails {
+ public:
+  explicit Tails(Index count) { views_.reserve(static_cast<std::size_t>(count)); }
+
+  /// `y`: the word taken for the second coordinate of point i; `tail`: what follows it.
+  void add(Index i, std::string_view y, std::string_view tail) {
+    views_.push_back(tail);
+    const auto number = parse_integer(tail);
+    if (tail.empty()) {
+      ++bare_;
+      if (parse_integer(y) == i) {
+        ++short_;
+        if (first_short_.data() == nullptr) first_short_ = tail;
+      }
+    } else if (number == i) {
+      ++numbered_;
+    } else {
+      renumbered_ = renumbered_ || number.has_value();
+    }
+  }
+
+  /// A line "x number" lacks a coordinate: its y is the number of the point, while other lines have
+  /// a number behind their y. Where no line has, and every y is the point's number, all lack one;
+  /// up to three points may lie like that.
+  std::optional<std::string_view> first_short() const {
+    constexpr std::size_t may_be_chance = 3;
+    const bool every = short_ == views_.size() && short_ > may_be_chance;
+    if (short_ > 0 && (bare_ < views_.size() || every)) return first_short_;
+    return std::nullopt;
+  }
+
+  bool renumbered() const { return renumbered_; }
+
+  void keep(Details& details) const {
+    details.point_numbers = numbered_ > 0;
+    if (bare_ == views_.size() || numbered_ == views_.size()) return;
+    details.point_tails.assign(views_.begin(), views_.end());
+  }
+
+ private:
+  std::vector<std::string_view> views_;
+  std::size_t bare_ = 0, numbered_ = 0, short_ = 0;
+  std::string_view first_short_;
+  bool renumbered_ = false;
+};
+
+}  // namespace
+
+bool read_points(LineReader& lines, Index count, ParsedMesh& mesh, Details& details) {
+  mesh.data.coordinates = Coordinates(2, count);
+  mesh.where.nodes.reserve(static_cast<std::size_t>(count));
+  Tails tails(count);
+  for (Index i = 0; i < count; ++i) {
+    const Expected expected{"point", i, count};
+    const Line line = lines.next_data(expected);
+    mesh.where.nodes.push_back(lines.source().offset_of(line.text));
+    LineWords words(line.text);
+    const auto x_word = words.next();
+    const auto x = parse_number(x_word);
+    if (!x) lines.fail(x_word, expected.text());
+    const auto y_word = words.next();
+    const auto y = parse_number(y_word);
+    if (!y) lines.fail(y_word, Expected{"y of point", i, count}.text());
+    mesh.data.coordinates.set_xy(i, {*x, *y});
+    tails.add(i, y_word, words.rest());
+  }
+  if (const auto tail = tails.first_short()) {
+    lines.fail(*tail, "two coordinates before the number of the point");
+  }
+  tails.keep(details);
+  return tails.renumbered();
+}
+
+}  // namespace winslow::io::su2
