@@ -197,8 +197,9 @@ void warn_of_damage(const EditJob& job, const ZoneRun& zone, RunReport& run) {
   const std::string damage = describe_damage(zone.source.mesh, zone.result.mesh);
   if (damage.empty()) return;
   const std::string name = zone.name();
-  const std::string text = (name.empty() ? "" : name + ": ") + damage +
-                           "; --targets auto and rest keep the shapes that elements have";
+  const std::string text =
+      (name.empty() ? "" : name + ": ") + damage +
+      "; --targets that keep the elements' own shapes, such as rest, avoid that";
   warn(job.files, {text});
   run.warnings.push_back(text);
 }

@@ -94,7 +94,7 @@ std::vector<ZoneRun> share_out(std::vector<io::MeshFile> zones,
   std::vector<const Topology*> topologies;
   for (const io::MeshFile& zone : zones) topologies.push_back(zone.mesh.topology.get());
   check_markers(commands, topologies, file);
-  if (zones.size() == 1) return {ZoneRun{std::move(zones[0]), commands, {}, {}}};
+  if (zones.size() == 1) return {ZoneRun{std::move(zones[0]), commands, {}, {}, {}}};
   std::vector<ZoneRun> runs;
   for (io::MeshFile& zone : zones) {
     ZoneRun run;

@@ -67,8 +67,8 @@ class QualitySubcommand : public Subcommand {
   nlohmann::json describe(const std::vector<ZoneRun>& zones, const Timings& seconds) const {
     std::vector<ZoneResult> results;
     for (const ZoneRun& z : zones) {
-      results.push_back(
-          {z.name().empty() ? 0 : z.source.details->zone, &z.source.mesh, &z.quality, nullptr});
+      results.push_back({z.name().empty() ? 0 : z.source.details->zone, &z.source.mesh, &z.quality,
+                         nullptr, nullptr});
     }
     nlohmann::json report = describe_zones(results);
     report["command"] = "quality";

@@ -42,7 +42,9 @@ struct SmoothResult {
   double fraction_reached = 1;     ///< share of the boundary motion in the result
   /// The limit that a motion ended before, as QualityFloor::fault() says it; empty: none.
   std::string limited_by;
-  int increments = 1;         ///< steps in which the boundary was moved
+  int increments = 1;  ///< steps in which the boundary was moved
+  /// Part of the elements (0 to 1) that `auto` targets keep stretched; none for other targets.
+  std::optional<double> stretched;
   std::string linear_solver;  ///< what solved the linear systems, e.g. "CHOLMOD ..."
   Index inverted = 0;
   std::vector<IterationRecord> history;
