@@ -44,6 +44,8 @@ json describe_result(const CommandRecord& record) {
                  {"linear_solves", r.linear_solves},
                  {"residual", r.residual},
                  {"fraction_reached", r.fraction_reached},
+                 {"limited_by", r.limited_by.empty() ? json() : json(r.limited_by)},
+                 {"stretched_elements", r.stretched ? json(*r.stretched) : json()},
                  {"increments", r.increments},
                  {"linear_solver", r.linear_solver},
                  {"inverted", r.inverted}};

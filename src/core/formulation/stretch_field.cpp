@@ -111,7 +111,7 @@ class Field {
                                         [&](Index node) { return topology_.on_boundary(node); })) {
       return;
     }
-    constexpr double more = 5;
+    constexpr double more = 1;
     const double held = 1 - rising_step(stretch_[at(e)], 0, 0.2);
     field.share[at(e)] = std::max(field.share[at(e)], held);
     field.weight[at(e)] = 1 + more * held;

@@ -23,7 +23,7 @@ namespace winslow {
 ///   three rows of elements, so that it does not jump where layers end.
 /// - Quadrilaterals keep all of their shape: a structured grid has squares only where its spacings
 ///   happen to cross, and to leave them square would bend the lines beside them.
-/// - A triangle at the boundary keeps at least 1 - step(s; 0, 0.2), and counts six times as much if
+/// - A triangle at the boundary keeps at least 1 - step(s; 0, 0.2), and counts twice as much if
 ///   that is 1: what is well shaped there keeps its height over the wall.
 /// - No target is stretched by more than m + 0.35 (triangle) or m + 0.7 (corner of a
 /// quadrilateral):

@@ -9,8 +9,10 @@ namespace {
 
 using nlohmann::json;
 
+/// Shares that are not named are 0, as on the command line.
 void read_shares(const json& value, const std::string& path, const SharesOption& shares) {
   ObjectReader reader(value, path);
+  for (const auto& part : shares.parts) *part.share = 0;
   for (const auto& part : shares.parts) reader.field(std::string(part.name).c_str(), *part.share);
   reader.finish();
 }

@@ -107,10 +107,13 @@ TEST_CASE("smooth: only free nodes move, and a second time changes nothing") {
   CAPTURE(seed);
   Random random(seed);
   perturb(state.mesh, random);
-  const CommandResult once = execute(SmoothCommand{}, state);
+  // Targets `auto` are those of the mesh as given, which is another one the second time.
+  SmoothCommand command;
+  command.smooth.targets = TargetBlend::regular();
+  const CommandResult once = execute(command, state);
   CHECK(once.smooth.converged);
   check_boundary(once.state, state.mesh.coordinates);
-  const CommandResult twice = execute(SmoothCommand{}, once.state);
+  const CommandResult twice = execute(command, once.state);
   CHECK(twice.smooth.converged);
   CHECK(twice.smooth.outer_iterations == 0);
   CHECK(twice.state.mesh.coordinates == once.state.mesh.coordinates);
@@ -179,9 +182,11 @@ TEST_CASE("a scrambled seed means these coordinates on every machine") {
 
 TEST_CASE("scramble and smooth give the mesh that smoothing alone gives") {
   const MeshState state = hole_state(Cells::mixed);
-  const Coordinates expected = execute(SmoothCommand{}, state).state.mesh.coordinates;
+  SmoothCommand command;
+  command.smooth.targets = TargetBlend::regular();
+  const Coordinates expected = execute(command, state).state.mesh.coordinates;
   const CommandResult scrambled = execute(ScrambleCommand{3}, state);
-  const CommandResult result = execute(SmoothCommand{}, scrambled.state);
+  const CommandResult result = execute(command, scrambled.state);
   CHECK(result.smooth.converged);
   CHECK(result.smooth.inverted == 0);
   CHECK(largest_difference(result.state.mesh.coordinates, expected) < 1e-6);

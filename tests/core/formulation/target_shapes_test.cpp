@@ -45,7 +45,7 @@ TEST_CASE("corners at the boundary take the parallelogram of the VCVs beside the
   const MeshData data = square(4, Cells::quads);
   const auto topology = Topology::build(data);
   const auto vcv = stretched(topology, data.coordinates, 5);
-  const TargetShapes shapes = TargetShapes::build(vcv, {}, nullptr);
+  const TargetShapes shapes = TargetShapes::build(vcv, TargetBlend::regular(), nullptr);
   // Every corner that can move, also those at walls, wants a rectangle of 5 by 1: on the mesh drawn
   // out sideways by 5 all distortions are 1.
   int at_boundary = 0;
@@ -73,7 +73,7 @@ TEST_CASE("a parallelogram that leans: from the VCV opposite, before and after")
   const std::vector<double> angles{radians(70), radians(110), radians(70), radians(110)};
   const std::vector<double> lengths{2, 1, 2, 1};
   vcv.set(centre, angles, lengths);
-  const TargetShapes shapes = TargetShapes::build(vcv, {}, nullptr);
+  const TargetShapes shapes = TargetShapes::build(vcv, TargetBlend::regular(), nullptr);
   // Place the grid as the lattice that this VCV spans.
   Coordinates x = data.coordinates;
   const auto row = topology->neighbours(centre);
@@ -110,7 +110,7 @@ TEST_CASE("the role of an element: its weight, and whether it follows edited VCV
   (*roles)[static_cast<std::size_t>(follows)].weight = 50;
   (*roles)[static_cast<std::size_t>(keeps)].own_shape = true;
   vcv.set_roles(roles);
-  const TargetShapes shapes = TargetShapes::build(vcv, {}, nullptr);
+  const TargetShapes shapes = TargetShapes::build(vcv, TargetBlend::regular(), nullptr);
   for (std::size_t t = 0; t < shapes.triangles.size(); ++t) {
     double weight = 0;
     bool equilateral = true;

@@ -161,7 +161,7 @@ TEST_CASE("the answer to a moving boundary is the derivative of the residual") {
   for (const Cells cells : {Cells::triangles, Cells::quads, Cells::mixed}) {
     const Sample sample = make_sample(7, cells);
     Random random(3);
-    const VariationalWinslow energy = formulation(sample, {0.5, 0.5, 0}, {});
+    const VariationalWinslow energy = formulation(sample, {0, 0.5, 0.5, 0}, {});
     const Topology& topology = *sample.mesh.topology;
     const Coordinates displacement = boundary_displacement(topology, random);
     constexpr double h = 1e-6;
@@ -239,7 +239,7 @@ TEST_CASE("perfect elements have distortion one and no force") {
 TEST_CASE("the rest mesh is the solution where its own shapes are the target") {
   for (const Cells cells : {Cells::triangles, Cells::quads, Cells::mixed}) {
     const Sample sample = make_sample(5, cells);
-    const VariationalWinslow energy = formulation(sample, {0, 0, 1}, {});
+    const VariationalWinslow energy = formulation(sample, {0, 0, 0, 1}, {});
     CHECK(energy.residual(sample.mesh.coordinates, {}).max < 1e-12);
     CHECK(energy.worst_distortion(sample.mesh.coordinates) == doctest::Approx(1));
   }

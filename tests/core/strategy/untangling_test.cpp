@@ -12,6 +12,7 @@ namespace {
 
 SmoothOptions by_energy() {
   SmoothOptions options;
+  options.targets = TargetBlend::regular();  // which do not depend on the mesh as given
   options.untangle = Untangle::energy;
   options.threads = 1;
   return options;

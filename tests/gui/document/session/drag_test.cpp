@@ -206,6 +206,9 @@ TEST_CASE(
     "a typed motion that ends before a limit of the quality says which, and gets no farther") {
   Rig rig;
   rig.open(ring_mesh());
+  SmoothOptions regular;  // which gain more from smoothing than the motion costs
+  regular.targets = TargetBlend::regular();
+  rig.bench->apply(action::EditSmoothOptions{whole(regular)});
   rig.bench->apply(action::RunSmooth{});
   REQUIRE(rig.settle());
   rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});

@@ -58,7 +58,7 @@ TEST_CASE("a command that spoils the cells at walls is named, in each place of t
   MessageBoard& board = parts.messages;
   CHECK_FALSE(board.banner().has_value());
   SmoothCommand regular;  // makes cells of one shape of stretched ones
-  regular.smooth.targets = {.element = 1, .vcv = 0, .rest = 0};
+  regular.smooth.targets = TargetBlend::regular();
   REQUIRE(parts.jobs.start(regular, false));
   parts.finish();
   REQUIRE(board.banner().has_value());

@@ -21,7 +21,11 @@ std::string content(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-MoveCommand turn_flap() { return {{"flap"}, {25, {0, 0}, {0.3, 0}}, {}, {}}; }
+MoveCommand turn_flap() {
+  MoveCommand command{{"flap"}, {25, {0, 0}, {0.3, 0}}, {}, {}};
+  command.smooth.targets = TargetBlend::regular();  // every iteration moves nodes by pixels
+  return command;
+}
 
 fs::path write_recipe_file(const TemporaryFolder& folder, std::vector<Command> commands,
                            const std::string& input = "mesh.su2") {

@@ -1,0 +1,143 @@
+#include "core/formulation/stretch_field.h"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "core/formulation/target_metric.h"
+#include "core/formulation/variational_winslow.h"
+#include "core/mesh/mesh.h"
+#include "support/formulations.h"
+#include "support/meshes.h"
+#include "support/random.h"
+
+using namespace winslow;
+using namespace winslow::test;
+
+namespace {
+
+/// The mesh drawn out along x.
+Mesh drawn_out(MeshData data, double factor) {
+  for (Index i = 0; i < data.node_count(); ++i) {
+    const Vec2 p = data.coordinates.xy(i);
+    data.coordinates.set_xy(i, Vec2(factor * p.x(), p.y()));
+  }
+  return make_mesh(data);
+}
+
+/// s of StretchField from singular values.
+double stretch_by_svd(const Vec2& m1, const Vec2& m2, double angle) {
+  Eigen::Matrix2d own, regular;
+  own << m1, m2;
+  regular << Vec2(1, 0), Vec2(std::cos(angle), std::sin(angle));
+  const Eigen::Vector2d s =
+      Eigen::JacobiSVD<Eigen::Matrix2d>(own * regular.inverse()).singularValues();
+  return 0.5 * std::log(s[0] / s[1]);
+}
+
+/// An interior node, and an element of which it is a corner that is moved so close to the opposite
+/// edge that a sliver is left.
+Index make_sliver(Mesh& mesh) {
+  const Topology& topology = *mesh.topology;
+  const Index node = topology.interior_nodes()[topology.interior_nodes().size() / 2];
+  const Index e = topology.star(node)[0];
+  Vec2 edge = Vec2::Zero();
+  for (const Index other : topology.element(e))
+    if (other != node) edge += 0.5 * mesh.coordinates.xy(other);
+  mesh.coordinates.set_xy(node, 0.02 * mesh.coordinates.xy(node) + 0.98 * edge);
+  return e;
+}
+
+}  // namespace
+
+TEST_CASE("the stretch between two triangles is that of the map between them") {
+  Random random(7);
+  for (int k = 0; k < 100; ++k) {
+    const Vec2 m1(random.uniform(0.1, 2), random.uniform(-1, 1));
+    const Vec2 m2 = Vec2(-m1.y(), m1.x()) * random.uniform(1e-5, 3) + m1 * random.uniform(-2, 2);
+    const TargetMetric regular = TargetMetric::of_angle(pi / 3), own = TargetMetric::of(m1, m2);
+    const double s = 0.5 * stretch_between(regular, own);
+    CHECK(s == doctest::Approx(stretch_by_svd(m1, m2, pi / 3)).epsilon(1e-7));
+    // Along the geodesic the stretch grows evenly, and the ends are what they should be.
+    const double share = random.uniform(0, 1);
+    const TargetMetric on_the_way = between(regular, own, share);
+    CHECK(on_the_way.a11 * on_the_way.a22 - on_the_way.a12 * on_the_way.a12 ==
+          doctest::Approx(1).epsilon(1e-6));
+    CHECK(0.5 * stretch_between(regular, on_the_way) == doctest::Approx(share * s).epsilon(1e-5));
+    CHECK(between(regular, own, 1).a11 == doctest::Approx(own.a11));
+    CHECK(between(regular, own, 0).a11 == doctest::Approx(regular.a11));
+  }
+}
+
+TEST_CASE("isotropic triangles become regular; those stretched alike keep their shapes") {
+  const Mesh isotropic = drawn_out(square(10, Cells::triangles), 1);
+  const StretchField regular = stretch_field(*isotropic.topology, isotropic.coordinates, 1);
+  CHECK(regular.stretched == 0);
+  CHECK(std::ranges::all_of(regular.share, [](double share) { return share == 0; }));
+
+  const Mesh stretched = drawn_out(square(10, Cells::triangles), 20);
+  const StretchField kept = stretch_field(*stretched.topology, stretched.coordinates, 1);
+  CHECK(kept.stretched == 1);
+  CHECK(std::ranges::all_of(kept.share, [](double share) { return share == 1; }));
+  const VirtualControlVolumes vcv(stretched.topology);
+  const VariationalWinslow energy(free_interior(stretched.topology),
+                                  TargetShapes::build(vcv, {}, &stretched.coordinates, 1), {}, 1);
+  CHECK(energy.worst_distortion(stretched.coordinates) == doctest::Approx(1));
+}
+
+TEST_CASE("quadrilaterals keep their shapes, stretched or not") {
+  for (const double factor : {1.0, 1.5, 1000.0}) {
+    const Mesh mesh = drawn_out(square(10, Cells::quads), factor);
+    const VirtualControlVolumes vcv(mesh.topology);
+    const VariationalWinslow energy(free_interior(mesh.topology),
+                                    TargetShapes::build(vcv, {}, &mesh.coordinates, 1), {}, 1);
+    CHECK(energy.worst_distortion(mesh.coordinates) == doctest::Approx(1));
+    CHECK(energy.shapes().stretched == (factor > 2 ? 1 : 0));
+  }
+}
+
+TEST_CASE("a sliver takes on the stretch of its neighbours") {
+  for (const double factor : {1.0, 30.0}) {
+    CAPTURE(factor);
+    Mesh mesh = drawn_out(square(10, Cells::triangles), factor);
+    const Topology& topology = *mesh.topology;
+    const StretchField before = stretch_field(topology, mesh.coordinates, 1);
+    const Index e = make_sliver(mesh);
+    const auto nodes = topology.element(e);
+    const Vec2 a = mesh.coordinates.xy(nodes[0]);
+    const double s = stretch_by_svd(mesh.coordinates.xy(nodes[1]) - a,
+                                    mesh.coordinates.xy(nodes[2]) - a, pi / 3);
+    const StretchField field = stretch_field(topology, mesh.coordinates, 1);
+    CHECK(s > before.longest[at(e)] + 0.3);  // it is one
+    const double target = s * field.share[at(e)] * std::min(1.0, field.longest[at(e)] / s);
+    CHECK(target <= before.longest[at(e)] + 0.05);
+  }
+}
+
+TEST_CASE("around inverted elements, and in a tangled mesh, targets are regular") {
+  Mesh mesh = drawn_out(square(20, Cells::triangles), 30);
+  const Topology& topology = *mesh.topology;
+  const Index node = topology.interior_nodes()[200];
+  mesh.coordinates.set_xy(node, mesh.coordinates.xy(node) + Vec2(40, 0));
+  const StretchField field = stretch_field(topology, mesh.coordinates, 1);
+  for (const Index e : topology.star(node)) CHECK(field.share[at(e)] == 0);
+  CHECK(field.stretched > 0.8);
+
+  Random random(3);
+  for (const Index free : topology.interior_nodes())
+    mesh.coordinates.set_xy(free, Vec2(random.uniform(0, 30), random.uniform(0, 1)));
+  const StretchField tangled = stretch_field(topology, mesh.coordinates, 1);
+  CHECK(tangled.stretched == 0);
+  CHECK(std::ranges::all_of(tangled.share, [](double share) { return share == 0; }));
+}
+
+TEST_CASE("the field does not depend on the number of threads") {
+  const Mesh mesh = make_mesh(annulus(120, 60, 1.05, Cells::mixed));
+  const StretchField one = stretch_field(*mesh.topology, mesh.coordinates, 1);
+  const StretchField four = stretch_field(*mesh.topology, mesh.coordinates, 4);
+  CHECK(one.share == four.share);
+  CHECK(one.longest == four.longest);
+  CHECK(one.weight == four.weight);
+}
