@@ -86,7 +86,11 @@ function(winslow_tests name)
   winslow_compile_options(${name}_tests)
   # Tests call what is optimised; they are not worth optimising themselves. This halves the time
   # that they take to compile.
-  target_compile_options(${name}_tests PRIVATE $<IF:$<BOOL:${WINSLOW_SANITIZE}>,-O0,$<$<CONFIG:Release>:-O1>>)
+  if(WINSLOW_SANITIZE)
+    target_compile_options(${name}_tests PRIVATE -O0)
+  elseif(CMAKE_BUILD_TYPE STREQUAL "Release")
+    target_compile_options(${name}_tests PRIVATE -O1)
+  endif()
   winslow_unity(${name}_tests ${CMAKE_CURRENT_SOURCE_DIR}/${name} SOURCES ${sources} APART ${arg_APART})
   list(TRANSFORM sources REPLACE ".*/tests/${name}/" "")
   list(FILTER sources INCLUDE REGEX "_test\\.cpp$")

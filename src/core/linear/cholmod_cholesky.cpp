@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/linear/blas_memory.h"
 #include "core/linear/eigen_matrix.h"
 #include "core/linear/factorisation.h"
 
@@ -194,6 +195,8 @@ class CholmodCholesky final : public Factorisation {
 
   void analyse(const SparseMatrix& matrix) {
     cholmod_free_factor(&factor_, common_.get());
+    // Supernodes are BLAS's work.
+    if (supernodal && !blas_has_memory()) common_.get()->supernodal = CHOLMOD_SIMPLICIAL;
     std::vector<Index> permutation = order(matrix);
     cholmod_sparse a = view();
     factor_ = cholmod_analyze_p(&a, permutation.data(), nullptr, 0, common_.get());

@@ -6,7 +6,10 @@
 #include <Eigen/UmfPackSupport>
 #endif
 
+#include <new>
+
 #include "core/error.h"
+#include "core/linear/blas_memory.h"
 #include "core/linear/eigen_matrix.h"
 #include "core/linear/factorisation.h"
 
@@ -15,6 +18,22 @@ namespace winslow {
 namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
+
+#if defined(WINSLOW_HAS_KLU)
+bool ran_out_of_memory(Eigen::KLU<Matrix>& lu) {
+  return lu.kluCommon().status == KLU_OUT_OF_MEMORY || lu.kluCommon().status == KLU_TOO_LARGE;
+}
+#endif
+#if defined(WINSLOW_HAS_UMFPACK)
+/// The analysis, which leaves no other trace of its failure, does not fail on square matrices.
+bool ran_out_of_memory(const Eigen::UmfPackLU<Matrix>& lu) {
+  return lu.umfpackFactorizeReturncode() == UMFPACK_ERROR_out_of_memory ||
+         lu.umfpackFactorizeReturncode() == UMFPACK_ERROR_invalid_Symbolic_object;
+}
+#endif
+#if !defined(WINSLOW_HAS_KLU) && !defined(WINSLOW_HAS_UMFPACK)
+bool ran_out_of_memory(const Eigen::SparseLU<Matrix>&) { return false; }  // it throws
+#endif
 
 template <typename Lu>
 class LuFactorisation final : public Factorisation {
@@ -34,6 +53,7 @@ class LuFactorisation final : public Factorisation {
     if (matrix_.assign(matrix)) lu_.analyzePattern(matrix_.matrix());
     lu_.factorize(matrix_.matrix());
     if (lu_.info() != Eigen::Success) {
+      if (ran_out_of_memory(lu_)) throw std::bad_alloc();
       throw NumericError("the linear system is singular (sparse LU failed)");
     }
   }
@@ -62,7 +82,7 @@ std::unique_ptr<Factorisation> make_lu([[maybe_unused]] Index rows) {
 #if defined(WINSLOW_HAS_KLU)
   // Below, dense kernels do not pay for themselves.
   constexpr Index umfpack_limit = 8'000;
-  if (rows < umfpack_limit)
+  if (rows < umfpack_limit || !blas_has_memory())
     return std::make_unique<LuFactorisation<Eigen::KLU<Matrix>>>("KLU sparse LU");
 #endif
   return std::make_unique<LuFactorisation<Eigen::UmfPackLU<Matrix>>>("UMFPACK sparse LU");

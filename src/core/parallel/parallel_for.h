@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -34,16 +35,22 @@ void parallel_for(int threads, Index n, Body&& body) {
     return;
   }
   std::vector<std::exception_ptr> errors(static_cast<std::size_t>(workers));
+  const auto work = [&](Index w) {
+    try {
+      run(w, workers);
+    } catch (...) {
+      errors[static_cast<std::size_t>(w)] = std::current_exception();
+    }
+  };
   {
     std::vector<std::jthread> pool;
+    pool.reserve(static_cast<std::size_t>(workers));
     for (Index w = 0; w < workers; ++w) {
-      pool.emplace_back([&, w] {
-        try {
-          run(w, workers);
-        } catch (...) {
-          errors[static_cast<std::size_t>(w)] = std::current_exception();
-        }
-      });
+      try {
+        pool.emplace_back(work, w);
+      } catch (const std::system_error&) {
+        work(w);  // no memory for another thread: the same work here
+      }
     }
   }
   for (const auto& error : errors) {
