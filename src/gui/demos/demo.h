@@ -16,6 +16,7 @@ struct DemoStep {
   std::optional<Command> command = {};             ///< carried out when the step begins
   bool afresh = false;                             ///< the command acts on the mesh as opened
   std::optional<std::array<double, 4>> view = {};  ///< shown when it begins: x0, y0, x1, y1
+  bool regular = false;  ///< the command strives for regular elements, whatever the panels say
 };
 
 /// A case of the paper, played step by step on a bundled mesh.

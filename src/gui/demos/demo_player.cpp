@@ -60,8 +60,10 @@ void DemoPlayer::begin_step(const Session& session, ActionQueue& actions) {
   if (step.afresh) actions.emplace_back(action::GoToStep{0});
   Command command = *step.command;
   // As the panels say: the user may be trying other settings.
-  if (SmoothOptions* smooth = winslow::smooth_options(command))
+  if (SmoothOptions* smooth = winslow::smooth_options(command)) {
     *smooth = session.jobs().smooth_options();
+    if (step.regular) smooth->targets = TargetBlend::regular();
+  }
   actions.emplace_back(action::RunCommand{std::move(command), false});
 }
 

@@ -92,7 +92,8 @@ Demo case_c() {
             {},
             SmoothCommand{},
             false,
-            view}}};
+            view,
+            true}}};
 }
 
 Demo case_d() {
@@ -142,7 +143,8 @@ Demo case_e() {
         {},
         layers({"outer", "circle", "ellipse"}, 5, 0.004, false),
         false,
-        view}}};
+        view,
+        true}}};
 }
 
 Demo case_f() {

@@ -60,6 +60,19 @@ TEST_CASE("each demo plays through to a valid mesh") {
   }
 }
 
+TEST_CASE("cases C and E strive for regular elements, whatever targets are set") {
+  for (const char* id : {"C", "E"}) {
+    INFO("case ", id);
+    DemoRig rig;
+    rig.begin(id);
+    while (rig.bench->demo().step() + 1 < rig.bench->demo().demo()->steps.size()) rig.next();
+    const auto& history = rig.document().history();
+    Command last = history.command(history.size() - 1);
+    CHECK(smooth_options(last)->targets == TargetBlend::regular());
+    CHECK(rig.session().jobs().smooth_options().targets == TargetBlend{});
+  }
+}
+
 TEST_CASE("a demo goes back to where the step before had ended") {
   DemoRig rig;
   rig.begin("E");
