@@ -20,7 +20,7 @@ std::string compressed(const std::string& text) {
 
 TEST_CASE("gzip: what is compressed comes back, also of several parts") {
   std::string text;
-  for (int i = 0; i < 200000; ++i) text += std::to_string(i * i % 977) + "\n";
+  for (long i = 0; i < 200000; ++i) text += std::to_string(i * i % 977) + "\n";
   const std::string packed = compressed(text);
   CHECK(io::is_gzip(packed));
   CHECK(packed.size() < text.size() / 2);
