@@ -187,10 +187,24 @@ class Verdicts(ProgramTest):
         run = self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--translate",
                            "9", "0", "--report", "r.json", "--accept-partial", code=INVERTED)
         self.assertIn("the motion could be followed to", run.stderr)
+        self.assertIn("body would touch farfield at 38.9 % of the way", run.stderr)
+        contact = self.json("r.json")["commands"][0]["contact"]
+        self.assertEqual((contact["moving"], contact["other"]), ("body", "farfield"))
+        self.assertAlmostEqual(contact["fraction"], 3.5 / 9, delta=0.01)
         reached = self.json("r.json")["fraction_reached"]
         self.assertTrue(0.3 < reached < 3.5 / 9, reached)  # contact: the rings' gap is 3.5
         nodes, elements, _ = support.read_su2(self.path("out.su2"))
         self.assertGreater(support.smallest_corner_area(nodes, elements), 0)
+
+    def test_a_motion_into_contact_is_not_begun(self):
+        self.ring()
+        run = self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--translate",
+                           "9", "0", "--report", "r.json", code=INVERTED)
+        self.assertIn("body would touch farfield at 38.9 % of the way; nothing was written",
+                      run.stderr)
+        report = self.json("r.json")
+        self.assertEqual((report["outer_iterations"], report["fraction_reached"]), (0, 0))
+        self.assertNotIn("out.su2", self.files())
 
 
 if __name__ == "__main__":

@@ -64,6 +64,7 @@ void apply(const EditJob& job, ZoneRun& zone, RunReport& run) {
   ProgressMonitor monitor(!job.files.quiet && terminal_attached());
   RunOptions options;
   options.monitor = &monitor;
+  options.all_or_nothing = !job.files.accept_partial;
   for (const Command& command : zone.commands) {
     monitor.set_label(printable((name.empty() ? "" : name + ": ") + describe(command)));
     CommandResult result = execute(command, state, options);
@@ -84,11 +85,6 @@ double fraction_reached(const RunReport& run) {
     fraction = std::min(fraction, c.result.fraction_reached);
   }
   return fraction;
-}
-
-bool out_of_iterations(const RunReport& run) {
-  return std::any_of(run.commands.begin(), run.commands.end(),
-                     [](const CommandRecord& c) { return c.result.out_of_iterations; });
 }
 
 Index inverted_elements(const std::vector<ZoneRun>& zones) {
@@ -204,10 +200,29 @@ void warn_of_damage(const EditJob& job, const ZoneRun& zone, RunReport& run) {
   run.warnings.push_back(text);
 }
 
-std::string why_incomplete(const RunReport& run) {
-  if (const std::string limit = limited_by(run); !limit.empty()) return limit + " beyond";
-  return out_of_iterations(run) ? "the limit of iterations was reached"
-                                : "no valid mesh was found beyond";
+/// The motion that came least far.
+const SmoothResult& least_complete(const RunReport& run) {
+  return std::ranges::min_element(run.commands, {},
+                                  [](const CommandRecord& c) {
+                                    return c.result.limited_by.empty() ? c.result.fraction_reached
+                                                                       : -1;
+                                  })
+      ->result;
+}
+
+void print_incomplete(const RunReport& run) {
+  const SmoothResult& result = least_complete(run);
+  const char* nothing = "; nothing was written (--accept-partial writes ";
+  if (result.contact && result.fraction_reached == 0 && !run.written) {
+    std::cerr << "winslow: " << printable(describe(*result.contact)) << nothing
+              << "a mesh from before that)\n";
+    return;
+  }
+  std::cerr << "winslow: the motion could be followed to " << 100 * result.fraction_reached
+            << " % only: " << printable(why_incomplete(result))
+            << (run.written ? std::string("; the mesh there was written")
+                            : nothing + std::string("the mesh there)"))
+            << '\n';
 }
 
 /// Why the exit code is not 0; said even with --quiet.
@@ -215,11 +230,7 @@ void print_verdict(const EditJob& job, const std::vector<ZoneRun>& zones, const 
                    ExitCode code) {
   const Index inverted = inverted_elements(zones);
   if (code == ExitCode::inverted && inverted == 0) {
-    std::cerr << "winslow: the motion could be followed to " << 100 * fraction_reached(run)
-              << " % only: " << why_incomplete(run)
-              << (run.written ? "; the mesh there was written"
-                              : "; nothing was written (--accept-partial writes the mesh there)")
-              << '\n';
+    print_incomplete(run);
   } else if (code == ExitCode::inverted) {
     std::cerr << "winslow: the result has " << inverted << " inverted element"
               << (inverted == 1 ? "" : "s")

@@ -34,6 +34,26 @@ json describe_metrics(const QualityReport& quality) {
   return metrics;
 }
 
+json describe_edges(const EdgePair& edges) {
+  return {{"moving", edges.moving},
+          {"other", edges.other},
+          {"place", {edges.place.x(), edges.place.y()}}};
+}
+
+json describe_contact(const std::optional<Contact>& contact) {
+  if (!contact) return {};
+  json report = describe_edges(contact->edges);
+  report["fraction"] = contact->fraction;
+  return report;
+}
+
+json describe_gap(const std::optional<Gap>& gap) {
+  if (!gap) return {};
+  json report = describe_edges(gap->edges);
+  report["width"] = gap->width;
+  return report;
+}
+
 json describe_result(const CommandRecord& record) {
   const SmoothResult& r = record.result;
   json report = {{"command", record.name},
@@ -45,6 +65,8 @@ json describe_result(const CommandRecord& record) {
                  {"residual", r.residual},
                  {"fraction_reached", r.fraction_reached},
                  {"limited_by", r.limited_by.empty() ? json() : json(r.limited_by)},
+                 {"contact", describe_contact(r.contact)},
+                 {"gap", describe_gap(r.gap)},
                  {"stretched_elements", r.stretched ? json(*r.stretched) : json()},
                  {"increments", r.increments},
                  {"linear_solver", r.linear_solver},

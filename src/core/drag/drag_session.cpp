@@ -34,11 +34,18 @@ RigidMotion next_part(const RigidMotion& pose, const RigidMotion& target) {
 
 /// The thread and what it shares with its owner. What lies below `mutex_` is guarded by it.
 class DragSession::Impl final : public SolverMonitor {
+  /// A valid mesh on the way to one that is solved for.
+  struct Passed {
+    Coordinates coordinates;
+    RigidMotion pose;  // from the state
+    double min_sine;
+  };
   /// A solved mesh: its tangent fields and where the body is in it.
   struct Prepared {
     DragPredictor predictor;
-    RigidMotion pose;      // from the state
-    RigidMotion answered;  // what was asked for; the pose where it could be reached
+    RigidMotion pose;                 // from the state
+    RigidMotion answered;             // what was asked for; the pose where it could be reached
+    std::optional<EdgePair> contact;  // what was in the way
   };
 
  public:
@@ -58,6 +65,9 @@ class DragSession::Impl final : public SolverMonitor {
       throw UsageError("a drag starts from a mesh without inverted elements");
     frame_.min_sine = validity.min_sine;
     wanted_ = frame_.motion;
+    const Bounds body = bounds(state_.mesh.coordinates, nodes_);
+    centre_ = 0.5 * (body.min + body.max);
+    radius_ = 0.5 * body.size().norm();
     solved_ = frame_.coordinates;
     worker_ = std::thread([this] { work(); });
   }
@@ -72,24 +82,24 @@ class DragSession::Impl final : public SolverMonitor {
 
   const DragFrame& to(const RigidMotion& motion) {
     std::shared_ptr<const Prepared> prepared;
+    std::shared_ptr<const Passed> passed;
     {
       const std::lock_guard lock(mutex_);
       wanted_ = motion;
       prepared = prepared_;
+      passed = passed_;
     }
     wake_.notify_all();
-    if (!prepared) {
-      frame_.held = !same_motion(frame_.motion, motion);
-      return frame_;
+    if (prepared && predict(*prepared, motion)) return frame_;
+    frame_.held = !same_motion(frame_.motion, motion);
+    frame_.limit = frame_.held && prepared && same_motion(prepared->answered, motion);
+    frame_.contact = frame_.held && prepared ? prepared->contact : std::nullopt;
+    // The nearest that there is, however long the rest of the way takes.
+    if (passed && distance(passed->pose, motion) < distance(frame_.motion, motion)) {
+      frame_.coordinates = passed->coordinates;
+      frame_.motion = passed->pose;
+      frame_.min_sine = passed->min_sine;
     }
-    prepared->predictor.evaluate(motion_between(grip_, prepared->pose, motion), candidate_);
-    const Validity validity = validity_of(candidate_);
-    frame_.held = validity.inverted > 0;
-    frame_.limit = frame_.held && same_motion(prepared->answered, motion);
-    if (frame_.held) return frame_;
-    std::swap(frame_.coordinates, candidate_);
-    frame_.motion = motion;
-    frame_.min_sine = validity.min_sine;
     return frame_;
   }
 
@@ -110,12 +120,44 @@ class DragSession::Impl final : public SolverMonitor {
     return error_;
   }
 
-  bool on_iteration(const IterationRecord&, const Coordinates&) override {
+  int revision() const {
     const std::lock_guard lock(mutex_);
+    return revision_;
+  }
+
+  bool on_iteration(const IterationRecord& record, const Coordinates& x) override {
+    std::shared_ptr<const Passed> passed;
+    if (record.stage == Stage::path && record.inverted == 0)
+      passed = std::make_shared<const Passed>(
+          Passed{x, fitted_pose(x, record.fraction), record.min_sine});
+    const std::lock_guard lock(mutex_);
+    if (passed) {
+      passed_ = std::move(passed);
+      ++revision_;
+    }
     return !quit_;
   }
 
  private:
+  /// The frame by the tangent fields; false, and no new frame, where that is no valid mesh.
+  bool predict(const Prepared& prepared, const RigidMotion& motion) {
+    prepared.predictor.evaluate(motion_between(grip_, prepared.pose, motion), candidate_);
+    const Validity validity = validity_of(candidate_);
+    if (validity.inverted > 0) return false;
+    std::swap(frame_.coordinates, candidate_);
+    frame_.motion = motion;
+    frame_.min_sine = validity.min_sine;
+    frame_.held = frame_.limit = false;
+    frame_.contact.reset();
+    return true;
+  }
+
+  /// How far nodes of the body have to go from one pose to another.
+  double distance(const RigidMotion& from, const RigidMotion& to) const {
+    return std::abs(radians(to.rotate - from.rotate)) * radius_ +
+           (transform(to, centre_) - transform(from, centre_)).norm();
+  }
+
   Validity validity_of(const Coordinates& x) const {
     return check_validity(*state_.mesh.topology, x, options_.threads);
   }
@@ -137,14 +179,17 @@ class DragSession::Impl final : public SolverMonitor {
   void work() {
     try {
       while (const auto wanted = next_target()) {
-        const RigidMotion target = grip_.rigid() ? next_part(pose(), *wanted) : *wanted;
+        from_ = pose();
+        target_ = grip_.rigid() ? next_part(from_, *wanted) : *wanted;
+        const RigidMotion target = target_;
         const Coordinates start = solved_;
+        contact_.reset();
         const bool whole = solve(target, solved_);
         if (solved_ == start && !reached(target, solved_)) restart(target, solved_);
         const bool there = reached(target, solved_);
         // Where the path ended on the way, the next try waits for another position.
         const bool limit = !there && (!whole || solved_ == start);
-        const RigidMotion pose = there ? target : fitted_pose(solved_);
+        const RigidMotion pose = there ? target : fitted_pose(solved_, 0.5);
         publish(pose, limit ? *wanted : pose, solved_);
       }
     } catch (const Cancelled&) {
@@ -165,6 +210,7 @@ class DragSession::Impl final : public SolverMonitor {
     run.start = &start;
     run.workspace = &workspace_;
     const SmoothResult result = smooth_motion(state_, *motion, {}, options_, x, run);
+    if (result.contact) contact_ = result.contact->edges;
     if (validity_of(x).inverted > 0) x = start;
     return result.fraction_reached >= 1;
   }
@@ -175,6 +221,7 @@ class DragSession::Impl final : public SolverMonitor {
     RunOptions run;
     run.monitor = this;
     run.workspace = &workspace_;
+    run.all_or_nothing = true;
     Coordinates other = state_.mesh.coordinates;
     smooth_motion(state_, *motion, {}, options_, other, run);
     if (reached(target, other) && validity_of(other).inverted == 0) x = std::move(other);
@@ -184,10 +231,11 @@ class DragSession::Impl final : public SolverMonitor {
   void publish(const RigidMotion& pose, const RigidMotion& answered, const Coordinates& x) {
     auto prepared = std::make_shared<const Prepared>(Prepared{
         DragPredictor(workspace_.steady_solver(), x, nodes_, grip_.shares, options_.threads), pose,
-        answered});
+        answered, contact_});
     const std::lock_guard lock(mutex_);
     prepared_ = std::move(prepared);
     ++corrections_;
+    ++revision_;
   }
 
   bool reached(const RigidMotion& target, const Coordinates& x) const {
@@ -200,25 +248,35 @@ class DragSession::Impl final : public SolverMonitor {
     }
     return true;
   }
-  RigidMotion fitted_pose(const Coordinates& x) const {
-    return fit_motion(nodes_, grip_.shares, state_.mesh.coordinates, x);
+  /// Where the body is in a mesh about that far from from_ to target_. Full turns do not show in
+  /// the mesh.
+  RigidMotion fitted_pose(const Coordinates& x, double fraction) const {
+    RigidMotion pose = fit_motion(nodes_, grip_.shares, state_.mesh.coordinates, x);
+    const double turned = from_.rotate + fraction * (target_.rotate - from_.rotate);
+    pose.rotate += 360 * std::round((turned - pose.rotate) / 360);
+    return pose;
   }
 
   MeshState state_;
   DragGrip grip_;
   SmoothOptions options_;
   std::vector<Index> nodes_;
-  SmoothingWorkspace workspace_;  // the worker's
-  Coordinates solved_;            // the worker's: the mesh solved for last
-  DragFrame frame_;               // the owner's
-  Coordinates candidate_;         // the owner's
+  SmoothingWorkspace workspace_;     // the worker's
+  Coordinates solved_;               // the worker's: the mesh solved for last
+  RigidMotion from_, target_;        // the worker's: what it is solving for
+  std::optional<EdgePair> contact_;  // the worker's: met on the way there
+  Vec2 centre_{0, 0};                // of the body in the state
+  double radius_ = 0;
+  DragFrame frame_;        // the owner's
+  Coordinates candidate_;  // the owner's
 
   mutable std::mutex mutex_;
   std::condition_variable wake_;
   bool quit_ = false;
   RigidMotion wanted_;
   std::shared_ptr<const Prepared> prepared_;
-  int corrections_ = 0;
+  std::shared_ptr<const Passed> passed_;
+  int corrections_ = 0, revision_ = 0;
   std::string error_;
 
   std::thread worker_;
@@ -233,6 +291,7 @@ const DragFrame& DragSession::to(const RigidMotion& motion) { return impl_->to(m
 bool DragSession::ready() const { return impl_->ready(); }
 bool DragSession::settled() const { return impl_->settled(); }
 int DragSession::corrections() const { return impl_->corrections(); }
+int DragSession::revision() const { return impl_->revision(); }
 std::string DragSession::error() const { return impl_->error(); }
 
 }  // namespace winslow

@@ -16,6 +16,8 @@ struct DragFrame {
   bool held = false;        ///< the mesh cannot go where the mouse is (yet): the last valid one
   bool limit = false;       ///< held, and the path to where the mouse is ended on the way
   double min_sine = 0;      ///< of the frame's elements
+  /// What the body would touch on the way to where the mouse is; none: nothing that is known of.
+  std::optional<EdgePair> contact = {};
 };
 
 /// A drag with the mouse: every position asked for is answered at once, by the tangent fields of
@@ -48,6 +50,9 @@ class DragSession {
   bool settled() const;
   /// Number of meshes solved for so far.
   int corrections() const;
+  /// Grows whenever to() may have a better answer to the same motion: after a correction, and
+  /// with every valid mesh on the way to one that takes long.
+  int revision() const;
   /// Why no more corrections come; empty as long as they do.
   std::string error() const;
 

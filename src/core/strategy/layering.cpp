@@ -280,8 +280,12 @@ SmoothResult move_with_layers(MeshState& state, const Motion& motion, const Moti
                               const SmoothOptions& smooth, const RunOptions& run) {
   SmoothResult result;
   RunSequence runs(run, result);
+  const Mesh& mesh = state.mesh;
+  const bool blocked = run.all_or_nothing && how.increments == 0 &&
+                       find_contact(*mesh.topology, mesh.coordinates, motion).has_value();
   // A start that is given is of the walls where they will be.
-  if (fit_layers(state, motion) && !run.start) runs.smooth(state, smooth, state.mesh.coordinates);
+  if (!blocked && fit_layers(state, motion) && !run.start)
+    runs.smooth(state, smooth, state.mesh.coordinates);
   Coordinates x = starting_point(state, run);
   runs.move(state, motion, how, smooth, run.start, x);
   state.mesh.coordinates = std::move(x);

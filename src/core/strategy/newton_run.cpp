@@ -1,6 +1,9 @@
 #include "core/strategy/newton_run.h"
 
 #include <algorithm>
+#include <optional>
+
+#include "core/quality/quality.h"
 
 namespace winslow {
 
@@ -106,6 +109,10 @@ std::string NewtonRun::fault(const Coordinates& x) const {
   return floor_.given() ? floor_.fault(state_.mesh.topology, x) : std::string();
 }
 
+double NewtonRun::smallest_sine(const Coordinates& x) const {
+  return check_validity(*state_.mesh.topology, x, workspace_.options().threads).min_sine;
+}
+
 /// Converges at the end of a path. Meshes of the path are near their solutions only: where such a
 /// mesh is within the limits and its solution is not, it stays.
 void NewtonRun::end_path(Coordinates& x, double reached) {
@@ -119,7 +126,19 @@ void NewtonRun::end_path(Coordinates& x, double reached) {
 }
 
 void NewtonRun::follow(const Motion& motion, const Coordinates& rest, Coordinates& x) {
+  const Topology& topology = *state_.mesh.topology;
+  SmoothResult& result = recorder_.result();
+  result.contact = find_contact(topology, rest, motion);
+  if (result.contact && end_at_contact_) {
+    recorder_.iterate(newton(), x, Stage::newton, 0, 0);
+    result.converged = false;
+    return;
+  }
   if (!untangle(x, 0, nullptr)) return;
+  // A motion that is blocked ends before its mesh is squeezed into slivers.
+  constexpr double worth_keeping = 0.1;
+  const double given = smallest_sine(state_.mesh.coordinates);
+  const double least_sine = worth_keeping * (given > 0 ? given : smallest_sine(x));
   Path path([&](double fraction, Coordinates& at) { motion.apply(rest, fraction, at); });
   const Coordinates start = x;
   if (!approach(x, 0)) {
@@ -127,36 +146,49 @@ void NewtonRun::follow(const Motion& motion, const Coordinates& rest, Coordinate
     set_target_share(0);
     path.change_problem = [this](double share) { set_target_share(share); };
   }
-  follow_path(path, x);
-  recorder_.result().linear_solver = linear().description();
+  follow_path(path, least_sine, x);
+  result.linear_solver = linear().description();
+  if (result.fraction_reached < 1 && !result.contact && result.limited_by.empty())
+    result.gap = smallest_gap(topology, x, motion.nodes());
 }
 
-void NewtonRun::follow_path(const Path& path, Coordinates& x) {
+/// least_sine: smallest normalized Jacobian that a motion is blocked with, where it is blocked.
+void NewtonRun::follow_path(const Path& path, double least_sine, Coordinates& x) {
   SteadySolver& solver = newton();
+  PathMesh good{0, x};  // the last one without slivers
   double min_sine = 1;
   const auto accept = [&](const IterationRecord& record, const Coordinates& at) {
     recorder_.report(record, at, Stage::path, record.fraction, true);
     min_sine = record.min_sine;
+    if (min_sine >= least_sine) good = {record.fraction, at};
     return recorder_.remaining() > 0 && !strained(at);
   };
   std::string& limit = recorder_.result().limited_by;  // between the last mesh and the next
-  limit = fault(x);
+  // A body may pass a narrow place before it is blocked.
+  constexpr double hopeless = 0.5;
+  bool ended = false;  // before a mesh beyond some limit
+  const auto within_limits = [&](const Coordinates& at) {
+    limit = fault(at);
+    ended = !limit.empty() || (blocked_by_contact() && smallest_sine(at) < hopeless * least_sine);
+    return !ended;
+  };
   // Where the path is lost, the way back to it is Newton's method with the boundary held; then it
   // goes on from there. Only where that gains nothing, twice, is the motion blocked. Pressed
   // against a wall it could go on for ever, in steps that are worth less and less.
-  constexpr double pressed = 0.01, worthwhile = 1e-5, worthwhile_pressed = 5e-3;
+  const double pressed = 0.25 * least_sine;
+  constexpr double worthwhile = 1e-5, worthwhile_pressed = 5e-3;
   PathOptions options;
-  options.admits = [&](const Coordinates& at) { return (limit = fault(at)).empty(); };
+  options.admits = within_limits;
   // What a limit is compared with are to be solutions, not meshes somewhere near them.
   if (floor_.given()) options.loose_tolerance = 1e-3;
   double reached = 0;
-  for (int failures = 0;
-       limit.empty() && reached < 1 && failures < 2 && recorder_.remaining() > 0;) {
+  within_limits(x);
+  for (int failures = 0; !ended && reached < 1 && failures < 2 && recorder_.remaining() > 0;) {
     const int before = solver.linear_solves();
     const double last = reached;
     reached = PathFollower(solver, options).follow(path, reached, x, accept);
     recorder_.result().linear_solves += solver.linear_solves() - before;
-    if (reached >= 1 || !limit.empty()) break;
+    if (reached >= 1 || ended) break;
     const double least = min_sine < pressed ? worthwhile_pressed : worthwhile;
     failures = reached - last > least ? 0 : failures + 1;
     Coordinates end_of_path = x;
@@ -165,14 +197,25 @@ void NewtonRun::follow_path(const Path& path, Coordinates& x) {
       recorder_.iterate(solver, x, Stage::newton, reached, 0);
       break;
     }
-    if (!(limit = fault(x)).empty()) {
+    if (!within_limits(x)) {
       x = std::move(end_of_path);
       break;
     }
     options.first_step = std::min(0.02, 0.5 * (1 - reached));
     options.greedy = failures > 0;
   }
-  if (reached >= 1 || !limit.empty()) end_path(x, reached);
+  if (reached < 1 && limit.empty() && smallest_sine(x) < least_sine) {
+    ended = true;
+    go_back(path, good, reached, x);
+  }
+  if (reached >= 1 || ended) end_path(x, reached);
+}
+
+/// To an earlier mesh of the path.
+void NewtonRun::go_back(const Path& path, PathMesh& earlier, double& reached, Coordinates& x) {
+  reached = earlier.fraction;
+  x = std::move(earlier.x);
+  if (path.change_problem) path.change_problem(reached);
 }
 
 void NewtonRun::move_in_steps(const Motion& motion, const Coordinates& rest, int increments,

@@ -21,6 +21,8 @@ class NewtonRun {
 
   /// Limits before which follow() ends.
   void keep_within(QualityFloor floor) { floor_ = std::move(floor); }
+  /// follow() does not begin a motion that contact blocks.
+  void end_at_contact(bool whether) { end_at_contact_ = whether; }
   /// The boundary stays. reference: a valid mesh of the same connectivity that says how large the
   /// triangles are to be while they are untangled; may be null.
   virtual void smooth(Coordinates& x, double fraction, const Coordinates* reference);
@@ -70,16 +72,24 @@ class NewtonRun {
   bool approach(Coordinates& x, double fraction);
   void begin_with_own_shapes(const Coordinates& start, Coordinates& x);
   void relax_along_targets(Coordinates& x, double fraction);
-  void follow_path(const Path& path, Coordinates& x);
+  struct PathMesh {
+    double fraction;
+    Coordinates x;
+  };
+  void follow_path(const Path& path, double least_sine, Coordinates& x);
+  static void go_back(const Path& path, PathMesh& earlier, double& reached, Coordinates& x);
+  bool blocked_by_contact() const { return recorder_.result().contact.has_value(); }
   bool settle(Coordinates& x, double fraction);
   bool converge(Coordinates& x, double fraction, bool at_any_pace = true);
   std::string fault(const Coordinates& x) const;
+  double smallest_sine(const Coordinates& x) const;
   void end_path(Coordinates& x, double reached);
 
   const MeshState& state_;
   SmoothingWorkspace& workspace_;
   RunRecorder& recorder_;
   QualityFloor floor_;
+  bool end_at_contact_ = false;
 };
 
 }  // namespace winslow

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/mesh/topology.h"
+#include "core/motion/contact.h"
 #include "core/outer/outer_solver.h"
 #include "core/quality/quality_floor.h"
 
@@ -30,6 +31,9 @@ struct RunOptions {
   /// same, only nearer. Paths begin at its boundary where it is valid; all else uses the interior.
   const Coordinates* start = nullptr;
   SmoothingWorkspace* workspace = nullptr;  ///< null: a new one for this call
+  /// A motion along a path that contact is certain to block is not begun: the mesh stays as it is.
+  /// Otherwise it goes as far as good meshes lead.
+  bool all_or_nothing = false;
 };
 
 /// What a smoothing run came to.
@@ -42,13 +46,21 @@ struct SmoothResult {
   double fraction_reached = 1;     ///< share of the boundary motion in the result
   /// The limit that a motion ended before, as QualityFloor::fault() says it; empty: none.
   std::string limited_by;
-  int increments = 1;  ///< steps in which the boundary was moved
+  /// What blocks a motion along a path, seen before it was begun; of the motion from RunOptions'
+  /// start where there is one.
+  std::optional<Contact> contact;
+  std::optional<Gap> gap;  ///< where a motion is blocked without contact
+  int increments = 1;      ///< steps in which the boundary was moved
   /// Part of the elements (0 to 1) that `auto` targets keep stretched; none for other targets.
   std::optional<double> stretched;
   std::string linear_solver;  ///< what solved the linear systems, e.g. "CHOLMOD ..."
   Index inverted = 0;
   std::vector<IterationRecord> history;
 };
+
+/// Why a motion was not carried out to its end, as the clause of a sentence: "flap would touch main
+/// at 32.4 % of the way".
+std::string why_incomplete(const SmoothResult& result);
 
 /// How a boundary motion is carried out.
 struct MotionOptions {

@@ -44,6 +44,8 @@ void RunRecorder::restore_outcome(const SmoothResult& earlier) {
   result_.out_of_iterations = earlier.out_of_iterations;
   result_.fraction_reached = earlier.fraction_reached;
   result_.limited_by = earlier.limited_by;
+  result_.contact = earlier.contact;
+  result_.gap = earlier.gap;
   result_.increments = earlier.increments;
   result_.linear_solver = earlier.linear_solver;
   result_.inverted = earlier.inverted;

@@ -91,6 +91,8 @@ void RunSequence::move(const MeshState& state, const Motion& motion, const Motio
   SmoothResult result = smooth_motion(state, motion, how, smooth, x, own);
   result_.fraction_reached = result.fraction_reached;
   result_.limited_by = result.limited_by;
+  result_.contact = result.contact;
+  result_.gap = result.gap;
   result_.increments = result.increments;
   append(result_, std::move(result));
 }

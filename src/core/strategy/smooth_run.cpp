@@ -118,6 +118,7 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const M
   }
   const auto steps = make_newton_run(state, workspace, recorder);
   steps->keep_within(how.floor);
+  steps->end_at_contact(run.all_or_nothing);
   const bool near_start = run.start && !how.floor.given();  // limits hold all the way
   if (how.increments > 0) {
     steps->move_in_steps(motion, state.mesh.coordinates, how.increments, x);

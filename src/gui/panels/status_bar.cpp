@@ -22,7 +22,7 @@ State state_of(const Session& session) {
   const JobRunner& job = session.job();
   if (const BodyDrag* drag = session.mesh().body_drag()) {
     if (drag->reach() == BodyDrag::Reach::limit)
-      return {"Dragging: no valid mesh beyond here; Esc cancels", palette().danger};
+      return {drag->limit() + "; Esc cancels", palette().danger};
     if (drag->reach() == BodyDrag::Reach::catching_up)
       return {"Dragging: the mesh is catching up; Esc cancels", palette().accent};
   }

@@ -234,3 +234,27 @@ TEST_CASE("shares fade along the loop, not through the body") {
   CHECK(share_of(all, 4) == doctest::Approx(share_of(all, 12)));
   CHECK(share_of(all, 8) == doctest::Approx(0.5));
 }
+
+TEST_CASE("a drag into another body shows how far it came and what is in the way") {
+  const MeshState state = make_state(make_mesh(square_with_two_holes(20, Cells::triangles)));
+  DragSession drag(state, DragGrip{{"hole_a"}, {}, {}}, {});
+  const RigidMotion beyond{0, Vec2(0, 0), Vec2(0.3, 0.02)};
+  double last = 0;
+  REQUIRE(wait_until([&] {
+    const DragFrame& frame = drag.to(beyond);
+    CHECK(inverted(state, frame.coordinates) == 0);
+    CHECK(frame.held);
+    CHECK(frame.motion.translate.x() >= last);
+    last = frame.motion.translate.x();
+    return frame.limit;
+  }));
+  const DragFrame& frame = drag.to(beyond);
+  CHECK(frame.motion.translate.x() > 0.1);
+  CHECK(frame.motion.translate.x() < 0.2);
+  CHECK(drag.revision() > drag.corrections());
+  REQUIRE(frame.contact);
+  CHECK(describe_touch(*frame.contact) == "hole_a would touch hole_b");
+  // Away from there nothing is in the way.
+  REQUIRE(wait_until([&] { return !drag.to({0, Vec2(0, 0), Vec2(-0.05, 0)}).held; }));
+  CHECK_FALSE(drag.to({0, Vec2(0, 0), Vec2(-0.05, 0)}).contact);
+}

@@ -12,7 +12,7 @@ void BodyDrag::begin(const MeshState& state, DragGrip grip, const SmoothOptions&
   end();
   session_ = std::move(session);
   grip_ = std::move(grip);
-  corrections_ = 0;
+  revision_ = 0;
   to(from);
 }
 
@@ -26,9 +26,9 @@ bool BodyDrag::poll() {
     return f.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
   });
   if (!session_) return false;
-  const int corrections = session_->corrections();
-  if (corrections == corrections_) return false;
-  corrections_ = corrections;
+  const int revision = session_->revision();
+  if (revision == revision_) return false;
+  revision_ = revision;
   to(wanted_);
   return true;
 }
@@ -44,6 +44,10 @@ BodyDrag::Reach BodyDrag::reach() const {
   if (!frame_->held) return Reach::there;
   // Of the frame, not of the session: that may be a mesh ahead of what is on screen.
   return frame_->limit || !session_->error().empty() ? Reach::limit : Reach::catching_up;
+}
+
+std::string BodyDrag::limit() const {
+  return frame_->contact ? describe_touch(*frame_->contact) : "No valid mesh beyond here";
 }
 
 }  // namespace winslow::gui

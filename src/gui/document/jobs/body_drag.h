@@ -35,6 +35,8 @@ class BodyDrag {
   const DragGrip& grip() const { return grip_; }
   const RigidMotion& wanted() const { return wanted_; }
   Reach reach() const;
+  /// What is beyond the limit: "flap would touch main".
+  std::string limit() const;
   /// The frame is the solution for the position asked for.
   bool settled() const { return session_->settled(); }
 
@@ -43,7 +45,7 @@ class BodyDrag {
   const DragFrame* frame_ = nullptr;
   DragGrip grip_;
   RigidMotion wanted_;
-  int corrections_ = 0;
+  int revision_ = 0;
   std::vector<std::future<void>> ending_;  // a session ends with its present iteration
 };
 

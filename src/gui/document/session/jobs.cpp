@@ -9,6 +9,25 @@
 
 namespace winslow::gui {
 
+namespace {
+
+/// Why a motion went no further than `reached`, for the banner.
+std::string partial_motion(const SmoothResult& smooth, double reached) {
+  std::string what = "No valid mesh was found";
+  if (smooth.contact)
+    what = describe_touch(smooth.contact->edges);
+  else if (!smooth.limited_by.empty())
+    what = smooth.limited_by;
+  else if (smooth.out_of_iterations)
+    what = "The limit of iterations was reached";
+  std::string text = what + " beyond " + short_number(100 * reached) +
+                     " % of the way: the body is where it got to";
+  if (smooth.gap) text += ", " + describe(*smooth.gap);
+  return text + ".";
+}
+
+}  // namespace
+
 bool Jobs::poll() {
   const Document* document = mesh_.document();
   bool changed =
@@ -163,12 +182,9 @@ void Jobs::keep(JobRunner::Outcome outcome) {
   messages_.clear_banner();
   const JobRunner& job = mesh_.job();
   const double reached = settle_command(outcome, job.base().mesh, job.started_elsewhere());
-  const std::string limit = outcome.result->smooth.limited_by;
   if (reached < 1)
     messages_.set_banner(Banner::Kind::partial_motion,
-                         (limit.empty() ? "No valid mesh was found" : limit) + " beyond " +
-                             short_number(100 * reached) +
-                             " % of the way: the body is where it got to.");
+                         partial_motion(outcome.result->smooth, reached));
   const std::string what = describe(outcome.command);
   const SmoothResult smooth = outcome.result->smooth;
   if (const auto* move = std::get_if<MoveCommand>(&outcome.command)) selection_.moved(move->motion);

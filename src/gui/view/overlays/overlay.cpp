@@ -137,7 +137,7 @@ std::vector<Label> motion_labels(const Overlay& o) {
   const BodyDrag* drag = o.session.mesh().body_drag();
   if (!drag || drag->reach() == BodyDrag::Reach::there) return labels;
   if (drag->reach() == BodyDrag::Reach::limit)
-    labels.push_back({"No valid mesh beyond here", palette().danger});
+    labels.push_back({drag->limit(), palette().danger});
   else
     labels.push_back({"The mesh is catching up", palette().text_dim});
   return labels;
