@@ -164,12 +164,10 @@ void NewtonRun::follow_path(const Path& path, double least_sine, Coordinates& x)
     return recorder_.remaining() > 0 && !strained(at);
   };
   std::string& limit = recorder_.result().limited_by;  // between the last mesh and the next
-  // A body may pass a narrow place before it is blocked.
-  constexpr double hopeless = 0.5;
-  bool ended = false;  // before a mesh beyond some limit
+  bool ended = false;                                  // before a mesh beyond some limit
   const auto within_limits = [&](const Coordinates& at) {
     limit = fault(at);
-    ended = !limit.empty() || (blocked_by_contact() && smallest_sine(at) < hopeless * least_sine);
+    ended = !limit.empty() || (blocked_by_contact() && smallest_sine(at) < least_sine);
     return !ended;
   };
   // Where the path is lost, the way back to it is Newton's method with the boundary held; then it
