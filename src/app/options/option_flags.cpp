@@ -94,6 +94,12 @@ CLI::Option* declare(CLI::App& app, const Option& option, const VectorOption& ve
                          [vector](const Pair& v) { *vector.value = Vec2(v[0], v[1]); });
 }
 
+CLI::Option* declare(CLI::App& app, const Option& option, const OptionalVectorOption& vector) {
+  using Pair = std::array<double, 2>;
+  return add_value<Pair>(app, option,
+                         [vector](const Pair& v) { *vector.value = Vec2(v[0], v[1]); });
+}
+
 CLI::Option* declare(CLI::App& app, const Option& option, const SwitchOption& on) {
   const bool value = on.off_flag.empty();
   return app.add_flag_callback(
@@ -119,7 +125,9 @@ std::string item_help(const Item& item) {
 }
 
 std::string metavariable(const Option& option) {
-  if (std::holds_alternative<VectorOption>(option.value)) return "X Y";
+  if (std::holds_alternative<VectorOption>(option.value) ||
+      std::holds_alternative<OptionalVectorOption>(option.value))
+    return "X Y";
   if (std::holds_alternative<SharesOption>(option.value)) return "NAME[=SHARE]...";
   if (const auto* choice = std::get_if<ChoiceOption>(&option.value)) {
     constexpr std::size_t few = 4;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
 #include "core/strategy/smooth_run.h"
 
@@ -118,8 +119,11 @@ CommandResult execute_one(const SmoothCommand& command, const MeshState& state,
 
 CommandResult execute_one(const MoveCommand& command, const MeshState& state,
                           const RunOptions& options) {
-  const auto motion =
-      make_motion(*state.mesh.topology, state.mesh.coordinates, command.markers, command.motion);
+  const auto nodes = state.mesh.topology->markers().nodes_of(command.markers);
+  const Vec2 centre =
+      nodes.empty() ? Vec2(0, 0) : body_centre(bounds(state.mesh.coordinates, nodes));
+  const auto motion = make_motion(*state.mesh.topology, state.mesh.coordinates, command.markers,
+                                  command.motion.about(centre));
   return run_motion(state, *motion, command.how, command.smooth, options);
 }
 
@@ -219,6 +223,25 @@ std::vector<std::string> markers_of(const Command& command) {
         }
       },
       command);
+}
+
+Command with_pivot(Command command, std::span<const MeshState* const> states) {
+  auto* move = std::get_if<MoveCommand>(&command);
+  if (move == nullptr || move->motion.pivot) return command;
+  Bounds box = Bounds::empty();
+  bool found = false;
+  for (const MeshState* state : states) {
+    const Markers& markers = state->mesh.topology->markers();
+    for (const std::string& name : move->markers) {
+      if (!markers.find(name)) continue;
+      const std::vector<Index> nodes = markers.nodes_of(std::span(&name, 1));
+      if (nodes.empty()) continue;
+      box.add(bounds(state->mesh.coordinates, nodes));
+      found = true;
+    }
+  }
+  if (found) move->motion.pivot = body_centre(box);
+  return command;
 }
 
 CommandResult execute(const Command& command, const MeshState& state, const RunOptions& options) {

@@ -30,7 +30,8 @@ void settle(MoveCommand& move, double fraction, const Mesh& base, const Coordina
   // Full turns do not show in where the body is.
   const double turned = (started_elsewhere ? 1 : fraction) * move.motion.rotate;
   reached.rotate += 360 * std::round((turned - reached.rotate) / 360);
-  move.motion = about(move.motion.pivot, reached, bounds(rest, nodes).size().norm());
+  move.motion =
+      about(move.motion.pivot.value_or(Vec2(0, 0)), reached, bounds(rest, nodes).size().norm());
 }
 
 void settle(DeformCommand& deform, double fraction, const Coordinates& rest,
