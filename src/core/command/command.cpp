@@ -5,6 +5,7 @@
 #include <random>
 #include <utility>
 
+#include "core/command/local_run.h"
 #include "core/error.h"
 #include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
@@ -246,8 +247,12 @@ Command with_pivot(Command command, std::span<const MeshState* const> states) {
 
 CommandResult execute(const Command& command, const MeshState& state, const RunOptions& options) {
   require_plane(*state.mesh.topology, command_name(command));
-  CommandResult result =
-      std::visit([&](const auto& c) { return execute_one(c, state, options); }, command);
+  const auto carry_out = [](const Command& which, const MeshState& from, const RunOptions& how) {
+    return std::visit([&](const auto& c) { return execute_one(c, from, how); }, which);
+  };
+  const LocalFrame frame(state.mesh);
+  CommandResult result = frame.shifts() ? run_in_frame(frame, command, state, options, carry_out)
+                                        : carry_out(command, state, options);
   // Whatever way it went: the count is that of the mesh that is handed over.
   const Mesh& mesh = result.state.mesh;
   result.smooth.inverted = check_validity(*mesh.topology, mesh.coordinates).inverted;
