@@ -16,6 +16,7 @@
 #include "app/output/terminal.h"
 #include "app/output/wall_table.h"
 #include "core/error.h"
+#include "core/mesh/place_text.h"
 #include "core/quality/mesh_change.h"
 #include "io/recipe/recipe.h"
 #include "io/tables/convergence_csv.h"
@@ -198,9 +199,7 @@ void print_commands(const RunReport& run) {
       std::cout << ", " << std::lround(100 * *c.result.stretched)
                 << " % of the elements kept stretched";
     if (c.result.increments > 1) std::cout << ", in " << c.result.increments << " steps";
-    if (c.pivot)
-      std::cout << ", turned about (" << number_text(c.pivot->x()) << ", "
-                << number_text(c.pivot->y()) << ')';
+    if (c.pivot) std::cout << ", turned about " << place_text(*c.pivot);
     std::cout << '\n';
   }
 }
