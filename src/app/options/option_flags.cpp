@@ -115,8 +115,11 @@ CLI::Option* declare(CLI::App& app, const Option& option, const ChoiceOption& ch
 CLI::Option* declare(CLI::App& app, const Option& option, const SharesOption& shares) {
   using Words = std::vector<std::string>;
   const std::string flag = flag_of(option);
+  Words names;
+  for (const auto& part : shares.parts) names.emplace_back(part.name);
   return add_value<Words>(app, option,
-                          [shares, flag](const Words& words) { set_shares(shares, flag, words); });
+                          [shares, flag](const Words& words) { set_shares(shares, flag, words); })
+      ->check(words_to_offer(names));
 }
 
 template <class Item>
