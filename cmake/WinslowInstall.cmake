@@ -46,6 +46,16 @@ if(WINSLOW_BUILD_APP)
   # The studio looks for its bundled meshes in ../share/winslow from where the program is.
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/ DESTINATION ${CMAKE_INSTALL_DATADIR}/winslow
           FILES_MATCHING PATTERN "*.su2" PATTERN meshgen EXCLUDE)
+  # Manual page and completions are what the program says of itself, so it has to run here.
+  if(NOT CMAKE_CROSSCOMPILING)
+    install(FILES ${WINSLOW_PAGES}/winslow.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+    install(FILES ${WINSLOW_PAGES}/winslow.bash RENAME winslow
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+    install(FILES ${WINSLOW_PAGES}/winslow.zsh RENAME _winslow
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+    install(FILES ${WINSLOW_PAGES}/winslow.fish
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+  endif()
 endif()
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/winslowConfig.cmake.in

@@ -32,6 +32,49 @@ class Move(ProgramTest):
         self.assertAlmostEqual(before[0][1], 0.0)
         self.assertGreater(after[0][1], 0.1)
 
+    def off_the_origin(self, dx, dy):
+        """A ring whose body is far from (0, 0); returns its nodes and the body's."""
+        nodes, elements, markers = support.ring_mesh()
+        nodes = [(x + dx, y + dy) for x, y in nodes]
+        support.write_su2(self.path("far.su2"), nodes, elements, markers)
+        return nodes, sorted({n for edge in markers["body"] for n in edge})
+
+    def test_without_a_pivot_a_body_turns_about_its_own_centre(self):
+        before, body = self.off_the_origin(1000, -300)
+        run = self.winslow("move", "far.su2", "-o", "out.su2", "--marker", "body", "--rotate", "40",
+                           "--report", "r.json", "--save-recipe", "p.json")
+        self.assertIn("turned about (1000, -300)", run.stdout)
+        self.assertEqual(self.json("r.json")["commands"][0]["pivot"], [1000, -300])
+        after, elements, _ = support.read_su2(self.path("out.su2"))
+        for node in body:
+            expected = support.rotated(before[node], 40, (1000, -300))
+            self.assertAlmostEqual(after[node][0], expected[0], delta=1e-10)
+            self.assertAlmostEqual(after[node][1], expected[1], delta=1e-10)
+        self.assertGreater(support.smallest_corner_area(after, elements), 0)
+        # The recipe leaves open what was left open, and means the same.
+        self.assertNotIn("pivot", self.json("p.json")["commands"][0])
+        self.winslow("replay", "p.json", "-o", "again.su2")
+        self.assertEqual(self.path("again.su2").read_text(), self.path("out.su2").read_text())
+
+    def test_a_pivot_that_is_given_is_meant_even_at_the_origin(self):
+        before, body = self.off_the_origin(100, 0)
+        run = self.winslow("move", "far.su2", "-o", "out.su2", "--marker", "body", "--rotate", "90",
+                           "--pivot", "0", "0", "--no-smooth", "--allow-inverted",
+                           "--save-recipe", "p.json", code=INVERTED)
+        self.assertIn("turned about (0, 0)", run.stdout)
+        self.assertEqual(self.json("p.json")["commands"][0]["pivot"], [0, 0])
+        after, _, _ = support.read_su2(self.path("out.su2"))
+        for node in body:
+            self.assertAlmostEqual(after[node][0], -before[node][1], delta=1e-10)
+            self.assertAlmostEqual(after[node][1], before[node][0], delta=1e-10)
+
+    def test_translations_say_nothing_of_a_pivot(self):
+        self.ring()
+        run = self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--translate",
+                           "0.1", "0", "--report", "r.json")
+        self.assertNotIn("turned", run.stdout)
+        self.assertNotIn("pivot", self.json("r.json")["commands"][0])
+
     def test_several_markers_move_together(self):
         self.ring()
         self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--marker",

@@ -1,4 +1,5 @@
 """Files of several zones (SU2: NZONE=)."""
+import json
 import unittest
 
 import support
@@ -56,6 +57,32 @@ class Zones(ProgramTest):
         self.winslow(*move, "--marker", "body", "--zone", "3", code=USAGE)
         run = self.winslow(*move, "--marker", "body", "--zone", "4", code=USAGE)
         self.assertIn("no zone 4 in the file, expected one of 1, 2, 3", run.stderr)
+
+    def test_bodies_of_several_zones_turn_as_one(self):
+        """Not given, the pivot is the centre of all of them, where the command before left them."""
+        blocks = []
+        for number, (name, dx) in enumerate((("left", 0.0), ("right", 20.0)), 1):
+            nodes, elements, markers = support.ring_mesh()
+            nodes = [(x + dx, y) for x, y in nodes]
+            markers = {name: markers["body"], f"far_{name}": markers["farfield"]}
+            support.write_su2(self.path("one.su2"), nodes, elements, markers)
+            blocks.append(f"IZONE= {number}\n" + self.path("one.su2").read_text())
+        self.path("two.su2").write_text("NZONE= 2\n" + "".join(blocks))
+        both = {"command": "move", "markers": ["left", "right"]}
+        self.path("p.json").write_text(json.dumps({"winslow_recipe": 1, "commands": [
+            {**both, "translate": [0.0, 0.5]}, {**both, "rotate": 2}]}))
+        run = self.winslow("replay", "p.json", "--input", "two.su2", "-o", "o.su2", "--report",
+                           "r.json")
+        self.assertEqual(run.stdout.count("turned about (10, 0.5)"), 2)
+        commands = self.json("r.json")["commands"]
+        self.assertEqual([c["zone"] for c in commands], [1, 1, 2, 2])
+        self.assertEqual([c.get("pivot") for c in commands], [None, [10, 0.5], None, [10, 0.5]])
+        for zone, dx in ((1, 0.0), (2, 20.0)):
+            self.winslow("convert", "o.su2", "z.su2", "--zone", zone, "--quiet")
+            after, _, _ = support.read_su2(self.path("z.su2"))
+            expected = support.rotated((0.5 + dx, 0.5), 2, (10, 0.5))
+            self.assertAlmostEqual(after[0][0], expected[0], delta=1e-12)
+            self.assertAlmostEqual(after[0][1], expected[1], delta=1e-12)
 
     def test_numbers_of_nodes_need_a_zone_where_several_could_be_meant(self):
         self.path("d.csv").write_text("0,0.05,0\n")

@@ -32,5 +32,10 @@ if [[ -x $work/prefix/bin/winslow ]]; then
   for mesh in naca0012 three_element circle quads; do
     test -s "$work/prefix/share/winslow/$mesh.su2" -a -s "$work/prefix/share/winslow/coarse/$mesh.su2"
   done
+  # So do its manual page and the completions.
+  for page in man/man1/winslow.1 bash-completion/completions/winslow zsh/site-functions/_winslow \
+    fish/vendor_completions.d/winslow.fish; do
+    grep -q formulation "$work/prefix/share/$page"
+  done
 fi
 echo "The installed winslow::core serves another project, without graphics."

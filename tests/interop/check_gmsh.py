@@ -131,10 +131,31 @@ def check_our_vtk(folder):
     check("our vtk: Gmsh reads all points", f"Reading {count} points" in said, said)
 
 
+def check_planes(folder):
+    """Meshes of Gmsh in other planes of space, from either side, stay where Gmsh had them."""
+    text = (HERE / "two_regions.geo").read_text()
+    for label, turn in TURNS.items():
+        geo, source = folder / "turned.geo", folder / "turned.msh"
+        geo.write_text(f"{text}\nRotate {{{turn}}} {{ Surface{{:}}; }}\n")
+        for version, binary in (("2.2", False), ("4.1", False), ("4.1", True)):
+            make_mesh(args.gmsh, geo, source, version, binary)
+            reference = resave(args.gmsh, source, folder / "seen.msh")
+            heights = {n[2] for n in reference["nodes"].values()}
+            check(f"{label}: not in x and y", max(heights) - min(heights) > 0.1)
+            run(args.convert, source, folder / "same.msh")
+            same(f"{label}, {version}, binary {binary}",
+                 resave(args.gmsh, folder / "same.msh", folder / "seen.msh"), reference)
+
+
+TURNS = {"x-z": "{1, 0, 0}, {0, 0, 0}, Pi/2", "x-z from behind": "{1, 0, 0}, {0, 0, 0}, -Pi/2",
+         "y-z": "{0, 1, 0}, {0, 0, 0}, Pi/2", "tilted": "{1, 1, 0}, {0, 0, 3}, 0.7"}
+
+
 with workspace() as name:
     folder = pathlib.Path(name)
     check_msh(folder)
     check_su2(folder)
     check_gmsh_vtk(folder)
     check_our_vtk(folder)
+    check_planes(folder)
 finish()

@@ -110,6 +110,21 @@ def read_and_compare(folder, reference):
             same(f"{label}: markers", found, tags(mesh, "gmsh:physical"))
 
 
+def planes(folder, reference):
+    """A mesh in x and z, as it is and seen from behind, through winslow in every format and back."""
+    for label, place in (("x-z", lambda p: (p[0], -0.5, p[1])), ("x-z from behind", lambda p: (p[1], 2, p[0]))):
+        turned = plain(reference)
+        turned.points = numpy.array([place(p) for p in reference.points])
+        source = folder / "turned.vtu"
+        meshio.write(source, turned)
+        for extension in MARKER_FORMATS + ["obj", "ply"]:
+            out = folder / f"turned_out.{extension}"
+            run(args.convert, source, out, "--ascii")
+            found = meshio.read(out)
+            check(f"{label} to {extension}: points", numpy.array_equal(found.points, turned.points))
+            same(f"{label} to {extension}: elements", sorted(elements(found)), sorted(elements(turned)))
+
+
 with workspace() as name:
     folder = pathlib.Path(name)
     source = folder / "source.msh"
@@ -122,4 +137,5 @@ with workspace() as name:
                and len(tags(reference, "gmsh:physical")) == 4))
     write_and_compare(folder, reference, source)
     read_and_compare(folder, reference)
+    planes(folder, reference)
 finish()

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "app/job/interrupt.h"
@@ -15,6 +16,7 @@
 #include "app/output/terminal.h"
 #include "app/output/wall_table.h"
 #include "core/error.h"
+#include "core/mesh/place_text.h"
 #include "core/quality/mesh_change.h"
 #include "io/recipe/recipe.h"
 #include "io/tables/convergence_csv.h"
@@ -48,35 +50,67 @@ int thread_count(std::vector<Command> commands) {
   return 0;
 }
 
+/// Where a command turns bodies; none if it does not.
+std::optional<Vec2> turning_point(const Command& command) {
+  const auto* move = std::get_if<MoveCommand>(&command);
+  return move && move->motion.rotate != 0 ? move->motion.pivot : std::nullopt;
+}
+
 CommandRecord make_record(Command command, SmoothResult result) {
-  CommandRecord record{
-      std::string(command_name(command)), describe(command), {}, std::move(result)};
+  CommandRecord record{std::string(command_name(command)),
+                       describe(command),
+                       turning_point(command),
+                       {},
+                       std::move(result)};
   if (const SmoothOptions* options = smooth_options(command)) {
     record.formulation = options->formulation;
   }
   return record;
 }
 
-/// Applies the commands of a zone one after the other.
-void apply(const EditJob& job, ZoneRun& zone, RunReport& run) {
-  MeshState state = make_state(zone.source.mesh);
+/// Applies one command of a zone.
+CommandRecord apply(const Command& command, ZoneRun& zone, bool all_or_nothing,
+                    ProgressMonitor& monitor) {
   const std::string name = zone.name();
-  ProgressMonitor monitor(!job.files.quiet && terminal_attached());
   RunOptions options;
   options.monitor = &monitor;
-  options.all_or_nothing = !job.files.accept_partial;
-  for (const Command& command : zone.commands) {
-    monitor.set_label(printable((name.empty() ? "" : name + ": ") + describe(command)));
-    CommandResult result = execute(command, state, options);
-    InterruptGuard::check();
-    run.commands.push_back(make_record(command, std::move(result.smooth)));
-    if (!name.empty()) {
-      run.commands.back().description.insert(0, name + ": ");
-      run.commands.back().zone = zone.source.details->zone;
-    }
-    state = std::move(result.state);
+  options.all_or_nothing = all_or_nothing;
+  monitor.set_label(printable((name.empty() ? "" : name + ": ") + describe(command)));
+  CommandResult result = execute(command, zone.result, options);
+  InterruptGuard::check();
+  CommandRecord record = make_record(command, std::move(result.smooth));
+  if (!name.empty()) {
+    record.description.insert(0, name + ": ");
+    record.zone = zone.source.details->zone;
   }
-  zone.result = std::move(state);
+  zone.result = std::move(result.state);
+  return record;
+}
+
+/// Applies the commands of all zones, one after the other: bodies that stand in several zones turn
+/// about one point, wherever the commands before have brought them.
+void apply(const EditJob& job, std::vector<ZoneRun>& zones, RunReport& run) {
+  for (ZoneRun& zone : zones) zone.result = make_state(zone.source.mesh);
+  ProgressMonitor monitor(!job.files.quiet && terminal_attached());
+  std::vector<std::vector<CommandRecord>> records(zones.size());
+  for (std::size_t k = 0; k < job.commands.size(); ++k) {
+    std::vector<const MeshState*> states;
+    for (const ZoneRun& zone : zones) {
+      if (zone.commands[k]) states.push_back(&zone.result);
+    }
+    const Command whole = with_pivot(job.commands[k], states);
+    for (std::size_t z = 0; z < zones.size(); ++z) {
+      std::optional<Command>& own = zones[z].commands[k];
+      if (!own) continue;
+      if (auto* move = std::get_if<MoveCommand>(&*own)) {
+        move->motion.pivot = std::get<MoveCommand>(whole).motion.pivot;
+      }
+      records[z].push_back(apply(*own, zones[z], !job.files.accept_partial, monitor));
+    }
+  }
+  for (auto& of_zone : records) {
+    std::ranges::move(of_zone, std::back_inserter(run.commands));
+  }
 }
 
 double fraction_reached(const RunReport& run) {
@@ -162,6 +196,7 @@ void print_commands(const RunReport& run) {
       std::cout << ", " << std::lround(100 * *c.result.stretched)
                 << " % of the elements kept stretched";
     if (c.result.increments > 1) std::cout << ", in " << c.result.increments << " steps";
+    if (c.pivot) std::cout << ", turned about " << place_text(*c.pivot);
     std::cout << '\n';
   }
 }
@@ -189,7 +224,10 @@ void print_outcome(const EditJob& job, const std::vector<ZoneRun>& zones, const 
 /// What a flow solver will not like about the result that is no fault of validity. Heights that
 /// were asked for are none.
 void warn_of_damage(const EditJob& job, const ZoneRun& zone, RunReport& run) {
-  if (std::ranges::any_of(zone.commands, asks_for_heights)) return;
+  if (std::ranges::any_of(zone.commands, [](const std::optional<Command>& command) {
+        return command && asks_for_heights(*command);
+      }))
+    return;
   const std::string damage = describe_damage(zone.source.mesh, zone.result.mesh);
   if (damage.empty()) return;
   const std::string name = zone.name();
@@ -282,8 +320,8 @@ ExitCode run_edit_job(const EditJob& job) {
 
   QualityOptions quality_options;
   quality_options.threads = thread_count(job.commands);
+  apply(job, zones, run);
   for (ZoneRun& zone : zones) {
-    apply(job, zone, run);
     zone.quality = measure_quality(zone.result.mesh, quality_options);
     zone.before = measure_quality(zone.source.mesh, quality_options);
   }

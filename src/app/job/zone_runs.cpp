@@ -48,11 +48,11 @@ std::string about_nodes(const Command& command) {
 void refuse_ambiguous(const std::vector<ZoneRun>& runs, const std::string& file) {
   std::vector<std::string> seen;
   for (const ZoneRun& run : runs) {
-    for (const Command& command : run.commands) {
-      const std::string about = about_nodes(command);
+    for (const std::optional<Command>& command : run.commands) {
+      const std::string about = command ? about_nodes(*command) : std::string();
       if (about.empty()) continue;
       if (std::find(seen.begin(), seen.end(), about) != seen.end()) {
-        throw UsageError(std::string(command_name(command)) + " " + about + ", and " + file +
+        throw UsageError(std::string(command_name(*command)) + " " + about + ", and " + file +
                          " has several zones that it could mean; choose one with --zone N");
       }
       seen.push_back(about);
@@ -94,15 +94,18 @@ std::vector<ZoneRun> share_out(std::vector<io::MeshFile> zones,
   std::vector<const Topology*> topologies;
   for (const io::MeshFile& zone : zones) topologies.push_back(zone.mesh.topology.get());
   check_markers(commands, topologies, file);
-  if (zones.size() == 1) return {ZoneRun{std::move(zones[0]), commands, {}, {}, {}}};
+  if (zones.size() == 1) {
+    return {ZoneRun{std::move(zones[0]), {commands.begin(), commands.end()}, {}, {}, {}}};
+  }
   std::vector<ZoneRun> runs;
   for (io::MeshFile& zone : zones) {
     ZoneRun run;
     for (const Command& command : commands) {
-      auto own = restricted(command, *zone.mesh.topology);
-      if (own) run.commands.push_back(std::move(*own));
+      run.commands.push_back(restricted(command, *zone.mesh.topology));
     }
-    if (run.commands.empty() && !commands.empty()) continue;
+    const bool concerned = std::ranges::any_of(
+        run.commands, [](const std::optional<Command>& own) { return own.has_value(); });
+    if (!concerned && !commands.empty()) continue;
     run.source = std::move(zone);
     runs.push_back(std::move(run));
   }

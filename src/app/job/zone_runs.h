@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace winslow::app {
 /// The mesh of a file, or one of its zones, and what becomes of it.
 struct ZoneRun {
   io::MeshFile source;
-  std::vector<Command> commands;
+  std::vector<std::optional<Command>> commands;  ///< of the job, in order; none: not of this zone
   MeshState result;
   QualityReport quality, before;  ///< of the result; of what was read
 

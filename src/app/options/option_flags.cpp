@@ -94,6 +94,12 @@ CLI::Option* declare(CLI::App& app, const Option& option, const VectorOption& ve
                          [vector](const Pair& v) { *vector.value = Vec2(v[0], v[1]); });
 }
 
+CLI::Option* declare(CLI::App& app, const Option& option, const OptionalVectorOption& vector) {
+  using Pair = std::array<double, 2>;
+  return add_value<Pair>(app, option,
+                         [vector](const Pair& v) { *vector.value = Vec2(v[0], v[1]); });
+}
+
 CLI::Option* declare(CLI::App& app, const Option& option, const SwitchOption& on) {
   const bool value = on.off_flag.empty();
   return app.add_flag_callback(
@@ -109,8 +115,11 @@ CLI::Option* declare(CLI::App& app, const Option& option, const ChoiceOption& ch
 CLI::Option* declare(CLI::App& app, const Option& option, const SharesOption& shares) {
   using Words = std::vector<std::string>;
   const std::string flag = flag_of(option);
+  Words names;
+  for (const auto& part : shares.parts) names.emplace_back(part.name);
   return add_value<Words>(app, option,
-                          [shares, flag](const Words& words) { set_shares(shares, flag, words); });
+                          [shares, flag](const Words& words) { set_shares(shares, flag, words); })
+      ->check(words_to_offer(names));
 }
 
 template <class Item>
@@ -119,7 +128,9 @@ std::string item_help(const Item& item) {
 }
 
 std::string metavariable(const Option& option) {
-  if (std::holds_alternative<VectorOption>(option.value)) return "X Y";
+  if (std::holds_alternative<VectorOption>(option.value) ||
+      std::holds_alternative<OptionalVectorOption>(option.value))
+    return "X Y";
   if (std::holds_alternative<SharesOption>(option.value)) return "NAME[=SHARE]...";
   if (const auto* choice = std::get_if<ChoiceOption>(&option.value)) {
     constexpr std::size_t few = 4;

@@ -9,6 +9,9 @@ namespace {
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
+constexpr const char* words_name = "words";  // of the validators that hold names
+constexpr std::string_view separator = ", ";
+
 /// Levenshtein distance, blind to case.
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -28,7 +31,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 std::string join(const std::vector<std::string>& names) {
   std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  for (const std::string& name : names) list += std::string(list.empty() ? "" : separator) + name;
   return list;
 }
 
@@ -53,7 +56,27 @@ CLI::Validator one_of(std::vector<std::string> names) {
         if (std::find(names.begin(), names.end(), value) != names.end()) return std::string();
         return "found \"" + value + "\", expected one of " + list + suggest(value, names);
       },
-      "{" + list + "}");
+      "{" + list + "}", words_name);
+}
+
+CLI::Validator words_to_offer(const std::vector<std::string>& words) {
+  return CLI::Validator([](std::string&) { return std::string(); }, "{" + join(words) + "}",
+                        words_name);
+}
+
+std::vector<std::string> words_of(CLI::Option& option) {
+  std::string list;
+  try {
+    list = option.get_validator(words_name)->get_description();
+  } catch (const CLI::OptionNotFound&) {
+    return {};
+  }
+  std::vector<std::string> words;
+  list = list.substr(1, list.size() - 2).append(separator);  // without its braces
+  for (std::size_t at = 0, end = 0; (end = list.find(separator, at)) != std::string::npos;
+       at = end + separator.size())
+    words.push_back(list.substr(at, end - at));
+  return words;
 }
 
 }  // namespace winslow::app

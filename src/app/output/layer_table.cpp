@@ -7,6 +7,7 @@
 
 #include "app/output/formatted.h"
 #include "core/layers/layer_measures.h"
+#include "core/mesh/place_text.h"
 
 namespace winslow::app {
 namespace {
@@ -45,12 +46,10 @@ void print_layers(std::ostream& out, const LayerStack& stack, const Coordinates&
   const auto shown = std::min(cut.size(), static_cast<std::size_t>(std::max(limit, 0)));
   for (std::size_t i = 0; i < shown; ++i) {
     const LayerColumn& column = *cut[i];
-    const Vec2 p = x.xy(column.wall_node);
     const std::string left = column.count() == 0
                                  ? std::string("no layers")
                                  : formatted("%.3g %% of the thickness", 100 * share(column));
-    out << formatted("  node %d at (%.6g, %.6g): ", static_cast<int>(column.wall_node), p.x(),
-                     p.y())
+    out << "  node " << column.wall_node << " at " << place_text(x.xy(column.wall_node)) << ": "
         << left << " (" << limit_name(column.limit) << ")\n";
   }
   if (cut.size() > shown) out << "  and " << cut.size() - shown << " more\n";

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/output/formatted.h"
+#include "core/mesh/place_text.h"
 
 namespace winslow::app {
 namespace {
@@ -49,8 +50,8 @@ void print_worst_elements(std::ostream& out, const QualityReport& quality) {
     out << "\nWorst elements by " << metric_label(m) << '\n'
         << formatted("%11s%11s   %s\n", "element", "value", "centre");
     for (const WorstElement& w : worst) {
-      out << formatted("%11d", static_cast<int>(w.element)) << number(w.value)
-          << formatted("   (%.6g, %.6g)\n", w.centre.x(), w.centre.y());
+      out << formatted("%11d", static_cast<int>(w.element)) << number(w.value) << "   "
+          << place_text(w.centre) << '\n';
     }
   }
 }
@@ -61,8 +62,7 @@ void print_inverted_elements(std::ostream& out, const Mesh& mesh, const QualityR
                                            static_cast<std::size_t>(std::max(limit, 0)));
   for (std::size_t i = 0; i < shown; ++i) {
     const Index e = quality.inverted_elements[i];
-    const Vec2 c = element_centre(mesh, e);
-    out << formatted("  element %d at (%.6g, %.6g)\n", static_cast<int>(e), c.x(), c.y());
+    out << "  element " << e << " at " << place_text(element_centre(mesh, e)) << '\n';
   }
   const Index left = quality.inverted - static_cast<Index>(shown);
   if (left > 0) out << "  and " << left << " more\n";

@@ -71,6 +71,7 @@ json describe_result(const CommandRecord& record) {
                  {"increments", r.increments},
                  {"linear_solver", r.linear_solver},
                  {"inverted", r.inverted}};
+  if (record.pivot) report["pivot"] = {record.pivot->x(), record.pivot->y()};
   if (record.zone != 0) report["zone"] = record.zone;
   return report;
 }

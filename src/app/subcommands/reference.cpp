@@ -1,28 +1,54 @@
 #include "app/output/reference.h"
 
+#include <algorithm>
 #include <iostream>
+#include <iterator>
+#include <string_view>
+#include <vector>
 
 #include "app/options/suggestion.h"
+#include "app/output/completion.h"
+#include "app/output/manual.h"
 #include "app/subcommands/subcommand.h"
 
 namespace winslow::app {
 namespace {
 
-/// Not in the help: it serves those who write the pages.
+/// Tables of the reference pages, the manual page, completions for shells. Not in the help: it
+/// serves those who write pages and those who install the program.
 class ReferenceSubcommand : public Subcommand {
  public:
   explicit ReferenceSubcommand(CLI::App& program)
-      : Subcommand(program.add_subcommand("reference", "Print a table of the reference pages")) {
+      : Subcommand(program.add_subcommand("reference",
+                                          "Print a table of the reference pages, the manual page "
+                                          "or a completion for a shell")),
+        program_(program) {
     app().group("");
-    app().add_option("NAME", name_, "Which")->required()->check(one_of(reference_names()));
+    app().add_option("NAME", name_, "Which")->required()->check(one_of(names()));
   }
 
   ExitCode run() override {
-    print_reference(std::cout, name_);
+    if (name_ == manual) {
+      print_manual(std::cout, program_options(program_));
+    } else if (std::ranges::count(completion_shells(), name_) > 0) {
+      print_completion(std::cout, program_options(program_), name_);
+    } else {
+      print_reference(std::cout, name_);
+    }
     return ExitCode::done;
   }
 
  private:
+  static constexpr std::string_view manual = "man";
+
+  static std::vector<std::string> names() {
+    std::vector<std::string> names = reference_names();
+    names.emplace_back(manual);
+    std::ranges::copy(completion_shells(), std::back_inserter(names));
+    return names;
+  }
+
+  CLI::App& program_;
   std::string name_;
 };
 

@@ -5,7 +5,9 @@
 #include <random>
 #include <utility>
 
+#include "core/command/local_run.h"
 #include "core/error.h"
+#include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
 #include "core/strategy/smooth_run.h"
 
@@ -118,8 +120,11 @@ CommandResult execute_one(const SmoothCommand& command, const MeshState& state,
 
 CommandResult execute_one(const MoveCommand& command, const MeshState& state,
                           const RunOptions& options) {
-  const auto motion =
-      make_motion(*state.mesh.topology, state.mesh.coordinates, command.markers, command.motion);
+  const auto nodes = state.mesh.topology->markers().nodes_of(command.markers);
+  const Vec2 centre =
+      nodes.empty() ? Vec2(0, 0) : body_centre(bounds(state.mesh.coordinates, nodes));
+  const auto motion = make_motion(*state.mesh.topology, state.mesh.coordinates, command.markers,
+                                  command.motion.about(centre));
   return run_motion(state, *motion, command.how, command.smooth, options);
 }
 
@@ -221,10 +226,33 @@ std::vector<std::string> markers_of(const Command& command) {
       command);
 }
 
+Command with_pivot(Command command, std::span<const MeshState* const> states) {
+  auto* move = std::get_if<MoveCommand>(&command);
+  if (move == nullptr || move->motion.pivot) return command;
+  Bounds box = Bounds::empty();
+  bool found = false;
+  for (const MeshState* state : states) {
+    const Markers& markers = state->mesh.topology->markers();
+    for (const std::string& name : move->markers) {
+      if (!markers.find(name)) continue;
+      const std::vector<Index> nodes = markers.nodes_of(std::span(&name, 1));
+      if (nodes.empty()) continue;
+      box.add(bounds(state->mesh.coordinates, nodes));
+      found = true;
+    }
+  }
+  if (found) move->motion.pivot = body_centre(box);
+  return command;
+}
+
 CommandResult execute(const Command& command, const MeshState& state, const RunOptions& options) {
   require_plane(*state.mesh.topology, command_name(command));
-  CommandResult result =
-      std::visit([&](const auto& c) { return execute_one(c, state, options); }, command);
+  const auto carry_out = [](const Command& which, const MeshState& from, const RunOptions& how) {
+    return std::visit([&](const auto& c) { return execute_one(c, from, how); }, which);
+  };
+  const LocalFrame frame(state.mesh);
+  CommandResult result = frame.shifts() ? run_in_frame(frame, command, state, options, carry_out)
+                                        : carry_out(command, state, options);
   // Whatever way it went: the count is that of the mesh that is handed over.
   const Mesh& mesh = result.state.mesh;
   result.smooth.inverted = check_validity(*mesh.topology, mesh.coordinates).inverted;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -39,7 +40,7 @@ struct MoveCommand {
   static constexpr bool beyond_table = false;
 
   std::vector<std::string> markers;
-  RigidMotion motion;
+  RigidMotionRequest motion;
   MotionOptions how;
   SmoothOptions smooth;
 };
@@ -103,12 +104,18 @@ bool asks_for_heights(const Command& command);
 /// Markers that a command names.
 std::vector<std::string> markers_of(const Command& command);
 
+/// The command with the pivot that a rotation leaves to the bodies: body_centre() of all nodes of
+/// its markers. `states`: the meshes that it is about, several for the zones of a file, which then
+/// turn as one body. Markers that none has are for execute() to refuse.
+Command with_pivot(Command command, std::span<const MeshState* const> states);
+
 struct CommandResult {
   MeshState state;
   SmoothResult smooth;  ///< of commands that smooth nothing: converged, no iterations
 };
 
-/// Carries out a command on a copy of the state. Throws UsageError for options that are out of
+/// Carries out a command on a copy of the state, a mesh far from the origin in coordinates near it
+/// (LocalFrame). Throws UsageError for options that are out of
 /// range, Cancelled, NumericError; the input state is never touched. A result with inverted
 /// elements is returned, not hidden: look at result.smooth.inverted.
 CommandResult execute(const Command& command, const MeshState& state,

@@ -282,12 +282,51 @@ class DragSession::Impl final : public SolverMonitor {
   std::thread worker_;
 };
 
+namespace {
+
+/// The same motion, of points counted from elsewhere.
+RigidMotion with_pivot_at(const Vec2& pivot, const RigidMotion& motion) {
+  return {motion.rotate, pivot, motion.translate};
+}
+
+const Mesh& plane_mesh_of(const MeshState& state) {
+  require_plane(*state.mesh.topology, "motions");
+  return state.mesh;
+}
+
+std::optional<DragSession::Start> in_frame(std::optional<DragSession::Start> start,
+                                           const LocalFrame& frame) {
+  if (!start || !frame.shifts()) return start;
+  start->coordinates = frame.to_local(std::move(start->coordinates));
+  start->motion = with_pivot_at(frame.to_local(start->motion.pivot), start->motion);
+  return start;
+}
+
+}  // namespace
+
 DragSession::DragSession(MeshState state, DragGrip grip, const SmoothOptions& options,
                          std::optional<Start> start)
-    : impl_(std::make_unique<Impl>(std::move(state), std::move(grip), options, std::move(start))) {}
+    : frame_(plane_mesh_of(state)) {
+  if (frame_.shifts()) {
+    rest_ = state.mesh.coordinates;
+    state.mesh.coordinates = frame_.to_local(rest_);
+  }
+  impl_ = std::make_unique<Impl>(std::move(state), std::move(grip), options,
+                                 in_frame(std::move(start), frame_));
+}
 DragSession::~DragSession() = default;
 
-const DragFrame& DragSession::to(const RigidMotion& motion) { return impl_->to(motion); }
+const DragFrame& DragSession::to(const RigidMotion& motion) {
+  if (!frame_.shifts()) return impl_->to(motion);
+  const RigidMotion local = with_pivot_at(frame_.to_local(motion.pivot), motion);
+  shown_ = impl_->to(local);
+  shown_.coordinates = frame_.to_mesh(std::move(shown_.coordinates), rest_);
+  shown_.motion = same_motion(shown_.motion, local)
+                      ? motion
+                      : with_pivot_at(frame_.to_mesh(shown_.motion.pivot), shown_.motion);
+  if (shown_.contact) shown_.contact->place = frame_.to_mesh(shown_.contact->place);
+  return shown_;
+}
 bool DragSession::ready() const { return impl_->ready(); }
 bool DragSession::settled() const { return impl_->settled(); }
 int DragSession::corrections() const { return impl_->corrections(); }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/drag/drag_grip.h"
+#include "core/mesh/local_frame.h"
 
 namespace winslow {
 
@@ -58,6 +59,9 @@ class DragSession {
 
  private:
   class Impl;
+  LocalFrame frame_;  // in which the mesh is solved for
+  Coordinates rest_;  // of the state
+  DragFrame shown_;
   std::unique_ptr<Impl> impl_;
 };
 

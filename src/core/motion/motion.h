@@ -28,6 +28,26 @@ struct RigidMotion {
   Vec2 translate{0, 0};  ///< in units of the mesh
 };
 
+/// A rigid motion as it is asked for: where it turns may be left open.
+struct RigidMotionRequest {
+  double rotate = 0;          ///< as in RigidMotion
+  std::optional<Vec2> pivot;  ///< none: the centre of what moves, see body_centre()
+  Vec2 translate{0, 0};       ///< as in RigidMotion
+
+  RigidMotionRequest() = default;
+  RigidMotionRequest(double degrees, std::optional<Vec2> about, const Vec2& by)
+      : rotate(degrees), pivot(std::move(about)), translate(by) {}
+  /// That very motion.
+  RigidMotionRequest(const RigidMotion& motion)
+      : rotate(motion.rotate), pivot(motion.pivot), translate(motion.translate) {}
+
+  bool operator==(const RigidMotionRequest&) const = default;
+  /// The motion, about `centre` unless a pivot is named.
+  RigidMotion about(const Vec2& centre) const {
+    return {rotate, pivot.value_or(centre), translate};
+  }
+};
+
 enum class Fade { none, start, end, both };
 
 /// x -> x + amplitude f(s) sin(2 pi waves s) direction, where s in [0, 1] runs along the body at

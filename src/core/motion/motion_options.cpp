@@ -2,7 +2,7 @@
 
 namespace winslow {
 
-OptionTable option_table(RigidMotion& motion) {
+OptionTable option_table(RigidMotionRequest& motion) {
   return {
       {.key = "rotate",
        .value = RealOption{&motion.rotate},
@@ -10,10 +10,12 @@ OptionTable option_table(RigidMotion& motion) {
        .help = "Angle about the pivot, counter-clockwise positive",
        .unit = "degrees"},
       {.key = "pivot",
-       .value = VectorOption{&motion.pivot},
+       .value = OptionalVectorOption{&motion.pivot},
        .label = "Pivot",
-       .help = "Centre of the rotation",
-       .unit = "units of the mesh"},
+       .help = "Point about which it turns; not given: the centre of the bounding box of all that "
+               "moves",
+       .unit = "units of the mesh",
+       .applies = motion.pivot.has_value()},
       {.key = "translate",
        .value = VectorOption{&motion.translate},
        .label = "Translate",

@@ -6,7 +6,7 @@
 namespace winslow {
 
 /// All that a user can set of a motion, but for the markers that move.
-OptionTable option_table(RigidMotion& motion);
+OptionTable option_table(RigidMotionRequest& motion);
 OptionTable option_table(SineDeformation& sine);
 
 }  // namespace winslow

@@ -64,6 +64,16 @@ RigidMotion fit_rigid_motion(std::span<const Index> nodes, const Coordinates& fr
   return motion;
 }
 
+Vec2 body_centre(const Bounds& box) {
+  Vec2 centre = box.centre();
+  // 6.9e-18 would be the centre of a symmetric body in numbers, but not to a reader.
+  const double tiny = 1e-12 * box.size().maxCoeff();
+  for (const int axis : {0, 1}) {
+    if (std::abs(centre[axis]) < tiny) centre[axis] = 0;
+  }
+  return centre;
+}
+
 bool same_motion(const RigidMotion& a, const RigidMotion& b) {
   return a.rotate == b.rotate && a.pivot == b.pivot && a.translate == b.translate;
 }

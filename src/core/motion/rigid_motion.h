@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "core/mesh/mesh.h"
 #include "core/motion/motion.h"
 
 namespace winslow {
@@ -18,6 +19,9 @@ RigidMotion inverse(const RigidMotion& motion);
 /// rotation in (-180, 180]). Translation by zero for no nodes.
 RigidMotion fit_rigid_motion(std::span<const Index> nodes, const Coordinates& from,
                              const Coordinates& to);
+/// The point about which bodies turn unless another is named: the centre of the bounding box of
+/// all that moves. A component that is nothing but rounding errors is 0.
+Vec2 body_centre(const Bounds& box);
 bool same_motion(const RigidMotion& a, const RigidMotion& b);
 
 }  // namespace winslow

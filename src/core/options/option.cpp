@@ -17,8 +17,12 @@ std::string text_of(const OptionalRealOption& real) {
 }
 std::string text_of(const IntegerOption& integer) { return std::to_string(*integer.value); }
 std::string text_of(const SeedOption& seed) { return std::to_string(*seed.value); }
-std::string text_of(const VectorOption& vector) {
-  return number_text(vector.value->x()) + ' ' + number_text(vector.value->y());
+std::string text_of(const Vec2& vector) {
+  return number_text(vector.x()) + ' ' + number_text(vector.y());
+}
+std::string text_of(const VectorOption& vector) { return text_of(*vector.value); }
+std::string text_of(const OptionalVectorOption& vector) {
+  return *vector.value ? text_of(**vector.value) : "";
 }
 std::string text_of(const SwitchOption& on) { return *on.value ? "true" : "false"; }
 std::string text_of(const ChoiceOption& choice) { return choice.name(); }
@@ -38,6 +42,7 @@ std::string expected_of(const OptionalRealOption& real) { return real.range.text
 std::string expected_of(const IntegerOption& integer) { return integer.range.text(); }
 std::string expected_of(const SeedOption&) { return at_least(0).text(); }
 std::string expected_of(const VectorOption&) { return ""; }
+std::string expected_of(const OptionalVectorOption&) { return ""; }
 std::string expected_of(const SwitchOption&) { return ""; }
 std::string expected_of(const ChoiceOption& choice) { return choice.names(); }
 std::string expected_of(const SharesOption&) { return at_least(0).text(); }
@@ -58,9 +63,13 @@ std::string wrong_with(const IntegerOption& integer) {
   return out_of(integer.range, *integer.value);
 }
 std::string wrong_with(const SeedOption&) { return ""; }
-std::string wrong_with(const VectorOption& vector) {
-  const std::string x = out_of({}, vector.value->x());
-  return x.empty() ? out_of({}, vector.value->y()) : x;
+std::string wrong_with(const Vec2& vector) {
+  const std::string x = out_of({}, vector.x());
+  return x.empty() ? out_of({}, vector.y()) : x;
+}
+std::string wrong_with(const VectorOption& vector) { return wrong_with(*vector.value); }
+std::string wrong_with(const OptionalVectorOption& vector) {
+  return *vector.value ? wrong_with(**vector.value) : "";
 }
 std::string wrong_with(const SwitchOption&) { return ""; }
 std::string wrong_with(const ChoiceOption& choice) {

@@ -60,6 +60,11 @@ struct VectorOption {
   Vec2* value;
 };
 
+/// A vector in the plane that may be left unset.
+struct OptionalVectorOption {
+  std::optional<Vec2>* value;
+};
+
 struct SwitchOption {
   bool* value;
   /// Of a switch that is on unless it is turned off: the flag that does so, and what that means.
@@ -112,8 +117,9 @@ struct SharesOption {
   std::vector<Part> parts;
 };
 
-using OptionValue = std::variant<RealOption, OptionalRealOption, IntegerOption, SeedOption,
-                                 VectorOption, SwitchOption, ChoiceOption, SharesOption>;
+using OptionValue =
+    std::variant<RealOption, OptionalRealOption, IntegerOption, SeedOption, VectorOption,
+                 OptionalVectorOption, SwitchOption, ChoiceOption, SharesOption>;
 
 /// Whether an option is given by a flag of its own.
 enum class OnCommandLine { yes, no };

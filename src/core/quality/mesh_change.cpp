@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/mesh/place_text.h"
+
 namespace winslow {
 
 namespace {
@@ -14,10 +16,6 @@ std::string number(const char* format, double value) {
   char text[40];
   std::snprintf(text, sizeof text, format, value);
   return text;
-}
-
-std::string place(const Vec2& p) {
-  return "(" + number("%.6g", p.x()) + ", " + number("%.6g", p.y()) + ")";
 }
 
 /// Compares what is measured of walls one after the other, in one order.
@@ -65,7 +63,7 @@ std::string describe_heights(const Mesh& before, const Mesh& after) {
   if (!change || !spoils_walls(*change)) return {};
   return "first heights changed by more than 5 % at " + number("%.3g", 100 * change->off) +
          " % of the wall nodes, at worst to " + number("%.3g", change->worst_ratio) +
-         " times what they were at " + place(after.coordinates.xy(change->worst_node));
+         " times what they were at " + place_text(after.coordinates.xy(change->worst_node));
 }
 
 std::string describe_sine(double before, double after, const Mesh& mesh) {
@@ -74,7 +72,7 @@ std::string describe_sine(double before, double after, const Mesh& mesh) {
   const auto worst =
       static_cast<Index>(std::min_element(sines.begin(), sines.end()) - sines.begin());
   return "the smallest sine fell from " + number("%.3g", before) + " to " + number("%.3g", after) +
-         " at " + place(element_centre(mesh, worst));
+         " at " + place_text(element_centre(mesh, worst));
 }
 
 }  // namespace

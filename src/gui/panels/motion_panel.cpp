@@ -16,15 +16,17 @@ struct Pair {
 
 /// Two fields side by side in the rest of the row.
 bool vector_fields(const Pair& ids, Vec2& value, std::string_view tip) {
+  // Six digits do not tell places apart on a mesh far from the origin.
+  const char* format = value.cwiseAbs().maxCoeff() < 1e5 ? "%.6g" : "%.12g";
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
   double x = value.x();
   double y = value.y();
   ImGui::SetNextItemWidth(width);
-  bool changed = ui::number(ids.id_x, x, tip);
+  bool changed = ui::number(ids.id_x, x, tip, format);
   ImGui::SameLine(0, gap);
   ImGui::SetNextItemWidth(width);
-  changed |= ui::number(ids.id_y, y, tip);
+  changed |= ui::number(ids.id_y, y, tip, format);
   value = Vec2(x, y);
   return changed;
 }

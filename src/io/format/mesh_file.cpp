@@ -6,6 +6,7 @@
 #include "io/file/atomic_file.h"
 #include "io/format/marker_overlap.h"
 #include "io/format/mesh_format.h"
+#include "io/format/plane_placement.h"
 
 namespace winslow::io {
 namespace {
@@ -61,6 +62,7 @@ MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options
   }
   ParsedMesh parsed = file.format->read_zone ? file.format->read_zone(source, options.zone)
                                              : file.format->read(source);
+  turn_to_viewer(parsed);
   file.warnings.insert(file.warnings.end(), parsed.warnings.begin(), parsed.warnings.end());
   try {
     file.mesh = make_mesh(parsed.data, &file.warnings);
@@ -127,6 +129,11 @@ std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,
   if (details != nullptr && details->zones.size() > 1 && !all_zones && !options.zone_alone) {
     warnings.push_back("only zone " + std::to_string(details->zone) + " of " +
                        std::to_string(details->zones.size()) + " is written");
+  }
+  if (details != nullptr && details->plane && format->plane_only) {
+    warnings.push_back("a " + std::string(format->title) + " file has two coordinates: those in " +
+                       details->plane->plane_text() + ", " + details->plane->axes_text() +
+                       ", are written, and where the plane lies is lost");
   }
   for (std::string& warning : warnings) warning = path.string() + ": " + warning;
   return warnings;

@@ -11,7 +11,8 @@
 /// Reading and writing meshes: the one header that the rest of the program needs.
 namespace winslow::io {
 
-struct MeshFormat;  // io/format/mesh_format.h
+struct MeshFormat;     // io/format/mesh_format.h
+class PlanePlacement;  // io/format/plane_placement.h
 
 /// What a format can hold beyond a Mesh (version, entity and node tags, order of blocks, ...):
 /// kept from reading to writing so that a file in the same format comes back unchanged but for the
@@ -21,8 +22,10 @@ struct FormatDetails {
   const MeshFormat* format = nullptr;  ///< of the source
   bool binary = false;                 ///< the source was binary
   std::vector<double> plane_z;         ///< z of each node, or one for all; empty: 0
-  std::vector<int> zones;              ///< numbers of all zones of the file; empty: it has none
-  int zone = 0;                        ///< the one that was read
+  /// Where a plane other than z = constant lies; null: z is constant.
+  std::shared_ptr<PlanePlacement> plane;
+  std::vector<int> zones;  ///< numbers of all zones of the file; empty: it has none
+  int zone = 0;            ///< the one that was read
 };
 
 /// A mesh read from a file.

@@ -46,6 +46,7 @@ struct MeshFormat {
   std::string_view encodings, markers, regions, quadrilaterals;
   bool keeps_markers = false;
   bool has_binary = false;
+  bool plane_only = false;  ///< two coordinates: a plane in space cannot be put back
 
   Evidence (*recognise)(const Content& content);
   ParsedMesh (*read)(Source& source);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
+#include "io/format/plane_placement.h"
 #include "io/text/numbers.h"
 
 namespace winslow::io {
@@ -20,6 +22,55 @@ void require_finite(const Source& source, std::size_t offset, std::size_t node, 
               "a finite number");
 }
 
+/// The first node that leaves the plane z = constant; the number of nodes if none does.
+std::size_t first_off_level(const std::vector<double>& xyz) {
+  const std::size_t n = xyz.size() / 3;
+  double extent = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    extent = std::max({extent, std::abs(xyz[3 * i] - xyz[0]), std::abs(xyz[3 * i + 1] - xyz[1])});
+  }
+  constexpr double noise = 1e-9;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (std::abs(xyz[3 * i + 2] - xyz[2]) > noise * extent) return i;
+  }
+  return n;
+}
+
+/// Nodes of a plane z = constant.
+void set_level_nodes(const std::vector<double>& xyz, ParsedMesh& mesh) {
+  const std::size_t n = xyz.size() / 3;
+  bool exact = true;
+  for (std::size_t i = 0; i < n; ++i) {
+    mesh.data.coordinates.set_xy(static_cast<Index>(i), {xyz[3 * i], xyz[3 * i + 1]});
+    const double z = xyz[3 * i + 2];
+    // Compared with the sign of zero, for the file should come back as it was.
+    exact = exact && z == xyz[2] && std::signbit(z) == std::signbit(xyz[2]);
+  }
+  auto& kept = mesh.details->plane_z;
+  if (n > 0 && (!exact || xyz[2] != 0 || std::signbit(xyz[2]))) {
+    kept.resize(exact ? 1 : n);
+    for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = xyz[3 * i + 2];
+  }
+}
+
+/// Sum of the signed areas of all elements whose nodes there are.
+double total_area(const MeshData& data) {
+  if (data.coordinates.empty()) return 0;
+  const PlanePoints x(data.coordinates);
+  const auto known = [&](Index node) { return node >= 0 && node < data.node_count(); };
+  double area2 = 0;
+  for (Index e = 0; e < data.element_count(); ++e) {
+    const auto corners = data.element(e);
+    if (!std::ranges::all_of(corners, known)) continue;  // make_mesh says what is wrong
+    const Vec2 origin = x[corners[0]];
+    for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
+      const Vec2 a = x[corners[k]] - origin, b = x[corners[k + 1]] - origin;
+      area2 += a.x() * b.y() - a.y() * b.x();
+    }
+  }
+  return area2 / 2;
+}
+
 }  // namespace
 
 void check_finite(const Source& source, const ParsedMesh& mesh) {
@@ -32,39 +83,37 @@ void check_finite(const Source& source, const ParsedMesh& mesh) {
 
 void set_planar_nodes(const Source& source, const std::vector<double>& xyz, ParsedMesh& mesh) {
   const std::size_t n = xyz.size() / 3;
-  mesh.data.coordinates = Coordinates(2, static_cast<Index>(n));
-  double extent = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k)
       require_finite(source, mesh.where.nodes[i], i, xyz[3 * i + k]);
-    }
-    extent = std::max({extent, std::abs(xyz[3 * i] - xyz[0]), std::abs(xyz[3 * i + 1] - xyz[1])});
-    mesh.data.coordinates.set_xy(static_cast<Index>(i), {xyz[3 * i], xyz[3 * i + 1]});
   }
-  constexpr double noise = 1e-9;
-  bool exact = true;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double z = xyz[3 * i + 2];
-    if (std::abs(z - xyz[2]) > noise * extent) {
-      source.fail(mesh.where.nodes[i],
-                  "z = " + shown(z) + " after z = " + shown(xyz[2]) + " (a 3D mesh)",
-                  "a 2D mesh, the same z everywhere");
-    }
-    // Compared with the sign of zero, for the file should come back as it was.
-    exact = exact && z == xyz[2] && std::signbit(z) == std::signbit(xyz[2]);
+  mesh.data.coordinates = Coordinates(2, static_cast<Index>(n));
+  const std::size_t off = first_off_level(xyz);
+  if (off == n) return set_level_nodes(xyz, mesh);
+  auto plane = PlanePlacement::find(xyz);
+  if (!plane) {
+    source.fail(mesh.where.nodes[off],
+                "z = " + shown(xyz[3 * off + 2]) + " after z = " + shown(xyz[2]) +
+                    " (a 3D mesh), nodes up to " + shown(distance_from_plane(xyz)) +
+                    " away from the nearest plane",
+                "a 2D mesh, all nodes in one plane");
   }
-  auto& kept = mesh.details->plane_z;
-  if (n > 0 && (!exact || xyz[2] != 0 || std::signbit(xyz[2]))) {
-    kept.resize(exact ? 1 : n);
-    for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = xyz[3 * i + 2];
-  }
+  for (Index i = 0; i < plane->size(); ++i) mesh.data.coordinates.set_xy(i, plane->in_plane(i));
+  mesh.warnings.push_back("the mesh lies in " + plane->plane_text() +
+                          " of space: its coordinates are " + plane->axes_text());
+  mesh.details->plane = std::make_shared<PlanePlacement>(std::move(*plane));
 }
 
-double plane_z(const FormatDetails* details, Index node) {
-  if (details == nullptr || details->plane_z.empty()) return 0.0;
-  const auto& z = details->plane_z;
-  const auto i = static_cast<std::size_t>(node);
-  return z.size() == 1 || i >= z.size() ? z.front() : z[i];
+void turn_to_viewer(ParsedMesh& mesh) {
+  PlanePlacement* plane = mesh.details->plane.get();
+  if (plane == nullptr || !(total_area(mesh.data) < 0)) return;
+  plane->from_behind = true;
+  MeshData& data = mesh.data;
+  for (Index e = 0; e < data.element_count(); ++e) {
+    const auto first = static_cast<std::size_t>(data.element_offsets[static_cast<std::size_t>(e)]);
+    const auto corners = std::span(data.element_nodes).subspan(first, data.element(e).size());
+    std::ranges::reverse(corners.subspan(1));  // the first corner stays the first
+  }
 }
 
 }  // namespace winslow::io

@@ -27,15 +27,17 @@ struct ParsedMesh {
   std::vector<std::string> warnings;  ///< without the file's name
 };
 
-/// Sets the nodes' x and y from x, y, z triples. Throws InputError at the first node that is not
-/// finite or leaves the plane z = constant. Differences of z below 1e-9 of the extent count as
-/// noise; every z is kept in `details` and written back.
+/// Sets the nodes' coordinates from x, y, z triples: x and y where z is constant, in-plane
+/// coordinates (and a warning that says so) in any other plane. Throws InputError for one that is
+/// not finite and for nodes that lie in no plane. Distances below 1e-9 of the extent count as
+/// noise; where the nodes were in space is kept in `details` and written back.
 void set_planar_nodes(const Source& source, const std::vector<double>& xyz, ParsedMesh& mesh);
+
+/// Turns all elements of a mesh in another plane than z = constant if they go round clockwise
+/// there: the file shows the plane from behind. Details say so, for the way back.
+void turn_to_viewer(ParsedMesh& mesh);
 
 /// Throws InputError "... not finite" at the first node that has a NaN or an infinity.
 void check_finite(const Source& source, const ParsedMesh& mesh);
-
-/// z of a node as the source of the mesh had it (0 without details).
-double plane_z(const FormatDetails* details, Index node);
 
 }  // namespace winslow::io

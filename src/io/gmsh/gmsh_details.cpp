@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "io/format/groups.h"
+#include "io/format/mesh_in_space.h"
 
 namespace winslow::io::gmsh {
 namespace {
@@ -27,13 +28,12 @@ class BoxCollector {
     const auto found = index_[d].find(entity);
     if (found == index_[d].end()) return;
     auto& box = boxes_[d][found->second];
-    const Vec2 p = coordinates_.xy(node);
-    const double z = plane_z(&details_, node);
-    if (!box) box = Box{p.x(), p.y(), z, p.x(), p.y(), z};
-    const std::array<double, 3> xyz{p.x(), p.y(), z};
+    const Vec3 xyz = place_in_space(&details_, node, coordinates_.xy(node));
+    if (!box) box = Box{xyz[0], xyz[1], xyz[2], xyz[0], xyz[1], xyz[2]};
     for (std::size_t k = 0; k < 3; ++k) {
-      (*box)[k] = std::min((*box)[k], xyz[k]);
-      (*box)[k + 3] = std::max((*box)[k + 3], xyz[k]);
+      const double coordinate = xyz[static_cast<Eigen::Index>(k)];
+      (*box)[k] = std::min((*box)[k], coordinate);
+      (*box)[k + 3] = std::max((*box)[k + 3], coordinate);
     }
   }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "io/format/mesh_in_space.h"
 #include "io/gmsh/gmsh.h"
 #include "io/gmsh/gmsh_details.h"
 #include "io/text/text_writer.h"
@@ -48,7 +49,12 @@ class ValueWriter {
 class Writer {
  public:
   Writer(std::ostream& out, const Mesh& mesh, const Details& details, bool binary)
-      : out_(out), values_(out_, binary), binary_(binary), mesh_(mesh), details_(details) {}
+      : out_(out),
+        values_(out_, binary),
+        binary_(binary),
+        mesh_(mesh),
+        details_(details),
+        space_(mesh, &details) {}
 
   void write() {
     out_ << "$MeshFormat\n"
@@ -115,8 +121,8 @@ class Writer {
                                       : details_.node_tags[static_cast<std::size_t>(node)];
   }
   void write_point(Index node) {
-    const Vec2 p = mesh_.coordinates.xy(node);
-    values_.real(p.x()).real(p.y()).real(plane_z(&details_, node));
+    const Vec3 p = space_.node(node);
+    values_.real(p.x()).real(p.y()).real(p.z());
   }
 
   void write_nodes_2() {
@@ -162,11 +168,11 @@ class Writer {
     values_.end_section();
   }
 
-  std::span<const Index> nodes_of(const Item& item) const {
+  FileCorners nodes_of(const Item& item) const {
     const auto i = static_cast<std::size_t>(item.index);
-    if (item.shape == Shape::point) return {&details_.points[i], 1};
-    if (item.shape == Shape::line) return details_.lines[i];
-    return mesh_.topology->element(item.index);
+    if (item.shape == Shape::point) return {{details_.points[i]}, 1};
+    if (item.shape == Shape::line) return {{details_.lines[i][0], details_.lines[i][1]}, 2};
+    return space_.element(item.index);
   }
 
   void write_elements_2() {
@@ -225,6 +231,7 @@ class Writer {
   bool binary_;
   const Mesh& mesh_;
   const Details& details_;
+  MeshInSpace space_;
 };
 
 }  // namespace
@@ -256,7 +263,10 @@ std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const Format
     Writer(out, mesh, *details, options.binary).write();
   } else {
     Details made = make_details(mesh, options.version_4, warnings);
-    if (source != nullptr) made.plane_z = source->plane_z;
+    if (source != nullptr) {
+      made.plane_z = source->plane_z;
+      made.plane = source->plane;
+    }
     Writer(out, mesh, made, options.binary).write();
   }
   return warnings;

@@ -26,7 +26,8 @@ void read_value(const json& value, const std::string& path, const OptionValue& o
             refuse(value, path, "one of " + of.names());
         } else if constexpr (std::is_same_v<Kind, SharesOption>) {
           read_shares(value, path, of);
-        } else if constexpr (std::is_same_v<Kind, OptionalRealOption>) {
+        } else if constexpr (std::is_same_v<Kind, OptionalRealOption> ||
+                             std::is_same_v<Kind, OptionalVectorOption>) {
           ObjectReader::read(value, path, of.value->emplace());
         } else {
           ObjectReader::read(value, path, *of.value);
@@ -54,8 +55,9 @@ json write_value(const OptionValue& option) {
           json parts = json::object();
           for (const auto& part : of.parts) parts[std::string(part.name)] = *part.share;
           return parts;
-        } else if constexpr (std::is_same_v<Kind, OptionalRealOption>) {
-          return *of.value ? json(**of.value) : json();
+        } else if constexpr (std::is_same_v<Kind, OptionalRealOption> ||
+                             std::is_same_v<Kind, OptionalVectorOption>) {
+          return *of.value ? json(ObjectWriter::write(**of.value)) : json();
         } else {
           return ObjectWriter::write(*of.value);
         }

@@ -23,6 +23,7 @@ const MeshFormat format{
     .regions = "no",
     .quadrilaterals = "yes",
     .keeps_markers = true,
+    .plane_only = true,
     .recognise = [](const Content& content) { return keyword_on_line(content, is_keyword); },
     .read = [](Source& source) { return read_zone(source, 0); },
     .read_zone = read_zone,

@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "io/format/mesh_in_space.h"
 #include "io/surface/surface.h"
 #include "io/text/numbers.h"
 #include "io/text/scanner.h"
@@ -72,13 +73,14 @@ ParsedMesh read_obj(Source& source) {
 std::vector<std::string> write_obj(std::ostream& stream, const Mesh& mesh,
                                    const FormatDetails* source) {
   TextWriter out(stream);
+  const MeshInSpace space(mesh, source);
   for (Index i = 0; i < mesh.coordinates.size(); ++i) {
-    const Vec2 p = mesh.coordinates.xy(i);
-    out << "v " << p.x() << ' ' << p.y() << ' ' << plane_z(source, i) << '\n';
+    const Vec3 p = space.node(i);
+    out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
   }
   for (Index e = 0; e < mesh.topology->element_count(); ++e) {
     out << 'f';
-    for (const Index node : mesh.topology->element(e)) out << ' ' << node + 1;
+    for (const Index node : space.element(e)) out << ' ' << node + 1;
     out << '\n';
   }
   return lost_in_surface(mesh);

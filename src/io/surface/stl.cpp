@@ -3,6 +3,7 @@
 #include <cstring>
 #include <map>
 
+#include "io/format/mesh_in_space.h"
 #include "io/surface/surface.h"
 #include "io/text/scanner.h"
 #include "io/text/text_writer.h"
@@ -108,9 +109,9 @@ ParsedMesh read_binary(Source& source) {
 
 /// Calls `facet(a, b, c)` for every triangle, and for both halves of every quadrilateral.
 template <class Facet>
-void for_each_facet(const Mesh& mesh, Facet&& facet) {
+void for_each_facet(const Mesh& mesh, const MeshInSpace& space, Facet&& facet) {
   for (Index e = 0; e < mesh.topology->element_count(); ++e) {
-    const auto n = mesh.topology->element(e);
+    const auto n = space.element(e);
     facet(n[0], n[1], n[2]);
     if (n.size() == 4) facet(n[0], n[2], n[3]);
   }
@@ -118,17 +119,20 @@ void for_each_facet(const Mesh& mesh, Facet&& facet) {
 
 std::uint32_t facet_count(const Mesh& mesh) {
   std::uint32_t n = 0;
-  for_each_facet(mesh, [&](Index, Index, Index) { ++n; });
+  for (Index e = 0; e < mesh.topology->element_count(); ++e)
+    n += mesh.topology->element_type(e) == ElementType::triangle ? 1 : 2;
   return n;
 }
 
 void write_ascii(TextWriter& out, const Mesh& mesh, const FormatDetails* source) {
   out << "solid mesh\n";
-  for_each_facet(mesh, [&](Index a, Index b, Index c) {
-    out << "facet normal 0 0 1\nouter loop\n";
+  const MeshInSpace space(mesh, source);
+  const Vec3 n = space.normal() + Vec3::Zero();  // no negative zeros
+  for_each_facet(mesh, space, [&](Index a, Index b, Index c) {
+    out << "facet normal " << n.x() << ' ' << n.y() << ' ' << n.z() << "\nouter loop\n";
     for (const Index node : {a, b, c}) {
-      const Vec2 p = mesh.coordinates.xy(node);
-      out << "vertex " << p.x() << ' ' << p.y() << ' ' << plane_z(source, node) << '\n';
+      const Vec3 p = space.node(node);
+      out << "vertex " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
     }
     out << "endloop\nendfacet\n";
   });
@@ -140,12 +144,14 @@ bool write_binary(TextWriter& out, const Mesh& mesh, const FormatDetails* source
   bool exact = true;
   std::array<char, header_bytes> header{};
   out.raw(header);
+  const MeshInSpace space(mesh, source);
+  const Eigen::Vector3f n = (space.normal() + Vec3::Zero()).cast<float>();  // no negative zeros
   out.raw(facet_count(mesh));
-  for_each_facet(mesh, [&](Index a, Index b, Index c) {
-    out.raw(std::array<float, 3>{0, 0, 1});
+  for_each_facet(mesh, space, [&](Index a, Index b, Index c) {
+    out.raw(std::array<float, 3>{n.x(), n.y(), n.z()});
     for (const Index node : {a, b, c}) {
-      const Vec2 p = mesh.coordinates.xy(node);
-      const Point exact_point{p.x(), p.y(), plane_z(source, node)};
+      const Vec3 p = space.node(node);
+      const Point exact_point{p.x(), p.y(), p.z()};
       for (const double value : exact_point) {
         const auto rounded = static_cast<float>(value);
         exact = exact && static_cast<double>(rounded) == value;

@@ -1,4 +1,5 @@
 #include "io/format/groups.h"
+#include "io/format/mesh_in_space.h"
 #include "io/vtk/grid.h"
 
 namespace winslow::io::vtk {
@@ -7,7 +8,7 @@ namespace {
 class GridBuilder {
  public:
   GridBuilder(const Mesh& mesh, const FormatDetails* source, std::vector<std::string>& warnings)
-      : topology_(*mesh.topology) {
+      : topology_(*mesh.topology), space_(mesh, source) {
     if (topology_.markers().from_file()) {
       markers_ = usable_tags(tags_of(topology_.markers().list()), "markers", warnings);
     }
@@ -15,8 +16,8 @@ class GridBuilder {
     const Index n = mesh.coordinates.size();
     grid_.points.reserve(3 * static_cast<std::size_t>(n));
     for (Index i = 0; i < n; ++i) {
-      const Vec2 p = mesh.coordinates.xy(i);
-      grid_.points.insert(grid_.points.end(), {p.x(), p.y(), plane_z(source, i)});
+      const Vec3 p = space_.node(i);
+      grid_.points.insert(grid_.points.end(), {p.x(), p.y(), p.z()});
     }
     for (std::size_t m = 0; m < markers_.size(); ++m) {
       grid_.marker_names.emplace_back(topology_.markers()[m].name, markers_[m]);
@@ -61,11 +62,12 @@ class GridBuilder {
     const auto of = topology_.element_regions();
     const Index region = of.empty() ? -1 : of[static_cast<std::size_t>(e)];
     grid_.add_cell(topology_.element_type(e) == ElementType::triangle ? triangle : quadrilateral,
-                   topology_.element(e), 0,
+                   space_.element(e), 0,
                    region < 0 ? 0 : regions_[static_cast<std::size_t>(region)]);
   }
 
   const Topology& topology_;
+  MeshInSpace space_;
   std::vector<int> markers_;
   std::vector<int> regions_;
   Grid grid_;

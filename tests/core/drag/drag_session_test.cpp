@@ -46,22 +46,58 @@ TEST_CASE("a drag ends at the mesh that the command gives") {
     command.markers = {"inner"};
     for (int k = 1; k <= 20; ++k) {
       command.motion = {4.0 * k, Vec2(0.1, 0), Vec2(0.02 * k, 0.01 * k)};
-      const DragFrame& frame = drag.to(command.motion);
+      const DragFrame& frame = drag.to(command.motion.about({0, 0}));
       CHECK(inverted(state, frame.coordinates) == 0);
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     REQUIRE(wait_until([&] {
-      drag.to(command.motion);
+      drag.to(command.motion.about({0, 0}));
       return drag.settled();
     }));
-    const DragFrame& frame = drag.to(command.motion);
+    const DragFrame& frame = drag.to(command.motion.about({0, 0}));
     CHECK_FALSE(frame.held);
-    CHECK(same_motion(frame.motion, command.motion));
+    CHECK(same_motion(frame.motion, command.motion.about({0, 0})));
     CHECK(largest_difference(frame.coordinates, execute(command, state).state.mesh.coordinates) <
           1e-8);
     CHECK(drag.corrections() >= 2);
     CHECK(drag.error().empty());
   }
+}
+
+TEST_CASE(
+    "a drag far from the origin shows the mesh where it is, and ends where the command does") {
+  const Vec2 away(1e7, -3e7);
+  MeshData data = annulus(32, 8, 1.2, Cells::triangles);
+  for (Index i = 0; i < data.node_count(); ++i)
+    data.coordinates.set_xy(i, data.coordinates.xy(i) + away);
+  const MeshState state = make_state(make_mesh(data));
+  MoveCommand command;
+  command.markers = {"inner"};
+  command.motion = {30, away + Vec2(0.1, 0), Vec2(0.1, 0.05)};
+  const RigidMotion wanted = command.motion.about({0, 0});
+  const Coordinates there = execute(command, state).state.mesh.coordinates;
+  constexpr double ulp = 0x1p-28;  // of coordinates around 3e7
+  {
+    DragSession drag(state, DragGrip{{"inner"}, {}, {}}, {});
+    REQUIRE(wait_until([&] {
+      drag.to(wanted);
+      return drag.settled();
+    }));
+    const DragFrame& frame = drag.to(wanted);
+    CHECK_FALSE(frame.held);
+    CHECK(same_motion(frame.motion, wanted));
+    CHECK(largest_difference(frame.coordinates, there) < 2 * ulp);
+    for (Index i = 0; i < there.size(); ++i) {
+      const auto inner = state.mesh.topology->markers().nodes_of(command.markers);
+      const bool moved = std::ranges::binary_search(inner, i);
+      if (state.mesh.topology->on_boundary(i) && !moved)
+        CHECK(frame.coordinates.xy(i) == state.mesh.coordinates.xy(i));
+    }
+  }
+  // One that goes on from a mesh on the way says it in the same coordinates.
+  DragSession drag(state, DragGrip{{"inner"}, {}, {}}, {}, DragSession::Start{there, wanted});
+  CHECK(largest_difference(drag.to(wanted).coordinates, there) < 2 * ulp);
+  CHECK(same_motion(drag.to(wanted).motion, wanted));
 }
 
 TEST_CASE("by the paper's operator a drag ends at that operator's mesh") {
@@ -72,16 +108,16 @@ TEST_CASE("by the paper's operator a drag ends at that operator's mesh") {
   command.smooth.formulation = "pointwise";
   DragSession drag(state, DragGrip{{"inner"}, {}, {}}, command.smooth);
   REQUIRE(wait_until([&] {
-    const DragFrame& frame = drag.to(command.motion);
+    const DragFrame& frame = drag.to(command.motion.about({0, 0}));
     CHECK(inverted(state, frame.coordinates) == 0);
     return drag.settled() && !frame.held;
   }));
-  const Coordinates there = drag.to(command.motion).coordinates;
+  const Coordinates there = drag.to(command.motion.about({0, 0})).coordinates;
   CHECK(largest_difference(there, execute(command, state).state.mesh.coordinates) < 1e-7);
   // To first order the frames go on from there as the operator's own solution does.
   const double step = 1e-3;
   command.motion.translate.x() += step;
-  const Coordinates next = drag.to(command.motion).coordinates;
+  const Coordinates next = drag.to(command.motion.about({0, 0})).coordinates;
   CHECK(largest_difference(next, execute(command, state).state.mesh.coordinates) < 0.02 * step);
 }
 
@@ -190,14 +226,14 @@ TEST_CASE("a drag goes on from a mesh on the way, not from the state") {
   command.motion = {25, Vec2(0, 0), Vec2(0.2, 0)};
   const Coordinates there = execute(command, state).state.mesh.coordinates;
   DragSession drag(state, DragGrip{{"inner"}, {}, {}}, {},
-                   DragSession::Start{there, command.motion});
-  const Coordinates first = drag.to(command.motion).coordinates;
+                   DragSession::Start{there, command.motion.about({0, 0})});
+  const Coordinates first = drag.to(command.motion.about({0, 0})).coordinates;
   // To the bit, unless the thread has solved there before the first question.
   if (!drag.ready()) CHECK(first == there);
   CHECK(largest_difference(first, there) < 1e-8);
-  CHECK(same_motion(drag.to(command.motion).motion, command.motion));
+  CHECK(same_motion(drag.to(command.motion.about({0, 0})).motion, command.motion.about({0, 0})));
   REQUIRE(wait_until([&] { return drag.ready(); }));
-  RigidMotion next = command.motion;
+  RigidMotion next = command.motion.about({0, 0});
   next.translate.y() += 0.01;
   const DragFrame& frame = drag.to(next);
   CHECK_FALSE(frame.held);

@@ -118,7 +118,7 @@ TEST_CASE("recipe: a smooth command survives") {
 
 TEST_CASE("recipe: a move command survives") {
   const MoveCommand command{{"slat", "a \"quoted\" n\xc3\xa4me\n"},
-                            {-40.1, {0.1, -1e300}, {5e-324, 2}},
+                            {-40.1, Vec2(0.1, -1e300), {5e-324, 2}},
                             odd_motion(),
                             odd_smoothing()};
   const MoveCommand read = round_trip(command);
@@ -128,6 +128,15 @@ TEST_CASE("recipe: a move command survives") {
   CHECK(read.motion.translate == command.motion.translate);
   check_equal(read.how, command.how);
   check_equal(read.smooth, command.smooth);
+}
+
+TEST_CASE("recipe: a pivot at the origin is another one than none") {
+  MoveCommand command{{"flap"}, {30, Vec2(0, 0), {0, 0}}, {}, {}};
+  CHECK(io::to_json(command).at("pivot") == nlohmann::json({0.0, 0.0}));
+  CHECK(round_trip(command).motion.pivot == Vec2(0, 0));
+  command.motion.pivot.reset();
+  CHECK_FALSE(io::to_json(command).contains("pivot"));
+  CHECK_FALSE(round_trip(command).motion.pivot.has_value());
 }
 
 TEST_CASE("recipe: a sine deformation survives") {
@@ -220,6 +229,7 @@ TEST_CASE("recipe: what is left out has its default") {
   CHECK(recipe.input.empty());
   const auto& move = std::get<MoveCommand>(recipe.commands.at(0));
   CHECK(move.motion.rotate == 0);
+  CHECK_FALSE(move.motion.pivot.has_value());
   check_equal(move.how, MotionOptions{});
   check_equal(move.smooth, SmoothOptions{});
 }

@@ -11,7 +11,8 @@ bool JobRunner::paused() const { return active_ && pause_requested_; }
 void JobRunner::run(MeshState base, Command command, bool paused,
                     std::optional<Coordinates> start) {
   base_ = std::move(base);
-  command_ = std::move(command);
+  const MeshState* const mesh = &base_;
+  command_ = with_pivot(std::move(command), std::span(&mesh, 1));
   snapshot_.reset();
   active_ = true;
   held_ = false;
@@ -95,7 +96,7 @@ bool JobRunner::meets_target(const Snapshot& snapshot) const {
   if (!target) return true;
   if (!snapshot.command) return false;
   const auto* reached = std::get_if<MoveCommand>(&*snapshot.command);
-  return reached && same_motion(reached->motion, target->motion);
+  return reached && reached->motion == target->motion;
 }
 
 std::optional<JobRunner::Outcome> JobRunner::take_outcome() {

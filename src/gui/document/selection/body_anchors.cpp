@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/motion/rigid_motion.h"
+
 namespace winslow::gui {
 
 namespace {
@@ -108,13 +110,9 @@ BodyAnchors find_anchors(const std::vector<std::vector<Index>>& loops,
     moment += std::abs(loop_area) * origin + (loop_area < 0 ? Vec2(-loop_moment) : loop_moment);
   }
   BodyAnchors anchors;
-  Vec2 low = points.front();
-  Vec2 high = low;
-  for (const Vec2& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  anchors.centre = 0.5 * (low + high);
+  Bounds box = Bounds::empty();
+  for (const Vec2& p : points) box.add(p);
+  anchors.centre = body_centre(box);
   anchors.centroid = area > 0 ? Vec2(moment / area) : mean(points);
   const auto [a, b] = diameter(hull(points));
   const double sharp_a = sharpness(loops, x, a);
@@ -123,11 +121,9 @@ BodyAnchors find_anchors(const std::vector<std::vector<Index>>& loops,
   const bool a_trails = std::abs(sharp_a - sharp_b) < 1e-6 ? a.x() > b.x() : sharp_a > sharp_b;
   anchors.trailing_edge = a_trails ? a : b;
   anchors.leading_edge = a_trails ? b : a;
-  // 6.9e-18 would be the centre of a symmetric body in numbers, but not to a reader.
-  const double tiny = 1e-12 * (high - low).maxCoeff();
-  for (Vec2* p : {&anchors.centre, &anchors.centroid})
-    for (int axis : {0, 1})
-      if (std::abs((*p)[axis]) < tiny) (*p)[axis] = 0;
+  const double tiny = 1e-12 * box.size().maxCoeff();
+  for (int axis : {0, 1})
+    if (std::abs(anchors.centroid[axis]) < tiny) anchors.centroid[axis] = 0;
   return anchors;
 }
 

@@ -13,10 +13,11 @@ namespace {
 std::pair<Index, Index> key(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
 
 double signed_area(const Coordinates& x, const std::vector<Index>& loop) {
+  const Vec2 origin = x.xy(loop.front());  // far from the true one, areas would cancel
   double area = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Vec2 p = x.xy(loop[i]);
-    const Vec2 q = x.xy(loop[(i + 1) % loop.size()]);
+    const Vec2 p = x.xy(loop[i]) - origin;
+    const Vec2 q = x.xy(loop[(i + 1) % loop.size()]) - origin;
     area += p.x() * q.y() - p.y() * q.x();
   }
   return 0.5 * area;

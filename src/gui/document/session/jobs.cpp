@@ -187,7 +187,8 @@ void Jobs::keep(JobRunner::Outcome outcome) {
                          partial_motion(outcome.result->smooth, reached));
   const std::string what = describe(outcome.command);
   const SmoothResult smooth = outcome.result->smooth;
-  if (const auto* move = std::get_if<MoveCommand>(&outcome.command)) selection_.moved(move->motion);
+  if (const auto* move = std::get_if<MoveCommand>(&outcome.command))
+    selection_.moved(move->motion.about(Vec2(0, 0)));  // jobs name the pivot
   mesh_.document()->edits().push(std::move(outcome.command), std::move(*outcome.result),
                                  outcome.seconds);
   mesh_.changed();

@@ -63,7 +63,7 @@ std::optional<RigidMotion> LiveMesh::live_motion() const {
   if (!job_.active()) return std::nullopt;
   const auto* move = std::get_if<MoveCommand>(&job_.command());
   if (!move) return std::nullopt;
-  return move->motion;
+  return move->motion.about(Vec2(0, 0));  // jobs name the pivot
 }
 
 std::span<const IterationRecord> LiveMesh::convergence() const {

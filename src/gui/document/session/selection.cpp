@@ -117,6 +117,7 @@ void Selection::on(const action::SetPivot& a) {
 void Selection::place_pivot() {
   if (!anchors_ || !pivot_place_) return;
   pivot_ = anchors_->at(*pivot_place_);
+  if (pivot_place_ == PivotPlace::centre) return;  // the very point of commands without a pivot
   // The panel would show what rounding leaves of a zero.
   const double least = 1e-14 * (pivot_.norm() + mesh_.boundary()->reach(markers_, pivot_));
   for (int d = 0; d < 2; ++d)
@@ -147,6 +148,8 @@ void Selection::update_anchors() {
   std::set_difference(nodes.begin(), nodes.end(), on_loops.begin(), on_loops.end(),
                       std::back_inserter(others));
   anchors_ = find_anchors(loops, others, mesh.coordinates);
+  // Edges of a loop that have no marker do not move with it.
+  anchors_->centre = body_centre(bounds(mesh.coordinates, nodes));
 }
 
 void Selection::edit_shape(bool active, double radius) {

@@ -1,6 +1,7 @@
 #include "gui/document/session/settled_command.h"
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "core/motion/rigid_motion.h"
@@ -15,7 +16,10 @@ RigidMotion about(const Vec2& pivot, const RigidMotion& motion, double size) {
   RigidMotion said{motion.rotate, pivot, transform(motion, pivot) - pivot};
   constexpr double rounding = 1e-11;
   if (std::abs(said.rotate) < 360 * rounding) said.rotate = 0;
-  const double least = rounding * (size + pivot.norm() + said.translate.norm());
+  // Of coordinates, and of what the fit and the way from its centre to the pivot make of them.
+  const double round_off = 16 * std::numeric_limits<double>::epsilon() * pivot.norm();
+  const double arm = (pivot - motion.pivot).norm();
+  const double least = rounding * (size + arm + said.translate.norm()) + round_off;
   for (int d = 0; d < 2; ++d)
     if (std::abs(said.translate[d]) < least) said.translate[d] = 0;
   return said;
@@ -30,7 +34,8 @@ void settle(MoveCommand& move, double fraction, const Mesh& base, const Coordina
   // Full turns do not show in where the body is.
   const double turned = (started_elsewhere ? 1 : fraction) * move.motion.rotate;
   reached.rotate += 360 * std::round((turned - reached.rotate) / 360);
-  move.motion = about(move.motion.pivot, reached, bounds(rest, nodes).size().norm());
+  move.motion =
+      about(move.motion.pivot.value_or(Vec2(0, 0)), reached, bounds(rest, nodes).size().norm());
 }
 
 void settle(DeformCommand& deform, double fraction, const Coordinates& rest,

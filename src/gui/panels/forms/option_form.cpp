@@ -58,19 +58,10 @@ class Field {
     return true;
   }
 
-  bool operator()(const VectorOption& vector) const {
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
-    bool changed = false;
-    for (const int axis : {0, 1}) {
-      if (axis == 1) ImGui::SameLine(0, gap);
-      ImGui::SetNextItemWidth(width);
-      double component = (*vector.value)[axis];
-      if (!number(id_ + (axis == 0 ? "_x" : "_y"), component, tip_)) continue;
-      (*vector.value)[axis] = component;
-      changed = true;
-    }
-    return changed;
+  bool operator()(const VectorOption& vector) const { return components(*vector.value); }
+
+  bool operator()(const OptionalVectorOption& vector) const {
+    return *vector.value && components(**vector.value);
   }
 
   bool operator()(const SwitchOption& on) const {
@@ -112,6 +103,21 @@ class Field {
     for (std::size_t i = 0; i < shares.parts.size(); ++i)
       if (*shares.parts[i].share != (i == part ? 1 : 0)) return false;
     return true;
+  }
+
+  bool components(Vec2& vector) const {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+    bool changed = false;
+    for (const int axis : {0, 1}) {
+      if (axis == 1) ImGui::SameLine(0, gap);
+      ImGui::SetNextItemWidth(width);
+      double component = vector[axis];
+      if (!number(id_ + (axis == 0 ? "_x" : "_y"), component, tip_)) continue;
+      vector[axis] = component;
+      changed = true;
+    }
+    return changed;
   }
 
   bool real_number(double& value) const {

@@ -107,7 +107,7 @@ TEST_CASE("the ring turns the selection about its pivot by the angle the mouse g
   rig.release();
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);
-  const RigidMotion motion = last_move(rig).motion;
+  const RigidMotion motion = last_move(rig).motion.about({0, 0});
   CHECK(motion.rotate == doctest::Approx(30).epsilon(1e-6));
   CHECK(motion.translate.norm() < 1e-12);
   CHECK(motion.pivot.norm() < 1e-12);
@@ -178,7 +178,7 @@ TEST_CASE("a drag stops where the mesh can go no further, and says so") {
   const double gone = last_move(rig).motion.translate.x();
   CHECK(gone > 0.15);
   CHECK(gone < 3);
-  CHECK(error_of_marker(before, rig.mesh(), "flap", last_move(rig).motion) < 1e-9);
+  CHECK(error_of_marker(before, rig.mesh(), "flap", last_move(rig).motion.about({0, 0})) < 1e-9);
 }
 
 TEST_CASE("a typed motion that ends on the way is recorded as far as it got") {
@@ -193,7 +193,7 @@ TEST_CASE("a typed motion that ends on the way is recorded as far as it got") {
   REQUIRE(rig.session().messages().banner().has_value());
   CHECK(rig.session().messages().banner()->kind == Banner::Kind::partial_motion);
   CHECK(last_move(rig).motion.translate.x() < 4);
-  CHECK(error_of_marker(before, rig.mesh(), "flap", last_move(rig).motion) < 1e-9);
+  CHECK(error_of_marker(before, rig.mesh(), "flap", last_move(rig).motion.about({0, 0})) < 1e-9);
   // A shift that was cut short has not become a turn by a rounding error.
   CHECK(last_move(rig).motion.rotate == 0);
   CHECK(last_move(rig).motion.translate.y() == 0);
@@ -302,7 +302,7 @@ TEST_CASE("typed numbers move the selection on Apply") {
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);
   const RigidMotion wanted{-20, Vec2(0.4, 0), Vec2(0.25, -0.125)};
-  CHECK(same_motion(last_move(rig).motion, wanted));
+  CHECK(same_motion(last_move(rig).motion.about({0, 0}), wanted));
   CHECK(error_of_marker(before, rig.mesh(), "flap", wanted) < 1e-12);
   CHECK(error_of_marker(before, rig.mesh(), "farfield", {}) == 0);
 }

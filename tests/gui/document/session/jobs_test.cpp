@@ -82,4 +82,19 @@ TEST_CASE("only the direct method is slowed down, and not below standing still")
   CHECK(parts.jobs.pace() == 4);
 }
 
+TEST_CASE("a recipe's rotation without a pivot is about the point that the studio would take") {
+  SessionParts parts(two_body_mesh());
+  parts.selection.apply(action::SelectMarkers{{parts.marker("left")}});
+  MoveCommand open{{"left"}, {}, {}, {}};
+  open.motion.rotate = 10;
+  CommandQueue::Plan plan;
+  plan.commands = {open};
+  const Vec2 pivot = parts.selection.pivot();
+  parts.jobs.start(plan);
+  parts.finish();
+  REQUIRE(parts.done().size() == 2);
+  CHECK(std::get<MoveCommand>(parts.done().command(1)).motion.pivot == pivot);
+  CHECK((parts.selection.pivot() - pivot).norm() < 1e-9);
+}
+
 }  // namespace winslow::gui::test

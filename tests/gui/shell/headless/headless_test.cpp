@@ -22,7 +22,7 @@ std::string content(const fs::path& path) {
 }
 
 MoveCommand turn_flap() {
-  MoveCommand command{{"flap"}, {25, {0, 0}, {0.3, 0}}, {}, {}};
+  MoveCommand command{{"flap"}, {25, Vec2(0, 0), {0.3, 0}}, {}, {}};
   command.smooth.targets = TargetBlend::regular();  // every iteration moves nodes by pixels
   return command;
 }

@@ -169,7 +169,7 @@ TEST_CASE("the pivot goes to the edges and the centroid by name, and turns are a
   REQUIRE(rig.settle());
   CHECK((rig.mesh().coordinates.xy(nose) - Vec2(-0.5, 0)).norm() < 1e-9);
   choose("Centroid");
-  const Vec2 expected = transform(last_move(rig).motion, Vec2(0, 0));
+  const Vec2 expected = transform(last_move(rig).motion.about({0, 0}), Vec2(0, 0));
   CHECK((rig.session().selection().pivot() - expected).norm() < 1e-9);
 }
 

@@ -1,0 +1,96 @@
+#include "core/command/local_run.h"
+
+#include <utility>
+
+namespace winslow {
+
+namespace {
+
+void put_in_frame(MoveCommand& command, const LocalFrame& frame) {
+  if (command.motion.pivot) command.motion.pivot = frame.to_local(*command.motion.pivot);
+}
+
+void put_in_frame(DeformCommand& command, const LocalFrame& frame) {
+  auto* table = std::get_if<DisplacementTable>(&command.shape);
+  if (table == nullptr) return;
+  for (DisplacementEntry& entry : table->entries) {
+    if (!entry.node) entry.position = frame.to_local(entry.position);
+  }
+}
+
+void put_in_frame(LayersCommand& command, const LocalFrame& frame) {
+  const Vec2& origin = frame.origin();
+  for (LayerWall& wall : command.layers.walls) {
+    wall.part.xmin -= origin.x();
+    wall.part.xmax -= origin.x();
+    wall.part.ymin -= origin.y();
+    wall.part.ymax -= origin.y();
+  }
+}
+
+// These name no place.
+void put_in_frame(SmoothCommand&, const LocalFrame&) {}
+void put_in_frame(ScrambleCommand&, const LocalFrame&) {}
+void put_in_frame(EditVcvCommand&, const LocalFrame&) {}
+
+/// The places that a result names.
+void put_in_mesh(SmoothResult& result, const LocalFrame& frame) {
+  const auto put = [&](EdgePair& edges) { edges.place = frame.to_mesh(edges.place); };
+  if (result.contact) put(result.contact->edges);
+  if (result.gap) put(result.gap->edges);
+}
+
+/// Entries that match no node are refused by the places that the user knows.
+void check_places(const Command& command, const MeshState& state) {
+  const auto* deform = std::get_if<DeformCommand>(&command);
+  if (deform == nullptr) return;
+  if (const auto* table = std::get_if<DisplacementTable>(&deform->shape))
+    make_motion(*state.mesh.topology, state.mesh.coordinates, deform->markers, *table);
+}
+
+/// Hands meshes on the way to another monitor, where that wants to see them.
+class MonitorInFrame final : public SolverMonitor {
+ public:
+  MonitorInFrame(SolverMonitor* monitor, const LocalFrame& frame, const Coordinates& rest)
+      : monitor_(monitor), frame_(frame), rest_(rest) {}
+
+  void on_topology(const std::shared_ptr<const Topology>& topology) override {
+    if (monitor_) monitor_->on_topology(topology);
+  }
+  bool on_iteration(const IterationRecord& record, const Coordinates& x) override {
+    return !monitor_ || monitor_->on_iteration(record, frame_.to_mesh(x, rest_));
+  }
+
+ private:
+  SolverMonitor* monitor_;
+  const LocalFrame& frame_;
+  const Coordinates& rest_;
+};
+
+}  // namespace
+
+Command in_frame(Command command, const LocalFrame& frame) {
+  std::visit([&](auto& c) { put_in_frame(c, frame); }, command);
+  return command;
+}
+
+CommandResult run_in_frame(const LocalFrame& frame, const Command& command, const MeshState& state,
+                           const RunOptions& options, const CarryOut& carry_out) {
+  check_places(command, state);
+  const MeshState local{frame.to_local(state.mesh), state.vcv, state.layers};
+  MonitorInFrame monitor(options.monitor, frame, state.mesh.coordinates);
+  RunOptions local_options = options;
+  local_options.monitor = &monitor;
+  Coordinates start;
+  if (options.start != nullptr) {
+    start = frame.to_local(*options.start);
+    local_options.start = &start;
+  }
+  CommandResult result = carry_out(in_frame(command, frame), local, local_options);
+  Coordinates& x = result.state.mesh.coordinates;
+  x = frame.to_mesh(std::move(x), state.mesh.coordinates);
+  put_in_mesh(result.smooth, frame);
+  return result;
+}
+
+}  // namespace winslow
