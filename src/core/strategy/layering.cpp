@@ -169,7 +169,9 @@ void hold_existing(const LayerRequest& request, MeshState& state) {
   if (!request.layers.overrides.empty()) {
     throw UsageError("single columns can be set when layers are inserted, not in layers there are");
   }
-  LayerStack stack = detect_layers(state.mesh, request.layers);
+  LayerStack stack = detect_layers(
+      state.mesh, request.layers,
+      request.task == LayerTask::hold ? LayerExtent::stretched : LayerExtent::connected);
   if (request.task == LayerTask::respace) {
     LayerOptions options = request.layers;
     for (LayerWall& wall : options.walls) {
@@ -187,6 +189,10 @@ void hold_existing(const LayerRequest& request, MeshState& state) {
   }
   stack = together_with_held(std::move(stack), state.layers.get(), *state.mesh.topology);
   stack.held = true;
+  // Layers that are held as they are need no smoothing.
+  if (request.task == LayerTask::hold) {
+    state.vcv = layer_vcvs(state.mesh.topology, stack, *state.vcv, state.mesh.coordinates);
+  }
   state.layers = std::make_shared<const LayerStack>(std::move(stack));
 }
 
@@ -215,10 +221,13 @@ bool fit_layers(MeshState& state, const Motion& motion) {
 /// again.
 SmoothResult hold_spacing(MeshState& state, SmoothResult moved, const SmoothOptions& smooth,
                           const RunOptions& run) {
-  constexpr double tolerance = 5e-3;
   constexpr int most = 5;
   if (moved.inverted > 0 || !moved.converged) return moved;
   LayerStack stack = *state.layers;
+  // Those that were found were made to no such precision.
+  const bool found = std::ranges::any_of(
+      stack.columns, [](const LayerColumn& column) { return !column.bends.empty(); });
+  const double tolerance = found ? 1e-2 : 5e-3;
   // The walls may have turned and changed their shape.
   const auto stands = column_stands(stack, state.mesh.coordinates);
   for (std::size_t c = 0; c < stands.size(); ++c) {
@@ -256,7 +265,11 @@ SmoothResult run_layers(const LayerRequest& request, MeshState& state, const Run
   RunSequence runs(run, result);
   if (request.task != LayerTask::insert) {
     hold_existing(request, state);
-    control_spacing(state, request.smooth, request.tolerance, request.most_corrections, runs);
+    if (request.task == LayerTask::hold) {
+      result.converged = true;
+    } else {
+      control_spacing(state, request.smooth, request.tolerance, request.most_corrections, runs);
+    }
     return result;
   }
   LayerInsertion layers = make_room(request, state, runs);
