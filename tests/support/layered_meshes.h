@@ -62,8 +62,9 @@ inline MeshData o_grid(Index sectors, const std::vector<double>& distance, Cut c
       add_cut_cell(data, cut, i + k, {id(k, i + 1), id(k, i), id(k + 1, i), id(k + 1, i + 1)});
     }
   }
-  const double middle = 1 + 0.5 * distance.back();
-  mark_boundary(data, [&](const Vec2& p) { return p.norm() < middle ? "wall" : "farfield"; });
+  mark_boundary(data, [&](const Vec2& p) {
+    return Vec2(p.x(), p.y() / slenderness).norm() < 1 ? "wall" : "farfield";
+  });
   return data;
 }
 
@@ -73,17 +74,17 @@ inline MeshData o_grid(Index sectors, const std::vector<double>& distance, Cut c
 inline MeshData c_grid(Index sectors, const std::vector<double>& distance, Cut cut) {
   MeshData data;
   const Index wake = sectors / 2, columns = sectors + 2 * wake + 1;
-  const auto base = [&](Index i) -> std::pair<Vec2, Vec2> {  // place and normal, clockwise
+  const auto section = [](double phi) {
+    return Vec2(std::cos(phi), -0.1 * (1 - std::cos(phi)) * std::cos(0.5 * phi));
+  };
+  const auto base = [&](Index i) -> std::pair<Vec2, Vec2> {  // place and ray, clockwise
     if (i < wake) return {{1 + 2.0 * (wake - i) / wake, 0}, {0, -1}};
     if (i > wake + sectors) return {{1 + 2.0 * (i - wake - sectors) / wake, 0}, {0, 1}};
-    const double phi =
-        2 * pi * (i - wake) / sectors;  // from the trailing edge along the lower side
-    const double x = std::cos(phi), thick = 0.12 * (1 - x) * std::sqrt(0.5 * (1 + 1e-9 - x));
-    const double y = phi < pi ? -thick : thick;
-    const Vec2 outward(0.12 * std::cos(phi), std::sin(phi));
     if (i == wake) return {{1, 0}, {0, -1}};
     if (i == wake + sectors) return {{1, 0}, {0, 1}};
-    return {{x, y}, Vec2(outward.x(), -outward.y()).normalized()};
+    const double phi = 2 * pi * (i - wake) / sectors;  // from the trailing edge, lower side first
+    const double half = std::sin(0.5 * phi);           // rays turn evenly, so that none cross
+    return {section(phi), Vec2(-half * half, -std::cos(0.5 * phi)).normalized()};
   };
   std::vector<std::vector<Index>> id(distance.size(), std::vector<Index>(at(columns)));
   for (std::size_t k = 0; k < distance.size(); ++k) {
@@ -102,11 +103,11 @@ inline MeshData c_grid(Index sectors, const std::vector<double>& distance, Cut c
     for (Index i = 0; i + 1 < columns; ++i) {
       const auto at_k = [&](std::size_t row, Index c) { return id[row][at(c)]; };
       add_cut_cell(data, cut, i + static_cast<Index>(k),
-                   {at_k(k, i + 1), at_k(k, i), at_k(k + 1, i), at_k(k + 1, i + 1)});
+                   {at_k(k, i), at_k(k, i + 1), at_k(k + 1, i + 1), at_k(k + 1, i)});
     }
   }
   mark_boundary(data, [&](const Vec2& p) {
-    return std::abs(p.x()) <= 1 && std::abs(p.y()) < 0.2 ? "wall" : "farfield";
+    return std::abs(p.x()) <= 1 && std::abs(p.y()) < 0.15 ? "wall" : "farfield";
   });
   return data;
 }

@@ -67,7 +67,7 @@ CommandResult turned(const Mesh& mesh, double degrees) {
 }  // namespace
 
 TEST_CASE("the layers of an O-grid are found up to where cells are no longer stretched") {
-  const auto distance = distances(24, 1e-3, 1.3, 24);
+  const auto distance = distances(32, 1e-3, 1.3, 32);
   const std::size_t rows = stretched_rows(distance, 64);
   REQUIRE(rows > 8);
   REQUIRE(rows < 24);
@@ -90,7 +90,7 @@ TEST_CASE("the layers of an O-grid are found up to where cells are no longer str
 }
 
 TEST_CASE("where cells along the wall are of different lengths, columns have different rows") {
-  const auto distance = distances(24, 5e-4, 1.25, 24);
+  const auto distance = distances(36, 5e-4, 1.25, 36);
   const Mesh quads = make_mesh(o_grid(80, distance, Cut::none, 0.2));
   const LayerStack found = climb_layers(quads, at_walls({"wall"}), LayerExtent::stretched);
   std::set<std::size_t> counts;
@@ -115,7 +115,7 @@ TEST_CASE("where cells along the wall are of different lengths, columns have dif
 }
 
 TEST_CASE("a C-grid: at the trailing edge a column for either side, none along the wake") {
-  const auto distance = distances(20, 2e-4, 1.2, 20);
+  const auto distance = distances(40, 2e-4, 1.25, 40);
   std::set<std::vector<Index>> of_quads;
   for (const Cut cut : all_cuts) {
     CAPTURE(name_of(cut));
@@ -136,7 +136,7 @@ TEST_CASE("a C-grid: at the trailing edge a column for either side, none along t
 }
 
 TEST_CASE("layers end where heights stop growing") {
-  const auto distance = distances(20, 1e-3, 1.3, 7);  // rows 0 to 6 grow, those above do not
+  const auto distance = distances(40, 1e-3, 1.3, 7);  // rows 0 to 6 grow, those above do not
   for (const Cut cut : all_cuts) {
     CAPTURE(name_of(cut));
     const Mesh mesh = make_mesh(o_grid(48, distance, cut));
@@ -146,7 +146,7 @@ TEST_CASE("layers end where heights stop growing") {
   }
 }
 
-TEST_CASE("layers end where those of the opposite wall begin, and share no node with them") {
+TEST_CASE("layers between two walls take no more than their share of the gap") {
   MeshData data;
   const auto half = distances(6, 0.01, 1.3, 6);
   constexpr Index cells = 12;
@@ -166,17 +166,28 @@ TEST_CASE("layers end where those of the opposite wall begin, and share no node 
     return p.y() < 1e-9 ? "low" : p.y() > height - 1e-9 ? "high" : "ends";
   });
   const Mesh mesh = make_mesh(data);
-  const LayerStack found = climb_layers(mesh, at_walls({"low", "high"}), LayerExtent::stretched);
-  std::map<Index, int> uses;
-  for (const LayerColumn& column : found.columns) {
-    CHECK(column.nodes.size() >= 5 + 1);
-    CHECK(column.nodes.size() <= 6 + 1);
-    for (const Index node : column.nodes) ++uses[node];
+  for (const auto& walls : {std::vector<std::string>{"low", "high"}, {"low"}}) {
+    LayerOptions options = at_walls(walls);
+    std::map<Index, int> uses;
+    const auto rows_with = [&](double clearance) {
+      options.clearance = clearance;
+      uses.clear();
+      const LayerStack found = climb_layers(mesh, options, LayerExtent::stretched);
+      std::set<std::size_t> rows;
+      for (const LayerColumn& column : found.columns) {
+        rows.insert(column.nodes.size() - 1);
+        for (const Index node : column.nodes) ++uses[node];
+      }
+      return rows;
+    };
+    // Four rows are .0619 thick, five .0904, the gap is .2551 wide: .35 of it are .0893.
+    CHECK(*rows_with(0.35).begin() == 4);
+    // Up to the middle, where heights begin to shrink, or the other wall's layers are met.
+    const auto most = rows_with(0.499);
+    CHECK(*most.begin() >= 5);
+    CHECK(*most.rbegin() <= 6);
+    for (const auto& [node, count] : uses) CHECK(count == 1);
   }
-  for (const auto& [node, count] : uses) CHECK(count == 1);
-  // One wall alone: its layers do not go on where those of the other one shrink.
-  const LayerStack low = climb_layers(mesh, at_walls({"low"}), LayerExtent::stretched);
-  for (const LayerColumn& column : low.columns) CHECK(column.nodes.size() == 6 + 1);
 }
 
 TEST_CASE("a hybrid mesh: layers end at the triangles") {
@@ -194,12 +205,13 @@ TEST_CASE("a mesh without layers has none, and it is said why") {
   const auto says = [](const MeshData& data, const std::string& marker, const char* what) {
     CHECK_THROWS_WITH_AS(detect_layers(make_mesh(data), at_walls({marker})), what, UsageError);
   };
-  constexpr const char* isotropic =
-      "the mesh has no layers at 'inner': its elements are less than twice as long as high";
-  says(annulus(32, 8, 1.2, Cells::quads), "inner", isotropic);
-  says(annulus(32, 8, 1.2, Cells::triangles), "inner", isotropic);
-  says(conformal_annulus(24, 6), "inner", isotropic);
-  says(o_grid(24, distances(12, 0.02, 1, 1), Cut::none), "wall",
+  says(annulus(32, 8, 1.2, Cells::quads), "inner",
+       "the mesh has no layers at 'inner': its elements are less than twice as long as high");
+  for (const MeshData& data : {annulus(32, 8, 1.2, Cells::triangles), conformal_annulus(24, 6)}) {
+    CHECK_THROWS_WITH_AS(detect_layers(make_mesh(data), at_walls({"inner"})),
+                         doctest::Contains("the mesh has no layers at 'inner': "), UsageError);
+  }
+  says(o_grid(24, distances(60, 0.02, 1, 1), Cut::none), "wall",
        "the mesh has no layers at 'wall': the heights of its elements do not grow from there");
 }
 
@@ -208,12 +220,13 @@ TEST_CASE("layers that are held keep all heights while their wall turns") {
     const char* name;
     MeshData data;
   };
-  const auto distance = distances(26, 2e-4, 1.25, 26);
+  const auto distance = distances(40, 2e-4, 1.25, 40);
   for (const Cut cut : all_cuts) {
     for (const Case& c : {Case{"circle", o_grid(48, distance, cut)},
                           Case{"ellipse", o_grid(80, distance, cut, 0.2)},
                           Case{"C-grid", c_grid(60, distance, cut)}}) {
-      CAPTURE(c.name);
+      const std::string name = c.name;
+      CAPTURE(name);
       CAPTURE(name_of(cut));
       const Mesh mesh = make_mesh(c.data);
       REQUIRE(check_validity(*mesh.topology, mesh.coordinates).inverted == 0);
@@ -236,7 +249,7 @@ TEST_CASE("layers that are held keep all heights while their wall turns") {
 }
 
 TEST_CASE("holding layers leaves the mesh as it is, to the bit") {
-  const Mesh mesh = make_mesh(o_grid(48, distances(20, 1e-3, 1.25, 20), Cut::none, 0.3));
+  const Mesh mesh = make_mesh(o_grid(48, distances(30, 1e-3, 1.25, 30), Cut::none, 0.3));
   LayersCommand hold;
   hold.task = LayerTask::hold;
   hold.layers = at_walls({"wall"});
