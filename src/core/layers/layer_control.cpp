@@ -117,6 +117,9 @@ class Stencils {
 /// press the layers by about as much and turn the columns of fans; this leaves a ten-thousandth of
 /// it to the corrections.
 constexpr double stiffness = 1e4;
+/// The same where layers were found: they keep the shapes that they have, which costs less, and the
+/// linear systems are easier to solve.
+constexpr double stiffness_of_found = 1e2;
 
 /// Elements of layers are stiff; those outside that touch the rim (or steps of it) keep their own
 /// shape, which the rim's VCVs, made for the layers, would take from them.
@@ -124,8 +127,16 @@ std::shared_ptr<const std::vector<VirtualControlVolumes::Role>> roles(const Topo
                                                                       const LayerStack& stack) {
   auto roles =
       std::make_shared<std::vector<VirtualControlVolumes::Role>>(at(topology.element_count()));
+  std::vector<bool> found(at(topology.node_count()), false);
+  for (const LayerColumn& column : stack.columns) {
+    if (column.bends.empty()) continue;
+    for (std::size_t k = 1; k < column.nodes.size(); ++k) found[at(column.nodes[k])] = true;
+  }
   for (std::size_t e = 0; e < roles->size(); ++e) {
-    if (stack.layer_of_element[e] >= 0) (*roles)[e].weight = stiffness;
+    if (stack.layer_of_element[e] < 0) continue;
+    const auto nodes = topology.element(static_cast<Index>(e));
+    const bool any = std::ranges::any_of(nodes, [&](Index node) { return found[at(node)]; });
+    (*roles)[e].weight = any ? stiffness_of_found : stiffness;
   }
   const auto keep_outside = [&](Index node) {
     for (const Index e : topology.star(node)) {

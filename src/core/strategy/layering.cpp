@@ -94,9 +94,9 @@ LayerInsertion make_room(const LayerRequest& request, const MeshState& state, Ru
 }
 
 /// Smooths towards the wanted heights and corrects the VCVs until they are met. On return the state
-/// is the best one.
+/// is the best one; a correction that takes the smallest sine below `least_sine` is not taken.
 void control_spacing(MeshState& state, const SmoothOptions& smooth, double tolerance, int most,
-                     RunSequence& runs) {
+                     RunSequence& runs, double least_sine = 0) {
   LayerStack stack = *state.layers;
   Coordinates x = state.mesh.coordinates;
   const std::shared_ptr<const VirtualControlVolumes> base = state.vcv;
@@ -106,7 +106,10 @@ void control_spacing(MeshState& state, const SmoothOptions& smooth, double toler
     outcome = runs.smooth(target, smooth, x);
     return target.vcv;
   };
-  const auto good = [&] { return outcome.converged && outcome.inverted == 0; };
+  const auto good = [&] {
+    return outcome.converged && outcome.inverted == 0 &&
+           (least_sine <= 0 || check_validity(*state.mesh.topology, x).min_sine >= least_sine);
+  };
   const auto keep = [&](const std::shared_ptr<const VirtualControlVolumes>& vcv) {
     state.vcv = vcv;
     state.mesh.coordinates = x;
@@ -240,9 +243,14 @@ SmoothResult hold_spacing(MeshState& state, SmoothResult moved, const SmoothOpti
   MeshState held_state = state;
   SmoothResult held = moved;
   RunSequence runs(run, held);
-  control_spacing(held_state, smooth, tolerance, most, runs);
-  // A valid mesh is not given up for better heights.
+  // A valid mesh is not given up for better heights, nor, where layers were found, a good one.
+  const auto smallest_sine = [&](const Coordinates& x) {
+    return check_validity(*state.mesh.topology, x).min_sine;
+  };
+  const double least_sine = found ? 0.9 * smallest_sine(state.mesh.coordinates) : 0;
+  control_spacing(held_state, smooth, tolerance, most, runs, least_sine);
   if (!held.converged || held.inverted > 0) return moved;
+  if (smallest_sine(held_state.mesh.coordinates) < least_sine) return moved;
   state = std::move(held_state);
   return held;
 }
