@@ -93,8 +93,8 @@ bool set_number(const OptionTable& table, const std::string& key, double value,
 
 void add_hold_layers_flag(CLI::App& app, std::vector<std::string>& markers) {
   app.add_option("--hold-layers", markers,
-                 "Wall whose layers of quadrilaterals keep their heights; may be given several "
-                 "times")
+                 "Wall whose layers, as the mesh has them, keep their heights; may be given "
+                 "several times")
       ->type_name("NAME");
 }
 

@@ -1,8 +1,13 @@
 #include "app/output/layer_table.h"
 
 #include <algorithm>
+#include <functional>
+#include <limits>
+#include <map>
 #include <ostream>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/output/formatted.h"
@@ -32,10 +37,60 @@ std::vector<const LayerColumn*> thinnest_first(const LayerStack& stack) {
   return cut;
 }
 
+std::string_view end_sentence(LayerEnd end) {
+  switch (end) {
+    case LayerEnd::elements:
+      return "no quadrilateral or pair of triangles goes on";
+    case LayerEnd::boundary:
+      return "the boundary is next";
+    case LayerEnd::meeting:
+      return "other layers are next";
+    case LayerEnd::isotropic:
+      return "elements become less than twice as long as high";
+    case LayerEnd::growth:
+      return "heights grow no further, or jump";
+    case LayerEnd::clearance:
+      return "another boundary is near";
+    case LayerEnd::neighbours:
+      return "the columns beside end";
+    case LayerEnd::count:
+      return "as many as were looked for";
+    case LayerEnd::none:
+      break;
+  }
+  return "";
+}
+
+/// What was found, and why it ends: "Layers found: 224 columns of 18 to 42 rows; they end where
+/// ...".
+void print_found(std::ostream& out, const LayerStack& stack) {
+  std::size_t found = 0, fewest = std::numeric_limits<std::size_t>::max(), most = 0;
+  std::map<LayerEnd, std::size_t> ends;
+  for (const LayerColumn& column : stack.columns) {
+    if (column.end == LayerEnd::none || column.count() == 0) continue;
+    ++found;
+    ++ends[column.end];
+    fewest = std::min(fewest, column.count());
+    most = std::max(most, column.count());
+  }
+  if (found == 0) return;
+  out << "Layers found: " << found << (found == 1 ? " column of " : " columns of ");
+  if (fewest < most) out << fewest << " to ";
+  out << most << (most == 1 ? " row" : " rows") << "; they end where ";
+  std::vector<std::pair<LayerEnd, std::size_t>> sorted(ends.begin(), ends.end());
+  std::ranges::stable_sort(sorted, std::greater<>(), [](const auto& end) { return end.second; });
+  for (std::size_t k = 0; k < sorted.size(); ++k) {
+    out << (k == 0 ? "" : ", ") << end_sentence(sorted[k].first);
+    if (sorted.size() > 1) out << " (" << sorted[k].second << ")";
+  }
+  out << '\n';
+}
+
 }  // namespace
 
 void print_layers(std::ostream& out, const LayerStack& stack, const Coordinates& x, int limit) {
   const LayerMeasures m = measure_layers(stack, x);
+  print_found(out, stack);
   print_row(out, "First height", m.first_height);
   print_row(out, "Total thickness", m.thickness);
   print_row(out, "Error of heights, %", m.spacing_error, 100);

@@ -131,11 +131,18 @@ json describe_mesh(const Mesh& mesh, const QualityReport& quality, const Quality
 
 json describe_layers(const LayerStack& stack, const Coordinates& x) {
   const LayerMeasures m = measure_layers(stack, x);
-  json cut = json::array();
-  std::size_t most = 0, with_layers = 0;
+  json cut = json::array(), ends = json::object(), found = json::array();
+  std::size_t most = 0, with_layers = 0, rows = 0;
   for (const LayerColumn& column : stack.columns) {
     most = std::max(most, column.count());
+    rows += column.count();
     if (column.count() > 0) ++with_layers;
+    if (column.end != LayerEnd::none) {
+      json& columns = ends[std::string(end_name(column.end))];
+      columns = columns.is_null() ? 1 : columns.get<int>() + 1;
+      found.push_back(
+          {{"node", column.wall_node}, {"rows", column.count()}, {"end", end_name(column.end)}});
+    }
     if (!cut_short(column)) continue;
     const Vec2 p = x.xy(column.wall_node);
     cut.push_back({{"node", column.wall_node},
@@ -158,6 +165,10 @@ json describe_layers(const LayerStack& stack, const Coordinates& x) {
   return {{"columns", stack.columns.size()},
           {"columns_with_layers", with_layers},
           {"count", most},
+          {"rows",
+           static_cast<double>(rows) / static_cast<double>(std::max<std::size_t>(with_layers, 1))},
+          {"ends", ends},
+          {"found", found},
           {"held", stack.held},
           {"first_height", describe_statistics(m.first_height)},
           {"total_thickness", describe_statistics(m.thickness)},

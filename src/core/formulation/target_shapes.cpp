@@ -226,8 +226,9 @@ class Builder {
     for (std::size_t k = 0; k < 4; ++k) {
       if (!live[k]) continue;
       const auto nodes = corner_nodes(element, k);
-      const bool follows = topology_.on_boundary(nodes[0]) && any_edited(element);
-      const TargetBlend& blend = follows ? edited_blend_ : blend_at(nodes[0]);
+      const bool own = vcv_.role(e).own_shape;
+      const bool follows = !own && topology_.on_boundary(nodes[0]) && any_edited(element);
+      const TargetBlend& blend = own ? blend_ : follows ? edited_blend_ : blend_at(nodes[0]);
       TargetMetric metric;
       add_regular(metric, blend, nodes, e);
       if (follows) {

@@ -12,9 +12,8 @@ double angle_between(const Vec2& a, const Vec2& b) {
   return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
 }
 
-/// Scales angles to fill the circle, none of them nearly straight.
-void fill_circle(std::vector<double>& angles) {
-  constexpr double most = 0.9 * pi;
+/// Scales angles to fill the circle, none of them above `most`.
+void fill_circle(std::vector<double>& angles, double most) {
   const double scale = 2 * pi / std::accumulate(angles.begin(), angles.end(), 0.0);
   double above = 0, below = 0;
   for (double& angle : angles) {
@@ -42,9 +41,9 @@ class Stencils {
       : topology_(topology), stack_(stack), straight_(straight_columns(stack, x)) {}
 
   /// Right angles at quadrilaterals; where straight columns have none, where the wall turns, in
-  /// fans and in triangles, the angles that they have. What is left belongs to the elements
-  /// outside.
-  std::vector<double> angles(Index node) const {
+  /// fans and in triangles, the angles that they have; of columns on a course of their own all
+  /// angles are those that they have. What is left belongs to the elements outside.
+  std::vector<double> angles(Index node, bool own_course) const {
     const auto row = topology_.neighbours(node);
     const auto star = topology_.star(node);
     std::vector<double> angles;
@@ -59,17 +58,17 @@ class Stencils {
         const Vec2 p = straight_.xy(node);
         angle = angle_between(straight_.xy(a) - p, straight_.xy(b) - p);
         const bool quad = topology_.element_type(star[k]) == ElementType::quadrilateral;
-        if (quad && std::abs(angle - pi / 2) < nearly_right) angle = pi / 2;
+        if (quad && !own_course && std::abs(angle - pi / 2) < nearly_right) angle = pi / 2;
       }
       inside += angle;
       angles.push_back(angle);
     }
     if (outside > 0) {
-      constexpr double least = pi / 6;
+      const double least = own_course ? 1e-3 : pi / 6;
       const double share = std::max(least, (2 * pi - inside) / static_cast<double>(outside));
       std::replace(angles.begin(), angles.end(), 0.0, share);
     }
-    fill_circle(angles);
+    fill_circle(angles, own_course ? 0.999 * pi : 0.9 * pi);
     return angles;
   }
 
@@ -118,20 +117,36 @@ class Stencils {
 /// press the layers by about as much and turn the columns of fans; this leaves a ten-thousandth of
 /// it to the corrections.
 constexpr double stiffness = 1e4;
+/// The same where layers were found: they keep the shapes that they have, which costs less, and the
+/// linear systems are easier to solve.
+constexpr double stiffness_of_found = 1e2;
 
-/// Elements of layers are stiff; those outside that touch the rim keep their own shape, which the
-/// rim's VCVs, made for the layers, would take from them.
+/// Elements of layers are stiff; those outside that touch the rim (or steps of it) keep their own
+/// shape, which the rim's VCVs, made for the layers, would take from them.
 std::shared_ptr<const std::vector<VirtualControlVolumes::Role>> roles(const Topology& topology,
                                                                       const LayerStack& stack) {
   auto roles =
       std::make_shared<std::vector<VirtualControlVolumes::Role>>(at(topology.element_count()));
-  for (std::size_t e = 0; e < roles->size(); ++e) {
-    if (stack.layer_of_element[e] >= 0) (*roles)[e].weight = stiffness;
-  }
+  std::vector<bool> found(at(topology.node_count()), false);
   for (const LayerColumn& column : stack.columns) {
-    for (const Index e : topology.star(column.rim())) {
+    if (column.bends.empty()) continue;
+    for (std::size_t k = 1; k < column.nodes.size(); ++k) found[at(column.nodes[k])] = true;
+  }
+  for (std::size_t e = 0; e < roles->size(); ++e) {
+    if (stack.layer_of_element[e] < 0) continue;
+    const auto nodes = topology.element(static_cast<Index>(e));
+    const bool any = std::ranges::any_of(nodes, [&](Index node) { return found[at(node)]; });
+    (*roles)[e].weight = any ? stiffness_of_found : stiffness;
+  }
+  const auto keep_outside = [&](Index node) {
+    for (const Index e : topology.star(node)) {
       if (stack.layer_of_element[at(e)] < 0) (*roles)[at(e)].own_shape = true;
     }
+  };
+  for (const LayerColumn& column : stack.columns) {
+    keep_outside(column.rim());
+    // Neighbours of a column that was found may end lower.
+    if (!column.bends.empty()) std::ranges::for_each(column.nodes, keep_outside);
   }
   return roles;
 }
@@ -152,7 +167,7 @@ std::shared_ptr<const VirtualControlVolumes> layer_vcvs(
     for (std::size_t k = 1; k < column.nodes.size(); ++k) {
       const Index node = column.nodes[k];
       if (topology->on_boundary(node)) continue;
-      vcv.set(node, stencils.angles(node), stencils.lengths(column, k));
+      vcv.set(node, stencils.angles(node, !column.bends.empty()), stencils.lengths(column, k));
     }
   }
   vcv.set_roles(roles(*topology, stack));

@@ -14,7 +14,8 @@ namespace winslow {
 /// wanted height of the layer times its correction, sideways the distance that straight columns
 /// have there. Corners of quadrilaterals have right angles; where those of straight columns are
 /// further than 10 degrees from that (where the wall turns, in fans), and in triangles, the angles
-/// are those of straight columns. At the rim the elements outside share what is left of the circle.
+/// are those of straight columns. Columns that were found keep the angles and the lengths that they
+/// have on their own course. At the rim the elements outside share what is left of the circle.
 /// Elements of layers have a weight of ten thousand; those outside that touch the rim keep their
 /// own shape.
 ///

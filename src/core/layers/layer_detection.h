@@ -1,18 +1,19 @@
 #pragma once
 
+#include "core/layers/layer_climb.h"
 #include "core/layers/layer_plan.h"
 #include "core/layers/layer_stack.h"
 #include "core/mesh/mesh.h"
 
 namespace winslow {
 
-/// Finds the layers that a mesh has at walls: going up from every wall edge, quadrilateral by
-/// quadrilateral, columns run as long as those on both sides agree; over a corner with triangles at
-/// the wall, a fan of them. They end at the first triangle, at a boundary, or after as many layers
-/// as the wall's spacing says. Heights are those that the layers have (#layers of each column),
-/// with `asked` their thickness. x: #nodes by 2. Throws UsageError: an unknown marker; no layers at
-/// any of the walls.
-LayerStack detect_layers(const Mesh& mesh, const LayerOptions& options);
+/// Finds the layers that a mesh has at walls (climb_layers says which elements count). Heights are
+/// those that the layers have (#layers of each column), with `asked` their thickness. Those of
+/// extent `stretched` keep the course of their columns (LayerColumn::bends); the others are to be
+/// straight. x: #nodes by 2. Throws UsageError: an unknown marker; no layers at any of the walls,
+/// and why.
+LayerStack detect_layers(const Mesh& mesh, const LayerOptions& options,
+                         LayerExtent extent = LayerExtent::stretched);
 
 /// Gives detected layers the heights that the options ask for, as many as there are layers; where
 /// that takes more room than there is, as plan_layers() does.

@@ -16,6 +16,14 @@ Vec2 rotated(const Vec2& v, double angle) {
 
 void lay_out(const LayerColumn& column, const ColumnStand& stand, double scale, Coordinates& x) {
   const Vec2 wall = x.xy(column.wall_node);
+  if (!column.bends.empty()) {
+    Vec2 tip = wall;
+    for (std::size_t k = 0; k < column.count(); ++k) {
+      tip += scale * column.heights[k] * stand.slant * rotated(stand.direction, column.bends[k]);
+      x.set_xy(column.nodes[k + 1], tip);
+    }
+    return;
+  }
   double height = 0;
   for (std::size_t k = 0; k < column.count(); ++k) {
     height += column.heights[k];
@@ -43,6 +51,13 @@ std::string_view limit_name(LayerLimit limit) {
   constexpr std::array<std::string_view, 6> names{"none",      "clearance", "crossing",
                                                   "neighbour", "end",       "room"};
   return names[static_cast<std::size_t>(limit)];
+}
+
+std::string_view end_name(LayerEnd end) {
+  constexpr std::array<std::string_view, 9> names{"none",      "elements",   "boundary",
+                                                  "meeting",   "isotropic",  "growth",
+                                                  "clearance", "neighbours", "count"};
+  return names[static_cast<std::size_t>(end)];
 }
 
 std::vector<ColumnStand> stand_on(const Vec2& arriving, const Vec2& leaving, std::size_t count) {
@@ -74,8 +89,14 @@ std::vector<ColumnStand> column_stands(const LayerStack& stack, const Coordinate
   std::vector<ColumnStand> stands;
   for (const LayerColumn& column : columns) stands.push_back({column.direction, column.slant});
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    if (columns[c].along_boundary && columns[c].count() > 0) {
+    if (columns[c].along_boundary && columns[c].count() > 0 && columns[c].bends.empty()) {
       stands[c].direction = (x.xy(columns[c].rim()) - wall(c)).normalized();
+    }
+    if (!columns[c].bends.empty() && !beside[c].left != !beside[c].right) {  // one wall edge
+      const Vec2 along = beside[c].left ? Vec2(wall(c) - wall(*beside[c].left))
+                                        : Vec2(wall(*beside[c].right) - wall(c));
+      stands[c] = stand_on(along, along, 1).front();
+      continue;
     }
     if (!beside[c].left || same_node(beside[c].left, c)) continue;  // an end, or not a fan's first
     std::vector<std::size_t> fan{c};
@@ -98,7 +119,10 @@ Coordinates straight_columns(const LayerStack& stack, const Coordinates& x) {
   Coordinates straight = x;
   const std::vector<ColumnStand> stands = column_stands(stack, x);
   for (std::size_t c = 0; c < stack.columns.size(); ++c) {
-    lay_out(stack.columns[c], stands[c], 1, straight);
+    const LayerColumn& column = stack.columns[c];
+    // One that was found on a boundary has the course of that boundary, wherever this is now.
+    if (column.along_boundary && !column.bends.empty()) continue;
+    lay_out(column, stands[c], 1, straight);
   }
   return straight;
 }

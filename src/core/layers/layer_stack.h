@@ -20,6 +20,20 @@ enum class LayerLimit {
 };
 std::string_view limit_name(LayerLimit limit);  ///< "clearance", ...
 
+/// Why the layers that a mesh was read with are followed no further from the wall.
+enum class LayerEnd {
+  none,        ///< they were inserted, not found
+  elements,    ///< no quadrilateral or pair of triangles continues the strip
+  boundary,    ///< the next node lies on the boundary
+  meeting,     ///< the next node belongs to another column
+  isotropic,   ///< cells are less than twice as long as high
+  growth,      ///< heights no longer grow, or jump
+  clearance,   ///< another boundary, or another part of the wall, is near
+  neighbours,  ///< the layers beside them end
+  count        ///< as many as were to be looked for
+};
+std::string_view end_name(LayerEnd end);  ///< "elements", ...
+
 /// The nodes of layers above one place of a wall. At a sharp convex corner several columns stand on
 /// one wall node (a fan).
 struct LayerColumn {
@@ -39,6 +53,10 @@ struct LayerColumn {
   LayerLimit granted_limit = LayerLimit::none;
   /// What each wanted height is multiplied by in the VCVs so that it is met; empty: 1.
   std::vector<double> corrections;
+  /// Of a column that was found: angle of each of its edges to `direction`, counter-clockwise, in
+  /// radians (#heights); empty: the column is straight.
+  std::vector<double> bends;
+  LayerEnd end = LayerEnd::none;
   std::vector<Index> nodes;  ///< #heights + 1, the wall node first; filled by insertion
 
   std::size_t count() const { return heights.size(); }
@@ -84,7 +102,8 @@ std::vector<ColumnStand> column_stands(const LayerStack& stack, const Coordinate
 /// columns' directions as planned.
 void lay_out(const LayerStack& stack, double scale, Coordinates& x);
 
-/// x with all columns straight and of the wanted heights, as they stand on the walls in x.
+/// x with all columns of the wanted heights, straight, or on their course if they were found, as
+/// they stand on the walls in x.
 Coordinates straight_columns(const LayerStack& stack, const Coordinates& x);
 
 }  // namespace winslow

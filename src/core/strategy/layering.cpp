@@ -94,9 +94,9 @@ LayerInsertion make_room(const LayerRequest& request, const MeshState& state, Ru
 }
 
 /// Smooths towards the wanted heights and corrects the VCVs until they are met. On return the state
-/// is the best one.
+/// is the best one; a correction that takes the smallest sine below `least_sine` is not taken.
 void control_spacing(MeshState& state, const SmoothOptions& smooth, double tolerance, int most,
-                     RunSequence& runs) {
+                     RunSequence& runs, double least_sine = 0) {
   LayerStack stack = *state.layers;
   Coordinates x = state.mesh.coordinates;
   const std::shared_ptr<const VirtualControlVolumes> base = state.vcv;
@@ -106,7 +106,10 @@ void control_spacing(MeshState& state, const SmoothOptions& smooth, double toler
     outcome = runs.smooth(target, smooth, x);
     return target.vcv;
   };
-  const auto good = [&] { return outcome.converged && outcome.inverted == 0; };
+  const auto good = [&] {
+    return outcome.converged && outcome.inverted == 0 &&
+           (least_sine <= 0 || check_validity(*state.mesh.topology, x).min_sine >= least_sine);
+  };
   const auto keep = [&](const std::shared_ptr<const VirtualControlVolumes>& vcv) {
     state.vcv = vcv;
     state.mesh.coordinates = x;
@@ -169,7 +172,9 @@ void hold_existing(const LayerRequest& request, MeshState& state) {
   if (!request.layers.overrides.empty()) {
     throw UsageError("single columns can be set when layers are inserted, not in layers there are");
   }
-  LayerStack stack = detect_layers(state.mesh, request.layers);
+  LayerStack stack = detect_layers(
+      state.mesh, request.layers,
+      request.task == LayerTask::hold ? LayerExtent::stretched : LayerExtent::connected);
   if (request.task == LayerTask::respace) {
     LayerOptions options = request.layers;
     for (LayerWall& wall : options.walls) {
@@ -187,6 +192,10 @@ void hold_existing(const LayerRequest& request, MeshState& state) {
   }
   stack = together_with_held(std::move(stack), state.layers.get(), *state.mesh.topology);
   stack.held = true;
+  // Layers that are held as they are need no smoothing.
+  if (request.task == LayerTask::hold) {
+    state.vcv = layer_vcvs(state.mesh.topology, stack, *state.vcv, state.mesh.coordinates);
+  }
   state.layers = std::make_shared<const LayerStack>(std::move(stack));
 }
 
@@ -215,10 +224,13 @@ bool fit_layers(MeshState& state, const Motion& motion) {
 /// again.
 SmoothResult hold_spacing(MeshState& state, SmoothResult moved, const SmoothOptions& smooth,
                           const RunOptions& run) {
-  constexpr double tolerance = 5e-3;
   constexpr int most = 5;
   if (moved.inverted > 0 || !moved.converged) return moved;
   LayerStack stack = *state.layers;
+  // Those that were found were made to no such precision.
+  const bool found = std::ranges::any_of(
+      stack.columns, [](const LayerColumn& column) { return !column.bends.empty(); });
+  const double tolerance = found ? 1e-2 : 5e-3;
   // The walls may have turned and changed their shape.
   const auto stands = column_stands(stack, state.mesh.coordinates);
   for (std::size_t c = 0; c < stands.size(); ++c) {
@@ -231,9 +243,14 @@ SmoothResult hold_spacing(MeshState& state, SmoothResult moved, const SmoothOpti
   MeshState held_state = state;
   SmoothResult held = moved;
   RunSequence runs(run, held);
-  control_spacing(held_state, smooth, tolerance, most, runs);
-  // A valid mesh is not given up for better heights.
+  // A valid mesh is not given up for better heights, nor, where layers were found, a good one.
+  const auto smallest_sine = [&](const Coordinates& x) {
+    return check_validity(*state.mesh.topology, x).min_sine;
+  };
+  const double least_sine = found ? 0.9 * smallest_sine(state.mesh.coordinates) : 0;
+  control_spacing(held_state, smooth, tolerance, most, runs, least_sine);
   if (!held.converged || held.inverted > 0) return moved;
+  if (smallest_sine(held_state.mesh.coordinates) < least_sine) return moved;
   state = std::move(held_state);
   return held;
 }
@@ -256,7 +273,11 @@ SmoothResult run_layers(const LayerRequest& request, MeshState& state, const Run
   RunSequence runs(run, result);
   if (request.task != LayerTask::insert) {
     hold_existing(request, state);
-    control_spacing(state, request.smooth, request.tolerance, request.most_corrections, runs);
+    if (request.task == LayerTask::hold) {
+      result.converged = true;
+    } else {
+      control_spacing(state, request.smooth, request.tolerance, request.most_corrections, runs);
+    }
     return result;
   }
   LayerInsertion layers = make_room(request, state, runs);

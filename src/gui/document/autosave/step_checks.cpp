@@ -43,6 +43,13 @@ std::string fault_of_column(const LayerColumn& column, Index nodes) {
   if (!column.corrections.empty() && column.corrections.size() != column.count())
     return std::to_string(column.corrections.size()) + " corrections of " +
            std::to_string(column.count()) + " heights";
+  if (column.end < LayerEnd::none || column.end > LayerEnd::count)
+    return "a reason that does not exist";
+  if (!column.bends.empty() && column.bends.size() != column.count())
+    return std::to_string(column.bends.size()) + " bends of " + std::to_string(column.count()) +
+           " heights";
+  if (!std::ranges::all_of(column.bends, [](double bend) { return std::isfinite(bend); }))
+    return "a bend that is no number";
   if (column.nodes.size() != column.count() + 1 || column.nodes.front() != column.wall_node)
     return std::to_string(column.nodes.size()) + " nodes in a column of " +
            std::to_string(column.count()) + " layers";

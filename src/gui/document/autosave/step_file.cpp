@@ -16,7 +16,7 @@ namespace winslow::gui {
 namespace {
 
 /// Also tells a machine with another order of bytes.
-constexpr std::uint64_t magic = 0x0004504554534e57;  // "WNSTEP", version 4
+constexpr std::uint64_t magic = 0x0005504554534e57;  // "WNSTEP", version 5
 
 /// Every field of a record, named once for reading and writing.
 template <class Archive, class Record>
@@ -82,6 +82,8 @@ void layer_fields(Archive& archive, Stack& stack) {
     a.numbers(column.granted);
     a.number(column.granted_limit);
     a.numbers(column.corrections);
+    a.numbers(column.bends);
+    a.number(column.end);
     a.numbers(column.nodes);
   });
   archive.numbers(stack.pairs);

@@ -1,0 +1,92 @@
+#include "core/layers/row_rules.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace winslow {
+
+namespace {
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+}  // namespace
+
+void shorten(Strip& strip, std::size_t rows, LayerEnd why) {
+  if (strip.rows.size() <= rows) return;
+  strip.rows.resize(rows);
+  strip.end = why;
+}
+
+LayerEnd fault_of_row(const Strip& strip, double height, double width) {
+  constexpr double least_aspect = 2, steepest_rise = 3, steepest_fall = 0.5;
+  if (!strip.fan && width < least_aspect * height) return LayerEnd::isotropic;
+  if (strip.rows.empty()) return LayerEnd::none;
+  const double ratio = height / strip.rows.back().height;
+  return ratio > steepest_rise || ratio < steepest_fall ? LayerEnd::growth : LayerEnd::none;
+}
+
+void close_where_heights_shrink(const std::vector<Strip>& strips,
+                                const std::function<void(std::size_t)>& close) {
+  constexpr double least_ratio = 0.95;
+  std::map<std::size_t, std::vector<double>> ratios;
+  for (const Strip& strip : strips) {
+    if (!strip.open || strip.rows.empty()) continue;
+    ratios[strip.chain].push_back(strip.next_height / strip.rows.back().height);
+  }
+  for (auto& [chain, values] : ratios) {
+    if (median(values) >= least_ratio) continue;
+    for (std::size_t s = 0; s < strips.size(); ++s) {
+      if (strips[s].open && strips[s].chain == chain) close(s);
+    }
+  }
+}
+
+void end_where_growth_ends(std::vector<Strip>& strips, std::size_t chain) {
+  constexpr double least_ratio = 1.01;
+  std::size_t most = 0;
+  for (const Strip& strip : strips) {
+    if (strip.chain == chain) most = std::max(most, strip.rows.size());
+  }
+  std::size_t last = 0;  // rows that are left
+  for (std::size_t k = 1; k < most; ++k) {
+    std::vector<double> ratios;
+    for (const Strip& strip : strips) {
+      if (strip.chain != chain || strip.rows.size() <= k) continue;
+      ratios.push_back(strip.rows[k].height / strip.rows[k - 1].height);
+    }
+    if (median(ratios) >= least_ratio) last = k + 1;
+  }
+  for (Strip& strip : strips) {
+    if (strip.chain == chain) shorten(strip, last, LayerEnd::growth);
+  }
+}
+
+void level_neighbours(std::vector<Strip>& strips, std::size_t columns) {
+  std::vector<std::optional<std::size_t>> on_left(columns), on_right(columns);
+  for (std::size_t s = 0; s < strips.size(); ++s) {
+    on_right[strips[s].left] = s;
+    on_left[strips[s].right] = s;
+  }
+  const auto settle = [&](std::size_t s) {
+    bool changed = false;
+    for (const auto& beside : {on_left[strips[s].left], on_right[strips[s].right]}) {
+      if (!beside) continue;
+      const std::size_t most = strips[*beside].rows.size() + (strips[s].fan ? 0 : 2);
+      changed = changed || strips[s].rows.size() > most;
+      shorten(strips[s], most, LayerEnd::neighbours);
+    }
+    return changed;
+  };
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t s = 0; s < strips.size(); ++s) changed = settle(s) || changed;
+    for (std::size_t s = strips.size(); s-- > 0;) changed = settle(s) || changed;
+  }
+}
+
+}  // namespace winslow
