@@ -46,6 +46,8 @@ def read_su2(path):
         elif name == "MARKER_TAG":
             tag = value
         elif name == "MARKER_ELEMS" and not (i < len(lines) and lines[i][0].startswith("SEND")):
+            if tag is None:
+                raise ValueError("a marker without a name")
             markers[tag] = [tuple(int(v) for v in line[1:3]) for line in lines[i:i + int(value)]]
             i += int(value)
     points = np.array(points)
