@@ -80,13 +80,21 @@ class Layers(ProgramTest):
         self.assertLess(layers["spacing_error"]["max"], 0.01)
         self.assertEqual(len(support.read_su2(self.path("finer.su2"))[1]),
                          len(support.read_su2(self.path("out.su2"))[1]))
-        self.winslow("move", "out.su2", "-o", "moved.su2", "--marker", "body", "--rotate", 40,
-                     "--translate", 0.5, 0.2, "--hold-layers", "body", "--report", "moved.json")
+        out = self.winslow("move", "out.su2", "-o", "moved.su2", "--marker", "body", "--rotate", 40,
+                           "--translate", 0.5, 0.2, "--hold-layers", "body", "--report",
+                           "moved.json").stdout
         layers = self.json("moved.json")["layers"]
+        found = next(line for line in out.splitlines() if line.startswith("Layers found: "))
+        self.assertTrue(found.startswith(f"Layers found: 32 columns of {self.COUNT} rows; they end where "))
+        self.assertEqual(sum(layers["ends"].values()), 32)
+        self.assertEqual(layers["rows"], self.COUNT)
+        self.assertEqual({c["rows"] for c in layers["found"]}, {self.COUNT})
         self.assertAlmostEqual(layers["first_height"]["min"], self.FIRST, delta=0.01 * self.FIRST)
         self.assertAlmostEqual(layers["first_height"]["max"], self.FIRST, delta=0.01 * self.FIRST)
-        self.winslow("move", "ring.su2", "-o", "no.su2", "--marker", "body", "--rotate", 4,
-                     "--hold-layers", "body", code=USAGE)
+        error = self.winslow("move", "ring.su2", "-o", "no.su2", "--marker", "body", "--rotate", 4,
+                             "--hold-layers", "body", code=USAGE).stderr
+        self.assertIn("the mesh has no layers at 'body': ", error)
+        self.assertFalse(self.path("no.su2").exists())
 
     def test_walls_with_settings_of_their_own(self):
         self.ring(around=32, rings=10)

@@ -46,9 +46,16 @@ def read_su2(path):
         elif name == "MARKER_TAG":
             tag = value
         elif name == "MARKER_ELEMS" and not (i < len(lines) and lines[i][0].startswith("SEND")):
+            if tag is None:
+                raise ValueError("a marker without a name")
             markers[tag] = [tuple(int(v) for v in line[1:3]) for line in lines[i:i + int(value)]]
             i += int(value)
-    return np.array(points), elements, markers
+    points = np.array(points)
+    for k, e in enumerate(elements):  # some files list them clockwise
+        x, y = points[list(e)].T
+        if (x * np.roll(y, -1) - y * np.roll(x, -1)).sum() < 0:
+            elements[k] = e[::-1]
+    return points, elements, markers
 
 
 def boundary_loops(elements):
@@ -135,7 +142,7 @@ def first_heights(points, elements, at_wall):
         x, y = nodes[:, 0], nodes[:, 1]
         area = 0.5 * (x * np.roll(y, -1) - y * np.roll(x, -1)).sum()
         a, b = edge
-        heights.append(abs(area) * (2 if len(nodes) == 3 else 1) / np.linalg.norm(points[a] - points[b]))
+        heights.append(area * (2 if len(nodes) == 3 else 1) / np.linalg.norm(points[a] - points[b]))
     return np.array(heights)
 
 
@@ -170,9 +177,7 @@ def percentile(values):
 
 
 def measure(before, after, elements, at_wall, columns):
-    # Some files list elements clockwise.
-    turn = np.where(sines(before, elements) < 0, -1, 1)
-    s0, s1 = turn * sines(before, elements), turn * sines(after, elements)
+    s0, s1 = sines(before, elements), sines(after, elements)
     first = np.abs(first_heights(after, elements, at_wall) / first_heights(before, elements, at_wall) - 1)
     length = lambda x: np.linalg.norm(x[columns[:, 1]] - x[columns[:, 0]], axis=1)
     rows = np.abs(length(after) / length(before) - 1) if len(columns) else np.zeros(0)
@@ -220,7 +225,8 @@ def study(winslow, mesh, options):
             for column in (stack or {}).get("found", []):  # a node may have several
                 rows[column["node"]] = min(rows.get(column["node"], 1000), column["rows"])
             columns = columns_of(points, elements, edges, rows)
-            result[key] = measure(points, read_su2(out)[0], elements, at_wall, columns)
+            moved = read_su2(out)[0]
+            result[key] = measure(points, moved, elements, at_wall, columns)
             result[key].update(solves=told["linear_solves"], cpu=cpu, converged=told["converged"])
             if key == "hold":
                 result["said"] = [line for line in done.stdout.splitlines() if line.startswith("Layers")]

@@ -119,7 +119,7 @@ class Stencils {
 constexpr double stiffness = 1e4;
 /// The same where layers were found: they keep the shapes that they have, which costs less, and the
 /// linear systems are easier to solve.
-constexpr double stiffness_of_found = 1e2;
+constexpr double stiffness_of_found = 1e3;
 
 /// Elements of layers are stiff; those outside that touch the rim (or steps of it) keep their own
 /// shape, which the rim's VCVs, made for the layers, would take from them.
