@@ -99,9 +99,11 @@ void check_output(const std::string& path) {
 
 void check_mesh_output(const std::string& path) {
   if (path.empty()) return;
-  if (!io::format_of_extension(path)) {
+  const io::MeshFormat* format = io::format_of_extension(path);
+  if (!format) {
     throw UsageError(path + ": unknown extension, expected one of " + io::supported_extensions());
   }
+  if (!format->missing.empty()) throw UsageError(path + ": " + std::string(format->missing));
   check_output(path);
 }
 

@@ -55,6 +55,9 @@ MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options
   Source source = Source::load(path);
   MeshFile file;
   file.format = detect(source, path, file.warnings);
+  if (!file.format->missing.empty()) {
+    throw InputError(source.name() + ": " + std::string(file.format->missing));
+  }
   if (options.zone != 0 && !file.format->read_zone) {
     throw UsageError(source.name() + ": no zone " + std::to_string(options.zone) +
                      ": a file of this format is one mesh");
@@ -105,6 +108,9 @@ std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,
   if (!format) {
     throw UsageError(path.string() + ": unknown file format, expected one of " +
                      supported_extensions());
+  }
+  if (!format->missing.empty()) {
+    throw UsageError(path.string() + ": " + std::string(format->missing));
   }
   if (!options.gmsh_version.empty() && options.gmsh_version != "2.2" &&
       options.gmsh_version != "4.1") {

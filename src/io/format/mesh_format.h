@@ -46,6 +46,8 @@ struct MeshFormat {
   std::string_view encodings, markers, regions, quadrilaterals;
   bool keeps_markers = false;
   bool has_binary = false;
+  /// Why this build of the program can neither read nor write it; empty: it can.
+  std::string_view missing = {};
 
   Evidence (*recognise)(const Content& content);
   ParsedMesh (*read)(Source& source);

@@ -1,0 +1,137 @@
+#include <algorithm>
+#include <utility>
+
+#include "io/cgns/cgns.h"
+#include "io/cgns/zone_writer.h"
+
+namespace winslow::io::cgns {
+namespace {
+
+/// A base, with these families added that it does not have yet.
+NodePtr with_families(const Node& base, const std::vector<NodePtr>& families) {
+  auto copy = std::make_shared<Node>(base);
+  for (const NodePtr& family : families)
+    if (!child_named(*copy, family->name)) copy->children.push_back(family);
+  return copy;
+}
+
+/// MIXED and NGON_n sections hold offsets in files of CGNS 4, and in no others.
+bool has_start_offsets(const Node& root) {
+  constexpr double first_version = 4;
+  const NodePtr version = child_labelled(root, "CGNSLibraryVersion_t");
+  const auto numbers = version ? reals_of(version->content()) : std::vector<double>();
+  return !numbers.empty() && numbers[0] >= first_version;
+}
+
+NodePtr with_zone(const NodePtr& root, const Mesh& mesh, const Details& details,
+                  std::vector<std::string>& warnings) {
+  const NodePtr base = child_named(*root, details.base_name);
+  const NodePtr zone = child_named(*base, details.zone_name);
+  if (details.fits(mesh)) {
+    const NodePtr moved = moved_zone(zone, mesh, details, warnings);
+    return with_child(*root, *base, with_child(*base, *zone, moved));
+  }
+  NewZoneSource source;
+  source.name = zone->name;
+  source.old = zone.get();
+  source.heights = source.details = &details;
+  const auto dimensions = integers_of(base->content());
+  source.physical_dimension = dimensions.size() > 1 ? static_cast<int>(dimensions[1]) : 2;
+  source.start_offsets = has_start_offsets(*root);
+  NewZone made = make_zone(mesh, source, warnings);
+  const NodePtr with_new = with_child(*base, *zone, std::move(made.zone));
+  return with_child(*root, *base, with_families(*with_new, made.families));
+}
+
+/// The tree with one of its zones and no other, and without interfaces that would lead nowhere.
+NodePtr with_zone_only(const Node& root, const Details& details,
+                       std::vector<std::string>& warnings) {
+  auto tree = std::make_shared<Node>(root);
+  std::erase_if(tree->children, [&](const NodePtr& child) {
+    return child->content().label == "CGNSBase_t" && child->name != details.base_name;
+  });
+  const NodePtr base = child_named(*tree, details.base_name);
+  auto alone = std::make_shared<Node>(*base);
+  std::erase_if(alone->children, [&](const NodePtr& child) {
+    return child->content().label == "Zone_t" && child->name != details.zone_name;
+  });
+  const NodePtr zone = child_named(*alone, details.zone_name);
+  auto open = std::make_shared<Node>(*zone);
+  std::vector<std::string> lost;
+  for (NodePtr& all : open->children) {
+    if (all->content().label != "ZoneGridConnectivity_t") continue;
+    auto kept = std::make_shared<Node>(*all);
+    std::erase_if(kept->children, [&](const NodePtr& interface) {
+      const bool leads = interface->content().label.starts_with("GridConnectivity");
+      const bool away = leads && text_of(interface->content()) != details.zone_name;
+      if (away) lost.push_back(interface->name);
+      return away;
+    });
+    all = std::move(kept);
+  }
+  if (!lost.empty()) {
+    warnings.push_back("the interfaces " + listed_names(lost) +
+                       " lead to other zones: they are not written");
+  }
+  return with_child(*tree, *base, with_child(*alone, *zone, open));
+}
+
+/// A file that holds nothing but the mesh.
+NodePtr new_tree(const Mesh& mesh, const FormatDetails* details,
+                 std::vector<std::string>& warnings) {
+  NewZoneSource source;
+  source.heights = details;
+  source.physical_dimension = details != nullptr && !details->plane_z.empty() ? 3 : 2;
+  const auto& markers = mesh.topology->markers();
+  // Zones and families stand side by side and cannot have the same name.
+  while (markers.find(source.name)) source.name += "_1";
+  NewZone made = make_zone(mesh, source, warnings);
+  auto base = make_integers("Base", "CGNSBase_t", {2, source.physical_dimension});
+  base->children.push_back(std::move(made.zone));
+  auto root = make_node("", "");
+  // Files of CGNS 4 are refused by programs with an older libcgns, and have nothing that we need.
+  constexpr float version = 3.3F;
+  root->children.push_back(
+      make_single_reals("CGNSLibraryVersion", "CGNSLibraryVersion_t", {version}));
+  root->children.push_back(with_families(*base, made.families));
+  return root;
+}
+
+void put(std::ostream& out, const Node& root, Container container) {
+  const std::string bytes = write_tree(root, container);
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+}  // namespace
+
+std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* details) {
+  std::vector<std::string> warnings;
+  const auto* own = dynamic_cast<const Details*>(details);
+  if (own == nullptr) {
+    put(out, *new_tree(mesh, details, warnings), Container::hdf5);
+    return warnings;
+  }
+  NodePtr root = own->root;
+  if (own->zones.size() > 1) root = with_zone_only(*root, *own, warnings);
+  put(out, *with_zone(root, mesh, *own, warnings), own->container);
+  return warnings;
+}
+
+std::vector<std::string> write_zones(std::ostream& out, std::span<const MeshZone> zones) {
+  std::vector<std::string> warnings;
+  const auto& first = dynamic_cast<const Details&>(*zones.front().details);
+  NodePtr root = first.root;
+  for (const MeshZone& zone : zones) {
+    std::vector<std::string> own;
+    const auto& details = dynamic_cast<const Details&>(*zone.details);
+    root = with_zone(root, *zone.mesh, details, own);
+    for (const std::string& text : own) {
+      warnings.push_back(
+          details.zones.empty() ? text : "zone " + std::to_string(details.zone) + ": " + text);
+    }
+  }
+  put(out, *root, first.container);
+  return warnings;
+}
+
+}  // namespace winslow::io::cgns
