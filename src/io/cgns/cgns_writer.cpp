@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "io/cgns/cgns.h"
@@ -15,12 +16,13 @@ NodePtr with_families(const Node& base, const std::vector<NodePtr>& families) {
   return copy;
 }
 
-/// MIXED and NGON_n sections hold offsets in files of CGNS 4, and in no others.
+/// MIXED sections hold offsets in files of CGNS 3.4 and 4, and in no others.
 bool has_start_offsets(const Node& root) {
-  constexpr double first_version = 4;
-  const NodePtr version = child_labelled(root, "CGNSLibraryVersion_t");
-  const auto numbers = version ? reals_of(version->content()) : std::vector<double>();
-  return !numbers.empty() && numbers[0] >= first_version;
+  const NodePtr node = child_labelled(root, "CGNSLibraryVersion_t");
+  const auto numbers = node ? reals_of(node->content()) : std::vector<double>();
+  // The numbers that libcgns compares, too.
+  const int version = numbers.empty() ? 0 : static_cast<int>(std::lround(numbers[0] * 1000));
+  return version == 3400 || version >= 4000;
 }
 
 NodePtr with_zone(const NodePtr& root, const Mesh& mesh, const Details& details,

@@ -45,6 +45,12 @@ bool of_place(const Node& child) {
          child.name.starts_with("InwardNormal");
 }
 
+/// A part of the old zone that is a region of the mesh and is written as that.
+bool names_cells(const Node& part) {
+  const NodePtr location = child_labelled(part, "GridLocation_t");
+  return part.label == "ZoneSubRegion_t" && location && text_of(*location) == "CellCenter";
+}
+
 class ZoneMaker {
  public:
   ZoneMaker(const Mesh& mesh, const NewZoneSource& source, std::vector<std::string>& warnings)
@@ -62,11 +68,7 @@ class ZoneMaker {
     taken_.insert("ZoneBC");
     add_elements();
     if (!markers_.empty()) add_markers();
-    if (!topology_.regions().empty()) {
-      warnings_.emplace_back(
-          "CGNS files of winslow have no regions: the names of element sets are "
-          "not written");
-    }
+    if (!topology_.regions().empty()) add_regions();
     return {zone_, std::move(families_)};
   }
 
@@ -87,16 +89,15 @@ class ZoneMaker {
   /// Takes over what the old zone says beyond its elements.
   void carry() {
     constexpr std::array replaced{"ZoneType_t", "Elements_t", "ZoneBC_t"};
-    constexpr std::array lost{"FlowSolution_t",        "DiscreteData_t",
-                              "ZoneSubRegion_t",       "ZoneIterativeData_t",
-                              "ArbitraryGridMotion_t", "ZoneGridConnectivity_t"};
+    constexpr std::array lost{"FlowSolution_t",  "DiscreteData_t",      "ZoneGridConnectivity_t",
+                              "ZoneSubRegion_t", "ZoneIterativeData_t", "ArbitraryGridMotion_t"};
     const auto among = [](const auto& labels, const std::string& label) {
       return std::find(labels.begin(), labels.end(), label) != labels.end();
     };
     std::vector<std::string> dropped;
     for (const NodePtr& child : source_.old->children) {
       const std::string& label = child->content().label;
-      if (among(replaced, label)) continue;
+      if (among(replaced, label) || names_cells(*child)) continue;
       if (label == "GridCoordinates_t" && child->name == "GridCoordinates") {
         carry_units(child->content());
       } else if (among(lost, label) || label == "GridCoordinates_t") {
@@ -192,10 +193,7 @@ class ZoneMaker {
         for (const Index node : face) nodes.push_back(node + 1);
       const auto count = static_cast<Index>(marker.faces.size());
       const std::string name = add_section(marker.name, bar_2, first, count, nodes);
-      if (name != marker.name) {
-        warnings_.push_back("marker \"" + marker.name + "\" is written as \"" + name +
-                            "\": CGNS allows no such name here");
-      }
+      if (name != marker.name) warn_renamed("marker", marker.name, name);
       auto condition = make_condition(marker, name, condition_names);
       condition_names.insert(condition->name);
       condition->children.push_back(
@@ -205,6 +203,34 @@ class ZoneMaker {
       first += count;
     }
     zone_->children.push_back(std::move(conditions));
+  }
+
+  /// Regions are parts of the zone that name its cells: sections would have to change the order of
+  /// the elements.
+  void add_regions() {
+    const auto of_element = topology_.element_regions();
+    std::vector<Integers> elements(topology_.regions().size());
+    for (std::size_t e = 0; e < of_element.size(); ++e) {
+      if (of_element[e] >= 0)
+        elements[at(of_element[e])].push_back(static_cast<std::int32_t>(e) + 1);
+    }
+    for (std::size_t r = 0; r < elements.size(); ++r) {
+      const std::string& wanted = topology_.regions()[r].name;
+      if (elements[r].empty()) continue;
+      const std::string name = node_name(wanted, taken_);
+      taken_.insert(name);
+      if (name != wanted) warn_renamed("region", wanted, name);
+      auto part = make_integers(name, "ZoneSubRegion_t", {topology_.cell_dimension()});
+      part->children.push_back(make_text("GridLocation", "GridLocation_t", "CellCenter"));
+      const auto count = static_cast<std::int64_t>(elements[r].size());
+      part->children.push_back(make_integers("PointList", "IndexArray_t", elements[r], {1, count}));
+      zone_->children.push_back(std::move(part));
+    }
+  }
+
+  void warn_renamed(const char* what, const std::string& wanted, const std::string& name) {
+    warnings_.push_back(std::string(what) + " \"" + wanted + "\" is written as \"" + name +
+                        "\": CGNS allows no such name here");
   }
 
   /// The condition of the old zone that the marker came from, without its place, or a new one.

@@ -19,6 +19,19 @@ struct PointSet {
   std::string location;   ///< "Vertex", "EdgeCenter", ...; empty: the file says none
   std::vector<std::int64_t> values;
 
+  /// Calls `visit` for every number of a set with one index: of a range in ascending order.
+  template <class Visit>
+  void for_each_number(Visit visit) const {
+    if (!range) {
+      for (const std::int64_t number : values) visit(number);
+      return;
+    }
+    const std::int64_t last = values[0] < values[1] ? values[1] : values[0];
+    for (std::int64_t number = values[0] < values[1] ? values[0] : values[1]; number <= last;
+         ++number)
+      visit(number);
+  }
+
   /// Vertices are the default of the SIDS.
   bool of_vertices() const { return !elements && (location.empty() || location == "Vertex"); }
 };

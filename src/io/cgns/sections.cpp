@@ -50,10 +50,10 @@ class SectionReader {
   void read(const Section& section) {
     section_ = &section;
     at_ = 0;
-    numbers_.clear();
+    places_.clear();
     const std::size_t first_line = lines_.faces.size();
     if (section.type == node_element) {
-      numbers_.assign(static_cast<std::size_t>(section.count()), ElementNumbers::cell);
+      for (std::int64_t k = 0; k < section.count(); ++k) add_point();
     } else {
       const NodeView view = required(section.view, "ElementConnectivity");
       view_ = &view;
@@ -71,10 +71,8 @@ class SectionReader {
     if (lines_.faces.size() > first_line) {
       lines_.sections.push_back(
           {section.view.name(), first_line, lines_.faces.size() - first_line});
-    } else {
-      numbers_.clear();
     }
-    lines_.numbers.add({section.first, section.last, std::move(numbers_)});
+    lines_.numbers.add({section.first, section.last, std::move(places_)});
   }
 
  private:
@@ -103,12 +101,12 @@ class SectionReader {
     if (type == mixed) type = take(k);
     if (type == node_element) {
       take(k);
-      return numbers_.push_back(ElementNumbers::cell);
+      return add_point();
     }
     if (type == ngon_n) return read_polygon(k);
     if (type == bar_2) {
       read_corners(k, 2);
-      numbers_.push_back(static_cast<Index>(lines_.faces.size()));
+      places_.push_back({ElementPlace::Kind::line, static_cast<Index>(lines_.faces.size())});
       lines_.faces.emplace_back(corners_[0], corners_[1]);
       return;
     }
@@ -147,8 +145,12 @@ class SectionReader {
   }
 
   void add_element(ElementType type) {
+    places_.push_back({ElementPlace::Kind::cell, mesh_.element_count()});
     mesh_.add_element(type, corners_);
-    numbers_.push_back(ElementNumbers::cell);
+  }
+
+  void add_point() {
+    places_.push_back({ElementPlace::Kind::point, static_cast<Index>(places_.size())});
   }
 
   std::int64_t vertices_;
@@ -159,18 +161,32 @@ class SectionReader {
   std::vector<std::int64_t> connectivity_, starts_;
   std::size_t at_ = 0;
   std::vector<Index> corners_;
-  std::vector<Index> numbers_;
+  std::vector<ElementPlace> places_;
 };
 
 }  // namespace
 
-Index ElementNumbers::find(std::int64_t number) const {
+ElementPlace ElementNumbers::find(std::int64_t number) const {
   const auto after =
       std::upper_bound(ranges_.begin(), ranges_.end(), number,
                        [](std::int64_t n, const Range& range) { return n < range.first; });
-  if (after == ranges_.begin() || number > std::prev(after)->last) return none;
+  if (after == ranges_.begin() || number > std::prev(after)->last) return {};
   const Range& range = *std::prev(after);
-  return range.lines.empty() ? cell : range.lines[static_cast<std::size_t>(number - range.first)];
+  const std::int64_t k = number - range.first;
+  if (range.places.size() > 1) return range.places[static_cast<std::size_t>(k)];
+  const ElementPlace& first = range.places.front();
+  return {first.kind, first.index + static_cast<Index>(k)};
+}
+
+void ElementNumbers::add(Range range) {
+  const auto breaks = [](const ElementPlace& a, const ElementPlace& b) {
+    return a.kind != b.kind || a.index + 1 != b.index;
+  };
+  const bool even =
+      std::adjacent_find(range.places.begin(), range.places.end(), breaks) == range.places.end();
+  if (even) range.places.resize(1);
+  range.places.shrink_to_fit();
+  ranges_.push_back(std::move(range));
 }
 
 ZoneLines read_sections(const NodeView& zone, const ZoneHead& head, MeshData& mesh) {

@@ -9,21 +9,25 @@
 
 namespace winslow::io::cgns {
 
-/// What the elements of an unstructured zone are, by their numbers in it.
+/// What an element of a zone is, by its number.
+struct ElementPlace {
+  enum class Kind : std::uint8_t { none, point, line, cell };
+  Kind kind = Kind::none;  ///< none: the zone has no element of that number
+  Index index = -1;        ///< among the lines of the zone, or among the elements of the mesh
+};
+
+/// What the elements of an unstructured zone are.
 class ElementNumbers {
  public:
-  static constexpr Index cell = -1, none = -2;
-  /// Place of an element among the lines; `cell`: it is one of the mesh (or a point); `none`: the
-  /// zone has none of that number.
-  Index find(std::int64_t number) const;
+  ElementPlace find(std::int64_t number) const;
   std::int64_t last() const { return ranges_.empty() ? 0 : ranges_.back().last; }
 
   struct Range {
     std::int64_t first, last;
-    std::vector<Index> lines;  ///< of each number, or `cell`; empty: all are cells
+    std::vector<ElementPlace> places;  ///< of each number; one alone: of the first, others follow
   };
-  /// In ascending order.
-  void add(Range range) { ranges_.push_back(std::move(range)); }
+  /// In ascending order. Places that follow one another are kept as one.
+  void add(Range range);
 
  private:
   std::vector<Range> ranges_;

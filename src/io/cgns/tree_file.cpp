@@ -1,5 +1,20 @@
 #include "io/cgns/tree_file.h"
 
+namespace winslow::io::cgns {
+
+std::optional<Container> container_of(std::string_view bytes) {
+  constexpr std::string_view hdf5 = "\x89HDF\r\n\x1a\n", adf = "ADF Database Version";
+  constexpr std::size_t first = 512, last = std::size_t{1} << 20;
+  // Behind four bytes of its own.
+  if (bytes.size() > 4 && bytes.substr(4).starts_with(adf)) return Container::adf;
+  if (bytes.starts_with(hdf5)) return Container::hdf5;
+  for (std::size_t place = first; place <= last && place < bytes.size(); place *= 2)
+    if (bytes.substr(place).starts_with(hdf5)) return Container::hdf5;
+  return std::nullopt;
+}
+
+}  // namespace winslow::io::cgns
+
 #ifdef WINSLOW_HAS_CGNS
 
 #include <cgns_io.h>
@@ -21,7 +36,7 @@
 
 namespace winslow::io::cgns {
 
-const std::string_view no_library = {};
+constinit const std::string_view no_library = {};
 
 namespace {
 
@@ -93,11 +108,15 @@ struct Handles {
   std::vector<double> ids;
 };
 
+bool printable(char c) {
+  return static_cast<unsigned char>(c) >= 0x20 && static_cast<unsigned char>(c) < 0x7f;
+}
+
 /// Path of a node for messages, in which names of damaged files may be anything.
 std::string child_path(const std::string& parent, const std::string& name) {
   std::string path = parent + '/' + name;
-  for (char& c : path)
-    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f) c = '?';
+  std::replace_if(
+      path.begin(), path.end(), [](char c) { return !printable(c); }, '?');
   return path;
 }
 
@@ -136,6 +155,9 @@ class TreeReader {
     require(cgio_get_name(file_, id, text.data()), parent);
     node->name = text.data();
     const std::string path = depth == 0 ? "" : child_path(parent, node->name);
+    if (container_ == Container::adf &&
+        !std::all_of(node->name.begin(), node->name.end(), printable))
+      fail(path, "a name with characters that ADF does not allow", "ASCII");
     if (depth > deepest) fail(path, "nodes in nodes without end", "at most 40 levels");
     if (nodes_left_-- == 0) fail(path, "more nodes than the file has room for", "a sound file");
     int link_length = 0;
@@ -286,22 +308,28 @@ std::string get_file(const std::filesystem::path& path) {
 }  // namespace
 
 TreeFile read_tree(Source& source) {
+  const auto container = container_of(source.text());
+  if (!container) {
+    throw InputError(source.name() +
+                     ": found neither an HDF5 nor an ADF file, expected a CGNS file");
+  }
   const std::scoped_lock lock(library_mutex());
   keep_hdf5_quiet();
   const TemporaryFolder folder;
   const auto path = folder / "in.cgns";
   put_file(path, source.text());
-  int type = CGIO_FILE_NONE;
-  if (cgio_check_file(path.c_str(), &type) != 0) {
-    throw InputError(source.name() + ": found no whole HDF5 or ADF file, expected one");
-  }
-  const OpenFile file(path, CGIO_MODE_READ, type);
+  const OpenFile file(path, CGIO_MODE_READ,
+                      *container == Container::hdf5 ? CGIO_FILE_HDF5 : CGIO_FILE_ADF);
   if (file.failed()) {
     throw InputError(source.name() +
                      ": cannot be read as a CGNS file, it is damaged or none: " + file.error());
   }
-  const auto container = type == CGIO_FILE_HDF5 ? Container::hdf5 : Container::adf;
-  return {TreeReader(source, file, container).read(file.root()), container};
+  std::array<char, CGIO_MAX_LABEL_LENGTH + 2> label{};
+  if (cgio_get_label(file.number(), file.root(), label.data()) != 0) {
+    throw InputError(source.name() +
+                     ": found an HDF5 file without the nodes of CGNS, expected a CGNS file");
+  }
+  return {TreeReader(source, file, *container).read(file.root()), *container};
 }
 
 std::string write_tree(const Node& root, Container container) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "io/cgns/tree.h"
 #include "io/text/source.h"
@@ -14,6 +16,10 @@ struct TreeFile {
   NodePtr root;
   Container container = Container::hdf5;
 };
+
+/// By the signature at the beginning of a file, which in HDF5 may follow 512, 1024, 2048, ... bytes
+/// of the user's own; nothing: it is neither.
+std::optional<Container> container_of(std::string_view bytes);
 
 /// Reads the whole tree, by libcgns. One thread at a time, for libcgns can do no more; others wait.
 /// Throws InputError for what libcgns cannot read, and for data that the file is too small for.

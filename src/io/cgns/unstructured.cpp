@@ -5,23 +5,14 @@
 namespace winslow::io::cgns {
 namespace {
 
-/// Calls `visit` for every number of a set; for a range in ascending order.
-template <class Visit>
-void for_each_number(const PointSet& set, Visit visit) {
-  if (!set.range) {
-    for (const std::int64_t number : set.values) visit(number);
-    return;
-  }
-  const auto [first, last] = std::minmax(set.values[0], set.values[1]);
-  for (std::int64_t number = first; number <= last; ++number) visit(number);
-}
-
 /// Some programs list elements and do not say so. Vertices they cannot be, if there are none of
 /// these numbers.
 bool means_elements(const PointSet& set, const ZoneLines& lines, std::int64_t vertices) {
   if (!set.of_vertices()) return true;
   if (!set.location.empty() || set.values.empty()) return false;
-  const auto is_line = [&](std::int64_t n) { return lines.numbers.find(n) >= 0; };
+  const auto is_line = [&](std::int64_t n) {
+    return lines.numbers.find(n).kind == ElementPlace::Kind::line;
+  };
   return *std::max_element(set.values.begin(), set.values.end()) > vertices &&
          std::all_of(set.values.begin(), set.values.end(), is_line);
 }
@@ -33,7 +24,7 @@ std::vector<Face> UnstructuredBoundary::faces_of(const PointSet& set,
   const std::string owner = "\"" + set.view.path() + "\"";
   if (!means_elements(set, lines_, vertices_)) {
     std::vector<bool> nodes(static_cast<std::size_t>(vertices_), false);
-    for_each_number(set, [&](std::int64_t vertex) {
+    set.for_each_number([&](std::int64_t vertex) {
       if (vertex < 1 || vertex > vertices_) {
         set.view.fail("vertex " + std::to_string(vertex), "1 to " + std::to_string(vertices_));
       }
@@ -46,17 +37,17 @@ std::vector<Face> UnstructuredBoundary::faces_of(const PointSet& set,
   }
   std::vector<Face> faces;
   std::int64_t cells = 0;
-  for_each_number(set, [&](std::int64_t number) {
-    const Index line = lines_.numbers.find(number);
-    if (line == ElementNumbers::none) {
+  set.for_each_number([&](std::int64_t number) {
+    const ElementPlace place = lines_.numbers.find(number);
+    if (place.kind == ElementPlace::Kind::none) {
       set.view.fail(
           "element " + std::to_string(number),
           "1 to " + std::to_string(lines_.numbers.last()) + ", as the sections have them");
     }
-    if (line == ElementNumbers::cell) {
-      ++cells;
+    if (place.kind == ElementPlace::Kind::line) {
+      faces.push_back(lines_.faces[at(place.index)]);
     } else {
-      faces.push_back(lines_.faces[at(line)]);
+      ++cells;
     }
   });
   if (cells > 0) {

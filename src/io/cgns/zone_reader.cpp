@@ -5,6 +5,7 @@
 #include "io/cgns/structured.h"
 #include "io/cgns/unstructured.h"
 #include "io/cgns/zone_markers.h"
+#include "io/cgns/zone_regions.h"
 
 namespace winslow::io::cgns {
 namespace {
@@ -35,6 +36,7 @@ class ZoneReader {
       set_nodes(grid, places, {});
       const UnstructuredBoundary boundary(mesh_.data, lines, head_.vertex_count);
       make_markers(zone_, head_, boundary, lines, {}, mesh_, *details_);
+      read_regions(zone_, lines.numbers, mesh_.data, mesh_.warnings);
     }
     warn_of_other_grids();
     details_->nodes = mesh_.data.node_count();

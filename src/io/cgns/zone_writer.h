@@ -24,7 +24,7 @@ struct NewZoneSource {
   const Details* details = nullptr;        ///< of that one
   const FormatDetails* heights = nullptr;  ///< where z comes from
   int physical_dimension = 2;
-  bool start_offsets = false;  ///< MIXED sections as CGNS 4 has them
+  bool start_offsets = false;  ///< MIXED sections as CGNS 3.4 and 4 have them
 };
 /// Unstructured: a section of elements for each type, or one MIXED section where the order of the
 /// elements needs it; for each marker a section of lines and a boundary condition. Of an old zone
