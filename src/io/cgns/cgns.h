@@ -38,10 +38,12 @@ extern const MeshFormat format;
 /// UsageError if the file has no such zone.
 ParsedMesh read_zone(Source& source, int zone);
 
-/// Writes a file of one zone; of a file of several, without the others. In HDF5, but for a mesh
-/// from an ADF file.
-std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* details);
+/// Writes a file of one zone; of a file of several, without the others. In the container that the
+/// options say; else in that of the source, or in HDF5.
+std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* details,
+                               const WriteOptions& options = {});
 /// Zones of one file; the rest of its tree as it was.
-std::vector<std::string> write_zones(std::ostream& out, std::span<const MeshZone> zones);
+std::vector<std::string> write_zones(std::ostream& out, std::span<const MeshZone> zones,
+                                     const WriteOptions& options = {});
 
 }  // namespace winslow::io::cgns

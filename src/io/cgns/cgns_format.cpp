@@ -5,7 +5,7 @@ const MeshFormat format{
     .name = "cgns",
     .title = "CGNS",
     .versions = "2D",
-    .encodings = "HDF5, ADF (written as HDF5, or as ADF where the source was)",
+    .encodings = "HDF5, ADF",
     .markers = "yes, by name",
     .regions = "yes, but in structured zones",
     .quadrilaterals = "yes",
@@ -18,7 +18,7 @@ const MeshFormat format{
     .read = [](Source& source) { return read_zone(source, 0); },
     .read_zone = read_zone,
     .write = [](std::ostream& out, const Mesh& mesh, const FormatDetails* details,
-                const WriteOptions&) { return write(out, mesh, details); },
+                const WriteOptions& options) { return write(out, mesh, details, options); },
     .write_zones = write_zones};
 
 }  // namespace winslow::io::cgns

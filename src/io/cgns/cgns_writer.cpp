@@ -99,6 +99,11 @@ NodePtr new_tree(const Mesh& mesh, const FormatDetails* details,
   return root;
 }
 
+Container container_for(const WriteOptions& options, Container source) {
+  if (options.cgns_container.empty()) return source;
+  return options.cgns_container == "adf" ? Container::adf : Container::hdf5;
+}
+
 void put(std::ostream& out, const Node& root, Container container) {
   const std::string bytes = write_tree(root, container);
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -106,20 +111,22 @@ void put(std::ostream& out, const Node& root, Container container) {
 
 }  // namespace
 
-std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* details) {
+std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* details,
+                               const WriteOptions& options) {
   std::vector<std::string> warnings;
   const auto* own = dynamic_cast<const Details*>(details);
   if (own == nullptr) {
-    put(out, *new_tree(mesh, details, warnings), Container::hdf5);
+    put(out, *new_tree(mesh, details, warnings), container_for(options, Container::hdf5));
     return warnings;
   }
   NodePtr root = own->root;
   if (own->zones.size() > 1) root = with_zone_only(*root, *own, warnings);
-  put(out, *with_zone(root, mesh, *own, warnings), own->container);
+  put(out, *with_zone(root, mesh, *own, warnings), container_for(options, own->container));
   return warnings;
 }
 
-std::vector<std::string> write_zones(std::ostream& out, std::span<const MeshZone> zones) {
+std::vector<std::string> write_zones(std::ostream& out, std::span<const MeshZone> zones,
+                                     const WriteOptions& options) {
   std::vector<std::string> warnings;
   const auto& first = dynamic_cast<const Details&>(*zones.front().details);
   NodePtr root = first.root;
@@ -132,7 +139,7 @@ std::vector<std::string> write_zones(std::ostream& out, std::span<const MeshZone
           details.zones.empty() ? text : "zone " + std::to_string(details.zone) + ": " + text);
     }
   }
-  put(out, *root, first.container);
+  put(out, *root, container_for(options, first.container));
   return warnings;
 }
 

@@ -116,6 +116,11 @@ std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,
       options.gmsh_version != "4.1") {
     throw UsageError("unknown MSH version \"" + options.gmsh_version + "\", expected 2.2 or 4.1");
   }
+  if (!options.cgns_container.empty() && options.cgns_container != "hdf5" &&
+      options.cgns_container != "adf") {
+    throw UsageError("unknown CGNS container \"" + options.cgns_container +
+                     "\", expected hdf5 or adf");
+  }
   const FormatDetails* details = zones.front().details;
   const bool as_source = details != nullptr && details->format == format;
   const bool all_zones = format->write_zones && as_source && !options.zone_alone;
@@ -127,7 +132,7 @@ std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,
   encoding.binary = options.binary || (options.keep_encoding && as_source && details->binary);
   std::vector<std::string> warnings;
   write_atomically(path, [&](std::ostream& out) {
-    warnings = all_zones ? format->write_zones(out, zones)
+    warnings = all_zones ? format->write_zones(out, zones, encoding)
                          : format->write(out, *zones.front().mesh, details, encoding);
   });
   if (details != nullptr && details->zones.size() > 1 && !all_zones && !options.zone_alone) {

@@ -60,8 +60,8 @@ struct MeshFormat {
                                     const FormatDetails* details, const WriteOptions& options);
   /// Null: the format has no zones. All come from one file of this format; zones of it that are not
   /// given are written as they were.
-  std::vector<std::string> (*write_zones)(std::ostream& out,
-                                          std::span<const MeshZone> zones) = nullptr;
+  std::vector<std::string> (*write_zones)(std::ostream& out, std::span<const MeshZone> zones,
+                                          const WriteOptions& options) = nullptr;
 };
 
 /// All formats, in the order of lists.

@@ -157,6 +157,29 @@ TEST_CASE("CGNS: a file of another program is read, and comes back as it was") {
   }
 }
 
+TEST_CASE("CGNS: the container is that of the source, or what the options say") {
+  const TemporaryFolder folder;
+  const Mesh mesh = make_mesh(cgns_square());
+  io::WriteOptions options;
+  options.cgns_container = "adf";
+  io::write_mesh(folder / "a.cgns", mesh, nullptr, options);
+  const auto adf = tree_of(folder / "a.cgns");
+  CHECK(adf.container == io::cgns::Container::adf);
+  const io::MeshFile file = io::read_mesh(folder / "a.cgns");
+  check_same_mesh(file.mesh, mesh);
+  options.cgns_container = "hdf5";
+  io::write_mesh(folder / "b.cgns", file.mesh, file.details.get(), options);
+  const auto hdf5 = tree_of(folder / "b.cgns");
+  CHECK(hdf5.container == io::cgns::Container::hdf5);
+  auto found = differences(adf.root, hdf5.root);
+  // The root is called by its container, and ADF keeps the order of nodes that HDF5 keeps, too.
+  std::erase(found, "");
+  CHECK(found.empty());
+  options.cgns_container = "tar";
+  CHECK_THROWS_WITH_AS(io::write_mesh(folder / "c.cgns", mesh, nullptr, options),
+                       doctest::Contains("unknown CGNS container"), UsageError);
+}
+
 TEST_CASE("CGNS: compressed files, and files of another extension") {
   const TemporaryFolder folder;
   const Mesh mesh = make_mesh(cgns_square());
