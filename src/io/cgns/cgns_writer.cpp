@@ -10,7 +10,7 @@ namespace {
 
 /// A base, with these families added that it does not have yet.
 NodePtr with_families(const Node& base, const std::vector<NodePtr>& families) {
-  auto copy = std::make_shared<Node>(base);
+  auto copy = own_copy(base);
   for (const NodePtr& family : families)
     if (!child_named(*copy, family->name)) copy->children.push_back(family);
   return copy;
@@ -28,14 +28,14 @@ bool has_start_offsets(const Node& root) {
 NodePtr with_zone(const NodePtr& root, const Mesh& mesh, const Details& details,
                   std::vector<std::string>& warnings) {
   const NodePtr base = child_named(*root, details.base_name);
-  const NodePtr zone = child_named(*base, details.zone_name);
+  const NodePtr zone = child_named(base->content(), details.zone_name);
   if (details.fits(mesh)) {
     const NodePtr moved = moved_zone(zone, mesh, details, warnings);
     return with_child(*root, *base, with_child(*base, *zone, moved));
   }
   NewZoneSource source;
   source.name = zone->name;
-  source.old = zone.get();
+  source.old = &zone->content();
   source.heights = source.details = &details;
   const auto dimensions = integers_of(base->content());
   source.physical_dimension = dimensions.size() > 1 ? static_cast<int>(dimensions[1]) : 2;
@@ -53,16 +53,16 @@ NodePtr with_zone_only(const Node& root, const Details& details,
     return child->content().label == "CGNSBase_t" && child->name != details.base_name;
   });
   const NodePtr base = child_named(*tree, details.base_name);
-  auto alone = std::make_shared<Node>(*base);
+  auto alone = own_copy(*base);
   std::erase_if(alone->children, [&](const NodePtr& child) {
     return child->content().label == "Zone_t" && child->name != details.zone_name;
   });
   const NodePtr zone = child_named(*alone, details.zone_name);
-  auto open = std::make_shared<Node>(*zone);
+  auto open = own_copy(*zone);
   std::vector<std::string> lost;
   for (NodePtr& all : open->children) {
     if (all->content().label != "ZoneGridConnectivity_t") continue;
-    auto kept = std::make_shared<Node>(*all);
+    auto kept = own_copy(*all);
     std::erase_if(kept->children, [&](const NodePtr& interface) {
       const bool leads = interface->content().label.starts_with("GridConnectivity");
       const bool away = leads && text_of(interface->content()) != details.zone_name;

@@ -53,7 +53,7 @@ class MovedCoordinate {
 NodePtr without_normals(const Node& zone, std::vector<std::string>& dropped) {
   const NodePtr all = child_labelled(zone, "ZoneBC_t");
   if (!all || all->is_link()) return nullptr;
-  auto copy = std::make_shared<Node>(*all);
+  auto copy = own_copy(*all);
   bool changed = false;
   for (NodePtr& condition : copy->children) {
     if (const NodePtr normals = child_named(*condition, "InwardNormalList")) {
@@ -95,9 +95,8 @@ std::string listed_names(const std::vector<std::string>& names) {
 
 NodePtr moved_zone(const NodePtr& zone, const Mesh& mesh, const Details& details,
                    std::vector<std::string>& warnings) {
-  const NodePtr grid = child_named(*zone, "GridCoordinates");
-  auto moved_grid = std::make_shared<Node>(grid->content());
-  moved_grid->name = grid->name;
+  const NodePtr grid = child_named(zone->content(), "GridCoordinates");
+  auto moved_grid = own_copy(*grid);
   std::vector<std::pair<NodePtr, MovedCoordinate>> coordinates;
   bool moved = false, single = true, fits = true;
   for (const auto& [name, direction] : {std::pair("CoordinateX", 0), std::pair("CoordinateY", 1)}) {
@@ -114,9 +113,7 @@ NodePtr moved_zone(const NodePtr& zone, const Mesh& mesh, const Details& details
         "new ones need it");
   }
   for (const auto& [array, values] : coordinates) {
-    auto node = std::make_shared<Node>(*values.node(array->content(), single && fits));
-    node->name = array->name;
-    *moved_grid = *with_child(*moved_grid, *array, std::move(node));
+    *moved_grid = *with_child(*moved_grid, *array, values.node(*own_copy(*array), single && fits));
   }
   return without_stale(with_child(*zone, *grid, moved_grid), warnings);
 }

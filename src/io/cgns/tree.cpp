@@ -160,8 +160,14 @@ std::shared_ptr<Node> make_single_reals(std::string name, std::string label,
   return make_values(std::move(name), std::move(label), "R4", values, std::move(dims));
 }
 
+std::shared_ptr<Node> own_copy(const Node& node) {
+  auto copy = std::make_shared<Node>(node.content());
+  copy->name = node.name;
+  return copy;
+}
+
 std::shared_ptr<Node> with_child(const Node& parent, const Node& old_child, NodePtr new_child) {
-  auto copy = std::make_shared<Node>(parent);
+  auto copy = own_copy(parent);
   const auto place = std::find_if(copy->children.begin(), copy->children.end(),
                                   [&](const NodePtr& child) { return child.get() == &old_child; });
   if (place == copy->children.end()) return copy;

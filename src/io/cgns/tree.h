@@ -67,6 +67,9 @@ std::shared_ptr<Node> make_single_reals(std::string name, std::string label,
                                         const std::vector<float>& values,
                                         std::vector<std::int64_t> dims = {});
 
+/// A copy of a node to change; of a link, of the node that it leads to, by the name of the link.
+std::shared_ptr<Node> own_copy(const Node& node);
+
 /// A copy in which one child stands in the place of another; null: in which it is left out.
 std::shared_ptr<Node> with_child(const Node& parent, const Node& old_child, NodePtr new_child);
 

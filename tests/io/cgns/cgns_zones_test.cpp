@@ -96,7 +96,7 @@ std::vector<std::string> names_of(const io::MeshFile& file) {
 }  // namespace
 
 TEST_CASE("CGNS: the cut of a C-grid is closed, and both its sides are written") {
-  for (const int container : {CG_FILE_HDF5, CG_FILE_ADF}) {
+  for (const int container : cgns_containers) {
     CAPTURE(container);
     const TemporaryFolder folder;
     write_c_grid(folder / "a.cgns", container);
@@ -141,7 +141,7 @@ TEST_CASE("CGNS: a cut whose sides lie apart stays open") {
 }
 
 TEST_CASE("CGNS: zones are numbered by name, read apart, and written back together") {
-  for (const int container : {CG_FILE_HDF5, CG_FILE_ADF}) {
+  for (const int container : cgns_containers) {
     const TemporaryFolder folder;
     write_two_blocks(folder / "a.cgns", container);
     io::MeshFile a = io::read_mesh(folder / "a.cgns"),

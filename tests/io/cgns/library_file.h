@@ -3,6 +3,7 @@
 #include <cgnslib.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <memory>
 #include <numeric>
@@ -11,7 +12,7 @@
 
 #include "core/mesh/mesh_data.h"
 #include "io/cgns/tree_file.h"
-#include "io/support/files.h"
+#include "io/support/samples.h"
 
 /// CGNS files as other programs write them: by the upper layer of libcgns, which winslow does not
 /// use.
@@ -151,6 +152,57 @@ inline void edit_node(const std::filesystem::path& path, const std::string& plac
   }
   const auto root = io::cgns::with_child(*file.root, *old, changed);
   write_text(path, io::cgns::write_tree(*root, file.container));
+}
+
+inline constexpr std::array cgns_containers{CG_FILE_HDF5, CG_FILE_ADF};
+
+/// A square of triangles and quadrilaterals, with two markers.
+inline MeshData cgns_square() {
+  MeshData data = grid_with_holes(4, Cells::mixed, [](Index, Index) { return false; });
+  mark_boundary(data, [](const Vec2& p) { return std::string(p.y() == 0 ? "wall" : "far"); });
+  return data;
+}
+
+/// The square in a file of libcgns, with a section and a boundary condition for each marker.
+inline void write_square(const std::filesystem::path& path, int container, const MeshData& data,
+                         bool single = false) {
+  LibraryFile file(path, container);
+  file.start_zone("blk", data.node_count(), data.element_count());
+  if (single) {
+    file.coordinates<float>(data.coordinates);
+  } else {
+    file.coordinates(data.coordinates);
+  }
+  write_mixed(file, data);
+  for (const Marker& marker : data.markers) {
+    const cgsize_t first = file.next;
+    file.lines(marker.name.c_str(), marker.faces);
+    file.condition(("bc " + marker.name).c_str(), BCWallViscous, PointRange, {first, file.next - 1},
+                   EdgeCenter, marker.name.c_str());
+  }
+}
+
+/// Paths of the nodes that differ, or that one of the trees lacks.
+inline void differences(const io::cgns::Node& a, const io::cgns::Node& b, const std::string& path,
+                        std::vector<std::string>& found) {
+  const bool same = a.name == b.name && a.label == b.label && a.type == b.type &&
+                    a.dims == b.dims && a.data == b.data && a.link_path == b.link_path &&
+                    a.children.size() == b.children.size();
+  if (!same) found.push_back(path);
+  for (std::size_t k = 0; k < std::min(a.children.size(), b.children.size()); ++k)
+    differences(*a.children[k], *b.children[k], path + '/' + a.children[k]->name, found);
+}
+inline std::vector<std::string> differences(const io::cgns::NodePtr& a,
+                                            const io::cgns::NodePtr& b) {
+  std::vector<std::string> found;
+  differences(*a, *b, "", found);
+  return found;
+}
+
+inline const Marker& marker_named(const io::MeshFile& file, const std::string& name) {
+  const auto found = file.mesh.topology->markers().find(name);
+  REQUIRE_MESSAGE(found, name);
+  return file.mesh.topology->markers()[at(*found)];
 }
 
 }  // namespace winslow::test
