@@ -11,8 +11,8 @@
 namespace winslow::io {
 
 std::span<const MeshFormat* const> mesh_formats() {
-  static constexpr std::array all{&su2::format,         &cgns::format,        &gmsh::format,
-                                  &vtk::legacy_format,  &vtk::vtu_format,     &surface::obj_format,
+  static constexpr std::array all{&su2::format,         &gmsh::format,        &vtk::legacy_format,
+                                  &vtk::vtu_format,     &cgns::format,        &surface::obj_format,
                                   &surface::off_format, &surface::ply_format, &surface::stl_format};
   return all;
 }

@@ -7,7 +7,7 @@ const MeshFormat format{
     .versions = "2D",
     .encodings = "HDF5, ADF",
     .markers = "yes, by name",
-    .regions = "yes, but in structured zones",
+    .regions = "yes, not in structured zones",
     .quadrilaterals = "yes",
     .keeps_markers = true,
     .missing = no_library,

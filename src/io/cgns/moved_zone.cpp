@@ -1,11 +1,14 @@
 #include <array>
-#include <cstring>
+#include <bit>
+#include <cstdint>
 #include <utility>
 
 #include "io/cgns/zone_writer.h"
 
 namespace winslow::io::cgns {
 namespace {
+
+std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 
 /// One coordinate of every vertex of a zone.
 class MovedCoordinate {
@@ -21,7 +24,7 @@ class MovedCoordinate {
       const double value = mesh.coordinates.xy(node)[direction];
       // Bits, for -0 is kept, too. Vertices of a closed cut may differ by less than they are told
       // apart by; they keep that while their node stays.
-      if (std::memcmp(&value, &old[first[at(node)]], sizeof value) == 0) continue;
+      if (bits(value) == bits(old[first[at(node)]])) continue;
       values_[v] = value;
       moved_ = true;
     }

@@ -172,7 +172,7 @@ class ZoneMaker {
 
   std::string add_section(const std::string& name, std::int64_t type, Index first, Index count,
                           const Integers& entries) {
-    const std::string own = node_name(name, taken_);
+    std::string own = node_name(name, taken_);
     taken_.insert(own);
     zone_->children.push_back(make_section(own, type, first + 1, count, entries));
     return own;
