@@ -65,5 +65,6 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/winslowConfigVersion.cmak
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/winslowConfig.cmake
               ${PROJECT_BINARY_DIR}/winslowConfigVersion.cmake
+              ${CMAKE_CURRENT_LIST_DIR}/FindCGNS.cmake
               ${CMAKE_CURRENT_LIST_DIR}/FindSuiteSparse.cmake
         DESTINATION ${WINSLOW_CONFIG_DIR})

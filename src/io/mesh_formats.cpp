@@ -1,5 +1,6 @@
 #include <array>
 
+#include "io/cgns/cgns.h"
 #include "io/format/mesh_format.h"
 #include "io/gmsh/gmsh.h"
 #include "io/su2/su2.h"
@@ -11,8 +12,8 @@ namespace winslow::io {
 
 std::span<const MeshFormat* const> mesh_formats() {
   static constexpr std::array all{&su2::format,         &gmsh::format,        &vtk::legacy_format,
-                                  &vtk::vtu_format,     &surface::obj_format, &surface::off_format,
-                                  &surface::ply_format, &surface::stl_format};
+                                  &vtk::vtu_format,     &cgns::format,        &surface::obj_format,
+                                  &surface::off_format, &surface::ply_format, &surface::stl_format};
   return all;
 }
 

@@ -26,6 +26,35 @@ class Convert(ProgramTest):
         self.assertIn("warning", run.stderr)
         self.assertIn("marker", run.stderr)
 
+    def test_cgns(self):
+        self.ring()
+        self.path("none.cgns").write_bytes(b"\x89HDF\r\n\x1a\n")
+        run = self.winslow("quality", "none.cgns", code=INPUT)
+        self.path("none.cgns").unlink()
+        if "built without CGNS" in run.stderr:
+            run = self.winslow("convert", "ring.su2", "m.cgns", code=USAGE)
+            self.assertIn("install libcgns", run.stderr)
+            self.assertEqual(self.files(), ["ring.su2"])
+            self.skipTest("winslow was built without CGNS")
+        original = support.read_su2(self.path("ring.su2"))
+        signatures = {"hdf5": b"\x89HDF", "adf": b"\xc0\xa8\xa3\xa9ADF"}
+        for container, signature in signatures.items():
+            self.winslow("convert", "ring.su2", "m.cgns", "--cgns-container", container)
+            self.assertTrue(self.path("m.cgns").read_bytes().startswith(signature))
+            self.winslow("convert", "m.cgns", "back.su2")
+            self.assertEqual(support.read_su2(self.path("back.su2")), original)
+            self.winslow("move", "m.cgns", "-o", "moved.cgns", "--marker", "body", "--rotate", "20",
+                         "--quiet")
+            self.assertTrue(self.path("moved.cgns").read_bytes().startswith(signature))
+            self.winslow("move", "ring.su2", "-o", "moved.su2", "--marker", "body", "--rotate", "20",
+                         "--quiet")
+            self.winslow("convert", "moved.cgns", "back.su2")
+            self.assertEqual(support.read_su2(self.path("back.su2")),
+                             support.read_su2(self.path("moved.su2")))
+        self.path("cut.cgns").write_bytes(self.path("m.cgns").read_bytes()[:3000])
+        self.winslow("quality", "cut.cgns", code=INPUT)
+        self.winslow("convert", "ring.su2", "m.cgns", "--cgns-container", "tar", code=USAGE)
+
     def test_says_what_it_wrote(self):
         self.ring()
         run = self.winslow("convert", "ring.su2", "m.msh")

@@ -21,9 +21,10 @@ void add_input(CLI::App& app, std::string& input) {
 }
 
 void add_zone_flag(CLI::App& app, int& zone, const std::string& without) {
-  app.add_option(
-         "--zone", zone,
-         "Zone of a mesh file that has several, by its number (SU2: IZONE=); without: " + without)
+  app.add_option("--zone", zone,
+                 "Zone of a mesh file that has several, by its number (SU2: IZONE=; CGNS: in the "
+                 "order of names); without: " +
+                     without)
       ->check(CLI::Range(1, std::numeric_limits<int>::max()))
       ->option_text("N");
 }
@@ -75,6 +76,11 @@ void add_encoding_flags(CLI::App& app, io::WriteOptions& encoding) {
       ->check(one_of({"2.2", "4.1"}))
       ->option_text("2.2|4.1")
       ->group("Output");
+  app.add_option("--cgns-container", encoding.cgns_container,
+                 "What holds a CGNS file; default: that of the source, else hdf5")
+      ->check(one_of({"hdf5", "adf"}))
+      ->option_text("hdf5|adf")
+      ->group("Output");
 }
 
 void add_quiet_flag(CLI::App& app, bool& quiet) {
@@ -99,9 +105,11 @@ void check_output(const std::string& path) {
 
 void check_mesh_output(const std::string& path) {
   if (path.empty()) return;
-  if (!io::format_of_extension(path)) {
+  const io::MeshFormat* format = io::format_of_extension(path);
+  if (!format) {
     throw UsageError(path + ": unknown extension, expected one of " + io::supported_extensions());
   }
+  if (!format->missing.empty()) throw UsageError(path + ": " + std::string(format->missing));
   check_output(path);
 }
 

@@ -31,7 +31,7 @@ void add_zone_flag(CLI::App& app, int& zone, const std::string& without);
 void add_job_flags(CLI::App& app, JobFiles& files);
 /// Declares --save-recipe.
 void add_recipe_flag(CLI::App& app, JobFiles& files);
-/// Declares --binary, --ascii, --gmsh-version.
+/// Declares --binary, --ascii, --gmsh-version, --cgns-container.
 void add_encoding_flags(CLI::App& app, io::WriteOptions& encoding);
 void add_quiet_flag(CLI::App& app, bool& quiet);
 

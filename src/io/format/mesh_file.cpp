@@ -56,6 +56,9 @@ MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options
   Source source = Source::load(path);
   MeshFile file;
   file.format = detect(source, path, file.warnings);
+  if (!file.format->missing.empty()) {
+    throw InputError(source.name() + ": " + std::string(file.format->missing));
+  }
   if (options.zone != 0 && !file.format->read_zone) {
     throw UsageError(source.name() + ": no zone " + std::to_string(options.zone) +
                      ": a file of this format is one mesh");
@@ -108,9 +111,17 @@ std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,
     throw UsageError(path.string() + ": unknown file format, expected one of " +
                      supported_extensions());
   }
+  if (!format->missing.empty()) {
+    throw UsageError(path.string() + ": " + std::string(format->missing));
+  }
   if (!options.gmsh_version.empty() && options.gmsh_version != "2.2" &&
       options.gmsh_version != "4.1") {
     throw UsageError("unknown MSH version \"" + options.gmsh_version + "\", expected 2.2 or 4.1");
+  }
+  if (!options.cgns_container.empty() && options.cgns_container != "hdf5" &&
+      options.cgns_container != "adf") {
+    throw UsageError("unknown CGNS container \"" + options.cgns_container +
+                     "\", expected hdf5 or adf");
   }
   const FormatDetails* details = zones.front().details;
   const bool as_source = details != nullptr && details->format == format;
@@ -123,7 +134,7 @@ std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,
   encoding.binary = options.binary || (options.keep_encoding && as_source && details->binary);
   std::vector<std::string> warnings;
   write_atomically(path, [&](std::ostream& out) {
-    warnings = all_zones ? format->write_zones(out, zones)
+    warnings = all_zones ? format->write_zones(out, zones, encoding)
                          : format->write(out, *zones.front().mesh, details, encoding);
   });
   if (details != nullptr && details->zones.size() > 1 && !all_zones && !options.zone_alone) {

@@ -51,7 +51,9 @@ struct WriteOptions {
   bool binary = false;                 ///< binary instead of text, where the format has it
   bool keep_encoding = true;  ///< binary also where the source is binary and of this format
   std::string gmsh_version;   ///< "2.2" or "4.1"; empty: that of the source, else 4.1
-  bool zone_alone = false;    ///< of a file of several zones: write none but the one that was read
+  /// "hdf5" or "adf"; empty: that of the source, else HDF5.
+  std::string cgns_container = {};
+  bool zone_alone = false;  ///< of a file of several zones: write none but the one that was read
 };
 
 /// Writes a mesh to a temporary name beside `path` and renames it. `details` of another format, or

@@ -47,6 +47,8 @@ struct MeshFormat {
   bool keeps_markers = false;
   bool has_binary = false;
   bool plane_only = false;  ///< two coordinates: a plane in space cannot be put back
+  /// Why this build of the program can neither read nor write it; empty: it can.
+  std::string_view missing = {};
 
   Evidence (*recognise)(const Content& content);
   ParsedMesh (*read)(Source& source);
@@ -59,8 +61,8 @@ struct MeshFormat {
                                     const FormatDetails* details, const WriteOptions& options);
   /// Null: the format has no zones. All come from one file of this format; zones of it that are not
   /// given are written as they were.
-  std::vector<std::string> (*write_zones)(std::ostream& out,
-                                          std::span<const MeshZone> zones) = nullptr;
+  std::vector<std::string> (*write_zones)(std::ostream& out, std::span<const MeshZone> zones,
+                                          const WriteOptions& options) = nullptr;
 };
 
 /// All formats, in the order of lists.

@@ -31,6 +31,7 @@ const MeshFormat format{
         [](std::ostream& out, const Mesh& mesh, const FormatDetails* details, const WriteOptions&) {
           return write(out, mesh, dynamic_cast<const Details*>(details));
         },
-    .write_zones = write_zones};
+    .write_zones = [](std::ostream& out, std::span<const MeshZone> zones,
+                      const WriteOptions&) { return write_zones(out, zones); }};
 
 }  // namespace winslow::io::su2

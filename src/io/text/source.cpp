@@ -76,6 +76,7 @@ Source Source::load(const std::filesystem::path& path) {
 }
 
 std::string Source::where(std::size_t offset) const {
+  if (!part_.empty()) return name_ + ": " + part_;
   offset = std::min(offset, bytes_.size());
   if (offset >= binary_from_) return name_ + ": byte " + std::to_string(offset);
   // The end of a file that ends in a newline belongs to its last line.

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace winslow::io {
 
@@ -24,8 +25,11 @@ class Source {
 
   /// From this offset on the file is binary: places are named by byte instead of by line.
   void set_binary_from(std::size_t offset) { binary_from_ = offset; }
+  /// Of a file whose parts have names instead of lines ("/Base/Zone/ZoneBC" of CGNS): the one that
+  /// is being read, by which places are named from now on.
+  void set_part(std::string part) { part_ = std::move(part); }
 
-  /// "FILE:LINE" (lines count from 1) or "FILE: byte N" (bytes count from 0).
+  /// "FILE:LINE" (lines count from 1), "FILE: byte N" (bytes count from 0) or "FILE: PART".
   std::string where(std::size_t offset) const;
   /// Throws InputError "FILE:LINE: message".
   [[noreturn]] void fail(std::size_t offset, const std::string& message) const;
@@ -37,6 +41,7 @@ class Source {
   std::string name_;
   std::string bytes_;
   std::size_t binary_from_ = std::string::npos;
+  std::string part_;
 };
 
 /// A piece of a file fit for a message: quoted, shortened, without control characters.

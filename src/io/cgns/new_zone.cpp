@@ -1,0 +1,292 @@
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
+
+#include "io/cgns/element_types.h"
+#include "io/cgns/zone_writer.h"
+#include "io/format/mesh_in_space.h"
+#include "io/format/parsed_mesh.h"
+
+namespace winslow::io::cgns {
+namespace {
+
+using Integers = std::vector<std::int32_t>;
+
+constexpr std::size_t longest_name = 32;
+
+/// Nodes have names of 32 characters at most, without '/'.
+std::string node_name(const std::string& wanted, const std::set<std::string>& taken) {
+  std::string name = wanted.substr(0, longest_name);
+  std::replace_if(
+      name.begin(), name.end(),
+      [](char c) { return c == '/' || static_cast<unsigned char>(c) < ' '; }, '_');
+  if (name.empty() || name.find_first_not_of(" .") == std::string::npos) name = "unnamed";
+  for (int k = 2; taken.contains(name); ++k) {
+    const std::string suffix = "_" + std::to_string(k);
+    name = name.substr(0, longest_name - suffix.size()) + suffix;
+  }
+  return name;
+}
+
+std::shared_ptr<Node> make_section(std::string name, std::int64_t type, Index first, Index count,
+                                   const Integers& connectivity) {
+  auto section = make_integers(std::move(name), "Elements_t", {static_cast<std::int32_t>(type), 0});
+  section->children.push_back(
+      make_integers("ElementRange", "IndexRange_t", {first, first + count - 1}));
+  section->children.push_back(make_integers("ElementConnectivity", "DataArray_t", connectivity));
+  return section;
+}
+
+/// Children of a boundary condition that say where it is, or hold values there.
+bool of_place(const Node& child) {
+  constexpr std::array labels{"IndexRange_t", "IndexArray_t", "GridLocation_t", "BCDataSet_t",
+                              "InwardNormalIndex_t"};
+  return std::find(labels.begin(), labels.end(), child.content().label) != labels.end() ||
+         child.name.starts_with("InwardNormal");
+}
+
+/// A part of the old zone that is a region of the mesh and is written as that.
+bool names_cells(const Node& part) {
+  const NodePtr location = child_labelled(part, "GridLocation_t");
+  return part.label == "ZoneSubRegion_t" && location && text_of(*location) == "CellCenter";
+}
+
+class ZoneMaker {
+ public:
+  ZoneMaker(const Mesh& mesh, const NewZoneSource& source, std::vector<std::string>& warnings)
+      : mesh_(mesh),
+        in_space_(mesh, source.place),
+        topology_(*mesh.topology),
+        source_(source),
+        warnings_(warnings) {
+    if (topology_.markers().from_file()) markers_ = topology_.markers().list();
+  }
+
+  NewZone make() {
+    zone_ = make_integers(source_.name, "Zone_t",
+                          {topology_.node_count(), topology_.element_count(), 0}, {1, 3});
+    zone_->children.push_back(make_text("ZoneType", "ZoneType_t", "Unstructured"));
+    add_coordinates();
+    if (source_.old != nullptr) carry();
+    for (const NodePtr& child : zone_->children) taken_.insert(child->name);
+    taken_.insert("ZoneBC");
+    add_elements();
+    if (!markers_.empty()) add_markers();
+    if (!topology_.regions().empty()) add_regions();
+    return {zone_, std::move(families_)};
+  }
+
+ private:
+  void add_coordinates() {
+    auto grid = make_node("GridCoordinates", "GridCoordinates_t");
+    const Index n = mesh_.coordinates.size();
+    constexpr std::array names{"CoordinateX", "CoordinateY", "CoordinateZ"};
+    for (int k = 0; k < source_.physical_dimension; ++k) {
+      std::vector<double> values(at(n));
+      for (Index i = 0; i < n; ++i) values[at(i)] = in_space_.node(i)[k];
+      grid->children.push_back(make_reals(names[at(k)], "DataArray_t", values));
+    }
+    zone_->children.push_back(std::move(grid));
+  }
+
+  /// Takes over what the old zone says beyond its elements.
+  void carry() {
+    constexpr std::array replaced{"ZoneType_t", "Elements_t", "ZoneBC_t"};
+    constexpr std::array lost{"FlowSolution_t",  "DiscreteData_t",      "ZoneGridConnectivity_t",
+                              "ZoneSubRegion_t", "ZoneIterativeData_t", "ArbitraryGridMotion_t"};
+    const auto among = [](const auto& labels, const std::string& label) {
+      return std::find(labels.begin(), labels.end(), label) != labels.end();
+    };
+    std::vector<std::string> dropped;
+    for (const NodePtr& child : source_.old->children) {
+      const std::string& label = child->content().label;
+      if (among(replaced, label) || names_cells(*child)) continue;
+      if (label == "GridCoordinates_t" && child->name == "GridCoordinates") {
+        carry_units(child->content());
+      } else if (among(lost, label) || label == "GridCoordinates_t") {
+        dropped.push_back(child->name);
+      } else {
+        zone_->children.push_back(child);
+      }
+    }
+    if (!dropped.empty()) {
+      warnings_.push_back("the mesh has changed: " + listed_names(dropped) + " of the zone \"" +
+                          source_.old->name + "\" " + (dropped.size() == 1 ? "is" : "are") +
+                          " not written");
+    }
+    const NodePtr type = child_labelled(*source_.old, "ZoneType_t");
+    if (!type || text_of(*type) != "Unstructured") {
+      warnings_.push_back("the mesh has changed: the structured zone \"" + source_.old->name +
+                          "\" is written as an unstructured one");
+    }
+  }
+
+  /// Units, classes and remarks of the coordinates.
+  void carry_units(const Node& old_grid) {
+    const NodePtr made = zone_->children.back();
+    auto grid = std::make_shared<Node>(*made);
+    for (NodePtr& array : grid->children) {
+      const NodePtr old = child_named(old_grid, array->name);
+      if (!old) continue;
+      auto copy = std::make_shared<Node>(*array);
+      copy->children = old->content().children;
+      array = std::move(copy);
+    }
+    for (const NodePtr& child : old_grid.children)
+      if (child->content().label != "DataArray_t") grid->children.push_back(child);
+    *zone_ = *with_child(*zone_, *made, grid);
+  }
+
+  /// Elements of one type in a row need no MIXED section, nor do those of two, one after the other.
+  bool in_few_runs() const {
+    int runs = 1;
+    for (Index e = 1; e < topology_.element_count(); ++e)
+      runs += topology_.element_type(e) != topology_.element_type(e - 1) ? 1 : 0;
+    return runs <= 2;
+  }
+
+  void add_elements() {
+    const Index count = topology_.element_count();
+    if (!in_few_runs()) return add_mixed();
+    for (Index e = 0; e < count;) {
+      const ElementType type = topology_.element_type(e);
+      const Index first = e;
+      Integers nodes;
+      for (; e < count && topology_.element_type(e) == type; ++e)
+        for (const Index node : in_space_.element(e)) nodes.push_back(node + 1);
+      const char* name = type == ElementType::triangle ? "TriElements" : "QuadElements";
+      add_section(name, element_number(type), first, e - first, nodes);
+    }
+  }
+
+  void add_mixed() {
+    Integers entries, starts{0};
+    for (Index e = 0; e < topology_.element_count(); ++e) {
+      entries.push_back(static_cast<std::int32_t>(element_number(topology_.element_type(e))));
+      for (const Index node : in_space_.element(e)) entries.push_back(node + 1);
+      starts.push_back(static_cast<std::int32_t>(entries.size()));
+    }
+    add_section("MixedElements", mixed, 0, topology_.element_count(), entries);
+    if (!source_.start_offsets) return;
+    auto section = std::make_shared<Node>(*zone_->children.back());
+    section->children.push_back(make_integers("ElementStartOffset", "DataArray_t", starts));
+    zone_->children.back() = std::move(section);
+  }
+
+  std::string add_section(const std::string& name, std::int64_t type, Index first, Index count,
+                          const Integers& entries) {
+    std::string own = node_name(name, taken_);
+    taken_.insert(own);
+    zone_->children.push_back(make_section(own, type, first + 1, count, entries));
+    return own;
+  }
+
+  void add_markers() {
+    auto conditions = make_node("ZoneBC", "ZoneBC_t");
+    std::set<std::string> condition_names;
+    Index first = topology_.element_count();
+    for (std::size_t m = 0; m < markers_.size(); ++m) {
+      const Marker& marker = markers_[m];
+      if (marker.faces.empty()) {
+        warnings_.push_back("marker \"" + marker.name + "\" has no edges: it is not written");
+        continue;
+      }
+      Integers nodes;
+      for (const Face& face : marker.faces)
+        for (const Index node : face) nodes.push_back(node + 1);
+      const auto count = static_cast<Index>(marker.faces.size());
+      const std::string name = add_section(marker.name, bar_2, first, count, nodes);
+      if (name != marker.name) warn_renamed("marker", marker.name, name);
+      auto condition = make_condition(marker, name, condition_names);
+      condition_names.insert(condition->name);
+      condition->children.push_back(
+          make_integers("PointRange", "IndexRange_t", {first + 1, first + count}, {1, 2}));
+      condition->children.push_back(make_text("GridLocation", "GridLocation_t", "EdgeCenter"));
+      conditions->children.push_back(std::move(condition));
+      first += count;
+    }
+    zone_->children.push_back(std::move(conditions));
+  }
+
+  /// Regions are parts of the zone that name its cells: sections would have to change the order of
+  /// the elements.
+  void add_regions() {
+    const auto of_element = topology_.element_regions();
+    std::vector<Integers> elements(topology_.regions().size());
+    for (std::size_t e = 0; e < of_element.size(); ++e) {
+      if (of_element[e] >= 0)
+        elements[at(of_element[e])].push_back(static_cast<std::int32_t>(e) + 1);
+    }
+    for (std::size_t r = 0; r < elements.size(); ++r) {
+      const std::string& wanted = topology_.regions()[r].name;
+      if (elements[r].empty()) continue;
+      const std::string name = node_name(wanted, taken_);
+      taken_.insert(name);
+      if (name != wanted) warn_renamed("region", wanted, name);
+      auto part = make_integers(name, "ZoneSubRegion_t", {topology_.cell_dimension()});
+      part->children.push_back(make_text("GridLocation", "GridLocation_t", "CellCenter"));
+      const auto count = static_cast<std::int64_t>(elements[r].size());
+      part->children.push_back(make_integers("PointList", "IndexArray_t", elements[r], {1, count}));
+      zone_->children.push_back(std::move(part));
+    }
+  }
+
+  void warn_renamed(const char* what, const std::string& wanted, const std::string& name) {
+    warnings_.push_back(std::string(what) + " \"" + wanted + "\" is written as \"" + name +
+                        "\": CGNS allows no such name here");
+  }
+
+  /// The condition of the old zone that the marker came from, without its place, or a new one.
+  std::shared_ptr<Node> make_condition(const Marker& marker, const std::string& name,
+                                       const std::set<std::string>& taken) {
+    if (const NodePtr old = old_condition(marker.name)) {
+      auto condition = std::make_shared<Node>(old->content());
+      condition->name = old->name;
+      std::erase_if(condition->children, [](const NodePtr& child) { return of_place(*child); });
+      return condition;
+    }
+    auto condition = make_text(node_name(name, taken), "BC_t", "FamilySpecified");
+    condition->children.push_back(make_text("FamilyName", "FamilyName_t", name));
+    auto family = make_node(name, "Family_t");
+    family->children.push_back(make_text("FamBC", "FamilyBC_t", "UserDefined"));
+    families_.push_back(std::move(family));
+    return condition;
+  }
+
+  NodePtr old_condition(const std::string& marker) {
+    if (source_.old == nullptr || source_.details == nullptr) return nullptr;
+    const auto& markers = source_.details->markers;
+    const auto found = std::find_if(markers.begin(), markers.end(),
+                                    [&](const Marker& old) { return old.name == marker; });
+    if (found == markers.end()) return nullptr;
+    const auto& names =
+        source_.details->conditions[static_cast<std::size_t>(found - markers.begin())];
+    const NodePtr all = child_labelled(*source_.old, "ZoneBC_t");
+    if (names.empty() || !all) return nullptr;
+    if (names.size() > 1) {
+      warnings_.push_back("the mesh has changed: the boundary conditions " + listed_names(names) +
+                          " of the marker \"" + marker + "\" become one, the first");
+    }
+    return child_named(all->content(), names.front());
+  }
+
+  const Mesh& mesh_;
+  MeshInSpace in_space_;
+  const Topology& topology_;
+  const NewZoneSource& source_;
+  std::vector<std::string>& warnings_;
+  std::vector<Marker> markers_;
+  std::shared_ptr<Node> zone_;
+  std::vector<NodePtr> families_;
+  std::set<std::string> taken_;
+};
+
+}  // namespace
+
+NewZone make_zone(const Mesh& mesh, const NewZoneSource& source,
+                  std::vector<std::string>& warnings) {
+  return ZoneMaker(mesh, source, warnings).make();
+}
+
+}  // namespace winslow::io::cgns

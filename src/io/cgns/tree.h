@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// CGNS files as what they are: trees of named, labelled nodes with data ("CGNS File Mapping
+/// Manual"). What the nodes mean is said by the SIDS, "CGNS Standard Interface Data Structures",
+/// and read from the tree in the other files of this folder. Knows no library.
+namespace winslow::io::cgns {
+
+struct Node;
+using NodePtr = std::shared_ptr<const Node>;
+
+/// A node never changes once it is part of a tree: trees share what they have in common.
+struct Node {
+  std::string name;
+  std::string label;
+  std::string type = "MT";         ///< "MT" (no data), "C1", "I4", "I8", "R4", "R8", ..., "LK"
+  std::vector<std::int64_t> dims;  ///< the first index runs fastest
+  std::string data;                ///< as many values as dims say, as they lie in memory
+  std::vector<NodePtr> children;
+
+  // Of a link ("LK"), which has none of the above but a name:
+  std::string link_file;             ///< empty: to a node of this file
+  std::string link_path;             ///< "/Base/Zone/..."
+  std::weak_ptr<const Node> target;  ///< where that is in this file, once linked
+
+  bool is_link() const { return type == "LK"; }
+  /// The node that a link leads to; itself, if it is none or leads nowhere in this file.
+  const Node& content() const;
+};
+
+/// Size of a value in bytes; 0: no type of CGNS.
+std::size_t size_of(std::string_view type);
+/// Product of the dimensions; 0 without dimensions.
+std::int64_t value_count(const Node& node);
+
+/// The first child of that name or label; null: there is none.
+NodePtr child_named(const Node& parent, std::string_view name);
+NodePtr child_labelled(const Node& parent, std::string_view label);
+
+/// Values of a node of type R4 or R8; empty for other types.
+std::vector<double> reals_of(const Node& node);
+/// Values of a node of type I4 or I8; empty for other types.
+std::vector<std::int64_t> integers_of(const Node& node);
+/// Values of a node of type C1, without blanks at the end; empty for other types.
+std::string text_of(const Node& node);
+
+/// Has the links of a new tree, which are given, know their targets in it.
+void resolve_links(const NodePtr& root, const std::vector<std::shared_ptr<Node>>& links);
+
+// What trees are made of.
+std::shared_ptr<Node> make_node(std::string name, std::string label);
+std::shared_ptr<Node> make_text(std::string name, std::string label, std::string_view text);
+/// dims empty: one dimension, as long as the values are many.
+std::shared_ptr<Node> make_integers(std::string name, std::string label,
+                                    const std::vector<std::int32_t>& values,
+                                    std::vector<std::int64_t> dims = {});
+std::shared_ptr<Node> make_reals(std::string name, std::string label,
+                                 const std::vector<double>& values,
+                                 std::vector<std::int64_t> dims = {});
+std::shared_ptr<Node> make_single_reals(std::string name, std::string label,
+                                        const std::vector<float>& values,
+                                        std::vector<std::int64_t> dims = {});
+
+/// A copy of a node to change; of a link, of the node that it leads to, by the name of the link.
+std::shared_ptr<Node> own_copy(const Node& node);
+
+/// A copy in which one child stands in the place of another; null: in which it is left out.
+std::shared_ptr<Node> with_child(const Node& parent, const Node& old_child, NodePtr new_child);
+
+}  // namespace winslow::io::cgns

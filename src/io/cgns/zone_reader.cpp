@@ -1,0 +1,120 @@
+#include <utility>
+
+#include "io/cgns/cgns.h"
+#include "io/cgns/grid_coordinates.h"
+#include "io/cgns/structured.h"
+#include "io/cgns/unstructured.h"
+#include "io/cgns/zone_markers.h"
+#include "io/cgns/zone_regions.h"
+
+namespace winslow::io::cgns {
+namespace {
+
+/// The vertex that each node has its place from: the first of those that are one node.
+std::vector<std::size_t> first_vertices(const Lattice& lattice) {
+  std::vector<std::size_t> vertices;
+  for (std::size_t v = 0; v < lattice.node_of_vertex.size(); ++v) {
+    if (lattice.node_of_vertex[v] == static_cast<Index>(vertices.size())) vertices.push_back(v);
+  }
+  return vertices;
+}
+
+class ZoneReader {
+ public:
+  ZoneReader(const ZonePlace& place, std::shared_ptr<Details> details)
+      : zone_(place.zone), head_(read_head(place)), details_(std::move(details)) {
+    mesh_.details = details_;
+  }
+
+  ParsedMesh read() {
+    const NodeView grid = find_grid(zone_);
+    const VertexPlaces places = read_places(grid, head_);
+    if (head_.structured) {
+      read_structured(grid, places);
+    } else {
+      const ZoneLines lines = read_sections(zone_, head_, mesh_.data);
+      set_nodes(grid, places, {});
+      const UnstructuredBoundary boundary(mesh_.data, lines, head_.vertex_count);
+      make_markers(zone_, head_, boundary, lines, {}, mesh_, *details_);
+      read_regions(zone_, lines.numbers, mesh_.data, mesh_.warnings);
+    }
+    warn_of_other_grids();
+    details_->nodes = mesh_.data.node_count();
+    details_->elements = mesh_.data.element_count();
+    details_->markers = mesh_.data.markers;
+    zone_.set_part();
+    return std::move(mesh_);
+  }
+
+ private:
+  void read_structured(const NodeView& grid, const VertexPlaces& places) {
+    const auto& [x, y, z] = places.of;
+    std::vector<std::string> joined;
+    const Lattice lattice = make_lattice(zone_, head_, x, y, joined, mesh_.warnings);
+    add_cells(lattice, x, y, mesh_.data);
+    set_nodes(grid, places, first_vertices(lattice));
+    if (!joined.empty()) details_->node_of_vertex = lattice.node_of_vertex;
+    const StructuredBoundary boundary(lattice, mesh_.data);
+    make_markers(zone_, head_, boundary, {}, joined, mesh_, *details_);
+  }
+
+  /// vertices: of each node; empty: the nodes are the vertices.
+  void set_nodes(const NodeView& grid, const VertexPlaces& places,
+                 const std::vector<std::size_t>& vertices) {
+    const auto& [x, y, z] = places.of;
+    const std::size_t count = vertices.empty() ? x.size() : vertices.size();
+    std::vector<double> xyz;
+    xyz.reserve(3 * count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t v = vertices.empty() ? i : vertices[i];
+      xyz.insert(xyz.end(), {x[v], y[v], z.empty() ? 0.0 : z[v]});
+    }
+    mesh_.where.nodes.assign(count, 0);
+    grid.set_part();
+    set_planar_nodes(zone_.source(), xyz, mesh_);
+  }
+
+  void warn_of_other_grids() {
+    for (const NodeView& grid : zone_.children("GridCoordinates_t")) {
+      if (grid.name() == "GridCoordinates") continue;
+      mesh_.warnings.push_back("the zone has a second grid, \"" + grid.name() +
+                               "\": it stays as it is");
+    }
+  }
+
+  NodeView zone_;
+  ZoneHead head_;
+  std::shared_ptr<Details> details_;
+  ParsedMesh mesh_;
+};
+
+}  // namespace
+
+bool Details::fits(const Mesh& mesh) const {
+  const Topology& topology = *mesh.topology;
+  if (nodes != topology.node_count() || elements != topology.element_count()) return false;
+  if (!topology.markers().from_file()) return markers.empty();
+  const auto& own = topology.markers().list();
+  return std::equal(
+      own.begin(), own.end(), markers.begin(), markers.end(),
+      [](const Marker& a, const Marker& b) { return a.name == b.name && a.faces == b.faces; });
+}
+
+ParsedMesh read_zone(Source& source, int number) {
+  source.set_part("/");
+  TreeFile file = read_tree(source);
+  auto details = std::make_shared<Details>();
+  details->root = std::move(file.root);
+  details->container = file.container;
+  const NodeView root(source, details->root);
+  const auto zones = find_zones(root);
+  const std::size_t chosen = choose_zone(zones, number);
+  details->base_name = zones[chosen].base.name();
+  details->zone_name = zones[chosen].zone.name();
+  details->zone = static_cast<int>(chosen) + 1;
+  for (std::size_t z = 0; z < zones.size() && zones.size() > 1; ++z)
+    details->zones.push_back(static_cast<int>(z) + 1);
+  return ZoneReader(zones[chosen], std::move(details)).read();
+}
+
+}  // namespace winslow::io::cgns

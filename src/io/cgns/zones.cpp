@@ -1,0 +1,78 @@
+#include "io/cgns/zones.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/error.h"
+#include "core/index.h"
+
+namespace winslow::io::cgns {
+
+std::vector<ZonePlace> find_zones(const NodeView& root) {
+  std::vector<ZonePlace> places;
+  const auto bases = root.children("CGNSBase_t");
+  if (bases.empty()) root.fail("no CGNSBase_t node", "a CGNS file, which has one");
+  for (const NodeView& base : bases) {
+    auto zones = base.children("Zone_t");
+    std::stable_sort(zones.begin(), zones.end(),
+                     [](const NodeView& a, const NodeView& b) { return a.name() < b.name(); });
+    for (NodeView& zone : zones) places.push_back({base, std::move(zone)});
+  }
+  if (places.empty()) root.fail("no Zone_t node in any base", "a mesh");
+  return places;
+}
+
+std::size_t choose_zone(const std::vector<ZonePlace>& zones, int number) {
+  if (number == 0) return 0;
+  if (number > 0 && static_cast<std::size_t>(number) <= zones.size())
+    return static_cast<std::size_t>(number) - 1;
+  throw UsageError(zones.front().zone.file() + ": no zone " + std::to_string(number) +
+                   " in the file, expected 1 to " + std::to_string(zones.size()));
+}
+
+ZoneHead read_head(const ZonePlace& place) {
+  const auto [base, zone] = place;
+  const auto dimensions = base.integers();
+  if (dimensions.size() != 2) {
+    base.fail(std::to_string(dimensions.size()) + " numbers",
+              "CellDimension and PhysicalDimension");
+  }
+  if (dimensions[0] != 2) {
+    base.fail("CellDimension " + std::to_string(dimensions[0]) +
+                  (dimensions[0] == 3 ? " (a 3D mesh)" : ""),
+              "2");
+  }
+  if (dimensions[1] != 2 && dimensions[1] != 3)
+    base.fail("PhysicalDimension " + std::to_string(dimensions[1]), "2 or 3");
+  ZoneHead head;
+  head.cell_dimension = static_cast<int>(dimensions[0]);
+  head.physical_dimension = static_cast<int>(dimensions[1]);
+  const auto type = zone.first("ZoneType_t");
+  const std::string kind = type ? type->text() : "Structured";  // what the SIDS take it for
+  if (kind != "Structured" && kind != "Unstructured")
+    type->fail(in_quotes(kind), "Structured or Unstructured");
+  head.structured = kind == "Structured";
+  const auto sizes = zone.integers();
+  const std::size_t indices = head.structured ? static_cast<std::size_t>(head.cell_dimension) : 1;
+  if (sizes.size() != 3 * indices) {
+    zone.fail(std::to_string(sizes.size()) + " sizes",
+              std::to_string(3 * indices) + " of " + (head.structured ? "a" : "an un") +
+                  (head.structured ? " structured zone" : "structured zone"));
+  }
+  const std::int64_t least = head.structured ? 2 : 3;
+  head.vertex_count = head.cells = 1;
+  for (std::size_t k = 0; k < indices; ++k) {
+    if (sizes[k] < least || sizes[k] > std::numeric_limits<Index>::max()) {
+      zone.fail(std::to_string(sizes[k]) + " vertices",
+                "at least " + std::to_string(least) + ", and no more than can be numbered");
+    }
+    head.vertices.push_back(sizes[k]);
+    head.vertex_count *= sizes[k];
+    head.cells *= head.structured ? sizes[k] - 1 : sizes[indices + k];
+  }
+  if (head.vertex_count > std::numeric_limits<Index>::max())
+    zone.fail(std::to_string(head.vertex_count) + " vertices", "no more than can be numbered");
+  return head;
+}
+
+}  // namespace winslow::io::cgns
