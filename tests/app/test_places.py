@@ -99,6 +99,12 @@ class Planes(ProgramTest):
         self.assertEqual(cells("out.vtk"), cells("in.vtk"))
         self.assertEqual({p[1] for p in self.points("out.vtk")}, {0.5})
 
+    def test_layers_are_inserted_in_the_plane(self):
+        self.write_vtk("in.vtk", PLANES["x-z"])
+        self.winslow("layers", "in.vtk", "-o", "out.vtk", "--marker", "body", "--count", "3", "--first", "0.02")
+        self.assertGreater(len(self.points("out.vtk")), len(self.points("in.vtk")))
+        self.assertEqual({p[1] for p in self.points("out.vtk")}, {0.5})
+
     def test_a_tilted_plane(self):
         self.write_vtk("in.vtk", lambda p, q: (0.6 * p - 2, q, 0.8 * p + 1))
         run = self.winslow("move", "in.vtk", "-o", "out.vtk", "--marker", "body", "--rotate", "45")

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "io/text/numbers.h"
 
@@ -19,9 +20,17 @@ PointMap points_of(const std::vector<double>& xyz) {
   return {xyz.data(), 3, static_cast<Eigen::Index>(xyz.size() / 3)};
 }
 
+/// How far points may be from their plane; far from the origin coordinates are rounded by more than
+/// what counts as noise near it.
+double tolerance_of(const PointMap& points) {
+  const double extent = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();
+  constexpr double round_off = 8 * std::numeric_limits<double>::epsilon();
+  return noise * extent + round_off * points.cwiseAbs().maxCoeff();
+}
+
 /// Points have one and the same coordinate along this axis.
-bool constant_along(const PointMap& points, int axis, double extent) {
-  return ((points.row(axis).array() - points(axis, 0)).abs() <= noise * extent).all();
+bool constant_along(const PointMap& points, int axis, double tolerance) {
+  return ((points.row(axis).array() - points(axis, 0)).abs() <= tolerance).all();
 }
 
 struct Axes {
@@ -78,15 +87,15 @@ constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
 std::optional<PlanePlacement> PlanePlacement::find(const std::vector<double>& xyz) {
   if (xyz.empty()) return std::nullopt;
   const PointMap points = points_of(xyz);
-  const double extent = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();
+  const double tolerance = tolerance_of(points);
   // Exact axes, so that coordinates are those of the file.
   for (const int axis : {2, 1, 0}) {
-    if (!constant_along(points, axis, extent)) continue;
+    if (!constant_along(points, axis, tolerance)) continue;
     const Vec3 u = Vec3::Unit(axis == 0 ? 1 : 0), v = Vec3::Unit(axis == 2 ? 1 : 2);
     return PlanePlacement(xyz, u, v);
   }
   const FittedPlane plane(points);
-  if (!(plane.distance <= noise * extent)) return std::nullopt;
+  if (!(plane.distance <= tolerance)) return std::nullopt;
   const auto [u, v] = axes_of(plane.normal);
   return PlanePlacement(xyz, u, v);
 }

@@ -58,7 +58,7 @@ void ArrayCollector::cell_array(std::string_view name, const std::vector<double>
                                 : name == "CellEntityIds" ? &entity_
                                                           : nullptr;
   if (wanted == nullptr || components != 1) {
-    dropped_ = true;
+    dropped_.emplace(name);
   } else {
     *wanted = values;
   }
@@ -67,7 +67,7 @@ void ArrayCollector::cell_array(std::string_view name, const std::vector<double>
 void ArrayCollector::field_array(std::string_view name, const std::vector<double>& values) {
   const bool known = add_name(name, marker_prefix, values, marker_names_) ||
                      add_name(name, region_prefix, values, region_names_);
-  dropped_ = dropped_ || !known;
+  if (!known) dropped_.emplace(name);
 }
 
 void ArrayCollector::finish(const Source& source, Grid& grid) {
@@ -84,7 +84,7 @@ void ArrayCollector::finish(const Source& source, Grid& grid) {
   }
   grid.marker_names = std::move(marker_names_);
   grid.region_names = std::move(region_names_);
-  grid.dropped_data = grid.dropped_data || dropped_;
+  grid.dropped.merge(dropped_);
 }
 
 }  // namespace winslow::io::vtk

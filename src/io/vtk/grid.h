@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -38,7 +39,7 @@ struct Grid {
   std::vector<int> region;               ///< #cells, or empty
   std::vector<NamedTag> marker_names;
   std::vector<NamedTag> region_names;
-  bool dropped_data = false;  ///< the file has arrays that we do not keep
+  std::set<std::string> dropped;  ///< names of arrays of the file that we do not keep
 
   std::vector<std::size_t> point_places;  ///< byte offset of each point in the file
   std::vector<std::size_t> cell_places;
@@ -72,7 +73,7 @@ class ArrayCollector {
   std::vector<double> entity_;
   std::vector<NamedTag> marker_names_;
   std::vector<NamedTag> region_names_;
-  bool dropped_ = false;
+  std::set<std::string> dropped_;
 };
 
 /// Turns cells into a mesh. Throws InputError.

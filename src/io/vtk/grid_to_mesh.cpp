@@ -14,6 +14,19 @@ GroupIndex named_groups(const std::vector<NamedTag>& names, const char* prefix) 
   return groups;
 }
 
+/// The first few names: "Pressure, Velocity and 3 more".
+std::string listed(const std::set<std::string>& names) {
+  constexpr std::size_t few = 5;
+  std::string text;
+  std::size_t said = 0;
+  for (const std::string& name : names) {
+    if (said == few) break;
+    text += (said++ == 0 ? "" : ", ") + (name.empty() ? "one without a name" : name);
+  }
+  if (names.size() > said) text += " and " + std::to_string(names.size() - said) + " more";
+  return text;
+}
+
 class MeshBuilder {
  public:
   MeshBuilder(const Source& source, const Grid& grid)
@@ -29,8 +42,9 @@ class MeshBuilder {
     set_planar_nodes(source_, grid_.points, mesh_);
     for (std::size_t c = 0; c < grid_.cell_count(); ++c) add_cell(c);
     finish_groups();
-    if (grid_.dropped_data) {
-      mesh_.warnings.emplace_back("data on points, cells and the field are not kept");
+    if (!grid_.dropped.empty()) {
+      mesh_.warnings.push_back("data on points, cells and the field are not kept: " +
+                               listed(grid_.dropped));
     }
     details_->nodes = mesh_.data.node_count();
     details_->elements = mesh_.data.element_count();

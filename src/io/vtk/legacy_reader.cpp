@@ -260,7 +260,7 @@ void LegacyReader::read_attribute(std::string_view word) {
   if (place_ == Place::cells) {
     collector_.cell_array(name, values, components);
   } else {
-    grid_.dropped_data = true;
+    grid_.dropped.insert(name);
   }
 }
 
@@ -297,7 +297,7 @@ void LegacyReader::read_field() {
     } else if (place_ == Place::file) {
       collector_.field_array(name, values);
     } else {
-      grid_.dropped_data = true;
+      grid_.dropped.insert(name);
     }
   }
 }

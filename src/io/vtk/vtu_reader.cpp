@@ -187,9 +187,17 @@ class VtuReader {
         collector_.field_array(data.attribute("Name").value(),
                                number ? arrays.numbers(data) : std::vector<double>());
       }
-      if (parent.child("Array")) grid_.dropped_data = true;
+      drop(parent, "Array");
     }
-    if (piece.child("PointData").child("DataArray")) grid_.dropped_data = true;
+    drop(piece.child("PointData"), "DataArray");
+    drop(piece.child("PointData"), "Array");
+    drop(piece.child("CellData"), "Array");
+  }
+
+  /// Notes the arrays below an element that are not read.
+  void drop(const pugi::xml_node& parent, const char* kind) {
+    for (const auto& array : parent.children(kind))
+      grid_.dropped.emplace(array.attribute("Name").value());
   }
 
   Source& source_;

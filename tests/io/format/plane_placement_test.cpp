@@ -198,6 +198,17 @@ TEST_CASE("noise out of the plane counts for nothing, and stays with its node") 
   CHECK_FALSE(io::PlanePlacement::find(xyz));
 }
 
+TEST_CASE("a tilted plane far from the origin is one, up to the round-off of its coordinates") {
+  std::vector<double> xyz;
+  for (const Vec2& p : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1), Vec2(0.3, 0.7)}) {
+    for (const double c : {1e7 + s * p.x(), -3e7 + p.y(), 2e7 + s * p.x()}) xyz.push_back(c);
+  }
+  const auto plane = io::PlanePlacement::find(xyz);
+  REQUIRE(plane);
+  CHECK(plane->u().isApprox(Vec3(s, 0, s), 1e-7));
+  CHECK((plane->in_plane(1) - plane->in_plane(0)).norm() == doctest::Approx(1).epsilon(1e-7));
+}
+
 TEST_CASE("axes depend on the plane alone, not on the order of its points nor on its side") {
   const Vec3 n = Vec3(0.3, -0.5, 0.4).normalized();
   const Vec3 a = n.unitOrthogonal(), b = n.cross(a);

@@ -40,6 +40,23 @@ TEST_CASE("the boundary index finds rims, holes and nothing") {
   CHECK(index.pick(Vec2(-0.5, 0), 0.05)->marker == left);
 }
 
+TEST_CASE("bodies are told from rims far from the origin, where areas would cancel") {
+  // Small bodies many times: of a wrong sign some would show.
+  const Vec2 away(1e7, -3e7);
+  for (int k = 0; k < 20; ++k) {
+    Mesh mesh = two_body_mesh();
+    const double size = std::pow(0.7, k);
+    for (Index i = 0; i < mesh.coordinates.size(); ++i)
+      mesh.coordinates.set_xy(i, size * mesh.coordinates.xy(i) + away);
+    BoundaryIndex index(mesh.topology);
+    index.update(mesh.coordinates);
+    CHECK(std::ranges::count_if(index.bodies(), [](const auto& body) { return body.hole; }) == 2);
+    const auto inside = index.pick(Vec2(away + size * Vec2(-2, 0)), 0.1 * size);
+    REQUIRE(inside.has_value());
+    CHECK(inside->markers == std::vector<Index>{*mesh.topology->markers().find("left")});
+  }
+}
+
 TEST_CASE("the nearest boundary edge is the one a search through all of them finds") {
   const Mesh mesh = ring_mesh(60, 3);
   BoundaryIndex index(mesh.topology);
