@@ -69,8 +69,9 @@ NodePtr with_zone_only(const Node& root, const Details& details,
       if (away) lost.push_back(interface->name);
       return away;
     });
-    all = std::move(kept);
+    all = kept->children.empty() ? nullptr : NodePtr(std::move(kept));
   }
+  std::erase(open->children, nullptr);
   if (!lost.empty()) {
     warnings.push_back("the interfaces " + listed_names(lost) +
                        " lead to other zones: they are not written");

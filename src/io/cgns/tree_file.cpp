@@ -244,6 +244,19 @@ class TreeReader {
   std::vector<std::shared_ptr<Node>> links_;
 };
 
+/// A name as libcgns wants it: into HDF5 it writes 33 bytes, however short the text is.
+class Text {
+ public:
+  explicit Text(const std::string& text) {
+    static_assert(CGIO_MAX_NAME_LENGTH == CGIO_MAX_LABEL_LENGTH);
+    std::copy_n(text.begin(), std::min(text.size(), bytes_.size() - 1), bytes_.begin());
+  }
+  const char* data() const { return bytes_.data(); }
+
+ private:
+  std::array<char, CGIO_MAX_NAME_LENGTH + 1> bytes_{};
+};
+
 class TreeWriter {
  public:
   explicit TreeWriter(int file) : file_(file) {}
@@ -262,7 +275,7 @@ class TreeWriter {
   void write_node(double parent, const Node& node) {
     double id = 0;
     if (node.is_link()) {
-      require(cgio_create_link(file_, parent, node.name.c_str(), node.link_file.c_str(),
+      require(cgio_create_link(file_, parent, Text(node.name).data(), node.link_file.c_str(),
                                node.link_path.c_str(), &id),
               node);
       cgio_release_id(file_, id);
@@ -278,11 +291,11 @@ class TreeWriter {
     }
     // libcgns cannot write data without any values.
     const bool empty = node.data.empty();
-    require(
-        cgio_new_node(file_, parent, node.name.c_str(), node.label.c_str(),
-                      empty ? "MT" : node.type.c_str(), empty ? 0 : static_cast<int>(dims.size()),
-                      dims.data(), empty ? nullptr : node.data.data(), &id),
-        node);
+    require(cgio_new_node(file_, parent, Text(node.name).data(), Text(node.label).data(),
+                          Text(empty ? "MT" : node.type).data(),
+                          empty ? 0 : static_cast<int>(dims.size()), dims.data(),
+                          empty ? nullptr : node.data.data(), &id),
+            node);
     Handles handle(file_);
     handle.ids.push_back(id);
     write_children(id, node);
