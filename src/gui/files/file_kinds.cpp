@@ -14,6 +14,7 @@ namespace {
 std::vector<FileKind> mesh_kinds() {
   std::vector<FileKind> kinds{{"All meshes", {}}};
   for (const io::MeshFormat* format : io::mesh_formats()) {
+    if (!format->missing.empty()) continue;
     const std::string extension = '.' + std::string(format->name);
     kinds.front().extensions.push_back(extension);
     kinds.push_back({std::string(format->title), {extension}});

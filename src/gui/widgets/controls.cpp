@@ -137,7 +137,9 @@ bool combo(std::string_view id, const std::vector<std::string>& items, std::size
            std::string_view tip) {
   const std::string preview = chosen < items.size() ? items[chosen] : std::string();
   bool changed = false;
-  const bool open = ImGui::BeginCombo(hidden(id).c_str(), preview.c_str());
+  // As many items as there are formats are seen without scrolling.
+  const bool open =
+      ImGui::BeginCombo(hidden(id).c_str(), preview.c_str(), ImGuiComboFlags_HeightLarge);
   note(id);
   if (!open) {
     tooltip(tip);

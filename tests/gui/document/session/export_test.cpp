@@ -21,7 +21,7 @@ TEST_CASE("a copy in every format reads back as the open mesh, which stays where
   rig.bench->apply(action::ApplyMotion{{0, Vec2(0, 0), Vec2(0.2, 0)}});
   REQUIRE(rig.settle());
   const auto formats = dialog_of(FilePurpose::export_mesh).kinds[0].extensions;
-  CHECK(formats.size() == 8);
+  CHECK(formats.size() >= 8);
   for (const std::string& extension : formats) {
     INFO("format ", extension);
     const auto path = rig.folder / ("copy" + extension);
