@@ -39,10 +39,26 @@ PathFollower::Trial PathFollower::attempt(const Path& path, const Goal& goal, Co
   trial.trusted = record.residual <= options_.trusted_residual;
   if (!trial.trusted) return trial;
   x = std::move(moved);
-  while (record.residual > options_.loose_tolerance &&
-         trial.corrections < options_.most_corrections) {
+  const double tolerance = (goal.cut ? options_.tightened : 1) * options_.loose_tolerance;
+  constexpr double worthwhile = 1.2;  // rise of the smallest sine by one correction
+  double before = 0;
+  const auto off_path = [&] {
+    if (record.residual > tolerance) return true;
+    return record.min_sine < options_.flattened * goal.min_sine &&
+           record.min_sine > worthwhile * before;
+  };
+  while (off_path() && trial.corrections < options_.most_corrections) {
+    before = record.min_sine;
+    const bool needed = record.residual > options_.loose_tolerance;
+    Coordinates near = needed ? Coordinates() : x;
+    const IterationRecord was = record;
     record = solver_.step(x);
     ++trial.corrections;
+    if (!needed && (record.damping < 1 || record.residual > options_.loose_tolerance)) {
+      x = std::move(near);
+      record = was;
+      break;
+    }
     if (record.damping < 1) trial.trusted = false;
     // Steps cut short creep, at the cost of the worst conditioned systems: rather less at once.
     if (!trial.trusted && goal.may_shorten) return trial;
@@ -60,7 +76,8 @@ double PathFollower::follow(const Path& path, double from, Coordinates& x, const
 double PathFollower::go(const Path& path, double from, Coordinates& x, const Accept& accept) {
   double fraction = from;
   double step = options_.first_step;
-  bool correct = true;
+  const double min_sine = solver_.problem().validity(x).min_sine;
+  bool correct = true, cut = false;
   while (fraction < 1) {
     // A last step that is a little longer saves a very short one.
     constexpr double stretch = 1.05;
@@ -73,9 +90,11 @@ double PathFollower::go(const Path& path, double from, Coordinates& x, const Acc
     // Where the problem changes, what x lacks to solve it is the prediction.
     const bool may_correct = path.change_problem || (correct && to - fraction > long_step);
     const bool may_shorten = to - fraction > options_.cautious_step;
-    const Trial trial = attempt(path, {to, may_correct, may_shorten}, trial_x, record);
+    const Trial trial =
+        attempt(path, {to, may_correct, may_shorten, cut, min_sine}, trial_x, record);
     if (!trial.valid) {
       correct = false;
+      cut = true;
       constexpr double margin = 0.7;
       step = (to - fraction) * std::clamp(margin * trial.possible, 0.1, 0.7);
       if (step < options_.smallest_step) return fraction;
@@ -101,6 +120,7 @@ double PathFollower::go(const Path& path, double from, Coordinates& x, const Acc
     x = std::move(trial_x);
     fraction = to;
     correct = true;
+    cut = false;
     record.fraction = fraction;
     if (!accept(record, x)) break;
     if (trial.corrections <= 1) step *= options_.growth;

@@ -30,6 +30,12 @@ struct PathOptions {
   double growth = 1.5;            ///< of the step after an easy one
   int most_corrections = 4;       ///< Newton steps after each prediction
   double loose_tolerance = 0.05;  ///< scaled residual that is near enough to the path on the way
+  /// Share of the smallest sine at the start below which a mesh is corrected as long as that helps:
+  /// single elements hardly show in the residual.
+  double flattened = 0.5;
+  /// Share of loose_tolerance after a step that had to be cut for validity: what the path was left
+  /// by is what cuts the next one.
+  double tightened = 0.3;
   double trusted_residual = 0.3;  ///< of a prediction, above which the step is shortened
   double cautious_step = 2e-3;    ///< share of the motion below which no step is shortened for
                                   ///< a large residual: see greedy
@@ -62,6 +68,8 @@ class PathFollower {
     double fraction;   // of the motion
     bool correct;      // on the way, what x lacks to be on the path
     bool may_shorten;  // another trial with a shorter step is an option
+    bool cut;          // a longer trial was invalid
+    double min_sine;   // of the mesh at the start of the path
   };
   struct Trial {
     bool valid = false;
