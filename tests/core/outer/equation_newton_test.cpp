@@ -259,7 +259,10 @@ TEST_CASE("the pointwise Newton is stalled where the solution is no valid mesh, 
   Coordinates x = mesh.coordinates;
   Newton newton(mesh, tight());
   newton.solver().start(x);
-  PathFollower follower(newton.solver(), {});
+  PathOptions uncorrected;  // with them the path ends where there still is a solution
+  uncorrected.flattened = 0;
+  uncorrected.tightened = 1;
+  PathFollower follower(newton.solver(), uncorrected);
   const double reached =
       follower.follow(along(*motion, mesh.coordinates), 0, x, [&](auto&&, auto&& y) {
         CHECK(check_validity(*mesh.topology, y).inverted == 0);
