@@ -100,6 +100,9 @@ class DragSession::Impl final : public SolverMonitor {
       frame_.motion = passed->pose;
       frame_.min_sine = passed->min_sine;
     }
+    const double whole = distance({}, motion);
+    frame_.share =
+        whole > 0 ? std::clamp(1 - distance(frame_.motion, motion) / whole, 0.0, 1.0) : 1.0;
     return frame_;
   }
 
@@ -148,6 +151,7 @@ class DragSession::Impl final : public SolverMonitor {
     frame_.motion = motion;
     frame_.min_sine = validity.min_sine;
     frame_.held = frame_.limit = false;
+    frame_.share = 1;
     frame_.contact.reset();
     return true;
   }
@@ -254,6 +258,10 @@ class DragSession::Impl final : public SolverMonitor {
     RigidMotion pose = fit_motion(nodes_, grip_.shares, state_.mesh.coordinates, x);
     const double turned = from_.rotate + fraction * (target_.rotate - from_.rotate);
     pose.rotate += 360 * std::round((turned - pose.rotate) / 360);
+    // The history would show the round-off of the fit.
+    constexpr double round_off = 1e-10;  // degrees
+    if (std::abs(pose.rotate) < round_off)
+      return {0, pose.pivot, transform(pose, centre_) - centre_};
     return pose;
   }
 

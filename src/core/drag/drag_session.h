@@ -16,6 +16,7 @@ struct DragFrame {
   RigidMotion motion;       ///< where the body is in it, seen from the state
   bool held = false;        ///< the mesh cannot go where the mouse is (yet): the last valid one
   bool limit = false;       ///< held, and the path to where the mouse is ended on the way
+  double share = 1;         ///< of the way from the state to where the mouse is
   double min_sine = 0;      ///< of the frame's elements
   /// What the body would touch on the way to where the mouse is; none: nothing that is known of.
   std::optional<EdgePair> contact = {};

@@ -288,6 +288,8 @@ TEST_CASE("a drag into another body shows how far it came and what is in the way
   CHECK(frame.motion.translate.x() > 0.1);
   CHECK(frame.motion.translate.x() < 0.2);
   CHECK(drag.revision() > drag.corrections());
+  CHECK(frame.motion.rotate == 0);
+  CHECK(frame.share == doctest::Approx(frame.motion.translate.x() / 0.3).epsilon(1e-6));
   REQUIRE(frame.contact);
   CHECK(describe_touch(*frame.contact) == "hole_a would touch hole_b");
   // Away from there nothing is in the way.

@@ -47,7 +47,7 @@ BodyDrag::Reach BodyDrag::reach() const {
 }
 
 std::string BodyDrag::limit() const {
-  return frame_->contact ? describe_touch(*frame_->contact) : "No valid mesh beyond here";
+  return frame_->contact ? describe_touch(*frame_->contact) : "No valid mesh was found";
 }
 
 }  // namespace winslow::gui

@@ -57,7 +57,8 @@ bool Jobs::working() const {
   return (drag && !drag->settled()) || layer_preview_.busy() || (solving && !paused);
 }
 
-bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start) {
+bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start,
+                 std::string cut_short) {
   if (!mesh_.document()) return false;
   if (mesh_.body_drag()) {
     messages_.tell(Notice::Kind::warning,
@@ -78,6 +79,7 @@ bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start)
       return false;
     }
   }
+  cut_short_ = std::move(cut_short);
   messages_.clear_banner();
   mesh_.show_vcv(nullptr);
   mesh_.job().set_pace(pace_of(command));
@@ -185,6 +187,8 @@ void Jobs::keep(JobRunner::Outcome outcome) {
   if (reached < 1)
     messages_.set_banner(Banner::Kind::partial_motion,
                          partial_motion(outcome.result->smooth, reached));
+  else if (!cut_short_.empty())
+    messages_.set_banner(Banner::Kind::partial_motion, std::exchange(cut_short_, {}));
   const std::string what = describe(outcome.command);
   const SmoothResult smooth = outcome.result->smooth;
   if (const auto* move = std::get_if<MoveCommand>(&outcome.command))

@@ -37,8 +37,10 @@ class Jobs {
   const LayerPreview& layer_preview() const { return layer_preview_; }
   LayerPreview& layer_preview() { return layer_preview_; }
 
-  /// start: see RunOptions::start. False if it cannot begin; the user is told why.
-  bool start(Command command, bool paused, std::optional<Coordinates> start = {});
+  /// start: see RunOptions::start. cut_short: why the command is less than what the user was after,
+  /// a sentence for the banner over its result. False if it cannot begin; the user is told why.
+  bool start(Command command, bool paused, std::optional<Coordinates> start = {},
+             std::string cut_short = {});
   /// Carries out a plan, command after command.
   void start(CommandQueue::Plan plan);
   /// Ends what is under way at once; the mesh is as it was before.
@@ -84,6 +86,7 @@ class Jobs {
   double pace_ = default_pace;
   CommandQueue queue_;
   LayerPreview layer_preview_;
+  std::string cut_short_;             // see start()
   std::optional<std::size_t> rerun_;  // position of the history that the job leads to again
 };
 

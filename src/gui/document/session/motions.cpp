@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/motion/rigid_motion.h"
+#include "gui/base/text.h"
 
 namespace winslow::gui {
 
@@ -141,6 +142,10 @@ void Motions::end_body_drag() {
   const RigidMotion motion = limit ? drag.frame().motion : drag.wanted();
   const DragGrip grip = drag.grip();
   std::optional<Coordinates> start = drag.frame().coordinates;
+  std::string cut_short;
+  if (limit)
+    cut_short = drag.limit() + " beyond " + short_number(100 * drag.frame().share) +
+                " % of the drag: the body is where it got to.";
   drag.end();
   base_.reset();
   start_.reset();
@@ -149,7 +154,8 @@ void Motions::end_body_drag() {
   if (stays(motion)) return messages_.set_banner_of_position();
   const MotionOptions& how = jobs_.motion_options();
   if (how.increments > 1) start.reset();
-  jobs_.start(drag_command(grip, motion, how, jobs_.smooth_options()), false, std::move(start));
+  jobs_.start(drag_command(grip, motion, how, jobs_.smooth_options()), false, std::move(start),
+              std::move(cut_short));
 }
 
 void Motions::cancel_drag() {

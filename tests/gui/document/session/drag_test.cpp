@@ -179,6 +179,11 @@ TEST_CASE("a drag stops where the mesh can go no further, and says so") {
   CHECK(gone > 0.15);
   CHECK(gone < 3);
   CHECK(error_of_marker(before, rig.mesh(), "flap", last_move(rig).motion.about({0, 0})) < 1e-9);
+  REQUIRE(rig.session().messages().banner().has_value());
+  CHECK(rig.session().messages().banner()->kind == Banner::Kind::partial_motion);
+  const std::string& text = rig.session().messages().banner()->text;
+  CHECK(text.starts_with("flap would touch farfield beyond "));
+  CHECK(text.find(" % of the drag: the body is where it got to.") != text.npos);
 }
 
 TEST_CASE("a typed motion that ends on the way is recorded as far as it got") {
