@@ -77,7 +77,8 @@ TEST_CASE("far away: smoothing, by either formulation") {
 TEST_CASE("far away: motions, about the bodies' centre and about a named pivot") {
   MoveCommand near;
   near.markers = {"hole_a"};
-  near.motion = {40, std::nullopt, Vec2(0.05, 0.1)};
+  near.motion.rotate = 40;  // about the centre
+  near.motion.translate = Vec2(0.05, 0.1);
   check_same(near, holes());
   MoveCommand far = near;
   near.motion.pivot = Vec2(0.5, 0.25);

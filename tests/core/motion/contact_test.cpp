@@ -138,7 +138,7 @@ TEST_CASE("a motion into another body is not begun, or ends with a good mesh bef
   const MeshState state = make_state(plate_with_holes());
   MoveCommand command;
   command.markers = {"hole_a"};
-  command.motion = {0, {}, Vec2(0.5, 0.03)};
+  command.motion.translate = Vec2(0.5, 0.03);
   RunOptions whole;
   whole.all_or_nothing = true;
   const CommandResult refused = execute(command, state, whole);

@@ -26,7 +26,9 @@ TEST_CASE("bodies turn about the centre of their bounding box, without rounding 
 }
 
 TEST_CASE("a motion that is asked for without a pivot turns about the centre that it is given") {
-  const RigidMotionRequest open{30, std::nullopt, Vec2(1, 2)};
+  RigidMotionRequest open;
+  open.rotate = 30;
+  open.translate = Vec2(1, 2);
   CHECK(same_motion(open.about({5, 6}), {30, Vec2(5, 6), Vec2(1, 2)}));
   const RigidMotionRequest named{30, Vec2(0, 0), Vec2(1, 2)};
   CHECK(same_motion(named.about({5, 6}), {30, Vec2(0, 0), Vec2(1, 2)}));
