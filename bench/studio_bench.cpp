@@ -180,7 +180,7 @@ class Bench {
   double parse() const {
     const double begin = now();
     io::Source source = io::Source::load(path_);
-    const io::ParsedMesh parsed = io::su2::read(source);
+    const io::ParsedMesh parsed = io::su2::format.read(source);
     return now() - begin;
   }
 

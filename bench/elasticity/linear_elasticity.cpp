@@ -16,7 +16,7 @@ namespace {
 /// Gradients of the shape functions of an element at a point of integration, and the point's share
 /// of the area.
 struct GaussPoint {
-  std::array<Vec2, 4> gradients;
+  std::array<Vec2, 4> gradients{Vec2(0, 0), Vec2(0, 0), Vec2(0, 0), Vec2(0, 0)};
   double area = 0;
 };
 
