@@ -32,6 +32,42 @@ class Move(ProgramTest):
         self.assertAlmostEqual(before[0][1], 0.0)
         self.assertGreater(after[0][1], 0.1)
 
+    def test_outside_a_region_nothing_moves_and_a_recipe_says_so_too(self):
+        self.ring()
+        before, elements, markers = support.read_su2(self.path("ring.su2"))
+        body = {n for edge in markers["body"] for n in edge}
+        boundary = body | {n for edge in markers["farfield"] for n in edge}
+        centre = [0.5 * (min(before[n][k] for n in body) + max(before[n][k] for n in body))
+                  for k in range(2)]
+        radius = 2 * max(math.dist(before[n], centre) for n in body)
+        run = self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--rotate", "20",
+                           "--keep-outside-radius", repr(radius), "--report", "r.json",
+                           "--save-recipe", "p.json")
+        after, _, _ = support.read_su2(self.path("out.su2"))
+        outside = [n for n in range(len(before))
+                   if n not in boundary and math.dist(before[n], centre) > radius]
+        inside = [n for n in range(len(before)) if n not in boundary and n not in outside]
+        self.assertGreater(len(outside), 20)
+        for node in outside:
+            self.assertEqual(after[node], before[node])
+        self.assertGreater(sum(after[n] != before[n] for n in inside), len(inside) // 2)
+        self.assertGreater(support.smallest_corner_area(after, elements), 0)
+        self.assertIn(f"{len(outside)} interior nodes kept outside", run.stdout)
+        self.assertEqual(self.json("r.json")["commands"][0]["kept_outside"], len(outside))
+        self.assertEqual(self.json("p.json")["commands"][0]["smooth"]["keep_outside"]["radius"], radius)
+        self.winslow("replay", "p.json", "-o", "again.su2")
+        self.assertEqual(support.read_su2(self.path("again.su2"))[0], after)
+
+    def test_a_region_that_leaves_out_the_body_is_refused(self):
+        self.ring()
+        refused = self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--rotate", "20",
+                               "--keep-outside-corner", "50", "50", "--keep-outside-opposite", "60", "60",
+                               code=USAGE)
+        self.assertIn("lie outside the region in which nodes may move", refused.stderr)
+        refused = self.winslow("smooth", "ring.su2", "-o", "out.su2", "--keep-outside-corner", "0", "0",
+                               code=USAGE)
+        self.assertIn("one corner", refused.stderr)
+
     def off_the_origin(self, dx, dy):
         """A ring whose body is far from (0, 0); returns its nodes and the body's."""
         nodes, elements, markers = support.ring_mesh()

@@ -195,6 +195,8 @@ void print_commands(const RunReport& run) {
     if (c.result.stretched)
       std::cout << ", " << std::lround(100 * *c.result.stretched)
                 << " % of the elements kept stretched";
+    if (c.result.kept_outside > 0)
+      std::cout << ", " << c.result.kept_outside << " interior nodes kept outside";
     if (c.result.increments > 1) std::cout << ", in " << c.result.increments << " steps";
     if (c.pivot) std::cout << ", turned about " << place_text(*c.pivot);
     std::cout << '\n';

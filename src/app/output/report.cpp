@@ -68,6 +68,7 @@ json describe_result(const CommandRecord& record) {
                  {"contact", describe_contact(r.contact)},
                  {"gap", describe_gap(r.gap)},
                  {"stretched_elements", r.stretched ? json(*r.stretched) : json()},
+                 {"kept_outside", r.kept_outside},
                  {"increments", r.increments},
                  {"linear_solver", r.linear_solver},
                  {"inverted", r.inverted}};

@@ -71,6 +71,8 @@ class MonitorInFrame final : public SolverMonitor {
 
 Command in_frame(Command command, const LocalFrame& frame) {
   std::visit([&](auto& c) { put_in_frame(c, frame); }, command);
+  if (SmoothOptions* smooth = smooth_options(command))
+    smooth->keep_outside = to_local(std::move(smooth->keep_outside), frame);
   return command;
 }
 

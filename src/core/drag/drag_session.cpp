@@ -319,7 +319,9 @@ DragSession::DragSession(MeshState state, DragGrip grip, const SmoothOptions& op
     rest_ = state.mesh.coordinates;
     state.mesh.coordinates = frame_.to_local(rest_);
   }
-  impl_ = std::make_unique<Impl>(std::move(state), std::move(grip), options,
+  SmoothOptions local = options;
+  local.keep_outside = to_local(std::move(local.keep_outside), frame_);
+  impl_ = std::make_unique<Impl>(std::move(state), std::move(grip), local,
                                  in_frame(std::move(start), frame_));
 }
 DragSession::~DragSession() = default;

@@ -53,6 +53,7 @@ struct SmoothResult {
   int increments = 1;      ///< steps in which the boundary was moved
   /// Part of the elements (0 to 1) that `auto` targets keep stretched; none for other targets.
   std::optional<double> stretched;
+  Index kept_outside = 0;     ///< interior nodes that SmoothOptions::keep_outside fixed
   std::string linear_solver;  ///< what solved the linear systems, e.g. "CHOLMOD ..."
   Index inverted = 0;
   std::vector<IterationRecord> history;

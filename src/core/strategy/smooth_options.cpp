@@ -204,12 +204,14 @@ OptionTable option_table(SmoothOptions& options) {
   for (auto* rows : {linear_rows, fixed_point, limits}) {
     for (Option& row : rows(options)) table.push_back(std::move(row));
   }
+  for (Option& row : option_table(options.keep_outside)) table.push_back(std::move(row));
   return table;
 }
 
 void validate(const SmoothOptions& options) {
   SmoothOptions copy = options;
   check(option_table(copy));
+  validate(options.keep_outside);
   require(!(is_variational(options) && options.outer == OuterMethod::picard),
           "the variational form has no fixed-point iteration: choose the outer method newton, or "
           "the formulation pointwise");

@@ -6,6 +6,7 @@
 #include "core/linear/linear_solver.h"
 #include "core/options/option.h"
 #include "core/outer/equation_options.h"
+#include "core/strategy/keep_outside.h"
 
 namespace winslow {
 
@@ -37,7 +38,8 @@ struct SmoothOptions {
   int acceleration = 15;
   Clip clip = Clip::automatic;
   int max_iterations = 500;
-  double tolerance = 1e-10;  ///< of ResidualNorms::max
+  double tolerance = 1e-10;       ///< of ResidualNorms::max
+  KeepOutside keep_outside = {};  ///< all nodes in it are free: none given
   int threads = 0;
 };
 

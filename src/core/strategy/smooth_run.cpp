@@ -1,5 +1,6 @@
 #include "core/strategy/smooth_run.h"
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -40,11 +41,26 @@ Coordinates unknowns_within(const NodeClasses& classes, const Coordinates& unkno
   return held;
 }
 
-/// The classes of a run in which the boundary stays or, but for the nodes of a motion, does.
-std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Motion* motion) {
+/// The classes of a run in which the boundary stays or, but for the nodes of a motion, does, and
+/// all that lies outside a region that the options name.
+std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Motion* motion,
+                                              const SmoothOptions& options) {
   auto classes = std::make_shared<NodeClasses>(state.mesh.topology);
-  if (motion) classes->set_prescribed(motion->nodes());
+  const auto moving = motion ? motion->nodes() : std::span<const Index>();
+  keep_outside(options.keep_outside, state.mesh.coordinates, moving, *classes);
+  classes->set_prescribed(moving);
   return classes;
+}
+
+/// Puts the interior nodes that are not free where the mesh has them; how many these are.
+Index keep_fixed(const MeshState& state, const SmoothOptions& options, const NodeClasses& classes,
+                 Coordinates& x) {
+  if (!options.keep_outside.given()) return 0;
+  x = unknowns_within(classes, x, state.mesh.coordinates);
+  const auto interior = classes.topology().interior_nodes();
+  return static_cast<Index>(std::count_if(interior.begin(), interior.end(), [&](Index node) {
+    return classes[node] == NodeClass::fixed;
+  }));
 }
 
 /// A motion that is begun from a mesh near its end: along the path from there where that mesh is
@@ -85,7 +101,9 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& option
   SmoothResult result;
   SmoothingWorkspace own;
   SmoothingWorkspace& workspace = run.workspace ? *run.workspace : own;
-  workspace.prepare(state.vcv, classes_of(state, nullptr), options, state.mesh.coordinates);
+  workspace.prepare(state.vcv, classes_of(state, nullptr, options), options,
+                    state.mesh.coordinates);
+  result.kept_outside = keep_fixed(state, options, workspace.classes(), x);
   RunRecorder recorder(run.monitor, result, budget(options));
   if (by_fixed_point(options)) {
     recorder.iterate(workspace.picard(), x, Stage::picard, 1, options.max_iterations);
@@ -108,7 +126,9 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const M
   }
   SmoothingWorkspace own;
   SmoothingWorkspace& workspace = run.workspace ? *run.workspace : own;
-  workspace.prepare(state.vcv, classes_of(state, &motion), options, state.mesh.coordinates);
+  workspace.prepare(state.vcv, classes_of(state, &motion, options), options,
+                    state.mesh.coordinates);
+  result.kept_outside = keep_fixed(state, options, workspace.classes(), x);
   RunRecorder recorder(run.monitor, result, budget(options));
   if (by_fixed_point(options)) {
     move_by_fixed_point(state.mesh.coordinates, motion, how.increments, options.max_iterations,

@@ -1,0 +1,121 @@
+#include "core/strategy/keep_outside.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "core/motion/motion.h"
+#include "core/motion/rigid_motion.h"
+
+namespace winslow {
+
+namespace {
+
+class CircleAndBox {
+ public:
+  CircleAndBox(const KeepOutside& keep, const Coordinates& x, std::span<const Index> moving) {
+    if (keep.radius) {
+      if (!keep.centre && moving.empty())
+        throw UsageError(
+            "keep-outside radius: nothing moves whose centre could be meant; give the centre of "
+            "the circle (keep-outside centre)");
+      centre_ = keep.centre ? *keep.centre : body_centre(bounds(x, moving));
+      radius_ = keep.radius;
+    }
+    if (keep.corner) {
+      low_ = keep.corner->cwiseMin(*keep.opposite);
+      high_ = keep.corner->cwiseMax(*keep.opposite);
+      box_ = true;
+    }
+  }
+
+  bool holds(const Vec2& point) const {
+    if (radius_ && (point - centre_).norm() > *radius_) return false;
+    return !box_ ||
+           ((point.array() >= low_.array()).all() && (point.array() <= high_.array()).all());
+  }
+
+ private:
+  std::optional<double> radius_;
+  Vec2 centre_{0, 0};
+  bool box_ = false;
+  Vec2 low_{0, 0}, high_{0, 0};
+};
+
+}  // namespace
+
+OptionTable option_table(KeepOutside& keep) {
+  return {
+      {.key = "radius",
+       .value = OptionalRealOption{&keep.radius, above(0)},
+       .label = "Radius kept within",
+       .help = "Nodes farther than this from the centre stay where they are",
+       .advice = "For a change near a body in a large mesh.",
+       .unit = "units of the mesh",
+       .object = "keep_outside",
+       .applies = keep.radius.has_value()},
+      {.key = "centre",
+       .value = OptionalVectorOption{&keep.centre},
+       .label = "Centre of the circle",
+       .help = "Of the circle outside which nodes stay; not given: the centre of the bounding box "
+               "of all that moves",
+       .unit = "units of the mesh",
+       .object = "keep_outside",
+       .applies = keep.centre.has_value()},
+      {.key = "corner",
+       .value = OptionalVectorOption{&keep.corner},
+       .label = "Corner of the box",
+       .help = "Nodes outside the box with this corner and the one opposite stay where they are",
+       .unit = "units of the mesh",
+       .object = "keep_outside",
+       .applies = keep.corner.has_value()},
+      {.key = "opposite",
+       .value = OptionalVectorOption{&keep.opposite},
+       .label = "Opposite corner",
+       .help = "Of the box outside which nodes stay",
+       .unit = "units of the mesh",
+       .object = "keep_outside",
+       .applies = keep.opposite.has_value()},
+  };
+}
+
+void validate(const KeepOutside& keep) {
+  if (keep.corner.has_value() != keep.opposite.has_value())
+    throw UsageError(
+        "keep-outside: found one corner of the box, expected both (keep-outside "
+        "corner and opposite)");
+  if (keep.centre && !keep.radius)
+    throw UsageError("keep-outside: found a centre without a radius, expected both");
+}
+
+KeepOutside to_local(KeepOutside keep, const LocalFrame& frame) {
+  for (std::optional<Vec2>* place : {&keep.centre, &keep.corner, &keep.opposite})
+    if (*place) *place = frame.to_local(**place);
+  return keep;
+}
+
+void keep_outside(const KeepOutside& keep, const Coordinates& x, std::span<const Index> moving,
+                  NodeClasses& classes) {
+  if (!keep.given()) return;
+  validate(keep);
+  const CircleAndBox region(keep, x, moving);
+  const auto left = std::count_if(moving.begin(), moving.end(),
+                                  [&](Index node) { return !region.holds(x.xy(node)); });
+  if (left > 0)
+    throw UsageError("keep-outside: " + std::to_string(left) + " of " +
+                     std::to_string(moving.size()) +
+                     " nodes that are to move lie outside the region in which nodes may move");
+  std::vector<Index> kept;
+  bool some_free = false;
+  for (const Index node : classes.topology().interior_nodes()) {
+    if (region.holds(x.xy(node)))
+      some_free = true;
+    else
+      kept.push_back(node);
+  }
+  if (!some_free) throw UsageError("keep-outside: no interior node lies inside the region");
+  classes.set_fixed(kept);
+}
+
+}  // namespace winslow
