@@ -114,7 +114,9 @@ CommandResult execute_one(const SmoothCommand& command, const MeshState& state,
                           const RunOptions& options) {
   validate(command.smooth);
   Coordinates x = starting_point(state, options);
-  SmoothResult result = smooth_interior(state, command.smooth, x, options);
+  RunOptions run = options;
+  run.never_worse = state.vcv->edits().empty();  // edits say what is wanted instead
+  SmoothResult result = smooth_interior(state, command.smooth, x, run);
   return finish(state, std::move(x), std::move(result));
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,7 +18,7 @@ namespace {
 class Builder {
  public:
   Builder(const VirtualControlVolumes& vcv, const TargetBlend& blend, const Coordinates* given,
-          int threads)
+          int threads, std::span<const Index> own)
       : vcv_(vcv), topology_(vcv.topology()), blend_(blend), given_(given) {
     const double sum = blend.automatic + blend.element + blend.vcv + blend.rest;
     if (!(blend.automatic >= 0 && blend.element >= 0 && blend.vcv >= 0 && blend.rest >= 0) ||
@@ -28,6 +29,10 @@ class Builder {
     if (blend.automatic > 0) {
       stretch_ = stretch_field(topology_, *given, threads);
       shapes_.stretched = stretch_.stretched;
+      for (const Index e : own) {
+        stretch_.share[at(e)] = 1;
+        stretch_.longest[at(e)] = std::numeric_limits<double>::infinity();
+      }
     }
     blend_.automatic /= sum;
     blend_.element /= sum;
@@ -261,8 +266,9 @@ class Builder {
 bool refers_to_given(const TargetBlend& blend) { return blend.automatic > 0 || blend.rest > 0; }
 
 TargetShapes TargetShapes::build(const VirtualControlVolumes& vcv, const TargetBlend& blend,
-                                 const Coordinates* given, int threads) {
-  return Builder(vcv, blend, given, threads).build();
+                                 const Coordinates* given, int threads,
+                                 std::span<const Index> own) {
+  return Builder(vcv, blend, given, threads, own).build();
 }
 
 }  // namespace winslow

@@ -34,6 +34,9 @@ struct RunOptions {
   /// A motion along a path that contact is certain to block is not begun: the mesh stays as it is.
   /// Otherwise it goes as far as good meshes lead.
   bool all_or_nothing = false;
+  /// Smoothing in place with `auto` targets: where an element ends below the worst of the mesh as
+  /// given, elements around it keep their own shapes.
+  bool never_worse = false;
 };
 
 /// What a smoothing run came to.

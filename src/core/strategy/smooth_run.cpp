@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "core/error.h"
 #include "core/motion/transfer.h"
@@ -83,6 +84,34 @@ bool move_from(const MeshState& state, const Motion& motion, const Coordinates& 
   return true;
 }
 
+/// Smoothing in place is not to make a mesh worse than it came, even where regular elements around
+/// it leave one less room: those that end below the worst of the mesh as given, and all around
+/// them, get their own shapes for targets, and the mesh is solved for again.
+void keep_above_worst(const MeshState& state, SmoothingWorkspace& workspace, RunRecorder& recorder,
+                      Coordinates& x) {
+  constexpr int rounds = 4;
+  constexpr double rounding = 1e-6;
+  const SmoothOptions& options = workspace.options();
+  if (options.formulation != "variational" || options.targets.automatic == 0) return;
+  const Topology& topology = *state.mesh.topology;
+  const Validity given = check_validity(topology, state.mesh.coordinates, options.threads);
+  if (given.inverted > 0) return;
+  std::set<Index> own;
+  for (int round = 0; round < rounds; ++round) {
+    if (check_validity(topology, x, options.threads).min_sine >= given.min_sine - rounding) return;
+    const auto sines = element_values({state.mesh.topology, x}, Metric::normalized_jacobian);
+    for (Index e = 0; e < topology.element_count(); ++e) {
+      if (sines[static_cast<std::size_t>(e)] >= given.min_sine - rounding) continue;
+      for (const Index node : topology.element(e)) {
+        const auto star = topology.star(node);
+        own.insert(star.begin(), star.end());
+      }
+    }
+    workspace.keep_own_shapes({own.begin(), own.end()});
+    make_newton_run(state, workspace, recorder)->smooth(x, 1, nullptr);
+  }
+}
+
 /// The fixed point may need several attempts at a motion; each has the whole limit.
 int budget(const SmoothOptions& options) {
   return by_fixed_point(options) ? std::numeric_limits<int>::max() : options.max_iterations;
@@ -110,6 +139,7 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& option
     result.linear_solver = workspace.linear().description();
   } else {
     make_newton_run(state, workspace, recorder)->smooth(x, 1, nullptr);
+    if (result.converged && run.never_worse) keep_above_worst(state, workspace, recorder, x);
     result.stretched = stretched(workspace);
   }
   return result;

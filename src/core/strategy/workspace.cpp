@@ -1,5 +1,7 @@
 #include "core/strategy/workspace.h"
 
+#include <utility>
+
 #include "core/strategy/solver_options.h"
 
 namespace winslow {
@@ -16,7 +18,8 @@ void SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualControlVolum
   newton_.reset();
   pointwise_newton_.reset();
   pointwise_stale_ |= !same_vcv;
-  energy_stale_ |= !same_targets;
+  energy_stale_ |= !same_targets || !own_shapes_.empty();
+  own_shapes_.clear();
   if (!same_unknowns) {
     pointwise_ = {};
     energy_.reset();
@@ -82,8 +85,14 @@ PicardSolver& SmoothingWorkspace::picard() {
 }
 
 TargetShapes SmoothingWorkspace::target_shapes() const {
-  return TargetShapes::build(*vcv_, options_.targets, given_ ? &*given_ : nullptr,
-                             options_.threads);
+  return TargetShapes::build(*vcv_, options_.targets, given_ ? &*given_ : nullptr, options_.threads,
+                             own_shapes_);
+}
+
+void SmoothingWorkspace::keep_own_shapes(std::vector<Index> elements) {
+  own_shapes_ = std::move(elements);
+  energy_stale_ = true;
+  newton_.reset();
 }
 
 std::shared_ptr<const VariationalWinslow> SmoothingWorkspace::energy() {

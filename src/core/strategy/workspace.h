@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/formulation/pointwise_winslow.h"
 #include "core/formulation/variational_winslow.h"
@@ -25,6 +26,10 @@ class SmoothingWorkspace {
   void prepare(const std::shared_ptr<const VirtualControlVolumes>& vcv,
                const std::shared_ptr<const NodeClasses>& classes, const SmoothOptions& options,
                const Coordinates& rest);
+
+  /// From here to the next prepare() these elements keep all of their shape in the mesh as given,
+  /// whatever `auto` targets make of them; without those it changes nothing.
+  void keep_own_shapes(std::vector<Index> elements);
 
   // Each is made at its first use after prepare, and valid until the next prepare.
   PicardSolver& picard();
@@ -54,6 +59,7 @@ class SmoothingWorkspace {
   std::shared_ptr<const NodeClasses> classes_;
   SmoothOptions options_;
   std::optional<Coordinates> given_;          // only where the targets refer to it
+  std::vector<Index> own_shapes_;             // see keep_own_shapes()
   ClipVariants<PointwiseWinslow> pointwise_;  // null: not made yet
   std::shared_ptr<const VariationalWinslow> energy_;
   bool pointwise_stale_ = false, energy_stale_ = false;  // they are of other VCVs or targets

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "gui/panels/keep_outside_rows.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -57,6 +58,7 @@ void MotionPanel::draw(const PanelContext& context) {
   draw_fields(context, live);
   draw_pivot(context);
   draw_steps(context);
+  draw_keep_outside(context);
   ImGui::EndDisabled();
   const bool can = !live && moves(typed_) && finite(typed_);
   if (ui::button("motion/apply", "Apply",

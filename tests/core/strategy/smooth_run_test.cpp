@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/command/command.h"
 #include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
 #include "support/meshes.h"
@@ -149,4 +150,21 @@ TEST_CASE("the fixed point does not take over where a limit has ended the path")
   const SmoothResult result = smooth_motion(state, *motion, how, options, x, {});
   CHECK(result.fraction_reached < 1);
   CHECK(how.floor.fault(state.mesh.topology, x).empty());
+}
+
+TEST_CASE("smoothing in place keeps the worst element of the mesh as given") {
+  // What a steep penalty has given its worst elements, a gentle one takes away again.
+  SmoothCommand steep;
+  steep.smooth.targets = TargetBlend::regular();
+  const MeshState given =
+      execute(steep, make_state(make_mesh(square_with_two_holes(16, Cells::triangles)))).state;
+  const double worst = check_validity(*given.mesh.topology, given.mesh.coordinates).min_sine;
+  SmoothCommand gentle;
+  gentle.smooth.penalty = {1, 0};
+  Coordinates x = given.mesh.coordinates;
+  smooth_interior(given, gentle.smooth, x);
+  REQUIRE(check_validity(*given.mesh.topology, x).min_sine < worst - 1e-3);
+  const CommandResult kept = execute(gentle, given);
+  CHECK(kept.smooth.converged);
+  CHECK(check_validity(*given.mesh.topology, kept.state.mesh.coordinates).min_sine > worst - 1e-4);
 }

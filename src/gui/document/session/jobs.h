@@ -50,6 +50,8 @@ class Jobs {
   MoveCommand move_command(const RigidMotion& motion) const;
   /// A job under way moves just these markers: it can be sent elsewhere.
   bool can_join(const std::vector<std::string>& markers) const;
+  /// The region outside which nothing moves was of another mesh.
+  void forget_region() { smooth_.keep_outside = {}; }
   /// The document has come to another mesh: all that refers to the one on screen follows.
   void show_position();
 

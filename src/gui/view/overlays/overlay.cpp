@@ -12,6 +12,7 @@
 #include "core/motion/rigid_motion.h"
 #include "gui/view/overlays/gizmo_drawing.h"
 #include "gui/view/overlays/layer_overlay.h"
+#include "gui/view/overlays/region_overlay.h"
 #include "gui/view/overlays/vcv_overlay.h"
 
 namespace winslow::gui {
@@ -190,6 +191,7 @@ void draw_overlay(ImDrawList& list, const Overlay& o) {
   if (!o.session.document()) return;
   draw_pins(list, o);
   draw_rings(list, o);
+  draw_region(list, o);
   if (o.session.dragging()) draw_wanted(list, o);
   draw_preview(list, o);
   draw_layer_preview(list, o);

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "gui/menu/panel_context.h"
+
+namespace winslow::gui {
+
+/// Rows for the region outside which nothing moves (SmoothOptions::keep_outside): none, a circle
+/// about the selection, a box around it.
+void draw_keep_outside(const PanelContext& context);
+
+}  // namespace winslow::gui
