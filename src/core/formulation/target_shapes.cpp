@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,7 +17,7 @@ namespace {
 class Builder {
  public:
   Builder(const VirtualControlVolumes& vcv, const TargetBlend& blend, const Coordinates* given,
-          int threads, std::span<const Index> own)
+          int threads, std::span<const Index> urgent)
       : vcv_(vcv), topology_(vcv.topology()), blend_(blend), given_(given) {
     const double sum = blend.automatic + blend.element + blend.vcv + blend.rest;
     if (!(blend.automatic >= 0 && blend.element >= 0 && blend.vcv >= 0 && blend.rest >= 0) ||
@@ -29,10 +28,7 @@ class Builder {
     if (blend.automatic > 0) {
       stretch_ = stretch_field(topology_, *given, threads);
       shapes_.stretched = stretch_.stretched;
-      for (const Index e : own) {
-        stretch_.share[at(e)] = 1;
-        stretch_.longest[at(e)] = std::numeric_limits<double>::infinity();
-      }
+      for (const Index e : urgent) stretch_.weight[at(e)] *= 4;
     }
     blend_.automatic /= sum;
     blend_.element /= sum;
@@ -267,8 +263,8 @@ bool refers_to_given(const TargetBlend& blend) { return blend.automatic > 0 || b
 
 TargetShapes TargetShapes::build(const VirtualControlVolumes& vcv, const TargetBlend& blend,
                                  const Coordinates* given, int threads,
-                                 std::span<const Index> own) {
-  return Builder(vcv, blend, given, threads, own).build();
+                                 std::span<const Index> urgent) {
+  return Builder(vcv, blend, given, threads, urgent).build();
 }
 
 }  // namespace winslow

@@ -60,12 +60,13 @@ struct TargetShapes {
 
   /// Targets over the VCVs as the blend says. given: coordinates (#nodes by 2) of the mesh that the
   /// shares `automatic` and `rest` refer to; may be null if those are zero. threads: 0 for all
-  /// cores. own: elements that keep all of their shape under `automatic`, whatever the field says.
+  /// cores. urgent: elements that count four
+  /// times as much under `automatic`, once more for each time they are listed.
   /// Throws UsageError for shares that are negative or all zero, MeshError if `rest` counts
   /// and the mesh has an inverted element.
   static TargetShapes build(const VirtualControlVolumes& vcv, const TargetBlend& blend,
                             const Coordinates* given, int threads = 0,
-                            std::span<const Index> own = {});
+                            std::span<const Index> urgent = {});
 };
 
 }  // namespace winslow

@@ -4,7 +4,6 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <set>
 
 #include "core/error.h"
 #include "core/motion/transfer.h"
@@ -84,32 +83,38 @@ bool move_from(const MeshState& state, const Motion& motion, const Coordinates& 
   return true;
 }
 
-/// Smoothing in place is not to make a mesh worse than it came, even where regular elements around
-/// it leave one less room: those that end below the worst of the mesh as given, and all around
-/// them, get their own shapes for targets, and the mesh is solved for again.
+/// Smoothing in place is not to make a mesh worse than it came: elements that end below the worst
+/// of the mesh as given count more, and the mesh is solved for again. Of all meshes that this leads
+/// to, the one whose worst element is best.
 void keep_above_worst(const MeshState& state, SmoothingWorkspace& workspace, RunRecorder& recorder,
                       Coordinates& x) {
-  constexpr int rounds = 4;
+  constexpr int rounds = 5;
   constexpr double rounding = 1e-6;
   const SmoothOptions& options = workspace.options();
   if (options.formulation != "variational" || options.targets.automatic == 0) return;
   const Topology& topology = *state.mesh.topology;
-  const Validity given = check_validity(topology, state.mesh.coordinates, options.threads);
-  if (given.inverted > 0) return;
-  std::set<Index> own;
-  for (int round = 0; round < rounds; ++round) {
-    if (check_validity(topology, x, options.threads).min_sine >= given.min_sine - rounding) return;
+  const auto worst_of = [&](const Coordinates& mesh) {
+    const Validity found = check_validity(topology, mesh, options.threads);
+    return found.inverted > 0 ? 0 : found.min_sine;
+  };
+  const double enough = worst_of(state.mesh.coordinates) - rounding;
+  Coordinates best = x;
+  double best_worst = worst_of(best);
+  std::vector<Index> urgent;
+  for (int round = 0; round < rounds && best_worst < enough; ++round) {
     const auto sines = element_values({state.mesh.topology, x}, Metric::normalized_jacobian);
-    for (Index e = 0; e < topology.element_count(); ++e) {
-      if (sines[static_cast<std::size_t>(e)] >= given.min_sine - rounding) continue;
-      for (const Index node : topology.element(e)) {
-        const auto star = topology.star(node);
-        own.insert(star.begin(), star.end());
-      }
-    }
-    workspace.keep_own_shapes({own.begin(), own.end()});
+    for (Index e = 0; e < topology.element_count(); ++e)
+      if (sines[static_cast<std::size_t>(e)] < enough) urgent.push_back(e);
+    workspace.count_more(urgent);
     make_newton_run(state, workspace, recorder)->smooth(x, 1, nullptr);
+    if (!recorder.result().converged) break;
+    const double worst = worst_of(x);
+    if (worst <= best_worst) continue;
+    best = x;
+    best_worst = worst;
   }
+  if (!recorder.result().converged || best_worst > worst_of(x)) x = best;
+  recorder.result().converged = true;
 }
 
 /// The fixed point may need several attempts at a motion; each has the whole limit.

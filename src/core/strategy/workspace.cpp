@@ -18,8 +18,8 @@ void SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualControlVolum
   newton_.reset();
   pointwise_newton_.reset();
   pointwise_stale_ |= !same_vcv;
-  energy_stale_ |= !same_targets || !own_shapes_.empty();
-  own_shapes_.clear();
+  energy_stale_ |= !same_targets || !urgent_.empty();
+  urgent_.clear();
   if (!same_unknowns) {
     pointwise_ = {};
     energy_.reset();
@@ -86,11 +86,11 @@ PicardSolver& SmoothingWorkspace::picard() {
 
 TargetShapes SmoothingWorkspace::target_shapes() const {
   return TargetShapes::build(*vcv_, options_.targets, given_ ? &*given_ : nullptr, options_.threads,
-                             own_shapes_);
+                             urgent_);
 }
 
-void SmoothingWorkspace::keep_own_shapes(std::vector<Index> elements) {
-  own_shapes_ = std::move(elements);
+void SmoothingWorkspace::count_more(std::vector<Index> elements) {
+  urgent_ = std::move(elements);
   energy_stale_ = true;
   newton_.reset();
 }

@@ -27,9 +27,9 @@ class SmoothingWorkspace {
                const std::shared_ptr<const NodeClasses>& classes, const SmoothOptions& options,
                const Coordinates& rest);
 
-  /// From here to the next prepare() these elements keep all of their shape in the mesh as given,
-  /// whatever `auto` targets make of them; without those it changes nothing.
-  void keep_own_shapes(std::vector<Index> elements);
+  /// From here to the next prepare() these elements count four times as much with `auto` targets,
+  /// once more for each time they are listed.
+  void count_more(std::vector<Index> elements);
 
   // Each is made at its first use after prepare, and valid until the next prepare.
   PicardSolver& picard();
@@ -59,7 +59,7 @@ class SmoothingWorkspace {
   std::shared_ptr<const NodeClasses> classes_;
   SmoothOptions options_;
   std::optional<Coordinates> given_;          // only where the targets refer to it
-  std::vector<Index> own_shapes_;             // see keep_own_shapes()
+  std::vector<Index> urgent_;                 // see count_more()
   ClipVariants<PointwiseWinslow> pointwise_;  // null: not made yet
   std::shared_ptr<const VariationalWinslow> energy_;
   bool pointwise_stale_ = false, energy_stale_ = false;  // they are of other VCVs or targets
