@@ -24,7 +24,7 @@ std::string coordinates_text(const Vec2& point, const char* between) {
   return text.data();
 }
 
-UserCommand copying(std::string id, std::string label, std::string text) {
+UserCommand copying(std::string id, std::string label, const std::string& text) {
   return {.id = std::move(id),
           .label = std::move(label),
           .tooltip = "To paste it elsewhere: " + text,
