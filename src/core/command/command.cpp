@@ -1,6 +1,7 @@
 #include "core/command/command.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <random>
 #include <utility>
@@ -18,6 +19,18 @@ namespace {
 std::string number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+// Rounded to what one reads, so that names stay short: the command itself has all digits.
+std::string angle(double degrees) {
+  const double rounded = std::round(100 * degrees) / 100;
+  return number(rounded != 0 ? rounded : degrees);
+}
+
+std::string length(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
   return text;
 }
 
@@ -39,19 +52,19 @@ std::string describe_one(const SmoothCommand&) { return "Smooth"; }
 std::string describe_one(const MoveCommand& command) {
   const bool turns = command.motion.rotate != 0;
   const bool shifts = command.motion.translate != Vec2(0, 0);
-  const std::string by = "(" + number(command.motion.translate.x()) + ", " +
-                         number(command.motion.translate.y()) + ")";
+  const std::string by = "(" + length(command.motion.translate.x()) + ", " +
+                         length(command.motion.translate.y()) + ")";
   const std::string who = list(command.markers);
   if (turns && shifts) {
-    return "Rotate " + who + " by " + number(command.motion.rotate) + " deg and move it by " + by;
+    return "Rotate " + who + " by " + angle(command.motion.rotate) + " deg and move it by " + by;
   }
-  if (turns) return "Rotate " + who + " by " + number(command.motion.rotate) + " deg";
+  if (turns) return "Rotate " + who + " by " + angle(command.motion.rotate) + " deg";
   return "Move " + who + " by " + by;
 }
 
 std::string describe_one(const DeformCommand& command) {
   if (const auto* sine = std::get_if<SineDeformation>(&command.shape)) {
-    return "Deform " + list(command.markers) + ": sine, amplitude " + number(sine->amplitude) +
+    return "Deform " + list(command.markers) + ": sine, amplitude " + length(sine->amplitude) +
            ", " + number(sine->waves) + " waves";
   }
   const auto& table = std::get<DisplacementTable>(command.shape);

@@ -42,14 +42,14 @@ Option targets_option(SmoothOptions& o) {
                               "regular elements where the mesh is isotropic, each element's own "
                               "shape where it is stretched like its neighbours",
                               &o.targets.automatic},
-                             {"element", "Regular elements",
+                             {"element", "Make regular",
                               "equilateral triangles, square corners everywhere; for isotropic "
                               "meshes only",
                               &o.targets.element},
                              {"vcv", "VCV stencils",
                               "the virtual control volumes, with their angles and edge lengths",
                               &o.targets.vcv},
-                             {"rest", "Rest mesh",
+                             {"rest", "Keep current shapes",
                               "each element's own shape before the motion, to keep a graded or "
                               "stretched mesh as it is",
                               &o.targets.rest}}},

@@ -15,6 +15,11 @@ bool either(const std::bitset<512>& keys, int left, int right) {
 
 bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
 
+/// Keys that act on what was typed before them: Enter, Tab, Backspace, arrows, function keys, ...
+bool types_nothing(int key) {
+  return (key >= GLFW_KEY_ESCAPE && key <= GLFW_KEY_F25) || key == GLFW_KEY_KP_ENTER;
+}
+
 }  // namespace
 
 bool InputState::control() const {
@@ -40,6 +45,7 @@ struct InputQueue::Frame {
   std::array<bool, 3> button_changed{};
   bool any_button = false;
   std::bitset<512> key_changed;
+  bool leads_elsewhere = false;  // a key went down that types no character
   // A key went down: what Control and Shift do after that is no part of it.
   bool settled = false;
 };
@@ -61,8 +67,13 @@ bool InputQueue::take(const Event& event, Frame& frame) {
     if (frame.settled || frame.any_button || frame.key_changed[k]) return false;
     frame.key_changed[k] = true;
     frame.settled = key->down && !is_modifier(key->key);
+    frame.leads_elsewhere = key->down && types_nothing(key->key);
     state_.keys[k] = key->down;
   } else if (const auto* text = std::get_if<Text>(&event)) {
+    // What is typed after Tab or Enter is for where these lead.
+    if (frame.leads_elsewhere) return false;
+    // A frame cannot tell whether a character that is a command was typed once or twice.
+    if (state_.text.find(text->character) != std::u32string::npos) return false;
     state_.text.push_back(text->character);
   } else if (const auto* drop = std::get_if<Drop>(&event)) {
     state_.dropped.insert(state_.dropped.end(), drop->files.begin(), drop->files.end());
@@ -71,11 +82,21 @@ bool InputQueue::take(const Event& event, Frame& frame) {
 }
 
 InputState InputQueue::next_frame() {
+  // Frames that a field takes until it has the keyboard.
+  constexpr int frames_to_lead = 2;
   state_.wheel = Vec2(0, 0);
   state_.text.clear();
   state_.dropped.clear();
+  const auto* pause = events_.empty() ? nullptr : std::get_if<Drop>(&events_.front());
+  if (pause && pause->files.empty()) {
+    events_.pop_front();
+    return state_;
+  }
   Frame frame;
   while (!events_.empty() && take(events_.front(), frame)) events_.pop_front();
+  // A drop of no files stands for a frame in which nothing happens.
+  if (frame.leads_elsewhere && !events_.empty() && std::holds_alternative<Text>(events_.front()))
+    events_.insert(events_.begin(), frames_to_lead, Drop{});
   return state_;
 }
 

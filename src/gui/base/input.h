@@ -36,7 +36,8 @@ struct InputState {
 
 /// Events in the order in which they came. Several events may fall into one frame, but never two
 /// that a frame could not tell apart: a press and its release, a press and a motion after it, a key
-/// and the release of the Control key that was held with it.
+/// and the release of the Control key that was held with it, a character twice, or one that was
+/// typed after Tab or Enter.
 class InputQueue {
  public:
   void move(const ScreenPoint& position);

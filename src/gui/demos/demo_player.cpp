@@ -64,7 +64,7 @@ void DemoPlayer::begin_step(const Session& session, ActionQueue& actions) {
     *smooth = session.jobs().smooth_options();
     if (step.regular) smooth->targets = TargetBlend::regular();
   }
-  actions.emplace_back(action::RunCommand{std::move(command), false});
+  actions.emplace_back(action::RunCommand{std::move(command), false, true});
 }
 
 void DemoPlayer::update(const Session& session, double seconds, ActionQueue& actions) {

@@ -132,36 +132,63 @@ LayersCommand layers(const std::vector<std::string>& markers, int count, double 
 
 Demo case_e() {
   const std::array<double, 4> view{-2.05, -1.55, 2.05, 1.55};
+  const std::array<double, 4> near{-1.5, -0.7, 0.1, 0.7};
   return {
       "E",
       "Layers of quadrilaterals, pure smoothing",
       "quads.su2",
-      {{"The mesh", "Quadrilaterals in a box around a circle and an ellipse.", {}, {}, false, view},
-       {"Layers, spread evenly",
-        "Five rings of quadrilaterals are inserted along every boundary, and the mesh is smoothed. "
-        "No spacing is asked for: smoothing spreads the layers as evenly as it can.",
+      {{"The mesh",
+        "Quadrilaterals in a box around a circle and an ellipse. Five rings of them were inserted "
+        "along every boundary: they are thin, and crowd at the walls.",
         {},
-        layers({"outer", "circle", "ellipse"}, 5, 0.004, false),
+        {},
         false,
-        view,
-        true}}};
+        view},
+       {"The rings",
+        "Each ring is as high as it was made, whatever lies beside it.",
+        {},
+        {},
+        false,
+        near},
+       {"Smoothed",
+        "No spacing is asked for, every element is to be square: smoothing spreads the rings as "
+        "evenly as it can.",
+        {},
+        SmoothCommand{},
+        false,
+        near,
+        true},
+       {"The whole mesh",
+        "Compare it with the first step: Shift+G shows both.",
+        {},
+        {},
+        false,
+        view}}};
 }
 
 Demo case_f() {
-  const std::array<double, 4> near{-0.9, -0.75, 0.9, 0.75};
-  return {"F",
-          "Viscous layers at a circle, their spacing held",
-          "circle.su2",
-          {{"The mesh", "Triangles between two circles.", {"circle"}, {}, false, near},
-           {"Fifteen layers",
-            "Fifteen layers of quadrilaterals are inserted at the circle: the first 0.001 high, "
-            "each higher than the last by a ratio that begins with 1.15 and grows by 1.01. The "
-            "triangles make room, and the virtual control volumes of the layers ask for exactly "
-            "these heights.",
-            {"circle"},
-            layers({"circle"}, 15, 0.001, true),
-            false,
-            near}}};
+  const std::array<double, 4> whole{-0.9, -0.75, 0.9, 0.75};
+  const std::array<double, 4> near{0.28, 0.28, 0.5, 0.5};
+  return {
+      "F",
+      "Viscous layers at a circle, their spacing held",
+      "circle.su2",
+      {{"The mesh", "Triangles between two circles.", {"circle"}, {}, false, whole},
+       {"Fifteen layers",
+        "Fifteen layers of quadrilaterals are inserted at the circle: the first 0.001 high, "
+        "each higher than the last by a ratio that begins with 1.15 and grows by 1.01. The "
+        "triangles make room.",
+        {"circle"},
+        layers({"circle"}, 15, 0.001, true),
+        false,
+        near},
+       {"From afar",
+        "The virtual control volumes of the layers ask for exactly these heights, and hold them "
+        "whatever moves. The panel \"Layers\" plots the heights wanted and realised.",
+        {"circle"},
+        {},
+        false,
+        whole}}};
 }
 
 Demo case_g() {

@@ -1,5 +1,7 @@
 #include "gui/files/thumbnails.h"
 
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "core/error.h"
@@ -8,6 +10,7 @@
 #include "gui/render/camera.h"
 #include "gui/render/frame_buffer.h"
 #include "gui/render/gl.h"
+#include "gui/render/image.h"
 #include "gui/render/mesh_renderer.h"
 #include "io/format/mesh_file.h"
 
@@ -44,10 +47,21 @@ std::vector<Thumbnails::Loaded> Thumbnails::read() {
   std::vector<Loaded> all;
   for (const BundledMesh& bundled : bundled_meshes()) {
     try {
-      all.push_back({bundled.id, io::read_mesh(assets_folder() / "coarse" / bundled.file).mesh});
+      all.push_back(
+          {bundled.id, io::read_mesh(assets_folder() / "coarse" / bundled.file).mesh, {}});
     } catch (const std::exception&) {
       // A card without a picture is no reason to complain: opening the mesh will say what is wrong.
       continue;
+    }
+  }
+  std::error_code ignored;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(assets_folder() / "demos", ignored)) {
+    if (entry.path().extension() != ".png") continue;
+    try {
+      all.push_back({"demo/" + entry.path().stem().string(), {}, read_png(entry.path())});
+    } catch (const std::exception&) {
+      continue;  // as above
     }
   }
   return all;
@@ -81,7 +95,8 @@ void Thumbnails::update(double seconds) {
   }
   if (auto loaded = reader_.poll()) waiting_ = std::move(*loaded);
   if (waiting_.empty()) return;
-  textures_[waiting_.back().id] = std::make_unique<Texture>(draw(waiting_.back().mesh));
+  const Loaded& next = waiting_.back();
+  textures_[next.id] = std::make_unique<Texture>(next.mesh ? draw(*next.mesh) : next.picture);
   waiting_.pop_back();
 }
 

@@ -12,9 +12,10 @@
 
 namespace winslow::gui {
 
-/// Small pictures of the bundled meshes, drawn by the studio's own renderer from the coarse ones.
-/// Meshes are read on a thread of their own, one is drawn a frame, and nothing begins before the
-/// first frames are on screen.
+/// Small pictures of the bundled meshes, drawn by the studio's own renderer from the coarse ones,
+/// and of the guided demos, which the program comes with (assets/demos, drawn by
+/// docs/make_demo_pictures.py). Files are read on a thread of their own, one mesh is drawn a frame,
+/// and nothing begins before the first frames are on screen.
 class Thumbnails {
  public:
   static constexpr int width = 384, height = 240;  ///< pixels, twice as fine as shown
@@ -23,13 +24,14 @@ class Thumbnails {
   void update(double seconds);
   /// Pictures that are wanted are not all there yet.
   bool busy() const { return (!started_ && possible()) || reader_.busy() || !waiting_.empty(); }
-  /// Null until it is drawn.
+  /// Of a bundled mesh, or of a demo: "demo/A". Null until it is there.
   const Texture* find(const std::string& id) const;
 
  private:
   struct Loaded {
     std::string id;
-    Mesh mesh;
+    std::optional<Mesh> mesh;  ///< to be drawn; else there is a picture
+    Image picture;
   };
   /// The bundled meshes are installed.
   static bool possible();

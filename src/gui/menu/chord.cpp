@@ -62,8 +62,10 @@ bool pressed(const Chord& chord) {
     return !control_held && std::find(typed.begin(), typed.end(),
                                       static_cast<ImWchar>(chord.character)) != typed.end();
   }
-  return ImGui::IsKeyPressed(chord.key, false) && control_held == chord.control &&
-         io.KeyShift == chord.shift && io.KeyAlt == chord.alt;
+  // On many keyboards "+" is the key "=" with Shift.
+  const bool shift_fits = io.KeyShift == chord.shift || chord.key == GLFW_KEY_EQUAL;
+  return ImGui::IsKeyPressed(chord.key, false) && control_held == chord.control && shift_fits &&
+         io.KeyAlt == chord.alt;
 }
 
 Chord key(int glfw_key) { return {glfw_key}; }

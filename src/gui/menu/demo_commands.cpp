@@ -39,6 +39,7 @@ std::vector<UserCommand> demo_commands() {
        .label = "Guided demos",
        .group = group,
        .tooltip = "The cases of the paper, step by step.",
+       .words = "tutorial example tour",
        .blocked = [](const PanelContext&) -> std::string {
          return assets_folder().empty() ? "The bundled meshes are not installed." : "";
        },

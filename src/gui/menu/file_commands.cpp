@@ -31,6 +31,16 @@ std::string cannot_record_step(const PanelContext& context) {
   return context.session.document()->history().position() > 0 ? "" : "Nothing was done yet.";
 }
 
+/// What the mesh formats are called, so that a format's name finds what reads and writes it.
+std::string format_names(FilePurpose purpose) {
+  std::string names;
+  for (const FileKind& kind : dialog_of(purpose).kinds) {
+    names += kind.label + ' ';
+    for (const std::string& extension : kind.extensions) names += extension + ' ';
+  }
+  return names;
+}
+
 std::function<void(const PanelContext&)> dialog(FilePurpose purpose,
                                                 const std::string& extension = {}) {
   return [=](const PanelContext& c) { c.emit(action::ShowFileDialog{purpose, extension}); };
@@ -99,6 +109,7 @@ std::vector<UserCommand> opening_commands() {
        .group = group,
        .keys = {control(key(GLFW_KEY_O))},
        .tooltip = "Choose a mesh file. A file dropped on the window opens, too.",
+       .words = "load read import " + format_names(FilePurpose::open_mesh),
        .run = dialog(FilePurpose::open_mesh)},
       {.id = "open_recent",
        .label = "Open recent",
@@ -142,12 +153,14 @@ std::vector<UserCommand> saving_commands() {
        .group = group,
        .keys = {control(shift(key(GLFW_KEY_S)))},
        .tooltip = "Save the mesh under another name or in another format.",
+       .words = "write convert " + format_names(FilePurpose::save_mesh),
        .blocked = cannot_save,
        .run = dialog(FilePurpose::save_mesh)},
       {.id = "export",
        .label = "Export",
        .group = group,
        .tooltip = "Write a copy of the mesh in a format, or its markers as curves.",
+       .words = "write convert format",
        .blocked = cannot_save,
        .items = export_formats},
       {.id = "recipe",
@@ -188,6 +201,7 @@ std::vector<UserCommand> picture_commands() {
        .group = group,
        .keys = {key(GLFW_KEY_F12)},
        .tooltip = "Save a picture of this window.",
+       .words = "screenshot image png",
        .run = [](const PanelContext& c) { c.emit(action::TakeScreenshot{}); },
        .starts_section = true},
       {.id = "screenshot_as",
@@ -196,11 +210,13 @@ std::vector<UserCommand> picture_commands() {
        .keys = {shift(key(GLFW_KEY_F12))},
        .tooltip =
            "A picture of any size, with or without the panels, or vector graphics of the mesh.",
+       .words = "screenshot image png svg pdf vector",
        .run = [](const PanelContext& c) { c.emit(action::ShowPictureDialog{}); }},
       {.id = "record",
        .label = "Record...",
        .group = group,
        .tooltip = "Record the mesh as it moves: PNG frames, GIF or MP4.",
+       .words = "film video animation movie",
        .blocked = [](const PanelContext& c) -> std::string {
          if (!c.session.document()) return without_mesh(c);
          return c.capture.recorder().state() == Recorder::State::idle

@@ -5,7 +5,7 @@
 namespace winslow::gui {
 
 std::span<const Gesture> mouse_gestures() {
-  static constexpr std::array<Gesture, 18> gestures{
+  static constexpr std::array<Gesture, 20> gestures{
       {{"Click a body", "select it"},
        {"Ctrl or Shift + click", "add to the selection"},
        {"Drag a body", "move it; the mesh follows"},
@@ -15,11 +15,13 @@ std::span<const Gesture> mouse_gestures() {
        {"... with Ctrl", "snap to grid, 5 degrees, nodes"},
        {"... with Shift", "a tenth of the speed"},
        {"X, Y in a drag", "keep to that axis, or set free"},
+       {"30 Enter in a drag", "by just 30; moving: x Tab y"},
        {"Enter, Esc in a drag", "accept, cancel"},
        {"Drag a node (E)", "change the shape"},
        {"... with the wheel", "how far it fades"},
        {"Shift + click a node (E)", "take the arc up to it"},
        {"Drag elsewhere", "pan; also middle or right button"},
+       {"Right click", "what can be done there"},
        {"Alt + click a node", "inspect it; in tab VCV a click"},
        {"Wheel", "zoom at the cursor"},
        {"Ctrl + right drag", "zoom to a box"},

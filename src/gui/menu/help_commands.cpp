@@ -19,6 +19,7 @@ std::vector<UserCommand> help_commands() {
        .group = group,
        .keys = {typed(U'?'), key(GLFW_KEY_F1)},
        .tooltip = "All keys, and what the mouse does.",
+       .words = "shortcuts hotkeys help",
        .run = [](const PanelContext& c) { c.emit(action::ShowHelp{}); }},
       {.id = "welcome",
        .label = "Welcome",

@@ -26,6 +26,7 @@ std::vector<UserCommand> solver_commands() {
        .group = group,
        .keys = {key(GLFW_KEY_SPACE)},
        .tooltip = "Smooth the mesh, its boundary held; goes on where the solver is paused.",
+       .words = "solve run start untangle repair optimise winslow",
        .blocked =
            [](const PanelContext& c) {
              return at_work(c) ? "The solver is at work." : without_mesh(c);
@@ -63,6 +64,7 @@ std::vector<UserCommand> solver_commands() {
        .group = group,
        .keys = {key(GLFW_KEY_ESCAPE)},
        .tooltip = "Stop and put the mesh back as it was.",
+       .words = "abort stop",
        .blocked = [](const PanelContext& c) -> std::string {
          return c.session.job().active() ? "" : "The solver is not at work.";
        },

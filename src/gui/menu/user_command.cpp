@@ -9,8 +9,8 @@ namespace winslow::gui {
 const std::vector<UserCommand>& user_commands() {
   static const std::vector<UserCommand> all = [] {
     std::vector<UserCommand> commands;
-    for (auto make : {file_commands, edit_commands, solver_commands, view_commands, help_commands,
-                      demo_commands}) {
+    for (auto make : {file_commands, edit_commands, motion_commands, layer_commands,
+                      solver_commands, view_commands, help_commands, demo_commands}) {
       auto group = make();
       std::move(group.begin(), group.end(), std::back_inserter(commands));
     }
@@ -32,6 +32,10 @@ std::string_view group_label(CommandGroup group) {
       return "File";
     case CommandGroup::edit:
       return "Edit";
+    case CommandGroup::motion:
+      return "Motion";
+    case CommandGroup::layers:
+      return "Layers";
     case CommandGroup::solver:
       return "Solver";
     case CommandGroup::view:

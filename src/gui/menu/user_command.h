@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -12,12 +13,17 @@
 /// the toolbar's tooltips all read this one table: what is not in it has no key and no menu entry.
 ///
 /// TO ADD A COMMAND, add an entry to the table of its group: file_commands.cpp, edit_commands.cpp,
-/// solver_commands.cpp, view_commands.cpp, help_commands.cpp or
-/// demo_commands.cpp. Its order there is its order in the
-/// menu. What the mouse does, for the list of keys, stands in gestures.cpp.
+/// motion_commands.cpp, layer_commands.cpp, solver_commands.cpp, view_commands.cpp,
+/// help_commands.cpp or demo_commands.cpp. Its order there is its order in the menu. What a right
+/// click offers stands in context_commands.cpp, what the mouse does, for the list of keys, in
+/// gestures.cpp.
 namespace winslow::gui {
 
-enum class CommandGroup { file, edit, solver, view, help };
+enum class CommandGroup { file, edit, motion, layers, solver, view, help };
+/// In the order of the menus.
+inline constexpr std::array<CommandGroup, 7> command_groups{
+    CommandGroup::file,   CommandGroup::edit, CommandGroup::motion, CommandGroup::layers,
+    CommandGroup::solver, CommandGroup::view, CommandGroup::help};
 
 struct UserCommand {
   using Test = std::function<bool(const PanelContext&)>;
@@ -29,6 +35,8 @@ struct UserCommand {
   CommandGroup group = CommandGroup::file;
   std::vector<Chord> keys = {};
   std::string tooltip = {};  ///< a sentence or two
+  /// Other terms for what it does, by which it is found as well; separated by spaces.
+  std::string words = {};
   /// Why it cannot be done now, as a sentence; empty: it can. Null: it always can.
   Text blocked = {};
   Test checked = {};  ///< for what is on or off; null: it is neither
@@ -36,8 +44,7 @@ struct UserCommand {
   std::function<void(const PanelContext&)> run = {};
   Text label_now = {};  ///< label that says what would happen ("Undo: Smooth"); null: `label`
   bool starts_section = false;  ///< a line above it in the menu
-  /// A submenu: what it holds now, in place of `run`. The palette lists them one by one,
-  /// unless the submenu is blocked.
+  /// A submenu: what it holds now, in place of `run`. The palette lists them one by one.
   std::function<std::vector<UserCommand>(const PanelContext&)> items = {};
 };
 
@@ -56,6 +63,8 @@ std::string tooltip_of(const UserCommand& command);
 // The groups.
 std::vector<UserCommand> file_commands();
 std::vector<UserCommand> edit_commands();
+std::vector<UserCommand> motion_commands();
+std::vector<UserCommand> layer_commands();
 std::vector<UserCommand> solver_commands();
 std::vector<UserCommand> view_commands();
 std::vector<UserCommand> help_commands();

@@ -125,6 +125,7 @@ std::vector<UserCommand> detail_commands() {
               .label = "Isolate elements",
               .keys = {key(GLFW_KEY_I)},
               .tooltip = "Draw the elements beyond a threshold in full, the others faint.",
+              .words = "threshold filter bad worst",
               .blocked = [](const PanelContext& c) -> std::string {
                 if (!c.session.document()) return without_mesh(c);
                 return c.view.color ? "" : "The elements are not coloured by a metric.";
@@ -141,6 +142,7 @@ std::vector<UserCommand> detail_commands() {
            .keys = {key(GLFW_KEY_M)},
            .tooltip = "A lens under the mouse; the wheel sets its factor. Held down, the key "
                       "shows it for as long.",
+           .words = "lens zoom loupe",
            .blocked = without_mesh,
            .checked = [](const PanelContext& c) { return c.view.magnifier.on; }}),
       {.id = "pin_magnifier",
@@ -152,9 +154,10 @@ std::vector<UserCommand> detail_commands() {
        .checked = [](const PanelContext& c) { return c.view.magnifier.pin.has_value(); },
        .run = [](const PanelContext& c) { c.emit(action::PinMagnifier{}); }},
       compare(Comparison::ghost, {.id = "ghost",
-                                  .label = "Edges of the mesh before",
+                                  .label = "Ghost of previous mesh",
                                   .keys = {key(GLFW_KEY_G)},
                                   .tooltip = "Lay the edges of the state before over the mesh.",
+                                  .words = "compare before after edges",
                                   .starts_section = true}),
       compare(Comparison::split, {.id = "split",
                                   .label = "Before and after side by side",
@@ -168,17 +171,19 @@ std::vector<UserCommand> fit_commands() {
   constexpr auto group = CommandGroup::view;
   return {
       {.id = "fit",
-       .label = "Fit the whole mesh",
+       .label = "Fit all",
        .group = group,
        .keys = {key(GLFW_KEY_F)},
        .tooltip = "Show the whole mesh.",
+       .words = "whole mesh zoom extents home",
        .blocked = without_mesh,
        .run = [](const PanelContext& c) { c.emit(action::FitView{}); }},
       {.id = "fit_selection",
-       .label = "Fit the selection",
+       .label = "Zoom to selection",
        .group = group,
        .keys = {shift(key(GLFW_KEY_F))},
        .tooltip = "Show the selected bodies.",
+       .words = "fit bodies markers",
        .blocked = [](const PanelContext& c) -> std::string {
          if (!c.session.document()) return without_mesh(c);
          return c.session.selection().empty() ? "Nothing is selected." : "";
@@ -207,14 +212,16 @@ std::vector<UserCommand> style_commands() {
               .tooltip = "Arrows along the boundary, with the mesh on their left."}),
       toggle(&ViewOptions::node_ids,
              {.id = "node_ids",
-              .label = "Ids of nodes",
+              .label = "Node IDs",
               .keys = {shift(key(GLFW_KEY_I))},
-              .tooltip = "Numbers of the nodes that are far enough apart on screen."}),
+              .tooltip = "Numbers of the nodes that are far enough apart on screen.",
+              .words = "number label"}),
       toggle(&ViewOptions::element_ids,
              {.id = "element_ids",
-              .label = "Ids of elements",
+              .label = "Element IDs",
               .keys = {shift(key(GLFW_KEY_E))},
-              .tooltip = "Numbers of the elements that are large enough on screen."}),
+              .tooltip = "Numbers of the elements that are large enough on screen.",
+              .words = "number label"}),
       toggle(&ViewOptions::legend, {.id = "legend",
                                     .label = "Legend",
                                     .keys = {key(GLFW_KEY_L)},
@@ -246,15 +253,15 @@ std::vector<UserCommand> panel_commands() {
                           .label = "View tab",
                           .keys = {control(key(GLFW_KEY_2))},
                           .tooltip = "What is drawn and how, in the column on the right."}),
-      tab(SideTab::history, {.id = "tab_history",
-                             .label = "History tab",
-                             .keys = {control(key(GLFW_KEY_3))},
-                             .tooltip = "What was done to the mesh, in the column on the right."}),
       tab(SideTab::vcv, {.id = "tab_vcv",
                          .label = "VCV tab",
-                         .keys = {control(key(GLFW_KEY_4))},
+                         .keys = {control(key(GLFW_KEY_3))},
                          .tooltip = "A node and its virtual control volume, in the column on the "
                                     "right."}),
+      tab(SideTab::history, {.id = "tab_history",
+                             .label = "History tab",
+                             .keys = {control(key(GLFW_KEY_4))},
+                             .tooltip = "What was done to the mesh, in the column on the right."}),
   };
 }
 
@@ -266,6 +273,7 @@ std::vector<UserCommand> look_commands() {
        .group = group,
        .keys = {control(key(GLFW_KEY_D))},
        .tooltip = "Light on dark instead of dark on light.",
+       .words = "light night colours",
        .checked = [](const PanelContext& c) { return c.view.lightness == Lightness::dark; },
        .run =
            [](const PanelContext& c) {
@@ -280,12 +288,14 @@ std::vector<UserCommand> look_commands() {
        .group = group,
        .keys = {control(key(GLFW_KEY_EQUAL)), control(key(GLFW_KEY_KP_ADD))},
        .tooltip = "Text and controls one step larger.",
+       .words = "scale zoom text font dpi",
        .run = [](const PanelContext& c) { c.emit(action::StepScale{1}); }},
       {.id = "smaller",
        .label = "Smaller interface",
        .group = group,
        .keys = {control(key(GLFW_KEY_MINUS)), control(key(GLFW_KEY_KP_SUBTRACT))},
        .tooltip = "Text and controls one step smaller.",
+       .words = "scale zoom text font dpi",
        .run = [](const PanelContext& c) { c.emit(action::StepScale{-1}); }},
       {.id = "scale",
        .label = "Scale of the screen",

@@ -25,7 +25,8 @@ std::string text_of(const PanelContext& context) {
 /// The text and up to three buttons fit on one line.
 bool one_line(const PanelContext& context, float width) {
   const float text = ImGui::CalcTextSize(context.session.messages().banner()->text.c_str()).x;
-  return text + context.theme.px(310) <= width;
+  const bool lines = context.session.messages().banner()->text.find('\n') != std::string::npos;
+  return !lines && text + context.theme.px(310) <= width;
 }
 
 }  // namespace
@@ -54,11 +55,13 @@ void BannerPanel::draw(const PanelContext& context) {
   ImGui::PopTextWrapPos();
   ui::note("banner");
   if (one_line(context, ImGui::GetWindowWidth())) ImGui::SameLine(0, context.theme.px(16));
+  const bool remark = banner->kind == Banner::Kind::remark;
   if (undo) {
     if (ui::button("banner/undo", "Undo", {"Back to the mesh before this command."}))
       context.emit(action::Undo{});
     ImGui::SameLine();
-  } else if (ui::button("banner/smooth",
+  } else if (!remark &&
+             ui::button("banner/smooth",
                         banner->kind == Banner::Kind::inverted_input ? "Smooth" : "Go on",
                         {"Smooth the mesh, its boundary held."})) {
     context.emit(action::RunSmooth{});
@@ -68,7 +71,7 @@ void BannerPanel::draw(const PanelContext& context) {
     if (ui::button("banner/show", "Show", {"Look at the first inverted element."}))
       emit_show_inverted(context);
   }
-  ImGui::SameLine();
+  if (!remark) ImGui::SameLine();
   if (ui::button("banner/keep", bad ? "Keep it" : "Dismiss",
                  {"Leave the mesh as it is and hide this line."}))
     context.emit(action::DismissBanner{});

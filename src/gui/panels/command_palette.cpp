@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "gui/menu/fuzzy.h"
+#include "gui/menu/command_search.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -20,30 +20,36 @@ constexpr std::size_t remembered = 5;
 
 std::vector<CommandPalette::Row> CommandPalette::rows(const PanelContext& context) const {
   std::vector<Row> found;
-  const auto add = [&](const UserCommand& command, const std::string& prefix) {
+  const auto add = [&](const UserCommand& command, const std::string& prefix,
+                       const std::string& blocked) {
     Row row{command, prefix + label_of(command, context), why_blocked(command, context), 0};
-    // The name of its menu helps to find it, but counts less than its own.
-    const auto own = fuzzy_score(query_, row.label);
-    const auto with_group =
-        fuzzy_score(query_, row.label + " " + std::string(group_label(command.group)));
-    if (!own && !with_group) return;
-    row.score = own ? *own : *with_group / 2;
+    if (row.reason.empty()) row.reason = blocked;
+    const auto score = search_score(query_, row.label,
+                                    command.words + ' ' + std::string(group_label(command.group)));
+    if (!score) return;
     const auto place = std::find(recent_.begin(), recent_.end(), command.id) - recent_.begin();
     const auto rank = static_cast<int>(recent_.size()) - static_cast<int>(place);
-    row.score += query_.empty() ? rank : 32 * rank;
+    row.score = *score + (query_.empty() ? rank : 32 * rank);
     found.push_back(std::move(row));
   };
   for (const UserCommand& command : user_commands()) {
     if (command.id == "palette") continue;
     if (!command.items) {
-      add(command, "");
+      add(command, "", "");
       continue;
     }
-    if (!why_blocked(command, context).empty()) continue;
-    for (const UserCommand& item : command.items(context)) add(item, command.label + ": ");
+    const std::string blocked = why_blocked(command, context);
+    for (const UserCommand& item : command.items(context)) {
+      UserCommand listed = item;
+      listed.words += ' ' + command.words;
+      add(listed, command.label + ": ", blocked);
+    }
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const Row& a, const Row& b) { return a.score > b.score; });
+  // Letters are for what no words find: they fit too much.
+  if (!query_.empty() && !found.empty() && found.front().score >= found_by_words)
+    std::erase_if(found, [](const Row& row) { return row.score < found_by_words; });
   return found;
 }
 
@@ -92,7 +98,8 @@ void CommandPalette::draw_query(const PanelContext& context) {
 void CommandPalette::draw_rows(const PanelContext& context, const std::vector<Row>& rows) {
   shown_.clear();
   for (const Row& row : rows) shown_.push_back(row.command.id);
-  if (rows.empty()) return ui::text_dim("No command has these letters in this order.");
+  if (rows.empty())
+    return ui::text_dim("No command has these words, or these letters in this order.");
   const auto last = rows.size() - 1;
   const auto move = [&](std::size_t to) {
     chosen_ = to;
@@ -138,7 +145,7 @@ bool CommandPalette::draw_row(const PanelContext& context, const Row& row, bool 
   std::string label = row.label;
   if (row.command.checked && row.command.checked(context)) label += "  (on)";
   const std::string group(group_label(row.command.group));
-  const float group_width = theme.px(52);
+  const float group_width = theme.px(58);
   list.AddText(ImVec2(start.x + pad, y), palette().text_faint, group.c_str());
   const float room = size.x - 3 * pad - group_width - right_width;
   list.AddText(ImVec2(start.x + pad + group_width, y), can ? palette().text : palette().text_faint,

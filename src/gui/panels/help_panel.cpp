@@ -25,8 +25,7 @@ struct Block {
 
 std::vector<Block> blocks() {
   std::vector<Block> all;
-  for (CommandGroup group : {CommandGroup::file, CommandGroup::edit, CommandGroup::solver,
-                             CommandGroup::view, CommandGroup::help}) {
+  for (const CommandGroup group : command_groups) {
     Block block{std::string(group_label(group)), {}};
     for (const UserCommand& command : user_commands())
       if (command.group == group && !command.keys.empty())

@@ -1,11 +1,121 @@
 #include "gui/panels/markers_panel.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
 
 #include "gui/base/text.h"
+#include "gui/view/mesh/mesh_colors.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
+
+namespace {
+
+constexpr const char* colors_popup = "###marker_colors";
+
+ImU32 color_u32(const Rgb& c) {
+  return ImGui::ColorConvertFloat4ToU32(ImVec4(c[0], c[1], c[2], 1));
+}
+
+/// A button of a row, as wide as it is high.
+struct RowButton {
+  std::string id;
+  std::string glyph;
+  std::string tooltip;
+  bool lit = false;    ///< it says something that is not as designed
+  float x = 0, y = 0;  ///< where it begins, pixels
+  float side = 0;
+};
+bool row_button(const RowButton& button) {
+  ImGui::SetCursorScreenPos(ImVec2(button.x, button.y));
+  const bool pressed = ImGui::InvisibleButton(button.id.c_str(), ImVec2(button.side, button.side));
+  ui::note(button.id);
+  const bool over = ImGui::IsItemHovered();
+  ui::tooltip(button.tooltip);
+  const ImVec2 size = ImGui::CalcTextSize(button.glyph.c_str());
+  const ImU32 ink = over ? palette().accent : button.lit ? palette().text : palette().text_faint;
+  ImGui::GetWindowDrawList()->AddText(
+      ImVec2(button.x + (button.side - size.x) / 2, button.y + (button.side - size.y) / 2), ink,
+      button.glyph.c_str());
+  return pressed;
+}
+
+/// Changes the look of one marker; one that is hidden or locked is not selected any longer.
+template <class Change>
+void change_look(const PanelContext& context, Index marker, const std::string& name,
+                 Change change) {
+  MarkerLook look = context.view.markers.of(name);
+  change(look);
+  context.edit_view([&](ViewOptions& view) { view.markers.set(name, look); });
+  if ((look.hidden || look.locked) && context.session.selection().contains(marker))
+    context.emit(action::SelectMarkers{{marker}, true});
+}
+
+std::string glyph_of(const Theme& theme, Icon icon, const char* letter) {
+  const std::string glyph = theme.icon(icon);
+  return glyph.empty() ? letter : glyph;
+}
+
+/// Eye and padlock at the end of a row. Returns where they begin.
+float draw_row_buttons(const PanelContext& context, Index marker, const ImVec2& start,
+                       const ImVec2& end) {
+  const std::string& name = context.topology()->markers()[static_cast<std::size_t>(marker)].name;
+  const MarkerLook look = context.view.markers.of(name);
+  const float side = end.y - start.y;
+  RowButton eye{"marker_hide/" + name,
+                glyph_of(context.theme, look.hidden ? Icon::hide : Icon::view, "v"),
+                look.hidden
+                    ? "Draw " + name + " again."
+                    : "Hide " + name + ": it is not drawn, and the mouse passes through it.",
+                look.hidden,
+                end.x - 2 * side,
+                start.y,
+                side};
+  if (row_button(eye))
+    change_look(context, marker, name, [](MarkerLook& l) { l.hidden = !l.hidden; });
+  RowButton lock{"marker_lock/" + name,
+                 glyph_of(context.theme, look.locked ? Icon::lock : Icon::unlock, "l"),
+                 look.locked ? "Unlock " + name + "."
+                             : "Lock " + name + ": the mouse neither selects nor moves it.",
+                 look.locked,
+                 end.x - side,
+                 start.y,
+                 side};
+  if (row_button(lock))
+    change_look(context, marker, name, [](MarkerLook& l) { l.locked = !l.locked; });
+  return end.x - 2 * side;
+}
+
+struct RowText {
+  const std::string& name;
+  bool selected = false, hidden = false;
+};
+struct RowRect {
+  ImVec2 min, max;
+};
+/// The name of a marker, and whether it moves or stays.
+void draw_name(const RowText& text, const Theme& theme, const RowRect& rect) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float pad = theme.px(6);
+  const char* role = text.selected ? "moves" : "fixed";
+  const float width = ImGui::CalcTextSize(role).x + 2 * pad;
+  const std::string name = ui::elided(text.name, rect.max.x - width - pad - rect.min.x);
+  list.AddText(ImVec2(rect.min.x, rect.min.y + pad),
+               text.hidden ? palette().text_faint : palette().text, name.c_str());
+  const ImVec2 pill(rect.max.x - width, rect.min.y + pad / 2);
+  if (text.selected)
+    list.AddRectFilled(pill, ImVec2(rect.max.x, rect.max.y - pad / 2), palette().accent,
+                       theme.px(4));
+  list.AddText(ImVec2(pill.x + pad, rect.min.y + pad),
+               text.selected ? palette().on_accent : palette().text_faint, role);
+}
+
+}  // namespace
 
 void MarkersPanel::draw(const PanelContext& context) {
   if (!ui::section("section/markers", "Bodies and markers")) return;
@@ -23,49 +133,113 @@ void MarkersPanel::draw(const PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   ImGui::BeginChild("markers", ImVec2(0, height), true);
   for (Index m = 0; m < count; ++m) draw_row(context, m);
-  ImGui::EndChild();
   ImGui::PopStyleVar(2);
+  draw_colors(context);
+  ImGui::EndChild();
 }
 
 void MarkersPanel::draw_row(const PanelContext& context, Index marker) {
-  const Topology& topology = *context.topology();
-  const Marker& data = topology.markers()[static_cast<std::size_t>(marker)];
+  const Marker& data = context.topology()->markers()[static_cast<std::size_t>(marker)];
+  const MarkerLook look = context.view.markers.of(data.name);
   const bool selected = context.session.selection().contains(marker);
   const auto& hovered = context.session.selection().hovered();
   const bool lit = std::find(hovered.begin(), hovered.end(), marker) != hovered.end();
   const float pad = context.theme.px(6);
   const ImVec2 start = ImGui::GetCursorScreenPos();
-  const ImVec2 size(ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight() + 2 * pad);
+  const ImVec2 end(start.x + ImGui::GetContentRegionAvail().x,
+                   start.y + ImGui::GetTextLineHeight() + 2 * pad);
+  const float side = end.y - start.y;
 
   ImGui::PushID(marker);
-  const bool pressed = ImGui::InvisibleButton("row", size);
-  ui::note("marker/" + data.name);
-  const bool over = ImGui::IsItemHovered();
-  ui::tooltip("Click to select " + data.name +
-              ": selected bodies move, the others stay. Ctrl+click adds or removes.\n" +
-              counted(data.faces.size(), "edge") + ", tag " + std::to_string(data.tag));
-  ImGui::PopID();
-  if (pressed) context.emit(action::SelectMarkers{{marker}, ImGui::GetIO().KeyCtrl});
-
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImVec2 end(start.x + size.x, start.y + size.y);
   const float round = context.theme.px(4);
   if (selected) list.AddRectFilled(start, end, palette().accent_soft, round);
+
+  const bool recolour = row_button({"marker_color/" + data.name, "",
+                                    "The colour of " + data.name + ": click to choose another.",
+                                    false, start.x, start.y, side});
+  if (recolour) {
+    coloured_ = data.name;
+    ImGui::PopID();
+    ImGui::OpenPopup(colors_popup);
+    ImGui::PushID(marker);
+  }
+  const ImVec2 middle(start.x + side / 2, start.y + side / 2);
+  const float half = context.theme.px(6);
+  list.AddRectFilled(ImVec2(middle.x - half, middle.y - half),
+                     ImVec2(middle.x + half, middle.y + half),
+                     color_u32(color_of_marker(context.view, data.name, marker, palette().dark)),
+                     context.theme.px(3));
+
+  const float tools = draw_row_buttons(context, marker, start, end);
+  ImGui::SetCursorScreenPos(ImVec2(start.x + side, start.y));
+  const bool pressed = ImGui::InvisibleButton("row", ImVec2(tools - start.x - side, side));
+  ui::note("marker/" + data.name);
+  const bool over = ImGui::IsItemHovered();
+  ui::tooltip((look.locked ? data.name + " is locked: unlock it to select it.\n"
+                           : "Click to select " + data.name +
+                                 ": selected bodies move, the others stay. Ctrl+click adds or "
+                                 "removes, a right click offers more.\n") +
+              counted(data.faces.size(), "edge") + ", tag " + std::to_string(data.tag));
+  const bool asked = ImGui::IsItemClicked(ImGuiMouseButton_Right);
+  ImGui::PopID();
+  if (asked) context.emit(action::ShowContextMenu{PickedPlace{{}, {marker}, {}, {}}});
+  if (pressed && !look.locked)
+    context.emit(action::SelectMarkers{{marker}, ImGui::GetIO().KeyCtrl});
   if (over || lit) list.AddRectFilled(start, end, faded(palette().accent, 0.07f), round);
-  const float middle = (start.y + end.y) / 2;
-  list.AddRectFilled(ImVec2(start.x + pad, middle - context.theme.px(6)),
-                     ImVec2(start.x + pad + context.theme.px(12), middle + context.theme.px(6)),
-                     marker_swatch(marker), context.theme.px(3));
-  const char* role = selected ? "moves" : "fixed";
-  const float role_width = ImGui::CalcTextSize(role).x + 2 * pad;
-  const float name_x = start.x + pad + context.theme.px(22);
-  const std::string name = ui::elided(data.name, end.x - role_width - 2 * pad - name_x);
-  list.AddText(ImVec2(name_x, start.y + pad), palette().text, name.c_str());
-  const ImVec2 pill(end.x - pad - role_width, start.y + pad / 2);
-  if (selected)
-    list.AddRectFilled(pill, ImVec2(end.x - pad, end.y - pad / 2), palette().accent, round);
-  list.AddText(ImVec2(pill.x + pad, start.y + pad),
-               selected ? palette().on_accent : palette().text_faint, role);
+
+  draw_name({data.name, selected, look.hidden}, context.theme,
+            {ImVec2(start.x + side + context.theme.px(2), start.y), ImVec2(tools, end.y)});
+  ImGui::SetCursorScreenPos(ImVec2(start.x, end.y));
+}
+
+/// Colours to choose from, which can be told apart on light and on dark.
+void MarkersPanel::draw_colors(const PanelContext& context) {
+  static constexpr std::array<std::pair<const char*, Rgb>, 10> choices{
+      {{"Blue", {0.15f, 0.39f, 0.92f}},
+       {"Sky", {0.20f, 0.65f, 0.90f}},
+       {"Green", {0.10f, 0.62f, 0.35f}},
+       {"Teal", {0.05f, 0.58f, 0.55f}},
+       {"Orange", {0.92f, 0.45f, 0.10f}},
+       {"Gold", {0.80f, 0.62f, 0.05f}},
+       {"Red", {0.85f, 0.18f, 0.20f}},
+       {"Magenta", {0.80f, 0.25f, 0.62f}},
+       {"Violet", {0.48f, 0.32f, 0.88f}},
+       {"Grey", {0.50f, 0.53f, 0.58f}}}};
+  const float pad = context.theme.px(8);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad, pad));
+  const bool open = ImGui::BeginPopup(colors_popup);
+  ImGui::PopStyleVar();
+  if (!open) return;
+  const auto marker = context.topology()->markers().find(coloured_);
+  if (!marker || ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
+    ImGui::CloseCurrentPopup();
+    return ImGui::EndPopup();
+  }
+  const auto paint = [&](const std::optional<Rgb>& color) {
+    change_look(context, *marker, coloured_, [&](MarkerLook& look) { look.color = color; });
+    ImGui::CloseCurrentPopup();
+  };
+  ui::text_dim("Colour of " + coloured_);
+  const float side = context.theme.px(26);
+  for (std::size_t k = 0; k < choices.size(); ++k) {
+    if (k % 5 != 0) ImGui::SameLine(0, context.theme.px(6));
+    const auto& [name, color] = choices[k];
+    if (ImGui::InvisibleButton(name, ImVec2(side, side))) paint(color);
+    ui::note(std::string("marker_color/choice/") + name);
+    const ImVec2 min = ImGui::GetItemRectMin();
+    const ImVec2 max = ImGui::GetItemRectMax();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(min, max, color_u32(color), context.theme.px(4));
+    if (ImGui::IsItemHovered())
+      list.AddRect(min, max, palette().text, context.theme.px(4), 0, context.theme.px(2));
+    ui::tooltip(name);
+  }
+  if (ui::button(
+          "marker_color/automatic", "Automatic",
+          {"The colour that it has by its place in the list.", ui::ButtonStyle::normal, true, -1}))
+    paint({});
+  ImGui::EndPopup();
 }
 
 }  // namespace winslow::gui

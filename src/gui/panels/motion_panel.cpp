@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/motion/rigid_motion.h"
 #include "gui/panels/keep_outside_rows.h"
 #include "gui/widgets/controls.h"
 
@@ -10,27 +11,7 @@ namespace winslow::gui {
 
 namespace {
 
-struct Pair {
-  const char* id_x;
-  const char* id_y;
-};
-
-/// Two fields side by side in the rest of the row.
-bool vector_fields(const Pair& ids, Vec2& value, std::string_view tip) {
-  // Six digits do not tell places apart on a mesh far from the origin.
-  const char* format = value.cwiseAbs().maxCoeff() < 1e5 ? "%.6g" : "%.12g";
-  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
-  double x = value.x();
-  double y = value.y();
-  ImGui::SetNextItemWidth(width);
-  bool changed = ui::number(ids.id_x, x, tip, format);
-  ImGui::SameLine(0, gap);
-  ImGui::SetNextItemWidth(width);
-  changed |= ui::number(ids.id_y, y, tip, format);
-  value = Vec2(x, y);
-  return changed;
-}
+constexpr float motion_label_share = 0.30f;
 
 bool moves(const RigidMotion& m) { return m.rotate != 0 || m.translate != Vec2(0, 0); }
 
@@ -41,54 +22,73 @@ bool finite(const RigidMotion& m) {
 }  // namespace
 
 void MotionPanel::draw(const PanelContext& context) {
-  if (!ui::section("section/motion", "Move the selection")) return;
   const Session& session = context.session;
-  if (!session.document()) {
-    ui::text_dim("No mesh is open.");
-    return;
-  }
-  if (session.selection().empty()) {
-    ui::text_wrapped(
+  const bool open = ui::section("section/motion", "Move the selection");
+  if (!open || session.selection().empty()) {
+    if (session.selection().motion_preview()) context.emit(action::PreviewMotion{});
+    if (!open) return;
+    if (!session.document()) return ui::text_dim("No mesh is open.");
+    return ui::text_wrapped(
         "Click a body in the picture, or a marker in the list, to select it. "
         "Then drag it, turn it by its ring, or type numbers here.");
-    return;
   }
   const bool live = session.dragging();
   ImGui::BeginDisabled(live);
-  draw_fields(context, live);
+  const bool entered = draw_fields(context, live);
   draw_pivot(context);
   draw_steps(context);
   draw_keep_outside(context);
   ImGui::EndDisabled();
+  typed_.pivot = session.selection().pivot();
   const bool can = !live && moves(typed_) && finite(typed_);
-  if (ui::button("motion/apply", "Apply",
-                 {"Move the selected bodies and smooth the mesh around them.",
-                  ui::ButtonStyle::primary, can, -1})) {
-    typed_.pivot = session.selection().pivot();
-    context.emit(action::ApplyMotion{typed_});
-    typed_ = RigidMotion{};
-  }
+  preview(context, can && !session.in_motion());
+  const bool pressed =
+      ui::button("motion/apply", "Apply",
+                 {"Move the selected bodies and smooth the mesh around them. Enter "
+                  "in a field does so as well.",
+                  ui::ButtonStyle::primary, can, -1});
+  if (!can || !(pressed || entered)) return;
+  context.emit(action::PreviewMotion{});
+  context.emit(action::ApplyMotion{typed_});
+  typed_ = RigidMotion{};
 }
 
-void MotionPanel::draw_fields(const PanelContext& context, bool live) {
+/// Draws where the typed motion would put the bodies, or no longer.
+void MotionPanel::preview(const PanelContext& context, bool wanted) const {
+  const auto& shown = context.session.selection().motion_preview();
+  if (wanted && (!shown || !same_motion(shown->motion, typed_)))
+    context.emit(action::PreviewMotion{typed_});
+  else if (!wanted && shown)
+    context.emit(action::PreviewMotion{});
+}
+
+/// True if Enter was pressed in one of them.
+bool MotionPanel::draw_fields(const PanelContext& context, bool live) {
   const auto motion = context.session.mesh().live_motion();
   RigidMotion shown = live && motion ? *motion : typed_;
-  ui::row("Translate", "How far the body moves, x and y, in units of the mesh.", 0.34f);
-  bool changed =
-      vector_fields({"motion/dx", "motion/dy"}, shown.translate, "In units of the mesh.");
-  ui::row("Rotate", "Degrees about the pivot, counter-clockwise positive.", 0.34f);
+  ui::row("Translate", "How far the body moves, x and y, in units of the mesh.",
+          motion_label_share);
+  bool entered = false;
+  const ui::VectorField translate{"motion/dx", "motion/dy",
+                                  "In units of the mesh. Enter applies the motion."};
+  bool changed = ui::vector_field(translate, shown.translate, &entered);
+  ui::row("Rotate", "Degrees about the pivot, counter-clockwise positive.", motion_label_share);
   changed |= ui::number("motion/rotate", shown.rotate,
-                        "Degrees about the pivot, counter-clockwise positive.", "%.6g\xC2\xB0");
+                        "Degrees about the pivot, counter-clockwise positive. Enter applies the "
+                        "motion.",
+                        "%.6g\xC2\xB0");
+  entered |= ui::entered();
   if (changed && !live) typed_ = shown;
+  return entered;
 }
 
 void MotionPanel::draw_pivot(const PanelContext& context) {
   Vec2 pivot = context.session.selection().pivot();
   ui::row("Pivot", "The point about which the body turns. Drag it in the picture, or type it.",
-          0.34f);
-  if (vector_fields({"motion/pivot_x", "motion/pivot_y"}, pivot,
-                    "The point about which the body turns.") &&
-      pivot.allFinite())
+          motion_label_share);
+  const ui::VectorField field{"motion/pivot_x", "motion/pivot_y",
+                              "The point about which the body turns."};
+  if (ui::vector_field(field, pivot) && pivot.allFinite())
     context.emit(action::SetPivot{pivot, {}});
   constexpr std::array<PivotPlace, 4> places{PivotPlace::centre, PivotPlace::centroid,
                                              PivotPlace::leading_edge, PivotPlace::trailing_edge};
@@ -96,7 +96,7 @@ void MotionPanel::draw_pivot(const PanelContext& context) {
       "Where the pivot is: the centre of the bounding box, the centroid of the enclosed area, the "
       "sharper end of the longest chord (trailing edge) or its other end (leading edge). Ctrl "
       "snaps to these and to nodes while the pivot is dragged in the picture.";
-  ui::row("Pivot at", tip, 0.34f);
+  ui::row("Pivot at", tip, motion_label_share);
   std::vector<std::string> names{"Centre", "Centroid", "Leading edge", "Trailing edge"};
   std::size_t chosen = names.size();
   for (std::size_t i = 0; i < places.size(); ++i)
@@ -116,7 +116,7 @@ void MotionPanel::draw_steps(const PanelContext& context) {
   constexpr const char* tip =
       "In how many steps the body goes to its place, the mesh smoothed after each. Automatic: at "
       "once, and in steps only if that leaves the mesh tangled.";
-  ui::row("Steps", tip, 0.34f);
+  ui::row("Steps", tip, motion_label_share);
   if (ui::combo("motion/steps", names, chosen, tip)) {
     MotionOptions options = now;
     options.increments = increments[chosen];

@@ -10,7 +10,8 @@ class MotionPanel : public Panel {
   void draw(const PanelContext& context) override;
 
  private:
-  void draw_fields(const PanelContext& context, bool live);
+  bool draw_fields(const PanelContext& context, bool live);
+  void preview(const PanelContext& context, bool wanted) const;
   void draw_pivot(const PanelContext& context);
   void draw_steps(const PanelContext& context);
 

@@ -64,7 +64,7 @@ void ShapePanel::draw_sine(const PanelContext& context) {
     return;
   }
   draw_fields();
-  ui::checkbox("shape/preview", "Show the outline", preview_,
+  ui::checkbox("shape/preview", "Preview", preview_,
                "Draw where the boundary would be, before anything is done.");
   const auto& shown = session.selection().deformation_preview();
   const bool wanted = preview_ && sensible(typed_) && !session.in_motion();

@@ -17,7 +17,6 @@ void SolverPanel::draw(const PanelContext& context) {
   draw_method(context);
   draw_pace(context);
   draw_state(context);
-  draw_buttons(context);
   draw_steps(context);
   draw_resets(context);
   draw_options(context);
@@ -57,6 +56,7 @@ void SolverPanel::draw_state(const PanelContext& context) {
   const JobRunner& job = context.session.job();
   if (!job.active()) {
     ui::text_dim("Idle");
+    ui::tooltip("Smooth, Step and Cancel are in the toolbar.");
     return;
   }
   ui::text_wrapped((job.paused() ? "Paused: " : "") + describe(job.command()));
@@ -70,35 +70,6 @@ void SolverPanel::draw_state(const PanelContext& context) {
                short_number(last.residual));
   if (last.inverted > 0)
     ui::text_colored(palette().danger, counted(last.inverted, "inverted element"));
-}
-
-void SolverPanel::draw_buttons(const PanelContext& context) {
-  const JobRunner& job = context.session.job();
-  const bool open = context.session.document() != nullptr;
-  const bool dragging = context.session.dragging();
-  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
-  if (job.active() && !job.paused()) {
-    if (ui::button("solver/pause", "Pause",
-                   {"Stop after the present iteration (Space).", ui::ButtonStyle::normal, !dragging,
-                    width}))
-      context.emit(action::PauseSolver{});
-  } else if (ui::button(
-                 "solver/run", job.paused() ? "Resume" : "Smooth",
-                 {job.paused() ? "Go on (Space)." : "Smooth the mesh, its boundary held (Space).",
-                  ui::ButtonStyle::primary, open, width})) {
-    context.emit(action::RunSmooth{});
-  }
-  ImGui::SameLine(0, gap);
-  if (ui::button("solver/step", "Step",
-                 {"One outer iteration, then pause (N).", ui::ButtonStyle::normal,
-                  open && !dragging, width}))
-    context.emit(action::StepSolver{1});
-  ImGui::SameLine(0, gap);
-  if (ui::button("solver/cancel", "Cancel",
-                 {"Stop and put the mesh back as it was (Esc).", ui::ButtonStyle::normal,
-                  job.active(), width}))
-    context.emit(action::CancelSolver{});
 }
 
 void SolverPanel::draw_steps(const PanelContext& context) {
@@ -119,19 +90,16 @@ void SolverPanel::draw_steps(const PanelContext& context) {
 void SolverPanel::draw_resets(const PanelContext& context) {
   const Document* document = context.session.document();
   const bool active = context.session.job().active();
-  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
   if (ui::button(
           "solver/reset_motion", "Before motion",
           {"Back to the mesh before this motion: cancels the command under way, or takes "
            "back the last one. Redo brings that back.",
-           ui::ButtonStyle::normal, document && (active || document->history().can_undo()), width}))
+           ui::ButtonStyle::normal, document && (active || document->history().can_undo()), -1}))
     context.emit(action::Undo{});
-  ImGui::SameLine(0, gap);
-  if (ui::button("solver/reset_loaded", "As loaded",
+  if (ui::button("solver/reset_loaded", "Revert to opened mesh",
                  {"Back to the mesh as it was opened. The history keeps the commands (Ctrl+R).",
                   ui::ButtonStyle::normal,
-                  document && (active || document->history().position() > 0), width}))
+                  document && (active || document->history().position() > 0), -1}))
     context.emit(action::GoToStep{0});
 }
 

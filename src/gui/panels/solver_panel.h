@@ -13,7 +13,6 @@ class SolverPanel : public Panel {
   void draw_method(const PanelContext& context);
   void draw_pace(const PanelContext& context);
   void draw_state(const PanelContext& context);
-  void draw_buttons(const PanelContext& context);
   void draw_steps(const PanelContext& context);
   void draw_resets(const PanelContext& context);
   void draw_options(const PanelContext& context);

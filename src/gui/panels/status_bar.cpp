@@ -3,6 +3,7 @@
 #include <string>
 
 #include "gui/base/text.h"
+#include "gui/document/jobs/drag_text.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -22,9 +23,9 @@ State state_of(const Session& session) {
   const JobRunner& job = session.job();
   if (const BodyDrag* drag = session.mesh().body_drag()) {
     if (drag->reach() == BodyDrag::Reach::limit)
-      return {drag->limit() + "; Esc cancels", palette().danger};
+      return {blocked_text(*drag) + "; Esc cancels", palette().danger};
     if (drag->reach() == BodyDrag::Reach::catching_up)
-      return {"Dragging: the mesh is catching up; Esc cancels", palette().accent};
+      return {updating_text(*drag) + "; Esc cancels", palette().accent};
   }
   if (session.dragging()) return {"Dragging; Enter accepts, Esc cancels", palette().accent};
   if (job.active()) {

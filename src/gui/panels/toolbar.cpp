@@ -46,7 +46,7 @@ void Toolbar::draw(const PanelContext& context) {
   gap(context);
   tool(context, "undo", Icon::undo, "Undo");
   tool(context, "redo", Icon::redo, "Redo");
-  tool(context, "reset", Icon::reset, "Reset");
+  tool(context, "reset", Icon::reset, "Revert");
   gap(context);
   if (job.active() && !job.paused())
     tool(context, "pause", Icon::pause, "Pause");

@@ -50,7 +50,7 @@ bool ViewPanel::draw_color(const PanelContext& context, ViewOptions& view) {
   constexpr const char* tip =
       "Colour each element by its quality, or by what the virtual control volumes of its nodes say "
       "(the worst of them).";
-  ui::row("Colour by", tip);
+  ui::row("Metric", tip);
   if (!ui::combo("view/color", names, chosen, tip)) return false;
   view.color = chosen == 0 ? std::nullopt : std::optional<ElementField>(fields[chosen - 1]);
   view.range.reset();
@@ -113,7 +113,7 @@ bool ViewPanel::draw_elements(ViewOptions& view) {
   if (!ui::section("section/elements", "Elements")) return false;
   constexpr const char* tip = "Draw surfaces, edges or both (W).";
   auto style = static_cast<std::size_t>(style_of(view));
-  ui::row("Draw", tip);
+  ui::row("Show", tip);
   bool changed = ui::combo("view/style", {"Surfaces and edges", "Surfaces", "Edges"}, style, tip);
   if (changed) set_style(view, static_cast<ElementStyle>(style));
   constexpr const char* width_tip =
@@ -134,16 +134,16 @@ bool ViewPanel::draw_elements(ViewOptions& view) {
 }
 
 bool ViewPanel::draw_boundary(ViewOptions& view) {
-  if (!ui::section("section/boundary", "Boundary and ids")) return false;
+  if (!ui::section("section/boundary", "Boundary and IDs")) return false;
   bool changed = ui::checkbox("view/rim_nodes", "Boundary nodes", view.rim_nodes,
                               "Dots along the boundary, as close as there is room for.");
   ui::second_column("Directions");
   changed |= ui::checkbox("view/directions", "Directions", view.directions,
                           "Arrows along the boundary, with the mesh on their left.");
-  changed |= ui::checkbox("view/node_ids", "Ids of nodes", view.node_ids,
+  changed |= ui::checkbox("view/node_ids", "Node IDs", view.node_ids,
                           "Numbers of the nodes that are far enough apart on screen (Shift+I).");
-  ui::second_column("Ids of elements");
-  changed |= ui::checkbox("view/element_ids", "Ids of elements", view.element_ids,
+  ui::second_column("Element IDs");
+  changed |= ui::checkbox("view/element_ids", "Element IDs", view.element_ids,
                           "Numbers of the elements that are large enough on screen (Shift+E).");
   return changed;
 }
@@ -154,13 +154,14 @@ bool ViewPanel::draw_comparison(ViewOptions& view) {
       "Lay the edges of the state before over the mesh (G), or show it left of a divider that the "
       "mouse drags (Shift+G).";
   auto how = static_cast<std::size_t>(view.comparison);
-  ui::row("Show before", tip);
-  bool changed = ui::combo("view/comparison", {"No", "Its edges", "Side by side"}, how, tip);
+  ui::row("Show", tip);
+  bool changed = ui::combo("view/comparison",
+                           {"The mesh now", "Ghost of previous mesh", "Side by side"}, how, tip);
   view.comparison = static_cast<Comparison>(how);
   auto which = static_cast<std::size_t>(view.before);
   constexpr const char* before_tip = "The same state as in the table of the quality.";
-  ui::row("Before is", before_tip);
-  changed |= ui::combo("view/before", {"As loaded", "Before last command"}, which, before_tip);
+  ui::row("Previous is", before_tip);
+  changed |= ui::combo("view/before", {"As opened", "Before last command"}, which, before_tip);
   view.before = static_cast<BeforeState>(which);
   return changed;
 }

@@ -10,6 +10,7 @@ namespace winslow::gui {
 namespace {
 
 constexpr std::size_t most_recent = 6;
+constexpr float lowest_demo = 31, highest_demo = 44;  // of a row with its picture
 // Rows of text end where four cards do.
 constexpr float row_gap = 16, row_width = (WelcomePanel::page_width - row_gap) / 2;
 
@@ -160,31 +161,50 @@ bool WelcomePanel::draw_card(const PanelContext& context, const BundledMesh& mes
 void WelcomePanel::draw_demos(const PanelContext& context) {
   heading(context, "Guided demos: the cases of the paper");
   const Columns columns = columns_of(context);
+  // As high as a small window has room for without scrolling.
+  const auto rows = static_cast<float>((demos().size() + columns.count - 1) / columns.count);
+  const float room = (ImGui::GetContentRegionAvail().y + ImGui::GetStyle().ItemSpacing.y) / rows -
+                     ImGui::GetStyle().ItemSpacing.y;
+  const float height =
+      std::clamp(room, context.theme.px(lowest_demo), context.theme.px(highest_demo));
   std::size_t k = 0;
   for (const Demo& demo : demos()) {
     if (k++ % columns.count != 0) ImGui::SameLine(0, columns.gap);
-    if (draw_demo(context, demo, columns.width)) context.emit(action::StartDemo{demo.id});
+    if (draw_demo(context, demo, columns.width, height)) context.emit(action::StartDemo{demo.id});
   }
 }
 
-bool WelcomePanel::draw_demo(const PanelContext& context, const Demo& demo, float width) {
+bool WelcomePanel::draw_demo(const PanelContext& context, const Demo& demo, float width,
+                             float height) {
   const Theme& theme = context.theme;
   const ImVec2 min = ImGui::GetCursorScreenPos();
-  const ImVec2 size(width, theme.px(30));
+  const ImVec2 size(width, height);
   const bool pressed = ImGui::InvisibleButton(("demo" + demo.id).c_str(), size);
   ui::note("welcome/demo/" + demo.id);
   ui::tooltip("Play this case step by step on " + demo.mesh + ".");
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 max(min.x + size.x, min.y + size.y);
-  if (ImGui::IsItemHovered()) list.AddRectFilled(min, max, palette().accent_soft, theme.px(5));
+  const bool over = ImGui::IsItemHovered();
+  const float round = theme.px(5);
+  if (over) list.AddRectFilled(min, max, palette().accent_soft, round);
+  // As wide as it is high by the shape of the pictures.
+  const ImVec2 foot(min.x + 1.6f * size.y, max.y);
+  list.AddRectFilled(min, foot, palette().panel, round);
+  if (const Texture* picture = thumbnails_.find("demo/" + demo.id)) {
+    list.AddImageRounded(picture->id(), min, foot, ImVec2(0, 0), ImVec2(1, 1), IM_COL32_WHITE,
+                         round);
+    ui::note("welcome/demo_picture/" + demo.id, min, foot);
+  }
+  list.AddRect(min, foot, over ? palette().accent : palette().border, round);
   const float middle = (min.y + max.y) / 2;
-  const ImVec2 badge(min.x + theme.px(16), middle);
-  list.AddCircleFilled(badge, theme.px(11), palette().accent);
+  const ImVec2 badge(foot.x + theme.px(20), middle);
+  list.AddCircleFilled(badge, theme.px(10), palette().accent);
   const ImVec2 letter = theme.bold->CalcTextSizeA(theme.bold->FontSize, 1e6f, 0, demo.id.c_str());
   put(list, theme.bold, ImVec2(badge.x - letter.x / 2, middle - letter.y / 2), palette().card,
       demo.id);
-  put(list, theme.regular, ImVec2(min.x + theme.px(36), middle - theme.regular->FontSize / 2),
-      palette().text, ui::elided(demo.title, size.x - theme.px(44)));
+  const float left = badge.x + theme.px(18);
+  put(list, theme.regular, ImVec2(left, middle - theme.regular->FontSize / 2), palette().text,
+      ui::elided(demo.title, max.x - left - theme.px(6)));
   return pressed;
 }
 

@@ -14,7 +14,7 @@ class WelcomePanel : public Panel {
  public:
   static constexpr float card_width = 190, card_gap = 10;
   /// Room that all of it takes at scale 1; the height with recent files.
-  static constexpr float page_width = 4 * card_width + 3 * card_gap, page_height = 640;
+  static constexpr float page_width = 4 * card_width + 3 * card_gap, page_height = 672;
 
   void draw(const PanelContext& context) override;
 
@@ -33,7 +33,7 @@ class WelcomePanel : public Panel {
   void draw_bundled(const PanelContext& context);
   bool draw_card(const PanelContext& context, const BundledMesh& mesh, float width, float height);
   void draw_demos(const PanelContext& context);
-  bool draw_demo(const PanelContext& context, const Demo& demo, float width);
+  bool draw_demo(const PanelContext& context, const Demo& demo, float width, float height);
 
   bool wanted_ = false;
   Thumbnails thumbnails_;

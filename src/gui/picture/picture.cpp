@@ -155,8 +155,9 @@ VectorFigure picture_figure(const Mesh& mesh, const PictureOptions& options) {
   }
   const auto& markers = mesh.topology->markers();
   for (std::size_t m = 0; m < markers.size(); ++m) {
-    figure.marker_colors.push_back(marker_color(static_cast<Index>(m), options.dark));
-    if (options.marker_key) figure.key.emplace_back(markers[m].name, figure.marker_colors.back());
+    const Rgb color = marker_color(static_cast<Index>(m), options.dark);
+    figure.marker_colors.emplace_back(color);
+    if (options.marker_key) figure.key.emplace_back(markers[m].name, color);
   }
   const FigureMargins m = figure_margins(figure);
   figure.camera.set_viewport(0, 0, std::max(options.width - m.left - m.right, 1.0),

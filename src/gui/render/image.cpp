@@ -57,6 +57,19 @@ void write_png(const std::filesystem::path& path, const Image& image, PngEffort 
   });
 }
 
+Image read_png(const std::filesystem::path& path) {
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_file(&header, path.c_str()) == 0)
+    throw InputError(path.string() + ": " + header.message);
+  header.format = PNG_FORMAT_RGBA;
+  Image image{static_cast<int>(header.width), static_cast<int>(header.height), {}};
+  image.rgba.resize(PNG_IMAGE_SIZE(header));
+  if (png_image_finish_read(&header, nullptr, image.rgba.data(), 0, nullptr) == 0)
+    throw InputError(path.string() + ": " + header.message);
+  return image;
+}
+
 void divide_by_alpha(Image& image) {
   for (std::size_t k = 0; k + 3 < image.rgba.size(); k += 4) {
     const unsigned alpha = image.rgba[k + 3];

@@ -23,6 +23,9 @@ enum class PngEffort { normal, little };
 void write_png(const std::filesystem::path& path, const Image& image,
                PngEffort effort = PngEffort::normal);
 
+/// Reads a PNG of any colour type. Throws InputError.
+Image read_png(const std::filesystem::path& path);
+
 /// What was drawn over a transparent ground with OpenGL's blending has colours multiplied by their
 /// alpha; files hold them undivided.
 void divide_by_alpha(Image& image);

@@ -222,6 +222,7 @@ class MeshRenderer::Impl {
     for (std::size_t m = 0; m < list.markers.size(); ++m) {
       MarkerStyle marker{style.edge_color, style.boundary_width};
       if (m < marker_styles_.size()) marker = marker_styles_[m];
+      if (marker.width <= 0) continue;
       buffers.draw_lines(list.markers[m], {marker.color, marker.width, true, false});
     }
   }

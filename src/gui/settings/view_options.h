@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/inspect/element_field.h"
+#include "gui/settings/marker_looks.h"
 
 namespace winslow::gui {
 
@@ -56,6 +57,7 @@ struct ViewOptions {
   bool nodes = false;       ///< of the whole mesh
   bool rim_nodes = false;   ///< of the markers
   bool directions = false;  ///< arrows along markers, the mesh on their left
+  MarkerLooks markers;      ///< what is hidden, locked or has another colour
   bool node_ids = false;
   bool element_ids = false;
   bool legend = true;

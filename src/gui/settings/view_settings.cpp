@@ -43,6 +43,7 @@ void visit(View& view, Visitor&& visitor) {
   visitor.flag("nodes", view.nodes);
   visitor.flag("rim_nodes", view.rim_nodes);
   visitor.flag("directions", view.directions);
+  visitor.looks("markers", view.markers);
   visitor.flag("node_ids", view.node_ids);
   visitor.flag("element_ids", view.element_ids);
   visitor.flag("legend", view.legend);
@@ -67,6 +68,15 @@ struct Writer {
   void map(const char* key, const std::string& value) { object[key] = value; }
   void field(const char* key, const std::optional<ElementField>& value) {
     object[key] = value ? json(field_info(*value).name) : json();
+  }
+  void looks(const char* key, const MarkerLooks& value) {
+    json looks = json::object();
+    for (const auto& [name, look] : value.by_name) {
+      json& entry = looks[name];
+      entry = {{"hidden", look.hidden}, {"locked", look.locked}};
+      if (look.color) entry["color"] = *look.color;
+    }
+    object[key] = {{"mesh", value.mesh}, {"looks", std::move(looks)}};
   }
   template <class Choice, std::size_t count>
   void choice(const char* key, Choice value, const Names<Choice, count>& names) {
@@ -109,6 +119,34 @@ struct Reader {
       // A field of another version: the one that a new studio shows is as good as any.
       return;
     }
+  }
+  void looks(const char* key, MarkerLooks& value) {
+    const json* found = find(key);
+    if (!found || !found->is_object()) return;
+    const auto mesh = found->find("mesh");
+    const auto list = found->find("looks");
+    if (mesh == found->end() || !mesh->is_string() || list == found->end() || !list->is_object())
+      return;
+    value.mesh = mesh->get<std::string>();
+    for (const auto& [name, entry] : list->items()) {
+      if (!entry.is_object()) continue;
+      MarkerLook look;
+      Reader of_marker{entry};
+      of_marker.flag("hidden", look.hidden);
+      of_marker.flag("locked", look.locked);
+      look.color = of_marker.color("color");
+      value.set(name, look);
+    }
+  }
+  std::optional<std::array<float, 3>> color(const char* key) const {
+    const json* found = find(key);
+    if (!found || !found->is_array() || found->size() != 3) return std::nullopt;
+    std::array<float, 3> read{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!(*found)[k].is_number()) return std::nullopt;
+      read[k] = std::clamp((*found)[k].get<float>(), 0.0f, 1.0f);
+    }
+    return read;
   }
   template <class Choice, std::size_t count>
   void choice(const char* key, Choice& value, const Names<Choice, count>& names) {

@@ -1,5 +1,7 @@
 #include "gui/widgets/controls.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -34,6 +36,23 @@ bool in_sight(const ImVec2& min, const ImVec2& max) {
        window = window->Flags & ImGuiWindowFlags_ChildWindow ? window->ParentWindow : nullptr)
     if (!window->InnerClipRect.Contains(centre)) return false;
   return true;
+}
+
+/// Call it before a field is drawn: it takes the keyboard if that is wanted of it.
+void take_keyboard(std::string_view id) {
+  UiLayer& layer = UiLayer::current();
+  if (layer.keyboard_wanted() != id || disabled_now()) return;
+  ImGui::SetKeyboardFocusHere();
+  ImGui::SetScrollHereY(0.3f);
+  layer.keyboard_taken();
+}
+
+/// A field of "section/motion" begins with "motion/".
+bool holds_wanted_field(std::string_view section) {
+  constexpr std::string_view prefix = "section/";
+  const std::string& wanted = UiLayer::current().keyboard_wanted();
+  return section.starts_with(prefix) &&
+         wanted.starts_with(std::string(section.substr(prefix.size())) + '/');
 }
 
 int push_button_style(ButtonStyle style) {
@@ -112,6 +131,7 @@ void row(const std::string& label, std::string_view tip, float label_share) {
 }
 
 bool number(std::string_view id, double& value, std::string_view tip, const char* format) {
+  take_keyboard(id);
   const bool changed = ImGui::InputDouble(hidden(id).c_str(), &value, 0, 0, format);
   note(id);
   tooltip(tip);
@@ -119,10 +139,40 @@ bool number(std::string_view id, double& value, std::string_view tip, const char
 }
 
 bool number(std::string_view id, int& value, std::string_view tip) {
+  take_keyboard(id);
   const bool changed = ImGui::InputInt(hidden(id).c_str(), &value, 0, 0);
   note(id);
   tooltip(tip);
   return changed;
+}
+
+bool vector_field(const VectorField& field, Vec2& value, bool* enter) {
+  // Six digits do not tell places apart on a mesh far from the origin.
+  const char* format = value.cwiseAbs().maxCoeff() < 1e5 ? "%.6g" : "%.12g";
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float letter = ImGui::CalcTextSize("x").x + gap;
+  const float width = (ImGui::GetContentRegionAvail().x - 2 * letter - gap) / 2;
+  bool changed = false;
+  for (const int axis : {0, 1}) {
+    if (axis == 1) ImGui::SameLine(0, gap);
+    ImGui::AlignTextToFramePadding();
+    text_dim(axis == 0 ? "x" : "y");
+    note(std::string(axis == 0 ? field.x : field.y) + "/label");
+    ImGui::SameLine(0, gap);
+    ImGui::SetNextItemWidth(width);
+    double component = value[axis];
+    if (number(axis == 0 ? field.x : field.y, component, field.tooltip, format)) {
+      value[axis] = component;
+      changed = true;
+    }
+    if (enter && entered()) *enter = true;
+  }
+  return changed;
+}
+
+bool entered() {
+  return ImGui::IsItemDeactivated() && (ImGui::IsKeyPressed(GLFW_KEY_ENTER, false) ||
+                                        ImGui::IsKeyPressed(GLFW_KEY_KP_ENTER, false));
 }
 
 void forget_typed_steps() {
@@ -133,10 +183,35 @@ void forget_typed_steps() {
   undo.redo_char_point = IM_ARRAYSIZE(undo.undo_char);
 }
 
+namespace {
+
+/// The item of an open list that the arrow keys have come to, and whether Enter takes it.
+struct ListKeys {
+  std::size_t at = 0;
+  bool moved = false, taken = false;
+};
+ListKeys follow_keys(std::size_t count, std::size_t chosen) {
+  ImGuiStorage& state = *ImGui::GetStateStorage();
+  const ImGuiID key = ImGui::GetID("list_keys");
+  if (ImGui::IsWindowAppearing()) state.SetInt(key, static_cast<int>(chosen));
+  const int last = static_cast<int>(count) - 1;
+  const int before = std::clamp(state.GetInt(key, 0), 0, std::max(last, 0));
+  int at = before;
+  if (ImGui::IsKeyPressed(GLFW_KEY_DOWN)) at = std::min(at + 1, last);
+  if (ImGui::IsKeyPressed(GLFW_KEY_UP)) at = std::max(at - 1, 0);
+  if (ImGui::IsKeyPressed(GLFW_KEY_HOME)) at = 0;
+  if (ImGui::IsKeyPressed(GLFW_KEY_END)) at = last;
+  state.SetInt(key, at);
+  return {
+      static_cast<std::size_t>(std::max(at, 0)), at != before,
+      ImGui::IsKeyPressed(GLFW_KEY_ENTER, false) || ImGui::IsKeyPressed(GLFW_KEY_KP_ENTER, false)};
+}
+
+}  // namespace
+
 bool combo(std::string_view id, const std::vector<std::string>& items, std::size_t& chosen,
            std::string_view tip) {
   const std::string preview = chosen < items.size() ? items[chosen] : std::string();
-  bool changed = false;
   // As many items as there are formats are seen without scrolling.
   const bool open =
       ImGui::BeginCombo(hidden(id).c_str(), preview.c_str(), ImGuiComboFlags_HeightLarge);
@@ -145,16 +220,21 @@ bool combo(std::string_view id, const std::vector<std::string>& items, std::size
     tooltip(tip);
     return false;
   }
+  const std::size_t before = chosen;
+  const ListKeys keys = follow_keys(items.size(), chosen);
   for (std::size_t i = 0; i < items.size(); ++i) {
-    if (ImGui::Selectable(items[i].c_str(), i == chosen)) {
-      changed = i != chosen;
-      chosen = i;
-    }
+    // What the keys have come to is lit; what the mouse is over lights up by itself.
+    if (ImGui::Selectable(items[i].c_str(), i == keys.at)) chosen = i;
     note(std::string(id) + "/" + items[i]);
-    if (i == chosen) ImGui::SetItemDefaultFocus();
+    if (i == before && ImGui::IsWindowAppearing()) ImGui::SetItemDefaultFocus();
+    if (i == keys.at && keys.moved) ImGui::SetScrollHereY();
+  }
+  if (keys.taken && keys.at < items.size()) {
+    chosen = keys.at;
+    ImGui::CloseCurrentPopup();
   }
   ImGui::EndCombo();
-  return changed;
+  return chosen != before;
 }
 
 bool tabs(std::string_view id, const std::vector<Tab>& items, std::size_t& chosen) {
@@ -204,6 +284,8 @@ bool section(std::string_view id, const std::string& title) {
   if (!first) ImGui::Dummy(ImVec2(0, theme.px(6)));
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const ImVec2 size(std::max(ImGui::GetContentRegionAvail().x, 1.0f), theme.px(24));
+  const bool wanted = holds_wanted_field(id);
+  if (wanted) folded.erase(name);
   bool open = !folded.contains(name);
   if (ImGui::InvisibleButton(name.c_str(), size)) {
     open = !open;
@@ -213,6 +295,7 @@ bool section(std::string_view id, const std::string& title) {
       folded.insert(name);
   }
   note(id);
+  if (wanted) ImGui::SetScrollHereY(0.1f);
   const bool over = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (!first)

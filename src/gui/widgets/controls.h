@@ -35,6 +35,16 @@ void row(const std::string& label, std::string_view tip = {}, float label_share 
 bool number(std::string_view id, double& value, std::string_view tip = {},
             const char* format = "%.6g");
 bool number(std::string_view id, int& value, std::string_view tip = {});
+/// Two fields for the components of a vector, labelled x and y, side by side in the rest of the
+/// row.
+struct VectorField {
+  std::string_view x, y;  ///< ids
+  std::string_view tooltip;
+};
+/// True when the value has changed. entered: set if Enter was pressed in one of them.
+bool vector_field(const VectorField& field, Vec2& value, bool* entered = nullptr);
+/// Enter was pressed in the last field, which ends the typing there.
+bool entered();
 /// For the callback of a text field that has put another text in place of what was typed: the undo
 /// steps of Dear ImGui belong to the old one.
 void forget_typed_steps();

@@ -5,7 +5,6 @@
 #include <array>
 #include <filesystem>
 
-#include "gui/render/color_map.h"
 #include "gui/render/fonts.h"
 
 namespace winslow::gui {
@@ -17,7 +16,7 @@ constexpr std::array<const char*, 2> icon_files{
     "/usr/share/fonts-fork-awesome/fonts/forkawesome-webfont.ttf"};
 
 // By Icon. Fork Awesome keeps Font Awesome 4's code points.
-constexpr std::array<const char*, 32> glyphs{
+constexpr std::array<const char*, 35> glyphs{
     "\xEF\x81\xBC",  // open
     "\xEF\x83\x87",  // save
     "\xEF\x83\xA2",  // undo
@@ -50,6 +49,9 @@ constexpr std::array<const char*, 32> glyphs{
     "\xEF\x80\xBD",  // record
     "\xEF\x81\xA0",  // back
     "\xEF\x81\xA1",  // forward
+    "\xEF\x81\xB0",  // hide
+    "\xEF\x80\xA3",  // lock
+    "\xEF\x82\x9C",  // unlock
 };
 
 bool exists(const char* path) {
@@ -193,11 +195,6 @@ ImU32 faded(ImU32 color, float share) {
   ImVec4 c = rgba(color);
   c.w *= share;
   return ImGui::ColorConvertFloat4ToU32(c);
-}
-
-ImU32 marker_swatch(Index marker) {
-  const Rgb c = marker_color(marker, palette().dark);
-  return ImGui::ColorConvertFloat4ToU32(ImVec4(c[0], c[1], c[2], 1));
 }
 
 const char* Theme::icon(Icon icon) const {

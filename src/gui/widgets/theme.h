@@ -40,9 +40,6 @@ ImVec4 rgba(ImU32 color);
 /// A colour with its opacity multiplied by a share of 0 to 1.
 ImU32 faded(ImU32 color, float share);
 
-/// Colour of a marker in lists, the same as in the picture.
-ImU32 marker_swatch(Index marker);
-
 enum class Icon {
   open,
   save,
@@ -75,7 +72,10 @@ enum class Icon {
   target,
   record,
   back,
-  forward
+  forward,
+  hide,
+  lock,
+  unlock
 };
 
 /// Fonts of one ImGui context.

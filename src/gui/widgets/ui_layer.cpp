@@ -106,7 +106,13 @@ void UiLayer::begin(const InputState& input, int width, int height, double secon
   ImGui::NewFrame();
 }
 
+void UiLayer::want_keyboard(std::string_view field) {
+  keyboard_wanted_ = field;
+  keyboard_frames_ = 4;
+}
+
 void UiLayer::end() {
+  if (keyboard_frames_ > 0 && --keyboard_frames_ == 0) keyboard_wanted_.clear();
   forget_field_that_was_left(*context_);
   ImGui::Render();
 }

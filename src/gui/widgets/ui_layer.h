@@ -68,6 +68,11 @@ class UiLayer {
   const std::set<std::string>& folded() const { return folded_; }
   const WidgetMap& widgets() const { return widgets_; }
   WidgetMap& widgets() { return widgets_; }
+  /// The field of that id takes the keyboard when it is drawn next, and the section that it is in
+  /// unfolds ("section/motion" for "motion/rotate"). Forgotten if it is not drawn in a few frames.
+  void want_keyboard(std::string_view field);
+  const std::string& keyboard_wanted() const { return keyboard_wanted_; }
+  void keyboard_taken() { keyboard_wanted_.clear(); }
   /// The layer whose context is current: for widgets, which are drawn within a frame.
   static UiLayer& current();
   /// The mouse belongs to a window, a widget or a popup rather than to what lies behind.
@@ -82,6 +87,8 @@ class UiLayer {
   const Palette* palette_ = &light_palette();
   std::set<std::string> folded_;
   WidgetMap widgets_;
+  std::string keyboard_wanted_;
+  int keyboard_frames_ = 0;  // for which it is still waited for
   std::unique_ptr<ImGuiRenderer> renderer_;
 };
 

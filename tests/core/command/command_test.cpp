@@ -395,6 +395,15 @@ TEST_CASE("commands have names and one-line descriptions") {
   move.motion.rotate = 0;
   CHECK(describe(move) == "Move slat, flap by (0.5, -2)");
   CHECK(command_name(move) == "move");
+  // What a drag gives has more digits than one reads.
+  move.motion = {30.000000012, Vec2(0, 0), Vec2(0, 0)};
+  CHECK(describe(move) == "Rotate slat, flap by 30 deg");
+  move.motion.rotate = 12.3456789;
+  CHECK(describe(move) == "Rotate slat, flap by 12.35 deg");
+  move.motion.rotate = 0.00123456;
+  CHECK(describe(move) == "Rotate slat, flap by 0.00123456 deg");
+  move.motion = {0, Vec2(0, 0), Vec2(0.123456789, -1234.5678)};
+  CHECK(describe(move) == "Move slat, flap by (0.1235, -1235)");
   DeformCommand deform;
   deform.markers = {"main"};
   deform.shape = SineDeformation{0.05, 2, {0, 1}, Fade::none, 0.2};

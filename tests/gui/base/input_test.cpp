@@ -30,6 +30,29 @@ TEST_CASE("a motion after a press waits for the next frame") {
   CHECK(queue.next_frame().wheel.y() == 0);
 }
 
+TEST_CASE(
+    "characters come together, unless a key leads elsewhere between them, or one comes twice") {
+  InputQueue queue;
+  for (const char32_t c : {U'1', U'2', U'1'}) queue.text(c);
+  CHECK(queue.next_frame().text == U"12");
+  CHECK(queue.next_frame().text == U"1");
+  queue.text(U'5');
+  queue.key(GLFW_KEY_TAB, true);
+  queue.text(U'6');
+  const InputState before = queue.next_frame();
+  CHECK(before.text == U"5");
+  CHECK(before.keys[GLFW_KEY_TAB]);
+  // Tab leads to another field within the frames that come before it.
+  CHECK(queue.next_frame().text.empty());
+  CHECK(queue.next_frame().text.empty());
+  CHECK(queue.next_frame().text == U"6");
+  // A key that types its own character comes with it.
+  queue.key(GLFW_KEY_X, true);
+  queue.text(U'x');
+  CHECK(queue.next_frame().text == U"x");
+  CHECK(queue.empty());
+}
+
 TEST_CASE("keys and text are counted once") {
   InputQueue queue;
   queue.key(keys::control, true);

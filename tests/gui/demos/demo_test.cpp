@@ -33,6 +33,75 @@ struct DemoRig : Rig {
 
 }  // namespace
 
+TEST_CASE("demo E smooths the rings that its mesh has, as the README's case E does") {
+  DemoRig rig;
+  rig.begin("E");
+  const Index elements = rig.mesh().topology->element_count();
+  for (std::size_t k = 1; k < find_demo("E")->steps.size(); ++k) rig.next();
+  CHECK(rig.mesh().topology->element_count() == elements);  // none are inserted
+  REQUIRE(rig.document().history().size() == 2);
+  CHECK(std::holds_alternative<SmoothCommand>(rig.document().history().command(1)));
+}
+
+TEST_CASE("demo F looks so closely at the layers that they can be told apart") {
+  DemoRig rig;
+  rig.begin("F");
+  rig.next();
+  rig.frames();
+  const auto stack = rig.document().state().layers;
+  REQUIRE(stack != nullptr);
+  const Camera& camera = rig.bench->view_control().camera();
+  const auto card = rig.bench->widgets().find("demo/card");
+  REQUIRE(card.has_value());
+  int seen = 0;
+  for (const LayerColumn& column : stack->columns) {
+    const ScreenPoint foot = camera.to_screen(rig.mesh().coordinates.xy(column.nodes.front()));
+    const ScreenPoint top = camera.to_screen(rig.mesh().coordinates.xy(column.nodes.back()));
+    const auto in_sight = [&](const ScreenPoint& p) {
+      const ScreenVector q = p - camera.viewport_origin();
+      const bool on_card = p.x() < card->max.x() && p.y() > card->min.y();
+      return q.x() > 0 && q.y() > 0 && q.x() < camera.viewport_width() &&
+             q.y() < camera.viewport_height() && !on_card;
+    };
+    if (!in_sight(foot) || !in_sight(top)) continue;
+    ++seen;
+    CHECK((top - foot).norm() > 15 * 5);  // pixels: five for each layer
+  }
+  CHECK(seen > 0);
+}
+
+TEST_CASE("a demo that nobody has touched is left without a question") {
+  DemoRig rig;
+  rig.begin("A");
+  rig.next();
+  rig.next();
+  REQUIRE(rig.document().history().size() == 2);
+  CHECK_FALSE(rig.document().modified());
+  rig.bench->apply(action::StartDemo{"D"});
+  rig.frames();
+  CHECK(rig.session().messages().prompt() == nullptr);
+  REQUIRE(rig.wait([&] { return rig.document().name() == "three_element.su2"; }));
+  REQUIRE(rig.wait([&] { return rig.bench->demo().ready(rig.session()); }));
+  // What the user does to the demo's mesh is the user's.
+  rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
+  rig.bench->apply(action::ApplyMotion{{2, Vec2(0, 0), Vec2(0, 0)}});
+  REQUIRE(rig.wait([&] { return rig.bench->demo().ready(rig.session()); }));
+  CHECK(rig.document().modified());
+  rig.bench->apply(action::StartDemo{"A"});
+  rig.frames();
+  CHECK(rig.session().messages().prompt() != nullptr);
+}
+
+TEST_CASE("each demo of the welcome page has a picture") {
+  Rig rig(1100, 760);
+  REQUIRE(rig.wait([&] { return rig.bench->settled(); }));
+  rig.frames();
+  for (const Demo& demo : demos()) {
+    INFO("demo ", demo.id);
+    CHECK(rig.visible("welcome/demo_picture/" + demo.id));
+  }
+}
+
 TEST_CASE("each demo plays through to a valid mesh") {
   for (const Demo& demo : demos()) {
     INFO("case ", demo.id);
@@ -75,7 +144,7 @@ TEST_CASE("cases C and E strive for regular elements, whatever targets are set")
 
 TEST_CASE("a demo goes back to where the step before had ended") {
   DemoRig rig;
-  rig.begin("E");
+  rig.begin("F");
   const Coordinates opened = rig.mesh().coordinates;
   rig.next();
   CHECK_FALSE(rig.mesh().coordinates == opened);
@@ -119,6 +188,8 @@ TEST_CASE("Esc and opening another mesh end a demo; what is unsaved is asked for
   CHECK_FALSE(rig.visible("demo/next"));
   rig.begin("E");
   rig.next();
+  rig.bench->apply(action::RunSmooth{});  // by the user, not by the demo
+  REQUIRE(rig.wait([&] { return rig.bench->demo().ready(rig.session()); }));
   rig.bench->apply(action::StartDemo{"B"});
   rig.frames();
   REQUIRE(rig.visible("prompt/Cancel"));

@@ -76,7 +76,7 @@ TEST_CASE("the direct method shows tangled meshes on its way to a valid one") {
   const Vec2 now = rig.session().coordinates().xy(node);
   CHECK(rest.dot(now) == doctest::Approx(std::cos(pi * 75 / 180) * rest.squaredNorm()));
   choose(rig, "solver/pace", "Unlimited");
-  rig.click("solver/run");
+  rig.click("tool/run");
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);
   CHECK(rig.document().history().result(1).inverted == 0);
@@ -103,7 +103,7 @@ TEST_CASE("a paced direct run goes no faster, and can be slowed, cancelled and s
   CHECK(std::chrono::steady_clock::now() - start > std::chrono::milliseconds(5 * 33));
   choose(rig, "solver/pace", "1 a second");
   REQUIRE(rig.session().job().active());
-  rig.click("solver/cancel");
+  rig.click("tool/cancel");
   CHECK_FALSE(rig.session().job().active());
   CHECK(rig.session().coordinates() == before);
   rig.bench->apply(action::EditSmoothOptions{whole(usual)});

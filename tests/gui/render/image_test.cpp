@@ -1,10 +1,10 @@
 #include "gui/render/image.h"
 
 #include <doctest/doctest.h>
-#include <png.h>
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "core/error.h"
 
@@ -30,17 +30,6 @@ Image pattern(int width, int height) {
   return image;
 }
 
-Image read_png(const std::filesystem::path& path) {
-  png_image png{};
-  png.version = PNG_IMAGE_VERSION;
-  REQUIRE(png_image_begin_read_from_file(&png, path.c_str()) != 0);
-  png.format = PNG_FORMAT_RGBA;
-  Image image{static_cast<int>(png.width), static_cast<int>(png.height), {}};
-  image.rgba.resize(PNG_IMAGE_SIZE(png));
-  REQUIRE(png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr) != 0);
-  return image;
-}
-
 }  // namespace
 
 TEST_CASE("A picture comes back from its PNG file bit for bit") {
@@ -52,6 +41,14 @@ TEST_CASE("A picture comes back from its PNG file bit for bit") {
   CHECK(back.width == 37);
   CHECK(back.height == 23);
   CHECK(back.rgba == image.rgba);
+}
+
+TEST_CASE("what is no PNG is refused") {
+  const auto path = temporary("none.png");
+  std::ofstream(path) << "not a picture";
+  CHECK_THROWS_AS(read_png(path), InputError);
+  std::filesystem::remove(path);
+  CHECK_THROWS_AS(read_png(path), InputError);
 }
 
 TEST_CASE("A picture that cannot be written leaves what was there") {

@@ -33,6 +33,9 @@ TEST_CASE("settings survive being written and read") {
   settings.view.backdrop = Backdrop::gradient;
   settings.view.scale = 1.5;
   settings.view.side_tab = SideTab::history;
+  settings.view.markers = {
+      "wing.su2",
+      {{"flap", {true, false, std::nullopt}}, {"slat", {false, true, {{0.25f, 0.5f, 0.75f}}}}}};
   settings.left_width = 311;
   settings.folded = {"section/solver"};
   settings.window = {1200, 800};
@@ -83,7 +86,7 @@ TEST_CASE("a second studio on the same profile looks as the first was left") {
   CHECK(rig.bench->layout().left_width == doctest::Approx(332).epsilon(0.01));
   rig.open(ring_mesh());
   CHECK(rig.visible("section/solver"));
-  CHECK_FALSE(rig.visible("solver/run"));
+  CHECK_FALSE(rig.visible("solver/step_n"));
 }
 
 TEST_CASE("settings are written while the studio runs, once they rest") {

@@ -5,6 +5,7 @@
 #include <string>
 #include <variant>
 
+#include "gui/document/selection/picked_place.h"
 #include "gui/files/file_kinds.h"
 
 /// Dialogs that come up. Carried out by Dialogs.
@@ -13,6 +14,7 @@ namespace winslow::gui::action {
 struct ShowFileDialog {
   FilePurpose purpose = FilePurpose::open_mesh;
   std::string extension = {};  ///< ".vtu": of the name to start with; empty: as it is
+  bool proceed = false;        ///< of a mesh to be saved: as action::SaveMesh
 };
 struct ShowPictureDialog {};
 struct ShowRecordDialog {
@@ -20,6 +22,10 @@ struct ShowRecordDialog {
 };
 struct ShowStepEditor {
   std::size_t position = 0;
+};
+/// The menu of a right click, beside the mouse.
+struct ShowContextMenu {
+  PickedPlace place;
 };
 struct ShowHelp {};
 struct ShowPalette {};
@@ -31,6 +37,7 @@ namespace winslow::gui {
 
 using DialogAction =
     std::variant<action::ShowFileDialog, action::ShowPictureDialog, action::ShowRecordDialog,
-                 action::ShowStepEditor, action::ShowHelp, action::ShowPalette, action::ShowAbout>;
+                 action::ShowStepEditor, action::ShowContextMenu, action::ShowHelp,
+                 action::ShowPalette, action::ShowAbout>;
 
 }  // namespace winslow::gui

@@ -18,6 +18,8 @@ struct SaveMesh {
   std::filesystem::path path;   ///< empty: where the mesh came from
   bool overwrite = false;       ///< false: ask if the file exists
   bool allow_inverted = false;  ///< false: ask if the mesh has inverted elements
+  /// Go on with what Files::ask_to_save() was called for, once the mesh is saved.
+  bool proceed = false;
 };
 /// Closes the open mesh.
 struct CloseMesh {

@@ -35,6 +35,9 @@ struct SetPace {
 struct RunCommand {
   Command command;
   bool paused = false;  ///< wait before the first iteration
+  /// What it does to a mesh that has no changes is no work of the user's, which would have to be
+  /// saved: a step of a demo.
+  bool shown_only = false;
 };
 /// Carries out a command of the history again, from the mesh it found, to be watched; paused at
 /// first. The history stays what it is.

@@ -24,7 +24,14 @@ struct Prompt {
 
 /// What the present mesh's state calls for, shown above it until it is dealt with.
 struct Banner {
-  enum class Kind { inverted_result, inverted_input, not_converged, partial_motion, damaged };
+  enum class Kind {
+    inverted_result,
+    inverted_input,
+    not_converged,
+    partial_motion,
+    damaged,
+    remark
+  };
   Kind kind = Kind::inverted_result;
   std::string text;
 };

@@ -18,10 +18,6 @@ struct SelectMarkers {
 struct HoverMarkers {
   std::vector<Index> markers;
 };
-/// Selects the next body in the flow, or the one before.
-struct CycleBody {
-  int step = 1;
-};
 struct SetPivot {
   std::optional<Vec2> pivot;  ///< none: at the place named
   PivotPlace place = PivotPlace::centre;
@@ -32,6 +28,10 @@ struct SelectArc {
 /// A deformation of the selected bodies, shown as an outline only; none: no more.
 struct PreviewDeformation {
   std::optional<SineDeformation> shape;
+};
+/// A rigid motion of the selected bodies, shown as an outline only; none: no more.
+struct PreviewMotion {
+  std::optional<RigidMotion> motion;
 };
 /// Selects the node of the inspector; none: no node.
 struct SelectNode {
@@ -50,8 +50,8 @@ struct PinNodes {
 namespace winslow::gui {
 
 using SelectionAction =
-    std::variant<action::SelectMarkers, action::HoverMarkers, action::CycleBody, action::SetPivot,
-                 action::SelectArc, action::PreviewDeformation, action::SelectNode,
+    std::variant<action::SelectMarkers, action::HoverMarkers, action::SetPivot, action::SelectArc,
+                 action::PreviewDeformation, action::PreviewMotion, action::SelectNode,
                  action::HoverNode, action::PinNodes>;
 
 }  // namespace winslow::gui

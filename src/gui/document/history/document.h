@@ -53,7 +53,12 @@ class Document {
   const MeshState& state() const { return history().state(); }
   const std::shared_ptr<const Topology>& topology() const { return state().mesh.topology; }
 
-  bool modified() const { return edits_.revision() != saved_revision_; }
+  /// It has changes of the user's that are saved nowhere.
+  bool modified() const {
+    return edits_.revision() != saved_revision_ && !shown_only_.contains(edits_.revision());
+  }
+  /// The present mesh is no work of the user's: there is nothing to save.
+  void mark_shown_only() { shown_only_.insert(edits_.revision()); }
   void mark_saved(const std::filesystem::path& path, std::uint64_t revision);
   /// True if this document wrote that file before: it may be replaced without asking.
   bool wrote(const std::filesystem::path& path) const;
@@ -66,6 +71,7 @@ class Document {
   QualityReport loaded_quality_;
   EditHistory edits_;
   std::uint64_t saved_revision_ = 0;
+  std::set<std::uint64_t> shown_only_;  // revisions that a demo made
   std::set<std::filesystem::path> written_;
 };
 

@@ -10,6 +10,7 @@
 namespace winslow::gui {
 
 bool Files::poll() {
+  if (waiting_ && !mesh_.in_motion() && !saver_.busy()) on(*std::exchange(waiting_, std::nullopt));
   bool changed = poll_loader();
   changed |= poll_saver();
   changed |= poll_csv();
@@ -18,18 +19,40 @@ bool Files::poll() {
 
 bool Files::unsaved() const {
   const Document* document = std::as_const(mesh_).document();
-  return document && (document->modified() || mesh_.in_motion());
+  return document && (document->modified() || (mesh_.in_motion() && !jobs_.shown_only()));
+}
+
+void Files::ask_to_save(Action next, Action discard) {
+  const Document& document = *mesh_.document();
+  asked_ = std::move(next);
+  saved_ = false;
+  // What comes with the program stays as it is: the mesh goes to another place.
+  ActionQueue save;
+  if (bundled(document.path()))
+    save.emplace_back(action::ShowFileDialog{FilePurpose::save_mesh, {}, true});
+  else
+    save.emplace_back(action::SaveMesh{document.path(), true, false, true});
+  const std::string text = bundled(document.path())
+                               ? "The mesh has changes that are saved nowhere."
+                               : "The mesh has changes. Saving them replaces the file.";
+  messages_.ask({Prompt::Kind::question,
+                 "Save changes to " + document.name() + "?",
+                 text,
+                 {{"Save", std::move(save), true},
+                  {"Don't save", {std::move(discard)}, false},
+                  {"Cancel", {}, false}}});
+}
+
+std::optional<Action> Files::take_next() {
+  if (!saved_) return std::nullopt;
+  saved_ = false;
+  return std::exchange(asked_, std::nullopt);
 }
 
 void Files::on(const action::OpenMesh& a) {
   if (a.path.empty()) return;
   if (unsaved() && !a.discard_changes) {
-    messages_.ask({Prompt::Kind::question,
-                   "Discard the changes?",
-                   mesh_.document()->name() + " has changes that are not saved. Opening " +
-                       a.path.filename().string() + " would lose them.",
-                   {{"Discard and open", {action::OpenMesh{a.path, true, a.zone}}, false},
-                    {"Cancel", {}, true}}});
+    ask_to_save(a, action::OpenMesh{a.path, true, a.zone});
     return;
   }
   if (loader_.busy()) {
@@ -63,6 +86,7 @@ bool Files::poll_loader() {
 void Files::adopt(Document::Loaded loaded) {
   // The new one stands before the old one goes.
   auto document = std::make_unique<Document>(std::move(loaded));
+  waiting_.reset();
   jobs_.stop();
   messages_.clear_banner();
   mesh_.open(std::move(document));
@@ -75,10 +99,7 @@ void Files::adopt(Document::Loaded loaded) {
   } else {
     messages_.tell(Notice::Kind::warning,
                    "Opened " + opened.name() + ", with " + counted(warnings.size(), "warning"));
-    messages_.ask({Prompt::Kind::information,
-                   "Opened with " + counted(warnings.size(), "warning"),
-                   joined(warnings),
-                   {{"OK", {}, true}}});
+    messages_.remark("Opened with " + counted(warnings.size(), "warning"), warnings);
   }
 }
 
@@ -100,13 +121,10 @@ void Files::restore(RestoredSession restored) {
 void Files::on(const action::CloseMesh& a) {
   if (!mesh_.document()) return;
   if (unsaved() && !a.discard_changes) {
-    messages_.ask(
-        {Prompt::Kind::question,
-         "Close without saving?",
-         mesh_.document()->name() + " has changes that are not saved.",
-         {{"Close without saving", {action::CloseMesh{true}}, false}, {"Cancel", {}, true}}});
+    ask_to_save(a, action::CloseMesh{true});
     return;
   }
+  waiting_.reset();
   jobs_.stop();
   messages_.clear_banner();
   mesh_.close();
@@ -116,6 +134,12 @@ void Files::on(const action::CloseMesh& a) {
 
 void Files::on(const action::SaveMesh& a) {
   if (!mesh_.document()) return;
+  if (a.proceed && (mesh_.in_motion() || saver_.busy())) {
+    waiting_ = a;
+    messages_.tell(Notice::Kind::information,
+                   mesh_.document()->name() + " is saved once the solver is done");
+    return;
+  }
   if (mesh_.in_motion() || saver_.busy()) {
     messages_.tell(Notice::Kind::warning,
                    "Wait until the solver is done, or cancel it, before saving.");
@@ -127,25 +151,28 @@ void Files::on(const action::SaveMesh& a) {
   const Mesh& mesh = document.state().mesh;
   const Validity validity = check_validity(*mesh.topology, mesh.coordinates);
   if (validity.inverted > 0 && !a.allow_inverted) {
-    messages_.ask({Prompt::Kind::question,
-                   "Save a mesh with inverted elements?",
-                   "The mesh has " + counted(validity.inverted, "inverted element") +
-                       ". Flow solvers refuse such a mesh, or fail on it.",
-                   {{"Save it anyway", {action::SaveMesh{path, a.overwrite, true}}, false},
-                    {"Cancel", {}, true}}});
+    messages_.ask(
+        {Prompt::Kind::question,
+         "Save a mesh with inverted elements?",
+         "The mesh has " + counted(validity.inverted, "inverted element") +
+             ". Flow solvers refuse such a mesh, or fail on it.",
+         {{"Save it anyway", {action::SaveMesh{path, a.overwrite, true, a.proceed}}, false},
+          {"Cancel", {}, true}}});
     return;
   }
   const bool overwrite = a.overwrite || document.wrote(path);
-  if (may_export(path, overwrite, "Saving", action::SaveMesh{path, true, a.allow_inverted}))
-    start_saver(path, false);
+  if (may_export(path, overwrite, "Saving",
+                 action::SaveMesh{path, true, a.allow_inverted, a.proceed}))
+    start_saver(path, false, a.proceed);
 }
 
 /// copy: the document stays where it is.
-void Files::start_saver(const std::filesystem::path& path, bool copy) {
+void Files::start_saver(const std::filesystem::path& path, bool copy, bool proceed) {
   const Document& document = *mesh_.document();
   saver_.start([path, mesh = document.state().mesh, details = document.details(),
-                generation = mesh_.generation(), revision = document.edits().revision(), copy] {
-    SaveOutcome outcome{path, generation, revision, {}, {}, copy};
+                generation = mesh_.generation(), revision = document.edits().revision(), copy,
+                proceed] {
+    SaveOutcome outcome{path, generation, revision, {}, {}, copy, proceed};
     outcome.error = error_of([&] { outcome.warnings = io::write_mesh(path, mesh, details.get()); });
     return outcome;
   });
@@ -163,10 +190,9 @@ bool Files::poll_saver() {
     mesh_.document()->mark_saved(outcome->path, outcome->revision);
   messages_.tell(Notice::Kind::success, (outcome->copy ? "Exported " : "Saved ") + name);
   if (!outcome->warnings.empty())
-    messages_.ask({Prompt::Kind::information,
-                   "Saved with " + counted(outcome->warnings.size(), "warning"),
-                   joined(outcome->warnings),
-                   {{"OK", {}, true}}});
+    messages_.remark("Saved with " + counted(outcome->warnings.size(), "warning"),
+                     outcome->warnings);
+  saved_ = outcome->proceed && asked_.has_value();
   return true;
 }
 
@@ -176,10 +202,7 @@ void Files::on(const action::Quit& a) {
     quit_ = true;
     return;
   }
-  messages_.ask({Prompt::Kind::question,
-                 "Leave without saving?",
-                 document->name() + " has changes that are not saved.",
-                 {{"Leave without saving", {action::Quit{true}}, false}, {"Cancel", {}, true}}});
+  ask_to_save(a, action::Quit{true});
 }
 
 }  // namespace winslow::gui

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,13 @@ class Files {
   const std::filesystem::path& loading_path() const { return loading_path_; }
   bool saving() const { return saver_.busy(); }
   bool quit_accepted() const { return quit_; }
+  /// The open mesh has changes that would be lost with it.
+  bool unsaved() const;
+  /// Asks whether to save the open mesh. discard: what to do if not. After a save, `next` is for
+  /// take_next().
+  void ask_to_save(Action next, Action discard);
+  /// What waited for the mesh to be saved, which it is now.
+  std::optional<Action> take_next();
   /// Puts a session that outlived a crash in place of what is open.
   void restore(RestoredSession restored);
 
@@ -47,10 +55,9 @@ class Files {
   void on(const action::ExportConvergence& a);
   void on(const action::Quit& a);
 
-  bool unsaved() const;
   bool may_write(const std::filesystem::path& path);
   bool may_export(const std::filesystem::path& path, bool overwrite, const char* how, Action again);
-  void start_saver(const std::filesystem::path& path, bool copy);
+  void start_saver(const std::filesystem::path& path, bool copy, bool proceed = false);
   bool poll_loader();
   bool poll_saver();
   bool poll_csv();
@@ -65,7 +72,8 @@ class Files {
     std::uint64_t generation = 0, revision = 0;
     std::vector<std::string> warnings;
     std::string error;
-    bool copy = false;  // the document is where it was
+    bool copy = false;     // the document is where it was
+    bool proceed = false;  // as action::SaveMesh
   };
   struct CsvOutcome {
     std::filesystem::path path;
@@ -78,6 +86,9 @@ class Files {
   const Selection& selection_;
   Jobs& jobs_;
   bool quit_ = false;
+  std::optional<Action> asked_;              // what to do once the mesh is saved
+  bool saved_ = false;                       // it is
+  std::optional<action::SaveMesh> waiting_;  // for the solver
   std::filesystem::path loading_path_;
   std::filesystem::path next_path_;  // asked for while another mesh was being read
   int next_zone_ = 0;                // of that file

@@ -32,6 +32,7 @@ bool Jobs::poll() {
   const Document* document = mesh_.document();
   bool changed =
       layer_preview_.update(document && !mesh_.in_motion() ? &document->state().mesh : nullptr);
+  changed |= found_layers_.update(document && !mesh_.in_motion() ? &document->state() : nullptr);
   if (mesh_.job().poll()) {
     mesh_.changed();
     changed = true;
@@ -54,7 +55,8 @@ bool Jobs::working() const {
       job.active() && !(job.held() && snapshot && snapshot->state == JobState::done);
   const bool paused = job.paused() && snapshot && snapshot->state == JobState::paused;
   const BodyDrag* drag = mesh_.body_drag();
-  return (drag && !drag->settled()) || layer_preview_.busy() || (solving && !paused);
+  return (drag && !drag->settled()) || layer_preview_.busy() || found_layers_.busy() ||
+         (solving && !paused);
 }
 
 bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start,
@@ -80,6 +82,7 @@ bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start,
     }
   }
   cut_short_ = std::move(cut_short);
+  shown_only_ = false;
   messages_.clear_banner();
   mesh_.show_vcv(nullptr);
   mesh_.job().set_pace(pace_of(command));
@@ -126,6 +129,12 @@ void Jobs::on(const action::StepSolver& a) {
 void Jobs::on(const action::SetPace& a) {
   pace_ = std::max(a.iterations_per_second, 0.0);
   if (mesh_.job().active()) mesh_.job().set_pace(pace_of(mesh_.job().command()));
+}
+
+void Jobs::on(const action::RunCommand& a) {
+  const Document* document = mesh_.document();
+  const bool clean = document && !document->modified();
+  if (start(a.command, a.paused)) shown_only_ = a.shown_only && clean;
 }
 
 void Jobs::on(const action::RerunStep& a) {
@@ -195,6 +204,7 @@ void Jobs::keep(JobRunner::Outcome outcome) {
     selection_.moved(move->motion.about(Vec2(0, 0)));  // jobs name the pivot
   mesh_.document()->edits().push(std::move(outcome.command), std::move(*outcome.result),
                                  outcome.seconds);
+  if (std::exchange(shown_only_, false)) mesh_.document()->mark_shown_only();
   mesh_.changed();
   selection_.update_anchors();
   messages_.set_banner_of_result(smooth);

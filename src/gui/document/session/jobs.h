@@ -6,6 +6,7 @@
 #include "gui/document/actions/dispatch.h"
 #include "gui/document/actions/job_actions.h"
 #include "gui/document/history/command_queue.h"
+#include "gui/document/jobs/found_layers.h"
 #include "gui/document/jobs/layer_preview.h"
 #include "gui/document/jobs/method.h"
 #include "gui/document/session/live_mesh.h"
@@ -31,11 +32,15 @@ class Jobs {
   const MotionOptions& motion_options() const { return motion_; }
   /// Iterations a second of the direct method; 0: as fast as they come.
   double pace() const { return pace_; }
+  /// The command under way is no work of the user's, as action::RunCommand.
+  bool shown_only() const { return mesh_.job().active() && shown_only_; }
   /// Commands that wait for the one under way.
   const CommandQueue& queue() const { return queue_; }
   /// Layers that are planned for the mesh of the history.
   const LayerPreview& layer_preview() const { return layer_preview_; }
   LayerPreview& layer_preview() { return layer_preview_; }
+  /// Layers that came with the mesh of the history.
+  const FoundLayers& found_layers() const { return found_layers_; }
 
   /// start: see RunOptions::start. cut_short: why the command is less than what the user was after,
   /// a sentence for the banner over its result. False if it cannot begin; the user is told why.
@@ -66,7 +71,7 @@ class Jobs {
   void on(const action::EditSmoothOptions& a) { a.edit.apply_to(smooth_); }
   void on(const action::EditMotionOptions& a) { a.edit.apply_to(motion_); }
   void on(const action::SetPace& a);
-  void on(const action::RunCommand& a) { start(a.command, a.paused); }
+  void on(const action::RunCommand& a);
   void on(const action::RerunStep& a);
   void on(const action::PreviewLayers& a) { layer_preview_.want(a.options); }
 
@@ -88,7 +93,9 @@ class Jobs {
   double pace_ = default_pace;
   CommandQueue queue_;
   LayerPreview layer_preview_;
+  FoundLayers found_layers_;
   std::string cut_short_;             // see start()
+  bool shown_only_ = false;           // of the command under way
   std::optional<std::size_t> rerun_;  // position of the history that the job leads to again
 };
 

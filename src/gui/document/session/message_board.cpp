@@ -1,5 +1,6 @@
 #include "gui/document/session/message_board.h"
 
+#include <algorithm>
 #include <cctype>
 
 #include "core/quality/mesh_change.h"
@@ -22,6 +23,18 @@ bool MessageBoard::banner_dismissed() const {
 
 void MessageBoard::set_banner(Banner::Kind kind, std::string text) {
   banner_ = Banner{kind, std::move(text)};
+}
+
+void MessageBoard::remark(const std::string& what, const std::vector<std::string>& warnings) {
+  constexpr std::size_t most = 4;  // lines that leave the mesh in sight
+  std::string text = what + ":";
+  for (std::size_t k = 0; k < std::min(most, warnings.size()); ++k)
+    text += (warnings.size() == 1 ? " " : "\n- ") + warnings[k];
+  if (warnings.size() > most) text += "\nand " + std::to_string(warnings.size() - most) + " more.";
+  if (banner_)
+    banner_->text += '\n' + text;
+  else
+    set_banner(Banner::Kind::remark, std::move(text));
 }
 
 void MessageBoard::set_banner_of_position() {
@@ -63,7 +76,9 @@ std::string MessageBoard::damage_of_last_command() const {
                                      history.state(history.position()).mesh);
   if (text.empty()) return {};
   text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-  return text + "; targets that keep the elements' own shapes, such as \"Rest mesh\", avoid that.";
+  return text +
+         "; targets that keep the elements' own shapes, such as \"Keep current shapes\", avoid "
+         "that.";
 }
 
 void MessageBoard::on(const action::DismissPrompt&) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "gui/document/actions/dispatch.h"
 #include "gui/document/actions/messages.h"
@@ -33,6 +34,8 @@ class MessageBoard {
   /// The user has put the banner of the present mesh away.
   bool banner_dismissed() const;
   void set_banner(Banner::Kind kind, std::string text);
+  /// Warnings that need no answer, in the banner; those of the mesh itself stay before them.
+  void remark(const std::string& what, const std::vector<std::string>& warnings);
   void clear_banner() { banner_.reset(); }
   /// What the mesh at the present position of the history calls for, if anything.
   void set_banner_of_position();

@@ -50,7 +50,7 @@ Vec2 Selection::pivot() const {
 void Selection::moved(const RigidMotion& motion) { pivot_ = transform(motion, pivot_); }
 
 void Selection::refresh() {
-  preview_.reset();
+  drop_preview();
   update_anchors();
   place_pivot();
 }
@@ -63,7 +63,7 @@ void Selection::clear() {
   anchors_.reset();
   pivot_place_ = PivotPlace::centre;
   shape_edit_ = {};
-  preview_.reset();
+  drop_preview();
 }
 
 void Selection::on(const action::SelectMarkers& a) {
@@ -86,25 +86,10 @@ void Selection::on(const action::SelectMarkers& a) {
   }
   if (wanted == markers_) return;
   markers_ = std::move(wanted);
-  preview_.reset();
+  drop_preview();
   pivot_place_ = PivotPlace::centre;
   update_anchors();
   place_pivot();
-}
-
-void Selection::on(const action::CycleBody& a) {
-  if (!mesh_.boundary()) return;
-  std::vector<const BoundaryIndex::Body*> bodies;
-  for (const auto& body : mesh_.boundary()->bodies())
-    if (body.hole && !body.markers.empty()) bodies.push_back(&body);
-  if (bodies.empty()) return;
-  const auto count = static_cast<int>(bodies.size());
-  const auto now = std::find_if(bodies.begin(), bodies.end(),
-                                [this](const auto* body) { return body->markers == markers_; });
-  const int at =
-      now == bodies.end() ? (a.step > 0 ? -1 : count) : static_cast<int>(now - bodies.begin());
-  const int next = ((at + a.step) % count + count) % count;
-  on(action::SelectMarkers{bodies[static_cast<std::size_t>(next)]->markers, false});
 }
 
 void Selection::on(const action::SetPivot& a) {
@@ -184,6 +169,17 @@ void Selection::on(const action::PreviewDeformation& a) {
       preview_->outline.emplace_back(moved.xy(edge[0]), moved.xy(edge[1]));
 }
 
+void Selection::on(const action::PreviewMotion& a) {
+  motion_preview_.reset();
+  if (!a.motion || !mesh_.document() || markers_.empty()) return;
+  motion_preview_ = MotionPreview{*a.motion, {}};
+  const Coordinates& x = mesh_.coordinates();
+  for (const Index m : markers_)
+    for (const Face& edge : mesh_.topology()->markers()[static_cast<std::size_t>(m)].faces)
+      motion_preview_->outline.emplace_back(transform(*a.motion, x.xy(edge[0])),
+                                            transform(*a.motion, x.xy(edge[1])));
+}
+
 bool Selection::exists(Index node) const {
   return mesh_.document() && node >= 0 && node < mesh_.topology()->node_count();
 }
@@ -218,7 +214,7 @@ void Selection::follow(const std::shared_ptr<const Topology>& before,
   markers_ = same_names(markers_, *before, *now);
   hovered_ = same_names(hovered_, *before, *now);
   shape_edit_.arc.reset();  // counts along the loops of before
-  preview_.reset();
+  drop_preview();
   follow_nodes(before, now);
 }
 

@@ -49,7 +49,16 @@ class Selection {
     std::vector<std::pair<Vec2, Vec2>> outline;  ///< edges where it would put them
   };
   const std::optional<DeformationPreview>& deformation_preview() const { return preview_; }
-  void drop_preview() { preview_.reset(); }
+  /// A rigid motion of the selection that is typed but not yet carried out.
+  struct MotionPreview {
+    RigidMotion motion;
+    std::vector<std::pair<Vec2, Vec2>> outline;  ///< edges where it would put them
+  };
+  const std::optional<MotionPreview>& motion_preview() const { return motion_preview_; }
+  void drop_preview() {
+    preview_.reset();
+    motion_preview_.reset();
+  }
 
   const NodeSelection& nodes() const { return nodes_; }
 
@@ -67,10 +76,10 @@ class Selection {
   friend class Dispatch;
   void on(const action::SelectMarkers& a);
   void on(const action::HoverMarkers& a) { hovered_ = a.markers; }
-  void on(const action::CycleBody& a);
   void on(const action::SetPivot& a);
   void on(const action::SelectArc& a) { shape_edit_.arc = a.arc; }
   void on(const action::PreviewDeformation& a);
+  void on(const action::PreviewMotion& a);
   void on(const action::SelectNode& a);
   void on(const action::HoverNode& a);
   void on(const action::PinNodes& a);
@@ -88,6 +97,7 @@ class Selection {
   std::optional<BodyAnchors> anchors_;
   ShapeEdit shape_edit_;
   std::optional<DeformationPreview> preview_;
+  std::optional<MotionPreview> motion_preview_;
   NodeSelection nodes_;
   /// Nodes that were let go of when the mesh on screen came to be of another connectivity.
   struct LostNodes {

@@ -34,6 +34,11 @@ class Session {
   const Selection& selection() const { return selection_; }
   const Jobs& jobs() const { return jobs_; }
   const Files& files() const { return files_; }
+  /// See Files.
+  void ask_to_save(Action next, Action discard) {
+    files_.ask_to_save(std::move(next), std::move(discard));
+  }
+  std::optional<Action> take_next() { return files_.take_next(); }
   /// See Files::restore.
   void restore(RestoredSession restored) { files_.restore(std::move(restored)); }
   const QualityWatch& quality() const { return quality_; }

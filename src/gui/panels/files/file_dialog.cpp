@@ -166,7 +166,7 @@ void FileDialog::choose(const PanelContext& context, const fs::path& path) {
       context.emit(action::OpenMesh{path});
       break;
     case FilePurpose::save_mesh:
-      context.emit(action::SaveMesh{path});
+      context.emit(action::SaveMesh{path, false, false, proceed_});
       break;
     case FilePurpose::export_mesh:
       context.emit(action::ExportMesh{path});

@@ -24,6 +24,8 @@ class FileDialog : public Panel {
   void open(FilePurpose purpose, const std::filesystem::path& suggested,
             std::optional<std::size_t> step = std::nullopt);
   bool is_open() const { return open_; }
+  /// A mesh that is saved is saved to go on with what asked for that: see action::SaveMesh.
+  void set_proceed(bool proceed) { proceed_ = proceed; }
   /// A folder is being read.
   bool busy() const { return open_ && choice_.folder.listing().busy(); }
   const std::filesystem::path& folder() const { return choice_.folder.listing().folder(); }
@@ -41,6 +43,7 @@ class FileDialog : public Panel {
   bool open_ = false, wanted_ = false;
   FilePurpose purpose_ = FilePurpose::open_mesh;
   std::optional<std::size_t> step_;  // of the history, that a recording is of
+  bool proceed_ = false;             // as action::SaveMesh
   DialogKind kind_;
   std::size_t filter_ = 0;  // of kind_.kinds
   FileChoice choice_;

@@ -106,18 +106,9 @@ class Field {
   }
 
   bool components(Vec2& vector) const {
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
-    bool changed = false;
-    for (const int axis : {0, 1}) {
-      if (axis == 1) ImGui::SameLine(0, gap);
-      ImGui::SetNextItemWidth(width);
-      double component = vector[axis];
-      if (!number(id_ + (axis == 0 ? "_x" : "_y"), component, tip_)) continue;
-      vector[axis] = component;
-      changed = true;
-    }
-    return changed;
+    const std::string x = id_ + "_x";
+    const std::string y = id_ + "_y";
+    return vector_field({x, y, tip_}, vector);
   }
 
   bool real_number(double& value) const {

@@ -8,10 +8,11 @@
 #include "core/layers/layer_measures.h"
 #include "core/strategy/layering.h"
 #include "gui/base/text.h"
+#include "gui/document/session/layers_in_place.h"
 #include "gui/panels/layers/fields.h"
-#include "gui/panels/layers/layers_in_place.h"
 #include "gui/widgets/controls.h"
 #include "gui/widgets/height_plot.h"
+#include "gui/widgets/ui_layer.h"
 
 namespace winslow::gui {
 
@@ -23,6 +24,46 @@ bool just_inserted(const Session& session, const LayerOptions& options) {
   if (history.position() == 0) return false;
   const auto* last = std::get_if<LayersCommand>(&history.command(history.position()));
   return last && last->task == LayerTask::insert && options_of(*last) == options;
+}
+
+/// What there is to know of the layers of the mesh at a glance.
+struct LayerStatus {
+  int count = 0;        ///< the most at any wall
+  std::string markers;  ///< where
+  bool known = false;   ///< inserted or held here; else they came with the file
+  bool held = false;
+};
+
+LayerStatus status(const PanelContext& context) {
+  LayerStatus status;
+  const auto add = [&status](const std::string& marker, int count) {
+    if (count == 0) return;
+    status.count = std::max(status.count, count);
+    status.markers += (status.markers.empty() ? "" : ", ") + marker;
+  };
+  if (const auto stack = context.session.layers()) {
+    status.known = true;
+    status.held = stack->held;
+    for (const Marker& marker : context.topology()->markers())
+      add(marker.name, layer_count(*stack, *context.topology(), {{marker.name}, {}}));
+    return status;
+  }
+  for (const auto& [marker, count] : context.session.jobs().found_layers().at_markers())
+    add(marker, count);
+  return status;
+}
+
+/// The walls that the buttons of the card are for: those selected, or else all that have layers.
+std::vector<std::string> walls_with_layers(const PanelContext& context) {
+  std::vector<std::string> walls;
+  const bool all = context.session.selection().empty();
+  const auto& markers = context.topology()->markers();
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    const bool meant = all || context.session.selection().contains(static_cast<Index>(m));
+    if (meant && may_have_layers(*context.topology(), {LayerWall{{markers[m].name}, {}}}))
+      walls.push_back(markers[m].name);
+  }
+  return walls;
 }
 
 }  // namespace
@@ -37,7 +78,8 @@ void LayersPanel::draw(const PanelContext& context) {
     return;
   }
   follow(context);
-  result_.draw(context);
+  draw_status(context);
+  if (!open_) return hide();
   if (names_.empty()) {
     ui::text_wrapped(walls_.walls().empty()
                          ? "Select the markers that are walls first."
@@ -64,7 +106,13 @@ void LayersPanel::follow(const PanelContext& context) {
     columns_.clear();
     shown_.clear();
     generation_ = context.session.generation();
+    open_ = false;
   }
+  // A field that is asked for is not folded away, and where there are no layers yet there is
+  // nothing to do but to insert some.
+  const bool wanted = UiLayer::current().keyboard_wanted().starts_with("layers/");
+  const bool known = context.session.jobs().found_layers().looked_at(context.session.topology());
+  if (wanted || (known && status(context).count == 0)) open_ = true;
   const std::vector<std::string> before = std::exchange(names_, {});
   for (const Index m : context.session.selection().markers())
     names_.push_back(context.topology()->markers()[static_cast<std::size_t>(m)].name);
@@ -146,7 +194,7 @@ void LayersPanel::draw_insertion(const PanelContext& context) {
   ui::checkbox("layers/control", "Hold the spacing", control_,
                "Ask for the heights through the virtual control volumes, now and whenever a body "
                "moves. Off: smoothing spreads the layers as it likes.");
-  ui::checkbox("layers/preview", "Show where they will stand", preview_,
+  ui::checkbox("layers/preview", "Preview", preview_,
                "Draw the planned columns and layers; columns cut short in another colour. After an "
                "insertion, once a setting is changed.");
   const LayersCommand insertion = command(context, LayerTask::insert);
@@ -195,33 +243,97 @@ LayersCommand LayersPanel::in_place(const PanelContext& context, LayerTask task)
   return taken;
 }
 
-/// Buttons for the layers that the walls have, where they may have some.
+/// A card that says what layers there are and what can be done with them.
+void LayersPanel::draw_status(const PanelContext& context) {
+  const LayerStatus found = status(context);
+  if (found.count == 0) {
+    if (context.session.jobs().found_layers().busy()) ui::text_dim("Looking for layers ...");
+    return;
+  }
+  const Theme& theme = context.theme;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 start = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float pad = theme.px(8);
+  list.ChannelsSplit(2);
+  list.ChannelsSetCurrent(1);
+  ImGui::SetCursorScreenPos(ImVec2(start.x + pad, start.y + pad));
+  ImGui::BeginGroup();
+  ImGui::PushFont(theme.bold);
+  ImGui::TextUnformatted((counted(found.count, "layer") + (found.held    ? " held"
+                                                           : found.known ? ""
+                                                                         : " found"))
+                             .c_str());
+  ImGui::PopFont();
+  ui::note("layers/status");
+  ui::tooltip(found.known ? "Layers that were inserted or held here."
+                          : "Layers that came with the file: quadrilaterals on the walls, counted "
+                            "from the wall up.");
+  ui::text_dim(ui::elided("at " + found.markers, width - 2 * pad));
+  ui::tooltip(found.markers);
+  draw_choices(context);
+  ImGui::EndGroup();
+  const ImVec2 end(start.x + width, ImGui::GetItemRectMax().y + pad);
+  list.ChannelsSetCurrent(0);
+  list.AddRectFilled(start, end, palette().card, theme.px(6));
+  list.AddRect(start, end, palette().border, theme.px(6));
+  list.ChannelsMerge();
+  ImGui::SetCursorScreenPos(ImVec2(start.x, end.y + pad));
+  result_.draw(context);
+}
+
+void LayersPanel::draw_choices(const PanelContext& context) {
+  LayersCommand hold;
+  hold.task = LayerTask::hold;
+  hold.control = true;
+  hold.smooth = context.session.jobs().smooth_options();
+  const std::vector<std::string> walls = walls_with_layers(context);
+  hold.layers.walls = {{walls, {}}};
+  const bool held = !walls.empty() && all_held(context.session, hold.layers.walls);
+  const bool free = !context.session.in_motion() && !walls.empty();
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float pad = context.theme.px(8);
+  const float width = (ImGui::GetContentRegionAvail().x - pad - 2 * gap) / 3;
+  const std::string at = walls.empty() ? "" : " at " + marker_list(walls);
+  if (ui::button("layers/hold", held ? "Kept" : "Keep",
+                 {held ? "The layers" + at +
+                             " are held already: whatever moves, their heights are "
+                             "kept."
+                       : "Hold the layers" + at +
+                             ": whatever moves from here on, their heights are "
+                             "kept. Layers of a mesh read from a file are found from the wall up.",
+                  ui::ButtonStyle::normal, free && !held, width})) {
+    limit_to_present_layers(context.session, hold);
+    context.emit(action::RunCommand{hold, false});
+  }
+  ImGui::SameLine(0, gap);
+  if (ui::button("layers/open_respace", "Respace",
+                 {"Give these layers other heights: opens the settings.", ui::ButtonStyle::normal,
+                  free, width}))
+    open_ = true;
+  ImGui::SameLine(0, gap);
+  if (ui::button("layers/open_insert", open_ ? "Fold" : "Insert",
+                 {open_ ? "Fold the settings away."
+                        : "Insert layers at walls that have none: opens the settings.",
+                  ui::ButtonStyle::normal, true, width}))
+    open_ = !open_;
+}
+
+/// A button for the layers that the walls have, where they may have some.
 void LayersPanel::draw_in_place(const PanelContext& context) {
   const LayersCommand present = command(context, LayerTask::hold);
   if (!may_have_layers(*context.topology(), present.layers.walls)) return;
-  ui::text_dim("Layers that these walls have");
+  ui::text_dim("Existing layers");
   const bool free = !context.session.in_motion();
   const bool matches = std::ranges::any_of(
       present.layers.walls, [](const LayerWall& wall) { return wall.spacing.match_outside; });
-  const float gap = ImGui::GetStyle().ItemSpacing.x;
-  const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
-  const std::string respace_tip =
+  const std::string tip =
       matches ? "Layers that are there cannot match the elements outside by their number: switch "
                 "\"Match the elements outside\" off."
               : "Give the layers that are there these heights. Their number stays; in a mesh read "
                 "from a file, at most as many as \"Layers\" says are found.";
-  if (ui::button("layers/respace", "Respace",
-                 {respace_tip, ui::ButtonStyle::normal, free && !matches, width}))
+  if (ui::button("layers/respace", "Respace", {tip, ui::ButtonStyle::normal, free && !matches, -1}))
     context.emit(action::RunCommand{in_place(context, LayerTask::respace), false});
-  ImGui::SameLine();
-  const bool held = all_held(context.session, present.layers.walls);
-  const std::string hold_tip =
-      held ? "These layers are held already: whatever moves, their heights are kept."
-           : "Keep the heights that the layers have, whatever moves from here on. Layers of a mesh "
-             "read from a file are found from the wall up, quadrilateral by quadrilateral.";
-  if (ui::button("layers/hold", held ? "Held" : "Hold",
-                 {hold_tip, ui::ButtonStyle::normal, free && !held, width}))
-    context.emit(action::RunCommand{in_place(context, LayerTask::hold), false});
 }
 
 }  // namespace winslow::gui

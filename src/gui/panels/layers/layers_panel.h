@@ -25,6 +25,8 @@ class LayersPanel : public Panel {
   void draw_corners();
   void draw_insertion(const PanelContext& context);
   void draw_plan(const PanelContext& context);
+  void draw_status(const PanelContext& context);
+  void draw_choices(const PanelContext& context);
   void draw_in_place(const PanelContext& context);
   LayersCommand command(const PanelContext& context, LayerTask task) const;
   LayersCommand in_place(const PanelContext& context, LayerTask task) const;
@@ -36,6 +38,7 @@ class LayersPanel : public Panel {
   LayerResult result_;
   LayerOptions corners_;
   bool control_ = true, preview_ = true;
+  bool open_ = false;               // the settings are
   std::uint64_t generation_ = 0;    // of the mesh that the walls are of
   std::vector<std::string> names_;  // markers selected
   std::vector<std::string> shown_;  // of the wall whose settings the form has; empty: no wall's

@@ -167,8 +167,9 @@ class MeshDrawing {
       page_.stroke();
     }
     for (std::size_t m = 0; m < topology().markers().size(); ++m) {
-      page_.set_color(m < figure_.marker_colors.size() ? figure_.marker_colors[m]
-                                                       : rgb(theme_.edge));
+      const bool known = m < figure_.marker_colors.size();
+      if (known && !figure_.marker_colors[m]) continue;
+      page_.set_color(known ? *figure_.marker_colors[m] : rgb(theme_.edge));
       for (const Face& edge : topology().markers()[m].faces) add_boundary_line(edge[0], edge[1]);
       page_.stroke();
     }

@@ -30,8 +30,9 @@ struct VectorFigure {
   std::string title;                ///< above the mesh; empty: none
   std::string warning;              ///< below it, in red; empty: none
   std::vector<std::pair<std::string, Rgb>> key;  ///< names of markers in their colours, below it
-  std::vector<Rgb> marker_colors;                ///< of each marker of the mesh
-  std::vector<NodalView> vcvs;                   ///< drawn over the mesh
+  /// Of each marker of the mesh; none: it is not drawn.
+  std::vector<std::optional<Rgb>> marker_colors;
+  std::vector<NodalView> vcvs;  ///< drawn over the mesh
   std::optional<FigureInset> inset;
   bool fill = true;
   bool wireframe = true;

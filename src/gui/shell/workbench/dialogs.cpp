@@ -6,6 +6,7 @@
 #include "gui/files/assets.h"
 #include "gui/panels/about_panel.h"
 #include "gui/panels/command_palette.h"
+#include "gui/panels/context_menu.h"
 #include "gui/panels/files/file_dialog.h"
 #include "gui/panels/help_panel.h"
 #include "gui/panels/picture/picture_dialog.h"
@@ -25,6 +26,7 @@ struct Dialogs::Windows {
   HelpPanel help;
   CommandPalette palette;
   AboutPanel about;
+  ContextMenu context;
 };
 
 Dialogs::Dialogs(const Session& session)
@@ -48,6 +50,7 @@ void Dialogs::draw(const PanelContext& context, const ScreenVector& window,
   w.help.draw(context);
   w.palette.draw(context);
   w.about.draw(context);
+  w.context.draw(context);
 }
 
 void Dialogs::on(const action::ShowFileDialog& a) {
@@ -66,6 +69,7 @@ void Dialogs::on(const action::ShowFileDialog& a) {
     suggested = std::filesystem::current_path(ignored) / suggested.filename();
   if (!a.extension.empty()) suggested.replace_extension(a.extension);
   windows_->file.open(a.purpose, suggested, recorded_step_);
+  windows_->file.set_proceed(a.proceed);
 }
 
 void Dialogs::on(const action::ShowStepEditor& a) {
@@ -81,6 +85,8 @@ void Dialogs::on(const action::ShowRecordDialog& a) {
 }
 
 void Dialogs::on(const action::ShowPictureDialog&) { windows_->picture.open(); }
+
+void Dialogs::on(const action::ShowContextMenu& a) { windows_->context.open(a.place); }
 
 void Dialogs::on(const action::ShowHelp&) { windows_->help.open(); }
 

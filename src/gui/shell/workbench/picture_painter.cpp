@@ -247,8 +247,10 @@ VectorFigure PicturePainter::figure(bool legend) const {
     figure.vcvs.push_back(inspect_node(*session.vcv(), figure.mesh.coordinates, node));
   const auto& markers = figure.mesh.topology->markers();
   for (std::size_t m = 0; m < markers.size(); ++m) {
-    figure.marker_colors.push_back(marker_color(static_cast<Index>(m), figure.dark));
-    figure.key.emplace_back(markers[m].name, figure.marker_colors.back());
+    const Rgb color = color_of_marker(view, markers[m].name, static_cast<Index>(m), figure.dark);
+    const bool hidden = view.markers.of(markers[m].name).hidden;
+    figure.marker_colors.push_back(hidden ? std::nullopt : std::optional(color));
+    if (!hidden) figure.key.emplace_back(markers[m].name, color);
   }
   const Index inverted = check_validity(*figure.mesh.topology, figure.mesh.coordinates).inverted;
   if (inverted > 0) figure.warning = counted(inverted, "inverted element");

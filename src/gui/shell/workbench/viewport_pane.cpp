@@ -26,7 +26,22 @@ PointerState pointer_of(const InputState& input, bool over) {
   pointer.accept = input.keys[GLFW_KEY_ENTER] || input.keys[GLFW_KEY_KP_ENTER];
   pointer.key_x = input.keys[GLFW_KEY_X];
   pointer.key_y = input.keys[GLFW_KEY_Y];
+  pointer.text = input.text;
+  pointer.erase = input.keys[GLFW_KEY_BACKSPACE];
+  pointer.next = input.keys[GLFW_KEY_TAB];
   return pointer;
+}
+
+/// Markers that the mouse must not take: hidden or locked.
+std::vector<Index> taken_out(const Session& session, const MarkerLooks& looks) {
+  std::vector<Index> markers;
+  if (!session.document() || looks.by_name.empty()) return markers;
+  const auto& all = session.topology()->markers();
+  for (std::size_t m = 0; m < all.size(); ++m) {
+    const MarkerLook look = looks.of(all[m].name);
+    if (look.hidden || look.locked) markers.push_back(static_cast<Index>(m));
+  }
+  return markers;
 }
 
 }  // namespace
@@ -55,6 +70,7 @@ ViewportScene ViewportPane::scene(double scale) const {
   const auto& lens = lens_.inset();
   scene.wheel_is_lens = lens && !lens->pinned && !ImGui::GetIO().KeyCtrl;
   scene.shape = session_.selection().shape_edit();
+  scene.taken_out = taken_out(session_, control_.options().markers);
   if (const auto& anchors = session_.selection().anchors())
     for (const PivotPlace place : {PivotPlace::leading_edge, PivotPlace::trailing_edge,
                                    PivotPlace::centroid, PivotPlace::centre})
@@ -77,7 +93,11 @@ void ViewportPane::drive(const InputState& input, const PanelContext& context, c
                      (input.alt() || (view.right_panel && view.side_tab == SideTab::vcv));
   pointer.click_taken =
       node_tool_.update(pointer, nodes, scale, session_, control_.view(), context.actions);
+  const bool dragging = viewport_.dragging();
   viewport_.update(pointer, scene(scale), control_.view(), context.actions);
+  if (const auto at = context_click_.update(pointer, scale); at && !dragging && session_.document())
+    context.emit(
+        action::ShowContextMenu{pick_place(session_, control_.view(), view.markers, *at, scale)});
   if (viewport_.gesture() == Viewport::Gesture::box) control_.disarm_box_zoom();
   lens_.place(magnifier_inset(view.magnifier, control_.camera(), input.mouse, over, scale));
 }

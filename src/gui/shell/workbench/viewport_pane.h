@@ -13,6 +13,7 @@
 #include "gui/view/navigation/view_control.h"
 #include "gui/view/overlays/id_labels.h"
 #include "gui/view/overlays/lens.h"
+#include "gui/view/tools/context_click.h"
 #include "gui/view/tools/node_tool.h"
 #include "gui/view/tools/viewport.h"
 
@@ -71,6 +72,7 @@ class ViewportPane {
   Lens lens_{mesh_view_};
   Viewport viewport_;
   NodeTool node_tool_;
+  ContextClick context_click_;
   IdLabels id_labels_;
   LegendCard legend_card_;
   double reach_ = 0;  // of the selection, when nothing was moving

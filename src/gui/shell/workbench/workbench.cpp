@@ -82,6 +82,7 @@ void Workbench::update(const InputState& input, int width, int height, double se
   window_.width = std::max(width, 1);
   window_.height = std::max(height, 1);
   poll();
+  if (auto next = session_.take_next()) actions_.push_back(std::move(*next));
   pane_.update_before();
   const ViewOptions& view = view_control_.options();
   view_control_.scale().set_window(window_.width, window_.height);

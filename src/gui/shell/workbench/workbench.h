@@ -107,6 +107,8 @@ class Workbench {
   void on(const action::RestoreSession& a);
   void on(const action::DiscardSession& a) { autosave_.discard(a.folder); }
   void on(const action::ClearRecent&) { recent_.clear(); }
+  void on(const action::EditField& a);
+  void on(const action::CopyText& a);
   /// The page goes when another mesh is opened.
   void on(const action::ShowWelcome&) { regions_.welcome().toggle(); }
   void on(const action::StartDemo& a);

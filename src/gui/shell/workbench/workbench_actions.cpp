@@ -8,29 +8,15 @@
 namespace winslow::gui {
 
 void Workbench::on(const action::RestoreSession& a) {
-  const Document* document = session_.document();
-  if (a.discard_changes || !document || !(document->modified() || session_.in_motion()))
-    return autosave_.restore(a.folder);
-  session_.messages().ask(
-      {Prompt::Kind::question,
-       "Discard the changes?",
-       document->name() + " has changes that are not saved. Restoring the session would lose them.",
-       {{"Discard and restore", {action::RestoreSession{a.folder, true}}, false},
-        {"Cancel", {}, true}}});
+  if (a.discard_changes || !session_.files().unsaved()) return autosave_.restore(a.folder);
+  session_.ask_to_save(a, action::RestoreSession{a.folder, true});
 }
 
 void Workbench::on(const action::StartDemo& a) {
   const Demo* demo = find_demo(a.id);
   if (!demo) return;
-  const Document* document = session_.document();
-  if (document && (document->modified() || session_.in_motion()) && !a.discard_changes) {
-    session_.messages().ask(
-        {Prompt::Kind::question,
-         "Discard the changes?",
-         document->name() + " has changes that are not saved. The demo opens another mesh.",
-         {{"Discard and play", {action::StartDemo{a.id, true}}, false}, {"Cancel", {}, true}}});
-    return;
-  }
+  if (session_.files().unsaved() && !a.discard_changes)
+    return session_.ask_to_save(a, action::StartDemo{a.id, true});
   regions_.welcome().close();
   demo_.start(*demo, demo_meshes_.empty() ? assets_folder() : demo_meshes_, session_, actions_);
 }
@@ -38,6 +24,19 @@ void Workbench::on(const action::StartDemo& a) {
 void Workbench::on(const action::EndDemo&) {
   demo_.end();
   view_control_.set_card(std::nullopt);
+}
+
+void Workbench::on(const action::EditField& a) {
+  ViewOptions view = view_control_.options();
+  view.left_panel = true;
+  view_control_.set_options(view);
+  window_.ui.want_keyboard(a.field);
+}
+
+void Workbench::on(const action::CopyText& a) {
+  window_.ui.make_current();
+  ImGui::SetClipboardText(a.text.c_str());
+  session_.messages().tell(Notice::Kind::information, "Copied: " + a.text);
 }
 
 /// One mesh at a time: of several files dropped together, the first.

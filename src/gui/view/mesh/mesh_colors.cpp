@@ -40,4 +40,10 @@ MeshColors mesh_colors(const ViewOptions& view) {
   return colors;
 }
 
+Rgb color_of_marker(const ViewOptions& view, const std::string& name, Index marker, bool dark) {
+  const MarkerLook look = view.markers.of(name);
+  return look.color ? Rgb{(*look.color)[0], (*look.color)[1], (*look.color)[2]}
+                    : marker_color(marker, dark);
+}
+
 }  // namespace winslow::gui

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <string>
+
 #include "gui/render/backdrop.h"
+#include "gui/render/color_map.h"
 #include "gui/settings/view_options.h"
 
 /// Colours of the mesh and of what lies behind it.
@@ -16,5 +19,8 @@ struct MeshColors {
   Rgba inverted;
 };
 MeshColors mesh_colors(const ViewOptions& view);
+
+/// Of a marker: what the user has chosen, or else by its number. dark: what it is seen on.
+Rgb color_of_marker(const ViewOptions& view, const std::string& name, Index marker, bool dark);
 
 }  // namespace winslow::gui

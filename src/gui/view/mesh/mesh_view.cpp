@@ -78,7 +78,12 @@ void MeshView::update_markers(const Session& session, const ViewOptions& view, f
   const auto count = static_cast<Index>(session.topology()->markers().size());
   markers_.clear();
   for (Index m = 0; m < count; ++m) {
-    const Rgb c = marker_color(m, dark);
+    const std::string& name = session.topology()->markers()[static_cast<std::size_t>(m)].name;
+    if (view.markers.of(name).hidden) {
+      markers_.push_back({{}, 0});
+      continue;
+    }
+    const Rgb c = color_of_marker(view, name, m, dark);
     const auto& hovered = session.selection().hovered();
     const bool lit = std::find(hovered.begin(), hovered.end(), m) != hovered.end();
     float width = 2.2f;

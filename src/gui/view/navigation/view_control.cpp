@@ -38,6 +38,11 @@ bool ViewControl::follow_mesh() {
   history_.clear();
   state_ = ViewState();
   options_.magnifier.pin.reset();
+  // What is hidden of one mesh is not to be missing from another that has markers of its names.
+  if (const Document* document = session_.document()) {
+    const std::string file = document->source().string();
+    if (options_.markers.mesh != file) options_.markers = {file, {}};
+  }
   look_at_start();
   return true;
 }

@@ -10,6 +10,7 @@
 
 #include "core/inspect/nodal_view.h"
 #include "core/motion/rigid_motion.h"
+#include "gui/document/jobs/drag_text.h"
 #include "gui/view/overlays/gizmo_drawing.h"
 #include "gui/view/overlays/layer_overlay.h"
 #include "gui/view/overlays/region_overlay.h"
@@ -91,11 +92,13 @@ void draw_wanted(ImDrawList& list, const Overlay& o) {
 }
 
 void draw_preview(ImDrawList& list, const Overlay& o) {
-  const auto& preview = o.session.selection().deformation_preview();
-  if (!preview) return;
-  for (const auto& [a, b] : preview->outline)
-    list.AddLine(pixel(o.view.to_screen(a)), pixel(o.view.to_screen(b)), palette().accent,
-                 o.theme.px(1.5f));
+  const auto draw = [&](const auto& outline) {
+    for (const auto& [a, b] : outline)
+      list.AddLine(pixel(o.view.to_screen(a)), pixel(o.view.to_screen(b)), palette().accent,
+                   o.theme.px(1.5f));
+  };
+  if (const auto& shape = o.session.selection().deformation_preview()) draw(shape->outline);
+  if (const auto& motion = o.session.selection().motion_preview()) draw(motion->outline);
 }
 
 /// While shapes are edited: the held arc, how far a drag of it fades, the node under the mouse.
@@ -120,7 +123,26 @@ void draw_shape(ImDrawList& list, const Overlay& o) {
   }
 }
 
+/// What is typed, with a bar where the next character goes.
+std::string typed_text(const Overlay& o) {
+  const TypedMotion& typed = o.viewport.typed();
+  const MotionGesture& drag = o.viewport.drag();
+  const auto field = [&](std::size_t k) {
+    const std::string text = typed.text(k).empty() && typed.field() != k ? "0" : typed.text(k);
+    return text + (typed.field() == k ? "|" : "");
+  };
+  std::string text;
+  if (drag.kind() == MotionGesture::Kind::rotate)
+    text = field(0) + "\xC2\xB0";
+  else if (drag.axis())
+    text = (*drag.axis() == 0 ? "x " : "y ") + field(0);
+  else
+    text = "x " + field(0) + "   y " + field(1) + "   Tab: the other";
+  return text + "   Enter applies";
+}
+
 std::string motion_text(const Overlay& o) {
+  if (o.viewport.typed().active()) return typed_text(o);
   const MotionGesture& drag = o.viewport.drag();
   const RigidMotion& m = drag.motion();
   if (drag.kind() == MotionGesture::Kind::rotate)
@@ -138,9 +160,9 @@ std::vector<Label> motion_labels(const Overlay& o) {
   const BodyDrag* drag = o.session.mesh().body_drag();
   if (!drag || drag->reach() == BodyDrag::Reach::there) return labels;
   if (drag->reach() == BodyDrag::Reach::limit)
-    labels.push_back({drag->limit(), palette().danger});
+    labels.push_back({blocked_text(*drag), palette().danger});
   else
-    labels.push_back({"The mesh is catching up", palette().text_dim});
+    labels.push_back({updating_text(*drag), palette().text_dim});
   return labels;
 }
 

@@ -114,7 +114,7 @@ void draw_comparison(ImDrawList& list, const ViewOverlay& o) {
   const auto height = static_cast<float>(end.y() - origin.y());
   const float gap = o.theme.px(10);
   const char* before =
-      o.options.before == BeforeState::loaded ? "As loaded" : "Before the last command";
+      o.options.before == BeforeState::loaded ? "As opened" : "Before the last command";
   if (o.options.comparison == Comparison::ghost) {
     const float line = o.theme.px(22);
     const ImVec2 at(x + gap, y + gap);

@@ -54,6 +54,24 @@ bool MotionGesture::follow(const ScreenPoint& mouse, Modifiers modifiers, const 
   return true;
 }
 
+bool MotionGesture::type(const TypedMotion& typed) {
+  const auto first = typed.value(0);
+  const auto second = typed.value(1);
+  if (!first || !second) return false;
+  RigidMotion next = motion_;
+  if (kind_ == Kind::rotate) {
+    next.rotate = *first;
+  } else if (axis_) {
+    next.translate = Vec2(0, 0);
+    next.translate[*axis_] = *first;
+  } else {
+    next.translate = Vec2(*first, *second);
+  }
+  if (same_motion(next, motion_)) return false;
+  motion_ = next;
+  return true;
+}
+
 void MotionGesture::toggle_axis(int axis) {
   if (axis_ == axis)
     axis_.reset();

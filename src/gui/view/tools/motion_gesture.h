@@ -4,6 +4,7 @@
 
 #include "core/motion/motion.h"
 #include "gui/render/view.h"
+#include "gui/view/tools/typed_motion.h"
 
 namespace winslow::gui {
 
@@ -20,6 +21,11 @@ class MotionGesture {
   void begin(Kind kind, const ScreenPoint& from, const Vec2& pivot, std::optional<int> axis);
   /// The mouse went to a place. True if that changed the motion.
   bool follow(const ScreenPoint& mouse, Modifiers modifiers, const View& view);
+  /// Takes the motion from typed numbers: degrees, or units of the mesh along x and y, or along the
+  /// one axis that the move is kept to. True if that changed the motion.
+  bool type(const TypedMotion& typed);
+  /// How many numbers there are to type.
+  std::size_t typed_fields() const { return kind_ == Kind::rotate || axis_ ? 1 : 2; }
   /// Keeps a move to an axis; the same one again sets it free.
   void toggle_axis(int axis);
 

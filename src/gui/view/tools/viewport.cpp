@@ -19,6 +19,12 @@ double world(double pixels, const ViewportScene& scene, const View& view, const 
   return pixels * scene.scale * view.pixel_size(at);
 }
 
+/// A body counts as one: it is not taken by half.
+bool free_to_take(const std::vector<Index>& markers, const ViewportScene& scene) {
+  return std::ranges::none_of(
+      markers, [&](Index m) { return std::ranges::binary_search(scene.taken_out, m); });
+}
+
 }  // namespace
 
 std::optional<Gizmo> Viewport::gizmo(const ViewportScene& scene, const View& view) {
@@ -32,6 +38,8 @@ void Viewport::update(const PointerState& p, const ViewportScene& scene, View& v
   const bool pan_pressed = (p.middle && !last_.middle) || (p.right && !last_.right);
   const bool left_pressed = p.left && !last_.left;
 
+  // Before Enter counts, which may have come in the same frame.
+  if (dragging()) take_typed(p, view, actions);
   if (p.cancel && gesture_ != Gesture::none) {
     end(actions, true);
   } else if (p.accept && !last_.accept && dragging()) {
@@ -91,8 +99,13 @@ void Viewport::hover(const PointerState& p, const ViewportScene& scene, const Vi
     if (const auto g = gizmo(scene, view)) hovered_handle_ = g->at(p.position);
     if (scene.shape.active)
       node_ = scene.boundary->pick_node(at, world(node_radius, scene, view, at));
+    if (node_ &&
+        !free_to_take(scene.boundary->bodies()[static_cast<std::size_t>(node_->body)].markers,
+                      scene))
+      node_.reset();
     if (hovered_handle_ == Handle::none && !node_)
       hit_ = scene.boundary->pick(at, world(pick_radius, scene, view, at));
+    if (hit_ && !free_to_take(hit_->markers, scene)) hit_.reset();
   }
   std::vector<Index> now = hit_ ? hit_->markers : std::vector<Index>{};
   if (now == last_hover_) return;
@@ -134,6 +147,7 @@ void Viewport::press_handle(const PointerState& p, const ViewportScene& scene,
 void Viewport::begin(Gesture gesture, const ViewportScene& scene, ActionQueue& actions,
                      std::optional<int> axis) {
   gesture_ = gesture;
+  typed_.clear();
   drag_.begin(gesture == Gesture::rotate ? MotionGesture::Kind::rotate : MotionGesture::Kind::move,
               press_, scene.pivot, axis);
   actions.emplace_back(action::BeginDrag{gesture == Gesture::shape});
@@ -180,8 +194,26 @@ void Viewport::follow_drag(const PointerState& p, const View& view, ActionQueue&
     if (p.key_x && !last_.key_x) drag_.toggle_axis(0);
     if (p.key_y && !last_.key_y) drag_.toggle_axis(1);
   }
+  if (typed_.active()) {
+    // An axis may have been chosen since.
+    if (drag_.type(typed_)) actions.emplace_back(action::DragTo{drag_.motion()});
+    return;
+  }
   if (drag_.follow(p.position, {p.shift, p.control}, view))
     actions.emplace_back(action::DragTo{drag_.motion()});
+}
+
+void Viewport::take_typed(const PointerState& p, const View& view, ActionQueue& actions) {
+  const bool was_active = typed_.active();
+  bool changed = typed_.type(p.text);
+  if (p.erase && !last_.erase) changed |= typed_.erase();
+  if (p.next && !last_.next) typed_.next(drag_.typed_fields());
+  if (!changed) return;
+  // Without numbers the mouse counts again, from where it is.
+  const bool other = typed_.active()
+                         ? drag_.type(typed_)
+                         : was_active && drag_.follow(p.position, {p.shift, p.control}, view);
+  if (other) actions.emplace_back(action::DragTo{drag_.motion()});
 }
 
 void Viewport::follow_pivot(const PointerState& p, const ViewportScene& scene, const View& view,

@@ -11,6 +11,7 @@
 #include "gui/render/view.h"
 #include "gui/view/tools/gizmo.h"
 #include "gui/view/tools/motion_gesture.h"
+#include "gui/view/tools/typed_motion.h"
 
 namespace winslow::gui {
 
@@ -24,6 +25,8 @@ struct PointerState {
   bool cancel = false;                ///< Esc
   bool accept = false;                ///< Enter
   bool key_x = false, key_y = false;  ///< keep a drag to an axis
+  std::u32string text;                ///< typed since the last frame
+  bool erase = false, next = false;   ///< Backspace, Tab
   /// The click under way is another tool's: it selects nothing. A drag is the viewport's still.
   bool click_taken = false;
 };
@@ -32,6 +35,7 @@ struct PointerState {
 struct ViewportScene {
   const BoundaryIndex* boundary = nullptr;  ///< null: no mesh
   std::vector<Index> selection;
+  std::vector<Index> taken_out;  ///< markers that the mouse passes through, ascending
   Vec2 pivot{0, 0};
   double reach = 0;            ///< of the selection around the pivot, in units of the mesh
   double turned = 0;           ///< degrees by which a drag has turned the selection so far
@@ -74,6 +78,8 @@ class Viewport {
   const std::optional<BoundaryIndex::NodeHit>& hovered_node() const { return node_; }
   /// The drag so far.
   const MotionGesture& drag() const { return drag_; }
+  /// Numbers typed during the drag, which count in place of the mouse.
+  const TypedMotion& typed() const { return typed_; }
   /// What the pivot under the mouse has snapped to; empty: nothing.
   const std::string& snapped_to() const { return snapped_to_; }
 
@@ -89,6 +95,7 @@ class Viewport {
   void follow(const PointerState& p, const ViewportScene& scene, View& view, ActionQueue& actions);
   bool start_box(const PointerState& p, const ViewportScene& scene);
   void follow_drag(const PointerState& p, const View& view, ActionQueue& actions);
+  void take_typed(const PointerState& p, const View& view, ActionQueue& actions);
   void follow_pivot(const PointerState& p, const ViewportScene& scene, const View& view,
                     ActionQueue& actions);
   void wheel(const PointerState& p, const ViewportScene& scene, View& view, ActionQueue& actions);
@@ -107,6 +114,7 @@ class Viewport {
   std::optional<BoundaryIndex::NodeHit> node_;
   Handle hovered_handle_ = Handle::none;
   MotionGesture drag_;
+  TypedMotion typed_;
   Vec2 pivot_before_{0, 0};
   std::string snapped_to_;
   std::vector<Index> last_hover_;

@@ -118,7 +118,7 @@ TEST_CASE("closing the mesh asks when there is something to lose") {
   CHECK(rig.session().document() != nullptr);
   rig.key(keys::w, {keys::control});
   rig.frames();
-  rig.click("prompt/Close without saving");
+  rig.click("prompt/Don't save");
   CHECK(rig.session().document() == nullptr);
   CHECK(rig.session().selection().empty());
   CHECK(rig.bench->title() == "winslow");

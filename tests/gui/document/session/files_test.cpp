@@ -132,7 +132,7 @@ TEST_CASE("opening another mesh asks before changes are lost") {
   CHECK(rig.document().name() == "mesh.su2");
   rig.input.drop({other});
   rig.frames();
-  choose(rig, "Discard and open");
+  choose(rig, "Don't save");
   CHECK(rig.document().name() == "other.su2");
 }
 
@@ -233,7 +233,7 @@ TEST_CASE("quitting asks when there is something to lose") {
   choose(rig, "Cancel");
   CHECK_FALSE(rig.session().files().quit_accepted());
   rig.key(keys::q, {keys::control});
-  choose(rig, "Leave without saving");
+  choose(rig, "Don't save");
   CHECK(rig.session().files().quit_accepted());
 }
 

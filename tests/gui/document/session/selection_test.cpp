@@ -20,21 +20,6 @@ TEST_CASE("markers are selected alone or in addition; those that do not exist ar
   CHECK(selection.empty());
 }
 
-TEST_CASE("bodies are selected one after the other, the rim around everything never") {
-  SessionParts parts(two_body_mesh());
-  Selection& selection = parts.selection;
-  selection.apply(action::CycleBody{1});
-  const auto first = selection.markers();
-  REQUIRE(first.size() == 1);
-  selection.apply(action::CycleBody{1});
-  CHECK(selection.markers() != first);
-  CHECK_FALSE(selection.contains(parts.marker("outer")));
-  selection.apply(action::CycleBody{1});
-  CHECK(selection.markers() == first);
-  selection.apply(action::CycleBody{-1});
-  CHECK(selection.markers() != first);
-}
-
 TEST_CASE("the pivot is the centre of what is selected until it is put elsewhere") {
   SessionParts parts(two_body_mesh());
   Selection& selection = parts.selection;

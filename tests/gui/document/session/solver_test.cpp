@@ -22,7 +22,7 @@ TEST_CASE("the Smooth button runs to convergence and adds to the history") {
   Rig rig;
   rig.open(ring_mesh());
   const Mesh before = rig.mesh();
-  rig.click("solver/run");
+  rig.click("tool/run");
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);
   CHECK(rig.document().history().result(1).converged);
@@ -39,7 +39,7 @@ TEST_CASE("each step is one outer iteration, then the solver waits") {
   const Coordinates first = rig.session().coordinates();
   rig.frames(20);
   CHECK(iterations(rig) == 1);
-  rig.click("solver/step");
+  rig.click("tool/step");
   REQUIRE(rig.wait([&] { return iterations(rig) == 2; }));
   CHECK(distance(first, rig.session().coordinates()) > 0);
   CHECK(rig.document().history().size() == 1);
@@ -51,15 +51,15 @@ TEST_CASE("each step is one outer iteration, then the solver waits") {
 TEST_CASE("pause stops the solver, resume ends at the mesh of an uninterrupted run") {
   Rig straight;
   straight.open(ring_mesh());
-  straight.click("solver/run");
+  straight.click("tool/run");
   REQUIRE(straight.settle());
 
   Rig rig;
   rig.open(ring_mesh());
   rig.key(keys::n);
   REQUIRE(rig.wait([&] { return solver_paused(rig); }));
-  REQUIRE(rig.visible("solver/run"));
-  rig.click("solver/run");
+  REQUIRE(rig.visible("tool/run"));
+  rig.click("tool/run");
   rig.bench->apply(action::PauseSolver{});
   REQUIRE(rig.wait([&] { return solver_paused(rig) || !rig.session().job().active(); }));
   rig.bench->apply(action::ResumeSolver{});
@@ -79,7 +79,7 @@ TEST_CASE("cancel puts the mesh back as it was") {
   rig.key(keys::n, {keys::shift});
   REQUIRE(rig.wait([&] { return iterations(rig) >= 1; }));
   CHECK(distance(rig.session().coordinates(), before.coordinates) > 0);
-  rig.click("solver/cancel");
+  rig.click("tool/cancel");
   CHECK_FALSE(rig.session().job().active());
   CHECK(rig.session().coordinates() == before.coordinates);
   CHECK(rig.document().history().size() == 1);
@@ -89,7 +89,7 @@ TEST_CASE("reset goes back to the mesh as opened and redo returns") {
   Rig rig;
   rig.open(ring_mesh());
   const Mesh before = rig.mesh();
-  rig.click("solver/run");
+  rig.click("tool/run");
   REQUIRE(rig.settle());
   const Mesh smoothed = rig.mesh();
   rig.key(keys::r, {keys::control});
@@ -129,14 +129,14 @@ TEST_CASE("scrambling tangles the mesh and smoothing recovers it") {
   SmoothOptions regular;  // targets that a scrambled mesh still has
   regular.targets = TargetBlend::regular();
   rig.bench->apply(action::EditSmoothOptions{whole(regular)});
-  rig.click("solver/run");
+  rig.click("tool/run");
   REQUIRE(rig.settle());
   const Mesh smoothed = rig.mesh();
   rig.click("menu/Edit");
   rig.click("menu/scramble");
   REQUIRE(rig.settle());
   CHECK(rig.session().quality().latest()->report.inverted > 0);
-  rig.click("solver/run");
+  rig.click("tool/run");
   REQUIRE(rig.settle());
   CHECK(rig.session().quality().latest()->report.inverted == 0);
   CHECK(distance(rig.mesh().coordinates, smoothed.coordinates) < 1e-6);
@@ -146,7 +146,7 @@ TEST_CASE("the convergence plot shows the run and reads out an iteration under t
   Rig rig;
   rig.open(ring_mesh());
   const Image empty = rig.bench->pictures().picture();
-  rig.click("solver/run");
+  rig.click("tool/run");
   REQUIRE(rig.settle());
   const auto plot = rig.bench->widgets().find("convergence/plot");
   REQUIRE(plot.has_value());
@@ -222,7 +222,7 @@ TEST_CASE("an iteration limit that is too small is said, and going on converges"
   SmoothOptions few;
   few.max_iterations = 2;
   rig.bench->apply(action::EditSmoothOptions{whole(few)});
-  rig.click("solver/run");
+  rig.click("tool/run");
   REQUIRE(rig.settle());
   rig.frames();
   REQUIRE(rig.session().messages().banner().has_value());

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "core/layers/layer_measures.h"
 #include "core/layers/sound_plan.h"
@@ -15,8 +16,14 @@ namespace {
 void open_panel(Rig& rig, const std::string& marker) {
   rig.click("marker/" + marker);
   rig.frames(3);
-  if (!rig.visible("layers/insert")) rig.click("section/layers");
+  if (!rig.visible("layers/insert") && !rig.visible("layers/status")) rig.click("section/layers");
   rig.frames(3);
+  // Where there are layers already, a card says so, and the settings are folded.
+  if (!rig.visible("layers/insert")) {
+    CHECK(rig.visible("layers/status"));
+    rig.click("layers/open_insert");
+    rig.frames(3);
+  }
   REQUIRE(rig.visible("layers/insert"));
 }
 
@@ -231,6 +238,35 @@ TEST_CASE("layers that come in a file are found and held while their body turns"
   rig.bench->apply(action::GoToStep{0});
   REQUIRE(rig.settle());
   CHECK(layers(rig) == nullptr);
+}
+
+TEST_CASE("a card says what layers came with the file, and folds the settings away") {
+  Rig rig(1100, 1500);
+  rig.open(ring_mesh());
+  insert(rig, {"flap"});
+  rig.bench->apply(action::OpenMesh{write(rig.folder, rig.mesh(), "layered.su2"), true});
+  REQUIRE(rig.wait([&] { return layers(rig) == nullptr; }));
+  REQUIRE(rig.settle());
+  CHECK(rig.session().jobs().found_layers().at_markers() ==
+        std::map<std::string, int>{{"flap", 4}});
+  if (!rig.visible("layers/status")) rig.click("section/layers");
+  rig.frames(3);
+  REQUIRE(rig.visible("layers/status"));
+  CHECK_FALSE(rig.visible("layers/insert"));
+  REQUIRE(enabled(rig, "layers/hold"));  // all that there are, with nothing selected
+  rig.click("layers/hold");
+  REQUIRE(rig.settle());
+  REQUIRE(layers(rig) != nullptr);
+  CHECK(layers(rig)->held);
+  rig.frames(3);
+  CHECK_FALSE(enabled(rig, "layers/hold"));
+  rig.click("layers/open_insert");
+  rig.bench->apply(action::SelectMarkers{{rig.marker("farfield")}});
+  rig.frames(3);
+  CHECK(rig.visible("layers/insert"));
+  rig.open(two_body_mesh(), "plain.su2");  // quadrilaterals, but no layers at a smooth wall
+  rig.frames(3);
+  CHECK(rig.session().jobs().found_layers().looked_at(rig.session().topology()));
 }
 
 TEST_CASE("layers inserted at a second wall join those held at the first") {

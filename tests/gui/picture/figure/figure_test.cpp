@@ -38,7 +38,7 @@ VectorFigure ring_figure() {
   figure.camera.set_viewport(0, 0, 400, 300);
   figure.camera.fit(bounds(figure.mesh));
   figure.title = "Ring";
-  for (Index m = 0; m < 2; ++m) figure.marker_colors.push_back(marker_color(m));
+  for (Index m = 0; m < 2; ++m) figure.marker_colors.emplace_back(marker_color(m));
   return figure;
 }
 

@@ -64,7 +64,7 @@ TEST_CASE("the scale of the interface is chosen, or the screen's own") {
   Rig rig(1500, 960);
   rig.open(ring_mesh());
   const auto height = [&] {
-    const auto r = rig.bench->widgets().find("solver/run");
+    const auto r = rig.bench->widgets().find("solver/step_n");
     REQUIRE(r.has_value());
     return r->max.y() - r->min.y();
   };

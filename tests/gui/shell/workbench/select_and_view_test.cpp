@@ -237,7 +237,7 @@ TEST_CASE("panels can be hidden, and the mesh takes their room") {
   const float before = rig.bench->layout().viewport.width;
   rig.key(keys::f2);
   CHECK(rig.bench->layout().viewport.width > before + 100);
-  CHECK_FALSE(rig.visible("solver/run"));
+  CHECK_FALSE(rig.visible("solver/step_n"));
   rig.key(keys::f2);
   CHECK(rig.bench->layout().viewport.width == before);
 }

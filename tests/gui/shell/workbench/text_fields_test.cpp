@@ -16,7 +16,7 @@ TEST_CASE("Ctrl+Z in a field that is entered again takes nothing back from anoth
   rig.click("motion/dx");
   rig.key(keys::a, {keys::control});
   rig.type("0.12345678901234");
-  rig.key(keys::enter);
+  rig.key(keys::tab);
   rig.click("motion/dx");
   for (int i = 0; i < 12; ++i) rig.key(keys::z, {keys::control});
   rig.key(GLFW_KEY_END);

@@ -3,13 +3,12 @@
 #include <vector>
 
 #include "core/command/command.h"
+#include "gui/document/jobs/wall_layers.h"
 #include "gui/document/session/session.h"
 
 /// What is known of the layers that walls have.
 namespace winslow::gui {
 
-/// Quadrilaterals stand on one of the walls.
-bool may_have_layers(const Topology& topology, const std::vector<LayerWall>& walls);
 /// The layers of all these walls are held.
 bool all_held(const Session& session, const std::vector<LayerWall>& walls);
 /// Sets how many layers of each wall a command works on: those that are known to be there. Of

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/types.h"
+
+namespace winslow::gui {
+
+/// What lies at a place of the mesh on screen, as a click there means it.
+struct PickedPlace {
+  std::optional<Vec2> point;     ///< units of the mesh; none: a row of a list was clicked
+  std::vector<Index> markers;    ///< of the body there, ascending; empty: none
+  std::optional<Index> node;     ///< near enough to be meant
+  std::optional<Index> element;  ///< that contains the point
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,85 @@
+#include "gui/menu/bodies.h"
+
+#include <algorithm>
+
+#include "gui/menu/user_command.h"
+
+namespace winslow::gui {
+
+std::string names_of(const PanelContext& context, const std::vector<Index>& markers) {
+  std::string text;
+  for (const Index m : markers)
+    text += (text.empty() ? "" : ", ") +
+            context.topology()->markers()[static_cast<std::size_t>(m)].name;
+  return text;
+}
+
+std::vector<NamedBody> bodies(const PanelContext& context) {
+  std::vector<NamedBody> found;
+  if (!context.session.mesh().boundary()) return found;
+  for (const auto& body : context.session.mesh().boundary()->bodies())
+    if (body.hole && !body.markers.empty())
+      found.push_back({names_of(context, body.markers), body.markers, true});
+  return found;
+}
+
+std::vector<NamedBody> bodies_and_markers(const PanelContext& context) {
+  std::vector<NamedBody> found = bodies(context);
+  if (!context.topology()) return found;
+  const auto count = static_cast<Index>(context.topology()->markers().size());
+  for (Index m = 0; m < count; ++m) {
+    const auto same = [m](const NamedBody& body) { return body.markers == std::vector<Index>{m}; };
+    if (std::ranges::none_of(found, same)) found.push_back({names_of(context, {m}), {m}, false});
+  }
+  return found;
+}
+
+Bounds box_around(const PanelContext& context, const std::vector<Index>& markers) {
+  std::vector<Index> nodes;
+  for (const Index m : markers) {
+    const auto of_marker = context.topology()->markers().nodes(m);
+    nodes.insert(nodes.end(), of_marker.begin(), of_marker.end());
+  }
+  const Bounds box = bounds(context.session.coordinates(), nodes);
+  const Vec2 room = Vec2::Constant(0.2 * box.size().maxCoeff());
+  return {box.min - room, box.max + room};
+}
+
+std::string locked_marker(const PanelContext& context, const std::vector<Index>& markers) {
+  for (const Index m : markers) {
+    std::string name = names_of(context, {m});
+    if (context.view.markers.of(name).locked) return name;
+  }
+  return {};
+}
+
+std::string without_bodies(const PanelContext& context) {
+  if (!context.session.document()) return without_mesh(context);
+  return bodies(context).empty() ? "This mesh has no holes: no bodies." : "";
+}
+
+std::string without_selection(const PanelContext& context) {
+  if (!context.session.document()) return without_mesh(context);
+  return context.session.selection().empty() ? "Select a body or a marker first." : "";
+}
+
+std::string selection_in_use(const PanelContext& context) {
+  if (std::string reason = while_busy(context); !reason.empty()) return reason;
+  return without_selection(context);
+}
+
+void cycle_bodies(const PanelContext& context, int step) {
+  std::vector<NamedBody> all = bodies(context);
+  std::erase_if(
+      all, [&](const NamedBody& body) { return !locked_marker(context, body.markers).empty(); });
+  if (all.empty()) return;
+  const auto count = static_cast<int>(all.size());
+  const auto& selected = context.session.selection().markers();
+  const auto now =
+      std::ranges::find_if(all, [&](const NamedBody& body) { return body.markers == selected; });
+  const int at = now == all.end() ? (step > 0 ? -1 : count) : static_cast<int>(now - all.begin());
+  const int next = ((at + step) % count + count) % count;
+  context.emit(action::SelectMarkers{all[static_cast<std::size_t>(next)].markers, false});
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,242 @@
+#include "gui/menu/context_commands.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "core/quality/metric.h"
+#include "gui/base/text.h"
+#include "gui/menu/bodies.h"
+#include "gui/menu/layer_commands.h"
+
+namespace winslow::gui {
+
+namespace {
+
+/// As many digits as tell places apart on a mesh far from the origin.
+std::string coordinates_text(const Vec2& point, const char* between) {
+  std::array<char, 80> text{};
+  const int used = std::snprintf(text.data(), text.size(), "%.10g%s", point.x(), between);
+  std::snprintf(text.data() + used, text.size() - static_cast<std::size_t>(used), "%.10g",
+                point.y());
+  return text.data();
+}
+
+UserCommand copying(std::string id, std::string label, const std::string& text) {
+  return {.id = std::move(id),
+          .label = std::move(label),
+          .tooltip = "To paste it elsewhere: " + text,
+          .run = [text](const PanelContext& c) { c.emit(action::CopyText{text}); }};
+}
+
+/// Selects a body, then edits a field of a panel.
+std::function<void(const PanelContext&)> select_and_edit(std::vector<Index> markers,
+                                                         const char* field) {
+  return [markers = std::move(markers), field](const PanelContext& c) {
+    c.emit(action::SelectMarkers{markers, false});
+    c.emit(action::EditField{field});
+  };
+}
+
+UserCommand::Text blocked_by_lock(std::vector<Index> markers) {
+  return [markers = std::move(markers)](const PanelContext& c) -> std::string {
+    if (std::string busy = while_busy(c); !busy.empty()) return busy;
+    const std::string locked = locked_marker(c, markers);
+    return locked.empty() ? "" : locked + " is locked.";
+  };
+}
+
+/// Changes the looks of markers.
+template <class Change>
+std::function<void(const PanelContext&)> change_looks(std::vector<Index> markers, Change change) {
+  return [markers = std::move(markers), change](const PanelContext& c) {
+    c.edit_view([&](ViewOptions& view) {
+      for (const Index m : markers) {
+        const std::string name = names_of(c, {m});
+        MarkerLook look = view.markers.of(name);
+        change(look);
+        view.markers.set(name, look);
+      }
+    });
+    // What is out of sight or locked is not to be moved with the rest.
+    const auto& selected = c.session.selection().markers();
+    const bool taken = std::ranges::any_of(
+        markers, [&](Index m) { return std::ranges::binary_search(selected, m); });
+    if (!taken) return;
+    std::vector<Index> kept;
+    std::ranges::set_difference(selected, markers, std::back_inserter(kept));
+    c.emit(action::SelectMarkers{kept, false});
+  };
+}
+
+std::vector<UserCommand> moving(const std::vector<Index>& markers) {
+  const auto blocked = blocked_by_lock(markers);
+  return {
+      {.id = "body/select",
+       .label = "Select",
+       .tooltip = "What is selected moves, the rest stays.",
+       .blocked = blocked,
+       .run =
+           [markers](const PanelContext& c) {
+             c.emit(action::SelectMarkers{markers, false});
+           }},
+      {.id = "body/move",
+       .label = "Move...",
+       .tooltip = "Type how far it moves, and press Enter.",
+       .blocked = blocked,
+       .run = select_and_edit(markers, "motion/dx")},
+      {.id = "body/rotate",
+       .label = "Rotate...",
+       .tooltip = "Type by how many degrees it turns, and press Enter.",
+       .blocked = blocked,
+       .run = select_and_edit(markers, "motion/rotate")},
+      {.id = "body/deform",
+       .label = "Deform by a sine...",
+       .tooltip = "Type a sine that bends it.",
+       .blocked = blocked,
+       .run = select_and_edit(markers, "shape/amplitude")},
+      {.id = "body/layers",
+       .label = "Insert layers...",
+       .tooltip = "Say how many layers it gets, and how high they are.",
+       .blocked = while_busy,
+       .run = select_and_edit(markers, "layers/count"),
+       .starts_section = true},
+      {.id = "body/hold_layers",
+       .label = "Hold layers",
+       .tooltip = "Keep the heights that its layers have, whatever moves.",
+       .blocked = [markers](const PanelContext& c) { return cannot_hold_layers(c, markers); },
+       .run = [markers](const PanelContext& c) { hold_layers(c, markers); }},
+  };
+}
+
+std::vector<UserCommand> looking(const PanelContext& context, const std::vector<Index>& markers) {
+  const MarkerLook look = context.view.markers.of(names_of(context, {markers.front()}));
+  return {
+      {.id = "body/zoom",
+       .label = "Zoom to it",
+       .tooltip = "Show it as large as the window allows.",
+       .run = [markers](const PanelContext& c) { c.emit(action::ZoomTo{box_around(c, markers)}); },
+       .starts_section = true},
+      {.id = "body/hide",
+       .label = "Hidden",
+       .tooltip = "Do not draw it, and let the mouse pass through it. The list of markers shows it "
+                  "again.",
+       .checked = [look](const PanelContext&) { return look.hidden; },
+       .run =
+           change_looks(markers, [on = !look.hidden](MarkerLook& marker) { marker.hidden = on; })},
+      {.id = "body/lock",
+       .label = "Locked",
+       .tooltip = "Draw it, but keep the mouse from selecting or moving it.",
+       .checked = [look](const PanelContext&) { return look.locked; },
+       .run =
+           change_looks(markers, [on = !look.locked](MarkerLook& marker) { marker.locked = on; })},
+      {.id = "body/export",
+       .label = "Export as curve...",
+       .tooltip = "Write its nodes as a table, points or VTK lines.",
+       .blocked = without_mesh,
+       .run =
+           [markers](const PanelContext& c) {
+             c.emit(action::SelectMarkers{markers, false});
+             c.emit(action::ShowFileDialog{FilePurpose::export_markers, ".csv"});
+           }},
+  };
+}
+
+ContextPart of_body(const PanelContext& context, const std::vector<Index>& markers) {
+  ContextPart part{names_of(context, markers), moving(markers)};
+  for (UserCommand& command : looking(context, markers)) part.commands.push_back(command);
+  return part;
+}
+
+ContextPart of_node(const PanelContext& context, Index node) {
+  const Vec2 at = context.session.coordinates().xy(node);
+  const bool pinned = std::ranges::binary_search(context.session.nodes().pinned(), node);
+  const auto boundary = [node](const PanelContext& c) -> std::string {
+    return c.topology()->on_boundary(node) ? "A node of the boundary has no control volume." : "";
+  };
+  const MeshItem item{MeshItem::Kind::node, node};
+  ContextPart part{"Node " + std::to_string(node), {}};
+  part.commands = {{.id = "node/inspect",
+                    .label = "Inspect its control volume",
+                    .tooltip = "Show the node and its virtual control volume in the tab VCV.",
+                    .blocked = boundary,
+                    .run = [node](const PanelContext& c) { c.emit(action::InspectNode{node}); }},
+                   {.id = "node/pin",
+                    .label = "Pin its control volume",
+                    .tooltip = "Keep it drawn over the mesh, in pictures, too.",
+                    .blocked = boundary,
+                    .checked = [pinned](const PanelContext&) { return pinned; },
+                    .run =
+                        [node, pinned](const PanelContext& c) {
+                          c.emit(action::PinNodes{{node}, !pinned});
+                        }},
+                   {.id = "node/go_to",
+                    .label = "Centre it",
+                    .tooltip = "Zoom to the node and its neighbours, and say what is known of it.",
+                    .run = [item](const PanelContext& c) { c.emit(action::GoTo{item}); }},
+                   copying("node/copy_place", "Copy coordinates", coordinates_text(at, ", ")),
+                   copying("node/copy_id", "Copy node number", std::to_string(node))};
+  return part;
+}
+
+ContextPart of_element(const PanelContext& context, Index element) {
+  const MeshItem item{MeshItem::Kind::element, element};
+  const Metric* coloured = context.view.color ? context.view.color->metric() : nullptr;
+  const Metric metric = coloured ? *coloured : Metric::normalized_jacobian;
+  const Mesh mesh{context.session.topology(), context.session.coordinates()};
+  const double value = element_value(mesh, element, metric);
+  const bool high_is_bad = !metric_info(metric).field.larger_is_better;
+  ContextPart part{"Element " + std::to_string(element) + ", " + std::string(metric_label(metric)) +
+                       " " + (std::isfinite(value) ? short_number(value) : "of an inverted one"),
+                   {}};
+  part.commands = {{.id = "element/go_to",
+                    .label = "Centre it",
+                    .tooltip = "Zoom to the element, and say what is known of it.",
+                    .run = [item](const PanelContext& c) { c.emit(action::GoTo{item}); }},
+                   {.id = "element/isolate",
+                    .label = "Isolate elements as bad or worse",
+                    .tooltip = "Draw those in full and the others faint (I ends it).",
+                    .blocked = [value](const PanelContext&) -> std::string {
+                      return std::isfinite(value) ? ""
+                                                  : "Nothing is worse than an inverted element.";
+                    },
+                    .run =
+                        [metric, value, high_is_bad](const PanelContext& c) {
+                          c.edit_view([&](ViewOptions& view) {
+                            view.color = metric;
+                            view.isolation.on = true;
+                            // This element is to be among them.
+                            const double beyond = high_is_bad ? -1e300 : 1e300;
+                            view.isolation.threshold = std::nextafter(value, beyond);
+                            view.isolation.above = high_is_bad;
+                          });
+                        }},
+                   copying("element/copy_id", "Copy element number", std::to_string(element))};
+  return part;
+}
+
+ContextPart of_view(const PickedPlace& place) {
+  ContextPart part{{}, {}};
+  if (place.point && !place.node)
+    part.commands.push_back(
+        copying("place/copy", "Copy coordinates", coordinates_text(*place.point, ", ")));
+  for (const char* id : {"next_worst", "fit", "fit_selection", "pin_magnifier"})
+    part.commands.push_back(user_command(id));
+  return part;
+}
+
+}  // namespace
+
+std::vector<ContextPart> context_parts(const PanelContext& context, const PickedPlace& place) {
+  std::vector<ContextPart> parts;
+  if (!context.session.document()) return parts;
+  if (!place.markers.empty()) parts.push_back(of_body(context, place.markers));
+  if (place.node) parts.push_back(of_node(context, *place.node));
+  if (place.element) parts.push_back(of_element(context, *place.element));
+  if (place.point) parts.push_back(of_view(place));
+  return parts;
+}
+
+}  // namespace winslow::gui

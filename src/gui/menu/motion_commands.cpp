@@ -1,0 +1,224 @@
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <array>
+#include <utility>
+
+#include "gui/demos/demo_player.h"
+#include "gui/menu/bodies.h"
+#include "gui/menu/user_command.h"
+
+namespace winslow::gui {
+
+namespace {
+
+constexpr auto motion_group = CommandGroup::motion;
+
+std::function<void(const PanelContext&)> edit_field(const char* field) {
+  return [field](const PanelContext& c) { c.emit(action::EditField{field}); };
+}
+
+/// What to do with one body after it is selected, for each body and marker of the mesh.
+std::function<std::vector<UserCommand>(const PanelContext&)> for_each_body(const char* id,
+                                                                           const char* tooltip,
+                                                                           const char* words,
+                                                                           const char* field) {
+  return [=](const PanelContext& context) {
+    std::vector<UserCommand> items;
+    for (const NamedBody& body : bodies_and_markers(context))
+      items.push_back({.id = std::string(id) + "/" + body.name,
+                       .label = body.name,
+                       .group = motion_group,
+                       .tooltip = tooltip,
+                       .words = words,
+                       .blocked = [markers = body.markers](const PanelContext& c) -> std::string {
+                         const std::string locked = locked_marker(c, markers);
+                         return locked.empty() ? "" : locked + " is locked.";
+                       },
+                       .run =
+                           [markers = body.markers, field](const PanelContext& c) {
+                             c.emit(action::SelectMarkers{markers, false});
+                             if (*field) c.emit(action::EditField{field});
+                           }});
+    return items;
+  };
+}
+
+std::vector<UserCommand> pivot_places(const PanelContext&) {
+  constexpr std::array<std::pair<PivotPlace, const char*>, 4> places{
+      {{PivotPlace::centre, "Centre"},
+       {PivotPlace::centroid, "Centroid"},
+       {PivotPlace::leading_edge, "Leading edge"},
+       {PivotPlace::trailing_edge, "Trailing edge"}}};
+  std::vector<UserCommand> items;
+  for (const auto& [place, label] : places)
+    items.push_back({.id = std::string("pivot/") + label,
+                     .label = label,
+                     .group = motion_group,
+                     .tooltip = "Turn the selection about this point of it.",
+                     .checked =
+                         [place = place](const PanelContext& c) {
+                           return !c.session.selection().empty() &&
+                                  c.session.selection().pivot_place() == place;
+                         },
+                     .run =
+                         [place = place](const PanelContext& c) {
+                           c.emit(action::SetPivot{{}, place});
+                         }});
+  items.push_back({.id = "pivot/type",
+                   .label = "By numbers...",
+                   .group = motion_group,
+                   .tooltip = "Type where the pivot is.",
+                   .run = edit_field("motion/pivot_x"),
+                   .starts_section = true});
+  return items;
+}
+
+std::vector<UserCommand> moving_commands() {
+  return {
+      {.id = "move",
+       .label = "Move the selection...",
+       .group = motion_group,
+       .tooltip = "Type how far the selected bodies move, and press Enter; the mesh follows.",
+       .words = "translate shift displace body motion",
+       .blocked = selection_in_use,
+       .run = edit_field("motion/dx")},
+      {.id = "rotate",
+       .label = "Rotate the selection...",
+       .group = motion_group,
+       .tooltip = "Type by how many degrees the selected bodies turn, and press Enter; the mesh "
+                  "follows.",
+       .words = "turn angle deflect pitch body motion",
+       .blocked = selection_in_use,
+       .run = edit_field("motion/rotate")},
+      {.id = "pivot",
+       .label = "Pivot",
+       .group = motion_group,
+       .tooltip = "The point about which the selection turns.",
+       .words = "hinge centre rotation axis",
+       .blocked = without_selection,
+       .items = pivot_places},
+      {.id = "move_body",
+       .label = "Move",
+       .group = motion_group,
+       .tooltip = "Select a body and type how far it moves.",
+       .words = "body marker translate shift",
+       .blocked = while_busy,
+       .starts_section = true,
+       .items =
+           for_each_body("move_body", "Select it and type how far it moves.", "", "motion/dx")},
+      {.id = "rotate_body",
+       .label = "Rotate",
+       .group = motion_group,
+       .tooltip = "Select a body and type by how many degrees it turns.",
+       .words = "body marker turn angle deflect",
+       .blocked = while_busy,
+       .items = for_each_body("rotate_body", "Select it and type by how many degrees it turns.", "",
+                              "motion/rotate")},
+  };
+}
+
+std::vector<UserCommand> selection_commands() {
+  return {
+      {.id = "select",
+       .label = "Select",
+       .group = motion_group,
+       .tooltip = "Take a body or a marker: what is selected moves, the rest stays.",
+       .words = "body marker choose pick",
+       .blocked = without_mesh,
+       .starts_section = true,
+       .items = for_each_body("select", "Select it alone.", "", "")},
+      {.id = "select_all",
+       .label = "Select all bodies",
+       .group = motion_group,
+       .keys = {control(key(GLFW_KEY_A))},
+       .tooltip = "Select every hole of the mesh that is not locked, the outer boundary left out.",
+       .words = "choose markers everything",
+       .blocked = without_bodies,
+       .run =
+           [](const PanelContext& c) {
+             std::vector<Index> all;
+             for (const NamedBody& body : bodies(c))
+               if (locked_marker(c, body.markers).empty())
+                 all.insert(all.end(), body.markers.begin(), body.markers.end());
+             c.emit(action::SelectMarkers{all});
+           }},
+      {.id = "select_next",
+       .label = "Select the next body",
+       .group = motion_group,
+       .keys = {key(GLFW_KEY_TAB)},
+       .tooltip = "Select the bodies one after the other.",
+       .blocked = without_bodies,
+       .run = [](const PanelContext& c) { cycle_bodies(c, 1); }},
+      {.id = "select_previous",
+       .label = "Select the body before",
+       .group = motion_group,
+       .keys = {shift(key(GLFW_KEY_TAB))},
+       .tooltip = "Select the bodies one after the other, backwards.",
+       .blocked = without_bodies,
+       .run = [](const PanelContext& c) { cycle_bodies(c, -1); }},
+      {.id = "select_none",
+       .label = "Select nothing",
+       .group = motion_group,
+       .keys = {key(GLFW_KEY_ESCAPE)},
+       .tooltip = "Select nothing.",
+       .words = "deselect clear",
+       .blocked = [](const PanelContext& c) -> std::string {
+         if (c.session.job().active()) return "Esc cancels the solver now.";
+         if (c.demo.demo()) return "Esc ends the demo now.";
+         if (c.session.selection().shape_edit().active) return "Esc ends the editing of nodes now.";
+         return c.session.selection().empty() ? "Nothing is selected." : "";
+       },
+       .run = [](const PanelContext& c) { c.emit(action::SelectMarkers{}); }},
+  };
+}
+
+std::vector<UserCommand> shape_commands() {
+  return {
+      {.id = "shape_edit",
+       .label = "Edit boundary nodes",
+       .group = motion_group,
+       .keys = {key(GLFW_KEY_E)},
+       .tooltip = "Drag single nodes or arcs of a boundary instead of whole bodies.",
+       .words = "shape morph deform drag arc",
+       .blocked = without_mesh,
+       .checked = [](const PanelContext& c) { return c.session.selection().shape_edit().active; },
+       .run =
+           [](const PanelContext& c) {
+             const ShapeEdit& edit = c.session.selection().shape_edit();
+             c.emit(action::SetShapeEdit{!edit.active, edit.radius});
+           },
+       .starts_section = true},
+      {.id = "shape_done",
+       .label = "End the editing of boundary nodes",
+       .group = motion_group,
+       .keys = {key(GLFW_KEY_ESCAPE)},
+       .tooltip = "Whole bodies are dragged again.",
+       .blocked = [](const PanelContext& c) -> std::string {
+         if (c.session.job().active()) return "Esc cancels the solver now.";
+         return c.session.selection().shape_edit().active ? "" : "No nodes are being edited.";
+       },
+       .run =
+           [](const PanelContext& c) {
+             c.emit(action::SetShapeEdit{false, c.session.selection().shape_edit().radius});
+           }},
+      {.id = "deform",
+       .label = "Deform by a sine...",
+       .group = motion_group,
+       .tooltip = "Type a sine that bends the selected bodies.",
+       .words = "shape wave bend morph amplitude",
+       .blocked = selection_in_use,
+       .run = edit_field("shape/amplitude")},
+  };
+}
+
+}  // namespace
+
+std::vector<UserCommand> motion_commands() {
+  std::vector<UserCommand> commands = moving_commands();
+  for (const auto& part : {selection_commands(), shape_commands()})
+    commands.insert(commands.end(), part.begin(), part.end());
+  return commands;
+}
+
+}  // namespace winslow::gui

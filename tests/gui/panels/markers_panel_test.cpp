@@ -1,0 +1,128 @@
+#include <doctest/doctest.h>
+
+#include "gui/support/keys.h"
+#include "gui/support/pixels.h"
+#include "gui/support/rig.h"
+
+namespace winslow::gui::test {
+
+namespace {
+
+MarkerLook look(const Rig& rig, const std::string& marker) {
+  return rig.bench->view_control().options().markers.of(marker);
+}
+
+}  // namespace
+
+TEST_CASE("a hidden marker is not drawn, and the mouse passes through it") {
+  Rig rig;
+  rig.open(two_body_mesh());
+  set_view(rig, [](ViewOptions& view) { view.color.reset(); });
+  const Image before = rig.bench->pictures().picture();
+  rig.click("marker_hide/left");
+  CHECK(look(rig, "left").hidden);
+  rig.move(ScreenPoint(5, 5));
+  rig.frames();
+  const Image after = rig.bench->pictures().picture();
+  const ScreenPoint corner = rig.pixel(Vec2(-2.5, 0.2));  // on the left side of the hole
+  const auto x = static_cast<int>(corner.x());
+  const auto y = static_cast<int>(corner.y());
+  bool changed = false;
+  for (int dx = -3; dx <= 3; ++dx)
+    changed |=
+        !std::equal(before.pixel(x + dx, y), before.pixel(x + dx, y) + 3, after.pixel(x + dx, y));
+  CHECK(changed);
+  rig.click(rig.pixel(Vec2(-2, 0)));
+  CHECK(rig.session().selection().empty());
+  rig.click("marker_hide/left");
+  CHECK_FALSE(look(rig, "left").hidden);
+  rig.click(rig.pixel(Vec2(-2, 0)));
+  CHECK(rig.session().selection().contains(rig.marker("left")));
+}
+
+TEST_CASE("a locked marker is neither dragged nor selected") {
+  Rig rig;
+  rig.open(two_body_mesh());
+  rig.click("marker/left");
+  REQUIRE(rig.session().selection().contains(rig.marker("left")));
+  rig.click("marker_lock/left");
+  CHECK(look(rig, "left").locked);
+  CHECK(rig.session().selection().empty());  // a lock takes it out of the selection
+  rig.click("marker/left");
+  CHECK(rig.session().selection().empty());
+  const ScreenPoint at = rig.pixel(Vec2(-2, 0));
+  rig.click(at);
+  CHECK(rig.session().selection().empty());
+  rig.drag(at, at + ScreenVector(30, 0));
+  CHECK_FALSE(rig.session().dragging());
+  rig.release();
+  rig.key(keys::a, {keys::control});  // all bodies
+  CHECK(rig.session().selection().markers() == std::vector<Index>{rig.marker("right")});
+  rig.key(keys::escape);
+  rig.key(keys::tab);
+  rig.key(keys::tab);
+  CHECK(rig.session().selection().markers() == std::vector<Index>{rig.marker("right")});
+  rig.click("marker_lock/left");
+  rig.click(rig.pixel(Vec2(-2, 0)));
+  CHECK(rig.session().selection().contains(rig.marker("left")));
+}
+
+TEST_CASE("a marker gets another colour, and its own back") {
+  Rig rig;
+  rig.open(two_body_mesh());
+  rig.click("marker_color/left");
+  rig.frames(2);
+  REQUIRE(rig.visible("marker_color/choice/Orange"));
+  rig.click("marker_color/choice/Orange");
+  REQUIRE(look(rig, "left").color.has_value());
+  CHECK((*look(rig, "left").color)[0] > 0.8f);
+  const VectorFigure figure = rig.bench->pictures().figure(false);
+  const Rgb drawn = figure.marker_colors[static_cast<std::size_t>(rig.marker("left"))].value();
+  CHECK(drawn == *look(rig, "left").color);
+  rig.click("marker_color/left");
+  rig.frames(2);
+  rig.click("marker_color/automatic");
+  CHECK_FALSE(look(rig, "left").color.has_value());
+}
+
+TEST_CASE("what is hidden, locked and coloured is remembered of the mesh, not of another") {
+  TemporaryFolder profile;
+  TemporaryFolder meshes;
+  const auto one = write(meshes, two_body_mesh(), "one.su2");
+  const auto other = write(meshes, two_body_mesh(), "other.su2");
+  const auto open = [](Rig& rig, const std::filesystem::path& path) {
+    rig.bench->apply(action::OpenMesh{path, true});
+    REQUIRE(rig.settle());
+  };
+  {
+    Rig rig(1100, 720, profile.path());
+    open(rig, one);
+    rig.click("marker_hide/left");
+    rig.click("marker_lock/right");
+  }
+  Rig rig(1100, 720, profile.path());
+  rig.settle();
+  while (rig.session().messages().prompt()) rig.key(keys::escape);
+  open(rig, one);
+  CHECK(look(rig, "left").hidden);
+  CHECK(look(rig, "right").locked);
+  open(rig, other);
+  CHECK_FALSE(look(rig, "left").hidden);
+  CHECK_FALSE(look(rig, "right").locked);
+}
+
+TEST_CASE("fields of vectors say which is x and which is y") {
+  Rig rig;
+  rig.open(two_body_mesh());
+  rig.click("marker/left");
+  const auto x = rig.bench->widgets().find("motion/dx");
+  const auto y = rig.bench->widgets().find("motion/dy");
+  REQUIRE(x.has_value());
+  REQUIRE(y.has_value());
+  CHECK(rig.visible("motion/dx/label"));
+  CHECK(rig.visible("motion/dy/label"));
+  CHECK(rig.bench->widgets().find("motion/dy/label")->max.x() <= y->min.x());
+  CHECK(y->max.x() - y->min.x() > 50);  // room for numbers
+}
+
+}  // namespace winslow::gui::test
