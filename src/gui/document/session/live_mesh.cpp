@@ -30,6 +30,7 @@ void LiveMesh::begin_drag(DragGrip grip, const SmoothOptions& options,
 const Coordinates& LiveMesh::coordinates() const {
   static const Coordinates none;
   if (!document_) return none;
+  if (between_) return *between_;
   if (drag_.active()) return drag_.frame().coordinates;
   return job_.active() ? job_.coordinates() : document_->state().mesh.coordinates;
 }
@@ -73,6 +74,11 @@ std::span<const IterationRecord> LiveMesh::convergence() const {
   }
   if (!document_ || document_->history().position() == 0) return {};
   return document_->history().result(document_->history().position()).history;
+}
+
+void LiveMesh::show_between(std::optional<Coordinates> coordinates) {
+  between_ = std::move(coordinates);
+  changed();
 }
 
 void LiveMesh::changed() {

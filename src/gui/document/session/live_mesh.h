@@ -34,6 +34,8 @@ class LiveMesh {
   /// Begins such a drag from the mesh on screen. Throws what BodyDrag::begin throws.
   void begin_drag(DragGrip grip, const SmoothOptions& options,
                   std::optional<DragSession::Start> start);
+  /// Shows other coordinates of the mesh on screen, for a picture; none: no more.
+  void show_between(std::optional<Coordinates> coordinates);
   /// What the mouse holds, and the mesh follows.
   struct Held {
     bool body = false, vcv = false;
@@ -84,6 +86,7 @@ class LiveMesh {
   BodyDrag drag_;
   MeshState drag_base_;  // that the drag's motions are seen from
   Held held_;
+  std::optional<Coordinates> between_;
   std::shared_ptr<const VirtualControlVolumes> edited_;
   // While a job shows a mesh of another connectivity than the document's.
   std::shared_ptr<const VirtualControlVolumes> passing_;

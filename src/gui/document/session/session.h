@@ -34,6 +34,10 @@ class Session {
   const Selection& selection() const { return selection_; }
   const Jobs& jobs() const { return jobs_; }
   const Files& files() const { return files_; }
+  /// See LiveMesh::show_between.
+  void show_between(std::optional<Coordinates> coordinates) {
+    mesh_.show_between(std::move(coordinates));
+  }
   /// See Files::restore.
   void restore(RestoredSession restored) { files_.restore(std::move(restored)); }
   const QualityWatch& quality() const { return quality_; }
