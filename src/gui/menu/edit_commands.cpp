@@ -71,11 +71,6 @@ std::vector<std::vector<Index>> bodies(const PanelContext& context) {
   return found;
 }
 
-std::string without_bodies(const PanelContext& context) {
-  if (!context.session.document()) return without_mesh(context);
-  return bodies(context).empty() ? "This mesh has no holes: no bodies." : "";
-}
-
 void select_all(const PanelContext& context) {
   std::vector<Index> all;
   for (const auto& body : bodies(context)) all.insert(all.end(), body.begin(), body.end());
@@ -167,6 +162,11 @@ UserCommand scramble() {
 }
 
 }  // namespace
+
+std::string without_bodies(const PanelContext& context) {
+  if (!context.session.document()) return without_mesh(context);
+  return bodies(context).empty() ? "This mesh has no holes: no bodies." : "";
+}
 
 std::vector<UserCommand> edit_commands() {
   std::vector<UserCommand> commands{undo(), redo(), reset()};

@@ -63,6 +63,8 @@ std::vector<UserCommand> demo_commands();
 
 // What stands in the way of many commands.
 std::string without_mesh(const PanelContext& context);
+/// No mesh, or none with holes.
+std::string without_bodies(const PanelContext& context);
 /// No mesh, or the solver is at work on it.
 std::string while_busy(const PanelContext& context);
 

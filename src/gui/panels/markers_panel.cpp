@@ -42,10 +42,13 @@ void MarkersPanel::draw_row(const PanelContext& context, Index marker) {
   ui::note("marker/" + data.name);
   const bool over = ImGui::IsItemHovered();
   ui::tooltip("Click to select " + data.name +
-              ": selected bodies move, the others stay. Ctrl+click adds or removes.\n" +
+              ": selected bodies move, the others stay. Ctrl+click adds or removes; a double "
+              "click looks at it.\n" +
               counted(data.faces.size(), "edge") + ", tag " + std::to_string(data.tag));
   ImGui::PopID();
   if (pressed) context.emit(action::SelectMarkers{{marker}, ImGui::GetIO().KeyCtrl});
+  if (over && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+    context.emit(action::FitMarkers{{marker}});
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end(start.x + size.x, start.y + size.y);

@@ -17,7 +17,7 @@ constexpr std::array<const char*, 2> icon_files{
     "/usr/share/fonts-fork-awesome/fonts/forkawesome-webfont.ttf"};
 
 // By Icon. Fork Awesome keeps Font Awesome 4's code points.
-constexpr std::array<const char*, 32> glyphs{
+constexpr std::array<const char*, 36> glyphs{
     "\xEF\x81\xBC",  // open
     "\xEF\x83\x87",  // save
     "\xEF\x83\xA2",  // undo
@@ -50,6 +50,10 @@ constexpr std::array<const char*, 32> glyphs{
     "\xEF\x80\xBD",  // record
     "\xEF\x81\xA0",  // back
     "\xEF\x81\xA1",  // forward
+    "\xEF\x81\x80",  // shape
+    "\xEF\x83\x89",  // layers
+    "\xEF\x87\xA0",  // nodes
+    "\xEF\x83\x8E",  // mesh
 };
 
 bool exists(const char* path) {

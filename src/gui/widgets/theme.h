@@ -75,7 +75,11 @@ enum class Icon {
   target,
   record,
   back,
-  forward
+  forward,
+  shape,
+  layers,
+  nodes,
+  mesh
 };
 
 /// Fonts of one ImGui context.

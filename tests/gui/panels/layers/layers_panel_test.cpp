@@ -78,7 +78,7 @@ bool enabled(const Rig& rig, const std::string& widget) {
 }  // namespace
 
 TEST_CASE("walls of a list have layers of their own, inserted together") {
-  Rig rig(1100, 1500);
+  Rig rig(1280, 1500);
   rig.open(two_body_mesh());
   add_wall(rig, "left", "4", "0.01");
   add_wall(rig, "right", "3", "0.02");
@@ -111,7 +111,7 @@ TEST_CASE("walls of a list have layers of their own, inserted together") {
 }
 
 TEST_CASE("walls are taken out of the list, and a marker is in one of them only") {
-  Rig rig(1100, 1500);
+  Rig rig(1280, 1500);
   rig.open(two_body_mesh());
   const auto planned = [&] { return rig.session().jobs().layer_preview().wanted().value().walls; };
   add_wall(rig, "left", "4", "0.01");
@@ -141,7 +141,7 @@ TEST_CASE("walls are taken out of the list, and a marker is in one of them only"
 
 TEST_CASE(
     "part of a wall: the box begins as that of the marker, and only what lies in it has layers") {
-  Rig rig(1100, 1500);
+  Rig rig(1280, 1500);
   rig.open(two_body_mesh());
   open_panel(rig, "left");
   fill_spacing(rig, "4", "0.01");
@@ -173,7 +173,7 @@ TEST_CASE(
 }
 
 TEST_CASE("layers that a wall has are spaced anew; those of other walls stay held") {
-  Rig rig(1100, 1500);
+  Rig rig(1280, 1500);
   rig.open(two_body_mesh());
   insert(rig, {"left", "right"});
   open_panel(rig, "left");
@@ -192,7 +192,7 @@ TEST_CASE("layers that a wall has are spaced anew; those of other walls stay hel
 }
 
 TEST_CASE("spacing that there is no room for is refused, and the mesh stays as it is") {
-  Rig rig(1100, 1500);
+  Rig rig(1280, 1500);
   rig.open(ring_mesh());
   insert(rig, {"flap"});
   const Coordinates before = rig.mesh().coordinates;
@@ -207,7 +207,7 @@ TEST_CASE("spacing that there is no room for is refused, and the mesh stays as i
 }
 
 TEST_CASE("layers that come in a file are found and held while their body turns") {
-  Rig rig(1100, 1500);
+  Rig rig(1280, 1500);
   rig.open(ring_mesh());
   open_panel(rig, "flap");
   CHECK_FALSE(rig.visible("layers/hold"));  // triangles alone
@@ -248,7 +248,7 @@ TEST_CASE("layers inserted at a second wall join those held at the first") {
 }
 
 TEST_CASE("the plan that is shown is the one that is inserted") {
-  Rig rig(1100, 1500);
+  Rig rig(1280, 1500);
   rig.open(two_body_mesh());
   open_panel(rig, "outer");
   fill_spacing(rig, "8", "0.03");
@@ -266,7 +266,7 @@ TEST_CASE("the plan that is shown is the one that is inserted") {
 }
 
 TEST_CASE("single columns are set by hand for a node that is inspected") {
-  Rig rig(1100, 1500);
+  Rig rig(1280, 1500);
   rig.open(two_body_mesh());
   open_panel(rig, "left");
   fill_spacing(rig, "4", "0.01");
