@@ -95,7 +95,8 @@ void WorstPanel::draw_list(const PanelContext& context) {
     ui::text_right(table_number(worst[i].value), palette().text);
   }
   if (worst.empty()) ui::text_dim("Measuring ...");
-  hovered_ = ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
+  // Also while a row is held down: it is the click's end that counts.
+  hovered_ = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   ImGui::EndChild();
   ui::note("worst/list");
   ImGui::PopStyleVar();

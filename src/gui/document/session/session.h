@@ -34,9 +34,10 @@ class Session {
   const Selection& selection() const { return selection_; }
   const Jobs& jobs() const { return jobs_; }
   const Files& files() const { return files_; }
-  /// See LiveMesh::show_between.
+  /// Shows other coordinates of the mesh on screen, for a picture; none: no more.
   void show_between(std::optional<Coordinates> coordinates) {
-    mesh_.show_between(std::move(coordinates));
+    mesh_.instead().coordinates = std::move(coordinates);
+    mesh_.changed();
   }
   /// See Files::restore.
   void restore(RestoredSession restored) { files_.restore(std::move(restored)); }

@@ -197,12 +197,14 @@ void ViewportPane::draw_legend(ImDrawList& list, const MeshFrame& frame, LegendC
             legend && view.fill ? &*legend : nullptr);
 }
 
-/// Above a card at the foot, beside a legend in that corner.
+/// Above a card at the foot, beside a pinned magnifier or a legend in that corner.
 void ViewportPane::draw_foot(ImDrawList& list, const MeshFrame& frame, const ViewOverlay& overlay,
                              const LegendCard& card) const {
   ScreenBox room = frame.view.viewport();
   if (!frame.mesh_alone && control_.card())
     room.max = ScreenPoint(room.max.x(), control_.card()->min.y());
+  if (const auto& lens = frame.lens.inset(); lens && lens->pinned)
+    room.min = ScreenPoint(lens->frame().max.x(), room.min.y());
   const auto& legend = card.frame();
   if (legend && frame.context.view.legend_place == LegendPlace::bottom_left)
     room.min = ScreenPoint(legend->max.x(), room.min.y());

@@ -16,14 +16,14 @@ void open_panel(Rig& rig, const std::string& marker) {
   rig.click("marker/" + marker);
   rig.frames(3);
   if (!rig.visible("layers/insert")) rig.click("section/layers");
-  rig.frames(3);
+  REQUIRE(rig.settle());  // what the plan comes to takes a line or two, above buttons
   REQUIRE(rig.visible("layers/insert"));
 }
 
 void fill_spacing(Rig& rig, const std::string& count, const std::string& first) {
   rig.fill("layers/count", count);
   rig.fill("layers/first", first);
-  rig.frames();
+  REQUIRE(rig.settle());
 }
 
 void add_wall(Rig& rig, const std::string& marker, const std::string& count,

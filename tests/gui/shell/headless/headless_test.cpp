@@ -79,7 +79,7 @@ TEST_CASE("frames of a replay lead from the mesh as it was to the mesh as it is"
   write(folder, ring_mesh());
   HeadlessOptions options = small_window();
   options.recipe = write_recipe_file(folder, {turn_flap(), ScrambleCommand{2}});
-  options.recording.picture = {.size = std::array{280, 170}, .panels = false};
+  options.recording.picture = {.size = std::array{400, 200}, .panels = false};
   options.frames = folder / "frames";
   options.picture = folder / "end.png";
   run_headless(options);
