@@ -115,9 +115,10 @@ void MeshPanel::draw_markers(const PanelContext& context) {
   std::size_t edges = 0;
   ImGui::BeginGroup();
   for (std::size_t m = 0; m < markers.size(); ++m) edges += markers[m].faces.size();
-  line("Edges of markers", grouped(edges), "Boundary edges that a marker names, in all.");
+  line("Edges of markers", grouped(static_cast<long long>(edges)),
+       "Boundary edges that a marker names, in all.");
   for (std::size_t m = 0; m < markers.size(); ++m) {
-    const std::string count = grouped(markers[m].faces.size());
+    const std::string count = grouped(static_cast<long long>(markers[m].faces.size()));
     const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(count.c_str()).x -
                        2 * ImGui::GetFontSize();
     line("  " + ui::elided(markers[m].name, room), count, "Edges of this marker.");
