@@ -1,5 +1,6 @@
 #include "gui/files/places.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <system_error>
 
@@ -26,6 +27,34 @@ const std::vector<Place>& fixed_places() {
   return all;
 }
 
+/// The end of a path: its last `parts` names.
+std::string end_of(const fs::path& folder, std::size_t parts) {
+  std::string text;
+  fs::path rest = folder;
+  for (std::size_t k = 0; k < parts && rest.has_relative_path(); ++k) {
+    text = rest.filename().string() + (text.empty() ? "" : "/" + text);
+    rest = rest.parent_path();
+  }
+  return text.empty() ? folder.string() : text;
+}
+
+/// As much of the end of each path as tells it from the others.
+std::vector<std::string> distinct_names(const std::vector<fs::path>& folders) {
+  std::vector<std::string> names;
+  constexpr std::size_t most = 12;
+  for (const fs::path& folder : folders) {
+    std::size_t parts = 1;
+    const auto alike = [&] {
+      return std::ranges::any_of(folders, [&](const fs::path& other) {
+        return other != folder && end_of(other, parts) == end_of(folder, parts);
+      });
+    };
+    while (parts < most && alike()) ++parts;
+    names.push_back(end_of(folder, parts));
+  }
+  return names;
+}
+
 }  // namespace
 
 fs::path home_folder() {
@@ -36,11 +65,12 @@ fs::path home_folder() {
 std::vector<Place> places(const std::vector<fs::path>& recent) {
   std::vector<Place> all = fixed_places();
   constexpr std::size_t largest = 6;
-  for (const fs::path& folder : recent) {
-    if (all.size() >= fixed_places().size() + largest) break;
-    const std::string name = folder.filename().string();
-    all.push_back({"Recent folders", name.empty() ? folder.string() : name, folder});
-  }
+  const std::vector<fs::path> shown(
+      recent.begin(),
+      recent.begin() + static_cast<std::ptrdiff_t>(std::min(recent.size(), largest)));
+  const std::vector<std::string> names = distinct_names(shown);
+  for (std::size_t k = 0; k < shown.size(); ++k)
+    all.push_back({"Recent folders", names[k], shown[k]});
   return all;
 }
 

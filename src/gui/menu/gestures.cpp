@@ -8,6 +8,7 @@ std::span<const Gesture> mouse_gestures() {
   static constexpr std::array<Gesture, 20> gestures{
       {{"Click a body", "select it"},
        {"Ctrl or Shift + click", "add to the selection"},
+       {"Double click a body", "zoom to it, also in the list"},
        {"Drag a body", "move it; the mesh follows"},
        {"Drag an arrow", "move along x or y"},
        {"Drag the ring", "rotate about the pivot"},
@@ -25,6 +26,7 @@ std::span<const Gesture> mouse_gestures() {
        {"Alt + click a node", "inspect it; in tab VCV a click"},
        {"Wheel", "zoom at the cursor"},
        {"Ctrl + right drag", "zoom to a box"},
+       {"Drag the legend", "to another side or corner"},
        {"Line in the legend", "threshold of what is isolated"}}};
   return gestures;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "gui/menu/bodies.h"
 #include "gui/menu/user_command.h"
 #include "gui/view/navigation/worst_list.h"
 
@@ -24,11 +25,11 @@ UserCommand toggle(bool ViewOptions::*part, UserCommand command) {
 UserCommand tab(SideTab which, UserCommand command) {
   command.group = CommandGroup::view;
   command.checked = [which](const PanelContext& c) {
-    return c.view.right_panel && c.view.side_tab == which;
+    return c.view_state.columns.right_open && c.view.side_tab == which;
   };
   command.run = [which](const PanelContext& c) {
-    c.edit_view([which](ViewOptions& view) {
-      view.right_panel = true;
+    c.edit_view([which, &c](ViewOptions& view) {
+      open_right(view, c.view_state.columns);
       view.side_tab = which;
     });
   };
@@ -117,9 +118,24 @@ std::vector<UserCommand> place_commands() {
   };
 }
 
+UserCommand ruler_command() {
+  return {.id = "ruler",
+          .label = "Ruler",
+          .group = CommandGroup::view,
+          .keys = {key(GLFW_KEY_R)},
+          .tooltip =
+              "Measure a distance by two clicks, an angle by three; clicks snap to nodes. "
+              "Esc puts it away.",
+          .blocked = without_mesh,
+          .checked = [](const PanelContext& c) { return c.view_state.ruler; },
+          .run = [](const PanelContext& c) { c.emit(action::ToggleRuler{}); },
+          .starts_section = true};
+}
+
 /// Commands that show more of the same place.
 std::vector<UserCommand> detail_commands() {
   return {
+      ruler_command(),
       change([](ViewOptions& view) { view.isolation.on = !view.isolation.on; },
              {.id = "isolate",
               .label = "Isolate elements",
@@ -130,8 +146,7 @@ std::vector<UserCommand> detail_commands() {
                 if (!c.session.document()) return without_mesh(c);
                 return c.view.color ? "" : "The elements are not coloured by a metric.";
               },
-              .checked = [](const PanelContext& c) { return c.view.isolation.on; },
-              .starts_section = true}),
+              .checked = [](const PanelContext& c) { return c.view.isolation.on; }}),
       change(
           [](ViewOptions& view) {
             view.magnifier.on = !view.magnifier.on;
@@ -173,11 +188,18 @@ std::vector<UserCommand> fit_commands() {
       {.id = "fit",
        .label = "Fit all",
        .group = group,
-       .keys = {key(GLFW_KEY_F)},
+       .keys = {key(GLFW_KEY_F), key(GLFW_KEY_HOME)},
        .tooltip = "Show the whole mesh.",
        .words = "whole mesh zoom extents home",
        .blocked = without_mesh,
        .run = [](const PanelContext& c) { c.emit(action::FitView{}); }},
+      {.id = "fit_bodies",
+       .label = "Fit the bodies",
+       .group = group,
+       .keys = {key(GLFW_KEY_B)},
+       .tooltip = "Show all holes of the mesh, without the far field around them.",
+       .blocked = without_bodies,
+       .run = [](const PanelContext& c) { c.emit(action::FitBodies{}); }},
       {.id = "fit_selection",
        .label = "Zoom to selection",
        .group = group,
@@ -225,21 +247,44 @@ std::vector<UserCommand> style_commands() {
       toggle(&ViewOptions::legend, {.id = "legend",
                                     .label = "Legend",
                                     .keys = {key(GLFW_KEY_L)},
-                                    .tooltip = "Show what the colours mean."}),
+                                    .tooltip = "Show what the colours mean. The mouse drags it to "
+                                               "another side or corner."}),
+      toggle(&ViewOptions::scale_bar,
+             {.id = "scale_bar",
+              .label = "Scale bar",
+              .tooltip = "A bar of a round length, in units of the mesh."}),
   };
 }
 
 std::vector<UserCommand> panel_commands() {
   return {
-      toggle(&ViewOptions::left_panel, {.id = "left",
-                                        .label = "Bodies and solver",
-                                        .keys = {key(GLFW_KEY_F2)},
-                                        .tooltip = "Show the column on the left.",
-                                        .starts_section = true}),
-      toggle(&ViewOptions::right_panel, {.id = "right",
-                                         .label = "Quality and history",
-                                         .keys = {key(GLFW_KEY_F3)},
-                                         .tooltip = "Show the column on the right."}),
+      {.id = "left",
+       .label = "Bodies and solver",
+       .group = CommandGroup::view,
+       .keys = {key(GLFW_KEY_F2)},
+       .tooltip = "Open the column on the left, or fold it to icons.",
+       .checked = [](const PanelContext& c) { return c.view_state.columns.left_open; },
+       .run =
+           [](const PanelContext& c) {
+             const ColumnState& columns = c.view_state.columns;
+             c.edit_view([&](ViewOptions& view) {
+               columns.left_open ? fold_left(view, columns) : open_left(view, columns);
+             });
+           },
+       .starts_section = true},
+      {.id = "right",
+       .label = "Quality and history",
+       .group = CommandGroup::view,
+       .keys = {key(GLFW_KEY_F3)},
+       .tooltip = "Open the column on the right, or fold it to icons.",
+       .checked = [](const PanelContext& c) { return c.view_state.columns.right_open; },
+       .run =
+           [](const PanelContext& c) {
+             const ColumnState& columns = c.view_state.columns;
+             c.edit_view([&](ViewOptions& view) {
+               columns.right_open ? fold_right(view, columns) : open_right(view, columns);
+             });
+           }},
       toggle(&ViewOptions::plot_panel, {.id = "plot",
                                         .label = "Convergence",
                                         .keys = {key(GLFW_KEY_F4)},

@@ -179,13 +179,16 @@ void MarkersPanel::draw_row(const PanelContext& context, Index marker) {
   ui::tooltip((look.locked ? data.name + " is locked: unlock it to select it.\n"
                            : "Click to select " + data.name +
                                  ": selected bodies move, the others stay. Ctrl+click adds or "
-                                 "removes, a right click offers more.\n") +
+                                 "removes, a double click looks at it, a right click offers "
+                                 "more.\n") +
               counted(data.faces.size(), "edge") + ", tag " + std::to_string(data.tag));
   const bool asked = ImGui::IsItemClicked(ImGuiMouseButton_Right);
   ImGui::PopID();
   if (asked) context.emit(action::ShowContextMenu{PickedPlace{{}, {marker}, {}, {}}});
   if (pressed && !look.locked)
     context.emit(action::SelectMarkers{{marker}, ImGui::GetIO().KeyCtrl});
+  if (over && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+    context.emit(action::FitMarkers{{marker}});
   if (over || lit) list.AddRectFilled(start, end, faded(palette().accent, 0.07f), round);
 
   draw_name({data.name, selected, look.hidden}, context.theme,

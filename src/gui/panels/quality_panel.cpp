@@ -14,23 +14,34 @@ namespace {
 class Table {
  public:
   explicit Table(const Theme& theme)
-      : theme_(theme), left_(ImGui::GetCursorPosX()), width_(ImGui::GetContentRegionAvail().x) {}
+      : theme_(theme),
+        left_(ImGui::GetCursorPosX()),
+        width_(ImGui::GetContentRegionAvail().x),
+        narrow_(width_ < theme.px(280)) {
+    // Smaller letters rather than numbers over names.
+    ImGui::PushFont(narrow_ ? theme.small : theme.regular);
+  }
+  ~Table() { ImGui::PopFont(); }
+  Table(const Table&) = delete;
+  Table& operator=(const Table&) = delete;
 
   void label(const std::string& text, bool title) {
     if (!title) ImGui::SetCursorPosX(left_ + theme_.px(12));
     ui::text_colored(title ? palette().text : palette().text_dim, text);
   }
   void cell(int column, const std::string& text, ImU32 c) {
-    const float end = left_ + width_ - theme_.px(column_width) * static_cast<float>(2 - column);
+    const float step = theme_.px(narrow_ ? narrow_column : column_width);
+    const float end = left_ + width_ - step * static_cast<float>(2 - column);
     ImGui::SameLine();
     ImGui::SetCursorPosX(end - ImGui::CalcTextSize(text.c_str()).x);
     ui::text_colored(c, text);
   }
 
  private:
-  static constexpr float column_width = 70;
+  static constexpr float column_width = 70, narrow_column = 58;
   const Theme& theme_;
   float left_, width_;
+  bool narrow_;
 };
 
 ImU32 color_of(int verdict) {
@@ -64,12 +75,14 @@ void draw_row(Table& table, const QualityRow& row) {
 void draw_rows(const PanelContext& context, const std::vector<QualityRow>& rows, const char* id) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(8), context.theme.px(4)));
   ImGui::BeginGroup();
-  Table table(context.theme);
-  table.label("", true);
-  const std::array<const char*, 3> heads{"before", "now", "change"};
-  for (int column = 0; column < 3; ++column)
-    table.cell(column, heads[static_cast<std::size_t>(column)], palette().text_dim);
-  for (const QualityRow& row : rows) draw_row(table, row);
+  {
+    Table table(context.theme);
+    table.label("", true);
+    const std::array<const char*, 3> heads{"before", "now", "change"};
+    for (int column = 0; column < 3; ++column)
+      table.cell(column, heads[static_cast<std::size_t>(column)], palette().text_dim);
+    for (const QualityRow& row : rows) draw_row(table, row);
+  }
   ImGui::EndGroup();
   ui::note(id);
   ImGui::PopStyleVar();

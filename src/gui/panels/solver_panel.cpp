@@ -7,6 +7,7 @@
 
 #include "gui/base/text.h"
 #include "gui/document/jobs/method.h"
+#include "gui/document/session/activity.h"
 #include "gui/panels/forms/smooth_options_form.h"
 #include "gui/widgets/controls.h"
 
@@ -55,7 +56,9 @@ void SolverPanel::draw_pace(const PanelContext& context) {
 void SolverPanel::draw_state(const PanelContext& context) {
   const JobRunner& job = context.session.job();
   if (!job.active()) {
-    ui::text_dim("Idle");
+    const Activity activity = activity_of(context.session);
+    ui::text_wrapped(activity.kind == Activity::Kind::idle ? "Idle" : activity.text);
+    ui::note("solver/state");
     ui::tooltip("Smooth, Step and Cancel are in the toolbar.");
     return;
   }

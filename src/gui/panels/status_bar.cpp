@@ -1,9 +1,13 @@
 #include "gui/panels/status_bar.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "gui/base/text.h"
-#include "gui/document/jobs/drag_text.h"
+#include "gui/document/session/activity.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -15,26 +19,41 @@ struct State {
   ImU32 color;
 };
 
-State state_of(const Session& session) {
-  if (session.files().loading())
-    return {"Reading " + session.files().loading_path().filename().string() + " ...",
-            palette().accent};
-  if (session.files().saving()) return {"Saving ...", palette().accent};
-  const JobRunner& job = session.job();
-  if (const BodyDrag* drag = session.mesh().body_drag()) {
-    if (drag->reach() == BodyDrag::Reach::limit)
-      return {blocked_text(*drag) + "; Esc cancels", palette().danger};
-    if (drag->reach() == BodyDrag::Reach::catching_up)
-      return {updating_text(*drag) + "; Esc cancels", palette().accent};
-  }
-  if (session.dragging()) return {"Dragging; Enter accepts, Esc cancels", palette().accent};
-  if (job.active()) {
-    const auto history = session.mesh().convergence();
-    const std::string where =
-        history.empty() ? "" : ", iteration " + std::to_string(history.back().iteration);
-    return {(job.paused() ? "Paused" : "Solving") + where, palette().accent};
-  }
+/// What a click does where nothing is under way.
+State mode_of(const PanelContext& context) {
+  if (context.view_state.ruler) return {"Ruler", palette().accent};
+  if (context.view_state.box_zoom_armed) return {"Zoom to a box", palette().accent};
+  if (context.session.selection().shape_edit().active)
+    return {"Editing boundary nodes", palette().accent};
   return {"Ready", palette().text_dim};
+}
+
+/// Digits after the decimal point that tell one pixel from the next.
+std::string coordinate(double value, double pixel) {
+  const int digits = std::clamp(static_cast<int>(std::ceil(-std::log10(pixel))), 0, 15);
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", digits, value);
+  return text.data();
+}
+
+/// At the right end, where it takes room from the notice alone. Returns where it begins.
+float draw_cursor(const PanelContext& context) {
+  const float end = ImGui::GetWindowContentRegionMax().x;
+  const auto& at = context.view_state.cursor;
+  if (!at) return end;
+  const double pixel = context.view_state.pixel;
+  const std::string text = "x " + coordinate(at->x(), pixel) + "   y " + coordinate(at->y(), pixel);
+  const float width = ImGui::CalcTextSize(text.c_str()).x;
+  const float line = ImGui::GetCursorPosY();
+  const float back = ImGui::GetCursorPosX();
+  ImGui::SetCursorPos(ImVec2(end - width, line));
+  ui::text_dim(text);
+  ui::note("status/cursor");
+  ui::tooltip("Where the mouse is, in units of the mesh.");
+  ImGui::SetCursorPos(ImVec2(back, line));
+  // Steps, so that what stands left of it does not tremble with every digit.
+  const float step = context.theme.px(40);
+  return end - std::ceil((width + context.theme.px(12)) / step) * step;
 }
 
 ImU32 notice_color(Notice::Kind kind) {
@@ -79,13 +98,18 @@ void draw_mesh(const Session& session) {
 
 void StatusBar::draw(const PanelContext& context) {
   ImGui::PushFont(context.theme.small);
-  const State state = state_of(context.session);
+  const float end = draw_cursor(context);
+  const Activity activity = activity_of(context.session);
+  const bool blocked = activity.kind == Activity::Kind::blocked;
+  const State state = activity.kind == Activity::Kind::idle
+                          ? mode_of(context)
+                          : State{activity.text, blocked ? palette().danger : palette().accent};
   ui::text_colored(state.color, state.text);
   ui::note("status/state");
   if (context.session.document()) draw_mesh(context.session);
   if (const auto& notice = context.session.messages().notice()) {
     separator();
-    const float room = ImGui::GetContentRegionAvail().x;
+    const float room = end - ImGui::GetCursorPosX();
     ui::text_colored(notice_color(notice->kind), ui::elided(notice->text, room));
     ui::tooltip(notice->text);
   }

@@ -22,7 +22,8 @@ void tool(const PanelContext& context, std::string_view id, Icon icon, const std
   if (!glyph.empty()) label = roomy && when == Word::where_room ? glyph + "  " + word : glyph;
   const std::string reason = why_blocked(command, context);
   if (ui::button("tool/" + command.id, label,
-                 {tooltip_of(command), ui::ButtonStyle::flat, reason.empty(), 0}))
+                 {tooltip_of(command) + (reason.empty() ? "" : "\n" + reason),
+                  ui::ButtonStyle::flat, reason.empty(), 0}))
     command.run(context);
   ImGui::SameLine(0, context.theme.px(3));
 }

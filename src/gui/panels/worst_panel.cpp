@@ -63,7 +63,14 @@ void WorstPanel::draw_steps(const PanelContext& context) {
 }
 
 void WorstPanel::draw_list(const PanelContext& context) {
-  const auto worst = worst_elements(context.session, context.view);
+  // A row must not become another while the mouse is about to click it.
+  const auto latest = worst_elements(context.session, context.view);
+  const bool held = hovered_ && list_generation_ == context.session.generation() &&
+                    list_metric_ == worst_metric(context.view) && !list_.empty();
+  if (!held) list_.assign(latest.begin(), latest.end());
+  list_generation_ = context.session.generation();
+  list_metric_ = worst_metric(context.view);
+  const std::vector<WorstElement>& worst = list_;
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const auto lines = static_cast<float>(std::clamp<std::size_t>(worst.size(), 1, 8));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
@@ -75,7 +82,7 @@ void WorstPanel::draw_list(const PanelContext& context) {
     const std::string id = "quality/worst/" + std::to_string(i);
     if (ImGui::Selectable(("##" + id).c_str(), present)) context.emit(action::GoTo{item});
     ui::note(id);
-    ui::tooltip("Show this element.");
+    ui::tooltip("Show this element. The list stands still under the mouse.");
     if (present && scrolled_to_ != item) {
       ImGui::SetScrollHereY();
       scrolled_to_ = item;
@@ -88,6 +95,8 @@ void WorstPanel::draw_list(const PanelContext& context) {
     ui::text_right(table_number(worst[i].value), palette().text);
   }
   if (worst.empty()) ui::text_dim("Measuring ...");
+  // Also while a row is held down: it is the click's end that counts.
+  hovered_ = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   ImGui::EndChild();
   ui::note("worst/list");
   ImGui::PopStyleVar();

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "gui/panels/panel.h"
 
@@ -16,6 +18,10 @@ class WorstPanel : public Panel {
   void draw_steps(const PanelContext& context);
   void draw_list(const PanelContext& context);
 
+  std::vector<WorstElement> list_;  // as drawn
+  std::uint64_t list_generation_ = 0;
+  Metric list_metric_ = Metric::normalized_jacobian;
+  bool hovered_ = false;                 // in the last frame
   std::optional<MeshItem> scrolled_to_;  // the list is scrolled once to what comes into focus
 };
 

@@ -12,6 +12,10 @@ void set_style(ViewOptions& view, ElementStyle style) {
   view.wireframe = style != ElementStyle::surfaces;
 }
 
+bool legend_has_strip(const ViewOptions& view) {
+  return view.legend && view.color && docked(view.legend_place);
+}
+
 void step_style(ViewOptions& view) {
   set_style(view, static_cast<ElementStyle>((static_cast<int>(style_of(view)) + 1) % 3));
 }

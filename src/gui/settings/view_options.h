@@ -35,6 +35,12 @@ struct Isolation {
   bool operator==(const Isolation&) const = default;
 };
 
+/// Where the legend stands: in a strip of its own beside the mesh, or over a corner of it.
+enum class LegendPlace { right, left, top_right, bottom_right, bottom_left, top_left };
+inline bool docked(LegendPlace place) {
+  return place == LegendPlace::right || place == LegendPlace::left;
+}
+
 /// An inset that shows a place at a larger scale.
 struct Magnifier {
   bool on = false;
@@ -61,6 +67,8 @@ struct ViewOptions {
   bool node_ids = false;
   bool element_ids = false;
   bool legend = true;
+  LegendPlace legend_place = LegendPlace::right;
+  bool scale_bar = true;
   bool mark_inverted = true;
   Comparison comparison = Comparison::none;
   double divider = 0.5;  ///< share of the viewport left of the divider
@@ -70,9 +78,9 @@ struct ViewOptions {
   int worst_count = 20;            ///< length of that list
   Lightness lightness = Lightness::light;
   Backdrop backdrop = Backdrop::automatic;
-  double scale = 0;  ///< pixels per unit of the layout; 0: as the screen wants it
-  bool left_panel = true;
-  bool right_panel = true;
+  double scale = 0;         ///< pixels per unit of the layout; 0: as the screen wants it
+  bool left_panel = true;   ///< the column on the left; false: folded to icons
+  bool right_panel = true;  ///< the column on the right; false: folded to icons
   SideTab side_tab = SideTab::quality;
   bool plot_panel = true;
 
@@ -85,6 +93,10 @@ ElementStyle style_of(const ViewOptions& view);
 void set_style(ViewOptions& view, ElementStyle style);
 /// The next way.
 void step_style(ViewOptions& view);
+
+/// The legend has a strip beside the mesh: also while edges alone are drawn, so that the mesh stays
+/// where it is as one steps through the styles.
+bool legend_has_strip(const ViewOptions& view);
 
 /// Scales of the interface that one can step through, pixels per unit of the layout.
 inline constexpr std::array<double, 10> scales{0.75, 0.9, 1, 1.1, 1.25, 1.5, 1.75, 2, 2.5, 3};

@@ -31,6 +31,13 @@ constexpr Names<Backdrop, 5> backdrops{{{Backdrop::automatic, "automatic"},
 constexpr Names<BeforeState, 2> befores{
     {{BeforeState::loaded, "loaded"}, {BeforeState::last_command, "last_command"}}};
 
+constexpr Names<LegendPlace, 6> legend_places{{{LegendPlace::right, "right"},
+                                               {LegendPlace::left, "left"},
+                                               {LegendPlace::top_right, "top_right"},
+                                               {LegendPlace::bottom_right, "bottom_right"},
+                                               {LegendPlace::bottom_left, "bottom_left"},
+                                               {LegendPlace::top_left, "top_left"}}};
+
 /// Visits every value that is kept, with its key and, for numbers, its limits.
 template <class View, class Visitor>
 void visit(View& view, Visitor&& visitor) {
@@ -47,6 +54,8 @@ void visit(View& view, Visitor&& visitor) {
   visitor.flag("node_ids", view.node_ids);
   visitor.flag("element_ids", view.element_ids);
   visitor.flag("legend", view.legend);
+  visitor.choice("legend_place", view.legend_place, legend_places);
+  visitor.flag("scale_bar", view.scale_bar);
   visitor.flag("mark_inverted", view.mark_inverted);
   visitor.choice("before", view.before, befores);
   visitor.number("magnification", view.magnifier.factor, 2, 1000);

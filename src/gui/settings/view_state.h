@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/types.h"
+#include "gui/settings/view_options.h"
 
 namespace winslow::gui {
 
@@ -15,6 +16,20 @@ struct MeshItem {
   bool operator==(const MeshItem&) const = default;
 };
 
+/// The columns beside the mesh, as the window has room for them.
+struct ColumnState {
+  bool left_open = true, right_open = true;  ///< false: folded to icons
+  bool both_fit = true;                      ///< the window has room for both
+
+  bool operator==(const ColumnState&) const = default;
+};
+/// Opens a column; the other one gives way where there is no room for both.
+void open_left(ViewOptions& view, const ColumnState& columns);
+void open_right(ViewOptions& view, const ColumnState& columns);
+/// Folds the one that is open; where there is no room for both the other does not take its place.
+void fold_left(ViewOptions& view, const ColumnState& columns);
+void fold_right(ViewOptions& view, const ColumnState& columns);
+
 /// What the view is doing at the moment; unlike ViewOptions nothing that one would keep.
 struct ViewState {
   std::optional<MeshItem> focus;  ///< what was gone to: highlighted and described
@@ -22,6 +37,10 @@ struct ViewState {
   bool box_zoom_armed = false;    ///< the next drag draws the box to zoom to
   bool can_go_back = false;       ///< to an earlier view
   bool can_go_forward = false;
+  bool ruler = false;          ///< clicks measure
+  std::optional<Vec2> cursor;  ///< what the mouse is over, in units of the mesh; none: no mesh
+  double pixel = 1;            ///< what a pixel is wide, in units of the mesh
+  ColumnState columns;
 };
 
 }  // namespace winslow::gui

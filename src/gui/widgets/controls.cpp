@@ -55,6 +55,27 @@ bool holds_wanted_field(std::string_view section) {
          wanted.starts_with(std::string(section.substr(prefix.size())) + '/');
 }
 
+/// Beside a column, so that the rows above and below stay in sight; below a wide bar.
+ImVec2 tooltip_place(const ImVec2& min, const ImVec2& max, const ImVec2& size) {
+  const ImGuiWindow* window = ImGui::GetCurrentContext()->CurrentWindow;
+  while ((window->Flags & ImGuiWindowFlags_ChildWindow) && window->ParentWindow)
+    window = window->ParentWindow;
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float gap = 0.5f * ImGui::GetFontSize();
+  const float left = window->Pos.x, right = window->Pos.x + window->Size.x;
+  ImVec2 at(min.x, max.y + gap);
+  if (right + gap + size.x <= display.x && left < display.x / 2 && right < 0.75f * display.x) {
+    at = ImVec2(right + gap, min.y);
+  } else if (left - gap - size.x >= 0 && left > 0.25f * display.x) {
+    at = ImVec2(left - gap - size.x, min.y);
+  } else if (at.y + size.y > display.y) {
+    at.y = min.y - gap - size.y;
+  }
+  at.x = std::clamp(at.x, 0.0f, std::max(0.0f, display.x - size.x));
+  at.y = std::clamp(at.y, 0.0f, std::max(0.0f, display.y - size.y));
+  return at;
+}
+
 int push_button_style(ButtonStyle style) {
   if (style == ButtonStyle::normal) return 0;
   if (style == ButtonStyle::flat) {
@@ -84,17 +105,23 @@ void note(std::string_view id, const ImVec2& min, const ImVec2& max) {
 
 void tooltip(std::string_view text) {
   if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-  // Plain text and disabled items have no timer of their own.
-  const bool timed = ImGui::GetItemID() != 0 && ImGui::GetItemID() == ImGui::GetHoveredID();
-  if (timed && ImGui::GetCurrentContext()->HoveredIdTimer < 0.35f) return;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10, 8));
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  if (!UiLayer::current().rested_on(ScreenBox{ScreenPoint(min), ScreenPoint(max)})) return;
+  const ImVec2 padding(10, 8);
+  const float wrap = ImGui::GetFontSize() * 22.0f;
+  const ImVec2 inner = ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, wrap);
+  const ImVec2 size(inner.x + 2 * padding.x, inner.y + 2 * padding.y);
+  ImGui::SetNextWindowPos(tooltip_place(min, max, size));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().PopupRounding);
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22.0f);
+  ImGui::PushTextWrapPos(wrap + padding.x);
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
   ImGui::PopTextWrapPos();
+  const ImVec2 at = ImGui::GetWindowPos(), extent = ImGui::GetWindowSize();
   ImGui::EndTooltip();
   ImGui::PopStyleVar(2);
+  note("tooltip", at, ImVec2(at.x + extent.x, at.y + extent.y));
 }
 
 bool button(std::string_view id, const std::string& label, const ButtonOptions& options) {
@@ -296,6 +323,7 @@ bool section(std::string_view id, const std::string& title) {
   }
   note(id);
   if (wanted) ImGui::SetScrollHereY(0.1f);
+  if (UiLayer::current().take_reveal(id)) ImGui::SetScrollHereY(0);
   const bool over = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (!first)
@@ -328,6 +356,11 @@ bool fold(std::string_view id, const std::string& title, std::string_view tip) {
                      open ? ImGuiDir_Down : ImGuiDir_Right, 0.7f);
   list.AddText(ImVec2(min.x + 1.1f * font, min.y + (size.y - font) / 2), ink, title.c_str());
   return open;
+}
+
+void reveal(std::string_view id) {
+  unfold(id);
+  UiLayer::current().reveal(id);
 }
 
 void unfold(std::string_view id) { UiLayer::current().folded().erase(std::string(id)); }

@@ -64,6 +64,8 @@ bool section(std::string_view id, const std::string& title);
 bool fold(std::string_view id, const std::string& title, std::string_view tip = {});
 /// Opens a section that is folded.
 void unfold(std::string_view id);
+/// The same, and scrolls to it when it is drawn next.
+void reveal(std::string_view id);
 
 /// Text in another colour or font.
 void text_dim(std::string_view text);

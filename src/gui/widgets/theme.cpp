@@ -16,7 +16,7 @@ constexpr std::array<const char*, 2> icon_files{
     "/usr/share/fonts-fork-awesome/fonts/forkawesome-webfont.ttf"};
 
 // By Icon. Fork Awesome keeps Font Awesome 4's code points.
-constexpr std::array<const char*, 35> glyphs{
+constexpr std::array<const char*, 39> glyphs{
     "\xEF\x81\xBC",  // open
     "\xEF\x83\x87",  // save
     "\xEF\x83\xA2",  // undo
@@ -52,6 +52,10 @@ constexpr std::array<const char*, 35> glyphs{
     "\xEF\x81\xB0",  // hide
     "\xEF\x80\xA3",  // lock
     "\xEF\x82\x9C",  // unlock
+    "\xEF\x81\x80",  // shape
+    "\xEF\x83\x89",  // layers
+    "\xEF\x87\xA0",  // nodes
+    "\xEF\x83\x8E",  // mesh
 };
 
 bool exists(const char* path) {

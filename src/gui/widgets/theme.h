@@ -75,7 +75,11 @@ enum class Icon {
   forward,
   hide,
   lock,
-  unlock
+  unlock,
+  shape,
+  layers,
+  nodes,
+  mesh
 };
 
 /// Fonts of one ImGui context.

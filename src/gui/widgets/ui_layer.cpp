@@ -81,6 +81,20 @@ void UiLayer::set_scale(float scale) {
   renderer_->upload_fonts();
 }
 
+bool UiLayer::rested_on(const ScreenBox& item) {
+  constexpr double rest = 0.35;
+  if (item_ != item) rested_ = 0;
+  item_ = item;
+  over_item_ = true;
+  return rested_ >= rest;
+}
+
+bool UiLayer::take_reveal(std::string_view id) {
+  if (revealed_.empty() || revealed_ != id) return false;
+  revealed_.clear();
+  return true;
+}
+
 UiLayer& UiLayer::current() { return *static_cast<UiLayer*>(ImGui::GetIO().UserData); }
 
 void UiLayer::begin(const InputState& input, int width, int height, double seconds) {
@@ -101,6 +115,8 @@ void UiLayer::begin(const InputState& input, int width, int height, double secon
   io.KeyAlt = input.alt();
   io.KeySuper = input.super();
   for (char32_t c : input.text) io.AddInputCharacter(static_cast<unsigned>(c));
+  if (!std::exchange(over_item_, false)) item_.reset();
+  rested_ = item_ ? rested_ + seconds : 0;
   widgets_.clear();
   use_palette(*palette_);
   ImGui::NewFrame();

@@ -66,6 +66,12 @@ class UiLayer {
   /// Sections of panels that are folded, by id.
   std::set<std::string>& folded() { return folded_; }
   const std::set<std::string>& folded() const { return folded_; }
+  /// The section that its window is to be scrolled to when it is drawn next.
+  void reveal(std::string_view id) { revealed_ = id; }
+  /// True, once, if it is this one.
+  bool take_reveal(std::string_view id);
+  /// The mouse has been over that item long enough for a word about it. The item has it now.
+  bool rested_on(const ScreenBox& item);
   const WidgetMap& widgets() const { return widgets_; }
   WidgetMap& widgets() { return widgets_; }
   /// The field of that id takes the keyboard when it is drawn next, and the section that it is in
@@ -86,6 +92,10 @@ class UiLayer {
   Theme theme_;
   const Palette* palette_ = &light_palette();
   std::set<std::string> folded_;
+  std::string revealed_;
+  std::optional<ScreenBox> item_;  // under the mouse, that has a word to say
+  double rested_ = 0;              // seconds that the mouse has been over it
+  bool over_item_ = false;         // in this frame
   WidgetMap widgets_;
   std::string keyboard_wanted_;
   int keyboard_frames_ = 0;  // for which it is still waited for

@@ -107,7 +107,7 @@ TEST_CASE("? and F1 show the keys, Esc, ? and any click put them away") {
 }
 
 TEST_CASE("the list of keys fits into the window") {
-  Rig rig(1100, 720);
+  Rig rig(1280, 720);
   rig.key(keys::f1);
   rig.frames(3);
   const auto foot = rig.bench->widgets().find("help/close");
@@ -119,7 +119,7 @@ TEST_CASE("the list of keys fits into the window") {
     INFO("group ", group);
     REQUIRE(block.has_value());
     CHECK(block->min.x() > 10);
-    CHECK(block->max.x() < 1100 - 10);
+    CHECK(block->max.x() < 1280 - 10);
     CHECK(block->max.y() < foot->min.y() + 1);
   }
 }

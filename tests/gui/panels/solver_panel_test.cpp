@@ -31,7 +31,7 @@ Index inverted_on_screen(const Rig& rig) {
 }  // namespace
 
 TEST_CASE("the method is one choice that sets formulation, iteration and steps") {
-  Rig rig(1100, 1000);
+  Rig rig(1280, 1000);
   rig.open(ring_mesh());
   CHECK(method_of(rig.session().jobs().smooth_options(), rig.session().jobs().motion_options()) ==
         Method::path);
@@ -61,7 +61,7 @@ TEST_CASE("the direct method takes back a linear solver that it cannot use") {
 }
 
 TEST_CASE("the direct method shows tangled meshes on its way to a valid one") {
-  Rig rig(1100, 1000);
+  Rig rig(1280, 1000);
   rig.open(ring_mesh());
   choose_direct(rig);
   choose(rig, "solver/pace", "5 a second");
@@ -84,7 +84,7 @@ TEST_CASE("the direct method shows tangled meshes on its way to a valid one") {
 }
 
 TEST_CASE("a paced direct run goes no faster, and can be slowed, cancelled and sped up at once") {
-  Rig rig(1100, 1000);
+  Rig rig(1280, 1000);
   rig.open(ring_mesh());
   const Coordinates before = rig.mesh().coordinates;
   choose_direct(rig);
@@ -114,7 +114,7 @@ TEST_CASE("a paced direct run goes no faster, and can be slowed, cancelled and s
 }
 
 TEST_CASE("Step N runs as many iterations as its field says") {
-  Rig rig(1100, 1000);
+  Rig rig(1280, 1000);
   rig.open(ring_mesh());
   SmoothOptions slow;
   slow.formulation = "pointwise";
@@ -131,7 +131,7 @@ TEST_CASE("Step N runs as many iterations as its field says") {
 }
 
 TEST_CASE("both resets: to before this motion, and to the mesh as loaded") {
-  Rig rig(1100, 1000);
+  Rig rig(1280, 1000);
   rig.open(ring_mesh());
   const Coordinates loaded = rig.mesh().coordinates;
   CHECK_FALSE(rig.bench->widgets().find("solver/reset_motion")->enabled);
@@ -158,7 +158,7 @@ TEST_CASE("both resets: to before this motion, and to the mesh as loaded") {
 }
 
 TEST_CASE("what does not apply is not shown, and the defaults come back at a press") {
-  Rig rig(1100, 1400);
+  Rig rig(1280, 1400);
   rig.open(ring_mesh());
   CHECK_FALSE(rig.visible("solver/tolerance"));
   rig.click("solver/advanced");

@@ -71,7 +71,7 @@ TEST_CASE("a second studio on the same profile looks as the first was left") {
   const TemporaryFolder home;
   const auto profile = home / "profile";
   {
-    Rig rig(1440, 800, profile);
+    Rig rig(1600, 800, profile);
     rig.open(ring_mesh());
     rig.key(GLFW_KEY_D, {keys::control});
     const ScreenPoint grip = rig.bench->widgets().find("splitter/left")->centre();
@@ -80,7 +80,7 @@ TEST_CASE("a second studio on the same profile looks as the first was left") {
     rig.click("section/solver");
     rig.click("tab/view");
   }
-  Rig rig(1440, 800, profile);
+  Rig rig(1600, 800, profile);
   CHECK(rig.bench->view_control().options().lightness == Lightness::dark);
   CHECK(rig.bench->view_control().options().side_tab == SideTab::view);
   CHECK(rig.bench->layout().left_width == doctest::Approx(332).epsilon(0.01));
@@ -91,7 +91,7 @@ TEST_CASE("a second studio on the same profile looks as the first was left") {
 
 TEST_CASE("settings are written while the studio runs, once they rest") {
   const TemporaryFolder home;
-  Rig rig(1100, 720, home.path());
+  Rig rig(1280, 720, home.path());
   rig.key(GLFW_KEY_D, {keys::control});
   REQUIRE(rig.wait([&] { return std::filesystem::exists(home / "settings.json"); }));
   CHECK(text_of(home / "settings.json").find("\"dark\"") != std::string::npos);
@@ -100,7 +100,7 @@ TEST_CASE("settings are written while the studio runs, once they rest") {
 TEST_CASE("a damaged settings file does no harm and is not lost") {
   const TemporaryFolder home;
   std::ofstream(home / "settings.json") << "{\"view\": {\"bands\"";
-  Rig rig(1100, 720, home.path());
+  Rig rig(1280, 720, home.path());
   CHECK(rig.bench->view_control().options() == ViewOptions());
   REQUIRE(rig.session().messages().notice().has_value());
   CHECK(rig.session().messages().notice()->kind == Notice::Kind::warning);

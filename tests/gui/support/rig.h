@@ -17,7 +17,7 @@ namespace winslow::gui::test {
 class Rig {
  public:
   /// profile: folder of the studio's settings; empty: it keeps nothing.
-  explicit Rig(int width = 1100, int height = 720, const std::filesystem::path& profile = {});
+  explicit Rig(int width = 1280, int height = 720, const std::filesystem::path& profile = {});
 
   /// Runs frames until all input is taken, then `more` of them.
   void frames(int more = 2);

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "core/mesh/mesh.h"
 #include "gui/settings/option_edits.h"
@@ -16,6 +17,13 @@ struct EditView {
 };
 struct FitView {};
 struct FitSelection {};
+/// Shows all holes of the mesh.
+struct FitBodies {};
+struct FitMarkers {
+  std::vector<Index> markers;
+};
+/// Clicks measure from now on, or no longer.
+struct ToggleRuler {};
 struct LookAt {
   Vec2 point;
   double radius = 0;  ///< shown around the point, in units of the mesh
@@ -48,9 +56,10 @@ struct StepScale {
 
 namespace winslow::gui {
 
-using ViewAction = std::variant<action::EditView, action::FitView, action::FitSelection,
-                                action::LookAt, action::BoxZoom, action::ZoomTo, action::BackView,
-                                action::ForwardView, action::GoTo, action::InspectNode,
-                                action::PinMagnifier, action::AskGoTo, action::StepScale>;
+using ViewAction =
+    std::variant<action::EditView, action::FitView, action::FitSelection, action::FitBodies,
+                 action::FitMarkers, action::ToggleRuler, action::LookAt, action::BoxZoom,
+                 action::ZoomTo, action::BackView, action::ForwardView, action::GoTo,
+                 action::InspectNode, action::PinMagnifier, action::AskGoTo, action::StepScale>;
 
 }  // namespace winslow::gui

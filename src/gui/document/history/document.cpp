@@ -20,10 +20,6 @@ Document::Loaded Document::load(const std::filesystem::path& path, int zone) {
   loaded.path = path;
   loaded.stamp = stamp_of(path);
   loaded.file = io::read_mesh(path, {.zone = zone});
-  if (zone == 0) {
-    for (std::string& text : io::zones_left(loaded.file, path))
-      loaded.file.warnings.push_back(std::move(text));
-  }
   loaded.quality = measure_quality(loaded.file.mesh);
   loaded.state = make_state(loaded.file.mesh);
   if (stamp_of(path) != loaded.stamp) loaded.stamp.reset();
@@ -38,6 +34,25 @@ Document::Document(Loaded loaded)
       warnings_(std::move(loaded.file.warnings)),
       loaded_quality_(std::move(loaded.quality)),
       edits_(std::move(loaded.state)) {}
+
+std::span<const int> Document::zones() const {
+  if (!details_) return {};
+  return details_->zones;
+}
+
+int Document::zone() const { return zones().empty() ? 0 : details_->zone; }
+
+const std::filesystem::path& Document::zone_file() const {
+  const bool kept =
+      written_.contains(resolved(path_)) && details_ && io::keeps_zones(path_, *details_);
+  return kept ? path_ : source_;
+}
+
+std::string Document::zone_text() const {
+  const auto all = zones();
+  if (all.size() < 2) return {};
+  return "zone " + std::to_string(zone()) + " of " + std::to_string(all.size());
+}
 
 void Document::mark_saved(const std::filesystem::path& path, std::uint64_t revision) {
   path_ = path;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,6 +44,14 @@ class Document {
   void set_path(std::filesystem::path path) { path_ = std::move(path); }
   std::string name() const { return path_.filename().string(); }
   const std::shared_ptr<const io::FormatDetails>& details() const { return details_; }
+  /// Numbers of the zones of its file; empty: the file is one mesh.
+  std::span<const int> zones() const;
+  /// The one that is open; 0: the file is one mesh.
+  int zone() const;
+  /// The file that holds all zones: where the mesh is saved if those went along, else its source.
+  const std::filesystem::path& zone_file() const;
+  /// "zone 2 of 3"; empty: the file is one mesh.
+  std::string zone_text() const;
   const std::vector<std::string>& warnings() const { return warnings_; }
   const QualityReport& loaded_quality() const { return loaded_quality_; }
 

@@ -94,11 +94,14 @@ void Files::adopt(Document::Loaded loaded) {
   jobs_.show_position();
   const Document& opened = *mesh_.document();
   const auto& warnings = opened.warnings();
+  std::string name = opened.name();
+  if (const std::string zone = opened.zone_text(); !zone.empty())
+    name += ", " + zone + " (others: \"Zone\" on the left)";
   if (warnings.empty()) {
-    messages_.tell(Notice::Kind::success, "Opened " + opened.name());
+    messages_.tell(Notice::Kind::success, "Opened " + name);
   } else {
     messages_.tell(Notice::Kind::warning,
-                   "Opened " + opened.name() + ", with " + counted(warnings.size(), "warning"));
+                   "Opened " + name + ", with " + counted(warnings.size(), "warning"));
     messages_.remark("Opened with " + counted(warnings.size(), "warning"), warnings);
   }
 }

@@ -30,6 +30,7 @@ void LiveMesh::begin_drag(DragGrip grip, const SmoothOptions& options,
 const Coordinates& LiveMesh::coordinates() const {
   static const Coordinates none;
   if (!document_) return none;
+  if (instead_.coordinates) return *instead_.coordinates;
   if (drag_.active()) return drag_.frame().coordinates;
   return job_.active() ? job_.coordinates() : document_->state().mesh.coordinates;
 }
@@ -50,7 +51,7 @@ std::shared_ptr<const VirtualControlVolumes> LiveMesh::vcv() const {
   if (!document_) return nullptr;
   if (passing_) return passing_;
   const bool editing = job_.active() && std::holds_alternative<EditVcvCommand>(job_.command());
-  return editing && edited_ ? edited_ : document_->state().vcv;
+  return editing && instead_.vcv ? instead_.vcv : document_->state().vcv;
 }
 
 const MeshState& LiveMesh::motion_base() const {

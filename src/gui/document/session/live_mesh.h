@@ -51,10 +51,14 @@ class LiveMesh {
   std::shared_ptr<const LayerStack> layers() const;
   /// Virtual control volumes of the mesh on screen; null without a mesh.
   std::shared_ptr<const VirtualControlVolumes> vcv() const;
-  /// Shows edited ones while the job that edits them is under way.
-  void show_vcv(std::shared_ptr<const VirtualControlVolumes> edited) {
-    edited_ = std::move(edited);
-  }
+  /// What is shown in place of what the document or the job has. After another mesh: changed().
+  struct Instead {
+    /// Edited ones, while the job that edits them is under way.
+    std::shared_ptr<const VirtualControlVolumes> vcv;
+    /// Of the mesh on screen, for a picture.
+    std::optional<Coordinates> coordinates;
+  };
+  Instead& instead() { return instead_; }
   /// Null without a mesh.
   const BoundaryIndex* boundary() const { return boundary_.get(); }
   /// State that live_motion() is seen from.
@@ -84,7 +88,7 @@ class LiveMesh {
   BodyDrag drag_;
   MeshState drag_base_;  // that the drag's motions are seen from
   Held held_;
-  std::shared_ptr<const VirtualControlVolumes> edited_;
+  Instead instead_;
   // While a job shows a mesh of another connectivity than the document's.
   std::shared_ptr<const VirtualControlVolumes> passing_;
   Rebuilt rebuilt_;

@@ -46,6 +46,7 @@ class MessageBoard {
   friend class Dispatch;
   void on(const action::DismissPrompt&);
   void on(const action::DismissBanner&);
+  void on(const action::Remark& a) { tell(Notice::Kind::information, a.text); }
 
   std::string damage_of_last_command() const;
 

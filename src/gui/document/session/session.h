@@ -39,6 +39,11 @@ class Session {
     files_.ask_to_save(std::move(next), std::move(discard));
   }
   std::optional<Action> take_next() { return files_.take_next(); }
+  /// Shows other coordinates of the mesh on screen, for a picture; none: no more.
+  void show_between(std::optional<Coordinates> coordinates) {
+    mesh_.instead().coordinates = std::move(coordinates);
+    mesh_.changed();
+  }
   /// See Files::restore.
   void restore(RestoredSession restored) { files_.restore(std::move(restored)); }
   const QualityWatch& quality() const { return quality_; }

@@ -17,12 +17,12 @@ void VcvEditor::on(const action::EditVcvs& a) {
   }
   EditVcvCommand command{a.edits, jobs_.smooth_options()};
   if (mesh_.held().vcv && mesh_.job().active()) {
-    mesh_.show_vcv(std::move(edited));
+    mesh_.instead().vcv = std::move(edited);
     mesh_.job().retarget(std::move(command));
     return mesh_.changed();
   }
   if (!jobs_.start(std::move(command), false)) return;
-  mesh_.show_vcv(std::move(edited));
+  mesh_.instead().vcv = std::move(edited);
   mesh_.held().vcv = a.under_mouse;
   mesh_.job().hold(a.under_mouse);
 }

@@ -1,5 +1,6 @@
 #include "gui/panels/files/file_browser.h"
 
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -15,9 +16,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Columns of the list, right of the names.
+/// Columns of the list, right of the names, in units of the layout.
 constexpr float date_width = 130;
+constexpr float day_width = 92;
 constexpr float size_width = 76;
+
+/// What stands before a name.
+std::string lead_of(const Theme& theme, bool folder) {
+  const std::string glyph = theme.icon(folder ? Icon::folder : Icon::file);
+  return glyph.empty() ? (folder ? "[ ] " : "") : glyph + "  ";
+}
 
 }  // namespace
 
@@ -98,46 +106,82 @@ void FileBrowser::draw_places(const PanelContext& context, float height) {
   ImGui::EndChild();
 }
 
+FileBrowser::Columns FileBrowser::columns_for(const Theme& theme, float width, float longest_name) {
+  const float gap = theme.px(12);
+  const Columns all{theme.px(date_width), theme.px(size_width), true};
+  const Columns days{theme.px(day_width), theme.px(size_width), false};
+  const Columns sizes{0, theme.px(size_width), false};
+  for (const Columns& columns : {all, days, sizes})
+    if (longest_name + gap <= width - columns.date - columns.size) return columns;
+  return {0, 0, false};
+}
+
+/// Beside the header that the list is sorted by, as the last item.
+void FileBrowser::draw_sort_arrow() const {
+  const ImVec2 text = ImGui::CalcTextSize(sort_ == SortBy::name   ? "Name"
+                                          : sort_ == SortBy::date ? "Changed"
+                                                                  : "Size");
+  const ImVec2 min = ImGui::GetItemRectMin();
+  const float scale = 0.6f;
+  const float drop = (text.y - scale * text.y) / 2;
+  const ImVec2 at(min.x + ImGui::GetStyle().ItemSpacing.x / 2 + text.x, min.y + drop);
+  // Names go up from the first, dates and sizes down from the newest and the largest.
+  const bool up = (sort_ == SortBy::name) != reversed_;
+  ImGui::RenderArrow(ImGui::GetWindowDrawList(), at, palette().text,
+                     up ? ImGuiDir_Up : ImGuiDir_Down, scale);
+  ui::note(up ? "dialog/sorted/up" : "dialog/sorted/down", at,
+           ImVec2(at.x + scale * text.y, at.y + scale * text.y));
+}
+
 void FileBrowser::draw_headers(const PanelContext& context) {
-  const Theme& theme = context.theme;
   const float right = ImGui::GetContentRegionMax().x;
   struct Header {
     SortBy by;
     const char* label;
     const char* id;
-    float x;
+    float x, width;
   };
+  const float start = ImGui::GetCursorPosX();
+  const float names = right - columns_.date - columns_.size;
   const std::array<Header, 3> headers{
-      {{SortBy::name, "Name", "dialog/sort/name", ImGui::GetCursorPosX()},
-       {SortBy::date, "Changed", "dialog/sort/date", right - theme.px(date_width + size_width)},
-       {SortBy::size, "Size", "dialog/sort/size", right - theme.px(size_width)}}};
+      {{SortBy::name, "Name", "dialog/sort/name", start, names - start},
+       {SortBy::date, "Changed", "dialog/sort/date", names, columns_.date},
+       {SortBy::size, "Size", "dialog/sort/size", right - columns_.size, columns_.size}}};
   for (const Header& header : headers) {
+    if (header.width <= 0) continue;
+    if (header.by != SortBy::name) ImGui::SameLine();
     ImGui::SetCursorPosX(header.x);
     const bool present = sort_ == header.by;
     ImGui::PushStyleColor(ImGuiCol_Text, present ? palette().text : palette().text_dim);
-    const std::string label = std::string(header.label) + (present ? reversed_ ? " ^" : " v" : "");
-    const float width = header.by == SortBy::name ? headers[1].x - header.x : theme.px(70);
-    if (ImGui::Selectable((label + "###" + header.id).c_str(), false,
-                          ImGuiSelectableFlags_DontClosePopups, ImVec2(width, 0))) {
+    if (ImGui::Selectable((std::string(header.label) + "###" + header.id).c_str(), false,
+                          ImGuiSelectableFlags_DontClosePopups,
+                          ImVec2(header.width - context.theme.px(4), 0))) {
       reversed_ = present && !reversed_;
       sort_ = header.by;
       choice_.folder.sort(sort_, reversed_);
       choice_.focus_name = true;
     }
     ui::note(header.id);
+    if (present) draw_sort_arrow();
     ui::tooltip("Sort by this; again: the other way round.");
     ImGui::PopStyleColor();
-    if (header.by != SortBy::size) ImGui::SameLine();
   }
   ImGui::Separator();
 }
 
 bool FileBrowser::draw_list(const PanelContext& context, float height) {
   ImGui::BeginChild("files", ImVec2(0, height), true);
+  const auto rows = choice_.folder.shown();
+  float longest = 0;
+  for (const FolderEntry* entry : rows)
+    longest = std::max(
+        longest,
+        ImGui::CalcTextSize((lead_of(context.theme, entry->folder) + entry->name).c_str()).x);
+  const float bar = ImGui::GetStyle().ScrollbarSize;
+  columns_ = columns_for(context.theme, ImGui::GetContentRegionAvail().x - bar, longest);
   draw_headers(context);
   ImGui::BeginChild("entries");
   const FolderEntry* pressed = nullptr;
-  const auto rows = choice_.folder.shown();
   const std::string chosen = choice_.folder.chosen().value_or(choice_.name);
   for (const FolderEntry* entry : rows)
     if (draw_entry(context, *entry, entry->name == chosen)) pressed = entry;
@@ -159,22 +203,29 @@ bool FileBrowser::draw_list(const PanelContext& context, float height) {
 }
 
 bool FileBrowser::draw_entry(const PanelContext& context, const FolderEntry& entry, bool chosen) {
-  const Theme& theme = context.theme;
-  const std::string glyph = theme.icon(entry.folder ? Icon::folder : Icon::file);
-  const std::string lead = glyph.empty() ? (entry.folder ? "[ ] " : "") : glyph + "  ";
   const float right = ImGui::GetContentRegionMax().x;
-  const float room = right - theme.px(date_width + size_width) - ImGui::GetCursorPosX();
+  const float names = right - columns_.date - columns_.size;
+  const std::string text = lead_of(context.theme, entry.folder) + entry.name;
+  const std::string shown = ui::elided(text, names - ImGui::GetCursorPosX());
   const bool pressed = ImGui::Selectable(
       ("##" + entry.name).c_str(), chosen,
       ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups);
   ui::note("dialog/entry/" + entry.name);
+  if (shown != text) {
+    ui::tooltip(entry.name);
+    ui::note("dialog/cut/" + entry.name);
+  }
   if (chosen && choice_.folder.take_reveal()) ImGui::SetScrollHereY(0.5f);
   ImGui::SameLine(ImGui::GetStyle().WindowPadding.x);
-  ImGui::TextUnformatted(ui::elided(lead + entry.name, room).c_str());
-  ImGui::SameLine(right - theme.px(date_width + size_width));
-  ui::text_colored(palette().text_faint, date_text(entry.changed));
-  if (!entry.folder) {
-    ImGui::SameLine(right - theme.px(size_width));
+  ImGui::TextUnformatted(shown.c_str());
+  if (columns_.date > 0) {
+    ImGui::SameLine(names);
+    const std::string date = date_text(entry.changed);
+    ui::text_colored(palette().text_faint, columns_.whole_date ? date : date.substr(0, 10));
+    ui::note("dialog/date/" + entry.name);
+  }
+  if (!entry.folder && columns_.size > 0) {
+    ImGui::SameLine(right - columns_.size);
     ui::text_colored(palette().text_faint, size_text(entry.size));
   }
   return pressed;

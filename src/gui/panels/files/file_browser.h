@@ -26,8 +26,17 @@ class FileBrowser {
   bool draw_list(const PanelContext& context, float height);
   void draw_headers(const PanelContext& context);
   bool draw_entry(const PanelContext& context, const FolderEntry& entry, bool chosen);
+  void draw_sort_arrow() const;
+  /// Columns right of the names, pixels; 0: there is no room for it.
+  struct Columns {
+    float date = 0, size = 0;
+    bool whole_date = true;  ///< with the hour
+  };
+  /// Names come first: dates are shortened for them, then left out, then sizes.
+  static Columns columns_for(const Theme& theme, float width, float longest_name);
 
   FileChoice& choice_;
+  Columns columns_;
   bool new_folders_ = false;
   std::optional<std::string> new_folder_;  // being named
   SortBy sort_ = SortBy::name;

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "gui/files/assets.h"
+#include "gui/picture/capture/between_frames.h"
 #include "gui/picture/figure/write_figure.h"
 
 namespace winslow::gui {
@@ -92,20 +93,25 @@ void Capture::on(const action::StartRecording& a) {
   }
   recorded_ = Coordinates();
   shape_ = left_ = 0;
+  queue_.clear();
+  moved_.clear();
+  ending_ = false;
   stepping_ = a.step.has_value();
   if (!stepping_) return;
   session_.apply(action::RerunStep{*a.step});
   if (!session_.job().active()) recorder_.cancel();
 }
 
+/// What has happened so far is recorded, though it may take some more frames.
 void Capture::on(const action::StopRecording&) {
   stepping_ = false;
-  recorder_.stop();
+  ending_ = recorder_.state() == Recorder::State::recording;
 }
 
 void Capture::on(const action::CancelRecording&) {
   if (recorder_.state() == Recorder::State::idle) return;
-  stepping_ = false;
+  stepping_ = ending_ = false;
+  queue_.clear();
   recorder_.cancel();
   session_.messages().tell(Notice::Kind::information, "The recording was thrown away.");
 }
@@ -149,34 +155,86 @@ bool Capture::frame_due() const {
   return since >= std::chrono::duration<double>(1.0 / recorder_.spec().rate);
 }
 
-void Capture::record_frame(PictureSource& source) {
-  if (!session_.document()) return on(action::StopRecording{});
-  if (frame_due()) {
-    // A step that is carried out again waits for the disk; what happens by itself does not.
-    if (!recorder_.has_room()) {
-      if (stepping_) return;
-      recorder_.drop();
-    } else {
-      try {
-        PictureSpec spec = recorder_.spec().picture;
-        if (!spec.size) {
-          // The window may change its size on the way; a film must not.
-          const ScreenVector extent = source.picture_extent(spec);
-          recorder_.fix_size(picture_size(spec, extent.x(), extent.y()));
-          spec = recorder_.spec().picture;
-        }
-        recorder_.add(source.picture(spec));
-      } catch (const Error& error) {
-        recorder_.cancel();
-        stepping_ = false;
-        session_.messages().report_error("Cannot record", error.what());
-        return;
-      }
-    }
-    recorded_ = session_.coordinates();
-    last_frame_ = std::chrono::steady_clock::now();
+/// The nodes that the job under way moves as one body; kept until its last mesh is recorded.
+void Capture::follow_motion() {
+  const JobRunner& job = session_.job();
+  if (!job.active()) return;
+  moved_.clear();
+  const auto* move = std::get_if<MoveCommand>(&job.command());
+  if (!move || job.held()) return;
+  const auto& markers = session_.topology()->markers();
+  for (const std::string& name : move->markers) {
+    const auto marker = markers.find(name);
+    if (!marker) continue;
+    const auto nodes = markers.nodes(*marker);
+    moved_.insert(moved_.end(), nodes.begin(), nodes.end());
   }
+}
+
+/// The mesh on screen and, of a motion that came in large steps, those on the way to it.
+void Capture::queue_frames() {
+  const auto& topology = session_.topology();
+  const bool every_shape = recorder_.spec().when == RecordingSpec::When::every_shape || stepping_;
+  follow_motion();
+  // A film that lags far behind would never end.
+  constexpr std::size_t longest_queue = 400;
+  if (every_shape && recorded_.size() == session_.coordinates().size() &&
+      queue_.size() < longest_queue)
+    for (Coordinates& x : meshes_between(*topology, moved_, recorded_, session_.coordinates()))
+      queue_.push_back({topology, std::move(x)});
+  queue_.push_back({topology, session_.coordinates()});
+  recorded_ = session_.coordinates();
+  last_frame_ = std::chrono::steady_clock::now();
+  if (!session_.job().active()) moved_.clear();
+}
+
+/// One picture; the rest waits for the next frame of the window. False if that failed.
+bool Capture::record_queued(PictureSource& source) {
+  const Frame next = std::move(queue_.front());
+  queue_.pop_front();
+  if (next.topology != session_.topology()) return true;
+  const bool present = next.coordinates == session_.coordinates();
+  if (!present) session_.show_between(next.coordinates);
+  bool drawn = true;
+  try {
+    PictureSpec spec = recorder_.spec().picture;
+    if (!spec.size) {
+      // The window may change its size on the way; a film must not.
+      const ScreenVector extent = source.picture_extent(spec);
+      recorder_.fix_size(picture_size(spec, extent.x(), extent.y()));
+      spec = recorder_.spec().picture;
+    }
+    recorder_.add(source.picture(spec));
+  } catch (const Error& error) {
+    drawn = false;
+    recorder_.cancel();
+    queue_.clear();
+    stepping_ = ending_ = false;
+    session_.messages().report_error("Cannot record", error.what());
+  }
+  if (!present) session_.show_between({});
+  return drawn;
+}
+
+void Capture::record_frame(PictureSource& source) {
+  if (!session_.document()) queue_.clear();
+  if (!session_.document()) return recorder_.stop();
+  const bool timed = recorder_.spec().when == RecordingSpec::When::timed && !stepping_;
+  if (!ending_ && frame_due()) {
+    if (timed && !recorder_.has_room()) {
+      recorder_.drop();  // what happens by itself does not wait for the disk
+      last_frame_ = std::chrono::steady_clock::now();
+    } else {
+      queue_frames();
+    }
+  }
+  if (!queue_.empty() && recorder_.has_room() && !record_queued(source)) return;
   shape_ = session_.shape();
+  if (!queue_.empty()) return;
+  if (ending_) {
+    ending_ = false;
+    return recorder_.stop();
+  }
   if (stepping_) step_on();
 }
 
@@ -227,7 +285,7 @@ bool Capture::poll() {
 bool Capture::busy() const {
   const auto state = recorder_.state();
   const bool finishing = state == Recorder::State::writing || state == Recorder::State::encoding;
-  return due_ || writer_.pending() > 0 || figure_.busy() || stepping_ || finishing;
+  return due_ || writer_.pending() > 0 || figure_.busy() || stepping_ || ending_ || finishing;
 }
 
 }  // namespace winslow::gui

@@ -2,9 +2,12 @@
 
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gui/base/background.h"
 #include "gui/document/actions/actions.h"
@@ -53,6 +56,9 @@ class Capture {
   bool may_replace(const std::filesystem::path& path, const Action& again);
   void take(PictureSource& source, const std::filesystem::path& path, bool as_set);
   void record_frame(PictureSource& source);
+  void queue_frames();
+  bool record_queued(PictureSource& source);
+  void follow_motion();
   bool frame_due() const;
   void step_on();
 
@@ -64,7 +70,15 @@ class Capture {
   Background<std::string> figure_;  // being written; its error
   std::filesystem::path figure_path_;
   Recorder recorder_;
-  bool stepping_ = false;  // the job goes on when its frame is taken
+  /// A mesh that is to be recorded.
+  struct Frame {
+    std::shared_ptr<const Topology> topology;
+    Coordinates coordinates;
+  };
+  std::deque<Frame> queue_;   // in the order of the film
+  std::vector<Index> moved_;  // nodes that the motion under way prescribes
+  bool ending_ = false;       // the recording ends with the queue
+  bool stepping_ = false;     // the job goes on when its frame is taken
   std::uint64_t shape_ = 0;
   std::uint64_t left_ = 0;  // serial of the pause that the last step went on from
   Coordinates recorded_;    // of the last frame

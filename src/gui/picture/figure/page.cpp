@@ -4,6 +4,10 @@
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 
+#include <array>
+#include <cmath>
+#include <cstdio>
+
 #include "core/error.h"
 
 namespace winslow::gui {
@@ -42,9 +46,25 @@ cairo_font_face_t* font_of(FontWeight weight) {
   return weight == FontWeight::semibold ? semibold : regular;
 }
 
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else
+      out += c;
+  }
+  return out;
+}
+
 }  // namespace
 
-Page::Page(PageFormat format, double width, double height) : width_(width), height_(height) {
+Page::Page(PageFormat format, double width, double height)
+    : format_(format), width_(width), height_(height) {
   if (format == PageFormat::svg) {
     surface_ = cairo_svg_surface_create_for_stream(append, &content_, width, height);
   } else {
@@ -60,6 +80,8 @@ Page::~Page() {
 }
 
 void Page::set_color(const Rgb& c, double alpha) {
+  color_ = c;
+  alpha_ = alpha;
   cairo_set_source_rgba(cairo_, c[0], c[1], c[2], alpha);
 }
 
@@ -103,10 +125,26 @@ void Page::set_font(double size, FontWeight weight) {
 }
 
 void Page::text(double x, double middle, const std::string& text, double size, FontWeight weight) {
-  set_font(size, weight);
   // Half the height of a capital: what the eye takes for the middle of a line.
-  cairo_move_to(cairo_, x, middle + 0.36 * size);
+  const double base = middle + 0.36 * size;
+  if (format_ == PageFormat::svg) return add_text_element(x, base, text, size, weight);
+  set_font(size, weight);
+  cairo_move_to(cairo_, x, base);
   cairo_show_text(cairo_, text.c_str());
+}
+
+/// cairo writes text into an SVG as outlines.
+void Page::add_text_element(double x, double y, const std::string& text, double size,
+                            FontWeight weight) {
+  const auto byte = [](float share) { return static_cast<int>(std::lround(255 * share)); };
+  std::array<char, 320> start{};
+  std::snprintf(start.data(), start.size(),
+                "<text x=\"%.6g\" y=\"%.6g\" font-family=\"Inter, Helvetica, Arial, sans-serif\" "
+                "font-size=\"%.6g\" font-weight=\"%d\" fill=\"#%02x%02x%02x\" "
+                "fill-opacity=\"%.3g\" xml:space=\"preserve\">",
+                x, y, size, weight == FontWeight::semibold ? 600 : 400, byte(color_[0]),
+                byte(color_[1]), byte(color_[2]), alpha_);
+  texts_ += start.data() + escaped(text) + "</text>\n";
 }
 
 double Page::text_width(const std::string& text, double size, FontWeight weight) {
@@ -122,6 +160,11 @@ std::string Page::finish() {
   for (const cairo_status_t status : {cairo_status(cairo_), cairo_surface_status(surface_)})
     if (status != CAIRO_STATUS_SUCCESS)
       throw Error(std::string("the figure could not be drawn: ") + cairo_status_to_string(status));
+  // Above all else, before the end of the root element.
+  if (const auto end = content_.rfind("</svg>"); format_ == PageFormat::svg && !texts_.empty()) {
+    if (end == std::string::npos) throw Error("the figure could not be drawn: no SVG came of it");
+    content_.insert(end, texts_);
+  }
   return content_;
 }
 

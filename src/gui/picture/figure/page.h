@@ -43,7 +43,9 @@ class Page {
   void clip(double x, double y, double width, double height);
   void unclip();
 
-  /// Left end of the line of text, and the height of its middle.
+  /// Left end of the line of text, and the height of its middle. Of an SVG it lies above all that
+  /// is drawn, outside of clips, and is text that can be searched and edited, in the font of the
+  /// studio where the reader has it.
   void text(double x, double middle, const std::string& text, double size, FontWeight weight);
   double text_width(const std::string& text, double size, FontWeight weight);
 
@@ -52,7 +54,13 @@ class Page {
 
  private:
   void set_font(double size, FontWeight weight);
+  void add_text_element(double x, double y, const std::string& text, double size,
+                        FontWeight weight);
 
+  PageFormat format_;
+  Rgb color_{0, 0, 0};  // that text is drawn in
+  double alpha_ = 1;
+  std::string texts_;  // elements of an SVG
   double width_, height_;
   std::string content_;
   _cairo_surface* surface_ = nullptr;

@@ -9,6 +9,7 @@
 #include "gui/panels/layers/layers_panel.h"
 #include "gui/panels/markers_panel.h"
 #include "gui/panels/menu_bar.h"
+#include "gui/panels/mesh_panel.h"
 #include "gui/panels/motion_panel.h"
 #include "gui/panels/picture/recording_panel.h"
 #include "gui/panels/quality_panel.h"
@@ -47,11 +48,13 @@ PanelRegistry make_panels() {
   r.add(entry<MenuBar>("menu", "Menu", Region::menu, all_meshes));
   r.add(entry<Toolbar>("toolbar", "Toolbar", Region::toolbar, all_meshes));
   r.add(entry<StatusBar>("status", "Status", Region::status, all_meshes));
+  r.add(entry<ZonePanel>("zone", "Zone", Region::left, all_meshes));
   r.add(entry<MarkersPanel>("markers", "Markers", Region::left, plane));
   r.add(entry<MotionPanel>("motion", "Move the selection", Region::left, plane));
   r.add(entry<ShapePanel>("shape", "Shape", Region::left, plane));
   r.add(entry<LayersPanel>("layers", "Layers", Region::left, plane));
   r.add(entry<SolverPanel>("solver", "Solver", Region::left, plane));
+  r.add(entry<MeshPanel>("mesh", "Mesh", Region::left, plane));
   r.add(in_tab<QualityPanel>(SideTab::quality, "quality", "Quality", plane));
   r.add(in_tab<WallPanel>(SideTab::quality, "walls", "Walls", plane));
   r.add(in_tab<GoToPanel>(SideTab::quality, "go_to", "Go to", plane));

@@ -98,8 +98,10 @@ void PicturePainter::forget_idle(double seconds) {
 
 ScreenVector PicturePainter::picture_extent(const PictureSpec& spec) const {
   const Area& v = shown_.window.layout.viewport;
-  return spec.panels ? ScreenVector(shown_.window.width, shown_.window.height)
-                     : ScreenVector(v.width, v.height);
+  if (spec.panels) return ScreenVector(shown_.window.width, shown_.window.height);
+  // The mesh as large as it is on screen, with the legend's strip beside it.
+  const float legend = spec.legend ? shown_.window.layout.legend.width : 0;
+  return ScreenVector(v.width + legend, v.height);
 }
 
 Image PicturePainter::picture(const PictureSpec& spec) {
@@ -161,9 +163,7 @@ void PicturePainter::lay_out(Picture& picture, const Bounds& visible) {
   WindowFrame& frame = *picture.frame;
   frame.ui.begin(InputState{}, frame.width, frame.height, 1.0 / 60);
   if (picture.mesh_alone) {
-    frame.layout = Layout();
-    frame.layout.viewport = {0, 0, static_cast<float>(frame.width),
-                             static_cast<float>(frame.height)};
+    frame.layout.arrange_mesh(frame.width, frame.height, picture.options, frame.ui.theme());
   } else {
     shown_.regions.draw_menu(picture.context, frame);
   }
@@ -181,8 +181,8 @@ void PicturePainter::lay_out(Picture& picture, const Bounds& visible) {
   ViewportPane& pane = shown_.pane;
   const auto update = [&] { pane.update(picture.options, picture.view, scale); };
   for (update(); pane.mesh_view().busy(); update()) std::this_thread::yield();
-  pane.draw_overlays(*ImGui::GetBackgroundDrawList(),
-                     {picture.context, picture.view, v, picture.lens, picture.mesh_alone});
+  pane.draw_overlays(*ImGui::GetBackgroundDrawList(), {picture.context, picture.view, frame.layout,
+                                                       picture.lens, picture.mesh_alone});
   frame.ui.end();
   picture.actions.clear();  // nobody pressed anything
 }

@@ -6,46 +6,14 @@
 #include "gui/panels/banner_panel.h"
 #include "gui/panels/demo_panel.h"
 #include "gui/picture/capture/capture.h"
+#include "gui/shell/workbench/folded_columns.h"
 #include "gui/shell/workbench/panel_list.h"
+#include "gui/shell/workbench/region_window.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
 
 namespace {
-
-constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                                   ImGuiWindowFlags_NoSavedSettings |
-                                   ImGuiWindowFlags_NoBringToFrontOnFocus;
-
-/// A window that fills an area, with a line along chosen sides.
-struct RegionStyle {
-  ImVec2 padding;
-  ImU32 background = palette().panel;
-  ImGuiWindowFlags flags = 0;
-};
-
-void begin_region(const char* name, const Area& area, const RegionStyle& style) {
-  ImGui::SetNextWindowPos(ImVec2(area.x, area.y));
-  ImGui::SetNextWindowSize(ImVec2(area.width, area.height));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, style.background);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, style.padding);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
-  ImGui::Begin(name, nullptr, fixed | style.flags);
-}
-
-void end_region() {
-  const ImVec2 min = ImGui::GetWindowPos();
-  const ImVec2 size = ImGui::GetWindowSize();
-  const ImVec2 max(min.x + size.x, min.y + size.y);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.PushClipRect(min, max, false);
-  list.AddRect(min, max, palette().border);
-  list.PopClipRect();
-  ImGui::End();
-  ImGui::PopStyleVar(2);
-  ImGui::PopStyleColor();
-}
 
 /// A strip that is dragged; returns by how many pixels.
 float splitter(const char* name, const Area& area, bool upright) {
@@ -60,9 +28,7 @@ float splitter(const char* name, const Area& area, bool upright) {
   }
   const ImVec2 delta = ImGui::GetIO().MouseDelta;
   const float moved = ImGui::IsItemActive() ? (upright ? delta.x : delta.y) : 0;
-  ImGui::End();
-  ImGui::PopStyleVar(2);
-  ImGui::PopStyleColor();
+  end_region(RegionEdge::none);
   return moved;
 }
 
@@ -81,11 +47,10 @@ void Regions::draw_menu(const PanelContext& context, WindowFrame& frame) const {
     draw_panels(context, Region::menu);
     ImGui::EndMainMenuBar();
   }
-  ViewOptions shown = context.view;
   // The welcome page needs the room, and without a mesh the panels have nothing to say.
-  if (shows_welcome(context.session))
-    shown.left_panel = shown.right_panel = shown.plot_panel = false;
-  frame.layout.arrange(frame.width, frame.height, shown, context.theme, height);
+  const bool page = shows_welcome(context.session);
+  frame.layout.arrange(frame.width, frame.height, context.view, context.theme, height,
+                       page ? Layout::Middle::page : Layout::Middle::mesh);
 }
 
 void Regions::draw(const PanelContext& context, const Layout& layout) const {
@@ -99,16 +64,20 @@ void Regions::draw(const PanelContext& context, const Layout& layout) const {
                {ImVec2(theme.px(10), theme.px(6)), palette().card, ImGuiWindowFlags_NoScrollbar});
   draw_panels(context, Region::status);
   end_region();
-  if (!layout.left.empty()) {
+  if (!layout.left.empty() && layout.columns.left_open) {
     begin_region("left", layout.left, {roomy});
     draw_panels(context, Region::left);
     end_region();
+  } else if (!layout.left.empty()) {
+    draw_folded_left(context, layout.left);
   }
-  if (!layout.right.empty()) {
+  if (!layout.right.empty() && layout.columns.right_open) {
     begin_region("right", layout.right, {roomy});
     draw_tabs(context);
     draw_panels(context, Region::right);
     end_region();
+  } else if (!layout.right.empty()) {
+    draw_folded_right(context, layout.right);
   }
   if (!layout.plot.empty()) {
     begin_region("plot", layout.plot,
@@ -124,21 +93,14 @@ void Regions::draw_panels(const PanelContext& context, Region region) const {
 }
 
 void Regions::draw_tabs(const PanelContext& context) const {
-  static const std::vector<std::pair<SideTab, ui::Tab>> tabs{
-      {SideTab::quality,
-       {"Quality", "How good the mesh is, before and now, and where it is worst."}},
-      {SideTab::view, {"View", "What is drawn, and how."}},
-      {SideTab::vcv,
-       {"VCV", "A node's virtual control volume: what it says, and how to change it."}},
-      {SideTab::history, {"History", "What was done to the mesh; go back to any point."}}};
   std::vector<ui::Tab> labels;
   std::size_t chosen = 0;
-  for (std::size_t k = 0; k < tabs.size(); ++k) {
-    labels.push_back(tabs[k].second);
-    if (tabs[k].first == context.view.side_tab) chosen = k;
+  for (const SideTabInfo& tab : side_tabs()) {
+    if (tab.which == context.view.side_tab) chosen = labels.size();
+    labels.push_back({tab.label, tab.tooltip});
   }
   if (ui::tabs("tab", labels, chosen))
-    context.edit_view([&](ViewOptions& view) { view.side_tab = tabs[chosen].first; });
+    context.edit_view([&](ViewOptions& view) { view.side_tab = side_tabs()[chosen].which; });
 }
 
 std::optional<float> Regions::drag_splitters(const PanelContext& context, Layout& layout) const {
@@ -147,12 +109,18 @@ std::optional<float> Regions::drag_splitters(const PanelContext& context, Layout
   const Area& l = layout.left;
   const Area& r = layout.right;
   const Area& p = layout.plot;
-  if (!l.empty())
-    layout.left_width +=
-        splitter("splitter/left", {l.x + l.width - grip / 2, l.y, grip, l.height}, true) / scale;
-  if (!r.empty())
-    layout.right_width -=
-        splitter("splitter/right", {r.x - grip / 2, r.y, grip, r.height}, true) / scale;
+  // A column grows as far as the other one leaves room.
+  const float budget = Layout::most_columns * layout.toolbar.width;
+  if (!l.empty() && layout.columns.left_open) {
+    const float by =
+        splitter("splitter/left", {l.x + l.width - grip / 2, l.y, grip, l.height}, true);
+    if (by != 0) layout.left_width = std::min(l.width + by, budget - r.width) / scale;
+  }
+  if (!r.empty() && layout.columns.right_open) {
+    const float by = splitter("splitter/right", {r.x - grip / 2, r.y, grip, r.height}, true);
+    if (by != 0) layout.right_width = std::min(r.width - by, budget - l.width) / scale;
+  }
+  draw_fold_handles(context, layout);
   if (!p.empty())
     layout.plot_height -=
         splitter("splitter/plot", {p.x, p.y - grip / 2, p.width, grip}, false) / scale;

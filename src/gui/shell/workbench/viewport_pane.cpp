@@ -4,8 +4,9 @@
 #include <GLFW/glfw3.h>
 
 #include "gui/panels/banner_panel.h"
+#include "gui/view/overlays/foot_overlay.h"
 #include "gui/view/overlays/overlay.h"
-#include "gui/view/overlays/view_overlay.h"
+#include "gui/view/overlays/ruler_overlay.h"
 
 namespace winslow::gui {
 
@@ -69,6 +70,7 @@ ViewportScene ViewportPane::scene(double scale) const {
   scene.box_zoom = control_.state().box_zoom_armed;
   const auto& lens = lens_.inset();
   scene.wheel_is_lens = lens && !lens->pinned && !ImGui::GetIO().KeyCtrl;
+  scene.look_only = control_.state().ruler;
   scene.shape = session_.selection().shape_edit();
   scene.taken_out = taken_out(session_, control_.options().markers);
   if (const auto& anchors = session_.selection().anchors())
@@ -78,23 +80,30 @@ ViewportScene ViewportPane::scene(double scale) const {
   return scene;
 }
 
-void ViewportPane::drive(const InputState& input, const PanelContext& context, const Area& area) {
-  const auto x = static_cast<float>(input.mouse.x());
-  const auto y = static_cast<float>(input.mouse.y());
-  const bool over = input.mouse_inside && session_.document() &&
-                    !UiLayer::current().wants_mouse() && x >= area.x && x < area.x + area.width &&
-                    y >= area.y && y < area.y + area.height;
+void ViewportPane::drive(const InputState& input, const PanelContext& context,
+                         const Layout& layout) {
+  const bool free = input.mouse_inside && session_.document() && !UiLayer::current().wants_mouse();
+  const bool over = free && layout.viewport.contains(static_cast<float>(input.mouse.x()),
+                                                     static_cast<float>(input.mouse.y()));
   PointerState pointer = pointer_of(input, over);
   control_.set_mouse(over ? std::optional(input.mouse) : std::nullopt);
-  if (viewport_.gesture() == Viewport::Gesture::none) take_for_insets(pointer, context);
+  if (viewport_.gesture() == Viewport::Gesture::none) {
+    pointer.over = free;
+    take_for_legend(pointer, context, layout);
+    take_for_lens(pointer, context);
+  }
   const ViewOptions& view = control_.options();
+  const ViewState& state = control_.state();
   const auto scale = static_cast<double>(context.theme.scale);
-  const bool nodes = !control_.state().box_zoom_armed &&
-                     (input.alt() || (view.right_panel && view.side_tab == SideTab::vcv));
+  const bool inspects = state.columns.right_open && view.side_tab == SideTab::vcv;
+  const bool nodes = !state.box_zoom_armed && !state.ruler && (input.alt() || inspects);
+  pointer.picks_nodes = nodes;
   pointer.click_taken =
       node_tool_.update(pointer, nodes, scale, session_, control_.view(), context.actions);
+  take_for_ruler(pointer, scale);
   const bool dragging = viewport_.dragging();
   viewport_.update(pointer, scene(scale), control_.view(), context.actions);
+  zoom_to_double_click(pointer, context);
   if (const auto at = context_click_.update(pointer, scale); at && !dragging && session_.document())
     context.emit(
         action::ShowContextMenu{pick_place(session_, control_.view(), view.markers, *at, scale)});
@@ -102,10 +111,22 @@ void ViewportPane::drive(const InputState& input, const PanelContext& context, c
   lens_.place(magnifier_inset(view.magnifier, control_.camera(), input.mouse, over, scale));
 }
 
-/// What lies over the mesh and takes the mouse before it: the legend's threshold, the magnifier.
-void ViewportPane::take_for_insets(PointerState& pointer, const PanelContext& context) {
-  const bool taken =
-      legend_card_.take_pointer(context, pointer.position, pointer.over && pointer.left);
+/// The legend's strip lies beside the mesh: pointer.over says that nothing else has the mouse.
+void ViewportPane::take_for_legend(PointerState& pointer, const PanelContext& context,
+                                   const Layout& layout) {
+  const auto x = static_cast<float>(pointer.position.x());
+  const auto y = static_cast<float>(pointer.position.y());
+  const bool over_mesh = pointer.over && layout.viewport.contains(x, y);
+  const bool near = over_mesh || (pointer.over && layout.legend.contains(x, y));
+  const bool pressed = pointer.left && (near || legend_card_.held());
+  const ScreenPoint nowhere(-1e9, -1e9);
+  const bool taken = legend_card_.take_pointer(
+      context, near || legend_card_.held() ? pointer.position : nowhere, pressed);
+  pointer.over = over_mesh && !taken;
+}
+
+/// The magnifier lies over the mesh and takes the wheel.
+void ViewportPane::take_for_lens(PointerState& pointer, const PanelContext& context) {
   const auto& lens = lens_.inset();
   const bool in_lens = lens && lens->frame().contains(pointer.position);
   const bool turn =
@@ -115,7 +136,28 @@ void ViewportPane::take_for_insets(PointerState& pointer, const PanelContext& co
       view.magnifier.factor = turned_factor(view.magnifier.factor, pointer.wheel);
     });
   }
-  if (taken || (in_lens && lens->pinned)) pointer.over = false;
+  if (in_lens && lens->pinned) pointer.over = false;
+}
+
+/// Clicks are the ruler's while it is out; drags and the wheel go on moving the view.
+void ViewportPane::take_for_ruler(PointerState& pointer, double scale) {
+  if (!control_.state().ruler || !session_.document()) return ruler_.clear();
+  const bool snaps = pointer.over && !pointer.shift;
+  const auto node =
+      snaps ? node_tool_.node_at(pointer, scale, session_, control_.view()) : std::nullopt;
+  ruler_.update(pointer, node, scale, session_, control_.view());
+  pointer.click_taken = true;
+}
+
+/// At the end of the second click: one who presses twice and then drags wants to drag.
+void ViewportPane::zoom_to_double_click(const PointerState& pointer, const PanelContext& context) {
+  const bool plain = !pointer.shift && !pointer.control && !pointer.click_taken;
+  const bool second = pointer.over && plain && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+  if (second && viewport_.body()) double_click_ = viewport_.body()->markers;
+  if (double_click_.empty()) return;
+  if (pointer.left && viewport_.gesture() == Viewport::Gesture::press_body) return;
+  if (!pointer.left) context.emit(action::FitMarkers{double_click_});
+  double_click_.clear();
 }
 
 void ViewportPane::measure_selection() {
@@ -148,28 +190,51 @@ void ViewportPane::draw_overlays(ImDrawList& list, const MeshFrame& frame) {
   id_labels_.draw(list, overlay);
   draw_focus(list, overlay);
   draw_comparison(list, overlay);
-  draw_legend(list, frame);
+  // That of a picture has another place: the mouse knows the window's.
+  LegendCard of_picture;
+  LegendCard& legend = &frame.lens == &lens_ ? legend_card_ : of_picture;
+  draw_legend(list, frame, legend);
+  draw_foot(list, frame, overlay, legend);
   // Nothing covers what the mouse is about to take hold of, nor what it says of it.
   if (!frame.mesh_alone) draw_handles(list, handles);
+  if (context.view_state.ruler && !frame.mesh_alone) draw_ruler(list, overlay, ruler_);
   frame.lens.draw(list, overlay);
   if (const auto box = viewport_.box()) draw_zoom_box(list, theme, *box);
   if (!frame.mesh_alone) draw_mouse_labels(list, handles);
 }
 
-void ViewportPane::draw_legend(ImDrawList& list, const MeshFrame& frame) {
+void ViewportPane::draw_legend(ImDrawList& list, const MeshFrame& frame, LegendCard& card) const {
   const auto& legend = mesh_view_.legend();
   const ViewOptions& view = frame.context.view;
-  if (!legend || !view.legend || !view.fill) return legend_card_.hide();
-  Area area = frame.area;
+  if (!view.legend || !view.color) return card.hide();
+  Area area = frame.layout.viewport;
   if (session_.messages().banner() && !frame.mesh_alone) {
     const float banner = BannerPanel::height(frame.context, area.width);
     area.y += banner;
     area.height -= banner;
   }
-  legend_card_.draw(list, frame.context, area, *legend);
+  card.draw(list, frame.context, {area, frame.layout.legend},
+            legend && view.fill ? &*legend : nullptr);
+}
+
+/// Above a card at the foot, beside a pinned magnifier or a legend in that corner.
+void ViewportPane::draw_foot(ImDrawList& list, const MeshFrame& frame, const ViewOverlay& overlay,
+                             const LegendCard& card) const {
+  ScreenBox room = frame.view.viewport();
+  if (!frame.mesh_alone && control_.card())
+    room.max = ScreenPoint(room.max.x(), control_.card()->min.y());
+  if (const auto& lens = frame.lens.inset(); lens && lens->pinned)
+    room.min = ScreenPoint(lens->frame().max.x(), room.min.y());
+  const auto& legend = card.frame();
+  if (legend && frame.context.view.legend_place == LegendPlace::bottom_left)
+    room.min = ScreenPoint(legend->max.x(), room.min.y());
+  gui::draw_foot(list, overlay, room,
+                 frame.mesh_alone ? std::string() : mode_text(session_, frame.context.view_state));
+  if (!frame.mesh_alone) draw_out_of_view(list, overlay);
 }
 
 std::optional<int> ViewportPane::cursor() const {
+  if (legend_card_.offers_grip()) return ImGuiMouseCursor_ResizeAll;
   if (viewport_.gesture() == Viewport::Gesture::pan ||
       viewport_.gesture() == Viewport::Gesture::box)
     return ImGuiMouseCursor_ResizeAll;

@@ -13,8 +13,10 @@
 #include "gui/view/navigation/view_control.h"
 #include "gui/view/overlays/id_labels.h"
 #include "gui/view/overlays/lens.h"
+#include "gui/view/overlays/view_overlay.h"
 #include "gui/view/tools/context_click.h"
 #include "gui/view/tools/node_tool.h"
+#include "gui/view/tools/ruler.h"
 #include "gui/view/tools/viewport.h"
 
 namespace winslow::gui {
@@ -23,7 +25,7 @@ namespace winslow::gui {
 struct MeshFrame {
   const PanelContext& context;
   const View& view;
-  const Area& area;
+  const Layout& layout;
   Lens& lens;
   bool mesh_alone = false;  ///< nothing that is there for the mouse's sake
 };
@@ -45,13 +47,14 @@ class ViewportPane {
   /// Measures what is selected, for the gizmo: not while it moves, so that the ring stays.
   void measure_selection();
 
-  /// Hands the mouse to what it is over. area: of the pane.
-  void drive(const InputState& input, const PanelContext& context, const Area& area);
+  /// Hands the mouse to what it is over.
+  void drive(const InputState& input, const PanelContext& context, const Layout& layout);
   void draw_overlays(ImDrawList& list, const MeshFrame& frame);
 
   /// What the mouse acts upon now. scale: of the interface.
   ViewportScene scene(double scale) const;
   const Viewport& viewport() const { return viewport_; }
+  const Ruler& ruler() const { return ruler_; }
   /// What the mesh is compared with, as of the last frame.
   const BeforeMesh& before() const { return before_; }
   MeshView& mesh_view() { return mesh_view_; }
@@ -62,8 +65,13 @@ class ViewportPane {
   std::optional<int> cursor() const;
 
  private:
-  void take_for_insets(PointerState& pointer, const PanelContext& context);
-  void draw_legend(ImDrawList& list, const MeshFrame& frame);
+  void take_for_legend(PointerState& pointer, const PanelContext& context, const Layout& layout);
+  void take_for_lens(PointerState& pointer, const PanelContext& context);
+  void take_for_ruler(PointerState& pointer, double scale);
+  void zoom_to_double_click(const PointerState& pointer, const PanelContext& context);
+  void draw_legend(ImDrawList& list, const MeshFrame& frame, LegendCard& card) const;
+  void draw_foot(ImDrawList& list, const MeshFrame& frame, const ViewOverlay& overlay,
+                 const LegendCard& card) const;
 
   const Session& session_;
   ViewControl& control_;
@@ -73,9 +81,11 @@ class ViewportPane {
   Viewport viewport_;
   NodeTool node_tool_;
   ContextClick context_click_;
+  Ruler ruler_;
   IdLabels id_labels_;
   LegendCard legend_card_;
-  double reach_ = 0;  // of the selection, when nothing was moving
+  std::vector<Index> double_click_;  // markers of the body that is clicked the second time
+  double reach_ = 0;                 // of the selection, when nothing was moving
 };
 
 /// The magnifier as a picture has it: one that follows the mouse is none of the mesh's.

@@ -103,6 +103,7 @@ void Workbench::update(const InputState& input, int width, int height, double se
 void Workbench::draw_window(const InputState& input) {
   const PanelContext shown = context();
   regions_.draw_menu(shown, window_);
+  view_control_.set_columns(window_.layout.columns);
   const Area& v = window_.layout.viewport;
   if (view_control_.begin_frame(v.x, v.y, v.width, v.height)) regions_.welcome().close();
   regions_.draw(shown, window_.layout);
@@ -113,7 +114,7 @@ void Workbench::draw_window(const InputState& input) {
   view_control_.set_card(card ? std::optional(ScreenBox{card->min, card->max}) : std::nullopt);
   dialogs_.draw(shown, ScreenVector(window_.width, window_.height),
                 ScreenVector(v.width, v.height));
-  pane_.drive(input, shown, v);
+  pane_.drive(input, shown, window_.layout);
 }
 
 void Workbench::take_input(const InputState& input) {
@@ -123,6 +124,8 @@ void Workbench::take_input(const InputState& input) {
   if (listed || window_.ui.wants_keyboard()) return;
   if (view_control_.state().box_zoom_armed && ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false))
     return view_control_.disarm_box_zoom();
+  if (view_control_.state().ruler && ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false))
+    return view_control_.put_ruler_away();
   if (magnifier_let_go()) view_control_.release_magnifier();
   handle_shortcuts(context(), pane_.viewport().dragging());
 }
@@ -144,7 +147,7 @@ void Workbench::finish_frame() {
   pane_.update(view_control_.options(), view_control_.view(), theme().scale);
   const PanelContext shown = context();
   pane_.draw_overlays(*ImGui::GetBackgroundDrawList(),
-                      {shown, view_control_.view(), layout().viewport, pane_.lens()});
+                      {shown, view_control_.view(), layout(), pane_.lens()});
   window_.ui.end();
   capture_.after_frame(pictures_);
 }
@@ -152,7 +155,9 @@ void Workbench::finish_frame() {
 std::string Workbench::title() const {
   const Document* document = session_.document();
   if (!document) return "winslow";
-  return (document->modified() ? "* " : "") + document->name() + " - winslow";
+  const std::string zone = document->zone_text();
+  return (document->modified() ? "* " : "") + document->name() + (zone.empty() ? "" : ", " + zone) +
+         " - winslow";
 }
 
 }  // namespace winslow::gui

@@ -36,7 +36,9 @@ bool ViewControl::follow_mesh() {
   if (generation_ == session_.generation()) return false;
   generation_ = session_.generation();
   history_.clear();
+  const ColumnState columns = state_.columns;
   state_ = ViewState();
+  state_.columns = columns;
   options_.magnifier.pin.reset();
   // What is hidden of one mesh is not to be missing from another that has markers of its names.
   if (const Document* document = session_.document()) {
@@ -47,14 +49,25 @@ bool ViewControl::follow_mesh() {
   return true;
 }
 
+/// Of all holes.
+std::vector<Index> ViewControl::body_nodes() const {
+  std::vector<Index> nodes;
+  for (const auto& body : session_.mesh().boundary()->bodies())
+    if (body.hole) nodes.insert(nodes.end(), body.nodes.begin(), body.nodes.end());
+  return nodes;
+}
+
+void ViewControl::set_mouse(const std::optional<ScreenPoint>& mouse) {
+  mouse_ = mouse;
+  state_.pixel = view_.camera().units_per_pixel();
+  state_.cursor = mouse ? std::optional(view_.camera().to_world(*mouse)) : std::nullopt;
+}
+
 void ViewControl::look_at_start() {
   const Document* document = session_.document();
   if (!document) return;
   const Bounds all = bounds(document->state().mesh);
-  std::vector<Index> holes;
-  for (const auto& body : session_.mesh().boundary()->bodies())
-    if (body.hole) holes.insert(holes.end(), body.nodes.begin(), body.nodes.end());
-  if (!holes.empty()) {
+  if (const std::vector<Index> holes = body_nodes(); !holes.empty()) {
     Bounds bodies = bounds(document->state().mesh.coordinates, holes);
     // With a far field of a hundred chords the bodies would be a dot.
     if (bodies.size().maxCoeff() < 0.15 * all.size().maxCoeff()) {
@@ -110,7 +123,7 @@ void ViewControl::on(const action::InspectNode& a) {
   session_.apply(action::SelectNode{a.node});
   if (!a.node) return;
   options_.side_tab = SideTab::vcv;
-  options_.right_panel = true;
+  open_right(options_, state_.columns);
   // A number that was typed may be that of a node anywhere.
   if (session_.nodes().inspected() != a.node) return;
   const ScreenVector pixel = view_.camera().to_screen(session_.coordinates().xy(*a.node)) -
@@ -129,14 +142,28 @@ void ViewControl::on(const action::FitView&) {
 }
 
 void ViewControl::on(const action::FitSelection&) {
-  if (!session_.document() || session_.selection().empty()) return;
-  history_.leave(view_.camera());
+  on(action::FitMarkers{session_.selection().markers()});
+}
+
+void ViewControl::on(const action::FitMarkers& a) {
+  if (!session_.document()) return;
   std::vector<Index> nodes;
-  for (Index m : session_.selection().markers()) {
+  for (const Index m : a.markers) {
+    if (m < 0 || static_cast<std::size_t>(m) >= session_.topology()->markers().size()) continue;
     const auto of_marker = session_.topology()->markers().nodes(m);
     nodes.insert(nodes.end(), of_marker.begin(), of_marker.end());
   }
+  if (nodes.empty()) return;
+  history_.leave(view_.camera());
   view_.camera().fit(bounds(session_.coordinates(), nodes), 0.2);
+}
+
+void ViewControl::on(const action::FitBodies&) {
+  if (!session_.document()) return;
+  const std::vector<Index> nodes = body_nodes();
+  if (nodes.empty()) return;
+  history_.leave(view_.camera());
+  view_.camera().fit(bounds(session_.coordinates(), nodes), 0.1);
 }
 
 void ViewControl::on(const action::LookAt& a) {
@@ -165,7 +192,7 @@ void ViewControl::on(const action::GoTo& a) {
 
 void ViewControl::on(const action::AskGoTo&) {
   if (!session_.document()) return;
-  options_.right_panel = true;
+  open_right(options_, state_.columns);
   options_.side_tab = SideTab::quality;
   state_.go_to_wanted = true;
 }

@@ -47,9 +47,13 @@ class ViewControl {
   void end_requests() { state_.go_to_wanted = false; }
 
   /// Where the mouse is over the mesh; none: it is elsewhere.
-  void set_mouse(const std::optional<ScreenPoint>& mouse) { mouse_ = mouse; }
+  void set_mouse(const std::optional<ScreenPoint>& mouse);
+  /// As the window has room for the columns beside the mesh.
+  void set_columns(const ColumnState& columns) { state_.columns = columns; }
+  void put_ruler_away() { state_.ruler = false; }
   /// A card at the foot of the viewport: what one goes to is shown above it.
   void set_card(const std::optional<ScreenBox>& card) { card_ = card; }
+  const std::optional<ScreenBox>& card() const { return card_; }
   /// Moves the divider between two meshes; by: a share of the viewport's width.
   void move_divider(double by);
   void disarm_box_zoom() { state_.box_zoom_armed = false; }
@@ -62,6 +66,9 @@ class ViewControl {
   void on(const action::InspectNode& a);
   void on(const action::FitView&);
   void on(const action::FitSelection&);
+  void on(const action::FitBodies&);
+  void on(const action::FitMarkers& a);
+  void on(const action::ToggleRuler&) { state_.ruler = session_.document() && !state_.ruler; }
   void on(const action::LookAt& a);
   void on(const action::ZoomTo& a);
   void on(const action::BoxZoom&);
@@ -72,6 +79,7 @@ class ViewControl {
   void on(const action::PinMagnifier&);
   void on(const action::StepScale& a);
   void look_at_start();
+  std::vector<Index> body_nodes() const;
 
   Session& session_;
   ViewOptions options_;

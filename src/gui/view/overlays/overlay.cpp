@@ -15,6 +15,7 @@
 #include "gui/view/overlays/layer_overlay.h"
 #include "gui/view/overlays/region_overlay.h"
 #include "gui/view/overlays/vcv_overlay.h"
+#include "gui/widgets/controls.h"
 
 namespace winslow::gui {
 
@@ -99,6 +100,32 @@ void draw_preview(ImDrawList& list, const Overlay& o) {
   };
   if (const auto& shape = o.session.selection().deformation_preview()) draw(shape->outline);
   if (const auto& motion = o.session.selection().motion_preview()) draw(motion->outline);
+}
+
+/// While shapes are edited: the nodes that can be taken, all of them where they are few, else those
+/// around the mouse.
+void draw_boundary_nodes(ImDrawList& list, const Overlay& o) {
+  const Coordinates& x = o.session.coordinates();
+  const ScreenBox seen = o.view.viewport();
+  const ScreenPoint mouse(ImGui::GetIO().MousePos);
+  const auto reach = static_cast<double>(o.theme.px(130));
+  constexpr std::size_t few = 400;
+  std::vector<ScreenPoint> all, near;
+  for (const auto& body : o.scene.boundary->bodies()) {
+    for (const Index node : body.nodes) {
+      const ScreenPoint at = o.view.to_screen(x.xy(node));
+      if (!seen.contains(at)) continue;
+      all.push_back(at);
+      if ((at - mouse).norm() < reach) near.push_back(at);
+    }
+  }
+  const auto& shown = all.size() <= few ? all : near;
+  for (const ScreenPoint& at : shown) {
+    list.AddCircleFilled(pixel(at), o.theme.px(3.4f), palette().card, 12);
+    list.AddCircleFilled(pixel(at), o.theme.px(2.4f), palette().accent, 12);
+  }
+  if (!shown.empty())
+    ui::note("shape/nodes/" + std::to_string(shown.size()), pixel(seen.min), pixel(seen.max));
 }
 
 /// While shapes are edited: the held arc, how far a drag of it fades, the node under the mouse.
@@ -217,7 +244,9 @@ void draw_overlay(ImDrawList& list, const Overlay& o) {
   if (o.session.dragging()) draw_wanted(list, o);
   draw_preview(list, o);
   draw_layer_preview(list, o);
-  if (o.scene.shape.active) draw_shape(list, o);
+  if (!o.scene.shape.active) return;
+  draw_boundary_nodes(list, o);
+  draw_shape(list, o);
 }
 
 void draw_handles(ImDrawList& list, const Overlay& o) {

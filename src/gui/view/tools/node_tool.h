@@ -16,11 +16,11 @@ class NodeTool {
   /// active: clicks near nodes are for the tool. Returns true if the click under way is.
   bool update(const PointerState& pointer, bool active, double scale, const Session& session,
               const View& view, ActionQueue& actions);
-
- private:
+  /// The node under the mouse, if one is near enough to be meant. There is a mesh.
   std::optional<Index> node_at(const PointerState& pointer, double scale, const Session& session,
                                const View& view);
 
+ private:
   NodePicker picker_;
   std::optional<Index> hovered_, pressed_;
   ScreenPoint press_;

@@ -28,7 +28,8 @@ bool free_to_take(const std::vector<Index>& markers, const ViewportScene& scene)
 }  // namespace
 
 std::optional<Gizmo> Viewport::gizmo(const ViewportScene& scene, const View& view) {
-  if (!scene.boundary || scene.selection.empty() || scene.shape.active) return std::nullopt;
+  if (!scene.boundary || scene.selection.empty() || scene.shape.active || scene.look_only)
+    return std::nullopt;
   return make_gizmo(view, scene.pivot, scene.reach, scene.turned, scene.scale);
 }
 
@@ -94,7 +95,7 @@ void Viewport::hover(const PointerState& p, const ViewportScene& scene, const Vi
   hit_.reset();
   node_.reset();
   hovered_handle_ = Handle::none;
-  if (p.over && scene.boundary) {
+  if (p.over && scene.boundary && !scene.look_only) {
     const Vec2 at = view.to_plane(p.position);
     if (const auto g = gizmo(scene, view)) hovered_handle_ = g->at(p.position);
     if (scene.shape.active)
@@ -249,6 +250,8 @@ void Viewport::select_node(bool extend, const ViewportScene& scene, ActionQueue&
 void Viewport::release(const PointerState& p, const ViewportScene& scene, const View& view,
                        ActionQueue& actions) {
   const bool add = p.shift || p.control;
+  if (gesture_ == Gesture::press_empty && p.picks_nodes && !p.click_taken)
+    actions.emplace_back(action::Remark{"No node is there. Click nearer to one, or zoom in."});
   if (p.click_taken && gesture_ != Gesture::box) return end(actions, false);
   if (gesture_ == Gesture::box) {
     last_.position = p.position;
@@ -265,10 +268,20 @@ void Viewport::release(const PointerState& p, const ViewportScene& scene, const 
   else if (gesture_ == Gesture::press_node)
     select_node(add, scene, actions);
   else if (gesture_ == Gesture::press_empty && scene.shape.active && !add)
-    actions.emplace_back(action::SelectArc{});
+    click_beside_nodes(scene, actions);
   else if (gesture_ == Gesture::press_empty && !add)
     actions.emplace_back(action::SelectMarkers{{}, false});
   end(actions, false);
+}
+
+/// Lets go of an arc; without one the click was meant for a node.
+void Viewport::click_beside_nodes(const ViewportScene& scene, ActionQueue& actions) {
+  if (scene.shape.arc)
+    actions.emplace_back(action::SelectArc{});
+  else
+    actions.emplace_back(
+        action::Remark{"No boundary node is there. Take one of the dots; zoom in where they are "
+                       "close together. Esc ends the editing of nodes."});
 }
 
 void Viewport::end(ActionQueue& actions, bool cancelled) {

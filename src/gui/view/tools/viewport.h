@@ -29,6 +29,7 @@ struct PointerState {
   bool erase = false, next = false;   ///< Backspace, Tab
   /// The click under way is another tool's: it selects nothing. A drag is the viewport's still.
   bool click_taken = false;
+  bool picks_nodes = false;  ///< clicks are to pick nodes
 };
 
 /// What the viewport shows, as far as the mouse is concerned.
@@ -41,6 +42,7 @@ struct ViewportScene {
   double turned = 0;           ///< degrees by which a drag has turned the selection so far
   double scale = 1;            ///< of the interface; sizes of handles and tolerances grow with it
   bool box_zoom = false;       ///< the next drag draws the box to zoom to
+  bool look_only = false;      ///< a tool has the clicks: nothing is taken hold of
   bool wheel_is_lens = false;  ///< the wheel belongs to the magnifier
   std::vector<std::pair<Vec2, std::string>> snaps;  ///< where the pivot snaps to, by name
   ShapeEdit shape;
@@ -72,6 +74,8 @@ class Viewport {
   }
   Handle hovered_handle() const { return hovered_handle_; }
   bool over_body() const { return hit_.has_value(); }
+  /// The body under the mouse.
+  const std::optional<BoundaryIndex::Hit>& body() const { return hit_; }
   /// The box being drawn to zoom to.
   std::optional<ScreenBox> box() const;
   /// Boundary node under the mouse while shapes are edited.
@@ -104,6 +108,7 @@ class Viewport {
   void select_node(bool extend, const ViewportScene& scene, ActionQueue& actions);
   void begin(Gesture gesture, const ViewportScene& scene, ActionQueue& actions,
              std::optional<int> axis = {});
+  static void click_beside_nodes(const ViewportScene& scene, ActionQueue& actions);
   void end(ActionQueue& actions, bool cancelled);
 
   Gesture gesture_ = Gesture::none;

@@ -32,7 +32,7 @@ std::vector<fs::path> kept_sessions(const TemporaryFolder& profile) {
 /// history is left at position 2 of 3.
 std::vector<Coordinates> work_and_crash(const TemporaryFolder& profile,
                                         const TemporaryFolder& meshes) {
-  Rig rig(1100, 720, profile.path());
+  Rig rig(1280, 720, profile.path());
   rig.bench->apply(action::OpenMesh{write(meshes, ring_mesh(), "wing.su2")});
   REQUIRE(rig.settle());
   std::vector<Coordinates> positions{rig.mesh().coordinates};
@@ -74,7 +74,7 @@ TEST_CASE("after a crash the session is offered back, every position to the bit"
   // The mesh file need not be there any more.
   fs::remove(meshes / "wing.su2");
   {
-    Rig rig(1100, 720, profile.path());
+    Rig rig(1280, 720, profile.path());
     REQUIRE(offered(rig));
     CHECK(rig.session().messages().prompt()->text.find("wing.su2 (3 commands, 20") !=
           std::string::npos);
@@ -98,7 +98,7 @@ TEST_CASE("after a crash the session is offered back, every position to the bit"
     CHECK(kept_sessions(profile).size() == 1);
   }
   // That one was not closed either.
-  Rig rig(1100, 720, profile.path());
+  Rig rig(1280, 720, profile.path());
   CHECK(offered(rig));
 }
 
@@ -106,7 +106,7 @@ TEST_CASE("nothing is left after a clean quit, and nothing is offered") {
   TemporaryFolder profile;
   TemporaryFolder meshes;
   {
-    Rig rig(1100, 720, profile.path());
+    Rig rig(1280, 720, profile.path());
     rig.bench->apply(action::OpenMesh{write(meshes, ring_mesh())});
     wait_until_kept(rig);
     CHECK(kept_sessions(profile).size() == 1);
@@ -114,7 +114,7 @@ TEST_CASE("nothing is left after a clean quit, and nothing is offered") {
     rig.bench->apply(action::Quit{true});
   }
   CHECK(kept_sessions(profile).empty());
-  Rig rig(1100, 720, profile.path());
+  Rig rig(1280, 720, profile.path());
   wait_until_kept(rig);
   CHECK(rig.session().messages().prompt() == nullptr);
 }
@@ -123,7 +123,7 @@ TEST_CASE("nothing is kept of a mesh that was closed; the next one is kept again
   TemporaryFolder profile;
   TemporaryFolder meshes;
   {
-    Rig rig(1100, 720, profile.path());
+    Rig rig(1280, 720, profile.path());
     const auto mesh = write(meshes, ring_mesh());
     rig.bench->apply(action::OpenMesh{mesh});
     wait_until_kept(rig);
@@ -139,7 +139,7 @@ TEST_CASE("nothing is kept of a mesh that was closed; the next one is kept again
     rig.bench->apply(action::CloseMesh{true});
     wait_until_kept(rig);
   }
-  Rig rig(1100, 720, profile.path());
+  Rig rig(1280, 720, profile.path());
   wait_until_kept(rig);
   CHECK(rig.session().messages().prompt() == nullptr);
 }
@@ -148,7 +148,7 @@ TEST_CASE("a session that is discarded is gone") {
   TemporaryFolder profile;
   TemporaryFolder meshes;
   work_and_crash(profile, meshes);
-  Rig rig(1100, 720, profile.path());
+  Rig rig(1280, 720, profile.path());
   REQUIRE(offered(rig));
   rig.click("prompt/Discard");
   REQUIRE(rig.wait([&] { return kept_sessions(profile).empty(); }));
@@ -190,7 +190,7 @@ TEST_CASE("a damaged step costs that step and those after it, and is said") {
   TemporaryFolder meshes;
   const auto positions = work_and_crash(profile, meshes);
   damage(find(kept_sessions(profile).at(0), "step-", 1));
-  Rig rig(1100, 720, profile.path());
+  Rig rig(1280, 720, profile.path());
   REQUIRE(offered(rig));
   rig.click("prompt/Restore");
   REQUIRE(rig.wait([&] { return rig.session().document() && rig.session().messages().prompt(); }));
@@ -246,7 +246,7 @@ TEST_CASE("a damaged manifest or mesh is reported, and can be deleted") {
     work_and_crash(profile, meshes);
     const fs::path folder = kept_sessions(profile).at(0);
     std::ofstream(find(folder, manifest ? "session" : "mesh")) << "{ nonsense";
-    Rig rig(1100, 720, profile.path());
+    Rig rig(1280, 720, profile.path());
     REQUIRE(offered(rig));
     if (!manifest) {
       rig.click("prompt/Restore");
@@ -261,7 +261,7 @@ TEST_CASE("a damaged manifest or mesh is reported, and can be deleted") {
 
 TEST_CASE("what came after an undone step is written once and goes when it is forgotten") {
   TemporaryFolder profile;
-  Rig rig(1100, 720, profile.path());
+  Rig rig(1280, 720, profile.path());
   rig.open(ring_mesh());
   turn_flap(rig, 10);
   turn_flap(rig, 5);

@@ -116,7 +116,7 @@ TEST_CASE("a session whose layers were damaged is restored up to them, and it is
   TemporaryFolder profile;
   TemporaryFolder meshes;
   {
-    Rig rig(1100, 720, profile.path());
+    Rig rig(1280, 720, profile.path());
     rig.bench->apply(action::OpenMesh{write(meshes, ring_mesh(), "wing.su2")});
     REQUIRE(rig.settle());
     rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
@@ -137,7 +137,7 @@ TEST_CASE("a session whose layers were damaged is restored up to them, and it is
         damaged(history.state(2), [](LayerStack& s) { s.columns[0].nodes.back() = 1 << 30; }),
         history.state(1), history.result(2));
   }
-  Rig rig(1100, 720, profile.path());
+  Rig rig(1280, 720, profile.path());
   REQUIRE(rig.wait([&] { return rig.session().messages().prompt() != nullptr; }));
   rig.frames(3);
   rig.click("prompt/Restore");

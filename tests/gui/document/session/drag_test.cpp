@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/motion/rigid_motion.h"
+#include "gui/document/session/activity.h"
 #include "gui/support/keys.h"
 #include "gui/support/rig.h"
 
@@ -241,7 +242,7 @@ TEST_CASE(
 }
 
 TEST_CASE("what a banner says wraps in a narrow window, above its buttons and within its strip") {
-  Rig rig(1100, 720);
+  Rig rig(1280, 720);
   rig.open(ring_mesh());
   rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
   rig.bench->apply(action::ApplyMotion{{0, Vec2(0, 0), Vec2(40, 0)}});
@@ -350,6 +351,23 @@ TEST_CASE("a motion that cannot work leaves an inverted mesh, says so and can be
   rig.click("banner/undo");
   CHECK(rig.mesh().coordinates == before.coordinates);
   CHECK_FALSE(rig.session().messages().banner().has_value());
+}
+
+TEST_CASE("while a body is dragged, bar and solver say so") {
+  Rig rig;
+  rig.open(ring_mesh());
+  CHECK(activity_of(rig.session()).kind == Activity::Kind::idle);
+  const ScreenPoint body = rig.pixel(Vec2(0, 0));
+  rig.drag(body, body + ScreenVector(25, 0));
+  REQUIRE(rig.session().dragging());
+  CHECK(activity_of(rig.session()).kind == Activity::Kind::busy);
+  CHECK(activity_of(rig.session()).text.starts_with("Dragging"));
+  // The mesh is where the mouse wants it, and the body is held still.
+  rig.frames(40);
+  CHECK(activity_of(rig.session()).text.starts_with("Dragging"));
+  rig.release();
+  REQUIRE(rig.settle());
+  CHECK(activity_of(rig.session()).kind == Activity::Kind::idle);
 }
 
 }  // namespace winslow::gui::test

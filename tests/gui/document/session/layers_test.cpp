@@ -316,7 +316,7 @@ TEST_CASE("a session with layers is restored to the bit") {
   TemporaryFolder meshes;
   std::vector<MeshState> states;
   {
-    Rig rig(1100, 720, profile.path());
+    Rig rig(1280, 720, profile.path());
     rig.bench->apply(action::OpenMesh{write(meshes, ring_mesh(), "wing.su2")});
     REQUIRE(rig.settle());
     turn_flap(rig, 5);
@@ -325,7 +325,7 @@ TEST_CASE("a session with layers is restored to the bit") {
     REQUIRE(rig.wait([&] { return !rig.bench->autosave().busy(); }));
     for (std::size_t k = 0; k < 4; ++k) states.push_back(rig.document().history().state(k));
   }
-  Rig rig(1100, 720, profile.path());
+  Rig rig(1280, 720, profile.path());
   REQUIRE(rig.wait([&] { return rig.session().messages().prompt() != nullptr; }));
   rig.frames(3);
   rig.click("prompt/Restore");
@@ -341,7 +341,7 @@ TEST_CASE("a session with layers is restored to the bit") {
 }
 
 TEST_CASE("the panel plans layers, shows them and inserts them") {
-  Rig rig(1100, 1400);
+  Rig rig(1280, 1400);
   rig.open(ring_mesh());
   rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
   rig.frames();

@@ -99,7 +99,7 @@ TEST_CASE("reset goes back to the mesh as opened and redo returns") {
 }
 
 TEST_CASE("undo and redo walk the history, by keys and by the list") {
-  Rig rig(1100, 1000);
+  Rig rig(1280, 1000);
   rig.open(ring_mesh());
   std::vector<Coordinates> meshes{rig.mesh().coordinates};
   rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});

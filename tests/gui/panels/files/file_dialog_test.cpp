@@ -177,4 +177,39 @@ TEST_CASE("the places lead to the home folder and to the bundled meshes") {
   CHECK_FALSE(rig.bench->dialogs().file_dialog().is_open());
 }
 
+TEST_CASE("names keep their room: dates are cut for them, then sizes") {
+  Dialog rig;
+  rig.show_open();
+  rig.frames();
+  CHECK(rig.visible("dialog/date/alpha.su2"));
+  CHECK(rig.visible("dialog/sort/date"));
+  const std::string longer = "a_wing_with_flap_deployed_at_forty_degrees_and_layers_12.su2";
+  write(rig.folder, ring_mesh(), longer);
+  rig.resize(760, 480);
+  rig.key(keys::escape);
+  rig.show_open();
+  rig.frames(4);
+  REQUIRE(rig.listed(longer));
+  CHECK_FALSE(rig.visible("dialog/cut/" + longer));
+  CHECK_FALSE(rig.visible("dialog/date/" + longer));
+}
+
+TEST_CASE("an arrow says by what the list is sorted, and which way") {
+  Dialog rig;
+  rig.show_open();
+  rig.frames();
+  const auto over = [&](const char* arrow, const char* header) {
+    const auto a = rig.bench->widgets().find(arrow);
+    const auto h = rig.bench->widgets().find(header);
+    return a && h && a->centre().x() > h->min.x() && a->centre().x() < h->max.x();
+  };
+  CHECK(over("dialog/sorted/up", "dialog/sort/name"));
+  rig.click("dialog/sort/name");
+  rig.frames();
+  CHECK(over("dialog/sorted/down", "dialog/sort/name"));
+  rig.click("dialog/sort/size");
+  rig.frames();
+  CHECK(over("dialog/sorted/down", "dialog/sort/size"));
+}
+
 }  // namespace winslow::gui::test

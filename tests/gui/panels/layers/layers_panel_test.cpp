@@ -17,12 +17,12 @@ void open_panel(Rig& rig, const std::string& marker) {
   rig.click("marker/" + marker);
   rig.frames(3);
   if (!rig.visible("layers/insert") && !rig.visible("layers/status")) rig.click("section/layers");
-  rig.frames(3);
+  REQUIRE(rig.settle());  // what the plan comes to takes a line or two, above buttons
   // Where there are layers already, a card says so, and the settings are folded.
   if (!rig.visible("layers/insert")) {
     CHECK(rig.visible("layers/status"));
     rig.click("layers/open_insert");
-    rig.frames(3);
+    REQUIRE(rig.settle());
   }
   REQUIRE(rig.visible("layers/insert"));
 }
@@ -30,7 +30,7 @@ void open_panel(Rig& rig, const std::string& marker) {
 void fill_spacing(Rig& rig, const std::string& count, const std::string& first) {
   rig.fill("layers/count", count);
   rig.fill("layers/first", first);
-  rig.frames();
+  REQUIRE(rig.settle());
 }
 
 void add_wall(Rig& rig, const std::string& marker, const std::string& count,
@@ -85,7 +85,7 @@ bool enabled(const Rig& rig, const std::string& widget) {
 }  // namespace
 
 TEST_CASE("walls of a list have layers of their own, inserted together") {
-  Rig rig(1100, 1500);
+  Rig rig(1280, 1500);
   rig.open(two_body_mesh());
   add_wall(rig, "left", "4", "0.01");
   add_wall(rig, "right", "3", "0.02");
@@ -118,7 +118,7 @@ TEST_CASE("walls of a list have layers of their own, inserted together") {
 }
 
 TEST_CASE("walls are taken out of the list, and a marker is in one of them only") {
-  Rig rig(1100, 1500);
+  Rig rig(1280, 1500);
   rig.open(two_body_mesh());
   const auto planned = [&] { return rig.session().jobs().layer_preview().wanted().value().walls; };
   add_wall(rig, "left", "4", "0.01");
@@ -148,7 +148,7 @@ TEST_CASE("walls are taken out of the list, and a marker is in one of them only"
 
 TEST_CASE(
     "part of a wall: the box begins as that of the marker, and only what lies in it has layers") {
-  Rig rig(1100, 1500);
+  Rig rig(1280, 1500);
   rig.open(two_body_mesh());
   open_panel(rig, "left");
   fill_spacing(rig, "4", "0.01");
@@ -180,7 +180,7 @@ TEST_CASE(
 }
 
 TEST_CASE("layers that a wall has are spaced anew; those of other walls stay held") {
-  Rig rig(1100, 1500);
+  Rig rig(1280, 1500);
   rig.open(two_body_mesh());
   insert(rig, {"left", "right"});
   open_panel(rig, "left");
@@ -199,7 +199,7 @@ TEST_CASE("layers that a wall has are spaced anew; those of other walls stay hel
 }
 
 TEST_CASE("spacing that there is no room for is refused, and the mesh stays as it is") {
-  Rig rig(1100, 1500);
+  Rig rig(1280, 1500);
   rig.open(ring_mesh());
   insert(rig, {"flap"});
   const Coordinates before = rig.mesh().coordinates;
@@ -214,7 +214,7 @@ TEST_CASE("spacing that there is no room for is refused, and the mesh stays as i
 }
 
 TEST_CASE("layers that come in a file are found and held while their body turns") {
-  Rig rig(1100, 1500);
+  Rig rig(1280, 1500);
   rig.open(ring_mesh());
   open_panel(rig, "flap");
   CHECK_FALSE(rig.visible("layers/hold"));  // triangles alone
@@ -284,7 +284,7 @@ TEST_CASE("layers inserted at a second wall join those held at the first") {
 }
 
 TEST_CASE("the plan that is shown is the one that is inserted") {
-  Rig rig(1100, 1500);
+  Rig rig(1280, 1500);
   rig.open(two_body_mesh());
   open_panel(rig, "outer");
   fill_spacing(rig, "8", "0.03");
@@ -302,7 +302,7 @@ TEST_CASE("the plan that is shown is the one that is inserted") {
 }
 
 TEST_CASE("single columns are set by hand for a node that is inspected") {
-  Rig rig(1100, 1500);
+  Rig rig(1280, 1500);
   rig.open(two_body_mesh());
   open_panel(rig, "left");
   fill_spacing(rig, "4", "0.01");

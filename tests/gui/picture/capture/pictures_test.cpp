@@ -133,7 +133,7 @@ TEST_CASE("a background of two colours runs over the whole of a picture, not of 
 }
 
 TEST_CASE("the dialog chooses size and content, the file dialog the file") {
-  Rig rig(1100, 720);
+  Rig rig(1280, 720);
   rig.open(ring_mesh());
   rig.key(keys::f12, {keys::shift});
   REQUIRE(rig.visible("picture/accept"));
@@ -154,7 +154,7 @@ TEST_CASE("the dialog chooses size and content, the file dialog the file") {
 }
 
 TEST_CASE("a typed size is used, and one that cannot be is refused before a file is chosen") {
-  Rig rig(1100, 720);
+  Rig rig(1280, 720);
   rig.open(ring_mesh());
   rig.bench->apply(action::ShowPictureDialog{});
   rig.frames(3);

@@ -245,8 +245,30 @@ TEST_CASE("a step of the history is recorded from its start to its end") {
         bytes_of(rig.folder / "film" / *frames.rbegin()));
 }
 
+TEST_CASE("a recorded turn of 60 degrees has a frame for every degree, on record or again") {
+  Rig rig(900, 600);
+  rig.open(ring_mesh(48, 12));
+  RecordingSpec spec;
+  spec.picture = {.size = std::array{120, 90}, .panels = false, .legend = false};
+  rig.bench->apply(action::SetRecordingSpec{spec});
+  rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
+  rig.bench->apply(action::StartRecording{rig.folder / "live", std::nullopt});
+  rig.bench->apply(action::ApplyMotion{{60, {0, 0}, {0, 0}}});
+  REQUIRE(rig.wait([&] { return !rig.session().in_motion(); }));
+  const Coordinates end = rig.mesh().coordinates;
+  rig.bench->apply(action::StopRecording{});
+  REQUIRE(rig.settle());
+  CHECK(names_in(rig.folder / "live").size() >= 60);
+  CHECK(rig.session().coordinates() == end);
+
+  rig.bench->apply(action::StartRecording{rig.folder / "again", 1});
+  REQUIRE(rig.settle());
+  CHECK(names_in(rig.folder / "again").size() >= 60);
+  CHECK(rig.mesh().coordinates == end);
+}
+
 TEST_CASE("the dialog records to a file chosen next, and a discarded recording leaves nothing") {
-  Rig rig(1100, 720);
+  Rig rig(1280, 720);
   rig.open(ring_mesh());
   rig.click("tool/record");
   REQUIRE(rig.visible("record/accept"));

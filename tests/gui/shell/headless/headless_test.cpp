@@ -79,7 +79,7 @@ TEST_CASE("frames of a replay lead from the mesh as it was to the mesh as it is"
   write(folder, ring_mesh());
   HeadlessOptions options = small_window();
   options.recipe = write_recipe_file(folder, {turn_flap(), ScrambleCommand{2}});
-  options.recording.picture = {.size = std::array{200, 150}, .panels = false};
+  options.recording.picture = {.size = std::array{400, 200}, .panels = false};
   options.frames = folder / "frames";
   options.picture = folder / "end.png";
   run_headless(options);
@@ -147,7 +147,7 @@ TEST_CASE("a script's clicks scroll to the control they name, or say that they c
   HeadlessOptions options = small_window();
   options.script = folder / "s.txt";
   const auto play = [&](const std::string& text) {
-    std::ofstream(options.script) << "open mesh.su2\nsize 900 420\n" << text;
+    std::ofstream(options.script) << "open mesh.su2\nsize 1280 420\n" << text;
     HeadlessStudio studio(options.width, options.height);
     play_script(read_script(options.script), studio, {}, [](const std::string&) {});
     const auto field = studio.bench().widgets().find("solver/max_iterations");

@@ -177,7 +177,7 @@ TEST_CASE("colouring by quality changes the pixels of the mesh, and the legend s
 }
 
 TEST_CASE("the colour of elements is chosen in the view panel") {
-  Rig rig(1100, 1000);
+  Rig rig(1280, 1000);
   rig.open(ring_mesh());
   rig.click("tab/view");
   rig.click("view/color");
@@ -211,7 +211,7 @@ TEST_CASE("inverted elements are red") {
 }
 
 TEST_CASE("a click on one of the worst elements shows it") {
-  Rig rig(1100, 900);
+  Rig rig(1280, 900);
   rig.open(ring_mesh());
   REQUIRE(rig.settle());
   rig.frames();
@@ -243,7 +243,7 @@ TEST_CASE("panels can be hidden, and the mesh takes their room") {
 }
 
 TEST_CASE("a splitter makes a panel wider") {
-  Rig rig(1440, 720);
+  Rig rig(1600, 720);
   rig.open(ring_mesh());
   const float before = rig.bench->layout().left.width;
   const ScreenPoint grip = rig.bench->widgets().find("splitter/left")->centre();

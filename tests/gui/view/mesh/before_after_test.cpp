@@ -106,7 +106,7 @@ TEST_CASE("the table of walls has first heights, and node by node over those bef
 }
 
 TEST_CASE("before is the mesh as loaded or as it was before the last command") {
-  Rig rig(1100, 900);
+  Rig rig(1280, 900);
   open_and_move(rig);
   action::ApplyMotion again;
   again.motion = {0, Vec2(2, 0.3), Vec2(0, 0.2)};

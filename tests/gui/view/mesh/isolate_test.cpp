@@ -96,7 +96,7 @@ TEST_CASE("the threshold is dragged in the legend, without the mesh moving") {
 }
 
 TEST_CASE("colouring by another metric isolates its bad side") {
-  Rig rig(1100, 1000);
+  Rig rig(1280, 1000);
   rig.open(ring_mesh());
   rig.key(GLFW_KEY_I);
   rig.click("tab/view");
@@ -163,16 +163,15 @@ TEST_CASE("the boundary's nodes and directions are drawn along it") {
 }
 
 TEST_CASE("bands and a fixed range are those of the legend and of the mesh") {
-  Rig rig(1100, 1000);
+  Rig rig(1280, 1000);
   rig.open(ring_mesh());
   const auto colors = [&] {
-    const auto bar = rig.bench->widgets().find("legend");
+    const auto bar = rig.bench->widgets().find("legend/bars");
     REQUIRE(bar.has_value());
     std::set<std::array<int, 3>> found;
     const Image image = rig.bench->pictures().picture();
-    const auto x = static_cast<int>(bar->min.x()) + 16;
-    for (int y = static_cast<int>(bar->min.y()) + 45; y < static_cast<int>(bar->max.y()) - 25;
-         ++y) {
+    const auto x = static_cast<int>(bar->min.x()) + 6;
+    for (int y = static_cast<int>(bar->min.y()) + 3; y < static_cast<int>(bar->max.y()) - 3; ++y) {
       const auto* p = image.pixel(x, y);
       found.insert({p[0], p[1], p[2]});
     }

@@ -27,7 +27,7 @@ std::string value(const Rig& rig, const MeshItem& item, const std::string& name)
 }  // namespace
 
 TEST_CASE("Ctrl+G and an id go to an element, highlight it and say what it is") {
-  Rig rig(1100, 1700);
+  Rig rig(1280, 1700);
   rig.open(ring_mesh());
   set_view(rig, [](ViewOptions& view) { view.side_tab = SideTab::view; });
   rig.key(GLFW_KEY_G, {keys::control});
@@ -65,7 +65,7 @@ TEST_CASE("Ctrl+G and an id go to an element, highlight it and say what it is") 
 }
 
 TEST_CASE("a node is found by its id, by a point and by its marker") {
-  Rig rig(1100, 1000);
+  Rig rig(1280, 1000);
   rig.open(ring_mesh());
   const MeshItem node = parse_item("n7", rig.session(), rig.bench->view_control().options());
   CHECK(node == MeshItem{MeshItem::Kind::node, 7});
@@ -81,7 +81,7 @@ TEST_CASE("a node is found by its id, by a point and by its marker") {
 }
 
 TEST_CASE("what cannot be gone to is said, and nothing moves") {
-  Rig rig(1100, 1000);
+  Rig rig(1280, 1000);
   rig.open(ring_mesh());
   for (const char* text : {"n99999", "e-1", "", "  ", "node 5", "1, 2, 3", "nan, 0", "worst 0",
                            "worst 5000", "n", "n1.5"}) {
@@ -100,7 +100,7 @@ TEST_CASE("what cannot be gone to is said, and nothing moves") {
 }
 
 TEST_CASE("the list of worst elements: metric, length, click, next and previous") {
-  Rig rig(1100, 1700);
+  Rig rig(1280, 1700);
   rig.open(ring_mesh());
   CHECK(worst_elements(rig.session(), rig.bench->view_control().options()).size() == 20);
   rig.click("worst/metric");

@@ -147,7 +147,7 @@ TEST_CASE("editing shapes never drags a body, and Esc ends it") {
 }
 
 TEST_CASE("the sine panel shows its outline first and then deforms by it") {
-  Rig rig(1100, 1200);
+  Rig rig(1280, 1200);
   rig.open(ring_mesh());
   rig.click("section/shape");
   rig.click("marker/flap");
@@ -180,7 +180,7 @@ TEST_CASE("the sine panel shows its outline first and then deforms by it") {
 }
 
 TEST_CASE("half-typed sines show nothing and do no harm") {
-  Rig rig(1100, 1200);
+  Rig rig(1280, 1200);
   rig.open(ring_mesh());
   rig.click("section/shape");
   rig.click("marker/flap");
@@ -191,6 +191,51 @@ TEST_CASE("half-typed sines show nothing and do no harm") {
   CHECK_FALSE(rig.session().selection().deformation_preview().has_value());
   CHECK_FALSE(rig.bench->widgets().find("shape/apply")->enabled);
   CHECK(rig.document().history().size() == 1);
+}
+
+TEST_CASE("editing nodes is a mode that is seen: it is named, and its nodes are drawn") {
+  Rig rig;
+  rig.open(ring_mesh());
+  CHECK_FALSE(rig.visible("mode"));
+  CHECK_FALSE(rig.visible("shape/nodes/48"));
+  rig.key(keys::e);
+  CHECK(rig.visible("mode"));
+  CHECK(rig.visible("shape/nodes/48"));  // all of them: they are few
+  const ScreenPoint node = rig.pixel(rig.mesh().coordinates.xy(flap_node(rig, 3)));
+  const Image drawn = rig.bench->pictures().picture();
+  rig.key(keys::e);
+  CHECK_FALSE(rig.visible("mode"));
+  const Image plain = rig.bench->pictures().picture();
+  CHECK(differing(drawn, plain, node - ScreenVector(4, 4), node + ScreenVector(4, 4)) > 4);
+}
+
+TEST_CASE("of many boundary nodes those near the mouse are drawn") {
+  Rig rig;
+  rig.open(ring_mesh(500, 4));
+  rig.key(keys::e);
+  rig.move(rig.pixel(Vec2(2.9, 0)));
+  rig.frames();
+  int drawn = 0;
+  for (const auto& [name, rect] : rig.bench->widgets().all())
+    if (name.starts_with("shape/nodes/")) drawn = std::stoi(name.substr(12));
+  CHECK(drawn > 0);
+  CHECK(drawn < 400);
+}
+
+TEST_CASE("a click beside a node says what to do") {
+  Rig rig;
+  rig.open(ring_mesh());
+  rig.key(keys::e);
+  rig.click(rig.pixel(Vec2(1.4, 0.9)));
+  REQUIRE(rig.session().messages().notice().has_value());
+  CHECK(rig.session().messages().notice()->text.starts_with("No boundary node is there."));
+  // With an arc in hand it lets go of that, and has nothing to say.
+  rig.key(keys::e);
+  rig.key(keys::e);
+  rig.click(rig.pixel(rig.mesh().coordinates.xy(top_node(rig))));
+  REQUIRE(rig.session().selection().shape_edit().arc.has_value());
+  rig.click(rig.pixel(Vec2(1.4, 0.9)));
+  CHECK_FALSE(rig.session().selection().shape_edit().arc.has_value());
 }
 
 }  // namespace winslow::gui::test

@@ -1,0 +1,130 @@
+#include "gui/panels/mesh_panel.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "gui/base/text.h"
+#include "gui/widgets/controls.h"
+
+namespace winslow::gui {
+
+namespace {
+
+std::string extent_text(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", value);
+  return text.data();
+}
+
+/// A name at the left, what belongs to it at the right.
+void line(const std::string& name, const std::string& value, const char* tip) {
+  ui::text_dim(name);
+  ui::tooltip(tip);
+  ImGui::SameLine();
+  const float room = ImGui::GetContentRegionAvail().x;
+  ui::text_right(ui::elided(value, room), palette().text);
+  ui::tooltip(tip);
+}
+
+}  // namespace
+
+void ZonePanel::draw(const PanelContext& context) {
+  if (!context.session.document()) return;
+  const Document& document = *context.session.document();
+  const auto zones = document.zones();
+  if (zones.size() < 2) return;
+  std::vector<std::string> names;
+  std::size_t chosen = 0;
+  for (const int zone : zones) {
+    if (zone == document.zone()) chosen = names.size();
+    names.push_back(std::to_string(zone) + " of " + std::to_string(zones.size()));
+  }
+  constexpr const char* tip =
+      "The file holds several meshes, zones: choose which one is open. Saving into a file of the "
+      "same format keeps the others as they are.";
+  ui::row("Zone", tip);
+  if (ui::combo("mesh/zone", names, chosen, tip))
+    context.emit(action::OpenMesh{document.zone_file(), false, zones[chosen]});
+}
+
+void MeshPanel::count(const std::shared_ptr<const Topology>& topology) {
+  if (counts_.topology == topology) return;
+  counts_ = {.topology = topology};
+  for (Index e = 0; e < topology->element_count(); ++e)
+    ++(topology->element(e).size() == 3 ? counts_.triangles : counts_.quadrilaterals);
+  for (Index i = 0; i < topology->node_count(); ++i) {
+    if (!topology->used(i))
+      ++counts_.unused_nodes;
+    else if (topology->on_boundary(i))
+      ++counts_.boundary_nodes;
+  }
+  for (const auto& loop : topology->boundary_loops()) counts_.boundary_edges += loop.size();
+}
+
+void MeshPanel::measure(const Session& session) {
+  if (generation_ == session.generation() && shape_ == session.shape()) return;
+  generation_ = session.generation();
+  shape_ = session.shape();
+  extents_ = bounds(Mesh{session.topology(), session.coordinates()});
+}
+
+void MeshPanel::draw(const PanelContext& context) {
+  if (!ui::section("section/mesh", "Mesh")) return;
+  if (!context.session.document()) {
+    ui::text_dim("No mesh is open.");
+    return;
+  }
+  count(context.session.topology());
+  measure(context.session);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(8), context.theme.px(4)));
+  draw_sizes(context);
+  draw_markers(context);
+  ImGui::PopStyleVar();
+}
+
+void MeshPanel::draw_sizes(const PanelContext& context) const {
+  const Vec2 size = extents_.size();
+  ImGui::BeginGroup();
+  line("x", extent_text(extents_.min.x()) + " to " + extent_text(extents_.max.x()),
+       "Extent of the mesh, in its own units.");
+  line("y", extent_text(extents_.min.y()) + " to " + extent_text(extents_.max.y()),
+       "Extent of the mesh, in its own units.");
+  line("Size", extent_text(size.x()) + " by " + extent_text(size.y()), "Width and height.");
+  ImGui::EndGroup();
+  ui::note("mesh/extents");
+  ImGui::BeginGroup();
+  const Topology& topology = *context.topology();
+  line("Nodes", grouped(topology.node_count()), "All nodes of the mesh.");
+  line("  on the boundary", grouped(counts_.boundary_nodes), "Nodes of boundary edges.");
+  if (counts_.unused_nodes > 0)
+    line("  unused", grouped(counts_.unused_nodes), "Nodes that no element has.");
+  line("Elements", grouped(topology.element_count()), "All elements of the mesh.");
+  if (counts_.triangles > 0)
+    line("  triangles", grouped(counts_.triangles), "Elements of three nodes.");
+  if (counts_.quadrilaterals > 0)
+    line("  quadrilaterals", grouped(counts_.quadrilaterals), "Elements of four nodes.");
+  ImGui::EndGroup();
+  ui::note("mesh/counts");
+}
+
+void MeshPanel::draw_markers(const PanelContext& context) {
+  const Topology& topology = *context.topology();
+  const auto& markers = topology.markers();
+  std::size_t edges = 0;
+  ImGui::BeginGroup();
+  for (std::size_t m = 0; m < markers.size(); ++m) edges += markers[m].faces.size();
+  line("Edges of markers", grouped(static_cast<long long>(edges)),
+       "Boundary edges that a marker names, in all.");
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    const std::string count = grouped(static_cast<long long>(markers[m].faces.size()));
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(count.c_str()).x -
+                       2 * ImGui::GetFontSize();
+    line("  " + ui::elided(markers[m].name, room), count, "Edges of this marker.");
+  }
+  ImGui::EndGroup();
+  ui::note("mesh/markers");
+}
+
+}  // namespace winslow::gui

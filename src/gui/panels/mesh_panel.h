@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "gui/panels/panel.h"
+
+namespace winslow::gui {
+
+/// Of a file of several zones: the one that is open, to choose another. Nothing of other files.
+class ZonePanel : public Panel {
+ public:
+  void draw(const PanelContext& context) override;
+};
+
+/// What the open mesh is: its extents, how many nodes and elements of which type, edges by marker.
+class MeshPanel : public Panel {
+ public:
+  void draw(const PanelContext& context) override;
+
+ private:
+  /// Of one connectivity.
+  struct Counts {
+    std::shared_ptr<const Topology> topology;
+    Index triangles = 0, quadrilaterals = 0, boundary_nodes = 0, unused_nodes = 0;
+    std::size_t boundary_edges = 0;
+  };
+  void count(const std::shared_ptr<const Topology>& topology);
+  void measure(const Session& session);
+  void draw_sizes(const PanelContext& context) const;
+  static void draw_markers(const PanelContext& context);
+
+  Counts counts_;
+  Bounds extents_{Vec2(0, 0), Vec2(0, 0)};
+  std::uint64_t shape_ = 0;  // that the extents are of
+  std::uint64_t generation_ = 0;
+};
+
+}  // namespace winslow::gui

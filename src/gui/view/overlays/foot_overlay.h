@@ -1,0 +1,26 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <optional>
+#include <string>
+
+#include "gui/view/overlays/view_overlay.h"
+
+/// What stands at the foot of the view: the scale bar, and the mode that the mouse is in.
+namespace winslow::gui {
+
+/// A round length (1, 2 or 5 times a power of ten) of at most `most` units of the mesh.
+double round_length(double most);
+
+/// What the mouse does at present if that is not what it does as a rule; empty: it is.
+std::string mode_text(const Session& session, const ViewState& state);
+
+/// room: of the view that no card covers.
+void draw_foot(ImDrawList& list, const ViewOverlay& overlay, const ScreenBox& room,
+               const std::string& mode);
+
+/// In the middle: nothing of the mesh is in view.
+void draw_out_of_view(ImDrawList& list, const ViewOverlay& overlay);
+
+}  // namespace winslow::gui

@@ -1,0 +1,98 @@
+#include "gui/view/overlays/ruler_overlay.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "gui/widgets/controls.h"
+
+namespace winslow::gui {
+
+namespace {
+
+ImVec2 pixel(const ScreenPoint& p) { return static_cast<ImVec2>(p); }
+
+std::string text_of(const char* format, double a, double b = 0) {
+  std::array<char, 80> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, a, b);
+  return buffer.data();
+}
+
+void draw_leg(ImDrawList& list, const ViewOverlay& o, const Vec2& a, const Vec2& b) {
+  const ImVec2 from = pixel(o.view.to_screen(a)), to = pixel(o.view.to_screen(b));
+  list.AddLine(from, to, faded(palette().card, 0.85f), o.theme.px(5));
+  list.AddLine(from, to, palette().accent, o.theme.px(2));
+}
+
+/// The angle that is measured, between the legs.
+void draw_arc(ImDrawList& list, const ViewOverlay& o, const std::vector<Ruler::Point>& points) {
+  const ScreenPoint corner = o.view.to_screen(points[1].at);
+  const ScreenVector a = o.view.to_screen(points[0].at) - corner;
+  const ScreenVector b = o.view.to_screen(points[2].at) - corner;
+  const double from = std::atan2(a.y(), a.x());
+  double turn = std::atan2(b.y(), b.x()) - from;
+  if (turn > pi) turn -= 2 * pi;
+  if (turn < -pi) turn += 2 * pi;
+  const double radius =
+      std::min({static_cast<double>(o.theme.px(34)), 0.6 * a.norm(), 0.6 * b.norm()});
+  list.PathArcTo(pixel(corner), static_cast<float>(radius), static_cast<float>(from),
+                 static_cast<float>(from + turn), 48);
+  list.PathStroke(palette().accent, 0, o.theme.px(2));
+}
+
+void draw_point(ImDrawList& list, const ViewOverlay& o, const Ruler::Point& point) {
+  const ImVec2 at = pixel(o.view.to_screen(point.at));
+  list.AddCircleFilled(at, o.theme.px(5), palette().card);
+  list.AddCircleFilled(at, o.theme.px(3.2f), palette().accent);
+  // On a node, it is ringed.
+  if (point.node) list.AddCircle(at, o.theme.px(8), palette().accent, 24, o.theme.px(1.5f));
+}
+
+/// Lines of text on one card beside a place, inside the view.
+void draw_card(ImDrawList& list, const ViewOverlay& o, const ScreenPoint& beside,
+               const std::vector<std::string>& lines) {
+  ImFont& font = *o.theme.small;
+  const float pad = o.theme.px(7), step = font.FontSize + o.theme.px(3);
+  float width = 0;
+  for (const std::string& line : lines)
+    width = std::max(width, font.CalcTextSizeA(font.FontSize, FLT_MAX, 0, line.c_str()).x);
+  const ImVec2 size(width + 2 * pad, static_cast<float>(lines.size()) * step + pad);
+  const ImVec2 low = pixel(o.view.viewport().min), high = pixel(o.view.viewport().max);
+  ImVec2 at(static_cast<float>(beside.x()) + o.theme.px(16),
+            static_cast<float>(beside.y()) + o.theme.px(16));
+  at.x = std::max(low.x, std::min(at.x, high.x - size.x - pad));
+  at.y = std::max(low.y, std::min(at.y, high.y - size.y - pad));
+  const ImVec2 end(at.x + size.x, at.y + size.y);
+  list.AddRectFilled(at, end, faded(palette().card, 0.94f), o.theme.px(5));
+  list.AddRect(at, end, palette().border, o.theme.px(5));
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    list.AddText(&font, font.FontSize,
+                 ImVec2(at.x + pad, at.y + pad / 2 + static_cast<float>(k) * step), palette().text,
+                 lines[k].c_str());
+  ui::note("ruler", at, end);
+}
+
+}  // namespace
+
+std::vector<std::string> measurement_lines(const Measurement& m) {
+  std::vector<std::string> lines;
+  lines.push_back("Length " + text_of("%.6g", m.length));
+  lines.push_back(text_of("x %+.6g   y %+.6g", m.along.x(), m.along.y()));
+  lines.push_back(text_of("%.2f\xC2\xB0 against x", m.direction));
+  if (m.second) lines.push_back("Second length " + text_of("%.6g", *m.second));
+  if (m.angle) lines.push_back("Angle " + text_of("%.2f\xC2\xB0", *m.angle));
+  return lines;
+}
+
+void draw_ruler(ImDrawList& list, const ViewOverlay& o, const Ruler& ruler) {
+  const std::vector<Ruler::Point> points = ruler.drawn();
+  const auto measured = measure(points);
+  for (std::size_t k = 1; k < points.size(); ++k) draw_leg(list, o, points[k - 1].at, points[k].at);
+  if (measured && measured->angle) draw_arc(list, o, points);
+  for (const Ruler::Point& point : points) draw_point(list, o, point);
+  if (measured)
+    draw_card(list, o, o.view.to_screen(points.back().at), measurement_lines(*measured));
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+#include <vector>
+
+#include "gui/view/overlays/view_overlay.h"
+#include "gui/view/tools/ruler.h"
+
+namespace winslow::gui {
+
+/// Points of the ruler, the lines between them and what they measure.
+void draw_ruler(ImDrawList& list, const ViewOverlay& overlay, const Ruler& ruler);
+
+/// As it is shown: "0.5412", "x +0.5  y -0.2", "-21.8 deg to x", "angle 90.0 deg".
+std::vector<std::string> measurement_lines(const Measurement& m);
+
+}  // namespace winslow::gui
