@@ -42,6 +42,7 @@ struct InputQueue::Frame {
   std::bitset<512> key_changed;
   // A key went down: what Control and Shift do after that is no part of it.
   bool settled = false;
+  Keys keys = Keys::take;
 };
 
 bool InputQueue::take(const Event& event, Frame& frame) {
@@ -59,6 +60,7 @@ bool InputQueue::take(const Event& event, Frame& frame) {
   } else if (const auto* key = std::get_if<Key>(&event)) {
     const auto k = static_cast<std::size_t>(key->key);
     if (frame.settled || frame.any_button || frame.key_changed[k]) return false;
+    if (key->down && frame.keys == Keys::hold) return false;
     frame.key_changed[k] = true;
     frame.settled = key->down && !is_modifier(key->key);
     state_.keys[k] = key->down;
@@ -70,11 +72,12 @@ bool InputQueue::take(const Event& event, Frame& frame) {
   return true;
 }
 
-InputState InputQueue::next_frame() {
+InputState InputQueue::next_frame(Keys keys) {
   state_.wheel = Vec2(0, 0);
   state_.text.clear();
   state_.dropped.clear();
   Frame frame;
+  frame.keys = keys;
   while (!events_.empty() && take(events_.front(), frame)) events_.pop_front();
   return state_;
 }

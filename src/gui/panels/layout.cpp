@@ -4,6 +4,12 @@
 
 namespace winslow::gui {
 
+namespace {
+
+constexpr float strip_height = 40;
+
+}  // namespace
+
 void Layout::arrange(int width, int height, const ViewOptions& view, const Theme& theme,
                      float menu_height) {
   const auto w = static_cast<float>(width);
@@ -17,7 +23,8 @@ void Layout::arrange(int width, int height, const ViewOptions& view, const Theme
   const float r = view.right_panel ? std::min(theme.px(right_width), 0.36f * w) : 0;
   const float top = menu_height + tool_height;
   const float middle = std::max(h - top - status_height, 1.0f);
-  const float p = view.plot_panel ? std::min(theme.px(plot_height), 0.5f * middle) : 0;
+  const float wanted = theme.px(plot_empty ? strip_height : plot_height);
+  const float p = view.plot_panel ? std::min(wanted, 0.5f * middle) : 0;
   menu = {0, 0, w, menu_height};
   toolbar = {0, menu_height, w, tool_height};
   left = {0, top, l, middle};

@@ -16,6 +16,7 @@ struct Area {
 /// Where everything is. Sizes that the user drags are in units of the layout (Theme::px).
 struct Layout {
   float left_width = 292, right_width = 324, plot_height = 224;  ///< as dragged
+  bool plot_empty = false;  ///< it has nothing to show: a strip with its title
   Area menu, toolbar, left, right, plot, viewport, status;
 
   /// Divides a framebuffer; panels give way where there is little room.

@@ -54,8 +54,7 @@ void LegendCard::draw(ImDrawList& list, const PanelContext& context, const Area&
   ui::note("legend", min, max);
   if (!context.view.isolation.on) return;
   bars_ = legend_bars(x + pad, y + pad, height, shown, style);
-  low_ = shown.scale.low;
-  high_ = shown.scale.high;
+  scale_ = shown.scale;
   ui::note("legend/bars", ImVec2(bars_->left, bars_->top), ImVec2(bars_->right, bars_->bottom));
   draw_threshold(list, context, shown);
 }
@@ -64,10 +63,8 @@ void LegendCard::draw_threshold(ImDrawList& list, const PanelContext& context,
                                 const Legend& legend) {
   const Theme& theme = context.theme;
   const Isolation& isolation = context.view.isolation;
-  const double span = legend.scale.high - legend.scale.low;
-  if (!(span > 0)) return;
-  const auto t =
-      static_cast<float>(std::clamp((isolation.threshold - legend.scale.low) / span, 0.0, 1.0));
+  if (!(legend.scale.high > legend.scale.low)) return;
+  const auto t = static_cast<float>(legend.scale.share(isolation.threshold));
   const float y = bars_->bottom - t * (bars_->bottom - bars_->top);
   // What is faint in the mesh is so here.
   const float from = isolation.above ? y : bars_->top;
@@ -95,8 +92,10 @@ bool LegendCard::take_pointer(const PanelContext& context, const ScreenPoint& mo
   if (dragging_) {
     const double t = std::clamp((bars_->bottom - y) / (bars_->bottom - bars_->top), 0.0f, 1.0f);
     // Three digits: a pixel is not worth more.
-    const double step = std::pow(10.0, std::floor(std::log10(high_ - low_)) - 2);
-    const double threshold = step * std::round((low_ + t * (high_ - low_)) / step);
+    const double value = scale_.value_at(t);
+    const double size = scale_.by_ratio() ? value : scale_.high - scale_.low;
+    const double step = std::pow(10.0, std::floor(std::log10(size)) - 2);
+    const double threshold = step * std::round(value / step);
     if (threshold != context.view.isolation.threshold)
       context.edit_view([&](ViewOptions& view) { view.isolation.threshold = threshold; });
   }

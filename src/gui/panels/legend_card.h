@@ -26,7 +26,7 @@ class LegendCard {
   void draw_threshold(ImDrawList& list, const PanelContext& context, const Legend& legend);
 
   std::optional<LegendBars> bars_;  // where they were drawn, if a threshold can be dragged
-  double low_ = 0, high_ = 1;       // values at their ends
+  ColorScale scale_;                // of their values
   bool dragging_ = false, was_pressed_ = false;
 };
 

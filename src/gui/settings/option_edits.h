@@ -35,12 +35,12 @@ auto option_fields(T& options) {
 
 template <Is<ViewOptions> T>
 auto option_fields(T& options) {
-  auto& [color, color_map, bands, range, isolation, fill, wireframe, line_width, nodes, rim_nodes,
-         directions, node_ids, element_ids, legend, mark_inverted, comparison, divider, before,
-         magnifier, worst_by, worst_count, lightness, backdrop, scale, left_panel, right_panel,
-         side_tab, plot_panel] = options;
+  auto& [color, color_map, color_axis, percentiles, range, bands, isolation, fill, wireframe,
+         line_width, nodes, rim_nodes, directions, node_ids, element_ids, legend, mark_inverted,
+         comparison, divider, before, magnifier, worst_by, worst_count, lightness, backdrop, scale,
+         left_panel, right_panel, side_tab, plot_panel] = options;
   return std::tuple_cat(
-      std::tie(color, color_map, bands, range), option_fields(isolation),
+      std::tie(color, color_map, color_axis, percentiles, range, bands), option_fields(isolation),
       std::tie(fill, wireframe, line_width, nodes, rim_nodes, directions, node_ids, element_ids,
                legend, mark_inverted, comparison, divider, before),
       option_fields(magnifier),

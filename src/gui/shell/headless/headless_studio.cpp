@@ -30,7 +30,7 @@ void HeadlessStudio::resize(int width, int height) {
 }
 
 void HeadlessStudio::frame() {
-  bench_->update(input_.next_frame(), width_, height_, frame_seconds);
+  bench_->update(input_.next_frame(bench_->keys()), width_, height_, frame_seconds);
 }
 
 void HeadlessStudio::frames(int more) {

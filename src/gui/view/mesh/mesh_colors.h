@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gui/render/backdrop.h"
+#include "gui/render/metric_scale.h"
 #include "gui/settings/view_options.h"
 
 /// Colours of the mesh and of what lies behind it.
@@ -16,5 +17,8 @@ struct MeshColors {
   Rgba inverted;
 };
 MeshColors mesh_colors(const ViewOptions& view);
+
+/// Of the colours of elements.
+ColorChoice color_choice(const ViewOptions& view);
 
 }  // namespace winslow::gui
