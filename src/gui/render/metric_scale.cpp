@@ -65,6 +65,8 @@ std::vector<double> positive(const std::vector<double>& values) {
 bool wants_ratios(const ElementField& field, std::vector<double>& above_zero) {
   constexpr double flat = 20;
   const ColorRange range = field_info(field).colors;
+  // Angles are compared by their differences.
+  if (field_info(field).unit == "degrees") return false;
   if (range != ColorRange::from_one && range != ColorRange::robust_both_sides) return false;
   const double low = range == ColorRange::from_one ? 1 : percentile(above_zero, 0.01);
   return low > 0 && percentile(above_zero, 0.99) > flat * low;

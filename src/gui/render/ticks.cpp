@@ -58,7 +58,13 @@ std::vector<double> log_ticks(double low, double high, int wanted) {
   return ticks;
 }
 
-std::string format_power(double value) { return print("%.*g", 3, value); }
+std::string format_power(double value) {
+  const double size = std::abs(value);
+  if (size < 1e-4 || size >= 1e6) return print("%.*g", 3, value);
+  // Three digits, but no exponent for the thousands.
+  const double power = std::pow(10.0, std::floor(std::log10(size)) - 2);
+  return print("%.*g", 6, power * std::round(value / power));
+}
 
 double round_up_nicely(double value) {
   if (!(value > 0) || !std::isfinite(value)) return value;

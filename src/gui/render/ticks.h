@@ -17,7 +17,7 @@ std::vector<double> log_ticks(double low, double high, int wanted);
 /// positive value.
 double round_up_nicely(double value);
 
-/// "0.001", "20", "1e-06": of a number that stands alone.
+/// "0.001", "20", "1e-06": three digits of a number that stands alone.
 std::string format_power(double value);
 
 /// As short as the distance to the neighbouring tick allows: "0.25", "100", "2e-7".

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -178,6 +179,25 @@ TEST_CASE("a logarithmic axis names at least two decades, however low the plot")
         CHECK(named.front() == low);
         CHECK(named.back() <= high);
       }
+}
+
+TEST_CASE("the plot survives numbers that no run should have") {
+  Rig rig;
+  rig.open(ring_mesh());
+  std::vector<IterationRecord> history(2);
+  history[0].residual = HUGE_VAL;
+  history[1].residual = std::nan("");
+  for (const double tolerance : {1e-300, 1e300, HUGE_VAL}) {
+    const PlotAxis axis = residual_axis(history, tolerance, true, true);
+    CHECK(std::isfinite(axis.share(tolerance)));
+    CHECK(axis.high > axis.low);
+    CHECK(named_decades(axis, 3).size() >= 2);
+    SmoothOptions odd;
+    odd.tolerance = tolerance;
+    rig.bench->apply(action::EditSmoothOptions{whole(odd)});
+    rig.frames();
+    CHECK(rig.visible("convergence/strip"));
+  }
 }
 
 TEST_CASE("while there is nothing to plot its place is a strip, and the mesh has the room") {

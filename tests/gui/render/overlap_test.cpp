@@ -39,7 +39,9 @@ bool holds(const DrawList& list, const std::vector<std::uint32_t>& triangles, st
     std::array<Vec2, 3> c{corner(list, triangles[3 * t]), corner(list, triangles[3 * t + 1]),
                           corner(list, triangles[3 * t + 2])};
     if (twice_area(c[0], c[1], c[2]) < 0) std::swap(c[1], c[2]);
-    bool inside = true;
+    // Of a sliver the edges alone would hold all of a line.
+    const Vec2 low = c[0].cwiseMin(c[1]).cwiseMin(c[2]), high = c[0].cwiseMax(c[1]).cwiseMax(c[2]);
+    bool inside = (p - low).minCoeff() >= -std::abs(rim) && (high - p).minCoeff() >= -std::abs(rim);
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec2& a = c[k];
       const Vec2& b = c[(k + 1) % 3];

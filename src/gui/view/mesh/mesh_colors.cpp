@@ -34,6 +34,8 @@ MeshColors mesh_colors(const ViewOptions& view) {
   // Dark edges on dark colours would be lost, and black ones would drown the colours.
   if (neutral && colors.dark)
     colors.edge = {0.62f, 0.66f, 0.73f, 0.5f};
+  else if (neutral)
+    colors.edge = {0.24f, 0.28f, 0.36f, 0.55f};
   else if (colored)
     colors.edge = {0.08f, 0.10f, 0.14f, 0.55f};
   else
