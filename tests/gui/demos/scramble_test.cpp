@@ -91,7 +91,7 @@ TEST_CASE("keys typed ahead act one by one, each on a mesh that has been seen") 
   REQUIRE(position == 3);
   std::uint64_t shape = rig.session().shape();
   while (!rig.input.empty()) {
-    rig.bench->update(rig.input.next_frame(rig.bench->keys()), 1100, 720, 1.0 / 30);
+    rig.bench->update(rig.input, 1100, 720, 1.0 / 30);
     if (rig.document().history().position() == position) continue;
     // The mesh before this step had been in the picture.
     CHECK(rig.document().history().position() == position - 1);

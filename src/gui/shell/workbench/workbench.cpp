@@ -78,7 +78,9 @@ bool Workbench::settled() const {
          measured->field == view_control_.options().color;
 }
 
-void Workbench::update(const InputState& input, int width, int height, double seconds) {
+void Workbench::update(InputQueue& queue, int width, int height, double seconds) {
+  const bool seen = seen_shape_ >= key_shape_;
+  const InputState input = queue.next_frame(seen ? InputQueue::Keys::take : InputQueue::Keys::hold);
   window_.width = std::max(width, 1);
   window_.height = std::max(height, 1);
   poll();

@@ -43,13 +43,10 @@ class Workbench {
   void set_scale(float scale) { view_control_.scale().set_screen(scale); }
   void apply(const Action& action);
 
-  /// One frame: takes input, collects what threads have done, lays out the interface.
+  /// One frame: takes input off the queue, as much as it can hold, collects what threads have done,
+  /// lays out the interface. A key waits until the mesh that the last key led to has been seen.
   /// width, height: framebuffer pixels. seconds: since the last frame.
-  void update(const InputState& input, int width, int height, double seconds);
-  /// Of the next frame: the mesh that the last key led to is seen before another key acts on it.
-  InputQueue::Keys keys() const {
-    return seen_shape_ < key_shape_ ? InputQueue::Keys::hold : InputQueue::Keys::take;
-  }
+  void update(InputQueue& queue, int width, int height, double seconds);
   /// Draws the frame last updated into the bound framebuffer.
   void paint() { pictures_.paint_window(); }
 
