@@ -70,7 +70,14 @@ void ConvergencePanel::draw_header(const PanelContext& context) {
 }
 
 bool ConvergencePanel::empty(const PanelContext& context) {
-  return context.session.mesh().convergence().empty() && !context.session.job().active();
+  if (context.session.job().active()) return false;
+  const Document* document = context.session.document();
+  if (!document) return true;
+  // Of the whole history, so that the mesh does not jump when steps are undone.
+  const History& history = document->history();
+  for (std::size_t k = 1; k < history.size(); ++k)
+    if (!history.result(k).history.empty()) return false;
+  return true;
 }
 
 void ConvergencePanel::draw(const PanelContext& context) {

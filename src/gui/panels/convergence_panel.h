@@ -9,7 +9,7 @@ namespace winslow::gui {
 class ConvergencePanel : public Panel {
  public:
   void draw(const PanelContext& context) override;
-  /// There are no iterations to show: a strip is enough.
+  /// No step of the history has iterations to show: a strip is enough.
   static bool empty(const PanelContext& context);
 
  private:
