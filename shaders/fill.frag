@@ -1,6 +1,7 @@
 #version 330 core
 uniform samplerBuffer triangle_colors;  // one colour per triangle
 uniform int use_triangle_colors;
+uniform int first_triangle;             // of the draw call, in the two tables
 uniform int draw_surface;               // 0: nothing but the lines merged into it
 uniform vec4 color;
 
@@ -18,7 +19,7 @@ uniform float vanishing_share;
 out vec4 pixel;
 
 float covered_by_lines() {
-  vec2 lines = texelFetch(triangle_lines, gl_PrimitiveID).rg;
+  vec2 lines = texelFetch(triangle_lines, first_triangle + gl_PrimitiveID).rg;
   if (lines.x >= 2.0 * merge_below) return 0.0;
   float share = lines.x * pixels_per_unit / fade_below;
   float opacity = clamp((share - vanishing_share) / (1.0 - vanishing_share), 0.0, 1.0);
@@ -27,7 +28,7 @@ float covered_by_lines() {
 }
 
 void main() {
-  pixel = use_triangle_colors != 0 ? texelFetch(triangle_colors, gl_PrimitiveID) : color;
+  pixel = use_triangle_colors != 0 ? texelFetch(triangle_colors, first_triangle + gl_PrimitiveID) : color;
   if (merge_lines == 0) return;
   // The lines over the surface.
   float line = covered_by_lines() * pixel.a;

@@ -1,9 +1,13 @@
+import pathlib
+import resource
 import struct
 import unittest
 import zlib
 
 import support
 from support import HAS_GUI, INPUT, INTERNAL, INVERTED, USAGE, ProgramTest
+
+ASSETS = pathlib.Path(__file__).resolve().parents[2] / "assets"
 
 # Without a display, whatever the machine that runs the tests has.
 HEADLESS = {"DISPLAY": "", "WAYLAND_DISPLAY": ""}
@@ -79,6 +83,39 @@ class Render(ProgramTest):
             self.render(*base, *extra)
             seen.add(self.path("p.png").read_bytes())
         self.assertEqual(len(seen), 8)
+
+    def test_axis_and_percentiles_change_the_colours(self):
+        # Rings of cells whose areas span five decades.
+        self.ring(quads=True, rings=24, inner=0.01)
+        base = ("ring.su2", "-o", "p.png", "--size", "320", "240", "--color", "area",
+                "--no-wireframe", "--no-legend", "--bounds", "-4", "-4", "4", "4")
+        pictures = {}
+        for extra in ((), ("--axis", "linear"), ("--axis", "log"), ("--percentiles", "5", "95"),
+                      ("--percentiles", "0", "100", "--axis", "linear")):
+            self.render(*base, *extra)
+            _, _, rows = read_png(self.path("p.png"))
+            pictures[extra] = {pixel for row in rows for pixel in row}
+        self.assertEqual(pictures[()], pictures["--axis", "log"])
+        self.assertGreater(len(pictures[()]), len(pictures["--axis", "linear"]) + 3)
+        for wrong in (("--percentiles", "90", "10"), ("--percentiles", "-1", "50"),
+                      ("--percentiles", "1", "99", "--range", "0", "1"), ("--axis", "square")):
+            self.render(*base, *wrong, code=USAGE)
+
+    def test_a_scrambled_mesh_takes_little_longer_than_a_good_one(self):
+        good = ASSETS / "three_element.su2"
+        self.winslow("scramble", good, "-o", "s.su2", "--seed", "1", "--allow-inverted",
+                     code=INVERTED)
+        for color in ((), ("--color", "normalized_jacobian")):
+            seconds = []
+            for mesh in (good, "s.su2"):
+                before = resource.getrusage(resource.RUSAGE_CHILDREN)
+                self.render(mesh, "-o", "p.png", *color)
+                after = resource.getrusage(resource.RUSAGE_CHILDREN)
+                seconds.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+            self.assertLess(seconds[1], 3 * seconds[0])
+            _, _, rows = read_png(self.path("p.png"))
+            inside = [rows[y][x] for y in range(250, 700, 10) for x in range(300, 700, 10)]
+            self.assertTrue(all(r > 120 and g < 120 and b < 120 for r, g, b in inside))
 
     def test_inverted_elements_are_red(self):
         self.ring()

@@ -33,9 +33,9 @@ constexpr int largest_picture = 16384;
 struct RenderFlags {
   std::string input, output;
   int zone = 0;
-  std::string color, map = "viridis", title;
+  std::string color, map = "automatic", axis = "automatic", title;
   std::optional<std::array<double, 4>> bounds;
-  std::optional<std::array<double, 2>> range;
+  std::optional<std::array<double, 2>> range, percentiles;
   std::array<int, 2> size{1200, 900};
   std::string before;          // mesh to put beside
   std::string recipe, frames;  // frames of what the recipe does
@@ -46,7 +46,12 @@ struct RenderFlags {
 
 #ifdef WINSLOW_HAS_GUI
 
-std::vector<std::string> color_maps() { return gui::color_map_names(); }
+std::vector<std::string> color_maps() { return gui::color_map_choices(); }
+
+gui::ColorAxis axis_of(const std::string& name) {
+  if (name == "linear") return gui::ColorAxis::linear;
+  return name == "log" ? gui::ColorAxis::logarithmic : gui::ColorAxis::automatic;
+}
 
 gui::PictureOptions picture_options(const RenderFlags& flags) {
   gui::PictureOptions options;
@@ -57,8 +62,10 @@ gui::PictureOptions picture_options(const RenderFlags& flags) {
     const auto& b = *flags.bounds;
     options.bounds = Bounds{Vec2(b[0], b[1]), Vec2(b[2], b[3])};
   }
-  options.range = flags.range;
-  options.color_map = flags.map;
+  options.colors.range = flags.range;
+  options.colors.percentiles = flags.percentiles;
+  options.colors.axis = axis_of(flags.axis);
+  options.colors.map = flags.map;
   options.title = flags.title;
   options.vcvs = flags.vcvs;
   options.dark = flags.dark;
@@ -87,9 +94,13 @@ void draw_both(const RenderFlags& flags, const Mesh& before, const Mesh& after) 
     const Bounds a = bounds(before), b = bounds(after);
     options.bounds = Bounds{a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)};
   }
-  if (options.color && !options.range) {
-    const auto a = gui::picture_range(before, options), b = gui::picture_range(after, options);
-    options.range = {std::min(a[0], b[0]), std::max(a[1], b[1])};
+  if (options.color && !options.colors.range) {
+    gui::ColorScale scale = gui::picture_scale(before, options);
+    const gui::ColorScale other = gui::picture_scale(after, options);
+    scale.low = std::min(scale.low, other.low);
+    scale.high = std::max(scale.high, other.high);
+    scale.logarithmic = scale.logarithmic && other.logarithmic;
+    gui::use_scale(options, scale);
   }
   const std::string title = options.title.empty() ? "" : options.title + ": ";
   options.title = title + "before";
@@ -111,7 +122,8 @@ std::string draw_frames(const RenderFlags& flags, const Mesh& mesh,
     }
     options.bounds = all;
   }
-  if (options.color && !options.range) options.range = gui::picture_range(mesh, options);
+  if (options.color && !options.colors.range)
+    gui::use_scale(options, gui::picture_scale(mesh, options));
   gui::Recorder recorder;
   gui::RecordingSpec spec;
   spec.rate = flags.rate;
@@ -142,7 +154,7 @@ std::string draw_frames(const RenderFlags&, const Mesh&, const std::vector<Coord
   refuse();
 }
 
-std::vector<std::string> color_maps() { return {"viridis"}; }
+std::vector<std::string> color_maps() { return {"automatic"}; }
 
 void draw(const RenderFlags&, const Mesh&) { refuse(); }
 
@@ -277,6 +289,21 @@ class RenderSubcommand : public Subcommand {
         ->needs(color)
         ->group(group);
     app()
+        .add_option_function<std::array<double, 2>>(
+            "--percentiles", [this](const std::array<double, 2>& p) { flags_.percentiles = p; },
+            "Range of the colours as percentiles of the values, 1 99 for instance [automatic]")
+        ->type_name("LOW HIGH")
+        ->needs(color)
+        ->group(group);
+    app()
+        .add_option("--axis", flags_.axis,
+                    "Spread the colours over differences or ratios of values: automatic, which "
+                    "takes ratios where a mesh is stretched, linear, log")
+        ->check(one_of({"automatic", "linear", "log"}))
+        ->option_text("NAME [automatic]")
+        ->needs(color)
+        ->group(group);
+    app()
         .add_option("--map", flags_.map, "Colours: " + join(color_maps()))
         ->check(one_of(color_maps()))
         ->option_text("NAME [" + flags_.map + "]")
@@ -320,6 +347,11 @@ class RenderSubcommand : public Subcommand {
     if (flags_.range && !((*flags_.range)[0] < (*flags_.range)[1])) {
       throw UsageError("--range: expected LOW < HIGH");
     }
+    if (flags_.range && flags_.percentiles)
+      throw UsageError("--range and --percentiles both say where the colours end: give one");
+    if (const auto& p = flags_.percentiles;
+        p && !(0 <= (*p)[0] && (*p)[0] < (*p)[1] && (*p)[1] <= 100))
+      throw UsageError("--percentiles: expected 0 <= LOW < HIGH <= 100");
   }
 
   RenderFlags flags_;

@@ -28,8 +28,14 @@ std::vector<double> node_values(const VirtualControlVolumes& vcv, const Coordina
 /// height, the larger of its two sides'. Elements outside layers have NaN.
 enum class LayerField { layer, spacing_error };
 
+/// What elements at walls are like, and beside their neighbours (core/quality/wall_measures.h): of
+/// an element with an edge on a wall, the mean of the first heights at the ends of that edge, and
+/// the larger of their tilts in degrees; of any element, its largest size ratio to a neighbour.
+/// Elements without an edge on a wall have NaN.
+enum class WallField { first_height, first_edge_tilt, size_ratio };
+
 /// A number for each element: a quality metric, the worst value of a nodal field at its nodes, or
-/// of its layer.
+/// of its layer, or of the walls.
 class ElementField {
  public:
   // Implicit: a metric is such a field.
@@ -37,16 +43,18 @@ class ElementField {
   ElementField(NodalField field) : field_(field) {}  // NOLINT(google-explicit-constructor)
 
   ElementField(LayerField field) : field_(field) {}  // NOLINT(google-explicit-constructor)
+  ElementField(WallField field) : field_(field) {}   // NOLINT(google-explicit-constructor)
 
   /// Null if it is another kind of field; so are the others.
   const Metric* metric() const { return std::get_if<Metric>(&field_); }
   const NodalField* nodal() const { return std::get_if<NodalField>(&field_); }
   const LayerField* layer() const { return std::get_if<LayerField>(&field_); }
+  const WallField* wall() const { return std::get_if<WallField>(&field_); }
 
   bool operator==(const ElementField&) const = default;
 
  private:
-  std::variant<Metric, NodalField, LayerField> field_;
+  std::variant<Metric, NodalField, LayerField, WallField> field_;
 };
 
 /// All of them, as lists show them.

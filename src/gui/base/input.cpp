@@ -48,6 +48,7 @@ struct InputQueue::Frame {
   bool leads_elsewhere = false;  // a key went down that types no character
   // A key went down: what Control and Shift do after that is no part of it.
   bool settled = false;
+  Keys keys = Keys::take;
 };
 
 bool InputQueue::take(const Event& event, Frame& frame) {
@@ -65,6 +66,7 @@ bool InputQueue::take(const Event& event, Frame& frame) {
   } else if (const auto* key = std::get_if<Key>(&event)) {
     const auto k = static_cast<std::size_t>(key->key);
     if (frame.settled || frame.any_button || frame.key_changed[k]) return false;
+    if (key->down && frame.keys == Keys::hold) return false;
     frame.key_changed[k] = true;
     frame.settled = key->down && !is_modifier(key->key);
     frame.leads_elsewhere = key->down && types_nothing(key->key);
@@ -81,7 +83,7 @@ bool InputQueue::take(const Event& event, Frame& frame) {
   return true;
 }
 
-InputState InputQueue::next_frame() {
+InputState InputQueue::next_frame(Keys keys) {
   // Frames that a field takes until it has the keyboard.
   constexpr int frames_to_lead = 2;
   state_.wheel = Vec2(0, 0);
@@ -93,6 +95,7 @@ InputState InputQueue::next_frame() {
     return state_;
   }
   Frame frame;
+  frame.keys = keys;
   while (!events_.empty() && take(events_.front(), frame)) events_.pop_front();
   // A drop of no files stands for a frame in which nothing happens.
   if (frame.leads_elsewhere && !events_.empty() && std::holds_alternative<Text>(events_.front()))

@@ -49,8 +49,11 @@ class InputQueue {
   void drop(std::vector<std::filesystem::path> files);
 
   bool empty() const { return events_.empty(); }
+  /// Whether a frame takes keys that went down, or leaves them, and what came after them, in the
+  /// queue: what the last key did is yet to be seen.
+  enum class Keys { take, hold };
   /// Takes events off the queue, as many as one frame can hold.
-  InputState next_frame();
+  InputState next_frame(Keys keys = Keys::take);
 
  private:
   struct Move {

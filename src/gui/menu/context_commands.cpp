@@ -117,7 +117,7 @@ std::vector<UserCommand> looking(const PanelContext& context, const std::vector<
       {.id = "body/zoom",
        .label = "Zoom to it",
        .tooltip = "Show it as large as the window allows.",
-       .run = [markers](const PanelContext& c) { c.emit(action::ZoomTo{box_around(c, markers)}); },
+       .run = [markers](const PanelContext& c) { c.emit(action::FitMarkers{markers}); },
        .starts_section = true},
       {.id = "body/hide",
        .label = "Hidden",

@@ -8,6 +8,7 @@
 #include "gui/settings/view_options.h"
 #include "gui/settings/view_state.h"
 #include "gui/view/mesh/before_mesh.h"
+#include "gui/view/mesh/mesh_layer.h"
 #include "gui/widgets/theme.h"
 
 namespace winslow::gui {
@@ -26,6 +27,8 @@ struct PanelContext {
   const RecentFiles& recent;
   const DemoPlayer& demo;
   const BeforeMesh* before = nullptr;  ///< what the mesh is compared with
+  /// The mesh in the picture, that numbers beside it are to be of; null: none yet.
+  const ShownMesh* shown = nullptr;
 
   template <class A>
   void emit(A a) const {
@@ -38,6 +41,8 @@ struct PanelContext {
     change(after);
     emit(action::EditView{difference(view, after)});
   }
+  /// The picture is that of the session's mesh, not of the one before.
+  bool picture_follows() const { return shown && shown->shape == session.shape(); }
   const Topology* topology() const { return session.topology().get(); }
 };
 

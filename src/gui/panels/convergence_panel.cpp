@@ -37,6 +37,18 @@ double tolerance_of(const Session& session) {
 
 }  // namespace
 
+void ConvergencePanel::draw_strip(const PanelContext& context) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushFont(context.theme.bold);
+  ImGui::TextUnformatted("Convergence");
+  ImGui::PopFont();
+  ui::note("convergence/strip");
+  ImGui::SameLine(0, context.theme.px(16));
+  ui::text_dim(
+      ui::elided("Move a body or press Smooth: the residual of every iteration appears here.",
+                 ImGui::GetContentRegionAvail().x));
+}
+
 void ConvergencePanel::draw_header(const PanelContext& context) {
   const Session& session = context.session;
   const std::string label = "Export CSV";
@@ -57,8 +69,20 @@ void ConvergencePanel::draw_header(const PanelContext& context) {
   draw_convergence_key("convergence", series_, context.theme.scale);
 }
 
+bool ConvergencePanel::empty(const PanelContext& context) {
+  if (context.session.job().active()) return false;
+  const Document* document = context.session.document();
+  if (!document) return true;
+  // Of the whole history, so that the mesh does not jump when steps are undone.
+  const History& history = document->history();
+  for (std::size_t k = 1; k < history.size(); ++k)
+    if (!history.result(k).history.empty()) return false;
+  return true;
+}
+
 void ConvergencePanel::draw(const PanelContext& context) {
   const Session& session = context.session;
+  if (empty(context)) return draw_strip(context);
   draw_header(context);
   const auto history = session.mesh().convergence();
   ImVec2 size = ImGui::GetContentRegionAvail();
@@ -67,7 +91,6 @@ void ConvergencePanel::draw(const PanelContext& context) {
   // A field being typed in holds all sorts of numbers.
   const double tolerance = tolerance_of(session);
   ConvergencePlot plot{history, {}, series_};
-  plot.hint = "Move a body or press Smooth: the residual of every iteration appears here.";
   if (tolerance > 0) plot.tolerance = tolerance;
   draw_convergence_plot("convergence/plot", plot, size, context.theme.scale);
 }

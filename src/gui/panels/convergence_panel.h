@@ -9,9 +9,12 @@ namespace winslow::gui {
 class ConvergencePanel : public Panel {
  public:
   void draw(const PanelContext& context) override;
+  /// No step of the history has iterations to show: a strip is enough.
+  static bool empty(const PanelContext& context);
 
  private:
   void draw_header(const PanelContext& context);
+  static void draw_strip(const PanelContext& context);
 
   PlotSeries series_;
 };

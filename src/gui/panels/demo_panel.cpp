@@ -13,7 +13,8 @@ namespace {
 
 void draw_numbers(const PanelContext& context) {
   const auto& measured = context.session.quality().latest();
-  if (!measured) return ui::text_dim(" ");
+  const bool known = measured && measured->shape == context.session.shape();
+  if (!known || !context.picture_follows()) return ui::text_dim(" ");
   const QualityReport& report = measured->report;
   const std::string inverted = counted(report.inverted, "inverted element");
   ui::text_colored(report.inverted > 0 ? palette().danger : palette().success, inverted);

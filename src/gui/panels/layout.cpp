@@ -8,6 +8,7 @@ namespace {
 
 // In units of the layout.
 constexpr float folded_width = 40;
+constexpr float empty_plot = 40;                      // a strip with its title
 constexpr float least_left = 252, least_right = 284;  // nothing is cut in them
 /// Strip of the legend, with the histogram and without; below the last the mesh needs all there is.
 constexpr float roomy_strip = 132, narrow_strip = 94, least_view = 230;
@@ -29,7 +30,8 @@ void Layout::arrange(int width, int height, const ViewOptions& view, const Theme
   const float top = menu_height + tool_height;
   const float middle = std::max(h - top - status_height, 1.0f);
   const bool plotted = view.plot_panel && content == Middle::mesh;
-  const float p = plotted ? std::min(theme.px(plot_height), 0.5f * middle) : 0;
+  const float wanted = theme.px(plot_empty ? empty_plot : plot_height);
+  const float p = plotted ? std::min(wanted, 0.5f * middle) : 0;
   menu = {0, 0, w, menu_height};
   toolbar = {0, menu_height, w, tool_height};
   left = {0, top, l, middle};

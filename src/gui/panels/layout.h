@@ -20,6 +20,7 @@ struct Area {
 /// Where everything is. Sizes that the user drags are in units of the layout (Theme::px).
 struct Layout {
   float left_width = 292, right_width = 324, plot_height = 224;  ///< as dragged
+  bool plot_empty = false;  ///< it has nothing to show: a strip with its title
   Area menu, toolbar, left, right, plot, viewport, status;
   Area legend;          ///< strip of the legend beside the viewport; empty: it has none
   ColumnState columns;  ///< which are open; a folded one is a strip of icons

@@ -141,8 +141,7 @@ void LegendCard::draw_bars(ImDrawList& list, const PanelContext& context, const 
   ui::note("legend/bars", ImVec2(bars.left, bars.top), ImVec2(bars.right, bars.bottom));
   if (!context.view.isolation.on) return;
   bars_ = bars;
-  low_ = legend.scale.low;
-  high_ = legend.scale.high;
+  scale_ = legend.scale;
   draw_threshold(list, context, legend);
 }
 
@@ -150,10 +149,8 @@ void LegendCard::draw_threshold(ImDrawList& list, const PanelContext& context,
                                 const Legend& legend) {
   const Theme& theme = context.theme;
   const Isolation& isolation = context.view.isolation;
-  const double span = legend.scale.high - legend.scale.low;
-  if (!(span > 0)) return;
-  const auto t =
-      static_cast<float>(std::clamp((isolation.threshold - legend.scale.low) / span, 0.0, 1.0));
+  if (!(legend.scale.high > legend.scale.low)) return;
+  const auto t = static_cast<float>(legend.scale.share(isolation.threshold));
   const float y = bars_->bottom - t * (bars_->bottom - bars_->top);
   // What is faint in the mesh is so here.
   const float from = isolation.above ? y : bars_->top;
@@ -210,8 +207,10 @@ bool LegendCard::over_bars(const PanelContext& context, const ScreenPoint& mouse
 void LegendCard::drag_threshold(const PanelContext& context, float y) const {
   const double t = std::clamp((bars_->bottom - y) / (bars_->bottom - bars_->top), 0.0f, 1.0f);
   // Three digits: a pixel is not worth more.
-  const double step = std::pow(10.0, std::floor(std::log10(high_ - low_)) - 2);
-  const double threshold = step * std::round((low_ + t * (high_ - low_)) / step);
+  const double value = scale_.value_at(t);
+  const double size = scale_.by_ratio() ? value : scale_.high - scale_.low;
+  const double step = std::pow(10.0, std::floor(std::log10(size)) - 2);
+  const double threshold = step * std::round(value / step);
   if (threshold != context.view.isolation.threshold)
     context.edit_view([&](ViewOptions& view) { view.isolation.threshold = threshold; });
 }

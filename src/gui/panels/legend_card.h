@@ -49,7 +49,7 @@ class LegendCard {
   LegendPlace place_at(const ScreenPoint& mouse) const;
 
   std::optional<LegendBars> bars_;  // where they were drawn, if a threshold can be dragged
-  double low_ = 0, high_ = 1;       // values at their ends
+  ColorScale scale_;                // of their values
   std::optional<ScreenBox> frame_;
   Room room_;  // of the last frame
   bool dragging_ = false, was_pressed_ = false;

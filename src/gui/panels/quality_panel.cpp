@@ -96,7 +96,9 @@ void QualityPanel::draw(const PanelContext& context) {
     return;
   }
   draw_choice(context);
-  draw_rows(context, quality_table(report_before(context), report_of(context)), "quality/table");
+  const Validity* shown = context.shown ? &context.shown->validity : nullptr;
+  draw_rows(context, quality_table(report_before(context), report_of(context), shown),
+            "quality/table");
 }
 
 void QualityPanel::draw_choice(const PanelContext& context) {

@@ -50,15 +50,15 @@ QualityRow title_of(std::string name, std::string tip) {
   return {std::move(name), std::move(tip), true, {}, {}, {}, 0, false};
 }
 
-QualityRow inverted_row(const QualityReport* before, const QualityReport& now) {
+QualityRow inverted_row(const QualityReport* before, Index now) {
   QualityRow row;
   row.name = "Inverted";
   row.tip = "Elements with a corner whose area is not positive. A solver cannot use such a mesh.";
-  row.now = grouped(now.inverted);
-  row.alarming = now.inverted > 0;
+  row.now = grouped(now);
+  row.alarming = now > 0;
   row.before = before ? grouped(before->inverted) : "-";
-  if (!before || before->inverted == now.inverted) return row;
-  const Index change = now.inverted - before->inverted;
+  if (!before || before->inverted == now) return row;
+  const Index change = now - before->inverted;
   row.change = (change > 0 ? "+" : "\xE2\x88\x92") + grouped(std::abs(change));
   row.verdict = change < 0 ? 1 : -1;
   return row;
@@ -134,18 +134,20 @@ void add_height_change(const WallReport& before, const WallReport& now,
 
 }  // namespace
 
-std::vector<QualityRow> quality_table(const QualityReport* before, const QualityReport& now) {
+std::vector<QualityRow> quality_table(const QualityReport* before, const QualityReport& now,
+                                      const Validity* shown) {
   std::vector<QualityRow> rows;
   for (const Metric metric : reported_metrics()) {
     const FieldInfo& info = metric_info(metric).field;
     rows.push_back(title_of(std::string(info.label), std::string(info.help)));
-    const Statistics& n = now.of(metric).statistics;
+    Statistics n = now.of(metric).statistics;
+    if (shown && metric == Metric::normalized_jacobian) n.min = shown->min_sine;
     const Statistics* b = before ? &before->of(metric).statistics : nullptr;
     rows.push_back(row_of("min", b ? &b->min : nullptr, n.min, better(info)));
     rows.push_back(row_of("avg", b ? &b->avg : nullptr, n.avg, better(info)));
     rows.push_back(row_of("max", b ? &b->max : nullptr, n.max, better(info)));
   }
-  rows.push_back(inverted_row(before, now));
+  rows.push_back(inverted_row(before, shown ? shown->inverted : now.inverted));
   return rows;
 }
 

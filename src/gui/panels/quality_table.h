@@ -19,8 +19,10 @@ struct QualityRow {
 };
 
 /// The reported metrics (minimum, average, maximum) and the number of inverted elements. before:
-/// null while it is being measured.
-std::vector<QualityRow> quality_table(const QualityReport* before, const QualityReport& now);
+/// null while it is being measured. shown: of the mesh in the picture, which `now` may be a moment
+/// behind; null: that of `now`.
+std::vector<QualityRow> quality_table(const QualityReport* before, const QualityReport& now,
+                                      const Validity* shown = nullptr);
 /// What is measured of the cells at walls, and how first heights have changed. before: as above.
 std::vector<QualityRow> wall_table(const WallReport* before, const WallReport& now);
 

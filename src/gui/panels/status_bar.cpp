@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <variant>
 
 #include "gui/base/text.h"
 #include "gui/document/session/activity.h"
@@ -67,29 +68,20 @@ void separator() {
   ImGui::SameLine(0, ImGui::GetFontSize());
 }
 
-void draw_mesh(const Session& session) {
-  const Topology& topology = *session.topology();
-  const auto history =
-      session.job().active() ? session.mesh().convergence() : std::span<const IterationRecord>{};
-  const auto& measured = session.quality().latest();
-  const QualityReport& report = measured ? measured->report : session.document()->loaded_quality();
-  Index inverted = history.empty() ? report.inverted : history.back().inverted;
-  double sine = history.empty() ? report.of(Metric::normalized_jacobian).statistics.min
-                                : history.back().min_sine;
-  if (const BodyDrag* drag = session.mesh().body_drag()) {
-    inverted = 0;  // its frames are valid, always
-    sine = drag->frame().min_sine;
-  }
+void draw_mesh(const PanelContext& context) {
+  const Topology& topology = *context.topology();
   separator();
   ui::text_dim(counted(topology.node_count(), "node"));
   separator();
   ui::text_dim(counted(topology.element_count(), "element"));
   separator();
-  ui::text_dim("min sine " + table_number(sine));
+  if (!context.shown) return;
+  const Validity& validity = context.shown->validity;
+  ui::text_dim("min sine " + table_number(validity.min_sine));
   ui::tooltip("Smallest sine of any corner angle. Positive: every element is valid.");
   separator();
-  if (inverted > 0)
-    ui::text_colored(palette().danger, grouped(inverted) + " inverted");
+  if (validity.inverted > 0)
+    ui::text_colored(palette().danger, grouped(validity.inverted) + " inverted");
   else
     ui::text_dim("0 inverted");
 }
@@ -106,7 +98,7 @@ void StatusBar::draw(const PanelContext& context) {
                           : State{activity.text, blocked ? palette().danger : palette().accent};
   ui::text_colored(state.color, state.text);
   ui::note("status/state");
-  if (context.session.document()) draw_mesh(context.session);
+  if (context.session.document()) draw_mesh(context);
   if (const auto& notice = context.session.messages().notice()) {
     separator();
     const float room = end - ImGui::GetCursorPosX();

@@ -4,8 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "gui/render/color_map.h"
+#include "gui/render/metric_scale.h"
 #include "gui/view/mesh/isolated_elements.h"
+#include "gui/view/mesh/mesh_colors.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -22,12 +23,30 @@ std::size_t nearest(const std::array<double, count>& values, double value) {
   return best;
 }
 
+struct Spread {
+  const char* name;
+  std::array<double, 2> percentiles;
+};
+constexpr std::array spreads{Spread{"All values", {0, 100}}, Spread{"1 to 99 %", {1, 99}},
+                             Spread{"5 to 95 %", {5, 95}}};
+
+/// Ends of the colours as they are now: a range that is to be set begins there.
+std::array<double, 2> ends_of(const PanelContext& context, const ViewOptions& view) {
+  const auto& measured = context.session.quality().latest();
+  if (!measured || measured->field != view.color) return {0, 1};
+  const ColorScale scale = color_scale(*view.color, measured->values, color_choice(view));
+  return {scale.low, scale.high};
+}
+
 }  // namespace
 
 void ViewPanel::draw(const PanelContext& context) {
   ViewOptions view = context.view;
   bool changed = draw_color(context, view);
-  if (view.color) changed |= draw_range(view);
+  if (view.color) {
+    changed |= draw_map(view);
+    changed |= draw_range(context, view);
+  }
   changed |= draw_elements(view);
   changed |= draw_boundary(view);
   changed |= draw_comparison(view);
@@ -53,7 +72,10 @@ bool ViewPanel::draw_color(const PanelContext& context, ViewOptions& view) {
   ui::row("Metric", tip);
   if (!ui::combo("view/color", names, chosen, tip)) return false;
   view.color = chosen == 0 ? std::nullopt : std::optional<ElementField>(fields[chosen - 1]);
+  // Of the metric before.
   view.range.reset();
+  view.percentiles.reset();
+  view.color_axis = ColorAxis::automatic;
   if (view.color) {
     Isolation isolation = isolation_for(*view.color);
     isolation.on = view.isolation.on;
@@ -63,18 +85,23 @@ bool ViewPanel::draw_color(const PanelContext& context, ViewOptions& view) {
   return true;
 }
 
-bool ViewPanel::draw_range(ViewOptions& view) {
+bool ViewPanel::draw_map(ViewOptions& view) {
   bool changed = false;
-  const auto maps = color_map_names();
+  const auto maps = color_map_choices();
+  std::vector<std::string> names = maps;
+  names.front() = "Automatic";
   auto map =
       static_cast<std::size_t>(std::find(maps.begin(), maps.end(), view.color_map) - maps.begin());
   constexpr const char* map_tip =
-      "The colour-blind can read every map, too. They go from dark to bright in even steps to the "
-      "eye, but for puor, which is orange below zero and purple above it: for fields with a sign, "
-      "such as the smallest weight. Plasma, magma and inferno contain red, which inverted elements "
-      "wear.";
+      "Automatic is neutral for measures of quality, where good elements recede and bad ones catch "
+      "the eye, and viridis for others and on logarithmic scales. The colour-blind can read every "
+      "map, too. Most go from "
+      "dark "
+      "to bright in even steps to the eye; puor is orange below zero and purple above it: for "
+      "fields with a sign, such as the smallest weight. Plasma, magma and inferno contain red, "
+      "which inverted elements wear.";
   ui::row("Colour map", map_tip);
-  if (ui::combo("view/map", maps, map, map_tip)) {
+  if (ui::combo("view/map", names, map, map_tip)) {
     view.color_map = maps[map];
     changed = true;
   }
@@ -89,11 +116,39 @@ bool ViewPanel::draw_range(ViewOptions& view) {
     view.bands = band_counts[bands];
     changed = true;
   }
-  bool automatic = !view.range;
-  constexpr const char* tip = "Range of the colours. Automatic follows the mesh.";
+  return changed;
+}
+
+bool ViewPanel::draw_range(const PanelContext& context, ViewOptions& view) {
+  bool changed = false;
+  constexpr const char* axis_tip =
+      "Linear: equal differences of values are equal steps of colour. Logarithmic: equal ratios "
+      "are, for positive values that span decades. Automatic takes the one that shows more: "
+      "logarithmic for aspect ratio, condition number and area of a mesh with boundary layers.";
+  auto axis = static_cast<std::size_t>(view.color_axis);
+  ui::row("Scale", axis_tip);
+  if (ui::combo("view/axis", {"Automatic", "Linear", "Logarithmic"}, axis, axis_tip)) {
+    view.color_axis = static_cast<ColorAxis>(axis);
+    changed = true;
+  }
+  constexpr const char* tip =
+      "Values at the ends of the colours. Automatic leaves out the few most extreme values; "
+      "percentiles leave out as many as they say; a range from a value to another stays whatever "
+      "the mesh does.";
+  const std::size_t fixed = spreads.size() + 1;
+  std::vector<std::string> names{"Automatic"};
+  for (const Spread& spread : spreads) names.emplace_back(spread.name);
+  names.emplace_back("From value to value");
+  std::size_t chosen = view.range ? fixed : 0;
+  for (std::size_t k = 0; k < spreads.size() && !view.range; ++k)
+    if (view.percentiles == spreads[k].percentiles) chosen = k + 1;
   ui::row("Range", tip);
-  if (ui::checkbox("view/range_auto", "Automatic", automatic, tip)) {
-    view.range = automatic ? std::nullopt : std::optional(std::array<double, 2>{0.0, 1.0});
+  if (ui::combo("view/range", names, chosen, tip)) {
+    const std::array<double, 2> ends = ends_of(context, view);
+    view.range.reset();
+    view.percentiles.reset();
+    if (chosen == fixed) view.range = ends;
+    if (chosen > 0 && chosen < fixed) view.percentiles = spreads[chosen - 1].percentiles;
     changed = true;
   }
   if (view.range) {
@@ -101,10 +156,10 @@ bool ViewPanel::draw_range(ViewOptions& view) {
     ui::row("");
     const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
     ImGui::SetNextItemWidth(width);
-    changed |= ui::number("view/range_low", (*view.range)[0], "Colour of the low end");
+    changed |= ui::number("view/range_low", (*view.range)[0], "Value of the low end");
     ImGui::SameLine(0, gap);
     ImGui::SetNextItemWidth(width);
-    changed |= ui::number("view/range_high", (*view.range)[1], "Colour of the high end");
+    changed |= ui::number("view/range_high", (*view.range)[1], "Value of the high end");
   }
   return changed;
 }

@@ -11,7 +11,8 @@ class ViewPanel : public Panel {
 
  private:
   bool draw_color(const PanelContext& context, ViewOptions& view);
-  bool draw_range(ViewOptions& view);
+  bool draw_map(ViewOptions& view);
+  bool draw_range(const PanelContext& context, ViewOptions& view);
   bool draw_elements(ViewOptions& view);
   bool draw_boundary(ViewOptions& view);
   bool draw_comparison(ViewOptions& view);

@@ -14,16 +14,15 @@
 namespace winslow::gui {
 namespace {
 
-constexpr int histogram_bins = 40;
-
 void check(const PictureOptions& options) {
   if (options.bounds && !((options.bounds->max - options.bounds->min).array() > 0).all()) {
     throw UsageError("the bounds of a picture are x0 y0 x1 y1 with x0 < x1 and y0 < y1");
   }
-  if (options.range && !((*options.range)[0] < (*options.range)[1])) {
+  const auto& range = options.colors.range;
+  if (range && !((*range)[0] < (*range)[1])) {
     throw UsageError("the range of the colours is LOW HIGH with LOW < HIGH");
   }
-  sample_color_map(options.color_map, 0);
+  if (options.color) sample_color_map(color_map_for(*options.color, options.colors.map), 0);
 }
 
 /// 12345 -> "12 345", with a space that does not break.
@@ -39,26 +38,16 @@ std::string warning_text(Index inverted) {
 }
 
 ColorScale choose_scale(const PictureOptions& options, std::span<const double> values) {
-  ColorScale scale = automatic_scale(*options.color, values, options.color_map);
-  if (options.range) {
-    scale.low = (*options.range)[0];
-    scale.high = (*options.range)[1];
-  }
-  return scale;
+  ColorChoice choice = options.colors;
+  choice.on_dark = options.dark;
+  return color_scale(*options.color, values, choice);
 }
 
-Legend make_legend(const ElementField& field, std::span<const double> values,
-                   const ColorScale& scale) {
-  Legend legend;
-  legend.title = std::string(field_info(field).label);
-  legend.scale = scale;
-  legend.histogram = histogram_over(values, scale, histogram_bins);
-  const auto finite = [](double v) { return std::isfinite(v); };
-  const double slack = 1e-9 * (scale.high - scale.low);
-  legend.more_above =
-      std::ranges::any_of(values, [&](double v) { return finite(v) && v > scale.high + slack; });
-  legend.more_below =
-      std::ranges::any_of(values, [&](double v) { return finite(v) && v < scale.low - slack; });
+Legend make_legend(const PictureOptions& options, std::span<const double> values,
+                   const ColorScale& scale, bool with_inverted) {
+  Legend legend = legend_of(*options.color, values, scale);
+  const Rgba red = MeshStyle{}.inverted_color;
+  if (with_inverted) legend.inverted = Rgb{red[0], red[1], red[2]};
   return legend;
 }
 
@@ -77,8 +66,10 @@ MeshStyle mesh_style(const PictureOptions& options, const PictureTheme& theme, f
   style.fill_color = theme.fill;
   style.edge_color = theme.edge;
   if (options.color) {
-    // On colours, dark lines are legible in both themes.
-    style.edge_color = picture_theme(false).edge;
+    // On colours, dark lines are legible in both themes, but for the map that recedes into the
+    // dark.
+    const bool neutral = color_map_for(*options.color, options.colors.map) == "neutral";
+    style.edge_color = picture_theme(options.dark && neutral).edge;
     style.edge_color[3] = 0.55f;
   }
   return style;
@@ -102,7 +93,7 @@ Image draw_picture(const Mesh& mesh, const PictureOptions& options) {
   if (options.color) {
     values = element_values(*vcv, mesh.coordinates, *options.color);
     scale = choose_scale(options, values);
-    if (options.legend) text.legend = make_legend(*options.color, values, scale);
+    if (options.legend) text.legend = make_legend(options, values, scale, !text.warning.empty());
   }
   const auto& markers = mesh.topology->markers();
   for (std::size_t m = 0; m < markers.size() && options.marker_key; ++m) {
@@ -151,7 +142,8 @@ VectorFigure picture_figure(const Mesh& mesh, const PictureOptions& options) {
   if (options.color) {
     figure.values = element_values(*vcv, mesh.coordinates, *options.color);
     figure.scale = choose_scale(options, figure.values);
-    if (options.legend) figure.legend = make_legend(*options.color, figure.values, *figure.scale);
+    if (options.legend)
+      figure.legend = make_legend(options, figure.values, *figure.scale, !figure.warning.empty());
   }
   const auto& markers = mesh.topology->markers();
   for (std::size_t m = 0; m < markers.size(); ++m) {
@@ -166,10 +158,14 @@ VectorFigure picture_figure(const Mesh& mesh, const PictureOptions& options) {
   return figure;
 }
 
-std::array<double, 2> picture_range(const Mesh& mesh, const PictureOptions& options) {
-  const auto values = element_values(*make_state(mesh).vcv, mesh.coordinates, *options.color);
-  const ColorScale scale = choose_scale(options, values);
-  return {scale.low, scale.high};
+ColorScale picture_scale(const Mesh& mesh, const PictureOptions& options) {
+  return choose_scale(options,
+                      element_values(*make_state(mesh).vcv, mesh.coordinates, *options.color));
+}
+
+void use_scale(PictureOptions& options, const ColorScale& scale) {
+  options.colors.range = {scale.low, scale.high};
+  options.colors.axis = scale.logarithmic ? ColorAxis::logarithmic : ColorAxis::linear;
 }
 
 Image side_by_side(const Image& left, const Image& right) {

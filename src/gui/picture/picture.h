@@ -8,16 +8,16 @@
 #include "core/inspect/element_field.h"
 #include "gui/picture/figure/vector_figure.h"
 #include "gui/render/image.h"
+#include "gui/render/metric_scale.h"
 
 namespace winslow::gui {
 
 /// A picture of a mesh, drawn without a display.
 struct PictureOptions {
-  int width = 1200, height = 900;              ///< pixels
-  std::optional<ElementField> color;           ///< colour elements by this
-  std::optional<Bounds> bounds;                ///< shown whole; default: the whole mesh
-  std::optional<std::array<double, 2>> range;  ///< of the colours; default: automatic
-  std::string color_map = "viridis";
+  int width = 1200, height = 900;     ///< pixels
+  std::optional<ElementField> color;  ///< colour elements by this
+  std::optional<Bounds> bounds;       ///< shown whole; default: the whole mesh
+  ColorChoice colors;                 ///< of what is coloured; on_dark follows dark
   bool wireframe = true;
   bool legend = true;      ///< only with color
   bool marker_key = true;  ///< names of the markers in their colours, bottom left
@@ -35,9 +35,11 @@ Image draw_picture(const Mesh& mesh, const PictureOptions& options);
 /// The same as vector graphics, a pixel of the options being a point. Throws UsageError.
 VectorFigure picture_figure(const Mesh& mesh, const PictureOptions& options);
 
-/// The range that the colours of a picture have: of several that are to be compared, take one.
+/// The scale that the colours of a picture have: of several that are to be compared, take one.
 /// Needs options.color.
-std::array<double, 2> picture_range(const Mesh& mesh, const PictureOptions& options);
+ColorScale picture_scale(const Mesh& mesh, const PictureOptions& options);
+/// Has a picture take the range and the axis of a scale.
+void use_scale(PictureOptions& options, const ColorScale& scale);
 
 /// Two pictures of one height side by side.
 Image side_by_side(const Image& left, const Image& right);

@@ -6,6 +6,7 @@
 #include "gui/render/draw_list.h"
 #include "gui/render/element_shape.h"
 #include "gui/render/line_density.h"
+#include "gui/render/overlap.h"
 
 namespace winslow::gui {
 namespace {
@@ -23,6 +24,7 @@ class ClippedMesh {
     list_.interior = add_edges(groups.interior);
     // Of the interior alone: what comes after is never hidden with its elements.
     list_.line_edge = std::move(edges_);
+    hide_covered(list_);
     sort_by_spacing(list_);
     list_.boundary = add_edges(groups.unmarked_boundary);
     for (const Marker& marker : topology_.markers()) {

@@ -9,10 +9,10 @@
 namespace winslow::gui {
 namespace {
 
-/// Evenly spaced colours of a map (0xRRGGBB), published ones but for glacier, which is our own: its
-/// light end leaves the lines of a good mesh legible. Smooth interpolation between them stays
-/// within a few of 255 of the published tables. A diverging map has an odd number: one is the
-/// middle.
+/// Evenly spaced colours of a map (0xRRGGBB), published ones but for neutral and glacier, which are
+/// our own: their light ends leave the lines of a good mesh legible. Smooth interpolation between
+/// them stays within a few of 255 of the published tables. A diverging map has an odd number: one
+/// is the middle.
 struct Map {
   std::string_view name;
   std::array<std::uint32_t, 11> stops;
@@ -21,7 +21,10 @@ struct Map {
   bool diverging() const { return count % 2 == 1; }
 };
 
-constexpr std::array<Map, 7> maps{{
+constexpr std::array<Map, 8> maps{{
+    {"neutral",
+     {0x2E0B5E, 0x4F2488, 0x7446A6, 0x9A70BF, 0xBD9CD4, 0xD8C3E4, 0xE8DDEE, 0xEEE9F2, 0xF1F0F5,
+      0xF3F5F8}},
     {"viridis",
      {0x440154, 0x482878, 0x3E4A89, 0x31688E, 0x26828E, 0x1F9E89, 0x35B779, 0x6DCD59, 0xB4DE2C,
       0xFDE725}},
@@ -45,6 +48,11 @@ constexpr std::array<Map, 7> maps{{
       0x542788, 0x2D004B},
      11},
 }};
+
+/// Neutral on a dark ground.
+constexpr Map neutral_on_dark{"neutral",
+                              {0xF6E3FF, 0xDDBBF2, 0xBF94DC, 0x9C71BE, 0x79559A, 0x5B4576, 0x463B5A,
+                               0x39364A, 0x303340, 0x2A303A}};
 
 constexpr float channel(std::uint32_t color, int c) {
   return static_cast<float>((color >> (16 - 8 * c)) & 0xFFU) / 255.0f;
@@ -104,16 +112,30 @@ std::vector<std::string> color_map_names() {
   return names;
 }
 
-Rgb sample_color_map(std::string_view name, double t) { return interpolate(find_map(name), t); }
+Rgb sample_color_map(std::string_view name, double t, bool on_dark) {
+  if (on_dark && name == neutral_on_dark.name) return interpolate(neutral_on_dark, t);
+  return interpolate(find_map(name), t);
+}
 
 bool is_diverging(std::string_view name) { return find_map(name).diverging(); }
 
-bool ColorScale::diverges() const { return centre && is_diverging(map); }
+bool ColorScale::diverges() const { return centre && !by_ratio() && is_diverging(map); }
+
+double ColorScale::share(double value) const {
+  if (by_ratio())
+    return value > low ? std::min(std::log(value / low) / std::log(high / low), 1.0) : 0.0;
+  const double span = high - low;
+  if (!(span > 0)) return value > low ? 1.0 : 0.0;
+  return std::clamp((value - low) / span, 0.0, 1.0);
+}
+
+double ColorScale::value_at(double share) const {
+  return by_ratio() ? low * std::pow(high / low, share) : low + share * (high - low);
+}
 
 Rgb ColorScale::color(double value) const {
   if (std::isnan(value)) return {0.6f, 0.6f, 0.6f};
-  const double span = high - low;
-  double t = span > 0 ? std::clamp((value - low) / span, 0.0, 1.0) : (value > low ? 1.0 : 0.0);
+  double t = share(value);
   int steps = bands;
   if (diverges()) {
     t = diverging_share(*this, *centre, value);
@@ -122,7 +144,7 @@ Rgb ColorScale::color(double value) const {
   }
   if (steps > 1) t = std::min(std::floor(t * steps), steps - 1.0) / (steps - 1.0);
   if (steps == 1) t = 0.5;
-  return sample_color_map(map, reversed ? 1.0 - t : t);
+  return sample_color_map(map, reversed ? 1.0 - t : t, on_dark);
 }
 
 int ColorScale::strips(int fine) const {

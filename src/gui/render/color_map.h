@@ -13,15 +13,21 @@ namespace winslow::gui {
 /// Colour in [0, 1], as sent to the screen (sRGB values).
 using Rgb = std::array<float, 3>;
 
-/// Maps that the colour-blind can read, too. From dark to bright: viridis, cividis, glacier,
-/// plasma, magma, inferno; the last three contain red, which inverted elements wear. Diverging,
-/// from orange over white to purple, for fields with both signs: puor (ColorBrewer's PuOr).
+/// Maps that the colour-blind can read, too. From dark to bright: neutral, whose upper half is
+/// nearly the ground, so that good elements recede; viridis, cividis, glacier, plasma, magma,
+/// inferno; the last three contain red, which inverted elements wear. Diverging, from orange over
+/// white to purple, for fields with both signs: puor (ColorBrewer's PuOr).
 std::vector<std::string> color_map_names();
-/// Colour at t in [0, 1] (clamped). Throws UsageError for an unknown name.
-Rgb sample_color_map(std::string_view name, double t);
+/// Colour at t in [0, 1] (clamped). on_dark: on a dark ground, into which neutral then recedes: it
+/// goes from bright to dark. Throws UsageError for an unknown name.
+Rgb sample_color_map(std::string_view name, double t, bool on_dark = false);
 
 /// White in the middle, a hue of its own on either side. Throws UsageError for an unknown name.
 bool is_diverging(std::string_view name);
+
+/// How values are spread over colours: by their differences, or by their ratios; automatic: what
+/// shows more of them.
+enum class ColorAxis { automatic, linear, logarithmic };
 
 /// Values to colours: range, map, banding.
 struct ColorScale {
@@ -32,11 +38,20 @@ struct ColorScale {
   /// The value that a diverging map has in its middle: each side of it takes half of the map, and
   /// an even number of bands. None: the middle of the range. Other maps take no notice.
   std::optional<double> centre = {};
+  /// Equal ratios take equal parts of the map. Only of a positive range; else no notice is taken.
+  bool logarithmic = false;
+  bool on_dark = false;  ///< see sample_color_map()
 
   /// Clamped to the range; a NaN is grey. Throws UsageError for an unknown map.
   Rgb color(double value) const;
   /// Its map diverges, and from a centre.
   bool diverges() const;
+  /// Where a value lies along a legend: 0 at low, 1 at high, clamped.
+  double share(double value) const;
+  /// The value at a share of the way: the inverse of share().
+  double value_at(double share) const;
+  /// Its values are spread by their ratios.
+  bool by_ratio() const { return logarithmic && low > 0 && high > low; }
   /// Strips of equal height in which a legend shows it exactly; `fine` where it takes many.
   int strips(int fine) const;
 };

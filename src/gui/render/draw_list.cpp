@@ -8,6 +8,7 @@
 
 #include "gui/render/element_shape.h"
 #include "gui/render/line_density.h"
+#include "gui/render/overlap.h"
 
 namespace winslow::gui {
 namespace {
@@ -31,6 +32,7 @@ class WholeMesh {
     add_elements(groups.interior.size() > many_lines);
     list_.interior = add_edges(groups.interior);
     list_.line_edge = groups.interior;
+    hide_covered(list_);
     sort_by_spacing(list_);
     list_.boundary = add_edges(groups.unmarked_boundary);
     for (const Marker& marker : topology_.markers()) {

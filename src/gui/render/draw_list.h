@@ -12,7 +12,7 @@ namespace winslow::gui {
 /// indices into them. Knows no OpenGL.
 struct DrawList {
   struct Range {
-    std::size_t first = 0, count = 0;  ///< in lines
+    std::size_t first = 0, count = 0;  ///< in lines, if nothing else is said
   };
   Vec3 origin{0, 0, 0};
   std::vector<float> positions;          ///< x and y of each vertex, minus origin
@@ -32,6 +32,13 @@ struct DrawList {
   /// What lies nearer hides what lies behind it; else, as in the plane, what comes later lies
   /// above.
   bool depth_test = false;
+  /// Triangles that are enough to draw of a mesh that lies over itself many times; see overlap.h.
+  struct Seen {
+    Range beside_inverted;  ///< where inverted ones are drawn above all; ranges count triangles
+    Range alone;            ///< where they are not
+    Range whole;            ///< every triangle as it is: others may shine through
+  };
+  std::optional<Seen> seen;  ///< none: all of them
   Range interior, boundary;
   std::vector<std::uint32_t> interior_at_least;  ///< see sort_by_spacing in line_density.h
   std::vector<Range> markers;

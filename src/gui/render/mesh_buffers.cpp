@@ -67,6 +67,7 @@ bool MeshBuffers::upload(DrawList list) {
 
 void MeshBuffers::set_element_colors(std::span<const std::uint32_t> rgba) {
   has_colors_ = !rgba.empty();
+  see_through_ = std::ranges::any_of(rgba, [](std::uint32_t c) { return c < 0xFF000000U; });
   if (!has_colors_) return;
   std::vector<std::uint32_t> colors;
   colors.reserve(list_.triangle_element.size());
@@ -122,7 +123,13 @@ void MeshBuffers::prepare_merged(const LineStyle& style) {
   triangle_lines_.bind(1);
 }
 
-void MeshBuffers::draw_fill(const Rgba* color, const LineStyle* merged) {
+DrawList::Range MeshBuffers::triangles_seen(bool below_inverted) const {
+  if (!list_.seen) return {0, list_.triangle_element.size()};
+  if (below_inverted) return list_.seen->beside_inverted;
+  return see_through_ ? list_.seen->whole : list_.seen->alone;
+}
+
+void MeshBuffers::draw_fill(const Rgba* color, const LineStyle* merged, bool below_inverted) {
   fill_.use();
   fill_.set("to_clip", to_clip_);
   fill_.set("color", color ? *color : Rgba{0, 0, 0, 1});
@@ -133,7 +140,9 @@ void MeshBuffers::draw_fill(const Rgba* color, const LineStyle* merged) {
   if (merged) prepare_merged(*merged);
   triangle_colors_.bind(0);
   triangles_.bind();
-  draw_elements(GL_TRIANGLES, 0, list_.triangles.size());
+  const DrawList::Range seen = triangles_seen(below_inverted);
+  fill_.set("first_triangle", static_cast<int>(seen.first));
+  draw_elements(GL_TRIANGLES, 3 * seen.first, 3 * seen.count);
 }
 
 void MeshBuffers::draw_inverted_fill(const Rgba& color) {
@@ -143,6 +152,7 @@ void MeshBuffers::draw_inverted_fill(const Rgba& color) {
   fill_.set("draw_surface", 1);
   fill_.set("merge_lines", 0);
   fill_.set("use_triangle_colors", 0);
+  fill_.set("first_triangle", 0);
   fill_.set("triangle_colors", 0);
   inverted_triangles_.bind();
   draw_elements(GL_TRIANGLES, 0, list_.inverted_triangles.size());

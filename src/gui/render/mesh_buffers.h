@@ -39,8 +39,9 @@ class MeshBuffers {
   void begin(const Camera& camera);
   void end();
   /// color: of elements without colours; null: the surface is not drawn. merged: interior lines
-  /// whose faintest are drawn as part of the triangles, see merges(); null: none.
-  void draw_fill(const Rgba* color, const LineStyle* merged);
+  /// whose faintest are drawn as part of the triangles, see merges(); null: none. below_inverted:
+  /// draw_inverted_fill() follows, and what it hides need not be drawn.
+  void draw_fill(const Rgba* color, const LineStyle* merged, bool below_inverted);
   /// There are so many faint lines that draw_fill() draws them, and draw_interior_lines() does not.
   bool merges(const LineStyle& style) const { return merging_below(style) > 0; }
   void draw_inverted_fill(const Rgba& color);
@@ -51,6 +52,7 @@ class MeshBuffers {
 
  private:
   float merging_below(const LineStyle& style) const;
+  DrawList::Range triangles_seen(bool below_inverted) const;
   void prepare_merged(const LineStyle& style);
   void prepare_lines(const LineStyle& style, std::size_t first_line, bool use_opacity = false,
                      float merge_below = 0);
@@ -63,6 +65,7 @@ class MeshBuffers {
   GlTextureBuffer triangle_colors_{GL_RGBA8}, line_spacing_{GL_R32F}, line_opacity_{GL_R32F},
       triangle_lines_{GL_RG32F};
   bool has_colors_ = false, has_opacity_ = false;
+  bool see_through_ = false;  // some of the colours are
   bool triangle_lines_stale_ = true;
   Shader fill_{"fill.vert", "fill.frag"};
   Shader line_{"fill.vert", "line.geom", "line.frag"};

@@ -59,19 +59,18 @@ PreparedMesh prepare_mesh(const std::shared_ptr<const Topology>& topology,
 std::vector<std::uint32_t> element_colors(std::span<const double> values, const ColorScale& scale,
                                           std::span<const float> opacity) {
   constexpr std::size_t size = 1024;
-  const double span = scale.high - scale.low;
   std::vector<std::uint32_t> table(size);
   for (std::size_t k = 0; k < size; ++k)
-    table[k] = pack(scale.color(scale.low + span * (static_cast<double>(k) + 0.5) / size));
+    table[k] = pack(scale.color(scale.value_at((static_cast<double>(k) + 0.5) / size)));
   std::vector<std::uint32_t> colors;
   colors.reserve(values.size());
   for (const double value : values) {
-    if (std::isnan(value) || !(span > 0)) {
+    if (std::isnan(value) || !(scale.high > scale.low)) {
       colors.push_back(pack(scale.color(value)));
       continue;
     }
-    const double t = std::clamp((value - scale.low) / span, 0.0, 1.0);
-    colors.push_back(table[std::min(static_cast<std::size_t>(t * size), size - 1)]);
+    const auto k = static_cast<std::size_t>(scale.share(value) * size);
+    colors.push_back(table[std::min(k, size - 1)]);
   }
   for (std::size_t e = 0; e < std::min(opacity.size(), colors.size()); ++e) {
     const auto alpha = static_cast<std::uint32_t>(std::lround(255.0f * opacity[e]));
@@ -203,7 +202,8 @@ class MeshRenderer::Impl {
     const MeshBuffers::LineStyle lines = interior_style(style);
     const bool merges = style.wireframe && buffers.merges(lines);
     if (style.fill || merges)
-      buffers.draw_fill(style.fill ? &style.fill_color : nullptr, merges ? &lines : nullptr);
+      buffers.draw_fill(style.fill ? &style.fill_color : nullptr, merges ? &lines : nullptr,
+                        style.show_inverted);
     if (style.show_inverted) buffers.draw_inverted_fill(style.inverted_color);
   }
 

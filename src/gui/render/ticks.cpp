@@ -39,6 +39,33 @@ std::vector<double> nice_ticks(double low, double high, int wanted) {
   return ticks;
 }
 
+std::vector<double> log_ticks(double low, double high, int wanted) {
+  if (!(low > 0) || !(high > low) || !std::isfinite(high) || wanted < 1) return {};
+  constexpr double slack = 1e-9;
+  const double decades = std::log10(high / low);
+  if (decades < 1) return nice_ticks(low, high, wanted);
+  const int first = static_cast<int>(std::floor(std::log10(low)));
+  const int last = static_cast<int>(std::ceil(std::log10(high)));
+  const bool fine = 3 * decades <= wanted;
+  const int step = std::max(1, static_cast<int>(std::ceil(decades / wanted)));
+  std::vector<double> ticks;
+  for (int k = first; k <= last; ++k)
+    for (const double digit : {1.0, 2.0, 5.0}) {
+      if (digit > 1 ? !fine : k % step != 0) continue;
+      const double value = digit * std::pow(10.0, k);
+      if (value >= low * (1 - slack) && value <= high * (1 + slack)) ticks.push_back(value);
+    }
+  return ticks;
+}
+
+std::string format_power(double value) {
+  const double size = std::abs(value);
+  if (size < 1e-4 || size >= 1e6) return print("%.*g", 3, value);
+  // Three digits, but no exponent for the thousands.
+  const double power = std::pow(10.0, std::floor(std::log10(size)) - 2);
+  return print("%.*g", 6, power * std::round(value / power));
+}
+
 double round_up_nicely(double value) {
   if (!(value > 0) || !std::isfinite(value)) return value;
   constexpr std::array<double, 11> round{1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10};

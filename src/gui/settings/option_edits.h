@@ -35,18 +35,19 @@ auto option_fields(T& options) {
 
 template <Is<ViewOptions> T>
 auto option_fields(T& options) {
-  auto& [color, color_map, bands, range, isolation, fill, wireframe, line_width, nodes, rim_nodes,
-         directions, markers, node_ids, element_ids, legend, legend_place, scale_bar, mark_inverted,
-         comparison, divider, before, magnifier, worst_by, worst_count, lightness, backdrop, scale,
-         left_panel, right_panel, side_tab, plot_panel] = options;
-  return std::tuple_cat(
-      std::tie(color, color_map, bands, range), option_fields(isolation),
-      std::tie(fill, wireframe, line_width, nodes, rim_nodes, directions, markers, node_ids,
-               element_ids, legend, legend_place, scale_bar, mark_inverted, comparison, divider,
-               before),
-      option_fields(magnifier),
-      std::tie(worst_by, worst_count, lightness, backdrop, scale, left_panel, right_panel, side_tab,
-               plot_panel));
+  auto& [color, color_map, color_axis, percentiles, range, bands, isolation, fill, wireframe,
+         line_width, nodes, rim_nodes, directions, markers, node_ids, element_ids, legend,
+         legend_place, scale_bar, mark_inverted, comparison, divider, before, magnifier, worst_by,
+         worst_count, lightness, backdrop, scale, left_panel, right_panel, side_tab, plot_panel] =
+      options;
+  return std::tuple_cat(std::tie(color, color_map, color_axis, percentiles, range, bands),
+                        option_fields(isolation),
+                        std::tie(fill, wireframe, line_width, nodes, rim_nodes, directions, markers,
+                                 node_ids, element_ids, legend, legend_place, scale_bar,
+                                 mark_inverted, comparison, divider, before),
+                        option_fields(magnifier),
+                        std::tie(worst_by, worst_count, lightness, backdrop, scale, left_panel,
+                                 right_panel, side_tab, plot_panel));
 }
 
 /// Says which fields of some options change, and to what. The others stay as they are when it is

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/inspect/element_field.h"
+#include "gui/render/color_map.h"
 #include "gui/settings/marker_looks.h"
 
 namespace winslow::gui {
@@ -53,9 +54,11 @@ struct Magnifier {
 /// How the mesh is shown; no part of the document.
 struct ViewOptions {
   std::optional<ElementField> color = Metric::normalized_jacobian;  ///< none: plain
-  std::string color_map = "viridis";
-  int bands = 0;                               ///< 0: continuous
-  std::optional<std::array<double, 2>> range;  ///< of the colours; none: automatic
+  std::string color_map = "automatic";  ///< see ColorChoice, and the next four
+  ColorAxis color_axis = ColorAxis::automatic;
+  std::optional<std::array<double, 2>> percentiles;
+  std::optional<std::array<double, 2>> range;
+  int bands = 0;
   Isolation isolation;
   bool fill = true;         ///< surfaces of the elements
   bool wireframe = true;    ///< edges of the elements

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "gui/render/color_map.h"
+#include "gui/render/metric_scale.h"
 
 namespace winslow::gui {
 
@@ -28,6 +28,9 @@ constexpr Names<Backdrop, 5> backdrops{{{Backdrop::automatic, "automatic"},
                                         {Backdrop::grey, "grey"},
                                         {Backdrop::gradient, "gradient"},
                                         {Backdrop::black, "black"}}};
+constexpr Names<ColorAxis, 3> axes{{{ColorAxis::automatic, "automatic"},
+                                    {ColorAxis::linear, "linear"},
+                                    {ColorAxis::logarithmic, "logarithmic"}}};
 constexpr Names<BeforeState, 2> befores{
     {{BeforeState::loaded, "loaded"}, {BeforeState::last_command, "last_command"}}};
 
@@ -43,6 +46,8 @@ template <class View, class Visitor>
 void visit(View& view, Visitor&& visitor) {
   visitor.field("color", view.color);
   visitor.map("color_map", view.color_map);
+  visitor.choice("color_axis", view.color_axis, axes);
+  visitor.percentiles("percentiles", view.percentiles);
   visitor.number("bands", view.bands, 0, 64);
   visitor.flag("fill", view.fill);
   visitor.flag("wireframe", view.wireframe);
@@ -87,6 +92,9 @@ struct Writer {
     }
     object[key] = {{"mesh", value.mesh}, {"looks", std::move(looks)}};
   }
+  void percentiles(const char* key, const std::optional<std::array<double, 2>>& value) {
+    object[key] = value ? json(*value) : json();
+  }
   template <class Choice, std::size_t count>
   void choice(const char* key, Choice value, const Names<Choice, count>& names) {
     for (const auto& [each, name] : names)
@@ -114,9 +122,16 @@ struct Reader {
   void map(const char* key, std::string& value) {
     const json* found = find(key);
     if (!found || !found->is_string()) return;
-    const auto names = color_map_names();
+    const auto names = color_map_choices();
     const auto read = found->get<std::string>();
     if (std::ranges::find(names, read) != names.end()) value = read;
+  }
+  void percentiles(const char* key, std::optional<std::array<double, 2>>& value) {
+    const json* found = find(key);
+    if (!found || !found->is_array() || found->size() != 2) return;
+    if (!(*found)[0].is_number() || !(*found)[1].is_number()) return;
+    const auto read = found->get<std::array<double, 2>>();
+    if (read[0] >= 0 && read[0] < read[1] && read[1] <= 100) value = read;
   }
   void field(const char* key, std::optional<ElementField>& value) {
     const json* found = find(key);

@@ -45,8 +45,7 @@ class StudioLoop {
     const double now = window_.time();
     workbench_.set_scale(window_.scale());
     window_.connect_clipboard();
-    workbench_.update(window_.input().next_frame(), window_.width(), window_.height(),
-                      now - last_frame_);
+    workbench_.update(window_.input(), window_.width(), window_.height(), now - last_frame_);
     last_frame_ = now;
     workbench_.paint();
     window_.set_title(workbench_.title());

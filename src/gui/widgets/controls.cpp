@@ -76,7 +76,9 @@ ImVec2 tooltip_place(const ImVec2& min, const ImVec2& max, const ImVec2& size) {
   return at;
 }
 
-int push_button_style(ButtonStyle style) {
+int push_button_style(ButtonStyle style, bool enabled) {
+  // What cannot be pressed is grey, whatever it would do.
+  if (!enabled && style != ButtonStyle::flat) style = ButtonStyle::normal;
   if (style == ButtonStyle::normal) return 0;
   if (style == ButtonStyle::flat) {
     ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
@@ -125,7 +127,7 @@ void tooltip(std::string_view text) {
 }
 
 bool button(std::string_view id, const std::string& label, const ButtonOptions& options) {
-  const int colors = push_button_style(options.style);
+  const int colors = push_button_style(options.style, options.enabled && !disabled_now());
   ImGui::BeginDisabled(!options.enabled);
   const bool pressed = ImGui::Button((label + "###" + std::string(id)).c_str(),
                                      ImVec2(options.width < 0 ? -FLT_MIN : options.width, 0));
@@ -138,7 +140,10 @@ bool button(std::string_view id, const std::string& label, const ButtonOptions& 
 
 bool checkbox(std::string_view id, const std::string& label, bool& value, std::string_view tip) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(3, 3));
+  ImGui::PushStyleColor(ImGuiCol_CheckMark,
+                        disabled_now() ? palette().text_faint : palette().accent);
   const bool changed = ImGui::Checkbox((label + "###" + std::string(id)).c_str(), &value);
+  ImGui::PopStyleColor();
   ImGui::PopStyleVar();
   note(id);
   tooltip(tip);

@@ -36,7 +36,8 @@ class Drawing {
     const float height = max.y - min.y - 36 * scale;
     lower_shown_ = wants_lower && height > 96 * scale;
     top_.min = ImVec2(min.x + 54 * scale, min.y + 8 * scale);
-    top_.max = ImVec2(max.x - 48 * scale, max.y - 36 * scale);
+    // Beside the frame, where no curve runs, there is room for the name of the tolerance.
+    top_.max = ImVec2(max.x - 72 * scale, max.y - 36 * scale);
     if (!plot.history.empty()) {
       top_.first = plot.history.front().iteration;
       top_.last = std::max(top_.first + 1, static_cast<double>(plot.history.back().iteration));
@@ -100,37 +101,37 @@ class Drawing {
               palette().text_dim, grouped(static_cast<long long>(value)));
     text_at(list_, ImVec2((top_.min.x + top_.max.x) / 2, bottom_.max.y + 19 * scale_),
             ImVec2(0.5f, 0), palette().text_dim, "outer iteration");
-    draw_hint();
-  }
-
-  /// In the lower strip: the upper one has the tolerance and its name.
-  void draw_hint() {
-    if (!plot_.history.empty() || plot_.hint.empty()) return;
-    const PlotStrip& strip = lower_shown_ ? bottom_ : top_;
-    const std::string hint(plot_.hint);
-    if (ImGui::CalcTextSize(hint.c_str()).x > strip.max.x - strip.min.x) return;
-    text_at(list_, ImVec2((strip.min.x + strip.max.x) / 2, (strip.min.y + strip.max.y) / 2),
-            ImVec2(0.5f, 0.5f), palette().text_faint, hint);
   }
 
   void draw_upper() {
-    const int rows = std::max(2, static_cast<int>((top_.max.y - top_.min.y) / (22 * scale_)));
-    const int low = static_cast<int>(values_.low);
-    const int high = static_cast<int>(values_.high);
-    const int step = std::max(1, (high - low + rows - 1) / rows);
-    for (int decade = low; decade <= high; ++decade) {
-      if (decade % step != 0) continue;
-      const float y = top_.y(values_, std::pow(10.0, decade));
-      list_.AddLine(ImVec2(top_.min.x, y), ImVec2(top_.max.x, y), palette().grid, scale_);
-      text_at(list_, ImVec2(top_.min.x - 6 * scale_, y), ImVec2(1, 0.5f), palette().text_dim,
-              "1e" + std::to_string(decade));
-    }
+    draw_decades();
     list_.AddRect(top_.min, top_.max, palette().border, 0, 0, scale_);
-    list_.PushClipRect(top_.min, top_.max, true);
     if (plot_.tolerance) draw_tolerance(*plot_.tolerance);
+    list_.PushClipRect(top_.min, top_.max, true);
     if (plot_.series.move) draw_line(&IterationRecord::largest_move, move_color(), 1.5f);
     if (plot_.series.residual) draw_line(&IterationRecord::residual, residual_color(), 2.0f);
     list_.PopClipRect();
+  }
+
+  /// A line for each decade that has three pixels, and names for as many as there is room for.
+  void draw_decades() {
+    const float height = top_.max.y - top_.min.y;
+    const double decades = values_.high - values_.low;
+    if (static_cast<double>(height) > 3 * static_cast<double>(scale_) * decades)
+      for (double decade = std::ceil(values_.low); decade <= values_.high; ++decade)
+        draw_decade(decade, palette().grid);
+    const int room = 1 + static_cast<int>(height / ImGui::GetTextLineHeight());
+    for (const int decade : named_decades(values_, room)) {
+      const float y = draw_decade(decade, palette().border);
+      text_at(list_, ImVec2(top_.min.x - 6 * scale_, y), ImVec2(1, 0.5f), palette().text_dim,
+              "1e" + std::to_string(decade));
+    }
+  }
+
+  float draw_decade(double decade, ImU32 color) {
+    const float y = top_.y(values_, std::pow(10.0, decade));
+    list_.AddLine(ImVec2(top_.min.x, y), ImVec2(top_.max.x, y), color, scale_);
+    return y;
   }
 
   void draw_tolerance(double tolerance) {
@@ -138,7 +139,7 @@ class Drawing {
     for (float x = top_.min.x; x < top_.max.x; x += 9 * scale_)
       list_.AddLine(ImVec2(x, y), ImVec2(std::min(x + 5 * scale_, top_.max.x), y),
                     palette().success, 1.4f * scale_);
-    text_at(list_, ImVec2(top_.min.x + 6 * scale_, y - 2 * scale_), ImVec2(0, 1), palette().success,
+    text_at(list_, ImVec2(top_.max.x + 5 * scale_, y), ImVec2(0, 0.5f), palette().success,
             "tolerance");
   }
 

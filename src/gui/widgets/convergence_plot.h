@@ -23,7 +23,6 @@ struct ConvergencePlot {
   std::span<const IterationRecord> history;
   std::optional<double> tolerance;
   PlotSeries series;
-  std::string_view hint = {};  ///< said in the middle of a strip while there is no history
 };
 
 /// One line that names the curves; a click shows or hides one. Its entries have the ids

@@ -7,11 +7,13 @@
 #include <cmath>
 #include <cstdio>
 
+#include "gui/render/metric_scale.h"
 #include "gui/render/ticks.h"
 
 namespace winslow::gui {
 namespace {
 
+constexpr int histogram_bins = 40;
 constexpr float tick_length = 5;
 constexpr float tick_gap = 5;
 
@@ -43,11 +45,12 @@ float title_height(const Legend& legend, const LegendStyle& style) {
   return legend.title.empty() ? 0.0f : 1.7f * style.font_size;
 }
 
-std::string range_end_text(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
+/// Of the line below the bar that names the colour of inverted elements.
+float inverted_height(const Legend& legend, const LegendStyle& style) {
+  return legend.inverted ? 2.0f * style.font_size : 0.0f;
 }
+
+constexpr const char* inverted_text = "inverted";
 
 constexpr int fewest_ticks = 2;
 constexpr int most_ticks = 8;
@@ -64,14 +67,13 @@ struct Box {
 /// The colours, one strip a pixel high or one a band, low values at the bottom.
 void draw_bar(ImDrawList& list, const Box& box, const ColorScale& scale, float alpha) {
   const int strips = scale.strips(static_cast<int>(box.height()));
-  const double span = scale.high - scale.low;
   for (int k = 0; k < strips; ++k) {
     const double t = (k + 0.5) / strips;
     const float y1 = box.bottom - box.height() * static_cast<float>(k) / static_cast<float>(strips);
     const float y0 =
         box.bottom - box.height() * static_cast<float>(k + 1) / static_cast<float>(strips);
     list.AddRectFilled({box.left, y0}, {box.right, y1},
-                       to_color(scale.color(scale.low + t * span), alpha));
+                       to_color(scale.color(scale.value_at(t)), alpha));
   }
 }
 
@@ -83,7 +85,6 @@ void draw_histogram(ImDrawList& list, const Box& box, const Legend& legend) {
   draw_bar(list, box, legend.scale, 0.14f);
   const Index most = *std::ranges::max_element(counts);
   if (most <= 0) return;
-  const double span = legend.scale.high - legend.scale.low;
   const auto n = static_cast<float>(counts.size());
   for (std::size_t k = 0; k < counts.size(); ++k) {
     if (counts[k] <= 0) continue;
@@ -91,20 +92,20 @@ void draw_histogram(ImDrawList& list, const Box& box, const Legend& legend) {
     const float length = std::max(static_cast<float>(share) * (box.right - box.left - 2), 1.5f);
     const float y1 = box.bottom - box.height() * static_cast<float>(k) / n;
     const float y0 = box.bottom - box.height() * static_cast<float>(k + 1) / n;
-    const double value = legend.scale.low + span * (static_cast<double>(k) + 0.5) / n;
+    const double value = legend.scale.value_at((static_cast<double>(k) + 0.5) / n);
     list.AddRectFilled({box.left, y0 + 0.5f}, {box.left + length, y1 - 0.5f},
                        to_color(legend.scale.color(value)));
     // An edge, for colours close to that of the ground.
-    list.AddLine({box.left + length, y0 + 0.5f}, {box.left + length, y1 - 0.5f},
-                 IM_COL32(90, 95, 105, 110));
+    list.AddRect({box.left, y0 + 0.5f}, {box.left + length, y1 - 0.5f},
+                 IM_COL32(110, 115, 125, 150));
   }
 }
 
 void draw_ticks(ImDrawList& list, const Box& box, const Legend& legend, const LegendStyle& style) {
   const ImFont& font = font_of(style);
-  const double span = legend.scale.high - legend.scale.low;
+  const bool extended = legend.scale.high > legend.scale.low;
   for (const LegendTick& tick : legend_ticks(legend, ticks_for(box.height(), style.font_size))) {
-    const double t = span > 0 ? (tick.value - legend.scale.low) / span : 0.5;
+    const double t = extended ? legend.scale.share(tick.value) : 0.5;
     const float y = std::round(box.bottom - box.height() * static_cast<float>(t));
     list.AddLine({box.right, y}, {box.right + tick_length, y}, to_color(style.line_color), 1.0f);
     const ImVec2 size = text_size(font, style.font_size, tick.text);
@@ -114,26 +115,53 @@ void draw_ticks(ImDrawList& list, const Box& box, const Legend& legend, const Le
   }
 }
 
+/// A swatch and a word, below the bar and its lowest label.
+void draw_inverted(ImDrawList& list, float x, float bottom, const Legend& legend,
+                   const LegendStyle& style) {
+  const ImVec2 size = text_size(font_of(style), style.font_size, inverted_text);
+  const float y = std::round(bottom - size.y);
+  list.AddRectFilled({x, y}, {x + style.bar_width, y + size.y}, to_color(*legend.inverted));
+  list.AddText(&font_of(style), style.font_size, {x + style.bar_width + tick_gap, y},
+               to_color(style.text_color), inverted_text);
+}
+
 }  // namespace
+
+Legend legend_of(const ElementField& field, std::span<const double> values,
+                 const ColorScale& scale) {
+  Legend legend;
+  legend.title = std::string(field_info(field).label);
+  legend.scale = scale;
+  legend.histogram = histogram_over(values, scale, histogram_bins);
+  const double slack = 1e-9 * (scale.high - scale.low);
+  for (const double v : values) {
+    if (!std::isfinite(v)) continue;
+    legend.more_below |= v < scale.low - slack;
+    legend.more_above |= v > scale.high + slack;
+  }
+  return legend;
+}
 
 std::vector<LegendTick> legend_ticks(const Legend& legend, int wanted) {
   const ColorScale& scale = legend.scale;
-  std::vector<double> values = nice_ticks(scale.low, scale.high, wanted);
-  const double span = scale.high - scale.low;
-  const double step = values.size() > 1 ? values[1] - values[0] : span;
+  const bool decades = scale.by_ratio() && scale.high >= 10 * scale.low;
+  const std::vector<double> values = decades ? log_ticks(scale.low, scale.high, wanted)
+                                             : nice_ticks(scale.low, scale.high, wanted);
+  const double step = values.size() > 1 ? values[1] - values[0] : scale.high - scale.low;
   std::vector<LegendTick> ticks;
-  for (const double v : values) ticks.push_back({v, format_tick(v, step)});
+  for (const double v : values)
+    ticks.push_back({v, decades ? format_power(v) : format_tick(v, step)});
   // Further from its tick than this, the label of an end does not touch the next one.
-  const double clear = 0.6 * step;
-  if (values.empty() || values.front() - scale.low > clear) {
-    ticks.push_back({scale.low, range_end_text(scale.low)});
-  }
-  if (values.empty() || scale.high - values.back() > clear) {
-    ticks.push_back({scale.high, range_end_text(scale.high)});
-  }
+  const double apart =
+      values.size() > 1 ? scale.share(values[1]) - scale.share(values[0]) : 1.0 / wanted;
+  const double clear = 0.6 * std::min(apart, 1.0 / wanted);
+  if (values.empty() || scale.share(values.front()) > clear)
+    ticks.push_back({scale.low, format_power(scale.low)});
+  if (values.empty() || 1 - scale.share(values.back()) > clear)
+    ticks.push_back({scale.high, format_power(scale.high)});
   for (auto& [v, text] : ticks) {
-    if (legend.more_above && std::abs(v - scale.high) < 1e-6 * span) text = "\u2265 " + text;
-    if (legend.more_below && std::abs(v - scale.low) < 1e-6 * span) text = "\u2264 " + text;
+    if (legend.more_above && scale.share(v) > 1 - 1e-6) text = "\u2265 " + text;
+    if (legend.more_below && scale.share(v) < 1e-6) text = "\u2264 " + text;
   }
   return ticks;
 }
@@ -147,14 +175,18 @@ float legend_width(const Legend& legend, const LegendStyle& style) {
     }
   }
   const float bar = bars_width(legend, style) + tick_length + tick_gap + ticks;
-  return std::ceil(std::max(bar, text_size(title_font_of(style), style.font_size, legend.title).x));
+  float widest = std::max(bar, text_size(title_font_of(style), style.font_size, legend.title).x);
+  if (legend.inverted)
+    widest = std::max(widest, style.bar_width + tick_gap +
+                                  text_size(font_of(style), style.font_size, inverted_text).x);
+  return std::ceil(widest);
 }
 
 LegendBars legend_bars(float x, float y, float height, const Legend& legend,
                        const LegendStyle& style) {
   // Half a line below, so that the lowest tick's label stays inside.
   return {x, y + title_height(legend, style), x + bars_width(legend, style),
-          y + height - 0.5f * style.font_size};
+          y + height - 0.5f * style.font_size - inverted_height(legend, style)};
 }
 
 void draw_legend(ImDrawList& list, float x, float y, float height, const Legend& legend,
@@ -163,6 +195,7 @@ void draw_legend(ImDrawList& list, float x, float y, float height, const Legend&
     list.AddText(&title_font_of(style), style.font_size, {std::round(x), std::round(y)},
                  to_color(style.text_color), legend.title.c_str());
   }
+  if (legend.inverted) draw_inverted(list, x, y + height, legend, style);
   const LegendBars bars = legend_bars(x, y, height, legend, style);
   const Box whole{bars.left, bars.top, bars.right, bars.bottom};
   if (whole.height() < style.font_size) return;

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "core/inspect/element_field.h"
 #include "core/quality/quality.h"
 #include "gui/render/color_map.h"
 
@@ -19,7 +21,14 @@ struct Legend {
   std::optional<Histogram> histogram;  ///< over the scale's range, see histogram_over()
   bool more_below = false;  ///< values below the range exist: the lowest tick reads "<= 0"
   bool more_above = false;  ///< values above the range exist: the highest tick reads ">= 3"
+  /// Colour of the inverted elements, which stands below the bar; none: there are none, or they
+  /// have the colours of their values.
+  std::optional<Rgb> inverted = {};
 };
+
+/// Of these values, with their histogram.
+Legend legend_of(const ElementField& field, std::span<const double> values,
+                 const ColorScale& scale);
 
 /// Sizes in pixels of the draw list.
 struct LegendStyle {

@@ -43,6 +43,16 @@ PlotAxis sine_axis(std::span<const IterationRecord> history) {
   return {low < 0 ? -round_up_nicely(-low) : 0, high > 0 ? round_up_nicely(high) : 0, false};
 }
 
+std::vector<int> named_decades(const PlotAxis& axis, int wanted) {
+  const int low = static_cast<int>(std::ceil(axis.low - 1e-9));
+  const int high = static_cast<int>(std::floor(axis.high + 1e-9));
+  const int gaps = std::max(wanted - 1, 1);
+  const int step = std::max(1, (high - low + gaps - 1) / gaps);
+  std::vector<int> decades;
+  for (int decade = low; decade <= high; decade += step) decades.push_back(decade);
+  return decades;
+}
+
 std::vector<ImVec2> decimated(const std::vector<ImVec2>& points) {
   std::vector<ImVec2> kept;
   for (std::size_t begin = 0; begin < points.size();) {

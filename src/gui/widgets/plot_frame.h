@@ -47,6 +47,10 @@ PlotAxis inverted_axis(std::span<const IterationRecord> history);
 /// Around 0 and all sines.
 PlotAxis sine_axis(std::span<const IterationRecord> history);
 
+/// Whole decades of a logarithmic axis that are named where there is room for about `wanted` names:
+/// evenly apart, the lowest among them; at least two, however little room there is.
+std::vector<int> named_decades(const PlotAxis& axis, int wanted);
+
 /// Points left to right with as many of them as can be told apart: of each column of pixels the
 /// first, the lowest, the highest and the last.
 std::vector<ImVec2> decimated(const std::vector<ImVec2>& points);

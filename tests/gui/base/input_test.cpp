@@ -91,4 +91,22 @@ TEST_CASE("Control that goes up before its key still counts") {
   CHECK(queue.next_frame().control());
 }
 
+TEST_CASE("keys that are held back stay in their order, and what is down can go up") {
+  InputQueue queue;
+  queue.key(keys::q, true);
+  CHECK(queue.next_frame().keys[keys::q]);
+  queue.key(keys::q, false);
+  queue.key(keys::z, true);
+  queue.text(U'z');
+  queue.key(keys::z, false);
+  const InputState held = queue.next_frame(InputQueue::Keys::hold);
+  CHECK_FALSE(held.keys[keys::q]);
+  CHECK_FALSE(held.keys[keys::z]);
+  CHECK(held.text.empty());
+  CHECK_FALSE(queue.empty());
+  const InputState taken = queue.next_frame();
+  CHECK(taken.keys[keys::z]);
+  CHECK(taken.text == U"z");
+}
+
 }  // namespace winslow::gui::test

@@ -65,7 +65,7 @@ TEST_CASE("the palette finds motions, layers, bodies and formats by their names"
 }
 
 TEST_CASE("a body is selected and about to be rotated from the palette") {
-  Rig rig(1100, 900);
+  Rig rig(1280, 900);
   rig.open(two_body_mesh());
   rig.key(keys::p, {keys::control});
   rig.type("rotate right");

@@ -19,7 +19,7 @@ void right_click(Rig& rig, const ScreenPoint& at) {
 }  // namespace
 
 TEST_CASE("a right click on a body offers to move, rotate and layer it") {
-  Rig rig(1100, 900);
+  Rig rig(1280, 900);
   rig.open(two_body_mesh());
   right_click(rig, rig.pixel(Vec2(-2, 0)));
   REQUIRE(rig.visible("menu_title/left"));

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -163,6 +164,74 @@ TEST_CASE("the axes hold what they are to show") {
   CHECK(sines.share(-0.7) >= 0);
   CHECK(sines.share(0.55) > sines.share(0));
   CHECK(sine_axis({}).high > sine_axis({}).low);
+}
+
+TEST_CASE("a logarithmic axis names at least two decades, however low the plot") {
+  for (const double low : {-12.0, -7.0, -3.0, -1.0})
+    for (const double high : {0.0, 2.0, 5.0})
+      for (const int wanted : {1, 2, 3, 6}) {
+        CAPTURE(low);
+        CAPTURE(high);
+        CAPTURE(wanted);
+        const std::vector<int> named = named_decades({low, high, true}, wanted);
+        CHECK(named.size() >= 2);
+        CHECK(named.size() <= static_cast<std::size_t>(std::max(wanted, 2)));
+        CHECK(named.front() == low);
+        CHECK(named.back() <= high);
+      }
+}
+
+TEST_CASE("the plot survives numbers that no run should have") {
+  Rig rig;
+  rig.open(ring_mesh());
+  std::vector<IterationRecord> history(2);
+  history[0].residual = HUGE_VAL;
+  history[1].residual = std::nan("");
+  for (const double tolerance : {1e-300, 1e300, HUGE_VAL}) {
+    const PlotAxis axis = residual_axis(history, tolerance, true, true);
+    CHECK(std::isfinite(axis.share(tolerance)));
+    CHECK(axis.high > axis.low);
+    CHECK(named_decades(axis, 3).size() >= 2);
+    SmoothOptions odd;
+    odd.tolerance = tolerance;
+    rig.bench->apply(action::EditSmoothOptions{whole(odd)});
+    rig.frames();
+    CHECK(rig.visible("convergence/strip"));
+  }
+}
+
+TEST_CASE("while there is nothing to plot its place is a strip, and the mesh has the room") {
+  Rig rig(1300, 900);
+  rig.open(ring_mesh());
+  CHECK(rig.visible("convergence/strip"));
+  CHECK_FALSE(rig.visible("convergence/plot"));
+  const float wide = rig.bench->layout().viewport.height;
+  rig.bench->apply(action::RunSmooth{});
+  REQUIRE(rig.settle());
+  rig.frames(2);
+  CHECK(rig.visible("convergence/plot"));
+  CHECK_FALSE(rig.visible("convergence/strip"));
+  const float narrow = rig.bench->layout().viewport.height;
+  CHECK(narrow < wide - 100);
+  // Undoing makes the mesh jump no more.
+  rig.bench->apply(action::Undo{});
+  REQUIRE(rig.settle());
+  rig.frames(2);
+  CHECK(rig.bench->layout().viewport.height == narrow);
+}
+
+TEST_CASE("nothing but curves and dashes is drawn within the plot's frame") {
+  Rig rig(1300, 900);
+  run_tangled(rig);
+  for (const char* id :
+       {"convergence/residual", "convergence/move", "convergence/sine", "convergence/inverted"})
+    rig.click(id);
+  rig.move(ScreenPoint(2, 2));
+  rig.frames(3);
+  // The name of the tolerance would take more than its dashes do.
+  const auto plot = rig.bench->widgets().find("convergence/plot");
+  CHECK(count_of(rig, rig.bench->pictures().picture(), palette().success) <
+        static_cast<int>(1.6 * (plot->max.x() - plot->min.x())));
 }
 
 }  // namespace winslow::gui::test

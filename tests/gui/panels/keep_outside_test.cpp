@@ -29,7 +29,7 @@ int moved(const Rig& rig, const Coordinates& before, double radius, bool within)
 }  // namespace
 
 TEST_CASE("a circle is kept around the body by the form") {
-  Rig rig(1100, 1000);
+  Rig rig(1280, 1000);
   rig.open(ring_mesh());
   rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
   rig.frames();
@@ -53,7 +53,7 @@ TEST_CASE("a circle is kept around the body by the form") {
 }
 
 TEST_CASE("the region of one mesh is not that of the next") {
-  Rig rig(1100, 1000);
+  Rig rig(1280, 1000);
   rig.open(ring_mesh());
   rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
   rig.frames();

@@ -95,12 +95,12 @@ TEST_CASE("what is hidden, locked and coloured is remembered of the mesh, not of
     REQUIRE(rig.settle());
   };
   {
-    Rig rig(1100, 720, profile.path());
+    Rig rig(1280, 720, profile.path());
     open(rig, one);
     rig.click("marker_hide/left");
     rig.click("marker_lock/right");
   }
-  Rig rig(1100, 720, profile.path());
+  Rig rig(1280, 720, profile.path());
   rig.settle();
   while (rig.session().messages().prompt()) rig.key(keys::escape);
   open(rig, one);

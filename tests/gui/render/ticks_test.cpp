@@ -51,3 +51,24 @@ TEST_CASE("Labels are as short as their neighbours allow") {
   CHECK(format_tick(2e-7, 1e-7) == "2e-07");
   CHECK(format_tick(3e9, 1e9) == "3e+09");
 }
+
+TEST_CASE("Ticks of a logarithmic axis are powers of ten, or 1, 2 and 5 times those") {
+  CHECK(log_ticks(1, 1e4, 8) == std::vector<double>{1, 10, 100, 1000, 1e4});
+  const auto fine = log_ticks(1, 60, 8);
+  REQUIRE(fine.size() == 6);
+  CHECK(fine[1] == doctest::Approx(2));
+  CHECK(fine[5] == doctest::Approx(50));
+  // Of many decades every so many, and all inside.
+  for (const int wanted : {2, 3, 5, 8}) {
+    const auto many = log_ticks(3e-9, 2e7, wanted);
+    CAPTURE(wanted);
+    CHECK(many.size() >= 2);
+    CHECK(many.size() <= static_cast<std::size_t>(wanted) + 1);
+    CHECK(many.front() >= 3e-9);
+    CHECK(many.back() <= 2e7);
+  }
+  CHECK(log_ticks(0, 1, 5).empty());
+  CHECK(log_ticks(2, 3, 5) == nice_ticks(2, 3, 5));
+  CHECK(format_power(1e-6) == "1e-06");
+  CHECK(format_power(20) == "20");
+}

@@ -28,6 +28,8 @@ TEST_CASE("settings survive being written and read") {
   settings.view.color = Metric::condition_number;
   settings.view.color_map = "cividis";
   settings.view.bands = 8;
+  settings.view.color_axis = ColorAxis::logarithmic;
+  settings.view.percentiles = {{5, 95}};
   settings.view.fill = false;
   settings.view.lightness = Lightness::dark;
   settings.view.backdrop = Backdrop::gradient;
@@ -55,6 +57,7 @@ TEST_CASE("settings that belong to one mesh are not kept") {
 
 TEST_CASE("values that make no sense are as designed, unknown keys are kept") {
   const std::string text = R"({"view": {"bands": -3, "scale": "huge", "color_map": "jet",
+      "color_axis": "square", "percentiles": [90, 10],
       "lightness": "purple", "color": "beauty", "wireframe": 1, "later": 7},
       "layout": {"left_width": -1, "window": [5, 1e9]}, "plans": ["a.su2"]})";
   const Settings settings = read_settings(text);

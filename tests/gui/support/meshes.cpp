@@ -40,10 +40,13 @@ Mesh ring_mesh(Index around, Index layers) {
   return make_mesh(data);
 }
 
-Mesh two_body_mesh() {
-  constexpr Index columns = 16;
-  constexpr Index rows = 8;
-  const auto hole = [](Index i, Index j) -> int {
+Mesh two_body_mesh(Index fine) {
+  const Index columns = 16 * fine;
+  const Index rows = 8 * fine;
+  const double side = 0.5 / fine;
+  const auto hole = [fine](Index column, Index row) -> int {
+    const Index i = column / fine;
+    const Index j = row / fine;
     if (j != 3 && j != 4) return 0;
     if (i == 3 || i == 4) return 1;
     return i == 11 || i == 12 ? 2 : 0;
@@ -52,7 +55,7 @@ Mesh two_body_mesh() {
   std::map<std::pair<Index, Index>, Index> ids;
   const auto node = [&](Index i, Index j) {
     const auto [it, added] = ids.try_emplace({i, j}, data.node_count());
-    if (added) data.coordinates.push_xy(Vec2(0.5 * i - 4, 0.5 * j - 2));
+    if (added) data.coordinates.push_xy(Vec2(side * i - 4, side * j - 2));
     return it->second;
   };
   std::array<Marker, 3> markers{Marker{"outer", 1, {}}, Marker{"left", 2, {}},

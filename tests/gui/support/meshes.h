@@ -11,8 +11,9 @@ namespace winslow::gui::test {
 Mesh ring_mesh(Index around = 24, Index layers = 6);
 
 /// Quadrilaterals of side 0.5 in a box of 8 by 4 around the origin with two square holes of side 1
-/// at (-2, 0) and (2, 0): markers "left", "right" and "outer".
-Mesh two_body_mesh();
+/// at (-2, 0) and (2, 0): markers "left", "right" and "outer". fine: sides are as many times
+/// shorter.
+Mesh two_body_mesh(Index fine = 1);
 
 /// A triangle of the ring turned inside out by moving one interior node across it.
 Mesh tangled_mesh();

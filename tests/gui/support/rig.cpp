@@ -17,7 +17,7 @@ Rig::Rig(int width, int height, const std::filesystem::path& profile)
   frames();
 }
 
-void Rig::frame() { bench->update(input.next_frame(), width_, height_, 1.0 / 30); }
+void Rig::frame() { bench->update(input, width_, height_, 1.0 / 30); }
 
 void Rig::frames(int more) {
   while (!input.empty()) frame();

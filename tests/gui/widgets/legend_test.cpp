@@ -139,3 +139,35 @@ TEST_CASE("A legend without room or range draws no nonsense") {
     CHECK(std::isfinite(v.pos.y));
   }
 }
+
+TEST_CASE("A logarithmic legend has its decades evenly apart") {
+  Legend legend;
+  legend.scale = {"viridis", 1, 1000, true, 0};
+  legend.scale.logarithmic = true;
+  const auto ticks = legend_ticks(legend, 4);
+  REQUIRE(ticks.size() == 4);
+  for (std::size_t k = 0; k < 4; ++k)
+    CHECK(legend.scale.share(ticks[k].value) == doctest::Approx(static_cast<double>(k) / 3));
+  CHECK(ticks[2].text == "100");
+  legend.more_above = true;
+  CHECK(legend_ticks(legend, 4).back().text == "\u2265 1000");
+}
+
+TEST_CASE("A legend names the colour of inverted elements, below its bar") {
+  Frame frame;
+  Legend legend = make_legend();
+  legend.inverted = Rgb{0.9f, 0.1f, 0.12f};
+  const LegendStyle style;
+  const LegendBars bars = legend_bars(0, 0, 300, legend, style);
+  CHECK(bars.bottom < 300 - 1.5f * style.font_size);
+  draw_legend(frame.list(), 0, 0, 300, legend, style);
+  float top = 1e9f, bottom = 0;
+  for (const ImDrawVert& v : frame.list().VtxBuffer) {
+    if (v.col != packed(*legend.inverted)) continue;
+    top = std::min(top, v.pos.y);
+    bottom = std::max(bottom, v.pos.y);
+  }
+  CHECK(top > bars.bottom);
+  CHECK(bottom <= 301);
+  CHECK(bottom - top > 8);
+}

@@ -1,5 +1,8 @@
 #include "gui/document/session/activity.h"
 
+#include <cmath>
+#include <variant>
+
 #include "gui/document/jobs/drag_text.h"
 
 namespace winslow::gui {
@@ -7,6 +10,17 @@ namespace winslow::gui {
 namespace {
 
 Activity busy(std::string text) { return {Activity::Kind::busy, std::move(text)}; }
+
+std::string percent_text(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
+
+/// What a command does can be counted in shares of a motion.
+bool moves_boundary(const Command& command) {
+  return std::visit(
+      [](const auto& c) {
+        return requires { c.how; };
+      },
+      command);
+}
 
 }  // namespace
 
@@ -27,7 +41,10 @@ Activity activity_of(const Session& session) {
   const auto history = session.mesh().convergence();
   const std::string where =
       history.empty() ? "" : ", iteration " + std::to_string(history.back().iteration);
-  return busy((job.paused() ? "Paused" : "Solving") + where);
+  const std::string what = job.paused() ? "Paused" : "Solving";
+  if (!moves_boundary(job.command())) return busy(what + where);
+  return busy(what + ": " + percent_text(history.empty() ? 0 : history.back().fraction) +
+              " of the motion" + where);
 }
 
 }  // namespace winslow::gui

@@ -1,5 +1,6 @@
 #include "gui/document/session/settled_command.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -25,17 +26,34 @@ RigidMotion about(const Vec2& pivot, const RigidMotion& motion, double size) {
   return said;
 }
 
-/// rest, now: positions before the motion and where it got to.
-void settle(MoveCommand& move, double fraction, const Mesh& base, const Coordinates& now,
-            bool started_elsewhere) {
+/// How far a body came of a motion that was asked for: of the way of its nodes.
+double share_of(const RigidMotion& reached, const RigidMotion& asked, const Bounds& body) {
+  const Vec2 centre = body.centre();
+  const double radius = 0.5 * body.size().norm();
+  const auto way = [&](const RigidMotion& from, const RigidMotion& to) {
+    return std::abs(radians(to.rotate - from.rotate)) * radius +
+           (transform(to, centre) - transform(from, centre)).norm();
+  };
+  const double whole = way({}, asked);
+  return whole > 0 ? std::clamp(1 - way(reached, asked) / whole, 0.0, 1.0) : 1;
+}
+
+/// rest, now: positions before the motion and where it got to. Returns the share of the motion that
+/// was reached.
+double settle(MoveCommand& move, double fraction, const Mesh& base, const Coordinates& now,
+              bool started_elsewhere) {
   const Coordinates& rest = base.coordinates;
   const std::vector<Index> nodes = base.topology->markers().nodes_of(move.markers);
   RigidMotion reached = fit_rigid_motion(nodes, rest, now);
   // Full turns do not show in where the body is.
   const double turned = (started_elsewhere ? 1 : fraction) * move.motion.rotate;
   reached.rotate += 360 * std::round((turned - reached.rotate) / 360);
-  move.motion =
-      about(move.motion.pivot.value_or(Vec2(0, 0)), reached, bounds(rest, nodes).size().norm());
+  const Vec2 pivot = move.motion.pivot.value_or(Vec2(0, 0));
+  const Bounds body = bounds(rest, nodes);
+  // The fraction of a run that began on the way says nothing of the whole way.
+  if (started_elsewhere) fraction = share_of(reached, move.motion.about(pivot), body);
+  move.motion = about(pivot, reached, body.size().norm());
+  return fraction;
 }
 
 void settle(DeformCommand& deform, double fraction, const Coordinates& rest,
@@ -58,8 +76,8 @@ double settle_command(JobRunner::Outcome& outcome, const Mesh& base, bool starte
   if (fraction >= 1) return 1;
   const Coordinates& now = outcome.result->state.mesh.coordinates;
   if (auto* move = std::get_if<MoveCommand>(&outcome.command))
-    settle(*move, fraction, base, now, started_elsewhere);
-  else if (auto* deform = std::get_if<DeformCommand>(&outcome.command))
+    return settle(*move, fraction, base, now, started_elsewhere);
+  if (auto* deform = std::get_if<DeformCommand>(&outcome.command))
     settle(*deform, fraction, base.coordinates, now);
   return fraction;
 }

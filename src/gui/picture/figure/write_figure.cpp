@@ -83,7 +83,15 @@ class FigureDrawing {
     page_.set_color(rgb(theme_.ink));
     page_.text(at.x(), at.y() + 0.5 * em_, legend.title, em_, FontWeight::semibold);
     const double top = at.y() + 1.7 * em_;
-    const double bottom = at.y() + height - 0.5 * em_;
+    double bottom = at.y() + height - 0.5 * em_;
+    if (legend.inverted) {
+      page_.set_color(*legend.inverted);
+      page_.rectangle(at.x(), bottom - 0.5 * em_, em_, em_);
+      page_.fill();
+      page_.set_color(rgb(theme_.ink));
+      page_.text(at.x() + 1.4 * em_, bottom, "inverted", em_, FontWeight::regular);
+      bottom -= 2 * em_;
+    }
     if (bottom - top < em_) return;
     draw_bar(at.x(), top, em_, bottom - top, 1);
     if (legend.histogram) draw_histogram(at.x() + em_, top, bottom - top);
@@ -92,9 +100,9 @@ class FigureDrawing {
     page_.rectangle(at.x(), top, bar_width(), bottom - top);
     page_.stroke();
     const int wanted = std::clamp(static_cast<int>((bottom - top) / (3.5 * em_)), 2, 8);
-    const double span = legend.scale.high - legend.scale.low;
+    const bool extended = legend.scale.high > legend.scale.low;
     for (const LegendTick& tick : legend_ticks(legend, wanted)) {
-      const double t = span > 0 ? (tick.value - legend.scale.low) / span : 0.5;
+      const double t = extended ? legend.scale.share(tick.value) : 0.5;
       const double y = bottom - t * (bottom - top);
       const double x = at.x() + bar_width();
       page_.set_color(rgb(theme_.frame));
@@ -113,7 +121,7 @@ class FigureDrawing {
     const double step = height / strips;
     for (int k = 0; k < strips; ++k) {
       const double t = (k + 0.5) / strips;
-      page_.set_color(scale.color(scale.low + t * (scale.high - scale.low)), alpha);
+      page_.set_color(scale.color(scale.value_at(t)), alpha);
       // Opaque strips overlap a little, or the ground would shine through between them.
       const double more = alpha == 1 && k + 1 < strips ? 0.3 : 0.0;
       page_.rectangle(x, top + height - (k + 1) * step - more, width, step + more);
@@ -133,8 +141,7 @@ class FigureDrawing {
       if (counts[k] <= 0) continue;
       const double share = std::sqrt(static_cast<double>(counts[k]) / most);
       const double t = (static_cast<double>(k) + 0.5) / static_cast<double>(counts.size());
-      page_.set_color(
-          legend.scale.color(legend.scale.low + t * (legend.scale.high - legend.scale.low)));
+      page_.set_color(legend.scale.color(legend.scale.value_at(t)));
       page_.rectangle(x, top + height - static_cast<double>(k + 1) * step + 0.2,
                       std::max(share * room, 1.0), step - 0.4);
       page_.fill();

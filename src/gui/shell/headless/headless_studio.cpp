@@ -29,9 +29,7 @@ void HeadlessStudio::resize(int width, int height) {
   frames();
 }
 
-void HeadlessStudio::frame() {
-  bench_->update(input_.next_frame(), width_, height_, frame_seconds);
-}
+void HeadlessStudio::frame() { bench_->update(input_, width_, height_, frame_seconds); }
 
 void HeadlessStudio::frames(int more) {
   while (!input_.empty()) frame();

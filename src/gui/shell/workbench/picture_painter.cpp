@@ -57,7 +57,8 @@ struct PicturePainter::Picture {
                 shown.context.capture,
                 shown.context.recent,
                 shown.context.demo,
-                shown.context.before},
+                shown.context.before,
+                shown.pane.mesh_view().shown()},
         lens(shown.pane.mesh_view()) {}
 };
 

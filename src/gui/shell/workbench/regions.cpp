@@ -4,6 +4,7 @@
 
 #include "gui/demos/demo_player.h"
 #include "gui/panels/banner_panel.h"
+#include "gui/panels/convergence_panel.h"
 #include "gui/panels/demo_panel.h"
 #include "gui/picture/capture/capture.h"
 #include "gui/shell/workbench/folded_columns.h"
@@ -49,6 +50,7 @@ void Regions::draw_menu(const PanelContext& context, WindowFrame& frame) const {
   }
   // The welcome page needs the room, and without a mesh the panels have nothing to say.
   const bool page = shows_welcome(context.session);
+  frame.layout.plot_empty = ConvergencePanel::empty(context);
   frame.layout.arrange(frame.width, frame.height, context.view, context.theme, height,
                        page ? Layout::Middle::page : Layout::Middle::mesh);
 }
@@ -121,7 +123,7 @@ std::optional<float> Regions::drag_splitters(const PanelContext& context, Layout
     if (by != 0) layout.right_width = std::min(r.width - by, budget - l.width) / scale;
   }
   draw_fold_handles(context, layout);
-  if (!p.empty())
+  if (!p.empty() && !layout.plot_empty)
     layout.plot_height -=
         splitter("splitter/plot", {p.x, p.y - grip / 2, p.width, grip}, false) / scale;
   if (context.view.comparison != Comparison::split || !context.session.document())
@@ -148,6 +150,8 @@ void Regions::draw_over_mesh(const PanelContext& context, const Area& v, Cards c
   if (cards == Cards::all) draw_recording(context, v);
   if (context.demo.demo() && cards == Cards::all) draw_demo_card(context, v);
   if (!context.session.messages().banner() || cards == Cards::none) return;
+  // It speaks of the mesh: of one that is seen.
+  if (!context.picture_follows()) return;
   const Banner::Kind kind = context.session.messages().banner()->kind;
   const bool bad = kind == Banner::Kind::inverted_result || kind == Banner::Kind::inverted_input;
   begin_region(

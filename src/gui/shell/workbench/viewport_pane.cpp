@@ -166,9 +166,13 @@ void ViewportPane::measure_selection() {
                                                session_.selection().pivot());
 }
 
-void ViewportPane::update(const ViewOptions& options, const View& view, float scale) {
+void ViewportPane::follow_mesh(const ViewOptions& options, float scale) {
   before_.update(session_, options);
   mesh_view_.update(session_, before_, options, scale);
+}
+
+void ViewportPane::update(const ViewOptions& options, const View& view, float scale) {
+  follow_mesh(options, scale);
   const ScreenBox seen = view.viewport();
   const double middle = seen.min.x() + options.divider * seen.size().x();
   mesh_view_.set_divider(view.to_plane(ScreenPoint(middle, 0)).x());

@@ -42,8 +42,9 @@ class ViewportPane {
   /// The picture is not that of the mesh yet.
   bool busy() const { return mesh_view_.busy() || before_.busy(); }
   /// Follows the mesh and its colours. scale: of the interface.
+  void follow_mesh(const ViewOptions& options, float scale);
+  /// The same, and the view that it is seen in.
   void update(const ViewOptions& options, const View& view, float scale);
-  void update_before() { before_.update(session_, control_.options()); }
   /// Measures what is selected, for the gizmo: not while it moves, so that the ring stays.
   void measure_selection();
 

@@ -78,12 +78,15 @@ bool Workbench::settled() const {
          measured->field == view_control_.options().color;
 }
 
-void Workbench::update(const InputState& input, int width, int height, double seconds) {
+void Workbench::update(InputQueue& queue, int width, int height, double seconds) {
+  const bool seen = seen_shape_ >= key_shape_;
+  const InputState input = queue.next_frame(seen ? InputQueue::Keys::take : InputQueue::Keys::hold);
   window_.width = std::max(width, 1);
   window_.height = std::max(height, 1);
   poll();
   if (auto next = session_.take_next()) actions_.push_back(std::move(*next));
-  pane_.update_before();
+  // Before the panels are laid out, which speak of the mesh in the picture.
+  pane_.follow_mesh(view_control_.options(), theme().scale);
   const ViewOptions& view = view_control_.options();
   view_control_.scale().set_window(window_.width, window_.height);
   window_.ui.set_scale(view_control_.scale().of(view.scale));
@@ -95,6 +98,7 @@ void Workbench::update(const InputState& input, int width, int height, double se
   view_control_.observe(pane_.viewport().gesture() != Viewport::Gesture::none, seconds);
   dispatch();
   finish_frame();
+  follow_keys(input);
   follow_files(seconds);
   pictures_.forget_idle(seconds);
   keep_settings(seconds);
@@ -150,6 +154,16 @@ void Workbench::finish_frame() {
                       {shown, view_control_.view(), layout(), pane_.lens()});
   window_.ui.end();
   capture_.after_frame(pictures_);
+}
+
+void Workbench::follow_keys(const InputState& input) {
+  const ShownMesh* shown = pane_.mesh_view().shown();
+  seen_shape_ = shown ? shown->shape : 0;
+  if (!session_.document())
+    key_shape_ = 0;
+  else if ((input.keys & ~keys_down_).any())
+    key_shape_ = session_.shape();
+  keys_down_ = input.keys;
 }
 
 std::string Workbench::title() const {

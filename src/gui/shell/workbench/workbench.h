@@ -1,5 +1,7 @@
 #pragma once
 
+#include <bitset>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -41,9 +43,10 @@ class Workbench {
   void set_scale(float scale) { view_control_.scale().set_screen(scale); }
   void apply(const Action& action);
 
-  /// One frame: takes input, collects what threads have done, lays out the interface.
+  /// One frame: takes input off the queue, as much as it can hold, collects what threads have done,
+  /// lays out the interface. A key waits until the mesh that the last key led to has been seen.
   /// width, height: framebuffer pixels. seconds: since the last frame.
-  void update(const InputState& input, int width, int height, double seconds);
+  void update(InputQueue& queue, int width, int height, double seconds);
   /// Draws the frame last updated into the bound framebuffer.
   void paint() { pictures_.paint_window(); }
 
@@ -81,6 +84,7 @@ class Workbench {
   void draw_window(const InputState& input);
   void dispatch();
   void finish_frame();
+  void follow_keys(const InputState& input);
   void follow_files(double seconds);
   void take_settings(const Settings& settings);
   void keep_settings(double seconds);
@@ -93,7 +97,8 @@ class Workbench {
             capture_,
             recent_,
             demo_,
-            &pane_.before()};
+            &pane_.before(),
+            pane_.mesh_view().shown()};
   }
 
   friend class Dispatch;
@@ -132,6 +137,9 @@ class Workbench {
   PicturePainter pictures_;
   std::filesystem::path shown_path_;  // of the mesh that stands in recent_
   std::size_t dropped_ = 0;           // files that the mesh being opened was dropped with
+  std::bitset<512> keys_down_;        // in the last frame
+  // Revisions of the mesh (Session::shape()): when a key last went down, and in the picture.
+  std::uint64_t key_shape_ = 0, seen_shape_ = 0;
 };
 
 }  // namespace winslow::gui

@@ -29,13 +29,18 @@ MeshColors mesh_colors(const ViewOptions& view) {
   MeshColors colors;
   colors.dark = backdrop_colors(view).dark();
   const bool colored = view.color && view.fill;
+  const bool neutral = colored && color_map_for(*view.color, view.color_map) == "neutral";
   colors.fill = colors.dark ? Rgba{0.15f, 0.17f, 0.205f, 1} : Rgba{0.955f, 0.963f, 0.975f, 1};
   // Dark edges on dark colours would be lost, and black ones would drown the colours.
-  if (colored)
+  if (neutral && colors.dark)
+    colors.edge = {0.62f, 0.66f, 0.73f, 0.5f};
+  else if (neutral)
+    colors.edge = {0.24f, 0.28f, 0.36f, 0.55f};
+  else if (colored)
     colors.edge = {0.08f, 0.10f, 0.14f, 0.55f};
   else
     colors.edge = colors.dark ? Rgba{0.62f, 0.66f, 0.73f, 1} : Rgba{0.30f, 0.35f, 0.42f, 1};
-  colors.ghost = colored ? Rgba{1, 1, 1, 0.75f} : Rgba{0.93f, 0.45f, 0.10f, 0.65f};
+  colors.ghost = colored && !neutral ? Rgba{1, 1, 1, 0.75f} : Rgba{0.93f, 0.45f, 0.10f, 0.65f};
   colors.inverted = colors.dark ? Rgba{1.0f, 0.27f, 0.27f, 1} : Rgba{0.90f, 0.10f, 0.12f, 1};
   return colors;
 }
@@ -44,6 +49,11 @@ Rgb color_of_marker(const ViewOptions& view, const std::string& name, Index mark
   const MarkerLook look = view.markers.of(name);
   return look.color ? Rgb{(*look.color)[0], (*look.color)[1], (*look.color)[2]}
                     : marker_color(marker, dark);
+}
+
+ColorChoice color_choice(const ViewOptions& view) {
+  return {view.color_map, view.color_axis, view.percentiles,
+          view.range,     view.bands,      backdrop_colors(view).dark()};
 }
 
 }  // namespace winslow::gui

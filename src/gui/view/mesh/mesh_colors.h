@@ -4,6 +4,7 @@
 
 #include "gui/render/backdrop.h"
 #include "gui/render/color_map.h"
+#include "gui/render/metric_scale.h"
 #include "gui/settings/view_options.h"
 
 /// Colours of the mesh and of what lies behind it.
@@ -22,5 +23,7 @@ MeshColors mesh_colors(const ViewOptions& view);
 
 /// Of a marker: what the user has chosen, or else by its number. dark: what it is seen on.
 Rgb color_of_marker(const ViewOptions& view, const std::string& name, Index marker, bool dark);
+/// Of the colours of elements.
+ColorChoice color_choice(const ViewOptions& view);
 
 }  // namespace winslow::gui

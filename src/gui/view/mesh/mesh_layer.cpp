@@ -3,39 +3,16 @@
 #include <string>
 #include <utility>
 
-#include "gui/render/metric_scale.h"
+#include "core/quality/quality.h"
 #include "gui/view/mesh/isolated_elements.h"
+#include "gui/view/mesh/mesh_colors.h"
 
 namespace winslow::gui {
 
 namespace {
 
-constexpr int histogram_bins = 40;
 /// Below this a mesh is prepared faster than a thread could hand it over: a millisecond or two.
 constexpr Index small_mesh = 12000;  // nodes
-
-ColorScale scale_of(const QualityMonitor::Measured& measured, const std::string& map, int bands,
-                    const std::optional<std::array<double, 2>>& range) {
-  ColorScale scale = automatic_scale(*measured.field, measured.values, map);
-  if (range && (*range)[1] > (*range)[0]) {
-    scale.low = (*range)[0];
-    scale.high = (*range)[1];
-  }
-  scale.bands = bands;
-  return scale;
-}
-
-Legend legend_of(const QualityMonitor::Measured& measured, const ColorScale& scale) {
-  Legend legend;
-  legend.title = std::string(field_info(*measured.field).label);
-  legend.scale = scale;
-  legend.histogram = histogram_over(measured.values, scale, histogram_bins);
-  for (double v : measured.values) {
-    legend.more_below |= v < scale.low;
-    legend.more_above |= v > scale.high;
-  }
-  return legend;
-}
 
 }  // namespace
 
@@ -45,24 +22,32 @@ void MeshLayer::update(const std::shared_ptr<const Topology>& topology,
   if (generation_ != generation) {
     generation_ = generation;
     shape_ = 0;
-    ready_ = false;
+    shown_.reset();
     painted_.reset();
     legend_.reset();
   }
   if (shape_ == shape || builder_.busy()) return;
   shape_ = shape;
   small_ = topology->node_count() < small_mesh;
-  auto groups = ready_ && renderer_.topology() == topology ? renderer_.edge_groups() : nullptr;
-  if (small_)
-    return take(Built{generation, prepare_mesh(topology, coordinates, std::move(groups))});
-  builder_.start([topology, coordinates, groups = std::move(groups), generation] {
-    return std::make_shared<Built>(Built{generation, prepare_mesh(topology, coordinates, groups)});
+  auto groups = shown_ && renderer_.topology() == topology ? renderer_.edge_groups() : nullptr;
+  if (small_) return take(build(generation, shape, topology, coordinates, std::move(groups)));
+  builder_.start([=] {
+    return std::make_shared<Built>(build(generation, shape, topology, coordinates, groups));
   });
+}
+
+MeshLayer::Built MeshLayer::build(std::uint64_t generation, std::uint64_t shape,
+                                  const std::shared_ptr<const Topology>& topology,
+                                  const Coordinates& coordinates,
+                                  std::shared_ptr<const EdgeGroups> groups) {
+  return {generation,
+          {shape, check_validity(*topology, coordinates, 1)},
+          prepare_mesh(topology, coordinates, std::move(groups))};
 }
 
 void MeshLayer::color(const std::shared_ptr<const QualityMonitor::Measured>& measured,
                       const ViewOptions& view) {
-  if (!ready_) return;
+  if (!shown_) return;
   if (!view.color) {
     if (painted_) renderer_.clear_values();
     painted_.reset();
@@ -72,7 +57,11 @@ void MeshLayer::color(const std::shared_ptr<const QualityMonitor::Measured>& mea
   // Until the field asked for is measured, the colours stay what they are.
   if (!measured || measured->field != view.color || painter_.busy()) return;
   if (measured->topology != renderer_.topology()) return;
-  ColorKey key{measured, view.color_map, view.bands, view.range, view.isolation};
+  ColorKey key{measured, color_choice(view), view.isolation, {}};
+  if (view.mark_inverted && measured->report.inverted > 0) {
+    const Rgba& red = mesh_colors(view).inverted;
+    key.inverted = Rgb{red[0], red[1], red[2]};
+  }
   if (painted_ == key) return;
   painted_ = key;
   if (small_) return take(compute(key, generation_));
@@ -82,13 +71,15 @@ void MeshLayer::color(const std::shared_ptr<const QualityMonitor::Measured>& mea
 }
 
 MeshLayer::Colors MeshLayer::compute(const ColorKey& key, std::uint64_t generation) {
-  const ColorScale scale = scale_of(*key.measured, key.map, key.bands, key.range);
+  const ElementField& field = *key.measured->field;
+  const ColorScale scale = color_scale(field, key.measured->values, key.choice);
   Colors colors;
   colors.generation = generation;
   colors.topology = key.measured->topology;
   colors.opacity = element_opacity(key.measured->values, key.isolation);
   colors.rgba = element_colors(key.measured->values, scale, colors.opacity);
-  colors.legend = legend_of(*key.measured, scale);
+  colors.legend = legend_of(field, key.measured->values, scale);
+  colors.legend.inverted = key.inverted;
   return colors;
 }
 
@@ -108,7 +99,7 @@ void MeshLayer::take(Built built) {
     legend_.reset();
   }
   renderer_.set_mesh(std::move(built.mesh));
-  ready_ = true;
+  shown_ = built.shown;
 }
 
 void MeshLayer::take(Colors colors) {

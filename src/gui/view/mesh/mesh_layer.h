@@ -4,13 +4,21 @@
 #include <memory>
 #include <optional>
 
+#include "core/quality/validity.h"
 #include "gui/base/background.h"
 #include "gui/document/jobs/quality_monitor.h"
 #include "gui/render/mesh_renderer.h"
+#include "gui/render/metric_scale.h"
 #include "gui/settings/view_options.h"
 #include "gui/widgets/legend.h"
 
 namespace winslow::gui {
+
+/// The mesh whose picture is on screen, which may be one behind the mesh of the session.
+struct ShownMesh {
+  std::uint64_t shape = 0;  ///< LiveMesh::shape()
+  Validity validity;
+};
 
 /// One mesh on screen with its colours. What takes long for a large mesh is done in the background:
 /// until it is done, the picture is the last one.
@@ -28,7 +36,9 @@ class MeshLayer {
   bool busy() const { return builder_.busy() || painter_.busy(); }
 
   MeshRenderer& renderer() { return renderer_; }
-  bool has_mesh() const { return ready_; }
+  bool has_mesh() const { return shown_.has_value(); }
+  /// None before the first picture of a generation.
+  const std::optional<ShownMesh>& shown() const { return shown_; }
   /// The mesh is drawn faster than a picture of it could be kept.
   bool small() const { return small_; }
   /// Of the colours shown; none if elements are plain.
@@ -38,10 +48,9 @@ class MeshLayer {
   /// What the colours depend on.
   struct ColorKey {
     std::shared_ptr<const QualityMonitor::Measured> measured;
-    std::string map;
-    int bands = 0;
-    std::optional<std::array<double, 2>> range;
+    ColorChoice choice;
     Isolation isolation;
+    std::optional<Rgb> inverted;  // named in the legend
 
     bool operator==(const ColorKey&) const = default;
   };
@@ -54,14 +63,18 @@ class MeshLayer {
   };
   struct Built {
     std::uint64_t generation = 0;
+    ShownMesh shown;
     PreparedMesh mesh;
   };
+  static Built build(std::uint64_t generation, std::uint64_t shape,
+                     const std::shared_ptr<const Topology>& topology,
+                     const Coordinates& coordinates, std::shared_ptr<const EdgeGroups> groups);
   static Colors compute(const ColorKey& key, std::uint64_t generation);
   void take(Built built);
   void take(Colors colors);
 
   MeshRenderer renderer_;
-  bool ready_ = false;  // the renderer has a mesh of the present generation
+  std::optional<ShownMesh> shown_;  // what the renderer has, of the present generation
   bool small_ = true;
   std::uint64_t generation_ = 0, shape_ = 0;
   std::optional<ColorKey> painted_;  // that the colours are, or will be, of

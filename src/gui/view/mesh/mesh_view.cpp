@@ -55,8 +55,11 @@ void MeshView::update(const Session& session, const BeforeMesh& before, const Vi
     ViewOptions of_before = view;
     if (comparison_ == Comparison::ghost) of_before.color.reset();
     // The same colour is the same value on both sides.
-    if (now_.legend() && !of_before.range)
-      of_before.range = {{now_.legend()->scale.low, now_.legend()->scale.high}};
+    if (now_.legend()) {
+      const ColorScale& scale = now_.legend()->scale;
+      of_before.range = {{scale.low, scale.high}};
+      of_before.color_axis = scale.logarithmic ? ColorAxis::logarithmic : ColorAxis::linear;
+    }
     before_.color(before.measured(), of_before);
     ghost_ = style_;
     ghost_.fill = ghost_.show_inverted = false;

@@ -39,6 +39,8 @@ class MeshView {
   void set_divider(double x) { divider_ = x; }
   /// The present mesh alone, with the camera of a magnifier.
   void draw_magnified(const Camera& camera, const Camera& whole, int width, int height);
+  /// The mesh now on screen, if any.
+  const ShownMesh* shown() const { return has_mesh_ && now_.shown() ? &*now_.shown() : nullptr; }
   /// Takes what the background has prepared. True if the picture changes.
   bool poll();
   bool busy() const { return now_.busy() || before_.busy(); }

@@ -8,15 +8,14 @@ namespace {
 
 ImVec2 pixel(const ScreenPoint& p) { return static_cast<ImVec2>(p); }
 
-ImU32 halo() { return faded(palette().card, 0.8f); }
+ImU32 halo() { return faded(palette().card, 0.9f); }
 
 void draw_ring(ImDrawList& list, const Gizmo& g, bool hot, bool turning, const Theme& theme) {
   const ImVec2 centre = pixel(g.pivot);
   const auto radius = static_cast<float>(g.radius);
   const float width = theme.px(hot ? 3.0f : 1.8f);
-  list.AddCircle(centre, radius, halo(), 96, width + theme.px(2));
-  list.AddCircle(centre, radius, hot ? palette().accent : faded(palette().accent, 0.67f), 96,
-                 width);
+  list.AddCircle(centre, radius, halo(), 96, width + theme.px(3));
+  list.AddCircle(centre, radius, palette().accent, 96, width);
   if (turning) {
     list.PathLineTo(centre);
     list.PathArcTo(centre, radius, static_cast<float>(-pi / 4), static_cast<float>(-g.angle), 64);
@@ -39,8 +38,8 @@ void draw_arrow(ImDrawList& list, const Gizmo& g, int axis, bool hot, const Them
   const ScreenPoint left = end - head * along + 0.42 * head * across;
   const ScreenPoint right = end - head * along - 0.42 * head * across;
   const float width = theme.px(hot ? 3.2f : 2.2f);
-  list.AddLine(from, to, halo(), width + theme.px(2.5f));
-  list.AddTriangle(pixel(end), pixel(left), pixel(right), halo(), theme.px(2.5f));
+  list.AddLine(from, to, halo(), width + theme.px(3));
+  list.AddTriangle(pixel(end), pixel(left), pixel(right), halo(), theme.px(3));
   list.AddLine(from, to, paint, width);
   list.AddTriangleFilled(pixel(end), pixel(left), pixel(right), paint);
 }

@@ -82,6 +82,10 @@ void draw_layer_preview(ImDrawList& list, const Overlay& o) {
     nearest = away;
     pointed = &column;
   }
+  // Under the outlines, which are too close together to have halos of their own.
+  for (const ColumnPair& pair : plan->pairs)
+    list.AddLine(pixel(columns[pair.left].back()), pixel(columns[pair.right].back()),
+                 faded(palette().card, 0.85f), o.theme.px(4));
   for (const ColumnPair& pair : plan->pairs)
     draw_outlines(list, o, columns[pair.left], columns[pair.right]);
   if (pointed) draw_reason(list, o, *pointed);

@@ -66,15 +66,25 @@ void draw_labels(ImDrawList& list, const Overlay& o, const std::vector<Label>& l
   }
 }
 
+/// Lines that are to be: with a halo, so that they are legible over any colour.
+void draw_planned(ImDrawList& list, const Overlay& o,
+                  const std::vector<std::array<Vec2, 2>>& edges) {
+  for (const auto& [color, width] : {std::pair{faded(palette().card, 0.85f), o.theme.px(4.5f)},
+                                     std::pair{palette().accent, o.theme.px(1.8f)}})
+    for (const auto& [a, b] : edges)
+      list.AddLine(pixel(o.view.to_screen(a)), pixel(o.view.to_screen(b)), color, width);
+}
+
 /// Boundary edges moved by whatever `place` says of their nodes.
 template <class Place>
 void draw_edges(ImDrawList& list, const Overlay& o, const std::vector<Index>& markers,
                 const Place& place) {
   const Topology& topology = *o.session.mesh().motion_base().mesh.topology;
+  std::vector<std::array<Vec2, 2>> edges;
   for (Index m : markers)
     for (const Face& edge : topology.markers()[static_cast<std::size_t>(m)].faces)
-      list.AddLine(pixel(o.view.to_screen(place(edge[0]))), pixel(o.view.to_screen(place(edge[1]))),
-                   palette().accent, o.theme.px(1.5f));
+      edges.push_back({place(edge[0]), place(edge[1])});
+  draw_planned(list, o, edges);
 }
 
 /// The body where the mouse wants it: the mesh may be a step behind.
@@ -88,15 +98,17 @@ void draw_wanted(ImDrawList& list, const Overlay& o) {
   const auto& nodes = drag->grip().nodes;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Vec2 at = rest.xy(nodes[i]) + drag->grip().shares[i] * drag->wanted().translate;
-    list.AddCircleFilled(pixel(o.view.to_screen(at)), o.theme.px(2.5f), palette().accent);
+    const ImVec2 dot = pixel(o.view.to_screen(at));
+    list.AddCircleFilled(dot, o.theme.px(4.0f), faded(palette().card, 0.85f));
+    list.AddCircleFilled(dot, o.theme.px(2.5f), palette().accent);
   }
 }
 
 void draw_preview(ImDrawList& list, const Overlay& o) {
   const auto draw = [&](const auto& outline) {
-    for (const auto& [a, b] : outline)
-      list.AddLine(pixel(o.view.to_screen(a)), pixel(o.view.to_screen(b)), palette().accent,
-                   o.theme.px(1.5f));
+    std::vector<std::array<Vec2, 2>> edges;
+    for (const auto& [a, b] : outline) edges.push_back({a, b});
+    draw_planned(list, o, edges);
   };
   if (const auto& shape = o.session.selection().deformation_preview()) draw(shape->outline);
   if (const auto& motion = o.session.selection().motion_preview()) draw(motion->outline);

@@ -204,18 +204,6 @@ TEST_CASE("settings of the solver that make no sense are refused with a reason")
   CHECK(rig.session().messages().prompt() == nullptr);
 }
 
-TEST_CASE("the plot survives numbers that no run should have") {
-  Rig rig;
-  rig.open(ring_mesh());
-  for (double tolerance : {0.0, -1.0, 1e-300, 1e300, std::nan(""), HUGE_VAL}) {
-    SmoothOptions odd;
-    odd.tolerance = tolerance;
-    rig.bench->apply(action::EditSmoothOptions{whole(odd)});
-    rig.frames();
-    CHECK(rig.visible("convergence/plot"));
-  }
-}
-
 TEST_CASE("an iteration limit that is too small is said, and going on converges") {
   Rig rig;
   rig.open(ring_mesh());

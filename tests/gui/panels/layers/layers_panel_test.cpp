@@ -241,7 +241,7 @@ TEST_CASE("layers that come in a file are found and held while their body turns"
 }
 
 TEST_CASE("a card says what layers came with the file, and folds the settings away") {
-  Rig rig(1100, 1500);
+  Rig rig(1280, 1500);
   rig.open(ring_mesh());
   insert(rig, {"flap"});
   rig.bench->apply(action::OpenMesh{write(rig.folder, rig.mesh(), "layered.su2"), true});

@@ -189,7 +189,11 @@ TEST_CASE("bands and a fixed range are those of the legend and of the mesh") {
   CHECK(colors() <= 10);
   const ScreenPoint at = rig.pixel(centre_of(rig.mesh(), 60));
   const double before = brightness(rig.bench->pictures().picture(), at);
-  rig.click("view/range_auto");
+  rig.click("view/range");
+  rig.click("view/range/From value to value");
+  // It begins where the colours are.
+  REQUIRE(rig.bench->view_control().options().range.has_value());
+  CHECK((*rig.bench->view_control().options().range)[1] == 1);
   rig.fill("view/range_low", "0.95");
   rig.fill("view/range_high", "0.99");
   REQUIRE(rig.settle());

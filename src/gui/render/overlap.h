@@ -1,0 +1,20 @@
+#pragma once
+
+#include "gui/render/draw_list.h"
+
+namespace winslow::gui {
+
+/// A tangled mesh lies over itself: a scrambled one paints every pixel some thousand times, which
+/// takes minutes where triangles are filled in software. This leaves of such a list what is seen:
+/// - of the inverted triangles, which are all of one colour and lie above the others, the pieces
+///   that are not behind other inverted ones: the picture stays the same;
+/// - of the other triangles pieces likewise, in DrawList::seen;
+/// - of the outlines of inverted elements what lies at the rim of what is inverted, and some of the
+///   others;
+/// - interior lines with their spacing divided by the number of layers, so that they fade as lines
+///   of small cells do.
+/// A list that hardly lies over itself stays as it is. Call it before sort_by_spacing(), while
+/// interior lines are the list's only ones.
+void hide_covered(DrawList& list);
+
+}  // namespace winslow::gui
