@@ -34,17 +34,6 @@ std::vector<NamedBody> bodies_and_markers(const PanelContext& context) {
   return found;
 }
 
-Bounds box_around(const PanelContext& context, const std::vector<Index>& markers) {
-  std::vector<Index> nodes;
-  for (const Index m : markers) {
-    const auto of_marker = context.topology()->markers().nodes(m);
-    nodes.insert(nodes.end(), of_marker.begin(), of_marker.end());
-  }
-  const Bounds box = bounds(context.session.coordinates(), nodes);
-  const Vec2 room = Vec2::Constant(0.2 * box.size().maxCoeff());
-  return {box.min - room, box.max + room};
-}
-
 std::string locked_marker(const PanelContext& context, const std::vector<Index>& markers) {
   for (const Index m : markers) {
     std::string name = names_of(context, {m});

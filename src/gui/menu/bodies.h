@@ -21,8 +21,6 @@ std::vector<NamedBody> bodies(const PanelContext& context);
 std::vector<NamedBody> bodies_and_markers(const PanelContext& context);
 /// "flap", "upper, lower".
 std::string names_of(const PanelContext& context, const std::vector<Index>& markers);
-/// Box around markers of the mesh on screen, with room for the eye.
-Bounds box_around(const PanelContext& context, const std::vector<Index>& markers);
 
 /// Name of the first of these markers that is locked; empty: none is.
 std::string locked_marker(const PanelContext& context, const std::vector<Index>& markers);

@@ -5,7 +5,7 @@
 namespace winslow::gui {
 
 std::span<const Gesture> mouse_gestures() {
-  static constexpr std::array<Gesture, 20> gestures{
+  static constexpr std::array<Gesture, 22> gestures{
       {{"Click a body", "select it"},
        {"Ctrl or Shift + click", "add to the selection"},
        {"Double click a body", "zoom to it, also in the list"},

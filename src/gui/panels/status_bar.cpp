@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
-#include <variant>
 
 #include "gui/base/text.h"
 #include "gui/document/session/activity.h"

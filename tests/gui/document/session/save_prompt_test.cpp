@@ -11,7 +11,7 @@ namespace winslow::gui::test {
 
 namespace {
 
-void move_flap(Rig& rig) {
+void edit_mesh(Rig& rig) {
   rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
   rig.bench->apply(action::ApplyMotion{{0, Vec2(0, 0), Vec2(0.2, 0)}});
   REQUIRE(rig.settle());
@@ -30,7 +30,7 @@ TEST_CASE("what would be lost can be saved first, and then it goes on") {
   Rig rig;
   rig.open(ring_mesh());
   const auto path = rig.document().path();
-  move_flap(rig);
+  edit_mesh(rig);
   rig.key(keys::q, {keys::control});
   REQUIRE(rig.session().messages().prompt() != nullptr);
   CHECK(rig.session().messages().prompt()->title == "Save changes to mesh.su2?");
@@ -44,7 +44,7 @@ TEST_CASE("opening another mesh after a save opens it, and Enter saves") {
   Rig rig;
   rig.open(ring_mesh());
   const auto path = rig.document().path();
-  move_flap(rig);
+  edit_mesh(rig);
   const auto other = write(rig.folder, two_body_mesh(), "other.su2");
   rig.bench->apply(action::OpenMesh{other});
   rig.frames();
@@ -56,7 +56,7 @@ TEST_CASE("opening another mesh after a save opens it, and Enter saves") {
 TEST_CASE("a save that is cancelled leaves all as it is, also later") {
   Rig rig;
   rig.open(ring_mesh());
-  move_flap(rig);
+  edit_mesh(rig);
   rig.key(keys::w, {keys::control});
   rig.frames();
   rig.key(keys::escape);  // Cancel
