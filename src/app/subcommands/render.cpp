@@ -198,7 +198,7 @@ class RenderSubcommand : public Subcommand {
     const io::MeshFile file = io::read_mesh(flags_.input, {.zone = flags_.zone});
     if (!flags_.quiet) {
       print_warnings(file.warnings);
-      if (flags_.zone == 0) print_warnings(io::zones_left(file, flags_.input));
+      if (flags_.zone == 0) print_warnings(io::zones_left(file.details.get(), flags_.input));
     }
     if (!flags_.frames.empty()) {
       const std::string said = draw_frames(flags_, file.mesh, frames_of(file.mesh));

@@ -82,14 +82,14 @@ MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options
   return file;
 }
 
-std::vector<std::string> zones_left(const MeshFile& file, const std::filesystem::path& path) {
-  if (!file.details || file.details->zones.size() < 2) return {};
+std::vector<std::string> zones_left(const FormatDetails* details,
+                                    const std::filesystem::path& path) {
+  if (!details || details->zones.size() < 2) return {};
   std::string numbers;
-  for (const int number : file.details->zones)
+  for (const int number : details->zones)
     numbers += (numbers.empty() ? "" : ", ") + std::to_string(number);
-  return {path.string() + ": has " + std::to_string(file.details->zones.size()) + " zones (" +
-          numbers + "); this is zone " + std::to_string(file.details->zone) +
-          ", --zone N opens another"};
+  return {path.string() + ": has " + std::to_string(details->zones.size()) + " zones (" + numbers +
+          "); this is zone " + std::to_string(details->zone) + ", --zone N opens another"};
 }
 
 bool keeps_zones(const std::filesystem::path& path, const FormatDetails& details) {

@@ -74,7 +74,8 @@ std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,
                                           std::span<const MeshZone> zones,
                                           const WriteOptions& options = {});
 /// A sentence that says which of the file's zones was read, if it has others; else nothing.
-std::vector<std::string> zones_left(const MeshFile& file, const std::filesystem::path& path);
+std::vector<std::string> zones_left(const FormatDetails* details,
+                                    const std::filesystem::path& path);
 /// True if all zones of the file that the details belong to can go into a file of that name.
 bool keeps_zones(const std::filesystem::path& path, const FormatDetails& details);
 

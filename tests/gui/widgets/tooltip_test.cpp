@@ -22,7 +22,7 @@ TEST_CASE("a tooltip covers neither its widget nor the rows beside it") {
   Rig rig(1440, 900);
   rig.open(ring_mesh());
   const Layout& layout = rig.bench->layout();
-  for (const char* widget : {"marker/flap", "solver/step", "section/motion", "solver/method"}) {
+  for (const char* widget : {"marker/flap", "solver/advanced", "section/motion", "solver/method"}) {
     INFO(widget);
     const auto tip = tooltip_of(rig, widget);
     if (std::string(widget) == "section/motion") {

@@ -23,14 +23,14 @@ TEST_CASE("SU2 zones: one is read, the first one unless another is asked for") {
   CHECK(first.mesh.coordinates.xy(2) == Vec2(1, 1));
   CHECK(first.details->zones == std::vector<int>{1, 7});
   CHECK(first.details->zone == 1);
-  CHECK(any_contains(io::zones_left(first, "a.su2"),
+  CHECK(any_contains(io::zones_left(first.details.get(), "a.su2"),
                      "a.su2: has 2 zones (1, 7); this is zone 1, --zone N opens another"));
   const io::MeshFile second = read(folder, both, 7);
   CHECK(second.mesh.coordinates.xy(2) == Vec2(6, 1));
   CHECK(second.details->zone == 7);
   CHECK(second.mesh.topology->markers()[0].name == "wall");
   CHECK(any_contains(second.warnings, "a.su2: zone 7: keyword 'FFD_NBOX'"));
-  CHECK(io::zones_left(read(folder, near, 0), "a.su2").empty());
+  CHECK(io::zones_left(read(folder, near, 0).details.get(), "a.su2").empty());
 }
 
 TEST_CASE("SU2 zones: the others go back to the byte, the zone that was read as it is now") {

@@ -150,7 +150,7 @@ void Autosave::restore(const fs::path& folder) {
     try {
       auto restored = std::make_shared<RestoredSession>(read_session(orphan.folder));
       return [this, orphan, restored, mesh = kept_mesh(orphan.folder)](Session& session) {
-        session.restore(std::move(*restored));
+        session.files().restore(std::move(*restored));
         // The file that was opened may have gone or changed since.
         restored_generation_ = session.generation();
         restored_mesh_ = mesh;

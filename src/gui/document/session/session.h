@@ -34,18 +34,12 @@ class Session {
   const Selection& selection() const { return selection_; }
   const Jobs& jobs() const { return jobs_; }
   const Files& files() const { return files_; }
-  /// See Files.
-  void ask_to_save(Action next, Action discard) {
-    files_.ask_to_save(std::move(next), std::move(discard));
-  }
-  std::optional<Action> take_next() { return files_.take_next(); }
+  Files& files() { return files_; }
   /// Shows other coordinates of the mesh on screen, for a picture; none: no more.
   void show_between(std::optional<Coordinates> coordinates) {
     mesh_.instead().coordinates = std::move(coordinates);
     mesh_.changed();
   }
-  /// See Files::restore.
-  void restore(RestoredSession restored) { files_.restore(std::move(restored)); }
   const QualityWatch& quality() const { return quality_; }
   QualityWatch& quality() { return quality_; }
   const MessageBoard& messages() const { return messages_; }

@@ -94,9 +94,13 @@ HeadlessResult run_headless(const HeadlessOptions& options) {
 
   HeadlessResult result;
   HeadlessStudio studio(options.width, options.height);
-  if (!mesh.empty()) studio.open(mesh, options.zone != 0 ? options.zone : recipe.zone);
+  const int zone = options.zone != 0 ? options.zone : recipe.zone;
+  if (!mesh.empty()) studio.open(mesh, zone);
   if (const Document* document = studio.bench().session().document()) {
     for (const std::string& text : document->warnings()) options.warn(text);
+    if (zone == 0)
+      for (const std::string& text : io::zones_left(document->details().get(), mesh))
+        options.warn(text);
     // Said here; a question on screen would be in the picture.
     studio.bench().apply(action::DismissPrompt{});
     if (options.check) options.check(recipe.commands, *document->topology(), mesh.string());

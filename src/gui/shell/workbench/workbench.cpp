@@ -84,7 +84,7 @@ void Workbench::update(InputQueue& queue, int width, int height, double seconds)
   window_.width = std::max(width, 1);
   window_.height = std::max(height, 1);
   poll();
-  if (auto next = session_.take_next()) actions_.push_back(std::move(*next));
+  if (auto next = session_.files().take_next()) actions_.push_back(std::move(*next));
   // Before the panels are laid out, which speak of the mesh in the picture.
   pane_.follow_mesh(view_control_.options(), theme().scale);
   const ViewOptions& view = view_control_.options();

@@ -9,14 +9,14 @@ namespace winslow::gui {
 
 void Workbench::on(const action::RestoreSession& a) {
   if (a.discard_changes || !session_.files().unsaved()) return autosave_.restore(a.folder);
-  session_.ask_to_save(a, action::RestoreSession{a.folder, true});
+  session_.files().ask_to_save(a, action::RestoreSession{a.folder, true});
 }
 
 void Workbench::on(const action::StartDemo& a) {
   const Demo* demo = find_demo(a.id);
   if (!demo) return;
   if (session_.files().unsaved() && !a.discard_changes)
-    return session_.ask_to_save(a, action::StartDemo{a.id, true});
+    return session_.files().ask_to_save(a, action::StartDemo{a.id, true});
   regions_.welcome().close();
   demo_.start(*demo, demo_meshes_.empty() ? assets_folder() : demo_meshes_, session_, actions_);
 }

@@ -38,15 +38,15 @@ TEST_CASE("the columns take at most 45 % of the width, whatever the window and t
 TEST_CASE("F2 and F3 fold the columns to icons, which open them at one of their parts") {
   Rig rig(1440, 900);
   rig.open(ring_mesh());
-  REQUIRE(rig.visible("solver/run"));
+  REQUIRE(rig.visible("solver/method"));
   const float open = rig.bench->layout().left.width;
   rig.key(keys::f2);
   CHECK(rig.bench->layout().left.width < 60);
-  CHECK_FALSE(rig.visible("solver/run"));
+  CHECK_FALSE(rig.visible("solver/method"));
   rig.click("open/section/layers");
   rig.frames();
   CHECK(rig.bench->layout().left.width == open);
-  CHECK(rig.visible("solver/run"));
+  CHECK(rig.visible("solver/method"));
   CHECK_FALSE(rig.bench->settings().folded.contains("section/layers"));
   rig.key(GLFW_KEY_F3);
   CHECK(rig.bench->layout().right.width < 60);
