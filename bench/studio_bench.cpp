@@ -115,7 +115,7 @@ class Bench {
  private:
   /// A frame as the studio draws it.
   void plain_frame(double seconds) {
-    bench_.update(InputState{}, width, height, seconds);
+    bench_.update(input_, width, height, seconds);
     buffer_.bind();
     bench_.paint();
     glFinish();
@@ -123,13 +123,12 @@ class Bench {
 
   FrameTimes frame() {
     FrameTimes times;
-    InputState input;
-    input.mouse_inside = true;
-    input.mouse = ScreenPoint(560 + count_ % 40, 250);  // over elements, beside the hole
-    input.buttons[0] = pressed_;
+    input_.move(ScreenPoint(560 + count_ % 40, 250));  // over elements, beside the hole
+    if (pressed_ != was_pressed_) input_.button(MouseButton::left, pressed_);
+    was_pressed_ = pressed_;
     ++count_;
     const double begin = now();
-    times.update = ms_of([&] { bench_.update(input, width, height, 1.0 / 60); });
+    times.update = ms_of([&] { bench_.update(input_, width, height, 1.0 / 60); });
     times.wall = 1e3 * (now() - begin);
     const auto paint = [&] {
       buffer_.bind();
@@ -228,7 +227,9 @@ class Bench {
   Workbench bench_;
   FrameBuffer buffer_{width, height, 4};
   int count_ = 0;
+  InputQueue input_;
   bool pressed_ = false;
+  bool was_pressed_ = false;
 };
 
 }  // namespace

@@ -46,7 +46,7 @@ TOUR = {
                       "click tab/quality\naway\nwait\n"),
     "view": (NACA, "key Ctrl+D\nclick tab/view\naway\nlook 0.5 0 0.8\nwait\n"),
     "vcv": (NACA, "click tab/vcv\nwait\nlook 0.05 0 0.25\nwait\nclick 0.02 0.1\naway\nwait\n"),
-    "vcv_edit": (NACA, "click tab/vcv\nwait\nlook 0.05 0.06 0.16\nwait\nclick 0.02 0.1\nwait 3\n"
+    "vcv_edit": (NACA, "click tab/vcv\nwait\nlook 0.05 0.06 0.16\nwait\nclick 0.0246 0.1055\nwait 3\n"
                        "click vcv/pin\nclick vcv/row/1\nfill vcv/angle 110\nwait\naway\nwait\n"),
     "compare": (NACA, "click 0.5 0\nfill motion/rotate -40\nclick motion/apply\nwait\n"
                       "key Shift+G\nlook 0.5 0 0.8\naway\nwait\n"),

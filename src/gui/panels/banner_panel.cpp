@@ -3,6 +3,7 @@
 #include <string>
 
 #include "gui/widgets/controls.h"
+#include "gui/widgets/line_breaks.h"
 
 namespace winslow::gui {
 
@@ -17,9 +18,10 @@ void emit_show_inverted(const PanelContext& context) {
   context.emit(action::LookAt{box.centre(), 6 * box.size().norm()});
 }
 
-std::string text_of(const PanelContext& context) {
+std::string text_of(const PanelContext& context, float width) {
   const std::string icon = context.theme.icon(Icon::warning);
-  return (icon.empty() ? "" : icon + "  ") + context.session.messages().banner()->text;
+  const std::string& text = context.session.messages().banner()->text;
+  return ui::with_line_breaks((icon.empty() ? "" : icon + "  ") + text, width);
 }
 
 /// The text and up to three buttons fit on one line.
@@ -35,9 +37,9 @@ float BannerPanel::height(const PanelContext& context, float width) {
   const Theme& theme = context.theme;
   if (one_line(context, width)) return theme.px(44);
   // Above the buttons, on as many lines as it takes: what is cut off may be what matters.
-  const std::string text = text_of(context);
-  const float wrapped =
-      ImGui::CalcTextSize(text.c_str(), nullptr, false, width - theme.px(2 * side_padding)).y;
+  const float room = width - theme.px(2 * side_padding);
+  const std::string text = text_of(context, room);
+  const float wrapped = ImGui::CalcTextSize(text.c_str(), nullptr, false, room).y;
   return theme.px(62) + wrapped;
 }
 
@@ -51,7 +53,8 @@ void BannerPanel::draw(const PanelContext& context) {
                     banner->kind == Banner::Kind::damaged;
   ImGui::AlignTextToFramePadding();
   ImGui::PushTextWrapPos(0);
-  ui::text_colored(bad ? palette().danger : palette().warning, text_of(context));
+  ui::text_colored(bad ? palette().danger : palette().warning,
+                   text_of(context, ImGui::GetContentRegionAvail().x));
   ImGui::PopTextWrapPos();
   ui::note("banner");
   if (one_line(context, ImGui::GetWindowWidth())) ImGui::SameLine(0, context.theme.px(16));

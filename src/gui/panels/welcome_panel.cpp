@@ -74,7 +74,7 @@ void WelcomePanel::draw_head(const PanelContext& context) {
     ImGui::SameLine();
   }
   ImGui::AlignTextToFramePadding();
-  ui::text_colored(palette().text_faint, "SU2, Gmsh MSH, VTK, VTU, OBJ, OFF, PLY, STL");
+  ui::text_colored(palette().text_faint, "SU2, Gmsh MSH, CGNS, VTK, VTU, OBJ, OFF, PLY, STL");
 }
 
 void WelcomePanel::draw_recent(const PanelContext& context) {

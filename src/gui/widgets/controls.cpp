@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "gui/widgets/line_breaks.h"
 #include "gui/widgets/ui_layer.h"
 
 namespace winslow::gui::ui {
@@ -111,14 +112,15 @@ void tooltip(std::string_view text) {
   if (!UiLayer::current().rested_on(ScreenBox{ScreenPoint(min), ScreenPoint(max)})) return;
   const ImVec2 padding(10, 8);
   const float wrap = ImGui::GetFontSize() * 22.0f;
-  const ImVec2 inner = ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, wrap);
+  const std::string broken = with_line_breaks(text, wrap);
+  const ImVec2 inner = ImGui::CalcTextSize(broken.c_str(), nullptr, false, wrap);
   const ImVec2 size(inner.x + 2 * padding.x, inner.y + 2 * padding.y);
   ImGui::SetNextWindowPos(tooltip_place(min, max, size));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().PopupRounding);
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(wrap + padding.x);
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::TextUnformatted(broken.c_str());
   ImGui::PopTextWrapPos();
   const ImVec2 at = ImGui::GetWindowPos(), extent = ImGui::GetWindowSize();
   ImGui::EndTooltip();
@@ -389,8 +391,9 @@ void second_column(std::string_view label) {
 }
 
 void text_wrapped(std::string_view text) {
+  const std::string broken = with_line_breaks(text, ImGui::GetContentRegionAvail().x);
   ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::TextUnformatted(broken.c_str());
   ImGui::PopTextWrapPos();
 }
 
