@@ -49,7 +49,7 @@ OptionTable option_table(KeepOutside& keep) {
   return {
       {.key = "radius",
        .value = OptionalRealOption{&keep.radius, above(0)},
-       .label = "Radius kept within",
+       .label = "Free radius",
        .help = "Nodes farther than this from the centre stay where they are",
        .advice = "For a change near a body in a large mesh.",
        .unit = "units of the mesh",
@@ -57,7 +57,7 @@ OptionTable option_table(KeepOutside& keep) {
        .applies = keep.radius.has_value()},
       {.key = "centre",
        .value = OptionalVectorOption{&keep.centre},
-       .label = "Centre of the circle",
+       .label = "Free centre",
        .help = "Of the circle outside which nodes stay; not given: the centre of the bounding box "
                "of all that moves",
        .unit = "units of the mesh",
@@ -65,7 +65,7 @@ OptionTable option_table(KeepOutside& keep) {
        .applies = keep.centre.has_value()},
       {.key = "corner",
        .value = OptionalVectorOption{&keep.corner},
-       .label = "Corner of the box",
+       .label = "Free box",
        .help = "Nodes outside the box with this corner and the one opposite stay where they are",
        .unit = "units of the mesh",
        .object = "keep_outside",

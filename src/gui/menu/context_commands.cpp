@@ -120,14 +120,14 @@ std::vector<UserCommand> looking(const PanelContext& context, const std::vector<
        .run = [markers](const PanelContext& c) { c.emit(action::FitMarkers{markers}); },
        .starts_section = true},
       {.id = "body/hide",
-       .label = "Hidden",
+       .label = "Hide",
        .tooltip = "Do not draw it, and let the mouse pass through it. The list of markers shows it "
                   "again.",
        .checked = [look](const PanelContext&) { return look.hidden; },
        .run =
            change_looks(markers, [on = !look.hidden](MarkerLook& marker) { marker.hidden = on; })},
       {.id = "body/lock",
-       .label = "Locked",
+       .label = "Lock",
        .tooltip = "Draw it, but keep the mouse from selecting or moving it.",
        .checked = [look](const PanelContext&) { return look.locked; },
        .run =

@@ -165,6 +165,25 @@ TEST_CASE("fields: the value of each node is that of its view, an element has it
   }
 }
 
+TEST_CASE("fields of walls on an annulus are its radii's") {
+  constexpr Index sectors = 24, rings = 5;
+  constexpr double growth = 1.3;
+  const Mesh mesh = make_mesh(annulus(sectors, rings, growth, Cells::quads));
+  const VirtualControlVolumes vcv(mesh.topology);
+  const auto values = [&](WallField field) { return element_values(vcv, mesh.coordinates, field); };
+  const auto height = values(WallField::first_height), tilt = values(WallField::first_edge_tilt),
+             ratio = values(WallField::size_ratio);
+  for (std::size_t e = 0; e < height.size(); ++e) {
+    CHECK(ratio[e] == doctest::Approx(growth));
+    const bool inner = e < static_cast<std::size_t>(sectors);  // the first ring comes first
+    REQUIRE(std::isnan(height[e]) != inner);
+    REQUIRE(std::isnan(tilt[e]) != inner);
+    if (!inner) continue;
+    CHECK(height[e] == doctest::Approx(growth - 1));
+    CHECK(std::abs(tilt[e]) < 1e-5);
+  }
+}
+
 TEST_CASE("fields do not depend on the number of threads, and have names to be found by") {
   const Mesh mesh = make_mesh(square(90, Cells::triangles));
   const VirtualControlVolumes vcv(mesh.topology);
@@ -185,7 +204,7 @@ TEST_CASE("fields do not depend on the number of threads, and have names to be f
   CHECK_THROWS_WITH_AS(parse_field("beauty"),
                        "found \"beauty\", expected one of normalized_jacobian, aspect_ratio, "
                        "condition_number, smallest_angle, largest_angle, skewness, area, kappa, "
-                       "smallest_weight, residual, "
+                       "smallest_weight, residual, first_height, first_edge_tilt, size_ratio, "
                        "layer, spacing_error",
                        UsageError);
 }

@@ -33,6 +33,12 @@ class ScriptPlayer {
     if (what == "open") return studio_.open(near_ / words[1]);
     if (what == "replay") return studio_.replay(io::read_recipe(near_ / words[1]).commands);
     if (what == "click") return click(target(words, 1));
+    if (what == "right-click") return click(target(words, 1), MouseButton::right);
+    if (what == "double-click") {
+      const ScreenPoint at = target(words, 1);
+      click(at);
+      return click(at);
+    }
     if (what == "hover" || what == "move") return move(target(words, 1));
     if (what == "drag") return drag(mesh_point(words, 1), mesh_point(words, 3));
     if (what == "press") return press(mesh_point(words, 1));
@@ -108,18 +114,18 @@ class ScriptPlayer {
     input().leave();
     studio_.frames(3);
   }
-  void press(const ScreenPoint& at) {
+  void press(const ScreenPoint& at, MouseButton button = MouseButton::left) {
     move(at);
-    input().button(MouseButton::left, true);
+    input().button(button, true);
     studio_.frames(1);
   }
-  void release() {
-    input().button(MouseButton::left, false);
+  void release(MouseButton button = MouseButton::left) {
+    input().button(button, false);
     studio_.frames();
   }
-  void click(const ScreenPoint& at) {
-    press(at);
-    release();
+  void click(const ScreenPoint& at, MouseButton button = MouseButton::left) {
+    press(at, button);
+    release(button);
   }
   void drag(const ScreenPoint& from, const ScreenPoint& to) {
     press(from);

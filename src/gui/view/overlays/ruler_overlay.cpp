@@ -76,10 +76,15 @@ void draw_card(ImDrawList& list, const ViewOverlay& o, const ScreenPoint& beside
 }  // namespace
 
 std::vector<std::string> measurement_lines(const Measurement& m) {
+  // Rounding errors of the nodes are no distance.
+  const auto rounded = [&](double value, double unit) {
+    return std::abs(value) < 1e-9 * unit ? 0.0 : value;
+  };
+  const double dx = rounded(m.along.x(), m.length), dy = rounded(m.along.y(), m.length);
   std::vector<std::string> lines;
   lines.push_back("Length " + text_of("%.6g", m.length));
-  lines.push_back(text_of("x %+.6g   y %+.6g", m.along.x(), m.along.y()));
-  lines.push_back(text_of("%.2f\xC2\xB0 against x", m.direction));
+  lines.push_back(text_of("x %+.6g   y %+.6g", dx, dy));
+  lines.push_back(text_of("%.2f\xC2\xB0 against x", rounded(m.direction, 180)));
   if (m.second) lines.push_back("Second length " + text_of("%.6g", *m.second));
   if (m.angle) lines.push_back("Angle " + text_of("%.2f\xC2\xB0", *m.angle));
   return lines;

@@ -172,6 +172,20 @@ TEST_CASE("a script's clicks scroll to the control they name, or say that they c
   CHECK(failure(options).find("s.txt:3: the widget \"tool/record\" cannot") != std::string::npos);
 }
 
+TEST_CASE("scripts click with the right button, and twice") {
+  TemporaryFolder folder;
+  write(folder, ring_mesh());
+  HeadlessOptions options = small_window();
+  options.mesh = folder / "mesh.su2";
+  options.script = folder / "script.txt";
+  std::ofstream(options.script) << "right-click 0 0\nwait 3\nwidgets menu_title\nkey Escape\n"
+                                   "wait 3\ndouble-click marker/flap\nwait 3\nwidgets menu_title\n";
+  std::string said;
+  options.say = [&](const std::string& line) { said += line + '\n'; };
+  run_headless(options);
+  CHECK(said == "menu_title/flap\n");
+}
+
 TEST_CASE("a script's mistakes name the line") {
   TemporaryFolder folder;
   const auto message = [&](const std::string& text) {

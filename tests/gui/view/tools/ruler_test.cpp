@@ -4,6 +4,7 @@
 
 #include "gui/support/keys.h"
 #include "gui/support/rig.h"
+#include "gui/view/overlays/ruler_overlay.h"
 
 namespace winslow::gui::test {
 
@@ -21,6 +22,13 @@ TEST_CASE("a measurement is the length, the vector and the angle against x, then
   CHECK(*three->second == doctest::Approx(2));
   const auto nowhere = measure({{Vec2(1, 0), {}}, {Vec2(1, 0), {}}, {Vec2(0, 2), {}}});
   CHECK_FALSE(nowhere->angle.has_value());
+}
+
+TEST_CASE("rounding errors of nodes are no distance") {
+  const auto lines = measurement_lines(*measure({{Vec2(0, 0), {}}, {Vec2(1, -3.3e-17), {}}}));
+  REQUIRE(lines.size() == 3);
+  CHECK(lines[1] == "x +1   y +0");
+  CHECK(lines[2].starts_with("0.00"));
 }
 
 TEST_CASE("the ruler measures by clicks that snap to nodes, selects nothing, and ends with Esc") {
