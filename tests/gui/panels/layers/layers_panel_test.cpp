@@ -333,7 +333,7 @@ TEST_CASE("single columns are set by hand for a node that is inspected") {
   rig.fill("layers/columns/count", "3");
   REQUIRE(rig.settle());  // what the plan comes to takes a line or two, above buttons
   rig.click("layers/columns/own");
-  rig.frames(3);
+  REQUIRE(rig.settle());
   rig.fill("layers/columns/thickness", "0.045");
   REQUIRE(rig.settle());
   rig.bench->pictures().picture();
