@@ -162,7 +162,8 @@ void WelcomePanel::draw_demos(const PanelContext& context) {
   heading(context, "Guided demos: the cases of the paper");
   const Columns columns = columns_of(context);
   // As high as a small window has room for without scrolling.
-  const auto rows = static_cast<float>((demos().size() + columns.count - 1) / columns.count);
+  const std::size_t full_rows = (demos().size() + columns.count - 1) / columns.count;
+  const auto rows = static_cast<float>(full_rows);
   const float room = (ImGui::GetContentRegionAvail().y + ImGui::GetStyle().ItemSpacing.y) / rows -
                      ImGui::GetStyle().ItemSpacing.y;
   const float height =
