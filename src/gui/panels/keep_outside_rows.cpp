@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/motion/rigid_motion.h"
 #include "gui/panels/forms/option_form.h"
 #include "gui/widgets/controls.h"
 
@@ -30,9 +31,12 @@ Bounds bounds_of_selection(const Session& session) {
 KeepOutside first(Shape shape, const Bounds& body) {
   KeepOutside keep;
   const Vec2 half = 0.5 * body.size();
-  if (shape == circle) keep.radius = 2 * half.norm();
+  const Vec2 centre = body_centre(body);
+  if (shape == circle) {
+    keep.radius = 2 * half.norm();
+    keep.centre = centre;  // smoothing in place has no body to ask for it
+  }
   if (shape == box) {
-    const Vec2 centre = 0.5 * (body.min + body.max);
     const Vec2 room = Vec2::Constant(2 * half.norm());
     keep.corner = centre - room;
     keep.opposite = centre + room;

@@ -42,6 +42,11 @@ TEST_CASE("a circle is kept around the body by the form") {
   turn_flap(rig, 15);
   CHECK(moved(rig, before, 1.5, true) > 20);
   CHECK(moved(rig, before, 1.5, false) == 0);
+  // Smoothing in place has no body about which the circle could be.
+  rig.bench->apply(action::RunSmooth{});
+  REQUIRE(rig.settle());
+  CHECK(rig.document().history().size() == 3);
+  CHECK(moved(rig, before, 1.5, false) == 0);
 
   choose(rig, "Box");
   CHECK_FALSE(region(rig).radius);
