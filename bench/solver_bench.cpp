@@ -10,6 +10,7 @@
 
 #include "core/command/command.h"
 #include "core/drag/drag_predictor.h"
+#include "core/formulation/target_shapes.h"
 #include "core/parallel/parallel_for.h"
 #include "core/quality/quality.h"
 #include "core/strategy/workspace.h"
@@ -62,8 +63,7 @@ void assembly_against_triad(benchmark::State& run) {
   const TargetShapes& shapes = energy.shapes();
   const std::size_t bytes =
       sizeof(double) * (x.values().size() + residual.size() + hessian.values.size()) +
-      sizeof(shapes.triangles[0]) * shapes.triangles.size() +
-      sizeof(shapes.terms[0]) * shapes.terms.size();
+      sizeof(shapes.cells[0]) * shapes.cells.size() + sizeof(shapes.terms[0]) * shapes.terms.size();
   const std::size_t n = bytes / (3 * sizeof(double));
   std::vector<double> a(n), b(n, 1.0), c(n, 2.0);
   std::vector<double> assembly, triad;

@@ -88,16 +88,35 @@ CLI::Option* declare(CLI::App& app, const Option& option, const SeedOption& seed
       });
 }
 
+/// Two numbers or, where there is a place for the third, two or three.
+template <class Vector>
+CLI::Option* declare_vector(CLI::App& app, const Option& option, const Vector& vector) {
+  if (!vector.third) {
+    using Pair = std::array<double, 2>;
+    return add_value<Pair>(app, option,
+                           [vector](const Pair& v) { *vector.value = Vec2(v[0], v[1]); });
+  }
+  using Numbers = std::vector<double>;
+  return add_value<Numbers>(app, option,
+                            [vector](const Numbers& v) {
+                              *vector.value = Vec2(v[0], v[1]);
+                              if (v.size() > 2) *vector.third = v[2];
+                            })
+      ->expected(2, 3);
+}
+
 CLI::Option* declare(CLI::App& app, const Option& option, const VectorOption& vector) {
-  using Pair = std::array<double, 2>;
-  return add_value<Pair>(app, option,
-                         [vector](const Pair& v) { *vector.value = Vec2(v[0], v[1]); });
+  return declare_vector(app, option, vector);
 }
 
 CLI::Option* declare(CLI::App& app, const Option& option, const OptionalVectorOption& vector) {
-  using Pair = std::array<double, 2>;
-  return add_value<Pair>(app, option,
-                         [vector](const Pair& v) { *vector.value = Vec2(v[0], v[1]); });
+  return declare_vector(app, option, vector);
+}
+
+CLI::Option* declare(CLI::App& app, const Option& option, const SpaceVectorOption& vector) {
+  using Triple = std::array<double, 3>;
+  return add_value<Triple>(app, option,
+                           [vector](const Triple& v) { *vector.value = Vec3(v[0], v[1], v[2]); });
 }
 
 CLI::Option* declare(CLI::App& app, const Option& option, const SwitchOption& on) {
@@ -128,9 +147,11 @@ std::string item_help(const Item& item) {
 }
 
 std::string metavariable(const Option& option) {
-  if (std::holds_alternative<VectorOption>(option.value) ||
-      std::holds_alternative<OptionalVectorOption>(option.value))
-    return "X Y";
+  const auto plane = [](bool third) { return third ? "X Y [Z]" : "X Y"; };
+  if (const auto* vector = std::get_if<VectorOption>(&option.value)) return plane(vector->third);
+  if (const auto* vector = std::get_if<OptionalVectorOption>(&option.value))
+    return plane(vector->third);
+  if (std::holds_alternative<SpaceVectorOption>(option.value)) return "X Y Z";
   if (std::holds_alternative<SharesOption>(option.value)) return "NAME[=SHARE]...";
   if (const auto* choice = std::get_if<ChoiceOption>(&option.value)) {
     constexpr std::size_t few = 4;

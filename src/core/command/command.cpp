@@ -51,9 +51,11 @@ std::string describe_one(const SmoothCommand&) { return "Smooth"; }
 
 std::string describe_one(const MoveCommand& command) {
   const bool turns = command.motion.rotate != 0;
-  const bool shifts = command.motion.translate != Vec2(0, 0);
+  const double up = command.motion.translate_z.value_or(0);
+  const bool shifts = command.motion.translate != Vec2(0, 0) || up != 0;
   const std::string by = "(" + length(command.motion.translate.x()) + ", " +
-                         length(command.motion.translate.y()) + ")";
+                         length(command.motion.translate.y()) +
+                         (command.motion.translate_z ? ", " + length(up) : "") + ")";
   const std::string who = list(command.markers);
   if (turns && shifts) {
     return "Rotate " + who + " by " + angle(command.motion.rotate) + " deg and move it by " + by;
@@ -99,6 +101,24 @@ CommandResult finish(const MeshState& state, Coordinates x, SmoothResult smooth)
   return result;
 }
 
+bool is_volume(const MeshState& state) { return state.mesh.topology->cell_dimension() == 3; }
+
+/// What volume meshes cannot do yet is refused by name.
+void require_dimension(const Command& command, const MeshState& state) {
+  const bool serves_volumes = std::holds_alternative<SmoothCommand>(command) ||
+                              std::holds_alternative<MoveCommand>(command) ||
+                              std::holds_alternative<ScrambleCommand>(command);
+  if (!is_volume(state) || !serves_volumes)
+    require_plane(*state.mesh.topology, command_name(command));
+  if (!is_volume(state)) return;
+  Command copy = command;
+  const SmoothOptions* smooth = smooth_options(copy);
+  if (smooth && smooth->formulation != "variational")
+    throw UsageError("the " + smooth->formulation +
+                     " form: only for a plane mesh, and this is a volume mesh");
+  if (smooth && smooth->keep_outside.given()) require_plane(*state.mesh.topology, "keep-outside");
+}
+
 /// Limits of the quality are kept on a path, so there has to be one.
 void require_path(const MotionOptions& how, const SmoothOptions& smooth) {
   if (!how.floor.given()) return;
@@ -136,7 +156,7 @@ CommandResult execute_one(const SmoothCommand& command, const MeshState& state,
   validate(command.smooth);
   Coordinates x = starting_point(state, options);
   RunOptions run = options;
-  run.never_worse = state.vcv->edits().empty();  // edits say what is wanted instead
+  run.never_worse = !state.vcv || state.vcv->edits().empty();  // edits say what is wanted instead
   SmoothResult result = smooth_interior(state, command.smooth, x, run);
   return finish(state, std::move(x), std::move(result));
 }
@@ -144,6 +164,13 @@ CommandResult execute_one(const SmoothCommand& command, const MeshState& state,
 CommandResult execute_one(const MoveCommand& command, const MeshState& state,
                           const RunOptions& options) {
   const auto nodes = state.mesh.topology->markers().nodes_of(command.markers);
+  if (is_volume(state)) {
+    const Vec3 middle =
+        nodes.empty() ? Vec3(0, 0, 0) : body_centre(space_bounds(state.mesh.coordinates, nodes));
+    const auto motion = make_motion(*state.mesh.topology, state.mesh.coordinates, command.markers,
+                                    command.motion.about(middle));
+    return run_motion(state, *motion, command.how, command.smooth, options);
+  }
   const Vec2 centre =
       nodes.empty() ? Vec2(0, 0) : body_centre(bounds(state.mesh.coordinates, nodes));
   const auto motion = make_motion(*state.mesh.topology, state.mesh.coordinates, command.markers,
@@ -167,20 +194,33 @@ double uniform(std::mt19937_64& generator) {
   return static_cast<double>(generator() >> 11) * 0x1.0p-53;
 }
 
+CommandResult scrambled(const MeshState& state, Coordinates x) {
+  SmoothResult result;
+  result.converged = true;
+  result.inverted = check_validity(*state.mesh.topology, x).inverted;
+  return finish(state, std::move(x), std::move(result));
+}
+
 CommandResult execute_one(const ScrambleCommand& command, const MeshState& state,
                           const RunOptions&) {
   std::mt19937_64 generator(command.seed);
-  const Bounds box = bounds(state.mesh);
   Coordinates x = state.mesh.coordinates;
+  if (is_volume(state)) {
+    const Box<3> box = space_bounds(state.mesh);
+    for (const Index node : state.mesh.topology->interior_nodes()) {
+      Vec3 share;
+      for (double& component : share) component = uniform(generator);
+      x.set_xyz(node, box.min + box.size().cwiseProduct(share));
+    }
+    return scrambled(state, std::move(x));
+  }
+  const Bounds box = bounds(state.mesh);
   for (const Index node : state.mesh.topology->interior_nodes()) {
     const double u = uniform(generator);
     const double v = uniform(generator);
     x.set_xy(node, box.min + box.size().cwiseProduct(Vec2(u, v)));
   }
-  SmoothResult result;
-  result.converged = true;
-  result.inverted = check_validity(*state.mesh.topology, x).inverted;
-  return finish(state, std::move(x), std::move(result));
+  return scrambled(state, std::move(x));
 }
 
 CommandResult execute_one(const EditVcvCommand& command, const MeshState& state,
@@ -253,24 +293,37 @@ std::vector<std::string> markers_of(const Command& command) {
 Command with_pivot(Command command, std::span<const MeshState* const> states) {
   auto* move = std::get_if<MoveCommand>(&command);
   if (move == nullptr || move->motion.pivot) return command;
-  Bounds box = Bounds::empty();
-  bool found = false;
+  Bounds plane = Bounds::empty();
+  Box<3> space = Box<3>::empty();
+  bool found = false, in_space = false;
   for (const MeshState* state : states) {
     const Markers& markers = state->mesh.topology->markers();
     for (const std::string& name : move->markers) {
       if (!markers.find(name)) continue;
       const std::vector<Index> nodes = markers.nodes_of(std::span(&name, 1));
       if (nodes.empty()) continue;
-      box.add(bounds(state->mesh.coordinates, nodes));
       found = true;
+      if (is_volume(*state)) {
+        in_space = true;
+        space.add(space_bounds(state->mesh.coordinates, nodes));
+      } else {
+        plane.add(bounds(state->mesh.coordinates, nodes));
+      }
     }
   }
-  if (found) move->motion.pivot = body_centre(box);
+  if (!found) return command;
+  if (in_space) {
+    const Vec3 centre = body_centre(space);
+    move->motion.pivot = centre.head<2>();
+    move->motion.pivot_z = centre.z();
+  } else {
+    move->motion.pivot = body_centre(plane);
+  }
   return command;
 }
 
 CommandResult execute(const Command& command, const MeshState& state, const RunOptions& options) {
-  require_plane(*state.mesh.topology, command_name(command));
+  require_dimension(command, state);
   const auto carry_out = [](const Command& which, const MeshState& from, const RunOptions& how) {
     return std::visit([&](const auto& c) { return execute_one(c, from, how); }, which);
   };

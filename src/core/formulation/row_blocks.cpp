@@ -9,18 +9,18 @@ namespace winslow {
 
 namespace {
 
-using Triangles = std::vector<std::array<Index, 3>>;
-
-/// The triangles at each row.
+/// The cells at each row.
 struct Stars {
   std::vector<Index> offsets;
   std::vector<Index> entries;
 
-  Stars(const Triangles& triangles, std::span<const Index> row_of_node, Index rows)
+  template <std::size_t N>
+  Stars(const std::vector<std::array<Index, N>>& cells, std::span<const Index> row_of_node,
+        Index rows)
       : offsets(at(rows) + 1, 0) {
     const auto each = [&](const auto& visit) {
-      for (std::size_t t = 0; t < triangles.size(); ++t) {
-        for (const Index node : triangles[t]) {
+      for (std::size_t t = 0; t < cells.size(); ++t) {
+        for (const Index node : cells[t]) {
           if (const Index row = row_of_node[at(node)]; row >= 0) visit(at(row), t);
         }
       }
@@ -36,14 +36,16 @@ struct Stars {
   }
 };
 
-std::shared_ptr<SparsityPattern> make_pattern(const Triangles& triangles, const Stars& stars,
+template <std::size_t N>
+std::shared_ptr<SparsityPattern> make_pattern(const std::vector<std::array<Index, N>>& cells,
+                                              const Stars& stars,
                                               std::span<const Index> row_of_node, Index rows) {
   auto pattern = std::make_shared<SparsityPattern>();
   std::vector<Index> columns;
   for (Index i = 0; i < rows; ++i) {
     columns.assign(1, i);
     for (const Index t : stars.of(i)) {
-      for (const Index node : triangles[at(t)]) {
+      for (const Index node : cells[at(t)]) {
         if (const Index row = row_of_node[at(node)]; row >= 0) columns.push_back(row);
       }
     }
@@ -58,6 +60,7 @@ std::shared_ptr<SparsityPattern> make_pattern(const Triangles& triangles, const 
 }
 
 /// Places in the matrix of one block of rows.
+template <int D>
 class BlockPlaces {
  public:
   BlockPlaces(const SparsityPattern& pattern, const std::vector<Index>& order, Index rows)
@@ -76,17 +79,19 @@ class BlockPlaces {
     }
     return entries;
   }
-  distortion::TrianglePlaces of(const std::array<Index, 3>& rows) const {
-    distortion::TrianglePlaces places{};
-    for (std::size_t corner = 0; corner < 3; ++corner) {
+  distortion::SimplexPlaces<D> of(const std::array<Index, D + 1>& rows) const {
+    distortion::SimplexPlaces<D> places{};
+    for (std::size_t corner = 0; corner <= D; ++corner) {
       const Index row = rows[corner];
       places.rows[corner] = static_cast<std::uint16_t>(
-          is_in_block(row) ? position_[at(row)] - begin_ : RowBlocks::rows_per_block);
+          is_in_block(row) ? position_[at(row)] - begin_ : RowBlocks<D>::rows_per_block);
     }
-    constexpr std::array<std::array<std::size_t, 2>, 6> pairs{
-        {{0, 1}, {1, 0}, {0, 2}, {2, 0}, {1, 2}, {2, 1}}};
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-      places.blocks[k] = entry(rows[pairs[k][0]], rows[pairs[k][1]]);
+    std::size_t k = 0;
+    for (std::size_t first = 0; first <= D; ++first) {
+      for (std::size_t second = first + 1; second <= D; ++second) {
+        places.blocks[k++] = entry(rows[first], rows[second]);
+        places.blocks[k++] = entry(rows[second], rows[first]);
+      }
     }
     return places;
   }
@@ -110,12 +115,14 @@ class BlockPlaces {
 
 }  // namespace
 
-RowBlocks::RowBlocks(const Triangles& triangles, std::span<const Index> row_of_node, Index rows) {
-  const Stars stars(triangles, row_of_node, rows);
-  pattern_ = make_pattern(triangles, stars, row_of_node, rows);
+template <int D>
+RowBlocks<D>::RowBlocks(const std::vector<Cell>& cells, std::span<const Index> row_of_node,
+                        Index rows) {
+  const Stars stars(cells, row_of_node, rows);
+  pattern_ = make_pattern(cells, stars, row_of_node, rows);
   order_ = locality_ordering(*pattern_);
-  BlockPlaces places(*pattern_, order_, rows);
-  std::vector<Index> seen_by(triangles.size(), -1);
+  BlockPlaces<D> places(*pattern_, order_, rows);
+  std::vector<Index> seen_by(cells.size(), -1);
   for (Index begin = 0; begin < rows; begin += rows_per_block) {
     const Index end = std::min(rows, begin + rows_per_block);
     const Index block = begin / rows_per_block;
@@ -123,24 +130,25 @@ RowBlocks::RowBlocks(const Triangles& triangles, std::span<const Index> row_of_n
     for (Index p = begin; p < end; ++p) {
       for (const Index t : stars.of(order_[at(p)])) {
         if (std::exchange(seen_by[at(t)], block) == block) continue;
-        const auto& nodes = triangles[at(t)];
-        triangles_.push_back(t);
-        places_.push_back(places.of(
-            {row_of_node[at(nodes[0])], row_of_node[at(nodes[1])], row_of_node[at(nodes[2])]}));
+        Cell rows_of_cell;
+        std::transform(cells[at(t)].begin(), cells[at(t)].end(), rows_of_cell.begin(),
+                       [&](Index node) { return row_of_node[at(node)]; });
+        cells_.push_back(t);
+        places_.push_back(places.of(rows_of_cell));
       }
     }
-    triangle_offsets_.push_back(static_cast<Index>(triangles_.size()));
+    cell_offsets_.push_back(static_cast<Index>(cells_.size()));
   }
 }
 
-std::vector<Index> RowBlocks::renumber_triangles() {
-  const Index most =
-      triangles_.empty() ? -1 : *std::max_element(triangles_.begin(), triangles_.end());
+template <int D>
+std::vector<Index> RowBlocks<D>::renumber_cells() {
+  const Index most = cells_.empty() ? -1 : *std::max_element(cells_.begin(), cells_.end());
   std::vector<Index> number(at(most + 1), -1), old_number;
-  for (std::size_t block = 0; block + 1 < triangle_offsets_.size(); ++block) {
+  for (std::size_t block = 0; block + 1 < cell_offsets_.size(); ++block) {
     first_new_.push_back(static_cast<Index>(old_number.size()));
-    for (Index i = triangle_offsets_[block]; i < triangle_offsets_[block + 1]; ++i) {
-      Index& t = triangles_[at(i)];
+    for (Index i = cell_offsets_[block]; i < cell_offsets_[block + 1]; ++i) {
+      Index& t = cells_[at(i)];
       if (number[at(t)] < 0) {
         number[at(t)] = static_cast<Index>(old_number.size());
         old_number.push_back(t);
@@ -150,5 +158,8 @@ std::vector<Index> RowBlocks::renumber_triangles() {
   }
   return old_number;
 }
+
+template class RowBlocks<2>;
+template class RowBlocks<3>;
 
 }  // namespace winslow

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "core/formulation/target_metric.h"
+#include "core/formulation/volume_metric.h"
+#include "core/mesh/corner_tetrahedra.h"
 #include "core/parallel/parallel_for.h"
 
 namespace winslow {
@@ -44,10 +46,31 @@ double stretch_of(std::span<const Index> nodes, const PlanePoints& x) {
   return 0.5 * stretch_between(TargetMetric::of_angle(pi / 2), TargetMetric::of(p, q));
 }
 
+/// The same of a volume element.
+double stretch_of(ElementType type, std::span<const Index> nodes, const SpacePoints& x) {
+  double sum = 0;
+  const auto corners = corner_tetrahedra(type);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const auto corner = by_nodes(corners[k], nodes);
+    Edges3 edges;
+    for (int i = 0; i < 3; ++i) edges.col(i) = x[corner[at(i + 1)]] - x[corner[0]];
+    if (!(edges.determinant() > 0)) return inverted;
+    sum += stretch_between(regular_metrics(type)[k], volume_metric(edges));
+  }
+  return 0.5 * sum / static_cast<double>(corners.size());
+}
+
 class Field {
  public:
   Field(const Topology& topology, const Coordinates& given, int threads)
       : topology_(topology), threads_(threads), stretch_(at(topology.element_count())) {
+    if (topology.cell_dimension() == 3) {
+      const SpacePoints x(given);
+      for_each_element([&](Index e) {
+        stretch_[at(e)] = stretch_of(topology_.element_type(e), topology_.element(e), x);
+      });
+      return;
+    }
     const PlanePoints x(given);
     for_each_element([&](Index e) { stretch_[at(e)] = stretch_of(topology_.element(e), x); });
   }
@@ -84,6 +107,9 @@ class Field {
   }
 
   bool is_triangle(Index e) const { return topology_.element_type(e) == ElementType::triangle; }
+  bool is_simplex(Index e) const {
+    return is_triangle(e) || topology_.element_type(e) == ElementType::tetrahedron;
+  }
 
   bool tangled() const {
     constexpr double most = 0.05;
@@ -94,13 +120,13 @@ class Field {
 
   double share_by_neighbours(Index e, double around) const {
     if (std::isnan(around)) return 0;
-    return is_triangle(e) ? rising_step(around, 0.45, 0.8) : 1;
+    return is_simplex(e) ? rising_step(around, 0.45, 0.8) : 1;
   }
 
   /// Of the corners of stretched quadrilaterals some are sharp by the shape of the boundary, as at
   /// a trailing edge, and far more stretched than the element.
   double tolerance(Index e, double around) const {
-    if (is_triangle(e)) return 0.35;
+    if (is_simplex(e)) return 0.35;
     return 0.7 + 1.8 * rising_step(around, 0.45, 0.8);
   }
 

@@ -29,6 +29,10 @@ namespace winslow {
 /// quadrilateral):
 ///   slivers take on the stretch of their neighbours.
 ///
+/// In space s = log(s1 / s3) / 2, the mean over the element's corners, each against that of the
+/// regular element of its type; tetrahedra take the part of triangles, prisms, hexahedra and
+/// pyramids that of quadrilaterals, and nothing is held at the boundary.
+///
 /// The target is the element's own shape with its stretch multiplied by all this. Next to an
 /// inverted element a shape says nothing: the share is 0 there, and everywhere if more than one
 /// element in twenty is inverted.
@@ -40,7 +44,8 @@ struct StretchField {
   double stretched = 0;
 };
 
-/// given: #nodes by 2, of a plane mesh. threads: 0 for all cores; no result depends on it.
+/// given: #nodes by dimension, of a plane or volume mesh. threads: 0 for all cores; no result
+/// depends on it.
 StretchField stretch_field(const Topology& topology, const Coordinates& given, int threads);
 
 }  // namespace winslow

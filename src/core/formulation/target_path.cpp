@@ -6,28 +6,52 @@
 
 namespace winslow {
 
-TargetPath::TargetPath(std::shared_ptr<const VariationalWinslow> end, const Coordinates& from,
-                       int threads)
-    : end_(std::move(end)), threads_(threads) {
-  const PlanePoints x(from);
-  own_.reserve(end_->shapes().triangles.size());
-  for (const auto& [a, b, c] : end_->shapes().triangles)
-    own_.push_back(TargetMetric::of(x[b] - x[a], x[c] - x[a]));
+namespace {
+
+TargetMetric own_metric(const PlanePoints& x, const std::array<Index, 3>& cell) {
+  return TargetMetric::of(x[cell[1]] - x[cell[0]], x[cell[2]] - x[cell[0]]);
 }
 
-std::shared_ptr<const VariationalWinslow> TargetPath::at_share(double share) const {
+Eigen::Matrix3d own_metric(const SpacePoints& x, const std::array<Index, 4>& cell) {
+  Edges3 edges;
+  for (int k = 0; k < 3; ++k) edges.col(k) = x[cell[at(k + 1)]] - x[cell[0]];
+  return volume_metric(edges);
+}
+
+ShapeTerm on_the_way(const TargetMetric& own, const ShapeTerm& term, double share) {
+  return between(own, TargetMetric::of(term), share).term(term.weight);
+}
+
+VolumeTerm on_the_way(const Eigen::Matrix3d& own, const VolumeTerm& term, double share) {
+  return volume_term(RelativeMetric(own, metric_of(term)).between(share), term.weight);
+}
+
+}  // namespace
+
+template <int D>
+ShapePath<D>::ShapePath(std::shared_ptr<const SimplexWinslow<D>> end, const Coordinates& from,
+                        int threads)
+    : end_(std::move(end)), threads_(threads) {
+  const Points<D> x(from);
+  own_.reserve(end_->shapes().cells.size());
+  for (const auto& cell : end_->shapes().cells) own_.push_back(own_metric(x, cell));
+}
+
+template <int D>
+std::shared_ptr<const SimplexWinslow<D>> ShapePath<D>::form_at(double share) const {
   if (share >= 1) return end_;
-  TargetShapes shapes = end_->shapes();
+  CellTargets<D> shapes = end_->shapes();
   const auto count = static_cast<Index>(own_.size());
   parallel_for(threads_, count, [&](Index begin, Index stop) {
     for (Index t = begin; t < stop; ++t) {
-      for (Index k = shapes.offsets[at(t)]; k < shapes.offsets[at(t) + 1]; ++k) {
-        ShapeTerm& term = shapes.terms[at(k)];
-        term = between(own_[at(t)], TargetMetric::of(term), share).term(term.weight);
-      }
+      for (Index k = shapes.offsets[at(t)]; k < shapes.offsets[at(t) + 1]; ++k)
+        shapes.terms[at(k)] = on_the_way(own_[at(t)], shapes.terms[at(k)], share);
     }
   });
-  return end_->with_ordered_shapes(std::make_shared<const TargetShapes>(std::move(shapes)));
+  return end_->with_ordered_shapes(std::make_shared<const CellTargets<D>>(std::move(shapes)));
 }
+
+template class ShapePath<2>;
+template class ShapePath<3>;
 
 }  // namespace winslow

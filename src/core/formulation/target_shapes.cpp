@@ -18,22 +18,13 @@ class Builder {
  public:
   Builder(const VirtualControlVolumes& vcv, const TargetBlend& blend, const Coordinates* given,
           int threads, std::span<const Index> urgent)
-      : vcv_(vcv), topology_(vcv.topology()), blend_(blend), given_(given) {
-    const double sum = blend.automatic + blend.element + blend.vcv + blend.rest;
-    if (!(blend.automatic >= 0 && blend.element >= 0 && blend.vcv >= 0 && blend.rest >= 0) ||
-        !(sum > 0) || !std::isfinite(sum)) {
-      throw UsageError("the shares of the target shapes must not be negative, nor all zero");
-    }
+      : vcv_(vcv), topology_(vcv.topology()), blend_(normalized(blend)), given_(given) {
     if (refers_to_given(blend) && !given) throw UsageError("targets that refer to no mesh");
     if (blend.automatic > 0) {
       stretch_ = stretch_field(topology_, *given, threads);
       shapes_.stretched = stretch_.stretched;
       for (const Index e : urgent) stretch_.weight[at(e)] *= 4;
     }
-    blend_.automatic /= sum;
-    blend_.element /= sum;
-    blend_.vcv /= sum;
-    blend_.rest /= sum;
     edited_blend_ = {0, 0, blend_.automatic + blend_.element + blend_.vcv, blend_.rest};
   }
 
@@ -167,7 +158,7 @@ class Builder {
     const auto element = topology_.element(e);
     const auto first = corner_nodes(element, 0);
     if (!movable(first)) return;
-    shapes_.triangles.push_back(first);
+    shapes_.cells.push_back(first);
     if (blend_.vcv > 0 || (any_edited(element) && !vcv_.role(e).own_shape)) {
       add_vcv_terms(e);
     } else {
@@ -242,7 +233,7 @@ class Builder {
         }
       }
       add_rest(metric, nodes, e);
-      shapes_.triangles.push_back(nodes);
+      shapes_.cells.push_back(nodes);
       shapes_.terms.push_back(metric.normalized().term(element_weight(e) / count));
       shapes_.offsets.push_back(static_cast<Index>(shapes_.terms.size()));
     }
@@ -258,8 +249,6 @@ class Builder {
 };
 
 }  // namespace
-
-bool refers_to_given(const TargetBlend& blend) { return blend.automatic > 0 || blend.rest > 0; }
 
 TargetShapes TargetShapes::build(const VirtualControlVolumes& vcv, const TargetBlend& blend,
                                  const Coordinates* given, int threads,

@@ -25,4 +25,9 @@ const TriangleKernel& triangle_kernel() {
   return best ? *best : portable_kernel;
 }
 
+template <>
+const TriangleKernel& fastest_kernel<2>() {
+  return triangle_kernel();
+}
+
 }  // namespace winslow::distortion

@@ -7,16 +7,18 @@
 #include <utility>
 
 #include "core/formulation/distortion.h"
+#include "core/formulation/target_path.h"
+#include "core/formulation/tetrahedron_distortion.h"
 #include "core/parallel/parallel_for.h"
 
 namespace winslow {
 
 namespace {
 
-using distortion::Corner2;
 using distortion::PenaltyFunction;
-using distortion::TriangleData;
-using distortion::TriangleSum;
+using distortion::SimplexData;
+template <int D>
+using Layout = distortion::SimplexLayout<D>;
 
 std::size_t block_count(Index n) { return at((n + parallel_block - 1) / parallel_block); }
 
@@ -51,13 +53,14 @@ std::vector<Index> make_row_of_node(const NodeUnknowns& nodes) {
 }
 
 /// Targets in the order of `old_number`.
-TargetShapes reordered(const TargetShapes& shapes, const std::vector<Index>& old_number) {
-  TargetShapes out;
+template <int D>
+CellTargets<D> reordered(const CellTargets<D>& shapes, const std::vector<Index>& old_number) {
+  CellTargets<D> out;
   out.stretched = shapes.stretched;
-  out.triangles.reserve(old_number.size());
+  out.cells.reserve(old_number.size());
   out.terms.reserve(shapes.terms.size());
   for (const Index t : old_number) {
-    out.triangles.push_back(shapes.triangles[at(t)]);
+    out.cells.push_back(shapes.cells[at(t)]);
     out.terms.insert(out.terms.end(), shapes.terms.begin() + shapes.offsets[at(t)],
                      shapes.terms.begin() + shapes.offsets[at(t) + 1]);
     out.offsets.push_back(static_cast<Index>(out.terms.size()));
@@ -65,98 +68,134 @@ TargetShapes reordered(const TargetShapes& shapes, const std::vector<Index>& old
   return out;
 }
 
-/// What the triangles around one row came to: diagonal block, gradient, length of their edges at
-/// the node, number.
+/// What the cells around one row came to: diagonal block, gradient, length of their edges at the
+/// node.
+template <int D>
 struct RowSum {
-  static constexpr std::size_t size = 8;
   const double* v;
-
-  double gx() const { return v[4]; }
-  double gy() const { return v[5]; }
-  /// Distance by which the node alone would move, over the mean edge.
-  double scaled() const {
-    const double mean_edge = v[6] / (2 * std::max(v[7], 1.0));
-    const double scale = 0.5 * (v[0] + v[3]) * mean_edge;
-    const double g = std::sqrt(gx() * gx() + gy() * gy());
+  const double* gradient() const { return v + Layout<D>::gradient; }
+  /// Distance by which the node alone would move, over the mean edge. cells: around the node.
+  double scaled(Index cells) const {
+    double trace = 0, square = 0;
+    for (int k = 0; k < D; ++k) {
+      trace += v[(D + 1) * k];
+      square += gradient()[k] * gradient()[k];
+    }
+    const double mean_edge = gradient()[D] / (D * std::max<Index>(cells, 1));
+    const double scale = trace / D * mean_edge;
+    const double g = std::sqrt(square);
     return scale > 0 ? g / scale : g;
   }
 };
 
+double distortion_of(const std::array<Vec2, 3>& p, const ShapeTerm& term) {
+  return distortion::Corner2(p[0].data(), p[1].data(), p[2].data()).distortion(term);
+}
+double distortion_of(const std::array<Vec3, 4>& p, const VolumeTerm& term) {
+  return distortion::Corner3(p).distortion(term);
+}
+
+void add_projected_sums(const std::array<Vec2, 3>& p, const ShapeTerm& term,
+                        const PenaltyFunction& psi, double* sums) {
+  distortion::add_projected_blocks(distortion::Corner2(p[0].data(), p[1].data(), p[2].data()), term,
+                                   psi, sums);
+}
+void add_projected_sums(const std::array<Vec3, 4>& p, const VolumeTerm& term,
+                        const PenaltyFunction& psi, double* sums) {
+  distortion::add_projected_blocks(distortion::Corner3(p), term, psi, sums);
+}
+
 }  // namespace
 
 /// One block of rows as it is summed up.
-struct VariationalWinslow::BlockMemory {
-  static constexpr std::size_t chunk = 64;  // triangles whose sums stay in the first-level cache
-  static constexpr std::size_t row_count = at(RowBlocks::rows_per_block) + 1;
+template <int D>
+struct SimplexWinslow<D>::BlockMemory {
+  static constexpr std::size_t chunk = 64;  // cells whose sums stay in the fast caches
+  static constexpr std::size_t row_count = at(RowBlocks<D>::rows_per_block) + 1;
+  std::vector<double> sums = std::vector<double>(chunk * Layout<D>::sum);
+  std::vector<double> rows = std::vector<double>(row_count * Layout<D>::row);
+  std::vector<double> matrix;  // entries of the block
 
-  std::vector<double> sums = std::vector<double>(chunk * TriangleSum::size);
-  std::vector<double> rows = std::vector<double>(row_count * RowSum::size);
-  std::vector<double> matrix;  // entries of the block by 4
-
-  RowSum row(Index i) const { return {rows.data() + RowSum::size * at(i)}; }
+  RowSum<D> row(Index i) const { return {rows.data() + Layout<D>::row * i}; }
 };
 
 /// What depends on the connectivity alone.
-struct VariationalWinslow::Structure {
-  Structure(const NodeUnknowns& nodes, const TargetShapes& shapes)
+template <int D>
+struct SimplexWinslow<D>::Structure {
+  Structure(const NodeUnknowns& nodes, const CellTargets<D>& shapes)
       : row_of_node(make_row_of_node(nodes)),
-        rows(shapes.triangles, row_of_node, static_cast<Index>(nodes.nodes().size())),
-        shape_order(rows.renumber_triangles()) {
+        rows(shapes.cells, row_of_node, static_cast<Index>(nodes.nodes().size())),
+        shape_order(rows.renumber_cells()),
+        cells_at_row(nodes.nodes().size(), 0) {
     for (std::size_t t = 0; t < shape_order.size(); ++t) {
-      const auto& nodes = shapes.triangles[at(shape_order[t])];
-      if (std::any_of(nodes.begin(), nodes.end(), [&](Index n) { return row_of_node[at(n)] < 0; }))
-        half_free.push_back(static_cast<Index>(t));
+      bool all_free = true;
+      for (const Index node : shapes.cells[at(shape_order[t])]) {
+        const Index row = row_of_node[at(node)];
+        all_free &= row >= 0;
+        if (row >= 0) ++cells_at_row[at(row)];
+      }
+      if (!all_free) half_free.push_back(static_cast<Index>(t));
     }
   }
-
   std::vector<Index> row_of_node;
-  RowBlocks rows;
-  std::vector<Index> shape_order;  // number in TargetShapes::build of each triangle of shapes_
-  std::vector<Index> half_free;    // triangles with a node that has no unknowns
+  RowBlocks<D> rows;
+  std::vector<Index> shape_order;   // number in the targets as given of each cell of shapes_
+  std::vector<Index> half_free;     // cells with a node that has no unknowns
+  std::vector<Index> cells_at_row;  // how many
 };
 
-VariationalWinslow::VariationalWinslow(std::shared_ptr<const NodeClasses> classes,
-                                       const TargetShapes& shapes, const PenaltyOptions& penalty,
-                                       int threads)
-    : NodeProblem(NodeUnknowns(std::move(classes), threads)),
+template <int D>
+SimplexWinslow<D>::SimplexWinslow(std::shared_ptr<const NodeClasses> classes, const Targets& shapes,
+                                  const PenaltyOptions& penalty, int threads)
+    : VariationalForm(NodeUnknowns(std::move(classes), threads), penalty),
       structure_(std::make_shared<const Structure>(node_unknowns(), shapes)),
-      shapes_(std::make_shared<const TargetShapes>(reordered(shapes, structure_->shape_order))),
-      penalty_(penalty) {
+      shapes_(std::make_shared<const Targets>(reordered(shapes, structure_->shape_order))) {
   node_unknowns().require_free_interior("the variational form");
 }
 
-std::shared_ptr<const VariationalWinslow> VariationalWinslow::with_penalty(
+template <int D>
+std::shared_ptr<const VariationalForm> SimplexWinslow<D>::with_penalty(
     const PenaltyOptions& penalty) const {
-  auto other = std::make_shared<VariationalWinslow>(*this);
-  other->penalty_ = penalty;
+  auto other = std::make_shared<SimplexWinslow>(*this);
+  other->set_penalty(penalty);
   return other;
 }
 
-std::shared_ptr<const VariationalWinslow> VariationalWinslow::with_shapes(
-    const TargetShapes& shapes) const {
+template <int D>
+std::shared_ptr<const SimplexWinslow<D>> SimplexWinslow<D>::with_shapes(
+    const Targets& shapes) const {
   return with_ordered_shapes(
-      std::make_shared<const TargetShapes>(reordered(shapes, structure_->shape_order)));
+      std::make_shared<const Targets>(reordered(shapes, structure_->shape_order)));
 }
 
-std::shared_ptr<const VariationalWinslow> VariationalWinslow::with_ordered_shapes(
-    std::shared_ptr<const TargetShapes> shapes) const {
-  auto other = std::make_shared<VariationalWinslow>(*this);
+template <int D>
+std::shared_ptr<const SimplexWinslow<D>> SimplexWinslow<D>::with_ordered_shapes(
+    std::shared_ptr<const Targets> shapes) const {
+  auto other = std::make_shared<SimplexWinslow>(*this);
   other->shapes_ = std::move(shapes);
   return other;
 }
 
-TriangleData VariationalWinslow::data(const Coordinates& x,
-                                      const Regularisation* regularisation) const {
-  static_assert(sizeof(ShapeTerm) == 4 * sizeof(double));
-  x.require_dimension(2);
-  const TargetShapes& shapes = *shapes_;
-  static_assert(sizeof(shapes.triangles[0]) == 3 * sizeof(Index));
-  TriangleData data;
+template <int D>
+std::unique_ptr<const TargetPath> SimplexWinslow<D>::target_path(const Coordinates& from) const {
+  return std::make_unique<ShapePath<D>>(std::make_shared<const SimplexWinslow>(*this), from,
+                                        threads());
+}
+
+template <int D>
+SimplexData SimplexWinslow<D>::data(const Coordinates& x,
+                                    const Regularisation* regularisation) const {
+  static_assert(sizeof(typename Targets::Term) == Layout<D>::term * sizeof(double));
+  x.require_dimension(D);
+  const Targets& shapes = *shapes_;
+  static_assert(sizeof(shapes.cells[0]) == (D + 1) * sizeof(Index));
+  SimplexData data;
   data.x = x.values().data();
-  data.nodes = shapes.triangles.empty() ? nullptr : shapes.triangles.front().data();
+  data.nodes = shapes.cells.empty() ? nullptr : shapes.cells.front().data();
   data.offsets = shapes.offsets.data();
-  data.terms = shapes.terms.empty() ? nullptr : &shapes.terms.front().ab;
-  data.penalty = PenaltyFunction(penalty_.exponent, penalty_.knee).constants();
+  // The first member of the first term: a term is nothing but numbers.
+  data.terms = reinterpret_cast<const double*>(shapes.terms.data());
+  data.penalty = PenaltyFunction(penalty().exponent, penalty().knee).constants();
   if (regularisation) {
     data.size = regularisation->size.data();
     data.epsilon = 1;
@@ -167,50 +206,62 @@ TriangleData VariationalWinslow::data(const Coordinates& x,
 
 /// visit(part, block, first and last position of the block's rows, memory to work in), blocks in
 /// parallel; a part is what one sum of norms covers.
+template <int D>
 template <typename Visit>
-void VariationalWinslow::for_each_block(Visit&& visit) const {
-  static_assert(parallel_block % RowBlocks::rows_per_block == 0);
+void SimplexWinslow<D>::for_each_block(Visit&& visit) const {
+  constexpr Index rows_per_block = RowBlocks<D>::rows_per_block;
+  static_assert(parallel_block % rows_per_block == 0);
   parallel_for(threads(), structure_->rows.rows(), [&](Index begin, Index end) {
     BlockMemory memory;
-    for (Index first = begin; first < end; first += RowBlocks::rows_per_block) {
-      visit(at(begin / parallel_block), first / RowBlocks::rows_per_block, first,
-            std::min(end, first + RowBlocks::rows_per_block), memory);
+    for (Index first = begin; first < end; first += rows_per_block) {
+      visit(at(begin / parallel_block), first / rows_per_block, first,
+            std::min(end, first + rows_per_block), memory);
     }
   });
 }
 
-void VariationalWinslow::add_projected(const TriangleData& data, std::span<const Index> triangles,
-                                       double* sums) const {
-  const PenaltyFunction psi(penalty_.exponent, penalty_.knee);
-  const TargetShapes& shapes = *shapes_;
-  for (const Index t : triangles) {
-    std::fill(sums, sums + TriangleSum::corners, 0.0);
-    const auto& nodes = shapes.triangles[at(t)];
-    const auto point = [&](Index node) { return data.x + 2 * static_cast<std::ptrdiff_t>(node); };
-    const Corner2 q(point(nodes[0]), point(nodes[1]), point(nodes[2]));
+namespace {
+
+template <int D>
+std::array<Vec<D>, D + 1> points_of(const double* x, const std::array<Index, D + 1>& nodes) {
+  std::array<Vec<D>, D + 1> points;
+  for (std::size_t k = 0; k <= D; ++k)
+    points[k] = Vec<D>(x + D * static_cast<std::ptrdiff_t>(nodes[k]));
+  return points;
+}
+
+}  // namespace
+
+template <int D>
+void SimplexWinslow<D>::add_projected(const SimplexData& data, std::span<const Index> cells,
+                                      double* sums) const {
+  const PenaltyFunction psi(penalty().exponent, penalty().knee);
+  const Targets& shapes = *shapes_;
+  for (const Index t : cells) {
+    std::fill(sums, sums + Layout<D>::corners, 0.0);
+    const auto points = points_of<D>(data.x, shapes.cells[at(t)]);
     for (Index k = shapes.offsets[at(t)]; k < shapes.offsets[at(t) + 1]; ++k) {
-      distortion::add_projected_blocks(q, shapes.terms[at(k)], psi, sums);
+      add_projected_sums(points, shapes.terms[at(k)], psi, sums);
     }
-    sums += TriangleSum::size;
+    sums += Layout<D>::sum;
   }
 }
 
 /// The sums of a block's rows and, with_matrix, its part of the Hessian. Returns the energy of the
-/// triangles that no earlier block has.
-double VariationalWinslow::sum_block(const TriangleData& data, bool project, bool with_matrix,
-                                     Index block, BlockMemory& memory) const {
-  const RowBlocks& rows = structure_->rows;
+/// cells that no earlier block has.
+template <int D>
+double SimplexWinslow<D>::sum_block(const SimplexData& data, bool project, bool with_matrix,
+                                    Index block, BlockMemory& memory) const {
+  const RowBlocks<D>& rows = structure_->rows;
   std::fill(memory.rows.begin(), memory.rows.end(), 0.0);
-  if (with_matrix) memory.matrix.assign(4 * at(rows.entries(block)), 0.0);
-  const auto triangles = rows.triangles(block);
+  if (with_matrix) memory.matrix.assign(D * D * at(rows.entries(block)), 0.0);
+  const auto cells = rows.cells(block);
   const auto places = rows.places(block);
   double energy = 0;
-  for (std::size_t first = 0; first < triangles.size(); first += BlockMemory::chunk) {
-    const auto part =
-        triangles.subspan(first, std::min(BlockMemory::chunk, triangles.size() - first));
+  for (std::size_t first = 0; first < cells.size(); first += BlockMemory::chunk) {
+    const auto part = cells.subspan(first, std::min(BlockMemory::chunk, cells.size() - first));
     const auto count = static_cast<Index>(part.size());
-    energy +=
-        kernel_.sum(data, part.data(), count, rows.first_new_triangle(block), memory.sums.data());
+    energy += kernel_.sum(data, part.data(), count, rows.first_new_cell(block), memory.sums.data());
     if (project) add_projected(data, part, memory.sums.data());
     kernel_.scatter(memory.sums.data(), places.data() + first, count, memory.rows.data(),
                     with_matrix ? memory.matrix.data() : nullptr);
@@ -218,130 +269,147 @@ double VariationalWinslow::sum_block(const TriangleData& data, bool project, boo
   return energy;
 }
 
-double VariationalWinslow::energy_of(const TriangleData& triangles) const {
-  const auto n = static_cast<Index>(shapes_->triangles.size());
+template <int D>
+double SimplexWinslow<D>::energy_of(const SimplexData& cells) const {
+  const auto n = static_cast<Index>(shapes_->cells.size());
   std::vector<double> sums(block_count(n), 0.0);
   parallel_for(threads(), n, [&](Index begin, Index end) {
-    sums[at(begin / parallel_block)] = kernel_.energy(triangles, begin, end);
+    sums[at(begin / parallel_block)] = kernel_.energy(cells, begin, end);
   });
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-double VariationalWinslow::energy(const Coordinates& x) const {
+template <int D>
+double SimplexWinslow<D>::energy(const Coordinates& x) const {
   return energy_of(data(x, nullptr));
 }
 
-double VariationalWinslow::regularised_energy(const Coordinates& x,
-                                              const Regularisation& regularisation) const {
+template <int D>
+double SimplexWinslow<D>::regularised_energy(const Coordinates& x,
+                                             const Regularisation& regularisation) const {
   return energy_of(data(x, &regularisation));
 }
 
-double VariationalWinslow::worst_distortion(const Coordinates& x) const {
-  const TargetShapes& shapes = *shapes_;
-  const PlanePoints points(x);
+template <int D>
+double SimplexWinslow<D>::worst_distortion(const Coordinates& x) const {
+  const Targets& shapes = *shapes_;
+  x.require_dimension(D);
   double worst = 0;
-  for (std::size_t t = 0; t < shapes.triangles.size(); ++t) {
-    const auto& nodes = shapes.triangles[t];
-    const Vec2 a = points[nodes[0]], b = points[nodes[1]], c = points[nodes[2]];
-    const Corner2 q(a.data(), b.data(), c.data());
-    if (!(q.d > 0)) return std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < shapes.cells.size(); ++t) {
+    const auto points = points_of<D>(x.values().data(), shapes.cells[t]);
     for (Index k = shapes.offsets[t]; k < shapes.offsets[t + 1]; ++k) {
-      worst = std::max(worst, q.distortion(shapes.terms[at(k)]));
+      const double f = distortion_of(points, shapes.terms[at(k)]);
+      if (!(f > 0)) return std::numeric_limits<double>::infinity();
+      worst = std::max(worst, f);
     }
   }
   return worst;
 }
 
-ResidualNorms VariationalWinslow::residual(const Coordinates& x, std::span<double> out) const {
-  const TriangleData triangles = data(x, nullptr);
-  const RowBlocks& rows = structure_->rows;
+template <int D>
+ResidualNorms SimplexWinslow<D>::residual(const Coordinates& x, std::span<double> out) const {
+  const SimplexData cells = data(x, nullptr);
+  const RowBlocks<D>& rows = structure_->rows;
   std::vector<NormSum> norms(block_count(rows.rows()));
   for_each_block([&](std::size_t part, Index block, Index first, Index last, BlockMemory& memory) {
-    sum_block(triangles, false, false, block, memory);
+    sum_block(cells, false, false, block, memory);
     for (Index p = first; p < last; ++p) {
-      const RowSum sum = memory.row(p - first);
-      norms[part].add(sum.scaled());
+      const RowSum<D> sum = memory.row(p - first);
+      const std::size_t row = at(rows.row(p));
+      norms[part].add(sum.scaled(structure_->cells_at_row[row]));
       if (out.empty()) continue;
-      out[2 * at(rows.row(p))] = -sum.gx();
-      out[2 * at(rows.row(p)) + 1] = -sum.gy();
+      for (std::size_t k = 0; k < D; ++k) out[D * row + k] = -sum.gradient()[k];
     }
   });
   return NormSum::total(norms);
 }
 
-Linearisation VariationalWinslow::linearise(const Coordinates& x, Curvature curvature,
-                                            SparseMatrix& hessian,
-                                            std::span<double> residual) const {
+template <int D>
+Linearisation SimplexWinslow<D>::linearise(const Coordinates& x, Curvature curvature,
+                                           SparseMatrix& hessian,
+                                           std::span<double> residual) const {
   return assemble(data(x, nullptr), curvature == Curvature::projected, hessian, residual);
 }
 
-Linearisation VariationalWinslow::linearise_regularised(const Coordinates& x,
-                                                        const Regularisation& regularisation,
-                                                        SparseMatrix& hessian,
-                                                        std::span<double> residual) const {
+template <int D>
+Linearisation SimplexWinslow<D>::linearise_regularised(const Coordinates& x,
+                                                       const Regularisation& regularisation,
+                                                       SparseMatrix& hessian,
+                                                       std::span<double> residual) const {
   return assemble(data(x, &regularisation), false, hessian, residual);
 }
 
-Linearisation VariationalWinslow::assemble(const TriangleData& triangles, bool project,
-                                           SparseMatrix& out, std::span<double> residual) const {
-  const RowBlocks& rows = structure_->rows;
+template <int D>
+Linearisation SimplexWinslow<D>::assemble(const SimplexData& cells, bool project, SparseMatrix& out,
+                                          std::span<double> residual) const {
+  const RowBlocks<D>& rows = structure_->rows;
   const SparsityPattern& pattern = *rows.pattern();
   out.pattern = rows.pattern();
-  out.block = 2;
+  out.block = D;
   out.symmetric = true;
-  out.values.resize(4 * pattern.columns.size());
+  out.values.resize(D * D * pattern.columns.size());
   std::vector<NormSum> norms(block_count(rows.rows()));
   std::vector<double> energies(norms.size(), 0.0);
   for_each_block([&](std::size_t part, Index block, Index first, Index last, BlockMemory& memory) {
-    energies[part] += sum_block(triangles, project, true, block, memory);
-    kernel_.write_rows(memory.matrix.data() + 4, rows.order(first), pattern.offsets.data(),
+    energies[part] += sum_block(cells, project, true, block, memory);
+    kernel_.write_rows(memory.matrix.data() + D * D, rows.order(first), pattern.offsets.data(),
                        last - first, out.values.data());
     for (Index p = first; p < last; ++p) {
       const std::size_t row = at(rows.row(p));
-      const RowSum sum = memory.row(p - first);
+      const RowSum<D> sum = memory.row(p - first);
+      double* diagonal =
+          out.values.data() + D * D * static_cast<std::ptrdiff_t>(pattern.diagonal[row]);
       // Its parts are rounded apart: make the diagonal symmetric.
-      const double off_diagonal = 0.5 * (sum.v[1] + sum.v[2]);
-      double* diagonal = out.values.data() + 4 * static_cast<std::ptrdiff_t>(pattern.diagonal[row]);
-      diagonal[0] = sum.v[0];
-      diagonal[1] = diagonal[2] = off_diagonal;
-      diagonal[3] = sum.v[3];
-      norms[part].add(sum.scaled());
-      residual[2 * row] = -sum.gx();
-      residual[2 * row + 1] = -sum.gy();
+      for (int i = 0; i < D; ++i) {
+        for (int j = 0; j < D; ++j)
+          diagonal[D * i + j] =
+              i == j ? sum.v[(D + 1) * i] : 0.5 * (sum.v[D * i + j] + sum.v[D * j + i]);
+      }
+      norms[part].add(sum.scaled(structure_->cells_at_row[row]));
+      for (std::size_t k = 0; k < D; ++k) residual[D * row + k] = -sum.gradient()[k];
     }
   });
   return {NormSum::total(norms), std::accumulate(energies.begin(), energies.end(), 0.0)};
 }
 
-void VariationalWinslow::boundary_response(const Coordinates& x, const Coordinates& displacement,
-                                           std::span<double> out) const {
-  const TriangleData triangles = data(x, nullptr);
+template <int D>
+void SimplexWinslow<D>::boundary_response(const Coordinates& x, const Coordinates& displacement,
+                                          std::span<double> out) const {
+  const SimplexData cells = data(x, nullptr);
   const std::vector<Index>& half_free = structure_->half_free;
   const std::vector<Index>& row_of_node = structure_->row_of_node;
-  std::vector<double> sums((half_free.size() + 3) / 4 * 4 * TriangleSum::size);
-  kernel_.sum(triangles, half_free.data(), static_cast<Index>(half_free.size()), 0, sums.data());
   std::fill(out.begin(), out.end(), 0.0);
-  const PlanePoints moved(displacement);
+  const Points<D> moved(displacement);
   // out_i -= H_ij m_j for i with unknowns and j without.
   const auto subtract = [&](Index i, Index j, const double* h, bool is_transposed) {
     const Index row = row_of_node[at(i)];
     if (row < 0 || row_of_node[at(j)] >= 0) return;
-    const Vec2 m = moved[j];
-    out[2 * at(row)] -= h[0] * m[0] + h[is_transposed ? 2 : 1] * m[1];
-    out[2 * at(row) + 1] -= h[is_transposed ? 1 : 2] * m[0] + h[3] * m[1];
+    const Vec<D> m = moved[j];
+    for (int r = 0; r < D; ++r) {
+      double sum = 0;
+      for (int c = 0; c < D; ++c) sum += h[is_transposed ? D * c + r : D * r + c] * m[c];
+      out[D * at(row) + at(r)] -= sum;
+    }
   };
-  const double* sum = sums.data();
-  for (const Index t : half_free) {
-    const auto& [a, b, c] = shapes_->triangles[at(t)];
-    const auto both = [&](Index i, Index j, std::ptrdiff_t place) {
-      subtract(i, j, sum + place, false);
-      subtract(j, i, sum + place, true);
-    };
-    both(a, b, TriangleSum::ab);
-    both(a, c, TriangleSum::ac);
-    both(b, c, TriangleSum::bc);
-    sum += TriangleSum::size;
+  constexpr std::size_t chunk = 1024;
+  std::vector<double> sums((chunk + 3) * Layout<D>::sum);
+  for (std::size_t begin = 0; begin < half_free.size(); begin += chunk) {
+    const std::size_t count = std::min(chunk, half_free.size() - begin);
+    kernel_.sum(cells, half_free.data() + begin, static_cast<Index>(count), 0, sums.data());
+    for (std::size_t i = 0; i < count; ++i) {
+      const double* block = sums.data() + Layout<D>::sum * static_cast<std::ptrdiff_t>(i);
+      const auto& nodes = shapes_->cells[at(half_free[begin + i])];
+      for (std::size_t a = 0; a <= D; ++a) {
+        for (std::size_t b = a + 1; b <= D; ++b, block += D * D) {
+          subtract(nodes[a], nodes[b], block, false);
+          subtract(nodes[b], nodes[a], block, true);
+        }
+      }
+    }
   }
 }
+
+template class SimplexWinslow<2>;
+template class SimplexWinslow<3>;
 
 }  // namespace winslow

@@ -61,7 +61,7 @@ class AutomaticSolver final : public LinearSolver {
   /// much larger ones; beyond that its memory stands against it.
   void remember_if_hard(const LinearResult& result) {
     constexpr int many = 50;
-    constexpr Index limit = 300'000;
+    const Index limit = matrix_->block < 3 ? 300'000 : 15'000;
     if (result.iterations > many && matrix_->symmetric && matrix_->rows() <= limit)
       hard_ = matrix_->pattern;
   }

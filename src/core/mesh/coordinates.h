@@ -46,6 +46,20 @@ class Coordinates {
     for (int k = 0; k < D; ++k) values_[offset(node, D) + static_cast<std::size_t>(k)] = p[k];
   }
 
+  /// Puts a node where other coordinates of the same dimension have it.
+  void copy_node(Index node, const Coordinates& from) {
+    from.require_dimension(dimension_);
+    for (std::size_t k = offset(node, dimension_), end = offset(node + 1, dimension_); k < end; ++k)
+      values_[k] = from.values_[k];
+  }
+  /// Whether a node lies at the same place in both, bit for bit.
+  bool same_place(Index node, const Coordinates& other) const {
+    other.require_dimension(dimension_);
+    for (std::size_t k = offset(node, dimension_), end = offset(node + 1, dimension_); k < end; ++k)
+      if (values_[k] != other.values_[k]) return false;
+    return true;
+  }
+
   /// All components in a row, as kernels and solvers read them.
   std::span<const double> values() const { return values_; }
   std::span<double> values() { return values_; }

@@ -6,6 +6,7 @@
 namespace winslow {
 
 LocalFrame::LocalFrame(const Mesh& mesh) {
+  if (mesh.topology->cell_dimension() == 3) return;
   const Bounds box = bounds(mesh);
   constexpr double far = 16;
   const double extent = box.size().maxCoeff();

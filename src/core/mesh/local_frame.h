@@ -10,10 +10,10 @@ namespace winslow {
 /// Along each axis the point is the centre of the mesh where that is farther from 0 than 16 times
 /// the extent of the mesh, and 0 elsewhere. There half a coordinate is less than the centre and
 /// twice a coordinate more, so that differences are exact (Sterbenz) and coordinates that are put
-/// back are the same bit by bit.
+/// back are the same bit by bit. Volume meshes stay where they are.
 class LocalFrame {
  public:
-  /// Throws UsageError for a mesh that is not plane.
+  /// Throws UsageError for a surface mesh.
   explicit LocalFrame(const Mesh& mesh);
 
   /// False for a mesh near the origin: the frame is that of the mesh.

@@ -68,4 +68,20 @@ Bounds bounds(const Mesh& mesh) {
   return bounds(mesh.coordinates, used);
 }
 
+Box<3> space_bounds(const Coordinates& coordinates, std::span<const Index> nodes) {
+  if (nodes.empty()) throw UsageError("bounds of no nodes");
+  const SpacePoints x(coordinates);
+  Box<3> box = Box<3>::empty();
+  for (const Index node : nodes) box.add(x[node]);
+  return box;
+}
+
+Box<3> space_bounds(const Mesh& mesh) {
+  std::vector<Index> used;
+  for (Index i = 0; i < mesh.topology->node_count(); ++i) {
+    if (mesh.topology->used(i)) used.push_back(i);
+  }
+  return space_bounds(mesh.coordinates, used);
+}
+
 }  // namespace winslow

@@ -31,6 +31,10 @@ Mesh make_mesh(const MeshData& data, std::vector<std::string>* warnings = nullpt
 using Bounds = Box<2>;
 /// Smallest axis-parallel box around all used nodes of a plane mesh. Throws UsageError for another.
 Bounds bounds(const Mesh& mesh);
+/// The same of a volume mesh.
+Box<3> space_bounds(const Mesh& mesh);
+Box<3> space_bounds(const Coordinates& coordinates, std::span<const Index> nodes);
+
 /// The same around given nodes. Throws UsageError if there are none.
 Bounds bounds(const Coordinates& coordinates, std::span<const Index> nodes);
 

@@ -283,12 +283,14 @@ std::string number(const char* format, double value) {
 
 std::optional<Contact> find_contact(const Topology& topology, const Coordinates& rest,
                                     const Motion& motion) {
+  if (topology.cell_dimension() == 3) return std::nullopt;
   require_plane(topology, "motions");
   return ContactSearch(topology, rest, motion).first();
 }
 
 std::optional<Gap> smallest_gap(const Topology& topology, const Coordinates& x,
                                 std::span<const Index> moving) {
+  if (topology.cell_dimension() == 3) return std::nullopt;
   require_plane(topology, "motions");
   const Outline outline(topology, moving);
   const BoxTree<2> fixed = tree_of(outline.fixed.edges, x);

@@ -30,7 +30,7 @@ struct Contact {
 /// are free; others are halved down to 1/1024 of the motion and there judged by whether edges
 /// meet, so a touch shorter than that may go unnoticed. None if edges cross before the motion
 /// begins; edges that touch then, as those of a crack do, are left out. rest: all nodes before the
-/// motion.
+/// motion. Boundaries of volume meshes are not searched yet: none.
 std::optional<Contact> find_contact(const Topology& topology, const Coordinates& rest,
                                     const Motion& motion);
 
@@ -43,7 +43,7 @@ struct Gap {
 };
 
 /// The smallest distance of edges whose nodes move to edges whose nodes stay; none if there are no
-/// such edges, or only edges that share a node. moving: ascending.
+/// such edges, or only edges that share a node; none in a volume mesh yet. moving: ascending.
 std::optional<Gap> smallest_gap(const Topology& topology, const Coordinates& x,
                                 std::span<const Index> moving);
 

@@ -28,11 +28,22 @@ struct RigidMotion {
   Vec2 translate{0, 0};  ///< in units of the mesh
 };
 
+/// The same in space: R turns about `axis`, counter-clockwise seen from where it points to.
+struct SpaceMotion {
+  double rotate = 0;        ///< degrees
+  Vec3 axis{0, 0, 1};       ///< of any length but zero
+  Vec3 pivot{0, 0, 0};      ///< in units of the mesh
+  Vec3 translate{0, 0, 0};  ///< in units of the mesh
+};
+
 /// A rigid motion as it is asked for: where it turns may be left open.
 struct RigidMotionRequest {
   double rotate = 0;          ///< as in RigidMotion
   std::optional<Vec2> pivot;  ///< none: the centre of what moves, see body_centre()
   Vec2 translate{0, 0};       ///< as in RigidMotion
+  // In space: the axis, and the third components.
+  std::optional<Vec3> axis;
+  std::optional<double> pivot_z, translate_z;
 
   RigidMotionRequest() = default;
   RigidMotionRequest(double degrees, std::optional<Vec2> about, const Vec2& by)
@@ -42,10 +53,11 @@ struct RigidMotionRequest {
       : rotate(motion.rotate), pivot(motion.pivot), translate(motion.translate) {}
 
   bool operator==(const RigidMotionRequest&) const = default;
-  /// The motion, about `centre` unless a pivot is named.
-  RigidMotion about(const Vec2& centre) const {
-    return {rotate, pivot.value_or(centre), translate};
-  }
+  /// The motion of a plane mesh, about `centre` unless a pivot is named. Throws UsageError if it
+  /// leaves the plane.
+  RigidMotion about(const Vec2& centre) const;
+  /// The motion of a volume mesh. Throws UsageError for a rotation without an axis.
+  SpaceMotion about(const Vec3& centre) const;
 };
 
 enum class Fade { none, start, end, both };
@@ -83,6 +95,9 @@ struct DisplacementTable {
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
                                     const std::vector<std::string>& markers,
                                     const RigidMotion& options);
+std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
+                                    const std::vector<std::string>& markers,
+                                    const SpaceMotion& options);
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
                                     const std::vector<std::string>& markers,
                                     const SineDeformation& options);

@@ -64,15 +64,23 @@ RigidMotion fit_rigid_motion(std::span<const Index> nodes, const Coordinates& fr
   return motion;
 }
 
-Vec2 body_centre(const Bounds& box) {
-  Vec2 centre = box.centre();
+namespace {
+
+template <int D>
+Vec<D> centre_of(const Box<D>& box) {
+  Vec<D> centre = box.centre();
   // 6.9e-18 would be the centre of a symmetric body in numbers, but not to a reader.
   const double tiny = 1e-12 * box.size().maxCoeff();
-  for (const int axis : {0, 1}) {
+  for (int axis = 0; axis < D; ++axis) {
     if (std::abs(centre[axis]) < tiny) centre[axis] = 0;
   }
   return centre;
 }
+
+}  // namespace
+
+Vec2 body_centre(const Bounds& box) { return centre_of(box); }
+Vec3 body_centre(const Box<3>& box) { return centre_of(box); }
 
 bool same_motion(const RigidMotion& a, const RigidMotion& b) {
   return a.rotate == b.rotate && a.pivot == b.pivot && a.translate == b.translate;

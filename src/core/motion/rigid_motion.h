@@ -22,6 +22,7 @@ RigidMotion fit_rigid_motion(std::span<const Index> nodes, const Coordinates& fr
 /// The point about which bodies turn unless another is named: the centre of the bounding box of
 /// all that moves. A component that is nothing but rounding errors is 0.
 Vec2 body_centre(const Bounds& box);
+Vec3 body_centre(const Box<3>& box);
 bool same_motion(const RigidMotion& a, const RigidMotion& b);
 
 }  // namespace winslow

@@ -42,10 +42,44 @@ class Transfer final : public Motion {
   std::vector<Vec2> target_;
 };
 
+/// Every node in a straight line.
+class StraightTransfer final : public Motion {
+ public:
+  StraightTransfer(std::vector<Index> nodes, const Coordinates& to)
+      : nodes_(std::move(nodes)), target_(to) {}
+
+  std::span<const Index> nodes() const override { return nodes_; }
+
+  void apply(const Coordinates& rest, double fraction, Coordinates& out) const override {
+    for (const Index node : nodes_) {
+      if (fraction == 1) {
+        out.copy_node(node, target_);
+      } else {
+        const Vec3 p = rest.xyz(node);
+        out.set_xyz(node, p + fraction * (target_.xyz(node) - p));
+      }
+    }
+  }
+
+ private:
+  std::vector<Index> nodes_;
+  Coordinates target_;
+};
+
+std::unique_ptr<Motion> make_straight(const NodeClasses& classes, const Coordinates& from,
+                                      const Coordinates& to) {
+  std::vector<Index> nodes;
+  for (Index node = 0; node < from.size(); ++node) {
+    if (classes.unknowns(node) == 0 && !from.same_place(node, to)) nodes.push_back(node);
+  }
+  return std::make_unique<StraightTransfer>(std::move(nodes), to);
+}
+
 }  // namespace
 
 std::unique_ptr<Motion> make_transfer(const NodeClasses& classes, const Coordinates& from,
                                       const Coordinates& to) {
+  if (from.dimension() == 3) return make_straight(classes, from, to);
   require_plane(classes.topology(), "motions");
   std::vector<Index> nodes;
   for (Index node = 0; node < from.size(); ++node) {

@@ -20,9 +20,19 @@ std::string text_of(const SeedOption& seed) { return std::to_string(*seed.value)
 std::string text_of(const Vec2& vector) {
   return number_text(vector.x()) + ' ' + number_text(vector.y());
 }
-std::string text_of(const VectorOption& vector) { return text_of(*vector.value); }
+std::string third_text(const std::optional<double>* third) {
+  return third && *third ? ' ' + number_text(**third) : "";
+}
+std::string text_of(const VectorOption& vector) {
+  return text_of(*vector.value) + third_text(vector.third);
+}
 std::string text_of(const OptionalVectorOption& vector) {
-  return *vector.value ? text_of(**vector.value) : "";
+  return *vector.value ? text_of(**vector.value) + third_text(vector.third) : "";
+}
+std::string text_of(const SpaceVectorOption& vector) {
+  if (!*vector.value) return "";
+  const Vec3& v = **vector.value;
+  return number_text(v.x()) + ' ' + number_text(v.y()) + ' ' + number_text(v.z());
 }
 std::string text_of(const SwitchOption& on) { return *on.value ? "true" : "false"; }
 std::string text_of(const ChoiceOption& choice) { return choice.name(); }
@@ -43,6 +53,7 @@ std::string expected_of(const IntegerOption& integer) { return integer.range.tex
 std::string expected_of(const SeedOption&) { return at_least(0).text(); }
 std::string expected_of(const VectorOption&) { return ""; }
 std::string expected_of(const OptionalVectorOption&) { return ""; }
+std::string expected_of(const SpaceVectorOption&) { return ""; }
 std::string expected_of(const SwitchOption&) { return ""; }
 std::string expected_of(const ChoiceOption& choice) { return choice.names(); }
 std::string expected_of(const SharesOption&) { return at_least(0).text(); }
@@ -67,9 +78,21 @@ std::string wrong_with(const Vec2& vector) {
   const std::string x = out_of({}, vector.x());
   return x.empty() ? out_of({}, vector.y()) : x;
 }
-std::string wrong_with(const VectorOption& vector) { return wrong_with(*vector.value); }
+std::string wrong_with(const Vec2& vector, const std::optional<double>* third) {
+  const std::string wrong = wrong_with(vector);
+  return wrong.empty() && third && *third ? out_of({}, **third) : wrong;
+}
+std::string wrong_with(const VectorOption& vector) {
+  return wrong_with(*vector.value, vector.third);
+}
 std::string wrong_with(const OptionalVectorOption& vector) {
-  return *vector.value ? wrong_with(**vector.value) : "";
+  return *vector.value ? wrong_with(**vector.value, vector.third) : "";
+}
+std::string wrong_with(const SpaceVectorOption& vector) {
+  if (!*vector.value) return "";
+  const double z = (*vector.value)->z();
+  const std::string wrong = wrong_with(Vec2((*vector.value)->head<2>()));
+  return wrong.empty() ? out_of({}, z) : wrong;
 }
 std::string wrong_with(const SwitchOption&) { return ""; }
 std::string wrong_with(const ChoiceOption& choice) {

@@ -55,14 +55,21 @@ struct SeedOption {
   std::uint64_t* value;
 };
 
-/// Components of a vector in the plane.
+/// Components of a vector in the plane, and a third one in space where there is a place for it.
 struct VectorOption {
   Vec2* value;
+  std::optional<double>* third = nullptr;
 };
 
-/// A vector in the plane that may be left unset.
+/// The same that may be left unset.
 struct OptionalVectorOption {
   std::optional<Vec2>* value;
+  std::optional<double>* third = nullptr;
+};
+
+/// A vector in space that may be left unset.
+struct SpaceVectorOption {
+  std::optional<Vec3>* value;
 };
 
 struct SwitchOption {
@@ -119,7 +126,7 @@ struct SharesOption {
 
 using OptionValue =
     std::variant<RealOption, OptionalRealOption, IntegerOption, SeedOption, VectorOption,
-                 OptionalVectorOption, SwitchOption, ChoiceOption, SharesOption>;
+                 OptionalVectorOption, SpaceVectorOption, SwitchOption, ChoiceOption, SharesOption>;
 
 /// Whether an option is given by a flag of its own.
 enum class OnCommandLine { yes, no };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/quality/corner.h"
+#include "core/quality/volume_element.h"
 
 /// What can be measured of elements, as a table: reports, tables, lists of the worst elements,
 /// colours, isolated elements and the reference page are read off it. TO ADD A METRIC, add an
@@ -32,6 +33,22 @@ namespace winslow {
 /// - area: signed area of the element, in squared units of the file.
 /// An element is inverted if any of its corners has an area that is not positive. Aspect ratio and
 /// condition number of an inverted element are infinite; statistics leave them out.
+///
+/// Of volume elements (a corner is the tetrahedron of a corner and its three neighbours in the
+/// element, E its edges there, W those of the regular element's corner; see corner_tetrahedra()):
+/// - normalized_jacobian: smallest det E / (|e1| |e2| |e3|) of the corners over that of the regular
+///   element's corner; of a tetrahedron all four corners count. (Verdict: scaled Jacobian.) 1 is
+///   best, negative where a corner is inverted.
+/// - aspect_ratio: R/(3r), circumradius over three times the inradius, of a tetrahedron (AIAA
+///   2009-1362; Verdict: aspect ratio beta); of other elements the largest of the corners, over
+///   that of the regular element's corner.
+/// - condition_number: largest |J| |J^-1| / 3 of the corners, J = E W^-1, Frobenius norms (Verdict:
+///   condition, for hexahedra; weighted to the regular element for all).
+/// - smallest_solid_angle, largest_solid_angle: of the corners, in steradians, negative where
+///   inverted (AIAA 2009-1362, section IV). 0.551 of the regular tetrahedron, pi/2 of a cube.
+/// - volume: signed volume of the element, in cubed units of the file.
+/// A volume element is inverted unless its Jacobian is positive all over it:
+/// has_positive_jacobian().
 enum class Metric {
   normalized_jacobian,
   aspect_ratio,
@@ -39,7 +56,10 @@ enum class Metric {
   smallest_angle,
   largest_angle,
   skewness,
-  area
+  area,
+  smallest_solid_angle,
+  largest_solid_angle,
+  volume
 };
 
 /// Between which values a field is shown in colours. The "robust" largest value leaves out the
@@ -69,9 +89,12 @@ struct FieldInfo {
 };
 
 struct MetricInfo {
+  Metric metric;
   FieldInfo field;
-  /// Of an element with these corners, in the order of its nodes.
-  double (*of_element)(std::span<const Corner> corners);
+  /// Of a plane element with these corners, in the order of its nodes.
+  double (*of_element)(std::span<const Corner> corners) = nullptr;
+  /// Of a volume element. One of the two is there.
+  double (*of_volume)(const VolumeElement& element) = nullptr;
   /// In reports, with statistics, histograms and the worst elements.
   bool reported = false;
   double best = 1;  ///< end of the histogram
@@ -80,14 +103,15 @@ struct MetricInfo {
   double (*of_corner)(const Corner& corner) = nullptr;
 };
 
-const MetricInfo& metric_info(Metric metric);
-/// All of them, and those that are reported.
-const std::vector<Metric>& all_metrics();
-const std::vector<Metric>& reported_metrics();
-
+/// cell_dimension: 2 of plane meshes, 3 of volume meshes. Throws UsageError for a metric that
+/// elements of that dimension do not have.
+const MetricInfo& metric_info(Metric metric, int cell_dimension = 2);
+/// All that elements of that dimension have, and those of them that are reported.
+const std::vector<Metric>& all_metrics(int cell_dimension = 2);
+const std::vector<Metric>& reported_metrics(int cell_dimension = 2);
 std::string_view metric_name(Metric metric);   ///< "normalized_jacobian", as in files and options
 std::string_view metric_label(Metric metric);  ///< "Normalized Jacobian", as on screen
-/// By metric_name. Throws UsageError listing the names.
-Metric parse_metric(std::string_view name);
+/// By metric_name. Throws UsageError listing the names that elements of that dimension have.
+Metric parse_metric(std::string_view name, int cell_dimension = 2);
 
 }  // namespace winslow

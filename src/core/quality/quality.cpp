@@ -31,9 +31,21 @@ class ElementCorners {
   std::size_t count_;
 };
 
+/// Neither metrics nor validity of surfaces: they have no sign.
+void require_quality(const Topology& topology) {
+  if (topology.cell_dimension() != topology.space_dimension()) require_plane(topology, "quality");
+}
+
+VolumeElement volume_element(const Mesh& mesh, Index e) {
+  return {mesh.coordinates, mesh.topology->element_type(e), mesh.topology->element(e)};
+}
+
 double value_of(const Mesh& mesh, Index e, Metric metric) {
+  const int dimension = mesh.topology->cell_dimension();
+  const MetricInfo& info = metric_info(metric, dimension);
+  if (dimension == 3) return info.of_volume(volume_element(mesh, e));
   const ElementCorners corners(mesh.coordinates, mesh.topology->element(e));
-  return metric_info(metric).of_element(corners.span());
+  return info.of_element(corners.span());
 }
 
 Statistics statistics_of(std::span<const double> values) {
@@ -99,14 +111,27 @@ struct Values {
 
 Values::Values(const Mesh& mesh, int threads) {
   const Topology& topology = *mesh.topology;
-  require_plane(topology, "quality");
-  const auto& reported = reported_metrics();
+  require_quality(topology);
+  const int dimension = topology.cell_dimension();
+  const auto& reported = reported_metrics(dimension);
   const auto elements = at(topology.element_count());
   inverted.resize(elements);
   of_corners.resize(reported.size());
   of_elements.assign(reported.size(), std::vector<double>(elements));
   for (std::size_t m = 0; m < reported.size(); ++m) {
-    if (metric_info(reported[m]).of_corner) of_corners[m].resize(topology.elements().values.size());
+    if (metric_info(reported[m], dimension).of_corner)
+      of_corners[m].resize(topology.elements().values.size());
+  }
+  if (dimension == 3) {
+    parallel_for(threads, topology.element_count(), [&](Index begin, Index end) {
+      for (Index e = begin; e < end; ++e) {
+        const VolumeElement element = volume_element(mesh, e);
+        inverted[at(e)] = element.inverted();
+        for (std::size_t m = 0; m < reported.size(); ++m)
+          of_elements[m][at(e)] = metric_info(reported[m], 3).of_volume(element);
+      }
+    });
+    return;
   }
   parallel_for(threads, topology.element_count(), [&](Index begin, Index end) {
     for (Index e = begin; e < end; ++e) {
@@ -124,10 +149,22 @@ Values::Values(const Mesh& mesh, int threads) {
   });
 }
 
+/// The elements that no smoothing can change.
+void count_fixed(const Topology& topology, const std::vector<char>& inverted,
+                 QualityReport& report) {
+  for (Index e = 0; e < topology.element_count(); ++e) {
+    const auto nodes = topology.element(e);
+    if (!std::ranges::all_of(nodes, [&](Index node) { return topology.on_boundary(node); }))
+      continue;
+    ++report.all_on_boundary;
+    if (inverted[at(e)]) ++report.all_on_boundary_inverted;
+  }
+}
+
 }  // namespace
 
 const QualityReport::PerMetric& QualityReport::of(Metric metric) const& {
-  const auto& reported = reported_metrics();
+  const auto& reported = reported_metrics(cell_dimension);
   const auto found = std::find(reported.begin(), reported.end(), metric);
   if (found == reported.end()) {
     throw UsageError("the quality report has no statistics of the " +
@@ -143,6 +180,7 @@ QualityReport::PerMetric QualityReport::of(Metric metric) && {
 QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
   const Values values(mesh, options.threads);
   QualityReport report;
+  report.cell_dimension = mesh.topology->cell_dimension();
   report.elements = mesh.topology->element_count();
   constexpr std::size_t listed = 100;
   for (Index e = 0; e < report.elements; ++e) {
@@ -151,7 +189,8 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
     if (report.inverted_elements.size() < listed) report.inverted_elements.push_back(e);
   }
   for (std::size_t m = 0; m < values.of_elements.size(); ++m) {
-    const MetricInfo& info = metric_info(reported_metrics()[m]);
+    const MetricInfo& info =
+        metric_info(reported_metrics(report.cell_dimension)[m], report.cell_dimension);
     auto& part = report.metrics.emplace_back();
     const auto& all = values.of_elements[m];
     part.worst = worst_of(mesh, all, info.field.larger_is_better, options.worst);
@@ -161,12 +200,16 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
     const double high = info.field.larger_is_better ? info.best : part.statistics.max;
     part.histogram = histogram_of(counted, low, high, options.histogram_bins);
   }
-  report.walls = measure_walls(mesh);
+  if (report.cell_dimension == 2) {
+    report.walls = measure_walls(mesh);
+  } else {
+    count_fixed(*mesh.topology, values.inverted, report);
+  }
   return report;
 }
 
 std::vector<double> element_values(const Mesh& mesh, Metric metric) {
-  require_plane(*mesh.topology, "quality");
+  require_quality(*mesh.topology);
   std::vector<double> values(at(mesh.topology->element_count()));
   parallel_for(0, mesh.topology->element_count(), [&](Index begin, Index end) {
     for (Index e = begin; e < end; ++e) {
@@ -177,20 +220,51 @@ std::vector<double> element_values(const Mesh& mesh, Metric metric) {
 }
 
 double element_value(const Mesh& mesh, Index element, Metric metric) {
-  require_plane(*mesh.topology, "quality");
+  require_quality(*mesh.topology);
   return value_of(mesh, element, metric);
 }
 
-Vec2 element_centre(const Mesh& mesh, Index element) {
-  Vec2 sum(0, 0);
+Vec3 element_centre(const Mesh& mesh, Index element) {
+  Vec3 sum(0, 0, 0);
   const auto nodes = mesh.topology->element(element);
-  for (const Index node : nodes) sum += mesh.coordinates.xy(node);
+  const bool plane = mesh.coordinates.dimension() == 2;
+  for (const Index node : nodes) {
+    if (plane) {
+      sum.head<2>() += mesh.coordinates.xy(node);
+    } else {
+      sum += mesh.coordinates.xyz(node);
+    }
+  }
   return sum / static_cast<double>(nodes.size());
 }
 
+namespace {
+
+Validity check_volume(const Topology& topology, const Coordinates& coordinates, int threads) {
+  const Index n = topology.element_count();
+  std::vector<Validity> blocks(at((n + parallel_block - 1) / parallel_block), Validity{0, 1.0});
+  parallel_for(threads, n, [&](Index begin, Index end) {
+    Validity& block = blocks[at(begin / parallel_block)];
+    for (Index e = begin; e < end; ++e) {
+      const VolumeElement element(coordinates, topology.element_type(e), topology.element(e));
+      block.inverted += element.inverted() ? 1 : 0;
+      block.min_sine = std::min(block.min_sine, element.scaled_jacobian());
+    }
+  });
+  Validity total{0, 1.0};
+  for (const Validity& v : blocks) {
+    total.inverted += v.inverted;
+    total.min_sine = std::min(total.min_sine, v.min_sine);
+  }
+  return total;
+}
+
+}  // namespace
+
 Validity check_validity(const Topology& topology, const Coordinates& coordinates, int threads) {
-  require_plane(topology, "quality");
-  coordinates.require_dimension(2);
+  require_quality(topology);
+  coordinates.require_dimension(topology.cell_dimension());
+  if (topology.cell_dimension() == 3) return check_volume(topology, coordinates, threads);
   const CornerData data{coordinates.values().data(), topology.elements().offsets.data(),
                         topology.elements().values.data()};
   const CornerKernel avx2 = avx2_corner_kernel();

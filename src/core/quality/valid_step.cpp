@@ -1,11 +1,14 @@
 #include "core/quality/valid_step.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
+#include "core/mesh/corner_tetrahedra.h"
 #include "core/parallel/parallel_for.h"
 
 namespace winslow {
@@ -40,30 +43,110 @@ double first_positive_root(double d0, double d1, double d2) {
   return first;
 }
 
-double largest_valid_step(const Topology& topology, const Coordinates& from, const Coordinates& to,
-                          int threads) {
-  require_plane(topology, "steps that keep a mesh valid");
-  const PlanePoints before(from), after(to);
-  const Index n = topology.element_count();
-  const auto blocks = static_cast<std::size_t>((n + parallel_block - 1) / parallel_block);
-  std::vector<double> steps(blocks, infinite);
-  parallel_for(threads, n, [&](Index begin, Index end) {
-    double smallest = infinite;
-    for (Index e = begin; e < end; ++e) {
-      const auto nodes = topology.element(e);
-      const std::size_t count = nodes.size();
-      const std::size_t corners = count == 3 ? 1 : count;
-      for (std::size_t k = 0; k < corners; ++k) {
-        const Index a = nodes[k], b = nodes[(k + 1) % count], c = nodes[(k + count - 1) % count];
-        smallest = std::min(smallest, corner_step({before[a], before[b], before[c]},
-                                                  {after[a], after[b], after[c]}));
-      }
+namespace {
+
+/// Of a polynomial that is positive at `low`, not positive at `high`, and monotone between.
+template <typename Polynomial>
+double root_between(const Polynomial& p, double low, double high) {
+  for (int halving = 0; halving < 100; ++halving) {
+    const double middle = low + 0.5 * (high - low);
+    if (!(middle > low && middle < high)) break;
+    (p(middle) > 0 ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+double first_positive_root(double d0, double d1, double d2, double d3) {
+  const auto p = [&](double t) { return d0 + t * (d1 + t * (d2 + t * d3)); };
+  if (!(d0 > 0)) return 0;
+  // Between its extremes the cubic is monotone.
+  std::array<double, 2> extremes{infinite, infinite};
+  const double discriminant = d2 * d2 - 3 * d1 * d3;
+  if (discriminant >= 0) {
+    const double q = -(d2 + std::copysign(std::sqrt(discriminant), d2));
+    std::size_t count = 0;
+    for (const double t : {d3 != 0 ? q / (3 * d3) : infinite, q != 0 ? d1 / q : infinite}) {
+      if (t > 0) extremes[count++] = t;
     }
+    if (extremes[0] > extremes[1]) std::swap(extremes[0], extremes[1]);
+  }
+  double low = 0;
+  for (const double t : extremes) {
+    if (!std::isfinite(t)) break;
+    if (!(p(t) > 0)) return root_between(p, low, t);
+    low = t;
+  }
+  // Beyond the last extreme it falls for ever, or never again.
+  const bool falls = d3 != 0 ? d3 < 0 : d2 != 0 ? d2 < 0 : d1 < 0;
+  if (!falls) return infinite;
+  double high = std::max(2 * low, 1.0);
+  while (p(high) > 0 && std::isfinite(high)) high *= 2;
+  return std::isfinite(high) ? root_between(p, low, high) : infinite;
+}
+
+namespace {
+
+double tetrahedron_step(const std::array<Index, 4>& nodes, const SpacePoints& from,
+                        const SpacePoints& to) {
+  std::array<Vec3, 3> e, de;
+  for (std::size_t k = 0; k < 3; ++k) {
+    e[k] = from[nodes[k + 1]] - from[nodes[0]];
+    de[k] = to[nodes[k + 1]] - to[nodes[0]] - e[k];
+  }
+  const auto det = [](const Vec3& a, const Vec3& b, const Vec3& c) { return a.dot(b.cross(c)); };
+  return first_positive_root(
+      det(e[0], e[1], e[2]),
+      det(de[0], e[1], e[2]) + det(e[0], de[1], e[2]) + det(e[0], e[1], de[2]),
+      det(e[0], de[1], de[2]) + det(de[0], e[1], de[2]) + det(de[0], de[1], e[2]),
+      det(de[0], de[1], de[2]));
+}
+
+/// Smallest of step(element) over all elements.
+template <typename Step>
+double smallest_step(Index elements, int threads, Step&& step) {
+  const auto blocks = static_cast<std::size_t>((elements + parallel_block - 1) / parallel_block);
+  std::vector<double> steps(blocks, infinite);
+  parallel_for(threads, elements, [&](Index begin, Index end) {
+    double smallest = infinite;
+    for (Index e = begin; e < end; ++e) smallest = std::min(smallest, step(e));
     steps[static_cast<std::size_t>(begin / parallel_block)] = smallest;
   });
   double smallest = infinite;
-  for (const double step : steps) smallest = std::min(smallest, step);
+  for (const double found : steps) smallest = std::min(smallest, found);
   return smallest;
+}
+
+}  // namespace
+
+double largest_valid_step(const Topology& topology, const Coordinates& from, const Coordinates& to,
+                          int threads) {
+  if (topology.cell_dimension() == 3) {
+    const SpacePoints before(from), after(to);
+    return smallest_step(topology.element_count(), threads, [&](Index e) {
+      double smallest = infinite;
+      for (const auto& corner : corner_tetrahedra(topology.element_type(e))) {
+        smallest = std::min(smallest,
+                            tetrahedron_step(by_nodes(corner, topology.element(e)), before, after));
+      }
+      return smallest;
+    });
+  }
+  require_plane(topology, "steps that keep a mesh valid");
+  const PlanePoints before(from), after(to);
+  return smallest_step(topology.element_count(), threads, [&](Index e) {
+    double smallest = infinite;
+    const auto nodes = topology.element(e);
+    const std::size_t count = nodes.size();
+    const std::size_t corners = count == 3 ? 1 : count;
+    for (std::size_t k = 0; k < corners; ++k) {
+      const Index a = nodes[k], b = nodes[(k + 1) % count], c = nodes[(k + count - 1) % count];
+      smallest = std::min(
+          smallest, corner_step({before[a], before[b], before[c]}, {after[a], after[b], after[c]}));
+    }
+    return smallest;
+  });
 }
 
 }  // namespace winslow

@@ -11,11 +11,11 @@ namespace winslow {
 /// A mesh with all that says how it is to be smoothed: what runs and commands act on.
 struct MeshState {
   Mesh mesh;
-  std::shared_ptr<const VirtualControlVolumes> vcv;
+  std::shared_ptr<const VirtualControlVolumes> vcv;  ///< null: a volume mesh
   /// Layers that were inserted; if held, their spacing is kept whatever moves. Null: none.
   std::shared_ptr<const LayerStack> layers = nullptr;
 };
-/// A state with the paper's VCVs: equal angles, unit edges.
+/// A state with the paper's VCVs of a plane mesh: equal angles, unit edges.
 MeshState make_state(Mesh mesh);
 
 }  // namespace winslow

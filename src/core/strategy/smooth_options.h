@@ -2,7 +2,8 @@
 
 #include <string>
 
-#include "core/formulation/variational_winslow.h"
+#include "core/formulation/target_blend.h"
+#include "core/formulation/variational_form.h"
 #include "core/linear/linear_solver.h"
 #include "core/options/option.h"
 #include "core/outer/equation_options.h"

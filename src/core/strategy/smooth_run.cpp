@@ -36,7 +36,7 @@ bool valid(const MeshState& state, const Coordinates& x, int threads) {
 Coordinates unknowns_within(const NodeClasses& classes, const Coordinates& unknown,
                             Coordinates held) {
   for (Index node = 0; node < held.size(); ++node) {
-    if (classes.unknowns(node) > 0) held.set_xy(node, unknown.xy(node));
+    if (classes.unknowns(node) > 0) held.copy_node(node, unknown);
   }
   return held;
 }
@@ -131,7 +131,7 @@ int budget(const SmoothOptions& options) {
 /// Of the targets that a run by Newton's method went for.
 std::optional<double> stretched(SmoothingWorkspace& workspace) {
   if (workspace.options().formulation != "variational") return std::nullopt;
-  return workspace.energy()->shapes().stretched;
+  return workspace.energy()->stretched();
 }
 
 }  // namespace
@@ -199,7 +199,7 @@ Coordinates starting_point(const MeshState& state, const RunOptions& options) {
   }
   Coordinates x = state.mesh.coordinates;
   for (const Index node : state.mesh.topology->interior_nodes()) {
-    x.set_xy(node, options.start->xy(node));
+    x.copy_node(node, *options.start);
   }
   return x;
 }

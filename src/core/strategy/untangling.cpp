@@ -76,7 +76,9 @@ bool Untangling::run(Coordinates& x, double fraction, const Coordinates* referen
   const Topology& topology = *state_.mesh.topology;
   const int threads = workspace_.options().threads;
   if (check_validity(topology, x, threads).inverted == 0) return true;
-  const Untangle how = workspace_.options().untangle;
+  // The fixed point is the pointwise form's, which volume meshes do not have yet.
+  const bool energy_alone = topology.cell_dimension() == 3;
+  const Untangle how = energy_alone ? Untangle::energy : workspace_.options().untangle;
   // The pointwise form has the fixed point for its own, which leads nearer to its solution.
   const bool energy_first =
       how == Untangle::energy ||

@@ -15,7 +15,7 @@ void VariationalRun::relax(Coordinates& x, double fraction, const RunRecorder::E
   change_penalty(fitting(x));
 }
 
-const VariationalWinslow& VariationalRun::energy() {
+const VariationalForm& VariationalRun::energy() {
   if (!energy_) energy_ = workspace().energy();
   return *energy_;
 }
@@ -23,7 +23,7 @@ const VariationalWinslow& VariationalRun::energy() {
 void VariationalRun::begin_anew() { change_penalty(asked_for()); }
 
 void VariationalRun::vary_targets(const Coordinates& from) {
-  target_path_.emplace(workspace().energy(), from, workspace().options().threads);
+  target_path_ = workspace().energy()->target_path(from);
 }
 
 void VariationalRun::set_target_share(double share) {

@@ -36,10 +36,10 @@ class VariationalRun final : public NewtonRun {
   /// Newton's method is on the energy with this penalty from here on.
   void change_penalty(const PenaltyOptions& penalty);
 
-  const VariationalWinslow& energy();
+  const VariationalForm& energy();
 
-  std::shared_ptr<const VariationalWinslow> energy_;  // that newton() is on; null: not made yet
-  std::optional<TargetPath> target_path_;
+  std::shared_ptr<const VariationalForm> energy_;  // that newton() is on; null: not made yet
+  std::unique_ptr<const TargetPath> target_path_;
 };
 
 }  // namespace winslow

@@ -10,7 +10,7 @@ void SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualControlVolum
                                  const std::shared_ptr<const NodeClasses>& classes,
                                  const SmoothOptions& options, const Coordinates& given) {
   const bool same_unknowns =
-      vcv_ && classes_->same_unknowns(*classes) && options_.threads == options.threads;
+      classes_ && classes_->same_unknowns(*classes) && options_.threads == options.threads;
   const bool same_vcv = same_unknowns && vcv == vcv_;
   const bool same_targets = same_vcv && options_.targets == options.targets &&
                             (!refers_to_given(options.targets) || (given_ && *given_ == given));
@@ -84,9 +84,14 @@ PicardSolver& SmoothingWorkspace::picard() {
   return *picard_;
 }
 
-TargetShapes SmoothingWorkspace::target_shapes() const {
-  return TargetShapes::build(*vcv_, options_.targets, given_ ? &*given_ : nullptr, options_.threads,
-                             urgent_);
+template <int D>
+void SmoothingWorkspace::make_energy(const CellTargets<D>& targets) {
+  if (!energy_) {
+    energy_ = std::make_shared<const SimplexWinslow<D>>(classes_, targets, options_.penalty,
+                                                        options_.threads);
+  } else {
+    energy_ = static_cast<const SimplexWinslow<D>&>(*energy_).with_shapes(targets);
+  }
 }
 
 void SmoothingWorkspace::count_more(std::vector<Index> elements) {
@@ -95,12 +100,15 @@ void SmoothingWorkspace::count_more(std::vector<Index> elements) {
   newton_.reset();
 }
 
-std::shared_ptr<const VariationalWinslow> SmoothingWorkspace::energy() {
-  if (!energy_) {
-    energy_ = std::make_shared<const VariationalWinslow>(classes_, target_shapes(),
-                                                         options_.penalty, options_.threads);
-  } else if (energy_stale_) {
-    energy_ = energy_->with_shapes(target_shapes());
+std::shared_ptr<const VariationalForm> SmoothingWorkspace::energy() {
+  if (!energy_ || energy_stale_) {
+    if (classes_->topology().cell_dimension() == 3) {
+      make_energy(volume_targets(classes_->topology(), options_.targets, given(), options_.threads,
+                                 urgent_));
+    } else {
+      make_energy<2>(
+          TargetShapes::build(*vcv_, options_.targets, given(), options_.threads, urgent_));
+    }
   }
   energy_stale_ = false;
   return energy_;

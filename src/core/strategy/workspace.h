@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "core/formulation/pointwise_winslow.h"
+#include "core/formulation/target_shapes.h"
 #include "core/formulation/variational_winslow.h"
+#include "core/formulation/volume_targets.h"
 #include "core/linear/linear_solver.h"
 #include "core/outer/energy_newton.h"
 #include "core/outer/equation_newton.h"
@@ -21,8 +23,8 @@ namespace winslow {
 class SmoothingWorkspace {
  public:
   /// Says what is to be solved; parts that are still good are kept. classes: which nodes move.
-  /// given: the mesh that targets `auto` and `rest` refer to; kept by value where they do. Throws
-  /// UsageError.
+  /// vcv: null for volume meshes. given: the mesh that targets `auto` and `rest` refer to; kept by
+  /// value where they do. Throws UsageError.
   void prepare(const std::shared_ptr<const VirtualControlVolumes>& vcv,
                const std::shared_ptr<const NodeClasses>& classes, const SmoothOptions& options,
                const Coordinates& rest);
@@ -34,7 +36,7 @@ class SmoothingWorkspace {
   // Each is made at its first use after prepare, and valid until the next prepare.
   PicardSolver& picard();
   /// With the penalty of the options.
-  std::shared_ptr<const VariationalWinslow> energy();
+  std::shared_ptr<const VariationalForm> energy();
   EnergyNewton& newton();
   /// Newton's method on the formulation of the options.
   SteadySolver& steady_solver();
@@ -52,7 +54,9 @@ class SmoothingWorkspace {
 
  private:
   const ClipVariants<PointwiseWinslow>& pointwise();
-  TargetShapes target_shapes() const;
+  template <int D>
+  void make_energy(const CellTargets<D>& targets);
+  const Coordinates* given() const { return given_ ? &*given_ : nullptr; }
   std::unique_ptr<LinearSolver> make_general_solver() const;
 
   std::shared_ptr<const VirtualControlVolumes> vcv_;
@@ -61,7 +65,7 @@ class SmoothingWorkspace {
   std::optional<Coordinates> given_;          // only where the targets refer to it
   std::vector<Index> urgent_;                 // see count_more()
   ClipVariants<PointwiseWinslow> pointwise_;  // null: not made yet
-  std::shared_ptr<const VariationalWinslow> energy_;
+  std::shared_ptr<const VariationalForm> energy_;
   bool pointwise_stale_ = false, energy_stale_ = false;  // they are of other VCVs or targets
   std::unique_ptr<LinearSolver> linear_, symmetric_linear_, newton_linear_;
   std::unique_ptr<PicardSolver> picard_;

@@ -17,6 +17,33 @@ void read_shares(const json& value, const std::string& path, const SharesOption&
   reader.finish();
 }
 
+void read_components(const json& value, const std::string& path, std::span<double> out) {
+  const bool fits =
+      value.is_array() && value.size() == out.size() &&
+      std::all_of(value.begin(), value.end(), [](const json& v) { return v.is_number(); });
+  if (!fits) refuse(value, path, "an array of " + std::to_string(out.size()) + " numbers");
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] = value[k].get<double>();
+}
+
+/// third: where a third number goes; null: there is none.
+void read_vector(const json& value, const std::string& path, Vec2& plane,
+                 std::optional<double>* third) {
+  if (!third || !value.is_array() || value.size() != 3) {
+    ObjectReader::read(value, path, plane);
+    return;
+  }
+  Vec3 vector;
+  read_components(value, path, {vector.data(), 3});
+  plane = vector.head<2>();
+  *third = vector.z();
+}
+
+json vector_json(const Vec2& plane, const std::optional<double>* third) {
+  json value = ObjectWriter::write(plane);
+  if (third && *third) value.push_back(**third);
+  return value;
+}
+
 void read_value(const json& value, const std::string& path, const OptionValue& option) {
   std::visit(
       [&](const auto& of) {
@@ -26,8 +53,14 @@ void read_value(const json& value, const std::string& path, const OptionValue& o
             refuse(value, path, "one of " + of.names());
         } else if constexpr (std::is_same_v<Kind, SharesOption>) {
           read_shares(value, path, of);
-        } else if constexpr (std::is_same_v<Kind, OptionalRealOption> ||
-                             std::is_same_v<Kind, OptionalVectorOption>) {
+        } else if constexpr (std::is_same_v<Kind, VectorOption>) {
+          read_vector(value, path, *of.value, of.third);
+        } else if constexpr (std::is_same_v<Kind, OptionalVectorOption>) {
+          read_vector(value, path, of.value->emplace(), of.third);
+        } else if constexpr (std::is_same_v<Kind, SpaceVectorOption>) {
+          Vec3& vector = of.value->emplace();
+          read_components(value, path, {vector.data(), 3});
+        } else if constexpr (std::is_same_v<Kind, OptionalRealOption>) {
           ObjectReader::read(value, path, of.value->emplace());
         } else {
           ObjectReader::read(value, path, *of.value);
@@ -55,8 +88,15 @@ json write_value(const OptionValue& option) {
           json parts = json::object();
           for (const auto& part : of.parts) parts[std::string(part.name)] = *part.share;
           return parts;
-        } else if constexpr (std::is_same_v<Kind, OptionalRealOption> ||
-                             std::is_same_v<Kind, OptionalVectorOption>) {
+        } else if constexpr (std::is_same_v<Kind, VectorOption>) {
+          return vector_json(*of.value, of.third);
+        } else if constexpr (std::is_same_v<Kind, OptionalVectorOption>) {
+          return *of.value ? vector_json(**of.value, of.third) : json();
+        } else if constexpr (std::is_same_v<Kind, SpaceVectorOption>) {
+          if (!*of.value) return json();
+          const Vec3& v = **of.value;
+          return json::array({v.x(), v.y(), v.z()});
+        } else if constexpr (std::is_same_v<Kind, OptionalRealOption>) {
           return *of.value ? json(ObjectWriter::write(**of.value)) : json();
         } else {
           return ObjectWriter::write(*of.value);

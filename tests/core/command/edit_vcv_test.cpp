@@ -6,6 +6,7 @@
 #include "core/command/command.h"
 #include "core/command/history.h"
 #include "core/error.h"
+#include "core/formulation/target_shapes.h"
 #include "core/inspect/nodal_view.h"
 #include "core/strategy/workspace.h"
 #include "support/samples.h"

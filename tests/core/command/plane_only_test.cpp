@@ -6,6 +6,7 @@
 #include "core/drag/drag_session.h"
 #include "core/error.h"
 #include "core/formulation/pointwise_winslow.h"
+#include "core/formulation/target_shapes.h"
 #include "core/formulation/variational_winslow.h"
 #include "core/inspect/element_field.h"
 #include "core/inspect/nodal_view.h"
@@ -45,8 +46,11 @@ std::vector<Other> other_meshes() {
   return others;
 }
 
-void check_refused(const std::string& who, const std::function<void(const Mesh&)>& call) {
+/// volumes: whether volume meshes are refused, too.
+void check_refused(const std::string& who, const std::function<void(const Mesh&)>& call,
+                   bool volumes = true) {
   for (const Other& other : other_meshes()) {
+    if (!volumes && other.kind == "volume mesh") continue;
     CAPTURE(who);
     const std::string message = who + ": only for a plane mesh, and this is a " + other.kind;
     CHECK_THROWS_WITH_AS(call(other.mesh), message.c_str(), UsageError);
@@ -70,29 +74,65 @@ LayerOptions layers_at(const Mesh& mesh, bool match_outside) {
 
 TEST_CASE("commands are refused by their names on meshes that are not plane") {
   for (const Command& command : all_commands()) {
-    check_refused(std::string(command_name(command)),
-                  [&](const Mesh& mesh) { execute(command, state_of(mesh)); });
+    const bool serves_volumes = std::holds_alternative<SmoothCommand>(command) ||
+                                std::holds_alternative<MoveCommand>(command) ||
+                                std::holds_alternative<ScrambleCommand>(command);
+    check_refused(
+        std::string(command_name(command)),
+        [&](const Mesh& mesh) { execute(command, state_of(mesh)); }, !serves_volumes);
   }
 }
 
-TEST_CASE("quality and bounds are those of plane meshes") {
-  check_refused("quality", [](const Mesh& mesh) { measure_quality(mesh); });
-  check_refused("quality",
-                [](const Mesh& mesh) { element_values(mesh, Metric::condition_number); });
-  check_refused("quality",
-                [](const Mesh& mesh) { element_value(mesh, 0, Metric::condition_number); });
-  check_refused("quality",
-                [](const Mesh& mesh) { check_validity(*mesh.topology, mesh.coordinates); });
-  check_refused("steps that keep a mesh valid", [](const Mesh& mesh) {
-    largest_valid_step(*mesh.topology, mesh.coordinates, mesh.coordinates);
-  });
+TEST_CASE("what volume meshes cannot do yet is refused by its name") {
+  const MeshState state = make_state(make_mesh(cube(2, Volumes::tetrahedra)));
+  SmoothCommand smooth;
+  smooth.smooth.formulation = "pointwise";
+  CHECK_THROWS_WITH_AS(execute(smooth, state),
+                       "the pointwise form: only for a plane mesh, and this is a volume mesh",
+                       UsageError);
+  smooth = {};
+  smooth.smooth.keep_outside.radius = 1;
+  CHECK_THROWS_WITH_AS(execute(smooth, state),
+                       "keep-outside: only for a plane mesh, and this is a volume mesh",
+                       UsageError);
+  smooth = {};
+  smooth.smooth.targets = {.automatic = 0, .vcv = 1};
+  CHECK_THROWS_AS(execute(smooth, state), UsageError);
+  MoveCommand move;
+  move.markers = a_marker(state.mesh);
+  move.motion.rotate = 10;
+  CHECK_THROWS_WITH_AS(execute(move, state), "a rotation in space needs an axis", UsageError);
+  const MeshState plane = make_state(make_mesh(square(3, Cells::quads)));
+  move.markers = a_marker(plane.mesh);
+  move.motion.axis = Vec3(0, 0, 1);
+  CHECK_THROWS_WITH_AS(
+      execute(move, plane),
+      "an axis or a third component: only for a volume mesh, and this is a plane mesh", UsageError);
+}
+
+TEST_CASE("quality and bounds are those of plane meshes, quality of volume meshes, too") {
+  check_refused(
+      "quality", [](const Mesh& mesh) { measure_quality(mesh); }, false);
+  check_refused(
+      "quality", [](const Mesh& mesh) { element_values(mesh, Metric::condition_number); }, false);
+  check_refused(
+      "quality", [](const Mesh& mesh) { element_value(mesh, 0, Metric::condition_number); }, false);
+  check_refused(
+      "quality", [](const Mesh& mesh) { check_validity(*mesh.topology, mesh.coordinates); }, false);
+  check_refused(
+      "steps that keep a mesh valid",
+      [](const Mesh& mesh) {
+        largest_valid_step(*mesh.topology, mesh.coordinates, mesh.coordinates);
+      },
+      false);
   check_refused("bounds", [](const Mesh& mesh) { bounds(mesh); });
 }
 
 TEST_CASE("virtual control volumes are those of plane meshes") {
   const std::string who = "virtual control volumes";
   check_refused(who, [](const Mesh& mesh) { VirtualControlVolumes vcv(mesh.topology); });
-  check_refused(who, [](const Mesh& mesh) { make_state(mesh); });
+  check_refused(
+      who, [](const Mesh& mesh) { make_state(mesh); }, false);
 }
 
 TEST_CASE("motions are those of plane meshes") {
@@ -101,14 +141,11 @@ TEST_CASE("motions are those of plane meshes") {
       make_motion(*mesh.topology, mesh.coordinates, a_marker(mesh), motion);
     };
   };
-  check_refused("motions", move(RigidMotion{}));
-  check_refused("motions", move(SineDeformation{}));
+  check_refused("motions of the plane", move(RigidMotion{}));
+  check_refused("sine deformations", move(SineDeformation{}));
   DisplacementTable table;
   table.entries.emplace_back().node = 0;
-  check_refused("motions", move(table));
-  check_refused("motions", [](const Mesh& mesh) {
-    make_transfer(NodeClasses(mesh.topology), mesh.coordinates, mesh.coordinates);
-  });
+  check_refused("displacements", move(table));
   check_refused("motions", [](const Mesh& mesh) {
     DragGrip grip;
     grip.markers = a_marker(mesh);

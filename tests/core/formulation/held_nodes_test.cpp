@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/formulation/target_shapes.h"
 #include "core/formulation/variational_winslow.h"
 #include "support/formulations.h"
 #include "support/samples.h"

@@ -1,4 +1,5 @@
 #include "core/formulation/stretch_field.h"
+#include "core/formulation/target_shapes.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,5 @@
 #include "core/formulation/target_path.h"
+#include "core/formulation/target_shapes.h"
 
 #include <doctest/doctest.h>
 
@@ -25,19 +26,19 @@ TEST_CASE("a mesh is the minimum for its own shapes, and the path from there end
     const auto wanted = std::make_shared<const VariationalWinslow>(
         free_interior(mesh.topology), TargetShapes::build(vcv, {0, 0.5, 0.5, 0}, nullptr, 1),
         PenaltyOptions{}, 1);
-    const TargetPath path(wanted, mesh.coordinates, 1);
-    CHECK(path.at_share(0)->residual(mesh.coordinates, {}).max < 1e-10);
-    CHECK(path.at_share(0)->worst_distortion(mesh.coordinates) == doctest::Approx(1));
-    CHECK(path.at_share(1) == wanted);
+    const ShapePath<2> path(wanted, mesh.coordinates, 1);
+    CHECK(path.form_at(0)->residual(mesh.coordinates, {}).max < 1e-10);
+    CHECK(path.form_at(0)->worst_distortion(mesh.coordinates) == doctest::Approx(1));
+    CHECK(path.form_at(1) == wanted);
     double last = 1;
     for (const double share : {0.25, 0.5, 0.75, 1.0}) {
-      const double worst = path.at_share(share)->worst_distortion(mesh.coordinates);
+      const double worst = path.form_at(share)->worst_distortion(mesh.coordinates);
       CHECK(worst > last);
       last = worst;
     }
     // Half of the way lies halfway between the metrics.
-    const ShapeTerm own = path.at_share(0)->shapes().terms[5];
-    const ShapeTerm half = path.at_share(0.5)->shapes().terms[5];
+    const ShapeTerm own = path.form_at(0)->shapes().terms[5];
+    const ShapeTerm half = path.form_at(0.5)->shapes().terms[5];
     const ShapeTerm end = wanted->shapes().terms[5];
     const double whole = stretch_between(TargetMetric::of(own), TargetMetric::of(end));
     CHECK(stretch_between(TargetMetric::of(own), TargetMetric::of(half)) ==

@@ -49,12 +49,12 @@ TEST_CASE("corners at the boundary take the parallelogram of the VCVs beside the
   // Every corner that can move, also those at walls, wants a rectangle of 5 by 1: on the mesh drawn
   // out sideways by 5 all distortions are 1.
   int at_boundary = 0;
-  for (std::size_t t = 0; t < shapes.triangles.size(); ++t) {
+  for (std::size_t t = 0; t < shapes.cells.size(); ++t) {
     const auto place = [&](Index node) {
       const Vec2 p = data.coordinates.xy(node);
       return Vec2(5 * p.x(), p.y());
     };
-    const auto [a, b, c] = shapes.triangles[t];
+    const auto [a, b, c] = shapes.cells[t];
     at_boundary += topology->on_boundary(a) ? 1 : 0;
     for (Index k = shapes.offsets[t]; k < shapes.offsets[t + 1]; ++k) {
       CHECK(distortion(shapes.terms[static_cast<std::size_t>(k)], place(a), place(b), place(c)) ==
@@ -86,9 +86,9 @@ TEST_CASE("a parallelogram that leans: from the VCV opposite, before and after")
       if (!known) x.set_xy(node, vcv.point(centre, k) + vcv.point(centre, (k + 1) % 4));
     }
   }
-  REQUIRE(shapes.triangles.size() > 4);
-  for (std::size_t t = 0; t < shapes.triangles.size(); ++t) {
-    const auto [a, b, c] = shapes.triangles[t];
+  REQUIRE(shapes.cells.size() > 4);
+  for (std::size_t t = 0; t < shapes.cells.size(); ++t) {
+    const auto [a, b, c] = shapes.cells[t];
     for (Index k = shapes.offsets[t]; k < shapes.offsets[t + 1]; ++k) {
       CHECK(distortion(shapes.terms[static_cast<std::size_t>(k)], x.xy(a), x.xy(b), x.xy(c)) ==
             doctest::Approx(1).epsilon(1e-12));
@@ -111,7 +111,7 @@ TEST_CASE("the role of an element: its weight, and whether it follows edited VCV
   (*roles)[static_cast<std::size_t>(keeps)].own_shape = true;
   vcv.set_roles(roles);
   const TargetShapes shapes = TargetShapes::build(vcv, TargetBlend::regular(), nullptr);
-  for (std::size_t t = 0; t < shapes.triangles.size(); ++t) {
+  for (std::size_t t = 0; t < shapes.cells.size(); ++t) {
     double weight = 0;
     bool equilateral = true;
     for (Index k = shapes.offsets[t]; k < shapes.offsets[t + 1]; ++k) {
@@ -121,7 +121,7 @@ TEST_CASE("the role of an element: its weight, and whether it follows edited VCV
     }
     const auto is = [&](Index element) {
       const auto corners = topology->element(element);
-      return std::is_permutation(corners.begin(), corners.end(), shapes.triangles[t].begin());
+      return std::is_permutation(corners.begin(), corners.end(), shapes.cells[t].begin());
     };
     CHECK(weight == doctest::Approx(is(follows) ? 50 : 1));
     if (is(follows)) CHECK_FALSE(equilateral);

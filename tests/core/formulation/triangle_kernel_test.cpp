@@ -12,8 +12,8 @@
 
 using namespace winslow;
 using namespace winslow::test;
+using distortion::SimplexPlaces;
 using distortion::TriangleKernel;
-using distortion::TrianglePlaces;
 using distortion::TriangleSum;
 
 namespace {
@@ -43,8 +43,8 @@ struct Sample {
     return q.d;
   }
   const double* point(Index n) const { return x.data() + 2 * n; }
-  distortion::TriangleData data(const PenaltyOptions& penalty, bool regularised) const {
-    distortion::TriangleData data;
+  distortion::SimplexData data(const PenaltyOptions& penalty, bool regularised) const {
+    distortion::SimplexData data;
     data.x = x.data();
     data.nodes = nodes.data();
     data.offsets = offsets.data();
@@ -60,7 +60,7 @@ struct Sample {
 };
 
 std::vector<double> sums_of(const TriangleKernel& kernel, const Sample& sample,
-                            const distortion::TriangleData& data) {
+                            const distortion::SimplexData& data) {
   const std::size_t room = (sample.list.size() + 3) / 4 * 4;
   std::vector<double> sums(room * TriangleSum::size);
   kernel.sum(data, sample.list.data(), static_cast<Index>(sample.list.size()), 0, sums.data());
@@ -89,7 +89,7 @@ TEST_CASE("the energy of triangles is the sum of what their distortions cost") {
                                                : std::pow(f, penalty.exponent));
         }
       }
-      const distortion::TriangleData data = sample.data(penalty, false);
+      const distortion::SimplexData data = sample.data(penalty, false);
       const TriangleKernel& kernel = distortion::triangle_kernel();
       CHECK(kernel.energy(data, 0, count) == doctest::Approx(expected).epsilon(1e-12));
       // The sums' energy, all together and split at a triangle.
@@ -108,10 +108,10 @@ TEST_CASE("a triangle without area makes the energy infinite, unless it is regul
   Random random(2);
   Sample sample(random, 9, true);
   std::swap(sample.nodes[12], sample.nodes[13]);
-  const distortion::TriangleData data = sample.data({8, 1.78}, false);
+  const distortion::SimplexData data = sample.data({8, 1.78}, false);
   CHECK(std::isinf(distortion::triangle_kernel().energy(data, 0, 9)));
   CHECK(std::isfinite(distortion::triangle_kernel().energy(data, 0, 4)));
-  const distortion::TriangleData soft = sample.data({8, 1.78}, true);
+  const distortion::SimplexData soft = sample.data({8, 1.78}, true);
   CHECK(std::isfinite(distortion::triangle_kernel().energy(soft, 0, 9)));
 }
 
@@ -139,8 +139,8 @@ TEST_CASE("sums are scattered to their rows and blocks") {
   Random random(4);
   std::vector<double> sums(2 * TriangleSum::size);
   for (double& s : sums) s = random.uniform(-1, 1);
-  const std::vector<TrianglePlaces> places{{{0, 1, 2}, {1, 2, 3, 4, 5, 6}},
-                                           {{1, 3, 0}, {7, 0, 2, 1, 0, 8}}};
+  const std::vector<SimplexPlaces<2>> places{{{0, 1, 2}, {1, 2, 3, 4, 5, 6}},
+                                             {{1, 3, 0}, {7, 0, 2, 1, 0, 8}}};
   std::vector<double> rows(4 * 8), blocks(9 * 4), rows_alone(4 * 8);
   const TriangleKernel& kernel = distortion::triangle_kernel();
   kernel.scatter(sums.data(), places.data(), 2, rows.data(), blocks.data());
@@ -177,11 +177,11 @@ TEST_CASE("every version of the kernel gives the same bits") {
   for (const PenaltyOptions& penalty : penalties) {
     for (const bool regularised : {false, true}) {
       const Sample sample(random, 30, !regularised);
-      const distortion::TriangleData data = sample.data(penalty, regularised);
+      const distortion::SimplexData data = sample.data(penalty, regularised);
       CHECK(fast->energy(data, 0, 30) == portable.energy(data, 0, 30));
       const auto sums = sums_of(*fast, sample, data);
       CHECK(sums == sums_of(portable, sample, data));
-      const TrianglePlaces places{{0, 1, 2}, {1, 2, 3, 4, 5, 6}};
+      const SimplexPlaces<2> places{{0, 1, 2}, {1, 2, 3, 4, 5, 6}};
       std::vector<double> rows(24), blocks(28), other_rows(24), other_blocks(28);
       fast->scatter(sums.data(), &places, 1, rows.data(), blocks.data());
       portable.scatter(sums.data(), &places, 1, other_rows.data(), other_blocks.data());

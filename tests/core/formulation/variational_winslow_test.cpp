@@ -1,4 +1,5 @@
 #include "core/formulation/variational_winslow.h"
+#include "core/formulation/target_shapes.h"
 
 #include <doctest/doctest.h>
 
@@ -90,7 +91,7 @@ std::array<double, 4 * distortion::TriangleSum::size> hessian_of(
   const std::array<Index, 3> nodes{0, 1, 2};
   const std::array<Index, 2> offsets{0, 1};
   const Index triangle = 0;
-  distortion::TriangleData data;
+  distortion::SimplexData data;
   data.x = corner[0].data();
   data.nodes = nodes.data();
   data.offsets = offsets.data();
@@ -254,7 +255,7 @@ TEST_CASE("an inverted element has infinite energy, and a finite one when regula
                                   TargetShapes::build(vcv, TargetBlend::regular(), nullptr), {1, 0},
                                   1);
   CHECK(std::isinf(energy.energy(mesh.coordinates)));
-  const Regularisation regularisation{std::vector<double>(energy.shapes().triangles.size(), 0.01)};
+  const Regularisation regularisation{std::vector<double>(energy.shapes().cells.size(), 0.01)};
   const double value = energy.regularised_energy(mesh.coordinates, regularisation);
   CHECK(std::isfinite(value));
 

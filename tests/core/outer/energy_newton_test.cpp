@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "core/error.h"
+#include "core/formulation/target_shapes.h"
 #include "core/formulation/variational_winslow.h"
 #include "core/motion/motion.h"
 #include "core/outer/energy_untangler.h"

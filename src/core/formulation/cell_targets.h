@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+#include "core/index.h"
+
+namespace winslow {
+
+/// One target of one triangle (a, b, c), as the quadratic form that measures the physical triangle
+/// in the target's metric:
+///
+///   N = ab |b - a|^2 + ac |c - a|^2 + bc |c - b|^2,   |J|_F^2 / det J = N / (2 area),
+///
+/// J being the linear map from the target to the physical triangle. Scaled so that N = 4 area if
+/// the two are similar. The three numbers are the cotangents of the target's angles, at c, b and a.
+struct ShapeTerm {
+  double ab = 0, ac = 0, bc = 0;
+  double weight = 0;  ///< share in the energy
+};
+
+/// One target of one tetrahedron: its metric over the three edges from the first node, the inverse
+/// of their Gram matrix scaled to determinant 1 (see core/formulation/volume_metric.h).
+struct VolumeTerm {
+  double a11 = 0, a12 = 0, a13 = 0, a22 = 0, a23 = 0, a33 = 0;
+  double weight = 0;  ///< share in the energy
+  double unused = 0;  ///< a term is two packs of four
+};
+
+/// Targets of simplices: triangles of a plane mesh (D = 2), tetrahedra of a volume mesh (D = 3),
+/// each with one or more terms.
+template <int D>
+struct CellTargets {
+  using Term = std::conditional_t<D == 2, ShapeTerm, VolumeTerm>;
+
+  std::vector<std::array<Index, D + 1>> cells;  ///< nodes, positively oriented; the corner first
+  std::vector<Index> offsets{0};                ///< #cells + 1, into terms
+  std::vector<Term> terms;
+  /// Part of the elements (0 to 1) that `auto` targets keep stretched. None where the blend has no
+  /// share for them.
+  std::optional<double> stretched;
+};
+
+}  // namespace winslow

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/index.h"
+
+/// What the innermost loops of the variational form read and write, over the triangles of a plane
+/// mesh (D = 2) and the tetrahedra of a volume mesh (D = 3). Equations: triangle_kernel.h and
+/// tetrahedron_kernel.h. Every version of a loop rounds alike: the result is the same bit for bit.
+namespace winslow::distortion {
+
+/// psi(f) = linear f + scale f^exponent; integer: the exponent minus 2 if that is a small natural
+/// number, else -1.
+struct PenaltyConstants {
+  double exponent = 1, linear = 0, scale = 1;
+  int integer = -1;
+};
+
+/// What the loops read. Arrays are owned by others.
+struct SimplexData {
+  const double* x = nullptr;       ///< #nodes by D
+  const Index* nodes = nullptr;    ///< #cells by D + 1, positively oriented
+  const Index* offsets = nullptr;  ///< #cells + 1, into terms
+  const double* terms = nullptr;   ///< #terms by SimplexLayout::term
+  PenaltyConstants penalty;
+  const double* size = nullptr;  ///< #cells: e / epsilon of the regularised determinant
+  double epsilon = 0;            ///< or null and zero: the determinant itself
+  double curvature_share = 1;    ///< of the determinant's second derivatives in the Hessian: 0
+                                 ///< leaves what is convex by itself
+};
+
+/// Where numbers lie. A cell's sum over its terms: the D by D blocks (row-major) of the rows of the
+/// earlier node of each pair at the later one, pairs in lexicographic order; from `corners` on, for
+/// each of its nodes, `corner` numbers: the gradient and the length of the edges there. A row's sum
+/// over its cells: the diagonal block, and from `gradient` on the same as for a corner.
+template <int D>
+struct SimplexLayout;
+
+template <>
+struct SimplexLayout<2> {
+  static constexpr std::ptrdiff_t term = 4;  ///< form ab, ac, bc, and weight
+  static constexpr std::ptrdiff_t corners = 12, corner = 4, sum = 24;
+  static constexpr std::ptrdiff_t gradient = 4, row = 8;
+};
+
+template <>
+struct SimplexLayout<3> {
+  static constexpr std::ptrdiff_t term = 8;  ///< metric 11, 12, 13, 22, 23, 33, weight, unused
+  static constexpr std::ptrdiff_t corners = 54, corner = 4, sum = 72;
+  static constexpr std::ptrdiff_t gradient = 12, row = 16;
+};
+
+/// Where a cell's sum belongs in a block of rows. Place 0 of the block's matrix and the last row of
+/// its sums take what belongs to no row of the block.
+template <int D>
+struct SimplexPlaces {
+  std::uint16_t rows[D + 1];
+  Index blocks[D * (D + 1)];  ///< of each pair the earlier node's row at the later one, then the
+                              ///< later one's at the earlier
+};
+
+template <int D>
+struct SimplexKernel {
+  /// Sum of weight * psi(f) over the cells [begin, end); infinite if a determinant is not positive.
+  double (*energy)(const SimplexData&, Index begin, Index end);
+  /// sums: SimplexLayout::sum numbers for each cell of the list, with room for a multiple of 4.
+  /// Returns the energy of those with at least the number first_counted.
+  double (*sum)(const SimplexData&, const Index* list, Index count, Index first_counted,
+                double* sums);
+  /// Adds sums to row sums, and to blocks of the matrix unless `blocks` is null.
+  void (*scatter)(const double* sums, const SimplexPlaces<D>*, Index count, double* rows,
+                  double* blocks);
+  /// Copies rows of blocks that lie one after the other to where each belongs in a matrix.
+  /// offsets: of the matrix' rows, in blocks.
+  void (*write_rows)(const double* entries, const Index* rows, const Index* offsets, Index count,
+                     double* values);
+};
+
+/// The fastest one that runs here.
+template <int D>
+const SimplexKernel<D>& fastest_kernel();
+
+}  // namespace winslow::distortion

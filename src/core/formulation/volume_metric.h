@@ -1,0 +1,68 @@
+#pragma once
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "core/formulation/cell_targets.h"
+#include "core/mesh/element_type.h"
+#include "core/types.h"
+
+namespace winslow {
+
+/// Three edges from a node of a tetrahedron, as columns.
+using Edges3 = Eigen::Matrix3d;
+
+/// Metric of a target tetrahedron over its three edges: the inverse of their Gram matrix, scaled to
+/// determinant 1. Two tetrahedra are similar if their metrics are the same.
+inline Eigen::Matrix3d volume_metric(const Edges3& edges) {
+  const Eigen::Matrix3d inverse = (edges.transpose() * edges).inverse();
+  return inverse / std::cbrt(inverse.determinant());
+}
+
+/// A sum of metrics, scaled back to determinant 1.
+inline Eigen::Matrix3d normalized_metric(const Eigen::Matrix3d& sum) {
+  return sum / std::cbrt(sum.determinant());
+}
+
+inline VolumeTerm volume_term(const Eigen::Matrix3d& a, double weight) {
+  return {a(0, 0), a(0, 1), a(0, 2), a(1, 1), a(1, 2), a(2, 2), weight};
+}
+
+inline Eigen::Matrix3d metric_of(const VolumeTerm& t) {
+  Eigen::Matrix3d a;
+  a << t.a11, t.a12, t.a13, t.a12, t.a22, t.a23, t.a13, t.a23, t.a33;
+  return a;
+}
+
+/// Metrics of the corners of the regular element, in the order of corner_tetrahedra().
+const std::vector<Eigen::Matrix3d>& regular_metrics(ElementType type);
+
+/// How one metric lies in another's eyes: a = L L^T, and L^-1 b L^-T = V diag(values) V^T.
+struct RelativeMetric {
+  Eigen::Matrix3d lower, vectors;
+  Vec3 values;  ///< ascending; squares of the singular values of the map between the shapes
+
+  RelativeMetric(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) : lower(a.llt().matrixL()) {
+    const auto triangular = lower.triangularView<Eigen::Lower>();
+    Eigen::Matrix3d seen = triangular.solve(b);
+    seen = triangular.solve(seen.transpose().eval()).eval();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(0.5 * (seen + seen.transpose()));
+    vectors = eigen.eigenvectors();
+    values = eigen.eigenvalues();
+  }
+  /// Logarithm of the largest over the smallest singular value: 0 if the shapes are similar.
+  double stretch() const { return 0.5 * std::log(values[2] / values[0]); }
+  /// At `share` of the way along the geodesic from a (0) to b (1).
+  Eigen::Matrix3d between(double share) const {
+    const Eigen::Matrix3d root = lower * vectors;
+    const Vec3 power = (share * values.array().log()).exp();
+    return normalized_metric(root * power.asDiagonal() * root.transpose());
+  }
+};
+
+/// Logarithm of how much longer than wide one shape is in the other's.
+inline double stretch_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
+  return RelativeMetric(a, b).stretch();
+}
+
+}  // namespace winslow

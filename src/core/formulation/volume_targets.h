@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/formulation/cell_targets.h"
+#include "core/formulation/target_blend.h"
+#include "core/mesh/coordinates.h"
+#include "core/mesh/topology.h"
+
+namespace winslow {
+
+/// Targets of a volume mesh as the blend says: one for each tetrahedron, one for each corner of the
+/// other elements (corner_tetrahedra()). The weights of an element sum to 1; tetrahedra whose four
+/// nodes lie on the boundary are left out: they cannot change.
+///
+/// `element`: the corners of the regular element of the type. `rest`: the element's own corners in
+/// the mesh as given. `automatic`: on the way between these as StretchField says.
+///
+/// given: coordinates (#nodes by 3) of the mesh that the shares `automatic` and `rest` refer to;
+/// may be null if those are zero. threads: 0 for all cores; no result depends on it. urgent:
+/// elements that count four times as much under `automatic`, once more for each time they are
+/// listed. Throws UsageError for shares that are negative or all zero, or if virtual control
+/// volumes have one; MeshError if `rest` counts and the mesh has an inverted element.
+CellTargets<3> volume_targets(const Topology& topology, const TargetBlend& blend,
+                              const Coordinates* given, int threads = 0,
+                              std::span<const Index> urgent = {});
+
+}  // namespace winslow
