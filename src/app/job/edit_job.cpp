@@ -230,7 +230,7 @@ void warn_of_damage(const EditJob& job, const ZoneRun& zone, RunReport& run) {
         return command && asks_for_heights(*command);
       }))
     return;
-  const std::string damage = describe_damage(zone.source.mesh, zone.result.mesh);
+  const std::string damage = find_damage(zone.source.mesh, zone.result.mesh).text;
   if (damage.empty()) return;
   const std::string name = zone.name();
   const std::string text =

@@ -176,6 +176,13 @@ std::vector<double> element_values(const Mesh& mesh, Metric metric) {
   return values;
 }
 
+Index worst_element(const Mesh& mesh, Metric metric) {
+  const std::vector<double> values = element_values(mesh, metric);
+  const auto worst = metric_info(metric).field.larger_is_better ? std::ranges::min_element(values)
+                                                                : std::ranges::max_element(values);
+  return static_cast<Index>(worst - values.begin());
+}
+
 double element_value(const Mesh& mesh, Index element, Metric metric) {
   require_plane(*mesh.topology, "quality");
   return value_of(mesh, element, metric);

@@ -53,7 +53,9 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options = 
 
 /// Value of a metric for each element (#elements).
 std::vector<double> element_values(const Mesh& mesh, Metric metric);
-/// The same of one element.
+/// The element that is worst by a metric; the first of several. mesh: plane, with elements.
+Index worst_element(const Mesh& mesh, Metric metric);
+/// The value of one element.
 double element_value(const Mesh& mesh, Index element, Metric metric);
 /// Mean of an element's corners, in units of the mesh: tells a user where to look.
 Vec2 element_centre(const Mesh& mesh, Index element);
