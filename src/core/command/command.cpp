@@ -101,8 +101,7 @@ CommandResult finish(const MeshState& state, Coordinates x, SmoothResult smooth)
 
 /// Limits of the quality are kept on a path, so there has to be one.
 void require_path(const MotionOptions& how, const SmoothOptions& smooth) {
-  if (!how.floor.given()) return;
-  if (how.increments == 0 && how.smooth_after && smooth.outer != OuterMethod::picard) return;
+  if (!how.floor.given() || follows_path(how, smooth)) return;
   throw UsageError(
       "limits of the quality (min-quality) are kept along the path of a motion: they need 0 steps, "
       "smoothing afterwards, and another outer iteration than picard");
@@ -229,6 +228,10 @@ SmoothOptions* smooth_options(Command& command) {
         }
       },
       command);
+}
+
+bool follows_path(const MotionOptions& how, const SmoothOptions& smooth) {
+  return how.increments == 0 && how.smooth_after && smooth.outer != OuterMethod::picard;
 }
 
 bool asks_for_heights(const Command& command) {
