@@ -49,7 +49,7 @@ void SolverPanel::draw_pace(const PanelContext& context) {
   constexpr const char* tip =
       "How many outer iterations a second are carried out and shown. Slow enough to watch the mesh "
       "untangle; Unlimited when only the result matters. It can be changed while the solver runs.";
-  ui::row("Iterations", tip);
+  ui::row("Iterations", tip, 0.3f);
   if (ui::combo("solver/pace", names, chosen, tip)) context.emit(action::SetPace{rates[chosen]});
 }
 

@@ -34,14 +34,14 @@ void WorstPanel::draw_choices(const PanelContext& context) {
     if (view.worst_by == metrics[k]) chosen = k + 1;
   }
   constexpr const char* metric_tip = "The metric by which elements are worst.";
-  ui::row("By", metric_tip);
+  ui::row("By", metric_tip, 0.32f);
   if (ui::combo("worst/metric", names, chosen, metric_tip)) {
     view.worst_by = chosen == 0 ? std::nullopt : std::optional(metrics[chosen - 1]);
     changed = true;
   }
   auto length =
       static_cast<std::size_t>(std::ranges::find(counts, view.worst_count) - counts.begin());
-  ui::row("Length", "How many elements are listed.");
+  ui::row("Length", "How many elements are listed.", 0.32f);
   if (ui::combo("worst/count", {"10", "20", "50", "100"}, length)) {
     view.worst_count = counts[length];
     changed = true;

@@ -17,7 +17,7 @@ bool method_choice(const std::string& prefix, SmoothOptions& smooth, MotionOptio
   std::vector<std::string> names{"Path following", "Direct (the paper's)"};
   auto chosen = static_cast<std::size_t>(method_of(smooth, motion));
   if (chosen == names.size()) names.emplace_back("Custom (see Advanced)");
-  row("Method", tip);
+  row("Method", tip, 0.3f);
   if (!combo(prefix + "/method", names, chosen, tip)) return false;
   use_method(static_cast<Method>(chosen), smooth, motion);
   return true;
