@@ -49,7 +49,10 @@ float room_for_items(float wanted) {
   const auto& next = ImGui::GetCurrentContext()->NextItemData;
   const bool fills = (next.Flags & ImGuiNextItemDataFlags_HasWidth) != 0 && next.Width < 0;
   if (!fills) return ImGui::CalcItemWidth() - frame;
-  const bool beside = ImGui::GetCursorPosX() > ImGui::GetCursorStartPos().x + 1;
+  // A window that becomes as wide as what it holds begins without a width.
+  const auto* window = ImGui::GetCurrentContext()->CurrentWindow;
+  const bool grows = (window->Flags & ImGuiWindowFlags_AlwaysAutoResize) != 0;
+  const bool beside = !grows && ImGui::GetCursorPosX() > ImGui::GetCursorStartPos().x + 1;
   if (beside && wanted + frame > ImGui::GetContentRegionAvail().x) {
     ImGui::NewLine();
     ImGui::SetNextItemWidth(-FLT_MIN);
