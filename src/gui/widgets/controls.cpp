@@ -5,8 +5,6 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 #include "gui/widgets/line_breaks.h"
 #include "gui/widgets/ui_layer.h"
@@ -190,28 +188,11 @@ bool number(std::string_view id, int& value, std::string_view tip) {
   return changed;
 }
 
-namespace {
-
-/// Six significant digits, or as many as a field of a width shows: but for the one that is typed
-/// into, which has them all.
-const char* digits_for(double value, float width, std::string_view id) {
-  if (ImGui::GetActiveID() == ImGui::GetID(hidden(id).c_str())) return "%.6g";
-  const float room = width - 2 * ImGui::GetStyle().FramePadding.x;
-  for (const char* format : {"%.6g", "%.5g", "%.4g"}) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), format, value);
-    if (ImGui::CalcTextSize(text.data()).x <= room) return format;
-  }
-  return "%.3g";
-}
-
-}  // namespace
-
 float letter_width() { return ImGui::CalcTextSize("x").x + ImGui::GetStyle().ItemInnerSpacing.x; }
 
 bool vector_field(const VectorField& field, Vec2& value, bool* enter) {
   // Six digits do not tell places apart on a mesh far from the origin.
-  const bool far = value.cwiseAbs().maxCoeff() >= 1e5;
+  const char* format = value.cwiseAbs().maxCoeff() < 1e5 ? "%.6g" : "%.12g";
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   const float letter = letter_width();
   const float width = (ImGui::GetContentRegionAvail().x - 2 * letter - gap) / 2;
@@ -224,8 +205,7 @@ bool vector_field(const VectorField& field, Vec2& value, bool* enter) {
     ImGui::SameLine(0, gap);
     ImGui::SetNextItemWidth(width);
     double component = value[axis];
-    const std::string_view id = axis == 0 ? field.x : field.y;
-    if (number(id, component, field.tooltip, far ? "%.12g" : digits_for(component, width, id))) {
+    if (number(axis == 0 ? field.x : field.y, component, field.tooltip, format)) {
       value[axis] = component;
       changed = true;
     }
