@@ -103,10 +103,10 @@ TEST_CASE("layers that are not held afterwards leave what is outside alone as we
   const MeshState before = ring();
   LayersCommand command = layers_at("inner", thin());
   command.control = false;
-  command.smooth.keep_outside.radius = 1.0;
+  command.smooth.keep_outside.radius = 2.0;
   command.smooth.keep_outside.centre = Vec2(0, 0);
   const CommandResult result = execute(command, before);
-  require_unmoved(before, result.state, Vec2(0, 0), 1.0);
+  require_unmoved(before, result.state, Vec2(0, 0), 2.0);
   require_valid(result.state);
 }
 
@@ -181,8 +181,8 @@ TEST_CASE("layers whose wall or whose thickness the region does not hold are ref
   const Bounds body =
       bounds(before.mesh.coordinates,
              before.mesh.topology->markers().nodes_of(std::vector<std::string>{"inner"}));
-  keep = {.radius = 0.5 * body.size().x() + 0.1, .centre = Vec2(0, 0)};
-  command.layers.walls[0].spacing = {12, 0.01, 1.0, 1.0, {}, false};
+  keep = {.radius = 0.5 * body.size().x() + 0.21, .centre = Vec2(0, 0)};
+  command.layers.walls[0].spacing = {12, 0.02, 1.0, 1.0, {}, false};
   CHECK(names(refusal(command, before), "there would be layers of the wall 'inner'"));
   keep.radius = 0.5 * body.size().x() + 0.005;
   const MeshState layered = make_state(execute(layers_at("inner", thin()), before).state.mesh);
