@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -30,8 +31,10 @@ TEST_CASE("Fields with a sign, and ratios, have the middle of a diverging map at
 }
 
 TEST_CASE("A ratio of which 1 is best has it in the middle of its colours, well inside") {
-  const ColorScale changed =
-      color_scale(WallField::first_height_ratio, std::vector{0.25, 1.0, 1.6}, {});
+  std::vector<double> values(300, 1.0);
+  std::fill_n(values.begin(), 100, 0.25);
+  std::fill_n(values.rbegin(), 100, 1.6);
+  const ColorScale changed = color_scale(WallField::first_height_ratio, values, {});
   CHECK(changed.map == "puor");
   CHECK(changed.centre == 1);
   CHECK(changed.low <= 0.25);
