@@ -324,8 +324,10 @@ ExitCode run_edit_job(const EditJob& job) {
   quality_options.threads = thread_count(job.commands);
   apply(job, zones, run);
   for (ZoneRun& zone : zones) {
-    zone.quality = measure_quality(zone.result.mesh, quality_options);
     zone.before = measure_quality(zone.source.mesh, quality_options);
+    QualityOptions compared = quality_options;
+    compared.before = &zone.source.mesh.coordinates;
+    zone.quality = measure_quality(zone.result.mesh, compared);
   }
   run.seconds.solve = lap.lap();
 

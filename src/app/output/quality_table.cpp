@@ -25,6 +25,16 @@ std::string counted(Index n, const char* one, const char* many) {
   return std::to_string(n) + ' ' + (n == 1 ? one : many);
 }
 
+void print_list(std::ostream& out, const FieldInfo& field, const std::vector<WorstElement>& worst) {
+  if (worst.empty()) return;
+  out << "\nWorst elements by " << field.label << '\n'
+      << formatted("%11s%11s   %s\n", "element", "value", "centre");
+  for (const WorstElement& w : worst) {
+    out << formatted("%11d", static_cast<int>(w.element)) << number(w.value) << "   "
+        << place_text(w.centre) << '\n';
+  }
+}
+
 }  // namespace
 
 void print_zone_heading(std::ostream& out, const std::string& name) {
@@ -44,16 +54,10 @@ void print_quality_table(std::ostream& out, const Mesh& mesh, const QualityRepor
 }
 
 void print_worst_elements(std::ostream& out, const QualityReport& quality) {
-  for (const Metric m : reported_metrics()) {
-    const auto& worst = quality.of(m).worst;
-    if (worst.empty()) continue;
-    out << "\nWorst elements by " << metric_label(m) << '\n'
-        << formatted("%11s%11s   %s\n", "element", "value", "centre");
-    for (const WorstElement& w : worst) {
-      out << formatted("%11d", static_cast<int>(w.element)) << number(w.value) << "   "
-          << place_text(w.centre) << '\n';
-    }
-  }
+  for (const Metric m : reported_metrics())
+    print_list(out, metric_info(m).field, quality.of(m).worst);
+  for (const WallField field : all_wall_fields())
+    print_list(out, wall_field_info(field), quality.worst_by(field));
 }
 
 void print_inverted_elements(std::ostream& out, const Mesh& mesh, const QualityReport& quality,

@@ -18,13 +18,17 @@ json describe_statistics(const Statistics& s) {
   return {{"min", s.min}, {"avg", s.avg}, {"max", s.max}};
 }
 
-json describe_worst(const QualityReport::PerMetric& metric) {
+json describe_list(const std::vector<WorstElement>& worst) {
   json list = json::array();
-  for (const WorstElement& w : metric.worst) {
+  for (const WorstElement& w : worst) {
     list.push_back(
         {{"element", w.element}, {"value", w.value}, {"centre", {w.centre.x(), w.centre.y()}}});
   }
   return list;
+}
+
+std::string unit_of(const FieldInfo& field) {
+  return field.unit.empty() ? "1" : std::string(field.unit);
 }
 
 json describe_metrics(const QualityReport& quality) {
@@ -114,9 +118,15 @@ json describe_mesh(const Mesh& mesh, const QualityReport& quality, const Quality
   json worst, units;
   for (const Metric m : reported_metrics()) {
     const std::string name(metric_name(m));
-    const std::string unit(metric_info(m).field.unit);
-    worst[name] = describe_worst(quality.of(m));
-    units[name] = unit.empty() ? "1" : unit;
+    worst[name] = describe_list(quality.of(m).worst);
+    units[name] = unit_of(metric_info(m).field);
+  }
+  for (const WallField field : all_wall_fields()) {
+    const auto& list = quality.worst_by(field);
+    if (list.empty()) continue;
+    const FieldInfo& info = wall_field_info(field);
+    worst[std::string(info.name)] = describe_list(list);
+    units[std::string(info.name)] = unit_of(info);
   }
   json report{{"nodes", mesh.topology->node_count()},
               {"elements", mesh.topology->element_count()},

@@ -107,20 +107,12 @@ void require_path(const MotionOptions& how, const SmoothOptions& smooth) {
       "smoothing afterwards, and another outer iteration than picard");
 }
 
-/// Layers are fitted in several runs, each from the mesh of the last: a region would be about
-/// another mesh in each, and making room for layers does not know it.
-void require_everywhere(const SmoothOptions& smooth) {
-  if (smooth.keep_outside.given())
-    throw UsageError("keep-outside does not go with layers that are inserted, spaced or held");
-}
-
 CommandResult run_motion(const MeshState& state, const Motion& motion, const MotionOptions& how,
                          const SmoothOptions& smooth, const RunOptions& options) {
   if (how.increments < 0) throw UsageError("the number of increments is negative");
   validate(smooth);
   require_path(how, smooth);
   if (state.layers && state.layers->held && how.smooth_after) {
-    require_everywhere(smooth);
     CommandResult result{state, {}};
     result.smooth = move_with_layers(result.state, motion, how, smooth, options);
     return result;
@@ -195,7 +187,6 @@ CommandResult execute_one(const EditVcvCommand& command, const MeshState& state,
 CommandResult execute_one(const LayersCommand& command, const MeshState& state,
                           const RunOptions& options) {
   validate(command.smooth);
-  if (command.task != LayerTask::hold) require_everywhere(command.smooth);
   CommandResult result{state, {}};
   result.smooth = run_layers(command, result.state, options);
   return result;

@@ -61,25 +61,6 @@ Histogram histogram_of(std::span<const double> values, double low, double high, 
   return h;
 }
 
-/// The elements with the smallest (or largest) values, worst first, ties by index.
-std::vector<WorstElement> worst_of(const Mesh& mesh, std::span<const double> values, bool smallest,
-                                   int count) {
-  std::vector<Index> order(values.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<Index>(i);
-  const auto n = std::min(order.size(), static_cast<std::size_t>(std::max(0, count)));
-  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(n), order.end(),
-                    [&](Index a, Index b) {
-                      const double va = smallest ? values[at(a)] : -values[at(a)];
-                      const double vb = smallest ? values[at(b)] : -values[at(b)];
-                      return va != vb ? va < vb : a < b;
-                    });
-  std::vector<WorstElement> worst;
-  for (std::size_t i = 0; i < n; ++i) {
-    worst.push_back({order[i], values[at(order[i])], element_centre(mesh, order[i])});
-  }
-  return worst;
-}
-
 std::vector<double> finite(std::span<const double> values) {
   std::vector<double> list;
   for (const double v : values) {
@@ -154,7 +135,7 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
     const MetricInfo& info = metric_info(reported_metrics()[m]);
     auto& part = report.metrics.emplace_back();
     const auto& all = values.of_elements[m];
-    part.worst = worst_of(mesh, all, info.field.larger_is_better, options.worst);
+    part.worst = worst_elements(mesh, all, info.field, options.worst);
     const auto counted = info.of_corner ? values.of_corners[m] : finite(all);
     part.statistics = statistics_of(counted);
     const double low = info.field.larger_is_better ? std::min(0.0, part.statistics.min) : info.best;
@@ -162,6 +143,12 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
     part.histogram = histogram_of(counted, low, high, options.histogram_bins);
   }
   report.walls = measure_walls(mesh);
+  for (const WallField field : all_wall_fields()) {
+    report.worst_at_walls.push_back(
+        options.worst > 0 ? worst_elements(mesh, element_values(mesh, field, options.before),
+                                           wall_field_info(field), options.worst)
+                          : std::vector<WorstElement>());
+  }
   return report;
 }
 
@@ -186,13 +173,6 @@ Index worst_element(const Mesh& mesh, Metric metric) {
 double element_value(const Mesh& mesh, Index element, Metric metric) {
   require_plane(*mesh.topology, "quality");
   return value_of(mesh, element, metric);
-}
-
-Vec2 element_centre(const Mesh& mesh, Index element) {
-  Vec2 sum(0, 0);
-  const auto nodes = mesh.topology->element(element);
-  for (const Index node : nodes) sum += mesh.coordinates.xy(node);
-  return sum / static_cast<double>(nodes.size());
 }
 
 Validity check_validity(const Topology& topology, const Coordinates& coordinates, int threads) {

@@ -5,7 +5,8 @@
 #include "core/mesh/mesh.h"
 #include "core/quality/metric.h"
 #include "core/quality/validity.h"
-#include "core/quality/wall_measures.h"
+#include "core/quality/wall_field.h"
+#include "core/quality/worst_elements.h"
 
 namespace winslow {
 
@@ -19,16 +20,13 @@ struct Histogram {
   std::vector<Index> counts;
 };
 
-struct WorstElement {
-  Index element;
-  double value;
-  Vec2 centre;
-};
-
 struct QualityOptions {
   int histogram_bins = 20;
-  int worst = 10;   ///< how many worst elements to list for each metric
+  int worst = 10;   ///< how many worst elements to list for each metric and wall field
   int threads = 0;  ///< 0 for all cores
+  /// The same nodes as they were before (#nodes by 2), for WallField::first_height_ratio; null:
+  /// it has no list.
+  const Coordinates* before = nullptr;
 };
 
 /// Quality of a whole mesh.
@@ -43,10 +41,14 @@ struct QualityReport {
   };
   std::vector<PerMetric> metrics;  ///< of reported_metrics(), in their order
   WallReport walls;
+  std::vector<std::vector<WorstElement>> worst_at_walls;  ///< of all_wall_fields(), in their order
 
   /// Throws UsageError for a metric that is not reported.
   const PerMetric& of(Metric metric) const&;
   PerMetric of(Metric metric) &&;  ///< a copy: the report is about to go
+  const std::vector<WorstElement>& worst_by(WallField field) const {
+    return worst_at_walls[static_cast<std::size_t>(field)];
+  }
 };
 
 QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options = {});
@@ -57,8 +59,6 @@ std::vector<double> element_values(const Mesh& mesh, Metric metric);
 Index worst_element(const Mesh& mesh, Metric metric);
 /// The value of one element.
 double element_value(const Mesh& mesh, Index element, Metric metric);
-/// Mean of an element's corners, in units of the mesh: tells a user where to look.
-Vec2 element_centre(const Mesh& mesh, Index element);
 
 /// Cheaper than a report. threads: 0 for all cores; the result does not depend on it.
 Validity check_validity(const Topology& topology, const Coordinates& coordinates, int threads = 0);

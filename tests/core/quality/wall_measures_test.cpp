@@ -78,7 +78,7 @@ TEST_CASE("an O-grid has the first height and the growth that it was made with")
   REQUIRE(walls.size() == 1);
   check_all(first_heights(mesh, walls[0]), first);
   for (const double tilt : first_edge_tilts(mesh, walls[0])) CHECK(std::abs(tilt) < 1e-6);
-  const auto growth = column_growth(mesh, walls[0]);
+  const auto growth = values_of(column_growth(mesh, walls[0]));
   CHECK(growth.size() == 37 * 11);
   check_all(growth, 1.2);
   const WallReport report = measure_walls(mesh);
@@ -144,7 +144,7 @@ TEST_CASE("a quadrilateral in a concave corner of a wall is measured by its othe
 TEST_CASE("size ratios are of areas across shared edges") {
   const double growth = 1.3;
   const Mesh mesh = make_mesh(annulus(24, 5, growth, Cells::quads));
-  const auto ratios = size_ratios(mesh);
+  const auto ratios = values_of(size_ratios(mesh));
   std::size_t across = 0;
   for (const double ratio : ratios) {
     const bool along_ring = std::abs(ratio - 1) < 1e-9;
