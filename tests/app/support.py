@@ -9,6 +9,7 @@ import subprocess
 import tempfile
 import unittest
 
+ASSETS = pathlib.Path(__file__).resolve().parents[2] / "assets"
 WINSLOW = os.environ["WINSLOW"]
 HAS_GUI = os.environ.get("WINSLOW_HAS_GUI") == "1"
 

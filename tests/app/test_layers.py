@@ -53,6 +53,45 @@ class Layers(ProgramTest):
         self.assertIn(f"  and {len(cut) - 5} more\n", out)
         self.assertNotIn("columns of layers", self.insert("--quiet").stdout)
 
+    def assert_kept(self, before, after, corner, opposite):
+        """Nodes outside the box are as they were; no element is inverted."""
+        old, new = support.read_su2(before)[0], support.read_su2(self.path(after))
+        outside = [n for n, p in enumerate(old)
+                   if any(not low <= x <= high for low, x, high in zip(corner, p, opposite))]
+        self.assertGreater(len(outside), 100)
+        self.assertEqual([new[0][n] for n in outside], [old[n] for n in outside])
+        self.assertGreater(support.smallest_corner_area(new[0], new[1]), 0)
+
+    def test_outside_a_region_nothing_moves(self):
+        low, high = (-0.6, -0.8), (1.6, 0.8)
+        region = ["--keep-outside-corner", *low, "--keep-outside-opposite", *high]
+        for name, markers, moving in (("naca0012", ["airfoil"], "airfoil"),
+                                      ("three_element", ["slat", "main", "flap"], "flap")):
+            with self.subTest(name):
+                asset = support.ASSETS / "coarse" / f"{name}.su2"
+                walls = [word for marker in markers for word in ("--marker", marker)]
+                self.winslow("layers", asset, "-o", "layers.su2", *walls, "--count", 8, "--first", 1e-4,
+                             *region, "--save-recipe", "p.json")
+                self.assert_kept(asset, "layers.su2", low, high)
+                self.winslow("layers", "layers.su2", "-o", "spaced.su2", *walls, "--respace", "--first",
+                             2e-4, *region)
+                self.assert_kept(self.path("layers.su2"), "spaced.su2", low, high)
+                held = [word for marker in markers for word in ("--hold-layers", marker)]
+                self.winslow("move", "layers.su2", "-o", "held.su2", "--marker", moving, "--rotate", -5,
+                             *held, *region)
+                self.assert_kept(self.path("layers.su2"), "held.su2", low, high)
+                self.winslow("replay", "p.json", "-o", "again.su2")
+                self.assertEqual(self.path("again.su2").read_bytes(),
+                                 self.path("layers.su2").read_bytes())
+
+    def test_a_region_that_leaves_out_a_wall_is_refused(self):
+        asset = support.ASSETS / "coarse" / "three_element.su2"
+        refused = self.winslow("layers", asset, "-o", "out.su2", "--marker", "main", "--marker", "flap",
+                               "--first", 1e-4, "--keep-outside-corner", 0.7, -0.5,
+                               "--keep-outside-opposite", 1.5, 0.5, code=USAGE)
+        self.assertIn("part of the wall 'main'", refused.stderr)
+        self.assertNotIn("out.su2", self.files())
+
     def test_a_recipe_gives_the_same_mesh(self):
         self.ring()
         self.insert("--save-recipe", "recipe.json")

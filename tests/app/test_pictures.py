@@ -1,13 +1,11 @@
-import pathlib
 import resource
 import struct
 import unittest
 import zlib
 
 import support
-from support import HAS_GUI, INPUT, INTERNAL, INVERTED, USAGE, ProgramTest
+from support import ASSETS, HAS_GUI, INPUT, INTERNAL, INVERTED, USAGE, ProgramTest
 
-ASSETS = pathlib.Path(__file__).resolve().parents[2] / "assets"
 
 # Without a display, whatever the machine that runs the tests has.
 HEADLESS = {"DISPLAY": "", "WAYLAND_DISPLAY": ""}

@@ -45,6 +45,25 @@ class RenderMotion(ProgramTest):
         pictures = {self.path("film").joinpath(name).read_bytes() for name in frames}
         self.assertEqual(len(pictures), 5)
 
+    def test_a_turn_has_a_frame_for_every_degree(self):
+        self.path("turn.json").write_text(json.dumps({"winslow_recipe": 1, "commands": [
+            {"command": "move", "markers": ["airfoil"], "rotate": 60}]}))
+        self.winslow("render", support.ASSETS / "coarse" / "naca0012.su2", "--recipe", "turn.json",
+                     "--frames", "film", "--size", "160", "120", "--bounds", -1, -1, 2, 1,
+                     env=HEADLESS)
+        frames = sorted(self.path("film").iterdir())
+        self.assertGreater(len(frames), 60)
+        different = sum(a.read_bytes() != b.read_bytes() for a, b in zip(frames, frames[1:]))
+        self.assertGreaterEqual(different, 60)
+
+    def test_heights_over_those_before(self):
+        self.winslow("move", "ring.su2", "-o", "m.su2", "--marker", "body", "--rotate", "20")
+        args = ("render", "m.su2", "-o", "p.png", "--color", "first_height_ratio", "--size", "240", "180")
+        refused = self.winslow(*args, code=USAGE, env=HEADLESS)
+        self.assertIn("--before MESH", refused.stderr)
+        self.winslow(*args, "--before", "ring.su2", env=HEADLESS)
+        self.assertEqual(read_png(self.path("p.png"))[:2], (480, 180))
+
     def test_bad_usage(self):
         self.render(code=USAGE)
         self.render("--frames", "film", code=USAGE)

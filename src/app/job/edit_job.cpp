@@ -50,18 +50,20 @@ int thread_count(std::vector<Command> commands) {
   return 0;
 }
 
-/// Where a command turns bodies; none if it does not.
-std::optional<Vec2> turning_point(const Command& command) {
+/// Where a command turns bodies, if it does.
+void record_pivot(const Command& command, CommandRecord& record) {
   const auto* move = std::get_if<MoveCommand>(&command);
-  return move && move->motion.rotate != 0 ? move->motion.pivot : std::nullopt;
+  if (!move || move->motion.rotate == 0) return;
+  record.pivot = move->motion.pivot;
+  record.pivot_z = move->motion.pivot_z;
 }
 
 CommandRecord make_record(Command command, SmoothResult result) {
-  CommandRecord record{std::string(command_name(command)),
-                       describe(command),
-                       turning_point(command),
-                       {},
-                       std::move(result)};
+  CommandRecord record;
+  record.name = command_name(command);
+  record.description = describe(command);
+  record.result = std::move(result);
+  record_pivot(command, record);
   if (const SmoothOptions* options = smooth_options(command)) {
     record.formulation = options->formulation;
   }
@@ -103,7 +105,9 @@ void apply(const EditJob& job, std::vector<ZoneRun>& zones, RunReport& run) {
       std::optional<Command>& own = zones[z].commands[k];
       if (!own) continue;
       if (auto* move = std::get_if<MoveCommand>(&*own)) {
-        move->motion.pivot = std::get<MoveCommand>(whole).motion.pivot;
+        const RigidMotionRequest& motion = std::get<MoveCommand>(whole).motion;
+        move->motion.pivot = motion.pivot;
+        move->motion.pivot_z = motion.pivot_z;
       }
       records[z].push_back(apply(*own, zones[z], !job.files.accept_partial, monitor));
     }
@@ -198,7 +202,11 @@ void print_commands(const RunReport& run) {
     if (c.result.kept_outside > 0)
       std::cout << ", " << c.result.kept_outside << " interior nodes kept outside";
     if (c.result.increments > 1) std::cout << ", in " << c.result.increments << " steps";
-    if (c.pivot) std::cout << ", turned about " << place_text(*c.pivot);
+    if (c.pivot && c.pivot_z) {
+      std::cout << ", turned about " << place_text(Vec3(c.pivot->x(), c.pivot->y(), *c.pivot_z));
+    } else if (c.pivot) {
+      std::cout << ", turned about " << place_text(*c.pivot);
+    }
     std::cout << '\n';
   }
 }
@@ -210,7 +218,8 @@ void print_outcome(const EditJob& job, const std::vector<ZoneRun>& zones, const 
     print_zone_heading(std::cout, zone.name());
     print_quality_table(std::cout, zone.result.mesh, zone.quality);
     std::cout << '\n';
-    print_walls(std::cout, &zone.before.walls, zone.quality.walls);
+    if (zone.quality.cell_dimension == 2)
+      print_walls(std::cout, &zone.before.walls, zone.quality.walls);
     if (!zone.result.layers) continue;
     std::cout << '\n';
     print_layers(std::cout, *zone.result.layers, zone.result.mesh.coordinates, cut_columns_shown);
@@ -230,7 +239,7 @@ void warn_of_damage(const EditJob& job, const ZoneRun& zone, RunReport& run) {
         return command && asks_for_heights(*command);
       }))
     return;
-  const std::string damage = describe_damage(zone.source.mesh, zone.result.mesh);
+  const std::string damage = find_damage(zone.source.mesh, zone.result.mesh).text;
   if (damage.empty()) return;
   const std::string name = zone.name();
   const std::string text =
@@ -324,8 +333,10 @@ ExitCode run_edit_job(const EditJob& job) {
   quality_options.threads = thread_count(job.commands);
   apply(job, zones, run);
   for (ZoneRun& zone : zones) {
-    zone.quality = measure_quality(zone.result.mesh, quality_options);
     zone.before = measure_quality(zone.source.mesh, quality_options);
+    QualityOptions compared = quality_options;
+    compared.before = &zone.source.mesh.coordinates;
+    zone.quality = measure_quality(zone.result.mesh, compared);
   }
   run.seconds.solve = lap.lap();
 

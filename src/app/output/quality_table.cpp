@@ -25,6 +25,17 @@ std::string counted(Index n, const char* one, const char* many) {
   return std::to_string(n) + ' ' + (n == 1 ? one : many);
 }
 
+void print_list(std::ostream& out, const FieldInfo& field, const std::vector<WorstElement>& worst,
+                int dimension) {
+  if (worst.empty()) return;
+  out << "\nWorst elements by " << field.label << '\n'
+      << formatted("%11s%11s   %s\n", "element", "value", "centre");
+  for (const WorstElement& w : worst) {
+    out << formatted("%11d", static_cast<int>(w.element)) << number(w.value) << "   "
+        << place_text(w.centre, dimension) << '\n';
+  }
+}
+
 }  // namespace
 
 void print_zone_heading(std::ostream& out, const std::string& name) {
@@ -33,27 +44,31 @@ void print_zone_heading(std::ostream& out, const std::string& name) {
 
 void print_quality_table(std::ostream& out, const Mesh& mesh, const QualityReport& quality) {
   out << formatted("%-22s%11s%11s%11s\n", "", "minimum", "average", "maximum");
-  for (const Metric m : reported_metrics()) {
+  for (const Metric m : reported_metrics(quality.cell_dimension)) {
     const Statistics& s = quality.of(m).statistics;
-    out << formatted("%-22s", std::string(metric_label(m)).c_str()) << number(s.min)
-        << number(s.avg) << number(s.max) << '\n';
+    out << formatted("%-22s",
+                     std::string(metric_info(m, quality.cell_dimension).field.label).c_str())
+        << number(s.min) << number(s.avg) << number(s.max) << '\n';
   }
   out << counted(mesh.topology->node_count(), "node", "nodes") << ", "
       << counted(mesh.topology->element_count(), "element", "elements") << ", " << quality.inverted
       << " inverted\n";
+  if (quality.all_on_boundary > 0) {
+    out << counted(quality.all_on_boundary, "element has", "elements have")
+        << " all nodes on the boundary and cannot move: not measured above";
+    if (quality.all_on_boundary_inverted > 0)
+      out << ", " << quality.all_on_boundary_inverted << " of them inverted";
+    out << '\n';
+  }
 }
 
 void print_worst_elements(std::ostream& out, const QualityReport& quality) {
-  for (const Metric m : reported_metrics()) {
-    const auto& worst = quality.of(m).worst;
-    if (worst.empty()) continue;
-    out << "\nWorst elements by " << metric_label(m) << '\n'
-        << formatted("%11s%11s   %s\n", "element", "value", "centre");
-    for (const WorstElement& w : worst) {
-      out << formatted("%11d", static_cast<int>(w.element)) << number(w.value) << "   "
-          << place_text(w.centre) << '\n';
-    }
-  }
+  for (const Metric m : reported_metrics(quality.cell_dimension))
+    print_list(out, metric_info(m, quality.cell_dimension).field, quality.of(m).worst,
+               quality.cell_dimension);
+  if (quality.cell_dimension != 2) return;
+  for (const WallField field : all_wall_fields())
+    print_list(out, wall_field_info(field), quality.worst_by(field), 2);
 }
 
 void print_inverted_elements(std::ostream& out, const Mesh& mesh, const QualityReport& quality,
@@ -62,19 +77,20 @@ void print_inverted_elements(std::ostream& out, const Mesh& mesh, const QualityR
                                            static_cast<std::size_t>(std::max(limit, 0)));
   for (std::size_t i = 0; i < shown; ++i) {
     const Index e = quality.inverted_elements[i];
-    out << "  element " << e << " at " << place_text(element_centre(mesh, e)) << '\n';
+    out << "  element " << e << " at "
+        << place_text(element_centre(mesh, e), mesh.coordinates.dimension()) << '\n';
   }
   const Index left = quality.inverted - static_cast<Index>(shown);
   if (left > 0) out << "  and " << left << " more\n";
 }
 
 void print_histograms(std::ostream& out, const QualityReport& quality) {
-  for (const Metric m : reported_metrics()) {
+  for (const Metric m : reported_metrics(quality.cell_dimension)) {
     const Histogram& h = quality.of(m).histogram;
     if (h.counts.empty()) continue;
     const Index most = std::max<Index>(1, *std::max_element(h.counts.begin(), h.counts.end()));
     const double width = (h.high - h.low) / static_cast<double>(h.counts.size());
-    out << '\n' << metric_label(m) << '\n';
+    out << '\n' << metric_info(m, quality.cell_dimension).field.label << '\n';
     for (std::size_t i = 0; i < h.counts.size(); ++i) {
       const double low = h.low + width * static_cast<double>(i);
       const int bar =

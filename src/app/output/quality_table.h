@@ -13,7 +13,8 @@ void print_zone_heading(std::ostream& out, const std::string& name);
 /// Minimum, average and maximum of the three metrics, as the paper tabulates them, and the number
 /// of nodes, elements and inverted elements.
 void print_quality_table(std::ostream& out, const Mesh& mesh, const QualityReport& quality);
-/// The worst elements by each metric: ids (0-based, in the order of the file), values, centres.
+/// The worst elements by each metric and each field of walls that has values: ids (0-based, in the
+/// order of the file), values, centres.
 void print_worst_elements(std::ostream& out, const QualityReport& quality);
 /// Inverted elements with their ids and centres, at most `limit` of them.
 void print_inverted_elements(std::ostream& out, const Mesh& mesh, const QualityReport& quality,

@@ -18,18 +18,30 @@ json describe_statistics(const Statistics& s) {
   return {{"min", s.min}, {"avg", s.avg}, {"max", s.max}};
 }
 
-json describe_worst(const QualityReport::PerMetric& metric) {
+/// As many components as the mesh has.
+json describe_place(const Vec3& place, int dimension) {
+  json components{place.x(), place.y()};
+  if (dimension == 3) components.push_back(place.z());
+  return components;
+}
+
+json describe_list(const std::vector<WorstElement>& worst, int dimension = 2) {
   json list = json::array();
-  for (const WorstElement& w : metric.worst) {
-    list.push_back(
-        {{"element", w.element}, {"value", w.value}, {"centre", {w.centre.x(), w.centre.y()}}});
+  for (const WorstElement& w : worst) {
+    list.push_back({{"element", w.element},
+                    {"value", w.value},
+                    {"centre", describe_place(w.centre, dimension)}});
   }
   return list;
 }
 
+std::string unit_of(const FieldInfo& field) {
+  return field.unit.empty() ? "1" : std::string(field.unit);
+}
+
 json describe_metrics(const QualityReport& quality) {
   json metrics;
-  for (const Metric m : reported_metrics())
+  for (const Metric m : reported_metrics(quality.cell_dimension))
     metrics[std::string(metric_name(m))] = describe_statistics(quality.of(m).statistics);
   return metrics;
 }
@@ -73,6 +85,7 @@ json describe_result(const CommandRecord& record) {
                  {"linear_solver", r.linear_solver},
                  {"inverted", r.inverted}};
   if (record.pivot) report["pivot"] = {record.pivot->x(), record.pivot->y()};
+  if (record.pivot && record.pivot_z) report["pivot"].push_back(*record.pivot_z);
   if (record.zone != 0) report["zone"] = record.zone;
   return report;
 }
@@ -108,24 +121,39 @@ bool all_converged(const std::vector<CommandRecord>& commands) {
 json describe_mesh(const Mesh& mesh, const QualityReport& quality, const QualityReport* before) {
   json inverted = json::array();
   for (const Index e : quality.inverted_elements) {
-    const Vec2 c = element_centre(mesh, e);
-    inverted.push_back({{"element", e}, {"centre", {c.x(), c.y()}}});
+    inverted.push_back(
+        {{"element", e},
+         {"centre", describe_place(element_centre(mesh, e), mesh.coordinates.dimension())}});
   }
   json worst, units;
-  for (const Metric m : reported_metrics()) {
+  const int dimension = quality.cell_dimension;
+  for (const Metric m : reported_metrics(dimension)) {
     const std::string name(metric_name(m));
-    const std::string unit(metric_info(m).field.unit);
-    worst[name] = describe_worst(quality.of(m));
-    units[name] = unit.empty() ? "1" : unit;
+    worst[name] = describe_list(quality.of(m).worst, dimension);
+    units[name] = unit_of(metric_info(m, dimension).field);
   }
-  json report{{"nodes", mesh.topology->node_count()},
+  for (const WallField field : all_wall_fields()) {
+    if (dimension != 2) break;  // volume meshes have none yet
+    const auto& list = quality.worst_by(field);
+    if (list.empty()) continue;
+    const FieldInfo& info = wall_field_info(field);
+    worst[std::string(info.name)] = describe_list(list);
+    units[std::string(info.name)] = unit_of(info);
+  }
+  json report{{"dimension", dimension},
+              {"nodes", mesh.topology->node_count()},
               {"elements", mesh.topology->element_count()},
               {"inverted", quality.inverted},
               {"inverted_elements", inverted},
               {"quality", describe_metrics(quality)},
               {"units", units},
-              {"worst", worst},
-              {"walls", describe_walls(before ? &before->walls : nullptr, quality.walls, mesh)}};
+              {"worst", worst}};
+  if (dimension == 2) {
+    report["walls"] = describe_walls(before ? &before->walls : nullptr, quality.walls, mesh);
+  } else {
+    report["all_on_boundary"] = quality.all_on_boundary;
+    report["all_on_boundary_inverted"] = quality.all_on_boundary_inverted;
+  }
   if (before) report["quality_before"] = describe_metrics(*before);
   return report;
 }

@@ -19,6 +19,7 @@ struct CommandRecord {
   std::string name;                        ///< command_name()
   std::string description;                 ///< describe()
   std::optional<Vec2> pivot;               ///< the point about which bodies turned
+  std::optional<double> pivot_z;           ///< its third component in space
   std::optional<std::string> formulation;  ///< of commands that smooth
   SmoothResult result;
   int zone = 0;  ///< number of the zone that it was carried out on; 0: of a file that has none

@@ -7,12 +7,13 @@
 #include <thread>
 #include <vector>
 
+#include "app/job/interrupt.h"
 #include "app/job/markers.h"
-#include "app/job/motion_frames.h"
 #include "app/options/file_flags.h"
 #include "app/options/suggestion.h"
 #include "app/output/terminal.h"
 #include "app/subcommands/subcommand.h"
+#include "core/command/motion_frames.h"
 #include "core/error.h"
 #include "core/inspect/element_field.h"
 #include "io/format/mesh_file.h"
@@ -39,7 +40,7 @@ struct RenderFlags {
   std::array<int, 2> size{1200, 900};
   std::string before;          // mesh to put beside
   std::string recipe, frames;  // frames of what the recipe does
-  int per_command = 12, rate = 20;
+  int per_command = 0, rate = 20;
   std::vector<Index> vcvs;
   bool dark = false, no_wireframe = false, no_legend = false, quiet = false;
 };
@@ -90,6 +91,7 @@ void draw(const RenderFlags& flags, const Mesh& mesh) {
 /// Both meshes at the size asked for, in one range of colours.
 void draw_both(const RenderFlags& flags, const Mesh& before, const Mesh& after) {
   gui::PictureOptions options = picture_options(flags);
+  options.before = std::make_shared<const Coordinates>(before.coordinates);
   if (!options.bounds) {
     const Bounds a = bounds(before), b = bounds(after);
     options.bounds = Bounds{a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)};
@@ -111,25 +113,27 @@ void draw_both(const RenderFlags& flags, const Mesh& before, const Mesh& after) 
 
 /// Frames of the meshes on a recipe's way, all of one part of the plane and in one range of
 /// colours. Returns what to tell the user.
-std::string draw_frames(const RenderFlags& flags, const Mesh& mesh,
-                        const std::vector<Coordinates>& meshes) {
+std::string draw_frames(const RenderFlags& flags, const std::vector<Mesh>& meshes) {
   gui::PictureOptions options = picture_options(flags);
+  options.before = std::make_shared<const Coordinates>(meshes.front().coordinates);
   if (!options.bounds) {
-    Bounds all = bounds(mesh);
-    for (const Coordinates& x : meshes) {
-      const Bounds b = bounds(Mesh{mesh.topology, x});
+    Bounds all = bounds(meshes.front());
+    for (const Mesh& mesh : meshes) {
+      const Bounds b = bounds(mesh);
       all = {all.min.cwiseMin(b.min), all.max.cwiseMax(b.max)};
     }
     options.bounds = all;
   }
-  if (options.color && !options.colors.range)
-    gui::use_scale(options, gui::picture_scale(mesh, options));
+  // Of the first mesh what has changed says nothing yet.
+  if (options.color && !options.colors.range) {
+    const bool change = field_info(*options.color).one_is_best;
+    gui::use_scale(options, gui::picture_scale(change ? meshes.back() : meshes.front(), options));
+  }
   gui::Recorder recorder;
   gui::RecordingSpec spec;
   spec.rate = flags.rate;
   recorder.start(flags.frames, spec);
-  for (const Coordinates& x : meshes)
-    recorder.add(gui::draw_picture(Mesh{mesh.topology, x}, options));
+  for (const Mesh& mesh : meshes) recorder.add(gui::draw_picture(mesh, options));
   recorder.stop();
   for (;;) {
     if (const auto outcome = recorder.poll()) {
@@ -150,9 +154,7 @@ bool is_film(const std::string&) { return false; }
   throw Error("this winslow was built without graphics (WINSLOW_BUILD_GUI=OFF): it cannot render");
 }
 void draw_both(const RenderFlags&, const Mesh&, const Mesh&) { refuse(); }
-std::string draw_frames(const RenderFlags&, const Mesh&, const std::vector<Coordinates>&) {
-  refuse();
-}
+std::string draw_frames(const RenderFlags&, const std::vector<Mesh>&) { refuse(); }
 
 std::vector<std::string> color_maps() { return {"automatic"}; }
 
@@ -201,7 +203,7 @@ class RenderSubcommand : public Subcommand {
       if (flags_.zone == 0) print_warnings(io::zones_left(file.details.get(), flags_.input));
     }
     if (!flags_.frames.empty()) {
-      const std::string said = draw_frames(flags_, file.mesh, frames_of(file.mesh));
+      const std::string said = draw_frames(flags_, frames_of(file.mesh));
       if (!flags_.quiet) std::cout << printable(said) << '\n';
     }
     if (flags_.output.empty()) return ExitCode::done;
@@ -229,14 +231,14 @@ class RenderSubcommand : public Subcommand {
     auto* frames =
         app()
             .add_option("--frames", flags_.frames,
-                        "Draw the meshes on the recipe's way: PNG files into a folder, or "
-                        "a film .mp4 or .gif (by ffmpeg)")
+                        "Draw the meshes on the recipe's way, of a body that turns one for every "
+                        "degree: PNG files into a folder, or a film .mp4 or .gif (by ffmpeg)")
             ->type_name("DIR")
             ->group(group);
     recipe->needs(frames);
     frames->needs(recipe);
     app()
-        .add_option("--per-command", flags_.per_command, "Most frames of one command [12]")
+        .add_option("--per-command", flags_.per_command, "Most frames of one command [all]")
         ->check(CLI::Range(1, 10000))
         ->type_name("N")
         ->group(group);
@@ -262,10 +264,12 @@ class RenderSubcommand : public Subcommand {
     return before;
   }
 
-  std::vector<Coordinates> frames_of(const Mesh& mesh) const {
+  std::vector<Mesh> frames_of(const Mesh& mesh) const {
     const io::Recipe recipe = io::read_recipe(flags_.recipe);
     check_markers(recipe.commands, *mesh.topology, flags_.input);
-    return motion_frames(recipe.commands, make_state(mesh), flags_.per_command);
+    const InterruptGuard interrupts;
+    return motion_frames(recipe.commands, make_state(mesh),
+                         {flags_.per_command, [] { return InterruptGuard::requested(); }});
   }
 
   void add_color_flags() {
@@ -323,6 +327,11 @@ class RenderSubcommand : public Subcommand {
       throw UsageError(
           "--before draws two pictures into one PNG file; for vector graphics draw them "
           "one by one");
+    }
+    if (!flags_.color.empty() && parse_field(flags_.color) == WallField::first_height_ratio &&
+        flags_.before.empty() && !flags_.output.empty()) {
+      throw UsageError("--color " + flags_.color +
+                       " compares with an earlier mesh: give it with --before MESH");
     }
     if (is_film(flags_.frames)) check_output(flags_.frames);
     check_output(flags_.output);

@@ -121,18 +121,10 @@ void require_dimension(const Command& command, const MeshState& state) {
 
 /// Limits of the quality are kept on a path, so there has to be one.
 void require_path(const MotionOptions& how, const SmoothOptions& smooth) {
-  if (!how.floor.given()) return;
-  if (how.increments == 0 && how.smooth_after && smooth.outer != OuterMethod::picard) return;
+  if (!how.floor.given() || follows_path(how, smooth)) return;
   throw UsageError(
       "limits of the quality (min-quality) are kept along the path of a motion: they need 0 steps, "
       "smoothing afterwards, and another outer iteration than picard");
-}
-
-/// Layers are fitted in several runs, each from the mesh of the last: a region would be about
-/// another mesh in each, and making room for layers does not know it.
-void require_everywhere(const SmoothOptions& smooth) {
-  if (smooth.keep_outside.given())
-    throw UsageError("keep-outside does not go with layers that are inserted, spaced or held");
 }
 
 CommandResult run_motion(const MeshState& state, const Motion& motion, const MotionOptions& how,
@@ -141,7 +133,6 @@ CommandResult run_motion(const MeshState& state, const Motion& motion, const Mot
   validate(smooth);
   require_path(how, smooth);
   if (state.layers && state.layers->held && how.smooth_after) {
-    require_everywhere(smooth);
     CommandResult result{state, {}};
     result.smooth = move_with_layers(result.state, motion, how, smooth, options);
     return result;
@@ -168,7 +159,7 @@ CommandResult execute_one(const MoveCommand& command, const MeshState& state,
     const Vec3 middle =
         nodes.empty() ? Vec3(0, 0, 0) : body_centre(space_bounds(state.mesh.coordinates, nodes));
     const auto motion = make_motion(*state.mesh.topology, state.mesh.coordinates, command.markers,
-                                    command.motion.about(middle));
+                                    command.motion.in_space(middle));
     return run_motion(state, *motion, command.how, command.smooth, options);
   }
   const Vec2 centre =
@@ -236,7 +227,6 @@ CommandResult execute_one(const EditVcvCommand& command, const MeshState& state,
 CommandResult execute_one(const LayersCommand& command, const MeshState& state,
                           const RunOptions& options) {
   validate(command.smooth);
-  if (command.task != LayerTask::hold) require_everywhere(command.smooth);
   CommandResult result{state, {}};
   result.smooth = run_layers(command, result.state, options);
   return result;
@@ -269,6 +259,10 @@ SmoothOptions* smooth_options(Command& command) {
         }
       },
       command);
+}
+
+bool follows_path(const MotionOptions& how, const SmoothOptions& smooth) {
+  return how.increments == 0 && how.smooth_after && smooth.outer != OuterMethod::picard;
 }
 
 bool asks_for_heights(const Command& command) {

@@ -99,6 +99,9 @@ std::vector<Command> all_commands();
 std::string describe(const Command& command);
 /// Smoothing options of a command, null if it has none.
 SmoothOptions* smooth_options(Command& command);
+/// A motion leads through valid meshes from its start to its end, so that limits of the quality can
+/// be kept on the way: no steps are asked for, the mesh is smoothed, and not by a fixed point.
+bool follows_path(const MotionOptions& how, const SmoothOptions& smooth);
 /// True of a command that is there to change the heights of cells at walls.
 bool asks_for_heights(const Command& command);
 /// Markers that a command names.

@@ -4,14 +4,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <utility>
 
 #include "core/error.h"
 #include "core/inspect/nodal_view.h"
 #include "core/parallel/parallel_for.h"
 #include "core/quality/quality.h"
-#include "core/quality/wall_measures.h"
 
 namespace winslow {
 
@@ -59,31 +56,6 @@ constexpr std::array layer_fields{
               .larger_is_better = false,
               .colors = ColorRange::from_zero,
               .threshold = 0.01},
-};
-
-constexpr std::array wall_fields{
-    FieldInfo{.name = "first_height",
-              .label = "First height",
-              .help = "Height of the cells at the walls of bodies, in units of the mesh.",
-              .larger_is_better = true,
-              .colors = ColorRange::robust_both_sides,
-              .threshold = 0,
-              .judged = false,
-              .unit = "units of the mesh"},
-    FieldInfo{.name = "first_edge_tilt",
-              .label = "Tilt of the first edge",
-              .help = "Degrees by which the first edges off a wall deviate from its normal.",
-              .larger_is_better = false,
-              .colors = ColorRange::from_zero,
-              .threshold = 20,
-              .unit = "degrees"},
-    FieldInfo{.name = "size_ratio",
-              .label = "Size ratio",
-              .help = "Square root of the ratio of the areas of an element and a neighbour, the "
-                      "larger over the smaller; the largest of its neighbours'.",
-              .larger_is_better = false,
-              .colors = ColorRange::from_one,
-              .threshold = 2},
 };
 
 double kappa_of(const NodalGradient& jacobian) {
@@ -134,50 +106,6 @@ std::vector<double> layer_values(const Topology& topology, const Coordinates& x,
   return values;
 }
 
-double larger(double a, double b) {
-  if (std::isnan(a)) return b;
-  return std::isnan(b) ? a : std::max(a, b);
-}
-
-std::vector<double> largest_size_ratios(const Mesh& mesh) {
-  const std::vector<double> areas = element_values(mesh, Metric::area);
-  std::vector<double> values(areas.size(), none);
-  for (const Topology::Edge& edge : mesh.topology->edges()) {
-    if (edge.elements[1] < 0) continue;
-    const auto a = static_cast<std::size_t>(edge.elements[0]);
-    const auto b = static_cast<std::size_t>(edge.elements[1]);
-    if (!(areas[a] > 0 && areas[b] > 0)) continue;
-    const double ratio = std::sqrt(std::max(areas[a], areas[b]) / std::min(areas[a], areas[b]));
-    values[a] = larger(values[a], ratio);
-    values[b] = larger(values[b], ratio);
-  }
-  return values;
-}
-
-/// Values of elements with an edge on a wall.
-std::vector<double> wall_values(const Mesh& mesh, WallField field) {
-  if (field == WallField::size_ratio) return largest_size_ratios(mesh);
-  std::map<std::pair<Index, Index>, Index> element_at;
-  for (const Topology::Edge& edge : mesh.topology->edges())
-    if (edge.elements[1] < 0)
-      element_at[std::minmax(edge.nodes[0], edge.nodes[1])] = edge.elements[0];
-  std::vector<double> values(static_cast<std::size_t>(mesh.topology->element_count()), none);
-  for (const Wall& wall : find_walls(mesh)) {
-    const std::vector<double> at_nodes =
-        field == WallField::first_height ? first_heights(mesh, wall) : first_edge_tilts(mesh, wall);
-    for (std::size_t i = 0; i < wall.nodes.size(); ++i) {
-      const std::size_t j = (i + 1) % wall.nodes.size();
-      const auto found = element_at.find(std::minmax(wall.nodes[i], wall.nodes[j]));
-      if (found == element_at.end()) continue;
-      const double a = at_nodes[i], b = at_nodes[j];
-      const bool mean = field == WallField::first_height && !std::isnan(a) && !std::isnan(b);
-      double& value = values[static_cast<std::size_t>(found->second)];
-      value = larger(value, mean ? 0.5 * (a + b) : larger(a, b));
-    }
-  }
-  return values;
-}
-
 /// The worse of two values, of which one may be missing.
 double worse(NodalField field, double a, double b) {
   if (std::isnan(a)) return b;
@@ -220,8 +148,7 @@ const std::vector<ElementField>& all_element_fields() {
     std::vector<ElementField> list(all_metrics().begin(), all_metrics().end());
     for (std::size_t i = 0; i < nodal_fields.size(); ++i)
       list.emplace_back(static_cast<NodalField>(i));
-    for (std::size_t i = 0; i < wall_fields.size(); ++i)
-      list.emplace_back(static_cast<WallField>(i));
+    for (const WallField field : all_wall_fields()) list.emplace_back(field);
     for (std::size_t i = 0; i < layer_fields.size(); ++i)
       list.emplace_back(static_cast<LayerField>(i));
     return list;
@@ -231,7 +158,7 @@ const std::vector<ElementField>& all_element_fields() {
 
 const FieldInfo& field_info(const ElementField& field) {
   if (field.layer()) return layer_fields[static_cast<std::size_t>(*field.layer())];
-  if (field.wall()) return wall_fields[static_cast<std::size_t>(*field.wall())];
+  if (field.wall()) return wall_field_info(*field.wall());
   if (field.nodal()) return nodal_fields[static_cast<std::size_t>(*field.nodal())];
   return metric_info(*field.metric()).field;
 }
@@ -248,11 +175,12 @@ ElementField parse_field(std::string_view name) {
 
 std::vector<double> element_values(const VirtualControlVolumes& vcv, const Coordinates& x,
                                    const ElementField& field, int threads,
-                                   const LayerStack* layers) {
+                                   const FieldContext& context) {
   const Topology& topology = vcv.topology();
-  if (field.layer()) return layer_values(topology, x, *field.layer(), layers);
+  if (field.layer()) return layer_values(topology, x, *field.layer(), context.layers);
   if (field.metric()) return element_values(Mesh{vcv.shared_topology(), x}, *field.metric());
-  if (field.wall()) return wall_values(Mesh{vcv.shared_topology(), x}, *field.wall());
+  if (field.wall())
+    return element_values(Mesh{vcv.shared_topology(), x}, *field.wall(), context.before);
   const NodalField nodal = *field.nodal();
   const std::vector<double> at_nodes = node_values(vcv, x, nodal, threads);
   std::vector<double> values(static_cast<std::size_t>(topology.element_count()), none);

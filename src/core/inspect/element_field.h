@@ -7,6 +7,7 @@
 
 #include "core/layers/layer_stack.h"
 #include "core/quality/metric.h"
+#include "core/quality/wall_field.h"
 #include "core/vcv/virtual_control_volumes.h"
 
 namespace winslow {
@@ -27,12 +28,6 @@ std::vector<double> node_values(const VirtualControlVolumes& vcv, const Coordina
 /// What inserted layers are like: the layer of an element, 1 at the wall; the relative error of its
 /// height, the larger of its two sides'. Elements outside layers have NaN.
 enum class LayerField { layer, spacing_error };
-
-/// What elements at walls are like, and beside their neighbours (core/quality/wall_measures.h): of
-/// an element with an edge on a wall, the mean of the first heights at the ends of that edge, and
-/// the larger of their tilts in degrees; of any element, its largest size ratio to a neighbour.
-/// Elements without an edge on a wall have NaN.
-enum class WallField { first_height, first_edge_tilt, size_ratio };
 
 /// A number for each element: a quality metric, the worst value of a nodal field at its nodes, or
 /// of its layer, or of the walls.
@@ -64,10 +59,15 @@ const FieldInfo& field_info(const ElementField& field);
 /// By FieldInfo::name. Throws UsageError listing the names.
 ElementField parse_field(std::string_view name);
 
-/// Value for each element (#elements); NaN where no node has a VCV. layers: of this mesh; null:
-/// none.
+/// What some fields are about beside the mesh itself; null: they have no values.
+struct FieldContext {
+  const LayerStack* layers = nullptr;   ///< of this mesh
+  const Coordinates* before = nullptr;  ///< the same nodes as they were before (#nodes by 2)
+};
+
+/// Value for each element (#elements); NaN where no node has a VCV. threads: as above.
 std::vector<double> element_values(const VirtualControlVolumes& vcv, const Coordinates& x,
                                    const ElementField& field, int threads = 0,
-                                   const LayerStack* layers = nullptr);
+                                   const FieldContext& context = {});
 
 }  // namespace winslow

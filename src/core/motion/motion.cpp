@@ -147,7 +147,7 @@ RigidMotion RigidMotionRequest::about(const Vec2& centre) const {
   return {rotate, pivot.value_or(centre), translate};
 }
 
-SpaceMotion RigidMotionRequest::about(const Vec3& centre) const {
+SpaceMotion RigidMotionRequest::in_space(const Vec3& centre) const {
   if (rotate != 0 && !axis) throw UsageError("a rotation in space needs an axis");
   SpaceMotion motion{rotate, axis.value_or(Vec3(0, 0, 1)), centre, {0, 0, 0}};
   if (pivot) motion.pivot << *pivot, pivot_z.value_or(0);

@@ -57,7 +57,7 @@ struct RigidMotionRequest {
   /// leaves the plane.
   RigidMotion about(const Vec2& centre) const;
   /// The motion of a volume mesh. Throws UsageError for a rotation without an axis.
-  SpaceMotion about(const Vec3& centre) const;
+  SpaceMotion in_space(const Vec3& centre) const;
 };
 
 enum class Fade { none, start, end, both };

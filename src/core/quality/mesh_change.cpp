@@ -58,21 +58,25 @@ std::vector<WallMeasures> heights_only(const Mesh& mesh) {
   return walls;
 }
 
-std::string describe_heights(const Mesh& before, const Mesh& after) {
+void describe_heights(const Mesh& before, const Mesh& after, Damage& damage) {
   const auto change = compare_first_heights(heights_only(before), heights_only(after));
-  if (!change || !spoils_walls(*change)) return {};
-  return "first heights changed by more than 5 % at " + number("%.3g", 100 * change->off) +
-         " % of the wall nodes, at worst to " + number("%.3g", change->worst_ratio) +
-         " times what they were at " + place_text(after.coordinates.xy(change->worst_node));
+  if (!change || !spoils_walls(*change)) return;
+  damage.node = change->worst_node;
+  damage.text = "first heights changed by more than 5 % at " + number("%.3g", 100 * change->off) +
+                " % of the wall nodes, at worst to " + number("%.3g", change->worst_ratio) +
+                " times what they were at " + place_text(after.coordinates.xy(change->worst_node));
 }
 
-std::string describe_sine(double before, double after, const Mesh& mesh) {
-  if (after >= sine_kept * before) return {};
-  const std::vector<double> sines = element_values(mesh, Metric::normalized_jacobian);
-  const auto worst =
-      static_cast<Index>(std::min_element(sines.begin(), sines.end()) - sines.begin());
-  return "the smallest sine fell from " + number("%.3g", before) + " to " + number("%.3g", after) +
-         " at " + place_text(element_centre(mesh, worst));
+void describe_sine(double before, double after, const Mesh& mesh, Damage& damage) {
+  if (after >= sine_kept * before) return;
+  const Index worst = worst_element(mesh, Metric::normalized_jacobian);
+  damage.element = worst;
+  damage.text +=
+      (damage.text.empty() ? "" : ", and ") +
+      std::string(mesh.topology->cell_dimension() == 3 ? "the smallest scaled Jacobian fell from "
+                                                       : "the smallest sine fell from ") +
+      number("%.3g", before) + " to " + number("%.3g", after) + " at " +
+      place_text(element_centre(mesh, worst), mesh.coordinates.dimension());
 }
 
 }  // namespace
@@ -94,15 +98,15 @@ bool spoils_walls(const FirstHeightChange& change) {
          (change.ratio.min < 1 - grossly_changed || change.ratio.max > 1 + grossly_changed);
 }
 
-std::string describe_damage(const Mesh& before, const Mesh& after) {
-  if (before.topology != after.topology) return {};
+Damage find_damage(const Mesh& before, const Mesh& after) {
+  Damage damage;
+  if (before.topology != after.topology) return damage;
   const Validity was = check_validity(*before.topology, before.coordinates);
   const Validity is = check_validity(*after.topology, after.coordinates);
-  if (was.inverted > 0 || is.inverted > 0) return {};
-  std::string damage = describe_heights(before, after);
-  const std::string sine = describe_sine(was.min_sine, is.min_sine, after);
-  if (!damage.empty() && !sine.empty()) damage += ", and ";
-  return damage + sine;
+  if (was.inverted > 0 || is.inverted > 0) return damage;
+  if (before.topology->cell_dimension() == 2) describe_heights(before, after, damage);
+  describe_sine(was.min_sine, is.min_sine, after, damage);
+  return damage;
 }
 
 }  // namespace winslow

@@ -28,10 +28,17 @@ std::optional<FirstHeightChange> compare_first_heights(std::span<const WallMeasu
 /// changed, or at any of them by more than 20 %.
 bool spoils_walls(const FirstHeightChange& change);
 
-/// What a motion or a smoothing run has spoilt, for a flow solver: first heights (as above), and a
-/// smallest sine that is less than half of what it was. With the figures and the worst places, as
-/// the beginning of a sentence without its full stop; empty: nothing. Of a mesh that has or had
-/// inverted elements nothing is said, nor of meshes of different connectivity.
-std::string describe_damage(const Mesh& before, const Mesh& after);
+/// What a motion or a smoothing run has spoilt, for a flow solver.
+struct Damage {
+  /// With the figures and the worst places, as the beginning of a sentence without its full stop;
+  /// empty: nothing is spoilt.
+  std::string text;
+  std::optional<Index> node;     ///< of a wall, whose first height has changed most
+  std::optional<Index> element;  ///< with the smallest sine, if that has fallen
+};
+
+/// First heights (as above), and a smallest sine that is less than half of what it was. Of a mesh
+/// that has or had inverted elements nothing is said, nor of meshes of different connectivity.
+Damage find_damage(const Mesh& before, const Mesh& after);
 
 }  // namespace winslow

@@ -69,6 +69,7 @@ enum class ColorRange {
   up_to_one,          ///< from the robust smallest value, at most 0, to 1
   from_zero,          ///< to the robust largest value
   from_one,           ///< to the robust largest value, at least 1.5
+  around_one,         ///< from the robust smallest value to the robust largest, 1 well inside
   robust_both_sides,  ///< from the robust smallest value, at most 0, to the robust largest one
   counts              ///< from 1 to the largest value, at least 2
 };
@@ -82,6 +83,8 @@ struct FieldInfo {
   ColorRange colors;
   double threshold;       ///< beyond which elements are isolated unless the user says otherwise
   bool has_sign = false;  ///< diverging colours have their middle at zero
+  /// Of a ratio: 1 is best, whichever way it is off; diverging colours have their middle there.
+  bool one_is_best = false;
   /// A change is shown as better or worse. Not of measures of stretching: the cells at a wall are
   /// stretched on purpose, and a mesh that has lost that is not better.
   bool judged = true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/error.h"
@@ -73,25 +74,6 @@ Histogram histogram_of(std::span<const double> values, double low, double high, 
   return h;
 }
 
-/// The elements with the smallest (or largest) values, worst first, ties by index.
-std::vector<WorstElement> worst_of(const Mesh& mesh, std::span<const double> values, bool smallest,
-                                   int count) {
-  std::vector<Index> order(values.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<Index>(i);
-  const auto n = std::min(order.size(), static_cast<std::size_t>(std::max(0, count)));
-  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(n), order.end(),
-                    [&](Index a, Index b) {
-                      const double va = smallest ? values[at(a)] : -values[at(a)];
-                      const double vb = smallest ? values[at(b)] : -values[at(b)];
-                      return va != vb ? va < vb : a < b;
-                    });
-  std::vector<WorstElement> worst;
-  for (std::size_t i = 0; i < n; ++i) {
-    worst.push_back({order[i], values[at(order[i])], element_centre(mesh, order[i])});
-  }
-  return worst;
-}
-
 std::vector<double> finite(std::span<const double> values) {
   std::vector<double> list;
   for (const double v : values) {
@@ -149,15 +131,16 @@ Values::Values(const Mesh& mesh, int threads) {
   });
 }
 
-/// The elements that no smoothing can change.
-void count_fixed(const Topology& topology, const std::vector<char>& inverted,
-                 QualityReport& report) {
+/// Takes the elements that no smoothing can change out of what is measured, and counts them.
+void set_fixed_apart(const Topology& topology, Values& values, QualityReport& report) {
   for (Index e = 0; e < topology.element_count(); ++e) {
     const auto nodes = topology.element(e);
     if (!std::ranges::all_of(nodes, [&](Index node) { return topology.on_boundary(node); }))
       continue;
     ++report.all_on_boundary;
-    if (inverted[at(e)]) ++report.all_on_boundary_inverted;
+    if (values.inverted[at(e)]) ++report.all_on_boundary_inverted;
+    for (auto& of_metric : values.of_elements)
+      of_metric[at(e)] = std::numeric_limits<double>::quiet_NaN();
   }
 }
 
@@ -178,9 +161,10 @@ QualityReport::PerMetric QualityReport::of(Metric metric) && {
 }
 
 QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
-  const Values values(mesh, options.threads);
+  Values values(mesh, options.threads);
   QualityReport report;
   report.cell_dimension = mesh.topology->cell_dimension();
+  if (report.cell_dimension == 3) set_fixed_apart(*mesh.topology, values, report);
   report.elements = mesh.topology->element_count();
   constexpr std::size_t listed = 100;
   for (Index e = 0; e < report.elements; ++e) {
@@ -193,17 +177,20 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
         metric_info(reported_metrics(report.cell_dimension)[m], report.cell_dimension);
     auto& part = report.metrics.emplace_back();
     const auto& all = values.of_elements[m];
-    part.worst = worst_of(mesh, all, info.field.larger_is_better, options.worst);
+    part.worst = worst_elements(mesh, all, info.field, options.worst);
     const auto counted = info.of_corner ? values.of_corners[m] : finite(all);
     part.statistics = statistics_of(counted);
     const double low = info.field.larger_is_better ? std::min(0.0, part.statistics.min) : info.best;
     const double high = info.field.larger_is_better ? info.best : part.statistics.max;
     part.histogram = histogram_of(counted, low, high, options.histogram_bins);
   }
-  if (report.cell_dimension == 2) {
-    report.walls = measure_walls(mesh);
-  } else {
-    count_fixed(*mesh.topology, values.inverted, report);
+  if (report.cell_dimension == 3) return report;
+  report.walls = measure_walls(mesh);
+  for (const WallField field : all_wall_fields()) {
+    report.worst_at_walls.push_back(
+        options.worst > 0 ? worst_elements(mesh, element_values(mesh, field, options.before),
+                                           wall_field_info(field), options.worst)
+                          : std::vector<WorstElement>());
   }
   return report;
 }
@@ -219,23 +206,17 @@ std::vector<double> element_values(const Mesh& mesh, Metric metric) {
   return values;
 }
 
+Index worst_element(const Mesh& mesh, Metric metric) {
+  const std::vector<double> values = element_values(mesh, metric);
+  const FieldInfo& info = metric_info(metric, mesh.topology->cell_dimension()).field;
+  const auto worst =
+      info.larger_is_better ? std::ranges::min_element(values) : std::ranges::max_element(values);
+  return static_cast<Index>(worst - values.begin());
+}
+
 double element_value(const Mesh& mesh, Index element, Metric metric) {
   require_quality(*mesh.topology);
   return value_of(mesh, element, metric);
-}
-
-Vec3 element_centre(const Mesh& mesh, Index element) {
-  Vec3 sum(0, 0, 0);
-  const auto nodes = mesh.topology->element(element);
-  const bool plane = mesh.coordinates.dimension() == 2;
-  for (const Index node : nodes) {
-    if (plane) {
-      sum.head<2>() += mesh.coordinates.xy(node);
-    } else {
-      sum += mesh.coordinates.xyz(node);
-    }
-  }
-  return sum / static_cast<double>(nodes.size());
 }
 
 namespace {

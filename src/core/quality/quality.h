@@ -5,7 +5,8 @@
 #include "core/mesh/mesh.h"
 #include "core/quality/metric.h"
 #include "core/quality/validity.h"
-#include "core/quality/wall_measures.h"
+#include "core/quality/wall_field.h"
+#include "core/quality/worst_elements.h"
 
 namespace winslow {
 
@@ -19,16 +20,13 @@ struct Histogram {
   std::vector<Index> counts;
 };
 
-struct WorstElement {
-  Index element;
-  double value;
-  Vec3 centre;  ///< z is 0 in the plane
-};
-
 struct QualityOptions {
   int histogram_bins = 20;
-  int worst = 10;   ///< how many worst elements to list for each metric
+  int worst = 10;   ///< how many worst elements to list for each metric and wall field
   int threads = 0;  ///< 0 for all cores
+  /// The same nodes as they were before (#nodes by 2), for WallField::first_height_ratio; null:
+  /// it has no list.
+  const Coordinates* before = nullptr;
 };
 
 /// Quality of a whole mesh.
@@ -44,24 +42,27 @@ struct QualityReport {
   };
   std::vector<PerMetric> metrics;  ///< of reported_metrics(cell_dimension), in their order
   /// Elements of a volume mesh whose nodes all lie on the boundary: no smoothing can change them.
-  /// They are counted above, too.
+  /// They are counted above, too, but have no part in the statistics, histograms and lists.
   Index all_on_boundary = 0, all_on_boundary_inverted = 0;
-  WallReport walls;  ///< of plane meshes
+  WallReport walls;                                       ///< of plane meshes
+  std::vector<std::vector<WorstElement>> worst_at_walls;  ///< of all_wall_fields(), in their order
 
   /// Throws UsageError for a metric that is not reported.
   const PerMetric& of(Metric metric) const&;
   PerMetric of(Metric metric) &&;  ///< a copy: the report is about to go
+  const std::vector<WorstElement>& worst_by(WallField field) const {
+    return worst_at_walls[static_cast<std::size_t>(field)];
+  }
 };
 
 QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options = {});
 
 /// Value of a metric for each element (#elements).
 std::vector<double> element_values(const Mesh& mesh, Metric metric);
-/// The same of one element.
+/// The element that is worst by a metric; the first of several. mesh: plane, with elements.
+Index worst_element(const Mesh& mesh, Metric metric);
+/// The value of one element.
 double element_value(const Mesh& mesh, Index element, Metric metric);
-/// Mean of an element's corners, in units of the mesh: tells a user where to look. z is 0 in the
-/// plane.
-Vec3 element_centre(const Mesh& mesh, Index element);
 
 /// Cheaper than a report. threads: 0 for all cores; the result does not depend on it.
 Validity check_validity(const Topology& topology, const Coordinates& coordinates, int threads = 0);

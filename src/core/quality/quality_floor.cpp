@@ -36,7 +36,7 @@ std::string QualityFloor::fault(const std::shared_ptr<const Topology>& topology,
   const Mesh mesh{topology, x};
   for (std::size_t m = 0; m < limits.size(); ++m) {
     if (!limits[m]) continue;
-    const FieldInfo& info = metric_info(reported_metrics()[m]).field;
+    const FieldInfo& info = metric_info(reported_metrics()[m], topology->cell_dimension()).field;
     const double limit = *limits[m];
     const auto values = element_values(mesh, reported_metrics()[m]);
     // Written so that a value that is no number breaks the limit.

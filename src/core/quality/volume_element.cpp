@@ -1,7 +1,7 @@
 #include "core/quality/volume_element.h"
 
-#include <Eigen/LU>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -92,19 +92,23 @@ class Column {
   Column(const Topology& topology, const PlanePoints& x, std::array<Index, 2> edge, Index element)
       : topology_(topology), x_(x), edge_(edge), element_(element) {}
 
-  /// Height of the next cell; none at the end of the column.
-  std::optional<double> next() {
+  struct Cell {
+    Index element;
+    double height;
+  };
+  /// The next cell; none at the end of the column.
+  std::optional<Cell> next() {
     if (element_ < 0 || topology_.element_type(element_) != ElementType::quadrilateral) return {};
     const auto corners = topology_.element(element_);
     const std::size_t a = place_in(corners, edge_[0]), b = place_in(corners, edge_[1]);
     const std::size_t first = (a + 1) % 4 == b ? a : b;
     const std::array<Index, 2> opposite{corners[(first + 2) % 4], corners[(first + 3) % 4]};
-    const double height = (middle(opposite) - middle(edge_)).norm();
+    const Cell cell{element_, (middle(opposite) - middle(edge_)).norm()};
     const auto& across =
         topology_.edges()[at(*topology_.find_face(Face(opposite[0], opposite[1])))].elements;
     element_ = across[0] == element_ ? across[1] : across[0];
     edge_ = opposite;
-    return height;
+    return cell;
   }
 
  private:
@@ -158,35 +162,44 @@ std::vector<double> first_edge_tilts(const Mesh& mesh, const Wall& wall) {
   return tilts;
 }
 
-std::vector<double> column_growth(const Mesh& mesh, const Wall& wall) {
+std::vector<NeighbourRatio> column_growth(const Mesh& mesh, const Wall& wall) {
   const PlanePoints x(mesh.coordinates);
-  std::vector<double> ratios;
+  std::vector<NeighbourRatio> ratios;
   for (std::size_t k = 0; k < wall.nodes.size(); ++k) {
     const WallEdge edge(wall, k);
     Column column(*mesh.topology, x, {edge.from(), edge.to()}, element_at(*mesh.topology, edge));
-    std::optional<double> last = column.next();
-    while (const std::optional<double> height = last ? column.next() : std::nullopt) {
-      ratios.push_back(larger_over_smaller(*height, *last));
-      last = height;
+    std::optional<Column::Cell> last = column.next();
+    while (const std::optional<Column::Cell> cell = last ? column.next() : std::nullopt) {
+      ratios.push_back(
+          {{last->element, cell->element}, larger_over_smaller(cell->height, last->height)});
+      last = cell;
     }
   }
   return ratios;
 }
 
-std::vector<double> size_ratios(const Mesh& mesh) {
+std::vector<NeighbourRatio> size_ratios(const Mesh& mesh) {
   const Topology& topology = *mesh.topology;
   require_plane(topology, "sizes of elements");
   const PlanePoints x(mesh.coordinates);
   std::vector<double> areas(at(topology.element_count()));
   for (Index e = 0; e < topology.element_count(); ++e)
     areas[at(e)] = area_of(x, topology.element(e));
-  std::vector<double> ratios;
+  std::vector<NeighbourRatio> ratios;
   for (const Topology::Edge& edge : topology.edges()) {
     if (edge.elements[1] < 0) continue;
-    const double a = areas[at(edge.elements[0])], b = areas[at(edge.elements[1])];
-    if (a > 0 && b > 0) ratios.push_back(std::sqrt(larger_over_smaller(a, b)));
+    const std::array<Index, 2> pair{edge.elements[0], edge.elements[1]};
+    const double a = areas[at(pair[0])], b = areas[at(pair[1])];
+    if (a > 0 && b > 0) ratios.push_back({pair, std::sqrt(larger_over_smaller(a, b))});
   }
   return ratios;
+}
+
+std::vector<double> values_of(std::span<const NeighbourRatio> ratios) {
+  std::vector<double> values;
+  values.reserve(ratios.size());
+  for (const NeighbourRatio& ratio : ratios) values.push_back(ratio.value);
+  return values;
 }
 
 Index WallReport::node_count() const {
@@ -205,7 +218,7 @@ WallReport measure_walls(const Mesh& mesh) {
     WallMeasures& of = report.walls.emplace_back();
     of.first_height = first_heights(mesh, wall);
     of.tilt = first_edge_tilts(mesh, wall);
-    const std::vector<double> growth = column_growth(mesh, wall);
+    const std::vector<double> growth = values_of(column_growth(mesh, wall));
     of.growth = quantiles_of(growth);
     of.wall = std::move(wall);
     append(heights, of.first_height);
@@ -215,7 +228,7 @@ WallReport measure_walls(const Mesh& mesh) {
   report.first_height = quantiles_of(std::move(heights));
   report.tilt = quantiles_of(std::move(tilts));
   report.growth = quantiles_of(std::move(growths));
-  report.size_ratio = quantiles_of(size_ratios(mesh));
+  report.size_ratio = quantiles_of(values_of(size_ratios(mesh)));
   return report;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <span>
 #include <vector>
 
 #include "core/quality/quantiles.h"
@@ -28,17 +30,25 @@ std::vector<double> first_heights(const Mesh& mesh, const Wall& wall);
 /// mean of the unit normals of the two wall edges; the first edge is that which deviates least.
 std::vector<double> first_edge_tilts(const Mesh& mesh, const Wall& wall);
 
+/// A ratio of two neighbouring elements, the larger over the smaller: at least 1.
+struct NeighbourRatio {
+  std::array<Index, 2> elements;
+  double value;
+};
+
 /// Growth ratios along the columns of quadrilaterals that stand on a wall's edges, one for each
 /// pair of consecutive cells, in no special order: the larger of their heights over the smaller, so
 /// at least 1. The height of a cell is the distance between the midpoints of its edge towards the
 /// wall and the one opposite. A column ends at a triangle and at the boundary: a wall that has
 /// triangles has no ratios.
-std::vector<double> column_growth(const Mesh& mesh, const Wall& wall);
+std::vector<NeighbourRatio> column_growth(const Mesh& mesh, const Wall& wall);
 
 /// Size ratios of all pairs of elements that share an edge: the square root of the larger area over
 /// the smaller, at least 1, in the order of the edges. Pairs with an area that is not positive are
 /// left out.
-std::vector<double> size_ratios(const Mesh& mesh);
+std::vector<NeighbourRatio> size_ratios(const Mesh& mesh);
+
+std::vector<double> values_of(std::span<const NeighbourRatio> ratios);
 
 /// One wall.
 struct WallMeasures {

@@ -1,49 +1,13 @@
 #include "core/strategy/keep_outside.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
-#include <vector>
 
 #include "core/error.h"
-#include "core/motion/motion.h"
 #include "core/motion/rigid_motion.h"
 
 namespace winslow {
-
-namespace {
-
-class CircleAndBox {
- public:
-  CircleAndBox(const KeepOutside& keep, const Coordinates& x, std::span<const Index> moving) {
-    if (keep.radius) {
-      if (!keep.centre && moving.empty())
-        throw UsageError(
-            "keep-outside radius: nothing moves whose centre could be meant; give the centre of "
-            "the circle (keep-outside centre)");
-      centre_ = keep.centre ? *keep.centre : body_centre(bounds(x, moving));
-      radius_ = keep.radius;
-    }
-    if (keep.corner) {
-      low_ = keep.corner->cwiseMin(*keep.opposite);
-      high_ = keep.corner->cwiseMax(*keep.opposite);
-      box_ = true;
-    }
-  }
-
-  bool holds(const Vec2& point) const {
-    if (radius_ && (point - centre_).norm() > *radius_) return false;
-    return !box_ ||
-           ((point.array() >= low_.array()).all() && (point.array() <= high_.array()).all());
-  }
-
- private:
-  std::optional<double> radius_;
-  Vec2 centre_{0, 0};
-  bool box_ = false;
-  Vec2 low_{0, 0}, high_{0, 0};
-};
-
-}  // namespace
 
 OptionTable option_table(KeepOutside& keep) {
   return {
@@ -59,7 +23,7 @@ OptionTable option_table(KeepOutside& keep) {
        .value = OptionalVectorOption{&keep.centre},
        .label = "Free centre",
        .help = "Of the circle outside which nodes stay; not given: the centre of the bounding box "
-               "of all that moves",
+               "of all that moves, or of the walls that get layers",
        .unit = "units of the mesh",
        .object = "keep_outside",
        .applies = keep.centre.has_value()},
@@ -95,27 +59,52 @@ KeepOutside to_local(KeepOutside keep, const LocalFrame& frame) {
   return keep;
 }
 
-void keep_outside(const KeepOutside& keep, const Coordinates& x, std::span<const Index> moving,
-                  NodeClasses& classes) {
-  if (!keep.given()) return;
+FreeRegion::FreeRegion(const KeepOutside& keep, const Coordinates& x,
+                       std::span<const Index> about) {
   validate(keep);
-  const CircleAndBox region(keep, x, moving);
-  const auto left = std::count_if(moving.begin(), moving.end(),
-                                  [&](Index node) { return !region.holds(x.xy(node)); });
+  if (keep.radius) {
+    if (!keep.centre && about.empty())
+      throw UsageError(
+          "keep-outside radius: nothing moves whose centre could be meant; give the centre of "
+          "the circle (keep-outside centre)");
+    centre_ = keep.centre ? *keep.centre : body_centre(bounds(x, about));
+    radius_ = keep.radius;
+  }
+  if (keep.corner) {
+    low_ = keep.corner->cwiseMin(*keep.opposite);
+    high_ = keep.corner->cwiseMax(*keep.opposite);
+    box_ = true;
+  }
+}
+
+bool FreeRegion::holds(const Vec2& point) const {
+  if (radius_ && (point - centre_).norm() > *radius_) return false;
+  return !box_ || ((point.array() >= low_.array()).all() && (point.array() <= high_.array()).all());
+}
+
+std::vector<Index> nodes_outside(const FreeRegion& region, const Topology& topology,
+                                 const Coordinates& x) {
+  std::vector<Index> outside;
+  const auto interior = topology.interior_nodes();
+  std::ranges::copy_if(interior, std::back_inserter(outside),
+                       [&](Index node) { return !region.holds(x.xy(node)); });
+  if (outside.size() == interior.size())
+    throw UsageError("keep-outside: no interior node lies inside the region");
+  std::ranges::sort(outside);
+  return outside;
+}
+
+std::vector<Index> nodes_kept_outside(const KeepOutside& keep, const Topology& topology,
+                                      const Coordinates& x, std::span<const Index> moving) {
+  if (!keep.given()) return {};
+  const FreeRegion region(keep, x, moving);
+  const auto left =
+      std::ranges::count_if(moving, [&](Index node) { return !region.holds(x.xy(node)); });
   if (left > 0)
     throw UsageError("keep-outside: " + std::to_string(left) + " of " +
                      std::to_string(moving.size()) +
                      " nodes that are to move lie outside the region in which nodes may move");
-  std::vector<Index> kept;
-  bool some_free = false;
-  for (const Index node : classes.topology().interior_nodes()) {
-    if (region.holds(x.xy(node)))
-      some_free = true;
-    else
-      kept.push_back(node);
-  }
-  if (!some_free) throw UsageError("keep-outside: no interior node lies inside the region");
-  classes.set_fixed(kept);
+  return nodes_outside(region, topology, x);
 }
 
 }  // namespace winslow

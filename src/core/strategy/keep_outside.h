@@ -1,10 +1,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "core/mesh/local_frame.h"
+#include "core/mesh/topology.h"
 #include "core/options/option.h"
-#include "core/problem/node_classes.h"
 
 namespace winslow {
 
@@ -13,7 +15,8 @@ namespace winslow {
 struct KeepOutside {
   /// Of the circle, in units of the mesh. None: no circle.
   std::optional<double> radius = std::nullopt;
-  /// Of the circle. None: the centre of the bounding box of all that moves.
+  /// Of the circle. None: the centre of the bounding box of all that moves, or of the walls that
+  /// get layers.
   std::optional<Vec2> centre = std::nullopt;
   /// Opposite corners of the box, in any order. Both or none.
   std::optional<Vec2> corner = std::nullopt;
@@ -31,11 +34,31 @@ void validate(const KeepOutside& keep);
 /// The same region, of a mesh in that frame.
 KeepOutside to_local(KeepOutside keep, const LocalFrame& frame);
 
-/// Fixes the free nodes outside the region (with circle and box: outside either).
-/// x: the mesh that the region is about. moving: nodes of a motion.
-/// Throws UsageError for a circle without centre where nothing moves, where nodes of the motion lie
-/// outside, and where no free node lies inside.
-void keep_outside(const KeepOutside& keep, const Coordinates& x, std::span<const Index> moving,
-                  NodeClasses& classes);
+/// The region itself: both the circle and the box, where both are given; everything, where neither
+/// is.
+class FreeRegion {
+ public:
+  /// x: the mesh that the region is about. about: nodes in the middle of whose bounding box a
+  /// circle without a centre stands. Throws as validate(), and for such a circle about no nodes.
+  FreeRegion(const KeepOutside& keep, const Coordinates& x, std::span<const Index> about);
+
+  bool holds(const Vec2& point) const;
+
+ private:
+  std::optional<double> radius_;
+  Vec2 centre_{0, 0};
+  bool box_ = false;
+  Vec2 low_{0, 0}, high_{0, 0};
+};
+
+/// The interior nodes outside a region, ascending: those that a command keeps where they are.
+/// Throws UsageError where no interior node lies inside.
+std::vector<Index> nodes_outside(const FreeRegion& region, const Topology& topology,
+                                 const Coordinates& x);
+
+/// Of a motion of these nodes, or of smoothing in place (none); no nodes if no region is given.
+/// Throws UsageError also where nodes of the motion lie outside.
+std::vector<Index> nodes_kept_outside(const KeepOutside& keep, const Topology& topology,
+                                      const Coordinates& x, std::span<const Index> moving);
 
 }  // namespace winslow

@@ -12,6 +12,7 @@
 #include "core/layers/layer_measures.h"
 #include "core/layers/sound_plan.h"
 #include "core/quality/quality.h"
+#include "core/strategy/kept_layers.h"
 #include "core/strategy/run_sequence.h"
 #include "core/strategy/smooth_run.h"
 
@@ -63,6 +64,7 @@ double first_share(const LayerInsertion& layers, const Coordinates& rest, Coordi
 LayerInsertion make_room(const LayerRequest& request, const MeshState& state, RunSequence& runs) {
   const LayerOptions options = with_counts(options_of(request), state.mesh);
   LayerStack plan = sound_plan(state.mesh, options);
+  require_layers_inside(request.smooth.keep_outside, plan, state.mesh, options.walls);
   SmoothOptions smooth;  // only valid meshes on the way count: the default, whatever was asked for
   smooth.threads = request.smooth.threads;
   smooth.linear = request.smooth.linear;
@@ -117,12 +119,14 @@ void control_spacing(MeshState& state, const SmoothOptions& smooth, double toler
   };
   keep(smooth_towards());
   if (!good()) return;
-  LayerMeasures best = measure_layers(stack, x);
+  LayerMeasures best = measure_movable_layers(stack, x, runs.kept());
   for (int k = 0; k < most && best.spacing_error.max > tolerance; ++k) {
     const SmoothResult before = std::exchange(outcome, {});
+    const LayerStack uncorrected = stack;
     correct_layers(stack, x);
+    restore_kept_columns(stack, uncorrected, runs.kept());
     const auto vcv = smooth_towards();
-    LayerMeasures now = measure_layers(stack, x);
+    LayerMeasures now = measure_movable_layers(stack, x, runs.kept());
     // Where the elements outside press a fan from the side, longer edges would turn its columns.
     const bool turned = now.orthogonality.max > std::max(3.0, 1.2 * best.orthogonality.max);
     if (!good() || turned || now.spacing_error.max >= best.spacing_error.max) {
@@ -182,6 +186,7 @@ void hold_existing(const LayerRequest& request, MeshState& state) {
         throw UsageError("layers that are there cannot match the elements outside by their number");
       }
     }
+    require_layers_inside(request.smooth.keep_outside, stack, state.mesh, options.walls);
     respace_layers(stack, state.mesh, options);
     Coordinates x = state.mesh.coordinates;
     slide_along_columns(stack, x);
@@ -200,12 +205,14 @@ void hold_existing(const LayerRequest& request, MeshState& state) {
 }
 
 /// The state with layers that fit between the walls as they will be; true if any had to change.
-bool fit_layers(MeshState& state, const Motion& motion) {
+/// Columns with nodes that are kept stay as they are.
+bool fit_layers(MeshState& state, const Motion& motion, std::span<const Index> kept) {
   const Coordinates& x = state.mesh.coordinates;
   Coordinates moved = x;
   motion.apply(x, 1, moved);
   const LayerStack& before = *state.layers;
   LayerStack fitted = fitted_layers(before, *state.mesh.topology, x, moved);
+  restore_kept_columns(fitted, before, kept);
   if (std::ranges::equal(before.columns, fitted.columns, {}, &LayerColumn::heights,
                          &LayerColumn::heights)) {
     return false;
@@ -221,7 +228,7 @@ bool fit_layers(MeshState& state, const Motion& motion) {
 }
 
 /// After a motion that went as `moved` says: corrects the VCVs until the wanted heights are met
-/// again.
+/// again. run: with the nodes that are kept.
 SmoothResult hold_spacing(MeshState& state, SmoothResult moved, const SmoothOptions& smooth,
                           const RunOptions& run) {
   constexpr int most = 5;
@@ -237,7 +244,8 @@ SmoothResult hold_spacing(MeshState& state, SmoothResult moved, const SmoothOpti
     stack.columns[c].direction = stands[c].direction;
     stack.columns[c].slant = stands[c].slant;
   }
-  const double error = measure_layers(stack, state.mesh.coordinates).spacing_error.max;
+  const double error =
+      measure_movable_layers(stack, state.mesh.coordinates, *run.kept).spacing_error.max;
   state.layers = std::make_shared<const LayerStack>(std::move(stack));
   if (error <= tolerance) return moved;
   MeshState held_state = state;
@@ -270,11 +278,16 @@ SmoothResult run_layers(const LayerRequest& request, MeshState& state, const Run
   }
   if (!(request.tolerance > 0)) throw UsageError("the tolerance of the heights must be positive");
   SmoothResult result;
-  RunSequence runs(run, result);
+  const std::vector<Index> kept =
+      nodes_kept_by_layers(request.smooth.keep_outside, state.mesh, request.layers.walls);
+  RunOptions keeping = run;
+  keeping.kept = &kept;
+  RunSequence runs(keeping, result);
   if (request.task != LayerTask::insert) {
     hold_existing(request, state);
     if (request.task == LayerTask::hold) {
       result.converged = true;
+      result.kept_outside = static_cast<Index>(kept.size());
     } else {
       control_spacing(state, request.smooth, request.tolerance, request.most_corrections, runs);
     }
@@ -300,18 +313,23 @@ SmoothResult run_layers(const LayerRequest& request, MeshState& state, const Run
 SmoothResult move_with_layers(MeshState& state, const Motion& motion, const MotionOptions& how,
                               const SmoothOptions& smooth, const RunOptions& run) {
   SmoothResult result;
-  RunSequence runs(run, result);
   const Mesh& mesh = state.mesh;
+  const std::vector<Index> kept =
+      nodes_kept_outside(smooth.keep_outside, *mesh.topology, mesh.coordinates, motion.nodes());
+  require_moved_layers_inside(smooth.keep_outside, *state.layers, mesh, motion.nodes());
+  RunOptions keeping = run;
+  keeping.kept = &kept;
+  RunSequence runs(keeping, result);
   const bool blocked = run.all_or_nothing && how.increments == 0 &&
                        find_contact(*mesh.topology, mesh.coordinates, motion).has_value();
   // A start that is given is of the walls where they will be.
-  if (!blocked && fit_layers(state, motion) && !run.start)
+  if (!blocked && fit_layers(state, motion, kept) && !run.start)
     runs.smooth(state, smooth, state.mesh.coordinates);
   Coordinates x = starting_point(state, run);
   runs.move(state, motion, how, smooth, run.start, x);
   state.mesh.coordinates = std::move(x);
   const MeshState moved = state;
-  SmoothResult held = hold_spacing(state, result, smooth, run);
+  SmoothResult held = hold_spacing(state, result, smooth, keeping);
   // Nor is one within the limits: its heights are then as the motion left them.
   if (!how.floor.given() || how.floor.fault(state.mesh.topology, state.mesh.coordinates).empty()) {
     return held;

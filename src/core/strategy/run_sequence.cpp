@@ -15,6 +15,7 @@ void take_outcome(SmoothResult& all, const SmoothResult& run) {
   all.inverted = run.inverted;
   all.out_of_iterations = run.out_of_iterations;
   all.linear_solver = run.linear_solver;
+  all.kept_outside = run.kept_outside;
 }
 
 /// How another run went, after those before it.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "core/layers/layer_stack.h"
 #include "core/motion/motion.h"
@@ -45,6 +46,10 @@ class RunSequence {
   /// Moves the boundary; x as of smooth_motion(). start: as of RunOptions.
   void move(const MeshState& state, const Motion& motion, const MotionOptions& how,
             const SmoothOptions& smooth, const Coordinates* start, Coordinates& x);
+  /// Nodes that no run moves, ascending.
+  std::span<const Index> kept() const {
+    return options_.kept ? std::span<const Index>(*options_.kept) : std::span<const Index>();
+  }
   /// The last run is not used: an earlier one is what counts.
   void fall_back_to(const SmoothResult& run);
 

@@ -157,7 +157,7 @@ OptionTable fixed_point(SmoothOptions& o) {
        .value = SwitchOption{&o.adapt_damping, "fixed-damping",
                              "Fixed point: keep the damping where the iteration makes no progress, "
                              "instead of halving it"},
-       .label = "Adapt the damping",
+       .label = "Adapt damping",
        .help = "Fixed point: halve the damping where the iteration makes no progress",
        .applies = used},
       {.key = "acceleration",

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/motion/transfer.h"
 #include "core/quality/quality.h"
+#include "core/strategy/keep_outside.h"
 #include "core/strategy/picard_run.h"
 #include "core/strategy/pointwise_run.h"
 #include "core/strategy/run_recorder.h"
@@ -44,23 +45,23 @@ Coordinates unknowns_within(const NodeClasses& classes, const Coordinates& unkno
 /// The classes of a run in which the boundary stays or, but for the nodes of a motion, does, and
 /// all that lies outside a region that the options name.
 std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Motion* motion,
-                                              const SmoothOptions& options) {
+                                              const SmoothOptions& options, const RunOptions& run) {
   auto classes = std::make_shared<NodeClasses>(state.mesh.topology);
   const auto moving = motion ? motion->nodes() : std::span<const Index>();
-  keep_outside(options.keep_outside, state.mesh.coordinates, moving, *classes);
+  classes->set_fixed(run.kept ? *run.kept
+                              : nodes_kept_outside(options.keep_outside, *state.mesh.topology,
+                                                   state.mesh.coordinates, moving));
   classes->set_prescribed(moving);
   return classes;
 }
 
 /// Puts the interior nodes that are not free where the mesh has them; how many these are.
-Index keep_fixed(const MeshState& state, const SmoothOptions& options, const NodeClasses& classes,
-                 Coordinates& x) {
-  if (!options.keep_outside.given()) return 0;
-  x = unknowns_within(classes, x, state.mesh.coordinates);
+Index keep_fixed(const MeshState& state, const NodeClasses& classes, Coordinates& x) {
   const auto interior = classes.topology().interior_nodes();
-  return static_cast<Index>(std::count_if(interior.begin(), interior.end(), [&](Index node) {
-    return classes[node] == NodeClass::fixed;
-  }));
+  const auto kept = std::ranges::count_if(
+      interior, [&](Index node) { return classes[node] == NodeClass::fixed; });
+  if (kept > 0) x = unknowns_within(classes, x, state.mesh.coordinates);
+  return static_cast<Index>(kept);
 }
 
 /// A motion that is begun from a mesh near its end: along the path from there where that mesh is
@@ -141,9 +142,9 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& option
   SmoothResult result;
   SmoothingWorkspace own;
   SmoothingWorkspace& workspace = run.workspace ? *run.workspace : own;
-  workspace.prepare(state.vcv, classes_of(state, nullptr, options), options,
+  workspace.prepare(state.vcv, classes_of(state, nullptr, options, run), options,
                     state.mesh.coordinates);
-  result.kept_outside = keep_fixed(state, options, workspace.classes(), x);
+  result.kept_outside = keep_fixed(state, workspace.classes(), x);
   RunRecorder recorder(run.monitor, result, budget(options));
   if (by_fixed_point(options)) {
     recorder.iterate(workspace.picard(), x, Stage::picard, 1, options.max_iterations);
@@ -167,9 +168,9 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const M
   }
   SmoothingWorkspace own;
   SmoothingWorkspace& workspace = run.workspace ? *run.workspace : own;
-  workspace.prepare(state.vcv, classes_of(state, &motion, options), options,
+  workspace.prepare(state.vcv, classes_of(state, &motion, options, run), options,
                     state.mesh.coordinates);
-  result.kept_outside = keep_fixed(state, options, workspace.classes(), x);
+  result.kept_outside = keep_fixed(state, workspace.classes(), x);
   RunRecorder recorder(run.monitor, result, budget(options));
   if (by_fixed_point(options)) {
     move_by_fixed_point(state.mesh.coordinates, motion, how.increments, options.max_iterations,

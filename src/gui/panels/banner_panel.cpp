@@ -1,6 +1,8 @@
 #include "gui/panels/banner_panel.h"
 
+#include <cmath>
 #include <string>
+#include <vector>
 
 #include "gui/widgets/controls.h"
 #include "gui/widgets/line_breaks.h"
@@ -9,75 +11,124 @@ namespace winslow::gui {
 
 namespace {
 
-void emit_show_inverted(const PanelContext& context) {
-  const auto& measured = context.session.quality().latest();
-  if (!measured || measured->report.inverted_elements.empty()) return;
-  const Topology& topology = *context.topology();
-  const auto nodes = topology.element(measured->report.inverted_elements.front());
-  const Bounds box = bounds(context.session.coordinates(), nodes);
-  context.emit(action::LookAt{box.centre(), 6 * box.size().norm()});
+struct Answer {
+  std::string id, label, tip;
+  Action action;
+};
+
+template <class A>
+Answer answer(const char* id, const char* label, const char* tip, A what) {
+  return {std::string("banner/") + id, label, tip, Action(std::move(what))};
 }
 
-std::string text_of(const PanelContext& context, float width) {
+bool is_bad(const Banner& banner) {
+  return banner.kind == Banner::Kind::inverted_result ||
+         banner.kind == Banner::Kind::inverted_input;
+}
+
+bool can_be_undone(const Banner& banner) {
+  return banner.kind == Banner::Kind::inverted_result ||
+         banner.kind == Banner::Kind::partial_motion || banner.kind == Banner::Kind::damaged;
+}
+
+/// What can be done about what a banner says.
+std::vector<Answer> answers_to(const Banner& banner) {
+  std::vector<Answer> answers;
+  if (can_be_undone(banner))
+    answers.push_back(
+        answer("undo", "Undo", "Back to the mesh before this command.", action::Undo{}));
+  else if (banner.kind != Banner::Kind::remark)
+    answers.push_back(answer("smooth",
+                             banner.kind == Banner::Kind::inverted_input ? "Smooth" : "Go on",
+                             "Smooth the mesh, its boundary held.", action::RunSmooth{}));
+  if (banner.worst) {
+    const bool element = banner.worst->kind == MeshItem::Kind::element;
+    answers.push_back(answer("zoom_to_worst", "Zoom to worst",
+                             element ? "Go to the worst element: it is marked and fills the view."
+                                     : "Go to the wall node whose cell has changed most.",
+                             action::GoTo{banner.worst}));
+  }
+  answers.push_back(answer("keep", is_bad(banner) ? "Keep it" : "Dismiss",
+                           "Leave the mesh as it is and hide this line.", action::DismissBanner{}));
+  return answers;
+}
+
+float width_of(const Answer& answer) {
+  return ImGui::CalcTextSize(answer.label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+/// Calls `place` for each answer with whether it begins another row. Returns the width that they
+/// take on one row.
+template <class Place>
+float flow(const std::vector<Answer>& answers, float room, Place&& place) {
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  float all = 0, row = 0;
+  for (const Answer& a : answers) {
+    const float width = width_of(a);
+    const bool wraps = row > 0 && row + gap + width > room;
+    place(a, wraps);
+    row = wraps || row == 0 ? width : row + gap + width;
+    all += (all > 0 ? gap : 0) + width;
+  }
+  return all;
+}
+
+std::string text_of(const PanelContext& context) {
   const std::string icon = context.theme.icon(Icon::warning);
-  const std::string& text = context.session.messages().banner()->text;
-  return ui::with_line_breaks((icon.empty() ? "" : icon + "  ") + text, width);
+  return (icon.empty() ? "" : icon + "  ") + context.session.messages().banner()->text;
 }
 
-/// The text and up to three buttons fit on one line.
-bool one_line(const PanelContext& context, float width) {
-  const float text = ImGui::CalcTextSize(context.session.messages().banner()->text.c_str()).x;
-  const bool lines = context.session.messages().banner()->text.find('\n') != std::string::npos;
-  return !lines && text + context.theme.px(310) <= width;
+float text_gap(const Theme& theme) { return theme.px(16); }
+
+/// Where everything stands in a strip of a width.
+struct Arrangement {
+  bool one_line = true;
+  int rows = 1;      ///< of answers
+  float room = 0;    ///< pixels within the strip
+  std::string text;  ///< broken into lines
+};
+
+Arrangement arrange(const PanelContext& context, float width) {
+  const Theme& theme = context.theme;
+  Arrangement a;
+  a.room = width - theme.px(2 * BannerPanel::side_padding);
+  const std::string whole = text_of(context);
+  const float answers = flow(answers_to(*context.session.messages().banner()), a.room,
+                             [&](const Answer&, bool wraps) { a.rows += wraps ? 1 : 0; });
+  a.one_line = whole.find('\n') == std::string::npos &&
+               ImGui::CalcTextSize(whole.c_str()).x + text_gap(theme) + answers <= a.room;
+  a.text = a.one_line ? whole : ui::with_line_breaks(whole, a.room);
+  return a;
 }
 
 }  // namespace
 
 float BannerPanel::height(const PanelContext& context, float width) {
   const Theme& theme = context.theme;
-  if (one_line(context, width)) return theme.px(44);
+  const Arrangement a = arrange(context, width);
+  if (a.one_line) return theme.px(44);
   // Above the buttons, on as many lines as it takes: what is cut off may be what matters.
-  const float room = width - theme.px(2 * side_padding);
-  const std::string text = text_of(context, room);
-  const float wrapped = ImGui::CalcTextSize(text.c_str(), nullptr, false, room).y;
-  return theme.px(62) + wrapped;
+  const float wrapped = ImGui::CalcTextSize(a.text.c_str(), nullptr, false, a.room).y;
+  return theme.px(62) + wrapped +
+         static_cast<float>(a.rows - 1) * ImGui::GetFrameHeightWithSpacing();
 }
 
 void BannerPanel::draw(const PanelContext& context) {
   const auto& banner = context.session.messages().banner();
   if (!banner) return;
-  const bool bad =
-      banner->kind == Banner::Kind::inverted_result || banner->kind == Banner::Kind::inverted_input;
-  const bool undo = banner->kind == Banner::Kind::inverted_result ||
-                    banner->kind == Banner::Kind::partial_motion ||
-                    banner->kind == Banner::Kind::damaged;
+  const Arrangement a = arrange(context, ImGui::GetWindowWidth());
   ImGui::AlignTextToFramePadding();
   ImGui::PushTextWrapPos(0);
-  ui::text_colored(bad ? palette().danger : palette().warning,
-                   text_of(context, ImGui::GetContentRegionAvail().x));
+  ui::text_colored(is_bad(*banner) ? palette().danger : palette().warning, a.text);
   ImGui::PopTextWrapPos();
   ui::note("banner");
-  if (one_line(context, ImGui::GetWindowWidth())) ImGui::SameLine(0, context.theme.px(16));
-  const bool remark = banner->kind == Banner::Kind::remark;
-  if (undo) {
-    if (ui::button("banner/undo", "Undo", {"Back to the mesh before this command."}))
-      context.emit(action::Undo{});
-    ImGui::SameLine();
-  } else if (!remark &&
-             ui::button("banner/smooth",
-                        banner->kind == Banner::Kind::inverted_input ? "Smooth" : "Go on",
-                        {"Smooth the mesh, its boundary held."})) {
-    context.emit(action::RunSmooth{});
-  }
-  if (bad) {
-    if (banner->kind == Banner::Kind::inverted_input) ImGui::SameLine();
-    if (ui::button("banner/show", "Show", {"Look at the first inverted element."}))
-      emit_show_inverted(context);
-  }
-  if (!remark) ImGui::SameLine();
-  if (ui::button("banner/keep", bad ? "Keep it" : "Dismiss",
-                 {"Leave the mesh as it is and hide this line."}))
-    context.emit(action::DismissBanner{});
+  if (a.one_line) ImGui::SameLine(0, text_gap(context.theme));
+  bool first = true;
+  flow(answers_to(*banner), a.one_line ? INFINITY : a.room, [&](const Answer& answer, bool wraps) {
+    if (!first && !wraps) ImGui::SameLine();
+    first = false;
+    if (ui::button(answer.id, answer.label, {answer.tip})) context.actions.push_back(answer.action);
+  });
 }
 
 }  // namespace winslow::gui

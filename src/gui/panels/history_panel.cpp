@@ -112,9 +112,11 @@ void HistoryPanel::draw_step(const PanelContext& context, std::size_t position) 
                          context.theme.px(3.5f), ink);
   else
     list.AddText(ImVec2(start.x + pad, start.y + pad), ink, glyph.c_str());
-  // How many iterations, and how long: in columns of their own.
+  // How many iterations, and how long: in columns of their own, which leave their room to the title
+  // where there is nothing to say.
   float right = end.x - pad;
   const auto column = [&](const std::string& text, float width) {
+    if (text.empty()) return;
     const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
     list.AddText(ImVec2(right - extent.x, start.y + pad), palette().text_faint, text.c_str());
     right -= width;

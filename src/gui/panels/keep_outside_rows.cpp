@@ -54,7 +54,7 @@ void draw_keep_outside(const PanelContext& context) {
   SmoothOptions options = session.jobs().smooth_options();
   KeepOutside& keep = options.keep_outside;
   auto chosen = static_cast<std::size_t>(shape_of(keep));
-  ui::row("Keep outside", tip, 0.34f);
+  ui::row("Keep outside", tip, motion_label_share);
   bool changed = ui::combo("motion/keep_outside", {"Nothing", "Circle", "Box"}, chosen, tip);
   if (changed) keep = first(static_cast<Shape>(chosen), bounds_of_selection(session));
   changed |= ui::option_form("motion/region", option_table(keep));

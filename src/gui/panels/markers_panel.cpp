@@ -17,6 +17,7 @@ namespace winslow::gui {
 namespace {
 
 constexpr const char* colors_popup = "###marker_colors";
+constexpr const char* other_popup = "###other_marker_color";
 
 ImU32 color_u32(const Rgb& c) {
   return ImGui::ColorConvertFloat4ToU32(ImVec4(c[0], c[1], c[2], 1));
@@ -134,7 +135,9 @@ void MarkersPanel::draw(const PanelContext& context) {
   ImGui::BeginChild("markers", ImVec2(0, height), true);
   for (Index m = 0; m < count; ++m) draw_row(context, m);
   ImGui::PopStyleVar(2);
-  draw_colors(context);
+  // One popup after the other: each is placed where it has room.
+  if (draw_colors(context)) ImGui::OpenPopup(other_popup);
+  draw_other_color(context);
   ImGui::EndChild();
 }
 
@@ -196,8 +199,27 @@ void MarkersPanel::draw_row(const PanelContext& context, Index marker) {
   ImGui::SetCursorScreenPos(ImVec2(start.x, end.y));
 }
 
-/// Colours to choose from, which can be told apart on light and on dark.
-void MarkersPanel::draw_colors(const PanelContext& context) {
+/// Begins the popup that gives a marker a colour. Returns that marker; none: it is not open.
+std::optional<Index> MarkersPanel::begin_popup(const PanelContext& context,
+                                               const char* popup) const {
+  const float pad = context.theme.px(8);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad, pad));
+  const bool open = ImGui::BeginPopup(popup);
+  ImGui::PopStyleVar();
+  if (!open) return std::nullopt;
+  const auto marker = context.topology()->markers().find(coloured_);
+  if (!marker || ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
+    ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+    return std::nullopt;
+  }
+  ui::text_dim("Colour of " + coloured_);
+  return marker;
+}
+
+/// Colours to choose from, which can be told apart on light and on dark. True if another one is
+/// wanted.
+bool MarkersPanel::draw_colors(const PanelContext& context) {
   static constexpr std::array<std::pair<const char*, Rgb>, 10> choices{
       {{"Blue", {0.15f, 0.39f, 0.92f}},
        {"Sky", {0.20f, 0.65f, 0.90f}},
@@ -209,21 +231,12 @@ void MarkersPanel::draw_colors(const PanelContext& context) {
        {"Magenta", {0.80f, 0.25f, 0.62f}},
        {"Violet", {0.48f, 0.32f, 0.88f}},
        {"Grey", {0.50f, 0.53f, 0.58f}}}};
-  const float pad = context.theme.px(8);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad, pad));
-  const bool open = ImGui::BeginPopup(colors_popup);
-  ImGui::PopStyleVar();
-  if (!open) return;
-  const auto marker = context.topology()->markers().find(coloured_);
-  if (!marker || ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
-    ImGui::CloseCurrentPopup();
-    return ImGui::EndPopup();
-  }
+  const auto marker = begin_popup(context, colors_popup);
+  if (!marker) return false;
   const auto paint = [&](const std::optional<Rgb>& color) {
     change_look(context, *marker, coloured_, [&](MarkerLook& look) { look.color = color; });
     ImGui::CloseCurrentPopup();
   };
-  ui::text_dim("Colour of " + coloured_);
   const float side = context.theme.px(26);
   for (std::size_t k = 0; k < choices.size(); ++k) {
     if (k % 5 != 0) ImGui::SameLine(0, context.theme.px(6));
@@ -238,10 +251,36 @@ void MarkersPanel::draw_colors(const PanelContext& context) {
       list.AddRect(min, max, palette().text, context.theme.px(4), 0, context.theme.px(2));
     ui::tooltip(name);
   }
+  const bool other =
+      ui::button("marker_color/other", "Other colour...",
+                 {"Any colour, by hue or as #rrggbb.", ui::ButtonStyle::normal, true, -1});
+  if (other) ImGui::CloseCurrentPopup();
   if (ui::button(
           "marker_color/automatic", "Automatic",
           {"The colour that it has by its place in the list.", ui::ButtonStyle::normal, true, -1}))
     paint({});
+  ImGui::EndPopup();
+  return other;
+}
+
+/// Any colour; the marker wears it while it is being chosen.
+void MarkersPanel::draw_other_color(const PanelContext& context) {
+  const auto marker = begin_popup(context, other_popup);
+  if (!marker) return;
+  Rgb color = color_of_marker(context.view, coloured_, *marker, palette().dark);
+  constexpr auto flags = ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview |
+                         ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_NoOptions |
+                         ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_DisplayHex |
+                         ImGuiColorEditFlags_InputRGB | ImGuiColorEditFlags_PickerHueBar;
+  ImGui::BeginGroup();
+  ImGui::SetNextItemWidth(context.theme.px(200));
+  if (ImGui::ColorPicker3("##other", color.data(), flags))
+    change_look(context, *marker, coloured_, [&](MarkerLook& look) { look.color = color; });
+  ImGui::EndGroup();
+  ui::note("marker_color/picker");
+  if (ui::button("marker_color/done", "Done",
+                 {"Keep this colour.", ui::ButtonStyle::primary, true, -1}))
+    ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
 }
 

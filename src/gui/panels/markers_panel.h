@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "gui/panels/panel.h"
@@ -14,7 +15,9 @@ class MarkersPanel : public Panel {
 
  private:
   void draw_row(const PanelContext& context, Index marker);
-  void draw_colors(const PanelContext& context);
+  std::optional<Index> begin_popup(const PanelContext& context, const char* popup) const;
+  bool draw_colors(const PanelContext& context);
+  void draw_other_color(const PanelContext& context);
 
   std::string coloured_;  // marker whose colour is being chosen
 };

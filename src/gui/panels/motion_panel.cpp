@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/motion/rigid_motion.h"
+#include "gui/panels/forms/quality_limits_form.h"
 #include "gui/panels/keep_outside_rows.h"
 #include "gui/widgets/controls.h"
 
@@ -11,7 +12,11 @@ namespace winslow::gui {
 
 namespace {
 
-constexpr float motion_label_share = 0.30f;
+/// The fields of a vector begin where those of numbers do, with their letters before them.
+void vector_row(const char* label, const char* tip) {
+  ui::row(label, tip, motion_label_share);
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() - ui::letter_width());
+}
 
 bool moves(const RigidMotion& m) { return m.rotate != 0 || m.translate != Vec2(0, 0); }
 
@@ -38,6 +43,7 @@ void MotionPanel::draw(const PanelContext& context) {
   draw_pivot(context);
   draw_steps(context);
   draw_keep_outside(context);
+  draw_limits(context);
   ImGui::EndDisabled();
   typed_.pivot = session.selection().pivot();
   const bool can = !live && moves(typed_) && finite(typed_);
@@ -66,8 +72,7 @@ void MotionPanel::preview(const PanelContext& context, bool wanted) const {
 bool MotionPanel::draw_fields(const PanelContext& context, bool live) {
   const auto motion = context.session.mesh().live_motion();
   RigidMotion shown = live && motion ? *motion : typed_;
-  ui::row("Translate", "How far the body moves, x and y, in units of the mesh.",
-          motion_label_share);
+  vector_row("Translate", "How far the body moves, x and y, in units of the mesh.");
   bool entered = false;
   const ui::VectorField translate{"motion/dx", "motion/dy",
                                   "In units of the mesh. Enter applies the motion."};
@@ -84,8 +89,7 @@ bool MotionPanel::draw_fields(const PanelContext& context, bool live) {
 
 void MotionPanel::draw_pivot(const PanelContext& context) {
   Vec2 pivot = context.session.selection().pivot();
-  ui::row("Pivot", "The point about which the body turns. Drag it in the picture, or type it.",
-          motion_label_share);
+  vector_row("Pivot", "The point about which the body turns. Drag it in the picture, or type it.");
   const ui::VectorField field{"motion/pivot_x", "motion/pivot_y",
                               "The point about which the body turns."};
   if (ui::vector_field(field, pivot) && pivot.allFinite())
@@ -122,6 +126,15 @@ void MotionPanel::draw_steps(const PanelContext& context) {
     options.increments = increments[chosen];
     context.emit(action::EditMotionOptions{difference(now, options)});
   }
+}
+
+/// They hold for every motion and deformation from here on, dragged or typed.
+void MotionPanel::draw_limits(const PanelContext& context) {
+  const Jobs& jobs = context.session.jobs();
+  MotionOptions options = jobs.motion_options();
+  if (ui::quality_limits_form("motion", options.floor,
+                              follows_path(options, jobs.smooth_options())))
+    context.emit(action::EditMotionOptions{difference(jobs.motion_options(), options)});
 }
 
 }  // namespace winslow::gui

@@ -14,6 +14,7 @@ class MotionPanel : public Panel {
   void preview(const PanelContext& context, bool wanted) const;
   void draw_pivot(const PanelContext& context);
   void draw_steps(const PanelContext& context);
+  void draw_limits(const PanelContext& context);
 
   RigidMotion typed_;  // rotate and translate; the pivot is the session's
 };

@@ -106,7 +106,7 @@ void QualityPanel::draw_choice(const PanelContext& context) {
   constexpr const char* tip =
       "What the mesh is compared with: the mesh as it was opened, or as it was before the last "
       "command. The comparison in the viewport (View) shows the same state.";
-  ui::row("Compared with", tip);
+  ui::row("Compare with", tip, 0.32f);
   if (!ui::combo("quality/before", {"As opened", "Before last command"}, which, tip)) return;
   context.edit_view([&](ViewOptions& view) { view.before = static_cast<BeforeState>(which); });
 }

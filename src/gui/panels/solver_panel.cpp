@@ -13,6 +13,13 @@
 
 namespace winslow::gui {
 
+namespace {
+
+/// Of rows with short labels and lists of long names.
+constexpr float solver_label_share = 0.3f;
+
+}  // namespace
+
 void SolverPanel::draw(const PanelContext& context) {
   if (!ui::section("section/solver", "Solver")) return;
   draw_method(context);
@@ -28,7 +35,7 @@ void SolverPanel::draw_method(const PanelContext& context) {
   SmoothOptions smooth = session.jobs().smooth_options();
   MotionOptions motion = session.jobs().motion_options();
   ImGui::BeginDisabled(session.job().active());
-  if (ui::method_choice("solver", smooth, motion)) {
+  if (ui::method_choice("solver", smooth, motion, solver_label_share)) {
     context.emit(action::EditSmoothOptions{difference(session.jobs().smooth_options(), smooth)});
     context.emit(action::EditMotionOptions{difference(session.jobs().motion_options(), motion)});
   }
@@ -49,7 +56,7 @@ void SolverPanel::draw_pace(const PanelContext& context) {
   constexpr const char* tip =
       "How many outer iterations a second are carried out and shown. Slow enough to watch the mesh "
       "untangle; Unlimited when only the result matters. It can be changed while the solver runs.";
-  ui::row("Iterations", tip);
+  ui::row("Iterations", tip, solver_label_share);
   if (ui::combo("solver/pace", names, chosen, tip)) context.emit(action::SetPace{rates[chosen]});
 }
 

@@ -13,6 +13,9 @@ namespace winslow::gui {
 
 namespace {
 
+/// Labels are short here, and what is chosen has long names.
+void row(const char* label, const char* tip = "") { ui::row(label, tip, 0.32f); }
+
 constexpr std::array<double, 5> line_widths{0.5, 1, 1.5, 2, 3};
 
 template <std::size_t count>
@@ -69,7 +72,7 @@ bool ViewPanel::draw_color(const PanelContext& context, ViewOptions& view) {
   constexpr const char* tip =
       "Colour each element by its quality, or by what the virtual control volumes of its nodes say "
       "(the worst of them).";
-  ui::row("Metric", tip);
+  row("Metric", tip);
   if (!ui::combo("view/color", names, chosen, tip)) return false;
   view.color = chosen == 0 ? std::nullopt : std::optional<ElementField>(fields[chosen - 1]);
   // Of the metric before.
@@ -100,7 +103,7 @@ bool ViewPanel::draw_map(ViewOptions& view) {
       "to bright in even steps to the eye; puor is orange below zero and purple above it: for "
       "fields with a sign, such as the smallest weight. Plasma, magma and inferno contain red, "
       "which inverted elements wear.";
-  ui::row("Colour map", map_tip);
+  row("Colour map", map_tip);
   if (ui::combo("view/map", names, map, map_tip)) {
     view.color_map = maps[map];
     changed = true;
@@ -111,7 +114,7 @@ bool ViewPanel::draw_map(ViewOptions& view) {
   auto bands =
       static_cast<std::size_t>(std::ranges::find(band_counts, view.bands) - band_counts.begin());
   constexpr const char* bands_tip = "Colours run into each other, or come in steps.";
-  ui::row("Bands", bands_tip);
+  row("Bands", bands_tip);
   if (ui::combo("view/bands", band_names, bands, bands_tip)) {
     view.bands = band_counts[bands];
     changed = true;
@@ -126,7 +129,7 @@ bool ViewPanel::draw_range(const PanelContext& context, ViewOptions& view) {
       "are, for positive values that span decades. Automatic takes the one that shows more: "
       "logarithmic for aspect ratio, condition number and area of a mesh with boundary layers.";
   auto axis = static_cast<std::size_t>(view.color_axis);
-  ui::row("Scale", axis_tip);
+  row("Scale", axis_tip);
   if (ui::combo("view/axis", {"Automatic", "Linear", "Logarithmic"}, axis, axis_tip)) {
     view.color_axis = static_cast<ColorAxis>(axis);
     changed = true;
@@ -142,7 +145,7 @@ bool ViewPanel::draw_range(const PanelContext& context, ViewOptions& view) {
   std::size_t chosen = view.range ? fixed : 0;
   for (std::size_t k = 0; k < spreads.size() && !view.range; ++k)
     if (view.percentiles == spreads[k].percentiles) chosen = k + 1;
-  ui::row("Range", tip);
+  row("Range", tip);
   if (ui::combo("view/range", names, chosen, tip)) {
     const std::array<double, 2> ends = ends_of(context, view);
     view.range.reset();
@@ -153,7 +156,7 @@ bool ViewPanel::draw_range(const PanelContext& context, ViewOptions& view) {
   }
   if (view.range) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    ui::row("");
+    row("");
     const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
     ImGui::SetNextItemWidth(width);
     changed |= ui::number("view/range_low", (*view.range)[0], "Value of the low end");
@@ -168,13 +171,13 @@ bool ViewPanel::draw_elements(ViewOptions& view) {
   if (!ui::section("section/elements", "Elements")) return false;
   constexpr const char* tip = "Draw surfaces, edges or both (W).";
   auto style = static_cast<std::size_t>(style_of(view));
-  ui::row("Show", tip);
+  row("Show", tip);
   bool changed = ui::combo("view/style", {"Surfaces and edges", "Surfaces", "Edges"}, style, tip);
   if (changed) set_style(view, static_cast<ElementStyle>(style));
   constexpr const char* width_tip =
       "Of edges. Where elements are smaller than a few pixels, edges fade so that the picture does "
       "not turn black.";
-  ui::row("Line width", width_tip);
+  row("Line width", width_tip);
   std::size_t width = nearest(line_widths, view.line_width);
   if (ui::combo("view/line_width", {"0.5", "1", "1.5", "2", "3"}, width, width_tip)) {
     view.line_width = line_widths[width];
@@ -209,13 +212,13 @@ bool ViewPanel::draw_comparison(ViewOptions& view) {
       "Lay the edges of the state before over the mesh (G), or show it left of a divider that the "
       "mouse drags (Shift+G).";
   auto how = static_cast<std::size_t>(view.comparison);
-  ui::row("Show", tip);
+  row("Show", tip);
   bool changed = ui::combo("view/comparison",
                            {"The mesh now", "Ghost of previous mesh", "Side by side"}, how, tip);
   view.comparison = static_cast<Comparison>(how);
   auto which = static_cast<std::size_t>(view.before);
   constexpr const char* before_tip = "The same state as in the table of the quality.";
-  ui::row("Previous is", before_tip);
+  row("Previous is", before_tip);
   changed |= ui::combo("view/before", {"As opened", "Before last command"}, which, before_tip);
   view.before = static_cast<BeforeState>(which);
   return changed;
@@ -233,7 +236,7 @@ bool ViewPanel::draw_magnifier(const PanelContext& context, ViewOptions& view) {
                    "mouse."))
     context.emit(action::PinMagnifier{});
   constexpr const char* tip = "How much larger; the wheel over the magnifier sets it, too.";
-  ui::row("Factor", tip);
+  row("Factor", tip);
   changed |= ui::number("view/magnification", view.magnifier.factor, tip, "%.4g");
   if (!(view.magnifier.factor >= 2 && view.magnifier.factor <= 1000))
     view.magnifier.factor = context.view.magnifier.factor;
@@ -244,11 +247,11 @@ bool ViewPanel::draw_appearance(ViewOptions& view) {
   if (!ui::section("section/appearance", "Appearance")) return false;
   auto look = static_cast<std::size_t>(view.lightness);
   constexpr const char* look_tip = "Light or dark, for the interface and the mesh (Ctrl+D).";
-  ui::row("Theme", look_tip);
+  row("Theme", look_tip);
   bool changed = ui::combo("view/look", {"Light", "Dark"}, look, look_tip);
   auto backdrop = static_cast<std::size_t>(view.backdrop);
   constexpr const char* backdrop_tip = "What lies behind the mesh. Automatic goes with the theme.";
-  ui::row("Background", backdrop_tip);
+  row("Background", backdrop_tip);
   changed |= ui::combo("view/backdrop", {"Automatic", "White", "Grey", "Gradient", "Black"},
                        backdrop, backdrop_tip);
   std::vector<std::string> names{"Automatic"};
@@ -257,7 +260,7 @@ bool ViewPanel::draw_appearance(ViewOptions& view) {
   constexpr const char* scale_tip =
       "Size of the interface. Automatic is what the screen asks for. Ctrl+plus and Ctrl+minus step "
       "it, Ctrl+0 goes back to automatic.";
-  ui::row("Scale", scale_tip);
+  row("Scale", scale_tip);
   if (ui::combo("view/scale", names, scale, scale_tip)) {
     view.scale = scale == 0 ? 0 : scales[scale - 1];
     changed = true;

@@ -26,22 +26,24 @@ void WorstPanel::draw(const PanelContext& context) {
 void WorstPanel::draw_choices(const PanelContext& context) {
   ViewOptions view = context.view;
   bool changed = false;
-  const std::vector<Metric>& metrics = reported_metrics();
+  const std::vector<ElementField> fields = rankings();
   std::vector<std::string> names{"As coloured"};
   std::size_t chosen = 0;
-  for (std::size_t k = 0; k < metrics.size(); ++k) {
-    names.emplace_back(metric_label(metrics[k]));
-    if (view.worst_by == metrics[k]) chosen = k + 1;
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    names.emplace_back(field_info(fields[k]).label);
+    if (view.worst_by == fields[k]) chosen = k + 1;
   }
-  constexpr const char* metric_tip = "The metric by which elements are worst.";
-  ui::row("By", metric_tip);
+  constexpr const char* metric_tip =
+      "The metric, or the measure of cells at walls, by which elements are worst. First heights: "
+      "the smallest; over before: those that have changed by the largest factor.";
+  ui::row("By", metric_tip, 0.32f);
   if (ui::combo("worst/metric", names, chosen, metric_tip)) {
-    view.worst_by = chosen == 0 ? std::nullopt : std::optional(metrics[chosen - 1]);
+    view.worst_by = chosen == 0 ? std::nullopt : std::optional(fields[chosen - 1]);
     changed = true;
   }
   auto length =
       static_cast<std::size_t>(std::ranges::find(counts, view.worst_count) - counts.begin());
-  ui::row("Length", "How many elements are listed.");
+  ui::row("Length", "How many elements are listed.", 0.32f);
   if (ui::combo("worst/count", {"10", "20", "50", "100"}, length)) {
     view.worst_count = counts[length];
     changed = true;
@@ -66,10 +68,10 @@ void WorstPanel::draw_list(const PanelContext& context) {
   // A row must not become another while the mouse is about to click it.
   const auto latest = worst_elements(context.session, context.view);
   const bool held = hovered_ && list_generation_ == context.session.generation() &&
-                    list_metric_ == worst_metric(context.view) && !list_.empty();
+                    list_field_ == worst_field(context.view) && !list_.empty();
   if (!held) list_.assign(latest.begin(), latest.end());
   list_generation_ = context.session.generation();
-  list_metric_ = worst_metric(context.view);
+  list_field_ = worst_field(context.view);
   const std::vector<WorstElement>& worst = list_;
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const auto lines = static_cast<float>(std::clamp<std::size_t>(worst.size(), 1, 8));
@@ -94,7 +96,8 @@ void WorstPanel::draw_list(const PanelContext& context) {
     ImGui::SameLine();
     ui::text_right(table_number(worst[i].value), palette().text);
   }
-  if (worst.empty()) ui::text_dim("Measuring ...");
+  if (worst.empty())
+    ui::text_dim(context.session.quality().latest() ? "No element has it." : "Measuring ...");
   // Also while a row is held down: it is the click's end that counts.
   hovered_ = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   ImGui::EndChild();

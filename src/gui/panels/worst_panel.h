@@ -20,7 +20,7 @@ class WorstPanel : public Panel {
 
   std::vector<WorstElement> list_;  // as drawn
   std::uint64_t list_generation_ = 0;
-  Metric list_metric_ = Metric::normalized_jacobian;
+  ElementField list_field_ = Metric::normalized_jacobian;
   bool hovered_ = false;                 // in the last frame
   std::optional<MeshItem> scrolled_to_;  // the list is scrolled once to what comes into focus
 };

@@ -25,6 +25,12 @@ void check(const PictureOptions& options) {
   if (options.color) sample_color_map(color_map_for(*options.color, options.colors.map), 0);
 }
 
+/// Of what elements are coloured by.
+std::vector<double> field_values(const VirtualControlVolumes& vcv, const Mesh& mesh,
+                                 const PictureOptions& options) {
+  return element_values(vcv, mesh.coordinates, *options.color, 0, {.before = options.before.get()});
+}
+
 /// 12345 -> "12 345", with a space that does not break.
 std::string grouped(Index number) {
   std::string digits = std::to_string(number);
@@ -91,7 +97,7 @@ Image draw_picture(const Mesh& mesh, const PictureOptions& options) {
   text.title = options.title;
   text.warning = warning_text(check_validity(*mesh.topology, mesh.coordinates).inverted);
   if (options.color) {
-    values = element_values(*vcv, mesh.coordinates, *options.color);
+    values = field_values(*vcv, mesh, options);
     scale = choose_scale(options, values);
     if (options.legend) text.legend = make_legend(options, values, scale, !text.warning.empty());
   }
@@ -140,7 +146,7 @@ VectorFigure picture_figure(const Mesh& mesh, const PictureOptions& options) {
   const std::shared_ptr<const VirtualControlVolumes> vcv = make_state(mesh).vcv;
   figure.vcvs = inspect_nodes(*vcv, mesh.coordinates, options.vcvs);
   if (options.color) {
-    figure.values = element_values(*vcv, mesh.coordinates, *options.color);
+    figure.values = field_values(*vcv, mesh, options);
     figure.scale = choose_scale(options, figure.values);
     if (options.legend)
       figure.legend = make_legend(options, figure.values, *figure.scale, !figure.warning.empty());
@@ -159,8 +165,7 @@ VectorFigure picture_figure(const Mesh& mesh, const PictureOptions& options) {
 }
 
 ColorScale picture_scale(const Mesh& mesh, const PictureOptions& options) {
-  return choose_scale(options,
-                      element_values(*make_state(mesh).vcv, mesh.coordinates, *options.color));
+  return choose_scale(options, field_values(*make_state(mesh).vcv, mesh, options));
 }
 
 void use_scale(PictureOptions& options, const ColorScale& scale) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +18,9 @@ struct PictureOptions {
   int width = 1200, height = 900;     ///< pixels
   std::optional<ElementField> color;  ///< colour elements by this
   std::optional<Bounds> bounds;       ///< shown whole; default: the whole mesh
-  ColorChoice colors;                 ///< of what is coloured; on_dark follows dark
+  /// The nodes as they were before, for WallField::first_height_ratio; none: it has no values.
+  std::shared_ptr<const Coordinates> before;
+  ColorChoice colors;  ///< of what is coloured; on_dark follows dark
   bool wireframe = true;
   bool legend = true;      ///< only with color
   bool marker_key = true;  ///< names of the markers in their colours, bottom left

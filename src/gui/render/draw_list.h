@@ -36,7 +36,11 @@ struct DrawList {
   struct Seen {
     Range beside_inverted;  ///< where inverted ones are drawn above all; ranges count triangles
     Range alone;            ///< where they are not
-    Range whole;            ///< every triangle as it is: others may shine through
+    Range whole;            ///< every triangle as it is
+    /// Last of all, with vertices of their own: where some elements are see-through, what is seen
+    /// of the others, and of these one layer; see seen_through(). Empty: not asked for.
+    Range through = {};
+    std::size_t vertices = 0;  ///< of the list without those; 0: not asked for
   };
   std::optional<Seen> seen;  ///< none: all of them
   Range interior, boundary;

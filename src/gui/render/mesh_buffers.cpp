@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gui/render/line_density.h"
+#include "gui/render/overlap.h"
 
 namespace winslow::gui {
 namespace {
@@ -69,12 +70,24 @@ void MeshBuffers::set_element_colors(std::span<const std::uint32_t> rgba) {
   has_colors_ = !rgba.empty();
   see_through_ = std::ranges::any_of(rgba, [](std::uint32_t c) { return c < 0xFF000000U; });
   if (!has_colors_) return;
+  if (see_through_) upload_seen_through(rgba);
   std::vector<std::uint32_t> colors;
   colors.reserve(list_.triangle_element.size());
   for (const Index e : list_.triangle_element) {
     colors.push_back(rgba[static_cast<std::size_t>(e)]);
   }
   triangle_colors_.upload(view(colors));
+}
+
+/// What is seen of a mesh that lies over itself depends on which elements are see-through.
+void MeshBuffers::upload_seen_through(std::span<const std::uint32_t> rgba) {
+  if (!seen_through(list_, rgba)) return;
+  glBindVertexArray(vertex_array_);
+  positions_.upload(view(list_.positions));
+  node_spacing_.upload(view(list_.node_spacing));
+  triangles_.upload(view(list_.triangles));
+  triangle_lines_stale_ = true;
+  glBindVertexArray(0);
 }
 
 void MeshBuffers::set_line_opacity(std::span<const float> opacity) {
@@ -125,8 +138,13 @@ void MeshBuffers::prepare_merged(const LineStyle& style) {
 
 DrawList::Range MeshBuffers::triangles_seen(bool below_inverted) const {
   if (!list_.seen) return {0, list_.triangle_element.size()};
-  if (below_inverted) return list_.seen->beside_inverted;
-  return see_through_ ? list_.seen->whole : list_.seen->alone;
+  const DrawList::Seen& seen = *list_.seen;
+  const bool cut = seen.beside_inverted.first != seen.alone.first ||
+                   seen.beside_inverted.count != seen.alone.count;
+  if (below_inverted && cut) return seen.beside_inverted;
+  if (!see_through_) return seen.alone;
+  // Elements that lie side by side have none to see through.
+  return seen.alone.first == seen.whole.first ? seen.whole : seen.through;
 }
 
 void MeshBuffers::draw_fill(const Rgba* color, const LineStyle* merged, bool below_inverted) {

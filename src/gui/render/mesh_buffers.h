@@ -51,6 +51,7 @@ class MeshBuffers {
   void draw_nodes(const Rgba& color, float size);
 
  private:
+  void upload_seen_through(std::span<const std::uint32_t> rgba);
   float merging_below(const LineStyle& style) const;
   DrawList::Range triangles_seen(bool below_inverted) const;
   void prepare_merged(const LineStyle& style);

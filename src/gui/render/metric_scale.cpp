@@ -48,6 +48,12 @@ void set_linear(ColorScale& scale, ColorRange range, std::vector<double>& finite
       scale.low = std::min(0.0, percentile(finite, 1 - robust));
       scale.high = high > scale.low ? round_up_nicely(high) : scale.low + 1;
       break;
+    case ColorRange::around_one: {
+      constexpr double least = 1.1;  // what is off by rounding alone is not to fill the map
+      scale.low = finite.empty() ? 1 / least : std::min(percentile(finite, 1 - robust), 1 / least);
+      scale.high = std::max(round_up_nicely(high), least);
+      break;
+    }
     case ColorRange::counts:
       scale.low = 1;
       scale.high = std::max(percentile(finite, 1), 2.0);
@@ -99,6 +105,7 @@ std::vector<std::string> color_map_choices() {
 
 std::string color_map_for(const ElementField& field, const std::string& choice) {
   if (choice != "automatic") return choice;
+  if (field_info(field).one_is_best) return "puor";
   const bool quality = field.metric()
                            ? metric_info(*field.metric()).reported
                            : field != LayerField::layer && field != WallField::first_height;
@@ -113,6 +120,7 @@ ColorScale color_scale(const ElementField& field, std::span<const double> values
   scale.bands = choice.bands;
   scale.on_dark = choice.on_dark;
   if (info.has_sign) scale.centre = 0;
+  if (info.one_is_best) scale.centre = 1;
   std::vector<double> finite = finite_values(values);
   set_linear(scale, info.colors, finite);
   std::vector<double> above_zero = positive(finite);

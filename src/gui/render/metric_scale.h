@@ -28,7 +28,8 @@ struct ColorChoice {
 /// "automatic" and color_map_names().
 std::vector<std::string> color_map_choices();
 /// The map that "automatic" is on a linear scale: neutral where a field says how good elements are,
-/// viridis where it does not (area, layer). Logarithmic scales have viridis. Other names stay.
+/// viridis where it does not (area, layer), puor where 1 is best on a way between two bad ends.
+/// Logarithmic scales have viridis. Other names stay.
 std::string color_map_for(const ElementField& field, const std::string& choice);
 
 /// The colours in which a metric is shown: bad elements stand out, good ones do not. Where the user
@@ -37,10 +38,11 @@ std::string color_map_for(const ElementField& field, const std::string& choice);
 /// not wash out the rest; kappa likewise. Area: to the same percentile. Residual: from 0 to that
 /// percentile. Smallest weight: to 1, from 0 or the worst half percent if that is less. Values that
 /// are not finite are left out. Fields with a sign (sine, area, smallest weight) have the middle of
-/// a diverging map at zero: negative ones are orange. Where that would show a mesh in one colour,
-/// as boundary layers make it of aspect ratio, condition number and area, the scale is logarithmic,
-/// from the first to the last percentile. A logarithmic scale that is asked for leaves out what is
-/// not positive; where nothing is, the scale is linear.
+/// a diverging map at zero: negative ones are orange; ratios of which 1 is best have it there.
+/// Where that would show a mesh in one colour, as boundary layers make it of aspect ratio,
+/// condition number and area, the scale is logarithmic, from the first to the last percentile. A
+/// logarithmic scale that is asked for leaves out what is not positive; where nothing is, the scale
+/// is linear.
 ColorScale color_scale(const ElementField& field, std::span<const double> values,
                        const ColorChoice& choice);
 

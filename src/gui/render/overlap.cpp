@@ -103,15 +103,21 @@ class Pieces {
 
   /// Puts them before the list's triangles.
   void prepend() {
-    const auto put = [](auto& pieces, auto& all) {
-      all.insert(all.begin(), pieces.begin(), pieces.end());
-    };
-    put(triangles_, list_.triangles);
-    put(elements_, list_.triangle_element);
-    put(lines_, list_.triangle_lines);
+    put([](auto& pieces, auto& all) { all.insert(all.begin(), pieces.begin(), pieces.end()); });
+  }
+  /// Puts them behind.
+  void append() {
+    put([](auto& pieces, auto& all) { all.insert(all.end(), pieces.begin(), pieces.end()); });
   }
 
  private:
+  template <class Put>
+  void put(Put&& insert) {
+    insert(triangles_, list_.triangles);
+    insert(elements_, list_.triangle_element);
+    insert(lines_, list_.triangle_lines);
+  }
+
   DrawList& list_;
   std::vector<std::uint32_t> triangles_;
   std::vector<Index> elements_;
@@ -156,6 +162,18 @@ void fade_lines(DrawList& list, const Extent& all) {
   }
 }
 
+/// What seen_through() has added.
+void forget_through(DrawList& list) {
+  DrawList::Seen& seen = *list.seen;
+  const std::size_t triangles = seen.whole.first + seen.whole.count;
+  list.positions.resize(2 * seen.vertices);
+  list.node_spacing.resize(seen.vertices);
+  list.triangles.resize(3 * triangles);
+  list.triangle_element.resize(triangles);
+  if (!list.triangle_lines.empty()) list.triangle_lines.resize(2 * triangles);
+  seen.through = {};
+}
+
 }  // namespace
 
 void hide_covered(DrawList& list) {
@@ -188,6 +206,37 @@ void hide_covered(DrawList& list) {
   alone.prepend();
   beside.prepend();
   list.seen = seen;
+}
+
+bool seen_through(DrawList& list, std::span<const std::uint32_t> rgba) {
+  // Where elements lie side by side there is no pile to see through.
+  if (!list.seen || list.seen->alone.first == list.seen->whole.first) return false;
+  DrawList::Seen& seen = *list.seen;
+  if (seen.vertices == 0) seen.vertices = list.node_spacing.size();
+  forget_through(list);
+  // Those that cover the same place are told apart by their size, as everywhere here.
+  const std::vector<std::uint32_t> triangles(
+      list.triangles.begin() + static_cast<std::ptrdiff_t>(3 * seen.whole.first),
+      list.triangles.end());
+  const Extent all(list, triangles);
+  CellCover cover(all.box);
+  Pieces faint(list), opaque(list);
+  const std::vector<std::size_t> order = all.order();
+  const auto cut = [&](bool solid, Pieces& pieces) {
+    for (const std::size_t t : order) {
+      const std::size_t of = seen.whole.first + t;
+      const std::uint32_t alpha = rgba[static_cast<std::size_t>(list.triangle_element[of])] >> 24U;
+      if (alpha == 0 || (alpha == 255) != solid) continue;
+      cover.cut(triangle_at(list, triangles, t), true,
+                [&](const std::vector<Vec2>& p) { pieces.add(p, of); });
+    }
+  };
+  cut(true, opaque);
+  cut(false, faint);
+  seen.through = {list.triangle_element.size(), faint.size() + opaque.size()};
+  faint.append();
+  opaque.append();
+  return true;
 }
 
 }  // namespace winslow::gui

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "gui/render/draw_list.h"
 
 namespace winslow::gui {
@@ -16,5 +19,12 @@ namespace winslow::gui {
 /// A list that hardly lies over itself stays as it is. Call it before sort_by_spacing(), while
 /// interior lines are the list's only ones.
 void hide_covered(DrawList& list);
+
+/// Elements are see-through now: a thousand layers of faint ones would take as long as ever, and
+/// hide those that are not faint. Adds to a list that lies over itself the triangles of
+/// DrawList::Seen::through, in place of those of the last call: of the opaque elements what is
+/// seen, and beside them one layer of the faint ones. rgba: colours of the elements, 8 bits each.
+/// True if the list has changed.
+bool seen_through(DrawList& list, std::span<const std::uint32_t> rgba);
 
 }  // namespace winslow::gui

@@ -77,8 +77,9 @@ struct ViewOptions {
   double divider = 0.5;  ///< share of the viewport left of the divider
   BeforeState before = BeforeState::loaded;
   Magnifier magnifier;
-  std::optional<Metric> worst_by;  ///< metric of the list of worst elements; none: as coloured
-  int worst_count = 20;            ///< length of that list
+  /// What the list of worst elements goes by; none: as coloured.
+  std::optional<ElementField> worst_by;
+  int worst_count = 20;  ///< length of that list
   Lightness lightness = Lightness::light;
   Backdrop backdrop = Backdrop::automatic;
   double scale = 0;         ///< pixels per unit of the layout; 0: as the screen wants it

@@ -5,7 +5,6 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "gui/widgets/line_breaks.h"
 #include "gui/widgets/ui_layer.h"
@@ -106,6 +105,11 @@ void note(std::string_view id, const ImVec2& min, const ImVec2& max) {
     ImGui::ScrollToBringRectIntoView(ImGui::GetCurrentContext()->CurrentWindow, ImRect(min, max));
 }
 
+void note_label(std::string_view id, float label, float room) {
+  note(id);
+  if (label > room + 0.5f) UiLayer::current().widgets().mark_cut(id);
+}
+
 void tooltip(std::string_view text) {
   if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
@@ -133,7 +137,7 @@ bool button(std::string_view id, const std::string& label, const ButtonOptions& 
   ImGui::BeginDisabled(!options.enabled);
   const bool pressed = ImGui::Button((label + "###" + std::string(id)).c_str(),
                                      ImVec2(options.width < 0 ? -FLT_MIN : options.width, 0));
-  note(id);
+  note_label(id, ImGui::CalcTextSize(label.c_str()).x, ImGui::GetItemRectSize().x);
   ImGui::EndDisabled();
   ImGui::PopStyleColor(colors);
   tooltip(options.tooltip);
@@ -147,7 +151,8 @@ bool checkbox(std::string_view id, const std::string& label, bool& value, std::s
   const bool changed = ImGui::Checkbox((label + "###" + std::string(id)).c_str(), &value);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
-  note(id);
+  note_label(id, ImGui::GetItemRectMax().x,
+             ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x);
   tooltip(tip);
   return changed;
 }
@@ -160,7 +165,10 @@ void row(const std::string& label, std::string_view tip, float label_share) {
   ImGui::TextUnformatted(label.c_str());
   ImGui::PopStyleColor();
   tooltip(tip);
-  ImGui::SameLine(start + width * label_share);
+  // A label that is longer than its column pushes the control on.
+  const float end =
+      ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ImGui::GetStyle().ItemInnerSpacing.x;
+  ImGui::SameLine(std::max(start + width * label_share, label.empty() ? 0 : end));
   ImGui::SetNextItemWidth(-FLT_MIN);
 }
 
@@ -180,11 +188,13 @@ bool number(std::string_view id, int& value, std::string_view tip) {
   return changed;
 }
 
+float letter_width() { return ImGui::CalcTextSize("x").x + ImGui::GetStyle().ItemInnerSpacing.x; }
+
 bool vector_field(const VectorField& field, Vec2& value, bool* enter) {
   // Six digits do not tell places apart on a mesh far from the origin.
   const char* format = value.cwiseAbs().maxCoeff() < 1e5 ? "%.6g" : "%.12g";
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  const float letter = ImGui::CalcTextSize("x").x + gap;
+  const float letter = letter_width();
   const float width = (ImGui::GetContentRegionAvail().x - 2 * letter - gap) / 2;
   bool changed = false;
   for (const int axis : {0, 1}) {
@@ -215,99 +225,6 @@ void forget_typed_steps() {
   undo.undo_char_point = 0;
   undo.redo_point = IM_ARRAYSIZE(undo.undo_rec);
   undo.redo_char_point = IM_ARRAYSIZE(undo.undo_char);
-}
-
-namespace {
-
-/// The item of an open list that the arrow keys have come to, and whether Enter takes it.
-struct ListKeys {
-  std::size_t at = 0;
-  bool moved = false, taken = false;
-};
-ListKeys follow_keys(std::size_t count, std::size_t chosen) {
-  ImGuiStorage& state = *ImGui::GetStateStorage();
-  const ImGuiID key = ImGui::GetID("list_keys");
-  if (ImGui::IsWindowAppearing()) state.SetInt(key, static_cast<int>(chosen));
-  const int last = static_cast<int>(count) - 1;
-  const int before = std::clamp(state.GetInt(key, 0), 0, std::max(last, 0));
-  int at = before;
-  if (ImGui::IsKeyPressed(GLFW_KEY_DOWN)) at = std::min(at + 1, last);
-  if (ImGui::IsKeyPressed(GLFW_KEY_UP)) at = std::max(at - 1, 0);
-  if (ImGui::IsKeyPressed(GLFW_KEY_HOME)) at = 0;
-  if (ImGui::IsKeyPressed(GLFW_KEY_END)) at = last;
-  state.SetInt(key, at);
-  return {
-      static_cast<std::size_t>(std::max(at, 0)), at != before,
-      ImGui::IsKeyPressed(GLFW_KEY_ENTER, false) || ImGui::IsKeyPressed(GLFW_KEY_KP_ENTER, false)};
-}
-
-}  // namespace
-
-bool combo(std::string_view id, const std::vector<std::string>& items, std::size_t& chosen,
-           std::string_view tip) {
-  const std::string preview = chosen < items.size() ? items[chosen] : std::string();
-  // As many items as there are formats are seen without scrolling.
-  const bool open =
-      ImGui::BeginCombo(hidden(id).c_str(), preview.c_str(), ImGuiComboFlags_HeightLarge);
-  note(id);
-  if (!open) {
-    tooltip(tip);
-    return false;
-  }
-  const std::size_t before = chosen;
-  const ListKeys keys = follow_keys(items.size(), chosen);
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    // What the keys have come to is lit; what the mouse is over lights up by itself.
-    if (ImGui::Selectable(items[i].c_str(), i == keys.at)) chosen = i;
-    note(std::string(id) + "/" + items[i]);
-    if (i == before && ImGui::IsWindowAppearing()) ImGui::SetItemDefaultFocus();
-    if (i == keys.at && keys.moved) ImGui::SetScrollHereY();
-  }
-  if (keys.taken && keys.at < items.size()) {
-    chosen = keys.at;
-    ImGui::CloseCurrentPopup();
-  }
-  ImGui::EndCombo();
-  return chosen != before;
-}
-
-bool tabs(std::string_view id, const std::vector<Tab>& items, std::size_t& chosen) {
-  const Theme& theme = UiLayer::current().theme();
-  const ImVec2 start = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x / static_cast<float>(items.size());
-  const float height = theme.px(28);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddLine(ImVec2(start.x, start.y + height),
-               ImVec2(start.x + width * static_cast<float>(items.size()), start.y + height),
-               palette().border);
-  bool changed = false;
-  for (std::size_t k = 0; k < items.size(); ++k) {
-    std::string name(id);
-    name += '/';
-    for (char c : items[k].label)
-      name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    const ImVec2 min(start.x + width * static_cast<float>(k), start.y);
-    ImGui::SetCursorScreenPos(min);
-    if (ImGui::InvisibleButton(name.c_str(), ImVec2(std::max(width, 1.0f), height)) &&
-        k != chosen) {
-      chosen = k;
-      changed = true;
-    }
-    note(name);
-    const bool over = ImGui::IsItemHovered();
-    tooltip(items[k].tooltip);
-    const bool present = k == chosen;
-    ImFont* font = present ? theme.bold : theme.regular;
-    const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e6f, 0, items[k].label.c_str());
-    list.AddText(font, font->FontSize,
-                 ImVec2(min.x + (width - size.x) / 2, min.y + (height - size.y) / 2),
-                 present || over ? palette().text : palette().text_dim, items[k].label.c_str());
-    if (present)
-      list.AddRectFilled(ImVec2(min.x, min.y + height - theme.px(2)),
-                         ImVec2(min.x + width, min.y + height), palette().accent);
-  }
-  ImGui::SetCursorScreenPos(ImVec2(start.x, start.y + height + theme.px(8)));
-  return changed;
 }
 
 bool section(std::string_view id, const std::string& title) {

@@ -14,6 +14,8 @@ namespace winslow::gui::ui {
 void note(std::string_view id);
 /// The same for any rectangle.
 void note(std::string_view id, const ImVec2& min, const ImVec2& max);
+/// note() of the last item whose label, `label` pixels wide, has `room` of them.
+void note_label(std::string_view id, float label, float room);
 /// Shown when the mouse rests on the last item; wrapped; nothing if empty.
 void tooltip(std::string_view text);
 
@@ -35,6 +37,8 @@ void row(const std::string& label, std::string_view tip = {}, float label_share 
 bool number(std::string_view id, double& value, std::string_view tip = {},
             const char* format = "%.6g");
 bool number(std::string_view id, int& value, std::string_view tip = {});
+/// What the letter before a component of a vector takes, pixels.
+float letter_width();
 /// Two fields for the components of a vector, labelled x and y, side by side in the rest of the
 /// row.
 struct VectorField {

@@ -22,10 +22,13 @@ class WidgetMap {
     ScreenPoint min, max;
     bool enabled = true;
     bool shown = true;  ///< its centre is in sight: neither scrolled away nor cut off
+    bool cut = false;   ///< its label does not fit into it
     ScreenPoint centre() const { return midpoint(min, max); }
   };
   void clear() { rects_.clear(); }
   void note(std::string_view id, const Rect& rect) { rects_[std::string(id)] = rect; }
+  /// Of a widget that is noted: its label does not fit.
+  void mark_cut(std::string_view id) { rects_[std::string(id)].cut = true; }
   std::optional<Rect> find(std::string_view id) const;
   /// The widget that its window is to be scrolled to while frames are drawn; empty: none.
   void want(std::string_view id) { wanted_ = id; }

@@ -204,7 +204,7 @@ TEST_CASE("fields do not depend on the number of threads, and have names to be f
   CHECK_THROWS_WITH_AS(parse_field("beauty"),
                        "found \"beauty\", expected one of normalized_jacobian, aspect_ratio, "
                        "condition_number, smallest_angle, largest_angle, skewness, area, kappa, "
-                       "smallest_weight, residual, first_height, first_edge_tilt, size_ratio, "
-                       "layer, spacing_error",
+                       "smallest_weight, residual, first_height, first_height_ratio, "
+                       "first_edge_tilt, growth, size_ratio, layer, spacing_error",
                        UsageError);
 }

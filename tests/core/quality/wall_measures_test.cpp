@@ -78,7 +78,7 @@ TEST_CASE("an O-grid has the first height and the growth that it was made with")
   REQUIRE(walls.size() == 1);
   check_all(first_heights(mesh, walls[0]), first);
   for (const double tilt : first_edge_tilts(mesh, walls[0])) CHECK(std::abs(tilt) < 1e-6);
-  const auto growth = column_growth(mesh, walls[0]);
+  const auto growth = values_of(column_growth(mesh, walls[0]));
   CHECK(growth.size() == 37 * 11);
   check_all(growth, 1.2);
   const WallReport report = measure_walls(mesh);
@@ -144,7 +144,7 @@ TEST_CASE("a quadrilateral in a concave corner of a wall is measured by its othe
 TEST_CASE("size ratios are of areas across shared edges") {
   const double growth = 1.3;
   const Mesh mesh = make_mesh(annulus(24, 5, growth, Cells::quads));
-  const auto ratios = size_ratios(mesh);
+  const auto ratios = values_of(size_ratios(mesh));
   std::size_t across = 0;
   for (const double ratio : ratios) {
     const bool along_ring = std::abs(ratio - 1) < 1e-9;
@@ -176,11 +176,14 @@ TEST_CASE("first heights of two meshes are compared node by node") {
 TEST_CASE("damage is named with its figures and its place, and only where there is any") {
   const Mesh before = make_mesh(o_grid(40, 6, 0.01, 1.2));
   Mesh after = before;
-  CHECK(describe_damage(before, after).empty());
+  CHECK(find_damage(before, after).text.empty());
   after.coordinates.set_xy(40, Vec2(1.0115, 0));
-  CHECK(describe_damage(before, after).empty());  // 1 of 40 by 15 %
+  CHECK(find_damage(before, after).text.empty());  // 1 of 40 by 15 %
   after.coordinates.set_xy(40, Vec2(1.005, 0));
-  std::string damage = describe_damage(before, after);
+  Damage found = find_damage(before, after);
+  std::string damage = found.text;
+  CHECK(found.node == 0);
+  CHECK_FALSE(found.element.has_value());
   CHECK(damage.find("at 2.5 % of the wall nodes, at worst to 0.5 times what they were at (1, 0)") !=
         std::string::npos);
   CHECK(damage.find("sine") == std::string::npos);
@@ -189,10 +192,16 @@ TEST_CASE("damage is named with its figures and its place, and only where there 
   const Index node = 3 * 40;
   const double radius = before.coordinates.xy(node).x();
   after.coordinates.set_xy(node, radius * Vec2(std::cos(0.1), std::sin(0.1)));
-  damage = describe_damage(before, after);
+  found = find_damage(before, after);
+  damage = found.text;
+  CHECK_FALSE(found.node.has_value());
+  REQUIRE(found.element.has_value());
+  CHECK(found.element == worst_element(after, Metric::normalized_jacobian));
+  const auto corners = after.topology->element(*found.element);
+  CHECK(std::ranges::find(corners, node) != corners.end());
   CHECK(damage.starts_with("the smallest sine fell from "));
   Mesh tangled = before;
   tangled.coordinates.set_xy(node, Vec2(0, 0));
-  CHECK(describe_damage(before, tangled).empty());
-  CHECK(describe_damage(tangled, before).empty());
+  CHECK(find_damage(before, tangled).text.empty());
+  CHECK(find_damage(tangled, before).text.empty());
 }

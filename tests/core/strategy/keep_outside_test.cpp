@@ -186,15 +186,3 @@ TEST_CASE("a region that cannot be meant is refused") {
   CHECK(refused({.corner = Vec2(100, 100), .opposite = Vec2(101, 101)}, smooth)
             .find("no interior node") != std::string::npos);
 }
-
-TEST_CASE("a region does not go with layers: nothing is moved behind the user's back") {
-  const MeshState state = holes();
-  LayersCommand layers;
-  layers.layers.walls.push_back({{"hole_a"}, {.count = 2}});
-  CHECK_NOTHROW(execute(layers, state));
-  layers.smooth.keep_outside.radius = 0.3;
-  layers.smooth.keep_outside.centre = Vec2(0, 0);
-  CHECK_THROWS_WITH_AS(execute(layers, state),
-                       "keep-outside does not go with layers that are inserted, spaced or held",
-                       UsageError);
-}

@@ -75,6 +75,24 @@ TEST_CASE("case C: a scrambled mesh is seen at once, and the window lives on whi
   CHECK(rig.document().history().position() == 2);
 }
 
+TEST_CASE("a scrambled mesh with elements isolated is drawn as fast as one that is in order") {
+  PaintedRig rig;
+  rig.bench->apply(action::StartDemo{"C"});
+  REQUIRE(rig.wait([&] { return rig.ready(); }));
+  set_view(rig, [](ViewOptions& view) {
+    view.mark_inverted = false;
+    view.isolation.on = true;
+  });
+  const double good = seconds_of_frames(rig, 30);
+  rig.bench->apply(action::StepDemo{1});
+  REQUIRE(rig.wait([&] { return rig.document().history().position() == 1 && rig.ready(); }));
+  REQUIRE(rig.settle());
+  rig.painted_frame();
+  const double tangled = seconds_of_frames(rig, 30);
+  MESSAGE("processor seconds of 30 frames: ", good, ", of the scramble: ", tangled);
+  CHECK(tangled < 3 * good);
+}
+
 TEST_CASE("keys typed ahead act one by one, each on a mesh that has been seen") {
   Rig rig;
   rig.open(ring_mesh(240, 60));  // so large that its picture is made in the background

@@ -85,6 +85,48 @@ TEST_CASE("a marker gets another colour, and its own back") {
   CHECK_FALSE(look(rig, "left").color.has_value());
 }
 
+TEST_CASE("a marker gets a colour that is none of those offered, which is kept with the mesh") {
+  TemporaryFolder profile, meshes;
+  const auto mesh = write(meshes, two_body_mesh(), "one.su2");
+  std::optional<Rgb> chosen;
+  {
+    Rig rig(1280, 720, profile.path());
+    rig.bench->apply(action::OpenMesh{mesh, true});
+    REQUIRE(rig.settle());
+    rig.click("marker_color/left");
+    rig.frames(2);
+    rig.click("marker_color/other");
+    rig.frames(3);
+    REQUIRE(rig.visible("marker_color/picker"));
+    CHECK_FALSE(rig.visible("marker_color/other"));  // one popup after the other
+    const auto picker = rig.bench->widgets().find("marker_color/picker");
+    // Two places of its square of colours.
+    const ScreenVector size = picker->max - picker->min;
+    rig.click(picker->min + ScreenVector(0.2 * size.x(), 0.2 * size.x()));
+    const auto first = look(rig, "left").color;
+    REQUIRE(first.has_value());
+    rig.click(picker->min + ScreenVector(0.6 * size.x(), 0.4 * size.x()));
+    chosen = look(rig, "left").color;
+    REQUIRE(chosen.has_value());
+    CHECK(*chosen != *first);
+    CHECK(rig.visible("marker_color/picker"));  // it stays until it is done
+    const VectorFigure figure = rig.bench->pictures().figure(false);
+    CHECK(figure.marker_colors[static_cast<std::size_t>(rig.marker("left"))] == chosen);
+    rig.click("marker_color/done");
+    rig.frames(2);
+    CHECK_FALSE(rig.visible("marker_color/picker"));
+    CHECK(look(rig, "left").color == chosen);
+  }
+  Rig rig(1280, 720, profile.path());
+  rig.settle();
+  while (rig.session().messages().prompt()) rig.key(keys::escape);
+  rig.bench->apply(action::OpenMesh{mesh, true});
+  REQUIRE(rig.settle());
+  REQUIRE(look(rig, "left").color.has_value());
+  for (std::size_t c = 0; c < 3; ++c)
+    CHECK((*look(rig, "left").color)[c] == doctest::Approx((*chosen)[c]).epsilon(1e-5));
+}
+
 TEST_CASE("what is hidden, locked and coloured is remembered of the mesh, not of another") {
   TemporaryFolder profile;
   TemporaryFolder meshes;

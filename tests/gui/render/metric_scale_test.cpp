@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -17,15 +18,32 @@ TEST_CASE("The sine is shown from 0 to 1 whatever the mesh") {
   CHECK_FALSE(scale.reversed);
 }
 
-TEST_CASE("Fields with a sign have the middle of a diverging map at zero") {
+TEST_CASE("Fields with a sign, and ratios, have the middle of a diverging map at zero or one") {
   const std::vector<double> values{-0.5, 0.3, 0.8};
   for (const ElementField& field : all_element_fields()) {
     CAPTURE(field_info(field).name);
     const bool sign = field == Metric::normalized_jacobian || field == Metric::area ||
-                      field == NodalField::smallest_weight;
+                      field == NodalField::smallest_weight ||
+                      field == WallField::first_height_ratio;
     CHECK(color_scale(field, values, {.map = "puor"}).diverges() == sign);
     CHECK_FALSE(color_scale(field, values, {.map = "viridis"}).diverges());
   }
+}
+
+TEST_CASE("A ratio of which 1 is best has it in the middle of its colours, well inside") {
+  std::vector<double> values(300, 1.0);
+  std::fill_n(values.begin(), 100, 0.25);
+  std::fill_n(values.rbegin(), 100, 1.6);
+  const ColorScale changed = color_scale(WallField::first_height_ratio, values, {});
+  CHECK(changed.map == "puor");
+  CHECK(changed.centre == 1);
+  CHECK(changed.low <= 0.25);
+  CHECK(changed.high >= 1.6);
+  CHECK(changed.share(1) > 0);
+  const ColorScale same = color_scale(WallField::first_height_ratio, std::vector{1.0, 1.0}, {});
+  CHECK(same.low < 0.95);
+  CHECK(same.high > 1.05);
+  CHECK(color_scale(WallField::first_height_ratio, {}, {}).high > 1);
 }
 
 TEST_CASE("One sliver and inverted elements do not stretch the colours of the aspect ratio") {

@@ -144,6 +144,55 @@ TEST_CASE("Every piece has the colour of its element") {
     }
 }
 
+TEST_CASE("Through faint elements of a pile the others are seen, each place once") {
+  const Mesh mesh = scrambled(60, Cells::triangles);
+  DrawList list = list_of(mesh);
+  REQUIRE(list.seen.has_value());
+  const DrawList plain = list;
+  const auto count = static_cast<std::size_t>(mesh.topology->element_count());
+  // One in fifty is opaque, the others faint; of these some are not drawn at all.
+  std::vector<std::uint32_t> rgba(count, 0x26FFFFFFU);
+  for (std::size_t e = 0; e < count; e += 50) rgba[e] = 0xFFFFFFFFU;
+  for (std::size_t e = 1; e < count; e += 3)
+    if (rgba[e] != 0xFFFFFFFFU) rgba[e] = 0x00FFFFFFU;
+  REQUIRE(seen_through(list, rgba));
+  const DrawList::Range& through = list.seen->through;
+  CHECK(through.first == plain.triangle_element.size());
+  CHECK(through.first + through.count == list.triangle_element.size());
+  CHECK(drawn_area(list, list.triangles, through) < 3);
+  CHECK(drawn_area(list, list.triangles, list.seen->whole) > 100);
+  DrawList opaque;  // as they are, and as they are drawn
+  opaque.origin = list.origin;
+  opaque.positions = list.positions;
+  std::vector<std::uint32_t> drawn;
+  for (std::size_t t = list.seen->whole.first; t < through.first; ++t)
+    if (static_cast<std::size_t>(list.triangle_element[t]) % 50 == 0)
+      for (std::size_t k = 0; k < 3; ++k) opaque.triangles.push_back(list.triangles[3 * t + k]);
+  for (std::size_t t = through.first; t < through.first + through.count; ++t) {
+    const std::uint32_t alpha = rgba[static_cast<std::size_t>(list.triangle_element[t])] >> 24U;
+    CHECK(alpha > 0);
+    if (alpha == 255)
+      for (std::size_t k = 0; k < 3; ++k) drawn.push_back(list.triangles[3 * t + k]);
+  }
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> anywhere(0, 1);
+  for (int k = 0; k < 300; ++k) {
+    const double x = anywhere(random);
+    const Vec2 p(x, anywhere(random));
+    CAPTURE(p);
+    if (holds(opaque, opaque.triangles, 0, opaque.triangles.size() / 3, p, -1e-5))
+      CHECK(holds(list, drawn, 0, drawn.size() / 3, p, 1e-5));
+  }
+  // Other colours replace what was added; a list that does not lie over itself has none.
+  REQUIRE(seen_through(list, std::vector<std::uint32_t>(count, 0x26FFFFFFU)));
+  CHECK(drawn_area(list, list.triangles, list.seen->through) < 2);
+  REQUIRE(seen_through(list, std::vector<std::uint32_t>(count, 0x00FFFFFFU)));
+  CHECK(list.triangles == plain.triangles);
+  CHECK(list.positions == plain.positions);
+  DrawList valid = list_of(make_mesh(winslow::test::square(20, Cells::triangles)));
+  CHECK_FALSE(seen_through(valid, std::vector<std::uint32_t>(800, 0x26FFFFFFU)));
+}
+
 TEST_CASE("Lines of a pile of elements fade, those beside it stay") {
   const Mesh mesh = scrambled(60, Cells::triangles);
   const DrawList list = list_of(mesh);

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "gui/document/actions/actions.h"
+#include "gui/settings/view_state.h"
 
 namespace winslow::gui {
 
@@ -34,6 +36,7 @@ struct Banner {
   };
   Kind kind = Kind::inverted_result;
   std::string text;
+  std::optional<MeshItem> worst = {};  ///< where to look, if it is about a place
 };
 
 /// A passing remark: what was just done.

@@ -46,8 +46,4 @@ BodyDrag::Reach BodyDrag::reach() const {
   return frame_->limit || !session_->error().empty() ? Reach::limit : Reach::catching_up;
 }
 
-std::string BodyDrag::limit() const {
-  return frame_->contact ? describe_touch(*frame_->contact) : "No valid mesh was found";
-}
-
 }  // namespace winslow::gui

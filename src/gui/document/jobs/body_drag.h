@@ -35,8 +35,6 @@ class BodyDrag {
   const DragGrip& grip() const { return grip_; }
   const RigidMotion& wanted() const { return wanted_; }
   Reach reach() const;
-  /// What is beyond the limit: "flap would touch main".
-  std::string limit() const;
   /// The frame is the solution for the position asked for.
   bool settled() const { return session_->settled(); }
 

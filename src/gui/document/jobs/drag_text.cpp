@@ -4,12 +4,15 @@
 
 namespace winslow::gui {
 
+std::string blocked_text(const EdgePair& contact) {
+  if (contact.other == contact.moving) return "Blocked by the body itself";
+  return contact.other.empty() ? "Blocked by an unnamed boundary"
+                               : "Blocked by \"" + contact.other + '"';
+}
+
 std::string blocked_text(const BodyDrag& drag) {
   const auto& contact = drag.frame().contact;
-  if (!contact) return drag.limit();
-  if (contact->other == contact->moving) return "Blocked by the body itself";
-  return contact->other.empty() ? "Blocked by an unnamed boundary"
-                                : "Blocked by \"" + contact->other + '"';
+  return contact ? blocked_text(*contact) : "No valid mesh was found";
 }
 
 std::string updating_text(const BodyDrag& drag) {

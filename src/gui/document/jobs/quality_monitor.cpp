@@ -7,41 +7,46 @@ namespace {
 // While a solver runs, measuring more often than the eye can follow would only slow it down.
 constexpr std::chrono::milliseconds live_interval{120};
 
+/// named: the numbers of wish.before, or of what it is a copy of.
 std::shared_ptr<const QualityMonitor::Measured> measure(std::uint64_t shape, const MeshState& state,
-                                                        std::optional<ElementField> field) {
+                                                        const QualityMonitor::Wish& wish,
+                                                        const void* named) {
   auto measured = std::make_shared<QualityMonitor::Measured>();
   measured->shape = shape;
   measured->topology = state.mesh.topology;
-  measured->field = field;
-  measured->report =
-      measure_quality(state.mesh, {.histogram_bins = 40, .worst = most_worst, .threads = 1});
-  if (field)
-    measured->values =
-        element_values(*state.vcv, state.mesh.coordinates, *field, 1, state.layers.get());
+  measured->field = wish.field;
+  measured->before = named;
+  measured->report = measure_quality(
+      state.mesh, {.histogram_bins = 40, .worst = most_worst, .threads = 1, .before = wish.before});
+  if (wish.field)
+    measured->values = element_values(*state.vcv, state.mesh.coordinates, *wish.field, 1,
+                                      {.layers = state.layers.get(), .before = wish.before});
   return measured;
 }
 
 }  // namespace
 
-bool QualityMonitor::wants(std::uint64_t shape, const std::optional<ElementField>& field,
-                           bool live) const {
+bool QualityMonitor::wants(std::uint64_t shape, const Wish& wish, bool live) const {
   if (worker_.busy()) return false;
-  if (latest_ && latest_->shape == shape && latest_->field == field) return false;
-  const bool same_field = latest_ && latest_->field == field;
-  return !live || !same_field || std::chrono::steady_clock::now() - last_start_ >= live_interval;
+  const bool met = latest_ && wish.met_by(*latest_);
+  if (met && latest_->shape == shape) return false;
+  return !live || !met || std::chrono::steady_clock::now() - last_start_ >= live_interval;
 }
 
-void QualityMonitor::request(std::uint64_t shape, const MeshState& state,
-                             std::optional<ElementField> field, bool live) {
-  if (!wants(shape, field, live)) return;
+void QualityMonitor::request(std::uint64_t shape, const MeshState& state, const Wish& wish,
+                             bool live) {
+  if (!wants(shape, wish, live)) return;
   last_start_ = std::chrono::steady_clock::now();
-  worker_.start([shape, state, field] { return measure(shape, state, field); });
+  // A copy: the history may drop that state before the measurement has ended.
+  auto before = wish.before ? std::make_shared<const Coordinates>(*wish.before) : nullptr;
+  worker_.start([shape, state, field = wish.field, before, named = wish.before_numbers()] {
+    return measure(shape, state, {field, before.get()}, named);
+  });
 }
 
-void QualityMonitor::measure_now(std::uint64_t shape, const MeshState& state,
-                                 std::optional<ElementField> field) {
-  if (latest_ && latest_->shape == shape && latest_->field == field) return;
-  latest_ = measure(shape, state, field);
+void QualityMonitor::measure_now(std::uint64_t shape, const MeshState& state, const Wish& wish) {
+  if (latest_ && latest_->shape == shape && wish.met_by(*latest_)) return;
+  latest_ = measure(shape, state, wish, wish.before_numbers());
 }
 
 bool QualityMonitor::poll() {

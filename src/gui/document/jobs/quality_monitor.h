@@ -24,16 +24,28 @@ class QualityMonitor {
     std::shared_ptr<const Topology> topology;
     QualityReport report;
     std::optional<ElementField> field;
-    std::vector<double> values;  ///< of field, one per element
+    std::vector<double> values;    ///< of field, one per element
+    const void* before = nullptr;  ///< numbers of Wish::before, to know it again
+  };
+  /// What is to be measured beside the report.
+  struct Wish {
+    std::optional<ElementField> field;  ///< its value of every element
+    /// The same nodes as they were before, that first heights are compared with; null: none.
+    const Coordinates* before = nullptr;
+
+    const void* before_numbers() const { return before ? before->values().data() : nullptr; }
+    /// Whether that is what was measured.
+    bool met_by(const Measured& measured) const {
+      return measured.field == field && measured.before == before_numbers();
+    }
   };
 
   /// Whether a request would start a measurement: ask before a mesh is copied for it.
-  bool wants(std::uint64_t shape, const std::optional<ElementField>& field, bool live) const;
+  bool wants(std::uint64_t shape, const Wish& wish, bool live) const;
   /// Asks for the quality of a mesh. live: a solver is changing it, so measure only now and then.
-  void request(std::uint64_t shape, const MeshState& state, std::optional<ElementField> field,
-               bool live);
+  void request(std::uint64_t shape, const MeshState& state, const Wish& wish, bool live);
   /// The same, before returning.
-  void measure_now(std::uint64_t shape, const MeshState& state, std::optional<ElementField> field);
+  void measure_now(std::uint64_t shape, const MeshState& state, const Wish& wish);
   /// True if a newer measurement has come in.
   bool poll();
   /// The latest measurement; null if there is none of the present topology.

@@ -5,25 +5,24 @@
 
 #include "core/error.h"
 #include "gui/base/text.h"
+#include "gui/document/jobs/end_text.h"
 #include "gui/document/session/settled_command.h"
 
 namespace winslow::gui {
 
 namespace {
 
-/// Why a motion went no further than `reached`, for the banner.
-std::string partial_motion(const SmoothResult& smooth, double reached) {
-  std::string what = "No valid mesh was found";
-  if (smooth.contact)
-    what = describe_touch(smooth.contact->edges);
-  else if (!smooth.limited_by.empty())
-    what = smooth.limited_by;
-  else if (smooth.out_of_iterations)
-    what = "The limit of iterations was reached";
-  std::string text = what + " beyond " + short_number(100 * reached) +
-                     " % of the way: the body is where it got to";
-  if (smooth.gap) text += ", " + describe(*smooth.gap);
-  return text + ".";
+/// The limits of the quality that a command has.
+const QualityFloor& floor_of(const Command& command) {
+  static const QualityFloor none;
+  return std::visit(
+      [](const auto& c) -> const QualityFloor& {
+        if constexpr (requires { c.how.floor; })
+          return c.how.floor;
+        else
+          return none;
+      },
+      command);
 }
 
 }  // namespace
@@ -193,13 +192,14 @@ void Jobs::keep(JobRunner::Outcome outcome) {
   messages_.clear_banner();
   const JobRunner& job = mesh_.job();
   const double reached = settle_command(outcome, job.base().mesh, job.started_elsewhere());
-  if (reached < 1)
-    messages_.set_banner(Banner::Kind::partial_motion,
-                         partial_motion(outcome.result->smooth, reached));
+  const SmoothResult smooth = outcome.result->smooth;
+  if (reached < 1 || !smooth.limited_by.empty())
+    messages_.set_banner(
+        Banner::Kind::partial_motion,
+        end_of_motion({smooth, reached, floor_of(outcome.command), outcome.result->state.mesh}));
   else if (!cut_short_.empty())
     messages_.set_banner(Banner::Kind::partial_motion, std::exchange(cut_short_, {}));
   const std::string what = describe(outcome.command);
-  const SmoothResult smooth = outcome.result->smooth;
   if (const auto* move = std::get_if<MoveCommand>(&outcome.command))
     selection_.moved(move->motion.about(Vec2(0, 0)));  // jobs name the pivot
   mesh_.document()->edits().push(std::move(outcome.command), std::move(*outcome.result),

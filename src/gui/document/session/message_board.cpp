@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include "core/quality/mesh_change.h"
 #include "gui/base/text.h"
 
 namespace winslow::gui {
@@ -22,7 +21,7 @@ bool MessageBoard::banner_dismissed() const {
 }
 
 void MessageBoard::set_banner(Banner::Kind kind, std::string text) {
-  banner_ = Banner{kind, std::move(text)};
+  banner_ = Banner{kind, std::move(text), {}};
 }
 
 void MessageBoard::remark(const std::string& what, const std::vector<std::string>& warnings) {
@@ -42,16 +41,18 @@ void MessageBoard::set_banner_of_position() {
   const History& history = document.history();
   banner_.reset();
   if (history.position() > 0) return set_banner_of_result(history.result(history.position()));
-  if (const Index inverted = document.loaded_quality().inverted; inverted > 0)
-    set_banner(Banner::Kind::inverted_input, "This mesh has " +
-                                                 counted(inverted, "inverted element") +
-                                                 ". Smoothing usually repairs it.");
+  const Index inverted = document.loaded_quality().inverted;
+  if (inverted == 0) return;
+  set_banner(
+      Banner::Kind::inverted_input,
+      "This mesh has " + counted(inverted, "inverted element") + ". Smoothing usually repairs it.");
+  banner_->worst = worst_place({});
 }
 
 void MessageBoard::set_banner_of_result(const SmoothResult& smooth) {
-  const std::string damage = damage_of_last_command();
+  const Damage damage = damage_of_last_command();
   if (banner_ && banner_->kind == Banner::Kind::partial_motion && smooth.inverted == 0) {
-    if (!damage.empty()) banner_->text += ' ' + damage;
+    if (!damage.text.empty()) banner_->text += ' ' + damage.text;
   } else if (smooth.inverted > 0) {
     set_banner(Banner::Kind::inverted_result, "The result has " +
                                                   counted(smooth.inverted, "inverted element") +
@@ -60,25 +61,39 @@ void MessageBoard::set_banner_of_result(const SmoothResult& smooth) {
     set_banner(Banner::Kind::not_converged,
                "Stopped after " + counted(smooth.outer_iterations, "iteration") +
                    " at a residual of " + short_number(smooth.residual) +
-                   ": valid, but not converged." + (damage.empty() ? "" : ' ' + damage));
-  } else if (!damage.empty()) {
-    set_banner(Banner::Kind::damaged, damage);
+                   ": valid, but not converged." + (damage.text.empty() ? "" : ' ' + damage.text));
+  } else if (!damage.text.empty()) {
+    set_banner(Banner::Kind::damaged, damage.text);
   }
+  // A residual is that of all nodes together.
+  const bool of_a_place = !damage.text.empty() || smooth.inverted > 0 ||
+                          (banner_ && banner_->kind == Banner::Kind::partial_motion);
+  if (banner_ && of_a_place) banner_->worst = worst_place(damage);
 }
 
-/// A sentence on what the command that led to the present mesh has spoilt; empty: nothing.
-std::string MessageBoard::damage_of_last_command() const {
+/// Its text: a sentence on what the command that led to the present mesh has spoilt.
+Damage MessageBoard::damage_of_last_command() const {
   const Document* document = mesh_.document();
   if (!document || document->history().position() == 0) return {};
   const History& history = document->history();
   if (asks_for_heights(history.command(history.position()))) return {};
-  std::string text = describe_damage(history.state(history.position() - 1).mesh,
-                                     history.state(history.position()).mesh);
-  if (text.empty()) return {};
+  Damage damage = find_damage(history.state(history.position() - 1).mesh,
+                              history.state(history.position()).mesh);
+  std::string& text = damage.text;
+  if (text.empty()) return damage;
   text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-  return text +
-         "; targets that keep the elements' own shapes, such as \"Keep current shapes\", avoid "
-         "that.";
+  text +=
+      "; targets that keep the elements' own shapes, such as \"Keep current shapes\", avoid that.";
+  return damage;
+}
+
+std::optional<MeshItem> MessageBoard::worst_place(const Damage& damage) const {
+  if (damage.element) return MeshItem{MeshItem::Kind::element, *damage.element};
+  if (damage.node) return MeshItem{MeshItem::Kind::node, *damage.node};
+  const Document* document = mesh_.document();
+  if (!document) return std::nullopt;
+  return MeshItem{MeshItem::Kind::element,
+                  worst_element(document->state().mesh, Metric::normalized_jacobian)};
 }
 
 void MessageBoard::on(const action::DismissPrompt&) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/quality/mesh_change.h"
 #include "gui/document/actions/dispatch.h"
 #include "gui/document/actions/messages.h"
 #include "gui/document/session/live_mesh.h"
@@ -48,7 +49,9 @@ class MessageBoard {
   void on(const action::DismissBanner&);
   void on(const action::Remark& a) { tell(Notice::Kind::information, a.text); }
 
-  std::string damage_of_last_command() const;
+  Damage damage_of_last_command() const;
+  /// Where the mesh has suffered most, or else its worst element.
+  std::optional<MeshItem> worst_place(const Damage& damage) const;
 
   const LiveMesh& mesh_;
   std::deque<Prompt> prompts_;

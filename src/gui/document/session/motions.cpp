@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "core/motion/rigid_motion.h"
-#include "gui/base/text.h"
+#include "gui/document/jobs/end_text.h"
 
 namespace winslow::gui {
 
@@ -143,9 +143,7 @@ void Motions::end_body_drag() {
   const DragGrip grip = drag.grip();
   std::optional<Coordinates> start = drag.frame().coordinates;
   std::string cut_short;
-  if (limit)
-    cut_short = drag.limit() + " beyond " + short_number(100 * drag.frame().share) +
-                " % of the drag: the body is where it got to.";
+  if (limit) cut_short = end_of_drag(drag);
   drag.end();
   base_.reset();
   start_.reset();

@@ -1,17 +1,33 @@
 #include "gui/document/session/quality_watch.h"
 
+#include "gui/document/session/before_state.h"
+
 namespace winslow::gui {
 
-void QualityWatch::watch(const std::optional<ElementField>& field) {
+void QualityWatch::watch(const std::optional<ElementField>& field, BeforeState before) {
   if (!mesh_.document()) return;
   const bool live = mesh_.in_motion();
-  if (monitor_.wants(mesh_.shape(), field, live))
-    monitor_.request(mesh_.shape(), on_screen(), field, live);
+  const QualityMonitor::Wish wanted = wish(field, before);
+  if (monitor_.wants(mesh_.shape(), wanted, live))
+    monitor_.request(mesh_.shape(), on_screen(), wanted, live);
 }
 
-void QualityWatch::measure_now(const std::optional<ElementField>& field) {
+void QualityWatch::measure_now(const std::optional<ElementField>& field, BeforeState before) {
   if (!mesh_.document()) return;
-  monitor_.measure_now(mesh_.shape(), on_screen(), field);
+  monitor_.measure_now(mesh_.shape(), on_screen(), wish(field, before));
+}
+
+bool QualityWatch::up_to_date(const std::optional<ElementField>& field, BeforeState before) const {
+  const auto& measured = monitor_.latest();
+  return measured && mesh_.document() && measured->shape == mesh_.shape() &&
+         wish(field, before).met_by(*measured);
+}
+
+QualityMonitor::Wish QualityWatch::wish(const std::optional<ElementField>& field,
+                                        BeforeState before) const {
+  const MeshState& state = mesh_.document()->history().state(position_before(mesh_, before));
+  // Nodes of another connectivity are no earlier places of these.
+  return {field, state.mesh.topology == mesh_.topology() ? &state.mesh.coordinates : nullptr};
 }
 
 MeshState QualityWatch::on_screen() const {

@@ -5,6 +5,7 @@
 
 #include "gui/document/jobs/quality_monitor.h"
 #include "gui/document/session/live_mesh.h"
+#include "gui/settings/view_options.h"
 
 namespace winslow::gui {
 
@@ -13,10 +14,14 @@ class QualityWatch {
  public:
   explicit QualityWatch(const LiveMesh& mesh) : mesh_(mesh) {}
 
-  /// Measures the mesh on screen in the background, by this field among others.
-  void watch(const std::optional<ElementField>& field);
+  /// Measures the mesh on screen in the background, by this field among others. before: the state
+  /// with which first heights are compared.
+  void watch(const std::optional<ElementField>& field, BeforeState before = BeforeState::loaded);
   /// Measures it before returning: for a picture whose colours must be those of its mesh.
-  void measure_now(const std::optional<ElementField>& field);
+  void measure_now(const std::optional<ElementField>& field,
+                   BeforeState before = BeforeState::loaded);
+  /// The latest measurement is of the mesh on screen, and of all that.
+  bool up_to_date(const std::optional<ElementField>& field, BeforeState before) const;
   /// The latest measurement; null if there is none of the present topology.
   const std::shared_ptr<const QualityMonitor::Measured>& latest() const {
     return monitor_.latest();
@@ -28,6 +33,7 @@ class QualityWatch {
 
  private:
   MeshState on_screen() const;
+  QualityMonitor::Wish wish(const std::optional<ElementField>& field, BeforeState before) const;
 
   const LiveMesh& mesh_;
   QualityMonitor monitor_;

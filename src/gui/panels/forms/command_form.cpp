@@ -7,6 +7,7 @@
 #include "core/motion/motion_options.h"
 #include "gui/base/text.h"
 #include "gui/panels/forms/option_form.h"
+#include "gui/panels/forms/quality_limits_form.h"
 #include "gui/panels/forms/smooth_options_form.h"
 #include "gui/widgets/controls.h"
 
@@ -74,7 +75,10 @@ class CommandFields {
 
   void motion(MotionOptions& how, SmoothOptions& smooth) {
     changed_ |= method_choice(prefix_, smooth, how);
-    rows(option_table(how));
+    OptionTable table = option_table(how);
+    std::erase_if(table, [](const Option& option) { return option.object == "min_quality"; });
+    rows(table);
+    changed_ |= quality_limits_form(prefix_, how.floor, follows_path(how, smooth));
     if (how.smooth_after) smoothing(smooth);
   }
 

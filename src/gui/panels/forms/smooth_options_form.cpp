@@ -8,7 +8,8 @@
 
 namespace winslow::gui::ui {
 
-bool method_choice(const std::string& prefix, SmoothOptions& smooth, MotionOptions& motion) {
+bool method_choice(const std::string& prefix, SmoothOptions& smooth, MotionOptions& motion,
+                   float label_share) {
   constexpr const char* tip =
       "Path following: the mesh follows the moving boundary through valid meshes only. The "
       "default; change nothing unless you want to see the other.\n"
@@ -17,7 +18,7 @@ bool method_choice(const std::string& prefix, SmoothOptions& smooth, MotionOptio
   std::vector<std::string> names{"Path following", "Direct (the paper's)"};
   auto chosen = static_cast<std::size_t>(method_of(smooth, motion));
   if (chosen == names.size()) names.emplace_back("Custom (see Advanced)");
-  row("Method", tip);
+  row("Method", tip, label_share);
   if (!combo(prefix + "/method", names, chosen, tip)) return false;
   use_method(static_cast<Method>(chosen), smooth, motion);
   return true;

@@ -8,8 +8,10 @@
 /// that are edited. Ids begin with `prefix`: "solver/damping".
 namespace winslow::gui::ui {
 
-/// The method, as one choice: sets formulation, iteration and steps together. True if it changed.
-bool method_choice(const std::string& prefix, SmoothOptions& smooth, MotionOptions& motion);
+/// The method, as one choice: sets formulation, iteration and steps together. label_share: of the
+/// row, that the label takes. True if it changed.
+bool method_choice(const std::string& prefix, SmoothOptions& smooth, MotionOptions& motion,
+                   float label_share = 0.42f);
 
 /// All other options; those that have no effect in the present combination are not shown. True if
 /// one changed.

@@ -204,7 +204,17 @@ void LayersPanel::draw_insertion(const PanelContext& context) {
   const auto& planned = context.session.jobs().layer_preview().wanted();
   if (shown && planned != wanted) context.emit(action::PreviewLayers{wanted});
   if (!shown && planned) context.emit(action::PreviewLayers{});
-  if (shown) draw_plan(context);
+  if (preview_) {
+    // As much as any plan takes, whether it is there or not: the buttons below stay in their
+    // places.
+    const float end =
+        ImGui::GetCursorPosY() + 2 * ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y;
+    if (shown)
+      draw_plan(context);
+    else
+      ui::text_dim(context.session.in_motion() ? "" : "These layers are in the mesh.");
+    ImGui::SetCursorPosY(std::max(end, ImGui::GetCursorPosY()));
+  }
   const bool ready =
       !context.session.in_motion() && context.session.jobs().layer_preview().error().empty();
   std::string at;
@@ -247,8 +257,9 @@ LayersCommand LayersPanel::in_place(const PanelContext& context, LayerTask task)
 void LayersPanel::draw_status(const PanelContext& context) {
   const LayerStatus found = status(context);
   if (found.count == 0) {
-    if (context.session.jobs().found_layers().busy()) ui::text_dim("Looking for layers ...");
-    return;
+    // A line in either case, so that what stands below it stays there.
+    return ui::text_dim(context.session.jobs().found_layers().busy() ? "Looking for layers ..."
+                                                                     : "The mesh has no layers.");
   }
   const Theme& theme = context.theme;
   ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -8,7 +8,6 @@
 
 #include "core/error.h"
 #include "gui/files/assets.h"
-#include "gui/picture/capture/between_frames.h"
 #include "gui/picture/figure/write_figure.h"
 
 namespace winslow::gui {
@@ -91,10 +90,9 @@ void Capture::on(const action::StartRecording& a) {
     session_.messages().report_error("Cannot record", error.what());
     return;
   }
-  recorded_ = Coordinates();
+  meshes_.clear();
   shape_ = left_ = 0;
   queue_.clear();
-  moved_.clear();
   ending_ = false;
   stepping_ = a.step.has_value();
   if (!stepping_) return;
@@ -149,43 +147,19 @@ void Capture::take(PictureSource& source, const fs::path& path, bool as_set) {
 
 bool Capture::frame_due() const {
   if (recorder_.spec().when == RecordingSpec::When::every_shape || stepping_)
-    return shape_ != session_.shape() && !(recorded_.size() == session_.coordinates().size() &&
-                                           recorded_ == session_.coordinates());
+    return shape_ != session_.shape() && !meshes_.has(session_.coordinates());
   const auto since = std::chrono::steady_clock::now() - last_frame_;
   return since >= std::chrono::duration<double>(1.0 / recorder_.spec().rate);
 }
 
-/// The nodes that the job under way moves as one body; kept until its last mesh is recorded.
-void Capture::follow_motion() {
-  const JobRunner& job = session_.job();
-  if (!job.active()) return;
-  moved_.clear();
-  const auto* move = std::get_if<MoveCommand>(&job.command());
-  if (!move || job.held()) return;
-  const auto& markers = session_.topology()->markers();
-  for (const std::string& name : move->markers) {
-    const auto marker = markers.find(name);
-    if (!marker) continue;
-    const auto nodes = markers.nodes(*marker);
-    moved_.insert(moved_.end(), nodes.begin(), nodes.end());
-  }
-}
-
 /// The mesh on screen and, of a motion that came in large steps, those on the way to it.
 void Capture::queue_frames() {
-  const auto& topology = session_.topology();
   const bool every_shape = recorder_.spec().when == RecordingSpec::When::every_shape || stepping_;
-  follow_motion();
   // A film that lags far behind would never end.
   constexpr std::size_t longest_queue = 400;
-  if (every_shape && recorded_.size() == session_.coordinates().size() &&
-      queue_.size() < longest_queue)
-    for (Coordinates& x : meshes_between(*topology, moved_, recorded_, session_.coordinates()))
-      queue_.push_back({topology, std::move(x)});
-  queue_.push_back({topology, session_.coordinates()});
-  recorded_ = session_.coordinates();
+  for (Coordinates& x : meshes_.take(session_, every_shape && queue_.size() < longest_queue))
+    queue_.push_back({session_.topology(), std::move(x)});
   last_frame_ = std::chrono::steady_clock::now();
-  if (!session_.job().active()) moved_.clear();
 }
 
 /// One picture; the rest waits for the next frame of the window. False if that failed.
@@ -193,8 +167,6 @@ bool Capture::record_queued(PictureSource& source) {
   const Frame next = std::move(queue_.front());
   queue_.pop_front();
   if (next.topology != session_.topology()) return true;
-  const bool present = next.coordinates == session_.coordinates();
-  if (!present) session_.show_between(next.coordinates);
   bool drawn = true;
   try {
     PictureSpec spec = recorder_.spec().picture;
@@ -204,7 +176,7 @@ bool Capture::record_queued(PictureSource& source) {
       recorder_.fix_size(picture_size(spec, extent.x(), extent.y()));
       spec = recorder_.spec().picture;
     }
-    recorder_.add(source.picture(spec));
+    recorder_.add(source.picture_of(next.coordinates, spec));
   } catch (const Error& error) {
     drawn = false;
     recorder_.cancel();
@@ -212,7 +184,6 @@ bool Capture::record_queued(PictureSource& source) {
     stepping_ = ending_ = false;
     session_.messages().report_error("Cannot record", error.what());
   }
-  if (!present) session_.show_between({});
   return drawn;
 }
 

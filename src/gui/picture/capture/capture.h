@@ -13,6 +13,7 @@
 #include "gui/document/actions/actions.h"
 #include "gui/document/actions/dispatch.h"
 #include "gui/document/session/session.h"
+#include "gui/picture/capture/film_meshes.h"
 #include "gui/picture/capture/picture_source.h"
 #include "gui/picture/capture/recorder.h"
 
@@ -58,7 +59,6 @@ class Capture {
   void record_frame(PictureSource& source);
   void queue_frames();
   bool record_queued(PictureSource& source);
-  void follow_motion();
   bool frame_due() const;
   void step_on();
 
@@ -75,13 +75,12 @@ class Capture {
     std::shared_ptr<const Topology> topology;
     Coordinates coordinates;
   };
-  std::deque<Frame> queue_;   // in the order of the film
-  std::vector<Index> moved_;  // nodes that the motion under way prescribes
-  bool ending_ = false;       // the recording ends with the queue
-  bool stepping_ = false;     // the job goes on when its frame is taken
+  std::deque<Frame> queue_;  // in the order of the film
+  FilmMeshes meshes_;
+  bool ending_ = false;    // the recording ends with the queue
+  bool stepping_ = false;  // the job goes on when its frame is taken
   std::uint64_t shape_ = 0;
   std::uint64_t left_ = 0;  // serial of the pause that the last step went on from
-  Coordinates recorded_;    // of the last frame
   std::chrono::steady_clock::time_point last_frame_{};
 };
 

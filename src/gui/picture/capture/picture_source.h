@@ -15,6 +15,8 @@ class PictureSource {
   virtual Image picture() = 0;
   /// Throws UsageError for a size out of range, Error where OpenGL cannot.
   virtual Image picture(const PictureSpec& spec) = 0;
+  /// The same of the mesh on screen with its nodes elsewhere (#nodes by 2).
+  virtual Image picture_of(const Coordinates& nodes, const PictureSpec& spec) = 0;
   /// Width and height on screen, pixels, of what a picture shows.
   virtual ScreenVector picture_extent(const PictureSpec& spec) const = 0;
   /// The mesh alone, for vector graphics.

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/quality/quality.h"
+#include "gui/picture/capture/film_meshes.h"
 #include "gui/picture/capture/recorder.h"
 #include "gui/picture/figure/write_figure.h"
 #include "gui/shell/headless/headless_studio.h"
@@ -27,13 +28,16 @@ class FrameTaker {
     recorder_.start(options.frames, options.recording);
   }
 
+  /// The mesh on screen, and those on the way to it.
   void take() {
+    PicturePainter& painter = studio_.bench().pictures();
     PictureSpec spec = options_.recording.picture;
     if (!spec.size) {
-      const ScreenVector extent = studio_.bench().pictures().picture_extent(spec);
+      const ScreenVector extent = painter.picture_extent(spec);
       spec.size = picture_size(spec, extent.x(), extent.y());
     }
-    recorder_.add(studio_.bench().pictures().picture(spec));  // waits for the disk where need be
+    for (const Coordinates& x : meshes_.take(studio_.bench().session()))
+      recorder_.add(painter.picture_of(x, spec));  // waits for the disk where need be
   }
 
   /// Returns what to tell the user.
@@ -52,6 +56,7 @@ class FrameTaker {
   HeadlessStudio& studio_;
   const HeadlessOptions& options_;
   Recorder recorder_;
+  FilmMeshes meshes_;
 };
 
 io::Recipe read_recipe(const HeadlessOptions& options) {

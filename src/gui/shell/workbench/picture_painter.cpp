@@ -105,6 +105,19 @@ ScreenVector PicturePainter::picture_extent(const PictureSpec& spec) const {
   return ScreenVector(v.width + legend, v.height);
 }
 
+Image PicturePainter::picture_of(const Coordinates& nodes, const PictureSpec& spec) {
+  if (nodes == shown_.session.coordinates()) return picture(spec);
+  shown_.session.show_between(nodes);
+  try {
+    Image image = picture(spec);
+    shown_.session.show_between({});
+    return image;
+  } catch (...) {
+    shown_.session.show_between({});
+    throw;
+  }
+}
+
 Image PicturePainter::picture(const PictureSpec& spec) {
   const ScreenVector extent = picture_extent(spec);
   const auto [width, height] = picture_size(spec, extent.x(), extent.y());
@@ -112,7 +125,8 @@ Image PicturePainter::picture(const PictureSpec& spec) {
   const float unit = shown_.window.ui.theme().scale * static_cast<float>(ratio);
   const Bounds visible = shown_.view.camera().visible();
   // Colours must be those of this mesh, not of one a moment ago.
-  shown_.session.quality().measure_now(shown_.context.view.color);
+  const ViewOptions& view = shown_.context.view;
+  shown_.session.quality().measure_now(view.color, view.before);
 
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
@@ -240,7 +254,8 @@ VectorFigure PicturePainter::figure(bool legend) const {
   figure.dark = mesh_colors(view).dark;
   figure.title = document->name();
   if (view.fill && view.color && shown_legend) {
-    figure.values = element_values(*document->state().vcv, figure.mesh.coordinates, *view.color);
+    shown_.session.quality().measure_now(view.color, view.before);
+    figure.values = shown_.session.quality().latest()->values;
     figure.scale = shown_legend->scale;
     if (legend) figure.legend = shown_legend;
   }

@@ -31,6 +31,7 @@ class PicturePainter : public PictureSource {
   /// The same, off-screen.
   Image picture() override;
   Image picture(const PictureSpec& spec) override;
+  Image picture_of(const Coordinates& nodes, const PictureSpec& spec) override;
   ScreenVector picture_extent(const PictureSpec& spec) const override;
   VectorFigure figure(bool legend) const override;
 

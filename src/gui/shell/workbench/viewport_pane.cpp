@@ -185,10 +185,15 @@ void ViewportPane::draw_overlays(ImDrawList& list, const MeshFrame& frame) {
   // What is for the mouse's sake: a picture of the mesh alone has none of it.
   const ViewportScene shown = scene(static_cast<double>(theme.scale));
   const Overlay handles{session_, viewport_, shown, frame.view, theme};
+  // What belongs to the mesh ends where its picture does: the legend's strip lies beside it.
+  const Area& v = frame.layout.viewport;
+  const ImVec2 from(v.x, v.y), to(v.x + v.width, v.y + v.height);
+  list.PushClipRect(from, to, true);
   if (frame.mesh_alone)
     draw_pins(list, handles);
   else
     draw_overlay(list, handles);
+  list.PopClipRect();
   const ViewOverlay overlay{session_, context.view, context.view_state, frame.view, theme};
   draw_rim(list, overlay);
   id_labels_.draw(list, overlay);
@@ -200,7 +205,9 @@ void ViewportPane::draw_overlays(ImDrawList& list, const MeshFrame& frame) {
   draw_legend(list, frame, legend);
   draw_foot(list, frame, overlay, legend);
   // Nothing covers what the mouse is about to take hold of, nor what it says of it.
+  list.PushClipRect(from, to, true);
   if (!frame.mesh_alone) draw_handles(list, handles);
+  list.PopClipRect();
   if (context.view_state.ruler && !frame.mesh_alone) draw_ruler(list, overlay, ruler_);
   frame.lens.draw(list, overlay);
   if (const auto box = viewport_.box()) draw_zoom_box(list, theme, *box);

@@ -73,9 +73,8 @@ bool Workbench::settled() const {
   if (demo_.demo() && (demo_.automatic() || !demo_.ready(session_))) return false;
   if (regions_.shows_welcome(session_) && regions_.welcome().busy()) return false;
   if (!session_.document()) return true;
-  const auto& measured = session_.quality().latest();
-  return measured && measured->shape == session_.shape() &&
-         measured->field == view_control_.options().color;
+  const ViewOptions& view = view_control_.options();
+  return session_.quality().up_to_date(view.color, view.before);
 }
 
 void Workbench::update(InputQueue& queue, int width, int height, double seconds) {
@@ -147,7 +146,7 @@ void Workbench::dispatch() {
 void Workbench::finish_frame() {
   if (view_control_.follow_mesh()) regions_.welcome().close();
   pane_.measure_selection();
-  session_.quality().watch(view_control_.options().color);
+  session_.quality().watch(view_control_.options().color, view_control_.options().before);
   pane_.update(view_control_.options(), view_control_.view(), theme().scale);
   const PanelContext shown = context();
   pane_.draw_overlays(*ImGui::GetBackgroundDrawList(),

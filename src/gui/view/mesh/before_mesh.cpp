@@ -1,19 +1,8 @@
 #include "gui/view/mesh/before_mesh.h"
 
+#include "gui/document/session/before_state.h"
+
 namespace winslow::gui {
-
-namespace {
-
-/// Position in the history of the state before.
-std::size_t position_before(const Session& session, BeforeState which) {
-  const History& history = session.document()->history();
-  if (which == BeforeState::loaded) return 0;
-  // While a command is being carried out, its own start; else that of the last one.
-  if (session.in_motion()) return history.position();
-  return history.position() > 0 ? history.position() - 1 : 0;
-}
-
-}  // namespace
 
 void BeforeMesh::update(const Session& session, const ViewOptions& view) {
   document_ = session.document();
@@ -27,7 +16,7 @@ void BeforeMesh::update(const Session& session, const ViewOptions& view) {
     monitor_.clear();
     key_ = nullptr;
   }
-  const std::size_t position = position_before(session, view.before);
+  const std::size_t position = position_before(session.mesh(), view.before);
   const MeshState& state = document_->history().state(position);
   const Coordinates& now = state.mesh.coordinates;
   loaded_ = position == 0;
@@ -39,8 +28,9 @@ void BeforeMesh::update(const Session& session, const ViewOptions& view) {
   topology_ = state.mesh.topology;
   const bool values = view.comparison == Comparison::split && view.color;
   if (loaded_ && !values) return;
-  const auto field = values ? view.color : std::nullopt;
-  if (monitor_.wants(shape_, field, false)) monitor_.request(shape_, state, field, false);
+  // Compared with itself: nothing has changed yet.
+  const QualityMonitor::Wish wish{values ? view.color : std::nullopt, &now};
+  if (monitor_.wants(shape_, wish, false)) monitor_.request(shape_, state, wish, false);
 }
 
 const QualityReport* BeforeMesh::report() const {

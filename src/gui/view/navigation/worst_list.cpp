@@ -4,16 +4,26 @@
 
 namespace winslow::gui {
 
-Metric worst_metric(const ViewOptions& view) {
-  if (view.worst_by) return *view.worst_by;
-  const Metric* shown = view.color ? view.color->metric() : nullptr;
-  return shown && metric_info(*shown).reported ? *shown : Metric::normalized_jacobian;
+std::vector<ElementField> rankings() {
+  std::vector<ElementField> fields(reported_metrics().begin(), reported_metrics().end());
+  fields.insert(fields.end(), all_wall_fields().begin(), all_wall_fields().end());
+  return fields;
+}
+
+ElementField worst_field(const ViewOptions& view) {
+  const std::vector<ElementField> fields = rankings();
+  for (const std::optional<ElementField>& field : {view.worst_by, view.color})
+    if (field && std::ranges::find(fields, *field) != fields.end()) return *field;
+  return Metric::normalized_jacobian;
 }
 
 std::span<const WorstElement> worst_elements(const Session& session, const ViewOptions& view) {
   const auto& measured = session.quality().latest();
   if (!measured) return {};
-  const std::span<const WorstElement> all = measured->report.of(worst_metric(view)).worst;
+  const ElementField field = worst_field(view);
+  const std::span<const WorstElement> all = field.wall()
+                                                ? measured->report.worst_by(*field.wall())
+                                                : measured->report.of(*field.metric()).worst;
   return all.first(std::min(all.size(), static_cast<std::size_t>(std::max(view.worst_count, 0))));
 }
 

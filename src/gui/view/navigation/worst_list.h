@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "gui/document/session/session.h"
 #include "gui/settings/view_options.h"
@@ -10,9 +11,11 @@
 /// The elements that a metric finds worst, of the mesh last measured.
 namespace winslow::gui {
 
-/// Metric of the list: as chosen, or as coloured; what has no such list (the area, the fields of
-/// the virtual control volumes) gives way to the normalized Jacobian.
-Metric worst_metric(const ViewOptions& view);
+/// What elements can be ranked by: metrics of the report and what is measured at walls.
+std::vector<ElementField> rankings();
+/// What the list goes by: as chosen, or as coloured; what has no such list (the area, the fields of
+/// the virtual control volumes and of layers) gives way to the normalized Jacobian.
+ElementField worst_field(const ViewOptions& view);
 /// Worst first, as many as the view wants.
 std::span<const WorstElement> worst_elements(const Session& session, const ViewOptions& view);
 /// The element `by` places further down the list than the one in focus; the first if none is.

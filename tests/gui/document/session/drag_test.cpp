@@ -183,7 +183,7 @@ TEST_CASE("a drag stops where the mesh can go no further, and says so") {
   REQUIRE(rig.session().messages().banner().has_value());
   CHECK(rig.session().messages().banner()->kind == Banner::Kind::partial_motion);
   const std::string& text = rig.session().messages().banner()->text;
-  CHECK(text.starts_with("flap would touch farfield beyond "));
+  CHECK(text.starts_with("Blocked by \"farfield\" after "));
   CHECK(text.find(" % of the drag: the body is where it got to.") != text.npos);
 }
 
@@ -198,6 +198,9 @@ TEST_CASE("a typed motion that ends on the way is recorded as far as it got") {
   CHECK(rig.document().history().result(1).inverted == 0);
   REQUIRE(rig.session().messages().banner().has_value());
   CHECK(rig.session().messages().banner()->kind == Banner::Kind::partial_motion);
+  const std::string& text = rig.session().messages().banner()->text;
+  CHECK(text.starts_with("Blocked by \"farfield\" after "));
+  CHECK(text.find(" % of the motion: the body is where it got to") != text.npos);
   CHECK(last_move(rig).motion.translate.x() < 4);
   CHECK(error_of_marker(before, rig.mesh(), "flap", last_move(rig).motion.about({0, 0})) < 1e-9);
   // A shift that was cut short has not become a turn by a rounding error.
@@ -236,6 +239,12 @@ TEST_CASE(
   CHECK(rig.session().messages().banner()->kind == Banner::Kind::partial_motion);
   CHECK(rig.session().messages().banner()->text.starts_with(
       "Normalized Jacobian would be less than "));
+  // What the mesh has come to, in figures.
+  const std::string& told = rig.session().messages().banner()->text;
+  const std::string now = "Worst elements now: Normalized Jacobian ";
+  REQUIRE(told.find(now) != told.npos);
+  CHECK(std::stod(told.substr(told.find(now) + now.size())) ==
+        doctest::Approx(smallest_sine()).epsilon(1e-3));
   CHECK(smallest_sine() >= limit);
   CHECK(last_move(rig).motion.translate.x() > 0.1);
   CHECK(last_move(rig).motion.translate.x() < 2);

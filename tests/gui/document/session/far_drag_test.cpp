@@ -43,7 +43,7 @@ TEST_CASE(
   CHECK(check_validity(*before.topology, rig.mesh().coordinates).inverted == 0);
   const auto& banner = rig.session().messages().banner();
   REQUIRE(banner);
-  CHECK(banner->text.starts_with("left would touch right beyond "));
+  CHECK(banner->text.starts_with("Blocked by \"right\" after "));
   MoveCommand command;
   command.markers = {"left"};
   command.motion.translate = {asked, 0};
@@ -71,7 +71,7 @@ TEST_CASE("a drag that is let go while the mesh is on its way goes as far as it 
   REQUIRE(rig.session().messages().banner());
   // How far it came of what was asked, not of what was left when the mouse let go.
   const std::string& text = rig.session().messages().banner()->text;
-  const std::string told = "left would touch right beyond ";
+  const std::string told = "Blocked by \"right\" after ";
   REQUIRE(text.starts_with(told));
   const double asked = (rig.pixel(Vec2(2, 0)) - rig.pixel(Vec2(-2, 0))).norm() *
                        rig.bench->view_control().camera().units_per_pixel();

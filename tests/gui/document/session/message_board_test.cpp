@@ -1,5 +1,8 @@
 #include "gui/document/session/message_board.h"
 
+#include <algorithm>
+
+#include "core/quality/quality.h"
 #include "gui/support/session_parts.h"
 
 namespace winslow::gui::test {
@@ -26,6 +29,11 @@ TEST_CASE("the banner says what the mesh calls for until it is put away, for thi
   MessageBoard& board = parts.messages;
   REQUIRE(board.banner().has_value());
   CHECK(board.banner()->kind == Banner::Kind::inverted_input);
+  // Where to look: the element that is worst.
+  const auto sines =
+      element_values(parts.mesh.document()->state().mesh, Metric::normalized_jacobian);
+  const auto worst = static_cast<Index>(std::ranges::min_element(sines) - sines.begin());
+  CHECK(board.banner()->worst == MeshItem{MeshItem::Kind::element, worst});
   CHECK_FALSE(board.banner_dismissed());
   board.apply(action::DismissBanner{});
   CHECK_FALSE(board.banner().has_value());
@@ -51,6 +59,7 @@ TEST_CASE(
   result.inverted = 0;
   board.set_banner_of_result(result);
   CHECK(board.banner()->kind == Banner::Kind::not_converged);
+  CHECK_FALSE(board.banner()->worst.has_value());
 }
 
 TEST_CASE("a command that spoils the cells at walls is named, in each place of the history") {
@@ -67,6 +76,9 @@ TEST_CASE("a command that spoils the cells at walls is named, in each place of t
   CHECK(text.starts_with("First heights changed by more than 5 %"));
   CHECK(text.find(" at (") != std::string::npos);
   CHECK(text.ends_with("avoid that."));
+  REQUIRE(board.banner()->worst.has_value());
+  CHECK(parts.mesh.topology()->on_boundary(board.banner()->worst->id));
+  CHECK(board.banner()->worst->kind == MeshItem::Kind::node);
   REQUIRE(parts.jobs.start(regular, false));  // nothing changes any more
   parts.finish();
   CHECK_FALSE(board.banner().has_value());

@@ -1,4 +1,4 @@
-#include "gui/picture/capture/between_frames.h"
+#include "core/motion/meshes_between.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
 
-namespace winslow::gui {
+namespace winslow {
 
 namespace {
 
@@ -58,4 +58,4 @@ std::vector<Coordinates> meshes_between(const Topology& topology, std::span<cons
   return between;
 }
 
-}  // namespace winslow::gui
+}  // namespace winslow

@@ -5,7 +5,7 @@
 
 #include "core/mesh/mesh.h"
 
-namespace winslow::gui {
+namespace winslow {
 
 /// Meshes between two of a path along which `moved` nodes go as a rigid body: one for every degree
 /// that they turn and for every 2 % of their extent that they move, without both ends. The moved
@@ -14,4 +14,4 @@ namespace winslow::gui {
 std::vector<Coordinates> meshes_between(const Topology& topology, std::span<const Index> moved,
                                         const Coordinates& from, const Coordinates& to);
 
-}  // namespace winslow::gui
+}  // namespace winslow
