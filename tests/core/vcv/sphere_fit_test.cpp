@@ -1,0 +1,138 @@
+#include "core/vcv/sphere/sphere_fit.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/vcv/sphere/solid_angle.h"
+#include "core/vcv/sphere/sphere_start.h"
+#include "core/vcv/sphere/star_builder.h"
+#include "support/links.h"
+
+using namespace winslow;
+using namespace winslow::test;
+
+namespace {
+
+struct Fitted {
+  SphereLink link;
+  std::vector<double> targets;
+  std::vector<Vec3> directions;
+  SphereFitResult result;
+};
+
+/// Equal angles, or those given.
+Fitted fitted(const Triangles& triangles, const SphereFitOptions& options = {},
+              std::vector<double> targets = {}) {
+  Fitted f{link_of(triangles), std::move(targets), {}, {}};
+  if (f.targets.empty()) {
+    f.targets.assign(at(f.link.triangle_count()), 4 * pi / f.link.triangle_count());
+  }
+  f.directions.resize(at(f.link.vertex_count()));
+  SphereStart().place(f.link, f.directions);
+  f.result = SphereFit().fit(f.link, f.targets, options, f.directions);
+  return f;
+}
+
+void check_reached(const Fitted& f) {
+  CHECK(covers_sphere(f.link, f.directions));
+  CHECK(f.result.end == SphereFitEnd::converged);
+  CHECK(largest_angle_error(f.link, f.targets, f.directions) <= 1e-3);
+  CHECK(f.result.largest_error ==
+        doctest::Approx(largest_angle_error(f.link, f.targets, f.directions)));
+}
+
+}  // namespace
+
+TEST_CASE("links of 4 to 80 triangles are given equal solid angles") {
+  Random random(17);
+  std::vector<Triangles> links{tetrahedron_link(),
+                               double_pyramid(3),
+                               double_pyramid(4),
+                               double_pyramid(5),
+                               icosahedron(),
+                               random_sphere(random, 13, 80),
+                               random_sphere(random, 22, 150),
+                               random_sphere(random, 42, 400),
+                               subdivided(icosahedron())};
+  for (const Triangles& triangles : links) {
+    CAPTURE(triangles.size());
+    check_reached(fitted(triangles));
+  }
+}
+
+TEST_CASE("fans of up to 60 elements around an edge are given equal solid angles") {
+  for (Index n = 6; n <= 60; n += 6) {
+    CAPTURE(n);
+    check_reached(fitted(double_pyramid(n)));
+  }
+}
+
+TEST_CASE("solid angles of a sphere that exists are found again from its connectivity alone") {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    Fitted equal = fitted(random_sphere(random, 8 + random.index(12), 100));
+    std::vector<Vec3> shaken = equal.directions;
+    for (Vec3& d : shaken) d = (d + 0.1 * random_direction(random)).normalized();
+    if (!covers_sphere(equal.link, shaken)) continue;
+    std::vector<double> targets;
+    for (const auto& [a, b, c] : equal.link.triangles()) {
+      targets.push_back(solid_angle(shaken[at(a)], shaken[at(b)], shaken[at(c)]));
+    }
+    equal.targets = targets;
+    equal.result = SphereFit().fit(equal.link, targets, {}, equal.directions);
+    check_reached(equal);
+  }
+}
+
+TEST_CASE("random triangulations are never inverted, and say why where angles are missed") {
+  Random random(19);
+  Index reached = 0, all = 0;
+  for (int k = 0; k < 200; ++k) {
+    CAPTURE(k);
+    const Fitted f = fitted(random_sphere(random, 5 + random.index(30), 300));
+    CHECK(covers_sphere(f.link, f.directions));
+    const double error = largest_angle_error(f.link, f.targets, f.directions);
+    CHECK((error <= 1e-3) == (f.result.end == SphereFitEnd::converged));
+    reached += error <= 1e-3;
+    ++all;
+  }
+  CHECK(reached >= all * 95 / 100);
+}
+
+TEST_CASE("regularisation trades solid angles for shape") {
+  Random random(23);
+  const Triangles triangles = random_sphere(random, 16, 200);
+  SphereFitOptions soft;
+  soft.least_regularisation = soft.regularisation = 1;
+  const Fitted exact = fitted(triangles), shaped = fitted(triangles, soft);
+  CHECK(shaped.result.end == SphereFitEnd::limited_by_shape);
+  CHECK(covers_sphere(shaped.link, shaped.directions));
+  CHECK(shaped.result.largest_error > exact.result.largest_error);
+  const auto edges = [](const Fitted& f) {
+    double sum = 0;
+    for (const auto& [a, b, c] : f.link.triangles()) {
+      for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+        sum += (f.directions[at(p)] - f.directions[at(q)]).squaredNorm();
+      }
+    }
+    return sum;
+  };
+  CHECK(edges(shaped) < edges(exact));
+}
+
+TEST_CASE("a fit without a valid start is refused, and one without steps leaves it alone") {
+  const SphereLink link = link_of(double_pyramid(5));
+  std::vector<Vec3> directions(7, Vec3(1, 0, 0));
+  const std::vector<double> targets(10, 0.4 * pi);
+  CHECK_THROWS_AS(SphereFit().fit(link, targets, {}, directions), UsageError);
+  SphereStart().place(link, directions);
+  const auto before = directions;
+  SphereFitOptions none;
+  none.most_steps = 0;
+  none.tolerance = 0;
+  CHECK(SphereFit().fit(link, targets, none, directions).end == SphereFitEnd::out_of_steps);
+  CHECK(directions == before);
+}
