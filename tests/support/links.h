@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -90,33 +91,67 @@ inline Triangles random_stack(Random& random, Index vertices) {
   return triangles;
 }
 
-/// A double pyramid with edges turned at random, where that leaves no edge twice.
-inline Triangles random_sphere(Random& random, Index vertices, int flips) {
-  Triangles triangles = vertices > 4 ? double_pyramid(vertices - 2) : tetrahedron_link();
-  std::set<std::pair<Index, Index>> edges;
-  for (const auto& [a, b, c] : triangles) {
-    edges.insert({a, b});
-    edges.insert({b, c});
-    edges.insert({c, a});
-  }
-  for (int flip = 0; flip < flips; ++flip) {
-    auto& first = triangles[at(random.index(static_cast<Index>(triangles.size())))];
-    std::rotate(first.begin(), first.begin() + random.index(3), first.end());
-    const auto [a, b, c] = first;
-    for (auto& second : triangles) {
-      const auto corner = std::find(second.begin(), second.end(), b) - second.begin();
-      if (corner == 3 || second[at(static_cast<Index>(corner) + 1) % 3] != a) continue;
-      const Index d = second[at(static_cast<Index>(corner) + 2) % 3];
-      if (edges.contains({c, d})) break;
-      edges.erase({a, b});
-      edges.erase({b, a});
-      edges.insert({c, d});
-      edges.insert({d, c});
-      first = {c, a, d};
-      second = {d, b, c};
-      break;
+/// Turns edges of a triangulated sphere: the two triangles at an edge become two at the other
+/// diagonal of their quadrilateral.
+class EdgeTurner {
+ public:
+  explicit EdgeTurner(Triangles& triangles) : triangles_(triangles) {
+    for (const auto& triangle : triangles) {
+      for (std::size_t k = 0; k < 3; ++k) join(triangle[k], triangle[(k + 1) % 3]);
     }
   }
+
+  /// Tries edges picked at random. Edges that exist already are not made; evenly: and none by which
+  /// the numbers of neighbours would differ more.
+  void turn(Random& random, int tries, bool evenly) {
+    for (int i = 0; i < tries; ++i) {
+      auto& first = triangles_[at(random.index(static_cast<Index>(triangles_.size())))];
+      std::rotate(first.begin(), first.begin() + random.index(3), first.end());
+      const auto [a, b, c] = first;
+      for (auto& second : triangles_) {
+        const auto corner =
+            static_cast<std::size_t>(std::find(second.begin(), second.end(), b) - second.begin());
+        if (corner == 3 || second[(corner + 1) % 3] != a) continue;
+        const Index d = second[(corner + 2) % 3];
+        const bool worse = degrees_[a] + degrees_[b] < degrees_[c] + degrees_[d] + 2;
+        if (edges_.contains({c, d}) || (evenly && worse)) break;
+        part(a, b);
+        part(b, a);
+        join(c, d);
+        join(d, c);
+        first = {c, a, d};
+        second = {d, b, c};
+        break;
+      }
+    }
+  }
+
+ private:
+  void join(Index a, Index b) {
+    edges_.insert({a, b});
+    ++degrees_[a];
+  }
+  void part(Index a, Index b) {
+    edges_.erase({a, b});
+    --degrees_[a];
+  }
+
+  Triangles& triangles_;
+  std::set<std::pair<Index, Index>> edges_;
+  std::map<Index, Index> degrees_;
+};
+
+/// A double pyramid with edges turned at random.
+inline Triangles random_sphere(Random& random, Index vertices, int turns) {
+  Triangles triangles = vertices > 4 ? double_pyramid(vertices - 2) : tetrahedron_link();
+  EdgeTurner(triangles).turn(random, turns, false);
+  return triangles;
+}
+
+/// The same with numbers of neighbours that differ little, as in a mesh of good tetrahedra.
+inline Triangles even_sphere(Random& random, Index vertices) {
+  Triangles triangles = random_sphere(random, vertices, 50 * vertices);
+  EdgeTurner(triangles).turn(random, 200 * vertices, true);
   return triangles;
 }
 

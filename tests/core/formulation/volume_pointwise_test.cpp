@@ -11,6 +11,7 @@
 #include "core/linear/linear_solver.h"
 #include "core/mesh/mesh.h"
 #include "core/outer/picard_solver.h"
+#include "core/parallel/parallel_for.h"
 #include "support/space_meshes.h"
 
 using namespace winslow;
@@ -145,7 +146,6 @@ struct SmoothMap {
 /// VCVs that are the unmapped cubes' stars (own) or have equal angles.
 double operator_error(const SmoothMap& map, const Vec3& p, double h, bool own) {
   Mesh mesh = make_mesh(cube(2, Volumes::tetrahedra));
-  const Index node = mesh.topology->interior_nodes().front();
   const VolumeVcvs vcvs = own ? own_stars(mesh) : VolumeVcvs(mesh.topology);
   for (Index i = 0; i < mesh.topology->node_count(); ++i) {
     const Vec3 q = 2 * h * (mesh.coordinates.xyz(i) - Vec3::Constant(0.5));
@@ -154,9 +154,9 @@ double operator_error(const SmoothMap& map, const Vec3& p, double h, bool own) {
   const VolumePointwise problem = pointwise_of(vcvs);
   std::array<double, 3> residual{};
   problem.residual(mesh.coordinates, residual);
-  // In units of the unmapped cubes: their edge is 1/2, the VCV's volume that of one cube of edge 1
-  // (of six tetrahedra around each diagonal: 24 of a sixth of an eighth).
-  const double volume = 24.0 / 48;
+  // 24 tetrahedra of a sixth of a cube of edge 1/2; the gradient of a linear one is that in its
+  // middle, three quarters of the way to the outer triangle through which the flux is taken.
+  const double volume = 24.0 / 48 * 0.75;
   const double unit = 4 * h * h;  // (h / (1/2))^2
   const Vec3 found = Vec3(residual.data()) / volume / unit;
   const Vec3 exact = map.operator_of(winslow_tensor(map.jacobian(p)), p);

@@ -61,7 +61,10 @@ TEST_CASE("triangles that make no sphere are refused, with the reason") {
   says(refusal(7, open), "has a triangle on one side only");
   Triangles turned = double_pyramid(5);
   std::swap(turned[3][0], turned[3][1]);
-  says(refusal(7, turned), "has two triangles on one side");
+  says(refusal(7, turned), "has a triangle on one side only");
+  Triangles doubled = double_pyramid(5);
+  doubled.push_back(doubled.front());
+  says(refusal(7, doubled), "has two triangles on one side");
   says(refusal(3, {{0, 1, 2}, {2, 1, 0}}), "found 3 vertices, expected at least 4");
   says(refusal(8, double_pyramid(5)), "vertex 7 has no triangle");
   says(refusal(6, double_pyramid(5)), "there is no vertex 6");

@@ -1,6 +1,7 @@
 #include "core/vcv/sphere/sphere_fit.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "core/error.h"
@@ -22,6 +23,7 @@ bool SphereFit::evaluate(const SphereLink& link, std::span<const double> targets
                          State& state) const {
   const auto& p = state.directions;
   state.squares = state.edges = state.largest = 0;
+  state.shape = 1;
   double sum = 0;
   for (std::size_t t = 0; t < targets.size(); ++t) {
     const auto [a, b, c] = link.triangles()[t];
@@ -35,16 +37,50 @@ bool SphereFit::evaluate(const SphereLink& link, std::span<const double> targets
     state.gradients[t] = {inverse * angle.by_a, inverse * angle.by_b, inverse * angle.by_c};
     state.squares += residual * residual;
     state.largest = std::max(state.largest, std::abs(residual));
-    // Every edge is met twice.
-    state.edges +=
-        0.5 * ((pb - pa).squaredNorm() + (pc - pb).squaredNorm() + (pa - pc).squaredNorm());
+    const double chords =
+        (pb - pa).squaredNorm() + (pc - pb).squaredNorm() + (pa - pc).squaredNorm();
+    state.edges += 0.5 * chords;  // every edge is met twice
+    const double volume6 = solid_angle_tangent(pa, pb, pc).n, size = 3 + chords;
+    state.shape = std::min(state.shape, 432 * volume6 * volume6 / (size * size * size));
   }
   return std::abs(sum - 4 * pi) < 1;  // another cover of the sphere has a multiple of 4 pi
 }
 
-/// Vertices of few neighbours first: their rows of the factor stay short.
+/// Order of elimination by minimum degree, fill included: most of the factor's rows stay short.
 void SphereFit::order_vertices(const SphereLink& link) {
-  place_.resize(at(link.vertex_count()));
+  using Set = std::uint64_t;
+  constexpr Index most = 64;
+  const Index n = link.vertex_count();
+  place_.resize(at(n));
+  if (n > most) {
+    order_by_degree(link);
+    return;
+  }
+  std::array<Set, most> around{};
+  for (Index v = 0; v < n; ++v) {
+    for (const Index h : link.outgoing(v)) around[at(v)] |= Set{1} << link.end_of(h);
+  }
+  Set left = n == most ? ~Set{0} : (Set{1} << n) - 1;
+  for (std::size_t next = 0; left != 0; ++next) {
+    Index best = -1, least = most + 1;
+    for (Set rest = left; rest != 0; rest &= rest - 1) {
+      const auto v = static_cast<Index>(std::countr_zero(rest));
+      const auto degree = static_cast<Index>(std::popcount(around[at(v)] & left));
+      if (degree >= least) continue;
+      least = degree;
+      best = v;
+    }
+    place_[at(best)] = next;
+    left &= ~(Set{1} << best);
+    const Set clique = around[at(best)] & left;
+    for (Set rest = clique; rest != 0; rest &= rest - 1) {
+      const int v = std::countr_zero(rest);
+      around[at(v)] |= clique & ~(Set{1} << v);
+    }
+  }
+}
+
+void SphereFit::order_by_degree(const SphereLink& link) {
   std::size_t next = 0;
   for (Index degree = 3; next < place_.size(); ++degree) {
     for (Index v = 0; v < link.vertex_count(); ++v) {
@@ -130,43 +166,52 @@ SphereFitResult SphereFit::fit(const SphereLink& link, std::span<const double> t
     throw UsageError("a fit of solid angles has to start from directions that cover the sphere");
   }
   order_vertices(link);
+  SphereFitResult result = iterate(link, targets, options);
+  if (now_.largest <= options.tolerance) result.end = SphereFitEnd::converged;
+  result.largest_error = now_.largest;
+  std::copy(now_.directions.begin(), now_.directions.end(), directions.begin());
+  return result;
+}
+
+SphereFitResult SphereFit::iterate(const SphereLink& link, std::span<const double> targets,
+                                   const SphereFitOptions& options) {
+  constexpr double least_damping = 1e-3, most_damping = 1e8;  // of the sum of squares
+  constexpr double worthwhile = 1e-5;                         // decrease of the cost
+  const double least = options.least_shape;
+  const double least_shape = std::min(least * least * least, 0.1 * now_.shape);
   SphereFitResult result;
   double mu = options.regularisation;
-  double damping = 1e-2;
+  double damping = 0.1;
   bool assembled = false;
+  const bool angles_alone = options.least_regularisation < options.regularisation;
   while (result.steps < options.most_steps) {
-    if (now_.largest <= options.tolerance) {
-      result.end = SphereFitEnd::converged;
-      break;
-    }
+    if (angles_alone && now_.largest <= options.tolerance) break;
     if (!assembled) assemble(link, mu);
     assembled = true;
     ++result.steps;
     double gain = -1;
-    if (solve(damping)) {
+    if (solve(damping * now_.squares)) {
       advance();
       if (evaluate(link, targets, trial_)) gain = now_.cost(mu) - trial_.cost(mu);
     }
+    if (damping > most_damping || (gain > 0 && trial_.shape < least_shape)) {
+      result.end = SphereFitEnd::limited_by_shape;
+      return result;
+    }
     if (!(gain > 0)) {
       damping *= 8;
-      if (damping > 1e6) {
-        result.end = SphereFitEnd::limited_by_shape;
-        break;
-      }
       continue;
     }
-    const bool settled = gain < 1e-5 * now_.cost(mu) && mu <= options.least_regularisation;
+    const bool settled = gain < worthwhile * now_.cost(mu) && mu <= options.least_regularisation;
     std::swap(now_, trial_);
     assembled = false;
-    damping = std::max(damping * 0.1, 1e-6);
+    damping = std::max(0.5 * damping, least_damping);
     mu = std::max(0.1 * mu, options.least_regularisation);
-    if (settled && now_.largest > options.tolerance) {
+    if (settled) {
       result.end = SphereFitEnd::limited_by_shape;
-      break;
+      return result;
     }
   }
-  result.largest_error = now_.largest;
-  std::copy(now_.directions.begin(), now_.directions.end(), directions.begin());
   return result;
 }
 

@@ -14,8 +14,13 @@ namespace winslow {
 struct SphereFitOptions {
   /// mu of the first step: how much the shape of triangles counts beside their solid angles.
   double regularisation = 0.3;
-  /// mu is divided by ten with every step, and goes no further down than this.
+  /// mu is divided by ten with every step, down to this, and the fit ends as soon as all angles are
+  /// as wanted. If there is no way down, the cost is minimised as it stands.
   double least_regularisation = 1e-6;
+  /// Least mean ratio, 12 (3 V)^(2/3) / (sum of the squared edges), of a tetrahedron of the VCV: 1
+  /// of the regular one, 0 of a flat one. A step that leaves one below it is not taken, and the fit
+  /// ends; but where the start has a flatter one, the bound is half of its mean ratio.
+  double least_shape = 0.2;
   double tolerance = 1e-3;  ///< of the largest relative error of a solid angle
   int most_steps = 60;
 };
@@ -23,7 +28,7 @@ struct SphereFitOptions {
 /// What ended a fit.
 enum class SphereFitEnd : std::uint8_t {
   converged,         ///< all solid angles are as wanted, within the tolerance
-  limited_by_shape,  ///< the least of the cost: solid angles gave way to the shape of triangles
+  limited_by_shape,  ///< solid angles gave way to the shape: by regularisation or least_shape
   out_of_steps
 };
 
@@ -59,11 +64,15 @@ class SphereFit {
     double squares = 0;  ///< sum of the squares of residuals
     double edges = 0;    ///< sum of the squares of edge lengths
     double largest = 0;  ///< largest magnitude of a residual
+    double shape = 1;    ///< cube of the least mean ratio, see SphereFitOptions::least_shape
 
     double cost(double mu) const { return squares + 0.5 * mu * edges; }
   };
+  SphereFitResult iterate(const SphereLink& link, std::span<const double> targets,
+                          const SphereFitOptions& options);
   bool evaluate(const SphereLink& link, std::span<const double> targets, State& state) const;
   void order_vertices(const SphereLink& link);
+  void order_by_degree(const SphereLink& link);
   void assemble(const SphereLink& link, double mu);
   bool solve(double damping);
   void advance();

@@ -35,20 +35,25 @@ void SphereLink::assign(Index vertices, std::span<const Triangle> triangles) {
 
 void SphereLink::collect_outgoing(Index vertices) {
   first_.assign(at(vertices) + 1, 0);
+  ends_.clear();
   for (const Triangle& triangle : triangles_) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Index v = triangle[k];
       if (v < 0 || v >= vertices) refuse("there is no vertex " + std::to_string(v));
-      if (v == triangle[(k + 1) % 3]) {
+      const Index next = triangle[k == 2 ? 0 : k + 1];
+      if (v == next) {
         refuse("a triangle has vertex " + std::to_string(v) + " twice");
       }
       ++first_[at(v) + 1];
+      ends_.push_back(next);
     }
   }
   for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
   outgoing_.resize(3 * triangles_.size());
-  for (Index h = static_cast<Index>(outgoing_.size()) - 1; h >= 0; --h) {
-    outgoing_[at(--first_[at(start_of(h)) + 1])] = h;
+  for (std::size_t t = triangles_.size(); t-- > 0;) {
+    for (std::size_t k = 3; k-- > 0;) {
+      outgoing_[at(--first_[at(triangles_[t][k]) + 1])] = static_cast<Index>(3 * t + k);
+    }
   }
   // Each first_[v + 1] has gone back to where the row of v begins.
   std::shift_left(first_.begin(), first_.end(), 1);
@@ -57,17 +62,18 @@ void SphereLink::collect_outgoing(Index vertices) {
 
 void SphereLink::pair_half_edges() {
   twins_.assign(outgoing_.size(), -1);
-  for (Index h = 0; h < static_cast<Index>(twins_.size()); ++h) {
-    const Index a = start_of(h), b = end_of(h);
-    for (const Index other : outgoing(a)) {
-      if (other != h && end_of(other) == b) {
-        refuse(edge_text(a, b) + " has two triangles on one side");
+  for (Index a = 0; a < vertex_count(); ++a) {
+    const auto row = outgoing(a);
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      const Index b = end_of(row[k]);
+      for (std::size_t other = 0; other < k; ++other) {
+        if (end_of(row[other]) == b) refuse(edge_text(a, b) + " has two triangles on one side");
       }
+      for (const Index back : outgoing(b)) {
+        if (end_of(back) == a) twins_[at(row[k])] = back;
+      }
+      if (twins_[at(row[k])] < 0) refuse(edge_text(a, b) + " has a triangle on one side only");
     }
-    for (const Index back : outgoing(b)) {
-      if (end_of(back) == a) twins_[at(h)] = back;
-    }
-    if (twins_[at(h)] < 0) refuse(edge_text(a, b) + " has a triangle on one side only");
   }
 }
 

@@ -41,9 +41,7 @@ class SphereLink {
   /// The half-edge on the other side.
   Index twin(Index half_edge) const { return twins_[at(half_edge)]; }
   Index start_of(Index half_edge) const { return triangles_[at(half_edge / 3)][at(half_edge % 3)]; }
-  Index end_of(Index half_edge) const {
-    return triangles_[at(half_edge / 3)][at((half_edge + 1) % 3)];
-  }
+  Index end_of(Index half_edge) const { return ends_[at(half_edge)]; }
   /// Half-edges that leave a vertex, as many as it has neighbours, in no order.
   std::span<const Index> outgoing(Index vertex) const {
     return std::span(outgoing_).subspan(at(first_[at(vertex)]), at(degree(vertex)));
@@ -57,6 +55,7 @@ class SphereLink {
   void check_whole() const;
 
   std::vector<Triangle> triangles_;
+  std::vector<Index> ends_;              // by half-edge
   std::vector<Index> twins_;             // by half-edge
   std::vector<Index> first_, outgoing_;  // rows of half-edges by vertex
 };

@@ -25,6 +25,12 @@ Index outer_triangle(const SphereLink& link) {
   return best;
 }
 
+/// Stress of an edge: any positive ones make an embedding. With equal ones the vertices around a
+/// vertex of very many neighbours would crowd, closer with every further one.
+double stress(const SphereLink& link, Index a, Index b) {
+  return 1.0 / (link.degree(a) * link.degree(b));
+}
+
 }  // namespace
 
 bool covers_sphere(const SphereLink& link, std::span<const Vec3> directions) {
@@ -65,14 +71,15 @@ void SphereStart::embed(const SphereLink& link, const SphereLink::Triangle& oute
   for (Index v = 0; v < link.vertex_count(); ++v) {
     const Index i = row_[at(v)];
     if (i < 0) continue;
-    laplacian_(at(i), at(i)) = link.degree(v);
     for (const Index h : link.outgoing(v)) {
       const Index other = link.end_of(h);
       const Index k = row_[at(other)];
-      if (k > i) laplacian_(at(i), at(k)) = -1;
+      const double weight = stress(link, v, other);
+      laplacian_(at(i), at(i)) += weight;
+      if (k > i) laplacian_(at(i), at(k)) = -weight;
       if (k >= 0) continue;
-      x_[at(i)] += points_[at(other)].x();
-      y_[at(i)] += points_[at(other)].y();
+      x_[at(i)] += weight * points_[at(other)].x();
+      y_[at(i)] += weight * points_[at(other)].y();
     }
   }
   if (!laplacian_.factorise()) throw NumericError("Tutte's embedding of a link has no solution");
@@ -99,8 +106,9 @@ void SphereStart::lift(const SphereLink& link, Index outer) {
       todo_.push_back(next);
       const Vec3& p = points_[at(link.start_of(h))];
       const Vec3& q = points_[at(link.end_of(h))];
-      // The slope falls by the edge's length from its left to its right: a roof.
-      const Vec2 bend(p.y() - q.y(), q.x() - p.x());
+      // The slope falls by stress times length from the left of an edge to its right: a roof.
+      const Vec2 bend =
+          stress(link, link.start_of(h), link.end_of(h)) * Vec2(p.y() - q.y(), q.x() - p.x());
       Vec3 plane = planes_[at(t)];
       plane.head<2>() += bend;
       plane.z() -= bend.dot(p.head<2>());

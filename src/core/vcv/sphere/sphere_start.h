@@ -12,11 +12,11 @@ namespace winslow {
 /// Places the vertices of a link on the unit sphere so that no triangle is inverted, by its
 /// connectivity alone:
 ///
-/// 1. Tutte's embedding in the plane: the corners of one triangle are held, every other vertex is
-///    the mean of its neighbours (W. T. Tutte, "How to draw a graph", 1963; one without crossings,
-///    since the graph is 3-connected);
+/// 1. Tutte's embedding in the plane: the corners of one triangle are held, every other vertex is a
+///    mean of its neighbours, weighted by the stress of the edges (W. T. Tutte, "How to draw a
+///    graph", 1963; one without crossings, since the graph is 3-connected);
 /// 2. its lift to a convex polyhedron (Maxwell, Cremona): the slopes of neighbouring triangles
-///    differ by their edge turned by a right angle;
+///    differ by their edge turned by a right angle, times its stress;
 /// 3. an affine map and a centre inside for which the directions to the vertices are spread evenly:
 ///    their mean is zero and their second moments are alike (D. E. Tyler, "A distribution-free
 ///    M-estimator of multivariate scatter", Ann. Stat. 15, 1987). The centre is a mean with

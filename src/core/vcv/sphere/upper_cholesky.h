@@ -28,37 +28,61 @@ class UpperCholesky {
   /// A = U^T U, U in the place of A. False, with what was done so far, where a pivot is not
   /// positive.
   bool factorise() {
-    for (std::size_t j = 0; j < size_; ++j) {
-      double* const row = values_.data() + j * size_;
-      if (!(row[j] > 0)) return false;
-      const double inverse = 1 / std::sqrt(row[j]);
-      for (std::size_t k = j; k < size_; ++k) row[k] *= inverse;
-      for (std::size_t i = j + 1; i < size_; ++i) {
-        const double factor = row[i];
-        if (factor == 0) continue;
-        double* const other = values_.data() + i * size_;
-        for (std::size_t k = i; k < size_; ++k) other[k] -= factor * row[k];
+    std::size_t j = 0;
+    for (; j + 1 < size_; j += 2) {  // two rows at once: half the traffic
+      const double* const first = row(j);
+      const double* const second = row(j + 1);
+      if (!scale(j)) return false;
+      subtract(j + 1, first, first[j + 1]);
+      if (!scale(j + 1)) return false;
+      for (std::size_t i = j + 2; i < size_; ++i) {
+        const double a = first[i], b = second[i];
+        if (a == 0 && b == 0) continue;
+        double* __restrict other = row(i);
+        for (std::size_t k = i; k < size_; ++k) other[k] -= a * first[k] + b * second[k];
       }
     }
-    return true;
+    return j == size_ || scale(j);
   }
 
   /// x = A^-1 x with the factor.
   void solve(std::span<double> x) const {
     for (std::size_t j = 0; j < size_; ++j) {
-      const double* const row = values_.data() + j * size_;
-      x[j] /= row[j];
-      for (std::size_t k = j + 1; k < size_; ++k) x[k] -= row[k] * x[j];
+      const double* const own = row(j);
+      const double value = x[j] / own[j];
+      for (std::size_t k = j + 1; k < size_; ++k) x[k] -= own[k] * value;
+      x[j] = value;
     }
     for (std::size_t j = size_; j-- > 0;) {
-      const double* const row = values_.data() + j * size_;
-      double sum = x[j];
-      for (std::size_t k = j + 1; k < size_; ++k) sum -= row[k] * x[k];
-      x[j] = sum / row[j];
+      const double* const own = row(j);
+      double even = x[j], odd = 0;  // two sums: neither waits for the other
+      std::size_t k = j + 1;
+      for (; k + 1 < size_; k += 2) {
+        even -= own[k] * x[k];
+        odd -= own[k + 1] * x[k + 1];
+      }
+      if (k < size_) even -= own[k] * x[k];
+      x[j] = (even + odd) / own[j];
     }
   }
 
  private:
+  double* row(std::size_t j) { return values_.data() + j * size_; }
+  const double* row(std::size_t j) const { return values_.data() + j * size_; }
+
+  bool scale(std::size_t j) {
+    double* const own = row(j);
+    if (!(own[j] > 0)) return false;
+    const double inverse = 1 / std::sqrt(own[j]);
+    for (std::size_t k = j; k < size_; ++k) own[k] *= inverse;
+    return true;
+  }
+  /// Row i minus the factor times another, from column i on.
+  void subtract(std::size_t i, const double* other, double factor) {
+    double* __restrict own = row(i);
+    for (std::size_t k = i; k < size_; ++k) own[k] -= factor * other[k];
+  }
+
   std::size_t size_ = 0;
   std::vector<double> values_;
 };
