@@ -57,8 +57,8 @@ TEST_CASE("links of 4 to 80 triangles are given equal solid angles") {
   }
 }
 
-TEST_CASE("fans of up to 60 elements around an edge are given equal solid angles") {
-  for (Index n = 6; n <= 60; n += 6) {
+TEST_CASE("fans of up to 72 elements around an edge are given equal solid angles") {
+  for (Index n = 6; n <= 72; n += 6) {
     CAPTURE(n);
     check_reached(fitted(double_pyramid(n)));
   }

@@ -28,7 +28,8 @@ Index outer_triangle(const SphereLink& link) {
 /// Stress of an edge: any positive ones make an embedding. With equal ones the vertices around a
 /// vertex of very many neighbours would crowd, closer with every further one.
 double stress(const SphereLink& link, Index a, Index b) {
-  return 1.0 / (link.degree(a) * link.degree(b));
+  const double product = link.degree(a) * link.degree(b);
+  return 1 / (product * product);
 }
 
 }  // namespace
@@ -124,7 +125,7 @@ void SphereStart::lift(const SphereLink& link, Index outer) {
 }
 
 void SphereStart::spread(std::span<Vec3> directions) {
-  constexpr int rounds = 8;
+  constexpr int rounds = 4;
   const auto count = static_cast<double>(points_.size());
   for (int round = 0; round <= rounds; ++round) {
     // In the coordinates of the last round distances are 1 on average: the first weights are equal.

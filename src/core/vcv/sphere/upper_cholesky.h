@@ -25,8 +25,8 @@ class UpperCholesky {
     return values_[row * size_ + column];
   }
 
-  /// A = U^T U, U in the place of A. False, with what was done so far, where a pivot is not
-  /// positive.
+  /// A = U^T U, U in the place of A, with the inverse of its diagonal. False, with what was done so
+  /// far, where a pivot is not positive.
   bool factorise() {
     std::size_t j = 0;
     for (; j + 1 < size_; j += 2) {  // two rows at once: half the traffic
@@ -49,7 +49,7 @@ class UpperCholesky {
   void solve(std::span<double> x) const {
     for (std::size_t j = 0; j < size_; ++j) {
       const double* const own = row(j);
-      const double value = x[j] / own[j];
+      const double value = x[j] * own[j];
       for (std::size_t k = j + 1; k < size_; ++k) x[k] -= own[k] * value;
       x[j] = value;
     }
@@ -62,7 +62,7 @@ class UpperCholesky {
         odd -= own[k + 1] * x[k + 1];
       }
       if (k < size_) even -= own[k] * x[k];
-      x[j] = (even + odd) / own[j];
+      x[j] = (even + odd) * own[j];
     }
   }
 
@@ -74,7 +74,8 @@ class UpperCholesky {
     double* const own = row(j);
     if (!(own[j] > 0)) return false;
     const double inverse = 1 / std::sqrt(own[j]);
-    for (std::size_t k = j; k < size_; ++k) own[k] *= inverse;
+    own[j] = inverse;
+    for (std::size_t k = j + 1; k < size_; ++k) own[k] *= inverse;
     return true;
   }
   /// Row i minus the factor times another, from column i on.
