@@ -22,9 +22,10 @@ struct WinslowCoefficients {
   double alpha = 1, beta = 0, gamma = 1;
 };
 
-/// What one row of the operator amounts to.
-struct NodalRow {
-  Vec2 residual{0, 0};  ///< sum_k w_k (r_k - r_0)
+/// What one row of the operator amounts to, in the plane or in space.
+template <int D>
+struct NodalRowOf {
+  Vec<D> residual = Vec<D>::Zero();  ///< sum_k w_k (r_k - r_0)
   double weight_sum = 0;
   double absolute_sum = 0;
   double mean_edge = 0;  ///< physical, units of the mesh
@@ -42,6 +43,7 @@ struct NodalRow {
     return smallest * scale() * static_cast<double>(weights.size());
   }
 };
+using NodalRow = NodalRowOf<2>;
 
 inline NodalGradient nodal_gradient(const Coordinates& x, Index node,
                                     std::span<const Index> neighbours,
@@ -70,12 +72,13 @@ inline double winslow_weight(const WinslowCoefficients& c, const NeighbourFuncti
   return c.alpha * f.lxx - c.beta * f.lxy + c.gamma * f.lyy;
 }
 
-inline NodalRow evaluate_row(const Coordinates& x, Index node, std::span<const Index> neighbours,
-                             std::span<const double> weights) {
-  NodalRow row;
-  const Vec2 r0 = x.xy(node);
+template <int D = 2>
+NodalRowOf<D> evaluate_row(const Coordinates& x, Index node, std::span<const Index> neighbours,
+                           std::span<const double> weights) {
+  NodalRowOf<D> row;
+  const Vec<D> r0 = x.get<D>(node);
   for (std::size_t k = 0; k < neighbours.size(); ++k) {
-    const Vec2 d = x.xy(neighbours[k]) - r0;
+    const Vec<D> d = x.get<D>(neighbours[k]) - r0;
     row.residual += weights[k] * d;
     row.weight_sum += weights[k];
     row.absolute_sum += std::abs(weights[k]);

@@ -21,12 +21,13 @@ inline int thread_count(int requested) {
 /// (and sums the blocks in order afterwards) gives the same bits at any thread count.
 inline constexpr Index parallel_block = 4096;
 
+/// block: size of the blocks, smaller for a body that takes long over each of them.
 template <typename Body>
-void parallel_for(int threads, Index n, Body&& body) {
-  const Index blocks = (n + parallel_block - 1) / parallel_block;
+void parallel_for(int threads, Index n, Body&& body, Index block = parallel_block) {
+  const Index blocks = (n + block - 1) / block;
   const auto run = [&](Index first_block, Index stride) {
     for (Index b = first_block; b < blocks; b += stride) {
-      body(b * parallel_block, std::min(n, (b + 1) * parallel_block));
+      body(b * block, std::min(n, (b + 1) * block));
     }
   };
   const Index workers = std::min<Index>(thread_count(threads), blocks);

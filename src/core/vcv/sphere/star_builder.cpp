@@ -1,0 +1,86 @@
+#include "core/vcv/sphere/star_builder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/vcv/sphere/solid_angle.h"
+
+namespace winslow {
+
+namespace {
+
+double equal_angle(const SphereLink& link) { return 4 * pi / link.triangle_count(); }
+
+}  // namespace
+
+std::span<const double> StarTargets::equal(const SphereLink& link) {
+  angles_.assign(at(link.triangle_count()), equal_angle(link));
+  return angles_;
+}
+
+void StarTargets::measure(const SphereLink& link, std::span<const Vec3> physical, double floor) {
+  angles_.clear();
+  for (const auto& [a, b, c] : link.triangles()) {
+    const double angle = solid_angle(physical[at(a)], physical[at(b)], physical[at(c)]);
+    angles_.push_back(angle > floor ? angle : floor);  // a NaN, too
+  }
+}
+
+std::span<const double> StarTargets::scaled() {
+  double sum = 0;
+  for (const double angle : angles_) sum += angle;
+  for (double& angle : angles_) angle *= 4 * pi / sum;
+  return angles_;
+}
+
+std::span<const double> StarTargets::existing(const SphereLink& link,
+                                              std::span<const Vec3> physical) {
+  constexpr double least = 0.01;
+  measure(link, physical, least * equal_angle(link));
+  return scaled();
+}
+
+std::span<const double> StarTargets::adjusted(const SphereLink& link,
+                                              std::span<const Vec3> physical) {
+  measure(link, physical, 0);
+  const double equal = equal_angle(link);
+  for (double& angle : angles_) angle = 0.5 * (angle + equal);
+  return scaled();
+}
+
+void physical_directions(const SpacePoints& x, Index node, std::span<const Index> neighbours,
+                         std::vector<Vec3>& out) {
+  out.clear();
+  const Vec3 centre = x[node];
+  for (const Index other : neighbours) {
+    const Vec3 edge = x[other] - centre;
+    out.push_back(edge / edge.norm());
+  }
+}
+
+SphereFitResult StarBuilder::build(const SphereLink& link, std::span<const double> targets,
+                                   const SphereFitOptions& options, std::uint64_t seed,
+                                   std::span<Vec3> directions) {
+  if (!covers_sphere(link, directions)) start_.place(link, directions);
+  if (construction_ == VcvConstruction::fit) return fit_.fit(link, targets, options, directions);
+  SphereFitResult result;
+  result.steps = perturb_directions(link, targets, {}, seed, directions);
+  result.largest_error = largest_angle_error(link, targets, directions);
+  // It weighs shape and angles against each other for as long as it runs.
+  result.end = result.largest_error <= options.tolerance ? SphereFitEnd::converged
+                                                         : SphereFitEnd::limited_by_shape;
+  return result;
+}
+
+double largest_angle_error(const SphereLink& link, std::span<const double> targets,
+                           std::span<const Vec3> directions) {
+  double largest = 0;
+  for (std::size_t t = 0; t < targets.size(); ++t) {
+    const auto [a, b, c] = link.triangles()[t];
+    const double angle = solid_angle(directions[at(a)], directions[at(b)], directions[at(c)]);
+    largest = std::max(largest, std::abs(angle / targets[t] - 1));
+  }
+  return largest;
+}
+
+}  // namespace winslow

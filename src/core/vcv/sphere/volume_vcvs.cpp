@@ -1,0 +1,228 @@
+#include "core/vcv/sphere/volume_vcvs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/error.h"
+#include "core/parallel/parallel_for.h"
+
+namespace winslow {
+
+namespace {
+
+/// Stars handed to a thread at a time: one takes as long as hundreds of rows of other loops.
+constexpr Index star_block = 64;
+
+void require_volume(const Topology& topology) {
+  if (topology.cell_dimension() == 3) return;
+  throw UsageError("virtual control volumes of solid angles: expected a volume mesh, found a " +
+                   std::string(mesh_kind(topology)));
+}
+
+}  // namespace
+
+/// Solves one star after another for its directions.
+class VolumeVcvs::StarSolver {
+ public:
+  /// physical: null for equal angles. first: there are no directions yet.
+  StarSolver(VolumeVcvs& vcvs, const Coordinates* physical, bool first)
+      : vcvs_(vcvs), physical_(physical), first_(first), builder_(vcvs.options_.construction) {
+    fit_.least_regularisation = vcvs.options_.angles == VcvAngles::equal
+                                    ? vcvs.options_.equal_regularisation
+                                    : vcvs.options_.physical_regularisation;
+    fit_.regularisation = std::max(fit_.regularisation, fit_.least_regularisation);
+  }
+
+  /// True if the star was solved, false if its targets are what they were.
+  bool solve(std::size_t i) {
+    const Topology& topology = *vcvs_.topology_;
+    const Index node = topology.interior_nodes()[i];
+    const auto neighbours = topology.neighbours(node);
+    link_.assign(topology, node);
+    directions_.assign(neighbours.size(), Vec3(0, 0, 0));
+    if (physical_) physical_directions(SpacePoints(*physical_), node, neighbours, directions_);
+    const auto wanted = targets();
+    if (!keep_targets(i, wanted)) return false;
+    if (!first_) {
+      for (std::size_t k = 0; k < neighbours.size(); ++k) {
+        directions_[k] = vcvs_.computed(node, static_cast<Index>(k));
+      }
+    }
+    try {
+      const auto seed = static_cast<std::uint64_t>(node);
+      vcvs_.ends_[i] = builder_.build(link_, wanted, fit_, seed, directions_).end;
+    } catch (const NumericError& error) {
+      throw MeshError(MeshEntity::node, node, "node " + std::to_string(node) + ": " + error.what());
+    }
+    float* out = vcvs_.directions_.data() + 3 * at(topology.neighbour_rows().offsets[at(node)]);
+    for (const Vec3& direction : directions_) {
+      for (int c = 0; c < 3; ++c) *out++ = static_cast<float>(direction[c]);
+    }
+    return true;
+  }
+
+ private:
+  std::span<const double> targets() {
+    switch (vcvs_.options_.angles) {
+      case VcvAngles::existing:
+        return targets_.existing(link_, directions_);
+      case VcvAngles::adjusted:
+        return targets_.adjusted(link_, directions_);
+      case VcvAngles::equal:
+        break;
+    }
+    return targets_.equal(link_);
+  }
+
+  /// Stores the targets of a star. False if they were the same already.
+  bool keep_targets(std::size_t i, std::span<const double> wanted) {
+    if (vcvs_.rows_.empty()) return true;
+    float* const row = vcvs_.targets_.data() + vcvs_.rows_[i];
+    bool changed = first_;
+    for (std::size_t t = 0; t < wanted.size(); ++t) {
+      changed = changed || std::abs(wanted[t] - row[t]) > fit_.tolerance * wanted[t];
+    }
+    if (changed) {
+      std::transform(wanted.begin(), wanted.end(), row,
+                     [](double angle) { return static_cast<float>(angle); });
+    }
+    return changed;
+  }
+
+  VolumeVcvs& vcvs_;
+  const Coordinates* physical_;
+  bool first_;
+  SphereFitOptions fit_;
+  SphereLink link_;
+  StarTargets targets_;
+  StarBuilder builder_;
+  std::vector<Vec3> directions_;
+};
+
+VolumeVcvs::VolumeVcvs(std::shared_ptr<const Topology> topology, const VolumeVcvOptions& options)
+    : topology_(std::move(topology)), options_(options) {
+  require_volume(*topology_);
+  if (options_.angles != VcvAngles::equal) {
+    throw UsageError("existing and adjusted solid angles need the coordinates of a mesh");
+  }
+  solve(nullptr, true);
+}
+
+VolumeVcvs::VolumeVcvs(std::shared_ptr<const Topology> topology, const Coordinates& physical,
+                       const VolumeVcvOptions& options)
+    : topology_(std::move(topology)), options_(options) {
+  require_volume(*topology_);
+  solve(options_.angles == VcvAngles::equal ? nullptr : &physical, true);
+}
+
+Index VolumeVcvs::adjust(const Coordinates& physical) {
+  if (options_.angles != VcvAngles::adjusted) {
+    throw UsageError("only adjusted solid angles follow the mesh");
+  }
+  return solve(&physical, false);
+}
+
+Index VolumeVcvs::solve(const Coordinates* physical, bool first) {
+  const auto interior = topology_->interior_nodes();
+  const auto count = static_cast<Index>(interior.size());
+  if (first) {
+    directions_.assign(3 * topology_->neighbour_rows().values.size(), 0.0F);
+    ends_.assign(interior.size(), SphereFitEnd::out_of_steps);
+    if (physical) {
+      rows_.assign(1, 0);
+      for (const Index node : interior) {
+        // Triangles of a sphere of n vertices (Euler); the solver refuses what is none.
+        const std::size_t n = topology_->neighbours(node).size();
+        rows_.push_back(rows_.back() + (n > 2 ? 2 * n - 4 : 0));
+      }
+      targets_.assign(rows_.back(), 0.0F);
+    }
+  }
+  std::vector<Index> solved(at((count + star_block - 1) / star_block), 0);
+  parallel_for(
+      options_.threads, count,
+      [&](Index begin, Index end) {
+        StarSolver solver(*this, physical, first);
+        for (Index i = begin; i < end; ++i) {
+          if (solver.solve(at(i))) ++solved[at(begin / star_block)];
+        }
+      },
+      star_block);
+  Index total = 0;
+  for (const Index n : solved) total += n;
+  return total;
+}
+
+Vec3 VolumeVcvs::computed(Index node, Index k) const {
+  const float* const d =
+      directions_.data() + 3 * at(topology_->neighbour_rows().offsets[at(node)] + k);
+  return Vec3(d[0], d[1], d[2]).normalized();
+}
+
+Vec3 VolumeVcvs::direction(Index node, Index k) const {
+  const auto found = edited_.find(node);
+  return found != edited_.end() ? found->second.directions[at(k)] : computed(node, k);
+}
+
+double VolumeVcvs::length(Index node, Index k) const {
+  const auto found = edited_.find(node);
+  return found != edited_.end() ? found->second.lengths[at(k)] : 1.0;
+}
+
+void VolumeVcvs::points(Index node, std::vector<Vec3>& out) const {
+  out.clear();
+  const auto count = static_cast<Index>(topology_->neighbours(node).size());
+  for (Index k = 0; k < count; ++k) out.emplace_back(length(node, k) * direction(node, k));
+}
+
+void VolumeVcvs::require_interior(Index node) const {
+  if (node < 0 || node >= topology_->node_count() || topology_->on_boundary(node) ||
+      !topology_->used(node)) {
+    throw UsageError("VCV of node " + std::to_string(node) +
+                     ": the node is not a free node of the mesh");
+  }
+}
+
+void VolumeVcvs::set(Index node, std::span<const Vec3> directions,
+                     std::span<const double> lengths) {
+  require_interior(node);
+  const std::string who = "VCV of node " + std::to_string(node);
+  const std::size_t n = topology_->neighbours(node).size();
+  if (directions.size() != n || lengths.size() != n) {
+    throw UsageError(who + ": expected " + std::to_string(n) + " directions and lengths");
+  }
+  Stencil stencil{{}, {lengths.begin(), lengths.end()}};
+  for (const Vec3& direction : directions) stencil.directions.push_back(direction.normalized());
+  if (!covers_sphere(SphereLink(*topology_, node), stencil.directions)) {
+    throw UsageError(who + ": the directions do not cover the sphere once, a triangle is inverted");
+  }
+  for (const double length : lengths) {
+    if (!(length > 0) || !std::isfinite(length)) {
+      throw UsageError(who + ": an edge length is not positive");
+    }
+  }
+  // Beyond this the short edges are lost in the rounding of the long ones.
+  constexpr double most_stretched = 1e12;
+  const auto [shortest, longest] = std::ranges::minmax(lengths);
+  if (longest > most_stretched * shortest) {
+    throw UsageError(who + ": the longest edge is more than 1e12 times the shortest");
+  }
+  edited_[node] = std::move(stencil);
+}
+
+void VolumeVcvs::reset(Index node) {
+  require_interior(node);
+  edited_.erase(node);
+}
+
+void VolumeVcvs::targets(std::size_t i, const SphereLink& link, std::vector<double>& out) const {
+  if (rows_.empty()) {
+    out.assign(at(link.triangle_count()), 4 * pi / link.triangle_count());
+    return;
+  }
+  const float* const row = targets_.data() + rows_[i];
+  out.assign(row, row + link.triangle_count());
+}
+
+}  // namespace winslow

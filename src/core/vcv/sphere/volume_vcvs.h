@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/mesh/coordinates.h"
+#include "core/mesh/topology.h"
+#include "core/vcv/sphere/star_builder.h"
+
+namespace winslow {
+
+/// Which solid angles the VCVs of a volume mesh are to have (AIAA 2009-1362, sections IV and V).
+enum class VcvAngles : std::uint8_t {
+  equal,     ///< 4 pi / #triangles
+  existing,  ///< those of a given mesh
+  adjusted   ///< the mean of both, worked out anew as the mesh moves
+};
+
+struct VolumeVcvOptions {
+  VcvAngles angles = VcvAngles::equal;
+  VcvConstruction construction = VcvConstruction::fit;
+  /// Least weight of the shape of triangles beside their angles (SphereFitOptions): equal angles
+  /// are met exactly, those of a mesh as far as the shape of the VCV allows, since a nearly flat
+  /// star would have a nearly flat VCV.
+  double equal_regularisation = 1e-6;
+  double physical_regularisation = 0.3;
+  int threads = 0;  ///< 0 for all cores; no result depends on it
+};
+
+/// Virtual control volumes (VCVs) of the interior nodes of a volume mesh, as data: the directions
+/// of their edges (unit vectors) and the lengths of these, in computational space. The node lies at
+/// the origin, neighbour k of Topology::neighbours() in direction k; what elements cut off at the
+/// node (see SphereLink) makes the outer triangles.
+///
+/// Directions that were worked out are kept in single precision: 12 bytes for each neighbour, 180
+/// MB for a million nodes of 15 neighbours. Those that were set keep every digit.
+class VolumeVcvs {
+ public:
+  /// Equal angles and unit edges. Throws UsageError unless it is a volume mesh and the options ask
+  /// for equal angles; MeshError or NumericError, naming the node, for a star that has no VCV (see
+  /// SphereLink, SphereStart).
+  explicit VolumeVcvs(std::shared_ptr<const Topology> topology,
+                      const VolumeVcvOptions& options = {});
+  /// Angles of any kind. physical: the mesh, which may be tangled; where a star is valid its
+  /// directions are what the fit starts from.
+  VolumeVcvs(std::shared_ptr<const Topology> topology, const Coordinates& physical,
+             const VolumeVcvOptions& options);
+
+  const Topology& topology() const { return *topology_; }
+  const std::shared_ptr<const Topology>& shared_topology() const { return topology_; }
+  const VolumeVcvOptions& options() const { return options_; }
+
+  /// Takes the adjusted angles of the mesh as it is now: the stars whose wanted angles changed by
+  /// more than the tolerance of a fit are solved again from where they were; returns how many.
+  /// Nodes whose VCVs were set keep them. Throws UsageError unless the angles are adjusted ones.
+  Index adjust(const Coordinates& physical);
+
+  /// Direction of edge k of an interior node, a unit vector.
+  Vec3 direction(Index node, Index k) const;
+  /// Length of edge k of an interior node. Only ratios within one VCV act.
+  double length(Index node, Index k) const;
+  /// Computational positions of the neighbours of an interior node (#neighbours).
+  void points(Index node, std::vector<Vec3>& out) const;
+
+  /// Replaces the VCV of an interior node. directions: of any length but zero, so that no triangle
+  /// is inverted; lengths: positive, the longest at most 1e12 times the shortest. Throws UsageError
+  /// otherwise.
+  void set(Index node, std::span<const Vec3> directions, std::span<const double> lengths);
+  /// Back to what was worked out.
+  void reset(Index node);
+  bool edited(Index node) const { return edited_.contains(node); }
+
+  /// How the fit of the i-th interior node ended; see Topology::interior_nodes().
+  SphereFitEnd fit_end(std::size_t i) const { return ends_[i]; }
+  /// Solid angles that were wanted of the i-th interior node, whose link this is, in steradians
+  /// (#triangles).
+  void targets(std::size_t i, const SphereLink& link, std::vector<double>& out) const;
+
+ private:
+  struct Stencil {
+    std::vector<Vec3> directions;
+    std::vector<double> lengths;
+  };
+  class StarSolver;
+
+  Index solve(const Coordinates* physical, bool first);
+  void require_interior(Index node) const;
+  Vec3 computed(Index node, Index k) const;
+
+  std::shared_ptr<const Topology> topology_;
+  VolumeVcvOptions options_;
+  std::vector<float> directions_;   // 3 for each entry of Topology::neighbour_rows()
+  std::vector<SphereFitEnd> ends_;  // #interior nodes
+  std::vector<std::size_t> rows_;   // #interior nodes + 1, into targets_; empty of equal angles
+  std::vector<float> targets_;      // of the triangles of each link; empty of equal angles
+  std::map<Index, Stencil> edited_;
+};
+
+}  // namespace winslow

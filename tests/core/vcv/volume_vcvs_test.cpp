@@ -1,0 +1,217 @@
+#include "core/vcv/sphere/volume_vcvs.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/mesh/mesh.h"
+#include "core/vcv/sphere/solid_angle.h"
+#include "core/vcv/sphere/volume_vcv_statistics.h"
+#include "support/space_meshes.h"
+
+using namespace winslow;
+using namespace winslow::test;
+
+namespace {
+
+/// Cubes cut into tetrahedra, the interior nodes moved by up to `reach` of a cube.
+Mesh shaken_box(Index n, double reach, std::uint64_t seed) {
+  Mesh mesh = make_mesh(cube(n, Volumes::tetrahedra));
+  Random random(seed);
+  for (const Index node : mesh.topology->interior_nodes()) {
+    const Vec2 a = random.vector();
+    const Vec3 move(a.x(), a.y(), random.uniform(-1, 1));
+    mesh.coordinates.set_xyz(node, mesh.coordinates.xyz(node) + reach / n * move);
+  }
+  return mesh;
+}
+
+std::vector<Vec3> directions_of(const VolumeVcvs& vcvs, Index node) {
+  std::vector<Vec3> directions;
+  const auto count = static_cast<Index>(vcvs.topology().neighbours(node).size());
+  for (Index k = 0; k < count; ++k) directions.push_back(vcvs.direction(node, k));
+  return directions;
+}
+
+VolumeVcvs of_mesh(const Mesh& mesh, VcvAngles angles, double regularisation = 0.3) {
+  VolumeVcvOptions options;
+  options.angles = angles;
+  options.physical_regularisation = regularisation;
+  return {mesh.topology, mesh.coordinates, options};
+}
+
+bool same_directions(const VolumeVcvs& a, const VolumeVcvs& b) {
+  const auto interior = a.topology().interior_nodes();
+  return std::all_of(interior.begin(), interior.end(),
+                     [&](Index node) { return directions_of(a, node) == directions_of(b, node); });
+}
+
+}  // namespace
+
+TEST_CASE("VCVs of any volume mesh have equal solid angles and unit edges") {
+  for (const Volumes volumes : all_volumes) {
+    CAPTURE(name_of(volumes));
+    const Mesh mesh = make_mesh(cube(5, volumes));
+    const VolumeVcvs vcvs(mesh.topology);
+    const VolumeVcvStatistics statistics = measure_vcvs(vcvs);
+    CHECK(statistics.stars == static_cast<Index>(mesh.topology->interior_nodes().size()));
+    CHECK(statistics.off == 0);
+    CHECK(statistics.max_error <= 1e-3);
+    CHECK(statistics.mean_error <= statistics.max_error);
+    CHECK(statistics.min_angle > 0);
+    CHECK(statistics.min_cost >= 0);
+    CHECK(statistics.max_cost < 1);
+    for (const Index node : mesh.topology->interior_nodes()) {
+      std::vector<Vec3> points;
+      vcvs.points(node, points);
+      CHECK(covers_sphere(SphereLink(*mesh.topology, node), points));
+      for (const Vec3& p : points) CHECK(p.norm() == doctest::Approx(1));
+    }
+  }
+}
+
+TEST_CASE("the VCV of a node among cubes is the regular octahedron") {
+  const Mesh mesh = make_mesh(cube(2, Volumes::hexahedra));
+  const VolumeVcvs vcvs(mesh.topology);
+  REQUIRE(mesh.topology->interior_nodes().size() == 1);
+  const auto d = directions_of(vcvs, mesh.topology->interior_nodes().front());
+  REQUIRE(d.size() == 6);
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const double cosine = d[i].dot(d[k]);
+      CHECK(std::min(std::abs(cosine), std::abs(cosine + 1)) < 1e-3);
+    }
+  }
+}
+
+TEST_CASE("existing angles are those of the mesh, as far as regularisation lets them") {
+  const Mesh mesh = shaken_box(5, 0.25, 3);
+  const VolumeVcvs exact = of_mesh(mesh, VcvAngles::existing, 0);
+  CHECK(measure_vcvs(exact).off == 0);
+  const SpacePoints x(mesh.coordinates);
+  std::vector<Vec3> physical;
+  for (const Index node : mesh.topology->interior_nodes()) {
+    const auto neighbours = mesh.topology->neighbours(node);
+    physical_directions(x, node, neighbours, physical);
+    const SphereLink link(*mesh.topology, node);
+    REQUIRE(covers_sphere(link, physical));
+    const auto own = directions_of(exact, node);
+    for (const auto& [a, b, c] : link.triangles()) {
+      CHECK(solid_angle(own[at(a)], own[at(b)], own[at(c)]) ==
+            doctest::Approx(solid_angle(physical[at(a)], physical[at(b)], physical[at(c)]))
+                .epsilon(2e-3));
+    }
+  }
+  const VolumeVcvStatistics shaped = measure_vcvs(of_mesh(mesh, VcvAngles::existing));
+  CHECK(shaped.min_angle > 0);
+  CHECK(shaped.limited_by_shape > 0);
+  CHECK(shaped.limited_by_shape + shaped.out_of_steps == shaped.off);
+  const VolumeVcvStatistics equal = measure_vcvs(of_mesh(mesh, VcvAngles::equal));
+  CHECK(shaped.max_angle > equal.max_angle);
+}
+
+TEST_CASE("angles of a tangled mesh are made into targets that a VCV can have") {
+  const Mesh mesh = shaken_box(5, 1.2, 4);
+  for (const VcvAngles angles : {VcvAngles::existing, VcvAngles::adjusted}) {
+    const VolumeVcvs vcvs = of_mesh(mesh, angles);
+    CHECK(measure_vcvs(vcvs).min_angle > 0);
+    std::vector<double> targets;
+    const auto interior = mesh.topology->interior_nodes();
+    for (std::size_t i = 0; i < interior.size(); ++i) {
+      const SphereLink link(*mesh.topology, interior[i]);
+      vcvs.targets(i, link, targets);
+      double sum = 0;
+      for (const double target : targets) sum += target;
+      CHECK(sum == doctest::Approx(4 * pi).epsilon(1e-6));
+      CHECK(*std::min_element(targets.begin(), targets.end()) > 0);
+    }
+  }
+}
+
+TEST_CASE("adjusted angles follow the mesh: only stars that changed are solved again") {
+  Mesh mesh = shaken_box(6, 0.2, 5);
+  VolumeVcvs vcvs = of_mesh(mesh, VcvAngles::adjusted);
+  CHECK(vcvs.adjust(mesh.coordinates) == 0);
+  const VolumeVcvs before = vcvs;
+  const Index node = mesh.topology->interior_nodes()[60];
+  mesh.coordinates.set_xyz(node, mesh.coordinates.xyz(node) + Vec3(0.02, 0.01, 0));
+  // Its own angles change, and those of its neighbours that are free.
+  Index concerned = 1;
+  for (const Index k : mesh.topology->neighbours(node)) {
+    concerned += mesh.topology->on_boundary(k) ? 0 : 1;
+  }
+  CHECK(vcvs.adjust(mesh.coordinates) == concerned);
+  CHECK(measure_vcvs(vcvs).min_angle > 0);
+  for (const Index other : mesh.topology->interior_nodes()) {
+    const auto around = mesh.topology->neighbours(node);
+    const bool near =
+        other == node || std::find(around.begin(), around.end(), other) != around.end();
+    if (!near) CHECK(directions_of(vcvs, other) == directions_of(before, other));
+    if (other == node) CHECK(directions_of(vcvs, other) != directions_of(before, other));
+  }
+  VolumeVcvs equal(mesh.topology);
+  CHECK_THROWS_AS(equal.adjust(mesh.coordinates), UsageError);
+}
+
+TEST_CASE("VCVs have the same bits at any number of threads") {
+  const Mesh mesh = shaken_box(7, 0.3, 6);
+  for (const VcvAngles angles : {VcvAngles::equal, VcvAngles::existing, VcvAngles::adjusted}) {
+    for (const VcvConstruction construction :
+         {VcvConstruction::fit, VcvConstruction::perturbation}) {
+      VolumeVcvOptions options;
+      options.angles = angles;
+      options.construction = construction;
+      options.threads = 1;
+      const VolumeVcvs one(mesh.topology, mesh.coordinates, options);
+      options.threads = 4;
+      const VolumeVcvs four(mesh.topology, mesh.coordinates, options);
+      CHECK(same_directions(one, four));
+      CHECK(measure_vcvs(one, 1).mean_error == measure_vcvs(four, 4).mean_error);
+      if (construction == VcvConstruction::fit || angles != VcvAngles::equal) continue;
+      CHECK(measure_vcvs(one).mean_error > measure_vcvs(of_mesh(mesh, angles)).mean_error);
+    }
+  }
+}
+
+TEST_CASE("directions and lengths of a node are set, and reset") {
+  const Mesh mesh = shaken_box(3, 0.1, 7);
+  VolumeVcvs vcvs(mesh.topology);
+  const Index node = mesh.topology->interior_nodes().front();
+  const auto computed = directions_of(vcvs, node);
+  std::vector<Vec3> directions;
+  physical_directions(SpacePoints(mesh.coordinates), node, mesh.topology->neighbours(node),
+                      directions);
+  std::vector<double> lengths(directions.size(), 1.0);
+  lengths[2] = 3;
+  vcvs.set(node, directions, lengths);
+  CHECK(vcvs.edited(node));
+  CHECK(vcvs.length(node, 2) == 3);
+  std::vector<Vec3> points;
+  vcvs.points(node, points);
+  CHECK((points[2] - 3 * directions[2]).norm() < 1e-14);
+  CHECK(measure_vcvs(vcvs).stars == static_cast<Index>(mesh.topology->interior_nodes().size()) - 1);
+
+  lengths[1] = 0;
+  CHECK_THROWS_AS(vcvs.set(node, directions, lengths), UsageError);
+  lengths[1] = 1e13;
+  CHECK_THROWS_AS(vcvs.set(node, directions, lengths), UsageError);
+  lengths[1] = 1;
+  std::swap(directions[0], directions[1]);
+  CHECK_THROWS_AS(vcvs.set(node, directions, lengths), UsageError);
+  directions.pop_back();
+  CHECK_THROWS_AS(vcvs.set(node, directions, lengths), UsageError);
+  CHECK_THROWS_AS(vcvs.reset(0), UsageError);
+  vcvs.reset(node);
+  CHECK_FALSE(vcvs.edited(node));
+  CHECK(directions_of(vcvs, node) == computed);
+}
+
+TEST_CASE("VCVs of solid angles are for volume meshes, those of a mesh need its coordinates") {
+  const Mesh plane = make_mesh(square(3, Cells::triangles));
+  CHECK_THROWS_AS(VolumeVcvs{plane.topology}, UsageError);
+  VolumeVcvOptions options;
+  options.angles = VcvAngles::existing;
+  const Mesh mesh = make_mesh(cube(2, Volumes::tetrahedra));
+  CHECK_THROWS_AS(VolumeVcvs(mesh.topology, options), UsageError);
+}
