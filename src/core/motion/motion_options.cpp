@@ -14,7 +14,7 @@ OptionTable option_table(RigidMotionRequest& motion) {
        .label = "Axis",
        .help = "Direction of the axis through the pivot, for volume meshes: the rotation is "
                "counter-clockwise seen from where it points to",
-       .applies = false},
+       .applies = motion.axis.has_value()},
       {.key = "pivot",
        .value = OptionalVectorOption{&motion.pivot, &motion.pivot_z},
        .label = "Pivot",

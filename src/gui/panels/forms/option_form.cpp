@@ -64,6 +64,15 @@ class Field {
     return *vector.value && components(**vector.value);
   }
 
+  bool operator()(const SpaceVectorOption& vector) const {
+    bool changed = false;
+    if (*vector.value) {
+      for (int k = 0; k < 3; ++k)
+        changed |= number(id_ + "_" + "xyz"[k], (**vector.value)[k], tip_, "%.6g");
+    }
+    return changed;
+  }
+
   bool operator()(const SwitchOption& on) const {
     return checkbox(id_, std::string(option_.label), *on.value, tip_);
   }
