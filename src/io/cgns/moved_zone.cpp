@@ -22,7 +22,7 @@ class MovedCoordinate {
       const Index node =
           details.node_of_vertex.empty() ? static_cast<Index>(v) : details.node_of_vertex[v];
       if (first[at(node)] == old.size()) first[at(node)] = v;
-      const double value = place_in_space(&details, node, mesh.coordinates.xy(node))[direction];
+      const double value = place_in_space(&details, mesh.coordinates, node)[direction];
       // Bits, for -0 is kept, too. Vertices of a closed cut may differ by less than they are told
       // apart by; they keep that while their node stays.
       if (bits(value) == bits(old[first[at(node)]])) continue;

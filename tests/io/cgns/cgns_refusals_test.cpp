@@ -92,16 +92,17 @@ TEST_CASE("CGNS: what is refused is named, with what was expected") {
         }) ==
         "a.cgns: /Base/blk/GridCoordinates: found CoordinateR, CoordinateTheta, expected "
         "CoordinateX and CoordinateY");
-  CHECK_CONTAINS(refusal([](const auto& path) {
-                   LibraryFile file(path, CG_FILE_HDF5, 2, 3);
-                   file.start_zone("blk", 16, 9);
-                   file.coordinates(plain_square().coordinates);
-                   std::vector<double> z(16, 0.0);
-                   z[7] = 0.5;
-                   file.coordinate("CoordinateZ", z);
-                   write_mixed(file, plain_square());
-                 }),
-                 "a.cgns: /Base/blk/GridCoordinates: found z = 0.5 after z = 0 (a 3D mesh)");
+  CHECK_CONTAINS(
+      refusal([](const auto& path) {
+        LibraryFile file(path, CG_FILE_HDF5, 2, 3);
+        file.start_zone("blk", 16, 9);
+        file.coordinates(plain_square().coordinates);
+        std::vector<double> z(16, 0.0);
+        z[7] = 0.5;
+        file.coordinate("CoordinateZ", z);
+        write_mixed(file, plain_square());
+      }),
+      "a.cgns: /Base/blk/GridCoordinates: found z = 0.5 after z = 0 (a surface in space)");
   CHECK(refusal([](const auto& path) {
           LibraryFile file(path, CG_FILE_HDF5);
           file.start_zone("blk", 16, 9);
