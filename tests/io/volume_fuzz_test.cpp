@@ -30,6 +30,9 @@ std::vector<VolumeSeed> volume_seeds() {
                                             {"ugrid", "", false},
                                             {"lb8.ugrid", "", false},
                                             {"b4.ugrid", "", false},
+#ifdef WINSLOW_HAS_CGNS
+                                            {"cgns", "", false},
+#endif
                                             {"mesh", "", false}}) {
     for (const Mesh* mesh : {&prisms, &pyramids}) {
       const std::string name = "a." + std::string(kind.extension);
@@ -68,6 +71,49 @@ TEST_CASE("volumes: no damaged file does anything but give a mesh or an InputErr
   MESSAGE(meshes, " meshes, ", refused, " refused");
   CHECK(meshes > 50);
   CHECK(refused > 1000);
+}
+
+/// Damages one file of a mesh that is several; returns false where that was refused.
+bool survives(const std::filesystem::path& mesh, const std::filesystem::path& file,
+              const std::string& text, const std::filesystem::path& again) {
+  write_text(file, text);
+  try {
+    const io::MeshFile read = io::read_mesh(mesh);
+    io::write_mesh(again, read.mesh, read.details.get());
+    CHECK(io::read_mesh(again).mesh.topology->element_count() ==
+          read.mesh.topology->element_count());
+    return true;
+  } catch (const InputError& error) {
+    CHECK(std::string(error.what()).find(mesh.parent_path().string()) == 0);
+    return false;
+  }
+}
+
+TEST_CASE("volumes: no damage to one file of several does more than to give an InputError") {
+  const Mesh mesh = make_mesh(cube(2, Volumes::prisms));
+  const TemporaryFolder folder;
+  io::write_mesh(folder / "polyMesh", mesh, nullptr);
+  io::write_mesh(folder / "a.ugrid", mesh, nullptr);
+  int good = 0, refused = 0;
+  const auto damage = [&](const std::string& whole, const std::string& part,
+                          const std::string& again) {
+    const std::string original = read_text(folder / part);
+    for (std::uint64_t seed = 0; seed < 150; ++seed) {
+      CAPTURE(part);
+      CAPTURE(seed);
+      Random random(seed);
+      const bool survived =
+          survives(folder / whole, folder / part, mutated(original, random), folder / again);
+      ++(survived ? good : refused);
+    }
+    write_text(folder / part, original);
+  };
+  for (const char* part : {"points", "faces", "owner", "neighbour", "boundary"})
+    damage("polyMesh", "polyMesh/" + std::string(part), "again/polyMesh");
+  damage("a.ugrid", "a.mapbc", "again.ugrid");
+  MESSAGE(good, " meshes, ", refused, " refused");
+  CHECK(good > 20);
+  CHECK(refused > 300);
 }
 
 TEST_CASE("volumes: every beginning of a file is refused, or a mesh") {

@@ -28,6 +28,9 @@ std::vector<VolumeKind> volume_kinds() {
           {{"vtk", "", true}, all},
           {{"vtu", "", false}, all},
           {{"vtu", "", true}, all},
+#ifdef WINSLOW_HAS_CGNS
+          {{"cgns", "", false}, {.tags = false}},
+#endif
           {{"ugrid", "", false}, no_regions, true},
           {{"ugrid", "", true}, no_regions, true},
           {{"b8.ugrid", "", false}, no_regions, true},

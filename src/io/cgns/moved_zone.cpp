@@ -105,7 +105,8 @@ NodePtr moved_zone(const NodePtr& zone, const Mesh& mesh, const Details& details
   bool moved = false, single = true, fits = true;
   constexpr std::array names{"CoordinateX", "CoordinateY", "CoordinateZ"};
   // Nodes that move in a plane z = constant keep their z.
-  const int directions = details.plane ? 3 : 2;
+  const bool in_space = details.plane || mesh.coordinates.dimension() == 3;
+  const int directions = in_space ? 3 : 2;
   for (int direction = 0; direction < directions; ++direction) {
     const NodePtr array = child_named(*moved_grid, names[at(direction)]);
     coordinates.emplace_back(array, MovedCoordinate(array->content(), mesh, details, direction));

@@ -64,7 +64,11 @@ TEST_CASE("CGNS: what is refused is named, with what was expected") {
   CHECK(refusal([](const auto& path) {
           LibraryFile file(path, CG_FILE_HDF5, 3, 3);
           file.start_zone("blk", 8, 1);
-        }) == "a.cgns: /Base: found CellDimension 3 (a 3D mesh), expected 2");
+        }) == "a.cgns: /Base/blk: found no GridCoordinates, expected coordinates");
+  CHECK(refusal([](const auto& path) {
+          LibraryFile file(path, CG_FILE_HDF5, 1, 3);
+          file.start_zone("blk", 8, 1);
+        }) == "a.cgns: /Base: found CellDimension 1, expected 2 or 3");
   CHECK(refusal([](const auto& path) { LibraryFile file(path, CG_FILE_ADF); }) ==
         "a.cgns: /: found no Zone_t node in any base, expected a mesh");
   CHECK(refusal_of_section(QUAD_9, cgns_range(1, 9), 1) ==
