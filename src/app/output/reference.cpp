@@ -68,12 +68,13 @@ void print_fields(std::ostream& out) {
 }
 
 void print_formats(std::ostream& out) {
-  out << "| format | extension | encodings | markers | regions | quadrilaterals |\n"
-         "|---|---|---|---|---|---|\n";
+  out << "| format | extension | encodings | markers | regions | quadrilaterals | volumes |\n"
+         "|---|---|---|---|---|---|---|\n";
   for (const io::MeshFormat* format : io::mesh_formats()) {
     out << "| " << format->title << (format->versions.empty() ? "" : ", ") << format->versions
         << " | " << code('.' + std::string(format->name)) << " | " << format->encodings << " | "
-        << format->markers << " | " << format->regions << " | " << format->quadrilaterals << " |\n";
+        << format->markers << " | " << format->regions << " | " << format->quadrilaterals << " | "
+        << format->volumes << " |\n";
   }
 }
 

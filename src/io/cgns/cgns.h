@@ -11,7 +11,8 @@
 #include "io/format/mesh_format.h"
 
 /// CGNS files, https://cgns.github.io: the SIDS and their mapping to ADF and HDF5. Bases of cell
-/// dimension 2; see docs/formats.md for what is read and what is carried.
+/// dimension 2 and, of unstructured zones, 3; see docs/formats.md for what is read and what is
+/// carried.
 namespace winslow::io::cgns {
 
 /// What a CGNS file says beyond a mesh: all of it. A mesh that moved goes back into the tree of its

@@ -4,11 +4,13 @@ namespace winslow::io::cgns {
 const MeshFormat format{
     .name = "cgns",
     .title = "CGNS",
-    .versions = "2D",
+    .versions = "",
     .encodings = "HDF5, ADF",
     .markers = "yes, by name",
     .regions = "yes, not in structured zones",
     .quadrilaterals = "yes",
+    .volumes = "yes, unstructured zones",
+    .writes_volumes = true,
     .keeps_markers = true,
     .missing = no_library,
     .recognise =

@@ -84,13 +84,14 @@ NodePtr new_tree(const Mesh& mesh, const FormatDetails* details,
                  std::vector<std::string>& warnings) {
   NewZoneSource source;
   source.place = details;
-  source.physical_dimension =
-      details != nullptr && (details->plane || !details->plane_z.empty()) ? 3 : 2;
+  const int cell_dimension = mesh.topology->cell_dimension();
+  const bool in_space = details != nullptr && (details->plane || !details->plane_z.empty());
+  source.physical_dimension = cell_dimension == 3 || in_space ? 3 : 2;
   const auto& markers = mesh.topology->markers();
   // Zones and families stand side by side and cannot have the same name.
   while (markers.find(source.name)) source.name += "_1";
   NewZone made = make_zone(mesh, source, warnings);
-  auto base = make_integers("Base", "CGNSBase_t", {2, source.physical_dimension});
+  auto base = make_integers("Base", "CGNSBase_t", {cell_dimension, source.physical_dimension});
   base->children.push_back(std::move(made.zone));
   auto root = make_node("", "");
   // Files of CGNS 4 are refused by programs with an older libcgns, and have nothing that we need.

@@ -95,9 +95,11 @@ std::int64_t element_number(ElementType type) {
   return found->first;
 }
 
-std::string element_hint(std::int64_t type) {
+std::string element_hint(std::int64_t type, int cell_dimension) {
   const auto element = element_of(type);
-  if ((element && dimension_of(*element) == 3) || type == nface_n) return " (a 3D mesh)";
+  const bool solid = (element && dimension_of(*element) == 3) || type == nface_n;
+  if (solid && cell_dimension == 2) return " (a 3D mesh)";
+  if (type == nface_n) return " (polyhedra)";
   const bool known = type > node_element && type < static_cast<std::int64_t>(names.size());
   return known && !element && type != bar_2 && type != mixed && type != ngon_n
              ? " (second or higher order)"

@@ -16,8 +16,8 @@ std::string element_name(std::int64_t type);
 /// The element of ours that a type of CGNS is, if it is one: TRI_3, ..., HEXA_8.
 std::optional<ElementType> element_of(std::int64_t type);
 std::int64_t element_number(ElementType type);
-/// " (second or higher order)" and the like: why a type is none of ours in a plane mesh; may be
-/// empty.
-std::string element_hint(std::int64_t type);
+/// " (second or higher order)" and the like: why a type is none of ours in a mesh of cells of that
+/// dimension; may be empty.
+std::string element_hint(std::int64_t type, int cell_dimension);
 
 }  // namespace winslow::io::cgns

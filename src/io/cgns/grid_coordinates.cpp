@@ -29,11 +29,13 @@ VertexPlaces read_places(const NodeView& grid, const ZoneHead& head) {
   VertexPlaces places;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto node = coordinate_node(grid, k);
-    if (!node && k < 2) {
+    if (!node && k < (head.cell_dimension == 3 ? 3 : 2)) {
       std::string found;
       for (const NodeView& array : grid.children("DataArray_t"))
         found += (found.empty() ? "" : ", ") + array.name();
-      grid.fail(found.empty() ? "no coordinates" : found, "CoordinateX and CoordinateY");
+      grid.fail(found.empty() ? "no coordinates" : found,
+                head.cell_dimension == 3 ? "CoordinateX, CoordinateY and CoordinateZ"
+                                         : "CoordinateX and CoordinateY");
     }
     // A third coordinate counts in space only: the plane has none.
     if (!node || (k == 2 && head.physical_dimension == 2)) continue;

@@ -22,7 +22,7 @@ class MovedCoordinate {
       const Index node =
           details.node_of_vertex.empty() ? static_cast<Index>(v) : details.node_of_vertex[v];
       if (first[at(node)] == old.size()) first[at(node)] = v;
-      const double value = place_in_space(&details, node, mesh.coordinates.xy(node))[direction];
+      const double value = place_in_space(&details, mesh.coordinates, node)[direction];
       // Bits, for -0 is kept, too. Vertices of a closed cut may differ by less than they are told
       // apart by; they keep that while their node stays.
       if (bits(value) == bits(old[first[at(node)]])) continue;
@@ -105,7 +105,8 @@ NodePtr moved_zone(const NodePtr& zone, const Mesh& mesh, const Details& details
   bool moved = false, single = true, fits = true;
   constexpr std::array names{"CoordinateX", "CoordinateY", "CoordinateZ"};
   // Nodes that move in a plane z = constant keep their z.
-  const int directions = details.plane ? 3 : 2;
+  const bool in_space = details.plane || mesh.coordinates.dimension() == 3;
+  const int directions = in_space ? 3 : 2;
   for (int direction = 0; direction < directions; ++direction) {
     const NodePtr array = child_named(*moved_grid, names[at(direction)]);
     coordinates.emplace_back(array, MovedCoordinate(array->content(), mesh, details, direction));

@@ -60,6 +60,7 @@ class ZoneMaker {
         topology_(*mesh.topology),
         source_(source),
         warnings_(warnings) {
+    sides_ = topology_.cell_dimension() == 2 ? "edges" : "faces";
     if (topology_.markers().from_file()) markers_ = topology_.markers().list();
   }
 
@@ -138,25 +139,30 @@ class ZoneMaker {
     *zone_ = *with_child(*zone_, *made, grid);
   }
 
-  /// Elements of one type in a row need no MIXED section, nor do those of two, one after the other.
-  bool in_few_runs() const {
-    int runs = 1;
-    for (Index e = 1; e < topology_.element_count(); ++e)
-      runs += topology_.element_type(e) != topology_.element_type(e - 1) ? 1 : 0;
-    return runs <= 2;
+  /// Elements need no MIXED section where those of each type follow one another.
+  bool in_runs() const {
+    std::set<ElementType> seen;
+    for (Index e = 0; e < topology_.element_count(); ++e) {
+      const ElementType type = topology_.element_type(e);
+      const bool new_run = e == 0 || type != topology_.element_type(e - 1);
+      if (new_run && !seen.insert(type).second) return false;
+    }
+    return true;
   }
 
   void add_elements() {
     const Index count = topology_.element_count();
-    if (!in_few_runs()) return add_mixed();
+    if (!in_runs()) return add_mixed();
     for (Index e = 0; e < count;) {
       const ElementType type = topology_.element_type(e);
       const Index first = e;
       Integers nodes;
       for (; e < count && topology_.element_type(e) == type; ++e)
         for (const Index node : in_space_.element(e)) nodes.push_back(node + 1);
-      const char* name = type == ElementType::triangle ? "TriElements" : "QuadElements";
-      add_section(name, element_number(type), first, e - first, nodes);
+      constexpr std::array names{"TriElements",  "QuadElements",  "TetraElements",
+                                 "PyraElements", "PentaElements", "HexaElements"};
+      add_section(names[static_cast<std::size_t>(type)], element_number(type), first, e - first,
+                  nodes);
     }
   }
 
@@ -168,10 +174,36 @@ class ZoneMaker {
       starts.push_back(static_cast<std::int32_t>(entries.size()));
     }
     add_section("MixedElements", mixed, 0, topology_.element_count(), entries);
+    add_starts(starts);
+  }
+
+  /// Of the MIXED section that was added last.
+  void add_starts(const Integers& starts) {
     if (!source_.start_offsets) return;
     auto section = std::make_shared<Node>(*zone_->children.back());
     section->children.push_back(make_integers("ElementStartOffset", "DataArray_t", starts));
     zone_->children.back() = std::move(section);
+  }
+
+  /// The section of a marker, whose elements follow `first`. Returns its name.
+  std::string add_sides(const Marker& marker, Index first) {
+    const auto number = [](const Face& face) {
+      if (face.size() == 2) return std::int64_t{bar_2};
+      return element_number(face.size() == 3 ? ElementType::triangle : ElementType::quadrilateral);
+    };
+    const std::int64_t type = number(marker.faces.front());
+    const bool even =
+        std::ranges::all_of(marker.faces, [&](const Face& face) { return number(face) == type; });
+    Integers entries, starts{0};
+    for (const Face& face : marker.faces) {
+      if (!even) entries.push_back(static_cast<std::int32_t>(number(face)));
+      for (const Index node : face) entries.push_back(node + 1);
+      starts.push_back(static_cast<std::int32_t>(entries.size()));
+    }
+    const auto count = static_cast<Index>(marker.faces.size());
+    const std::string name = add_section(marker.name, even ? type : mixed, first, count, entries);
+    if (!even) add_starts(starts);
+    return name;
   }
 
   std::string add_section(const std::string& name, std::int64_t type, Index first, Index count,
@@ -189,20 +221,20 @@ class ZoneMaker {
     for (std::size_t m = 0; m < markers_.size(); ++m) {
       const Marker& marker = markers_[m];
       if (marker.faces.empty()) {
-        warnings_.push_back("marker \"" + marker.name + "\" has no edges: it is not written");
+        warnings_.push_back("marker \"" + marker.name + "\" has no " + sides_ +
+                            ": it is not written");
         continue;
       }
-      Integers nodes;
-      for (const Face& face : marker.faces)
-        for (const Index node : face) nodes.push_back(node + 1);
       const auto count = static_cast<Index>(marker.faces.size());
-      const std::string name = add_section(marker.name, bar_2, first, count, nodes);
+      const std::string name = add_sides(marker, first);
       if (name != marker.name) warn_renamed("marker", marker.name, name);
       auto condition = make_condition(marker, name, condition_names);
       condition_names.insert(condition->name);
       condition->children.push_back(
           make_integers("PointRange", "IndexRange_t", {first + 1, first + count}, {1, 2}));
-      condition->children.push_back(make_text("GridLocation", "GridLocation_t", "EdgeCenter"));
+      condition->children.push_back(
+          make_text("GridLocation", "GridLocation_t",
+                    topology_.cell_dimension() == 2 ? "EdgeCenter" : "FaceCenter"));
       conditions->children.push_back(std::move(condition));
       first += count;
     }
@@ -277,6 +309,7 @@ class ZoneMaker {
   const NewZoneSource& source_;
   std::vector<std::string>& warnings_;
   std::vector<Marker> markers_;
+  std::string sides_;  // what markers are made of
   std::shared_ptr<Node> zone_;
   std::vector<NodePtr> families_;
   std::set<std::string> taken_;

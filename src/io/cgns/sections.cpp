@@ -11,7 +11,11 @@
 namespace winslow::io::cgns {
 namespace {
 
-constexpr const char* wanted = "BAR_2, TRI_3, QUAD_4, MIXED or NGON_n of them";
+const char* wanted(int cell_dimension) {
+  return cell_dimension == 2
+             ? "BAR_2, TRI_3, QUAD_4, MIXED or NGON_n of them"
+             : "TETRA_4, PYRA_5, PENTA_6, HEXA_8 and TRI_3 and QUAD_4 around them, or MIXED";
+}
 
 struct Section {
   NodeView view;
@@ -44,14 +48,14 @@ Section open_section(const NodeView& view) {
 /// Reads the elements of one section after the other.
 class SectionReader {
  public:
-  SectionReader(std::int64_t vertices, MeshData& mesh, ZoneLines& lines)
-      : vertices_(vertices), mesh_(mesh), lines_(lines) {}
+  SectionReader(const ZoneHead& head, MeshData& mesh, ZoneSides& sides)
+      : vertices_(head.vertex_count), dimension_(head.cell_dimension), mesh_(mesh), sides_(sides) {}
 
   void read(const Section& section) {
     section_ = &section;
     at_ = 0;
     places_.clear();
-    const std::size_t first_line = lines_.faces.size();
+    const std::size_t first_side = sides_.faces.size();
     if (section.type == node_element) {
       for (std::int64_t k = 0; k < section.count(); ++k) add_point();
     } else {
@@ -68,11 +72,11 @@ class SectionReader {
       }
       view_ = nullptr;
     }
-    if (lines_.faces.size() > first_line) {
-      lines_.sections.push_back(
-          {section.view.name(), first_line, lines_.faces.size() - first_line});
+    if (sides_.faces.size() > first_side) {
+      sides_.sections.push_back(
+          {section.view.name(), first_side, sides_.faces.size() - first_side});
     }
-    lines_.numbers.add({section.first, section.last, std::move(places_)});
+    sides_.numbers.add({section.first, section.last, std::move(places_)});
   }
 
  private:
@@ -104,16 +108,17 @@ class SectionReader {
       return add_point();
     }
     if (type == ngon_n) return read_polygon(k);
-    if (type == bar_2) {
-      read_corners(k, 2);
-      places_.push_back({ElementPlace::Kind::line, static_cast<Index>(lines_.faces.size())});
-      lines_.faces.emplace_back(corners_[0], corners_[1]);
-      return;
-    }
+    if (type == bar_2) return read_line(k);
     const auto element = element_of(type);
-    if (!element || dimension_of(*element) != 2) refuse(k, type);
+    if (!element || dimension_of(*element) > dimension_) refuse(k, type);
     read_corners(k, static_cast<std::size_t>(corner_count(*element)));
-    add_element(*element);
+    add(*element);
+  }
+
+  void read_line(std::int64_t k) {
+    read_corners(k, 2);
+    if (dimension_ == 2) return add_side();
+    places_.push_back({ElementPlace::Kind::line, static_cast<Index>(places_.size())});
   }
 
   void read_polygon(std::int64_t k) {
@@ -124,12 +129,13 @@ class SectionReader {
                           "triangles and quadrilaterals");
     }
     read_corners(k, static_cast<std::size_t>(count));
-    add_element(count == 3 ? ElementType::triangle : ElementType::quadrilateral);
+    add(count == 3 ? ElementType::triangle : ElementType::quadrilateral);
   }
 
   [[noreturn]] void refuse(std::int64_t k, std::int64_t type) const {
     const std::string where = section_->type == mixed ? " for " + number(k) : "";
-    section_->view.fail(element_name(type) + where + element_hint(type), wanted);
+    section_->view.fail(element_name(type) + where + element_hint(type, dimension_),
+                        wanted(dimension_));
   }
 
   void read_corners(std::int64_t k, std::size_t count) {
@@ -144,9 +150,15 @@ class SectionReader {
     }
   }
 
-  void add_element(ElementType type) {
+  void add(ElementType type) {
+    if (dimension_of(type) < dimension_) return add_side();
     places_.push_back({ElementPlace::Kind::cell, mesh_.element_count()});
     mesh_.add_element(type, corners_);
+  }
+
+  void add_side() {
+    places_.push_back({ElementPlace::Kind::side, static_cast<Index>(sides_.faces.size())});
+    sides_.faces.emplace_back(corners_);
   }
 
   void add_point() {
@@ -154,8 +166,9 @@ class SectionReader {
   }
 
   std::int64_t vertices_;
+  int dimension_;  // of the cells
   MeshData& mesh_;
-  ZoneLines& lines_;
+  ZoneSides& sides_;
   const Section* section_ = nullptr;
   const NodeView* view_ = nullptr;
   std::vector<std::int64_t> connectivity_, starts_;
@@ -189,7 +202,7 @@ void ElementNumbers::add(Range range) {
   ranges_.push_back(std::move(range));
 }
 
-ZoneLines read_sections(const NodeView& zone, const ZoneHead& head, MeshData& mesh) {
+ZoneSides read_sections(const NodeView& zone, const ZoneHead& head, MeshData& mesh) {
   std::vector<Section> sections;
   for (const NodeView& view : zone.children("Elements_t")) {
     Section section = open_section(view);
@@ -197,8 +210,8 @@ ZoneLines read_sections(const NodeView& zone, const ZoneHead& head, MeshData& me
   }
   std::stable_sort(sections.begin(), sections.end(),
                    [](const Section& a, const Section& b) { return a.first < b.first; });
-  ZoneLines lines;
-  SectionReader reader(head.vertex_count, mesh, lines);
+  ZoneSides sides;
+  SectionReader reader(head, mesh, sides);
   for (std::size_t s = 0; s < sections.size(); ++s) {
     if (s > 0 && sections[s].first <= sections[s - 1].last) {
       sections[s].view.fail("element " + std::to_string(sections[s].first) + ", which section " +
@@ -207,8 +220,8 @@ ZoneLines read_sections(const NodeView& zone, const ZoneHead& head, MeshData& me
     }
     reader.read(sections[s]);
   }
-  if (mesh.types.empty()) zone.fail("no elements", wanted);
-  return lines;
+  if (mesh.types.empty()) zone.fail("no elements", wanted(head.cell_dimension));
+  return sides;
 }
 
 }  // namespace winslow::io::cgns

@@ -11,9 +11,10 @@ namespace winslow::io::cgns {
 
 /// What an element of a zone is, by its number.
 struct ElementPlace {
-  enum class Kind : std::uint8_t { none, point, line, cell };
+  enum class Kind : std::uint8_t { none, point, line, side, cell };
   Kind kind = Kind::none;  ///< none: the zone has no element of that number
-  Index index = -1;        ///< among the lines of the zone, or among the elements of the mesh
+  /// Of a side: among the sides of the zone; of a cell: among the elements of the mesh.
+  Index index = -1;
 };
 
 /// What the elements of an unstructured zone are.
@@ -33,20 +34,21 @@ class ElementNumbers {
   std::vector<Range> ranges_;
 };
 
-/// The elements of dimension 1: what markers are made of.
-struct ZoneLines {
+/// The elements of one dimension less than the cells, lines or triangles and quadrilaterals: what
+/// markers are made of.
+struct ZoneSides {
   struct Section {
     std::string name;
-    std::size_t first, count;  ///< of its lines in `faces`
+    std::size_t first, count;  ///< of its sides in `faces`
   };
   std::vector<Face> faces;
   std::vector<Section> sections;
   ElementNumbers numbers;
 };
 
-/// Reads all sections (Elements_t), in the order of their element numbers: elements of dimension 2
-/// into the mesh, lines into the result, points not at all. Throws InputError for elements of other
-/// kinds, naming them.
-ZoneLines read_sections(const NodeView& zone, const ZoneHead& head, MeshData& mesh);
+/// Reads all sections (Elements_t), in the order of their element numbers: cells into the mesh,
+/// sides into the result, elements of fewer dimensions not at all. Throws InputError for elements
+/// of other kinds, naming them.
+ZoneSides read_sections(const NodeView& zone, const ZoneHead& head, MeshData& mesh);
 
 }  // namespace winslow::io::cgns

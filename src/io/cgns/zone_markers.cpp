@@ -12,17 +12,18 @@ using FaceKey = std::array<Index, 4>;
 
 class MarkerMaker {
  public:
-  MarkerMaker(const ZoneHead& head, const ZoneBoundary& boundary, const ZoneLines& lines,
+  MarkerMaker(const ZoneHead& head, const ZoneBoundary& boundary, const ZoneSides& sides,
               ParsedMesh& mesh, Details& details)
       : indices_(head.vertices.size()),
+        side_(head.cell_dimension == 2 ? "edge" : "face"),
         boundary_(boundary),
-        lines_(lines),
+        sides_(sides),
         mesh_(mesh),
         details_(details) {
-    for (std::size_t s = 0; s < lines.sections.size(); ++s) {
-      const auto& section = lines.sections[s];
+    for (std::size_t s = 0; s < sides.sections.size(); ++s) {
+      const auto& section = sides.sections[s];
       for (std::size_t k = 0; k < section.count; ++k)
-        section_of_.emplace(lines.faces[section.first + k].sorted(), s);
+        section_of_.emplace(sides.faces[section.first + k].sorted(), s);
     }
   }
 
@@ -35,8 +36,8 @@ class MarkerMaker {
     }
     const std::vector<Face> faces = boundary_.faces_of(*set, mesh_.warnings);
     if (faces.empty()) {
-      mesh_.warnings.push_back("boundary condition \"" + condition.name() +
-                               "\" covers no edge: it is no marker");
+      mesh_.warnings.push_back("boundary condition \"" + condition.name() + "\" covers no " +
+                               side_ + ": it is no marker");
       return;
     }
     std::string name = family_of(condition);
@@ -54,10 +55,10 @@ class MarkerMaker {
   }
 
   void add_sections() {
-    for (const auto& section : lines_.sections) {
+    for (const auto& section : sides_.sections) {
       std::vector<Face> faces;
       for (std::size_t k = 0; k < section.count; ++k) {
-        const Face& face = lines_.faces[section.first + k];
+        const Face& face = sides_.faces[section.first + k];
         if (!named_.contains(face.sorted())) faces.push_back(face);
       }
       if (!faces.empty()) add(unused(section.name), faces);
@@ -84,7 +85,7 @@ class MarkerMaker {
       const auto found = section_of_.find(face.sorted());
       return found != section_of_.end() && found->second == first->second;
     };
-    const auto& section = lines_.sections[first->second];
+    const auto& section = sides_.sections[first->second];
     return faces.size() == section.count && std::all_of(faces.begin(), faces.end(), in_same)
                ? section.name
                : "";
@@ -116,8 +117,9 @@ class MarkerMaker {
   }
 
   std::size_t indices_;
+  std::string side_;  // what the boundary is made of
   const ZoneBoundary& boundary_;
-  const ZoneLines& lines_;
+  const ZoneSides& sides_;
   ParsedMesh& mesh_;
   Details& details_;
   std::map<FaceKey, std::size_t> section_of_;
@@ -127,9 +129,9 @@ class MarkerMaker {
 }  // namespace
 
 void make_markers(const NodeView& zone, const ZoneHead& head, const ZoneBoundary& boundary,
-                  const ZoneLines& lines, const std::vector<std::string>& joined, ParsedMesh& mesh,
+                  const ZoneSides& sides, const std::vector<std::string>& joined, ParsedMesh& mesh,
                   Details& details) {
-  MarkerMaker maker(head, boundary, lines, mesh, details);
+  MarkerMaker maker(head, boundary, sides, mesh, details);
   for (const NodeView& all : zone.children("ZoneBC_t"))
     for (const NodeView& condition : all.children("BC_t")) maker.add_condition(condition);
   for (const NodeView& all : zone.children("ZoneGridConnectivity_t")) {

@@ -18,7 +18,7 @@ namespace winslow::io::cgns {
 ///   edges that are in no marker yet;
 /// - from the sections of lines: their lines that are in no marker yet, named by the section.
 void make_markers(const NodeView& zone, const ZoneHead& head, const ZoneBoundary& boundary,
-                  const ZoneLines& lines, const std::vector<std::string>& joined, ParsedMesh& mesh,
+                  const ZoneSides& sides, const std::vector<std::string>& joined, ParsedMesh& mesh,
                   Details& details);
 
 }  // namespace winslow::io::cgns

@@ -32,11 +32,11 @@ class ZoneReader {
     if (head_.structured) {
       read_structured(grid, places);
     } else {
-      const ZoneLines lines = read_sections(zone_, head_, mesh_.data);
-      set_nodes(grid, places, {});
-      const UnstructuredBoundary boundary(mesh_.data, lines, head_.vertex_count);
-      make_markers(zone_, head_, boundary, lines, {}, mesh_, *details_);
-      read_regions(zone_, lines.numbers, mesh_.data, mesh_.warnings);
+      const ZoneSides sides = read_sections(zone_, head_, mesh_.data);
+      place_nodes(grid, places, {});
+      const UnstructuredBoundary boundary(mesh_.data, sides, head_);
+      make_markers(zone_, head_, boundary, sides, {}, mesh_, *details_);
+      read_regions(zone_, sides.numbers, mesh_.data, mesh_.warnings);
     }
     warn_of_other_grids();
     details_->nodes = mesh_.data.node_count();
@@ -52,15 +52,15 @@ class ZoneReader {
     std::vector<std::string> joined;
     const Lattice lattice = make_lattice(zone_, head_, x, y, joined, mesh_.warnings);
     add_cells(lattice, x, y, mesh_.data);
-    set_nodes(grid, places, first_vertices(lattice));
+    place_nodes(grid, places, first_vertices(lattice));
     if (!joined.empty()) details_->node_of_vertex = lattice.node_of_vertex;
     const StructuredBoundary boundary(lattice, mesh_.data);
     make_markers(zone_, head_, boundary, {}, joined, mesh_, *details_);
   }
 
   /// vertices: of each node; empty: the nodes are the vertices.
-  void set_nodes(const NodeView& grid, const VertexPlaces& places,
-                 const std::vector<std::size_t>& vertices) {
+  void place_nodes(const NodeView& grid, const VertexPlaces& places,
+                   const std::vector<std::size_t>& vertices) {
     const auto& [x, y, z] = places.of;
     const std::size_t count = vertices.empty() ? x.size() : vertices.size();
     std::vector<double> xyz;
@@ -71,7 +71,7 @@ class ZoneReader {
     }
     mesh_.where.nodes.assign(count, 0);
     grid.set_part();
-    set_planar_nodes(zone_.source(), xyz, mesh_);
+    set_nodes(zone_.source(), xyz, mesh_);
   }
 
   void warn_of_other_grids() {

@@ -37,13 +37,12 @@ ZoneHead read_head(const ZonePlace& place) {
     base.fail(std::to_string(dimensions.size()) + " numbers",
               "CellDimension and PhysicalDimension");
   }
-  if (dimensions[0] != 2) {
-    base.fail("CellDimension " + std::to_string(dimensions[0]) +
-                  (dimensions[0] == 3 ? " (a 3D mesh)" : ""),
-              "2");
+  if (dimensions[0] != 2 && dimensions[0] != 3)
+    base.fail("CellDimension " + std::to_string(dimensions[0]), "2 or 3");
+  if (dimensions[1] != 3 && dimensions[1] != dimensions[0]) {
+    base.fail("PhysicalDimension " + std::to_string(dimensions[1]),
+              dimensions[0] == 2 ? "2 or 3" : "3");
   }
-  if (dimensions[1] != 2 && dimensions[1] != 3)
-    base.fail("PhysicalDimension " + std::to_string(dimensions[1]), "2 or 3");
   ZoneHead head;
   head.cell_dimension = static_cast<int>(dimensions[0]);
   head.physical_dimension = static_cast<int>(dimensions[1]);
@@ -52,6 +51,8 @@ ZoneHead read_head(const ZonePlace& place) {
   if (kind != "Structured" && kind != "Unstructured")
     type->fail(in_quotes(kind), "Structured or Unstructured");
   head.structured = kind == "Structured";
+  if (head.structured && head.cell_dimension == 3)
+    zone.fail("a structured zone of three dimensions", "an unstructured one");
   const auto sizes = zone.integers();
   const std::size_t indices = head.structured ? static_cast<std::size_t>(head.cell_dimension) : 1;
   if (sizes.size() != 3 * indices) {

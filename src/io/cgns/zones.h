@@ -30,7 +30,7 @@ struct ZoneHead {
   std::int64_t vertex_count = 0;
 };
 
-/// Throws InputError for a zone of three dimensions and for numbers that make no sense.
+/// Throws InputError for a structured zone of three dimensions and for numbers that make no sense.
 ZoneHead read_head(const ZonePlace& place);
 
 }  // namespace winslow::io::cgns

@@ -10,9 +10,11 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <memory>
 #include <streambuf>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/error.h"
 #include "io/file/gzip.h"
@@ -160,51 +162,92 @@ Temporary make_temporary(const fs::path& folder, const fs::path& target) {
   fail(target, EBUSY);
 }
 
-void replace_file(const fs::path& target, mode_t mode,
-                  const std::function<void(std::ostream&)>& write) {
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  const Temporary temporary = make_temporary(folder, target);
-  const int fd = temporary.fd;
-  try {
-    if (::fchmod(fd, mode) != 0) {
-      const int error = errno;
-      ::close(fd);
-      fail(target, error);
+/// A file that is written under a temporary name; its target stays as it was until commit().
+class Replacement {
+ public:
+  Replacement(const fs::path& target, mode_t mode)
+      : target_(target),
+        folder_(target.has_parent_path() ? target.parent_path() : fs::path(".")),
+        temporary_(make_temporary(folder_, target)) {
+    if (::fchmod(temporary_.fd, mode) == 0) return;
+    const int error = errno;
+    ::close(temporary_.fd);
+    discard();
+    fail(target, error);
+  }
+  ~Replacement() {
+    if (temporary_.lock >= 0) discard();
+  }
+  Replacement(const Replacement&) = delete;
+  Replacement& operator=(const Replacement&) = delete;
+
+  /// Once.
+  void write(const std::function<void(std::ostream&)>& write) {
+    fill(temporary_.fd, target_, true, write);
+  }
+
+  void commit() {
+    if (::rename(temporary_.name.c_str(), target_.c_str()) != 0) fail(target_, errno);
+    ::close(temporary_.lock);
+    temporary_.lock = -1;
+    // The new name is safe only once the folder is: best effort, not every file system can.
+    const int folder_fd = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder_fd >= 0) {
+      ::fsync(folder_fd);
+      ::close(folder_fd);
     }
-    fill(fd, target, true, write);
-    if (::rename(temporary.name.c_str(), target.c_str()) != 0) fail(target, errno);
-  } catch (...) {
-    ::unlink(temporary.name.c_str());
-    ::close(temporary.lock);
-    throw;
   }
-  ::close(temporary.lock);
-  // The new name is safe only once the folder is: best effort, not every file system can.
-  const int folder_fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (folder_fd >= 0) {
-    ::fsync(folder_fd);
-    ::close(folder_fd);
+
+ private:
+  void discard() {
+    ::unlink(temporary_.name.c_str());
+    ::close(temporary_.lock);
   }
-}
 
-}  // namespace
+  fs::path target_, folder_;
+  Temporary temporary_;
+};
 
-void write_atomically(const fs::path& path, const std::function<void(std::ostream&)>& write) {
+/// What writes to a path have to go through: null for a device or a pipe, which can only be written
+/// to. Throws OutputError.
+std::unique_ptr<Replacement> replacement_of(const fs::path& path) {
   const fs::path target = resolve(path);
   struct stat status {};
   if (::stat(target.c_str(), &status) != 0) {
     if (errno != ENOENT) fail(path, errno);
     if (target.filename().empty()) fail(path, EISDIR);
-    return replace_file(target, default_mode(), write);
+    return std::make_unique<Replacement>(target, default_mode());
   }
   if (S_ISDIR(status.st_mode)) fail(path, EISDIR);
   // A write-protected file in a writable folder could be replaced all the same; nobody wants that.
   if (::access(target.c_str(), W_OK) != 0) fail(path, errno);
-  if (S_ISREG(status.st_mode)) return replace_file(target, status.st_mode & 07777, write);
-  // A device or a pipe can only be written to.
-  const int fd = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
-  if (fd < 0) fail(path, errno);
-  fill(fd, path, false, write);
+  if (!S_ISREG(status.st_mode)) return nullptr;
+  return std::make_unique<Replacement>(target, status.st_mode & 07777);
+}
+
+}  // namespace
+
+void write_atomically(const fs::path& path, const std::function<void(std::ostream&)>& write) {
+  write_atomically(std::vector<OutputFile>{{path, write}});
+}
+
+void write_atomically(std::span<const OutputFile> files) {
+  std::vector<std::unique_ptr<Replacement>> written;
+  for (const OutputFile& file : files) {
+    written.push_back(replacement_of(file.path));
+    if (written.back()) {
+      written.back()->write(file.write);
+      continue;
+    }
+    const int fd = ::open(resolve(file.path).c_str(), O_WRONLY | O_CLOEXEC);
+    if (fd < 0) fail(file.path, errno);
+    fill(fd, file.path, false, file.write);
+  }
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    if (written[k]) written[k]->commit();
+    std::error_code ignored;
+    if (!files[k].replaces.empty()) fs::remove(files[k].replaces, ignored);
+  }
 }
 
 }  // namespace winslow::io

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <functional>
 #include <ostream>
+#include <span>
 
 namespace winslow::io {
 
@@ -14,5 +15,13 @@ namespace winslow::io {
 /// "....gz" is compressed.
 void write_atomically(const std::filesystem::path& path,
                       const std::function<void(std::ostream&)>& write);
+
+struct OutputFile {
+  std::filesystem::path path;
+  std::function<void(std::ostream&)> write;
+  std::filesystem::path replaces = {};  ///< another file that is removed, if it is there
+};
+/// The same for files that belong together: none takes its place before all are written.
+void write_atomically(std::span<const OutputFile> files);
 
 }  // namespace winslow::io

@@ -17,26 +17,23 @@ std::size_t GroupIndex::find(int tag) {
   return found != index_.end() ? found->second : add(tag, prefix_ + std::to_string(tag));
 }
 
-void add_marker_line(std::size_t marker, Index line, std::size_t offset, LineDetails& details,
+void add_marker_side(std::size_t marker, Index side, std::size_t offset, BoundaryDetails& details,
                      ParsedMesh& mesh) {
-  if (marker >= details.marker_lines.size()) {
-    details.marker_lines.resize(marker + 1);
+  if (marker >= details.marker_sides.size()) {
+    details.marker_sides.resize(marker + 1);
     mesh.where.marker_edges.resize(marker + 1);
   }
-  details.marker_lines[marker].push_back(line);
+  details.marker_sides[marker].push_back(side);
   mesh.where.marker_edges[marker].push_back(offset);
 }
 
-void make_markers(const std::vector<Region>& groups, LineDetails& details, ParsedMesh& mesh) {
-  details.marker_lines.resize(groups.size());
+void make_markers(const std::vector<Region>& groups, BoundaryDetails& details, ParsedMesh& mesh) {
+  details.marker_sides.resize(groups.size());
   mesh.where.marker_edges.resize(groups.size());
   for (std::size_t m = 0; m < groups.size(); ++m) {
     Marker marker{groups[m].name, groups[m].tag, {}};
-    marker.faces.reserve(details.marker_lines[m].size());
-    for (const Index l : details.marker_lines[m]) {
-      const auto [a, b] = details.edge(l);
-      marker.faces.emplace_back(a, b);
-    }
+    marker.faces.reserve(details.marker_sides[m].size());
+    for (const Index side : details.marker_sides[m]) marker.faces.push_back(details.face(side));
     mesh.data.markers.push_back(std::move(marker));
   }
 }

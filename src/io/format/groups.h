@@ -6,7 +6,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "io/format/line_details.h"
+#include "io/format/boundary_details.h"
 #include "io/format/parsed_mesh.h"
 
 namespace winslow::io {
@@ -30,12 +30,12 @@ class GroupIndex {
   std::vector<Region> groups_;
 };
 
-/// Notes that a line element (coded as in LineDetails::marker_lines), found at `offset` in the
-/// file, belongs to a marker.
-void add_marker_line(std::size_t marker, Index line, std::size_t offset, LineDetails& details,
+/// Notes that a side (coded as in BoundaryDetails::marker_sides), found at `offset` in the file,
+/// belongs to a marker.
+void add_marker_side(std::size_t marker, Index side, std::size_t offset, BoundaryDetails& details,
                      ParsedMesh& mesh);
-/// Makes the markers of the mesh from the groups and from the lines that were noted.
-void make_markers(const std::vector<Region>& groups, LineDetails& details, ParsedMesh& mesh);
+/// Makes the markers of the mesh from the groups and from the sides that were noted.
+void make_markers(const std::vector<Region>& groups, BoundaryDetails& details, ParsedMesh& mesh);
 
 /// Tags to write for groups: their own if those are positive and differ, else 1, 2, ...
 std::vector<int> usable_tags(std::vector<int> tags, const char* what,

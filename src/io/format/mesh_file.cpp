@@ -50,12 +50,37 @@ std::size_t place_of(const MeshError& error, const SourceMap& where) {
   return 0;
 }
 
+void check_dimension(const std::filesystem::path& path, const Topology& topology,
+                     const MeshFormat& format) {
+  const bool volume = topology.cell_dimension() == 3;
+  if (volume ? format.writes_volumes : format.writes_planes) return;
+  throw UsageError(path.string() + ": a " + std::string(format.title) + " file cannot hold a " +
+                   std::string(mesh_kind(topology)));
+}
+
+/// The format whose mesh a folder is, or a file that stands for one; null: the path is that of an
+/// ordinary file.
+const MeshFormat* folder_format(const std::filesystem::path& path, std::filesystem::path& folder) {
+  for (const MeshFormat* format : mesh_formats()) {
+    if (!format->find_folder) continue;
+    folder = format->find_folder(path);
+    if (!folder.empty()) return format;
+  }
+  return nullptr;
+}
+
+ParsedMesh read_with(const MeshFormat& format, Source& source, int zone) {
+  return format.read_zone ? format.read_zone(source, zone) : format.read(source);
+}
+
 }  // namespace
 
 MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
-  Source source = Source::load(path);
+  std::filesystem::path folder;
   MeshFile file;
-  file.format = detect(source, path, file.warnings);
+  file.format = folder_format(path, folder);
+  Source source = file.format ? Source(folder.string(), {}) : Source::load(path);
+  if (!file.format) file.format = detect(source, path, file.warnings);
   if (!file.format->missing.empty()) {
     throw InputError(source.name() + ": " + std::string(file.format->missing));
   }
@@ -63,8 +88,7 @@ MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options
     throw UsageError(source.name() + ": no zone " + std::to_string(options.zone) +
                      ": a file of this format is one mesh");
   }
-  ParsedMesh parsed = file.format->read_zone ? file.format->read_zone(source, options.zone)
-                                             : file.format->read(source);
+  ParsedMesh parsed = read_with(*file.format, source, options.zone);
   turn_to_viewer(parsed);
   file.warnings.insert(file.warnings.end(), parsed.warnings.begin(), parsed.warnings.end());
   try {
@@ -123,6 +147,7 @@ std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,
     throw UsageError("unknown CGNS container \"" + options.cgns_container +
                      "\", expected hdf5 or adf");
   }
+  check_dimension(path, *zones.front().mesh->topology, *format);
   const FormatDetails* details = zones.front().details;
   const bool as_source = details != nullptr && details->format == format;
   const bool all_zones = format->write_zones && as_source && !options.zone_alone;
@@ -133,10 +158,14 @@ std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,
   WriteOptions encoding = options;
   encoding.binary = options.binary || (options.keep_encoding && as_source && details->binary);
   std::vector<std::string> warnings;
-  write_atomically(path, [&](std::ostream& out) {
-    warnings = all_zones ? format->write_zones(out, zones, encoding)
-                         : format->write(out, *zones.front().mesh, details, encoding);
-  });
+  if (format->files) {
+    write_atomically(format->files(path, *zones.front().mesh, details, encoding, warnings));
+  } else {
+    write_atomically(path, [&](std::ostream& out) {
+      warnings = all_zones ? format->write_zones(out, zones, encoding)
+                           : format->write(out, *zones.front().mesh, details, encoding);
+    });
+  }
   if (details != nullptr && details->zones.size() > 1 && !all_zones && !options.zone_alone) {
     warnings.push_back("only zone " + std::to_string(details->zone) + " of " +
                        std::to_string(details->zones.size()) + " is written");

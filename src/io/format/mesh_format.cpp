@@ -21,6 +21,10 @@ bool Evidence::stronger_than(const Evidence& other) const {
 }
 
 const MeshFormat* format_of_extension(const std::filesystem::path& path) {
+  const auto name = (path.has_filename() ? path : path.parent_path()).filename();
+  for (const MeshFormat* format : mesh_formats()) {
+    if (!format->folder_name.empty() && name == format->folder_name) return format;
+  }
   std::string extension =
       (is_gzip_name(path) ? path.stem().extension() : path.extension()).string();
   if (extension.empty()) return nullptr;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/file/atomic_file.h"
 #include "io/format/parsed_mesh.h"
 
 /// What the program knows of each mesh format. TO ADD A FORMAT, write its reader and writer and a
@@ -43,7 +44,11 @@ struct MeshFormat {
   std::string_view title;     ///< "Gmsh"
   std::string_view versions;  ///< in docs/formats.md: "2.2 and 4.1"
   // What docs/formats.md says that it holds.
-  std::string_view encodings, markers, regions, quadrilaterals;
+  std::string_view encodings, markers, regions, quadrilaterals, volumes = "no";
+  /// Of formats whose meshes are folders: what such a folder is called.
+  std::string_view folder_name = {};
+  bool writes_planes = true;
+  bool writes_volumes = false;  ///< volume meshes, or at least what bounds them
   bool keeps_markers = false;
   bool has_binary = false;
   bool plane_only = false;  ///< two coordinates: a plane in space cannot be put back
@@ -55,10 +60,19 @@ struct MeshFormat {
   /// Of formats that hold several meshes, zones, in one file; null: this one does not. The number
   /// of the zone; 0: the first. Throws UsageError if there is none of that number.
   ParsedMesh (*read_zone)(Source& source, int zone) = nullptr;
+  /// Of formats whose meshes are folders: the one that a path stands for, which read() finds in the
+  /// name of a source without bytes; empty: for none.
+  std::filesystem::path (*find_folder)(const std::filesystem::path& path) = nullptr;
+  /// Of formats that write several files, or whose file's name says more than its extension: the
+  /// files, instead of write(), which is null. What is written later may add to `warnings`.
+  std::vector<OutputFile> (*files)(const std::filesystem::path& path, const Mesh& mesh,
+                                   const FormatDetails* details, const WriteOptions& options,
+                                   std::vector<std::string>& warnings) = nullptr;
   /// options.binary is what to do, whatever the source was. details: of the file that the mesh came
   /// from, of this format or of another; may be null. Returns warnings.
   std::vector<std::string> (*write)(std::ostream& out, const Mesh& mesh,
-                                    const FormatDetails* details, const WriteOptions& options);
+                                    const FormatDetails* details,
+                                    const WriteOptions& options) = nullptr;
   /// Null: the format has no zones. All come from one file of this format; zones of it that are not
   /// given are written as they were.
   std::vector<std::string> (*write_zones)(std::ostream& out, std::span<const MeshZone> zones,

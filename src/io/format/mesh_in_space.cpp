@@ -7,8 +7,9 @@
 namespace winslow::io {
 namespace {
 
-bool from_behind(const FormatDetails* details) {
-  return details != nullptr && details->plane && details->plane->from_behind;
+bool from_behind(const Mesh& mesh, const FormatDetails* details) {
+  return mesh.coordinates.dimension() == 2 && details != nullptr && details->plane &&
+         details->plane->from_behind;
 }
 
 /// z of a node as the source of the mesh had it (0 without details).
@@ -21,14 +22,14 @@ double plane_z(const FormatDetails* details, Index node) {
 
 }  // namespace
 
-Vec3 place_in_space(const FormatDetails* details, Index node, const Vec2& p) {
+Vec3 place_in_space(const FormatDetails* details, const Coordinates& x, Index node) {
+  if (x.dimension() == 3) return x.xyz(node);
+  const Vec2 p = x.xy(node);
   if (details != nullptr && details->plane) return details->plane->in_space(node, p);
   return {p.x(), p.y(), plane_z(details, node)};
 }
 
-Vec3 MeshInSpace::node(Index i) const {
-  return place_in_space(details_, i, mesh_.coordinates.xy(i));
-}
+Vec3 MeshInSpace::node(Index i) const { return place_in_space(details_, mesh_.coordinates, i); }
 
 FileCorners MeshInSpace::element(Index e) const {
   const auto corners = mesh_.topology->element(e);
@@ -36,7 +37,8 @@ FileCorners MeshInSpace::element(Index e) const {
   file.count = corners.size();
   std::ranges::copy(corners, file.nodes.begin());
   // The first corner stays the first.
-  if (from_behind(details_)) std::reverse(file.nodes.begin() + 1, file.nodes.begin() + file.count);
+  if (from_behind(mesh_, details_))
+    std::reverse(file.nodes.begin() + 1, file.nodes.begin() + file.count);
   return file;
 }
 

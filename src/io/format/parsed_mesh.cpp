@@ -75,9 +75,10 @@ double total_area(const MeshData& data) {
 
 void check_finite(const Source& source, const ParsedMesh& mesh) {
   const auto values = mesh.data.coordinates.values();
+  const auto dimension = static_cast<std::size_t>(mesh.data.coordinates.dimension());
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values[i]))
-      require_finite(source, mesh.where.nodes[i / 2], i / 2, values[i]);
+      require_finite(source, mesh.where.nodes[i / dimension], i / dimension, values[i]);
   }
 }
 
@@ -94,14 +95,25 @@ void set_planar_nodes(const Source& source, const std::vector<double>& xyz, Pars
   if (!plane) {
     source.fail(mesh.where.nodes[off],
                 "z = " + shown(xyz[3 * off + 2]) + " after z = " + shown(xyz[2]) +
-                    " (a 3D mesh), nodes up to " + shown(distance_from_plane(xyz)) +
+                    " (a surface in space), nodes up to " + shown(distance_from_plane(xyz)) +
                     " away from the nearest plane",
-                "a 2D mesh, all nodes in one plane");
+                "a plane mesh, all nodes in one plane, or a mesh of volume elements");
   }
   for (Index i = 0; i < plane->size(); ++i) mesh.data.coordinates.set_xy(i, plane->in_plane(i));
   mesh.warnings.push_back("the mesh lies in " + plane->plane_text() +
                           " of space: its coordinates are " + plane->axes_text());
   mesh.details->plane = std::make_shared<PlanePlacement>(std::move(*plane));
+}
+
+void set_space_nodes(const Source& source, const std::vector<double>& xyz, ParsedMesh& mesh) {
+  mesh.data.coordinates = Coordinates(3, static_cast<Index>(xyz.size() / 3));
+  std::ranges::copy(xyz, mesh.data.coordinates.values().begin());
+  check_finite(source, mesh);
+}
+
+void set_nodes(const Source& source, const std::vector<double>& xyz, ParsedMesh& mesh) {
+  if (mesh.data.cell_dimension() == 3) return set_space_nodes(source, xyz, mesh);
+  set_planar_nodes(source, xyz, mesh);
 }
 
 void turn_to_viewer(ParsedMesh& mesh) {

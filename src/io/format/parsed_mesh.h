@@ -33,6 +33,13 @@ struct ParsedMesh {
 /// noise; where the nodes were in space is kept in `details` and written back.
 void set_planar_nodes(const Source& source, const std::vector<double>& xyz, ParsedMesh& mesh);
 
+/// Sets the nodes' coordinates in space, of a volume mesh. Throws InputError for one that is not
+/// finite.
+void set_space_nodes(const Source& source, const std::vector<double>& xyz, ParsedMesh& mesh);
+/// set_space_nodes() if the elements have three dimensions, which they must by now; else
+/// set_planar_nodes().
+void set_nodes(const Source& source, const std::vector<double>& xyz, ParsedMesh& mesh);
+
 /// Turns all elements of a mesh in another plane than z = constant if they go round clockwise
 /// there: the file shows the plane from behind. Details say so, for the way back.
 void turn_to_viewer(ParsedMesh& mesh);

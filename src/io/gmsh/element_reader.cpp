@@ -3,39 +3,31 @@
 #include <algorithm>
 
 namespace winslow::io::gmsh {
-namespace {
 
-Index node_count(Shape shape) { return static_cast<Index>(shape) + 1; }
-
-}  // namespace
-
-Shape ElementReader::shape_of(int type, std::size_t offset) const {
-  switch (type) {
-    case 1:
-      return Shape::line;
-    case 2:
-      return Shape::triangle;
-    case 3:
-      return Shape::quadrilateral;
-    case 15:
-      return Shape::point;
-    default:
-      break;
+Shape ElementReader::find_shape(int type, std::size_t offset) const {
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(Shape::pyramid); ++k) {
+    const auto shape = static_cast<Shape>(k);
+    if (info_of(shape).type == type) return shape;
   }
-  const bool solid = (type >= 4 && type <= 7) || type == 11 || type == 12 || type == 13 ||
-                     type == 14 || (type >= 17 && type <= 19);
-  const bool high_order = (type >= 8 && type <= 10) || type == 16 || (type >= 20 && type <= 28);
-  source().fail(offset,
-                "element type " + std::to_string(type) +
-                    (solid        ? " (a 3D mesh)"
-                     : high_order ? " (second or higher order)"
-                                  : ""),
-                "1 (line), 2 (triangle), 3 (quadrilateral) or 15 (point)");
+  const bool high_order = type >= 8 && type <= 31;
+  source().fail(
+      offset,
+      "element type " + std::to_string(type) + (high_order ? " (second or higher order)" : ""),
+      "1 (line), 2 (triangle), 3 (quadrilateral), 4 (tetrahedron), 5 (hexahedron), "
+      "6 (prism), 7 (pyramid) or 15 (point)");
 }
 
 void ElementReader::read() {
   ValueReader values(scan_, details_.binary);
-  if (details_.version_4) return read_version_4(values);
+  if (details_.version_4) {
+    read_version_4(values);
+  } else {
+    read_version_2(values);
+  }
+  distribute();
+}
+
+void ElementReader::read_version_2(ValueReader& values) {
   scan_.skip_space();
   const Index n = scan_.count({"the number of elements"}, values.binary() ? 8 : 6);
   scan_.end_line({"the end of the line"});
@@ -60,7 +52,7 @@ void ElementReader::read_version_2_text(ValueReader& values, Index count) {
     Record record{{0, 0, 0, 0, Shape::point}, values.begin(), {"element", i, count}};
     record.item.tag = values.integer(record.expected);
     const int type = values.integer({"type of element", i, count});
-    record.item.shape = shape_of(type, record.offset);
+    record.item.shape = find_shape(type, record.offset);
     const int tags = values.integer({"number of tags of element", i, count});
     for (int k = 0; k < tags; ++k) skip_tag(values, k, record.item, {"tag of element", i, count});
     read_element_nodes(values, record);
@@ -72,7 +64,7 @@ void ElementReader::read_version_2_binary(ValueReader& values, Index count) {
   for (Index done = 0; done < count;) {
     const Expected header{"element block at element", done, count};
     const std::size_t at = values.begin();
-    const Shape shape = shape_of(values.integer(header), at);
+    const Shape shape = find_shape(values.integer(header), at);
     const int in_block = values.integer(header);
     const int tags = values.integer(header);
     if (in_block <= 0 || in_block > count - done) {
@@ -103,7 +95,7 @@ void ElementReader::read_version_4(ValueReader& values) {
     const std::size_t begin = values.begin();
     values.integer(header);
     const int entity = values.integer(header);
-    const Shape shape = shape_of(values.integer(header), begin);
+    const Shape shape = find_shape(values.integer(header), begin);
     const Index n = values.count({"the number of elements of a block"}, 4, 16);
     values.end(header);
     if (n > total - done) {
@@ -125,9 +117,7 @@ void ElementReader::read_version_4(ValueReader& values) {
 }
 
 void ElementReader::read_element_nodes(ValueReader& values, const Record& record) {
-  Item item = record.item;
-  std::array<Index, 4> corners{};
-  const Index size = node_count(item.shape);
+  const Index size = info_of(record.item.shape).corners;
   for (Index k = 0; k < size; ++k) {
     const std::size_t at = values.offset();
     // Nodes are 4 bytes in binary MSH 2, 8 in binary MSH 4.
@@ -135,31 +125,50 @@ void ElementReader::read_element_nodes(ValueReader& values, const Record& record
         details_.version_4 ? values.size(record.expected) : values.integer(record.expected);
     const Index node = node_tags_.find(tag);
     if (node < 0) source().fail(at, "node " + std::to_string(tag), "the tag of a node in $Nodes");
-    corners[static_cast<std::size_t>(k)] = node;
+    corners_.push_back(node);
   }
-  const std::span<const Index> nodes(corners.data(), static_cast<std::size_t>(size));
-  if (item.shape == Shape::point) {
-    item.index = static_cast<Index>(details_.points.size());
-    details_.points.push_back(nodes[0]);
-  } else if (item.shape == Shape::line) {
-    item.index = static_cast<Index>(details_.lines.size());
-    details_.lines.push_back({nodes[0], nodes[1]});
-  } else if (repeats_last_element(nodes, item)) {
-    item.index = mesh_.data.element_count() - 1;
-  } else {
-    item.index = mesh_.data.element_count();
-    const bool triangle = item.shape == Shape::triangle;
-    mesh_.data.add_element(triangle ? ElementType::triangle : ElementType::quadrilateral, nodes);
-    mesh_.where.elements.push_back(record.offset);
-  }
-  details_.items.push_back(item);
+  details_.items.push_back(record.item);
   offsets_.push_back(record.offset);
 }
 
+/// Elements of the mesh are those of the highest dimension.
+void ElementReader::distribute() {
+  for (const Item& item : details_.items)
+    details_.dimension = std::max(details_.dimension, info_of(item.shape).dimension);
+  const std::span<const Index> all(corners_);
+  std::size_t at = 0;
+  const Item* last = nullptr;
+  for (std::size_t i = 0; i < details_.items.size(); ++i) {
+    const auto size = static_cast<std::size_t>(info_of(details_.items[i].shape).corners);
+    place(i, all.subspan(at, size), last);
+    at += size;
+    last = &details_.items[i];
+  }
+  corners_ = {};
+}
+
+void ElementReader::place(std::size_t i, std::span<const Index> corners, const Item* last) {
+  Item& item = details_.items[i];
+  const int dimension = info_of(item.shape).dimension;
+  if (dimension == 0) {
+    item.index = static_cast<Index>(details_.points.size());
+    details_.points.push_back(corners[0]);
+  } else if (dimension < details_.dimension) {
+    item.index = static_cast<Index>(details_.sides.size());
+    details_.sides.emplace_back(corners);
+  } else if (last != nullptr && repeats(*last, item, corners)) {
+    item.index = mesh_.data.element_count() - 1;
+  } else {
+    item.index = mesh_.data.element_count();
+    mesh_.data.add_element(element_of(item.shape), corners);
+    mesh_.where.elements.push_back(offsets_[i]);
+  }
+}
+
 /// MSH 2 holds an element that is in several physical groups once for each of them.
-bool ElementReader::repeats_last_element(std::span<const Index> corners, const Item& item) const {
-  if (details_.version_4 || details_.items.empty() || mesh_.data.element_count() == 0) return false;
-  const Item& last = details_.items.back();
+bool ElementReader::repeats(const Item& last, const Item& item,
+                            std::span<const Index> corners) const {
+  if (details_.version_4 || mesh_.data.element_count() == 0) return false;
   if (last.shape != item.shape || last.entity != item.entity || last.physical == item.physical) {
     return false;
   }

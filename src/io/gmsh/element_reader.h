@@ -29,13 +29,16 @@ class ElementReader {
     std::size_t offset;
     Expected expected;
   };
+  void read_version_2(ValueReader& values);
   void read_version_2_text(ValueReader& values, Index count);
   void read_version_2_binary(ValueReader& values, Index count);
   void read_version_4(ValueReader& values);
-  Shape shape_of(int type, std::size_t offset) const;
+  Shape find_shape(int type, std::size_t offset) const;
   void skip_tag(ValueReader& values, int position, Item& item, const Expected& expected);
   void read_element_nodes(ValueReader& values, const Record& record);
-  bool repeats_last_element(std::span<const Index> corners, const Item& item) const;
+  void distribute();
+  void place(std::size_t i, std::span<const Index> corners, const Item* last);
+  bool repeats(const Item& last, const Item& item, std::span<const Index> corners) const;
   const Source& source() const { return scan_.source(); }
 
   Scanner& scan_;
@@ -43,6 +46,7 @@ class ElementReader {
   Details& details_;
   ParsedMesh& mesh_;
   std::vector<std::size_t> offsets_;
+  std::vector<Index> corners_;  // of all items; which are elements is known at the end
   bool partitioned_ = false;
 };
 

@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "core/mesh/element_type.h"
 #include "core/mesh/mesh.h"
-#include "io/format/line_details.h"
+#include "io/format/boundary_details.h"
 #include "io/format/mesh_format.h"
 
 /// Gmsh's MSH format, versions 2.2 and 4.1, ASCII and binary: Gmsh reference manual, "MSH file
@@ -38,19 +39,43 @@ struct NodeBlock {
   Index count;
 };
 
-enum class Shape : std::uint8_t { point, line, triangle, quadrilateral };
+enum class Shape : std::uint8_t {
+  point,
+  line,
+  triangle,
+  quadrilateral,
+  tetrahedron,
+  hexahedron,
+  prism,
+  pyramid
+};
+/// What Gmsh says of a shape. Corners are numbered as ElementShape does.
+struct ShapeInfo {
+  int type;  ///< Gmsh's number
+  int dimension;
+  Index corners;
+};
+const ShapeInfo& info_of(Shape shape);
+Shape element_shape(ElementType type);
+/// The shape of an element of a marker.
+Shape face_shape(const Face& face);
+/// Of a shape of dimension 2 or 3.
+ElementType element_of(Shape shape);
 
 /// One line of $Elements.
 struct Item {
   std::int64_t tag;
-  Index index;   ///< point or line: in Details::points, ::lines; else the element of the mesh
+  /// In Details::points, in Details::sides where its dimension is less than the mesh's; else the
+  /// element of the mesh.
+  Index index;
   int entity;    ///< tag of the geometric entity
   int physical;  ///< 2.2 only (0: none)
   Shape shape;
 };
 
 /// What an MSH file says beyond a mesh.
-struct Details : LineDetails {
+struct Details : BoundaryDetails {
+  int dimension = 2;  ///< of the elements of the mesh
   bool version_4 = true;
   struct Section {
     std::string name;  ///< "Nodes", ...

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "core/index.h"
 #include "io/format/groups.h"
 #include "io/format/mesh_in_space.h"
 
@@ -28,7 +29,7 @@ class BoxCollector {
     const auto found = index_[d].find(entity);
     if (found == index_[d].end()) return;
     auto& box = boxes_[d][found->second];
-    const Vec3 xyz = place_in_space(&details_, node, coordinates_.xy(node));
+    const Vec3 xyz = place_in_space(&details_, coordinates_, node);
     if (!box) box = Box{xyz[0], xyz[1], xyz[2], xyz[0], xyz[1], xyz[2]};
     for (std::size_t k = 0; k < 3; ++k) {
       const double coordinate = xyz[static_cast<Eigen::Index>(k)];
@@ -56,12 +57,13 @@ EntityBoxes collect_boxes(const Details& details, const Coordinates& coordinates
   }
   for (const Item& item : details.items) {
     const auto i = static_cast<std::size_t>(item.index);
-    if (item.shape == Shape::point) {
+    const int dimension = info_of(item.shape).dimension;
+    if (dimension == 0) {
       boxes.add(0, item.entity, details.points[i]);
-    } else if (item.shape == Shape::line) {
-      for (const Index n : details.lines[i]) boxes.add(1, item.entity, n);
+    } else if (dimension < details.dimension) {
+      for (const Index n : details.sides[i]) boxes.add(dimension, item.entity, n);
     } else {
-      for (const Index n : corners_of(item.index)) boxes.add(2, item.entity, n);
+      for (const Index n : corners_of(item.index)) boxes.add(dimension, item.entity, n);
     }
   }
   return boxes.take();
@@ -79,52 +81,54 @@ std::string safe_name(const std::string& name, std::vector<std::string>& warning
   return safe;
 }
 
-/// Adds the entity, the physical group and the line elements of each marker.
+/// Adds the entity, the physical group and the elements of each marker.
 void add_markers(const Mesh& mesh, Details& details, std::vector<std::string>& warnings) {
   const auto& markers = mesh.topology->markers();
   const auto tags = usable_tags(tags_of(markers.list()), "markers", warnings);
+  const int dimension = details.dimension - 1;
   for (std::size_t m = 0; m < markers.size(); ++m) {
-    const int curve = static_cast<int>(m) + 1;
-    details.entities[1].push_back({curve, {}, {tags[m]}, {}, {}});
-    details.physical_names.push_back({1, tags[m], safe_name(markers[m].name, warnings)});
-    for (const Face& edge : markers[m].faces) {
+    const int entity = static_cast<int>(m) + 1;
+    details.entities[at(dimension)].push_back({entity, {}, {tags[m]}, {}, {}});
+    details.physical_names.push_back({dimension, tags[m], safe_name(markers[m].name, warnings)});
+    for (const Face& face : markers[m].faces) {
       const auto number = static_cast<std::int64_t>(details.items.size()) + 1;
-      const auto index = static_cast<Index>(details.lines.size());
-      details.items.push_back({number, index, curve, tags[m], Shape::line});
-      details.lines.push_back(edge.edge());
+      const auto index = static_cast<Index>(details.sides.size());
+      details.items.push_back({number, index, entity, tags[m], face_shape(face)});
+      details.sides.push_back(face);
     }
   }
 }
 
-/// Adds the surface entities and physical groups of regions. Returns entity and physical tag of
+/// Adds the entities and physical groups of regions. Returns entity and physical tag of
 /// each region, and those of elements without region at the end.
 std::vector<std::array<int, 2>> add_regions(const Topology& topology, Details& details,
                                             std::vector<std::string>& warnings) {
   const auto& regions = topology.regions();
   const auto tags = usable_tags(tags_of(regions), "regions", warnings);
-  std::vector<std::array<int, 2>> surfaces;
+  const int dimension = details.dimension;
+  std::vector<std::array<int, 2>> entities;
   for (std::size_t r = 0; r < regions.size(); ++r) {
-    const int surface = static_cast<int>(r) + 1;
-    details.entities[2].push_back({surface, {}, {tags[r]}, {}, {}});
-    details.physical_names.push_back({2, tags[r], safe_name(regions[r].name, warnings)});
-    surfaces.push_back({surface, tags[r]});
+    const int entity = static_cast<int>(r) + 1;
+    details.entities[at(dimension)].push_back({entity, {}, {tags[r]}, {}, {}});
+    details.physical_names.push_back({dimension, tags[r], safe_name(regions[r].name, warnings)});
+    entities.push_back({entity, tags[r]});
   }
   const int rest = static_cast<int>(regions.size()) + 1;
   if (!regions.empty()) {
     const auto of = topology.element_regions();
     if (std::find(of.begin(), of.end(), -1) != of.end()) {
-      details.entities[2].push_back({rest, {}, {}, {}, {}});
+      details.entities[at(dimension)].push_back({rest, {}, {}, {}, {}});
     }
-    surfaces.push_back({rest, 0});
-    return surfaces;
+    entities.push_back({rest, 0});
+    return entities;
   }
   // Tags count by dimension; one that no marker has is kinder to readers that forget that.
   int tag = 1;
   for (const PhysicalName& name : details.physical_names) tag = std::max(tag, name.tag + 1);
-  details.entities[2].push_back({rest, {}, {tag}, {}, {}});
-  details.physical_names.push_back({2, tag, "domain"});
-  surfaces.push_back({rest, tag});
-  return surfaces;
+  details.entities[at(dimension)].push_back({rest, {}, {tag}, {}, {}});
+  details.physical_names.push_back({dimension, tag, "domain"});
+  entities.push_back({rest, tag});
+  return entities;
 }
 
 }  // namespace
@@ -142,22 +146,22 @@ Details make_details(const Mesh& mesh, bool version_4, std::vector<std::string>&
   const Topology& topology = *mesh.topology;
   Details details;
   details.version_4 = version_4;
+  details.dimension = topology.cell_dimension();
   details.sections = {{"PhysicalNames", {}}};
   if (version_4) details.sections.push_back({"Entities", {}});
   details.sections.push_back({"Nodes", {}});
   details.sections.push_back({"Elements", {}});
   if (topology.markers().from_file()) add_markers(mesh, details, warnings);
-  const auto surfaces = add_regions(topology, details, warnings);
+  const auto entities = add_regions(topology, details, warnings);
   const auto regions = topology.element_regions();
   for (Index e = 0; e < topology.element_count(); ++e) {
     const Index region = regions.empty() ? -1 : regions[static_cast<std::size_t>(e)];
-    const auto& surface = region < 0 ? surfaces.back() : surfaces[static_cast<std::size_t>(region)];
+    const auto& entity = region < 0 ? entities.back() : entities[static_cast<std::size_t>(region)];
     const auto number = static_cast<std::int64_t>(details.items.size()) + 1;
-    const Shape shape =
-        topology.element_type(e) == ElementType::triangle ? Shape::triangle : Shape::quadrilateral;
-    details.items.push_back({number, e, surface[0], surface[1], shape});
+    const Shape shape = element_shape(topology.element_type(e));
+    details.items.push_back({number, e, entity[0], entity[1], shape});
   }
-  details.node_blocks.push_back({2, 1, topology.node_count()});
+  details.node_blocks.push_back({details.dimension, 1, topology.node_count()});
   return details;
 }
 

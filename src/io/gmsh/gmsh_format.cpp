@@ -2,6 +2,30 @@
 
 namespace winslow::io::gmsh {
 
+const ShapeInfo& info_of(Shape shape) {
+  static constexpr std::array<ShapeInfo, 8> shapes{
+      {{15, 0, 1}, {1, 1, 2}, {2, 2, 3}, {3, 2, 4}, {4, 3, 4}, {5, 3, 8}, {6, 3, 6}, {7, 3, 5}}};
+  return shapes[static_cast<std::size_t>(shape)];
+}
+
+Shape element_shape(ElementType type) {
+  static constexpr std::array<Shape, 6> shapes{Shape::triangle,    Shape::quadrilateral,
+                                               Shape::tetrahedron, Shape::pyramid,
+                                               Shape::prism,       Shape::hexahedron};
+  return shapes[static_cast<std::size_t>(type)];
+}
+
+Shape face_shape(const Face& face) {
+  return face.size() == 2 ? Shape::line : face.size() == 3 ? Shape::triangle : Shape::quadrilateral;
+}
+
+ElementType element_of(Shape shape) {
+  for (const ElementType type : all_element_types) {
+    if (element_shape(type) == shape) return type;
+  }
+  return ElementType::triangle;
+}
+
 const MeshFormat format{
     .name = "msh",
     .title = "Gmsh",
@@ -10,6 +34,8 @@ const MeshFormat format{
     .markers = "yes, name and tag",
     .regions = "yes",
     .quadrilaterals = "yes",
+    .volumes = "yes",
+    .writes_volumes = true,
     .keeps_markers = true,
     .has_binary = true,
     .recognise =

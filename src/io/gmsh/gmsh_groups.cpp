@@ -5,6 +5,7 @@
 #include <span>
 #include <unordered_map>
 
+#include "core/index.h"
 #include "io/format/groups.h"
 
 namespace winslow::io::gmsh {
@@ -39,28 +40,31 @@ Physicals physicals_by_entity(const Details& details) {
 }  // namespace
 
 void collect_groups(std::span<const std::size_t> offsets, Details& details, ParsedMesh& mesh) {
-  GroupIndex markers = groups_of(details, 1, "curve_");
-  GroupIndex regions = groups_of(details, 2, "surface_");
+  static constexpr std::array<const char*, 4> prefixes{"point_", "curve_", "surface_", "volume_"};
+  const int side = details.dimension - 1;
+  GroupIndex markers = groups_of(details, side, prefixes[at(side)]);
+  GroupIndex regions = groups_of(details, details.dimension, prefixes[at(details.dimension)]);
   const Physicals physicals = physicals_by_entity(details);
   auto& element_region = mesh.data.element_region;
   element_region.assign(mesh.data.types.size(), -1);
-  Index loose_lines = 0;
+  Index loose_sides = 0;
   for (std::size_t i = 0; i < details.items.size(); ++i) {
     const Item& item = details.items[i];
-    if (item.shape == Shape::point) continue;
-    const bool line = item.shape == Shape::line;
+    const int dimension = info_of(item.shape).dimension;
+    if (dimension < side) continue;
+    const bool is_side = dimension == side;
     std::span<const int> tags;
     if (!details.version_4) {
       if (item.physical != 0) tags = {&item.physical, 1};
-    } else if (const auto& of = physicals[line ? 1 : 2]; of.contains(item.entity)) {
+    } else if (const auto& of = physicals[at(dimension)]; of.contains(item.entity)) {
       tags = *of.at(item.entity);
     }
-    if (line && tags.empty()) ++loose_lines;
+    if (is_side && tags.empty()) ++loose_sides;
     for (const int tag : tags) {
-      if (line) {
+      if (is_side) {
         // In 2.2 the nodes of the element are in the order of the group already.
         const bool reversed = details.version_4 && tag < 0;
-        add_marker_line(markers.find(group_tag(tag)), reversed ? ~item.index : item.index,
+        add_marker_side(markers.find(group_tag(tag)), reversed ? ~item.index : item.index,
                         offsets[i], details, mesh);
       } else {
         auto& region = element_region[static_cast<std::size_t>(item.index)];
@@ -72,9 +76,9 @@ void collect_groups(std::span<const std::size_t> offsets, Details& details, Pars
   make_markers(markers.all(), details, mesh);
   mesh.data.regions = regions.all();
   if (mesh.data.regions.empty()) element_region.clear();
-  if (loose_lines > 0) {
-    mesh.warnings.push_back(std::to_string(loose_lines) +
-                            " line elements are in no physical group: they are kept, but are no "
+  if (loose_sides > 0) {
+    mesh.warnings.push_back(std::to_string(loose_sides) + (side == 1 ? " line" : " surface") +
+                            " elements are in no physical group: they are kept, but are no "
                             "marker");
   }
 }

@@ -179,7 +179,7 @@ void Reader::finish() {
   const std::size_t end = source_.text().size();
   if (!seen("Nodes")) source_.fail(end, "no section $Nodes", "the nodes of the mesh");
   if (!seen("Elements")) source_.fail(end, "no section $Elements", "the elements of the mesh");
-  set_planar_nodes(source_, nodes_.xyz(), mesh_);
+  set_nodes(source_, nodes_.xyz(), mesh_);
   collect_groups(elements_.offsets(), *details_, mesh_);
   if (nodes_.parametric()) {
     mesh_.warnings.emplace_back("parametric coordinates of nodes are not kept");

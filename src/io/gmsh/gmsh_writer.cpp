@@ -8,9 +8,6 @@
 namespace winslow::io::gmsh {
 namespace {
 
-constexpr std::array<int, 4> gmsh_type{15, 1, 2, 3};  ///< by Shape
-constexpr std::array<int, 4> gmsh_dimension{0, 1, 2, 2};
-
 /// Writes numbers as text, with blanks between, or as bytes: the counterpart of ValueReader.
 class ValueWriter {
  public:
@@ -170,9 +167,12 @@ class Writer {
 
   FileCorners nodes_of(const Item& item) const {
     const auto i = static_cast<std::size_t>(item.index);
-    if (item.shape == Shape::point) return {{details_.points[i]}, 1};
-    if (item.shape == Shape::line) return {{details_.lines[i][0], details_.lines[i][1]}, 2};
-    return space_.element(item.index);
+    const int dimension = info_of(item.shape).dimension;
+    if (dimension == details_.dimension) return space_.element(item.index);
+    if (dimension == 0) return {{details_.points[i]}, 1};
+    FileCorners corners;
+    for (const Index node : details_.sides[i]) corners.nodes[corners.count++] = node;
+    return corners;
   }
 
   void write_elements_2() {
@@ -181,7 +181,7 @@ class Writer {
     for (std::size_t begin = 0; begin < items.size();) {
       std::size_t end = begin + 1;
       while (end < items.size() && items[end].shape == items[begin].shape) ++end;
-      const int type = gmsh_type[static_cast<std::size_t>(items[begin].shape)];
+      const int type = info_of(items[begin].shape).type;
       if (binary_) values_.integer(type).integer(static_cast<int>(end - begin)).integer(2);
       for (; begin < end; ++begin) {
         const Item& item = items[begin];
@@ -213,9 +213,9 @@ class Writer {
     for (std::size_t begin = 0; begin < items.size();) {
       std::size_t end = begin + 1;
       while (end < items.size() && same_block(items[end], items[begin])) ++end;
-      const auto shape = static_cast<std::size_t>(items[begin].shape);
-      values_.integer(gmsh_dimension[shape]).integer(items[begin].entity);
-      values_.integer(gmsh_type[shape]).size(static_cast<std::int64_t>(end - begin));
+      const ShapeInfo& shape = info_of(items[begin].shape);
+      values_.integer(shape.dimension).integer(items[begin].entity);
+      values_.integer(shape.type).size(static_cast<std::int64_t>(end - begin));
       values_.end();
       for (; begin < end; ++begin) {
         values_.size(items[begin].tag);

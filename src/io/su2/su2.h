@@ -9,13 +9,14 @@
 #include "core/mesh/mesh.h"
 #include "io/format/mesh_format.h"
 
-/// SU2 native format, https://su2code.github.io/docs_v7/Mesh-File/ (NDIME= 2).
+/// SU2 native format, https://su2code.github.io/docs_v7/Mesh-File/, of two and of three
+/// dimensions.
 namespace winslow::io::su2 {
 
 /// A node that a free-form deformation box lists, and where it lay in the file.
 struct BoxPoint {
   Index node;
-  Vec2 place;
+  Vec3 place;  ///< z is 0 in the plane
 };
 
 /// What an SU2 file says beyond a mesh: the order of its sections, comments, what we do not know,
@@ -30,9 +31,9 @@ struct Details : FormatDetails {
   std::string line_end = "\n";  ///< or "\r\n", as in the source
   bool element_numbers = false;
   bool point_numbers = false;
-  bool edge_numbers = false;
-  /// What follows the two coordinates in the line of each point, where that is more than the
-  /// point's number (a third coordinate, two numbers); else empty.
+  bool face_numbers = false;
+  /// What follows the coordinates in the line of each point, where that is more than the
+  /// point's number (a third coordinate of a plane mesh, two numbers); else empty.
   std::vector<std::string> point_tails;
   int raw_markers = 0;  ///< markers kept as text (SEND_RECEIVE)
   Index nodes = 0;      ///< sizes of the mesh that the details belong to
@@ -49,9 +50,9 @@ extern const MeshFormat format;
 /// zone: as IZONE= says; 0: the first one. Throws UsageError if the file has no such zone.
 ParsedMesh read_zone(Source& source, int zone);
 
-/// Points are written as they were read: a third coordinate or a second number after x and y goes
-/// back as it came, a number that counts from 0 is written anew. Of a file of several zones the one
-/// of the details is written, as a file of its own.
+/// Points are written as they were read: what follows the coordinates, be it a third one of a plane
+/// mesh or a second number, goes back as it came, a number that counts from 0 is written anew. Of a
+/// file of several zones the one of the details is written, as a file of its own.
 std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const Details* details);
 /// Zones of one file; those that are not among them are written as they were.
 std::vector<std::string> write_zones(std::ostream& out, std::span<const MeshZone> zones);

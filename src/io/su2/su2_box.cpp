@@ -4,6 +4,7 @@
 #include <set>
 #include <string_view>
 
+#include "io/format/mesh_in_space.h"
 #include "io/su2/su2_lines.h"
 #include "io/text/numbers.h"
 
@@ -27,7 +28,7 @@ std::vector<BoxPoint> box_points(const Source& source, const ParsedMesh& mesh) {
       if (!node || *node < 0 || *node >= mesh.data.node_count() || !markers.contains(marker))
         continue;
       const auto i = static_cast<Index>(*node);
-      points.push_back({i, mesh.data.coordinates.xy(i)});
+      points.push_back({i, place_in_space(nullptr, mesh.data.coordinates, i)});
     }
   }
   return points;
@@ -35,7 +36,7 @@ std::vector<BoxPoint> box_points(const Source& source, const ParsedMesh& mesh) {
 
 bool box_is_stale(const std::vector<BoxPoint>& points, const Coordinates& x) {
   return std::any_of(points.begin(), points.end(), [&](const BoxPoint& point) {
-    return point.node < x.size() && x.xy(point.node) != point.place;
+    return point.node < x.size() && place_in_space(nullptr, x, point.node) != point.place;
   });
 }
 

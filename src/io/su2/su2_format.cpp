@@ -22,6 +22,8 @@ const MeshFormat format{
     .markers = "yes, by name",
     .regions = "no",
     .quadrilaterals = "yes",
+    .volumes = "yes",
+    .writes_volumes = true,
     .keeps_markers = true,
     .plane_only = true,
     .recognise = [](const Content& content) { return keyword_on_line(content, is_keyword); },

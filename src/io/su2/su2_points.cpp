@@ -1,5 +1,6 @@
 #include "io/su2/su2_points.h"
 
+#include <array>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -14,13 +15,13 @@ class Tails {
  public:
   explicit Tails(Index count) { views_.reserve(static_cast<std::size_t>(count)); }
 
-  /// `y`: the word taken for the second coordinate of point i; `tail`: what follows it.
-  void add(Index i, std::string_view y, std::string_view tail) {
+  /// `last`: the word taken for the last coordinate of point i; `tail`: what follows it.
+  void add(Index i, std::string_view last, std::string_view tail) {
     views_.push_back(tail);
     const auto number = parse_integer(tail);
     if (tail.empty()) {
       ++bare_;
-      if (parse_integer(y) == i) {
+      if (parse_integer(last) == i) {
         ++short_;
         if (first_short_.data() == nullptr) first_short_ = tail;
       }
@@ -31,9 +32,9 @@ class Tails {
     }
   }
 
-  /// A line "x number" lacks a coordinate: its y is the number of the point, while other lines have
-  /// a number behind their y. Where no line has, and every y is the point's number, all lack one;
-  /// up to three points may lie like that.
+  /// A line "x number" lacks a coordinate: what is taken for its last one is the number of the
+  /// point, while other lines have a number behind it. Where no line has, and every last coordinate
+  /// is the point's number, all lack one; up to three points may lie like that.
   std::optional<std::string_view> first_short() const {
     constexpr std::size_t may_be_chance = 3;
     const bool every = short_ == views_.size() && short_ > may_be_chance;
@@ -58,8 +59,12 @@ class Tails {
 
 }  // namespace
 
-bool read_points(LineReader& lines, Index count, ParsedMesh& mesh, Details& details) {
-  mesh.data.coordinates = Coordinates(2, count);
+bool read_points(LineReader& lines, Index count, int dimension, ParsedMesh& mesh,
+                 Details& details) {
+  static constexpr std::array<const char*, 3> names{"point", "y of point", "z of point"};
+  mesh.data.coordinates = Coordinates(dimension, count);
+  const auto values = mesh.data.coordinates.values();
+  std::size_t at = 0;
   mesh.where.nodes.reserve(static_cast<std::size_t>(count));
   Tails tails(count);
   for (Index i = 0; i < count; ++i) {
@@ -67,17 +72,18 @@ bool read_points(LineReader& lines, Index count, ParsedMesh& mesh, Details& deta
     const Line line = lines.next_data(expected);
     mesh.where.nodes.push_back(lines.source().offset_of(line.text));
     LineWords words(line.text);
-    const auto x_word = words.next();
-    const auto x = parse_number(x_word);
-    if (!x) lines.fail(x_word, expected.text());
-    const auto y_word = words.next();
-    const auto y = parse_number(y_word);
-    if (!y) lines.fail(y_word, Expected{"y of point", i, count}.text());
-    mesh.data.coordinates.set_xy(i, {*x, *y});
-    tails.add(i, y_word, words.rest());
+    std::string_view word;
+    for (int k = 0; k < dimension; ++k) {
+      word = words.next();
+      const auto value = parse_number(word);
+      if (!value) lines.fail(word, Expected{names[static_cast<std::size_t>(k)], i, count}.text());
+      values[at++] = *value;
+    }
+    tails.add(i, word, words.rest());
   }
   if (const auto tail = tails.first_short()) {
-    lines.fail(*tail, "two coordinates before the number of the point");
+    lines.fail(*tail, (dimension == 2 ? "two" : "three") +
+                          std::string(" coordinates before the number of the point"));
   }
   tails.keep(details);
   return tails.renumbered();

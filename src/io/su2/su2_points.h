@@ -6,8 +6,8 @@
 
 namespace winslow::io::su2 {
 
-/// Reads the lines of NPOIN= into the mesh: x, y, and whatever follows, which as in SU2 means
-/// nothing. Returns true if single numbers at the ends of lines do not count from 0.
-bool read_points(LineReader& lines, Index count, ParsedMesh& mesh, Details& details);
+/// Reads the lines of NPOIN= into the mesh: x, y, of dimension 3 z, and whatever follows, which as
+/// in SU2 means nothing. Returns true if single numbers at the ends of lines do not count from 0.
+bool read_points(LineReader& lines, Index count, int dimension, ParsedMesh& mesh, Details& details);
 
 }  // namespace winslow::io::su2

@@ -5,10 +5,12 @@
 #include <set>
 #include <utility>
 
+#include "io/format/vtk_wedge.h"
 #include "io/su2/su2.h"
 #include "io/su2/su2_box.h"
 #include "io/su2/su2_lines.h"
 #include "io/su2/su2_points.h"
+#include "io/su2/su2_types.h"
 #include "io/su2/su2_zones.h"
 #include "io/text/numbers.h"
 
@@ -18,28 +20,19 @@ namespace {
 constexpr std::string_view keywords =
     "a keyword: NDIME=, NELEM=, NPOIN=, NMARK=, MARKER_TAG= or MARKER_ELEMS=";
 
-/// VTK numbers of the element types that SU2 uses.
-enum : std::int64_t { vertex = 1, line = 3, triangle = 5, quadrilateral = 9 };
-
-/// " (second order)" and the like: why an element type is none of ours.
-std::string hint_of(std::int64_t type) {
-  // SU2 adds 100 for each order above the first of elements with Lagrange nodes.
-  if (type > 100 && type < 2000) return " (order " + std::to_string(type / 100 + 1) + ")";
-  if (type == 10 || type == 12 || type == 13 || type == 14) return " (a 3D mesh)";
-  if (type >= 21 && type <= 37) return " (second order)";
-  return {};
-}
-
 class Reader {
  public:
-  Reader(const Source& source, std::size_t begin, std::size_t end)
-      : source_(source), lines_(source, begin, end), begin_(begin), end_(end) {
+  /// dimension: that of the zone, if the file says it anywhere; else 0.
+  Reader(const Source& source, const ZoneList::Zone& zone, int dimension)
+      : source_(source),
+        lines_(source, zone.begin, zone.end),
+        end_(zone.end),
+        dimension_(dimension == 0 ? 2 : dimension) {
     mesh_.details = details_;
     details_->line_end = first_line_end();
   }
 
   ParsedMesh read(bool dimension_known) {
-    refuse_3d();
     while (!lines_.at_end()) read_item();
     finish(dimension_known);
     return std::move(mesh_);
@@ -52,21 +45,6 @@ class Reader {
     const bool windows =
         newline != std::string_view::npos && newline > 0 && source_.text()[newline - 1] == '\r';
     return windows ? "\r\n" : "\n";
-  }
-
-  /// Points are read as x y and what follows, which would drop a third coordinate where NPOIN comes
-  /// before NDIME: so look at NDIME first.
-  void refuse_3d() {
-    const auto text = source_.text().substr(0, end_);
-    for (auto at = text.find("NDIME", begin_); at != std::string_view::npos;
-         at = text.find("NDIME", at + 1)) {
-      const auto newline = text.rfind('\n', at);
-      const std::size_t begin = newline == std::string_view::npos ? 0 : newline + 1;
-      const Line l = LineReader(source_, begin, end_).next();
-      if (l.key == "NDIME" && l.value == "3") {
-        source_.fail(at, "NDIME= 3 (a 3D mesh)", "NDIME= 2");
-      }
-    }
   }
 
   void read_item() {
@@ -127,7 +105,8 @@ class Reader {
 
   void read_dimension(const Line& l) {
     once(l, Details::Part::dimension);
-    if (l.value != "2") source_.fail(l.offset, "NDIME= " + std::string(l.value), "NDIME= 2");
+    if (l.value != "2" && l.value != "3")
+      source_.fail(l.offset, "NDIME= " + std::string(l.value), "NDIME= 2 or NDIME= 3");
   }
 
   /// Reads the optional number at the end of a data line.
@@ -159,7 +138,7 @@ class Reader {
     const Index n = count(l.value, "the number of elements", 8);
     mesh_.data.types.reserve(static_cast<std::size_t>(n));
     mesh_.data.element_offsets.reserve(static_cast<std::size_t>(n) + 1);
-    mesh_.data.element_nodes.reserve(static_cast<std::size_t>(n) * 3);
+    mesh_.data.element_nodes.reserve(static_cast<std::size_t>(n) * (dimension_ == 2 ? 3 : 4));
     mesh_.where.elements.reserve(static_cast<std::size_t>(n));
     for (Index e = 0; e < n; ++e) {
       const Expected expected{"element", e, n};
@@ -167,9 +146,10 @@ class Reader {
       mesh_.where.elements.push_back(source_.offset_of(data.text));
       LineWords words(data.text);
       const ElementType type = element_type(words.next(), expected);
-      std::array<Index, 4> corners{};
+      std::array<Index, 8> corners{};
       const auto size = static_cast<std::size_t>(corner_count(type));
       read_corners(words, {corners.data(), size}, expected);
+      if (type == ElementType::prism) mirror_prism(corners);  // as in the meshes of SU2's own tests
       mesh_.data.add_element(type, {corners.data(), size});
       details_->element_numbers |= end_data_line(words, e, "element");
     }
@@ -178,10 +158,10 @@ class Reader {
   ElementType element_type(std::string_view word, const Expected& expected) const {
     const auto type = parse_integer(word);
     if (!type) lines_.fail(word, expected.text());
-    if (*type == triangle) return ElementType::triangle;
-    if (*type == quadrilateral) return ElementType::quadrilateral;
-    source_.fail(source_.offset_of(word), "element type " + std::string(word) + hint_of(*type),
-                 "5 (triangle) or 9 (quadrilateral)");
+    if (const auto element = element_of(*type, dimension_)) return *element;
+    source_.fail(source_.offset_of(word),
+                 "element type " + std::string(word) + type_hint(*type, dimension_, false),
+                 element_list(dimension_));
   }
 
   void read_point_section(const Line& l) {
@@ -194,7 +174,7 @@ class Reader {
                                " points are the file's own: it is one part of a partitioned mesh");
     }
     details_->items.back().text = owned;
-    renumbered_ |= read_points(lines_, n, mesh_, *details_);
+    renumbered_ |= read_points(lines_, n, dimension_, mesh_, *details_);
   }
 
   void read_marker_count(const Line& l) {
@@ -214,35 +194,37 @@ class Reader {
     const Line l = lines_.next_data({wanted.c_str()});
     if (l.key != "MARKER_ELEMS") lines_.fail(l.text, wanted);
     details_->items.push_back({Details::Part::marker, {}});
-    const Index n = count(l.value, "the number of edges of a marker", 6);
+    const Index n = count(l.value, "the number of elements of a marker", 6);
     Marker marker{name, static_cast<int>(mesh_.data.markers.size()) + 1, {}};
     marker.faces.reserve(static_cast<std::size_t>(n));
     std::vector<std::size_t> offsets;
     offsets.reserve(static_cast<std::size_t>(n));
     for (Index e = 0; e < n; ++e) {
-      const Expected expected{"marker edge", e, n};
+      const Expected expected{dimension_ == 2 ? "marker edge" : "marker face", e, n};
       const Line data = lines_.next_data(expected);
       offsets.push_back(source_.offset_of(data.text));
       LineWords words(data.text);
-      const auto type = words.next();
-      if (parse_integer(type) != line) refuse_marker_element(type, expected);
-      std::array<Index, 2> edge{};
-      read_corners(words, edge, expected);
-      marker.faces.emplace_back(edge[0], edge[1]);
-      details_->edge_numbers |= end_data_line(words, e, "marker edge");
+      marker.faces.push_back(read_face(words, expected));
+      details_->face_numbers |= end_data_line(words, e, expected.what);
     }
     mesh_.data.markers.push_back(std::move(marker));
     mesh_.where.marker_edges.push_back(std::move(offsets));
   }
 
-  [[noreturn]] void refuse_marker_element(std::string_view word, const Expected& expected) const {
+  Face read_face(LineWords& words, const Expected& expected) {
+    const auto word = words.next();
     const auto type = parse_integer(word);
     if (!type) lines_.fail(word, expected.text());
-    const bool solid_face = *type == triangle || *type == quadrilateral;
-    source_.fail(
-        source_.offset_of(word),
-        "marker element type " + std::string(word) + (solid_face ? " (a 3D mesh)" : hint_of(*type)),
-        "3 (line)");
+    const std::size_t size = face_corners(*type, dimension_);
+    if (size == 0) {
+      source_.fail(source_.offset_of(word),
+                   "marker element type " + std::string(word) + type_hint(*type, dimension_, true),
+                   dimension_ == 2 ? "3 (line)" : element_list(2));
+    }
+    std::array<Index, 4> corners{};
+    const std::span<Index> used(corners.data(), size);
+    read_corners(words, used, expected);
+    return Face(used);
   }
 
   void keep_send_receive(const Line& tag) {
@@ -267,7 +249,7 @@ class Reader {
                          [&](const auto& item) { return item.part == part; });
     };
     if (!dimension_known && !has(Details::Part::dimension)) {
-      source_.fail(end_, "no NDIME=", "NDIME= 2");
+      source_.fail(end_, "no NDIME=", "NDIME= 2 or NDIME= 3");
     }
     if (!has(Details::Part::points)) source_.fail(end_, "no NPOIN=", "the points of the mesh");
     if (!has(Details::Part::elements)) source_.fail(end_, "no NELEM=", "the elements of the mesh");
@@ -303,7 +285,8 @@ class Reader {
 
   const Source& source_;
   LineReader lines_;
-  std::size_t begin_, end_;
+  std::size_t end_;
+  int dimension_;
   ParsedMesh mesh_;
   std::shared_ptr<Details> details_ = std::make_shared<Details>();
   std::optional<Index> marker_count_;
@@ -314,14 +297,18 @@ class Reader {
   bool renumbered_ = false;
 };
 
-/// True if what stands before the first zone says NDIME= 2, as it may for all zones.
-bool says_dimension(const Source& source, std::size_t head_end) {
-  LineReader lines(source, 0, head_end);
-  while (!lines.at_end()) {
-    const Line l = lines.next();
-    if (l.key == "NDIME" && l.value == "2") return true;
+/// What the first line NDIME= of a part of the file says; 0: it has none. Points may come before
+/// it, and cannot be read without.
+int stated_dimension(const Source& source, std::size_t begin, std::size_t end) {
+  const auto text = source.text().substr(0, end);
+  for (auto at = text.find("NDIME", begin); at != std::string_view::npos;
+       at = text.find("NDIME", at + 1)) {
+    const auto newline = text.rfind('\n', at);
+    const std::size_t line_begin = newline == std::string_view::npos ? 0 : newline + 1;
+    const Line l = LineReader(source, line_begin, end).next();
+    if (l.key == "NDIME") return l.value == "2" ? 2 : l.value == "3" ? 3 : 0;
   }
-  return false;
+  return 0;
 }
 
 }  // namespace
@@ -330,9 +317,12 @@ ParsedMesh read_zone(Source& source, int number) {
   const ZoneList list = find_zones(source);
   const std::size_t chosen = choose_zone(list, number, source.name());
   const ZoneList::Zone& zone = list.zones[chosen];
-  Reader reader(source, zone.begin, zone.end);
+  const int own = stated_dimension(source, zone.begin, zone.end);
+  // What stands before the first zone may say it for all of them.
+  const int common = list.several ? stated_dimension(source, 0, list.zones[0].begin) : 0;
+  Reader reader(source, zone, own != 0 ? own : common);
   Details& details = reader.details();
-  ParsedMesh mesh = reader.read(list.several && says_dimension(source, list.zones[0].begin));
+  ParsedMesh mesh = reader.read(common != 0);
   details.zone = zone.number;
   details.box_points = box_points(source, mesh);
   if (!list.several) return mesh;

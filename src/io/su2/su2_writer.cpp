@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <array>
 #include <span>
 #include <string_view>
 
+#include "io/format/vtk_wedge.h"
 #include "io/su2/su2.h"
 #include "io/su2/su2_box.h"
+#include "io/su2/su2_types.h"
 #include "io/text/scanner.h"
 #include "io/text/text_writer.h"
 
@@ -53,7 +56,7 @@ class Writer {
         out_ << item.text;
         break;
       case Details::Part::dimension:
-        out_ << "NDIME= 2" << details_.line_end;
+        out_ << "NDIME= " << topology().cell_dimension() << details_.line_end;
         break;
       case Details::Part::elements:
         write_elements();
@@ -74,30 +77,47 @@ class Writer {
   void write_elements() {
     out_ << "NELEM= " << topology().element_count() << details_.line_end;
     for (Index e = 0; e < topology().element_count(); ++e) {
-      out_ << (topology().element_type(e) == ElementType::triangle ? 5 : 9);
-      for (const Index node : topology().element(e)) out_ << ' ' << node;
+      const ElementType type = topology().element_type(e);
+      out_ << element_number(type);
+      if (type == ElementType::prism) {
+        write_prism(e);
+      } else {
+        for (const Index node : topology().element(e)) out_ << ' ' << node;
+      }
       end_line(details_.element_numbers, e);
     }
+  }
+
+  void write_prism(Index e) {
+    std::array<Index, 6> corners{};
+    std::ranges::copy(topology().element(e), corners.begin());
+    mirror_prism(corners);
+    for (const Index node : corners) out_ << ' ' << node;
   }
 
   void write_points(const std::string& after_count) {
     out_ << "NPOIN= " << mesh_.coordinates.size();
     if (!after_count.empty()) out_ << ' ' << after_count;
     out_ << details_.line_end;
-    for (Index i = 0; i < mesh_.coordinates.size(); ++i) {
-      const Vec2 p = mesh_.coordinates.xy(i);
-      out_ << p.x() << ' ' << p.y();
-      end_point(i);
+    const auto values = mesh_.coordinates.values();
+    const auto dimension = static_cast<std::size_t>(mesh_.coordinates.dimension());
+    for (std::size_t i = 0; i < values.size(); i += dimension) {
+      for (std::size_t k = 0; k < dimension; ++k) {
+        if (k > 0) out_ << ' ';
+        out_ << values[i + k];
+      }
+      end_point(static_cast<Index>(i / dimension));
     }
   }
 
   void write_marker(std::size_t m) {
-    const auto& edges = topology().markers()[m].faces;
+    const auto& faces = topology().markers()[m].faces;
     out_ << "MARKER_TAG= " << names_[m] << details_.line_end;
-    out_ << "MARKER_ELEMS= " << edges.size() << details_.line_end;
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-      out_ << "3 " << edges[e][0] << ' ' << edges[e][1];
-      end_line(details_.edge_numbers, static_cast<Index>(e));
+    out_ << "MARKER_ELEMS= " << faces.size() << details_.line_end;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      out_ << face_number(faces[f].size());
+      for (const Index node : faces[f]) out_ << ' ' << node;
+      end_line(details_.face_numbers, static_cast<Index>(f));
     }
   }
 

@@ -1,6 +1,5 @@
 #include <limits>
 
-#include "io/format/mesh_in_space.h"
 #include "io/surface/surface.h"
 #include "io/text/numbers.h"
 #include "io/text/scanner.h"
@@ -73,17 +72,20 @@ ParsedMesh read_obj(Source& source) {
 std::vector<std::string> write_obj(std::ostream& stream, const Mesh& mesh,
                                    const FormatDetails* source) {
   TextWriter out(stream);
-  const MeshInSpace space(mesh, source);
-  for (Index i = 0; i < mesh.coordinates.size(); ++i) {
-    const Vec3 p = space.node(i);
+  const WrittenSurface surface(mesh, source);
+  for (Index i = 0; i < surface.node_count(); ++i) {
+    const Vec3 p = surface.node(i);
     out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
   }
-  for (Index e = 0; e < mesh.topology->element_count(); ++e) {
-    out << 'f';
-    for (const Index node : space.element(e)) out << ' ' << node + 1;
-    out << '\n';
+  for (const WrittenSurface::Group& group : surface.groups()) {
+    if (!group.name.empty()) out << "g " << one_word(group.name) << '\n';
+    for (std::size_t f = group.first; f < group.first + group.count; ++f) {
+      out << 'f';
+      for (const Index node : surface.faces()[f]) out << ' ' << node + 1;
+      out << '\n';
+    }
   }
-  return lost_in_surface(mesh);
+  return lost_in_surface(mesh, true);
 }
 
 }  // namespace winslow::io::surface

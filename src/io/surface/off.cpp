@@ -1,6 +1,5 @@
 #include <array>
 
-#include "io/format/mesh_in_space.h"
 #include "io/surface/surface.h"
 #include "io/text/scanner.h"
 #include "io/text/text_writer.h"
@@ -83,14 +82,13 @@ ParsedMesh read_off(Source& source) {
 std::vector<std::string> write_off(std::ostream& stream, const Mesh& mesh,
                                    const FormatDetails* source) {
   TextWriter out(stream);
-  const MeshInSpace space(mesh, source);
-  out << "OFF\n" << mesh.coordinates.size() << ' ' << mesh.topology->element_count() << " 0\n";
-  for (Index i = 0; i < mesh.coordinates.size(); ++i) {
-    const Vec3 p = space.node(i);
+  const WrittenSurface surface(mesh, source);
+  out << "OFF\n" << surface.node_count() << ' ' << surface.faces().size() << " 0\n";
+  for (Index i = 0; i < surface.node_count(); ++i) {
+    const Vec3 p = surface.node(i);
     out << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
   }
-  for (Index e = 0; e < mesh.topology->element_count(); ++e) {
-    const auto corners = space.element(e);
+  for (const FileCorners& corners : surface.faces()) {
     out << corners.size();
     for (const Index node : corners) out << ' ' << node;
     out << '\n';

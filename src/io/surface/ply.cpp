@@ -4,7 +4,6 @@
 #include <limits>
 #include <optional>
 
-#include "io/format/mesh_in_space.h"
 #include "io/surface/surface.h"
 #include "io/text/numbers.h"
 #include "io/text/scanner.h"
@@ -242,13 +241,13 @@ std::vector<std::string> write_ply(std::ostream& stream, const Mesh& mesh,
                                    const FormatDetails* source, bool binary) {
   static_assert(std::endian::native == std::endian::little);
   TextWriter out(stream);
-  const MeshInSpace space(mesh, source);
+  const WrittenSurface surface(mesh, source);
   out << "ply\nformat " << (binary ? "binary_little_endian" : "ascii") << " 1.0\nelement vertex "
-      << mesh.coordinates.size()
+      << surface.node_count()
       << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
-      << mesh.topology->element_count() << "\nproperty list uchar int vertex_indices\nend_header\n";
-  for (Index i = 0; i < mesh.coordinates.size(); ++i) {
-    const Vec3 p = space.node(i);
+      << surface.faces().size() << "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (Index i = 0; i < surface.node_count(); ++i) {
+    const Vec3 p = surface.node(i);
     const std::array<double, 3> xyz{p.x(), p.y(), p.z()};
     if (binary) {
       out.raw(xyz);
@@ -256,8 +255,7 @@ std::vector<std::string> write_ply(std::ostream& stream, const Mesh& mesh,
       out << xyz[0] << ' ' << xyz[1] << ' ' << xyz[2] << '\n';
     }
   }
-  for (Index e = 0; e < mesh.topology->element_count(); ++e) {
-    const auto corners = space.element(e);
+  for (const FileCorners& corners : surface.faces()) {
     if (binary) {
       out.raw(static_cast<std::uint8_t>(corners.size()));
       for (const Index node : corners) out.raw(node);

@@ -3,7 +3,6 @@
 #include <cstring>
 #include <map>
 
-#include "io/format/mesh_in_space.h"
 #include "io/surface/surface.h"
 #include "io/text/scanner.h"
 #include "io/text/text_writer.h"
@@ -107,59 +106,63 @@ ParsedMesh read_binary(Source& source) {
   return builder.finish(true);
 }
 
-/// Calls `facet(a, b, c)` for every triangle, and for both halves of every quadrilateral.
+/// Calls `facet(a, b, c)` for a triangle, and for both halves of a quadrilateral.
 template <class Facet>
-void for_each_facet(const Mesh& mesh, const MeshInSpace& space, Facet&& facet) {
-  for (Index e = 0; e < mesh.topology->element_count(); ++e) {
-    const auto n = space.element(e);
-    facet(n[0], n[1], n[2]);
-    if (n.size() == 4) facet(n[0], n[2], n[3]);
-  }
+void for_each_facet(const FileCorners& n, Facet&& facet) {
+  facet(n[0], n[1], n[2]);
+  if (n.size() == 4) facet(n[0], n[2], n[3]);
 }
 
-std::uint32_t facet_count(const Mesh& mesh) {
+std::uint32_t facet_count(const WrittenSurface& surface) {
   std::uint32_t n = 0;
-  for (Index e = 0; e < mesh.topology->element_count(); ++e)
-    n += mesh.topology->element_type(e) == ElementType::triangle ? 1 : 2;
+  for (const FileCorners& face : surface.faces()) n += face.size() == 3 ? 1 : 2;
   return n;
 }
 
-void write_ascii(TextWriter& out, const Mesh& mesh, const FormatDetails* source) {
-  out << "solid mesh\n";
-  const MeshInSpace space(mesh, source);
-  const Vec3 n = space.normal() + Vec3::Zero();  // no negative zeros
-  for_each_facet(mesh, space, [&](Index a, Index b, Index c) {
-    out << "facet normal " << n.x() << ' ' << n.y() << ' ' << n.z() << "\nouter loop\n";
-    for (const Index node : {a, b, c}) {
-      const Vec3 p = space.node(node);
-      out << "vertex " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
-    }
-    out << "endloop\nendfacet\n";
-  });
-  out << "endsolid mesh\n";
+/// Normal of a triangle of the surface, without negative zeros.
+Vec3 facet_normal(const WrittenSurface& surface, Index a, Index b, Index c) {
+  return surface.normal({{a, b, c}, 3}) + Vec3::Zero();
+}
+
+void write_solid(TextWriter& out, const WrittenSurface& surface,
+                 const WrittenSurface::Group& group) {
+  const std::string name = group.name.empty() ? "mesh" : one_word(group.name);
+  out << "solid " << name << '\n';
+  for (std::size_t f = group.first; f < group.first + group.count; ++f) {
+    for_each_facet(surface.faces()[f], [&](Index a, Index b, Index c) {
+      const Vec3 n = facet_normal(surface, a, b, c);
+      out << "facet normal " << n.x() << ' ' << n.y() << ' ' << n.z() << "\nouter loop\n";
+      for (const Index node : {a, b, c}) {
+        const Vec3 p = surface.node(node);
+        out << "vertex " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+      }
+      out << "endloop\nendfacet\n";
+    });
+  }
+  out << "endsolid " << name << '\n';
 }
 
 /// Returns false if some coordinate is no single-precision number.
-bool write_binary(TextWriter& out, const Mesh& mesh, const FormatDetails* source) {
+bool write_binary(TextWriter& out, const WrittenSurface& surface) {
   bool exact = true;
   std::array<char, header_bytes> header{};
   out.raw(header);
-  const MeshInSpace space(mesh, source);
-  const Eigen::Vector3f n = (space.normal() + Vec3::Zero()).cast<float>();  // no negative zeros
-  out.raw(facet_count(mesh));
-  for_each_facet(mesh, space, [&](Index a, Index b, Index c) {
-    out.raw(std::array<float, 3>{n.x(), n.y(), n.z()});
-    for (const Index node : {a, b, c}) {
-      const Vec3 p = space.node(node);
-      const Point exact_point{p.x(), p.y(), p.z()};
-      for (const double value : exact_point) {
-        const auto rounded = static_cast<float>(value);
-        exact = exact && static_cast<double>(rounded) == value;
-        out.raw(rounded);
+  out.raw(facet_count(surface));
+  for (const FileCorners& face : surface.faces()) {
+    for_each_facet(face, [&](Index a, Index b, Index c) {
+      const Eigen::Vector3f n = facet_normal(surface, a, b, c).cast<float>();
+      out.raw(std::array<float, 3>{n.x(), n.y(), n.z()});
+      for (const Index node : {a, b, c}) {
+        const Vec3 p = surface.node(node);
+        for (const double value : {p.x(), p.y(), p.z()}) {
+          const auto rounded = static_cast<float>(value);
+          exact = exact && static_cast<double>(rounded) == value;
+          out.raw(rounded);
+        }
       }
-    }
-    out.raw(std::uint16_t{0});
-  });
+      out.raw(std::uint16_t{0});
+    });
+  }
   return exact;
 }
 
@@ -179,14 +182,15 @@ ParsedMesh read_stl(Source& source) {
 
 std::vector<std::string> write_stl(std::ostream& stream, const Mesh& mesh,
                                    const FormatDetails* source, bool binary) {
-  std::vector<std::string> warnings = lost_in_surface(mesh);
+  std::vector<std::string> warnings = lost_in_surface(mesh, !binary);
+  const WrittenSurface surface(mesh, source);
   TextWriter out(stream);
   if (!binary) {
-    write_ascii(out, mesh, source);
-  } else if (!write_binary(out, mesh, source)) {
+    for (const WrittenSurface::Group& group : surface.groups()) write_solid(out, surface, group);
+  } else if (!write_binary(out, surface)) {
     warnings.emplace_back("binary STL holds single precision: the coordinates are rounded");
   }
-  if (static_cast<Index>(facet_count(mesh)) != mesh.topology->element_count()) {
+  if (facet_count(surface) != surface.faces().size()) {
     warnings.emplace_back("STL holds triangles only: quadrilaterals are written as two of them");
   }
   return warnings;

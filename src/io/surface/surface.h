@@ -8,6 +8,7 @@
 
 #include "core/mesh/mesh.h"
 #include "io/format/mesh_format.h"
+#include "io/format/mesh_in_space.h"
 
 /// Formats made for surfaces in space: vertices and faces, no markers. (OpenMesh reads and writes
 /// them in single precision only, so it serves here as the check in the tests, not as the reader.)
@@ -55,7 +56,41 @@ class Builder {
   std::set<std::string> dropped_;
 };
 
-/// Sentences about what a surface format cannot hold.
-std::vector<std::string> lost_in_surface(const Mesh& mesh);
+/// The polygons that a file of a mesh holds: the elements of a plane mesh with all its nodes, or
+/// what bounds a volume mesh, seen from outside counter-clockwise, with the nodes there.
+class WrittenSurface {
+ public:
+  /// What they refer to has to outlive this; details may be null.
+  WrittenSurface(const Mesh& mesh, const FormatDetails* details);
+
+  Index node_count() const { return static_cast<Index>(nodes_.size()); }
+  Vec3 node(Index i) const { return space_.node(nodes_[static_cast<std::size_t>(i)]); }
+  const std::vector<FileCorners>& faces() const { return faces_; }
+  /// Against which the triangle or quadrilateral goes round; a unit vector, or zero for one without
+  /// area.
+  Vec3 normal(const FileCorners& corners) const;
+
+  /// The faces of each marker of a volume mesh, one after the other, and of none; else one group.
+  struct Group {
+    std::string name;  ///< empty: of a plane mesh
+    std::size_t first, count;
+  };
+  const std::vector<Group>& groups() const { return groups_; }
+
+ private:
+  void add_boundary(const Topology& topology);
+
+  MeshInSpace space_;
+  bool plane_;
+  std::vector<Index> nodes_;
+  std::vector<FileCorners> faces_;
+  std::vector<Group> groups_;
+};
+
+/// A name without blanks.
+std::string one_word(const std::string& name);
+
+/// Sentences about what a surface format cannot hold. keeps_groups: it has parts with names.
+std::vector<std::string> lost_in_surface(const Mesh& mesh, bool keeps_groups = false);
 
 }  // namespace winslow::io::surface

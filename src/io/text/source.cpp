@@ -75,15 +75,35 @@ Source Source::load(const std::filesystem::path& path) {
   return {name, std::move(bytes)};
 }
 
+Source::Range Source::append(const std::filesystem::path& path) {
+  const Source other = load(path);
+  // A byte in between, so that the end of one file is not the beginning of the next.
+  if (!bytes_.empty()) bytes_ += '\n';
+  const std::size_t begin = bytes_.size();
+  bytes_ += other.bytes_;
+  appended_.push_back({begin, other.name_});
+  return {begin, bytes_.size()};
+}
+
 std::string Source::where(std::size_t offset) const {
   if (!part_.empty()) return name_ + ": " + part_;
   offset = std::min(offset, bytes_.size());
-  if (offset >= binary_from_) return name_ + ": byte " + std::to_string(offset);
+  std::size_t begin = 0;
+  const std::string* name = &name_;
+  for (const Part& part : appended_) {
+    if (part.begin > offset) break;
+    begin = part.begin;
+    name = &part.name;
+  }
+  if (begin == 0 && offset >= binary_from_) return *name + ": byte " + std::to_string(offset);
   // The end of a file that ends in a newline belongs to its last line.
-  if (offset == bytes_.size() && offset > 0 && bytes_[offset - 1] == '\n') --offset;
-  const auto lines =
-      std::count(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(offset), '\n');
-  return name_ + ":" + std::to_string(lines + 1);
+  const bool at_end = offset == bytes_.size() || std::ranges::any_of(appended_, [&](const Part& p) {
+                        return p.begin == offset + 1;
+                      });
+  if (at_end && offset > begin && bytes_[offset - 1] == '\n') --offset;
+  const auto lines = std::count(bytes_.begin() + static_cast<std::ptrdiff_t>(begin),
+                                bytes_.begin() + static_cast<std::ptrdiff_t>(offset), '\n');
+  return *name + ":" + std::to_string(lines + 1);
 }
 
 void Source::fail(std::size_t offset, const std::string& message) const {

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace winslow::io {
 
@@ -17,13 +18,19 @@ class Source {
   Source(std::string name, std::string bytes) : name_(std::move(name)), bytes_(std::move(bytes)) {}
 
   const std::string& name() const { return name_; }
+  /// Reads another file, as load() does, behind what there is: a mesh may be in several. Views into
+  /// text() are no longer good then.
+  struct Range {
+    std::size_t begin, end;
+  };
+  Range append(const std::filesystem::path& path);
   std::string_view text() const { return bytes_; }
   /// Offset in the file of a view into text().
   std::size_t offset_of(std::string_view part) const {
     return static_cast<std::size_t>(part.data() - bytes_.data());
   }
 
-  /// From this offset on the file is binary: places are named by byte instead of by line.
+  /// From this offset on the (first) file is binary: places are named by byte instead of by line.
   void set_binary_from(std::size_t offset) { binary_from_ = offset; }
   /// Of a file whose parts have names instead of lines ("/Base/Zone/ZoneBC" of CGNS): the one that
   /// is being read, by which places are named from now on.
@@ -41,6 +48,11 @@ class Source {
   std::string name_;
   std::string bytes_;
   std::size_t binary_from_ = std::string::npos;
+  struct Part {
+    std::size_t begin;
+    std::string name;
+  };
+  std::vector<Part> appended_;
   std::string part_;
 };
 

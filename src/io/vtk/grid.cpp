@@ -1,5 +1,6 @@
 #include "io/vtk/grid.h"
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -41,6 +42,16 @@ bool add_name(std::string_view name, std::string_view prefix, const std::vector<
 }
 
 }  // namespace
+
+CellType cell_type_of(const Face& face) {
+  return face.size() == 2 ? line : face.size() == 3 ? triangle : quadrilateral;
+}
+
+CellType cell_type_of(ElementType type) {
+  static constexpr std::array<CellType, 6> types{triangle, quadrilateral, tetrahedron,
+                                                 pyramid,  wedge,         hexahedron};
+  return types[static_cast<std::size_t>(type)];
+}
 
 void Grid::add_cell(CellType type, std::span<const Index> nodes, int marker_tag, int region_tag) {
   types.push_back(type);

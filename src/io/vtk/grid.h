@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "core/mesh/mesh.h"
-#include "io/format/line_details.h"
+#include "io/format/boundary_details.h"
 #include "io/format/parsed_mesh.h"
 
 /// VTK files, legacy and XML: "VTK File Formats" (Kitware). VTK knows no markers; ours are line
-/// cells with an integer cell array "marker" (the marker's tag, 0 elsewhere), and one field array
-/// "marker:NAME" per marker that holds its tag. Regions likewise: "region", "region:NAME".
+/// cells, those of volume meshes triangles and quadrilaterals, with an integer cell array "marker"
+/// (the marker's tag, 0 elsewhere), and one field array "marker:NAME" per marker that holds its
+/// tag. Regions likewise: "region", "region:NAME".
 namespace winslow::io::vtk {
 
 /// Cell types of VTK that we know by name.
@@ -24,8 +25,16 @@ enum CellType : std::uint8_t {
   triangle = 5,
   polygon = 7,
   pixel = 8,
-  quadrilateral = 9
+  quadrilateral = 9,
+  tetrahedron = 10,
+  voxel = 11,
+  hexahedron = 12,
+  wedge = 13,
+  pyramid = 14
 };
+/// The cell that a face of a marker is.
+CellType cell_type_of(const Face& face);
+CellType cell_type_of(ElementType type);
 
 using NamedTag = std::pair<std::string, int>;
 
@@ -49,10 +58,10 @@ struct Grid {
 };
 
 /// Cells in the order of the file.
-struct Details : LineDetails {
+struct Details : BoundaryDetails {
   struct Item {
-    CellType type;  ///< vertex, line, triangle (for any element)
-    Index index;    ///< into points, lines, or the elements of the mesh
+    enum class Kind : std::uint8_t { point, side, element } kind;
+    Index index;  ///< into points, sides, or the elements of the mesh
   };
   std::vector<Item> items;
 };

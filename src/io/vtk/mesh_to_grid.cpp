@@ -1,5 +1,6 @@
 #include "io/format/groups.h"
 #include "io/format/mesh_in_space.h"
+#include "io/format/vtk_wedge.h"
 #include "io/vtk/grid.h"
 
 namespace winslow::io::vtk {
@@ -28,18 +29,18 @@ class GridBuilder {
   }
 
   Grid in_order_of(const Details& details) {
-    std::vector<int> tag_of_line(details.lines.size(), 0);
-    for (std::size_t m = 0; m < details.marker_lines.size(); ++m) {
-      for (const Index l : details.marker_lines[m]) {
-        tag_of_line[static_cast<std::size_t>(l)] = markers_[m];
+    std::vector<int> tag_of_side(details.sides.size(), 0);
+    for (std::size_t m = 0; m < details.marker_sides.size(); ++m) {
+      for (const Index side : details.marker_sides[m]) {
+        tag_of_side[static_cast<std::size_t>(side)] = markers_[m];
       }
     }
     for (const auto& item : details.items) {
       const auto i = static_cast<std::size_t>(item.index);
-      if (item.type == vertex) {
+      if (item.kind == Details::Item::Kind::point) {
         grid_.add_cell(vertex, {&details.points[i], 1}, 0, 0);
-      } else if (item.type == line) {
-        grid_.add_cell(line, details.lines[i], tag_of_line[i], 0);
+      } else if (item.kind == Details::Item::Kind::side) {
+        add_side(details.sides[i], tag_of_side[i]);
       } else {
         add_element(item.index);
       }
@@ -50,9 +51,7 @@ class GridBuilder {
   Grid elements_then_markers() {
     for (Index e = 0; e < topology_.element_count(); ++e) add_element(e);
     for (std::size_t m = 0; m < markers_.size(); ++m) {
-      for (const Face& edge : topology_.markers()[m].faces) {
-        grid_.add_cell(line, edge.edge(), markers_[m], 0);
-      }
+      for (const Face& face : topology_.markers()[m].faces) add_side(face, markers_[m]);
     }
     return std::move(grid_);
   }
@@ -61,9 +60,14 @@ class GridBuilder {
   void add_element(Index e) {
     const auto of = topology_.element_regions();
     const Index region = of.empty() ? -1 : of[static_cast<std::size_t>(e)];
-    grid_.add_cell(topology_.element_type(e) == ElementType::triangle ? triangle : quadrilateral,
-                   space_.element(e), 0,
+    const ElementType type = topology_.element_type(e);
+    FileCorners corners = space_.element(e);
+    if (type == ElementType::prism) mirror_prism(corners.nodes);
+    grid_.add_cell(cell_type_of(type), {corners.data(), corners.size()}, 0,
                    region < 0 ? 0 : regions_[static_cast<std::size_t>(region)]);
+  }
+  void add_side(const Face& face, int tag) {
+    grid_.add_cell(cell_type_of(face), {face.begin(), face.size()}, tag, 0);
   }
 
   const Topology& topology_;

@@ -11,6 +11,8 @@ const MeshFormat legacy_format{
     .markers = "yes, see below",
     .regions = "yes",
     .quadrilaterals = "yes",
+    .volumes = "yes",
+    .writes_volumes = true,
     .keeps_markers = true,
     .has_binary = true,
     .recognise =
@@ -33,6 +35,8 @@ const MeshFormat vtu_format{
     .markers = "yes, see below",
     .regions = "yes",
     .quadrilaterals = "yes",
+    .volumes = "yes",
+    .writes_volumes = true,
     .keeps_markers = true,
     .has_binary = true,
     .recognise =

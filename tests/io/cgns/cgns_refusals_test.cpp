@@ -64,7 +64,11 @@ TEST_CASE("CGNS: what is refused is named, with what was expected") {
   CHECK(refusal([](const auto& path) {
           LibraryFile file(path, CG_FILE_HDF5, 3, 3);
           file.start_zone("blk", 8, 1);
-        }) == "a.cgns: /Base: found CellDimension 3 (a 3D mesh), expected 2");
+        }) == "a.cgns: /Base/blk: found no GridCoordinates, expected coordinates");
+  CHECK(refusal([](const auto& path) {
+          LibraryFile file(path, CG_FILE_HDF5, 1, 3);
+          file.start_zone("blk", 8, 1);
+        }) == "a.cgns: /Base: found CellDimension 1, expected 2 or 3");
   CHECK(refusal([](const auto& path) { LibraryFile file(path, CG_FILE_ADF); }) ==
         "a.cgns: /: found no Zone_t node in any base, expected a mesh");
   CHECK(refusal_of_section(QUAD_9, cgns_range(1, 9), 1) ==
@@ -92,16 +96,17 @@ TEST_CASE("CGNS: what is refused is named, with what was expected") {
         }) ==
         "a.cgns: /Base/blk/GridCoordinates: found CoordinateR, CoordinateTheta, expected "
         "CoordinateX and CoordinateY");
-  CHECK_CONTAINS(refusal([](const auto& path) {
-                   LibraryFile file(path, CG_FILE_HDF5, 2, 3);
-                   file.start_zone("blk", 16, 9);
-                   file.coordinates(plain_square().coordinates);
-                   std::vector<double> z(16, 0.0);
-                   z[7] = 0.5;
-                   file.coordinate("CoordinateZ", z);
-                   write_mixed(file, plain_square());
-                 }),
-                 "a.cgns: /Base/blk/GridCoordinates: found z = 0.5 after z = 0 (a 3D mesh)");
+  CHECK_CONTAINS(
+      refusal([](const auto& path) {
+        LibraryFile file(path, CG_FILE_HDF5, 2, 3);
+        file.start_zone("blk", 16, 9);
+        file.coordinates(plain_square().coordinates);
+        std::vector<double> z(16, 0.0);
+        z[7] = 0.5;
+        file.coordinate("CoordinateZ", z);
+        write_mixed(file, plain_square());
+      }),
+      "a.cgns: /Base/blk/GridCoordinates: found z = 0.5 after z = 0 (a surface in space)");
   CHECK(refusal([](const auto& path) {
           LibraryFile file(path, CG_FILE_HDF5);
           file.start_zone("blk", 16, 9);

@@ -27,7 +27,7 @@ TEST_CASE("what is no readable file gets a clear error") {
   write_text(folder / "a.xyz", "hello\n");
   CHECK_CONTAINS(reading_error(folder / "a.xyz"),
                  "a.xyz:1: found a file of unknown format, expected a mesh (.su2, .msh, .vtk, "
-                 ".vtu, .cgns, .obj, .off, .ply, .stl)");
+                 ".vtu, .cgns, .ugrid, .mesh, .foam, .obj, .off, .ply, .stl)");
 }
 
 TEST_CASE("the content decides the format, whatever the name") {

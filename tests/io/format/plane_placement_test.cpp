@@ -180,8 +180,9 @@ TEST_CASE("SU2 takes the in-plane coordinates, and says so") {
 TEST_CASE("a surface that is not plane is refused with how far it is from one") {
   const auto bent = [](const Vec2& p) { return Vec3(p.x(), p.x() * p.x(), p.y()); };
   const std::string error = input_error("a.obj", obj_text(square(4, Cells::quads), bent));
-  CHECK_CONTAINS(error, "(a 3D mesh), nodes up to 0.1");
-  CHECK_CONTAINS(error, "away from the nearest plane, expected a 2D mesh, all nodes in one plane");
+  CHECK_CONTAINS(error, "(a surface in space), nodes up to 0.1");
+  CHECK_CONTAINS(error,
+                 "away from the nearest plane, expected a plane mesh, all nodes in one plane");
 }
 
 TEST_CASE("noise out of the plane counts for nothing, and stays with its node") {

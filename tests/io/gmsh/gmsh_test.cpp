@@ -191,13 +191,14 @@ TEST_CASE("MSH 4.1: bad input is refused with file and line") {
                  "a.msh:35: found the end of the file, expected coordinates of node 9 of 9");
   CHECK_CONTAINS(error("0.5 0.5 0", "0.5 nan 0"), "a.msh:32: found nan as a coordinate");
   CHECK_CONTAINS(error("0.5 0.5 0", "0.5 0.5 0.25"),
-                 "a.msh:32: found z = 0.25 after z = 0 (a 3D mesh)");
+                 "a.msh:32: found z = 0.25 after z = 0 (a surface in space)");
   CHECK_CONTAINS(error("0.5 0.5 0", "0.5 0.5"), "a.msh:32: found the end of the line, expected");
   CHECK_CONTAINS(error("0.5 0.5 0", "0.5 0.5 0 0"), "a.msh:32: found '0', expected the end");
   CHECK_CONTAINS(error("0.5 0.5 0", "0.5 0 0"), "a.msh:32: node 4 lies exactly where node 1");
   CHECK_CONTAINS(error("1\n2\n3\n", "1\n2\n2\n"), "node tag 2 a second time");
   CHECK_CONTAINS(error("1\n2\n3\n", "1\n2\n-3\n"), "a.msh:21: found -3 as a node tag");
-  CHECK_CONTAINS(error("2 1 2 4", "2 1 4 4"), "a.msh:49: found element type 4 (a 3D mesh)");
+  CHECK_CONTAINS(error("2 1 2 4", "2 1 4 4"),
+                 "a.msh:50: found the end of the line, expected element 7");
   CHECK_CONTAINS(error("2 1 2 4", "2 1 9 4"), "a.msh:49: found element type 9 (second or higher");
   CHECK_CONTAINS(error("7 4 5 7\n", "7 4 4 7\n"), "a.msh:50: element 2 uses node 3 twice");
   CHECK_CONTAINS(error("1 9 1 9", "1 1000000000000 1 9"), "a.msh:17: found 1000000000000");
@@ -233,7 +234,7 @@ TEST_CASE("MSH 2.2: bad input is refused with file and line") {
   CHECK_CONTAINS(error("5 0.5 0.5 0", "5 0.5 0.5 1"), "a.msh:16: found z = 1");
   CHECK_CONTAINS(error("5 0.5 0.5 0", "4 0.5 0.5 0"), "a.msh:16: found node tag 4 a second time");
   CHECK_CONTAINS(error("$Nodes\n9", "$Nodes\n99999999999"), "a.msh:11: found 99999999999");
-  CHECK_CONTAINS(error("10 2 2 3 1 6 9 8", "10 4 2 3 1 6 9 8 7"), "element type 4 (a 3D mesh)");
+  CHECK_CONTAINS(error("10 2 2 3 1 6 9 8", "10 4 2 3 1 6 9 8 7"), "expected a face of an element");
   CHECK_CONTAINS(error("10 2 2 3 1 6 9 8", "10 2 2 3 1 6 9"), "found the end of the line");
 }
 
@@ -258,7 +259,7 @@ TEST_CASE("MSH binary: bad input is refused with the byte") {
                  "a.msh: byte " + std::to_string(nodes + 8) + ": found 1152921504606846976");
   // 2.2: the first element block: type, number of elements, number of tags.
   const std::size_t block = binary_2.find("$Elements\n10\n") + 13;
-  CHECK_CONTAINS(input_error("a.msh", set_int(binary_2, block, 4)), "element type 4 (a 3D mesh)");
+  CHECK_CONTAINS(input_error("a.msh", set_int(binary_2, block, 11)), "element type 11 (second");
   CHECK_CONTAINS(input_error("a.msh", set_int(binary_2, block + 4, 11)), "found 11 elements");
   CHECK_CONTAINS(input_error("a.msh", set_int(binary_2, block + 8, -1)), "found -1 tags");
 }

@@ -109,9 +109,10 @@ TEST_CASE("VTK: bad input is refused with file and line") {
   CHECK_CONTAINS(error("3 5 8 7", "3 5 5 7"), "a.vtk:21: element 5 uses node 5 twice");
   CHECK_CONTAINS(error("3 5 8 7", "99 5 8 7"), "a.vtk:21: found 99 as the size of a cell");
   CHECK_CONTAINS(error("1 0.5 0", "1 nan 0"), "a.vtk:11: found nan");
-  CHECK_CONTAINS(error("1 0.5 0", "1 0.5 3"), "a.vtk:11: found z = 3 after z = 0 (a 3D mesh)");
+  CHECK_CONTAINS(error("1 0.5 0", "1 0.5 3"),
+                 "a.vtk:11: found z = 3 after z = 0 (a surface in space)");
   CHECK_CONTAINS(error("CELL_TYPES 10\n9", "CELL_TYPES 10\n10"),
-                 "a.vtk:16: found cell type 10 (a 3D mesh)");
+                 "a.vtk:16: element 0 has no volume");
   CHECK_CONTAINS(error("CELL_TYPES 10\n9", "CELL_TYPES 10\n22"), "(second or higher order)");
   CHECK_CONTAINS(error("CELL_TYPES 10\n9", "CELL_TYPES 10\n5"), "a.vtk:16: found 4 nodes");
   CHECK_CONTAINS(error("CELL_DATA 10", "CELL_DATA 9"), "found data for 9 cells, expected 10");
@@ -149,14 +150,15 @@ TEST_CASE("VTU: bad input is refused with file and line") {
   CHECK_CONTAINS(error("1 0.5 0\n", "1 0.5\n"), "found 26 coordinates, expected three");
   CHECK_CONTAINS(error("1 0.5 0\n", "1 x 0\n"), "a.vtu:20: found 'x', expected a number");
   CHECK_CONTAINS(error("1 0.5 0\n", "1 nan 0\n"), "a.vtu:20: found nan");
-  CHECK_CONTAINS(error("1 0.5 0\n", "1 0.5 1\n"), "a.vtu:20: found z = 1 after z = 0 (a 3D mesh)");
+  CHECK_CONTAINS(error("1 0.5 0\n", "1 0.5 1\n"),
+                 "a.vtu:20: found z = 1 after z = 0 (a surface in space)");
   CHECK_CONTAINS(error("Points=\"9\"", "Points=\"8\""), "found NumberOfPoints='8', expected 9");
   CHECK_CONTAINS(error("Cells=\"10\"", "Cells=\"99999999999\""), "found NumberOfCells=");
   CHECK_CONTAINS(error("0 1 4 3", "0 1 4 9"), "a.vtu:28: found node 9, expected 0 to 8");
   CHECK_CONTAINS(error("4 8 11", "4 3 11"), "a.vtu:33: found 3 as the offset of a cell");
   CHECK_CONTAINS(error("26 28", "26 29"), "a.vtu:33: found 29 as the offset of a cell");
   CHECK_CONTAINS(error("26 28", "26 27"), "expected 27, the last offset");
-  CHECK_CONTAINS(error("9 9 5 5", "10 9 5 5"), "found cell type 10 (a 3D mesh)");
+  CHECK_CONTAINS(error("9 9 5 5", "10 9 5 5"), "element 0 has no volume");
   CHECK_CONTAINS(error("9 9 5 5", "9 9 5"), "found 9 cell types, expected 10");
   CHECK_CONTAINS(error("0 0 0 0 0 0 1", "0 0 0 0 0 1"), "9 values in cell array \"marker\"");
   CHECK_CONTAINS(error("type=\"UnstructuredGrid\"", "type=\"PolyData\""),

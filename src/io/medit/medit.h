@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/format/boundary_details.h"
+#include "io/format/mesh_format.h"
+
+/// Medit's ASCII format (.mesh): P. Frey, "Medit: an interactive mesh visualization software",
+/// INRIA RT-0253 (2001), with the pyramids and prisms of libMeshb. Every entry ends in a reference:
+/// those of elements are tags of regions, those of the faces around them tags of markers, 0 stands
+/// for none. The format has no names; comments "# marker TAG NAME" and "# region TAG NAME" hold
+/// ours.
+namespace winslow::io::medit {
+
+/// A section of elements.
+struct Kind {
+  std::string_view keyword;
+  std::optional<ElementType> type;  ///< none: edges
+  std::size_t corners;
+  int dimension;
+};
+/// Edges, triangles, ..., hexahedra, in the order in which they are written.
+std::span<const Kind> kinds();
+
+/// What a file says beyond a mesh.
+struct Details : BoundaryDetails {
+  struct Section {
+    enum class Part { raw, dimension, vertices, cells } part;
+    std::string raw;             ///< bytes as they are: names, and what we do not know
+    const Kind* kind = nullptr;  ///< of cells
+    Index first = 0, count = 0;  ///< of the sides, or of the elements of the mesh
+  };
+  int version = 2;    ///< 1 is single precision to other programs
+  int dimension = 3;  ///< of the coordinates
+  int cell_dimension = 3;
+  std::vector<Section> sections;
+  std::vector<int> vertex_references, side_references, element_references;
+};
+
+extern const MeshFormat format;
+
+ParsedMesh read(Source& source);
+std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* details);
+
+}  // namespace winslow::io::medit

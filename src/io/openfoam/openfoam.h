@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/format/mesh_format.h"
+
+/// Meshes of OpenFOAM: the folder constant/polyMesh of a case, with the files points, faces, owner,
+/// neighbour and boundary; OpenFOAM User Guide, "Mesh description". ASCII, each file compressed or
+/// not. A path may be the folder, its case, or an (empty) file NAME.foam in the case, as ParaView
+/// wants one.
+namespace winslow::io::openfoam {
+
+/// In the order in which they are read.
+constexpr std::array<const char*, 5> file_names{"points", "faces", "owner", "neighbour",
+                                                "boundary"};
+
+/// What a mesh says beyond ours: its files, which stay as they are while nodes only move.
+struct Details : FormatDetails {
+  std::array<std::string, 5> texts;  ///< of points only what is around the list
+  std::string points_end;
+  bool compressed = false;
+  Index nodes = 0;  ///< sizes of the mesh that the details belong to
+  Index elements = 0;
+  std::vector<Marker> markers;
+
+  bool fits(const Mesh& mesh) const;
+};
+
+extern const MeshFormat format;
+
+ParsedMesh read(Source& source);
+std::vector<OutputFile> files(const std::filesystem::path& path, const Mesh& mesh,
+                              const FormatDetails* details, const WriteOptions& options,
+                              std::vector<std::string>& warnings);
+
+}  // namespace winslow::io::openfoam

@@ -1,0 +1,55 @@
+#include "io/su2/su2_types.h"
+
+#include <array>
+
+namespace winslow::io::su2 {
+namespace {
+
+constexpr std::int64_t line = 3;
+/// By ElementType.
+constexpr std::array<std::int64_t, 6> numbers{5, 9, 10, 14, 13, 12};
+
+std::optional<ElementType> any_element_of(std::int64_t number) {
+  for (const ElementType type : all_element_types) {
+    if (element_number(type) == number) return type;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::int64_t element_number(ElementType type) { return numbers[static_cast<std::size_t>(type)]; }
+
+std::optional<ElementType> element_of(std::int64_t number, int dimension) {
+  const auto type = any_element_of(number);
+  return type && dimension_of(*type) == dimension ? type : std::nullopt;
+}
+
+std::int64_t face_number(std::size_t corners) {
+  if (corners == 2) return line;
+  return element_number(corners == 3 ? ElementType::triangle : ElementType::quadrilateral);
+}
+
+std::size_t face_corners(std::int64_t number, int dimension) {
+  if (dimension == 2) return number == line ? 2 : 0;
+  const auto type = element_of(number, 2);
+  return type ? static_cast<std::size_t>(corner_count(*type)) : 0;
+}
+
+std::string element_list(int dimension) {
+  return dimension == 2 ? "5 (triangle) or 9 (quadrilateral)"
+                        : "10 (tetrahedron), 12 (hexahedron), 13 (prism) or 14 (pyramid)";
+}
+
+std::string type_hint(std::int64_t number, int dimension, bool of_marker) {
+  // SU2 adds 100 for each order above the first of elements with Lagrange nodes.
+  if (number > 100 && number < 2000) return " (order " + std::to_string(number / 100 + 1) + ")";
+  if (const auto type = any_element_of(number)) {
+    if (dimension_of(*type) == dimension - (of_marker ? 1 : 0)) return {};
+    return dimension == 2 ? " (a 3D mesh)" : of_marker ? " (a 3D element)" : " (a 2D element)";
+  }
+  if (number >= 21 && number <= 37) return " (second order)";
+  return {};
+}
+
+}  // namespace winslow::io::su2

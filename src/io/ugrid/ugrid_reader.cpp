@@ -1,0 +1,201 @@
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <set>
+
+#include "io/format/groups.h"
+#include "io/text/numbers.h"
+#include "io/text/scanner.h"
+#include "io/ugrid/mapbc.h"
+#include "io/ugrid/ugrid.h"
+
+namespace winslow::io::ugrid {
+namespace {
+
+/// The numbers of a file, from words or from bytes.
+class Numbers {
+ public:
+  Numbers(const Source& source, const Encoding& encoding)
+      : source_(source), scan_(source), encoding_(encoding) {}
+
+  std::size_t offset() {
+    if (!encoding_.binary) scan_.skip_space();
+    return scan_.offset();
+  }
+  std::size_t bytes_left() const { return scan_.bytes_left(); }
+
+  std::int64_t integer(const Expected& expected) {
+    if (encoding_.binary) return static_cast<std::int32_t>(take<std::uint32_t>(expected));
+    scan_.skip_space();
+    return scan_.integer(expected);
+  }
+  double real(const Expected& expected) {
+    if (!encoding_.binary) {
+      scan_.skip_space();
+      return scan_.number(expected);
+    }
+    if (encoding_.single)
+      return static_cast<double>(std::bit_cast<float>(take<std::uint32_t>(expected)));
+    return std::bit_cast<double>(take<std::uint64_t>(expected));
+  }
+  /// A count of things of so many numbers each: no more than the rest of the file can hold.
+  std::int64_t count(const Expected& expected, std::size_t numbers_each) {
+    const std::size_t at = offset();
+    const std::int64_t n = integer(expected);
+    return checked_count(source_, at, n, numbers_each * (encoding_.binary ? 4 : 2), bytes_left(),
+                         expected);
+  }
+
+ private:
+  template <class Value>
+  Value take(const Expected& expected) {
+    if (scan_.bytes_left() < sizeof(Value))
+      source_.fail(source_.text().size(), "the end of the file", expected.text());
+    std::array<char, sizeof(Value)> bytes;
+    std::memcpy(bytes.data(), source_.text().data() + scan_.offset(), sizeof(Value));
+    if (encoding_.big_endian == (std::endian::native == std::endian::little))
+      std::reverse(bytes.begin(), bytes.end());
+    scan_.seek(scan_.offset() + sizeof(Value));
+    return std::bit_cast<Value>(bytes);
+  }
+
+  const Source& source_;
+  Scanner scan_;
+  Encoding encoding_;
+};
+
+class Reader {
+ public:
+  Reader(Source& source, const Encoding& encoding) : source_(source), numbers_(source, encoding) {
+    mesh_.details = details_;
+    details_->encoding = encoding;
+    details_->binary = encoding.binary;
+  }
+
+  ParsedMesh read() {
+    const Counts counts = read_counts();
+    const std::vector<double> xyz = read_points(counts.nodes);
+    read_sides(counts);
+    for (std::size_t k = 0; k < element_order.size(); ++k)
+      read_elements(element_order[k], counts.elements[k]);
+    if (mesh_.data.types.empty()) source_.fail(0, "no element with a volume", "a volume mesh");
+    set_space_nodes(source_, xyz, mesh_);
+    // Generators append data on layers and on the volumes that elements belong to.
+    if (numbers_.offset() < source_.text().size())
+      mesh_.warnings.emplace_back("data behind the elements are not kept");
+    details_->nodes = mesh_.data.node_count();
+    details_->elements = mesh_.data.element_count();
+    return std::move(mesh_);
+  }
+  Details& details() { return *details_; }
+  const std::vector<int>& tags() const { return tags_; }
+  const std::vector<std::size_t>& tag_places() const { return tag_places_; }
+
+ private:
+  Counts read_counts() {
+    Counts counts;
+    counts.nodes = numbers_.count({"the number of nodes"}, 3);
+    counts.triangles = numbers_.count({"the number of boundary triangles"}, 4);
+    counts.quadrilaterals = numbers_.count({"the number of boundary quadrilaterals"}, 5);
+    counts.elements[0] = numbers_.count({"the number of tetrahedra"}, 4);
+    counts.elements[1] = numbers_.count({"the number of pyramids"}, 5);
+    counts.elements[2] = numbers_.count({"the number of prisms"}, 6);
+    counts.elements[3] = numbers_.count({"the number of hexahedra"}, 8);
+    return counts;
+  }
+
+  std::vector<double> read_points(std::int64_t count) {
+    std::vector<double> xyz;
+    const auto n = static_cast<Index>(count);
+    xyz.reserve(3 * static_cast<std::size_t>(n));
+    mesh_.where.nodes.reserve(static_cast<std::size_t>(n));
+    for (Index i = 0; i < n; ++i) {
+      mesh_.where.nodes.push_back(numbers_.offset());
+      for (int k = 0; k < 3; ++k) xyz.push_back(numbers_.real({"a coordinate of node", i, n}));
+    }
+    nodes_ = count;
+    return xyz;
+  }
+
+  /// Nodes count from 1 in the file.
+  void read_corners(std::span<Index> corners, const Expected& expected) {
+    for (Index& corner : corners) {
+      const std::size_t at = numbers_.offset();
+      const std::int64_t node = numbers_.integer(expected);
+      if (node < 1 || node > nodes_) {
+        source_.fail(at, "node " + std::to_string(node),
+                     "1 to " + std::to_string(nodes_) + " as a node of " + expected.text());
+      }
+      corner = static_cast<Index>(node - 1);
+    }
+  }
+
+  void read_sides(const Counts& counts) {
+    std::vector<std::size_t> places;
+    const auto n = static_cast<Index>(counts.triangles + counts.quadrilaterals);
+    for (Index s = 0; s < n; ++s) {
+      std::array<Index, 4> corners{};
+      const std::span<Index> used(corners.data(), s < counts.triangles ? 3 : 4);
+      places.push_back(numbers_.offset());
+      read_corners(used, {"boundary face", s, n});
+      details_->sides.emplace_back(used);
+    }
+    for (Index s = 0; s < n; ++s) {
+      tag_places_.push_back(places[static_cast<std::size_t>(s)]);
+      const std::size_t at = numbers_.offset();
+      const std::int64_t tag = numbers_.integer({"the surface of boundary face", s, n});
+      if (tag != static_cast<int>(tag))
+        source_.fail(at, std::to_string(tag) + " as the number of a surface", "a smaller one");
+      tags_.push_back(static_cast<int>(tag));
+    }
+  }
+
+  void read_elements(ElementType type, std::int64_t count) {
+    const auto n = static_cast<Index>(count);
+    const auto size = static_cast<std::size_t>(corner_count(type));
+    std::array<Index, 8> corners{};
+    for (Index e = 0; e < n; ++e) {
+      mesh_.where.elements.push_back(numbers_.offset());
+      read_corners({corners.data(), size}, {shape_of(type).name.data(), e, n});
+      if (type == ElementType::pyramid) {
+        // Its quadrilateral is 1 4 5 2, its apex 3.
+        const auto f = corners;
+        corners = {f[0], f[3], f[4], f[1], f[2]};
+      }
+      mesh_.data.add_element(type, {corners.data(), size});
+    }
+  }
+
+  Source& source_;
+  Numbers numbers_;
+  ParsedMesh mesh_;
+  std::shared_ptr<Details> details_ = std::make_shared<Details>();
+  std::int64_t nodes_ = 0;
+  std::vector<int> tags_;
+  std::vector<std::size_t> tag_places_;
+};
+
+}  // namespace
+
+ParsedMesh read(Source& source) {
+  const auto found = encoding_of_content(source.text());
+  const Encoding encoding = found ? *found : encoding_of_name(source.name()).value_or(Encoding{});
+  if (encoding.binary) source.set_binary_from(0);
+  Reader reader(source, encoding);
+  ParsedMesh mesh = reader.read();
+  Details& details = reader.details();
+  details.surfaces = read_mapbc(source, mapbc_path(source.name()));
+  GroupIndex markers("surface_");
+  const std::set<int> used(reader.tags().begin(), reader.tags().end());
+  for (const Surface& surface : details.surfaces) {
+    if (used.contains(surface.tag) && !surface.name.empty()) markers.add(surface.tag, surface.name);
+  }
+  for (std::size_t s = 0; s < details.sides.size(); ++s) {
+    add_marker_side(markers.find(reader.tags()[s]), static_cast<Index>(s), reader.tag_places()[s],
+                    details, mesh);
+  }
+  make_markers(markers.all(), details, mesh);
+  return mesh;
+}
+
+}  // namespace winslow::io::ugrid

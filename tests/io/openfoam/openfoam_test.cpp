@@ -1,0 +1,216 @@
+#include <set>
+#include <sstream>
+
+#include "io/file/atomic_file.h"
+
+#include "io/support/volume_samples.h"
+
+namespace winslow::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The unit cube, as blockMesh writes it: one cell, three patches.
+const std::string points =
+    "/* a comment */\nFoamFile\n{\n    format ascii; // text\n    class vectorField;\n}\n"
+    "8\n(\n(0 0 0)\n(1 0 0)\n(0 1 0)\n(1 1 0)\n(0 0 1)\n(1 0 1)\n(0 1 1)\n(1 1 1)\n)\n// end\n";
+const std::string faces =
+    "6\n(\n4(0 4 6 2)\n4(1 3 7 5)\n4(0 1 5 4)\n4(2 6 7 3)\n4(0 2 3 1)\n4(4 5 7 6)\n)\n";
+const std::string boundary =
+    "3\n(\n    inlet { type patch; nFaces 1; startFace 0; }\n    outlet\n    {\n        type "
+    "patch;\n"
+    "        inGroups 1(out);\n        nFaces 1;\n        startFace 1;\n    }\n"
+    "    sides { type wall; nFaces 4; startFace 2; }\n)\n";
+
+fs::path write_case(const TemporaryFolder& folder, const std::string& the_points,
+                    const std::string& the_faces, const std::string& the_boundary) {
+  const fs::path mesh = folder / "constant/polyMesh";
+  fs::create_directories(mesh);
+  write_text(mesh / "points", the_points);
+  write_text(mesh / "faces", the_faces);
+  write_text(mesh / "owner", "6(0 0 0 0 0 0)");
+  write_text(mesh / "neighbour", "0()");
+  write_text(mesh / "boundary", the_boundary);
+  return mesh;
+}
+
+std::string error_of(const std::string& file, const std::string& part, const std::string& by) {
+  const TemporaryFolder folder;
+  const auto changed = [&](const char* name, const std::string& text) {
+    return file == name ? replaced(text, part, by) : text;
+  };
+  const fs::path mesh = write_case(folder, changed("points", points), changed("faces", faces),
+                                   changed("boundary", boundary));
+  try {
+    io::read_mesh(mesh);
+  } catch (const InputError& error) {
+    return std::string(error.what()).substr(mesh.string().size() + 1);
+  }
+  return "no error";
+}
+
+std::set<Index> node_set(std::span<const Index> nodes) { return {nodes.begin(), nodes.end()}; }
+
+/// Cells have no first corner in OpenFOAM, and faces of patches are seen from outside.
+void check_same_cells(const Mesh& a, const Mesh& b) {
+  CHECK(a.coordinates == b.coordinates);
+  REQUIRE(a.topology->element_count() == b.topology->element_count());
+  for (Index e = 0; e < a.topology->element_count(); ++e) {
+    CHECK(a.topology->element_type(e) == b.topology->element_type(e));
+    CHECK(node_set(a.topology->element(e)) == node_set(b.topology->element(e)));
+  }
+  REQUIRE(a.topology->markers().size() == b.topology->markers().size());
+  for (std::size_t m = 0; m < a.topology->markers().size(); ++m) {
+    const Marker& p = a.topology->markers()[m];
+    const Marker& q = b.topology->markers()[m];
+    CHECK(p.name == q.name);
+    REQUIRE(p.faces.size() == q.faces.size());
+    for (std::size_t f = 0; f < p.faces.size(); ++f) {
+      CHECK(p.faces[f].sorted() == q.faces[f].sorted());
+      CHECK(p.faces[f][0] == q.faces[f][0]);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("OpenFOAM: a case, its folder, and a file .foam in it are the same mesh") {
+  const TemporaryFolder folder;
+  const fs::path mesh = write_case(folder, points, faces, boundary);
+  write_text(folder / "cube.foam", "");
+  for (const fs::path& path : {mesh, folder.path(), folder / "cube.foam", folder / "constant"}) {
+    CAPTURE(path);
+    const io::MeshFile file = io::read_mesh(path);
+    CHECK(file.warnings.empty());
+    const Topology& topology = *file.mesh.topology;
+    REQUIRE(topology.element_count() == 1);
+    CHECK(topology.element_type(0) == ElementType::hexahedron);
+    REQUIRE(topology.markers().size() == 3);
+    CHECK(topology.markers()[1].name == "outlet");
+    CHECK(topology.markers()[1].faces[0] == Face(1, 3, 7, 5));
+    CHECK(topology.markers()[2].faces.size() == 4);
+  }
+}
+
+TEST_CASE("OpenFOAM: while nodes only move, all but their places stays as it is") {
+  const TemporaryFolder folder;
+  const fs::path mesh = write_case(folder, points, faces, boundary);
+  io::MeshFile file = io::read_mesh(mesh);
+  file.mesh.coordinates.set_xyz(7, {1.25, 1, 1});
+  CHECK(io::write_mesh(mesh, file.mesh, file.details.get()).empty());
+  CHECK(read_text(mesh / "points") == replaced(points, "(1 1 1)", "(1.25 1 1)"));
+  CHECK(read_text(mesh / "faces") == faces);
+  CHECK(read_text(mesh / "boundary") == boundary);
+}
+
+TEST_CASE("OpenFOAM: cells of every type, patches and places come back; faces are in order") {
+  for (const Volumes volumes : all_volumes) {
+    CAPTURE(name_of(volumes));
+    Random random(8);
+    const Mesh mesh = make_mesh(volume_sample(random, volumes, false));
+    const TemporaryFolder folder;
+    CHECK(io::write_mesh(folder / "cube.foam", mesh, nullptr).empty());
+    const io::MeshFile file = io::read_mesh(folder / "cube.foam");
+    CHECK(file.warnings.empty());
+    check_same_cells(file.mesh, mesh);
+    const std::string first = read_text(folder / "constant/polyMesh/faces");
+    // Written anew, not from the texts of the source: the same order again.
+    io::write_mesh(folder / "polyMesh", file.mesh, nullptr);
+    CHECK(read_text(folder / "polyMesh/owner") == read_text(folder / "constant/polyMesh/owner"));
+    CHECK(read_text(folder / "polyMesh/faces").size() == first.size());
+  }
+}
+
+TEST_CASE("OpenFOAM: faces between cells are in upper triangular order") {
+  Random random(2);
+  const Mesh mesh = make_mesh(volume_sample(random, Volumes::mixed, false));
+  const TemporaryFolder folder;
+  io::write_mesh(folder / "polyMesh", mesh, nullptr);
+  const auto labels = [&](const char* name) {
+    std::istringstream in(read_text(folder / ("polyMesh/" + std::string(name))));
+    std::string line;
+    while (std::getline(in, line) && line != "(") {
+    }
+    std::vector<int> list;
+    for (int label = 0; in >> label;) list.push_back(label);
+    return list;
+  };
+  const auto owner = labels("owner"), neighbour = labels("neighbour");
+  REQUIRE(neighbour.size() > 100);
+  for (std::size_t f = 0; f < neighbour.size(); ++f) {
+    CHECK(owner[f] < neighbour[f]);
+    if (f > 0) CHECK(std::pair(owner[f - 1], neighbour[f - 1]) < std::pair(owner[f], neighbour[f]));
+  }
+}
+
+TEST_CASE("OpenFOAM: compressed files stay so, and never two of one kind") {
+  Random random(2);
+  const Mesh mesh = make_mesh(volume_sample(random, Volumes::prisms, true));
+  const TemporaryFolder folder;
+  const auto warnings = io::write_mesh(folder / "polyMesh", mesh, nullptr);
+  CHECK(any_contains(warnings, "cell zones are not written"));
+  const fs::path packed = folder / "packed/polyMesh";
+  fs::create_directories(packed);
+  for (const char* name : {"points", "faces", "owner", "neighbour", "boundary"}) {
+    const fs::path target = packed / (std::string(name) + ".gz");
+    io::write_atomically(target, [&](std::ostream& out) {
+      out << read_text(folder / ("polyMesh/" + std::string(name)));
+    });
+  }
+  const io::MeshFile file = io::read_mesh(packed);
+  CHECK(file.mesh.coordinates == mesh.coordinates);
+  write_text(packed / "points", "old");
+  io::write_mesh(packed, file.mesh, file.details.get());
+  CHECK_FALSE(fs::exists(packed / "points"));
+  CHECK(io::read_mesh(packed).mesh.coordinates == mesh.coordinates);
+}
+
+TEST_CASE("OpenFOAM: boundary faces in no marker get a patch, names are made safe") {
+  MeshData data = cube(1, Volumes::hexahedra);
+  data.markers.erase(data.markers.begin() + 1);
+  data.markers[0].name = "hot wall";
+  const TemporaryFolder folder;
+  const auto warnings = io::write_mesh(folder / "polyMesh", make_mesh(data), nullptr);
+  CHECK(any_contains(warnings, "as the patch defaultFaces"));
+  CHECK(any_contains(warnings, "is written as \"hot_wall\""));
+  const io::MeshFile file = io::read_mesh(folder / "polyMesh");
+  CHECK(file.mesh.topology->markers().find("defaultFaces"));
+  CHECK(file.mesh.topology->markers().find("hot_wall"));
+}
+
+TEST_CASE("OpenFOAM: polyhedra are refused with their number, and other bad input with its place") {
+  CHECK(error_of("faces", "4(0 4 6 2)", "3(0 4 6)") ==
+        "faces:3: found cell 0, a polyhedron of 6 faces, expected tetrahedra, pyramids, prisms and "
+        "hexahedra");
+  CHECK(
+      error_of("faces", "4(1 3 7 5)", "5(1 3 7 5 4)") ==
+      "faces:4: found cell 0, a polyhedron with a face of 5 points, expected tetrahedra, pyramids, "
+      "prisms and hexahedra");
+  CHECK(error_of("faces", "4(1 3 7 5)", "4(1 3 8 5)") == "faces:4: found point 8, expected 0 to 7");
+  CHECK(error_of("faces", "4(1 3 7 5)", "4(1 3 7)") ==
+        "faces:4: found ')', expected a point of face 2 of 6");
+  CHECK_CONTAINS(error_of("faces", "6\n(", "7\n("),
+                 "faces:9: found ')', expected the number of po");
+  CHECK_CONTAINS(error_of("points", "(1 1 1)", "(1 nan 1)"),
+                 "points:16: found nan as a coordinate");
+  CHECK_CONTAINS(error_of("points", "format ascii", "format binary"),
+                 "points:4: found 'binary', expected ascii");
+  CHECK_CONTAINS(error_of("points", "*/", ""), "points:1: found a comment without end");
+  CHECK_CONTAINS(
+      error_of("boundary", "startFace 2", "startFace 3"),
+      "boundary:11: found patch 'sides' of 4 faces from 3 on, expected faces from 0 to 5");
+  CHECK_CONTAINS(error_of("boundary", "outlet", "inlet"),
+                 "boundary:4: found a second patch 'inlet'");
+  const TemporaryFolder folder;
+  const fs::path mesh = write_case(folder, points, faces, boundary);
+  fs::remove(mesh / "owner");
+  CHECK_THROWS_WITH_AS(io::read_mesh(mesh), doctest::Contains("polyMesh: found no file owner"),
+                       InputError);
+  write_text(mesh / "owner", "6(0 0 0 0 0 9)");
+  CHECK_THROWS_WITH_AS(io::read_mesh(mesh), doctest::Contains("owner:1: found cell 9"), InputError);
+  write_text(mesh / "owner", "5(0 0 0 0 0)");
+  CHECK_THROWS_WITH_AS(io::read_mesh(mesh), doctest::Contains("owner:1: found 5 cells"),
+                       InputError);
+}
+
+}  // namespace winslow::test

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/index.h"
+#include "support/random.h"
+
+/// Damage for files that readers have to survive.
+namespace winslow::test {
+
+/// Numbers that tend to break readers.
+inline std::string nasty_number(Random& random) {
+  static const std::vector<std::string> numbers{
+      "-1",    "0",   "2147483648", "4294967296", "9223372036854775807",  "99999999999999999999",
+      "1e308", "nan", "-inf",       "1e-400",     "18446744073709551615", "",
+      "x",     "\"",  "0x7f"};
+  return numbers[at(random.index(static_cast<Index>(numbers.size())))];
+}
+
+inline std::string mutated(std::string text, Random& random) {
+  const Index times = 1 + random.index(4);
+  for (Index k = 0; k < times && !text.empty(); ++k) {
+    const auto size = static_cast<Index>(text.size());
+    const auto place = at(random.index(size));
+    switch (random.index(7)) {
+      case 0:
+        text[place] = static_cast<char>(random.index(256));
+        break;
+      case 1:
+        text[place] = static_cast<char>(text[place] ^ (1 << random.index(8)));
+        break;
+      case 2:
+        text.resize(place);
+        break;
+      case 3:
+        text.insert(place, 1, static_cast<char>(random.index(256)));
+        break;
+      case 4:
+        text.erase(place, at(random.index(20)));
+        break;
+      case 5:  // a piece moves to another place
+        text.insert(at(random.index(size)), text.substr(place, at(random.index(40))));
+        break;
+      default: {  // a word becomes a nasty number
+        const auto begin = text.find_first_of(" \n\"", place);
+        if (begin == std::string::npos) break;
+        const auto end = std::min(text.find_first_of(" \n\"", begin + 1), text.size());
+        text.replace(begin + 1, end - begin - 1, nasty_number(random));
+      }
+    }
+  }
+  return text;
+}
+
+}  // namespace winslow::test
