@@ -231,10 +231,10 @@ TEST_CASE("an edited VCV counts although the blend has no share for VCVs, only a
   const TargetShapes plain = TargetShapes::build(*before.vcv, TargetBlend::regular(), nullptr);
   const TargetShapes edited = TargetShapes::build(*vcv, TargetBlend::regular(), nullptr);
   const TargetShapes of_vcv = TargetShapes::build(*vcv, {0, 0, 1, 0}, nullptr);
-  REQUIRE(plain.triangles == edited.triangles);
+  REQUIRE(plain.cells == edited.cells);
   std::size_t changed = 0;
-  for (std::size_t t = 0; t < plain.triangles.size(); ++t) {
-    const auto& nodes = plain.triangles[t];
+  for (std::size_t t = 0; t < plain.cells.size(); ++t) {
+    const auto& nodes = plain.cells[t];
     const bool around = std::find(nodes.begin(), nodes.end(), node) != nodes.end();
     const auto first = static_cast<std::size_t>(edited.offsets[t]);
     REQUIRE(edited.offsets[t + 1] - edited.offsets[t] == 1);

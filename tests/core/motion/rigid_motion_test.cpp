@@ -18,11 +18,11 @@ TEST_CASE("composed rigid motions act one after the other") {
 }
 
 TEST_CASE("bodies turn about the centre of their bounding box, without rounding errors of 0") {
-  CHECK(body_centre({Vec2(-1, 2), Vec2(3, 3)}) == Vec2(1, 2.5));
-  CHECK(body_centre({Vec2(-1 + 1e-14, 2), Vec2(1, 3)}) == Vec2(0, 2.5));
-  CHECK(body_centre({Vec2(-1 + 1e-6, 2), Vec2(1, 3)}).x() == doctest::Approx(5e-7));
+  CHECK(body_centre(Bounds{Vec2(-1, 2), Vec2(3, 3)}) == Vec2(1, 2.5));
+  CHECK(body_centre(Bounds{Vec2(-1 + 1e-14, 2), Vec2(1, 3)}) == Vec2(0, 2.5));
+  CHECK(body_centre(Bounds{Vec2(-1 + 1e-6, 2), Vec2(1, 3)}).x() == doctest::Approx(5e-7));
   // Far away it is what it is: the extent says what is small.
-  CHECK(body_centre({Vec2(1e7, -1), Vec2(1e7 + 1, 1)}) == Vec2(1e7 + 0.5, 0));
+  CHECK(body_centre(Bounds{Vec2(1e7, -1), Vec2(1e7 + 1, 1)}) == Vec2(1e7 + 0.5, 0));
 }
 
 TEST_CASE("a motion that is asked for without a pivot turns about the centre that it is given") {

@@ -14,7 +14,7 @@ TEST_CASE("the banner of inverted elements leads to the worst of them") {
   rig.click("banner/zoom_to_worst");
   const Index worst = worst_element(rig.mesh(), Metric::normalized_jacobian);
   CHECK(rig.bench->view_control().state().focus == MeshItem{MeshItem::Kind::element, worst});
-  const ScreenPoint at = rig.pixel(element_centre(rig.mesh(), worst));
+  const ScreenPoint at = rig.pixel(element_centre(rig.mesh(), worst).head<2>());
   const Area& v = rig.bench->layout().viewport;
   CHECK(at.x() > v.x);
   CHECK(at.x() < v.x + v.width);
