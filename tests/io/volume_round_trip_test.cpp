@@ -96,7 +96,8 @@ TEST_CASE("volumes: every format gives back what it got, in order and to the las
         // With the details of the source, a second file is the same, byte for byte.
         const auto again = folder / ("again." + extension);
         CHECK(io::write_mesh(again, first.mesh, first.details.get()).empty());
-        CHECK(read_text(again) == read_text(path));
+        // HDF5 notes the time of writing: trees of CGNS files are compared in their own tests.
+        if (extension != "cgns") CHECK(read_text(again) == read_text(path));
       }
     }
   }

@@ -110,6 +110,10 @@ void check_mesh_output(const std::string& path) {
     throw UsageError(path + ": unknown extension, expected one of " + io::supported_extensions());
   }
   if (!format->missing.empty()) throw UsageError(path + ": " + std::string(format->missing));
+  // A mesh that is a folder may be there already, or be made together with those above it.
+  const fs::path target(path);
+  const fs::path name = (target.has_filename() ? target : target.parent_path()).filename();
+  if (!format->folder_name.empty() && name == format->folder_name) return;
   check_output(path);
 }
 

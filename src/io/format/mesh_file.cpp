@@ -54,7 +54,7 @@ void check_dimension(const std::filesystem::path& path, const Topology& topology
                      const MeshFormat& format) {
   const bool volume = topology.cell_dimension() == 3;
   if (volume ? format.writes_volumes : format.writes_planes) return;
-  throw UsageError(path.string() + ": a " + std::string(format.title) + " file cannot hold a " +
+  throw UsageError(path.string() + ": " + std::string(format.title) + " files cannot hold a " +
                    std::string(mesh_kind(topology)));
 }
 

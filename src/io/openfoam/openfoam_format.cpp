@@ -25,7 +25,8 @@ fs::path find_folder(const fs::path& path) {
   for (const fs::path& folder : {start, start / "polyMesh", start / "constant" / "polyMesh"}) {
     if (holds_mesh(folder)) return folder;
   }
-  return {};
+  // A file .foam is empty: only the folder that it stands for can be what is missing.
+  return is_folder ? fs::path() : start / "constant" / "polyMesh";
 }
 
 }  // namespace

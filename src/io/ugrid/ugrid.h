@@ -25,8 +25,8 @@ struct Encoding {
 };
 /// Nothing for "mesh.xyz.ugrid", whose last but one extension means nothing.
 std::optional<Encoding> encoding_of_name(const std::filesystem::path& path);
-/// The binary encoding by which the counts at the start of the content fit its size, if there is
-/// one.
+/// The binary encoding by which the counts at the start of the content fit its size, or text, if
+/// its first line holds the counts.
 std::optional<Encoding> encoding_of_content(std::string_view content);
 
 /// Numbers of the things in a file, in the order of its first line.

@@ -41,8 +41,9 @@ bool is_text_header(std::string_view line) {
 }
 
 Evidence recognise(const Content& content) {
-  if (encoding_of_content(content.whole)) return {Evidence::Kind::size};
-  return {is_text_header(content.first_line) ? Evidence::Kind::keyword : Evidence::Kind::none};
+  const auto encoding = encoding_of_content(content.whole);
+  if (!encoding) return {};
+  return {encoding->binary ? Evidence::Kind::size : Evidence::Kind::keyword};
 }
 
 }  // namespace
@@ -57,6 +58,7 @@ std::optional<Encoding> encoding_of_name(const std::filesystem::path& path) {
 }
 
 std::optional<Encoding> encoding_of_content(std::string_view content) {
+  if (is_text_header(Content(content).first_line)) return Encoding{};
   if (content.size() < header_numbers * 4) return std::nullopt;
   for (const bool big_endian : {true, false}) {
     std::array<std::int64_t, header_numbers> counts{};

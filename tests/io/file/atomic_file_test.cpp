@@ -90,6 +90,25 @@ TEST_CASE("a file that is being written is no orphan") {
   CHECK(files_in(folder.path()) == 1);
 }
 
+TEST_CASE("of files that belong together none is replaced unless all are written") {
+  const TemporaryFolder folder;
+  write_text(folder / "a", "old a");
+  write_text(folder / "b", "old b");
+  write_text(folder / "b.gz", "to go");
+  std::vector<io::OutputFile> files{
+      {folder / "a", [](std::ostream& out) { out << "new a"; }},
+      {folder / "b", [](std::ostream&) { throw OutputError("no"); }, folder / "b.gz"}};
+  CHECK_THROWS_AS(io::write_atomically(files), OutputError);
+  CHECK(read_text(folder / "a") == "old a");
+  CHECK(read_text(folder / "b") == "old b");
+  CHECK(files_in(folder.path()) == 3);
+  files[1].write = [](std::ostream& out) { out << "new b"; };
+  io::write_atomically(files);
+  CHECK(read_text(folder / "a") == "new a");
+  CHECK(read_text(folder / "b") == "new b");
+  CHECK(files_in(folder.path()) == 2);
+}
+
 TEST_CASE("a full disk is an error that says so") {
   try {
     io::write_atomically("/dev/full", [](std::ostream& out) { out << "hello"; });

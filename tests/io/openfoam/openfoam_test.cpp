@@ -202,6 +202,10 @@ TEST_CASE("OpenFOAM: polyhedra are refused with their number, and other bad inpu
   CHECK_CONTAINS(error_of("boundary", "outlet", "inlet"),
                  "boundary:4: found a second patch 'inlet'");
   const TemporaryFolder folder;
+  CHECK_THROWS_WITH_AS(io::read_mesh(folder / "a.foam"),
+                       doctest::Contains("constant/polyMesh: found no file points"), InputError);
+  CHECK_THROWS_WITH_AS(io::read_mesh(folder.path()), doctest::Contains("it is a directory"),
+                       InputError);
   const fs::path mesh = write_case(folder, points, faces, boundary);
   fs::remove(mesh / "owner");
   CHECK_THROWS_WITH_AS(io::read_mesh(mesh), doctest::Contains("polyMesh: found no file owner"),

@@ -57,6 +57,8 @@ TEST_CASE(
     write_text(folder / "misnamed.ugrid", bytes);
     CHECK(io::read_mesh(folder / "misnamed.ugrid").mesh.coordinates == file.mesh.coordinates);
   }
+  write_text(folder / "misnamed.b8.ugrid", grid);
+  check_same_mesh(io::read_mesh(folder / "misnamed.b8.ugrid").mesh, file.mesh);
   CHECK(sizes[0] == sizes[1]);
   CHECK(sizes[0] - sizes[2] == 9 * 12);
   CHECK(sizes[2] == sizes[3]);
@@ -81,7 +83,7 @@ TEST_CASE("UGRID: what a file cannot hold is said, a plane mesh is refused") {
   CHECK(any_contains(warnings, "names of element sets are not written"));
   CHECK_THROWS_WITH_AS(
       io::write_mesh(folder / "b.ugrid", make_mesh(square(2, Cells::quads)), nullptr),
-      doctest::Contains("a AFLR3 file cannot hold a plane mesh"), UsageError);
+      doctest::Contains("AFLR3 files cannot hold a plane mesh"), UsageError);
 }
 
 TEST_CASE("UGRID: bad input is refused with file and line, or byte") {
