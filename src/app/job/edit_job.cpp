@@ -217,9 +217,10 @@ void print_outcome(const EditJob& job, const std::vector<ZoneRun>& zones, const 
     std::cout << '\n';
     print_zone_heading(std::cout, zone.name());
     print_quality_table(std::cout, zone.result.mesh, zone.quality);
-    std::cout << '\n';
-    if (zone.quality.cell_dimension == 2)
+    if (zone.quality.cell_dimension == 2) {
+      std::cout << '\n';
       print_walls(std::cout, &zone.before.walls, zone.quality.walls);
+    }
     if (!zone.result.layers) continue;
     std::cout << '\n';
     print_layers(std::cout, *zone.result.layers, zone.result.mesh.coordinates, cut_columns_shown);

@@ -89,8 +89,10 @@ class QualitySubcommand : public Subcommand {
       print_zone_heading(std::cout, zone.name());
       const Mesh& mesh = zone.source.mesh;
       print_quality_table(std::cout, mesh, zone.quality);
-      std::cout << '\n';
-      if (zone.quality.cell_dimension == 2) print_walls(std::cout, nullptr, zone.quality.walls);
+      if (zone.quality.cell_dimension == 2) {
+        std::cout << '\n';
+        print_walls(std::cout, nullptr, zone.quality.walls);
+      }
       print_inverted_elements(std::cout, mesh, zone.quality, inverted_elements_shown);
       if (options_.worst > 0) print_worst_elements(std::cout, zone.quality);
       if (histogram_) print_histograms(std::cout, zone.quality);

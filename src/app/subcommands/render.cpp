@@ -198,6 +198,7 @@ class RenderSubcommand : public Subcommand {
   ExitCode run() override {
     check_flags();
     const io::MeshFile file = io::read_mesh(flags_.input, {.zone = flags_.zone});
+    require_plane(*file.mesh.topology, "render");
     if (!flags_.quiet) {
       print_warnings(file.warnings);
       if (flags_.zone == 0) print_warnings(io::zones_left(file.details.get(), flags_.input));

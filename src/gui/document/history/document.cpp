@@ -3,6 +3,8 @@
 #include <system_error>
 #include <utility>
 
+#include "core/error.h"
+
 namespace winslow::gui {
 
 namespace {
@@ -20,6 +22,11 @@ Document::Loaded Document::load(const std::filesystem::path& path, int zone) {
   loaded.path = path;
   loaded.stamp = stamp_of(path);
   loaded.file = io::read_mesh(path, {.zone = zone});
+  if (loaded.file.mesh.topology->cell_dimension() == 3) {
+    throw InputError(path.string() +
+                     ": a volume mesh, and the studio shows plane meshes only; the command line "
+                     "smooths and moves it ('winslow smooth', 'winslow move')");
+  }
   loaded.quality = measure_quality(loaded.file.mesh);
   loaded.state = make_state(loaded.file.mesh);
   if (stamp_of(path) != loaded.stamp) loaded.stamp.reset();

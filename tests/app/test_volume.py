@@ -1,0 +1,160 @@
+"""Volume meshes: files, motions, quality, and what says that it is for plane meshes only."""
+import itertools
+import math
+import unittest
+
+import support
+from support import HAS_GUI, INPUT, INVERTED, USAGE, ProgramTest
+
+N = 5  # cubes along each side; the one in the middle is the body
+TETRAHEDRON, TRIANGLE = 10, 5
+
+
+def box_mesh():
+    """Tetrahedra (six to a cube) in [0, 1]^3 around a cube that is left out."""
+    ids, nodes, tetrahedra = {}, [], []
+
+    def node(i, j, k):
+        if (i, j, k) not in ids:
+            ids[i, j, k] = len(nodes)
+            nodes.append((i / N, j / N, k / N))
+        return ids[i, j, k]
+
+    for i, j, k in itertools.product(range(N), repeat=3):
+        if (i, j, k) == (N // 2,) * 3:
+            continue
+        for order in itertools.permutations(range(3)):
+            place, corners = [i, j, k], [node(i, j, k)]
+            for axis in order:
+                place[axis] += 1
+                corners.append(node(*place))
+            tetrahedra.append(corners)
+    count = {}
+    for cell in tetrahedra:
+        for face in itertools.combinations(cell, 3):
+            count[tuple(sorted(face))] = count.get(tuple(sorted(face)), 0) + 1
+    markers = {"body": [], "far": []}
+    for face, uses in count.items():
+        if uses == 1:
+            inside = all(0 < c < 1 for n in face for c in nodes[n])
+            markers["body" if inside else "far"].append(face)
+    return nodes, tetrahedra, markers
+
+
+def write_box(path, shift=None):
+    nodes, cells, markers = box_mesh()
+    if shift:
+        nodes[shift[0]] = shift[1]
+    lines = ["NDIME= 3", f"NELEM= {len(cells)}"]
+    lines += [" ".join(map(str, (TETRAHEDRON, *c, i))) for i, c in enumerate(cells)]
+    lines += [f"NPOIN= {len(nodes)}"]
+    lines += [" ".join([*(repr(c) for c in p), str(i)]) for i, p in enumerate(nodes)]
+    lines += [f"NMARK= {len(markers)}"]
+    for name, faces in markers.items():
+        lines += [f"MARKER_TAG= {name}", f"MARKER_ELEMS= {len(faces)}"]
+        lines += [" ".join(map(str, (TRIANGLE, *f))) for f in faces]
+    path.write_text("\n".join(lines) + "\n")
+    return nodes, cells, markers
+
+
+def read_nodes(path):
+    lines = path.read_text().splitlines()
+    start = next(i for i, line in enumerate(lines) if line.startswith("NPOIN="))
+    count = int(lines[start].split("=")[1])
+    return [tuple(map(float, line.split()[:3])) for line in lines[start + 1:start + 1 + count]]
+
+
+def volume6(nodes, cell):
+    a, b, c, d = (nodes[n] for n in cell)
+    u, v, w = ([q[k] - a[k] for k in range(3)] for q in (b, c, d))
+    return (u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) +
+            u[2] * (v[0] * w[1] - v[1] * w[0]))
+
+
+class Volume(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.nodes, self.cells, self.markers = write_box(self.path("box.su2"))
+
+    def signs(self, name):
+        """Whether each element of a file has the sign that it had as given."""
+        after = read_nodes(self.path(name))
+        return [volume6(after, c) * volume6(self.nodes, c) > 0 for c in self.cells]
+
+    def test_a_body_turns_about_an_axis_and_all_elements_stay_valid(self):
+        run = self.winslow("move", "box.su2", "-o", "o.su2", "--marker", "body", "--rotate", "40",
+                           "--axis", "0", "0", "2", "--translate", "0.02", "0", "0.05", "--report",
+                           "r.json")
+        self.assertIn("turned about (0.5, 0.5, 0.5)", run.stdout)
+        report = self.json("r.json")
+        self.assertEqual(report["dimension"], 3)
+        self.assertEqual(report["inverted"], 0)
+        self.assertEqual(report["commands"][0]["fraction_reached"], 1)
+        self.assertTrue(all(self.signs("o.su2")))
+        after = read_nodes(self.path("o.su2"))
+        body = {n for face in self.markers["body"] for n in face}
+        angle = math.radians(40)
+        for n in body:
+            x, y, z = (c - 0.5 for c in self.nodes[n])
+            there = (0.52 + x * math.cos(angle) - y * math.sin(angle),
+                     0.5 + x * math.sin(angle) + y * math.cos(angle), 0.55 + z)
+            self.assertLess(math.dist(there, after[n]), 1e-12)
+        for n in {n for face in self.markers["far"] for n in face}:
+            self.assertEqual(after[n], self.nodes[n])
+
+    def test_a_recipe_does_the_same_again(self):
+        self.winslow("move", "box.su2", "-o", "a.su2", "--marker", "body", "--rotate", "20", "--axis",
+                     "1", "0", "0", "--pivot", "0.5", "0.5", "0.4", "--save-recipe", "r.json")
+        self.winslow("replay", "r.json", "-o", "b.su2")
+        self.assertEqual(self.path("a.su2").read_bytes(), self.path("b.su2").read_bytes())
+
+    def test_a_tangled_mesh_is_named_and_mended(self):
+        inner = next(n for n, p in enumerate(self.nodes) if p == (0.2, 0.2, 0.2))
+        write_box(self.path("t.su2"), (inner, (0.9, 0.9, 0.9)))
+        run = self.winslow("quality", "t.su2", code=INVERTED)
+        self.assertIn("inverted", run.stdout)
+        self.winslow("smooth", "t.su2", "-o", "o.su2")
+        self.assertTrue(all(self.signs("o.su2")))
+        run = self.winslow("quality", "o.su2")
+        self.assertIn("Smallest solid angle", run.stdout)
+        self.assertIn("cannot move", run.stdout)
+
+    def test_scrambles_come_back(self):
+        self.winslow("scramble", "box.su2", "-o", "s.su2", code=INVERTED)
+        self.winslow("scramble", "box.su2", "-o", "s.su2", "--allow-inverted", code=INVERTED)
+        self.assertFalse(all(self.signs("s.su2")))
+        self.winslow("smooth", "s.su2", "-o", "o.su2", "--targets", "element")
+        self.assertTrue(all(self.signs("o.su2")))
+
+    def test_formats_keep_a_volume_mesh(self):
+        self.winslow("convert", "box.su2", "a.su2", "--quiet")  # winslow's way to print numbers
+        for name in ("m.msh", "m.vtu", "m.mesh", "m.ugrid"):
+            self.winslow("convert", "a.su2", name, "--quiet")
+            self.winslow("convert", name, "b.su2", "--quiet")
+            self.assertEqual(self.path("a.su2").read_bytes(), self.path("b.su2").read_bytes(), name)
+
+    def test_what_is_for_plane_meshes_says_so(self):
+        only = "only for a plane mesh, and this is a volume mesh"
+        for args in (("smooth", "box.su2", "-o", "o.su2", "--formulation", "pointwise"),
+                     ("deform", "box.su2", "-o", "o.su2", "--marker", "body", "--sine", "0.1", "1")):
+            self.assertIn(only, self.winslow(*args, code=USAGE).stderr)
+        run = self.winslow("move", "box.su2", "-o", "o.su2", "--marker", "body", "--rotate", "9",
+                           code=USAGE)
+        self.assertIn("a rotation in space needs an axis", run.stderr)
+        plane = self.ring()
+        run = self.winslow("move", plane, "-o", "o.su2", "--marker", "body", "--axis", "0", "0", "1",
+                           "--rotate", "9", code=USAGE)
+        self.assertIn("only for a volume mesh", run.stderr)
+        self.assertFalse(self.path("o.su2").exists())
+
+    @unittest.skipUnless(HAS_GUI, "built without pictures")
+    def test_pictures_and_the_studio_refuse_it_by_name(self):
+        run = self.winslow("render", "box.su2", "-o", "o.png", code=USAGE)
+        self.assertIn("render: only for a plane mesh", run.stderr)
+        run = self.winslow("studio", "--headless", "box.su2", "--screenshot", "o.png", code=INPUT)
+        self.assertIn("a volume mesh, and the studio shows plane meshes only", run.stderr)
+        self.assertFalse(self.path("o.png").exists())
+
+
+if __name__ == "__main__":
+    support.main()
