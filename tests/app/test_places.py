@@ -121,7 +121,7 @@ class Planes(ProgramTest):
     def test_a_surface_that_is_bent_is_refused(self):
         self.write_vtk("in.vtk", lambda p, q: (p, 0.1 * p * p, q))
         run = self.winslow("smooth", "in.vtk", "-o", "out.vtk", code=INPUT)
-        self.assertIn("expected a 2D mesh, all nodes in one plane", run.stderr)
+        self.assertIn("expected a plane mesh, all nodes in one plane", run.stderr)
         self.assertNotIn("out.vtk", self.files())
 
 

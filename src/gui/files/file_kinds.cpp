@@ -11,10 +11,11 @@ namespace winslow::gui {
 
 namespace {
 
+/// Formats of plane meshes: the studio shows no others.
 std::vector<FileKind> mesh_kinds() {
   std::vector<FileKind> kinds{{"All meshes", {}}};
   for (const io::MeshFormat* format : io::mesh_formats()) {
-    if (!format->missing.empty()) continue;
+    if (!format->missing.empty() || !format->writes_planes) continue;
     const std::string extension = '.' + std::string(format->name);
     kinds.front().extensions.push_back(extension);
     kinds.push_back({std::string(format->title), {extension}});

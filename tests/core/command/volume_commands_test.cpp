@@ -130,7 +130,13 @@ TEST_CASE("volume meshes are smoothed alike at one and two threads, and twice al
 }
 
 TEST_CASE("Newton's method on a valid volume mesh ends in few steps, quadratically") {
-  const Mesh mesh = box_with_body(7, Volumes::tetrahedra);
+  Mesh mesh = box_with_body(7, Volumes::tetrahedra);
+  for (Index node = 0; node < mesh.topology->node_count(); ++node) {
+    const Vec3 p = mesh.coordinates.xyz(node);
+    const Vec3 by(std::sin(3 * p.y()), std::sin(3 * p.z()), std::sin(3 * p.x()));
+    mesh.coordinates.set_xyz(node, p + 0.1 * by);
+  }
+  REQUIRE(inverted(mesh) == 0);
   SmoothCommand smooth;
   smooth.smooth.targets = TargetBlend::regular();
   const CommandResult result = execute(smooth, make_state(mesh));
