@@ -40,7 +40,7 @@ void add_projected_blocks(const Corner3& q, const VolumeTerm& term, const Penalt
   const Matrix3d root = metric_of(term).llt().matrixL();
   const Eigen::JacobiSVD<Matrix3d> svd(q.edges * root, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Matrix3d &u = svd.matrixU(), &v = svd.matrixV();
-  const Vec3 sigma = svd.singularValues();
+  Vec3 sigma = svd.singularValues();
   const double s = sigma.squaredNorm();
   const double f = q.distortion(term);
   const PenaltySlopes slopes = psi.slopes(f);

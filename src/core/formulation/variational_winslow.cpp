@@ -77,7 +77,7 @@ struct RowSum {
   /// Distance by which the node alone would move, over the mean edge. cells: around the node.
   double scaled(Index cells) const {
     double trace = 0, square = 0;
-    for (int k = 0; k < D; ++k) {
+    for (std::ptrdiff_t k = 0; k < D; ++k) {
       trace += v[(D + 1) * k];
       square += gradient()[k] * gradient()[k];
     }
@@ -347,7 +347,8 @@ Linearisation SimplexWinslow<D>::assemble(const SimplexData& cells, bool project
   out.pattern = rows.pattern();
   out.block = D;
   out.symmetric = true;
-  out.values.resize(D * D * pattern.columns.size());
+  constexpr std::ptrdiff_t block_size = std::ptrdiff_t{D} * D;
+  out.values.resize(static_cast<std::size_t>(block_size) * pattern.columns.size());
   std::vector<NormSum> norms(block_count(rows.rows()));
   std::vector<double> energies(norms.size(), 0.0);
   for_each_block([&](std::size_t part, Index block, Index first, Index last, BlockMemory& memory) {
@@ -358,7 +359,7 @@ Linearisation SimplexWinslow<D>::assemble(const SimplexData& cells, bool project
       const std::size_t row = at(rows.row(p));
       const RowSum<D> sum = memory.row(p - first);
       double* diagonal =
-          out.values.data() + D * D * static_cast<std::ptrdiff_t>(pattern.diagonal[row]);
+          out.values.data() + block_size * static_cast<std::ptrdiff_t>(pattern.diagonal[row]);
       // Its parts are rounded apart: make the diagonal symmetric.
       for (int i = 0; i < D; ++i) {
         for (int j = 0; j < D; ++j)
@@ -392,6 +393,7 @@ void SimplexWinslow<D>::boundary_response(const Coordinates& x, const Coordinate
     }
   };
   constexpr std::size_t chunk = 1024;
+  constexpr std::ptrdiff_t block_size = std::ptrdiff_t{D} * D;
   std::vector<double> sums((chunk + 3) * Layout<D>::sum);
   for (std::size_t begin = 0; begin < half_free.size(); begin += chunk) {
     const std::size_t count = std::min(chunk, half_free.size() - begin);
@@ -400,7 +402,7 @@ void SimplexWinslow<D>::boundary_response(const Coordinates& x, const Coordinate
       const double* block = sums.data() + Layout<D>::sum * static_cast<std::ptrdiff_t>(i);
       const auto& nodes = shapes_->cells[at(half_free[begin + i])];
       for (std::size_t a = 0; a <= D; ++a) {
-        for (std::size_t b = a + 1; b <= D; ++b, block += D * D) {
+        for (std::size_t b = a + 1; b <= D; ++b, block += block_size) {
           subtract(nodes[a], nodes[b], block, false);
           subtract(nodes[b], nodes[a], block, true);
         }

@@ -96,7 +96,7 @@ bool all_positive(const Lattice& values) {
 
 /// The coefficients at the corners are values of the polynomial.
 bool corner_values_positive(const Lattice& c) {
-  for (const std::size_t i : {0, 2, 6, 8, 18, 20, 24, 26}) {
+  for (const unsigned i : {0U, 2U, 6U, 8U, 18U, 20U, 24U, 26U}) {
     if (!(c[i] > 0)) return false;
   }
   return true;
@@ -128,7 +128,7 @@ Lattice jacobians(const SpacePoints& x, std::span<const Index> corners) {
   Lattice values;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double u = 0.5 * static_cast<double>(i % 3), v = 0.5 * static_cast<double>(i / 3 % 3),
-                 w = 0.5 * static_cast<double>(i / 9);
+                 w = 0.5 * static_cast<double>(i / 9 % 3);
     values[i] = determinant(derivative(0, v, w), derivative(1, w, u), derivative(2, u, v));
   }
   return values;

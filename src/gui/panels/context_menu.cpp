@@ -38,15 +38,24 @@ void ContextMenu::open(const PickedPlace& place) {
 }
 
 void ContextMenu::draw(const PanelContext& context) {
-  if (wanted_) ImGui::OpenPopup(context_popup);
+  if (wanted_) {
+    ImGui::OpenPopup(context_popup);
+    topology_ = context.session.topology();
+  }
   wanted_ = false;
   const float gap = context.theme.px(8);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(gap, gap));
   const bool shown = ImGui::BeginPopup(context_popup);
   ImGui::PopStyleVar();
-  if (!shown) return;
+  if (!shown) {
+    topology_.reset();
+    return;
+  }
   if (ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) ImGui::CloseCurrentPopup();
-  const auto parts = context_parts(context, place_);
+  // Undo, a job's end or another file may bring a mesh that has no such node while the menu is
+  // open.
+  const bool same_mesh = context.session.topology() == topology_;
+  const auto parts = same_mesh ? context_parts(context, place_) : std::vector<ContextPart>();
   for (std::size_t k = 0; k < parts.size(); ++k) {
     if (k > 0) ImGui::Separator();
     draw_part(parts[k], context);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "gui/document/selection/picked_place.h"
 #include "gui/panels/panel.h"
 
@@ -14,6 +16,7 @@ class ContextMenu : public Panel {
 
  private:
   PickedPlace place_;
+  std::shared_ptr<const Topology> topology_;  ///< that the numbers of the place belong to
   bool wanted_ = false;
 };
 

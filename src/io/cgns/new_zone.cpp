@@ -201,7 +201,7 @@ class ZoneMaker {
       starts.push_back(static_cast<std::int32_t>(entries.size()));
     }
     const auto count = static_cast<Index>(marker.faces.size());
-    const std::string name = add_section(marker.name, even ? type : mixed, first, count, entries);
+    std::string name = add_section(marker.name, even ? type : mixed, first, count, entries);
     if (!even) add_starts(starts);
     return name;
   }

@@ -169,7 +169,7 @@ void write_boundary(std::ostream& stream, const std::vector<Patch>& patches, std
 /// The folder of a path to write to, made if it is not there.
 fs::path make_folder(const fs::path& path) {
   const fs::path plain = path.has_filename() ? path : path.parent_path();
-  const fs::path folder =
+  fs::path folder =
       plain.extension() == ".foam" ? plain.parent_path() / "constant" / "polyMesh" : plain;
   std::error_code error;
   fs::create_directories(folder, error);
