@@ -81,12 +81,12 @@ TEST_CASE("the right button still pans when it is dragged, and Esc closes its me
 
 TEST_CASE("the menu of a node closes when a mesh comes that may not have it") {
   Rig rig;
-  rig.open(two_body_mesh());
+  rig.open(ring_mesh());
   const Index last = rig.mesh().topology->node_count() - 1;
   rig.bench->apply(action::ShowContextMenu{{rig.mesh().coordinates.xy(last), {}, last, {}}});
   rig.frames(2);
   REQUIRE(rig.visible("menu/node/inspect"));
-  rig.open(ring_mesh());
+  rig.open(two_body_mesh());
   REQUIRE(rig.mesh().topology->node_count() <= last);
   rig.frames(2);
   CHECK_FALSE(rig.visible("menu/node/inspect"));

@@ -27,14 +27,18 @@ TEST_CASE("buttons stay in their places while a plan is made, arrives, and is ca
   };
   const auto there = places();
   REQUIRE(rig.session().jobs().layer_preview().plan() != nullptr);
-  // Other settings: for some frames there is no plan.
-  rig.fill("layers/first", "0.013");
+  // Other settings: for some frames there is no plan, unless it is made within a frame.
   int without = 0;
-  do {
-    without += rig.session().jobs().layer_preview().plan() == nullptr;
-    CHECK(places() == there);
-    rig.frames(1);
-  } while (rig.session().jobs().layer_preview().busy());
+  for (const char* first :
+       {"0.013", "0.014", "0.015", "0.016", "0.017", "0.018", "0.019", "0.011"}) {
+    rig.fill("layers/first", first);
+    do {
+      without += rig.session().jobs().layer_preview().plan() == nullptr;
+      CHECK(places() == there);
+      rig.frames(1);
+    } while (rig.session().jobs().layer_preview().busy());
+    if (without > 0) break;
+  }
   CHECK(without > 0);
   REQUIRE(rig.settle());
   REQUIRE(rig.session().jobs().layer_preview().plan() != nullptr);
