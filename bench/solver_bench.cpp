@@ -55,12 +55,13 @@ void assembly_against_triad(benchmark::State& run) {
   SmoothingWorkspace workspace;
   workspace.prepare(state.vcv, std::make_shared<NodeClasses>(state.mesh.topology), options,
                     state.mesh.coordinates);
-  const VariationalWinslow& energy = *workspace.energy();
+  const auto form = std::dynamic_pointer_cast<const VariationalWinslow>(workspace.energy());
+  const VariationalWinslow& energy = *form;
   SparseMatrix hessian;
   std::vector<double> residual(2 * state.mesh.topology->interior_nodes().size());
   const Coordinates& x = state.mesh.coordinates;
   energy.linearise(x, Curvature::exact, hessian, residual);
-  const TargetShapes& shapes = energy.shapes();
+  const CellTargets<2>& shapes = energy.shapes();
   const std::size_t bytes =
       sizeof(double) * (x.values().size() + residual.size() + hessian.values.size()) +
       sizeof(shapes.cells[0]) * shapes.cells.size() + sizeof(shapes.terms[0]) * shapes.terms.size();

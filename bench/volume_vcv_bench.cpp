@@ -1,5 +1,5 @@
-// Virtual control volumes of a volume mesh: microseconds for a star, at one and at two threads, by the
-// fit of solid angles and by the paper's random perturbation, on cubes cut into tetrahedra.
+// Virtual control volumes of a volume mesh: microseconds for a star, at one and at two threads, by
+// the fit of solid angles and by the paper's random perturbation, on cubes cut into tetrahedra.
 #include <benchmark/benchmark.h>
 
 #include "core/formulation/volume_pointwise.h"
