@@ -32,7 +32,8 @@ class AutomaticSolver final : public LinearSolver {
     chosen_->set_matrix(matrix, keep);
   }
 
-  /// Where an iteration fails, a factorisation knows: it solves, or says what the matrix is.
+  /// Where an iteration fails, a factorisation knows: it solves, or says what the matrix is. Of
+  /// large meshes in space it would take minutes and all memory: there the iteration has the word.
   LinearResult solve(std::span<const double> rhs, int columns, std::span<double> x) override {
     if (factorised_) return fallback_->solve(rhs, columns, x);
     if (chosen_->name() == direct) return chosen_->solve(rhs, columns, x);
@@ -40,9 +41,11 @@ class AutomaticSolver final : public LinearSolver {
     try {
       const LinearResult result = chosen_->solve(rhs, columns, x);
       remember_if_hard(result);
-      if (result.relative_residual <= usable * options_.tolerance) return result;
+      if (result.relative_residual <= usable * options_.tolerance || !can_factorise())
+        return result;
     } catch (const NumericError&) {
       // Broken down, or not positive definite after all.
+      if (!can_factorise()) throw;
     }
     if (!fallback_) {
       LinearOptions options = options_;
@@ -57,11 +60,17 @@ class AutomaticSolver final : public LinearSolver {
  private:
   static constexpr std::string_view direct = "direct";
 
+  bool can_factorise() const {
+    constexpr Index limit_in_space = 30'000;
+    return !is_in_space() || matrix_->rows() <= limit_in_space;
+  }
+  bool is_in_space() const { return matrix_->block == 3 || matrix_->in_space; }
+
   /// On stretched meshes multigrid takes many iterations, and a factorisation is the faster up to
   /// much larger ones; beyond that its memory stands against it.
   void remember_if_hard(const LinearResult& result) {
     constexpr int many = 50;
-    const Index limit = matrix_->block < 3 ? 300'000 : 15'000;
+    const Index limit = is_in_space() ? 15'000 : 300'000;
     if (result.iterations > many && matrix_->symmetric && matrix_->rows() <= limit)
       hard_ = matrix_->pattern;
   }
@@ -80,8 +89,10 @@ class AutomaticSolver final : public LinearSolver {
 std::string_view suitable_solver(const SparseMatrix& matrix) {
   // Unknowns up to which a factorisation is the faster, as measured by bench/linear_bench. Three
   // unknowns a row are those of a mesh in space, where factors fill in much more.
-  constexpr Index cholesky_limit = 10'000, cholesky_limit_in_space = 5'000, lu_limit = 400'000;
-  if (!matrix.symmetric) return matrix.rows() <= lu_limit ? "direct" : "gmres";
+  constexpr Index cholesky_limit = 10'000, cholesky_limit_in_space = 5'000;
+  constexpr Index lu_limit = 400'000, lu_limit_in_space = 1'000;
+  if (!matrix.symmetric)
+    return matrix.rows() <= (matrix.in_space ? lu_limit_in_space : lu_limit) ? "direct" : "gmres";
   const Index limit = matrix.block < 3 ? cholesky_limit : cholesky_limit_in_space;
   return matrix.rows() <= limit ? "direct" : "multigrid";
 }

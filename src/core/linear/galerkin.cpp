@@ -1,10 +1,37 @@
 #include <algorithm>
 
+#include "core/linear/block_kernel.h"
 #include "core/linear/blocks.h"
 #include "core/linear/prolongation.h"
 #include "core/parallel/parallel_for.h"
 
 namespace winslow {
+
+namespace {
+
+/// See BlockKernel.
+template <int B>
+void add_triple_products(const Real* left, const double* a, const Real* right, const Index* columns,
+                         Index count, const Index* slot_of, double* coarse) {
+  double product[B * B]{};  // left^T a
+  for (int r = 0; r < B; ++r) {
+    for (int k = 0; k < B; ++k) {
+      for (int c = 0; c < B; ++c)
+        product[r * B + c] += static_cast<double>(left[k * B + r]) * a[k * B + c];
+    }
+  }
+  for (Index q = 0; q < count; ++q, right += B * B) {
+    double* to = coarse + at(slot_of[columns[q]]) * B * B;
+    for (int r = 0; r < B; ++r) {
+      for (int k = 0; k < B; ++k) {
+        for (int c = 0; c < B; ++c)
+          to[r * B + c] += product[r * B + k] * static_cast<double>(right[k * B + c]);
+      }
+    }
+  }
+}
+
+}  // namespace
 
 void Prolongation::galerkin(const SparseMatrix& matrix, SparseMatrix& coarse, int threads) const {
   if (!coarse.pattern) coarse.pattern = galerkin_pattern(*matrix.pattern, threads);
@@ -65,39 +92,28 @@ void Prolongation::galerkin_rows(const SparseMatrix& matrix, SparseMatrix& coars
                                  Index end) const {
   const SparsityPattern& fine = *matrix.pattern;
   const SparsityPattern& p = *coarse.pattern;
-  std::vector<Index> entry_of(at(coarse_rows()));
+  const auto add = B == 3 ? block_kernel().add_triple_products : add_triple_products<B>;
+  constexpr std::size_t row_stride = B == 3 ? 4 : B, stride = B == 3 ? padded_block : B * B;
+  std::vector<Index> slot_of(at(coarse_rows()));
+  std::vector<double> sums;  // of one row
   for (auto a = at(begin); a < at(end); ++a) {
-    for (auto e = at(p.offsets[a]); e < at(p.offsets[a + 1]); ++e) {
-      entry_of[at(p.columns[e])] = static_cast<Index>(e);
-      std::fill_n(&coarse.values[e * B * B], B * B, 0.0);
-    }
+    const auto row = at(p.offsets[a]), size = at(p.offsets[a + 1]) - row;
+    for (std::size_t s = 0; s < size; ++s) slot_of[at(p.columns[row + s])] = static_cast<Index>(s);
+    sums.assign(stride * size, 0.0);
     for (auto t = at(transposed_offsets_[a]); t < at(transposed_offsets_[a + 1]); ++t) {
       const auto i = at(transposed_rows_[t]);
       const Real* left = &values_[at(transposed_entries_[t]) * B * B];
       for (auto e = at(fine.offsets[i]); e < at(fine.offsets[i + 1]); ++e) {
-        // left^T A_ij
-        double product[B * B]{};
-        for (int r = 0; r < B; ++r) {
-          for (int k = 0; k < B; ++k) {
-            for (int c = 0; c < B; ++c) {
-              product[r * B + c] +=
-                  static_cast<double>(left[k * B + r]) * matrix.values[e * B * B + at(k * B + c)];
-            }
-          }
-        }
         const auto j = at(fine.columns[e]);
-        for (auto q = at(offsets_[j]); q < at(offsets_[j + 1]); ++q) {
-          double* target = &coarse.values[at(entry_of[at(columns_[q])]) * B * B];
-          const Real* right = &values_[q * B * B];
-          for (int r = 0; r < B; ++r) {
-            for (int k = 0; k < B; ++k) {
-              for (int c = 0; c < B; ++c) {
-                target[r * B + c] += product[r * B + k] * static_cast<double>(right[k * B + c]);
-              }
-            }
-          }
-        }
+        const auto first = at(offsets_[j]);
+        add(left, &matrix.values[e * B * B], &values_[first * B * B], &columns_[first],
+            offsets_[j + 1] - offsets_[j], slot_of.data(), sums.data());
       }
+    }
+    double* to = &coarse.values[row * B * B];
+    for (std::size_t s = 0; s < size; ++s) {
+      for (std::size_t r = 0; r < B; ++r, to += B)
+        std::copy_n(&sums[s * stride + r * row_stride], B, to);
     }
   }
 }

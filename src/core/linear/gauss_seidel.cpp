@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/linear/blocks.h"
+#include "core/linear/row_product.h"
 #include "core/linear/worthwhile.h"
 #include "core/parallel/parallel_for.h"
 
@@ -55,6 +56,7 @@ void GaussSeidel::build(const SparseMatrix& matrix, int threads) {
   values_.resize(matrix.values.size());
   inverse_.resize(rows * at(block_) * at(block_));
   excess_.resize(rows);
+  inside_.resize(2 * rows);
   with_block(block_, [&](auto size) {
     parallel_for(worthwhile(threads, values_.size()), pattern_->rows(),
                  [&](Index begin, Index end) { build_rows<size()>(matrix, begin, end); });
@@ -68,6 +70,13 @@ void GaussSeidel::build_rows(const SparseMatrix& matrix, Index begin, Index end)
   std::transform(&matrix.values[first], matrix.values.data() + last, &values_[first],
                  [](double v) { return static_cast<Real>(v); });
   for (Index i = begin; i < end; ++i) {
+    const auto columns = pattern_->columns.begin();
+    const auto first_entry = columns + pattern_->offsets[at(i)];
+    const auto last_entry = columns + pattern_->offsets[at(i) + 1];
+    inside_[2 * at(i)] =
+        static_cast<Index>(std::lower_bound(first_entry, last_entry, begin) - columns);
+    inside_[2 * at(i) + 1] =
+        static_cast<Index>(std::lower_bound(first_entry, last_entry, end) - columns);
     // M + M^T - A = D (2 C - 1) - O is positive definite if 2 C - 1 exceeds the weight of O.
     constexpr double margin = 0.9;
     const double outside = outside_weight<B>(matrix, i, begin, end);
@@ -81,16 +90,17 @@ void GaussSeidel::build_rows(const SparseMatrix& matrix, Index begin, Index end)
 }
 
 template <int B>
+void GaussSeidel::product(Index first, Index last, std::span<const Real> x, Real* out) const {
+  row_product<B>(values_.data(), pattern_->columns.data(), first, last, x.data(), out);
+}
+
+template <int B>
 void GaussSeidel::forward_rows(std::span<const Real> b, std::span<Real> x, Index begin,
                                Index end) const {
-  const SparsityPattern& p = *pattern_;
   for (auto i = at(begin); i < at(end); ++i) {
     Real sum[B];
-    std::copy_n(&b[i * B], B, sum);
-    for (auto e = at(p.offsets[i]); e < at(p.diagonal[i]); ++e) {
-      if (p.columns[e] < begin) continue;
-      multiply_subtract<B>(&values_[e * B * B], &x[at(p.columns[e]) * B], sum);
-    }
+    product<B>(inside_[2 * i], pattern_->diagonal[i], x, sum);
+    for (std::size_t k = 0; k < B; ++k) sum[k] = b[i * B + k] - sum[k];
     multiply<B>(&inverse_[i * B * B], sum, &x[i * B]);
   }
 }
@@ -101,17 +111,11 @@ void GaussSeidel::defect_after_forward(std::span<const Real> x, std::span<Real> 
                                        Index end) const {
   const SparsityPattern& p = *pattern_;
   for (auto i = at(begin); i < at(end); ++i) {
-    const auto diagonal = at(p.diagonal[i]);
-    Real sum[B];
-    multiply<B>(&values_[diagonal * B * B], &x[i * B], sum);
-    for (int k = 0; k < B; ++k) sum[k] *= excess_[i];
-    for (auto e = at(p.offsets[i]); e < diagonal && p.columns[e] < begin; ++e) {
-      multiply_subtract<B>(&values_[e * B * B], &x[at(p.columns[e]) * B], sum);
-    }
-    for (auto e = diagonal + 1; e < at(p.offsets[i + 1]); ++e) {
-      multiply_subtract<B>(&values_[e * B * B], &x[at(p.columns[e]) * B], sum);
-    }
-    std::copy_n(sum, B, &r[i * B]);
+    Real sum[B], before[B], after[B];
+    product<B>(p.diagonal[i], p.diagonal[i] + 1, x, sum);
+    product<B>(p.offsets[i], inside_[2 * i], x, before);
+    product<B>(p.diagonal[i] + 1, p.offsets[i + 1], x, after);
+    for (std::size_t k = 0; k < B; ++k) r[i * B + k] = excess_[i] * sum[k] - before[k] - after[k];
   }
 }
 
@@ -120,16 +124,14 @@ void GaussSeidel::backward_rows(std::span<const Real> b, std::span<const Real> b
                                 std::span<Real> x, Index begin, Index end) const {
   const SparsityPattern& p = *pattern_;
   for (auto i = at(end); i-- > at(begin);) {
-    Real sum[B], step[B];
-    std::copy_n(&b[i * B], B, sum);
-    for (auto e = at(p.offsets[i]); e < at(p.offsets[i + 1]); ++e) {
-      const Index j = p.columns[e];
-      // Other runs are at work on theirs.
-      const Real* other = j >= begin && j < end ? x.data() : before.data();
-      multiply_subtract<B>(&values_[e * B * B], other + at(j) * B, sum);
-    }
-    multiply<B>(&inverse_[i * B * B], sum, step);
-    for (int k = 0; k < B; ++k) x[i * B + at(k)] += step[k];
+    Real inside[B], first[B], last[B], step[B];
+    product<B>(inside_[2 * i], inside_[2 * i + 1], x, inside);
+    // Other runs are at work on theirs.
+    product<B>(p.offsets[i], inside_[2 * i], before, first);
+    product<B>(inside_[2 * i + 1], p.offsets[i + 1], before, last);
+    for (std::size_t k = 0; k < B; ++k) inside[k] = b[i * B + k] - first[k] - inside[k] - last[k];
+    multiply<B>(&inverse_[i * B * B], inside, step);
+    for (std::size_t k = 0; k < B; ++k) x[i * B + k] += step[k];
   }
 }
 
@@ -160,11 +162,8 @@ void GaussSeidel::defect(std::span<const Real> b, std::span<const Real> x, std::
     parallel_for(worthwhile(threads, values_.size()), p.rows(), [&](Index begin, Index end) {
       for (auto i = at(begin); i < at(end); ++i) {
         Real sum[B];
-        std::copy_n(&b[i * B], B, sum);
-        for (auto e = at(p.offsets[i]); e < at(p.offsets[i + 1]); ++e) {
-          multiply_subtract<B>(&values_[e * B * B], &x[at(p.columns[e]) * B], sum);
-        }
-        std::copy_n(sum, B, &r[i * B]);
+        product<B>(p.offsets[i], p.offsets[i + 1], x, sum);
+        for (std::size_t k = 0; k < B; ++k) r[i * B + k] = b[i * B + k] - sum[k];
       }
     });
   });

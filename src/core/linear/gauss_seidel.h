@@ -34,6 +34,9 @@ class GaussSeidel {
               int threads) const;
 
  private:
+  /// Row i of A times x over the entries [first, last) of the matrix.
+  template <int B>
+  void product(Index first, Index last, std::span<const Real> x, Real* out) const;
   template <int B>
   void build_rows(const SparseMatrix& matrix, Index begin, Index end);
   template <int B>
@@ -50,6 +53,7 @@ class GaussSeidel {
   std::vector<Real> values_;
   std::vector<Real> inverse_;  // (D C)^-1, row by row
   std::vector<Real> excess_;   // C - 1, row by row
+  std::vector<Index> inside_;  // #rows by 2: first entry of a row within its run, and the end
 };
 
 }  // namespace winslow

@@ -23,6 +23,8 @@ struct SparseMatrix {
   int block = 1;                                   ///< blocks are block by block
   /// The matrix equals its transpose, value by value; the whole of it is stored all the same.
   bool symmetric = false;
+  /// Of a mesh in space: its factors fill in much more than those of a plane mesh as large.
+  bool in_space = false;
   /// #entries by block by block, row-major within a block: entry e, row r, column c of it lies at
   /// values[(e * block + r) * block + c].
   std::vector<double> values;

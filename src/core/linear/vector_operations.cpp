@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/linear/blocks.h"
+#include "core/linear/row_product.h"
 #include "core/linear/worthwhile.h"
 #include "core/parallel/parallel_for.h"
 
@@ -23,21 +24,21 @@ double blocked_sum(int threads, std::size_t numbers, Index n, Body&& body) {
   return sum;
 }
 
-/// out = start + sign A x over the rows [begin, end) of blocks. Returns the sum of weigh(out, i).
-template <int B, typename Start, typename Add, typename Weigh>
+/// out_i = value((A x)_i, i) over the rows [begin, end) of blocks. Returns the sum of
+/// weigh(out_i, i).
+template <int B, typename Value, typename Weigh>
 double rows_product(const SparseMatrix& a, std::span<const double> x, Index begin, Index end,
-                    std::span<double> out, Start&& start, Add&& add, Weigh&& weigh) {
+                    std::span<double> out, Value&& value, Weigh&& weigh) {
   const SparsityPattern& p = *a.pattern;
   double sum = 0;
   for (auto i = at(begin); i < at(end); ++i) {
-    double y[B];
-    for (std::size_t r = 0; r < B; ++r) y[r] = start(i * B + r);
-    for (auto e = at(p.offsets[i]); e < at(p.offsets[i + 1]); ++e) {
-      add(&a.values[e * B * B], &x[at(p.columns[e]) * B], y);
-    }
+    double product[B];
+    row_product<B>(a.values.data(), p.columns.data(), p.offsets[i], p.offsets[i + 1], x.data(),
+                   product);
     for (std::size_t r = 0; r < B; ++r) {
-      out[i * B + r] = y[r];
-      sum += weigh(y[r], i * B + r);
+      const double y = value(product[r], i * B + r);
+      out[i * B + r] = y;
+      sum += weigh(y, i * B + r);
     }
   }
   return sum;
@@ -86,8 +87,7 @@ double multiply(const SparseMatrix& a, std::span<const double> x, std::span<doub
     constexpr int B = size();
     return blocked_sum(threads, a.values.size(), a.pattern->rows(), [&](Index begin, Index end) {
       return rows_product<B>(
-          a, x, begin, end, y, [](std::size_t) { return 0.0; },
-          multiply_add<B, double, double, double>,
+          a, x, begin, end, y, [](double product, std::size_t) { return product; },
           [&](double value, std::size_t i) { return value * x[i]; });
     });
   });
@@ -99,8 +99,7 @@ double defect(const SparseMatrix& a, std::span<const double> b, std::span<const 
     constexpr int B = size();
     return blocked_sum(threads, a.values.size(), a.pattern->rows(), [&](Index begin, Index end) {
       return rows_product<B>(
-          a, x, begin, end, r, [&](std::size_t i) { return b[i]; },
-          multiply_subtract<B, double, double, double>,
+          a, x, begin, end, r, [&](double product, std::size_t i) { return b[i] - product; },
           [](double value, std::size_t) { return value * value; });
     });
   });

@@ -188,7 +188,7 @@ TEST_CASE("a system of one unknown") {
     pattern->offsets = {0, 1};
     pattern->columns = {0};
     pattern->diagonal = {0};
-    const SparseSystem system{{pattern, 1, false, {4.0}}, 2, {8.0, -2.0}};
+    const SparseSystem system{{pattern, 1, false, false, {4.0}}, 2, {8.0, -2.0}};
     std::vector<double> x(2, 0.0);
     solve(*make_linear_solver(tight_linear(name)), system, x);
     CHECK(x[0] == doctest::Approx(2));
