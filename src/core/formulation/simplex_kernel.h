@@ -33,7 +33,9 @@ struct SimplexData {
 /// Where numbers lie. A cell's sum over its terms: the D by D blocks (row-major) of the rows of the
 /// earlier node of each pair at the later one, pairs in lexicographic order; from `corners` on, for
 /// each of its nodes, `corner` numbers: the gradient and the length of the edges there. A row's sum
-/// over its cells: the diagonal block, and from `gradient` on the same as for a corner.
+/// over its cells: the diagonal block, and from `gradient` on the same as for a corner. Where no
+/// Hessian is wanted, a cell has slim_sum numbers, slim_corner for each of its nodes: those of a
+/// corner and the trace of the node's diagonal block.
 template <int D>
 struct SimplexLayout;
 
@@ -48,6 +50,7 @@ template <>
 struct SimplexLayout<3> {
   static constexpr std::ptrdiff_t term = 8;  ///< metric 11, 12, 13, 22, 23, 33, weight, unused
   static constexpr std::ptrdiff_t corners = 54, corner = 4, sum = 72;
+  static constexpr std::ptrdiff_t slim_corner = 5, slim_sum = 20;
   static constexpr std::ptrdiff_t gradient = 12, row = 16;
 };
 
@@ -68,9 +71,17 @@ struct SimplexKernel {
   /// Returns the energy of those with at least the number first_counted.
   double (*sum)(const SimplexData&, const Index* list, Index count, Index first_counted,
                 double* sums);
+  /// The same with the Hessian of each term projected to positive semidefinite. Null in the plane,
+  /// where one triangle is projected at a time (distortion.h).
+  double (*sum_projected)(const SimplexData&, const Index* list, Index count, Index first_counted,
+                          double* sums);
+  /// Gradients and traces alone, slim_sum numbers for each cell; null in the plane.
+  double (*sum_gradients)(const SimplexData&, const Index* list, Index count, double* sums);
   /// Adds sums to row sums, and to blocks of the matrix unless `blocks` is null.
   void (*scatter)(const double* sums, const SimplexPlaces<D>*, Index count, double* rows,
                   double* blocks);
+  /// Adds sums without a Hessian to row sums, the trace to the first number. Null in the plane.
+  void (*scatter_gradients)(const double* sums, const SimplexPlaces<D>*, Index count, double* rows);
   /// Copies rows of blocks that lie one after the other to where each belongs in a matrix.
   /// offsets: of the matrix' rows, in blocks.
   void (*write_rows)(const double* entries, const Index* rows, const Index* offsets, Index count,

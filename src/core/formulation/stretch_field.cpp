@@ -33,6 +33,12 @@ bool is_inverted(std::span<const Index> nodes, const PlanePoints& x) {
   return false;
 }
 
+bool has_any(std::span<const Index> nodes, std::span<const Index> of_these) {
+  return std::ranges::any_of(of_these, [&](Index node) {
+    return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+  });
+}
+
 /// s of StretchField; NaN of an inverted element.
 double stretch_of(std::span<const Index> nodes, const PlanePoints& x) {
   if (is_inverted(nodes, x)) return inverted;
@@ -82,8 +88,10 @@ class Field {
     field.weight.assign(stretch_.size(), 1.0);
     if (tangled()) return field;
     std::vector<double>& around = field.longest;
-    for_each_element([&](Index e) { around[at(e)] = stretch_around(e); });
-    for_each_element([&](Index e) { field.share[at(e)] = share_by_neighbours(e, around[at(e)]); });
+    for_each_element([&](Index e) {
+      around[at(e)] = stretch_around(e);
+      field.share[at(e)] = share_by_neighbours(e, around[at(e)]);
+    });
     constexpr int rows = 3;
     for (int row = 0; row < rows; ++row) spread(field.share);
     for_each_element([&](Index e) {
@@ -154,20 +162,20 @@ class Field {
   /// Median of the stretch of the elements of this type around, the element itself included; NaN if
   /// one of those around, of whatever type, is inverted.
   double stretch_around(Index e) const {
-    std::vector<std::pair<Index, double>> found;
-    for (const Index node : topology_.element(e)) {
-      for (const Index other : topology_.star(node)) {
+    std::vector<double> found;
+    const auto nodes = topology_.element(e);
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      for (const Index other : topology_.star(nodes[k])) {
         if (std::isnan(stretch_[at(other)])) return inverted;
-        if (topology_.element_type(other) == topology_.element_type(e))
-          found.push_back({other, stretch_[at(other)]});
+        // An element that shares several nodes is found at the first of them.
+        if (topology_.element_type(other) == topology_.element_type(e) &&
+            !has_any(topology_.element(other), nodes.first(k)))
+          found.push_back(stretch_[at(other)]);
       }
     }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
     const auto middle = found.begin() + static_cast<std::ptrdiff_t>((found.size() - 1) / 2);
-    std::nth_element(found.begin(), middle, found.end(),
-                     [](const auto& a, const auto& b) { return a.second < b.second; });
-    return middle->second;
+    std::nth_element(found.begin(), middle, found.end());
+    return *middle;
   }
 
   /// One more row: each share rises to the mean of the shares around, or stays.

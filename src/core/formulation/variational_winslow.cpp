@@ -95,16 +95,6 @@ double distortion_of(const std::array<Vec3, 4>& p, const VolumeTerm& term) {
   return distortion::Corner3(p).distortion(term);
 }
 
-void add_projected_sums(const std::array<Vec2, 3>& p, const ShapeTerm& term,
-                        const PenaltyFunction& psi, double* sums) {
-  distortion::add_projected_blocks(distortion::Corner2(p[0].data(), p[1].data(), p[2].data()), term,
-                                   psi, sums);
-}
-void add_projected_sums(const std::array<Vec3, 4>& p, const VolumeTerm& term,
-                        const PenaltyFunction& psi, double* sums) {
-  distortion::add_projected_blocks(distortion::Corner3(p), term, psi, sums);
-}
-
 }  // namespace
 
 /// One block of rows as it is summed up.
@@ -232,25 +222,26 @@ std::array<Vec<D>, D + 1> points_of(const double* x, const std::array<Index, D +
 
 }  // namespace
 
-template <int D>
-void SimplexWinslow<D>::add_projected(const SimplexData& data, std::span<const Index> cells,
-                                      double* sums) const {
+/// Projects the Hessians of the cells, which are otherwise summed up.
+template <>
+void SimplexWinslow<2>::project(const SimplexData& data, std::span<const Index> cells,
+                                double* sums) const {
   const PenaltyFunction psi(penalty().exponent, penalty().knee);
   const Targets& shapes = *shapes_;
   for (const Index t : cells) {
-    std::fill(sums, sums + Layout<D>::corners, 0.0);
-    const auto points = points_of<D>(data.x, shapes.cells[at(t)]);
-    for (Index k = shapes.offsets[at(t)]; k < shapes.offsets[at(t) + 1]; ++k) {
-      add_projected_sums(points, shapes.terms[at(k)], psi, sums);
-    }
-    sums += Layout<D>::sum;
+    std::fill(sums, sums + Layout<2>::corners, 0.0);
+    const auto p = points_of<2>(data.x, shapes.cells[at(t)]);
+    const distortion::Corner2 corner(p[0].data(), p[1].data(), p[2].data());
+    for (Index k = shapes.offsets[at(t)]; k < shapes.offsets[at(t) + 1]; ++k)
+      distortion::add_projected_blocks(corner, shapes.terms[at(k)], psi, sums);
+    sums += Layout<2>::sum;
   }
 }
 
 /// The sums of a block's rows and, with_matrix, its part of the Hessian. Returns the energy of the
-/// cells that no earlier block has.
+/// cells that no earlier block has, with the matrix only.
 template <int D>
-double SimplexWinslow<D>::sum_block(const SimplexData& data, bool project, bool with_matrix,
+double SimplexWinslow<D>::sum_block(const SimplexData& data, bool is_projected, bool with_matrix,
                                     Index block, BlockMemory& memory) const {
   const RowBlocks<D>& rows = structure_->rows;
   std::fill(memory.rows.begin(), memory.rows.end(), 0.0);
@@ -261,8 +252,17 @@ double SimplexWinslow<D>::sum_block(const SimplexData& data, bool project, bool 
   for (std::size_t first = 0; first < cells.size(); first += BlockMemory::chunk) {
     const auto part = cells.subspan(first, std::min(BlockMemory::chunk, cells.size() - first));
     const auto count = static_cast<Index>(part.size());
-    energy += kernel_.sum(data, part.data(), count, rows.first_new_cell(block), memory.sums.data());
-    if (project) add_projected(data, part, memory.sums.data());
+    if (!with_matrix && kernel_.sum_gradients) {
+      kernel_.sum_gradients(data, part.data(), count, memory.sums.data());
+      kernel_.scatter_gradients(memory.sums.data(), places.data() + first, count,
+                                memory.rows.data());
+      continue;
+    }
+    const auto sum = is_projected && kernel_.sum_projected ? kernel_.sum_projected : kernel_.sum;
+    energy += sum(data, part.data(), count, rows.first_new_cell(block), memory.sums.data());
+    if constexpr (D == 2) {
+      if (is_projected) project(data, part, memory.sums.data());
+    }
     kernel_.scatter(memory.sums.data(), places.data() + first, count, memory.rows.data(),
                     with_matrix ? memory.matrix.data() : nullptr);
   }

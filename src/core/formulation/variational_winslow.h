@@ -74,10 +74,10 @@ class SimplexWinslow final : public VariationalForm {
   double energy_of(const distortion::SimplexData& cells) const;
   Linearisation assemble(const distortion::SimplexData& cells, bool project, SparseMatrix& hessian,
                          std::span<double> residual) const;
-  double sum_block(const distortion::SimplexData& data, bool project, bool with_matrix, Index block,
-                   BlockMemory& memory) const;
-  void add_projected(const distortion::SimplexData& data, std::span<const Index> cells,
-                     double* sums) const;
+  double sum_block(const distortion::SimplexData& data, bool is_projected, bool with_matrix,
+                   Index block, BlockMemory& memory) const;
+  void project(const distortion::SimplexData& data, std::span<const Index> cells,
+               double* sums) const;
   template <typename Visit>
   void for_each_block(Visit&& visit) const;
 

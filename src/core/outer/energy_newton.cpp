@@ -32,19 +32,19 @@ EnergyNewton::EnergyNewton(std::shared_ptr<const EnergyProblem> problem, LinearS
 
 /// Relative residual to which the next step is solved. Far from the solution the linear model is
 /// worth no more than a digit beyond the residual; falling with it, the tolerance leaves the end of
-/// the iteration as fast as exact solves would. But the entries of one matrix lie many orders of
-/// magnitude apart where an element is near to inversion: what is left of a loose residual can be
-/// all that matters there.
+/// the iteration as fast as exact solves would, and the last step need reach the tolerance only.
+/// But the entries of one matrix lie many orders of magnitude apart where an element is near to
+/// inversion: what is left of a loose residual can be all that matters there.
 double EnergyNewton::forcing() const {
   constexpr double share = 0.1, loosest = 1e-2;
   if (slender() || record_.damping < 1) return tight_;
-  return std::clamp(share * record_.residual, tight_, std::max(tight_, loosest));
+  const double enough = 0.3 * options_.tolerance / record_.residual;
+  return std::clamp(std::max(share * record_.residual, enough), tight_, std::max(tight_, loosest));
 }
 
 void EnergyNewton::assess(const Coordinates& x) {
-  const Validity validity = problem_->validity(x);
-  record_.inverted = validity.inverted;
-  record_.min_sine = validity.min_sine;
+  record_.inverted = validity_.inverted;
+  record_.min_sine = validity_.min_sine;
   record_.residual = problem_->residual(x, {}).max;
   round_off_ = problem_->residual_round_off(x);
 }
@@ -57,6 +57,7 @@ IterationRecord EnergyNewton::start(const Coordinates& x) {
   if (!std::isfinite(energy_)) {
     throw UsageError("Newton's method on the energy starts from a mesh without inverted elements");
   }
+  validity_ = problem_->validity(x);
   assess(x);
   return record_;
 }
@@ -135,8 +136,12 @@ bool EnergyNewton::search(Coordinates& x, double slope) {
     if (!good && std::abs(energy - energy_) <= flat * energy_) {
       good = problem_->residual(candidate, {}).max < record_.residual;
     }
-    if (good) {
+    // The energy is a barrier at the corners of elements only: the Jacobian of a hexahedron can
+    // change its sign inside before.
+    const Validity validity = good ? problem_->validity(candidate) : Validity{};
+    if (good && (validity.inverted == 0 || record_.inverted > 0)) {
       x = std::move(candidate);
+      validity_ = validity;
       energy_ = energy;
       record_.damping = t;
       record_.largest_move = move;

@@ -65,6 +65,7 @@ class EnergyNewton final : public SteadySolver {
   LinearSolver& linear_;
   NewtonOptions options_;
   IterationRecord record_;
+  Validity validity_;  // of the mesh
   SparseMatrix hessian_;
   std::vector<double> residual_, direction_;
   double tight_;  // tolerance of the linear solver where a looser one would not do

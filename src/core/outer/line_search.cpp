@@ -10,7 +10,7 @@ double first_valid_step(const SmoothingProblem& problem, std::span<const double>
   constexpr double margin = 0.9;
   Coordinates full = x;
   problem.advance(direction, 1, full);
-  return std::min(longest, margin * problem.largest_valid_step(x, full));
+  return std::min(longest, margin * problem.largest_valid_step(x, full, longest / margin));
 }
 
 double shorter_step(double t, double slope, double rise) {

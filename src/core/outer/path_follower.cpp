@@ -32,7 +32,8 @@ PathFollower::Trial PathFollower::attempt(const Path& path, const Goal& goal, Co
   }
   problem.advance(answer, 1, moved);
   Trial trial;
-  trial.possible = problem.largest_valid_step(x, moved);
+  constexpr double beyond = 1.1;  // of the step: more is not asked for
+  trial.possible = problem.largest_valid_step(x, moved, beyond);
   if (trial.possible <= 1 || problem.validity(moved).inverted > 0) return trial;
   trial.valid = true;
   record = solver_.start(moved);

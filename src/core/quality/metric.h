@@ -37,8 +37,8 @@ namespace winslow {
 /// Of volume elements (a corner is the tetrahedron of a corner and its three neighbours in the
 /// element, E its edges there, W those of the regular element's corner; see corner_tetrahedra()):
 /// - normalized_jacobian: smallest det E / (|e1| |e2| |e3|) of the corners over that of the regular
-///   element's corner; of a tetrahedron all four corners count. (Verdict: scaled Jacobian.) 1 is
-///   best, negative where a corner is inverted.
+///   element's corner; of a tetrahedron all four corners count. (Verdict: scaled Jacobian.) 1 for
+///   the regular element (more for a pyramid that is steeper), negative where a corner is inverted.
 /// - aspect_ratio: R/(3r), circumradius over three times the inradius, of a tetrahedron (AIAA
 ///   2009-1362; Verdict: aspect ratio beta); of other elements the largest of the corners, over
 ///   that of the regular element's corner.

@@ -131,12 +131,16 @@ Values::Values(const Mesh& mesh, int threads) {
   });
 }
 
+/// Of a volume mesh: no smoothing can change the element.
+bool all_on_boundary(const Topology& topology, Index e) {
+  return std::ranges::all_of(topology.element(e),
+                             [&](Index node) { return topology.on_boundary(node); });
+}
+
 /// Takes the elements that no smoothing can change out of what is measured, and counts them.
 void set_fixed_apart(const Topology& topology, Values& values, QualityReport& report) {
   for (Index e = 0; e < topology.element_count(); ++e) {
-    const auto nodes = topology.element(e);
-    if (!std::ranges::all_of(nodes, [&](Index node) { return topology.on_boundary(node); }))
-      continue;
+    if (!all_on_boundary(topology, e)) continue;
     ++report.all_on_boundary;
     if (values.inverted[at(e)]) ++report.all_on_boundary_inverted;
     for (auto& of_metric : values.of_elements)
@@ -229,7 +233,8 @@ Validity check_volume(const Topology& topology, const Coordinates& coordinates, 
     for (Index e = begin; e < end; ++e) {
       const VolumeElement element(coordinates, topology.element_type(e), topology.element(e));
       block.inverted += element.inverted() ? 1 : 0;
-      block.min_sine = std::min(block.min_sine, element.scaled_jacobian());
+      if (!all_on_boundary(topology, e))
+        block.min_sine = std::min(block.min_sine, element.scaled_jacobian());
     }
   });
   Validity total{0, 1.0};

@@ -19,14 +19,23 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
+/// True if d0 + d1 t + d2 t^2 + d3 t^3 stays positive up to t = most by the sizes of its
+/// coefficients alone: the case of almost every element, without a root.
+bool stays_positive(double d0, double d1, double d2, double d3, double most) {
+  constexpr double round_off = 1e-12;
+  const double fall = most * (std::abs(d1) + most * (std::abs(d2) + most * std::abs(d3)));
+  return d0 * (1 - round_off) > fall;
+}
+
 /// Of a corner, given by its node and the ends of its two edges.
-double corner_step(const std::array<Vec2, 3>& from, const std::array<Vec2, 3>& to) {
+double corner_step(const std::array<Vec2, 3>& from, const std::array<Vec2, 3>& to, double most) {
   const Vec2 u = from[1] - from[0], v = from[2] - from[0];
   const Vec2 du = to[1] - to[0] - u, dv = to[2] - to[0] - v;
   const double d0 = cross(u, v);
   if (!(d0 > 0)) return 0;
-  return first_positive_root(d0, u.x() * dv.y() - u.y() * dv.x() + du.x() * v.y() - du.y() * v.x(),
-                             cross(du, dv));
+  const double d1 = u.x() * dv.y() - u.y() * dv.x() + du.x() * v.y() - du.y() * v.x();
+  const double d2 = cross(du, dv);
+  return stays_positive(d0, d1, d2, 0, most) ? most : first_positive_root(d0, d1, d2);
 }
 
 }  // namespace
@@ -89,31 +98,31 @@ double first_positive_root(double d0, double d1, double d2, double d3) {
 namespace {
 
 double tetrahedron_step(const std::array<Index, 4>& nodes, const SpacePoints& from,
-                        const SpacePoints& to) {
+                        const SpacePoints& to, double most) {
   std::array<Vec3, 3> e, de;
   for (std::size_t k = 0; k < 3; ++k) {
     e[k] = from[nodes[k + 1]] - from[nodes[0]];
     de[k] = to[nodes[k + 1]] - to[nodes[0]] - e[k];
   }
   const auto det = [](const Vec3& a, const Vec3& b, const Vec3& c) { return a.dot(b.cross(c)); };
-  return first_positive_root(
-      det(e[0], e[1], e[2]),
-      det(de[0], e[1], e[2]) + det(e[0], de[1], e[2]) + det(e[0], e[1], de[2]),
-      det(e[0], de[1], de[2]) + det(de[0], e[1], de[2]) + det(de[0], de[1], e[2]),
-      det(de[0], de[1], de[2]));
+  const double d0 = det(e[0], e[1], e[2]);
+  const double d1 = det(de[0], e[1], e[2]) + det(e[0], de[1], e[2]) + det(e[0], e[1], de[2]);
+  const double d2 = det(e[0], de[1], de[2]) + det(de[0], e[1], de[2]) + det(de[0], de[1], e[2]);
+  const double d3 = det(de[0], de[1], de[2]);
+  return stays_positive(d0, d1, d2, d3, most) ? most : first_positive_root(d0, d1, d2, d3);
 }
 
-/// Smallest of step(element) over all elements.
+/// Smallest of `most` and step(element, smallest so far) over all elements.
 template <typename Step>
-double smallest_step(Index elements, int threads, Step&& step) {
+double smallest_step(Index elements, double most, int threads, Step&& step) {
   const auto blocks = static_cast<std::size_t>((elements + parallel_block - 1) / parallel_block);
-  std::vector<double> steps(blocks, infinite);
+  std::vector<double> steps(blocks, most);
   parallel_for(threads, elements, [&](Index begin, Index end) {
-    double smallest = infinite;
-    for (Index e = begin; e < end; ++e) smallest = std::min(smallest, step(e));
+    double smallest = most;
+    for (Index e = begin; e < end; ++e) smallest = std::min(smallest, step(e, smallest));
     steps[static_cast<std::size_t>(begin / parallel_block)] = smallest;
   });
-  double smallest = infinite;
+  double smallest = most;
   for (const double found : steps) smallest = std::min(smallest, found);
   return smallest;
 }
@@ -121,29 +130,27 @@ double smallest_step(Index elements, int threads, Step&& step) {
 }  // namespace
 
 double largest_valid_step(const Topology& topology, const Coordinates& from, const Coordinates& to,
-                          int threads) {
+                          double most, int threads) {
   if (topology.cell_dimension() == 3) {
     const SpacePoints before(from), after(to);
-    return smallest_step(topology.element_count(), threads, [&](Index e) {
-      double smallest = infinite;
+    return smallest_step(topology.element_count(), most, threads, [&](Index e, double smallest) {
       for (const auto& corner : corner_tetrahedra(topology.element_type(e))) {
-        smallest = std::min(smallest,
-                            tetrahedron_step(by_nodes(corner, topology.element(e)), before, after));
+        const auto tetrahedron = by_nodes(corner, topology.element(e));
+        smallest = std::min(smallest, tetrahedron_step(tetrahedron, before, after, smallest));
       }
       return smallest;
     });
   }
   require_plane(topology, "steps that keep a mesh valid");
   const PlanePoints before(from), after(to);
-  return smallest_step(topology.element_count(), threads, [&](Index e) {
-    double smallest = infinite;
+  return smallest_step(topology.element_count(), most, threads, [&](Index e, double smallest) {
     const auto nodes = topology.element(e);
     const std::size_t count = nodes.size();
     const std::size_t corners = count == 3 ? 1 : count;
     for (std::size_t k = 0; k < corners; ++k) {
       const Index a = nodes[k], b = nodes[(k + 1) % count], c = nodes[(k + count - 1) % count];
-      smallest = std::min(
-          smallest, corner_step({before[a], before[b], before[c]}, {after[a], after[b], after[c]}));
+      smallest = std::min(smallest, corner_step({before[a], before[b], before[c]},
+                                                {after[a], after[b], after[c]}, smallest));
     }
     return smallest;
   });

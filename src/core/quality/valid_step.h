@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"
 
@@ -16,9 +18,9 @@ double first_positive_root(double d0, double d1, double d2, double d3);
 /// largest t such that from + s (to - from) has no inverted corner for any s in [0, t). Exact: the
 /// area of each corner triangle is a quadratic in s, the volume of each corner tetrahedron a cubic.
 /// (Hexahedra and prisms may lose the sign of their Jacobian inside before that: check_validity()
-/// tells.) Infinite if nothing ever inverts; 0 if `from` is not valid. threads: 0 for all cores;
-/// the result does not depend on it. Throws UsageError for a surface mesh.
+/// tells.) `most` if that is larger; 0 if `from` is not valid. threads: 0 for all cores; the result
+/// does not depend on it. Throws UsageError for a surface mesh.
 double largest_valid_step(const Topology& topology, const Coordinates& from, const Coordinates& to,
-                          int threads = 0);
+                          double most = std::numeric_limits<double>::infinity(), int threads = 0);
 
 }  // namespace winslow

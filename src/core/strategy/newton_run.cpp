@@ -20,7 +20,8 @@ bool creeps(const IterationRecord& record) {
 bool NewtonRun::untangle(Coordinates& x, double fraction, const Coordinates* reference) {
   Untangling untangling(state_, workspace_, recorder_);
   const bool valid = untangling.run(x, fraction, reference);
-  if (untangling.tried_energy()) begin_anew();
+  const bool other_vcvs = valid && workspace_.adjust_tangled_vcvs(x);
+  if (untangling.tried_energy() || other_vcvs) begin_anew();
   if (valid) return true;
   recorder_.result().converged = false;
   return false;
@@ -128,7 +129,7 @@ void NewtonRun::end_path(Coordinates& x, double reached) {
 void NewtonRun::follow(const Motion& motion, const Coordinates& rest, Coordinates& x) {
   const Topology& topology = *state_.mesh.topology;
   SmoothResult& result = recorder_.result();
-  result.contact = find_contact(topology, rest, motion);
+  if (!way_is_clear_) result.contact = find_contact(topology, rest, motion);
   if (result.contact && end_at_contact_) {
     recorder_.iterate(newton(), x, Stage::newton, 0, 0);
     result.converged = false;

@@ -23,6 +23,8 @@ class NewtonRun {
   void keep_within(QualityFloor floor) { floor_ = std::move(floor); }
   /// follow() does not begin a motion that contact blocks.
   void end_at_contact(bool whether) { end_at_contact_ = whether; }
+  /// There is no contact on the way: follow() need not look for one.
+  void way_is_clear() { way_is_clear_ = true; }
   /// The boundary stays. reference: a valid mesh of the same connectivity that says how large the
   /// triangles are to be while they are untangled; may be null.
   virtual void smooth(Coordinates& x, double fraction, const Coordinates* reference);
@@ -89,7 +91,7 @@ class NewtonRun {
   SmoothingWorkspace& workspace_;
   RunRecorder& recorder_;
   QualityFloor floor_;
-  bool end_at_contact_ = false;
+  bool end_at_contact_ = false, way_is_clear_ = false;
 };
 
 }  // namespace winslow

@@ -76,9 +76,10 @@ bool Untangling::run(Coordinates& x, double fraction, const Coordinates* referen
   const Topology& topology = *state_.mesh.topology;
   const int threads = workspace_.options().threads;
   if (check_validity(topology, x, threads).inverted == 0) return true;
-  // The fixed point is the pointwise form's, which volume meshes do not have yet.
+  // In space the energy does it alone: the fixed point would be over the VCVs of a tangle.
   const bool energy_alone = topology.cell_dimension() == 3;
-  const Untangle how = energy_alone ? Untangle::energy : workspace_.options().untangle;
+  const Untangle chosen = workspace_.options().untangle;
+  const Untangle how = chosen == Untangle::automatic && energy_alone ? Untangle::energy : chosen;
   // The pointwise form has the fixed point for its own, which leads nearer to its solution.
   const bool energy_first =
       how == Untangle::energy ||

@@ -20,7 +20,10 @@ const VariationalForm& VariationalRun::energy() {
   return *energy_;
 }
 
-void VariationalRun::begin_anew() { change_penalty(asked_for()); }
+void VariationalRun::begin_anew() {
+  energy_.reset();  // its targets may be others by now
+  change_penalty(asked_for());
+}
 
 void VariationalRun::vary_targets(const Coordinates& from) {
   target_path_ = workspace().energy()->target_path(from);

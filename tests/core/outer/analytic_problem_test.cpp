@@ -68,8 +68,9 @@ class Chain final : public UntanglingProblem {
                   Coordinates& out) const override {
     for (std::size_t i = 0; i < rates.size(); ++i) out.values()[place(i)] = rates[i];
   }
-  double largest_valid_step(const Coordinates& from, const Coordinates& to) const override {
-    double smallest = std::numeric_limits<double>::infinity();
+  double largest_valid_step(const Coordinates& from, const Coordinates& to,
+                            double most) const override {
+    double smallest = most;
     for (Index k = 0; k <= beads; ++k) {
       const double closes = gap(from, k) - gap(to, k);
       if (closes > 0) smallest = std::min(smallest, gap(from, k) / closes);

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "core/quality/quality.h"
 #include "support/meshes.h"
@@ -21,6 +22,10 @@ TEST_CASE("the first positive root of a quadratic") {
   CHECK(first_positive_root(1, -1e9, 1) == doctest::Approx(1e-9).epsilon(1e-14));
 }
 
+namespace {
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+}
+
 TEST_CASE("the largest valid step is where the first corner loses its area") {
   for (const Cells cells : {Cells::triangles, Cells::quads, Cells::mixed}) {
     for (std::uint64_t seed = 1; seed < 12; ++seed) {
@@ -30,7 +35,9 @@ TEST_CASE("the largest valid step is where the first corner loses its area") {
       for (const Index node : mesh.topology->interior_nodes()) {
         to.set_xy(node, to.xy(node) + 0.5 * random.vector());
       }
-      const double step = largest_valid_step(*mesh.topology, mesh.coordinates, to, 2);
+      const double step = largest_valid_step(*mesh.topology, mesh.coordinates, to, unlimited, 2);
+      CHECK(largest_valid_step(*mesh.topology, mesh.coordinates, to, 0.5 * step, 2) == 0.5 * step);
+      CHECK(largest_valid_step(*mesh.topology, mesh.coordinates, to, 2 * step, 2) == step);
       REQUIRE(std::isfinite(step));
       const auto inverted = [&](double t) {
         Coordinates x = mesh.coordinates;

@@ -172,8 +172,11 @@ TEST_CASE("the largest valid step of tetrahedra is where the first determinant v
     for (const Index node : mesh.topology->interior_nodes())
       to.set_xyz(node, to.xyz(node) + Vec3(random.uniform(-2, 2), random.uniform(-2, 2),
                                            random.uniform(-2, 2)));
-    const double step = largest_valid_step(*mesh.topology, mesh.coordinates, to, 1);
+    const double step = largest_valid_step(*mesh.topology, mesh.coordinates, to,
+                                           std::numeric_limits<double>::infinity(), 1);
     REQUIRE(std::isfinite(step));
+    CHECK(largest_valid_step(*mesh.topology, mesh.coordinates, to, 0.5 * step, 1) == 0.5 * step);
+    CHECK(largest_valid_step(*mesh.topology, mesh.coordinates, to, 2 * step, 1) == step);
     const auto smallest = [&](double t) {
       Coordinates x = mesh.coordinates;
       for (std::size_t i = 0; i < x.values().size(); ++i)
