@@ -2,7 +2,7 @@
 // the fit of solid angles and by the paper's random perturbation, on cubes cut into tetrahedra.
 #include <benchmark/benchmark.h>
 
-#include "core/formulation/volume_pointwise.h"
+#include "core/formulation/pointwise_winslow.h"
 #include "core/mesh/mesh.h"
 #include "core/vcv/sphere/volume_vcv_statistics.h"
 #include "support/space_meshes.h"

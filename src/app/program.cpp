@@ -73,7 +73,7 @@ ExitCode parse_and_run(CLI::App& program, const SubcommandList& subcommands, int
 ExitCode run_program(int argc, char** argv) {
   try {
     CLI::App program(
-        "Repairs unstructured 2D meshes after boundary motion: Winslow smoothing on "
+        "Repairs unstructured meshes after boundary motion: Winslow smoothing on "
         "virtual control volumes.",
         "winslow");
     program.set_version_flag("--version", "winslow " WINSLOW_VERSION, "Print the version");

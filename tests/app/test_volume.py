@@ -1,60 +1,10 @@
 """Volume meshes: files, motions, quality, and what says that it is for plane meshes only."""
-import itertools
 import math
 import unittest
 
 import support
 from support import HAS_GUI, INPUT, INVERTED, USAGE, ProgramTest
-
-N = 5  # cubes along each side; the one in the middle is the body
-TETRAHEDRON, TRIANGLE = 10, 5
-
-
-def box_mesh():
-    """Tetrahedra (six to a cube) in [0, 1]^3 around a cube that is left out."""
-    ids, nodes, tetrahedra = {}, [], []
-
-    def node(i, j, k):
-        if (i, j, k) not in ids:
-            ids[i, j, k] = len(nodes)
-            nodes.append((i / N, j / N, k / N))
-        return ids[i, j, k]
-
-    for i, j, k in itertools.product(range(N), repeat=3):
-        if (i, j, k) == (N // 2,) * 3:
-            continue
-        for order in itertools.permutations(range(3)):
-            place, corners = [i, j, k], [node(i, j, k)]
-            for axis in order:
-                place[axis] += 1
-                corners.append(node(*place))
-            tetrahedra.append(corners)
-    count = {}
-    for cell in tetrahedra:
-        for face in itertools.combinations(cell, 3):
-            count[tuple(sorted(face))] = count.get(tuple(sorted(face)), 0) + 1
-    markers = {"body": [], "far": []}
-    for face, uses in count.items():
-        if uses == 1:
-            inside = all(0 < c < 1 for n in face for c in nodes[n])
-            markers["body" if inside else "far"].append(face)
-    return nodes, tetrahedra, markers
-
-
-def write_box(path, shift=None):
-    nodes, cells, markers = box_mesh()
-    if shift:
-        nodes[shift[0]] = shift[1]
-    lines = ["NDIME= 3", f"NELEM= {len(cells)}"]
-    lines += [" ".join(map(str, (TETRAHEDRON, *c, i))) for i, c in enumerate(cells)]
-    lines += [f"NPOIN= {len(nodes)}"]
-    lines += [" ".join([*(repr(c) for c in p), str(i)]) for i, p in enumerate(nodes)]
-    lines += [f"NMARK= {len(markers)}"]
-    for name, faces in markers.items():
-        lines += [f"MARKER_TAG= {name}", f"MARKER_ELEMS= {len(faces)}"]
-        lines += [" ".join(map(str, (TRIANGLE, *f))) for f in faces]
-    path.write_text("\n".join(lines) + "\n")
-    return nodes, cells, markers
+from volume_meshes import N, write_box
 
 
 def read_nodes(path):
@@ -102,6 +52,46 @@ class Volume(ProgramTest):
         for n in {n for face in self.markers["far"] for n in face}:
             self.assertEqual(after[n], self.nodes[n])
 
+    def test_a_body_is_deformed_by_a_sine(self):
+        self.winslow("deform", "box.su2", "-o", "o.su2", "--marker", "body", "--sine", "0.03", "0.5",
+                     "--direction", "0", "0", "1", "--along", "1", "0", "0")
+        self.assertTrue(all(self.signs("o.su2")))
+        after = read_nodes(self.path("o.su2"))
+        for n in {n for face in self.markers["body"] for n in face}:
+            x, y, z = self.nodes[n]
+            s = (x - 0.4) / 0.2  # the body is [0.4, 0.6] in x
+            self.assertLess(math.dist(after[n], (x, y, z + 0.03 * math.sin(math.pi * s))), 1e-12)
+
+    def test_a_table_with_three_components_moves_nodes(self):
+        node = next(iter(self.markers["body"]))[0]
+        place = self.nodes[node]
+        for text in (f"node,dx,dy,dz\n{node},0.01,0.02,-0.03\n",
+                     " ".join(map(repr, (*place, 0.01, 0.02, -0.03))) + "\n"):
+            self.path("d.csv").write_text(text)
+            self.winslow("deform", "box.su2", "-o", "o.su2", "--marker", "body", "--displacements",
+                         "d.csv", "--save-recipe", "r.json")
+            after = read_nodes(self.path("o.su2"))
+            for n in {n for face in self.markers["body"] for n in face}:
+                by = (0.01, 0.02, -0.03) if n == node else (0, 0, 0)
+                there = tuple(c + d for c, d in zip(self.nodes[n], by))
+                self.assertLess(math.dist(after[n], there), 1e-15)
+            self.winslow("replay", "r.json", "-o", "again.su2")
+            self.assertEqual(self.path("o.su2").read_bytes(), self.path("again.su2").read_bytes())
+        self.path("d.csv").write_text(f"{node},0.01,0.02\n")
+        run = self.winslow("deform", "box.su2", "-o", "p.su2", "--marker", "body", "--displacements",
+                           "d.csv", code=USAGE)
+        self.assertIn("has no dz", run.stderr)
+        self.assertFalse(self.path("p.su2").exists())
+
+    def test_a_motion_into_the_boundary_is_not_begun(self):
+        run = self.winslow("move", "box.su2", "-o", "o.su2", "--marker", "body", "--translate", "0",
+                           "0", "0.8", "--report", "r.json", code=INVERTED)
+        self.assertIn("body would touch far at 50 % of the way; nothing was written", run.stderr)
+        self.assertFalse(self.path("o.su2").exists())
+        contact = self.json("r.json")["commands"][0]["contact"]
+        self.assertEqual((contact["moving"], contact["other"]), ("body", "far"))
+        self.assertAlmostEqual(contact["place"][2], 1, delta=1e-3)
+
     def test_a_recipe_does_the_same_again(self):
         self.winslow("move", "box.su2", "-o", "a.su2", "--marker", "body", "--rotate", "20", "--axis",
                      "1", "0", "0", "--pivot", "0.5", "0.5", "0.4", "--save-recipe", "r.json")
@@ -135,9 +125,8 @@ class Volume(ProgramTest):
 
     def test_what_is_for_plane_meshes_says_so(self):
         only = "only for a plane mesh, and this is a volume mesh"
-        for args in (("smooth", "box.su2", "-o", "o.su2", "--formulation", "pointwise"),
-                     ("deform", "box.su2", "-o", "o.su2", "--marker", "body", "--sine", "0.1", "1")):
-            self.assertIn(only, self.winslow(*args, code=USAGE).stderr)
+        run = self.winslow("smooth", "box.su2", "-o", "o.su2", "--keep-outside-radius", "1", code=USAGE)
+        self.assertIn(only, run.stderr)
         run = self.winslow("move", "box.su2", "-o", "o.su2", "--marker", "body", "--rotate", "9",
                            code=USAGE)
         self.assertIn("a rotation in space needs an axis", run.stderr)
@@ -148,9 +137,7 @@ class Volume(ProgramTest):
         self.assertFalse(self.path("o.su2").exists())
 
     @unittest.skipUnless(HAS_GUI, "built without pictures")
-    def test_pictures_and_the_studio_refuse_it_by_name(self):
-        run = self.winslow("render", "box.su2", "-o", "o.png", code=USAGE)
-        self.assertIn("render: only for a plane mesh", run.stderr)
+    def test_the_studio_refuses_it_by_name(self):
         run = self.winslow("studio", "--headless", "box.su2", "--screenshot", "o.png", code=INPUT)
         self.assertIn("a volume mesh, and the studio shows plane meshes only", run.stderr)
         self.assertFalse(self.path("o.png").exists())

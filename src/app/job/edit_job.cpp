@@ -190,7 +190,7 @@ void print_commands(const RunReport& run) {
   for (const CommandRecord& c : run.commands) {
     std::cout << printable(c.description) << ": ";
     if (c.result.outer_iterations == 0) {
-      std::cout << "done";
+      std::cout << (c.result.fraction_reached < 1 ? "not begun" : "done");
     } else {
       std::cout << (c.result.converged ? "converged" : "NOT converged") << " after "
                 << c.result.outer_iterations << " iterations, residual " << c.result.residual;

@@ -148,7 +148,7 @@ void print_manual(std::ostream& out, const ProgramOptions& program) {
       << ".TH " << upper(program.name) << " 1 \"\" \"" << program.name << " " << WINSLOW_VERSION
       << "\" \"User Commands\"\n"
       << ".SH NAME\n"
-      << program.name << " \\- smooth unstructured 2D meshes after their boundary has moved\n";
+      << program.name << " \\- smooth unstructured meshes after their boundary has moved\n";
   print_synopsis(out, program);
   out << ".SH DESCRIPTION\n";
   print_text(out, program.summary);

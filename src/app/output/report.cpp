@@ -47,9 +47,9 @@ json describe_metrics(const QualityReport& quality) {
 }
 
 json describe_edges(const EdgePair& edges) {
-  return {{"moving", edges.moving},
-          {"other", edges.other},
-          {"place", {edges.place.x(), edges.place.y()}}};
+  json place{edges.place.x(), edges.place.y()};
+  if (edges.place_z) place.push_back(*edges.place_z);
+  return {{"moving", edges.moving}, {"other", edges.other}, {"place", std::move(place)}};
 }
 
 json describe_contact(const std::optional<Contact>& contact) {

@@ -107,16 +107,15 @@ bool is_volume(const MeshState& state) { return state.mesh.topology->cell_dimens
 void require_dimension(const Command& command, const MeshState& state) {
   const bool serves_volumes = std::holds_alternative<SmoothCommand>(command) ||
                               std::holds_alternative<MoveCommand>(command) ||
+                              std::holds_alternative<DeformCommand>(command) ||
                               std::holds_alternative<ScrambleCommand>(command);
   if (!is_volume(state) || !serves_volumes)
     require_plane(*state.mesh.topology, command_name(command));
-  if (!is_volume(state)) return;
   Command copy = command;
   const SmoothOptions* smooth = smooth_options(copy);
-  if (smooth && smooth->formulation != "variational")
-    throw UsageError("the " + smooth->formulation +
-                     " form: only for a plane mesh, and this is a volume mesh");
-  if (smooth && smooth->keep_outside.given()) require_plane(*state.mesh.topology, "keep-outside");
+  if (!smooth) return;
+  validate_vcvs(*smooth, state.mesh.topology->cell_dimension());
+  if (smooth->keep_outside.given()) require_plane(*state.mesh.topology, "keep-outside");
 }
 
 /// Limits of the quality are kept on a path, so there has to be one.

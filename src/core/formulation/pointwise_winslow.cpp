@@ -1,6 +1,7 @@
 #include "core/formulation/pointwise_winslow.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/formulation/block_norms.h"
@@ -8,51 +9,61 @@
 
 namespace winslow {
 
-namespace {
-
-using Matrix2 = Eigen::Matrix2d;
-
-}  // namespace
-
-PointwiseWinslow::PointwiseWinslow(const VirtualControlVolumes& vcv,
-                                   std::shared_ptr<const NodeClasses> classes, int threads,
-                                   bool clipped)
+template <int D>
+PointwiseForm<D>::PointwiseForm(const Vcvs& vcvs, std::shared_ptr<const NodeClasses> classes,
+                                int threads, bool clipped)
     : NodeProblem(NodeUnknowns(std::move(classes), threads)),
-      functionals_(std::make_shared<const StencilFunctionals>(vcv)),
+      functionals_(std::make_shared<const typename Operator::Functionals>(
+          Operator::functionals(vcvs, threads))),
       pattern_(std::make_shared<const NodePattern>(topology(), node_unknowns().nodes())),
       clip_(clipped) {
   node_unknowns().require_free_interior("the pointwise form");
 }
 
-PointwiseWinslow PointwiseWinslow::clipped(bool clip) const {
-  PointwiseWinslow other = *this;
+template <int D>
+PointwiseForm<D> PointwiseForm<D>::clipped(bool clip) const {
+  PointwiseForm other = *this;
   other.clip_ = clip;
   return other;
 }
 
-PointwiseWinslow PointwiseWinslow::with_vcvs(const VirtualControlVolumes& vcv) const {
-  PointwiseWinslow other = *this;
-  other.functionals_ = std::make_shared<const StencilFunctionals>(vcv);
+template <int D>
+PointwiseForm<D> PointwiseForm<D>::with_vcvs(const Vcvs& vcvs) const {
+  PointwiseForm other = *this;
+  other.functionals_ = std::make_shared<const typename Operator::Functionals>(
+      Operator::functionals(vcvs, threads()));
   return other;
 }
 
-ClipVariants<PointwiseWinslow> clip_variants(const PointwiseWinslow& problem) {
-  return {std::make_shared<const PointwiseWinslow>(problem.clipped(false)),
-          std::make_shared<const PointwiseWinslow>(problem.clipped(true))};
+template <int D>
+auto PointwiseForm<D>::gradient(const Coordinates& x, Index node) const -> Matrix {
+  const auto functionals = (*functionals_)[node];
+  const auto neighbours = topology().neighbours(node);
+  Matrix g = Matrix::Zero();
+  const Vec<D> r0 = x.get<D>(node);
+  for (std::size_t k = 0; k < neighbours.size(); ++k) {
+    const Vec<D> d = x.get<D>(neighbours[k]) - r0;
+    const Vec<D> share = Operator::gradient(functionals[k]);
+    for (int c = 0; c < D; ++c) g.col(c) += share[c] * d;
+  }
+  return g;
 }
 
-WinslowCoefficients PointwiseWinslow::coefficients(const Coordinates& x, Index node) const {
-  return winslow_coefficients(
-      nodal_gradient(x, node, topology().neighbours(node), (*functionals_)[node]));
+template <int D>
+auto PointwiseForm<D>::coefficients(const Coordinates& x, Index node) const ->
+    typename Operator::Coefficients {
+  return Operator::coefficients(gradient(x, node));
 }
 
-Index PointwiseWinslow::weights(const Coordinates& x, Index node, std::span<double> out) const {
+template <int D>
+Index PointwiseForm<D>::weights(const Coordinates& x, Index node, std::span<double> out) const {
   return evaluate_weights(x, node, clip_, out);
 }
 
-Index PointwiseWinslow::evaluate_weights(const Coordinates& x, Index node, bool clip,
+template <int D>
+Index PointwiseForm<D>::evaluate_weights(const Coordinates& x, Index node, bool clip,
                                          std::span<double> out) const {
-  const WinslowCoefficients c = coefficients(x, node);
+  const auto c = coefficients(x, node);
   const auto functionals = (*functionals_)[node];
   Index negative = 0;
   for (std::size_t k = 0; k < functionals.size(); ++k) {
@@ -65,201 +76,182 @@ Index PointwiseWinslow::evaluate_weights(const Coordinates& x, Index node, bool 
   return negative;
 }
 
-ResidualNorms PointwiseWinslow::residual(const Coordinates& x, std::span<double> out) const {
-  const Topology& topology = this->topology();
-  const auto free = node_unknowns().nodes();
-  const auto n = static_cast<Index>(free.size());
-  BlockNorms norms(n);
-  parallel_for(threads(), n, [&](Index begin, Index end) {
+/// visit(i, first free node of i's block, memory for weights) for each free node, on several
+/// threads.
+template <int D>
+template <typename Visit>
+void PointwiseForm<D>::each_node(Visit&& visit) const {
+  const auto count = static_cast<Index>(node_unknowns().nodes().size());
+  parallel_for(threads(), count, [&](Index begin, Index end) {
     std::vector<double> w;
-    for (Index i = begin; i < end; ++i) {
-      const Index node = free[at(i)];
-      const auto neighbours = topology.neighbours(node);
-      w.resize(neighbours.size());
-      weights(x, node, w);
-      const NodalRow row = evaluate_row(x, node, neighbours, w);
-      norms.add(begin, row.scaled());
-      if (!out.empty()) {
-        out[2 * at(i)] = row.residual.x();
-        out[2 * at(i) + 1] = row.residual.y();
-      }
-    }
+    for (Index i = begin; i < end; ++i) visit(i, begin, w);
+  });
+}
+
+/// visit(i, first free node of i's block, neighbours of node i, their weights, how many of them are
+/// negative, the row) for each free node, on several threads.
+template <int D>
+template <typename Visit>
+void PointwiseForm<D>::each_row(const Coordinates& x, Visit&& visit) const {
+  const auto free = node_unknowns().nodes();
+  each_node([&](Index i, Index block, std::vector<double>& w) {
+    const auto neighbours = topology().neighbours(free[at(i)]);
+    w.resize(neighbours.size());
+    const Index negative = weights(x, free[at(i)], w);
+    visit(i, block, neighbours, w, negative, evaluate_row<D>(x, free[at(i)], neighbours, w));
+  });
+}
+
+template <int D>
+ResidualNorms PointwiseForm<D>::residual(const Coordinates& x, std::span<double> out) const {
+  BlockNorms norms(static_cast<Index>(node_unknowns().nodes().size()));
+  each_row(x, [&](Index i, Index block, auto, const auto&, Index, const NodalRowOf<D>& row) {
+    norms.add(block, row.scaled());
+    if (!out.empty()) std::copy_n(row.residual.data(), D, out.data() + D * at(i));
   });
   return norms.total();
 }
 
-Index PointwiseWinslow::freeze(const Coordinates& x, SparseSystem& out) const {
-  const Topology& topology = this->topology();
+template <int D>
+Index PointwiseForm<D>::freeze(const Coordinates& x, SparseSystem& out) const {
   const auto free = node_unknowns().nodes();
-  const auto n = static_cast<Index>(free.size());
   SparseMatrix& matrix = out.matrix;
   matrix.pattern = pattern_->pattern;
   matrix.block = 1;
   matrix.symmetric = false;
+  matrix.in_space = D == 3;
   matrix.values.resize(matrix.pattern->columns.size());
-  out.columns = 2;
-  out.rhs.resize(2 * free.size());
-  std::vector<Index> negative(at((n + parallel_block - 1) / parallel_block), 0);
-  parallel_for(threads(), n, [&](Index begin, Index end) {
-    std::vector<double> w;
-    for (Index i = begin; i < end; ++i) {
-      const Index node = free[at(i)];
-      const auto neighbours = topology.neighbours(node);
-      w.resize(neighbours.size());
-      negative[at(begin / parallel_block)] += weights(x, node, w);
-      const NodalRow row = evaluate_row(x, node, neighbours, w);
-      const double scale = row.scale();
-      matrix.values[at(matrix.pattern->diagonal[at(i)])] =
-          row.absolute_sum > 0 ? row.weight_sum * scale : 1;
-      const auto first = at(topology.neighbour_rows().offsets[at(node)]);
-      for (std::size_t k = 0; k < neighbours.size(); ++k) {
-        const Index entry = pattern_->entry_of_neighbour[first + k];
-        if (entry >= 0) matrix.values[at(entry)] = -w[k] * scale;
-      }
-      out.rhs[2 * at(i)] = row.residual.x() * scale;
-      out.rhs[2 * at(i) + 1] = row.residual.y() * scale;
+  out.columns = D;
+  out.rhs.resize(D * free.size());
+  std::vector<Index> negative((free.size() + parallel_block - 1) / parallel_block, 0);
+  each_row(x, [&](Index i, Index block, auto neighbours, const auto& w, Index count,
+                  const NodalRowOf<D>& row) {
+    negative[at(block / parallel_block)] += count;
+    const double scale = row.scale();
+    matrix.values[at(matrix.pattern->diagonal[at(i)])] =
+        row.absolute_sum > 0 ? row.weight_sum * scale : 1;
+    const auto first = at(topology().neighbour_rows().offsets[at(free[at(i)])]);
+    for (std::size_t k = 0; k < neighbours.size(); ++k) {
+      const Index entry = pattern_->entry_of_neighbour[first + k];
+      if (entry >= 0) matrix.values[at(entry)] = -w[k] * scale;
     }
+    for (std::size_t c = 0; c < D; ++c)
+      out.rhs[D * at(i) + c] = row.residual[static_cast<Index>(c)] * scale;
   });
   Index total = 0;
   for (const Index count : negative) total += count;
   return total;
 }
 
-/// Derivative of one row, times its scale, by the position of each neighbour. With primes for
-/// unnormalised coefficients and m = (alpha' + gamma') / 2,
-///
-///   dR = sum_k w_k (dr_k - dr_0) + (dalpha' Lxx - dbeta' Lxy + dgamma' Lyy - R dm) / m,
-///
-/// where Lxx, Lxy, Lyy are the flux functionals applied to r over the edges that are not clipped,
-/// and every change of a coefficient is a change of r_x = sum_k dx_k (r_k - r_0) or of r_y.
-class PointwiseWinslow::RowDerivative {
+/// Derivative of one row, times its scale, by the position of each neighbour; see StencilOperator.
+template <int D>
+class PointwiseForm<D>::RowDerivative {
  public:
   /// weights: memory to work in, which belongs to this until it is gone.
-  RowDerivative(const PointwiseWinslow& form, const Coordinates& x, Index node,
+  RowDerivative(const PointwiseForm& form, const Coordinates& x, Index node,
                 std::vector<double>& weights)
       : functionals_((*form.functionals_)[node]), weights_(weights) {
     const auto neighbours = form.topology().neighbours(node);
     weights_.resize(neighbours.size());
     form.evaluate_weights(x, node, false, weights_);
-    const Vec2 r0 = x.xy(node);
-    Vec2 rx(0, 0), ry(0, 0), lxx(0, 0), lxy(0, 0), lyy(0, 0);
+    const Vec<D> r0 = x.get<D>(node);
+    typename Operator::Fluxes fluxes;
+    fluxes.fill(Vec<D>::Zero());
     for (std::size_t k = 0; k < weights_.size(); ++k) {
-      const NeighbourFunctionals& f = functionals_[k];
-      const Vec2 d = x.xy(neighbours[k]) - r0;
-      rx += f.dx * d;
-      ry += f.dy * d;
       if (form.clip_ && weights_[k] < 0) {
         weights_[k] = 0;
         continue;
       }
-      lxx += f.lxx * d;
-      lxy += f.lxy * d;
-      lyy += f.lyy * d;
+      const Vec<D> d = x.get<D>(neighbours[k]) - r0;
+      const auto flux = Operator::flux(functionals_[k]);
+      for (std::size_t c = 0; c < flux.size(); ++c) fluxes[c] += flux[c] * d;
     }
-    row_ = evaluate_row(x, node, neighbours, weights_);
+    row_ = evaluate_row<D>(x, node, neighbours, weights_);
     scale_ = row_.scale();
-    const double mean = 0.5 * (rx.squaredNorm() + ry.squaredNorm());
-    if (!(mean > 0)) return;  // the coefficients are constants there
-    const Vec2& r = row_.residual;
-    by_rx_ = ((2 * lyy - r) * rx.transpose() - lxy * ry.transpose()) / mean;
-    by_ry_ = ((2 * lxx - r) * ry.transpose() - lxy * rx.transpose()) / mean;
+    slopes_ = Operator::slopes(form.gradient(x, node), fluxes, row_.residual);
   }
 
-  const NodalRow& row() const { return row_; }
-  Vec2 residual() const { return scale_ * row_.residual; }
-  Matrix2 by_neighbour(std::size_t k) const {
-    const Matrix2 of_weights = functionals_[k].dx * by_rx_ + functionals_[k].dy * by_ry_;
-    return scale_ * (weights_[k] * Matrix2::Identity() + of_weights);
+  const NodalRowOf<D>& row() const { return row_; }
+  Vec<D> residual() const { return scale_ * row_.residual; }
+  Matrix by_neighbour(std::size_t k) const {
+    const Vec<D> share = Operator::gradient(functionals_[k]);
+    Matrix sum = weights_[k] * Matrix::Identity();
+    for (int c = 0; c < D; ++c) sum += share[c] * slopes_[static_cast<std::size_t>(c)];
+    return scale_ * sum;
   }
 
  private:
-  std::span<const NeighbourFunctionals> functionals_;
+  std::span<const typename Operator::Functional> functionals_;
   std::vector<double>& weights_;
-  NodalRow row_;
+  NodalRowOf<D> row_;
   double scale_ = 1;
-  Matrix2 by_rx_ = Matrix2::Zero(), by_ry_ = Matrix2::Zero();
+  std::array<Matrix, D> slopes_;
 };
 
-ResidualNorms PointwiseWinslow::linearise(const Coordinates& x, SparseMatrix& jacobian,
+template <int D>
+ResidualNorms PointwiseForm<D>::linearise(const Coordinates& x, SparseMatrix& jacobian,
                                           std::span<double> residual) const {
-  const Topology& topology = this->topology();
   const auto free = node_unknowns().nodes();
-  const auto n = static_cast<Index>(free.size());
   jacobian.pattern = pattern_->pattern;
-  jacobian.block = 2;
+  jacobian.block = D;
   jacobian.symmetric = false;
-  jacobian.values.resize(4 * jacobian.pattern->columns.size());
-  BlockNorms norms(n);
-  const auto set = [&](Index entry, const Matrix2& block) {
-    double* v = jacobian.values.data() + 4 * at(entry);
-    v[0] = block(0, 0);
-    v[1] = block(0, 1);
-    v[2] = block(1, 0);
-    v[3] = block(1, 1);
-  };
-  parallel_for(threads(), n, [&](Index begin, Index end) {
-    std::vector<double> w;
-    for (Index i = begin; i < end; ++i) {
-      const Index node = free[at(i)];
-      const RowDerivative derivative(*this, x, node, w);
-      const auto first = at(topology.neighbour_rows().offsets[at(node)]);
-      const std::size_t count = topology.neighbours(node).size();
-      Matrix2 diagonal = Matrix2::Zero();
-      for (std::size_t k = 0; k < count; ++k) {
-        const Matrix2 block = derivative.by_neighbour(k);
-        diagonal += block;
-        const Index entry = pattern_->entry_of_neighbour[first + k];
-        if (entry >= 0) set(entry, -block);
-      }
-      const bool empty = !(derivative.row().absolute_sum > 0);
-      set(jacobian.pattern->diagonal[at(i)], empty ? Matrix2(Matrix2::Identity()) : diagonal);
-      norms.add(begin, derivative.row().scaled());
-      residual[2 * at(i)] = derivative.residual().x();
-      residual[2 * at(i) + 1] = derivative.residual().y();
+  jacobian.in_space = D == 3;
+  constexpr std::size_t block_size = std::size_t{D} * D;
+  jacobian.values.resize(block_size * jacobian.pattern->columns.size());
+  BlockNorms norms(static_cast<Index>(free.size()));
+  const auto set = [&](Index entry, const Matrix& block) {
+    double* v = jacobian.values.data() + block_size * at(entry);
+    for (int r = 0; r < D; ++r) {
+      for (int c = 0; c < D; ++c) *v++ = block(r, c);
     }
+  };
+  each_node([&](Index i, Index block, std::vector<double>& w) {
+    const RowDerivative derivative(*this, x, free[at(i)], w);
+    const auto first = at(topology().neighbour_rows().offsets[at(free[at(i)])]);
+    Matrix diagonal = Matrix::Zero();
+    for (std::size_t k = 0; k < w.size(); ++k) {
+      const Matrix by = derivative.by_neighbour(k);
+      diagonal += by;
+      const Index entry = pattern_->entry_of_neighbour[first + k];
+      if (entry >= 0) set(entry, -by);
+    }
+    const bool empty = !(derivative.row().absolute_sum > 0);
+    set(jacobian.pattern->diagonal[at(i)], empty ? Matrix(Matrix::Identity()) : diagonal);
+    norms.add(block, derivative.row().scaled());
+    const Vec<D> r = derivative.residual();
+    std::copy_n(r.data(), D, residual.data() + D * at(i));
   });
   return norms.total();
 }
 
-void PointwiseWinslow::boundary_response(const Coordinates& x, const Coordinates& displacement,
+template <int D>
+void PointwiseForm<D>::boundary_response(const Coordinates& x, const Coordinates& displacement,
                                          std::span<double> out) const {
-  const Topology& topology = this->topology();
   const auto free = node_unknowns().nodes();
-  parallel_for(threads(), static_cast<Index>(free.size()), [&](Index begin, Index end) {
-    std::vector<double> w;
-    for (Index i = begin; i < end; ++i) {
-      const Index node = free[at(i)];
-      const auto neighbours = topology.neighbours(node);
-      Vec2 change(0, 0);
-      if (std::any_of(neighbours.begin(), neighbours.end(),
-                      [&](Index k) { return pattern_->row_of_node[at(k)] < 0; })) {
-        const RowDerivative derivative(*this, x, node, w);
-        for (std::size_t k = 0; k < neighbours.size(); ++k) {
-          if (pattern_->row_of_node[at(neighbours[k])] >= 0) continue;
-          change += derivative.by_neighbour(k) * displacement.xy(neighbours[k]);
-        }
+  each_node([&](Index i, Index, std::vector<double>& w) {
+    const auto neighbours = topology().neighbours(free[at(i)]);
+    const auto held = [&](Index k) { return pattern_->row_of_node[at(k)] < 0; };
+    Vec<D> change = Vec<D>::Zero();
+    if (std::ranges::any_of(neighbours, held)) {
+      const RowDerivative derivative(*this, x, free[at(i)], w);
+      for (std::size_t k = 0; k < neighbours.size(); ++k) {
+        if (held(neighbours[k]))
+          change += derivative.by_neighbour(k) * displacement.get<D>(neighbours[k]);
       }
-      out[2 * at(i)] = change.x();
-      out[2 * at(i) + 1] = change.y();
     }
+    std::copy_n(change.data(), D, out.data() + D * at(i));
   });
 }
 
-void PointwiseWinslow::row_scales(const Coordinates& x, std::span<double> out) const {
-  const Topology& topology = this->topology();
-  const auto free = node_unknowns().nodes();
-  parallel_for(threads(), static_cast<Index>(free.size()), [&](Index begin, Index end) {
-    std::vector<double> w;
-    for (Index i = begin; i < end; ++i) {
-      const auto neighbours = topology.neighbours(free[at(i)]);
-      w.resize(neighbours.size());
-      weights(x, free[at(i)], w);
-      out[at(i)] = evaluate_row(x, free[at(i)], neighbours, w).scale();
-    }
+template <int D>
+void PointwiseForm<D>::row_scales(const Coordinates& x, std::span<double> out) const {
+  each_row(x, [&](Index i, Index, auto, const auto&, Index, const NodalRowOf<D>& row) {
+    out[at(i)] = row.scale();
   });
 }
 
-std::vector<double> PointwiseWinslow::merit_weights(const Coordinates& x) const {
+template <int D>
+std::vector<double> PointwiseForm<D>::merit_weights(const Coordinates& x) const {
   const auto free = node_unknowns().nodes();
   std::vector<double> weights(free.size());
   row_scales(x, weights);
@@ -270,15 +262,17 @@ std::vector<double> PointwiseWinslow::merit_weights(const Coordinates& x) const 
   return weights;
 }
 
-double PointwiseWinslow::merit(const Coordinates& x, std::span<const double> weights) const {
+template <int D>
+double PointwiseForm<D>::merit(const Coordinates& x, std::span<const double> weights) const {
   std::vector<double> rows(unknowns());
   residual(x, rows);
   double sum = 0;
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    const Vec2 r(rows[2 * i], rows[2 * i + 1]);
-    sum += weights[i] * weights[i] * r.squaredNorm();
-  }
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    sum += weights[i] * weights[i] * Vec<D>(rows.data() + D * i).squaredNorm();
   return sum;
 }
+
+template class PointwiseForm<2>;
+template class PointwiseForm<3>;
 
 }  // namespace winslow

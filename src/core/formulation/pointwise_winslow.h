@@ -5,46 +5,53 @@
 
 #include "core/formulation/nodal_operator.h"
 #include "core/formulation/node_pattern.h"
+#include "core/formulation/stencil_operator.h"
 #include "core/problem/equation_problem.h"
 #include "core/problem/node_problem.h"
-#include "core/vcv/stencil_functionals.h"
-#include "core/vcv/virtual_control_volumes.h"
 
 namespace winslow {
 
-/// The paper's operator (AIAA 2009-1362, equation 2, in integral form over each VCV):
+/// The paper's operator (AIAA 2009-1362, equation 2 and sections IV and V, in integral form over
+/// each VCV). In the plane
 ///
 ///   alpha r_xx - 2 beta r_xy + gamma r_yy = 0,
 ///   alpha = |r_y|^2,  beta = r_x . r_y,  gamma = |r_x|^2,
 ///
-/// with nodal coefficients outside the integral, so that at every free node
+/// in space K : (second derivatives of r) = 0, K = adj(G^T G), G = [r_x r_y r_z]. With nodal
+/// coefficients outside the integral, divided by their mean, this is at every free node
 ///
-///   sum_k w_k (r_k - r_0) = 0,   w_k = alpha lxx_k - beta lxy_k + gamma lyy_k.
+///   R = sum_k w_k (r_k - r_0) = 0,
 ///
-/// Clipped: with negative weights set to zero.
-class PointwiseWinslow final : public NodeProblem<EquationProblem> {
+/// w_k the coefficients times the flux functionals of neighbour k. Clipped: with negative weights
+/// set to zero.
+template <int D>
+class PointwiseForm final : public NodeProblem<EquationProblem> {
  public:
+  using Operator = StencilOperator<D>;
+  using Vcvs = typename Operator::Vcvs;
+
   /// classes: which nodes move. threads: 0 for all cores; no result depends on it. Throws
   /// UsageError for nodes that slide.
-  PointwiseWinslow(const VirtualControlVolumes& vcv, std::shared_ptr<const NodeClasses> classes,
-                   int threads, bool clipped = false);
+  PointwiseForm(const Vcvs& vcvs, std::shared_ptr<const NodeClasses> classes, int threads,
+                bool clipped = false);
 
   /// The same with negative weights set to zero, or with all weights as they are.
-  PointwiseWinslow clipped(bool clip) const;
+  PointwiseForm clipped(bool clip) const;
   /// The same over other VCVs of the same topology; the pattern stays the same object.
-  PointwiseWinslow with_vcvs(const VirtualControlVolumes& vcv) const;
+  PointwiseForm with_vcvs(const Vcvs& vcvs) const;
 
   std::string_view name() const override { return "pointwise"; }
   ResidualNorms residual(const Coordinates& x, std::span<double> out) const override;
+  /// One matrix for all coordinates, its rows scaled by row_scales().
   Index freeze(const Coordinates& x, SparseSystem& out) const override;
 
-  /// Newton's system J delta = S R: the exact J = -S dR/dx as an unsymmetric matrix of 2x2 blocks
-  /// (pattern of NodePattern) and S R (#free by 2), a length. S holds the row_scales() at x and
-  /// counts as constant. R is differentiated as residual() gives it, the division of the
-  /// coefficients by (alpha + gamma) / 2 included. Clipped: edges with negative weights are left
-  /// out of the derivative of the weights, too (an element of the generalised Jacobian, L. Qi and
-  /// J. Sun, "A nonsmooth version of Newton's method", Math. Program. 58, 1993). A row without
-  /// weights becomes that of the identity. Returns the norms of R as residual() does.
+  /// Newton's system J delta = S R: the exact J = -S dR/dx as an unsymmetric matrix of D by D
+  /// blocks (pattern of NodePattern) and S R (#free by D), a length. S holds the row_scales() at x
+  /// and counts as constant. R is differentiated as residual() gives it, the division of the
+  /// coefficients by their mean included. Clipped: edges with negative weights are left out of the
+  /// derivative of the weights, too (an element of the generalised Jacobian, L. Qi and J. Sun, "A
+  /// nonsmooth version of Newton's method", Math. Program. 58, 1993). A row without weights becomes
+  /// that of the identity. Returns the norms of R as residual() does.
   ResidualNorms linearise(const Coordinates& x, SparseMatrix& jacobian,
                           std::span<double> residual) const override;
   void boundary_response(const Coordinates& x, const Coordinates& displacement,
@@ -56,23 +63,37 @@ class PointwiseWinslow final : public NodeProblem<EquationProblem> {
   /// 1 / sum_k |w_k| at every free node (#free), by which rows are multiplied: it takes R to the
   /// size of the distance by which the node alone would move. 1 where all weights are zero.
   void row_scales(const Coordinates& x, std::span<double> out) const;
-  /// Coefficients at a free node. Where the nodal Jacobian vanishes: those of the Laplacian.
-  WinslowCoefficients coefficients(const Coordinates& x, Index node) const;
+  /// Coefficients at a free node. Where the nodal gradient vanishes: those of the Laplacian.
+  typename Operator::Coefficients coefficients(const Coordinates& x, Index node) const;
   /// Weights of a free node's neighbours (as many as it has). Returns the number of negative ones;
   /// clipped, they are set to zero.
   Index weights(const Coordinates& x, Index node, std::span<double> out) const;
 
  private:
+  using Matrix = typename Operator::Matrix;
   class RowDerivative;
 
+  Matrix gradient(const Coordinates& x, Index node) const;
   Index evaluate_weights(const Coordinates& x, Index node, bool clip, std::span<double> out) const;
+  template <typename Visit>
+  void each_node(Visit&& visit) const;
+  template <typename Visit>
+  void each_row(const Coordinates& x, Visit&& visit) const;
 
-  std::shared_ptr<const StencilFunctionals> functionals_;
+  std::shared_ptr<const typename Operator::Functionals> functionals_;
   std::shared_ptr<const NodePattern> pattern_;
   bool clip_;
 };
 
+/// Of plane meshes, and of volume meshes.
+using PointwiseWinslow = PointwiseForm<2>;
+using VolumePointwise = PointwiseForm<3>;
+
 /// Both variants of a pointwise problem.
-ClipVariants<PointwiseWinslow> clip_variants(const PointwiseWinslow& problem);
+template <int D>
+ClipVariants<EquationProblem> clip_variants(const PointwiseForm<D>& problem) {
+  return {std::make_shared<const PointwiseForm<D>>(problem.clipped(false)),
+          std::make_shared<const PointwiseForm<D>>(problem.clipped(true))};
+}
 
 }  // namespace winslow

@@ -64,25 +64,12 @@ VolumeFunctionals::VolumeFunctionals(const VolumeVcvs& vcvs, int threads)
   });
 }
 
-Eigen::Matrix3d nodal_jacobian(const Coordinates& x, Index node, std::span<const Index> neighbours,
-                               std::span<const VolumeFunctional> functionals) {
-  Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
-  const Vec3 r0 = x.xyz(node);
-  for (std::size_t k = 0; k < neighbours.size(); ++k) {
-    const Vec3 d = x.xyz(neighbours[k]) - r0;
-    jacobian.col(0) += functionals[k].dx * d;
-    jacobian.col(1) += functionals[k].dy * d;
-    jacobian.col(2) += functionals[k].dz * d;
-  }
-  return jacobian;
-}
-
-Eigen::Matrix3d winslow_tensor(const Eigen::Matrix3d& jacobian) {
-  // adj(D^T D) = C^T C with the cofactors C of D.
+Eigen::Matrix3d winslow_tensor(const Eigen::Matrix3d& gradient) {
+  // adj(G^T G) = C^T C with the cofactors C of G.
   Eigen::Matrix3d cofactors;
-  cofactors.col(0) = jacobian.col(1).cross(jacobian.col(2));
-  cofactors.col(1) = jacobian.col(2).cross(jacobian.col(0));
-  cofactors.col(2) = jacobian.col(0).cross(jacobian.col(1));
+  cofactors.col(0) = gradient.col(1).cross(gradient.col(2));
+  cofactors.col(1) = gradient.col(2).cross(gradient.col(0));
+  cofactors.col(2) = gradient.col(0).cross(gradient.col(1));
   const Eigen::Matrix3d k = cofactors.transpose() * cofactors;
   const double mean = k.trace() / 3;
   if (!(mean > 0)) return Eigen::Matrix3d::Identity();

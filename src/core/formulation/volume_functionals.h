@@ -44,17 +44,13 @@ class VolumeFunctionals {
   std::vector<VolumeFunctional> values_;
 };
 
-/// Nodal Jacobian D: columns r_x, r_y, r_z. functionals: of the node's neighbours.
-Eigen::Matrix3d nodal_jacobian(const Coordinates& x, Index node, std::span<const Index> neighbours,
-                               std::span<const VolumeFunctional> functionals);
-
 /// Coefficients of the Winslow equations in space,
 ///
 ///   alpha_1 r_xx + alpha_2 r_yy + alpha_3 r_zz + 2 (beta_1 r_xy + beta_2 r_yz + beta_3 r_xz) = 0,
 ///
-/// K = [alpha_1 beta_1 beta_3; beta_1 alpha_2 beta_2; beta_3 beta_2 alpha_3] = adj(D^T D), divided
-/// by a third of its trace. Where that vanishes: those of the Laplacian.
-Eigen::Matrix3d winslow_tensor(const Eigen::Matrix3d& jacobian);
+/// K = [alpha_1 beta_1 beta_3; beta_1 alpha_2 beta_2; beta_3 beta_2 alpha_3] = adj(G^T G), G =
+/// [r_x r_y r_z], divided by a third of its trace. Where that vanishes: those of the Laplacian.
+Eigen::Matrix3d winslow_tensor(const Eigen::Matrix3d& gradient);
 
 /// Weight of one neighbour.
 inline double winslow_weight(const Eigen::Matrix3d& k, const VolumeFunctional& f) {

@@ -11,6 +11,7 @@
 #include "core/formulation/stretch_field.h"
 #include "core/formulation/volume_metric.h"
 #include "core/mesh/corner_tetrahedra.h"
+#include "core/parallel/parallel_for.h"
 
 namespace winslow {
 
@@ -18,17 +19,13 @@ namespace {
 
 class Builder {
  public:
-  Builder(const Topology& topology, const TargetBlend& blend, const Coordinates* given, int threads,
-          std::span<const Index> urgent)
-      : topology_(topology), blend_(normalized(blend)) {
+  Builder(const Topology& topology, const VolumeVcvs* vcvs, const TargetBlend& blend,
+          const Coordinates* given, int threads, std::span<const Index> urgent)
+      : topology_(topology), vcvs_(vcvs), blend_(normalized(blend)), threads_(threads) {
     if (topology.cell_dimension() != 3)
       throw UsageError("targets of volume elements: the mesh is a " +
                        std::string(mesh_kind(topology)));
-    if (blend_.vcv > 0)
-      throw UsageError(
-          "the virtual control volumes of a volume mesh are no targets of the variational form "
-          "yet; "
-          "choose 'auto', 'element' or 'rest'");
+    if (blend_.vcv > 0 && !vcvs) throw UsageError("targets that refer to no VCVs");
     if (refers_to_given(blend) && !given) throw UsageError("targets that refer to no mesh");
     if (refers_to_given(blend)) given_.emplace(*given);
     if (blend_.automatic > 0) {
@@ -39,31 +36,91 @@ class Builder {
   }
 
   CellTargets<3> build() {
-    for (Index e = 0; e < topology_.element_count(); ++e) add_element(e);
+    for (Index e = 0; e < topology_.element_count(); ++e) list_element(e);
+    targets_.terms.resize(at(targets_.offsets.back()));
+    const auto count = static_cast<Index>(targets_.cells.size());
+    parallel_for(threads_, count, [&](Index begin, Index end) {
+      for (Index cell = begin; cell < end; ++cell) fill(cell);
+    });
     return std::move(targets_);
   }
 
  private:
-  bool movable(const std::array<Index, 4>& nodes) const {
-    return std::any_of(nodes.begin(), nodes.end(),
-                       [&](Index node) { return !topology_.on_boundary(node); });
+  /// Where a cell comes from.
+  struct Origin {
+    Index element;
+    int corner;     ///< of corner_tetrahedra()
+    double weight;  ///< of all its terms together
+  };
+
+  bool free(Index node) const { return !topology_.on_boundary(node); }
+  Index free_nodes(const std::array<Index, 4>& nodes) const {
+    return static_cast<Index>(
+        std::count_if(nodes.begin(), nodes.end(), [&](Index node) { return free(node); }));
+  }
+  bool has_vcv_terms(Index e) const {
+    return blend_.vcv > 0 && topology_.element_type(e) == ElementType::tetrahedron;
   }
 
-  void add_element(Index e) {
-    const ElementType type = topology_.element_type(e);
-    const auto corners = corner_tetrahedra(type);
-    const auto live = static_cast<double>(
-        std::count_if(corners.begin(), corners.end(), [&](const std::array<Index, 4>& corner) {
-          return movable(by_nodes(corner, topology_.element(e)));
-        }));
+  /// The cells of an element, and how many terms each is to have.
+  void list_element(Index e) {
+    const auto corners = corner_tetrahedra(topology_.element_type(e));
+    const std::size_t first = targets_.cells.size();
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const auto nodes = by_nodes(corners[k], topology_.element(e));
-      if (!movable(nodes)) continue;
+      const Index movable = free_nodes(nodes);
+      if (movable == 0) continue;
+      if (blend_.rest > 0) require_valid(e, nodes);
       targets_.cells.push_back(nodes);
-      targets_.terms.push_back(
-          volume_term(target_of(e, regular_metrics(type)[k], nodes), weight_of(e) / live));
-      targets_.offsets.push_back(static_cast<Index>(targets_.terms.size()));
+      targets_.offsets.push_back(targets_.offsets.back() + (has_vcv_terms(e) ? movable : 1));
+      origins_.push_back({e, static_cast<int>(k), 0});
     }
+    const auto live = static_cast<double>(targets_.cells.size() - first);
+    for (std::size_t cell = first; cell < origins_.size(); ++cell)
+      origins_[cell].weight = weight_of(e) / live;
+  }
+
+  void require_valid(Index e, const std::array<Index, 4>& nodes) const {
+    if (given_edges(nodes).determinant() > 0) return;
+    throw MeshError(MeshEntity::element, e,
+                    "element " + std::to_string(e) +
+                        " is inverted in the rest mesh, which is to be the target; choose other "
+                        "targets");
+  }
+
+  void fill(Index cell) {
+    const auto& nodes = targets_.cells[at(cell)];
+    const auto [e, corner, weight] = origins_[at(cell)];
+    VolumeTerm* term = targets_.terms.data() + targets_.offsets[at(cell)];
+    const Eigen::Matrix3d& regular = regular_metrics(topology_.element_type(e))[at(corner)];
+    const Eigen::Matrix3d common = common_part(e, regular, nodes);
+    if (has_vcv_terms(e)) {
+      const double each = weight / static_cast<double>(free_nodes(nodes));
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (!free(nodes[k])) continue;
+        *term++ = volume_term(normalized_metric(common + blend_.vcv * vcv_metric(nodes, k)), each);
+      }
+      return;
+    }
+    // There is no VCV at the boundary.
+    Eigen::Matrix3d sum = common;
+    if (blend_.vcv > 0) sum += blend_.vcv * (free(nodes[0]) ? vcv_metric(nodes, 0) : regular);
+    *term = volume_term(normalized_metric(sum), weight);
+  }
+
+  /// Metric, over the edges from the first node, of the tetrahedron that the VCV of node `centre`
+  /// of these has in the place of theirs.
+  Eigen::Matrix3d vcv_metric(const std::array<Index, 4>& nodes, std::size_t centre) const {
+    const auto neighbours = topology_.neighbours(nodes[centre]);
+    const auto place = [&](std::size_t k) -> Vec3 {
+      if (k == centre) return {0, 0, 0};
+      const auto found = std::find(neighbours.begin(), neighbours.end(), nodes[k]);
+      return vcvs_->point(nodes[centre], static_cast<Index>(found - neighbours.begin()));
+    };
+    const Vec3 origin = place(0);
+    Edges3 edges;
+    for (int k = 0; k < 3; ++k) edges.col(k) = place(at(k + 1)) - origin;
+    return volume_metric(edges);
   }
 
   double weight_of(Index e) const {
@@ -71,23 +128,16 @@ class Builder {
     return blend_.automatic * held + 1 - blend_.automatic;
   }
 
-  Eigen::Matrix3d target_of(Index e, const Eigen::Matrix3d& regular,
-                            const std::array<Index, 4>& nodes) const {
+  /// What a target has besides VCVs: metrics times their shares.
+  Eigen::Matrix3d common_part(Index e, const Eigen::Matrix3d& regular,
+                              const std::array<Index, 4>& nodes) const {
     Eigen::Matrix3d sum = blend_.element * regular;
-    if (!given_) return normalized_metric(sum);
+    if (!given_) return sum;
     const auto own = own_metric(nodes);
     if (blend_.automatic > 0)
       sum += blend_.automatic * (own ? automatic(e, regular, *own) : regular);
-    if (blend_.rest > 0) {
-      if (!own) {
-        throw MeshError(MeshEntity::element, e,
-                        "element " + std::to_string(e) +
-                            " is inverted in the rest mesh, which is to be the target; choose "
-                            "other targets");
-      }
-      sum += blend_.rest * *own;
-    }
-    return normalized_metric(sum);
+    if (blend_.rest > 0) sum += blend_.rest * *own;
+    return sum;
   }
 
   Eigen::Matrix3d automatic(Index e, const Eigen::Matrix3d& regular,
@@ -99,16 +149,24 @@ class Builder {
     return relative.between(stretch_.share[at(e)] * limit);
   }
 
-  /// Of a corner in the mesh as given; none if it is inverted.
-  std::optional<Eigen::Matrix3d> own_metric(const std::array<Index, 4>& nodes) const {
+  Edges3 given_edges(const std::array<Index, 4>& nodes) const {
     Edges3 edges;
     for (int k = 0; k < 3; ++k) edges.col(k) = (*given_)[nodes[at(k + 1)]] - (*given_)[nodes[0]];
+    return edges;
+  }
+
+  /// Of a corner in the mesh as given; none if it is inverted.
+  std::optional<Eigen::Matrix3d> own_metric(const std::array<Index, 4>& nodes) const {
+    const Edges3 edges = given_edges(nodes);
     if (!(edges.determinant() > 0)) return std::nullopt;
     return volume_metric(edges);
   }
 
   const Topology& topology_;
+  const VolumeVcvs* vcvs_;
   TargetBlend blend_;
+  int threads_;
+  std::vector<Origin> origins_;       // of each cell
   std::optional<SpacePoints> given_;  // where the blend refers to it
   StretchField stretch_;              // where the blend has a share for it
   CellTargets<3> targets_;
@@ -116,10 +174,10 @@ class Builder {
 
 }  // namespace
 
-CellTargets<3> volume_targets(const Topology& topology, const TargetBlend& blend,
-                              const Coordinates* given, int threads,
+CellTargets<3> volume_targets(const Topology& topology, const VolumeVcvs* vcvs,
+                              const TargetBlend& blend, const Coordinates* given, int threads,
                               std::span<const Index> urgent) {
-  return Builder(topology, blend, given, threads, urgent).build();
+  return Builder(topology, vcvs, blend, given, threads, urgent).build();
 }
 
 }  // namespace winslow

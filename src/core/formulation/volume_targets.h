@@ -4,6 +4,7 @@
 #include "core/formulation/target_blend.h"
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"
+#include "core/vcv/sphere/volume_vcvs.h"
 
 namespace winslow {
 
@@ -12,15 +13,18 @@ namespace winslow {
 /// nodes lie on the boundary are left out: they cannot change.
 ///
 /// `element`: the corners of the regular element of the type. `rest`: the element's own corners in
-/// the mesh as given. `automatic`: on the way between these as StretchField says.
+/// the mesh as given. `automatic`: on the way between these as StretchField says. `vcv`: of a
+/// tetrahedron, one target for each of its interior nodes, the one that the node's VCV has in its
+/// place (node, three neighbours), blended with the other shares; of a corner of another element,
+/// that of the VCV of its node, or the regular one where that lies on the boundary.
 ///
-/// given: coordinates (#nodes by 3) of the mesh that the shares `automatic` and `rest` refer to;
-/// may be null if those are zero. threads: 0 for all cores; no result depends on it. urgent:
-/// elements that count four times as much under `automatic`, once more for each time they are
-/// listed. Throws UsageError for shares that are negative or all zero, or if virtual control
-/// volumes have one; MeshError if `rest` counts and the mesh has an inverted element.
-CellTargets<3> volume_targets(const Topology& topology, const TargetBlend& blend,
-                              const Coordinates* given, int threads = 0,
+/// vcvs: may be null if they have no share. given: coordinates (#nodes by 3) of the mesh that the
+/// shares `automatic` and `rest` refer to; may be null if those are zero. threads: 0 for all cores;
+/// no result depends on it. urgent: elements that count four times as much under `automatic`, once
+/// more for each time they are listed. Throws UsageError for shares that are negative or all zero;
+/// MeshError if `rest` counts and the mesh has an inverted element.
+CellTargets<3> volume_targets(const Topology& topology, const VolumeVcvs* vcvs,
+                              const TargetBlend& blend, const Coordinates* given, int threads = 0,
                               std::span<const Index> urgent = {});
 
 }  // namespace winslow

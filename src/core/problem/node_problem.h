@@ -23,8 +23,9 @@ class NodeProblem : public Problem {
                   Coordinates& out) const final {
     nodes_.velocities(rates, out);
   }
-  double largest_valid_step(const Coordinates& from, const Coordinates& to) const final {
-    return nodes_.largest_valid_step(from, to);
+  double largest_valid_step(const Coordinates& from, const Coordinates& to,
+                            double most) const final {
+    return nodes_.largest_valid_step(from, to, most);
   }
   Validity validity(const Coordinates& x) const final { return nodes_.validity(x); }
   double residual_round_off(const Coordinates& x) const final {

@@ -120,8 +120,9 @@ void NodeUnknowns::velocities(std::span<const double> rates, Coordinates& out) c
   });
 }
 
-double NodeUnknowns::largest_valid_step(const Coordinates& from, const Coordinates& to) const {
-  return winslow::largest_valid_step(topology(), from, to, threads_);
+double NodeUnknowns::largest_valid_step(const Coordinates& from, const Coordinates& to,
+                                        double most) const {
+  return winslow::largest_valid_step(topology(), from, to, most, threads_);
 }
 
 Validity NodeUnknowns::validity(const Coordinates& x) const {

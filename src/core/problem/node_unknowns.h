@@ -41,7 +41,7 @@ class NodeUnknowns {
   void lengths(const Coordinates& x, std::span<double> out) const;
   double advance(std::span<const double> direction, double step, Coordinates& x) const;
   void velocities(std::span<const double> rates, Coordinates& out) const;
-  double largest_valid_step(const Coordinates& from, const Coordinates& to) const;
+  double largest_valid_step(const Coordinates& from, const Coordinates& to, double most) const;
   Validity validity(const Coordinates& x) const;
   /// Residuals are differences of coordinates over edge lengths, so they carry the round-off of the
   /// coordinates in units of the edges.

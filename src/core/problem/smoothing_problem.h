@@ -42,8 +42,9 @@ class SmoothingProblem {
   virtual void velocities(const Coordinates& x, std::span<const double> rates,
                           Coordinates& out) const = 0;
 
-  /// Largest t such that from + s (to - from) is valid for all s in [0, t); infinite if all are.
-  virtual double largest_valid_step(const Coordinates& from, const Coordinates& to) const = 0;
+  /// Largest t such that from + s (to - from) is valid for all s in [0, t); `most` if that is more.
+  virtual double largest_valid_step(const Coordinates& from, const Coordinates& to,
+                                    double most) const = 0;
   virtual Validity validity(const Coordinates& x) const = 0;
 
   /// Residual R into `out` (#unknowns; may be empty: norms only). The norms are of R scaled to the

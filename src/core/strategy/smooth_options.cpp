@@ -58,6 +58,42 @@ Option targets_option(SmoothOptions& o) {
       .applies = is_variational(o)};
 }
 
+/// They are of volume meshes: forms, which are of plane ones, show them where they were set.
+OptionTable vcv_rows(SmoothOptions& o) {
+  return {
+      {.key = "vcv",
+       .value = ChoiceOption(
+           o.vcv,
+           {{"auto", "Automatic", "adjusted ones of a volume mesh, equal ones of a plane mesh"},
+            {"equal", "Equal angles", "each triangle of a star has the same angle"},
+            {"existing", "Existing angles",
+             "the solid angles of the mesh as given; volume meshes only"},
+            {"adjusted", "Adjusted angles",
+             "the mean of equal and existing solid angles; volume meshes only"},
+            {"perturbation", "By perturbation",
+             "adjusted ones, found by the paper's random perturbation, for comparison; volume "
+             "meshes only"}}),
+       .label = "VCVs",
+       .help = "Pointwise form and targets vcv: virtual control volumes of the interior nodes",
+       .applies = o.vcv != VcvKind::automatic},
+      {.key = "vcv_lengths",
+       .value = RealOption{&o.vcv_lengths, between(0, 1)},
+       .label = "VCV lengths",
+       .help = "VCVs of volume meshes: power of the edge lengths of the mesh as given that their "
+               "edges have; 0: unit edges, 1: those of the mesh",
+       .advice = "Raise it to 0.25 or 0.5 where the pointwise form draws nodes to a body, or where "
+                 "sizes jump.",
+       .applies = o.vcv_lengths > 0},
+      {.key = "vcv_updates",
+       .value = IntegerOption{&o.vcv_updates, between(0, 1000)},
+       .label = "VCV updates",
+       .help = "Adjusted VCVs of volume meshes: how often, at most, they are worked out anew from "
+               "the mesh that the run has led to; 0: from the mesh as given alone",
+       .advice = "They are in any case where the mesh as given is tangled.",
+       .applies = o.vcv_updates > 0},
+  };
+}
+
 OptionTable equations(SmoothOptions& o) {
   const bool variational = is_variational(o);
   return {
@@ -201,7 +237,7 @@ OptionTable limits(SmoothOptions& o) {
 
 OptionTable option_table(SmoothOptions& options) {
   OptionTable table = equations(options);
-  for (auto* rows : {linear_rows, fixed_point, limits}) {
+  for (auto* rows : {vcv_rows, linear_rows, fixed_point, limits}) {
     for (Option& row : rows(options)) table.push_back(std::move(row));
   }
   for (Option& row : option_table(options.keep_outside)) table.push_back(std::move(row));
@@ -220,6 +256,25 @@ void validate(const SmoothOptions& options) {
       "the linear solver " + options.linear.solver +
           " takes symmetric systems only: choose automatic, direct or gmres, or the formulation "
           "variational");
+  require(options.vcv_updates == 0 || follows_mesh(options.vcv),
+          "equal and existing VCVs do not follow the mesh: vcv_updates needs the VCVs adjusted");
 }
+
+void validate_vcvs(const SmoothOptions& options, int cell_dimension) {
+  if (cell_dimension == 3) return;
+  require(options.vcv == VcvKind::automatic || options.vcv == VcvKind::equal,
+          "vcv: solid angles of volume meshes only; a plane mesh takes auto or equal");
+  require(options.vcv_lengths == 0,
+          "vcv_lengths: for volume meshes only; the edges of a plane mesh's VCVs have the lengths "
+          "that they are given");
+  require(options.vcv_updates == 0,
+          "vcv_updates: for volume meshes only; the VCVs of a plane mesh do not change");
+}
+
+bool refers_to_vcvs(const SmoothOptions& options) {
+  return !is_variational(options) || options.targets.vcv > 0;
+}
+
+bool follows_mesh(VcvKind kind) { return kind != VcvKind::equal && kind != VcvKind::existing; }
 
 }  // namespace winslow

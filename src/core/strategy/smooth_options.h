@@ -25,11 +25,24 @@ enum class Untangle {
   energy      ///< the variational form with a regularised determinant
 };
 
+/// Which virtual control volumes the interior nodes of a mesh have: what the pointwise form and the
+/// targets `vcv` are over. Those of a plane mesh are equal but for the ones that were edited.
+enum class VcvKind {
+  automatic,    ///< equal ones of a plane mesh, adjusted ones of a volume mesh
+  equal,        ///< equal angles
+  existing,     ///< the solid angles of the mesh as given
+  adjusted,     ///< the mean of both
+  perturbation  ///< adjusted, by the paper's random perturbation
+};
+
 /// How a mesh is smoothed. The defaults need no touch. What each member means, its range and its
 /// names stand in option_table().
 struct SmoothOptions {
   std::string formulation = "variational";
   TargetBlend targets;
+  VcvKind vcv = VcvKind::automatic;
+  double vcv_lengths = 0;  ///< VolumeVcvOptions::length_power
+  int vcv_updates = 0;     ///< how often adjusted VCVs follow the mesh, at most
   PenaltyOptions penalty;
   OuterMethod outer = OuterMethod::automatic;
   Untangle untangle = Untangle::automatic;
@@ -49,5 +62,13 @@ OptionTable option_table(SmoothOptions& options);
 
 /// Throws UsageError naming the option that is out of range, or those that do not go together.
 void validate(const SmoothOptions& options);
+/// Throws UsageError, naming the option and what there is to choose, for VCVs that meshes of this
+/// dimension do not have.
+void validate_vcvs(const SmoothOptions& options, int cell_dimension);
+
+/// Whether the equations are over VCVs: those of the pointwise form and of targets `vcv`.
+bool refers_to_vcvs(const SmoothOptions& options);
+/// Whether VCVs of a volume mesh are to be worked out anew as the mesh changes.
+bool follows_mesh(VcvKind kind);
 
 }  // namespace winslow

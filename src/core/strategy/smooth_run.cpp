@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "core/motion/contact.h"
 #include "core/motion/transfer.h"
 #include "core/quality/quality.h"
 #include "core/strategy/keep_outside.h"
@@ -13,6 +14,7 @@
 #include "core/strategy/pointwise_run.h"
 #include "core/strategy/run_recorder.h"
 #include "core/strategy/variational_run.h"
+#include "core/strategy/vcv_updates.h"
 #include "core/strategy/workspace.h"
 
 namespace winslow {
@@ -124,9 +126,39 @@ void keep_above_worst(const MeshState& state, SmoothingWorkspace& workspace, Run
   result.inverted = 0;
 }
 
+/// A motion that would end at a contact, where only the whole of it will do, is not begun: the
+/// result says so before targets and matrices are made, which take longer than the search.
+bool is_blocked(const MeshState& state, const Motion& motion, const SmoothOptions& options,
+                const Coordinates& x, SmoothResult& result) {
+  result.contact = find_contact(*state.mesh.topology, state.mesh.coordinates, motion);
+  if (!result.contact) return false;
+  result.fraction_reached = 0;
+  result.converged = false;
+  result.inverted = check_validity(*state.mesh.topology, x, options.threads).inverted;
+  return true;
+}
+
 /// The fixed point may need several attempts at a motion; each has the whole limit.
 int budget(const SmoothOptions& options) {
   return by_fixed_point(options) ? std::numeric_limits<int>::max() : options.max_iterations;
+}
+
+/// With the boundary where it is to be in the end.
+void smooth_at_end(const MeshState& state, SmoothingWorkspace& workspace, RunRecorder& recorder,
+                   Coordinates& x) {
+  const SmoothOptions& options = workspace.options();
+  if (!by_fixed_point(options)) {
+    make_newton_run(state, workspace, recorder)->smooth(x, 1, nullptr);
+    return;
+  }
+  recorder.iterate(workspace.picard(), x, Stage::picard, 1, options.max_iterations);
+  recorder.result().linear_solver = workspace.linear().description();
+}
+
+void follow_with_vcvs(const MeshState& state, SmoothingWorkspace& workspace, RunRecorder& recorder,
+                      Coordinates& x) {
+  const auto solve = [&](Coordinates& y) { smooth_at_end(state, workspace, recorder, y); };
+  update_vcvs(state.mesh.coordinates, workspace, recorder, solve, x);
 }
 
 /// Of the targets that a run by Newton's method went for.
@@ -146,14 +178,11 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& option
                     state.mesh.coordinates);
   result.kept_outside = keep_fixed(state, workspace.classes(), x);
   RunRecorder recorder(run.monitor, result, budget(options));
-  if (by_fixed_point(options)) {
-    recorder.iterate(workspace.picard(), x, Stage::picard, 1, options.max_iterations);
-    result.linear_solver = workspace.linear().description();
-  } else {
-    make_newton_run(state, workspace, recorder)->smooth(x, 1, nullptr);
-    if (result.converged && run.never_worse) keep_above_worst(state, workspace, recorder, x);
-    result.stretched = stretched(workspace);
-  }
+  smooth_at_end(state, workspace, recorder, x);
+  follow_with_vcvs(state, workspace, recorder, x);
+  if (by_fixed_point(options)) return result;
+  if (result.converged && run.never_worse) keep_above_worst(state, workspace, recorder, x);
+  result.stretched = stretched(workspace);
   return result;
 }
 
@@ -176,18 +205,23 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const M
     move_by_fixed_point(state.mesh.coordinates, motion, how.increments, options.max_iterations,
                         workspace.picard(), recorder, x);
     result.linear_solver = workspace.linear().description();
+    follow_with_vcvs(state, workspace, recorder, x);
     return result;
   }
+  const bool near_start = run.start && !how.floor.given();  // limits hold all the way
+  const bool known = run.all_or_nothing && how.increments == 0 && !near_start;
+  if (known && is_blocked(state, motion, options, x, result)) return result;
   const auto steps = make_newton_run(state, workspace, recorder);
   steps->keep_within(how.floor);
   steps->end_at_contact(run.all_or_nothing);
-  const bool near_start = run.start && !how.floor.given();  // limits hold all the way
+  if (known) steps->way_is_clear();
   if (how.increments > 0) {
     steps->move_in_steps(motion, state.mesh.coordinates, how.increments, x);
   } else if (!near_start || !move_from(state, motion, *run.start, workspace, *steps, x)) {
     x = state.mesh.coordinates;
     steps->follow(motion, state.mesh.coordinates, x);
   }
+  if (!how.floor.given()) follow_with_vcvs(state, workspace, recorder, x);
   result.stretched = stretched(workspace);
   return result;
 }

@@ -2,18 +2,51 @@
 
 #include <utility>
 
+#include "core/quality/quality.h"
 #include "core/strategy/solver_options.h"
 
 namespace winslow {
+
+namespace {
+
+VolumeVcvOptions volume_vcv_options(const SmoothOptions& options) {
+  VolumeVcvOptions vcvs;
+  vcvs.threads = options.threads;
+  vcvs.length_power = options.vcv_lengths;
+  if (options.vcv == VcvKind::equal) vcvs.angles = VcvAngles::equal;
+  if (options.vcv == VcvKind::existing) vcvs.angles = VcvAngles::existing;
+  if (follows_mesh(options.vcv)) vcvs.angles = VcvAngles::adjusted;
+  if (options.vcv == VcvKind::perturbation) vcvs.construction = VcvConstruction::perturbation;
+  return vcvs;
+}
+
+bool same_vcv_options(const SmoothOptions& a, const SmoothOptions& b) {
+  return a.vcv == b.vcv && a.vcv_lengths == b.vcv_lengths;
+}
+
+/// Whether VCVs of a volume mesh depend on the mesh as given.
+bool refers_to_mesh(const SmoothOptions& options) {
+  return options.vcv != VcvKind::equal || options.vcv_lengths != 0;
+}
+
+}  // namespace
 
 void SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualControlVolumes>& vcv,
                                  const std::shared_ptr<const NodeClasses>& classes,
                                  const SmoothOptions& options, const Coordinates& given) {
   const bool same_unknowns =
       classes_ && classes_->same_unknowns(*classes) && options_.threads == options.threads;
-  const bool same_vcv = same_unknowns && vcv == vcv_;
-  const bool same_targets = same_vcv && options_.targets == options.targets &&
-                            (!refers_to_given(options.targets) || (given_ && *given_ == given));
+  const bool space = classes->topology().cell_dimension() == 3;
+  const bool needs_given = space || refers_to_given(options.targets);
+  const bool same_given = !needs_given || (given_ && *given_ == given);
+  const bool same_vcv =
+      same_unknowns && !adjusted_ &&
+      (space ? same_vcv_options(options_, options) && (same_given || !refers_to_mesh(options))
+             : vcv == vcv_);
+  // Targets of a plane mesh have to do with its VCVs in any case: some of them may be edited.
+  const bool same_targets = same_unknowns && options_.targets == options.targets &&
+                            (same_given || !refers_to_given(options.targets)) &&
+                            (same_vcv || (space && options.targets.vcv == 0));
   picard_.reset();
   newton_.reset();
   pointwise_newton_.reset();
@@ -29,11 +62,10 @@ void SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualControlVolum
     symmetric_linear_.reset();
     newton_linear_.reset();
   }
-  if (refers_to_given(options.targets)) {
-    if (!same_targets) given_ = given;
-  } else {
-    given_.reset();
-  }
+  if (!needs_given) given_.reset();
+  if (needs_given && !same_given) given_ = given;
+  if (!same_vcv) volume_vcvs_.reset();
+  adjusted_ = false;
   vcv_ = vcv;
   classes_ = classes;
   options_ = options;
@@ -66,11 +98,58 @@ LinearSolver& SmoothingWorkspace::symmetric_linear() {
   return *symmetric_linear_;
 }
 
-const ClipVariants<PointwiseWinslow>& SmoothingWorkspace::pointwise() {
-  if (!pointwise_.plain)
-    pointwise_ = clip_variants(PointwiseWinslow(*vcv_, classes_, options_.threads));
-  else if (pointwise_stale_)
-    pointwise_ = clip_variants(pointwise_.plain->with_vcvs(*vcv_));
+const VolumeVcvs& SmoothingWorkspace::volume_vcvs() {
+  if (!volume_vcvs_) make_volume_vcvs(*given_);
+  return *volume_vcvs_;
+}
+
+void SmoothingWorkspace::make_volume_vcvs(const Coordinates& x) {
+  volume_vcvs_ =
+      std::make_unique<VolumeVcvs>(classes_->shared_topology(), x, volume_vcv_options(options_));
+  tangled_vcvs_ = follows_mesh(options_.vcv) && tangled(x);
+}
+
+Index SmoothingWorkspace::adjust_vcvs(const Coordinates& x) {
+  if (!in_space() || !follows_mesh(options_.vcv)) return 0;
+  volume_vcvs();
+  Index changed = classes_->topology().node_count();
+  if (tangled_vcvs_ && !tangled(x))
+    make_volume_vcvs(x);  // neither angles nor lengths of a tangle are worth keeping
+  else
+    changed = volume_vcvs_->adjust(x);
+  if (changed == 0) return 0;
+  adjusted_ = pointwise_stale_ = true;
+  energy_stale_ |= options_.targets.vcv > 0;
+  picard_.reset();
+  newton_.reset();
+  pointwise_newton_.reset();
+  return changed;
+}
+
+bool SmoothingWorkspace::adjust_tangled_vcvs(const Coordinates& x) {
+  if (!in_space() || !refers_to_vcvs(options_)) return false;
+  volume_vcvs();
+  return tangled_vcvs_ && adjust_vcvs(x) > 0;
+}
+
+bool SmoothingWorkspace::tangled(const Coordinates& x) const {
+  return check_validity(classes_->topology(), x, options_.threads).inverted > 0;
+}
+
+template <int D>
+void SmoothingWorkspace::make_pointwise(const typename PointwiseForm<D>::Vcvs& vcvs) {
+  pointwise_ = clip_variants(
+      pointwise_.plain ? static_cast<const PointwiseForm<D>&>(*pointwise_.plain).with_vcvs(vcvs)
+                       : PointwiseForm<D>(vcvs, classes_, options_.threads));
+}
+
+const ClipVariants<EquationProblem>& SmoothingWorkspace::pointwise() {
+  if (!pointwise_.plain || pointwise_stale_) {
+    if (in_space())
+      make_pointwise<3>(volume_vcvs());
+    else
+      make_pointwise<2>(*vcv_);
+  }
   pointwise_stale_ = false;
   return pointwise_;
 }
@@ -102,9 +181,10 @@ void SmoothingWorkspace::count_more(std::vector<Index> elements) {
 
 std::shared_ptr<const VariationalForm> SmoothingWorkspace::energy() {
   if (!energy_ || energy_stale_) {
-    if (classes_->topology().cell_dimension() == 3) {
-      make_energy(volume_targets(classes_->topology(), options_.targets, given(), options_.threads,
-                                 urgent_));
+    if (in_space()) {
+      const VolumeVcvs* vcvs = options_.targets.vcv > 0 ? &volume_vcvs() : nullptr;
+      make_energy(volume_targets(classes_->topology(), vcvs, options_.targets, given(),
+                                 options_.threads, urgent_));
     } else {
       make_energy<2>(
           TargetShapes::build(*vcv_, options_.targets, given(), options_.threads, urgent_));

@@ -23,15 +23,23 @@ namespace winslow {
 class SmoothingWorkspace {
  public:
   /// Says what is to be solved; parts that are still good are kept. classes: which nodes move.
-  /// vcv: null for volume meshes. given: the mesh that targets `auto` and `rest` refer to; kept by
-  /// value where they do. Throws UsageError.
+  /// vcv: of a plane mesh; null for volume meshes, whose VCVs are made here, of the kind that the
+  /// options say. given: the mesh that targets `auto` and `rest` and those VCVs refer to; kept by
+  /// value where they do.
   void prepare(const std::shared_ptr<const VirtualControlVolumes>& vcv,
                const std::shared_ptr<const NodeClasses>& classes, const SmoothOptions& options,
-               const Coordinates& rest);
+               const Coordinates& given);
 
   /// From here to the next prepare() these elements count four times as much with `auto` targets,
   /// once more for each time they are listed.
   void count_more(std::vector<Index> elements);
+
+  /// Adjusted VCVs of a volume mesh take the angles of the mesh as it is now; those of all other
+  /// kinds stay. What was made over the earlier ones is made anew. Returns how many changed.
+  Index adjust_vcvs(const Coordinates& x);
+  /// The same where they are those of a mesh that came tangled, and x is valid: what a tangle has
+  /// for angles says little. Returns whether any changed.
+  bool adjust_tangled_vcvs(const Coordinates& x);
 
   // Each is made at its first use after prepare, and valid until the next prepare.
   PicardSolver& picard();
@@ -48,25 +56,33 @@ class SmoothingWorkspace {
   /// For the pointwise form's Jacobians.
   LinearSolver& newton_linear();
 
-  const VirtualControlVolumes& vcv() const { return *vcv_; }
   const NodeClasses& classes() const { return *classes_; }
   const SmoothOptions& options() const { return options_; }
 
  private:
-  const ClipVariants<PointwiseWinslow>& pointwise();
+  bool in_space() const { return classes_->topology().cell_dimension() == 3; }
+  bool tangled(const Coordinates& x) const;
+  const VolumeVcvs& volume_vcvs();
+  void make_volume_vcvs(const Coordinates& x);
+  const ClipVariants<EquationProblem>& pointwise();
+  template <int D>
+  void make_pointwise(const typename PointwiseForm<D>::Vcvs& vcvs);
   template <int D>
   void make_energy(const CellTargets<D>& targets);
   const Coordinates* given() const { return given_ ? &*given_ : nullptr; }
   std::unique_ptr<LinearSolver> make_general_solver() const;
 
-  std::shared_ptr<const VirtualControlVolumes> vcv_;
+  std::shared_ptr<const VirtualControlVolumes> vcv_;  // of a plane mesh
+  std::unique_ptr<VolumeVcvs> volume_vcvs_;           // null: not made yet
   std::shared_ptr<const NodeClasses> classes_;
   SmoothOptions options_;
-  std::optional<Coordinates> given_;          // only where the targets refer to it
-  std::vector<Index> urgent_;                 // see count_more()
-  ClipVariants<PointwiseWinslow> pointwise_;  // null: not made yet
+  std::optional<Coordinates> given_;         // only where something refers to it
+  std::vector<Index> urgent_;                // see count_more()
+  ClipVariants<EquationProblem> pointwise_;  // null: not made yet
   std::shared_ptr<const VariationalForm> energy_;
   bool pointwise_stale_ = false, energy_stale_ = false;  // they are of other VCVs or targets
+  bool tangled_vcvs_ = false;                            // adjusted to a tangled mesh
+  bool adjusted_ = false;  // the VCVs are no longer those of the mesh as given
   std::unique_ptr<LinearSolver> linear_, symmetric_linear_, newton_linear_;
   std::unique_ptr<PicardSolver> picard_;
   std::unique_ptr<EnergyNewton> newton_;

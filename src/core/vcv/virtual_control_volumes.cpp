@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/vcv/vcv_checks.h"
 
 namespace winslow {
 
@@ -41,14 +42,6 @@ std::span<const double> VirtualControlVolumes::lengths(Index node) const {
   return s ? std::span<const double>(s->lengths) : std::span<const double>{};
 }
 
-void VirtualControlVolumes::require_interior(Index node) const {
-  if (node < 0 || node >= topology_->node_count() || topology_->on_boundary(node) ||
-      !topology_->used(node)) {
-    throw UsageError("VCV of node " + std::to_string(node) +
-                     ": the node is not a free node of the mesh");
-  }
-}
-
 Vec2 VirtualControlVolumes::point(Index node, Index k) const {
   const auto angle = angles(node).first(static_cast<std::size_t>(k));
   const double phi = std::accumulate(angle.begin(), angle.end(), 0.0);
@@ -57,7 +50,7 @@ Vec2 VirtualControlVolumes::point(Index node, Index k) const {
 
 void VirtualControlVolumes::set(Index node, std::span<const double> angles,
                                 std::span<const double> lengths) {
-  require_interior(node);
+  require_vcv_node(*topology_, node);
   const std::string who = "VCV of node " + std::to_string(node);
   const std::size_t n = topology_->neighbours(node).size();
   if (angles.size() != n || lengths.size() != n) {
@@ -71,22 +64,12 @@ void VirtualControlVolumes::set(Index node, std::span<const double> angles,
     sum += angle;
   }
   if (std::abs(sum - 2 * pi) > 1e-9) throw UsageError(who + ": the angles do not sum to 2 pi");
-  for (const double length : lengths) {
-    if (!(length > 0) || !std::isfinite(length)) {
-      throw UsageError(who + ": an edge length is not positive");
-    }
-  }
-  // Beyond this the short edges are lost in the rounding of the long ones.
-  constexpr double most_stretched = 1e12;
-  const auto [shortest, longest] = std::ranges::minmax(lengths);
-  if (longest > most_stretched * shortest) {
-    throw UsageError(who + ": the longest edge is more than 1e12 times the shortest");
-  }
+  require_edge_lengths(node, lengths);
   edited_[node] = {{angles.begin(), angles.end()}, {lengths.begin(), lengths.end()}};
 }
 
 void VirtualControlVolumes::reset(Index node) {
-  require_interior(node);
+  require_vcv_node(*topology_, node);
   edited_.erase(node);
 }
 

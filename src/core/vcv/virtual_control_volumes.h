@@ -64,7 +64,6 @@ class VirtualControlVolumes {
   const std::shared_ptr<const std::vector<Role>>& roles() const { return roles_; }
 
  private:
-  void require_interior(Index node) const;
   const Stencil* stencil(Index node) const;
 
   std::shared_ptr<const Topology> topology_;

@@ -35,9 +35,9 @@ json write_table(const DisplacementTable& table) {
     if (entry.node) {
       item["node"] = *entry.node;
     } else {
-      item["position"] = ObjectWriter::write(entry.position);
+      item["position"] = vector_json(entry.position, &entry.position_z);
     }
-    item["displacement"] = ObjectWriter::write(entry.displacement);
+    item["displacement"] = vector_json(entry.displacement, &entry.displacement_z);
     if (entry.line > 0) item["line"] = entry.line;
     entries.push_back(std::move(item));
   }
@@ -53,9 +53,11 @@ DisplacementEntry read_entry(const json& value, const std::string& path) {
   if (reader.has("node")) {
     reader.required("node", entry.node.emplace());
   } else {
-    reader.required("position", entry.position);
+    read_vector(reader.at("position"), reader.path_of("position"), entry.position,
+                &entry.position_z);
   }
-  reader.required("displacement", entry.displacement);
+  read_vector(reader.at("displacement"), reader.path_of("displacement"), entry.displacement,
+              &entry.displacement_z);
   reader.field("line", entry.line);
   reader.finish();
   return entry;

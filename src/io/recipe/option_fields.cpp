@@ -25,25 +25,6 @@ void read_components(const json& value, const std::string& path, std::span<doubl
   for (std::size_t k = 0; k < out.size(); ++k) out[k] = value[k].get<double>();
 }
 
-/// third: where a third number goes; null: there is none.
-void read_vector(const json& value, const std::string& path, Vec2& plane,
-                 std::optional<double>* third) {
-  if (!third || !value.is_array() || value.size() != 3) {
-    ObjectReader::read(value, path, plane);
-    return;
-  }
-  Vec3 vector;
-  read_components(value, path, {vector.data(), 3});
-  plane = vector.head<2>();
-  *third = vector.z();
-}
-
-json vector_json(const Vec2& plane, const std::optional<double>* third) {
-  json value = ObjectWriter::write(plane);
-  if (third && *third) value.push_back(**third);
-  return value;
-}
-
 void read_value(const json& value, const std::string& path, const OptionValue& option) {
   std::visit(
       [&](const auto& of) {
@@ -125,6 +106,24 @@ void for_each_key(const OptionTable& table, const Own& own, const Inner& inner) 
 }
 
 }  // namespace
+
+void read_vector(const json& value, const std::string& path, Vec2& plane,
+                 std::optional<double>* third) {
+  if (!third || !value.is_array() || value.size() != 3) {
+    ObjectReader::read(value, path, plane);
+    return;
+  }
+  Vec3 vector;
+  read_components(value, path, {vector.data(), 3});
+  plane = vector.head<2>();
+  *third = vector.z();
+}
+
+json vector_json(const Vec2& plane, const std::optional<double>* third) {
+  json value = ObjectWriter::write(plane);
+  if (third && *third) value.push_back(**third);
+  return value;
+}
 
 void read_options(ObjectReader& reader, const OptionTable& table) {
   for_each_key(

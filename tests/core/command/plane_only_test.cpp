@@ -76,6 +76,7 @@ TEST_CASE("commands are refused by their names on meshes that are not plane") {
   for (const Command& command : all_commands()) {
     const bool serves_volumes = std::holds_alternative<SmoothCommand>(command) ||
                                 std::holds_alternative<MoveCommand>(command) ||
+                                std::holds_alternative<DeformCommand>(command) ||
                                 std::holds_alternative<ScrambleCommand>(command);
     check_refused(
         std::string(command_name(command)),
@@ -86,23 +87,35 @@ TEST_CASE("commands are refused by their names on meshes that are not plane") {
 TEST_CASE("what volume meshes cannot do yet is refused by its name") {
   const MeshState state = make_state(make_mesh(cube(2, Volumes::tetrahedra)));
   SmoothCommand smooth;
-  smooth.smooth.formulation = "pointwise";
-  CHECK_THROWS_WITH_AS(execute(smooth, state),
-                       "the pointwise form: only for a plane mesh, and this is a volume mesh",
-                       UsageError);
-  smooth = {};
   smooth.smooth.keep_outside.radius = 1;
   CHECK_THROWS_WITH_AS(execute(smooth, state),
                        "keep-outside: only for a plane mesh, and this is a volume mesh",
                        UsageError);
-  smooth = {};
-  smooth.smooth.targets = {.automatic = 0, .vcv = 1};
-  CHECK_THROWS_AS(execute(smooth, state), UsageError);
   MoveCommand move;
   move.markers = a_marker(state.mesh);
   move.motion.rotate = 10;
   CHECK_THROWS_WITH_AS(execute(move, state), "a rotation in space needs an axis", UsageError);
   const MeshState plane = make_state(make_mesh(square(3, Cells::quads)));
+  for (const VcvKind kind : {VcvKind::existing, VcvKind::adjusted, VcvKind::perturbation}) {
+    smooth = {};
+    smooth.smooth.vcv = kind;
+    CHECK_THROWS_WITH_AS(
+        execute(smooth, plane),
+        "vcv: solid angles of volume meshes only; a plane mesh takes auto or equal", UsageError);
+  }
+  smooth = {};
+  smooth.smooth.vcv = VcvKind::equal;
+  CHECK_NOTHROW(execute(smooth, plane));
+  smooth.smooth.vcv_lengths = 0.5;
+  CHECK_THROWS_WITH_AS(execute(smooth, plane),
+                       "vcv_lengths: for volume meshes only; the edges of a plane mesh's VCVs have "
+                       "the lengths that they are given",
+                       UsageError);
+  smooth = {};
+  smooth.smooth.vcv_updates = 1;
+  CHECK_THROWS_WITH_AS(
+      execute(smooth, plane),
+      "vcv_updates: for volume meshes only; the VCVs of a plane mesh do not change", UsageError);
   move.markers = a_marker(plane.mesh);
   move.motion.axis = Vec3(0, 0, 1);
   CHECK_THROWS_WITH_AS(
@@ -142,11 +155,11 @@ TEST_CASE("motions are those of plane meshes") {
     };
   };
   check_refused("motions of the plane", move(RigidMotion{}));
-  check_refused("sine deformations", move(SineDeformation{}));
+  check_refused("sine deformations", move(SineDeformation{}), false);
   DisplacementTable table;
   table.entries.emplace_back().node = 0;
-  check_refused("displacements", move(table));
-  check_refused("motions", [](const Mesh& mesh) {
+  check_refused("displacements", move(table), false);
+  check_refused("drags in the plane", [](const Mesh& mesh) {
     DragGrip grip;
     grip.markers = a_marker(mesh);
     DragSession session(state_of(mesh), grip, SmoothOptions{});

@@ -12,18 +12,6 @@ using namespace winslow::test;
 
 namespace {
 
-/// A box of cubes around one that is missing: its faces are the marker "body".
-Mesh box_with_body(Index n, Volumes volumes) {
-  const Index low = n / 2;
-  MeshData data = cubes_with_holes(
-      n, volumes, [&](Index i, Index j, Index k) { return i == low && j == low && k == low; });
-  mark_volume(data, [](const Vec3& p) {
-    const bool outside = (p.array() < 1e-9).any() || (p.array() > 1 - 1e-9).any();
-    return outside ? "far" : "body";
-  });
-  return make_mesh(data);
-}
-
 Index inverted(const Mesh& mesh) {
   return check_validity(*mesh.topology, mesh.coordinates).inverted;
 }
@@ -143,7 +131,13 @@ TEST_CASE("Newton's method on a valid volume mesh ends in few steps, quadratical
   CHECK(result.smooth.converged);
   CHECK(result.smooth.linear_solves <= 12);
   const auto& history = result.smooth.history;
-  REQUIRE(history.size() > 3);
-  const double last = history.back().residual, before = history[history.size() - 2].residual;
-  CHECK(last < 100 * before * before + 1e-14);
+  // The last step is solved to the tolerance only.
+  int quadratic = 0;
+  for (std::size_t k = 0; k + 1 < history.size(); ++k) {
+    const double residual = history[k].residual;
+    if (residual > 1e-2) continue;
+    CHECK(history[k + 1].residual < 100 * residual * residual + smooth.smooth.tolerance);
+    ++quadratic;
+  }
+  CHECK(quadratic >= 2);
 }

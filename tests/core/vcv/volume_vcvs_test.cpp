@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.h"
 #include "core/mesh/mesh.h"
@@ -14,18 +15,6 @@ using namespace winslow;
 using namespace winslow::test;
 
 namespace {
-
-/// Cubes cut into tetrahedra, the interior nodes moved by up to `reach` of a cube.
-Mesh shaken_box(Index n, double reach, std::uint64_t seed) {
-  Mesh mesh = make_mesh(cube(n, Volumes::tetrahedra));
-  Random random(seed);
-  for (const Index node : mesh.topology->interior_nodes()) {
-    const Vec2 a = random.vector();
-    const Vec3 move(a.x(), a.y(), random.uniform(-1, 1));
-    mesh.coordinates.set_xyz(node, mesh.coordinates.xyz(node) + reach / n * move);
-  }
-  return mesh;
-}
 
 std::vector<Vec3> directions_of(const VolumeVcvs& vcvs, Index node) {
   std::vector<Vec3> directions;
@@ -214,4 +203,42 @@ TEST_CASE("VCVs of solid angles are for volume meshes, those of a mesh need its 
   options.angles = VcvAngles::existing;
   const Mesh mesh = make_mesh(cube(2, Volumes::tetrahedra));
   CHECK_THROWS_AS(VolumeVcvs(mesh.topology, options), UsageError);
+}
+
+TEST_CASE("edges of VCVs have powers of the lengths of the mesh") {
+  const Mesh mesh = shaken_box(4, 0.3, 6);
+  for (const VcvAngles angles : {VcvAngles::equal, VcvAngles::adjusted}) {
+    for (const double power : {0.0, 0.5, 1.0}) {
+      CAPTURE(power);
+      const VolumeVcvs vcvs(mesh.topology, mesh.coordinates,
+                            {.angles = angles, .length_power = power, .threads = 1});
+      const VolumeVcvs unit(mesh.topology, mesh.coordinates, {.angles = angles, .threads = 2});
+      for (const Index node : mesh.topology->interior_nodes()) {
+        const auto neighbours = mesh.topology->neighbours(node);
+        double sum = 0;
+        for (const Index k : neighbours)
+          sum += (mesh.coordinates.xyz(k) - mesh.coordinates.xyz(node)).norm();
+        for (std::size_t k = 0; k < neighbours.size(); ++k) {
+          const double length =
+              (mesh.coordinates.xyz(neighbours[k]) - mesh.coordinates.xyz(node)).norm();
+          const double share = length / sum * static_cast<double>(neighbours.size());
+          const auto place = static_cast<Index>(k);
+          CHECK(vcvs.length(node, place) == doctest::Approx(std::pow(share, power)).epsilon(1e-6));
+          CHECK((vcvs.point(node, place).normalized() - unit.direction(node, place)).norm() <
+                1e-12);
+        }
+      }
+    }
+  }
+  CHECK_THROWS_AS(VolumeVcvs(mesh.topology, {.length_power = 0.5}), UsageError);
+}
+
+TEST_CASE("lengths stay those of the mesh as given when angles are adjusted") {
+  const Mesh mesh = shaken_box(4, 0.3, 6);
+  VolumeVcvs vcvs(mesh.topology, mesh.coordinates,
+                  {.angles = VcvAngles::adjusted, .length_power = 1});
+  const Index node = mesh.topology->interior_nodes().front();
+  const double before = vcvs.length(node, 0);
+  CHECK(vcvs.adjust(shaken_box(4, 0.3, 7).coordinates) > 0);
+  CHECK(vcvs.length(node, 0) == before);
 }

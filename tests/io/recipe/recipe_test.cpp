@@ -175,6 +175,26 @@ TEST_CASE("recipe: displacements are embedded") {
   }
 }
 
+TEST_CASE("recipe: deformations in space survive, with their third components") {
+  SineDeformation sine{0.1, 1, {0.5, 0}};
+  sine.direction_z = -0.25;
+  sine.along = Vec3(1.0 / 3, 2, -3);
+  const DeformCommand wave = round_trip(DeformCommand{{"main"}, sine, {}, {}});
+  CHECK(std::get<SineDeformation>(wave.shape) == sine);
+
+  DisplacementTable table;
+  table.entries.push_back({17, {0, 0}, {0.1, -0.2}, 0, {}, 1.0 / 3});
+  table.entries.push_back({{}, {1, 2}, {3, 4}, 0, 0.1, -5e-17});
+  const DeformCommand read = round_trip(DeformCommand{{"flap"}, table, {}, {}});
+  const auto& back = std::get<DisplacementTable>(read.shape);
+  REQUIRE(back.entries.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(back.entries[i].position_z == table.entries[i].position_z);
+    CHECK(back.entries[i].displacement == table.entries[i].displacement);
+    CHECK(back.entries[i].displacement_z == table.entries[i].displacement_z);
+  }
+}
+
 TEST_CASE("recipe: a scramble command survives") {
   CHECK(round_trip(ScrambleCommand{18446744073709551615u}).seed == 18446744073709551615u);
 }

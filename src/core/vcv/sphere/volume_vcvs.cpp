@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/parallel/parallel_for.h"
+#include "core/vcv/vcv_checks.h"
 
 namespace winslow {
 
@@ -103,8 +104,9 @@ class VolumeVcvs::StarSolver {
 VolumeVcvs::VolumeVcvs(std::shared_ptr<const Topology> topology, const VolumeVcvOptions& options)
     : topology_(std::move(topology)), options_(options) {
   require_volume(*topology_);
-  if (options_.angles != VcvAngles::equal) {
-    throw UsageError("existing and adjusted solid angles need the coordinates of a mesh");
+  if (options_.angles != VcvAngles::equal || options_.length_power != 0) {
+    throw UsageError(
+        "existing and adjusted solid angles, and edge lengths, need the coordinates of a mesh");
   }
   solve(nullptr, true);
 }
@@ -114,6 +116,30 @@ VolumeVcvs::VolumeVcvs(std::shared_ptr<const Topology> topology, const Coordinat
     : topology_(std::move(topology)), options_(options) {
   require_volume(*topology_);
   solve(options_.angles == VcvAngles::equal ? nullptr : &physical, true);
+  if (options_.length_power != 0) take_lengths(physical);
+}
+
+void VolumeVcvs::take_lengths(const Coordinates& physical) {
+  // A node that lies on another in a tangled mesh still has an edge to it.
+  constexpr double most = 1e3;
+  lengths_.assign(topology_->neighbour_rows().values.size(), 1.0F);
+  const SpacePoints x(physical);
+  const auto interior = topology_->interior_nodes();
+  parallel_for(options_.threads, static_cast<Index>(interior.size()), [&](Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) {
+      const Index node = interior[at(i)];
+      const auto neighbours = topology_->neighbours(node);
+      double sum = 0;
+      for (const Index other : neighbours) sum += (x[other] - x[node]).norm();
+      const double mean = sum / static_cast<double>(neighbours.size());
+      float* out = lengths_.data() + topology_->neighbour_rows().offsets[at(node)];
+      for (const Index other : neighbours) {
+        const double share = mean > 0 ? (x[other] - x[node]).norm() / mean : 1;
+        *out++ =
+            static_cast<float>(std::pow(std::clamp(share, 1 / most, most), options_.length_power));
+      }
+    }
+  });
 }
 
 Index VolumeVcvs::adjust(const Coordinates& physical) {
@@ -167,26 +193,19 @@ Vec3 VolumeVcvs::direction(Index node, Index k) const {
 
 double VolumeVcvs::length(Index node, Index k) const {
   const auto found = edited_.find(node);
-  return found != edited_.end() ? found->second.lengths[at(k)] : 1.0;
+  if (found != edited_.end()) return found->second.lengths[at(k)];
+  return lengths_.empty() ? 1.0 : lengths_[at(topology_->neighbour_rows().offsets[at(node)] + k)];
 }
 
 void VolumeVcvs::points(Index node, std::vector<Vec3>& out) const {
   out.clear();
   const auto count = static_cast<Index>(topology_->neighbours(node).size());
-  for (Index k = 0; k < count; ++k) out.emplace_back(length(node, k) * direction(node, k));
-}
-
-void VolumeVcvs::require_interior(Index node) const {
-  if (node < 0 || node >= topology_->node_count() || topology_->on_boundary(node) ||
-      !topology_->used(node)) {
-    throw UsageError("VCV of node " + std::to_string(node) +
-                     ": the node is not a free node of the mesh");
-  }
+  for (Index k = 0; k < count; ++k) out.push_back(point(node, k));
 }
 
 void VolumeVcvs::set(Index node, std::span<const Vec3> directions,
                      std::span<const double> lengths) {
-  require_interior(node);
+  require_vcv_node(*topology_, node);
   const std::string who = "VCV of node " + std::to_string(node);
   const std::size_t n = topology_->neighbours(node).size();
   if (directions.size() != n || lengths.size() != n) {
@@ -197,22 +216,12 @@ void VolumeVcvs::set(Index node, std::span<const Vec3> directions,
   if (!covers_sphere(SphereLink(*topology_, node), stencil.directions)) {
     throw UsageError(who + ": the directions do not cover the sphere once, a triangle is inverted");
   }
-  for (const double length : lengths) {
-    if (!(length > 0) || !std::isfinite(length)) {
-      throw UsageError(who + ": an edge length is not positive");
-    }
-  }
-  // Beyond this the short edges are lost in the rounding of the long ones.
-  constexpr double most_stretched = 1e12;
-  const auto [shortest, longest] = std::ranges::minmax(lengths);
-  if (longest > most_stretched * shortest) {
-    throw UsageError(who + ": the longest edge is more than 1e12 times the shortest");
-  }
+  require_edge_lengths(node, lengths);
   edited_[node] = std::move(stencil);
 }
 
 void VolumeVcvs::reset(Index node) {
-  require_interior(node);
+  require_vcv_node(*topology_, node);
   edited_.erase(node);
 }
 

@@ -27,6 +27,9 @@ struct VolumeVcvOptions {
   /// star would have a nearly flat VCV.
   double equal_regularisation = 1e-6;
   double physical_regularisation = 0.3;
+  /// Edge lengths are those of the given mesh, over their mean in each star, to this power: 0 for
+  /// unit edges (the paper's), up to 1 for the grading of the mesh itself.
+  double length_power = 0;
   int threads = 0;  ///< 0 for all cores; no result depends on it
 };
 
@@ -36,11 +39,12 @@ struct VolumeVcvOptions {
 /// node (see SphereLink) makes the outer triangles.
 ///
 /// Directions that were worked out are kept in single precision: 12 bytes for each neighbour, 180
-/// MB for a million nodes of 15 neighbours. Those that were set keep every digit.
+/// MB for a million nodes of 15 neighbours, and 4 more where edges have lengths. Those that were
+/// set keep every digit.
 class VolumeVcvs {
  public:
   /// Equal angles and unit edges. Throws UsageError unless it is a volume mesh and the options ask
-  /// for equal angles; MeshError or NumericError, naming the node, for a star that has no VCV (see
+  /// for these; MeshError or NumericError, naming the node, for a star that has no VCV (see
   /// SphereLink, SphereStart).
   explicit VolumeVcvs(std::shared_ptr<const Topology> topology,
                       const VolumeVcvOptions& options = {});
@@ -53,15 +57,18 @@ class VolumeVcvs {
   const std::shared_ptr<const Topology>& shared_topology() const { return topology_; }
   const VolumeVcvOptions& options() const { return options_; }
 
-  /// Takes the adjusted angles of the mesh as it is now: the stars whose wanted angles changed by
-  /// more than the tolerance of a fit are solved again from where they were; returns how many.
-  /// Nodes whose VCVs were set keep them. Throws UsageError unless the angles are adjusted ones.
+  /// Takes the adjusted angles of the mesh as it is now, but not its edge lengths: the stars whose
+  /// wanted angles changed by more than the tolerance of a fit are solved again from where they
+  /// were; returns how many. Nodes whose VCVs were set keep them. Throws UsageError unless the
+  /// angles are adjusted ones.
   Index adjust(const Coordinates& physical);
 
   /// Direction of edge k of an interior node, a unit vector.
   Vec3 direction(Index node, Index k) const;
   /// Length of edge k of an interior node. Only ratios within one VCV act.
   double length(Index node, Index k) const;
+  /// Computational position of neighbour k of an interior node, which lies at the origin.
+  Vec3 point(Index node, Index k) const { return length(node, k) * direction(node, k); }
   /// Computational positions of the neighbours of an interior node (#neighbours).
   void points(Index node, std::vector<Vec3>& out) const;
 
@@ -87,12 +94,13 @@ class VolumeVcvs {
   class StarSolver;
 
   Index solve(const Coordinates* physical, bool first);
-  void require_interior(Index node) const;
+  void take_lengths(const Coordinates& physical);
   Vec3 computed(Index node, Index k) const;
 
   std::shared_ptr<const Topology> topology_;
   VolumeVcvOptions options_;
   std::vector<float> directions_;   // 3 for each entry of Topology::neighbour_rows()
+  std::vector<float> lengths_;      // of Topology::neighbour_rows(); empty: unit edges
   std::vector<SphereFitEnd> ends_;  // #interior nodes
   std::vector<std::size_t> rows_;   // #interior nodes + 1, into targets_; empty of equal angles
   std::vector<float> targets_;      // of the triangles of each link; empty of equal angles

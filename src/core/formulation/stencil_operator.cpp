@@ -1,0 +1,44 @@
+#include "core/formulation/stencil_operator.h"
+
+#include <Eigen/Geometry>
+
+namespace winslow {
+
+auto StencilOperator<2>::slopes(const Matrix& g, const Fluxes& flux, const Vec2& residual)
+    -> std::array<Matrix, 2> {
+  // alpha' = |r_y|^2, beta' = r_x . r_y, gamma' = |r_x|^2, m = (alpha' + gamma') / 2.
+  const auto& [lxx, lxy, lyy] = flux;
+  const Vec2 rx = g.col(0), ry = g.col(1);
+  const double mean = 0.5 * (rx.squaredNorm() + ry.squaredNorm());
+  if (!(mean > 0)) return {Matrix::Zero(), Matrix::Zero()};
+  return {((2 * lyy - residual) * rx.transpose() - lxy * ry.transpose()) / mean,
+          ((2 * lxx - residual) * ry.transpose() - lxy * rx.transpose()) / mean};
+}
+
+auto StencilOperator<3>::slopes(const Matrix& g, const Fluxes& flux, const Vec3& residual)
+    -> std::array<Matrix, 3> {
+  // K'_pq = c_p . c_q with the cofactors c_p = G_(p+1) x G_(p+2), m a third of the trace of K'.
+  std::array<Matrix, 3> slopes{Matrix::Zero(), Matrix::Zero(), Matrix::Zero()};
+  std::array<Vec3, 3> cofactors;
+  for (int p = 0; p < 3; ++p)
+    cofactors[static_cast<std::size_t>(p)] = g.col((p + 1) % 3).cross(g.col((p + 2) % 3));
+  const double mean =
+      (cofactors[0].squaredNorm() + cofactors[1].squaredNorm() + cofactors[2].squaredNorm()) / 3;
+  if (!(mean > 0)) return slopes;
+  // c . dc_p, times a flux: c . (dG_(p+1) x G_(p+2) + G_(p+1) x dG_(p+2)).
+  const auto add = [&](std::size_t p, const Vec3& c, const Vec3& along) {
+    const std::size_t next = (p + 1) % 3, last = (p + 2) % 3;
+    const Vec3 first = g.col(static_cast<Index>(next)), second = g.col(static_cast<Index>(last));
+    slopes[next] += along * second.cross(c).transpose() / mean;
+    slopes[last] += along * c.cross(first).transpose() / mean;
+  };
+  for (std::size_t p = 0; p < 3; ++p) {
+    const std::size_t q = (p + 1) % 3;
+    add(p, cofactors[p], 2 * (flux[p] - residual / 3));
+    add(p, cofactors[q], flux[3 + p]);  // xy, yz, zx
+    add(q, cofactors[p], flux[3 + p]);
+  }
+  return slopes;
+}
+
+}  // namespace winslow
