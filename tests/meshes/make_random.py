@@ -159,10 +159,10 @@ def count_nodes(path):
     raise RuntimeError(f"{path}: no node count")
 
 
-def mesh_it(folder, name, geo, suffix, kind):
+def mesh_it(folder, name, geo, suffix, kind, dimension=2):
     geo_path, out = folder / f"{name}.geo", folder / f"{name}{suffix}"
     geo_path.write_text(geo)
-    done = subprocess.run(["gmsh", "-2", str(geo_path), "-format", kind, "-o", str(out), "-v", "1"],
+    done = subprocess.run(["gmsh", f"-{dimension}", str(geo_path), "-format", kind, "-o", str(out), "-v", "1"],
                           capture_output=True, text=True)
     if done.returncode != 0 or not out.exists():
         raise RuntimeError(f"gmsh failed on {geo_path}:\n{done.stdout}{done.stderr}")

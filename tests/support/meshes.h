@@ -203,7 +203,10 @@ inline void tangle(Mesh& mesh, Random& random) {
 /// Largest distance between the places of one node in two meshes.
 inline double largest_difference(const Coordinates& a, const Coordinates& b) {
   double largest = 0;
-  for (Index i = 0; i < a.size(); ++i) largest = std::max(largest, (a.xy(i) - b.xy(i)).norm());
+  const auto places = [](const Coordinates& x) {
+    return Eigen::Map<const Eigen::MatrixXd>(x.values().data(), x.dimension(), x.size());
+  };
+  if (a.size() > 0) largest = (places(a) - places(b)).colwise().norm().maxCoeff();
   return largest;
 }
 

@@ -7,7 +7,9 @@
 #include <tuple>
 #include <vector>
 
+#include "core/mesh/mesh.h"
 #include "core/mesh/mesh_data.h"
+#include "core/vcv/sphere/volume_vcvs.h"
 #include "support/meshes.h"
 #include "support/random.h"
 
@@ -148,6 +150,37 @@ inline MeshData cube(Index n, Volumes volumes) {
   return data;
 }
 
+inline Vec3 random_vector(Random& random) {
+  const Vec2 a = random.vector();
+  return {a.x(), a.y(), random.uniform(-1, 1)};
+}
+
+/// The unit cube, its interior nodes moved by up to `reach` of a cube in each direction.
+inline Mesh shaken_box(Index n, double reach, std::uint64_t seed,
+                       Volumes volumes = Volumes::tetrahedra) {
+  Mesh mesh = make_mesh(cube(n, volumes));
+  Random random(seed);
+  for (const Index node : mesh.topology->interior_nodes()) {
+    mesh.coordinates.set_xyz(node, mesh.coordinates.xyz(node) + reach / n * random_vector(random));
+  }
+  return mesh;
+}
+
+/// The VCVs of a valid mesh that are its physical stars, lengths and all.
+inline VolumeVcvs own_stars(const Mesh& mesh) {
+  VolumeVcvs vcvs(mesh.topology);
+  for (const Index node : mesh.topology->interior_nodes()) {
+    std::vector<Vec3> edges;
+    std::vector<double> lengths;
+    for (const Index k : mesh.topology->neighbours(node)) {
+      edges.emplace_back(mesh.coordinates.xyz(k) - mesh.coordinates.xyz(node));
+      lengths.push_back(edges.back().norm());
+    }
+    vcvs.set(node, edges, lengths);
+  }
+  return vcvs;
+}
+
 /// The unit cube of n = 3 m cubes a side with a cubic cavity in the middle; markers outer, cavity.
 inline MeshData cube_with_cavity(Index n, Volumes volumes) {
   MeshData data = cubes_with_holes(n, volumes, [&](Index i, Index j, Index k) {
@@ -215,6 +248,18 @@ inline MeshData shuffled_volume(const MeshData& data, Random& random, bool turn)
     for (Face& face : marker.faces) face = by_nodes(face, node_at);
   }
   return out;
+}
+
+/// A unit cube of n^3 cubes, cut up, without the one in the middle: markers "far" and "body".
+inline Mesh box_with_body(Index n, Volumes volumes) {
+  const Index low = n / 2;
+  MeshData data = cubes_with_holes(
+      n, volumes, [&](Index i, Index j, Index k) { return i == low && j == low && k == low; });
+  mark_volume(data, [](const Vec3& p) {
+    const bool outside = (p.array() < 1e-9).any() || (p.array() > 1 - 1e-9).any();
+    return outside ? "far" : "body";
+  });
+  return make_mesh(data);
 }
 
 }  // namespace winslow::test

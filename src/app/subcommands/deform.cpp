@@ -55,11 +55,13 @@ class DeformSubcommand : public Subcommand {
                          "Add a sine wave along the body: amplitude, number of periods")
                      ->type_name("AMPLITUDE WAVES")
                      ->group("Shape");
-    table_flag_ =
-        app()
-            .add_option("--displacements", table_, "CSV of node,dx,dy (0-based node) or x,y,dx,dy")
-            ->type_name("FILE.csv")
-            ->group("Shape");
+    table_flag_ = app()
+                      .add_option("--displacements", table_,
+                                  "CSV of node,dx,dy (0-based node) or x,y,dx,dy; "
+                                  "of volume meshes node,dx,dy,dz or x,y,z,dx,dy,dz, "
+                                  "the names in the first line")
+                      ->type_name("FILE.csv")
+                      ->group("Shape");
     const OptionTable options = option_table(sine_);
     add_option_flags(app(), options, "Shape");
     for (const Option& option : options) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "core/error.h"
 #include "core/motion/rigid_motion.h"
@@ -10,19 +11,41 @@ namespace winslow {
 
 namespace {
 
-DisplacementTable displacements(const DragGrip& grip, const Vec2& translate) {
+template <typename Vector>
+DisplacementTable displacements(const DragGrip& grip, const Vector& translate) {
   DisplacementTable table;
   table.source = "drag";
   table.entries.reserve(grip.nodes.size());
-  for (std::size_t i = 0; i < grip.nodes.size(); ++i)
-    table.entries.push_back({grip.nodes[i], Vec2(0, 0), grip.shares[i] * translate, 0});
+  for (std::size_t i = 0; i < grip.nodes.size(); ++i) {
+    const Vector by = grip.shares[i] * translate;
+    DisplacementEntry& entry = table.entries.emplace_back();
+    entry.node = grip.nodes[i];
+    entry.displacement = by.template head<2>();
+    if constexpr (std::is_same_v<Vector, Vec3>) entry.displacement_z = by.z();
+  }
   return table;
 }
 
-void check_shares(const DragGrip& grip, const RigidMotion& motion) {
+void check_shares(const DragGrip& grip, double rotate) {
   if (grip.shares.size() != grip.nodes.size())
     throw UsageError("a part of a boundary needs a share of the motion for each of its nodes");
-  if (motion.rotate != 0) throw UsageError("a part of a boundary can be moved, but not turned");
+  if (rotate != 0) throw UsageError("a part of a boundary can be moved, but not turned");
+}
+
+template <typename Pose>
+Command command_of(const DragGrip& grip, const Pose& motion, const MotionOptions& how,
+                   const SmoothOptions& smooth) {
+  if (grip.rigid()) return MoveCommand{grip.markers, motion, how, smooth};
+  check_shares(grip, motion.rotate);
+  return DeformCommand{grip.markers, displacements(grip, motion.translate), how, smooth};
+}
+
+template <typename Pose>
+Pose between(const DragGrip& grip, const Pose& from, const Pose& to) {
+  if (grip.rigid()) return compose(inverse(from), to);
+  Pose motion;
+  motion.translate = to.translate - from.translate;
+  return motion;
 }
 
 /// Distances along a loop from a position, in one direction, until they pass `radius`.
@@ -46,33 +69,57 @@ void walk(const std::vector<Index>& loop, const Coordinates& x, std::size_t from
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
                                     const DragGrip& grip, const RigidMotion& motion) {
   if (grip.rigid()) return make_motion(topology, rest, grip.markers, motion);
-  check_shares(grip, motion);
+  check_shares(grip, motion.rotate);
+  return make_motion(topology, rest, grip.markers, displacements(grip, motion.translate));
+}
+
+std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
+                                    const DragGrip& grip, const SpaceMotion& motion) {
+  if (grip.rigid()) return make_motion(topology, rest, grip.markers, motion);
+  check_shares(grip, motion.rotate);
   return make_motion(topology, rest, grip.markers, displacements(grip, motion.translate));
 }
 
 Command drag_command(const DragGrip& grip, const RigidMotion& motion, const MotionOptions& how,
                      const SmoothOptions& smooth) {
-  if (grip.rigid()) return MoveCommand{grip.markers, motion, how, smooth};
-  check_shares(grip, motion);
-  return DeformCommand{grip.markers, displacements(grip, motion.translate), how, smooth};
+  return command_of(grip, motion, how, smooth);
+}
+Command drag_command(const DragGrip& grip, const SpaceMotion& motion, const MotionOptions& how,
+                     const SmoothOptions& smooth) {
+  return command_of(grip, motion, how, smooth);
 }
 
 RigidMotion motion_between(const DragGrip& grip, const RigidMotion& from, const RigidMotion& to) {
-  if (grip.rigid()) return compose(inverse(from), to);
-  return {0, Vec2(0, 0), to.translate - from.translate};
+  return between(grip, from, to);
+}
+SpaceMotion motion_between(const DragGrip& grip, const SpaceMotion& from, const SpaceMotion& to) {
+  return between(grip, from, to);
 }
 
-RigidMotion fit_motion(std::span<const Index> nodes, std::span<const double> shares,
-                       const Coordinates& rest, const Coordinates& x) {
-  if (shares.empty()) return fit_rigid_motion(nodes, rest, x);
-  Vec2 sum(0, 0);
+template <int D>
+RigidMotionIn<D> fit_motion(std::span<const Index> nodes, std::span<const double> shares,
+                            const Coordinates& rest, const Coordinates& x) {
+  if (shares.empty()) {
+    if constexpr (D == 2)
+      return fit_rigid_motion(nodes, rest, x);
+    else
+      return fit_space_motion(nodes, rest, x);
+  }
+  const Points<D> before(rest), after(x);
+  Vec<D> sum = Vec<D>::Zero();
   double weight = 0;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    sum += shares[i] * (x.xy(nodes[i]) - rest.xy(nodes[i]));
+    sum += shares[i] * (after[nodes[i]] - before[nodes[i]]);
     weight += shares[i] * shares[i];
   }
-  return {0, Vec2(0, 0), weight > 0 ? Vec2(sum / weight) : Vec2(0, 0)};
+  RigidMotionIn<D> motion;
+  if (weight > 0) motion.translate = sum / weight;
+  return motion;
 }
+template RigidMotion fit_motion<2>(std::span<const Index>, std::span<const double>,
+                                   const Coordinates&, const Coordinates&);
+template SpaceMotion fit_motion<3>(std::span<const Index>, std::span<const double>,
+                                   const Coordinates&, const Coordinates&);
 
 FadedArc faded_arc(const std::vector<Index>& loop, const Coordinates& x, std::size_t first,
                    std::size_t last, double radius) {

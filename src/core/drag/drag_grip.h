@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/command/command.h"
+#include "core/motion/space_motion.h"
 
 namespace winslow {
 
@@ -22,19 +23,25 @@ struct DragGrip {
 /// of other markers, shares that do not fit, a rotation of what is not rigid.
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
                                     const DragGrip& grip, const RigidMotion& motion);
+std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
+                                    const DragGrip& grip, const SpaceMotion& motion);
 
 /// The command that does for good what a drag has shown.
 Command drag_command(const DragGrip& grip, const RigidMotion& motion, const MotionOptions& how,
+                     const SmoothOptions& smooth);
+Command drag_command(const DragGrip& grip, const SpaceMotion& motion, const MotionOptions& how,
                      const SmoothOptions& smooth);
 
 /// What remains from `from` to `to`: compose(inverse(from), to) of a body, the difference of the
 /// translations of a part.
 RigidMotion motion_between(const DragGrip& grip, const RigidMotion& from, const RigidMotion& to);
+SpaceMotion motion_between(const DragGrip& grip, const SpaceMotion& from, const SpaceMotion& to);
 
 /// The motion that brings `nodes` nearest to where they are in `x` (least squares).
 /// shares: as of the grip; empty: rigid.
-RigidMotion fit_motion(std::span<const Index> nodes, std::span<const double> shares,
-                       const Coordinates& rest, const Coordinates& x);
+template <int D>
+RigidMotionIn<D> fit_motion(std::span<const Index> nodes, std::span<const double> shares,
+                            const Coordinates& rest, const Coordinates& x);
 
 /// Shares that fade from 1 on the arc `first` .. `last` of a closed boundary loop to 0 at
 /// `radius` beyond its ends, measured along the loop, with continuous slope:

@@ -1,43 +1,55 @@
 #include "core/drag/drag_predictor.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
-#include "core/motion/rigid_motion.h"
 #include "core/parallel/parallel_for.h"
 
 namespace winslow {
 
 namespace {
 
-Vec2 turned(const Vec2& v) { return {-v.y(), v.x()}; }
+/// The velocity of a point in a rotation about an axis of the plane or of space through 0.
+Vec2 turning(const Vec2& v, int) { return {-v.y(), v.x()}; }
+Vec3 turning(const Vec3& v, int axis) { return Vec3::Unit(axis).cross(v); }
+
+template <int D>
+std::vector<Points<D>> points_of(const std::vector<Coordinates>& fields) {
+  return {fields.begin(), fields.end()};
+}
 
 }  // namespace
 
-DragPredictor::DragPredictor(SteadySolver& solver, const Coordinates& x, std::vector<Index> nodes,
-                             std::vector<double> shares, int threads)
+template <int D>
+DragPredictorIn<D>::DragPredictorIn(SteadySolver& solver, const Coordinates& x,
+                                    std::vector<Index> nodes, std::vector<double> shares,
+                                    int threads)
     : base_(x), nodes_(std::move(nodes)), shares_(std::move(shares)), threads_(threads) {
-  for (const Index node : nodes_) pivot_ += x.xy(node);
+  const Points<D> points(base_);
+  for (const Index node : nodes_) pivot_ += points[node];
   if (!nodes_.empty()) pivot_ /= static_cast<double>(nodes_.size());
-  for (int direction = 0; direction < x.dimension(); ++direction) {
+  for (int direction = 0; direction < D; ++direction) {
     translations_.push_back(
-        solve_for(solver, [&](Index) -> Vec2 { return Vec2::Unit(direction); }));
+        solve_for(solver, [&](Index) -> Vec<D> { return Vec<D>::Unit(direction); }));
   }
   if (!shares_.empty()) return;
-  rotation_ = solve_for(solver, [&](Index node) { return turned(x.xy(node) - pivot_); });
-  turned_rotation_ = Coordinates(x.dimension(), x.size());
-  for (Index node = 0; node < x.size(); ++node) {
-    turned_rotation_.set_xy(node, turned(rotation_.xy(node)));
+  constexpr int axes = D == 2 ? 1 : 3;
+  for (int axis = 0; axis < axes; ++axis) {
+    rotations_.push_back(solve_for(solver, [&](Index node) -> Vec<D> {
+      return turning(Vec<D>(points[node] - pivot_), axis);
+    }));
   }
 }
 
 /// Velocities of all nodes where those held have the given ones, or their shares of them.
+template <int D>
 template <typename Velocity>
-Coordinates DragPredictor::solve_for(SteadySolver& solver, const Velocity& velocity) const {
-  Coordinates field(base_.dimension(), base_.size());
+Coordinates DragPredictorIn<D>::solve_for(SteadySolver& solver, const Velocity& velocity) const {
+  Coordinates field(D, base_.size());
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    Vec2 v = velocity(nodes_[i]);
+    Vec<D> v = velocity(nodes_[i]);
     if (!shares_.empty()) v *= shares_[i];
-    field.set_xy(nodes_[i], v);
+    field.set<D>(nodes_[i], v);
   }
   std::vector<double> answer(solver.problem().unknowns());
   solver.predict(base_, field, answer);
@@ -45,28 +57,38 @@ Coordinates DragPredictor::solve_for(SteadySolver& solver, const Velocity& veloc
   return field;
 }
 
-void DragPredictor::evaluate(const RigidMotion& motion, Coordinates& out) const {
+template <int D>
+void DragPredictorIn<D>::evaluate(const Pose& motion, Coordinates& out) const {
   out = base_;
-  const double angle = radians(motion.rotate);
-  const double sine = std::sin(angle), rest = 1 - std::cos(angle);
-  const Vec2 move = transform(motion, pivot_) - pivot_;
-  const double* x = translations_[0].values().data();
-  const double* y = translations_[1].values().data();
-  const double* r = rotation_.values().data();
-  const double* q = turned_rotation_.values().data();
-  double* p = out.values().data();
-  parallel_for(threads_, static_cast<Index>(out.values().size()), [&](Index begin, Index end) {
-    if (rotation_.empty()) {
-      for (Index i = begin; i < end; ++i) p[i] += move.x() * x[i] + move.y() * y[i];
-    } else {
-      for (Index i = begin; i < end; ++i) {
-        p[i] += move.x() * x[i] + move.y() * y[i] + sine * r[i] + rest * q[i];
+  const Vec<D> move = transform(motion, pivot_) - pivot_;
+  const double sine = std::sin(radians(motion.rotate)), rest = 1 - std::cos(radians(motion.rotate));
+  Vec3 axis = Vec3::UnitZ();
+  if constexpr (D == 3) axis = motion.axis.normalized();
+  const auto translations = points_of<D>(translations_), rotations = points_of<D>(rotations_);
+  const Points<D> base(base_);
+  parallel_for(threads_, base_.size(), [&](Index begin, Index end) {
+    for (Index node = begin; node < end; ++node) {
+      Vec<D> p = base[node];
+      for (int k = 0; k < D; ++k) p += move[k] * translations[static_cast<std::size_t>(k)][node];
+      if (!rotations.empty()) {
+        if constexpr (D == 2) {
+          const Vec2 u = rotations[0][node];
+          p += sine * u + rest * turning(u, 0);
+        } else {
+          const Vec3 u = axis.x() * rotations[0][node] + axis.y() * rotations[1][node] +
+                         axis.z() * rotations[2][node];
+          p += sine * u + rest * axis.cross(u);
+        }
       }
+      out.set<D>(node, p);
     }
   });
   // To the last bit where the motion itself takes them.
   if (shares_.empty())
-    for (const Index node : nodes_) out.set_xy(node, transform(motion, base_.xy(node)));
+    for (const Index node : nodes_) out.set<D>(node, transform(motion, base[node]));
 }
+
+template class DragPredictorIn<2>;
+template class DragPredictorIn<3>;
 
 }  // namespace winslow

@@ -9,7 +9,7 @@
 
 #include "core/drag/drag_predictor.h"
 #include "core/error.h"
-#include "core/motion/rigid_motion.h"
+#include "core/motion/space_motion.h"
 #include "core/quality/quality.h"
 #include "core/strategy/smooth_run.h"
 #include "core/strategy/workspace.h"
@@ -20,9 +20,10 @@ namespace {
 
 /// A motion from one pose to another in parts that turn by no more than a quarter: beyond half a
 /// turn the way back would be the shorter one.
-RigidMotion next_part(const RigidMotion& pose, const RigidMotion& target) {
+template <typename Pose>
+Pose next_part(const Pose& pose, const Pose& target) {
   constexpr double largest_turn = 90;
-  RigidMotion way = compose(inverse(pose), target);
+  Pose way = compose(inverse(pose), target);
   if (std::abs(way.rotate) <= largest_turn) return target;
   const double share = largest_turn / std::abs(way.rotate);
   way.rotate *= share;
@@ -30,21 +31,42 @@ RigidMotion next_part(const RigidMotion& pose, const RigidMotion& target) {
   return compose(pose, way);
 }
 
+Bounds body_bounds(const Coordinates& x, const std::vector<Index>& nodes, const RigidMotion&) {
+  return bounds(x, nodes);
+}
+Box<3> body_bounds(const Coordinates& x, const std::vector<Index>& nodes, const SpaceMotion&) {
+  return space_bounds(x, nodes);
+}
+
+/// A fitted motion with the full turns of a drag from one pose to another, of which about that much
+/// is done: they do not show in the mesh.
+RigidMotion with_turns_of(const RigidMotion& from, const RigidMotion& to, double fraction,
+                          const RigidMotion& fitted) {
+  return with_turns(fitted, from.rotate + fraction * (to.rotate - from.rotate));
+}
+SpaceMotion with_turns_of(const SpaceMotion& from, const SpaceMotion& to, double fraction,
+                          const SpaceMotion& fitted) {
+  const Vec3 axis = to.rotate != 0 ? to.axis : from.axis;
+  const double start = from.axis.dot(axis) < 0 ? -from.rotate : from.rotate;
+  return with_turns(fitted, axis, start + fraction * (to.rotate - start));
+}
+
 }  // namespace
 
 /// The thread and what it shares with its owner. What lies below `mutex_` is guarded by it.
-class DragSession::Impl final : public SolverMonitor {
+template <int D>
+class DragSessionIn<D>::Impl final : public SolverMonitor {
   /// A valid mesh on the way to one that is solved for.
   struct Passed {
     Coordinates coordinates;
-    RigidMotion pose;  // from the state
+    Pose pose;  // from the state
     double min_sine;
   };
   /// A solved mesh: its tangent fields and where the body is in it.
   struct Prepared {
-    DragPredictor predictor;
-    RigidMotion pose;                 // from the state
-    RigidMotion answered;             // what was asked for; the pose where it could be reached
+    DragPredictorIn<D> predictor;
+    Pose pose;                        // from the state
+    Pose answered;                    // what was asked for; the pose where it could be reached
     std::optional<EdgePair> contact;  // what was in the way
   };
 
@@ -52,20 +74,19 @@ class DragSession::Impl final : public SolverMonitor {
   Impl(MeshState state, DragGrip grip, const SmoothOptions& options, std::optional<Start> start)
       : state_(std::move(state)), grip_(std::move(grip)), options_(options) {
     validate(options_);
-    const auto motion =
-        make_motion(*state_.mesh.topology, state_.mesh.coordinates, grip_, RigidMotion{});
+    const auto motion = make_motion(*state_.mesh.topology, state_.mesh.coordinates, grip_, Pose{});
     if (grip_.rigid())
       nodes_.assign(motion->nodes().begin(), motion->nodes().end());
     else
       nodes_ = grip_.nodes;
     frame_.coordinates = start ? std::move(start->coordinates) : state_.mesh.coordinates;
-    frame_.motion = start ? start->motion : RigidMotion{};
+    frame_.motion = start ? start->motion : Pose{};
     const Validity validity = validity_of(frame_.coordinates);
     if (validity.inverted > 0)
       throw UsageError("a drag starts from a mesh without inverted elements");
     frame_.min_sine = validity.min_sine;
     wanted_ = frame_.motion;
-    const Bounds body = bounds(state_.mesh.coordinates, nodes_);
+    const auto body = body_bounds(state_.mesh.coordinates, nodes_, Pose{});
     centre_ = 0.5 * (body.min + body.max);
     radius_ = 0.5 * body.size().norm();
     solved_ = frame_.coordinates;
@@ -80,7 +101,7 @@ class DragSession::Impl final : public SolverMonitor {
     worker_.join();
   }
 
-  const DragFrame& to(const RigidMotion& motion) {
+  const Frame& to(const Pose& motion) {
     std::shared_ptr<const Prepared> prepared;
     std::shared_ptr<const Passed> passed;
     {
@@ -143,7 +164,7 @@ class DragSession::Impl final : public SolverMonitor {
 
  private:
   /// The frame by the tangent fields; false, and no new frame, where that is no valid mesh.
-  bool predict(const Prepared& prepared, const RigidMotion& motion) {
+  bool predict(const Prepared& prepared, const Pose& motion) {
     prepared.predictor.evaluate(motion_between(grip_, prepared.pose, motion), candidate_);
     const Validity validity = validity_of(candidate_);
     if (validity.inverted > 0) return false;
@@ -157,8 +178,8 @@ class DragSession::Impl final : public SolverMonitor {
   }
 
   /// How far nodes of the body have to go from one pose to another.
-  double distance(const RigidMotion& from, const RigidMotion& to) const {
-    return std::abs(radians(to.rotate - from.rotate)) * radius_ +
+  double distance(const Pose& from, const Pose& to) const {
+    return std::abs(radians(compose(inverse(from), to).rotate)) * radius_ +
            (transform(to, centre_) - transform(from, centre_)).norm();
   }
 
@@ -167,7 +188,7 @@ class DragSession::Impl final : public SolverMonitor {
   }
 
   /// Waits for a position that is not solved for yet; empty when the session ends.
-  std::optional<RigidMotion> next_target() {
+  std::optional<Pose> next_target() {
     std::unique_lock lock(mutex_);
     wake_.wait(lock,
                [&] { return quit_ || !prepared_ || !same_motion(wanted_, prepared_->answered); });
@@ -175,7 +196,7 @@ class DragSession::Impl final : public SolverMonitor {
     return wanted_;
   }
 
-  RigidMotion pose() const {
+  Pose pose() const {
     const std::lock_guard lock(mutex_);
     return prepared_ ? prepared_->pose : wanted_;
   }
@@ -185,7 +206,7 @@ class DragSession::Impl final : public SolverMonitor {
       while (const auto wanted = next_target()) {
         from_ = pose();
         target_ = grip_.rigid() ? next_part(from_, *wanted) : *wanted;
-        const RigidMotion target = target_;
+        const Pose target = target_;
         const Coordinates start = solved_;
         contact_.reset();
         const bool whole = solve(target, solved_);
@@ -193,7 +214,7 @@ class DragSession::Impl final : public SolverMonitor {
         const bool there = reached(target, solved_);
         // Where the path ended on the way, the next try waits for another position.
         const bool limit = !there && (!whole || solved_ == start);
-        const RigidMotion pose = there ? target : fitted_pose(solved_, 0.5);
+        const Pose pose = there ? target : fitted_pose(solved_, 0.5);
         publish(pose, limit ? *wanted : pose, solved_);
       }
     } catch (const Cancelled&) {
@@ -206,7 +227,7 @@ class DragSession::Impl final : public SolverMonitor {
 
   /// From the mesh solved for last along the path to where the body is wanted. False if the path
   /// could not be followed to its end.
-  bool solve(const RigidMotion& target, Coordinates& x) {
+  bool solve(const Pose& target, Coordinates& x) {
     const auto motion = make_motion(*state_.mesh.topology, state_.mesh.coordinates, grip_, target);
     const Coordinates start = x;
     RunOptions run;
@@ -220,7 +241,7 @@ class DragSession::Impl final : public SolverMonitor {
   }
 
   /// A mesh pressed against a wall may find no way back: the way from the state may be open.
-  void restart(const RigidMotion& target, Coordinates& x) {
+  void restart(const Pose& target, Coordinates& x) {
     const auto motion = make_motion(*state_.mesh.topology, state_.mesh.coordinates, grip_, target);
     RunOptions run;
     run.monitor = this;
@@ -232,36 +253,38 @@ class DragSession::Impl final : public SolverMonitor {
   }
 
   /// answered: the position asked for that this mesh is the answer to.
-  void publish(const RigidMotion& pose, const RigidMotion& answered, const Coordinates& x) {
+  void publish(const Pose& pose, const Pose& answered, const Coordinates& x) {
     auto prepared = std::make_shared<const Prepared>(Prepared{
-        DragPredictor(workspace_.steady_solver(), x, nodes_, grip_.shares, options_.threads), pose,
-        answered, contact_});
+        DragPredictorIn<D>(workspace_.steady_solver(), x, nodes_, grip_.shares, options_.threads),
+        pose, answered, contact_});
     const std::lock_guard lock(mutex_);
     prepared_ = std::move(prepared);
     ++corrections_;
     ++revision_;
   }
 
-  bool reached(const RigidMotion& target, const Coordinates& x) const {
+  bool reached(const Pose& target, const Coordinates& x) const {
     constexpr double round_off = 1e-12;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      const Vec2 rest = state_.mesh.coordinates.xy(nodes_[i]);
-      const Vec2 there =
-          grip_.rigid() ? transform(target, rest) : Vec2(rest + grip_.shares[i] * target.translate);
-      if ((there - x.xy(nodes_[i])).norm() > round_off * (1 + there.norm())) return false;
+      const Vec<D> rest = state_.mesh.coordinates.template get<D>(nodes_[i]);
+      const Vec<D> there = grip_.rigid() ? transform(target, rest)
+                                         : Vec<D>(rest + grip_.shares[i] * target.translate);
+      if ((there - x.template get<D>(nodes_[i])).norm() > round_off * (1 + there.norm()))
+        return false;
     }
     return true;
   }
-  /// Where the body is in a mesh about that far from from_ to target_. Full turns do not show in
-  /// the mesh.
-  RigidMotion fitted_pose(const Coordinates& x, double fraction) const {
-    RigidMotion pose = fit_motion(nodes_, grip_.shares, state_.mesh.coordinates, x);
-    const double turned = from_.rotate + fraction * (target_.rotate - from_.rotate);
-    pose.rotate += 360 * std::round((turned - pose.rotate) / 360);
+  /// Where the body is in a mesh about that far from from_ to target_.
+  Pose fitted_pose(const Coordinates& x, double fraction) const {
+    Pose pose = with_turns_of(from_, target_, fraction,
+                              fit_motion<D>(nodes_, grip_.shares, state_.mesh.coordinates, x));
     // The history would show the round-off of the fit.
     constexpr double round_off = 1e-10;  // degrees
-    if (std::abs(pose.rotate) < round_off)
-      return {0, pose.pivot, transform(pose, centre_) - centre_};
+    if (std::abs(pose.rotate) < round_off) {
+      const Vec<D> moved = transform(pose, centre_) - centre_;
+      pose.rotate = 0;
+      pose.translate = moved;
+    }
     return pose;
   }
 
@@ -271,17 +294,17 @@ class DragSession::Impl final : public SolverMonitor {
   std::vector<Index> nodes_;
   SmoothingWorkspace workspace_;     // the worker's
   Coordinates solved_;               // the worker's: the mesh solved for last
-  RigidMotion from_, target_;        // the worker's: what it is solving for
+  Pose from_, target_;               // the worker's: what it is solving for
   std::optional<EdgePair> contact_;  // the worker's: met on the way there
-  Vec2 centre_{0, 0};                // of the body in the state
+  Vec<D> centre_;                    // of the body in the state
   double radius_ = 0;
-  DragFrame frame_;        // the owner's
+  Frame frame_;            // the owner's
   Coordinates candidate_;  // the owner's
 
   mutable std::mutex mutex_;
   std::condition_variable wake_;
   bool quit_ = false;
-  RigidMotion wanted_;
+  Pose wanted_;
   std::shared_ptr<const Prepared> prepared_;
   std::shared_ptr<const Passed> passed_;
   int corrections_ = 0, revision_ = 0;
@@ -293,12 +316,17 @@ class DragSession::Impl final : public SolverMonitor {
 namespace {
 
 /// The same motion, of points counted from elsewhere.
-RigidMotion with_pivot_at(const Vec2& pivot, const RigidMotion& motion) {
-  return {motion.rotate, pivot, motion.translate};
+RigidMotion with_pivot_at(const Vec2& pivot, RigidMotion motion) {
+  motion.pivot = pivot;
+  return motion;
 }
 
-const Mesh& plane_mesh_of(const MeshState& state) {
-  require_plane(*state.mesh.topology, "motions");
+template <int D>
+const Mesh& mesh_of(const MeshState& state) {
+  const Topology& topology = *state.mesh.topology;
+  if (D == 2) require_plane(topology, "drags in the plane");
+  if (D == 3 && topology.cell_dimension() != 3)
+    throw UsageError("drags in space: the mesh is a " + std::string(mesh_kind(topology)));
   return state.mesh;
 }
 
@@ -309,12 +337,18 @@ std::optional<DragSession::Start> in_frame(std::optional<DragSession::Start> sta
   start->motion = with_pivot_at(frame.to_local(start->motion.pivot), start->motion);
   return start;
 }
+/// Volume meshes are solved for where they are.
+std::optional<SpaceDragSession::Start> in_frame(std::optional<SpaceDragSession::Start> start,
+                                                const LocalFrame&) {
+  return start;
+}
 
 }  // namespace
 
-DragSession::DragSession(MeshState state, DragGrip grip, const SmoothOptions& options,
-                         std::optional<Start> start)
-    : frame_(plane_mesh_of(state)) {
+template <int D>
+DragSessionIn<D>::DragSessionIn(MeshState state, DragGrip grip, const SmoothOptions& options,
+                                std::optional<Start> start)
+    : frame_(mesh_of<D>(state)) {
   if (frame_.shifts()) {
     rest_ = state.mesh.coordinates;
     state.mesh.coordinates = frame_.to_local(rest_);
@@ -324,8 +358,10 @@ DragSession::DragSession(MeshState state, DragGrip grip, const SmoothOptions& op
   impl_ = std::make_unique<Impl>(std::move(state), std::move(grip), local,
                                  in_frame(std::move(start), frame_));
 }
-DragSession::~DragSession() = default;
+template <int D>
+DragSessionIn<D>::~DragSessionIn() = default;
 
+template <>
 const DragFrame& DragSession::to(const RigidMotion& motion) {
   if (!frame_.shifts()) return impl_->to(motion);
   const RigidMotion local = with_pivot_at(frame_.to_local(motion.pivot), motion);
@@ -337,10 +373,32 @@ const DragFrame& DragSession::to(const RigidMotion& motion) {
   if (shown_.contact) shown_.contact->place = frame_.to_mesh(shown_.contact->place);
   return shown_;
 }
-bool DragSession::ready() const { return impl_->ready(); }
-bool DragSession::settled() const { return impl_->settled(); }
-int DragSession::corrections() const { return impl_->corrections(); }
-int DragSession::revision() const { return impl_->revision(); }
-std::string DragSession::error() const { return impl_->error(); }
+template <>
+const SpaceDragFrame& SpaceDragSession::to(const SpaceMotion& motion) {
+  return impl_->to(motion);
+}
+template <int D>
+bool DragSessionIn<D>::ready() const {
+  return impl_->ready();
+}
+template <int D>
+bool DragSessionIn<D>::settled() const {
+  return impl_->settled();
+}
+template <int D>
+int DragSessionIn<D>::corrections() const {
+  return impl_->corrections();
+}
+template <int D>
+int DragSessionIn<D>::revision() const {
+  return impl_->revision();
+}
+template <int D>
+std::string DragSessionIn<D>::error() const {
+  return impl_->error();
+}
+
+template class DragSessionIn<2>;
+template class DragSessionIn<3>;
 
 }  // namespace winslow

@@ -11,9 +11,10 @@
 namespace winslow {
 
 /// What is shown under the mouse.
-struct DragFrame {
+template <int D>
+struct DragFrameIn {
   Coordinates coordinates;  ///< a valid mesh, always
-  RigidMotion motion;       ///< where the body is in it, seen from the state
+  RigidMotionIn<D> motion;  ///< where the body is in it, seen from the state
   bool held = false;        ///< the mesh cannot go where the mouse is (yet): the last valid one
   bool limit = false;       ///< held, and the path to where the mouse is ended on the way
   double share = 1;         ///< of the way from the state to where the mouse is
@@ -22,29 +23,33 @@ struct DragFrame {
   std::optional<EdgePair> contact = {};
 };
 
-/// A drag with the mouse: every position asked for is answered at once, by the tangent fields of
-/// the last mesh that was solved for and an exact check of validity. Meanwhile a thread follows the
-/// path to the last position and prepares the fields anew there. Members are called from one
-/// thread and never wait, except the destructor, which cancels and joins.
-class DragSession {
+/// A drag with the mouse, of a plane mesh or of a volume mesh: every position asked for is answered
+/// at once, by the tangent fields of the last mesh that was solved for and an exact check of
+/// validity. Meanwhile a thread follows the path to the last position and prepares the fields anew
+/// there. Members are called from one thread and never wait, except the destructor, which cancels
+/// and joins.
+template <int D>
+class DragSessionIn {
  public:
+  using Pose = RigidMotionIn<D>;
+  using Frame = DragFrameIn<D>;
   /// A mesh to go on from: valid, the grip moved by `motion` from where it is in the state.
   struct Start {
     Coordinates coordinates;
-    RigidMotion motion;
+    Pose motion;
   };
   /// state: a valid mesh, which the motions refer to. grip: what is held. start: where the drag
   /// goes on from, if not from the state itself. Throws UsageError for unknown markers,
-  /// out-of-range options or a tangled mesh.
-  DragSession(MeshState state, DragGrip grip, const SmoothOptions& options,
-              std::optional<Start> start = {});
-  ~DragSession();
-  DragSession(const DragSession&) = delete;
-  DragSession& operator=(const DragSession&) = delete;
+  /// out-of-range options, a tangled mesh or one of another dimension.
+  DragSessionIn(MeshState state, DragGrip grip, const SmoothOptions& options,
+                std::optional<Start> start = {});
+  ~DragSessionIn();
+  DragSessionIn(const DragSessionIn&) = delete;
+  DragSessionIn& operator=(const DragSessionIn&) = delete;
 
   /// The mesh with the body moved by `motion` from where it is in the state, or as near to it as
   /// was valid so far.
-  const DragFrame& to(const RigidMotion& motion);
+  const Frame& to(const Pose& motion);
   /// False until the first fields are prepared; to() holds the state until then.
   bool ready() const;
   /// True if the fields belong to the position last asked for: the next frame there is the solution
@@ -62,8 +67,13 @@ class DragSession {
   class Impl;
   LocalFrame frame_;  // in which the mesh is solved for
   Coordinates rest_;  // of the state
-  DragFrame shown_;
+  Frame shown_;
   std::unique_ptr<Impl> impl_;
 };
+
+using DragFrame = DragFrameIn<2>;
+using DragSession = DragSessionIn<2>;
+using SpaceDragFrame = DragFrameIn<3>;
+using SpaceDragSession = DragSessionIn<3>;
 
 }  // namespace winslow

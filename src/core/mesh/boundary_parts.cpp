@@ -1,7 +1,6 @@
 #include "core/mesh/boundary_parts.h"
 
-#include <algorithm>
-#include <numeric>
+#include "core/mesh/joined_sets.h"
 
 namespace winslow {
 
@@ -17,25 +16,6 @@ std::vector<std::vector<Face>> loop_edges(const Topology& topology) {
   }
   return parts;
 }
-
-/// Sets of numbers that are joined pair by pair; a set is known by its lowest number.
-class JoinedSets {
- public:
-  explicit JoinedSets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), Index{0});
-  }
-  Index find(Index i) {
-    while (parent_[at(i)] != i) i = parent_[at(i)] = parent_[at(parent_[at(i)])];
-    return i;
-  }
-  void join(Index a, Index b) {
-    const auto [low, high] = std::minmax({find(a), find(b)});
-    parent_[at(high)] = low;
-  }
-
- private:
-  std::vector<Index> parent_;
-};
 
 /// Faces around one node of the boundary make up a single disc (check_volume_manifold), so faces
 /// that have a node in common hang together by edges.

@@ -1,5 +1,6 @@
 #include "core/motion/contact.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,6 +16,13 @@ namespace winslow {
 
 namespace {
 
+template <int D>
+void set_place(EdgePair& pair, const Vec<D>& place) {
+  pair.place = place.template head<2>();
+  if constexpr (D == 3) pair.place_z = place.z();
+}
+
+template <int D>
 class ContactSearch {
  public:
   ContactSearch(const Topology& topology, const Coordinates& rest, const Motion& motion)
@@ -22,11 +30,11 @@ class ContactSearch {
         rest_(rest),
         motion_(motion),
         outline_(topology, motion.nodes()),
-        fixed_(tree_of(outline_.fixed.edges, rest)),
+        fixed_(tree_of(outline_.fixed.facets, rest)),
         rigid_(keeps_distances()) {}
 
   std::optional<Contact> first() {
-    if (outline_.moving.edges.empty() || !apart_at_rest()) return std::nullopt;
+    if (outline_.moving.facets.empty() || !apart_at_rest()) return std::nullopt;
     const std::vector<std::size_t> all = all_moving();
     constexpr int intervals = 64;  // short enough to see a body cross itself
     Positions from(*this, 0);
@@ -35,7 +43,7 @@ class ContactSearch {
       const double end = static_cast<double>(k + 1) / intervals;
       Positions to(*this, end);
       if (auto contact = within({begin, end}, from, to, all)) return contact;
-      if (!rigid_ && meeting_of_itself(to)) return refined(begin, end);
+      if (!rigid_ && meeting_of_itself(to.x())) return refined(begin, end);
       from.swap(to);
     }
     return std::nullopt;
@@ -47,8 +55,8 @@ class ContactSearch {
     double middle() const { return 0.5 * (begin + end); }
   };
 
-  /// The nodes at some fraction. Copies of all nodes are kept for the next one: a motion writes
-  /// the same few each time.
+  /// The nodes at some fraction, and the facets between a node that moves and one that stays.
+  /// Copies of all nodes are kept for the next one: a motion writes the same few each time.
   class Positions {
    public:
     Positions(const ContactSearch& search, double fraction) : search_(&search) {
@@ -60,124 +68,152 @@ class ContactSearch {
         x_ = search.rest_;
       }
       search.motion_.apply(search.rest_, fraction, x_);
+      std::vector<FacetNodes<D>> joints;
+      for (const std::size_t j : search.outline_.joints)
+        joints.push_back(search.outline_.moving.facets[j]);
+      joints_ = tree_of(joints, x_);
     }
     Positions(const Positions&) = delete;
     Positions& operator=(const Positions&) = delete;
     ~Positions() { search_->spare_.push_back(std::move(x_)); }
-    void swap(Positions& other) { std::swap(x_, other.x_); }
-    operator const Coordinates&() const { return x_; }  // NOLINT: positions are coordinates
+    void swap(Positions& other) {
+      std::swap(x_, other.x_);
+      std::swap(joints_, other.joints_);
+    }
+    const Coordinates& x() const { return x_; }
+    const BoxTree<D>& joints() const { return joints_; }
 
    private:
     const ContactSearch* search_;
     Coordinates x_;
+    BoxTree<D> joints_;
   };
+
+  /// Nodes that say where a body is that keeps its shape: two in the plane, three in space.
+  std::vector<Index> reference_nodes() const {
+    const auto nodes = motion_.nodes();
+    std::vector<Index> references{nodes.front(), nodes.back()};
+    if constexpr (D == 3) {
+      const Vec3 from = rest_.xyz(nodes.front()), way = rest_.xyz(nodes.back()) - from;
+      references.push_back(*std::ranges::max_element(
+          nodes, {}, [&](Index node) { return way.cross(rest_.xyz(node) - from).squaredNorm(); }));
+    }
+    return references;
+  }
 
   /// A body that keeps its shape never meets itself.
   bool keeps_distances() const {
     const auto nodes = motion_.nodes();
     if (nodes.empty()) return true;
-    const Positions ending(*this, 1), halfway(*this, 0.5);
-    const Coordinates &end = ending, &middle = halfway;
-    const double size = bounds(rest_, nodes).size().norm();
-    constexpr double round_off = 1e-9;
-    const auto same = [&](Index a, Index b) {
-      const double length = (rest_.xy(a) - rest_.xy(b)).norm();
-      const auto near = [&](const Coordinates& x) {
-        return std::abs((x.xy(a) - x.xy(b)).norm() - length) <= round_off * size;
-      };
-      return near(middle) && near(end);
+    const Positions end(*this, 1), middle(*this, 0.5);
+    Box<D> body = Box<D>::empty();
+    for (const Index node : nodes) body.add(rest_.get<D>(node));
+    constexpr double relative = 1e-9;  // of round-off
+    const double least = relative * body.size().norm();
+    const auto between = [](const Coordinates& x, Index a, Index b) {
+      return (x.get<D>(a) - x.get<D>(b)).norm();
     };
-    return std::ranges::all_of(
-        nodes, [&](Index node) { return same(node, nodes.front()) && same(node, nodes.back()); });
+    const auto same = [&](Index a, Index b) {
+      const double length = between(rest_, a, b);
+      return std::abs(between(middle.x(), a, b) - length) <= least &&
+             std::abs(between(end.x(), a, b) - length) <= least;
+    };
+    const std::vector<Index> references = reference_nodes();
+    return std::ranges::all_of(nodes, [&](Index node) {
+      return std::ranges::all_of(references, [&](Index other) { return same(node, other); });
+    });
   }
 
   std::vector<std::size_t> all_moving() const {
-    std::vector<std::size_t> all(outline_.moving.edges.size());
+    std::vector<std::size_t> all(outline_.moving.facets.size());
     for (std::size_t e = 0; e < all.size(); ++e) all[e] = e;
     return all;
   }
 
-  /// Remembers the edges that touch before the motion, as those of a crack do; they say nothing
-  /// about it. False if edges cross.
+  /// Remembers the facets that touch before the motion, as those of a crack do; they say nothing
+  /// about it. False if facets cross.
   bool apart_at_rest() {
     bool apart = true;
-    const auto judge = [&](const EdgeNodes& own, const EdgeNodes& other) {
-      const Meeting found = meeting(segment(own, rest_), segment(other, rest_));
-      if (found.kind == Meeting::Kind::touch) touching_.insert(ordered(own, other));
-      if (found.kind == Meeting::Kind::crossing) apart = false;
+    const auto judge = [&](const FacetNodes<D>& own, const FacetNodes<D>& other) {
+      const Meeting<D> found = meeting(facet(own, rest_), facet(other, rest_));
+      if (found.kind == Meeting<D>::Kind::touch) touching_.insert(ordered(own, other));
+      if (found.kind == Meeting<D>::Kind::crossing) apart = false;
       return false;
     };
-    for (std::size_t e = 0; e < outline_.moving.edges.size(); ++e) {
-      const EdgeNodes& own = outline_.moving.edges[e];
-      any_near(e, box_of(segment(own, rest_)), rest_,
-               [&](const EdgeNodes& other, Index) { return judge(own, other); });
+    const Positions start(*this, 0);
+    for (std::size_t e = 0; e < outline_.moving.facets.size(); ++e) {
+      const FacetNodes<D>& own = outline_.moving.facets[e];
+      any_near(e, box_of<D>(facet(own, rest_)), start,
+               [&](const FacetNodes<D>& other, Index) { return judge(own, other); });
     }
     if (!rigid_) {
       among_moving(rest_, [&](std::size_t e, std::size_t f) {
-        return judge(outline_.moving.edges[e], outline_.moving.edges[f]);
+        return judge(outline_.moving.facets[e], outline_.moving.facets[f]);
       });
     }
     return apart;
   }
 
-  static std::pair<EdgeNodes, EdgeNodes> ordered(const EdgeNodes& a, const EdgeNodes& b) {
+  static std::pair<FacetNodes<D>, FacetNodes<D>> ordered(const FacetNodes<D>& a,
+                                                         const FacetNodes<D>& b) {
     return std::minmax(a, b);
   }
 
-  /// Edges that can tell something by where they are to one another.
-  bool eligible(const EdgeNodes& a, const EdgeNodes& b) const {
+  /// Facets that can tell something by where they are to one another.
+  bool eligible(const FacetNodes<D>& a, const FacetNodes<D>& b) const {
     return !share_node(a, b) && (touching_.empty() || !touching_.contains(ordered(a, b)));
   }
 
-  /// Calls `visit(nodes, marker)` with the edges that a moving edge within that box may meet, until
-  /// it returns true.
+  /// Calls `visit(nodes, marker)` with the facets that a moving facet within that box may meet,
+  /// until it returns true.
   template <class Visit>
-  bool any_near(std::size_t e, const Box<2>& box, const Coordinates& x, const Visit& visit) const {
-    const EdgeNodes& own = outline_.moving.edges[e];
+  bool any_near(std::size_t e, const Box<D>& box, const Positions& at, const Visit& visit) const {
+    const FacetNodes<D>& own = outline_.moving.facets[e];
     bool found = false;
     fixed_.overlapping(box, [&](Index f) {
       const auto k = static_cast<std::size_t>(f);
-      const EdgeNodes& other = outline_.fixed.edges[k];
+      const FacetNodes<D>& other = outline_.fixed.facets[k];
       if (!found && eligible(own, other)) found = visit(other, outline_.fixed.markers[k]);
     });
-    // Edges between a node that moves and one that stays are few.
-    for (const std::size_t j : outline_.joints) {
-      if (found) break;
-      const EdgeNodes& other = outline_.moving.edges[j];
-      if (!eligible(own, other) || !box.overlaps(box_of(segment(other, x)))) continue;
-      found = visit(other, outline_.moving.markers[j]);
-    }
+    at.joints().overlapping(box, [&](Index k) {
+      const std::size_t j = outline_.joints[static_cast<std::size_t>(k)];
+      const FacetNodes<D>& other = outline_.moving.facets[j];
+      if (!found && eligible(own, other)) found = visit(other, outline_.moving.markers[j]);
+    });
     return found;
   }
 
-  /// Calls `visit(e, f)` with pairs of moving edges near each other until it returns true.
+  /// Calls `visit(e, f)` with pairs of moving facets near each other until it returns true.
   template <class Visit>
   void among_moving(const Coordinates& x, const Visit& visit) const {
-    const auto& edges = outline_.moving.edges;
-    const BoxTree<2> tree = tree_of(edges, x);
+    const auto& facets = outline_.moving.facets;
+    const BoxTree<D> tree = tree_of(facets, x);
     bool found = false;
-    for (std::size_t e = 0; e < edges.size() && !found; ++e) {
-      tree.overlapping(box_of(segment(edges[e], x)), [&](Index f) {
+    for (std::size_t e = 0; e < facets.size() && !found; ++e) {
+      tree.overlapping(box_of<D>(facet(facets[e], x)), [&](Index f) {
         const auto k = static_cast<std::size_t>(f);
-        if (!found && k > e && eligible(edges[e], edges[k])) found = visit(e, k);
+        if (!found && k > e && eligible(facets[e], facets[k])) found = visit(e, k);
       });
     }
   }
 
   std::optional<EdgePair> pair_if_meeting(const Coordinates& x, std::size_t e,
-                                          const EdgeNodes& other, Index marker) const {
-    const Meeting found = meeting(segment(outline_.moving.edges[e], x), segment(other, x));
-    if (found.kind == Meeting::Kind::none) return std::nullopt;
-    return EdgePair{name(outline_.moving.markers[e]), name(marker), found.place};
+                                          const FacetNodes<D>& other, Index marker) const {
+    const Meeting<D> found = meeting(facet(outline_.moving.facets[e], x), facet(other, x));
+    if (found.kind == Meeting<D>::Kind::none) return std::nullopt;
+    EdgePair pair{name(outline_.moving.markers[e]), name(marker), {}, {}};
+    set_place<D>(pair, found.place);
+    return pair;
   }
 
-  /// The first of some of the moving edges that meets another edge.
-  std::optional<EdgePair> meeting_of(const Coordinates& x,
-                                     std::span<const std::size_t> edges) const {
+  /// The first of some of the moving facets that meets another facet.
+  std::optional<EdgePair> meeting_of(const Positions& at,
+                                     std::span<const std::size_t> facets) const {
+    const Coordinates& x = at.x();
     std::optional<EdgePair> pair;
-    for (const std::size_t e : edges) {
-      const Box<2> box = box_of(segment(outline_.moving.edges[e], x));
-      any_near(e, box, x, [&](const EdgeNodes& other, Index marker) {
+    for (const std::size_t e : facets) {
+      const Box<D> box = box_of<D>(facet(outline_.moving.facets[e], x));
+      any_near(e, box, at, [&](const FacetNodes<D>& other, Index marker) {
         pair = pair_if_meeting(x, e, other, marker);
         return pair.has_value();
       });
@@ -189,43 +225,43 @@ class ContactSearch {
   std::optional<EdgePair> meeting_of_itself(const Coordinates& x) const {
     std::optional<EdgePair> pair;
     among_moving(x, [&](std::size_t e, std::size_t f) {
-      pair = pair_if_meeting(x, e, outline_.moving.edges[f], outline_.moving.markers[f]);
+      pair = pair_if_meeting(x, e, outline_.moving.facets[f], outline_.moving.markers[f]);
       return pair.has_value();
     });
     return pair;
   }
 
   std::optional<EdgePair> meeting_at(double fraction) const {
-    const Positions x(*this, fraction);
-    if (auto pair = meeting_of(x, all_moving())) return pair;
-    return rigid_ ? std::nullopt : meeting_of_itself(x);
+    const Positions at(*this, fraction);
+    if (auto pair = meeting_of(at, all_moving())) return pair;
+    return rigid_ ? std::nullopt : meeting_of_itself(at.x());
   }
 
-  /// The box that an edge sweeps, from three positions: the arc between them is no farther out than
+  /// The box that a facet sweeps, from three positions: the arc between them is no farther out than
   /// the middle one is from the chord.
-  Box<2> swept(std::size_t e, const Coordinates& from, const Coordinates& middle,
+  Box<D> swept(std::size_t e, const Coordinates& from, const Coordinates& middle,
                const Coordinates& to) const {
-    const EdgeNodes& edge = outline_.moving.edges[e];
-    Box<2> box = box_of(segment(edge, from));
-    box.add(box_of(segment(edge, middle)));
-    box.add(box_of(segment(edge, to)));
+    const FacetNodes<D>& nodes = outline_.moving.facets[e];
+    Box<D> box = box_of<D>(facet(nodes, from));
+    box.add(box_of<D>(facet(nodes, middle)));
+    box.add(box_of<D>(facet(nodes, to)));
     double sagitta = 0;
-    for (const Index node : edge) {
-      const Vec2 chord = 0.5 * (from.xy(node) + to.xy(node));
-      sagitta = std::max(sagitta, (middle.xy(node) - chord).norm());
+    for (const Index node : nodes) {
+      const Vec<D> chord = 0.5 * (from.get<D>(node) + to.get<D>(node));
+      sagitta = std::max(sagitta, (middle.get<D>(node) - chord).norm());
     }
     box.min.array() -= sagitta;
     box.max.array() += sagitta;
     return box;
   }
 
-  std::optional<Contact> within(const Interval& interval, const Coordinates& from,
-                                const Coordinates& to, std::span<const std::size_t> edges) const {
+  std::optional<Contact> within(const Interval& interval, const Positions& from,
+                                const Positions& to, std::span<const std::size_t> facets) const {
     const Positions middle(*this, interval.middle());
     std::vector<std::size_t> close;
-    for (const std::size_t e : edges) {
-      const Box<2> box = swept(e, from, middle, to);
-      if (any_near(e, box, middle, [](const EdgeNodes&, Index) { return true; }))
+    for (const std::size_t e : facets) {
+      const Box<D> box = swept(e, from.x(), middle.x(), to.x());
+      if (any_near(e, box, middle, [](const FacetNodes<D>&, Index) { return true; }))
         close.push_back(e);
     }
     if (close.empty()) return std::nullopt;
@@ -239,7 +275,7 @@ class ContactSearch {
     return within({interval.middle(), interval.end}, middle, to, close);
   }
 
-  /// Between a fraction at which all are apart and one at which edges meet.
+  /// Between a fraction at which all are apart and one at which facets meet.
   Contact refined(double free, double blocked) const {
     Contact contact{free, *meeting_at(blocked)};
     constexpr int halvings = 12;
@@ -263,10 +299,10 @@ class ContactSearch {
   const Coordinates& rest_;
   const Motion& motion_;
   mutable std::vector<Coordinates> spare_;
-  Outline outline_;
-  BoxTree<2> fixed_;  // of outline_.fixed, at rest
+  Outline<D> outline_;
+  BoxTree<D> fixed_;  // of outline_.fixed, at rest
   bool rigid_;
-  std::set<std::pair<EdgeNodes, EdgeNodes>> touching_;  // at rest
+  std::set<std::pair<FacetNodes<D>, FacetNodes<D>>> touching_;  // at rest
 };
 
 std::string named(const std::string& marker) {
@@ -279,48 +315,60 @@ std::string number(const char* format, double value) {
   return text.data();
 }
 
-}  // namespace
-
-std::optional<Contact> find_contact(const Topology& topology, const Coordinates& rest,
-                                    const Motion& motion) {
-  if (topology.cell_dimension() == 3) return std::nullopt;
-  require_plane(topology, "motions");
-  return ContactSearch(topology, rest, motion).first();
-}
-
-std::optional<Gap> smallest_gap(const Topology& topology, const Coordinates& x,
-                                std::span<const Index> moving) {
-  if (topology.cell_dimension() == 3) return std::nullopt;
-  require_plane(topology, "motions");
-  const Outline outline(topology, moving);
-  const BoxTree<2> fixed = tree_of(outline.fixed.edges, x);
+/// The smallest distance between facets that move and facets that stay.
+template <int D>
+std::optional<Gap> gap_of(const Topology& topology, const Coordinates& x,
+                          std::span<const Index> moving) {
+  const Outline<D> outline(topology, moving);
+  const BoxTree<D> fixed = tree_of(outline.fixed.facets, x);
   const auto name = [&](Index m) {
     return m < 0 ? "" : topology.markers()[static_cast<std::size_t>(m)].name;
   };
   std::optional<Gap> gap;
-  Box<2> all = Box<2>::empty();
+  Box<D> all = Box<D>::empty();
   for (const auto* part : {&outline.moving, &outline.fixed})
-    for (const EdgeNodes& edge : part->edges) all.add(box_of(segment(edge, x)));
+    for (const FacetNodes<D>& nodes : part->facets) all.add(box_of<D>(facet(nodes, x)));
   double width = all.size().norm();
-  for (std::size_t e = 0; e < outline.moving.edges.size(); ++e) {
-    const EdgeNodes& own = outline.moving.edges[e];
-    const Segment edge = segment(own, x);
-    const Vec2 centre = 0.5 * (edge.a + edge.b);
-    const double half = 0.5 * (edge.b - edge.a).norm();
+  for (std::size_t e = 0; e < outline.moving.facets.size(); ++e) {
+    const FacetNodes<D>& own = outline.moving.facets[e];
+    const Facet<D> piece = facet(own, x);
+    Vec<D> centre = Vec<D>::Zero();
+    for (const Vec<D>& corner : piece) centre += corner / D;
+    double reach = 0;  // of the facet from its centre
+    for (const Vec<D>& corner : piece) reach = std::max(reach, (corner - centre).norm());
     const auto separation = [&](Index f) {
-      const EdgeNodes& other = outline.fixed.edges[static_cast<std::size_t>(f)];
+      const FacetNodes<D>& other = outline.fixed.facets[static_cast<std::size_t>(f)];
       // As far away as anything that is not asked for.
-      if (share_node(own, other)) return 2 * (width + half);
-      return half + distance(edge, segment(other, x));
+      if (share_node(own, other)) return 2 * (width + reach);
+      return reach + distance(piece, facet(other, x));
     };
-    const auto nearest = fixed.nearest(centre, width + half, separation);
-    if (!nearest || nearest->distance - half >= width) continue;
-    width = nearest->distance - half;
+    const auto nearest = fixed.nearest(centre, width + reach, separation);
+    if (!nearest || nearest->distance - reach >= width) continue;
+    width = nearest->distance - reach;
     gap = Gap{width,
               {name(outline.moving.markers[e]),
-               name(outline.fixed.markers[static_cast<std::size_t>(nearest->item)]), centre}};
+               name(outline.fixed.markers[static_cast<std::size_t>(nearest->item)]),
+               {},
+               {}}};
+    set_place<D>(gap->edges, centre);
   }
   return gap;
+}
+
+}  // namespace
+
+std::optional<Contact> find_contact(const Topology& topology, const Coordinates& rest,
+                                    const Motion& motion) {
+  if (topology.cell_dimension() == 3) return ContactSearch<3>(topology, rest, motion).first();
+  require_plane(topology, "motions");
+  return ContactSearch<2>(topology, rest, motion).first();
+}
+
+std::optional<Gap> smallest_gap(const Topology& topology, const Coordinates& x,
+                                std::span<const Index> moving) {
+  if (topology.cell_dimension() == 3) return gap_of<3>(topology, x, moving);
+  require_plane(topology, "motions");
+  return gap_of<2>(topology, x, moving);
 }
 
 std::string describe_touch(const EdgePair& edges) {

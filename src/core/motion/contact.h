@@ -8,16 +8,18 @@
 
 namespace winslow {
 
-/// Two edges of the boundary, by the markers that they belong to.
+/// Two edges of the boundary of a plane mesh, or two faces of that of a volume mesh, by the markers
+/// that they belong to.
 struct EdgePair {
-  std::string moving, other;  ///< names; empty: an edge of no marker
-  Vec2 place{0, 0};           ///< where they meet or are nearest, in units of the mesh
+  std::string moving, other;           ///< names; empty: of no marker
+  Vec2 place{0, 0};                    ///< where they meet or are nearest, in units of the mesh
+  std::optional<double> place_z = {};  ///< its third component, in space
 
   bool operator==(const EdgePair&) const = default;
 };
 
-/// Where the boundary of a plane mesh runs into itself when a part of it moves. No mesh without
-/// inverted elements exists from there on.
+/// Where the boundary of a mesh runs into itself when a part of it moves. No mesh without inverted
+/// elements exists from there on.
 struct Contact {
   double fraction = 0;  ///< of the motion, at which they are apart for the last time
   EdgePair edges;
@@ -26,11 +28,11 @@ struct Contact {
 };
 
 /// The first contact along a motion: edges of which a node moves against all other boundary edges
-/// and edges of markers. Intervals of the motion in which the boxes swept by the edges stay apart
-/// are free; others are halved down to 1/1024 of the motion and there judged by whether edges
-/// meet, so a touch shorter than that may go unnoticed. None if edges cross before the motion
-/// begins; edges that touch then, as those of a crack do, are left out. rest: all nodes before the
-/// motion. Boundaries of volume meshes are not searched yet: none.
+/// and edges of markers; in space faces, of which those with four nodes count as two triangles.
+/// Intervals of the motion in which the boxes that they sweep stay apart are free; others are
+/// halved down to 1/1024 of the motion and there judged by whether they meet, so a touch shorter
+/// than that may go unnoticed. None if edges or faces cross before the motion begins; those that
+/// touch then, as those of a crack do, are left out. rest: all nodes before the motion.
 std::optional<Contact> find_contact(const Topology& topology, const Coordinates& rest,
                                     const Motion& motion);
 
@@ -42,8 +44,8 @@ struct Gap {
   bool operator==(const Gap&) const = default;
 };
 
-/// The smallest distance of edges whose nodes move to edges whose nodes stay; none if there are no
-/// such edges, or only edges that share a node; none in a volume mesh yet. moving: ascending.
+/// The smallest distance of edges (in space: faces) whose nodes move to those whose nodes stay;
+/// none if there are no such, or only such that share a node. moving: ascending.
 std::optional<Gap> smallest_gap(const Topology& topology, const Coordinates& x,
                                 std::span<const Index> moving);
 

@@ -51,6 +51,13 @@ struct RigidMotionRequest {
   /// That very motion.
   RigidMotionRequest(const RigidMotion& motion)
       : rotate(motion.rotate), pivot(motion.pivot), translate(motion.translate) {}
+  RigidMotionRequest(const SpaceMotion& motion)
+      : rotate(motion.rotate),
+        pivot(motion.pivot.head<2>()),
+        translate(motion.translate.head<2>()),
+        axis(motion.axis),
+        pivot_z(motion.pivot.z()),
+        translate_z(motion.translate.z()) {}
 
   bool operator==(const RigidMotionRequest&) const = default;
   /// The motion of a plane mesh, about `centre` unless a pivot is named. Throws UsageError if it
@@ -65,12 +72,20 @@ enum class Fade { none, start, end, both };
 /// x -> x + amplitude f(s) sin(2 pi waves s) direction, where s in [0, 1] runs along the body at
 /// right angles to `direction` (for direction (0, 1): from its smallest x to its largest) and f
 /// fades smoothly from 1 to 0 over `fade_length` at the chosen ends.
+///
+/// In space s runs along `along`, from where the body begins to where it ends in that direction,
+/// and the displacement does not change at right angles to it. Without `along` it is direction x
+/// (0, 0, 1), which for a direction in the plane z = 0 is the way it runs in the plane; a direction
+/// along z leaves that open.
 struct SineDeformation {
   double amplitude = 0;  ///< in units of the mesh
   double waves = 1;      ///< full periods over the body
   Vec2 direction{0, 1};  ///< of the displacement; need not be normalised
   Fade fade = Fade::none;
   double fade_length = 0.2;  ///< share of the body's length, (0, 0.5]
+  // In space.
+  std::optional<double> direction_z = {};
+  std::optional<Vec3> along = {};  ///< of any length but zero
 
   bool operator==(const SineDeformation&) const = default;
 };
@@ -82,6 +97,8 @@ struct DisplacementEntry {
   Vec2 position{0, 0};  ///< where node is empty
   Vec2 displacement{0, 0};
   int line = 0;  ///< of the file it came from, for messages; 0: unknown
+  // In space; a plane mesh takes no notice of them.
+  std::optional<double> position_z = {}, displacement_z = {};
 };
 
 /// Displacements of single nodes. Nodes of the markers that have no entry stay.
@@ -90,8 +107,9 @@ struct DisplacementTable {
   std::string source;  ///< the file it came from, for messages
 };
 
-/// Each throws UsageError: no marker, an unknown one, an entry that matches no node of the markers
-/// or one twice, an amplitude that is not finite, ...
+/// RigidMotion is for plane meshes, SpaceMotion for volume meshes, the others for both. Each throws
+/// UsageError: no marker, an unknown one, an entry that matches no node of the markers or one
+/// twice, an amplitude that is not finite, a component too few or too many, ...
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
                                     const std::vector<std::string>& markers,
                                     const RigidMotion& options);

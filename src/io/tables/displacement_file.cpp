@@ -14,7 +14,7 @@ namespace winslow::io {
 namespace {
 
 /// What a column holds; `none` is one that we do not use.
-enum class Column { none, node, x, y, dx, dy };
+enum class Column { none, node, x, y, z, dx, dy, dz };
 
 std::vector<std::string_view> split(std::string_view line) {
   line = line.substr(0, line.find('#'));
@@ -48,8 +48,10 @@ Column column_of(std::string_view field) {
   if (name == "node" || name == "id" || name == "node_id") return Column::node;
   if (name == "x") return Column::x;
   if (name == "y") return Column::y;
+  if (name == "z") return Column::z;
   if (name == "dx") return Column::dx;
-  return name == "dy" ? Column::dy : Column::none;
+  if (name == "dy") return Column::dy;
+  return name == "dz" ? Column::dz : Column::none;
 }
 
 class Reader {
@@ -69,7 +71,7 @@ class Reader {
     }
     if (table.entries.empty()) {
       source_.fail(source_.text().size(), "no displacement",
-                   "lines \"node,dx,dy\" or \"x,y,dx,dy\"");
+                   "lines \"node,dx,dy\" or \"x,y,dx,dy\", in space with z and dz");
     }
     return table;
   }
@@ -83,17 +85,21 @@ class Reader {
     if (!names) {
       if (fields.size() == 3) columns_ = {Column::node, Column::dx, Column::dy};
       if (fields.size() == 4) columns_ = {Column::x, Column::y, Column::dx, Column::dy};
+      if (fields.size() == 6) {
+        columns_ = {Column::x, Column::y, Column::z, Column::dx, Column::dy, Column::dz};
+      }
       if (columns_.empty()) {
         source_.fail(offset_, std::to_string(fields.size()) + " columns",
-                     "3 (node,dx,dy) or 4 (x,y,dx,dy)");
+                     "3 (node,dx,dy), 4 (x,y,dx,dy) or 6 (x,y,z,dx,dy,dz)");
       }
       return true;
     }
     for (const auto field : fields) columns_.push_back(column_of(field));
     const bool place = count(Column::node) == 1 || (count(Column::x) == 1 && count(Column::y) == 1);
     const bool ambiguous = count(Column::node) == 1 && count(Column::x) + count(Column::y) > 0;
-    if (!place || ambiguous || count(Column::dx) != 1 || count(Column::dy) != 1) {
-      source_.fail(offset_, "other columns", "node,dx,dy or x,y,dx,dy");
+    const bool twice = count(Column::z) > 1 || count(Column::dz) > 1;
+    if (!place || ambiguous || twice || count(Column::dx) != 1 || count(Column::dy) != 1) {
+      source_.fail(offset_, "other columns", "node,dx,dy or x,y,dx,dy, in space with z and dz");
     }
     return false;
   }
@@ -122,11 +128,17 @@ class Reader {
         case Column::y:
           entry.position.y() = number(fields[i]);
           break;
+        case Column::z:
+          entry.position_z = number(fields[i]);
+          break;
         case Column::dx:
           entry.displacement.x() = number(fields[i]);
           break;
         case Column::dy:
           entry.displacement.y() = number(fields[i]);
+          break;
+        case Column::dz:
+          entry.displacement_z = number(fields[i]);
           break;
       }
     }

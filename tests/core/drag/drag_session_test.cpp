@@ -11,6 +11,7 @@
 #include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
 #include "support/meshes.h"
+#include "support/wait.h"
 
 using namespace winslow;
 using namespace winslow::test;
@@ -23,16 +24,6 @@ MeshState annulus_state(Cells cells = Cells::triangles, Index rings = 12) {
 
 Index inverted(const MeshState& state, const Coordinates& x) {
   return check_validity(*state.mesh.topology, x, 1).inverted;
-}
-
-/// Waits as long as no healthy run needs.
-bool wait_until(const std::function<bool()>& done) {
-  const auto limit = std::chrono::steady_clock::now() + std::chrono::minutes(10);
-  while (std::chrono::steady_clock::now() < limit) {
-    if (done()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return false;
 }
 
 }  // namespace
@@ -216,7 +207,7 @@ TEST_CASE("a part of a boundary is dragged by its shares and ends at the command
       execute(drag_command(grip, further, {}, {}), state).state.mesh.coordinates;
   CHECK(largest_difference(next, exact) < 2e-5);
   CHECK_THROWS_AS(drag_command({{"inner"}, arc.nodes, {}}, motion, {}, {}), UsageError);
-  CHECK_THROWS_AS(drag_command(grip, {5, Vec2(0, 0), Vec2(0, 0)}, {}, {}), UsageError);
+  CHECK_THROWS_AS(drag_command(grip, RigidMotion{5, Vec2(0, 0), Vec2(0, 0)}, {}, {}), UsageError);
 }
 
 TEST_CASE("a drag goes on from a mesh on the way, not from the state") {

@@ -50,6 +50,24 @@ TEST_CASE("displacements: columns by name, by number, with any separator") {
   CHECK(read("1 , 2, 0.1 ,0.2\n").entries[0].displacement == Vec2(0.1, 0.2));
 }
 
+TEST_CASE("displacements: z and dz by name, and six columns without names") {
+  const DisplacementTable named = read("dz,node,dx,dy\n3,7,1,2\n");
+  CHECK(named.entries[0].displacement == Vec2(1, 2));
+  CHECK(named.entries[0].displacement_z == 3.0);
+  CHECK_FALSE(named.entries[0].position_z);
+  for (const char* text : {"x,y,z,dx,dy,dz\n1,2,3,4,5,6\n", "1 2 3 4 5 6\n"}) {
+    const DisplacementEntry entry = read(text).entries[0];
+    CHECK(entry.position == Vec2(1, 2));
+    CHECK(entry.position_z == 3.0);
+    CHECK(entry.displacement == Vec2(4, 5));
+    CHECK(entry.displacement_z == 6.0);
+  }
+  CHECK_FALSE(read("1,2,0.1,0.2\n").entries[0].displacement_z);
+  CHECK_CONTAINS(error("node,dx,dy,dz\n1,2,3,far\n"), "d.csv:2: found 'far'");
+  CHECK_CONTAINS(error("node,dx,dy,dz,dz\n1,2,3,4,5\n"), "d.csv:1: found other columns");
+  CHECK_CONTAINS(error("1,2,3,4,5\n"), "d.csv:1: found 5 columns");
+}
+
 TEST_CASE("displacements: bad files are refused with the line") {
   CHECK_CONTAINS(error("node,dx,dy\n1,2\n"), "d.csv:2: found 2 columns, expected 3");
   CHECK_CONTAINS(error("node,dx,dy\n1,2,x\n"), "d.csv:2: found 'x', expected a finite number");
@@ -58,7 +76,8 @@ TEST_CASE("displacements: bad files are refused with the line") {
   CHECK_CONTAINS(error("node,dx,dy\n1,2,\n"), "d.csv:2: found an empty field");
   CHECK_CONTAINS(error("node,dx,dy\n-1,2,3\n"), "d.csv:2: found '-1'");
   CHECK_CONTAINS(error("1.5,2,3\n"), "d.csv:1: found '1.5', expected the number of a node");
-  CHECK_CONTAINS(error("1,2\n"), "d.csv:1: found 2 columns, expected 3 (node,dx,dy) or 4");
+  CHECK_CONTAINS(error("1,2\n"),
+                 "d.csv:1: found 2 columns, expected 3 (node,dx,dy), 4 (x,y,dx,dy) or 6");
   CHECK_CONTAINS(error("a,b,c\n1,2,3\n"), "d.csv:1: found other columns");
   CHECK_CONTAINS(error("node,x,dx,dy\n"), "d.csv:1: found other columns");
   CHECK_CONTAINS(error("node,dx,dy\n"), "found no displacement");

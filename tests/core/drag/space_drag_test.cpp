@@ -1,0 +1,162 @@
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <functional>
+#include <thread>
+
+#include "core/drag/drag_predictor.h"
+#include "core/drag/drag_session.h"
+#include "core/error.h"
+#include "core/quality/quality.h"
+#include "core/strategy/workspace.h"
+#include "support/space_meshes.h"
+#include "support/wait.h"
+
+using namespace winslow;
+using namespace winslow::test;
+
+namespace {
+
+/// A box around a body, smoothed, its solver at the solution.
+struct SolvedBox {
+  explicit SolvedBox(Volumes volumes) : state(make_state(box_with_body(5, volumes))) {
+    SmoothOptions options;
+    options.targets = TargetBlend::regular();
+    workspace.prepare(state.vcv, std::make_shared<NodeClasses>(state.mesh.topology), options,
+                      state.mesh.coordinates);
+    state.mesh.coordinates = solution_after({}, state.mesh.coordinates);
+    nodes = state.mesh.topology->markers().nodes_of(std::vector<std::string>{"body"});
+  }
+  /// The solution with the body moved, from a mesh near it.
+  Coordinates solution_after(const SpaceMotion& motion, Coordinates near) {
+    make_motion(*state.mesh.topology, state.mesh.coordinates, {"body"}, motion)
+        ->apply(state.mesh.coordinates, 1, near);
+    EnergyNewton& newton = workspace.newton();
+    newton.start(near);
+    for (int i = 0; i < 50 && !newton.converged(); ++i) newton.step(near);
+    REQUIRE(newton.converged());
+    return near;
+  }
+
+  MeshState state;
+  SmoothingWorkspace workspace;
+  std::vector<Index> nodes;
+};
+
+}  // namespace
+
+TEST_CASE("in space the prediction errs by the square of the motion, too") {
+  for (const Volumes volumes : {Volumes::tetrahedra, Volumes::hexahedra, Volumes::mixed}) {
+    CAPTURE(name_of(volumes));
+    SolvedBox solved(volumes);
+    const Mesh& mesh = solved.state.mesh;
+    solved.workspace.newton().reject();
+    const SpaceDragPredictor predictor(solved.workspace.newton(), mesh.coordinates, solved.nodes);
+    Coordinates still;
+    predictor.evaluate({}, still);
+    CHECK(still == mesh.coordinates);
+    const auto error = [&](double size) {
+      const SpaceMotion motion{15 * size, Vec3(1, -2, 0.5), Vec3(0.5, 0.4, 0.6),
+                               size * Vec3(0.02, 0.01, -0.03)};
+      Coordinates predicted;
+      predictor.evaluate(motion, predicted);
+      for (Index node = 0; node < mesh.topology->node_count(); ++node) {
+        if (!mesh.topology->on_boundary(node)) continue;
+        const bool moves = std::ranges::binary_search(solved.nodes, node);
+        const Vec3 rest = mesh.coordinates.xyz(node);
+        CHECK(predicted.xyz(node) == (moves ? transform(motion, rest) : rest));
+      }
+      return largest_difference(predicted, solved.solution_after(motion, predicted));
+    };
+    const double whole = error(1), half = error(0.5), quarter = error(0.25);
+    CHECK(half < 0.35 * whole);
+    CHECK(quarter < 0.35 * half);
+    CHECK(whole < 0.02);
+  }
+}
+
+TEST_CASE("a drag in space shows valid meshes only, and ends at the mesh that the command gives") {
+  for (const Volumes volumes : {Volumes::tetrahedra, Volumes::hexahedra, Volumes::mixed}) {
+    CAPTURE(name_of(volumes));
+    const MeshState state = make_state(box_with_body(5, volumes));
+    SpaceDragSession drag(state, DragGrip{{"body"}, {}, {}}, {});
+    MoveCommand command;
+    command.markers = {"body"};
+    SpaceMotion wanted;
+    for (int k = 1; k <= 15; ++k) {
+      wanted = {2.0 * k, Vec3(1, 1, 2), Vec3(0.5, 0.5, 0.4), 0.004 * k * Vec3(1, -1, 0.5)};
+      const SpaceDragFrame& frame = drag.to(wanted);
+      CHECK(check_validity(*state.mesh.topology, frame.coordinates, 1).inverted == 0);
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    REQUIRE(wait_until([&] {
+      drag.to(wanted);
+      return drag.settled();
+    }));
+    const SpaceDragFrame& frame = drag.to(wanted);
+    CHECK_FALSE(frame.held);
+    CHECK(same_motion(frame.motion, wanted));
+    command.motion = wanted;
+    CHECK(largest_difference(frame.coordinates, execute(command, state).state.mesh.coordinates) <
+          1e-7);
+    CHECK(drag.error().empty());
+  }
+}
+
+TEST_CASE("a drag in space goes on beyond a full turn") {
+  const MeshState state = make_state(box_with_body(5, Volumes::tetrahedra));
+  SpaceDragSession drag(state, DragGrip{{"body"}, {}, {}}, {});
+  const Vec3 centre(0.5, 0.5, 0.5);
+  SpaceMotion wanted;
+  for (const double angle : {60.0, 120.0, 180.0}) {
+    wanted = {angle, Vec3(0, 0, 1), centre, Vec3::Zero()};
+    REQUIRE(wait_until([&] {
+      drag.to(wanted);
+      return drag.settled();
+    }));
+    const SpaceDragFrame& frame = drag.to(wanted);
+    CHECK(check_validity(*state.mesh.topology, frame.coordinates, 1).inverted == 0);
+    if (!frame.held) continue;
+    // Where so coarse a mesh cannot be wound up further, it says how far it came.
+    CHECK(frame.motion.rotate > 60);
+    CHECK(frame.motion.rotate < angle);
+    CHECK(frame.share < 1);
+  }
+}
+
+TEST_CASE("a part of a body is dragged in space, each node by its share") {
+  const MeshState state = make_state(box_with_body(5, Volumes::tetrahedra));
+  DragGrip grip{{"body"}, {}, {}};
+  grip.nodes = state.mesh.topology->markers().nodes_of(std::vector<std::string>{"body"});
+  for (std::size_t i = 0; i < grip.nodes.size(); ++i)
+    grip.shares.push_back(static_cast<double>(i % 3) / 2);
+  SpaceMotion wanted;
+  wanted.translate = Vec3(0.02, -0.01, 0.03);
+  SpaceDragSession drag(state, grip, {});
+  REQUIRE(wait_until([&] {
+    drag.to(wanted);
+    return drag.settled();
+  }));
+  const SpaceDragFrame& frame = drag.to(wanted);
+  CHECK_FALSE(frame.held);
+  CHECK(check_validity(*state.mesh.topology, frame.coordinates, 1).inverted == 0);
+  for (std::size_t i = 0; i < grip.nodes.size(); ++i) {
+    const Vec3 there =
+        state.mesh.coordinates.xyz(grip.nodes[i]) + grip.shares[i] * wanted.translate;
+    CHECK((frame.coordinates.xyz(grip.nodes[i]) - there).norm() < 1e-15);
+  }
+  const CommandResult same = execute(drag_command(grip, wanted, {}, {}), state);
+  CHECK(largest_difference(frame.coordinates, same.state.mesh.coordinates) < 1e-7);
+  wanted.rotate = 5;
+  CHECK_THROWS_AS(drag_command(grip, wanted, {}, {}), UsageError);
+}
+
+TEST_CASE("a drag in space and one in the plane want meshes of theirs") {
+  const DragGrip grip{{"body"}, {}, {}};
+  const MeshState space = make_state(box_with_body(3, Volumes::hexahedra));
+  const MeshState plane = make_state(make_mesh(annulus(16, 4, 1.2, Cells::triangles)));
+  CHECK_THROWS_AS(DragSession(space, grip, {}), UsageError);
+  CHECK_THROWS_WITH_AS(SpaceDragSession(plane, DragGrip{{"inner"}, {}, {}}, {}),
+                       "drags in space: the mesh is a plane mesh", UsageError);
+  CHECK_THROWS_AS(SpaceDragSession(space, DragGrip{{"nobody"}, {}, {}}, {}), UsageError);
+}
