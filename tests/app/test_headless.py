@@ -2,10 +2,8 @@ import json
 import unittest
 
 import support
+from png_pictures import HEADLESS
 from support import HAS_GUI, INPUT, INVERTED, USAGE, ProgramTest
-
-# Without a display, whatever the machine that runs the tests has.
-HEADLESS = {"DISPLAY": "", "WAYLAND_DISPLAY": ""}
 
 
 @unittest.skipUnless(HAS_GUI, "built without graphics")

@@ -4,7 +4,7 @@ import xml.etree.ElementTree
 
 import support
 from support import HAS_GUI, INPUT, USAGE, ProgramTest
-from test_pictures import HEADLESS, read_png
+from png_pictures import HEADLESS, read_png
 
 
 @unittest.skipUnless(HAS_GUI, "built without graphics")

@@ -12,6 +12,7 @@
 #include "app/options/file_flags.h"
 #include "app/options/suggestion.h"
 #include "app/output/terminal.h"
+#include "app/subcommands/render_flags.h"
 #include "app/subcommands/subcommand.h"
 #include "core/command/motion_frames.h"
 #include "core/error.h"
@@ -19,6 +20,7 @@
 #include "io/format/mesh_file.h"
 #include "io/recipe/recipe.h"
 #ifdef WINSLOW_HAS_GUI
+#include "app/subcommands/render_colors.h"
 #include "gui/picture/capture/recorder.h"
 #include "gui/picture/figure/write_figure.h"
 #include "gui/picture/picture.h"
@@ -30,43 +32,22 @@ namespace {
 
 constexpr int largest_picture = 16384;
 
-/// What the user asked for, in terms that need no OpenGL.
-struct RenderFlags {
-  std::string input, output;
-  int zone = 0;
-  std::string color, map = "automatic", axis = "automatic", title;
-  std::optional<std::array<double, 4>> bounds;
-  std::optional<std::array<double, 2>> range, percentiles;
-  std::array<int, 2> size{1200, 900};
-  std::string before;          // mesh to put beside
-  std::string recipe, frames;  // frames of what the recipe does
-  int per_command = 0, rate = 20;
-  std::vector<Index> vcvs;
-  bool dark = false, no_wireframe = false, no_legend = false, quiet = false;
-};
-
 #ifdef WINSLOW_HAS_GUI
 
 std::vector<std::string> color_maps() { return gui::color_map_choices(); }
 
-gui::ColorAxis axis_of(const std::string& name) {
-  if (name == "linear") return gui::ColorAxis::linear;
-  return name == "log" ? gui::ColorAxis::logarithmic : gui::ColorAxis::automatic;
-}
+bool has_color(const RenderFlags& flags) { return !flags.color.empty() && flags.color != no_color; }
 
 gui::PictureOptions picture_options(const RenderFlags& flags) {
   gui::PictureOptions options;
   options.width = flags.size[0];
   options.height = flags.size[1];
-  if (!flags.color.empty()) options.color = parse_field(flags.color);
+  if (has_color(flags)) options.color = parse_field(flags.color);
   if (flags.bounds) {
     const auto& b = *flags.bounds;
     options.bounds = Bounds{Vec2(b[0], b[1]), Vec2(b[2], b[3])};
   }
-  options.colors.range = flags.range;
-  options.colors.percentiles = flags.percentiles;
-  options.colors.axis = axis_of(flags.axis);
-  options.colors.map = flags.map;
+  options.colors = color_choice(flags);
   options.title = flags.title;
   options.vcvs = flags.vcvs;
   options.dark = flags.dark;
@@ -97,18 +78,13 @@ void draw_both(const RenderFlags& flags, const Mesh& before, const Mesh& after) 
     options.bounds = Bounds{a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)};
   }
   if (options.color && !options.colors.range) {
-    gui::ColorScale scale = gui::picture_scale(before, options);
-    const gui::ColorScale other = gui::picture_scale(after, options);
-    scale.low = std::min(scale.low, other.low);
-    scale.high = std::max(scale.high, other.high);
-    scale.logarithmic = scale.logarithmic && other.logarithmic;
-    gui::use_scale(options, scale);
+    gui::use_scale(options.colors, gui::joined(gui::picture_scale(before, options),
+                                               gui::picture_scale(after, options)));
   }
-  const std::string title = options.title.empty() ? "" : options.title + ": ";
-  options.title = title + "before";
-  const gui::Image left = gui::draw_picture(before, options);
-  options.title = title + "after";
-  gui::write_png(flags.output, gui::side_by_side(left, gui::draw_picture(after, options)));
+  write_both(flags, [&](const std::string& title, bool first) {
+    options.title = title;
+    return gui::draw_picture(first ? before : after, options);
+  });
 }
 
 /// Frames of the meshes on a recipe's way, all of one part of the plane and in one range of
@@ -127,7 +103,8 @@ std::string draw_frames(const RenderFlags& flags, const std::vector<Mesh>& meshe
   // Of the first mesh what has changed says nothing yet.
   if (options.color && !options.colors.range) {
     const bool change = field_info(*options.color).one_is_best;
-    gui::use_scale(options, gui::picture_scale(change ? meshes.back() : meshes.front(), options));
+    gui::use_scale(options.colors,
+                   gui::picture_scale(change ? meshes.back() : meshes.front(), options));
   }
   gui::Recorder recorder;
   gui::RecordingSpec spec;
@@ -166,8 +143,9 @@ class RenderSubcommand : public Subcommand {
  public:
   explicit RenderSubcommand(CLI::App& program)
       : Subcommand(program.add_subcommand("render",
-                                          "Draw a mesh as a picture (PNG, SVG, PDF); needs no "
-                                          "display, inverted elements are red")) {
+                                          "Draw a mesh as a picture (PNG, of plane meshes SVG "
+                                          "and PDF, too); needs no display, inverted elements are "
+                                          "red")) {
     add_input(app(), flags_.input);
     add_zone_flag(app(), flags_.zone, "the first");
     app()
@@ -191,6 +169,7 @@ class RenderSubcommand : public Subcommand {
     app().add_flag("--dark", flags_.dark, "Dark background");
     app().add_flag("--no-wireframe", flags_.no_wireframe, "Leave the edges of elements out");
     add_color_flags();
+    add_volume_flags(app(), flags_.volume);
     add_frame_flags();
     add_quiet_flag(app(), flags_.quiet);
   }
@@ -198,7 +177,9 @@ class RenderSubcommand : public Subcommand {
   ExitCode run() override {
     check_flags();
     const io::MeshFile file = io::read_mesh(flags_.input, {.zone = flags_.zone});
-    require_plane(*file.mesh.topology, "render");
+    check_volume_flags(app(), flags_, *file.mesh.topology);
+    const bool volume = file.mesh.topology->cell_dimension() == 3;
+    if (!volume) require_plane(*file.mesh.topology, "render");
     if (!flags_.quiet) {
       print_warnings(file.warnings);
       if (flags_.zone == 0) print_warnings(io::zones_left(file.details.get(), flags_.input));
@@ -209,9 +190,9 @@ class RenderSubcommand : public Subcommand {
     }
     if (flags_.output.empty()) return ExitCode::done;
     if (flags_.before.empty())
-      draw(flags_, file.mesh);
+      volume ? draw_volume(flags_, file.mesh) : draw(flags_, file.mesh);
     else
-      draw_both(flags_, read_before(file.mesh), file.mesh);
+      (volume ? draw_volumes : draw_both)(flags_, read_before(file.mesh), file.mesh);
     if (!flags_.quiet) std::cout << "Wrote " << printable(flags_.output) << '\n';
     return ExitCode::done;
   }
@@ -276,16 +257,21 @@ class RenderSubcommand : public Subcommand {
   void add_color_flags() {
     std::vector<std::string> names;
     // A mesh file says nothing of layers and of the heights that were wanted.
-    for (const ElementField& f : all_element_fields()) {
-      if (!f.layer()) names.emplace_back(field_info(f).name);
+    for (const int dimension : {2, 3}) {
+      for (const ElementField& f : all_element_fields(dimension)) {
+        const std::string name(field_info(f).name);
+        if (!f.layer() && std::ranges::find(names, name) == names.end()) names.push_back(name);
+      }
     }
+    names.emplace_back(no_color);
     const char* group = "Colour";
-    auto* color =
-        app()
-            .add_option("--color", flags_.color, "Colour elements by one of " + join(names))
-            ->check(one_of(names))
-            ->option_text("METRIC")
-            ->group(group);
+    auto* color = app()
+                      .add_option("--color", flags_.color,
+                                  "Colour elements by one of " + join(names) +
+                                      " [of a volume mesh: normalized_jacobian]")
+                      ->check(one_of(names))
+                      ->option_text("METRIC")
+                      ->group(group);
     app()
         .add_option_function<std::array<double, 2>>(
             "--range", [this](const std::array<double, 2>& r) { flags_.range = r; },
@@ -329,8 +315,8 @@ class RenderSubcommand : public Subcommand {
           "--before draws two pictures into one PNG file; for vector graphics draw them "
           "one by one");
     }
-    if (!flags_.color.empty() && parse_field(flags_.color) == WallField::first_height_ratio &&
-        flags_.before.empty() && !flags_.output.empty()) {
+    if (flags_.color == field_info(WallField::first_height_ratio).name && flags_.before.empty() &&
+        !flags_.output.empty()) {
       throw UsageError("--color " + flags_.color +
                        " compares with an earlier mesh: give it with --before MESH");
     }

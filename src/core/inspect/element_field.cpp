@@ -143,29 +143,42 @@ std::vector<double> node_values(const VirtualControlVolumes& vcv, const Coordina
   return values;
 }
 
-const std::vector<ElementField>& all_element_fields() {
-  static const std::vector<ElementField> fields = [] {
-    std::vector<ElementField> list(all_metrics().begin(), all_metrics().end());
-    for (std::size_t i = 0; i < nodal_fields.size(); ++i)
-      list.emplace_back(static_cast<NodalField>(i));
-    for (const WallField field : all_wall_fields()) list.emplace_back(field);
-    for (std::size_t i = 0; i < layer_fields.size(); ++i)
-      list.emplace_back(static_cast<LayerField>(i));
-    return list;
-  }();
-  return fields;
+namespace {
+
+std::vector<ElementField> metric_fields(int cell_dimension) {
+  std::vector<ElementField> list;
+  for (const Metric metric : all_metrics(cell_dimension)) list.emplace_back(metric, cell_dimension);
+  return list;
+}
+
+std::vector<ElementField> plane_fields() {
+  std::vector<ElementField> list = metric_fields(2);
+  for (std::size_t i = 0; i < nodal_fields.size(); ++i)
+    list.emplace_back(static_cast<NodalField>(i));
+  for (const WallField field : all_wall_fields()) list.emplace_back(field);
+  for (std::size_t i = 0; i < layer_fields.size(); ++i)
+    list.emplace_back(static_cast<LayerField>(i));
+  return list;
+}
+
+}  // namespace
+
+const std::vector<ElementField>& all_element_fields(int cell_dimension) {
+  static const std::vector<ElementField> plane = plane_fields();
+  static const std::vector<ElementField> volume = metric_fields(3);
+  return cell_dimension == 3 ? volume : plane;
 }
 
 const FieldInfo& field_info(const ElementField& field) {
   if (field.layer()) return layer_fields[static_cast<std::size_t>(*field.layer())];
   if (field.wall()) return wall_field_info(*field.wall());
   if (field.nodal()) return nodal_fields[static_cast<std::size_t>(*field.nodal())];
-  return metric_info(*field.metric()).field;
+  return metric_info(*field.metric(), field.cell_dimension()).field;
 }
 
-ElementField parse_field(std::string_view name) {
+ElementField parse_field(std::string_view name, int cell_dimension) {
   std::string list;
-  for (const ElementField& field : all_element_fields()) {
+  for (const ElementField& field : all_element_fields(cell_dimension)) {
     const std::string_view known = field_info(field).name;
     if (known == name) return field;
     list += (list.empty() ? "" : ", ") + std::string(known);

@@ -33,8 +33,9 @@ enum class LayerField { layer, spacing_error };
 /// of its layer, or of the walls.
 class ElementField {
  public:
-  // Implicit: a metric is such a field.
-  ElementField(Metric metric) : field_(metric) {}    // NOLINT(google-explicit-constructor)
+  // Implicit: a metric is such a field. cell_dimension: of the elements, 2 or 3.
+  ElementField(Metric metric, int cell_dimension = 2)  // NOLINT(google-explicit-constructor)
+      : field_(metric), cell_dimension_(cell_dimension) {}
   ElementField(NodalField field) : field_(field) {}  // NOLINT(google-explicit-constructor)
 
   ElementField(LayerField field) : field_(field) {}  // NOLINT(google-explicit-constructor)
@@ -45,19 +46,21 @@ class ElementField {
   const NodalField* nodal() const { return std::get_if<NodalField>(&field_); }
   const LayerField* layer() const { return std::get_if<LayerField>(&field_); }
   const WallField* wall() const { return std::get_if<WallField>(&field_); }
+  int cell_dimension() const { return cell_dimension_; }
 
   bool operator==(const ElementField&) const = default;
 
  private:
   std::variant<Metric, NodalField, LayerField, WallField> field_;
+  int cell_dimension_ = 2;
 };
 
-/// All of them, as lists show them.
-const std::vector<ElementField>& all_element_fields();
+/// All that elements of that dimension have, as lists show them; of volume elements the metrics.
+const std::vector<ElementField>& all_element_fields(int cell_dimension = 2);
 
 const FieldInfo& field_info(const ElementField& field);
 /// By FieldInfo::name. Throws UsageError listing the names.
-ElementField parse_field(std::string_view name);
+ElementField parse_field(std::string_view name, int cell_dimension = 2);
 
 /// What some fields are about beside the mesh itself; null: they have no values.
 struct FieldContext {
@@ -65,7 +68,8 @@ struct FieldContext {
   const Coordinates* before = nullptr;  ///< the same nodes as they were before (#nodes by 2)
 };
 
-/// Value for each element (#elements); NaN where no node has a VCV. threads: as above.
+/// Value for each element of a plane mesh (#elements); NaN where no node has a VCV. threads: as
+/// above.
 std::vector<double> element_values(const VirtualControlVolumes& vcv, const Coordinates& x,
                                    const ElementField& field, int threads = 0,
                                    const FieldContext& context = {});

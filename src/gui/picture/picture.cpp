@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/inspect/nodal_view.h"
 #include "gui/picture/frame/picture_frame.h"
+#include "gui/picture/frame/picture_parts.h"
 #include "gui/render/gl_context.h"
 #include "gui/render/metric_scale.h"
 #include "gui/view/overlays/vcv_overlay.h"
@@ -18,43 +19,13 @@ void check(const PictureOptions& options) {
   if (options.bounds && !((options.bounds->max - options.bounds->min).array() > 0).all()) {
     throw UsageError("the bounds of a picture are x0 y0 x1 y1 with x0 < x1 and y0 < y1");
   }
-  const auto& range = options.colors.range;
-  if (range && !((*range)[0] < (*range)[1])) {
-    throw UsageError("the range of the colours is LOW HIGH with LOW < HIGH");
-  }
-  if (options.color) sample_color_map(color_map_for(*options.color, options.colors.map), 0);
+  check_colors(options.color, options.colors);
 }
 
 /// Of what elements are coloured by.
 std::vector<double> field_values(const VirtualControlVolumes& vcv, const Mesh& mesh,
                                  const PictureOptions& options) {
   return element_values(vcv, mesh.coordinates, *options.color, 0, {.before = options.before.get()});
-}
-
-/// 12345 -> "12 345", with a space that does not break.
-std::string grouped(Index number) {
-  std::string digits = std::to_string(number);
-  for (std::size_t end = digits.size(); end > 3; end -= 3) digits.insert(end - 3, "\u00a0");
-  return digits;
-}
-
-std::string warning_text(Index inverted) {
-  if (inverted == 0) return {};
-  return grouped(inverted) + (inverted == 1 ? " inverted element" : " inverted elements");
-}
-
-ColorScale choose_scale(const PictureOptions& options, std::span<const double> values) {
-  ColorChoice choice = options.colors;
-  choice.on_dark = options.dark;
-  return color_scale(*options.color, values, choice);
-}
-
-Legend make_legend(const PictureOptions& options, std::span<const double> values,
-                   const ColorScale& scale, bool with_inverted) {
-  Legend legend = legend_of(*options.color, values, scale);
-  const Rgba red = MeshStyle{}.inverted_color;
-  if (with_inverted) legend.inverted = Rgb{red[0], red[1], red[2]};
-  return legend;
 }
 
 std::vector<NodalView> inspect_nodes(const VirtualControlVolumes& vcv, const Coordinates& x,
@@ -71,13 +42,8 @@ MeshStyle mesh_style(const PictureOptions& options, const PictureTheme& theme, f
   style.boundary_width = 0.11f * unit;
   style.fill_color = theme.fill;
   style.edge_color = theme.edge;
-  if (options.color) {
-    // On colours, dark lines are legible in both themes, but for the map that recedes into the
-    // dark.
-    const bool neutral = color_map_for(*options.color, options.colors.map) == "neutral";
-    style.edge_color = picture_theme(options.dark && neutral).edge;
-    style.edge_color[3] = 0.55f;
-  }
+  if (options.color)
+    style.edge_color = edges_on_colors(*options.color, options.colors, options.dark);
   return style;
 }
 
@@ -95,11 +61,12 @@ Image draw_picture(const Mesh& mesh, const PictureOptions& options) {
   ColorScale scale;
   PictureText text;
   text.title = options.title;
-  text.warning = warning_text(check_validity(*mesh.topology, mesh.coordinates).inverted);
+  text.warning = inverted_text(check_validity(*mesh.topology, mesh.coordinates).inverted);
   if (options.color) {
     values = field_values(*vcv, mesh, options);
-    scale = choose_scale(options, values);
-    if (options.legend) text.legend = make_legend(options, values, scale, !text.warning.empty());
+    scale = picture_colors(*options.color, options.colors, options.dark, values);
+    if (options.legend)
+      text.legend = picture_legend(*options.color, values, scale, !text.warning.empty());
   }
   const auto& markers = mesh.topology->markers();
   for (std::size_t m = 0; m < markers.size() && options.marker_key; ++m) {
@@ -136,7 +103,7 @@ VectorFigure picture_figure(const Mesh& mesh, const PictureOptions& options) {
   VectorFigure figure;
   figure.mesh = mesh;
   figure.title = options.title;
-  figure.warning = warning_text(check_validity(*mesh.topology, mesh.coordinates).inverted);
+  figure.warning = inverted_text(check_validity(*mesh.topology, mesh.coordinates).inverted);
   figure.wireframe = options.wireframe;
   figure.dark = options.dark;
   figure.framed = options.bounds.has_value();
@@ -147,9 +114,10 @@ VectorFigure picture_figure(const Mesh& mesh, const PictureOptions& options) {
   figure.vcvs = inspect_nodes(*vcv, mesh.coordinates, options.vcvs);
   if (options.color) {
     figure.values = field_values(*vcv, mesh, options);
-    figure.scale = choose_scale(options, figure.values);
+    figure.scale = picture_colors(*options.color, options.colors, options.dark, figure.values);
     if (options.legend)
-      figure.legend = make_legend(options, figure.values, *figure.scale, !figure.warning.empty());
+      figure.legend =
+          picture_legend(*options.color, figure.values, *figure.scale, !figure.warning.empty());
   }
   const auto& markers = mesh.topology->markers();
   for (std::size_t m = 0; m < markers.size(); ++m) {
@@ -165,12 +133,8 @@ VectorFigure picture_figure(const Mesh& mesh, const PictureOptions& options) {
 }
 
 ColorScale picture_scale(const Mesh& mesh, const PictureOptions& options) {
-  return choose_scale(options, field_values(*make_state(mesh).vcv, mesh, options));
-}
-
-void use_scale(PictureOptions& options, const ColorScale& scale) {
-  options.colors.range = {scale.low, scale.high};
-  options.colors.axis = scale.logarithmic ? ColorAxis::logarithmic : ColorAxis::linear;
+  return picture_colors(*options.color, options.colors, options.dark,
+                        field_values(*make_state(mesh).vcv, mesh, options));
 }
 
 Image side_by_side(const Image& left, const Image& right) {

@@ -41,9 +41,6 @@ VectorFigure picture_figure(const Mesh& mesh, const PictureOptions& options);
 /// The scale that the colours of a picture have: of several that are to be compared, take one.
 /// Needs options.color.
 ColorScale picture_scale(const Mesh& mesh, const PictureOptions& options);
-/// Has a picture take the range and the axis of a scale.
-void use_scale(PictureOptions& options, const ColorScale& scale);
-
 /// Two pictures of one height side by side.
 Image side_by_side(const Image& left, const Image& right);
 

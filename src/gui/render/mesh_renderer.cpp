@@ -17,13 +17,6 @@ constexpr double room = 1.5;
 /// ... and again when the view has shrunk to this share of what was cut.
 constexpr double smallest_share = 1.0 / 64.0;
 
-std::uint32_t pack(const Rgb& color) {
-  const auto byte = [](float c) {
-    return static_cast<std::uint32_t>(std::lround(std::clamp(c, 0.0f, 1.0f) * 255.0f));
-  };
-  return byte(color[0]) | (byte(color[1]) << 8U) | (byte(color[2]) << 16U) | 0xFF000000U;
-}
-
 bool contains(const Bounds& outer, const Bounds& inner) {
   return (inner.min.array() >= outer.min.array()).all() &&
          (inner.max.array() <= outer.max.array()).all();
@@ -54,6 +47,13 @@ PreparedMesh prepare_mesh(const std::shared_ptr<const Topology>& topology,
   return {topology, std::move(groups), coordinates, extent, std::move(whole)};
 }
 
+std::uint32_t pack_color(const Rgb& color) {
+  const auto byte = [](float c) {
+    return static_cast<std::uint32_t>(std::lround(std::clamp(c, 0.0f, 1.0f) * 255.0f));
+  };
+  return byte(color[0]) | (byte(color[1]) << 8U) | (byte(color[2]) << 16U) | 0xFF000000U;
+}
+
 /// Sampling the map per element would dominate the update of a large mesh: a table of 1024 colours
 /// is finer than 8 bits can show.
 std::vector<std::uint32_t> element_colors(std::span<const double> values, const ColorScale& scale,
@@ -61,12 +61,12 @@ std::vector<std::uint32_t> element_colors(std::span<const double> values, const 
   constexpr std::size_t size = 1024;
   std::vector<std::uint32_t> table(size);
   for (std::size_t k = 0; k < size; ++k)
-    table[k] = pack(scale.color(scale.value_at((static_cast<double>(k) + 0.5) / size)));
+    table[k] = pack_color(scale.color(scale.value_at((static_cast<double>(k) + 0.5) / size)));
   std::vector<std::uint32_t> colors;
   colors.reserve(values.size());
   for (const double value : values) {
     if (std::isnan(value) || !(scale.high > scale.low)) {
-      colors.push_back(pack(scale.color(value)));
+      colors.push_back(pack_color(scale.color(value)));
       continue;
     }
     const auto k = static_cast<std::size_t>(scale.share(value) * size);

@@ -47,6 +47,9 @@ PreparedMesh prepare_mesh(const std::shared_ptr<const Topology>& topology,
                           const Coordinates& coordinates,
                           std::shared_ptr<const EdgeGroups> groups = nullptr);
 
+/// As the renderer takes colours: RGBA, 8 bits each, opaque.
+std::uint32_t pack_color(const Rgb& color);
+
 /// Colours of values as the renderer takes them (RGBA, 8 bits each), and how much of each is seen
 /// (opacity: one per value, or none: all is).
 std::vector<std::uint32_t> element_colors(std::span<const double> values, const ColorScale& scale,

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "core/error.h"
+#include "gui/support/pixels.h"
 #include "gui/support/scene.h"
 #include "support/meshes.h"
 
@@ -10,6 +11,7 @@ using namespace winslow;
 using namespace winslow::gui;
 using gui::test::color_at;
 using gui::test::distance;
+using gui::test::inked;
 using winslow::test::Cells;
 
 namespace {
@@ -19,18 +21,6 @@ PictureOptions small() {
   options.width = 480;
   options.height = 360;
   return options;
-}
-
-/// Number of pixels in a rectangle that differ from the ground in the corner of the picture.
-int inked(const Image& image, int x0, int y0, int x1, int y1) {
-  int count = 0;
-  const auto* ground = image.pixel(0, 0);
-  for (int y = y0; y < y1; ++y) {
-    for (int x = x0; x < x1; ++x) {
-      if (!std::equal(ground, ground + 3, image.pixel(x, y))) ++count;
-    }
-  }
-  return count;
 }
 
 }  // namespace

@@ -17,8 +17,6 @@ using winslow::test::Cells;
 
 namespace {
 
-constexpr Rgb white{1, 1, 1};
-
 MeshStyle fill_only() {
   MeshStyle style;
   style.wireframe = false;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "gui/base/screen.h"
@@ -24,6 +25,16 @@ inline int differing(const Image& a, const Image& b, const ScreenPoint& min,
       const auto* q = b.pixel(x, y);
       count += p[0] != q[0] || p[1] != q[1] || p[2] != q[2];
     }
+  return count;
+}
+
+/// Number of pixels in a rectangle that differ from the ground in the corner of the picture.
+inline int inked(const Image& image, int x0, int y0, int x1, int y1) {
+  int count = 0;
+  const auto* ground = image.pixel(0, 0);
+  for (int y = y0; y < y1; ++y)
+    for (int x = x0; x < x1; ++x)
+      count += std::equal(ground, ground + 3, image.pixel(x, y)) ? 0 : 1;
   return count;
 }
 

@@ -11,6 +11,8 @@
 
 namespace winslow::gui::test {
 
+inline constexpr Rgb white{1, 1, 1};
+
 /// A mesh drawn into an off-screen picture: white ground, camera in its middle, one pixel a unit of
 /// 1/side unless the test looks elsewhere.
 class Scene {

@@ -10,7 +10,8 @@ void FilmMeshes::clear() {
   moved_.clear();
 }
 
-/// What the job moves is kept until its last mesh is taken, which may be when it has ended.
+/// What the job moves is kept until its last mesh is taken: that comes some frames after it has
+/// ended.
 void FilmMeshes::follow_motion(const Session& session) {
   const JobRunner& job = session.job();
   if (!job.active()) return;
@@ -25,8 +26,8 @@ std::vector<Coordinates> FilmMeshes::take(const Session& session, bool between) 
   if (between && taken_.size() == now.size())
     meshes = meshes_between(*session.topology(), moved_, taken_, now);
   meshes.push_back(now);
+  if (!session.job().active() && taken_ == now) moved_.clear();
   taken_ = now;
-  if (!session.job().active()) moved_.clear();
   return meshes;
 }
 

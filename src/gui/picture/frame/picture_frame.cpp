@@ -69,18 +69,22 @@ PictureFrame::~PictureFrame() {
   ImGui::SetCurrentContext(previous_);
 }
 
+bool PictureFrame::has_room_for_text() const {
+  return std::min(width_, height_) >= 14 * static_cast<double>(font_size_);
+}
+
 void PictureFrame::place() {
   const double em = font_size_;
   const double width = width_;
   const double height = height_;
   // Below some twenty letters of height there is room for the mesh alone.
-  if (height < 14 * em || width < 14 * em) text_ = {};
+  if (!has_room_for_text()) text_ = {};
   if (text_.legend && width < 3 * legend_width(*text_.legend, legend_style_)) text_.legend.reset();
-  const bool bare =
-      text_.title.empty() && text_.warning.empty() && text_.key.empty() && !text_.legend;
+  const bool bottom_line = !text_.key.empty() || !text_.warning.empty() || !text_.note.empty();
+  const bool bare = text_.title.empty() && !bottom_line && !text_.legend;
   const double margin = bare ? 0 : em;
   const double top = text_.title.empty() ? margin : 2.9 * em;
-  const double bottom = text_.key.empty() && text_.warning.empty() ? margin : 2.6 * em;
+  const double bottom = bottom_line ? 2.6 * em : margin;
   double right = margin;
   if (text_.legend) right += legend_width(*text_.legend, legend_style_) + 1.5 * em;
   area_ = {margin, top, std::max(width - margin - right, 1.0),
@@ -126,6 +130,11 @@ void PictureFrame::draw_bottom_line(ImDrawList& list) const {
   if (!text_.warning.empty()) {
     list.AddText(strong_, font_size_, {x, y}, to_color(theme_.warning), text_.warning.c_str());
     x += text_size(*strong_, font_size_, text_.warning).x + 2 * font_size_;
+  }
+  if (const float width = text_size(*font_, font_size_, text_.note).x;
+      !text_.note.empty() && x + width <= limit) {
+    list.AddText(font_, font_size_, {x, y}, to_color(theme_.ink), text_.note.c_str());
+    x += width + 2 * font_size_;
   }
   for (const auto& [name, color] : text_.key) {
     const float swatch = 1.4f * font_size_;

@@ -19,6 +19,7 @@ namespace winslow::gui {
 struct PictureText {
   std::string title;                             ///< top left; empty: none
   std::string warning;                           ///< bottom left, in red; empty: none
+  std::string note;                              ///< bottom left; empty: none
   std::vector<std::pair<std::string, Rgb>> key;  ///< names and colours, bottom left
   std::optional<Legend> legend;                  ///< on the right
 };
@@ -43,6 +44,8 @@ class PictureFrame {
   float font_size() const { return font_size_; }
   /// Where the mesh goes: left, top, width, height in pixels.
   const std::array<double, 4>& mesh_area() const { return area_; }
+  /// Whether there is room for letters at all.
+  bool has_room_for_text() const;
   /// Draws over the mesh, within its area, with a font for labels.
   using OverMesh = std::function<void(ImDrawList& list, ImFont* font)>;
   /// Draws into the bound framebuffer. framed: a thin line around the mesh's area.

@@ -1,0 +1,211 @@
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "app/options/suggestion.h"
+#include "app/subcommands/render_flags.h"
+#include "core/error.h"
+#include "core/inspect/element_field.h"
+#ifdef WINSLOW_HAS_GUI
+#include "app/subcommands/render_colors.h"
+#include "gui/picture/figure/write_figure.h"
+#include "gui/picture/picture.h"
+#include "gui/picture/space/volume_picture.h"
+#endif
+
+namespace winslow::app {
+
+namespace {
+
+const std::vector<std::string> axes{"x", "y", "z"};
+
+constexpr std::array plane_only{"--bounds", "--vcv", "--recipe", "--frames"};
+constexpr std::array volume_only{"--cut",         "--no-cut",  "--crinkle",    "--isolate",
+                                 "--view",        "--azimuth", "--elevation",  "--perspective",
+                                 "--centre",      "--show",    "--half-width", "--hide",
+                                 "--see-through", "--up"};
+
+#ifdef WINSLOW_HAS_GUI
+std::vector<std::string> names_of_views() { return gui::view_names(); }
+#else
+std::vector<std::string> names_of_views() { return {"iso"}; }
+#endif
+
+void add_cut_flags(CLI::App& app, VolumeFlags& flags) {
+  const char* group = "Cuts (volume meshes)";
+  auto* cut = app.add_option("--cut", flags.cuts,
+                             "Cut by a plane through a point and take away what its normal points "
+                             "to; may be given several times [around bodies: through their middle]")
+                  ->allow_extra_args(false)  // what follows is the mesh
+                  ->type_name("PX PY PZ NX NY NZ")
+                  ->group(group);
+  auto* none = app.add_flag("--no-cut", flags.no_cut, "Cut nothing")->group(group);
+  cut->excludes(none);
+  app.add_flag("--crinkle", flags.crinkle, "Cuts leave whole elements")
+      ->excludes(none)
+      ->group(group);
+  app.add_option("--isolate", flags.isolate,
+                 "Show whole the elements whose METRIC is worse than this value, without cuts")
+      ->type_name("VALUE")
+      ->excludes(cut)
+      ->group(group);
+}
+
+void add_view_flags(CLI::App& app, VolumeFlags& flags) {
+  const char* group = "View (volume meshes)";
+  app.add_option("--view", flags.view,
+                 "Seen from: " + join(names_of_views()) + " [onto the cuts, turned aside a little]")
+      ->check(one_of(names_of_views()))
+      ->option_text("NAME")
+      ->group(group);
+  app.add_option("--up", flags.up, "Axis that is up on screen")
+      ->check(one_of(axes))
+      ->option_text("x|y|z [z]")
+      ->group(group);
+  app.add_option("--azimuth", flags.azimuth,
+                 "Seen from this angle about that axis: with z up 0 from +x, 90 from +y, with y up "
+                 "from +z and +x [of --view]")
+      ->type_name("DEG")
+      ->group(group);
+  app.add_option("--elevation", flags.elevation,
+                 "Seen from this angle above the horizon, -90 to 90 [of --view]")
+      ->type_name("DEG")
+      ->group(group);
+  app.add_flag("--perspective", flags.perspective,
+               "In perspective; without, parallel lines stay so")
+      ->group(group);
+  app.add_option("--centre", flags.centre, "Point in the middle of the picture [all is shown]")
+      ->type_name("X Y Z")
+      ->group(group);
+  app.add_option("--half-width", flags.half_width,
+                 "Half of the width that is shown, in units of the mesh [all is shown]")
+      ->type_name("LENGTH")
+      ->group(group);
+}
+
+void add_marker_flags(CLI::App& app, VolumeFlags& flags) {
+  const char* group = "Boundary (volume meshes)";
+  const auto names = [&](const char* name, std::vector<std::string>& to, const char* help) {
+    return app.add_option(name, to, help)
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("MARKER,...")
+        ->group(group);
+  };
+  names("--show", flags.show,
+        "Draw these parts of the boundary as surfaces, and no others [bodies as surfaces, what is "
+        "around them as outlines]");
+  names("--hide", flags.hide, "Draw these parts of the boundary not at all");
+  names("--see-through", flags.see_through,
+        "Draw these parts of the boundary so that one sees through");
+}
+
+#ifdef WINSLOW_HAS_GUI
+
+int axis_of(const std::string& name) { return name.front() - 'x'; }
+
+std::optional<gui::ViewDirection> direction_of(const VolumeFlags& flags,
+                                               const std::vector<Plane>& cuts) {
+  if (flags.view.empty() && !flags.azimuth && !flags.elevation) return {};
+  const int up = axis_of(flags.up);
+  gui::ViewDirection view =
+      flags.view.empty() ? gui::automatic_view(cuts, up) : gui::named_view(flags.view, up);
+  view.azimuth = flags.azimuth.value_or(view.azimuth);
+  view.elevation = flags.elevation.value_or(view.elevation);
+  return view;
+}
+
+gui::VolumePictureOptions volume_options(const RenderFlags& flags) {
+  const VolumeFlags& volume = flags.volume;
+  gui::VolumePictureOptions options;
+  options.width = flags.size[0];
+  options.height = flags.size[1];
+  if (flags.color == no_color)
+    options.color.reset();
+  else if (!flags.color.empty())
+    options.color = parse_field(flags.color, 3);
+  options.colors = color_choice(flags);
+  std::vector<Plane> cuts;
+  for (const auto& c : volume.cuts)
+    cuts.emplace_back(Vec3(c[0], c[1], c[2]), Vec3(c[3], c[4], c[5]));
+  options.view = direction_of(volume, cuts);
+  options.up = axis_of(volume.up);
+  if (!cuts.empty() || volume.no_cut) options.cuts = std::move(cuts);
+  options.crinkle = volume.crinkle;
+  options.isolate = volume.isolate;
+  options.perspective = volume.perspective;
+  if (volume.centre) options.centre = Vec3(volume.centre->data());
+  options.half_width = volume.half_width;
+  options.show = volume.show;
+  options.hide = volume.hide;
+  options.see_through = volume.see_through;
+  options.title = flags.title;
+  options.dark = flags.dark;
+  options.wireframe = !flags.no_wireframe;
+  options.legend = !flags.no_legend;
+  return options;
+}
+
+#endif
+
+}  // namespace
+
+void add_volume_flags(CLI::App& app, VolumeFlags& flags) {
+  add_cut_flags(app, flags);
+  add_view_flags(app, flags);
+  add_marker_flags(app, flags);
+}
+
+void check_volume_flags(const CLI::App& app, const RenderFlags& flags, const Topology& topology) {
+  const bool volume = topology.cell_dimension() == 3;
+  const auto refuse = [&](std::span<const char* const> names, const char* kind) {
+    for (const char* name : names) {
+      if (app.count(name) > 0)
+        throw UsageError(std::string(name) + ": only for a " + kind + " mesh, and this is a " +
+                         std::string(mesh_kind(topology)));
+    }
+  };
+  if (!volume) return refuse(volume_only, "volume");
+  refuse(plane_only, "plane");
+  const VolumeFlags& v = flags.volume;
+  if (v.isolate && flags.color == no_color)
+    throw UsageError("--isolate goes by the values of a metric, and --color none shows none");
+  if (v.half_width && !(*v.half_width > 0 && std::isfinite(*v.half_width)))
+    throw UsageError("--half-width: expected a length above 0");
+  if (v.elevation && !(std::abs(*v.elevation) <= 90))
+    throw UsageError("--elevation: expected -90 to 90 degrees");
+}
+
+#ifdef WINSLOW_HAS_GUI
+void draw_volume(const RenderFlags& flags, const Mesh& mesh) {
+  if (gui::is_vector_format(flags.output))
+    throw UsageError(flags.output +
+                     ": pictures of volume meshes are made of pixels: give a name that "
+                     "ends in .png");
+  gui::write_png(flags.output, gui::draw_volume_picture(mesh, volume_options(flags)));
+}
+
+void draw_volumes(const RenderFlags& flags, const Mesh& before, const Mesh& after) {
+  gui::VolumePictureOptions options = volume_options(flags);
+  if (!options.cuts && !options.isolate) options.cuts = gui::cuts_of_picture(after, options);
+  Box<3> both = space_bounds(before);
+  both.add(space_bounds(after));
+  options.extent = both;
+  if (options.color && !options.colors.range)
+    gui::use_scale(options.colors, gui::joined(gui::volume_picture_scale(before, options),
+                                               gui::volume_picture_scale(after, options)));
+  write_both(flags, [&](const std::string& title, bool first) {
+    options.title = title;
+    return gui::draw_volume_picture(first ? before : after, options);
+  });
+}
+#else
+void draw_volumes(const RenderFlags& flags, const Mesh&, const Mesh& after) {
+  draw_volume(flags, after);
+}
+void draw_volume(const RenderFlags&, const Mesh&) {
+  throw Error("this winslow was built without graphics (WINSLOW_BUILD_GUI=OFF): it cannot render");
+}
+#endif
+
+}  // namespace winslow::app

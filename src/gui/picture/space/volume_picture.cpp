@@ -1,0 +1,303 @@
+#include "gui/picture/space/volume_picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "core/error.h"
+#include "core/inspect/space/plane_section.h"
+#include "core/parallel/parallel_for.h"
+#include "core/quality/quality.h"
+#include "core/quality/volume_element.h"
+#include "gui/picture/frame/picture_frame.h"
+#include "gui/picture/frame/picture_parts.h"
+#include "gui/picture/space/space_marks.h"
+#include "gui/render/gl_context.h"
+#include "gui/render/space/space_renderer.h"
+
+namespace winslow::gui {
+
+namespace {
+
+constexpr double opening = 30;  // degrees, of a perspective view
+
+std::vector<unsigned char> inverted_elements(const Mesh& mesh) {
+  const Topology& topology = *mesh.topology;
+  std::vector<unsigned char> inverted(at(topology.element_count()));
+  parallel_for(0, topology.element_count(), [&](Index begin, Index end) {
+    for (Index e = begin; e < end; ++e) {
+      const VolumeElement element(mesh.coordinates, topology.element_type(e), topology.element(e));
+      inverted[at(e)] = element.inverted() ? 1 : 0;
+    }
+  });
+  return inverted;
+}
+
+std::vector<unsigned char> worse_than(double threshold, const ElementField& field,
+                                      std::span<const double> values) {
+  const bool larger = field_info(field).larger_is_better;
+  std::vector<unsigned char> chosen;
+  chosen.reserve(values.size());
+  // What is not a number is no good element either.
+  for (const double v : values)
+    chosen.push_back((larger ? v >= threshold : v <= threshold) ? 0 : 1);
+  return chosen;
+}
+
+Index count_of(std::span<const unsigned char> flags) {
+  return static_cast<Index>(std::ranges::count(flags, 1));
+}
+
+std::vector<MarkerShow> marker_shows(const Topology& topology,
+                                     const VolumePictureOptions& options) {
+  const Markers& markers = topology.markers();
+  std::vector<MarkerShow> shows(markers.size(),
+                                options.show.empty() ? MarkerShow::automatic : MarkerShow::hidden);
+  const auto set = [&](const std::vector<std::string>& names, MarkerShow show) {
+    markers.nodes_of(names);  // refuses names that there are not
+    for (const std::string& name : names) shows[at(*markers.find(name))] = show;
+  };
+  set(options.show, MarkerShow::surface);
+  set(options.see_through, MarkerShow::see_through);
+  set(options.hide, MarkerShow::hidden);
+  return shows;
+}
+
+/// Of surfaces: paler than that of lines, so that edges are seen on them.
+Rgb surface_color(Index marker, const PictureTheme& theme, bool dark) {
+  Rgb color = marker_color(marker, dark);
+  const float share = dark ? 0.45f : 0.5f;
+  for (std::size_t c = 0; c < 3; ++c) color[c] += share * (theme.fill[c] - color[c]);
+  return color;
+}
+
+std::string number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", value == 0 ? 0.0 : value);  // no "-0"
+  return text.data();
+}
+
+/// "Cut at y = 0.5", or by point and normal.
+std::string cut_text(const std::vector<Plane>& cuts) {
+  std::string text;
+  for (const Plane& cut : cuts) {
+    text += text.empty() ? "Cut at " : ", ";
+    Index axis = 0;
+    const Vec3& n = cut.normal();
+    const Vec3& p = cut.point();
+    if (n.cwiseAbs().maxCoeff(&axis) > 1 - 1e-12) {
+      text += std::string(1, "xyz"[axis]) + " = " + number(p[axis]);
+      continue;
+    }
+    text += "(" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + "), normal (" +
+            number(n.x()) + ", " + number(n.y()) + ", " + number(n.z()) + ")";
+  }
+  return text;
+}
+
+void check_cuts(const Mesh& mesh, const std::vector<Plane>& cuts) {
+  const SpacePoints x(mesh.coordinates);
+  const Box<3> box = space_bounds(mesh);
+  for (const Plane& cut : cuts) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (Index i = 0; i < mesh.coordinates.size(); ++i) {
+      if (!mesh.topology->used(i)) continue;
+      const double d = cut.distance(x[i]);
+      low = std::min(low, d);
+      high = std::max(high, d);
+    }
+    const double slack = 1e-9 * box.size().norm();
+    if (low > slack || high < -slack)
+      throw UsageError("the cut through (" + number(cut.point().x()) + ", " +
+                       number(cut.point().y()) + ", " + number(cut.point().z()) +
+                       ") misses the mesh, which lies from " + number(low) + " to " + number(high) +
+                       " along the cut's normal from there");
+  }
+}
+
+void check(const Mesh& mesh, const VolumePictureOptions& options) {
+  if (mesh.topology->cell_dimension() != 3)
+    throw UsageError("a picture of a volume mesh: this is a " +
+                     std::string(mesh_kind(*mesh.topology)));
+  check_colors(options.color, options.colors);
+  if (options.isolate && !options.color)
+    throw UsageError("elements are isolated by what they are coloured by: give a metric");
+  if (options.isolate && !std::isfinite(*options.isolate))
+    throw UsageError("elements are isolated by a finite value");
+  if (options.half_width && !(*options.half_width > 0 && std::isfinite(*options.half_width)))
+    throw UsageError("half the width of the picture has to be positive and finite");
+  if (options.centre && !options.centre->allFinite())
+    throw UsageError("the middle of the picture has to be finite");
+  if (options.view &&
+      !(std::isfinite(options.view->azimuth) && std::abs(options.view->elevation) <= 90))
+    throw UsageError("a view has a finite azimuth and an elevation from -90 to 90 degrees");
+}
+
+/// All that is in a scene and not cut away.
+std::vector<Vec3> points_of(const SpaceScene& scene) {
+  std::vector<Vec3> points;
+  const auto add = [&](const std::array<float, 3>& position, unsigned clipped_by) {
+    const Vec3 p = scene.origin + Eigen::Vector3f(position.data()).cast<double>();
+    for (std::size_t k = 0; k < scene.planes.size(); ++k)
+      if ((clipped_by >> k & 1U) != 0 && scene.planes[k].distance(p) > 0) return;
+    points.push_back(p);
+  };
+  for (const SpaceFill& fill : scene.fills)
+    for (const SpaceCorner& corner : fill.corners) add(corner.position, fill.clipped_by);
+  for (const SpaceLines& lines : scene.lines)
+    for (const SpaceLines::End& end : lines.ends) add(end.position, lines.clipped_by);
+  return points;
+}
+
+std::vector<Plane> chosen_cuts(const Mesh& mesh, const VolumeBoundary& boundary,
+                               const VolumePictureOptions& options) {
+  if (options.cuts) return *options.cuts;
+  return automatic_cuts(mesh, boundary, options.view.value_or(automatic_view({}, options.up)));
+}
+
+std::vector<Vec3> corners_of(const Box<3>& box) {
+  std::vector<Vec3> corners;
+  for (const double x : {box.min.x(), box.max.x()})
+    for (const double y : {box.min.y(), box.max.y()})
+      for (const double z : {box.min.z(), box.max.z()}) corners.emplace_back(x, y, z);
+  return corners;
+}
+
+/// One picture in the making.
+class VolumePicture {
+ public:
+  VolumePicture(const Mesh& mesh, const VolumePictureOptions& options)
+      : mesh_(mesh),
+        options_(options),
+        theme_(picture_theme(options.dark)),
+        boundary_(find_boundary(mesh)),
+        inverted_(inverted_elements(mesh)) {
+    look_.markers = marker_shows(*mesh.topology, options);
+    look_.edges = options.wireframe;
+    look_.crinkle = options.crinkle;
+    choose_cuts();
+    if (count_of(inverted_) > 0) look_.inverted = inverted_;
+    if (options.color) choose_colors();
+    const auto markers = static_cast<Index>(mesh.topology->markers().size());
+    for (Index m = 0; m < markers; ++m)
+      look_.marker_colors.push_back(surface_color(m, theme_, options.dark));
+  }
+
+  Image draw() {
+    const std::unique_ptr<HeadlessContext> context = make_headless_context();
+    const FrameBuffer target(options_.width, options_.height, options_.samples);
+    PictureFrame frame(options_.width, options_.height, text(), theme_);
+    const SpaceScene scene = build_scene(mesh_, boundary_, look_, style(frame.font_size()));
+    const SpaceCamera camera = place_camera(scene, frame.mesh_area());
+    SpaceRenderer renderer;
+    renderer.set_scene(scene);
+    target.clear(theme_.paper);
+    renderer.draw(camera, options_.height);
+    const bool marks = frame.has_room_for_text();
+    frame.draw(options_.half_width.has_value(), [&](ImDrawList& list, ImFont* font) {
+      if (!marks) return;
+      draw_axes(list, *font, frame.font_size(), camera, theme_);
+      draw_scale_bar(list, *font, frame.font_size(), camera, theme_);
+    });
+    return target.read();
+  }
+
+ private:
+  void choose_cuts() {
+    if (options_.isolate) return;
+    look_.cuts = chosen_cuts(mesh_, boundary_, options_);
+    check_cuts(mesh_, look_.cuts);
+  }
+
+  void choose_colors() {
+    values_ = element_values(mesh_, *options_.color->metric());
+    scale_ = picture_colors(*options_.color, options_.colors, options_.dark, values_);
+    colors_ = element_colors(values_, scale_);
+    look_.colors = colors_;
+    if (!options_.isolate) return;
+    isolated_ = worse_than(*options_.isolate, *options_.color, values_);
+    look_.isolated = isolated_;
+  }
+
+  PictureText text() const {
+    PictureText text;
+    text.title = options_.title;
+    text.warning = inverted_text(count_of(inverted_));
+    text.note = note();
+    if (options_.color && options_.legend)
+      text.legend = picture_legend(*options_.color, values_, scale_, !text.warning.empty());
+    const auto in_color = markers_in_color(mesh_, boundary_, look_);
+    for (std::size_t m = 0; m < in_color.size() && options_.marker_key; ++m)
+      if (in_color[m] != 0)
+        text.key.emplace_back(mesh_.topology->markers()[m].name, look_.marker_colors[m]);
+    return text;
+  }
+
+  std::string note() const {
+    if (!options_.isolate) return cut_text(look_.cuts);
+    const Index count = count_of(isolated_);
+    return std::to_string(count) + (count == 1 ? " element " : " elements ") +
+           (field_info(*options_.color).larger_is_better ? "below " : "above ") +
+           number(*options_.isolate);
+  }
+
+  VolumeStyle style(float unit) const {
+    VolumeStyle style;
+    style.fill = theme_.fill;
+    style.edge = options_.color ? edges_on_colors(*options_.color, options_.colors, options_.dark)
+                                : Rgba{theme_.edge[0], theme_.edge[1], theme_.edge[2], 0.7f};
+    style.feature = theme_.edge;
+    style.enclosure = theme_.frame;
+    for (std::size_t c = 0; c < 3; ++c)
+      style.enclosure[c] = 0.5f * (theme_.frame[c] + theme_.edge[c]);
+    style.edge_width = 0.05f * unit;
+    style.feature_width = 0.1f * unit;
+    return style;
+  }
+
+  SpaceCamera place_camera(const SpaceScene& scene, const std::array<double, 4>& area) const {
+    SpaceCamera camera;
+    camera.set_viewport(area[0], area[1], area[2], area[3]);
+    camera.look_from(options_.view.value_or(automatic_view(look_.cuts, options_.up)));
+    if (options_.perspective) camera.set_perspective(opening);
+    camera.set_content(scene.extent);
+    std::vector<Vec3> points = options_.extent ? corners_of(*options_.extent) : points_of(scene);
+    if (points.empty()) points = corners_of(scene.extent);
+    camera.fit(points, 0.02);
+    const double size = options_.half_width
+                            ? 2 * *options_.half_width / camera.viewport().size().x()
+                            : camera.units_per_pixel();
+    camera.look_at(options_.centre.value_or(camera.centre()), size);
+    return camera;
+  }
+
+  const Mesh& mesh_;
+  const VolumePictureOptions& options_;
+  const PictureTheme& theme_;
+  VolumeBoundary boundary_;
+  std::vector<unsigned char> inverted_, isolated_;
+  std::vector<double> values_;
+  ColorScale scale_;
+  std::vector<std::uint32_t> colors_;
+  VolumeLook look_;
+};
+
+}  // namespace
+
+std::vector<Plane> cuts_of_picture(const Mesh& mesh, const VolumePictureOptions& options) {
+  return chosen_cuts(mesh, find_boundary(mesh), options);
+}
+
+ColorScale volume_picture_scale(const Mesh& mesh, const VolumePictureOptions& options) {
+  return picture_colors(*options.color, options.colors, options.dark,
+                        element_values(mesh, *options.color->metric()));
+}
+
+Image draw_volume_picture(const Mesh& mesh, const VolumePictureOptions& options) {
+  check(mesh, options);
+  return VolumePicture(mesh, options).draw();
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/inspect/element_field.h"
+#include "core/inspect/space/plane.h"
+#include "gui/render/image.h"
+#include "gui/render/metric_scale.h"
+#include "gui/render/space/space_camera.h"
+#include "gui/render/space/volume_scene.h"
+
+namespace winslow::gui {
+
+/// A picture of a volume mesh, drawn without a display.
+struct VolumePictureOptions {
+  int width = 1200, height = 900;  ///< pixels
+  /// Colour elements by this; none: plain. A metric of volume elements.
+  std::optional<ElementField> color = ElementField(Metric::normalized_jacobian, 3);
+  ColorChoice colors;  ///< of what is coloured; on_dark follows dark
+
+  /// Planes that cut; what lies in front of any is taken away. None given: where something encloses
+  /// bodies one through their middle, else none.
+  std::optional<std::vector<Plane>> cuts;
+  bool crinkle = false;  ///< cuts leave whole elements
+  /// Elements whose value of the colour is worse than this are shown alone, whole. Needs color.
+  std::optional<double> isolate;
+  std::vector<std::string> show;         ///< markers that are drawn, as surfaces; empty: see hide
+  std::vector<std::string> hide;         ///< markers that are not
+  std::vector<std::string> see_through;  ///< markers that are drawn as such surfaces
+
+  std::optional<ViewDirection> view;  ///< none: onto the cuts, or three quarters
+  int up = 2;                         ///< of that view: axis that is up on screen, 0 to 2
+  bool perspective = false;
+  std::optional<Vec3> centre;        ///< in the middle of the picture; none: all is
+  std::optional<double> half_width;  ///< of what is seen there, units of the mesh; none: all
+
+  std::optional<Box<3>> extent;  ///< all, for centre and half_width; none: what is drawn
+
+  bool wireframe = true;  ///< edges of elements
+  bool legend = true;     ///< only with color
+  bool marker_key = true;
+  std::string title;  ///< top left; empty: none
+  bool dark = false;
+  int samples = 4;  ///< multisampling
+};
+
+/// Inverted elements are red, seen through what hides them, and counted in a caption. Throws Error
+/// where no OpenGL can be had, and UsageError for a plane or a surface mesh, an unknown colour map
+/// or marker, a cut that meets no element, a size or a number out of range.
+Image draw_volume_picture(const Mesh& mesh, const VolumePictureOptions& options);
+
+/// The cuts of such a picture, and the scale of its colours (needs options.color): of several that
+/// are to be compared, take one.
+std::vector<Plane> cuts_of_picture(const Mesh& mesh, const VolumePictureOptions& options);
+ColorScale volume_picture_scale(const Mesh& mesh, const VolumePictureOptions& options);
+
+/// "iso", "+x", "-x", ...: names of directions to look from.
+const std::vector<std::string>& view_names();
+/// Throws UsageError listing the names.
+ViewDirection named_view(const std::string& name, int up = 2);
+
+/// Where one looks from unless told: onto a cut from its front, or three quarters from ahead.
+ViewDirection automatic_view(const std::vector<Plane>& cuts, int up = 2);
+/// The cut that a picture has unless told: through the middle of the bodies, at right angles to
+/// the axis that points to the viewer most. None where nothing encloses bodies.
+std::vector<Plane> automatic_cuts(const Mesh& mesh, const VolumeBoundary& boundary,
+                                  const ViewDirection& view);
+
+}  // namespace winslow::gui

@@ -1,0 +1,150 @@
+#include "gui/render/space/scene_lists.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace winslow::gui {
+
+namespace {
+
+/// Height of a polygon over its longest side, as if it were a rectangle: how far apart the lines
+/// along it are.
+double spacing_of(double area, double longest) { return longest > 0 ? area / longest : 0; }
+
+double longest_side(std::span<const Vec3> corners) {
+  double longest = 0;
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    longest = std::max(longest, (corners[(k + 1) % corners.size()] - corners[k]).norm());
+  return longest;
+}
+
+/// Twice the area as a vector, of any plane polygon.
+Vec3 doubled_area(std::span<const Vec3> corners) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+    sum += (corners[k] - corners[0]).cross(corners[k + 1] - corners[0]);
+  return sum;
+}
+
+/// A line without a spacing would never fade.
+float faded(double spacing) {
+  return std::max(static_cast<float>(spacing), std::numeric_limits<float>::min());
+}
+
+std::vector<Vec3> corners_of(const PlaneSection& section, Index polygon) {
+  std::vector<Vec3> corners;
+  for (const Index point : section.polygons[polygon]) corners.push_back(section.points[at(point)]);
+  return corners;
+}
+
+}  // namespace
+
+std::array<float, 3> SceneLists::relative(const Vec3& p) const {
+  const Eigen::Vector3f q = (p - origin_).cast<float>();
+  return {q.x(), q.y(), q.z()};
+}
+
+void SceneLists::add_triangle(SpaceFill& fill, const std::array<Vec3, 3>& corners,
+                              const Vec3& normal, std::uint32_t rgba) const {
+  const Eigen::Vector3f n = normal.cast<float>();
+  for (const Vec3& corner : corners)
+    fill.corners.push_back({relative(corner), {n.x(), n.y(), n.z()}, rgba});
+}
+
+/// A quadrilateral has one normal, so that one shade; it is cut along its shorter diagonal.
+void SceneLists::add_faces(SpaceFill& fill, std::span<const SurfaceFace> faces,
+                           const Color& color) const {
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const Face& face = faces[f].nodes;
+    const Vec3 normal = area_vector(x_, face).normalized();
+    const std::uint32_t rgba = color(f);
+    if (face.size() == 3) {
+      add_triangle(fill, {x_[face[0]], x_[face[1]], x_[face[2]]}, normal, rgba);
+      continue;
+    }
+    const std::array<Vec3, 4> p{x_[face[0]], x_[face[1]], x_[face[2]], x_[face[3]]};
+    const std::size_t s = (p[2] - p[0]).squaredNorm() <= (p[3] - p[1]).squaredNorm() ? 0 : 1;
+    add_triangle(fill, {p[s], p[s + 1], p[s + 2]}, normal, rgba);
+    add_triangle(fill, {p[s], p[s + 2], p[(s + 3) % 4]}, normal, rgba);
+  }
+}
+
+void SceneLists::add_section(SpaceFill& fill, const PlaneSection& section, const Plane& plane,
+                             const Color& color) const {
+  for (Index k = 0; k < section.polygons.rows(); ++k) {
+    const std::vector<Vec3> corners = corners_of(section, k);
+    const std::vector<Index> triangles = cut_polygon(corners, plane.normal());
+    for (std::size_t t = 0; t < triangles.size(); t += 3)
+      add_triangle(
+          fill,
+          {corners[at(triangles[t])], corners[at(triangles[t + 1])], corners[at(triangles[t + 2])]},
+          plane.normal(), color(at(k)));
+  }
+}
+
+void SceneLists::add_line(SpaceLines& lines, const Vec3& a, const Vec3& b, double spacing) const {
+  const float s = spacing < 0 ? 0.0f : faded(spacing);
+  lines.ends.push_back({relative(a), s});
+  lines.ends.push_back({relative(b), s});
+}
+
+void SceneLists::add_edges(const EdgeLists& lists, std::span<const SurfaceFace> faces,
+                           double feature_angle) const {
+  const SurfaceEdges edges = surface_edges(faces);
+  const std::vector<unsigned char> sharp = feature_edges(x_, faces, edges, feature_angle);
+  std::vector<double> spacing(lists.other ? faces.size() : 0);
+  std::vector<Vec3> corners;
+  for (std::size_t f = 0; f < spacing.size(); ++f) {
+    corners.clear();
+    for (const Index node : faces[f].nodes) corners.push_back(x_[node]);
+    spacing[f] = spacing_of(area_vector(x_, faces[f].nodes).norm(), longest_side(corners));
+  }
+  for (std::size_t k = 0; k < sharp.size(); ++k) {
+    const auto [a, b] = edges.nodes[k];
+    if (sharp[k] != 0) {
+      add_line(*lists.feature, x_[a], x_[b], -1);
+    } else if (lists.other) {
+      double least = std::numeric_limits<double>::max();
+      for (const Index f : edges.faces[static_cast<Index>(k)])
+        least = std::min(least, spacing[at(f)]);
+      add_line(*lists.other, x_[a], x_[b], least);
+    }
+  }
+}
+
+void SceneLists::add_sides(const EdgeLists& lists, const PlaneSection& section) const {
+  struct Side {
+    Index low, high;
+    double spacing;
+  };
+  std::vector<Side> sides;
+  for (Index k = 0; k < section.polygons.rows(); ++k) {
+    const std::vector<Vec3> corners = corners_of(section, k);
+    const double spacing = spacing_of(0.5 * doubled_area(corners).norm(), longest_side(corners));
+    const auto points = section.polygons[k];
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const auto [low, high] = std::minmax({points[i], points[(i + 1) % points.size()]});
+      sides.push_back({low, high, spacing});
+    }
+  }
+  std::ranges::sort(sides, {}, [](const Side& s) { return std::pair(s.low, s.high); });
+  for (std::size_t k = 0; k < sides.size();) {
+    const std::size_t first = k;
+    double least = sides[k].spacing;
+    for (;
+         k < sides.size() && sides[k].low == sides[first].low && sides[k].high == sides[first].high;
+         ++k)
+      least = std::min(least, sides[k].spacing);
+    const Vec3 &a = section.points[at(sides[first].low)],
+               &b = section.points[at(sides[first].high)];
+    if (k - first == 1)
+      add_line(*lists.feature, a, b, -1);
+    else if (lists.other)
+      add_line(*lists.other, a, b, least);
+  }
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/inspect/space/plane.h"
+#include "core/search/box.h"
+#include "gui/render/mesh_renderer.h"
+
+namespace winslow::gui {
+
+/// Most planes by which a scene is clipped.
+inline constexpr std::size_t most_clip_planes = 6;
+
+/// A corner of a triangle as the graphics card wants it: single precision, relative to the scene's
+/// origin.
+struct SpaceCorner {
+  std::array<float, 3> position, normal;  ///< the normal of either side, of length 1
+  std::uint32_t rgba;
+};
+
+/// Triangles that are drawn in one way; 3 corners each.
+struct SpaceFill {
+  std::vector<SpaceCorner> corners;
+  /// How much the light tells of the form: 0, colours are as given, to 1.
+  float shading = 0;
+  float opacity = 1;  ///< of what is see-through only the nearest layer is drawn
+  /// Lies above what is in the same place, and is seen faintly through what hides it.
+  bool emphasised = false;
+  /// Bit k: what lies in front of the scene's plane k is left out.
+  unsigned clipped_by = 0;
+};
+
+/// Lines that are drawn in one way.
+struct SpaceLines {
+  struct End {
+    std::array<float, 3> position;
+    /// Distance to the next parallel line, units of the mesh: lines that come closer together on
+    /// screen fade, see line_density.h. 0: never.
+    float spacing;
+  };
+  std::vector<End> ends;  ///< 2 each
+  Rgba color{0, 0, 0, 1};
+  float width = 1;  ///< pixels
+  unsigned clipped_by = 0;
+};
+
+/// What is to be seen in space, in the order in which it is drawn: fills, then lines; what lies
+/// nearer to the viewer hides what is behind it. Knows no OpenGL.
+struct SpaceScene {
+  Vec3 origin{0, 0, 0};
+  Box<3> extent{};
+  std::vector<Plane> planes;  ///< at most most_clip_planes
+  std::vector<SpaceFill> fills;
+  std::vector<SpaceLines> lines;
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/inspect/space/plane.h"
+#include "core/inspect/space/surface_faces.h"
+#include "core/mesh/mesh.h"
+#include "gui/render/space/space_scene.h"
+
+namespace winslow::gui {
+
+/// The boundary of a volume mesh, which is looked for once: it depends neither on cuts nor on
+/// colours.
+struct VolumeBoundary {
+  std::vector<SurfaceFace> faces;
+  std::vector<unsigned char> enclosing;  ///< per face; see enclosing_faces()
+  bool encloses = false;                 ///< some do: there are bodies inside
+};
+VolumeBoundary find_boundary(const Mesh& mesh);
+
+/// How a marker is shown. automatic: bodies as surfaces, what encloses them as outlines; a solid
+/// mesh as a surface.
+enum class MarkerShow { automatic, surface, see_through, hidden };
+
+/// What is shown of a volume mesh. Spans and pointers may be empty: nothing of the kind.
+struct VolumeLook {
+  /// What lies in front of any of these planes is taken away; bodies stay whole where something
+  /// encloses them.
+  std::vector<Plane> cuts;
+  bool crinkle = false;  ///< cuts leave whole elements
+  /// Whole elements that alone are shown, beside bodies and outlines (#elements); cuts are left
+  /// out.
+  std::span<const unsigned char> isolated;
+  /// Elements that are red wherever they are (#elements).
+  std::span<const unsigned char> inverted;
+  /// Of elements (#elements), packed as element_colors() does; on cuts and single elements, and on
+  /// the boundary unless bodies stand beside a cut.
+  std::span<const std::uint32_t> colors;
+  std::vector<MarkerShow> markers;  ///< per marker; those left out are automatic
+  std::vector<Rgb> marker_colors;   ///< per marker, of surfaces without other colours
+  bool edges = true;                ///< of elements
+  double feature_angle = 40;        ///< degrees by which a surface turns at an edge that is drawn
+};
+
+/// Colours and widths of a scene, of the theme.
+struct VolumeStyle {
+  Rgba fill{0.93f, 0.94f, 0.96f, 1};  ///< of what has no other colour
+  Rgba edge{0.25f, 0.28f, 0.33f, 0.55f};
+  Rgba feature{0.13f, 0.15f, 0.18f, 1};    ///< edges that show the form
+  Rgba enclosure{0.45f, 0.48f, 0.53f, 1};  ///< outlines of what encloses
+  Rgba inverted{0.90f, 0.10f, 0.12f, 1};
+  float edge_width = 1, feature_width = 1.6f;
+  float see_through = 0.35f;  ///< opacity of such markers
+};
+
+/// Throws UsageError for more than most_clip_planes cuts.
+SpaceScene build_scene(const Mesh& mesh, const VolumeBoundary& boundary, const VolumeLook& look,
+                       const VolumeStyle& style);
+
+/// Whether the surface of a marker is to be seen in such a scene, and has the marker's colour: what
+/// a key of colours lists (#markers).
+std::vector<unsigned char> markers_in_color(const Mesh& mesh, const VolumeBoundary& boundary,
+                                            const VolumeLook& look);
+
+}  // namespace winslow::gui
