@@ -27,8 +27,9 @@ def run_motion(winslow, folder, mesh, motion, name, formulation):
     return done, said, out
 
 
-def verdict(done, said, out):
-    """Empty if the run kept its promises, else what is wrong with it."""
+def verdict(done, said, out, inverted_in):
+    """Empty if the run kept its promises, else what is wrong with it. inverted_in: counts the inverted elements
+    of a file without the program."""
     if done.returncode not in (0, 4, 5):
         return f"status {done.returncode}: {done.stderr.strip()}"
     complete = said.get("fraction_reached") == 1
@@ -38,11 +39,36 @@ def verdict(done, said, out):
         return "status 0, but the motion is not complete"
     if done.returncode == 0 and not said["converged"]:
         return "status 0, but not converged"
-    if done.returncode in (0, 5) and out.exists() and count_inverted(out) > 0:
+    if done.returncode in (0, 5) and out.exists() and inverted_in(out) > 0:
         return f"status {done.returncode}, but the mesh written has inverted elements"
     if done.returncode == 0 and not out.exists():
         return "status 0, but nothing was written"
     return ""
+
+
+class Tally:
+    """Tells of every motion, and counts."""
+
+    def __init__(self):
+        self.statuses, self.wrong = collections.Counter(), 0
+
+    def add(self, mesh, motion, done, said, fault):
+        self.statuses[done.returncode] += 1
+        self.wrong += bool(fault)
+        print(f"{mesh['file']} (seed {mesh['seed']}, {mesh['elements']}, {mesh['nodes']} nodes): "
+              f"{motion['marker']} by {motion['rotate']:.0f} deg: status {done.returncode}, "
+              f"{said.get('outer_iterations')} iterations, {said.get('inverted')} inverted"
+              + (f"  WRONG: {fault}" if fault else "")
+              + (f"  {done.stderr.strip()}" if done.returncode else ""), flush=True)
+
+    def conclude(self, least_valid):
+        """The exit status: 1 if a run broke its promises, or fewer than this share ended valid."""
+        total = sum(self.statuses.values())
+        valid = self.statuses[0] / max(total, 1)
+        print(f"{self.statuses[0]} of {total} motions ended valid and converged ({100 * valid:.1f} %); "
+              f"by status: {dict(sorted(self.statuses.items()))}")
+        print(f"{total - self.wrong} passed, {self.wrong} failed")
+        return 1 if self.wrong or total == 0 or valid < least_valid else 0
 
 
 def main():
@@ -59,24 +85,13 @@ def main():
                         str(options.count), "--seed", str(options.seed),
                         "--max-rotation", str(options.max_rotation)], check=True)
         meshes = json.loads((folder / "meshes.json").read_text())["meshes"]
-        statuses, wrong = collections.Counter(), []
+        tally = Tally()
         for mesh in meshes:
             for k, motion in enumerate(mesh["motions"]):
                 done, said, out = run_motion(options.winslow, folder, mesh, motion,
                                              f"{Path(mesh['file']).stem}_{k}", options.formulation)
-                statuses[done.returncode] += 1
-                fault = verdict(done, said, out)
-                print(f"{mesh['file']} (seed {mesh['seed']}, {mesh['elements']}, {mesh['nodes']} nodes): "
-                      f"{motion['marker']} by {motion['rotate']:.0f} deg: status {done.returncode}, "
-                      f"{said.get('outer_iterations')} iterations, {said.get('inverted')} inverted"
-                      + (f"  WRONG: {fault}" if fault else ""), flush=True)
-                if fault:
-                    wrong.append((mesh["file"], k, fault))
-    total = sum(statuses.values())
-    print(f"{statuses[0]} of {total} motions ended valid and converged "
-          f"({100 * statuses[0] / total:.0f} %); by status: {dict(sorted(statuses.items()))}")
-    print(f"{total - len(wrong)} passed, {len(wrong)} failed")
-    return 1 if wrong or total == 0 else 0
+                tally.add(mesh, motion, done, said, verdict(done, said, out, count_inverted))
+    return tally.conclude(0)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,15 @@
+SetFactory("OpenCASCADE");
+Box(1) = {-5,-5,-5,10,10,10};
+Sphere(2) = {0,0,0,1};
+BooleanDifference(3) = { Volume{1}; Delete; }{ Volume{2}; Delete; };
+s() = Boundary{ Volume{3}; };
+far() = Surface In BoundingBox{-5.01,-5.01,-5.01,-4.99,5.01,5.01};
+body() = Surface In BoundingBox{-1.1,-1.1,-1.1,1.1,1.1,1.1};
+s() -= body();
+Physical Surface("body") = body();
+Physical Surface("far") = s();
+Physical Volume("fluid") = {3};
+Mesh.MeshSizeExtendFromBoundary = 0; Mesh.MeshSizeFromPoints = 0;
+Field[1] = MathEval; Field[1].F = "0.1 + 0.30*Sqrt(x*x+y*y+z*z)";
+Background Field = 1;
+Mesh.Algorithm3D = 1; Mesh.Optimize = 1;
