@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "core/command/command.h"
@@ -16,6 +17,7 @@
 #include "core/strategy/workspace.h"
 #include "support/meshes.h"
 #include "support/random.h"
+#include "support/space_meshes.h"
 
 namespace {
 
@@ -88,31 +90,48 @@ void assembly_against_triad(benchmark::State& run) {
 }
 
 /// One frame under the mouse: combination of the tangent fields, boundary, exact validity.
-void drag_frame(benchmark::State& run) {
-  MeshState state = perturbed(run.range(0));
+/// motion: of the body named, as a function of the phase.
+template <int D>
+void time_frames(benchmark::State& run, MeshState state, const std::string& body,
+                 const std::function<RigidMotionIn<D>(double)>& motion) {
   state = execute(SmoothCommand{}, state).state;
   SmoothingWorkspace workspace;
   workspace.prepare(state.vcv, std::make_shared<NodeClasses>(state.mesh.topology), {},
                     state.mesh.coordinates);
   const Topology& topology = *state.mesh.topology;
-  const auto hole = topology.markers().nodes(*topology.markers().find("hole"));
   workspace.newton().start(state.mesh.coordinates);
-  const DragPredictor predictor(workspace.newton(), state.mesh.coordinates,
-                                {hole.begin(), hole.end()});
+  const DragPredictorIn<D> predictor(workspace.newton(), state.mesh.coordinates,
+                                     topology.markers().nodes_of(std::vector<std::string>{body}));
   Coordinates frame;
   std::vector<double> times;
   int k = 0;
   for (auto _ : run) {
     const double phase = 0.1 * ++k;
     times.push_back(seconds_of([&] {
-      predictor.evaluate({3 * std::sin(phase), Vec2(0.5, 0.5), Vec2(0.02 * std::cos(phase), 0)},
-                         frame);
+      predictor.evaluate(motion(phase), frame);
       benchmark::DoNotOptimize(check_validity(topology, frame));
     }));
   }
   run.counters["nodes"] = topology.node_count();
   run.counters["median_ms"] = 1e3 * quantile(times, 0.5);
   run.counters["p99_ms"] = 1e3 * quantile(times, 0.99);
+}
+
+void drag_frame(benchmark::State& run) {
+  time_frames<2>(run, perturbed(run.range(0)), "hole", [](double phase) {
+    return RigidMotion{3 * std::sin(phase), Vec2(0.5, 0.5), Vec2(0.02 * std::cos(phase), 0)};
+  });
+}
+
+/// A cube of so many cubes a side without the one in the middle, in tetrahedra.
+void drag_frame_in_space(benchmark::State& run) {
+  const auto side = static_cast<Index>(run.range(0));
+  const double size = 0.1 / static_cast<double>(side);
+  time_frames<3>(run, make_state(test::box_with_body(side, test::Volumes::tetrahedra)), "body",
+                 [&](double phase) {
+                   return SpaceMotion{3 * std::sin(phase), Vec3(1, 2, 3), Vec3(0.5, 0.5, 0.5),
+                                      size * Vec3(std::cos(phase), 0, std::sin(phase))};
+                 });
 }
 
 /// From a shaken, valid mesh to the solution.
@@ -132,6 +151,7 @@ BENCHMARK(assembly_against_triad)
     ->Iterations(15)
     ->UseRealTime();
 BENCHMARK(drag_frame)->Arg(15'000)->Arg(50'000)->Arg(100'000)->Iterations(500)->UseRealTime();
+BENCHMARK(drag_frame_in_space)->Arg(19)->Arg(39)->Iterations(200)->UseRealTime();
 BENCHMARK(newton)
     ->Arg(5'000)
     ->Arg(30'000)

@@ -170,7 +170,7 @@ Outcome by_elasticity(const Mesh& mesh, const Body& body, double degrees,
   Coordinates x = mesh.coordinates;
   const double begin = cpu_seconds();
   try {
-    ElasticSolid solid(mesh.topology, body.nodes, options);
+    ElasticSolid<2> solid(mesh.topology, body.nodes, options);
     deform_in_increments(solid, motion, options.increments, x);
   } catch (const Error& error) {
     outcome.fault = "the matrix has no Cholesky factor";
