@@ -1,9 +1,10 @@
 #include "core/formulation/row_blocks.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "core/linear/aggregation.h"
+#include "core/linear/pattern_builder.h"
+#include "core/parallel/parallel_for.h"
 
 namespace winslow {
 
@@ -39,10 +40,9 @@ struct Stars {
 template <std::size_t N>
 std::shared_ptr<SparsityPattern> make_pattern(const std::vector<std::array<Index, N>>& cells,
                                               const Stars& stars,
-                                              std::span<const Index> row_of_node, Index rows) {
-  auto pattern = std::make_shared<SparsityPattern>();
-  std::vector<Index> columns;
-  for (Index i = 0; i < rows; ++i) {
+                                              std::span<const Index> row_of_node, Index rows,
+                                              int threads) {
+  const auto list = [&](Index i, std::vector<Index>& columns) {
     columns.assign(1, i);
     for (const Index t : stars.of(i)) {
       for (const Index node : cells[at(t)]) {
@@ -51,40 +51,53 @@ std::shared_ptr<SparsityPattern> make_pattern(const std::vector<std::array<Index
     }
     std::sort(columns.begin(), columns.end());
     columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
-    const auto place = std::lower_bound(columns.begin(), columns.end(), i) - columns.begin();
-    pattern->diagonal.push_back(pattern->offsets.back() + static_cast<Index>(place));
-    pattern->columns.insert(pattern->columns.end(), columns.begin(), columns.end());
-    pattern->offsets.push_back(static_cast<Index>(pattern->columns.size()));
-  }
-  return pattern;
+  };
+  return build_pattern(rows, parallel_block, threads, [&] { return list; });
 }
 
-/// Places in the matrix of one block of rows.
+/// Places of all rows: in the order, and in the matrices of their blocks.
 template <int D>
-class BlockPlaces {
+class RowPlaces {
  public:
-  BlockPlaces(const SparsityPattern& pattern, const std::vector<Index>& order, Index rows)
-      : pattern_(pattern), order_(order), position_(at(rows), -1), start_(at(rows), 0) {}
-
-  /// The rows at the positions [begin, end). Returns the number of entries.
-  Index set_block(Index begin, Index end) {
-    begin_ = begin;
-    end_ = end;
-    Index entries = 1;
-    for (Index p = begin; p < end; ++p) {
-      const std::size_t row = at(order_[at(p)]);
-      position_[row] = p;
-      start_[row] = entries;
-      entries += pattern_.offsets[row + 1] - pattern_.offsets[row];
+  RowPlaces(const SparsityPattern& pattern, const std::vector<Index>& order)
+      : pattern_(pattern), position_(order.size()), start_{0} {
+    start_.reserve(order.size() + 1);
+    for (std::size_t p = 0; p < order.size(); ++p) {
+      const std::size_t row = at(order[p]);
+      position_[row] = static_cast<Index>(p);
+      start_.push_back(start_.back() + pattern.offsets[row + 1] - pattern.offsets[row]);
     }
-    return entries;
   }
-  distortion::SimplexPlaces<D> of(const std::array<Index, D + 1>& rows) const {
+
+  /// Entries of the matrix of the rows at the positions [begin, end): one that nobody needs, and
+  /// those of the rows.
+  Index entries(Index begin, Index end) const { return 1 + start_[at(end)] - start_[at(begin)]; }
+
+  /// Is the row at position p the first in the block that has the cell? rows: of the cell's nodes.
+  bool meets_first(const std::array<Index, D + 1>& rows, Index p, Index begin) const {
+    return std::none_of(rows.begin(), rows.end(), [&](Index row) {
+      return row >= 0 && position_[at(row)] >= begin && position_[at(row)] < p;
+    });
+  }
+
+  /// Where a cell belongs in the matrix of the block of the positions [begin, end).
+  distortion::SimplexPlaces<D> in_block(const std::array<Index, D + 1>& rows, Index begin,
+                                        Index end) const {
+    const auto is_in_block = [&](Index row) {
+      return row >= 0 && position_[at(row)] >= begin && position_[at(row)] < end;
+    };
+    const auto entry = [&](Index row, Index column) {
+      if (!is_in_block(row) || column < 0) return 0;
+      const auto first = pattern_.columns.begin() + pattern_.offsets[at(row)];
+      const auto last = pattern_.columns.begin() + pattern_.offsets[at(row) + 1];
+      return entries(begin, position_[at(row)]) +
+             static_cast<Index>(std::lower_bound(first, last, column) - first);
+    };
     distortion::SimplexPlaces<D> places{};
     for (std::size_t corner = 0; corner <= D; ++corner) {
       const Index row = rows[corner];
       places.rows[corner] = static_cast<std::uint16_t>(
-          is_in_block(row) ? position_[at(row)] - begin_ : RowBlocks<D>::rows_per_block);
+          is_in_block(row) ? position_[at(row)] - begin : RowBlocks<D>::rows_per_block);
     }
     std::size_t k = 0;
     for (std::size_t first = 0; first <= D; ++first) {
@@ -97,46 +110,45 @@ class BlockPlaces {
   }
 
  private:
-  bool is_in_block(Index row) const {
-    return row >= 0 && position_[at(row)] >= begin_ && position_[at(row)] < end_;
-  }
-  Index entry(Index row, Index column) const {
-    if (!is_in_block(row) || column < 0) return 0;
-    const auto begin = pattern_.columns.begin() + pattern_.offsets[at(row)];
-    const auto end = pattern_.columns.begin() + pattern_.offsets[at(row) + 1];
-    return start_[at(row)] + static_cast<Index>(std::lower_bound(begin, end, column) - begin);
-  }
-
   const SparsityPattern& pattern_;
-  const std::vector<Index>& order_;
-  std::vector<Index> position_, start_;
-  Index begin_ = 0, end_ = 0;
+  std::vector<Index> position_;  // of each row in the order
+  std::vector<Index> start_;     // entries before each position
 };
 
 }  // namespace
 
 template <int D>
 RowBlocks<D>::RowBlocks(const std::vector<Cell>& cells, std::span<const Index> row_of_node,
-                        Index rows) {
+                        Index rows, int threads) {
   const Stars stars(cells, row_of_node, rows);
-  pattern_ = make_pattern(cells, stars, row_of_node, rows);
+  pattern_ = make_pattern(cells, stars, row_of_node, rows, threads);
   order_ = locality_ordering(*pattern_);
-  BlockPlaces<D> places(*pattern_, order_, rows);
-  std::vector<Index> seen_by(cells.size(), -1);
-  for (Index begin = 0; begin < rows; begin += rows_per_block) {
-    const Index end = std::min(rows, begin + rows_per_block);
-    const Index block = begin / rows_per_block;
-    entries_.push_back(places.set_block(begin, end));
+  const RowPlaces<D> places(*pattern_, order_);
+  struct Part {
+    std::vector<Index> cells;
+    std::vector<distortion::SimplexPlaces<D>> places;
+  };
+  const auto blocks = at((rows + rows_per_block - 1) / rows_per_block);
+  std::vector<Part> parts(blocks);
+  entries_.resize(blocks);
+  const auto fill = [&](Index begin, Index end) {
+    const auto block = at(begin / rows_per_block);
+    entries_[block] = places.entries(begin, end);
     for (Index p = begin; p < end; ++p) {
       for (const Index t : stars.of(order_[at(p)])) {
-        if (std::exchange(seen_by[at(t)], block) == block) continue;
         Cell rows_of_cell;
         std::transform(cells[at(t)].begin(), cells[at(t)].end(), rows_of_cell.begin(),
                        [&](Index node) { return row_of_node[at(node)]; });
-        cells_.push_back(t);
-        places_.push_back(places.of(rows_of_cell));
+        if (!places.meets_first(rows_of_cell, p, begin)) continue;
+        parts[block].cells.push_back(t);
+        parts[block].places.push_back(places.in_block(rows_of_cell, begin, end));
       }
     }
+  };
+  parallel_for(threads, rows, fill, rows_per_block);
+  for (const Part& part : parts) {
+    cells_.insert(cells_.end(), part.cells.begin(), part.cells.end());
+    places_.insert(places_.end(), part.places.begin(), part.places.end());
     cell_offsets_.push_back(static_cast<Index>(cells_.size()));
   }
 }

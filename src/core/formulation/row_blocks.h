@@ -23,7 +23,8 @@ class RowBlocks {
   static constexpr Index rows_per_block = D == 2 ? 256 : 512;  // a divisor of parallel_block
 
   /// cells: nodes. row_of_node: -1 for nodes without unknowns.
-  RowBlocks(const std::vector<Cell>& cells, std::span<const Index> row_of_node, Index rows);
+  RowBlocks(const std::vector<Cell>& cells, std::span<const Index> row_of_node, Index rows,
+            int threads);
 
   /// D by D blocks for every pair of free nodes with a common cell.
   const std::shared_ptr<const SparsityPattern>& pattern() const { return pattern_; }

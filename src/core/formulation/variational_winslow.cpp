@@ -114,7 +114,7 @@ template <int D>
 struct SimplexWinslow<D>::Structure {
   Structure(const NodeUnknowns& nodes, const CellTargets<D>& shapes)
       : row_of_node(make_row_of_node(nodes)),
-        rows(shapes.cells, row_of_node, static_cast<Index>(nodes.nodes().size())),
+        rows(shapes.cells, row_of_node, static_cast<Index>(nodes.nodes().size()), nodes.threads()),
         shape_order(rows.renumber_cells()),
         cells_at_row(nodes.nodes().size(), 0) {
     for (std::size_t t = 0; t < shape_order.size(); ++t) {

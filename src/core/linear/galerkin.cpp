@@ -1,13 +1,18 @@
 #include <algorithm>
+#include <utility>
 
 #include "core/linear/block_kernel.h"
 #include "core/linear/blocks.h"
+#include "core/linear/pattern_builder.h"
 #include "core/linear/prolongation.h"
 #include "core/parallel/parallel_for.h"
 
 namespace winslow {
 
 namespace {
+
+/// Rows of the coarse matrix at a time: there are few of them, and each takes long.
+constexpr Index coarse_block = 256;
 
 /// See BlockKernel.
 template <int B>
@@ -39,9 +44,10 @@ void Prolongation::galerkin(const SparseMatrix& matrix, SparseMatrix& coarse, in
   coarse.symmetric = true;
   coarse.values.resize(coarse.pattern->columns.size() * at(block_ * block_));
   with_block(block_, [&](auto size) {
-    parallel_for(threads, coarse_rows(), [&](Index begin, Index end) {
-      galerkin_rows<size()>(matrix, coarse, begin, end);
-    });
+    parallel_for(
+        threads, coarse_rows(),
+        [&](Index begin, Index end) { galerkin_rows<size()>(matrix, coarse, begin, end); },
+        coarse_block);
   });
 }
 
@@ -49,42 +55,21 @@ void Prolongation::galerkin(const SparseMatrix& matrix, SparseMatrix& coarse, in
 /// and the rows j of P.
 std::shared_ptr<const SparsityPattern> Prolongation::galerkin_pattern(const SparsityPattern& fine,
                                                                       int threads) const {
-  const Index n = coarse_rows();
-  const auto runs = at((n + parallel_block - 1) / parallel_block);
-  std::vector<std::vector<Index>> columns(runs), counts(runs);
-  parallel_for(threads, n, [&](Index begin, Index end) {
-    std::vector<Index> seen(at(n), -1), row;
-    for (Index a = begin; a < end; ++a) {
-      row.clear();
+  const auto begin_block = [&] {
+    return [&, seen = std::vector<Index>(at(coarse_rows()), -1)](
+               Index a, std::vector<Index>& columns) mutable {
       for (auto t = at(transposed_offsets_[at(a)]); t < at(transposed_offsets_[at(a) + 1]); ++t) {
         const auto i = at(transposed_rows_[t]);
         for (auto e = at(fine.offsets[i]); e < at(fine.offsets[i + 1]); ++e) {
           const auto j = at(fine.columns[e]);
           for (auto k = at(offsets_[j]); k < at(offsets_[j + 1]); ++k) {
-            if (seen[at(columns_[k])] == a) continue;
-            seen[at(columns_[k])] = a;
-            row.push_back(columns_[k]);
+            if (std::exchange(seen[at(columns_[k])], a) != a) columns.push_back(columns_[k]);
           }
         }
       }
-      std::sort(row.begin(), row.end());
-      const auto run = at(begin / parallel_block);
-      columns[run].insert(columns[run].end(), row.begin(), row.end());
-      counts[run].push_back(static_cast<Index>(row.size()));
-    }
-  });
-  auto built = std::make_shared<SparsityPattern>();
-  for (std::size_t run = 0; run < runs; ++run) {
-    built->columns.insert(built->columns.end(), columns[run].begin(), columns[run].end());
-    for (const Index count : counts[run]) built->offsets.push_back(built->offsets.back() + count);
-  }
-  for (Index a = 0; a < n; ++a) {
-    const auto first = built->columns.begin() + built->offsets[at(a)];
-    const auto last = built->columns.begin() + built->offsets[at(a) + 1];
-    built->diagonal.push_back(
-        static_cast<Index>(std::lower_bound(first, last, a) - built->columns.begin()));
-  }
-  return built;
+    };
+  };
+  return build_pattern(coarse_rows(), coarse_block, threads, begin_block);
 }
 
 template <int B>

@@ -155,19 +155,23 @@ void Prolongation::prolong(std::span<const Real> coarse, std::span<Real> x, std:
 void Prolongation::restrict(std::span<const Real> r, std::span<Real> coarse, int threads) const {
   with_block(block_, [&](auto size) {
     constexpr std::size_t B = size();
-    parallel_for(worthwhile(threads, values_.size()), coarse_rows(), [&](Index begin, Index end) {
-      for (auto a = at(begin); a < at(end); ++a) {
-        Real sum[B]{};
-        for (auto t = at(transposed_offsets_[a]); t < at(transposed_offsets_[a + 1]); ++t) {
-          const Real* p = &values_[at(transposed_entries_[t]) * B * B];
-          const Real* from = &r[at(transposed_rows_[t]) * B];
-          for (std::size_t k = 0; k < B; ++k) {
-            for (std::size_t c = 0; c < B; ++c) sum[c] += p[k * B + c] * from[k];
+    constexpr Index coarse_block = 256;  // there are few of these rows, and each takes long
+    parallel_for(
+        worthwhile(threads, values_.size()), coarse_rows(),
+        [&](Index begin, Index end) {
+          for (auto a = at(begin); a < at(end); ++a) {
+            Real sum[B]{};
+            for (auto t = at(transposed_offsets_[a]); t < at(transposed_offsets_[a + 1]); ++t) {
+              const Real* p = &values_[at(transposed_entries_[t]) * B * B];
+              const Real* from = &r[at(transposed_rows_[t]) * B];
+              for (std::size_t k = 0; k < B; ++k) {
+                for (std::size_t c = 0; c < B; ++c) sum[c] += p[k * B + c] * from[k];
+              }
+            }
+            std::copy_n(sum, B, &coarse[a * B]);
           }
-        }
-        std::copy_n(sum, B, &coarse[a * B]);
-      }
-    });
+        },
+        coarse_block);
   });
 }
 

@@ -4,10 +4,10 @@
 
 namespace winslow {
 
-/// Threads for a loop over about so many numbers, out of those that may be used: starting threads
-/// takes as long as half a million multiplications. No result depends on it (see parallel_for).
+/// Threads for a loop over about so many numbers, out of those that may be used: waking threads
+/// takes as long as thirty thousand multiplications. No result depends on it (see parallel_for).
 inline int worthwhile(int threads, std::size_t numbers) {
-  constexpr std::size_t least = 500'000;
+  constexpr std::size_t least = 30'000;
   return numbers < least ? 1 : threads;
 }
 

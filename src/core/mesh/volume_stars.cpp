@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/mesh/node_stars.h"
+#include "core/parallel/parallel_for.h"
 
 namespace winslow {
 
@@ -60,29 +61,40 @@ void check_boundary_edges(const MeshData& data, const FacePairs& pairs) {
   }
 }
 
+/// What the nodes' links consist of.
+struct LinkFaces {
+  LinkFaces(const MeshData& data, const FacePairs& pairs)
+      : count(at(data.node_count()), 0), boundary(at(data.node_count()), false) {
+    for (Index f = 0; f < pairs.face_count(); ++f) {
+      for (const Index node : first_face(data, pairs, f)) {
+        ++count[at(node)];
+        if (pairs.elements[at(f)][1] < 0) boundary[at(node)] = true;
+      }
+    }
+  }
+
+  std::vector<Index> count;  // #nodes: faces at the node
+  std::vector<bool> boundary;
+};
+
 /// The link of a node (its star's outer surface) is a sphere, or on the boundary a disc, exactly if
 /// it is connected and its Euler characteristic is 2, or 1.
 class LinkCheck {
  public:
-  LinkCheck(const MeshData& data, const FacePairs& pairs, const NodeStars& stars)
-      : data_(data), pairs_(pairs), stars_(stars) {
-    reached_.assign(at(data.element_count()), -1);
-    faces_.assign(at(data.node_count()), 0);
-    boundary_.assign(at(data.node_count()), false);
-    for (Index f = 0; f < pairs.face_count(); ++f) {
-      for (const Index node : first_face(data, pairs, f)) {
-        ++faces_[at(node)];
-        if (pairs.elements[at(f)][1] < 0) boundary_[at(node)] = true;
-      }
-    }
-  }
+  LinkCheck(const MeshData& data, const FacePairs& pairs, const NodeStars& stars,
+            const LinkFaces& faces)
+      : data_(data),
+        pairs_(pairs),
+        stars_(stars),
+        faces_(faces),
+        reached_(at(data.element_count()), -1) {}
 
   void check(Index node) {
     const auto star = static_cast<Index>(stars_.elements[node].size());
     if (star == 0) return;
     const auto edges = static_cast<Index>(stars_.neighbours[node].size());
-    const Index characteristic = edges - faces_[at(node)] + star;
-    if (connected(node) == star && characteristic == (boundary_[at(node)] ? 1 : 2)) return;
+    const Index characteristic = edges - faces_.count[at(node)] + star;
+    if (connected(node) == star && characteristic == (faces_.boundary[at(node)] ? 1 : 2)) return;
     throw MeshError(MeshEntity::node, node,
                     "node " + std::to_string(node) +
                         " joins parts of the mesh, or of its boundary, that meet in this node only "
@@ -114,9 +126,8 @@ class LinkCheck {
   const MeshData& data_;
   const FacePairs& pairs_;
   const NodeStars& stars_;
+  const LinkFaces& faces_;
   std::vector<Index> reached_;  // #elements: the node from which it was reached last
-  std::vector<Index> faces_;    // #nodes: faces at the node
-  std::vector<bool> boundary_;
   std::vector<Index> todo_;
 };
 
@@ -144,8 +155,15 @@ NodeStars volume_stars(const std::vector<ElementType>& types, const CompressedRo
 
 void check_volume_manifold(const MeshData& data, const FacePairs& pairs, const NodeStars& stars) {
   check_boundary_edges(data, pairs);
-  LinkCheck check(data, pairs, stars);
-  for (Index node = 0; node < data.node_count(); ++node) check.check(node);
+  const LinkFaces faces(data, pairs);
+  // Each block has a list of all elements: few blocks.
+  constexpr Index most_blocks = 16;
+  const Index block = std::max(parallel_block, data.node_count() / most_blocks + 1);
+  const auto check_nodes = [&](Index begin, Index end) {
+    LinkCheck check(data, pairs, stars, faces);
+    for (Index node = begin; node < end; ++node) check.check(node);
+  };
+  parallel_for(0, data.node_count(), check_nodes, block);
 }
 
 }  // namespace winslow

@@ -123,31 +123,48 @@ double EnergyNewton::solve_for_direction(const Coordinates& x) {
   return dot(residual_, direction_);
 }
 
+EnergyNewton::Trial EnergyNewton::attempt(const Coordinates& x, double t) const {
+  Trial trial{x, t, 0, 0};
+  trial.move = problem_->advance(direction_, t, trial.x);
+  trial.energy = problem_->energy(trial.x);
+  return trial;
+}
+
+/// Where the projected Hessian has taken the full step, a longer one if it leads further down: what
+/// is left out of the Hessian is negative curvature, and the model is the stiffer for it, by a
+/// third in the first steps on a mesh of a generator.
+void EnergyNewton::lengthen(const Coordinates& x, double slope, Trial& trial) const {
+  constexpr double worthwhile = 1.2, longest = 2;
+  const double t = std::min(longest, longer_step(slope, trial.energy - energy_));
+  if (exact_ || trial.t != 1 || !(t > worthwhile)) return;
+  Trial longer = attempt(x, first_valid_step(*problem_, direction_, t, x));
+  if (longer.t > 1 && longer.energy < trial.energy) trial = std::move(longer);
+}
+
 bool EnergyNewton::search(Coordinates& x, double slope) {
   constexpr double armijo = 1e-4;
   constexpr double flat = 1e-11;  // relative change of the energy that round-off can make
   constexpr int most_trials = 30;
   double t = first_valid_step(*problem_, direction_, 1, x);
-  for (int trial = 0; trial < most_trials; ++trial) {
-    Coordinates candidate = x;
-    const double move = problem_->advance(direction_, t, candidate);
-    const double energy = problem_->energy(candidate);
-    bool good = energy <= energy_ - armijo * t * slope;
-    if (!good && std::abs(energy - energy_) <= flat * energy_) {
-      good = problem_->residual(candidate, {}).max < record_.residual;
+  for (int i = 0; i < most_trials; ++i) {
+    Trial trial = attempt(x, t);
+    lengthen(x, slope, trial);
+    bool good = trial.energy <= energy_ - armijo * trial.t * slope;
+    if (!good && std::abs(trial.energy - energy_) <= flat * energy_) {
+      good = problem_->residual(trial.x, {}).max < record_.residual;
     }
     // The energy is a barrier at the corners of elements only: the Jacobian of a hexahedron can
     // change its sign inside before.
-    const Validity validity = good ? problem_->validity(candidate) : Validity{};
+    const Validity validity = good ? problem_->validity(trial.x) : Validity{};
     if (good && (validity.inverted == 0 || record_.inverted > 0)) {
-      x = std::move(candidate);
+      x = std::move(trial.x);
       validity_ = validity;
-      energy_ = energy;
-      record_.damping = t;
-      record_.largest_move = move;
+      energy_ = trial.energy;
+      record_.damping = trial.t;
+      record_.largest_move = trial.move;
       return true;
     }
-    t = shorter_step(t, slope, energy - energy_ + t * slope);
+    t = shorter_step(t, slope, trial.energy - energy_ + t * slope);
   }
   return false;
 }

@@ -58,6 +58,15 @@ class EnergyNewton final : public SteadySolver {
   bool try_matrix(bool keep);
   void factorise_projected(const Coordinates& x);
   double solve_for_direction(const Coordinates& x);
+  /// A mesh that the line search looks at.
+  struct Trial {
+    Coordinates x;
+    double t;     // share of the direction
+    double move;  // longest of a node
+    double energy;
+  };
+  Trial attempt(const Coordinates& x, double t) const;
+  void lengthen(const Coordinates& x, double slope, Trial& trial) const;
   bool search(Coordinates& x, double slope);
   void assess(const Coordinates& x);
 

@@ -18,4 +18,9 @@ double shorter_step(double t, double slope, double rise) {
   return std::clamp(shorter, 0.1 * t, 0.5 * t);
 }
 
+double longer_step(double slope, double change) {
+  const double curvature = change + slope;  // half of it
+  return curvature > 0 ? slope / (2 * curvature) : 1;
+}
+
 }  // namespace winslow

@@ -15,4 +15,8 @@ double first_valid_step(const SmoothingProblem& problem, std::span<const double>
 /// and lies `rise` above that line at t, but between 0.1 t and 0.5 t.
 double shorter_step(double t, double slope, double rise);
 
+/// Where the parabola that falls by `slope` per unit at 0 and changes by `change` up to 1 has its
+/// minimum; 1 if it has none.
+double longer_step(double slope, double change);
+
 }  // namespace winslow

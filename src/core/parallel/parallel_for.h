@@ -1,19 +1,20 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
-#include <system_error>
 #include <thread>
 #include <vector>
 
+#include "core/parallel/thread_pool.h"
 #include "core/types.h"
 
 namespace winslow {
 
 /// Number of threads to use for a request: 0 means all cores.
 inline int thread_count(int requested) {
-  if (requested > 0) return requested;
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  static const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return requested > 0 ? requested : cores;
 }
 
 /// Calls body(begin, end) on blocks that cover [0, n), on several threads if n is worth it. Blocks
@@ -21,42 +22,38 @@ inline int thread_count(int requested) {
 /// (and sums the blocks in order afterwards) gives the same bits at any thread count.
 inline constexpr Index parallel_block = 4096;
 
-/// block: size of the blocks, smaller for a body that takes long over each of them.
+/// block: size of the blocks, smaller for a body that takes long over each of them. Of what bodies
+/// throw, the exception of the first block comes out, when all have ended.
 template <typename Body>
 void parallel_for(int threads, Index n, Body&& body, Index block = parallel_block) {
   const Index blocks = (n + block - 1) / block;
-  const auto run = [&](Index first_block, Index stride) {
-    for (Index b = first_block; b < blocks; b += stride) {
-      body(b * block, std::min(n, (b + 1) * block));
-    }
-  };
   const Index workers = std::min<Index>(thread_count(threads), blocks);
   if (workers <= 1) {
-    run(0, 1);
+    for (Index b = 0; b < blocks; ++b) body(b * block, std::min(n, (b + 1) * block));
     return;
   }
-  std::vector<std::exception_ptr> errors(static_cast<std::size_t>(workers));
-  const auto work = [&](Index w) {
+  struct Failure {
+    Index block;
+    std::exception_ptr error;
+  };
+  std::vector<Failure> failures(static_cast<std::size_t>(workers));
+  std::atomic<Index> next = 0;
+  const auto work = [&](Index worker) {
+    Index b = 0;
     try {
-      run(w, workers);
+      while ((b = next.fetch_add(1, std::memory_order_relaxed)) < blocks) {
+        body(b * block, std::min(n, (b + 1) * block));
+      }
     } catch (...) {
-      errors[static_cast<std::size_t>(w)] = std::current_exception();
+      failures[static_cast<std::size_t>(worker)] = {b, std::current_exception()};
     }
   };
-  {
-    std::vector<std::jthread> pool;
-    pool.reserve(static_cast<std::size_t>(workers));
-    for (Index w = 0; w < workers; ++w) {
-      try {
-        pool.emplace_back(work, w);
-      } catch (const std::system_error&) {
-        work(w);  // no memory for another thread: the same work here
-      }
-    }
+  run_on_threads(workers, work);
+  const Failure* first = nullptr;
+  for (const Failure& failure : failures) {
+    if (failure.error && (!first || failure.block < first->block)) first = &failure;
   }
-  for (const auto& error : errors) {
-    if (error) std::rethrow_exception(error);
-  }
+  if (first) std::rethrow_exception(first->error);
 }
 
 }  // namespace winslow

@@ -5,6 +5,8 @@
 #include <atomic>
 #include <mutex>
 #include <stdexcept>
+#include <string>
+#include <thread>
 
 using namespace winslow;
 
@@ -46,6 +48,35 @@ TEST_CASE("an exception on any thread comes out, after all have ended") {
                          std::runtime_error);
     CHECK(running == 0);
   }
+}
+
+TEST_CASE("of several exceptions that of the first block comes out") {
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    const auto body = [](Index begin, Index) {
+      if (begin >= 3) throw std::runtime_error("block " + std::to_string(begin));
+    };
+    CHECK_THROWS_WITH_AS(parallel_for(4, 50, body, 1), "block 3", std::runtime_error);
+  }
+}
+
+TEST_CASE("loops within loops, and loops of several threads at once, do all of their work") {
+  constexpr Index outer = 40, inner = 50, callers = 4;
+  std::atomic<Index> sum = 0;
+  const auto call = [&] {
+    parallel_for(
+        3, outer,
+        [&](Index i, Index) {
+          parallel_for(
+              2, inner, [&](Index k, Index) { sum += i * inner + k; }, 1);
+        },
+        1);
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (Index k = 0; k < callers; ++k) threads.emplace_back(call);
+  }
+  constexpr Index n = outer * inner;
+  CHECK(sum == callers * (n * (n - 1) / 2));
 }
 
 TEST_CASE("no request means all cores, never none") {

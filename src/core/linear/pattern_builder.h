@@ -1,0 +1,55 @@
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "core/linear/sparse_system.h"
+#include "core/parallel/parallel_for.h"
+
+namespace winslow {
+
+/// A pattern of so many rows, worked out `block` rows at a time on several threads. begin_block()
+/// is called for each block of rows; what it returns is called as list(row, columns) for those in
+/// it, ascending, and fills the empty `columns` with the columns of the row, in any order, once
+/// each, the row itself among them.
+template <typename BeginBlock>
+std::shared_ptr<SparsityPattern> build_pattern(Index rows, Index block, int threads,
+                                               const BeginBlock& begin_block) {
+  const auto blocks = at((rows + block - 1) / block);
+  std::vector<SparsityPattern> parts(blocks);
+  parallel_for(
+      threads, rows,
+      [&](Index begin, Index end) {
+        SparsityPattern& part = parts[at(begin / block)];
+        auto list = begin_block();
+        std::vector<Index> columns;
+        for (Index row = begin; row < end; ++row) {
+          columns.clear();
+          list(row, columns);
+          std::sort(columns.begin(), columns.end());
+          const auto own = std::lower_bound(columns.begin(), columns.end(), row);
+          part.diagonal.push_back(part.offsets.back() + static_cast<Index>(own - columns.begin()));
+          part.columns.insert(part.columns.end(), columns.begin(), columns.end());
+          part.offsets.push_back(static_cast<Index>(part.columns.size()));
+        }
+      },
+      block);
+  auto pattern = std::make_shared<SparsityPattern>();
+  std::size_t entries = 0;
+  for (const SparsityPattern& part : parts) entries += part.columns.size();
+  pattern->columns.reserve(entries);
+  pattern->offsets.reserve(at(rows) + 1);
+  pattern->diagonal.reserve(at(rows));
+  for (const SparsityPattern& part : parts) {
+    const Index before = pattern->offsets.back();
+    pattern->columns.insert(pattern->columns.end(), part.columns.begin(), part.columns.end());
+    for (std::size_t i = 0; i < part.diagonal.size(); ++i) {
+      pattern->diagonal.push_back(before + part.diagonal[i]);
+      pattern->offsets.push_back(before + part.offsets[i + 1]);
+    }
+  }
+  return pattern;
+}
+
+}  // namespace winslow
