@@ -17,6 +17,8 @@ namespace winslow {
 namespace {
 
 constexpr double inverted = std::numeric_limits<double>::quiet_NaN();
+constexpr double unknown = -1;           // a stretch is not negative
+constexpr double stretched_from = 0.45;  // median of s from which simplices keep shares
 
 double rising_step(double value, double low, double high) {
   const double t = std::clamp((value - low) / (high - low), 0.0, 1.0);
@@ -31,12 +33,6 @@ bool is_inverted(std::span<const Index> nodes, const PlanePoints& x) {
     if (!(to_b.x() * to_c.y() - to_b.y() * to_c.x() > 0)) return true;
   }
   return false;
-}
-
-bool has_any(std::span<const Index> nodes, std::span<const Index> of_these) {
-  return std::ranges::any_of(of_these, [&](Index node) {
-    return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
-  });
 }
 
 /// s of StretchField; NaN of an inverted element.
@@ -66,10 +62,46 @@ double stretch_of(ElementType type, std::span<const Index> nodes, const SpacePoi
   return 0.5 * sum / static_cast<double>(corners.size());
 }
 
+/// Finds the stretch around elements, one after the other.
+class Neighbourhood {
+ public:
+  Neighbourhood(const Topology& topology, const std::vector<double>& stretch)
+      : topology_(topology), stretch_(stretch), seen_from_(stretch.size(), -1) {}
+
+  /// Median of the stretch of the elements of this type around, the element itself included; NaN if
+  /// one of those around, of whatever type, is inverted; `unknown` where it is no more than
+  /// `least`, which is found out sooner.
+  double median(Index e, double least = -1) {
+    found_.clear();
+    std::size_t above = 0;
+    for (const Index node : topology_.element(e)) {
+      for (const Index other : topology_.star(node)) {
+        if (std::exchange(seen_from_[at(other)], e) == e) continue;
+        if (std::isnan(stretch_[at(other)])) return inverted;
+        if (topology_.element_type(other) != topology_.element_type(e)) continue;
+        found_.push_back(stretch_[at(other)]);
+        above += found_.back() > least ? 1 : 0;
+      }
+    }
+    if (2 * above < found_.size()) return unknown;
+    const auto middle = found_.begin() + static_cast<std::ptrdiff_t>((found_.size() - 1) / 2);
+    std::nth_element(found_.begin(), middle, found_.end());
+    return *middle;
+  }
+
+ private:
+  const Topology& topology_;
+  const std::vector<double>& stretch_;
+  std::vector<Index> seen_from_;  // #elements: the element around which it was met last
+  std::vector<double> found_;
+};
+
 class Field {
  public:
   Field(const Topology& topology, const Coordinates& given, int threads)
       : topology_(topology), threads_(threads), stretch_(at(topology.element_count())) {
+    for (Index e = 1; e < topology.element_count(); ++e)
+      is_of_one_type_ &= topology.element_type(e) == topology.element_type(0);
     if (topology.cell_dimension() == 3) {
       const SpacePoints x(given);
       for_each_element([&](Index e) {
@@ -88,20 +120,16 @@ class Field {
     field.weight.assign(stretch_.size(), 1.0);
     if (tangled()) return field;
     std::vector<double>& around = field.longest;
-    for_each_element([&](Index e) {
-      around[at(e)] = stretch_around(e);
+    const std::vector<Index> stretched_at = count_stretched();
+    for_each_neighbourhood([&](Index e, Neighbourhood& near) {
+      around[at(e)] = may_be_stretched(e, stretched_at)
+                          ? near.median(e, is_simplex(e) ? stretched_from : -1)
+                          : unknown;
       field.share[at(e)] = share_by_neighbours(e, around[at(e)]);
     });
     constexpr int rows = 3;
     for (int row = 0; row < rows; ++row) spread(field.share);
-    for_each_element([&](Index e) {
-      if (std::isnan(around[at(e)])) {
-        field.share[at(e)] = field.longest[at(e)] = 0;
-        return;
-      }
-      hold_wall(e, field);
-      field.longest[at(e)] = around[at(e)] + tolerance(e, around[at(e)]);
-    });
+    for_each_neighbourhood([&](Index e, Neighbourhood& near) { finish(e, near, field); });
     field.stretched = stretched_part(field.share);
     return field;
   }
@@ -112,6 +140,19 @@ class Field {
     parallel_for(threads_, topology_.element_count(), [&](Index begin, Index end) {
       for (Index e = begin; e < end; ++e) visit(e);
     });
+  }
+
+  /// The same with what finds the stretch around an element, which is as large as the mesh: for few
+  /// blocks of elements.
+  template <class Visit>
+  void for_each_neighbourhood(Visit&& visit) const {
+    constexpr Index most_blocks = 16;
+    const auto run = [&](Index begin, Index end) {
+      Neighbourhood near(topology_, stretch_);
+      for (Index e = begin; e < end; ++e) visit(e, near);
+    };
+    const Index n = topology_.element_count();
+    parallel_for(threads_, n, run, std::max(parallel_block, n / most_blocks + 1));
   }
 
   bool is_triangle(Index e) const { return topology_.element_type(e) == ElementType::triangle; }
@@ -128,7 +169,44 @@ class Field {
 
   double share_by_neighbours(Index e, double around) const {
     if (std::isnan(around)) return 0;
-    return is_simplex(e) ? rising_step(around, 0.45, 0.8) : 1;
+    return is_simplex(e) ? rising_step(around, stretched_from, 0.8) : 1;
+  }
+
+  /// #nodes: how many of the elements there are stretched enough to count, or inverted.
+  std::vector<Index> count_stretched() const {
+    std::vector<Index> count(at(topology_.node_count()), 0);
+    for (Index e = 0; e < topology_.element_count(); ++e) {
+      if (stretch_[at(e)] <= stretched_from) continue;
+      for (const Index node : topology_.element(e)) ++count[at(node)];
+    }
+    return count;
+  }
+
+  /// False only if the median around is surely too small to count: to find it takes long, and few
+  /// elements of most meshes need it. stretched_at: see count_stretched.
+  bool may_be_stretched(Index e, std::span<const Index> stretched_at) const {
+    if (!is_simplex(e)) return true;
+    Index most = 0, around = 1;  // bounds of the stretched elements around and of all of them
+    for (const Index node : topology_.element(e)) {
+      most += stretched_at[at(node)];
+      if (is_of_one_type_)
+        around = std::max(around, static_cast<Index>(topology_.star(node).size()));
+    }
+    return 2 * most >= around;
+  }
+
+  /// From the shares as spread and the stretch around, which field.longest holds.
+  void finish(Index e, Neighbourhood& near, StretchField& field) const {
+    double& share = field.share[at(e)];
+    double& longest = field.longest[at(e)];
+    hold_wall(e, field);
+    if (share > 0 && longest == unknown) longest = near.median(e);
+    if (std::isnan(longest)) {
+      share = longest = 0;
+      field.weight[at(e)] = 1;
+    } else {
+      longest = longest == unknown ? 0 : longest + tolerance(e, longest);
+    }
   }
 
   /// Of the corners of stretched quadrilaterals some are sharp by the shape of the boundary, as at
@@ -159,25 +237,6 @@ class Field {
     return share.empty() ? 0 : static_cast<double>(count) / static_cast<double>(share.size());
   }
 
-  /// Median of the stretch of the elements of this type around, the element itself included; NaN if
-  /// one of those around, of whatever type, is inverted.
-  double stretch_around(Index e) const {
-    std::vector<double> found;
-    const auto nodes = topology_.element(e);
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-      for (const Index other : topology_.star(nodes[k])) {
-        if (std::isnan(stretch_[at(other)])) return inverted;
-        // An element that shares several nodes is found at the first of them.
-        if (topology_.element_type(other) == topology_.element_type(e) &&
-            !has_any(topology_.element(other), nodes.first(k)))
-          found.push_back(stretch_[at(other)]);
-      }
-    }
-    const auto middle = found.begin() + static_cast<std::ptrdiff_t>((found.size() - 1) / 2);
-    std::nth_element(found.begin(), middle, found.end());
-    return *middle;
-  }
-
   /// One more row: each share rises to the mean of the shares around, or stays.
   void spread(std::vector<double>& share) const {
     std::vector<double> at_node(at(topology_.node_count()), 0.0);
@@ -199,6 +258,7 @@ class Field {
 
   const Topology& topology_;
   int threads_;
+  bool is_of_one_type_ = true;
   std::vector<double> stretch_;  // #elements
 };
 

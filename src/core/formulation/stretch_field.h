@@ -37,9 +37,10 @@ namespace winslow {
 /// inverted element a shape says nothing: the share is 0 there, and everywhere if more than one
 /// element in twenty is inverted.
 struct StretchField {
-  std::vector<double> share;    ///< #elements, 0 (regular) to 1 (its own shape)
-  std::vector<double> longest;  ///< #elements: largest stretch that a target may have
-  std::vector<double> weight;   ///< #elements: how much more than others it counts
+  std::vector<double> share;  ///< #elements, 0 (regular) to 1 (its own shape)
+  std::vector<double>
+      longest;  ///< #elements: largest stretch that a target may have, where share is not 0
+  std::vector<double> weight;  ///< #elements: how much more than others it counts
   /// Part of all elements (0 to 1) that are twice as long as wide, or more, and keep most of it.
   double stretched = 0;
 };

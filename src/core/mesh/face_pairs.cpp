@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/error.h"
+#include "core/parallel/parallel_for.h"
 
 namespace winslow {
 
@@ -68,10 +69,12 @@ struct SortedSides {
     for_each_side<N>(
         data, [&](Index low, const Side<N>& side) { sides[at(begin[at(low) + 1]++)] = side; });
     begin.pop_back();
-    for (Index node = 0; node < data.node_count(); ++node) {
-      const auto own = at_node(node);
-      std::sort(own.begin(), own.end());
-    }
+    parallel_for(0, data.node_count(), [&](Index first, Index last) {
+      for (Index node = first; node < last; ++node) {
+        const auto own = at_node(node);
+        std::sort(own.begin(), own.end());
+      }
+    });
   }
 
   std::span<Side<N>> at_node(Index node) {

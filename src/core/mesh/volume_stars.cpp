@@ -26,13 +26,20 @@ CompressedRows rows_of(Index node_count, const Each& each) {
 
 /// Sorts rows, and drops values that a row has more than once.
 CompressedRows sorted_unique(CompressedRows rows) {
+  std::vector<Index> counts(at(rows.rows()));
+  parallel_for(0, rows.rows(), [&](Index first, Index last) {
+    for (Index i = first; i < last; ++i) {
+      const auto begin = rows.values.begin() + rows.offsets[at(i)];
+      const auto end = rows.values.begin() + rows.offsets[at(i) + 1];
+      std::sort(begin, end);
+      counts[at(i)] = static_cast<Index>(std::unique(begin, end) - begin);
+    }
+  });
   CompressedRows out;
   out.offsets.reserve(rows.offsets.size());
   for (Index i = 0; i < rows.rows(); ++i) {
     const auto begin = rows.values.begin() + rows.offsets[at(i)];
-    const auto end = rows.values.begin() + rows.offsets[at(i) + 1];
-    std::sort(begin, end);
-    out.values.insert(out.values.end(), begin, std::unique(begin, end));
+    out.values.insert(out.values.end(), begin, begin + counts[at(i)]);
     out.end_row();
   }
   out.values.shrink_to_fit();
