@@ -17,10 +17,19 @@ constexpr double softest = 0.1;
 EnergyUntangler::EnergyUntangler(std::shared_ptr<const UntanglingProblem> problem,
                                  LinearSolver& linear, double linear_tolerance,
                                  const Coordinates* reference, Interior interior)
-    : problem_(std::move(problem)), linear_(linear), reference_(reference), interior_(interior) {
-  // What is left of a looser residual may be larger than the triangles at a small body.
-  constexpr double loosest = 1e-6;
-  linear_.set_tolerance(std::min(linear_tolerance, loosest));
+    : problem_(std::move(problem)),
+      linear_(linear),
+      linear_tolerance_(linear_tolerance),
+      reference_(reference),
+      interior_(interior) {}
+
+/// Relative residual to which the next system is solved.
+double EnergyUntangler::forcing() const {
+  // In the plane what is left of a looser residual may be larger than the triangles at a small
+  // body. In space it takes as many steps either way, each of them half the time; but the harmonic
+  // step comes first and alone.
+  const double loosest = hessian_.block == 3 && !harmonic_step() ? 1e-3 : 1e-6;
+  return std::min(linear_tolerance_, loosest);
 }
 
 /// Once and for all: sizes measured anew as the mesh changes would let nodes that draw together go
@@ -76,6 +85,7 @@ IterationRecord EnergyUntangler::step(Coordinates& x) {
   std::vector<double> residual(problem_->unknowns()), direction(residual.size(), 0.0);
   record_.residual =
       problem_->linearise_regularised(x, regularisation_, hessian_, residual).norms.max;
+  linear_.set_tolerance(forcing());
   record_.linear_iterations = solve_shifted(linear_, hessian_, residual, direction).iterations;
   ++linear_solves_;
   double slope = 0;

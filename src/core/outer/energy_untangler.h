@@ -37,6 +37,7 @@ class EnergyUntangler final : public OuterSolver {
   int linear_solves() const override { return linear_solves_; }
 
  private:
+  double forcing() const;
   void measure_sizes(const Coordinates& x);
   /// The present step, or the first one to come, is the one to the harmonic interior.
   bool harmonic_step() const { return interior_ == Interior::harmonic && record_.iteration <= 1; }
@@ -45,6 +46,7 @@ class EnergyUntangler final : public OuterSolver {
 
   std::shared_ptr<const UntanglingProblem> problem_;
   LinearSolver& linear_;
+  double linear_tolerance_;
   IterationRecord record_;
   const Coordinates* reference_;
   Interior interior_;
