@@ -19,6 +19,14 @@ inline Eigen::Matrix3d volume_metric(const Edges3& edges) {
   return inverse / std::cbrt(inverse.determinant());
 }
 
+/// Whether a corner is right-handed and not so flat that its metric is all round-off: of a flatter
+/// one the shape says nothing. That of a tetrahedron 10 million times as long as high.
+inline bool has_metric(const Edges3& edges) {
+  constexpr double flattest = 1e-7;
+  const double lengths = edges.col(0).norm() * edges.col(1).norm() * edges.col(2).norm();
+  return edges.determinant() > flattest * lengths;
+}
+
 /// A sum of metrics, scaled back to determinant 1.
 inline Eigen::Matrix3d normalized_metric(const Eigen::Matrix3d& sum) {
   return sum / std::cbrt(sum.determinant());
