@@ -23,7 +23,9 @@ TEST_CASE("CGNS: meshes of other formats come back in order and to the last bit"
     const io::MeshFile file = io::read_mesh(folder / "a.cgns");
     Comparison what;
     what.tags = false;
-    CHECK(file.warnings == warnings);
+    REQUIRE(file.warnings.size() == warnings.size());
+    for (std::size_t k = 0; k < warnings.size(); ++k)
+      CHECK(file.warnings[k].ends_with(warnings[k]));
     const auto& regions = mesh.topology->regions();
     what.regions = regions.empty();
     check_same_mesh(file.mesh, mesh, what);
