@@ -103,7 +103,8 @@ std::string draw_frames(const RenderFlags& flags, const std::vector<Mesh>& meshe
     gui::use_scale(options.colors,
                    gui::picture_scale(change ? meshes.back() : meshes.front(), options));
   }
-  return record(flags, meshes, [&](const Mesh& mesh) { return gui::draw_picture(mesh, options); });
+  return record_frames(flags, meshes,
+                       [&](const Mesh& mesh) { return gui::draw_picture(mesh, options); });
 }
 
 #else

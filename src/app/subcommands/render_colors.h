@@ -25,8 +25,8 @@ inline gui::ColorChoice color_choice(const RenderFlags& flags) {
 
 /// Writes frames of the meshes, one after the other, into flags.frames; returns what to tell the
 /// user. Throws OutputError, and what `draw` throws.
-inline std::string record(const RenderFlags& flags, const std::vector<Mesh>& meshes,
-                          const std::function<gui::Image(const Mesh&)>& draw) {
+inline std::string record_frames(const RenderFlags& flags, const std::vector<Mesh>& meshes,
+                                 const std::function<gui::Image(const Mesh&)>& draw) {
   gui::Recorder recorder;
   gui::RecordingSpec spec;
   spec.rate = flags.rate;

@@ -213,8 +213,8 @@ std::string draw_volume_frames(const RenderFlags& flags, const std::vector<Mesh>
   std::vector<const Mesh*> all;
   for (const Mesh& mesh : meshes) all.push_back(&mesh);
   const gui::VolumePictureOptions options = alike_options(flags, all);
-  return record(flags, meshes,
-                [&](const Mesh& mesh) { return gui::draw_volume_picture(mesh, options); });
+  return record_frames(flags, meshes,
+                       [&](const Mesh& mesh) { return gui::draw_volume_picture(mesh, options); });
 }
 #else
 void draw_volumes(const RenderFlags& flags, const Mesh&, const Mesh& after) {
