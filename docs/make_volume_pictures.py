@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Makes the pictures of volume meshes in three-dimensions.md: make_volume_pictures.py WINSLOW
+"""Makes the pictures of volume meshes in README.md and three-dimensions.md: make_volume_pictures.py WINSLOW
 
-Meshes come from Gmsh, on the spot. Needs no display.
+Meshes are bundled or come from Gmsh, on the spot. Needs no display.
 """
 import subprocess
 import sys
@@ -62,16 +62,46 @@ FIGURES = [
 ]
 
 
-def run(*command):
+ASSETS = Path(__file__).resolve().parent.parent / "assets" / "coarse"
+
+# Of bundled meshes, for README.md: name of the picture, mesh, motion, options of render, and whether
+# the mesh whose boundary alone has moved stands beside it.
+BUNDLED = [
+    ("moved", "cube.su2.gz",
+     ["--marker", "cube", "--rotate", 60, "--axis", 0, 1, 0, "--translate", 1, 0, 0.5],
+     ["--centre", 0.6, 0, 0.2, "--half-width", 3], True),
+    ("flap", "wing.su2.gz",
+     ["--marker", "flap", "--rotate", -25, "--axis", 0.2555, 0.038, 1.5,
+      "--pivot", 0.888, -0.076, 0],
+     ["--up", "y", "--cut", 0, 0, 0.5, 0, 0, 1, "--azimuth", 35, "--elevation", 20,
+      "--centre", 0.55, 0, 0.35, "--half-width", 0.75], False),
+]
+INVERTED = 4  # exit status
+
+
+def run(*command, expect=0):
     done = subprocess.run([str(c) for c in command], capture_output=True, text=True, check=False)
-    if done.returncode != 0:
+    if done.returncode != expect:
         sys.exit(done.stdout + done.stderr)
+
+
+def draw_bundled(winslow, folder):
+    for name, mesh, motion, options, beside in BUNDLED:
+        moved, tangled = folder / "moved.su2", folder / "tangled.su2"
+        run(winslow, "move", ASSETS / mesh, "-o", moved, *motion, "--quiet")
+        if beside:
+            run(winslow, "move", ASSETS / mesh, "-o", tangled, *motion, "--no-smooth", "--allow-inverted",
+                "--quiet", expect=INVERTED)
+        before = ["--before", tangled] if beside else []
+        run(winslow, "render", moved, "-o", PICTURES / f"{name}.png", "--size", 520, 390, *options, *before,
+            "--quiet")
 
 
 def main():
     winslow = Path(sys.argv[1]).resolve()
     PICTURES.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
+        draw_bundled(winslow, Path(folder))
         for name, geometry, motion, options in FIGURES:
             source, mesh = Path(folder) / "mesh.geo", Path(folder) / "mesh.su2"
             source.write_text(geometry)

@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <iostream>
 #include <limits>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include "app/job/interrupt.h"
@@ -21,7 +19,6 @@
 #include "io/recipe/recipe.h"
 #ifdef WINSLOW_HAS_GUI
 #include "app/subcommands/render_colors.h"
-#include "gui/picture/capture/recorder.h"
 #include "gui/picture/figure/write_figure.h"
 #include "gui/picture/picture.h"
 #include "gui/render/color_map.h"
@@ -106,19 +103,8 @@ std::string draw_frames(const RenderFlags& flags, const std::vector<Mesh>& meshe
     gui::use_scale(options.colors,
                    gui::picture_scale(change ? meshes.back() : meshes.front(), options));
   }
-  gui::Recorder recorder;
-  gui::RecordingSpec spec;
-  spec.rate = flags.rate;
-  recorder.start(flags.frames, spec);
-  for (const Mesh& mesh : meshes) recorder.add(gui::draw_picture(mesh, options));
-  recorder.stop();
-  for (;;) {
-    if (const auto outcome = recorder.poll()) {
-      if (outcome->kind != gui::Recorder::Outcome::Kind::done) throw OutputError(outcome->text);
-      return outcome->text;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
+  return record_frames(flags, meshes,
+                       [&](const Mesh& mesh) { return gui::draw_picture(mesh, options); });
 }
 
 #else
@@ -185,7 +171,9 @@ class RenderSubcommand : public Subcommand {
       if (flags_.zone == 0) print_warnings(io::zones_left(file.details.get(), flags_.input));
     }
     if (!flags_.frames.empty()) {
-      const std::string said = draw_frames(flags_, frames_of(file.mesh));
+      const std::vector<Mesh> meshes = frames_of(file.mesh);
+      const std::string said =
+          volume ? draw_volume_frames(flags_, meshes) : draw_frames(flags_, meshes);
       if (!flags_.quiet) std::cout << printable(said) << '\n';
     }
     if (flags_.output.empty()) return ExitCode::done;

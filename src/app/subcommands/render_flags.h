@@ -52,5 +52,8 @@ void check_volume_flags(const CLI::App& app, const RenderFlags& flags, const Top
 void draw_volume(const RenderFlags& flags, const Mesh& mesh);
 /// The same of two states side by side, seen alike, in one range of colours.
 void draw_volumes(const RenderFlags& flags, const Mesh& before, const Mesh& after);
+/// The same of the meshes on a recipe's way, as frames in flags.frames; returns what to tell the
+/// user.
+std::string draw_volume_frames(const RenderFlags& flags, const std::vector<Mesh>& meshes);
 
 }  // namespace winslow::app

@@ -19,7 +19,7 @@ namespace {
 
 const std::vector<std::string> axes{"x", "y", "z"};
 
-constexpr std::array plane_only{"--bounds", "--vcv", "--recipe", "--frames"};
+constexpr std::array plane_only{"--bounds", "--vcv"};
 constexpr std::array volume_only{"--cut",         "--no-cut",  "--crinkle",    "--isolate",
                                  "--view",        "--azimuth", "--elevation",  "--perspective",
                                  "--centre",      "--show",    "--half-width", "--hide",
@@ -146,6 +146,22 @@ gui::VolumePictureOptions volume_options(const RenderFlags& flags) {
   return options;
 }
 
+/// For pictures of states of one mesh, in order, that are to be compared: the cuts are those of the
+/// last, the range of colours spans the first and the last, and all of every one is seen.
+gui::VolumePictureOptions alike_options(const RenderFlags& flags,
+                                        std::span<const Mesh* const> states) {
+  gui::VolumePictureOptions options = volume_options(flags);
+  const Mesh &first = *states.front(), &last = *states.back();
+  if (!options.cuts && !options.isolate) options.cuts = gui::cuts_of_picture(last, options);
+  Box<3> all = Box<3>::empty();
+  for (const Mesh* state : states) all.add(gui::volume_picture_extent(*state, options));
+  options.extent = all;
+  if (options.color && !options.colors.range)
+    gui::use_scale(options.colors, gui::joined(gui::volume_picture_scale(first, options),
+                                               gui::volume_picture_scale(last, options)));
+  return options;
+}
+
 #endif
 
 }  // namespace
@@ -186,22 +202,27 @@ void draw_volume(const RenderFlags& flags, const Mesh& mesh) {
 }
 
 void draw_volumes(const RenderFlags& flags, const Mesh& before, const Mesh& after) {
-  gui::VolumePictureOptions options = volume_options(flags);
-  if (!options.cuts && !options.isolate) options.cuts = gui::cuts_of_picture(after, options);
-  Box<3> both = space_bounds(before);
-  both.add(space_bounds(after));
-  options.extent = both;
-  if (options.color && !options.colors.range)
-    gui::use_scale(options.colors, gui::joined(gui::volume_picture_scale(before, options),
-                                               gui::volume_picture_scale(after, options)));
+  gui::VolumePictureOptions options = alike_options(flags, std::array{&before, &after});
   write_both(flags, [&](const std::string& title, bool first) {
     options.title = title;
     return gui::draw_volume_picture(first ? before : after, options);
   });
 }
+
+std::string draw_volume_frames(const RenderFlags& flags, const std::vector<Mesh>& meshes) {
+  std::vector<const Mesh*> all;
+  for (const Mesh& mesh : meshes) all.push_back(&mesh);
+  const gui::VolumePictureOptions options = alike_options(flags, all);
+  return record_frames(flags, meshes,
+                       [&](const Mesh& mesh) { return gui::draw_volume_picture(mesh, options); });
+}
 #else
 void draw_volumes(const RenderFlags& flags, const Mesh&, const Mesh& after) {
   draw_volume(flags, after);
+}
+std::string draw_volume_frames(const RenderFlags& flags, const std::vector<Mesh>& meshes) {
+  draw_volume(flags, meshes.front());
+  return {};
 }
 void draw_volume(const RenderFlags&, const Mesh&) {
   throw Error("this winslow was built without graphics (WINSLOW_BUILD_GUI=OFF): it cannot render");

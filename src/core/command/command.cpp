@@ -111,6 +111,12 @@ void require_dimension(const Command& command, const MeshState& state) {
                               std::holds_alternative<ScrambleCommand>(command);
   if (!is_volume(state) || !serves_volumes)
     require_plane(*state.mesh.topology, command_name(command));
+  std::visit(
+      [&](const auto& c) {
+        if constexpr (requires { c.how.floor; })
+          c.how.floor.require_dimension(state.mesh.topology->cell_dimension());
+      },
+      command);
   Command copy = command;
   const SmoothOptions* smooth = smooth_options(copy);
   if (!smooth) return;

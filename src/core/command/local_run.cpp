@@ -1,25 +1,37 @@
 #include "core/command/local_run.h"
 
+#include <optional>
 #include <utility>
 
 namespace winslow {
 
 namespace {
 
+/// The third component of a place: what is left out is 0 where the mesh lies, in its frame not.
+void put_height_in_frame(std::optional<double>& z, const LocalFrame& frame) {
+  if (const double up = frame.origin().z(); up != 0) z = z.value_or(0) - up;
+}
+
 void put_in_frame(MoveCommand& command, const LocalFrame& frame) {
-  if (command.motion.pivot) command.motion.pivot = frame.to_local(*command.motion.pivot);
+  RigidMotionRequest& motion = command.motion;
+  if (!motion.pivot) return;
+  motion.pivot = frame.to_local(*motion.pivot);
+  put_height_in_frame(motion.pivot_z, frame);
 }
 
 void put_in_frame(DeformCommand& command, const LocalFrame& frame) {
   auto* table = std::get_if<DisplacementTable>(&command.shape);
   if (table == nullptr) return;
   for (DisplacementEntry& entry : table->entries) {
-    if (!entry.node) entry.position = frame.to_local(entry.position);
+    if (entry.node) continue;
+    entry.position = frame.to_local(entry.position);
+    // One that is missing stays so, to be refused.
+    if (entry.position_z) put_height_in_frame(entry.position_z, frame);
   }
 }
 
 void put_in_frame(LayersCommand& command, const LocalFrame& frame) {
-  const Vec2& origin = frame.origin();
+  const Vec2 origin = frame.origin().head<2>();
   for (LayerWall& wall : command.layers.walls) {
     wall.part.xmin -= origin.x();
     wall.part.xmax -= origin.x();
@@ -35,9 +47,8 @@ void put_in_frame(EditVcvCommand&, const LocalFrame&) {}
 
 /// The places that a result names.
 void put_in_mesh(SmoothResult& result, const LocalFrame& frame) {
-  const auto put = [&](EdgePair& edges) { edges.place = frame.to_mesh(edges.place); };
-  if (result.contact) put(result.contact->edges);
-  if (result.gap) put(result.gap->edges);
+  if (result.contact) put_in_mesh(result.contact->edges, frame);
+  if (result.gap) put_in_mesh(result.gap->edges, frame);
 }
 
 /// Entries that match no node are refused by the places that the user knows.

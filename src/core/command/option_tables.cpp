@@ -17,7 +17,9 @@ OptionTable joined(OptionTable first, OptionTable second) {
 OptionTable option_table(QualityFloor& floor) {
   OptionTable rows;
   for (std::size_t m = 0; m < floor.limits.size(); ++m) {
-    const FieldInfo& info = metric_info(reported_metrics()[m]).field;
+    const Metric metric = limited_metrics()[m];
+    const bool plane = m < reported_metrics(2).size();
+    const FieldInfo& info = metric_info(metric, plane ? 2 : 3).field;
     // On the command line they are given together, as --min-quality METRIC=VALUE.
     rows.push_back({.key = info.name,
                     .value = OptionalRealOption{&floor.limits[m]},

@@ -316,7 +316,8 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
 namespace {
 
 /// The same motion, of points counted from elsewhere.
-RigidMotion with_pivot_at(const Vec2& pivot, RigidMotion motion) {
+template <typename Pose>
+Pose with_pivot_at(const decltype(Pose::pivot)& pivot, Pose motion) {
   motion.pivot = pivot;
   return motion;
 }
@@ -330,16 +331,11 @@ const Mesh& mesh_of(const MeshState& state) {
   return state.mesh;
 }
 
-std::optional<DragSession::Start> in_frame(std::optional<DragSession::Start> start,
-                                           const LocalFrame& frame) {
+template <typename Start>
+std::optional<Start> in_frame(std::optional<Start> start, const LocalFrame& frame) {
   if (!start || !frame.shifts()) return start;
   start->coordinates = frame.to_local(std::move(start->coordinates));
   start->motion = with_pivot_at(frame.to_local(start->motion.pivot), start->motion);
-  return start;
-}
-/// Volume meshes are solved for where they are.
-std::optional<SpaceDragSession::Start> in_frame(std::optional<SpaceDragSession::Start> start,
-                                                const LocalFrame&) {
   return start;
 }
 
@@ -361,21 +357,17 @@ DragSessionIn<D>::DragSessionIn(MeshState state, DragGrip grip, const SmoothOpti
 template <int D>
 DragSessionIn<D>::~DragSessionIn() = default;
 
-template <>
-const DragFrame& DragSession::to(const RigidMotion& motion) {
+template <int D>
+const DragFrameIn<D>& DragSessionIn<D>::to(const Pose& motion) {
   if (!frame_.shifts()) return impl_->to(motion);
-  const RigidMotion local = with_pivot_at(frame_.to_local(motion.pivot), motion);
+  const Pose local = with_pivot_at(frame_.to_local(motion.pivot), motion);
   shown_ = impl_->to(local);
   shown_.coordinates = frame_.to_mesh(std::move(shown_.coordinates), rest_);
   shown_.motion = same_motion(shown_.motion, local)
                       ? motion
                       : with_pivot_at(frame_.to_mesh(shown_.motion.pivot), shown_.motion);
-  if (shown_.contact) shown_.contact->place = frame_.to_mesh(shown_.contact->place);
+  if (shown_.contact) put_in_mesh(*shown_.contact, frame_);
   return shown_;
-}
-template <>
-const SpaceDragFrame& SpaceDragSession::to(const SpaceMotion& motion) {
-  return impl_->to(motion);
 }
 template <int D>
 bool DragSessionIn<D>::ready() const {

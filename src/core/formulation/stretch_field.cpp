@@ -48,7 +48,7 @@ double stretch_of(std::span<const Index> nodes, const PlanePoints& x) {
   return 0.5 * stretch_between(TargetMetric::of_angle(pi / 2), TargetMetric::of(p, q));
 }
 
-/// The same of a volume element.
+/// The same of a volume element; NaN of one that is flat, too.
 double stretch_of(ElementType type, std::span<const Index> nodes, const SpacePoints& x) {
   double sum = 0;
   const auto corners = corner_tetrahedra(type);
@@ -56,7 +56,7 @@ double stretch_of(ElementType type, std::span<const Index> nodes, const SpacePoi
     const auto corner = by_nodes(corners[k], nodes);
     Edges3 edges;
     for (int i = 0; i < 3; ++i) edges.col(i) = x[corner[at(i + 1)]] - x[corner[0]];
-    if (!(edges.determinant() > 0)) return inverted;
+    if (!has_metric(edges)) return inverted;
     sum += stretch_between(regular_metrics(type)[k], volume_metric(edges));
   }
   return 0.5 * sum / static_cast<double>(corners.size());

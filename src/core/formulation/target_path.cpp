@@ -8,14 +8,16 @@ namespace winslow {
 
 namespace {
 
-TargetMetric own_metric(const PlanePoints& x, const std::array<Index, 3>& cell) {
+TargetMetric own_metric(const PlanePoints& x, const std::array<Index, 3>& cell, const ShapeTerm&) {
   return TargetMetric::of(x[cell[1]] - x[cell[0]], x[cell[2]] - x[cell[0]]);
 }
 
-Eigen::Matrix3d own_metric(const SpacePoints& x, const std::array<Index, 4>& cell) {
+/// Of a cell that is as good as flat that at the end of the way.
+Eigen::Matrix3d own_metric(const SpacePoints& x, const std::array<Index, 4>& cell,
+                           const VolumeTerm& end) {
   Edges3 edges;
   for (int k = 0; k < 3; ++k) edges.col(k) = x[cell[at(k + 1)]] - x[cell[0]];
-  return volume_metric(edges);
+  return has_metric(edges) ? volume_metric(edges) : metric_of(end);
 }
 
 ShapeTerm on_the_way(const TargetMetric& own, const ShapeTerm& term, double share) {
@@ -34,7 +36,9 @@ ShapePath<D>::ShapePath(std::shared_ptr<const SimplexWinslow<D>> end, const Coor
     : end_(std::move(end)), threads_(threads) {
   const Points<D> x(from);
   own_.reserve(end_->shapes().cells.size());
-  for (const auto& cell : end_->shapes().cells) own_.push_back(own_metric(x, cell));
+  const CellTargets<D>& shapes = end_->shapes();
+  for (std::size_t t = 0; t < shapes.cells.size(); ++t)
+    own_.push_back(own_metric(x, shapes.cells[t], shapes.terms[at(shapes.offsets[t])]));
 }
 
 template <int D>

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "core/formulation/cell_targets.h"
@@ -15,13 +17,28 @@ using Edges3 = Eigen::Matrix3d;
 /// Metric of a target tetrahedron over its three edges: the inverse of their Gram matrix, scaled to
 /// determinant 1. Two tetrahedra are similar if their metrics are the same.
 inline Eigen::Matrix3d volume_metric(const Edges3& edges) {
-  const Eigen::Matrix3d inverse = (edges.transpose() * edges).inverse();
-  return inverse / std::cbrt(inverse.determinant());
+  // By the cofactors of the edges: the determinant of the metric itself is all cancellation where
+  // the tetrahedron is flat.
+  Eigen::Matrix3d cofactors;
+  for (int k = 0; k < 3; ++k)
+    cofactors.row(k) = edges.col((k + 1) % 3).cross(edges.col((k + 2) % 3));
+  const double root = std::cbrt(edges.determinant());
+  return cofactors * cofactors.transpose() / (root * root * root * root);
+}
+
+/// Whether a corner is right-handed and not so flat that its metric is all round-off: of a flatter
+/// one the shape says nothing. That of a tetrahedron 10 million times as long as high.
+inline bool has_metric(const Edges3& edges) {
+  constexpr double flattest = 1e-7;
+  const double lengths = edges.col(0).norm() * edges.col(1).norm() * edges.col(2).norm();
+  return edges.determinant() > flattest * lengths;
 }
 
 /// A sum of metrics, scaled back to determinant 1.
 inline Eigen::Matrix3d normalized_metric(const Eigen::Matrix3d& sum) {
-  return sum / std::cbrt(sum.determinant());
+  const Eigen::Matrix3d lower = sum.llt().matrixL();
+  const double root = std::cbrt(lower.diagonal().prod());
+  return sum / (root * root);
 }
 
 inline VolumeTerm volume_term(const Eigen::Matrix3d& a, double weight) {
@@ -56,7 +73,8 @@ struct RelativeMetric {
   Eigen::Matrix3d between(double share) const {
     const Eigen::Matrix3d root = lower * vectors;
     const Vec3 power = (share * values.array().log()).exp();
-    return normalized_metric(root * power.asDiagonal() * root.transpose());
+    const double scale = std::cbrt(lower.diagonal().prod());
+    return root * power.asDiagonal() * root.transpose() / (scale * scale * std::cbrt(power.prod()));
   }
 };
 

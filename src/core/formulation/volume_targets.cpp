@@ -81,11 +81,11 @@ class Builder {
   }
 
   void require_valid(Index e, const std::array<Index, 4>& nodes) const {
-    if (given_edges(nodes).determinant() > 0) return;
+    if (has_metric(given_edges(nodes))) return;
     throw MeshError(MeshEntity::element, e,
                     "element " + std::to_string(e) +
-                        " is inverted in the rest mesh, which is to be the target; choose other "
-                        "targets");
+                        " is inverted or flat in the rest mesh, which is to be the target; choose "
+                        "other targets");
   }
 
   void fill(Index cell) {
@@ -155,10 +155,10 @@ class Builder {
     return edges;
   }
 
-  /// Of a corner in the mesh as given; none if it is inverted.
+  /// Of a corner in the mesh as given; none if it is inverted or flat.
   std::optional<Eigen::Matrix3d> own_metric(const std::array<Index, 4>& nodes) const {
     const Edges3 edges = given_edges(nodes);
-    if (!(edges.determinant() > 0)) return std::nullopt;
+    if (!has_metric(edges)) return std::nullopt;
     return volume_metric(edges);
   }
 

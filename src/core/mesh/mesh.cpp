@@ -1,5 +1,7 @@
 #include "core/mesh/mesh.h"
 
+#include <algorithm>
+
 #include "core/error.h"
 #include "core/mesh/mesh_checks.h"
 
@@ -17,6 +19,21 @@ std::string turned_text(const Topology& topology) {
              : count + " elements were turned to face as their neighbours do";
 }
 
+/// Faces where regions meet and whose nodes are not all held.
+Index loose_region_faces(const Topology& topology) {
+  const auto regions = topology.element_regions();
+  if (regions.empty()) return 0;
+  Index loose = 0;
+  for (Index f = 0; f < topology.face_count(); ++f) {
+    const Topology::SharedFace face = topology.face(f);
+    const auto [a, b] = face.elements;
+    if (b < 0 || regions[at(a)] == regions[at(b)]) continue;
+    loose +=
+        std::ranges::all_of(face.nodes, [&](Index i) { return topology.on_boundary(i); }) ? 0 : 1;
+  }
+  return loose;
+}
+
 void add_warnings(const Topology& topology, std::vector<std::string>& warnings) {
   Index unused = 0;
   for (Index i = 0; i < topology.node_count(); ++i) unused += topology.used(i) ? 0 : 1;
@@ -27,6 +44,12 @@ void add_warnings(const Topology& topology, std::vector<std::string>& warnings) 
     warnings.push_back(std::to_string(topology.markers().unmarked_faces()) + " boundary " +
                        (topology.cell_dimension() == 2 ? "edges" : "faces") +
                        " belong to no marker; their nodes stay where they are");
+  }
+  if (const Index loose = loose_region_faces(topology); loose > 0) {
+    const char* face = topology.cell_dimension() == 2 ? " edges" : " faces";
+    warnings.push_back(std::to_string(loose) + face +
+                       " where regions meet belong to no marker: smoothing moves their nodes; give "
+                       "them a marker to hold them");
   }
   if (topology.reversed_elements() > 0) warnings.push_back(turned_text(topology));
 }

@@ -23,8 +23,8 @@ struct Mesh {
 /// element without area or volume, two nodes in the same place, a hanging node (a boundary node
 /// inside another element's boundary edge or face), an element that shares no face with the rest of
 /// the mesh. Adds a sentence to `warnings` for what is harmless: unused nodes, boundary faces
-/// without marker, elements that were turned. Inverted elements are no error: a tangled mesh is
-/// what smoothing is for.
+/// without marker, faces between regions without marker, elements that were turned. Inverted
+/// elements are no error: a tangled mesh is what smoothing is for.
 Mesh make_mesh(const MeshData& data, std::vector<std::string>* warnings = nullptr);
 
 /// A part of the plane.

@@ -371,6 +371,11 @@ std::optional<Gap> smallest_gap(const Topology& topology, const Coordinates& x,
   return gap_of<2>(topology, x, moving);
 }
 
+void put_in_mesh(EdgePair& edges, const LocalFrame& frame) {
+  edges.place = frame.to_mesh(edges.place);
+  if (edges.place_z) *edges.place_z += frame.origin().z();
+}
+
 std::string describe_touch(const EdgePair& edges) {
   return named(edges.moving) + " would touch " +
          (edges.other == edges.moving ? "itself" : named(edges.other));

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "core/mesh/local_frame.h"
 #include "core/motion/motion.h"
 
 namespace winslow {
@@ -17,6 +18,9 @@ struct EdgePair {
 
   bool operator==(const EdgePair&) const = default;
 };
+
+/// Takes the place from a frame to the mesh.
+void put_in_mesh(EdgePair& edges, const LocalFrame& frame);
 
 /// Where the boundary of a mesh runs into itself when a part of it moves. No mesh without inverted
 /// elements exists from there on.

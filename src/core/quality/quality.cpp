@@ -131,12 +131,6 @@ Values::Values(const Mesh& mesh, int threads) {
   });
 }
 
-/// Of a volume mesh: no smoothing can change the element.
-bool all_on_boundary(const Topology& topology, Index e) {
-  return std::ranges::all_of(topology.element(e),
-                             [&](Index node) { return topology.on_boundary(node); });
-}
-
 /// Takes the elements that no smoothing can change out of what is measured, and counts them.
 void set_fixed_apart(const Topology& topology, Values& values, QualityReport& report) {
   for (Index e = 0; e < topology.element_count(); ++e) {
@@ -149,6 +143,11 @@ void set_fixed_apart(const Topology& topology, Values& values, QualityReport& re
 }
 
 }  // namespace
+
+bool all_on_boundary(const Topology& topology, Index e) {
+  return std::ranges::all_of(topology.element(e),
+                             [&](Index node) { return topology.on_boundary(node); });
+}
 
 const QualityReport::PerMetric& QualityReport::of(Metric metric) const& {
   const auto& reported = reported_metrics(cell_dimension);

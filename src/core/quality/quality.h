@@ -57,6 +57,9 @@ struct QualityReport {
 
 QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options = {});
 
+/// All nodes of an element lie on the boundary.
+bool all_on_boundary(const Topology& topology, Index e);
+
 /// Value of a metric for each element (#elements).
 std::vector<double> element_values(const Mesh& mesh, Metric metric);
 /// The element that is worst by a metric; the first of several. mesh: plane, with elements.

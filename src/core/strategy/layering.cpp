@@ -331,7 +331,7 @@ SmoothResult move_with_layers(MeshState& state, const Motion& motion, const Moti
   const MeshState moved = state;
   SmoothResult held = hold_spacing(state, result, smooth, keeping);
   // Nor is one within the limits: its heights are then as the motion left them.
-  if (!how.floor.given() || how.floor.fault(state.mesh.topology, state.mesh.coordinates).empty()) {
+  if (!how.floor.given() || how.floor.fault(state.mesh, moved.mesh.coordinates).empty()) {
     return held;
   }
   state = moved;

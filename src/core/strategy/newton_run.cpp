@@ -107,7 +107,8 @@ bool NewtonRun::settle(Coordinates& x, double fraction) {
 
 /// The limit that a mesh breaks; empty: none.
 std::string NewtonRun::fault(const Coordinates& x) const {
-  return floor_.given() ? floor_.fault(state_.mesh.topology, x) : std::string();
+  return floor_.given() ? floor_.fault({state_.mesh.topology, x}, state_.mesh.coordinates)
+                        : std::string();
 }
 
 double NewtonRun::smallest_sine(const Coordinates& x) const {

@@ -103,6 +103,41 @@ TEST_CASE("a drag in space shows valid meshes only, and ends at the mesh that th
   }
 }
 
+TEST_CASE("a drag in space far from the origin shows the mesh where it is") {
+  const Vec3 away(4.5e5, 5.1e6, 300);
+  constexpr double ulp = 0x1p-30;  // of coordinates around 5e6
+  Mesh mesh = box_with_body(5, Volumes::tetrahedra);
+  for (Index i = 0; i < mesh.coordinates.size(); ++i)
+    mesh.coordinates.set_xyz(i, mesh.coordinates.xyz(i) + away);
+  const MeshState state = make_state(mesh);
+  MoveCommand command;
+  command.markers = {"body"};
+  const SpaceMotion wanted{20, Vec3(1, 1, 2), away + Vec3(0.5, 0.5, 0.4), Vec3(0.05, -0.04, 0.02)};
+  command.motion = wanted;
+  const Coordinates there = execute(command, state).state.mesh.coordinates;
+  const auto body = mesh.topology->markers().nodes_of(command.markers);
+  {
+    SpaceDragSession drag(state, DragGrip{{"body"}, {}, {}}, {});
+    REQUIRE(wait_until([&] {
+      drag.to(wanted);
+      return drag.settled();
+    }));
+    const SpaceDragFrame& frame = drag.to(wanted);
+    CHECK_FALSE(frame.held);
+    CHECK(same_motion(frame.motion, wanted));
+    CHECK(largest_difference(frame.coordinates, there) < 1e-7);
+    for (Index i = 0; i < there.size(); ++i) {
+      if (mesh.topology->on_boundary(i) && !std::ranges::binary_search(body, i))
+        CHECK(frame.coordinates.same_place(i, mesh.coordinates));
+    }
+  }
+  // One that goes on from a mesh on the way says it in the same coordinates.
+  SpaceDragSession drag(state, DragGrip{{"body"}, {}, {}}, {},
+                        SpaceDragSession::Start{there, wanted});
+  CHECK(largest_difference(drag.to(wanted).coordinates, there) < 2 * ulp);
+  CHECK(same_motion(drag.to(wanted).motion, wanted));
+}
+
 TEST_CASE("a drag in space goes on beyond a full turn") {
   const MeshState state = make_state(box_with_body(5, Volumes::tetrahedra));
   SpaceDragSession drag(state, DragGrip{{"body"}, {}, {}}, {});

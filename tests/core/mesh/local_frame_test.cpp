@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "core/error.h"
 #include "support/meshes.h"
 #include "support/random.h"
@@ -23,7 +25,7 @@ TEST_CASE("a mesh near the origin is its own frame") {
   for (const Vec2& by : {Vec2(0, 0), Vec2(-0.5, -0.5), Vec2(15, -12)}) {
     const LocalFrame frame(shifted(square(4, Cells::quads), by));
     CHECK_FALSE(frame.shifts());
-    CHECK(frame.origin() == Vec2(0, 0));
+    CHECK(frame.origin() == Vec3(0, 0, 0));
   }
 }
 
@@ -63,7 +65,32 @@ TEST_CASE("nodes of no element come back bit by bit, wherever they are") {
   const Coordinates back = frame.to_mesh(x, mesh.coordinates);
   CHECK(back.xy(0) == mesh.coordinates.xy(0) + Vec2(0.5, 0));
   for (Index i = 1; i < mesh.coordinates.size(); ++i) CHECK(back.xy(i) == mesh.coordinates.xy(i));
-  CHECK(back.xy(back.size() - 1) == frame.origin());
+  CHECK(back.xy(back.size() - 1) == frame.origin().head<2>());
+}
+
+TEST_CASE("the frame of a volume mesh has three axes, of which each may be far from 0 alone") {
+  for (const Vec3& by :
+       {Vec3(4.5e5, 5.1e6, 300), Vec3(0, 0, 1e7), Vec3(0.25, -20, 0), Vec3(-1e6, 0, 0.125)}) {
+    CAPTURE(by.transpose());
+    MeshData data = cube(3, Volumes::mixed);
+    for (Index i = 0; i < data.node_count(); ++i)
+      data.coordinates.set_xyz(i, data.coordinates.xyz(i) + by);
+    const Mesh mesh = make_mesh(data);
+    const LocalFrame frame(mesh);
+    REQUIRE(frame.shifts());
+    for (const int axis : {0, 1, 2}) {
+      const double middle = space_bounds(mesh).centre()[axis];
+      CHECK(frame.origin()[axis] == (std::abs(by[axis]) > 16 ? middle : 0));
+    }
+    const Coordinates local = frame.to_local(mesh.coordinates);
+    for (Index i = 0; i < local.size(); ++i) {
+      const Vec3 p = mesh.coordinates.xyz(i);
+      CHECK(local.xyz(i) == p - frame.origin());
+      CHECK(frame.to_mesh(frame.to_local(p)) == p);
+    }
+    CHECK(frame.to_mesh(local, mesh.coordinates) == mesh.coordinates);
+  }
+  CHECK_FALSE(LocalFrame(make_mesh(cube(3, Volumes::mixed))).shifts());
 }
 
 }  // namespace winslow::test

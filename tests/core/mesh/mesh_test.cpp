@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "support/coordinate.h"
 #include "support/meshes.h"
+#include "support/space_meshes.h"
 
 using namespace winslow;
 using namespace winslow::test;
@@ -199,4 +200,46 @@ TEST_CASE("bounds cover the used nodes and no others") {
   const std::vector<std::string> top{"top"};
   CHECK(bounds(mesh.coordinates, mesh.topology->markers().nodes_of(top)).min == Vec2(0, 1));
   CHECK_THROWS_AS(bounds(mesh.coordinates, {}), UsageError);
+}
+
+TEST_CASE("faces where regions meet are named unless all their nodes are held") {
+  const auto warnings_of = [](const MeshData& data) {
+    std::vector<std::string> warnings;
+    make_mesh(data, &warnings);
+    return warnings;
+  };
+  const auto halves = [](MeshData data, int dimension) {
+    data.regions = {{"left", 1}, {"right", 2}};
+    for (Index e = 0; e < data.element_count(); ++e) {
+      double x = 0;
+      const auto nodes = data.element(e);
+      for (const Index i : nodes)
+        x += dimension == 3 ? data.coordinates.xyz(i).x() : data.coordinates.xy(i).x();
+      data.element_region.push_back(x < 0.5 * static_cast<double>(nodes.size()) ? 0 : 1);
+    }
+    return data;
+  };
+  MeshData space = halves(cube(4, Volumes::hexahedra), 3);
+  const auto found = warnings_of(space);
+  REQUIRE(found.size() == 1);
+  CHECK(says(found[0], "16 faces where regions meet belong to no marker"));
+  Marker interface {
+    "interface", 9, {}
+  };
+  const auto topology = Topology::build(space);
+  for (Index f = 0; f < topology->face_count(); ++f) {
+    const auto face = topology->face(f);
+    if (face.elements[1] >= 0 &&
+        space.element_region[at(face.elements[0])] != space.element_region[at(face.elements[1])])
+      interface.faces.push_back(face.nodes);
+  }
+  space.markers.push_back(interface);
+  CHECK(warnings_of(space).empty());
+  const auto plane = warnings_of(halves(square(4, Cells::quads), 2));
+  REQUIRE(plane.size() == 1);
+  CHECK(says(plane[0], "4 edges where regions meet"));
+  MeshData one = cube(4, Volumes::hexahedra);
+  one.regions = {{"all", 1}};
+  one.element_region.assign(static_cast<std::size_t>(one.element_count()), 0);
+  CHECK(warnings_of(one).empty());
 }

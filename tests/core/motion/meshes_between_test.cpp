@@ -3,9 +3,10 @@
 #include <doctest/doctest.h>
 
 #include "core/command/command.h"
-#include "core/motion/rigid_motion.h"
+#include "core/motion/space_motion.h"
 #include "core/quality/quality.h"
 #include "support/meshes.h"
+#include "support/space_meshes.h"
 
 using namespace winslow;
 using namespace winslow::test;
@@ -39,6 +40,29 @@ TEST_CASE("between two meshes of a turn there is one for every degree, valid, th
       CHECK((between[k].xy(node) - transform(turn, before.coordinates.xy(node))).norm() < 1e-9);
     for (const Index node : nodes_of(before, "outer"))
       CHECK(between[k].xy(node) == before.coordinates.xy(node));
+  }
+}
+
+TEST_CASE("in space, too: the body turns about its axis, and the box around it stays") {
+  const Mesh before = box_with_body(5, Volumes::mixed);
+  MoveCommand move;
+  move.markers = {"body"};
+  move.motion.rotate = 12;
+  move.motion.axis = Vec3(1, -1, 0.5);
+  const Mesh after = execute(move, make_state(before)).state.mesh;
+  const auto nodes = nodes_of(before, "body");
+  const auto between =
+      meshes_between(*before.topology, nodes, before.coordinates, after.coordinates);
+  REQUIRE(between.size() == 11);
+  const Vec3 centre = space_bounds(before.coordinates, nodes).centre();
+  for (std::size_t k = 0; k < between.size(); ++k) {
+    INFO("mesh ", k);
+    CHECK(check_validity(*before.topology, between[k]).inverted == 0);
+    const SpaceMotion turn{static_cast<double>(k + 1), *move.motion.axis, centre, Vec3::Zero()};
+    for (const Index node : nodes)
+      CHECK((between[k].xyz(node) - transform(turn, before.coordinates.xyz(node))).norm() < 1e-9);
+    for (const Index node : nodes_of(before, "far"))
+      CHECK(between[k].xyz(node) == before.coordinates.xyz(node));
   }
 }
 

@@ -14,7 +14,7 @@ TEST_CASE("composed rigid motions act one after the other") {
       CHECK((transform_back(first, transform(first, p)) - p).norm() < 1e-12);
     }
   }
-  CHECK(compose({0, {0, 0}, {1, 0}}, {0, {5, 5}, {0, 1}}).rotate == 0);
+  CHECK(compose(RigidMotion{0, {0, 0}, {1, 0}}, {0, {5, 5}, {0, 1}}).rotate == 0);
 }
 
 TEST_CASE("bodies turn about the centre of their bounding box, without rounding errors of 0") {

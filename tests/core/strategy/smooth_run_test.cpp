@@ -115,7 +115,7 @@ TEST_CASE("a path ends at the last mesh within the limits, however the limit is 
     CHECK(result.fraction_reached > 0.05);
     CHECK(result.fraction_reached < 1);
     CHECK_FALSE(result.limited_by.empty());
-    CHECK(how.floor.fault(state.mesh.topology, x).empty());
+    CHECK(how.floor.fault({state.mesh.topology, x}, state.mesh.coordinates).empty());
     CHECK(std::abs(worst(x) - limit) < 0.05 * std::abs(from - to));
     // The boundary is where the result says.
     Coordinates there = state.mesh.coordinates;
@@ -129,7 +129,7 @@ TEST_CASE("a path ends at the last mesh within the limits, however the limit is 
                     RigidMotion{120 * (result.fraction_reached + 0.01), Vec2(0, 0), Vec2(0, 0)});
     Coordinates beyond = state.mesh.coordinates;
     smooth_motion(state, *more, farther, options, beyond, {});
-    CHECK_FALSE(how.floor.fault(state.mesh.topology, beyond).empty());
+    CHECK_FALSE(how.floor.fault({state.mesh.topology, beyond}, state.mesh.coordinates).empty());
   }
 }
 
@@ -149,7 +149,7 @@ TEST_CASE("the fixed point does not take over where a limit has ended the path")
   x = state.mesh.coordinates;
   const SmoothResult result = smooth_motion(state, *motion, how, options, x, {});
   CHECK(result.fraction_reached < 1);
-  CHECK(how.floor.fault(state.mesh.topology, x).empty());
+  CHECK(how.floor.fault({state.mesh.topology, x}, state.mesh.coordinates).empty());
 }
 
 TEST_CASE("smoothing in place keeps the worst element of the mesh as given") {

@@ -16,13 +16,16 @@ TEST_CASE("CGNS: meshes of other formats come back in order and to the last bit"
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     CAPTURE(seed);
     Random random(seed);
-    const Mesh mesh = make_mesh(shuffled_mesh(random, seed % 2 == 0));
+    std::vector<std::string> warnings;  // of regions that meet in edges of no marker
+    const Mesh mesh = make_mesh(shuffled_mesh(random, seed % 2 == 0), &warnings);
     const TemporaryFolder folder;
     CHECK(io::write_mesh(folder / "a.cgns", mesh, nullptr).empty());
     const io::MeshFile file = io::read_mesh(folder / "a.cgns");
     Comparison what;
     what.tags = false;
-    CHECK(file.warnings.empty());
+    REQUIRE(file.warnings.size() == warnings.size());
+    for (std::size_t k = 0; k < warnings.size(); ++k)
+      CHECK(file.warnings[k].ends_with(warnings[k]));
     const auto& regions = mesh.topology->regions();
     what.regions = regions.empty();
     check_same_mesh(file.mesh, mesh, what);

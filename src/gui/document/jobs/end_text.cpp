@@ -18,7 +18,7 @@ std::string worst_values(const QualityFloor& floor, const Mesh& mesh) {
   std::string text;
   for (std::size_t m = 0; m < floor.limits.size(); ++m) {
     if (!floor.limits[m]) continue;
-    const Metric metric = reported_metrics()[m];
+    const Metric metric = limited_metrics()[m];
     const double worst = element_value(mesh, worst_element(mesh, metric), metric);
     text += (text.empty() ? " Worst elements now: " : ", ") + std::string(metric_label(metric)) +
             ' ' + short_number(worst);

@@ -53,7 +53,8 @@ bool quality_limits_form(const std::string& prefix, QualityFloor& floor, bool fo
   }
   bool changed = false;
   const OptionTable table = option_table(floor);
-  for (std::size_t m = 0; m < table.size(); ++m)
+  // Those of plane meshes come first.
+  for (std::size_t m = 0; m < reported_metrics().size(); ++m)
     changed |= limit_row(prefix + "/min_quality_" + std::string(table[m].key), table[m],
                          floor.limits[m], metric_info(reported_metrics()[m]).field.threshold);
   return changed;

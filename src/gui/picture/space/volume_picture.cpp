@@ -189,7 +189,7 @@ class VolumePicture {
     const std::unique_ptr<HeadlessContext> context = make_headless_context();
     const FrameBuffer target(options_.width, options_.height, options_.samples);
     PictureFrame frame(options_.width, options_.height, text(), theme_);
-    const SpaceScene scene = build_scene(mesh_, boundary_, look_, style(frame.font_size()));
+    const SpaceScene scene = this->scene(frame.font_size());
     const SpaceCamera camera = place_camera(scene, frame.mesh_area());
     SpaceRenderer renderer;
     renderer.set_scene(scene);
@@ -204,7 +204,16 @@ class VolumePicture {
     return target.read();
   }
 
+  Box<3> extent() const {
+    constexpr float unit = 1;  // widths of lines take no room
+    Box<3> box = Box<3>::empty();
+    for (const Vec3& point : points_of(scene(unit))) box.add(point);
+    return box;
+  }
+
  private:
+  SpaceScene scene(float unit) const { return build_scene(mesh_, boundary_, look_, style(unit)); }
+
   void choose_cuts() {
     if (options_.isolate) return;
     look_.cuts = chosen_cuts(mesh_, boundary_, options_);
@@ -263,7 +272,8 @@ class VolumePicture {
     camera.look_from(options_.view.value_or(automatic_view(look_.cuts, options_.up)));
     if (options_.perspective) camera.set_perspective(opening);
     camera.set_content(scene.extent);
-    std::vector<Vec3> points = options_.extent ? corners_of(*options_.extent) : points_of(scene);
+    const bool box = options_.extent && (options_.extent->size().array() >= 0).all();
+    std::vector<Vec3> points = box ? corners_of(*options_.extent) : points_of(scene);
     if (points.empty()) points = corners_of(scene.extent);
     camera.fit(points, 0.02);
     const double size = options_.half_width
@@ -293,6 +303,11 @@ std::vector<Plane> cuts_of_picture(const Mesh& mesh, const VolumePictureOptions&
 ColorScale volume_picture_scale(const Mesh& mesh, const VolumePictureOptions& options) {
   return picture_colors(*options.color, options.colors, options.dark,
                         element_values(mesh, *options.color->metric()));
+}
+
+Box<3> volume_picture_extent(const Mesh& mesh, const VolumePictureOptions& options) {
+  check(mesh, options);
+  return VolumePicture(mesh, options).extent();
 }
 
 Image draw_volume_picture(const Mesh& mesh, const VolumePictureOptions& options) {

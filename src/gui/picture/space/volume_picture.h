@@ -36,7 +36,7 @@ struct VolumePictureOptions {
   std::optional<Vec3> centre;        ///< in the middle of the picture; none: all is
   std::optional<double> half_width;  ///< of what is seen there, units of the mesh; none: all
 
-  std::optional<Box<3>> extent;  ///< all, for centre and half_width; none: what is drawn
+  std::optional<Box<3>> extent;  ///< that all means there; none: what is drawn
 
   bool wireframe = true;  ///< edges of elements
   bool legend = true;     ///< only with color
@@ -55,6 +55,9 @@ Image draw_volume_picture(const Mesh& mesh, const VolumePictureOptions& options)
 /// are to be compared, take one.
 std::vector<Plane> cuts_of_picture(const Mesh& mesh, const VolumePictureOptions& options);
 ColorScale volume_picture_scale(const Mesh& mesh, const VolumePictureOptions& options);
+/// A box around all that such a picture shows: of several that are to be seen alike, join them.
+/// Holds no point where nothing is shown. Needs no OpenGL.
+Box<3> volume_picture_extent(const Mesh& mesh, const VolumePictureOptions& options);
 
 /// "iso", "+x", "-x", ...: names of directions to look from.
 const std::vector<std::string>& view_names();
