@@ -40,6 +40,10 @@ class KeyTable {
     Index value;
     bool fresh;
   };
+  /// For so many keys there will be room without moving any.
+  void reserve(std::size_t keys) {
+    while (slots_.size() < 2 * (keys + 1)) grow();
+  }
   Found find_or_add(std::uint64_t key, Index value) {
     if (2 * (count_ + 1) > slots_.size()) grow();
     Slot& slot = slot_of(key);
@@ -88,6 +92,8 @@ class Cutter {
 
   PlaneSection cut() {
     const std::vector<unsigned char> met = met_elements();
+    // A plane tiling of n triangles has about n / 2 corners.
+    point_of_.reserve(static_cast<std::size_t>(std::ranges::count(met, 1)) * 2 / 3);
     for (Index e = 0; e < topology_.element_count(); ++e)
       if (met[at(e)] != 0) cut_element(e, topology_.element(e));
     return std::move(section_);

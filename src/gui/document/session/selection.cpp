@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/inspect/space/surface_faces.h"
 #include "core/motion/rigid_motion.h"
 #include "core/motion/space_motion.h"
 
@@ -215,22 +216,27 @@ void Selection::on(const action::PreviewMotion& a) {
       motion_preview_->outline.emplace_back(moved(edge[0]), moved(edge[1]));
 }
 
-/// Of a fine surface some of its edges, spread over it, say where it goes as well as all.
+/// The edges that show the form, and of the others a few, spread over the surface: all of them
+/// would be a blot.
 void Selection::outline_in_space(MotionPreview& preview) const {
-  constexpr std::size_t most = 3000;
-  std::size_t count = 0;
-  for (const Index m : markers_)
-    count += mesh_.topology()->markers()[static_cast<std::size_t>(m)].faces.size();
-  const std::size_t step = count / most + 1;
+  constexpr std::size_t most_faces = 100;
+  constexpr double sharp_angle = 40;  // degrees
+  std::vector<SurfaceFace> faces;
+  for (const SurfaceFace& face : mesh_.document()->boundary()->faces)
+    if (contains(face.marker)) faces.push_back(face);
   const SpacePoints x(mesh_.coordinates());
   const SpaceMotion motion = preview.motion.in_space(space_pivot());
-  std::size_t k = 0;
-  for (const Index m : markers_)
-    for (const Face& face : mesh_.topology()->markers()[static_cast<std::size_t>(m)].faces)
-      if (k++ % step == 0)
-        for (std::size_t c = 0; c < face.size(); ++c)
-          preview.outline.emplace_back(transform(motion, x[face[c]]),
-                                       transform(motion, x[face[(c + 1) % face.size()]]));
+  const auto add = [&](Index a, Index b) {
+    preview.outline.emplace_back(transform(motion, x[a]), transform(motion, x[b]));
+  };
+  const SurfaceEdges edges = surface_edges(faces);
+  const std::vector<unsigned char> sharp = feature_edges(x, faces, edges, sharp_angle);
+  for (std::size_t k = 0; k < sharp.size(); ++k)
+    if (sharp[k] != 0) add(edges.nodes[k][0], edges.nodes[k][1]);
+  const std::size_t step = faces.size() / most_faces + 1;
+  for (std::size_t f = 0; f < faces.size(); f += step)
+    for (std::size_t c = 0; c < faces[f].nodes.size(); ++c)
+      add(faces[f].nodes[c], faces[f].nodes[(c + 1) % faces[f].nodes.size()]);
 }
 
 bool Selection::exists(Index node) const {

@@ -39,9 +39,17 @@ double share_of(const RigidMotion& reached, const RigidMotion& asked, const Boun
   return whole > 0 ? std::clamp(1 - way(reached, asked) / whole, 0.0, 1.0) : 1;
 }
 
-/// The same said as turning about `pivot`, which a run names.
-SpaceMotion about(const Vec3& pivot, const SpaceMotion& motion) {
-  return {motion.rotate, motion.axis, pivot, transform(motion, pivot) - pivot};
+/// The same in space.
+SpaceMotion about(const Vec3& pivot, const SpaceMotion& motion, double size) {
+  SpaceMotion said{motion.rotate, motion.axis, pivot, transform(motion, pivot) - pivot};
+  constexpr double rounding = 1e-11;
+  if (std::abs(said.rotate) < 360 * rounding) said.rotate = 0;
+  const double round_off = 16 * std::numeric_limits<double>::epsilon() * pivot.norm();
+  const double arm = (pivot - motion.pivot).norm();
+  const double least = rounding * (size + arm + said.translate.norm()) + round_off;
+  for (Index d = 0; d < 3; ++d)
+    if (std::abs(said.translate[d]) < least) said.translate[d] = 0;
+  return said;
 }
 
 /// Runs in space begin where their command does, so that their fraction is that of the whole.
@@ -51,7 +59,8 @@ double settle_in_space(MoveCommand& move, double fraction, const Mesh& base,
   const SpaceMotion asked = move.motion.in_space(Vec3(0, 0, 0));
   const SpaceMotion fitted = with_turns(fit_space_motion(nodes, base.coordinates, now), asked.axis,
                                         fraction * asked.rotate);
-  move.motion = about(asked.pivot, fitted);
+  const double size = space_bounds(base.coordinates, nodes).size().norm();
+  move.motion = about(asked.pivot, fitted, size);
   return fraction;
 }
 
