@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <optional>
 
 #include "io/format/mesh_format.h"
 #include "io/tables/boundary_file.h"
@@ -11,11 +12,13 @@ namespace winslow::gui {
 
 namespace {
 
-/// Formats of plane meshes: the studio shows no others.
-std::vector<FileKind> mesh_kinds() {
+/// Formats that are there; those that can be written, of a mesh of that dimension, or all.
+std::vector<FileKind> mesh_kinds(std::optional<int> to_write) {
   std::vector<FileKind> kinds{{"All meshes", {}}};
   for (const io::MeshFormat* format : io::mesh_formats()) {
-    if (!format->missing.empty() || !format->writes_planes) continue;
+    if (!format->missing.empty()) continue;
+    const bool written = to_write == 3 ? format->writes_volumes : format->writes_planes;
+    if (to_write && !written) continue;
     const std::string extension = '.' + std::string(format->name);
     kinds.front().extensions.push_back(extension);
     kinds.push_back({std::string(format->title), {extension}});
@@ -29,17 +32,17 @@ DialogKind single(const char* title, const char* label, const char* extension) {
 
 }  // namespace
 
-DialogKind dialog_of(FilePurpose purpose) {
+DialogKind dialog_of(FilePurpose purpose, int cell_dimension) {
   switch (purpose) {
     case FilePurpose::open_mesh: {
-      DialogKind open{"Open a mesh", "Open", false, mesh_kinds(), ""};
+      DialogKind open{"Open a mesh", "Open", false, mesh_kinds({}), ""};
       open.kinds.push_back({"All files", {}});
       return open;
     }
     case FilePurpose::save_mesh:
-      return {"Save the mesh as", "Save", true, mesh_kinds(), ""};
+      return {"Save the mesh as", "Save", true, mesh_kinds(cell_dimension), ""};
     case FilePurpose::export_mesh:
-      return {"Export a copy of the mesh", "Export", true, mesh_kinds(), ""};
+      return {"Export a copy of the mesh", "Export", true, mesh_kinds(cell_dimension), ""};
     case FilePurpose::export_markers:
       return {"Export markers as curves",
               "Export",

@@ -36,7 +36,8 @@ struct DialogKind {
   std::string default_extension;  ///< added to a name without one; empty: none is
   bool folders = false;           ///< a name without an extension stands for a folder to be made
 };
-DialogKind dialog_of(FilePurpose purpose);
+/// cell_dimension: of the mesh that is to be written.
+DialogKind dialog_of(FilePurpose purpose, int cell_dimension = 2);
 
 /// The name is of this kind.
 bool matches(const FileKind& kind, const std::string& name);

@@ -14,8 +14,28 @@ std::string names_of(const PanelContext& context, const std::vector<Index>& mark
   return text;
 }
 
+namespace {
+
+/// Of a volume mesh: markers none of whose faces enclose others, each by itself.
+std::vector<NamedBody> space_bodies(const PanelContext& context) {
+  const VolumeBoundary& boundary = *context.session.document()->boundary();
+  const std::size_t count = context.topology()->markers().size();
+  std::vector<unsigned char> inside(count, boundary.encloses ? 1 : 0);
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f)
+    if (boundary.enclosing[f] != 0 && boundary.faces[f].marker >= 0)
+      inside[at(boundary.faces[f].marker)] = 0;
+  std::vector<NamedBody> found;
+  for (std::size_t m = 0; m < count; ++m)
+    if (inside[m] != 0)
+      found.push_back({names_of(context, {static_cast<Index>(m)}), {static_cast<Index>(m)}, true});
+  return found;
+}
+
+}  // namespace
+
 std::vector<NamedBody> bodies(const PanelContext& context) {
   std::vector<NamedBody> found;
+  if (context.session.in_space()) return space_bodies(context);
   if (!context.session.mesh().boundary()) return found;
   for (const auto& body : context.session.mesh().boundary()->bodies())
     if (body.hole && !body.markers.empty())
@@ -44,7 +64,9 @@ std::string locked_marker(const PanelContext& context, const std::vector<Index>&
 
 std::string without_bodies(const PanelContext& context) {
   if (!context.session.document()) return without_mesh(context);
-  return bodies(context).empty() ? "This mesh has no holes: no bodies." : "";
+  if (!bodies(context).empty()) return "";
+  return context.session.in_space() ? "Nothing in this mesh is enclosed: no bodies."
+                                    : "This mesh has no holes: no bodies.";
 }
 
 std::string without_selection(const PanelContext& context) {

@@ -15,6 +15,8 @@ namespace winslow::gui {
 
 namespace {
 
+constexpr const char* in_space_not_yet = "Not for volume meshes yet.";
+
 /// As many digits as tell places apart on a mesh far from the origin.
 std::string coordinates_text(const Vec2& point, const char* between) {
   std::array<char, 80> text{};
@@ -22,6 +24,17 @@ std::string coordinates_text(const Vec2& point, const char* between) {
   std::snprintf(text.data() + used, text.size() - static_cast<std::size_t>(used), "%.10g",
                 point.y());
   return text.data();
+}
+
+std::string coordinates_text(const Vec3& point) {
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "%.10g, %.10g, %.10g", point.x(), point.y(), point.z());
+  return text.data();
+}
+
+std::string node_place(const PanelContext& context, Index node) {
+  const Coordinates& x = context.session.coordinates();
+  return x.dimension() == 3 ? coordinates_text(x.xyz(node)) : coordinates_text(x.xy(node), ", ");
 }
 
 UserCommand copying(std::string id, std::string label, const std::string& text) {
@@ -71,6 +84,13 @@ std::function<void(const PanelContext&)> change_looks(std::vector<Index> markers
   };
 }
 
+/// Asks first whether the mesh is a plane one.
+UserCommand::Text in_plane(UserCommand::Text blocked) {
+  return [blocked = std::move(blocked)](const PanelContext& c) -> std::string {
+    return c.session.in_space() ? in_space_not_yet : blocked(c);
+  };
+}
+
 std::vector<UserCommand> moving(const std::vector<Index>& markers) {
   const auto blocked = blocked_by_lock(markers);
   return {
@@ -95,18 +115,19 @@ std::vector<UserCommand> moving(const std::vector<Index>& markers) {
       {.id = "body/deform",
        .label = "Deform by a sine...",
        .tooltip = "Type a sine that bends it.",
-       .blocked = blocked,
+       .blocked = in_plane(blocked),
        .run = select_and_edit(markers, "shape/amplitude")},
       {.id = "body/layers",
        .label = "Insert layers...",
        .tooltip = "Say how many layers it gets, and how high they are.",
-       .blocked = while_busy,
+       .blocked = in_plane(while_busy),
        .run = select_and_edit(markers, "layers/count"),
        .starts_section = true},
       {.id = "body/hold_layers",
        .label = "Hold layers",
        .tooltip = "Keep the heights that its layers have, whatever moves.",
-       .blocked = [markers](const PanelContext& c) { return cannot_hold_layers(c, markers); },
+       .blocked =
+           in_plane([markers](const PanelContext& c) { return cannot_hold_layers(c, markers); }),
        .run = [markers](const PanelContext& c) { hold_layers(c, markers); }},
   };
 }
@@ -135,7 +156,7 @@ std::vector<UserCommand> looking(const PanelContext& context, const std::vector<
       {.id = "body/export",
        .label = "Export as curve...",
        .tooltip = "Write its nodes as a table, points or VTK lines.",
-       .blocked = without_mesh,
+       .blocked = in_plane(without_mesh),
        .run =
            [markers](const PanelContext& c) {
              c.emit(action::SelectMarkers{markers, false});
@@ -151,9 +172,9 @@ ContextPart of_body(const PanelContext& context, const std::vector<Index>& marke
 }
 
 ContextPart of_node(const PanelContext& context, Index node) {
-  const Vec2 at = context.session.coordinates().xy(node);
   const bool pinned = std::ranges::binary_search(context.session.nodes().pinned(), node);
   const auto boundary = [node](const PanelContext& c) -> std::string {
+    if (c.session.in_space()) return in_space_not_yet;
     return c.topology()->on_boundary(node) ? "A node of the boundary has no control volume." : "";
   };
   const MeshItem item{MeshItem::Kind::node, node};
@@ -176,7 +197,7 @@ ContextPart of_node(const PanelContext& context, Index node) {
                     .label = "Centre it",
                     .tooltip = "Zoom to the node and its neighbours, and say what is known of it.",
                     .run = [item](const PanelContext& c) { c.emit(action::GoTo{item}); }},
-                   copying("node/copy_place", "Copy coordinates", coordinates_text(at, ", ")),
+                   copying("node/copy_place", "Copy coordinates", node_place(context, node)),
                    copying("node/copy_id", "Copy node number", std::to_string(node))};
   return part;
 }
@@ -185,11 +206,13 @@ ContextPart of_element(const PanelContext& context, Index element) {
   const MeshItem item{MeshItem::Kind::element, element};
   const Metric* coloured = context.view.color ? context.view.color->metric() : nullptr;
   const Metric metric = coloured ? *coloured : Metric::normalized_jacobian;
+  const int dimension = context.session.in_space() ? 3 : 2;
   const Mesh mesh{context.session.topology(), context.session.coordinates()};
   const double value = element_value(mesh, element, metric);
-  const bool high_is_bad = !metric_info(metric).field.larger_is_better;
-  ContextPart part{"Element " + std::to_string(element) + ", " + std::string(metric_label(metric)) +
-                       " " + (std::isfinite(value) ? short_number(value) : "of an inverted one"),
+  const bool high_is_bad = !metric_info(metric, dimension).field.larger_is_better;
+  ContextPart part{"Element " + std::to_string(element) + ", " +
+                       std::string(metric_info(metric, dimension).field.label) + " " +
+                       (std::isfinite(value) ? short_number(value) : "of an inverted one"),
                    {}};
   part.commands = {{.id = "element/go_to",
                     .label = "Centre it",
@@ -203,9 +226,9 @@ ContextPart of_element(const PanelContext& context, Index element) {
                                                   : "Nothing is worse than an inverted element.";
                     },
                     .run =
-                        [metric, value, high_is_bad](const PanelContext& c) {
+                        [metric, value, high_is_bad, dimension](const PanelContext& c) {
                           c.edit_view([&](ViewOptions& view) {
-                            view.color = metric;
+                            view.color = ElementField(metric, dimension);
                             view.isolation.on = true;
                             // This element is to be among them.
                             const double beyond = high_is_bad ? -1e300 : 1e300;
@@ -217,8 +240,33 @@ ContextPart of_element(const PanelContext& context, Index element) {
   return part;
 }
 
+/// What the place of a volume mesh is good for.
+std::vector<UserCommand> in_space(const std::array<Vec3, 2>& place) {
+  const auto& [point, normal] = place;
+  const auto full = [](const PanelContext& c) -> std::string {
+    return c.view.space.cuts.size() < most_cuts ? "" : "There are six cuts already.";
+  };
+  return {{.id = "place/cut_along",
+           .label = "Cut along this face",
+           .tooltip = "A cut in the plane of the face; what lies before it is taken away.",
+           .blocked = full,
+           .run =
+               [point, normal](const PanelContext& c) {
+                 c.emit(action::AddCut{point, normal});
+               }},
+          {.id = "place/look",
+           .label = "Look at this place",
+           .tooltip = "Put it into the middle of the view, and zoom to it.",
+           .run =
+               [point](const PanelContext& c) {
+                 c.emit(action::LookAtPlace{point, 60 * c.view_state.pixel});
+               }},
+          copying("place/copy", "Copy coordinates", coordinates_text(point))};
+}
+
 ContextPart of_view(const PickedPlace& place) {
   ContextPart part{{}, {}};
+  if (place.in_space) part.commands = in_space(*place.in_space);
   if (place.point && !place.node)
     part.commands.push_back(
         copying("place/copy", "Copy coordinates", coordinates_text(*place.point, ", ")));
@@ -235,7 +283,7 @@ std::vector<ContextPart> context_parts(const PanelContext& context, const Picked
   if (!place.markers.empty()) parts.push_back(of_body(context, place.markers));
   if (place.node) parts.push_back(of_node(context, *place.node));
   if (place.element) parts.push_back(of_element(context, *place.element));
-  if (place.point) parts.push_back(of_view(place));
+  if (place.point || place.in_space || context.session.in_space()) parts.push_back(of_view(place));
   return parts;
 }
 

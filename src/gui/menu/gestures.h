@@ -2,12 +2,15 @@
 
 #include <span>
 
+#include "gui/menu/user_command.h"
+
 namespace winslow::gui {
 
 /// What the mouse does in the picture, for the list of keys.
 struct Gesture {
   const char* how;
   const char* what;
+  MeshScope scope = MeshScope::any;
 };
 std::span<const Gesture> mouse_gestures();
 

@@ -30,7 +30,7 @@ std::vector<Index> walls_meant(const PanelContext& context) {
 
 std::string without_layers(const PanelContext& context) {
   if (!context.session.document()) return without_mesh(context);
-  return context.session.layers() ? "" : "No layers are known: insert or hold some first.";
+  return context.session.mesh().layers() ? "" : "No layers are known: insert or hold some first.";
 }
 
 UserCommand color_by(LayerField field, UserCommand command) {

@@ -1,17 +1,35 @@
 #include "gui/menu/user_command.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 namespace winslow::gui {
+
+namespace {
+
+/// What has no counterpart in space (yet).
+constexpr std::array<std::string_view, 19> of_planes{
+    "ruler",       "magnifier",    "pin_magnifier", "ghost",         "split",
+    "nodes",       "rim_nodes",    "directions",    "node_ids",      "element_ids",
+    "pivot",       "shape_edit",   "deform",        "insert_layers", "respace_layers",
+    "hold_layers", "layers_panel", "color_layers",  "color_spacing"};
+
+}  // namespace
 
 const std::vector<UserCommand>& user_commands() {
   static const std::vector<UserCommand> all = [] {
     std::vector<UserCommand> commands;
-    for (auto make : {file_commands, edit_commands, motion_commands, layer_commands,
-                      solver_commands, view_commands, help_commands, demo_commands}) {
+    for (auto make :
+         {file_commands, edit_commands, motion_commands, layer_commands, solver_commands,
+          view_commands, space_commands, help_commands, demo_commands}) {
       auto group = make();
+      for (UserCommand& command : group)
+        if (std::ranges::find(of_planes, command.id) != of_planes.end())
+          command.scope = MeshScope::plane;
       std::move(group.begin(), group.end(), std::back_inserter(commands));
     }
     return commands;
@@ -47,6 +65,10 @@ std::string_view group_label(CommandGroup group) {
 }
 
 std::string why_blocked(const UserCommand& command, const PanelContext& context) {
+  const bool in_space = context.session.in_space();
+  if (command.scope == MeshScope::plane && in_space) return "Not for volume meshes yet.";
+  if (command.scope == MeshScope::space && context.session.document() && !in_space)
+    return "Only for volume meshes.";
   return command.blocked ? command.blocked(context) : std::string();
 }
 

@@ -14,9 +14,9 @@
 ///
 /// TO ADD A COMMAND, add an entry to the table of its group: file_commands.cpp, edit_commands.cpp,
 /// motion_commands.cpp, layer_commands.cpp, solver_commands.cpp, view_commands.cpp,
-/// help_commands.cpp or demo_commands.cpp. Its order there is its order in the menu. What a right
-/// click offers stands in context_commands.cpp, what the mouse does, for the list of keys, in
-/// gestures.cpp.
+/// space_commands.cpp, help_commands.cpp or demo_commands.cpp. Its order there is its order in the
+/// menu. What a right click offers stands in context_commands.cpp, what the mouse does, for the
+/// list of keys, in gestures.cpp.
 namespace winslow::gui {
 
 enum class CommandGroup { file, edit, motion, layers, solver, view, help };
@@ -24,6 +24,9 @@ enum class CommandGroup { file, edit, motion, layers, solver, view, help };
 inline constexpr std::array<CommandGroup, 7> command_groups{
     CommandGroup::file,   CommandGroup::edit, CommandGroup::motion, CommandGroup::layers,
     CommandGroup::solver, CommandGroup::view, CommandGroup::help};
+
+/// The meshes that a command or a gesture is for.
+enum class MeshScope { any, plane, space };
 
 struct UserCommand {
   using Test = std::function<bool(const PanelContext&)>;
@@ -42,6 +45,8 @@ struct UserCommand {
   Test checked = {};  ///< for what is on or off; null: it is neither
   /// Emits what is to happen. Called only when it is not blocked.
   std::function<void(const PanelContext&)> run = {};
+  /// Of other meshes it is blocked, before `blocked` is asked.
+  MeshScope scope = MeshScope::any;
   Text label_now = {};  ///< label that says what would happen ("Undo: Smooth"); null: `label`
   bool starts_section = false;  ///< a line above it in the menu
   /// A submenu: what it holds now, in place of `run`. The palette lists them one by one.
@@ -67,6 +72,7 @@ std::vector<UserCommand> motion_commands();
 std::vector<UserCommand> layer_commands();
 std::vector<UserCommand> solver_commands();
 std::vector<UserCommand> view_commands();
+std::vector<UserCommand> space_commands();
 std::vector<UserCommand> help_commands();
 std::vector<UserCommand> demo_commands();
 

@@ -197,7 +197,7 @@ std::vector<UserCommand> fit_commands() {
        .label = "Fit the bodies",
        .group = group,
        .keys = {key(GLFW_KEY_B)},
-       .tooltip = "Show all holes of the mesh, without the far field around them.",
+       .tooltip = "Show all bodies in the mesh, without the far field around them.",
        .blocked = without_bodies,
        .run = [](const PanelContext& c) { c.emit(action::FitBodies{}); }},
       {.id = "fit_selection",

@@ -31,7 +31,9 @@ void GoToPanel::draw_field(const PanelContext& context) {
                           ImGui::GetStyle().ItemInnerSpacing.x);
   // What is typed next is another place, not more of the last one.
   bool wanted = ImGui::InputTextWithHint(
-      "##go_to", "n123, e45, 0.5, 0.1 ...", text_.data(), text_.size(),
+      "##go_to",
+      context.session.in_space() ? "n123, e45, 0.5, 0.1, 2 ..." : "n123, e45, 0.5, 0.1 ...",
+      text_.data(), text_.size(),
       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   ui::note("go_to/field");
   ui::tooltip(tip);

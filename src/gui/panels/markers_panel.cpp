@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -184,7 +185,8 @@ void MarkersPanel::draw_row(const PanelContext& context, Index marker) {
                                  ": selected bodies move, the others stay. Ctrl+click adds or "
                                  "removes, a double click looks at it, a right click offers "
                                  "more.\n") +
-              counted(data.faces.size(), "edge") + ", tag " + std::to_string(data.tag));
+              counted(data.faces.size(), context.session.in_space() ? "face" : "edge") + ", tag " +
+              std::to_string(data.tag));
   const bool asked = ImGui::IsItemClicked(ImGuiMouseButton_Right);
   ImGui::PopID();
   if (asked) context.emit(action::ShowContextMenu{PickedPlace{{}, {marker}, {}, {}}});
@@ -255,12 +257,34 @@ bool MarkersPanel::draw_colors(const PanelContext& context) {
       ui::button("marker_color/other", "Other colour...",
                  {"Any colour, by hue or as #rrggbb.", ui::ButtonStyle::normal, true, -1});
   if (other) ImGui::CloseCurrentPopup();
+  if (context.session.in_space()) draw_surface(context, *marker);
   if (ui::button(
           "marker_color/automatic", "Automatic",
           {"The colour that it has by its place in the list.", ui::ButtonStyle::normal, true, -1}))
     paint({});
   ImGui::EndPopup();
   return other;
+}
+
+/// How the marker's surface is drawn in space.
+void MarkersPanel::draw_surface(const PanelContext& context, Index marker) const {
+  const MarkerLook look = context.view.markers.of(coloured_);
+  constexpr const char* tip = "Automatic: a body as a surface, what encloses bodies as an outline.";
+  auto drawing = static_cast<std::size_t>(look.drawing);
+  ImGui::SetNextItemWidth(context.theme.px(162));
+  if (ui::combo("marker_color/drawing", {"Automatic", "As a surface", "As an outline"}, drawing,
+                tip))
+    change_look(context, marker, coloured_,
+                [&](MarkerLook& l) { l.drawing = static_cast<MarkerDrawing>(drawing); });
+  int percent = static_cast<int>(std::lround(100 * look.opacity));
+  ImGui::SetNextItemWidth(context.theme.px(162));
+  if (ImGui::SliderInt("##marker_color/opacity", &percent, 10, 100, "%d %% opaque"))
+    change_look(context, marker, coloured_, [&](MarkerLook& l) {
+      l.opacity = percent / 100.0;
+      if (l.drawing == MarkerDrawing::outline) l.drawing = MarkerDrawing::surface;
+    });
+  ui::note("marker_color/opacity");
+  ui::tooltip("How much of what lies behind the surface it hides.");
 }
 
 /// Any colour; the marker wears it while it is being chosen.

@@ -18,6 +18,7 @@ class MarkersPanel : public Panel {
   std::optional<Index> begin_popup(const PanelContext& context, const char* popup) const;
   bool draw_colors(const PanelContext& context);
   void draw_other_color(const PanelContext& context);
+  void draw_surface(const PanelContext& context, Index marker) const;
 
   std::string coloured_;  // marker whose colour is being chosen
 };

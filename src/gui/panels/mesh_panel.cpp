@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <string>
+#include <string_view>
 
 #include "gui/base/text.h"
 #include "gui/widgets/controls.h"
@@ -26,6 +27,14 @@ void line(const std::string& name, const std::string& value, const char* tip) {
   const float room = ImGui::GetContentRegionAvail().x;
   ui::text_right(ui::elided(value, room), palette().text);
   ui::tooltip(tip);
+}
+
+/// "triangles", "tetrahedra"
+std::string plural_of(ElementType type) {
+  std::string name(shape_of(type).name);
+  constexpr std::string_view greek = "hedron";
+  if (name.ends_with(greek)) return name.substr(0, name.size() - 2) + "a";
+  return name + "s";
 }
 
 }  // namespace
@@ -53,21 +62,26 @@ void MeshPanel::count(const std::shared_ptr<const Topology>& topology) {
   if (counts_.topology == topology) return;
   counts_ = {.topology = topology};
   for (Index e = 0; e < topology->element_count(); ++e)
-    ++(topology->element(e).size() == 3 ? counts_.triangles : counts_.quadrilaterals);
+    ++counts_.of_type[static_cast<std::size_t>(topology->element_type(e))];
   for (Index i = 0; i < topology->node_count(); ++i) {
     if (!topology->used(i))
       ++counts_.unused_nodes;
     else if (topology->on_boundary(i))
       ++counts_.boundary_nodes;
   }
-  for (const auto& loop : topology->boundary_loops()) counts_.boundary_edges += loop.size();
 }
 
 void MeshPanel::measure(const Session& session) {
   if (generation_ == session.generation() && shape_ == session.shape()) return;
   generation_ = session.generation();
   shape_ = session.shape();
-  extents_ = bounds(Mesh{session.topology(), session.coordinates()});
+  const Mesh mesh{session.topology(), session.coordinates()};
+  if (session.in_space()) {
+    extents_ = space_bounds(mesh);
+    return;
+  }
+  const Bounds box = bounds(mesh);
+  extents_ = {{box.min.x(), box.min.y(), 0}, {box.max.x(), box.max.y(), 0}};
 }
 
 void MeshPanel::draw(const PanelContext& context) {
@@ -85,26 +99,34 @@ void MeshPanel::draw(const PanelContext& context) {
 }
 
 void MeshPanel::draw_sizes(const PanelContext& context) const {
-  const Vec2 size = extents_.size();
+  const Vec3 size = extents_.size();
+  const bool in_space = context.session.in_space();
   ImGui::BeginGroup();
   line("x", extent_text(extents_.min.x()) + " to " + extent_text(extents_.max.x()),
        "Extent of the mesh, in its own units.");
   line("y", extent_text(extents_.min.y()) + " to " + extent_text(extents_.max.y()),
        "Extent of the mesh, in its own units.");
-  line("Size", extent_text(size.x()) + " by " + extent_text(size.y()), "Width and height.");
+  if (in_space)
+    line("z", extent_text(extents_.min.z()) + " to " + extent_text(extents_.max.z()),
+         "Extent of the mesh, in its own units.");
+  std::string sizes = extent_text(size.x()) + " by " + extent_text(size.y());
+  if (in_space) sizes += " by " + extent_text(size.z());
+  line("Size", sizes, "Extents along the axes.");
   ImGui::EndGroup();
   ui::note("mesh/extents");
   ImGui::BeginGroup();
   const Topology& topology = *context.topology();
   line("Nodes", grouped(topology.node_count()), "All nodes of the mesh.");
-  line("  on the boundary", grouped(counts_.boundary_nodes), "Nodes of boundary edges.");
+  line("  on the boundary", grouped(counts_.boundary_nodes),
+       in_space ? "Nodes of boundary faces." : "Nodes of boundary edges.");
   if (counts_.unused_nodes > 0)
     line("  unused", grouped(counts_.unused_nodes), "Nodes that no element has.");
   line("Elements", grouped(topology.element_count()), "All elements of the mesh.");
-  if (counts_.triangles > 0)
-    line("  triangles", grouped(counts_.triangles), "Elements of three nodes.");
-  if (counts_.quadrilaterals > 0)
-    line("  quadrilaterals", grouped(counts_.quadrilaterals), "Elements of four nodes.");
+  for (const ElementType type : all_element_types) {
+    const Index count = counts_.of_type[static_cast<std::size_t>(type)];
+    if (count == 0) continue;
+    line("  " + plural_of(type), grouped(count), "Elements of this kind.");
+  }
   ImGui::EndGroup();
   ui::note("mesh/counts");
 }
@@ -112,16 +134,19 @@ void MeshPanel::draw_sizes(const PanelContext& context) const {
 void MeshPanel::draw_markers(const PanelContext& context) {
   const Topology& topology = *context.topology();
   const auto& markers = topology.markers();
+  const bool in_space = context.session.in_space();
   std::size_t edges = 0;
   ImGui::BeginGroup();
   for (std::size_t m = 0; m < markers.size(); ++m) edges += markers[m].faces.size();
-  line("Edges of markers", grouped(static_cast<long long>(edges)),
-       "Boundary edges that a marker names, in all.");
+  line(in_space ? "Faces of markers" : "Edges of markers", grouped(static_cast<long long>(edges)),
+       in_space ? "Boundary faces that a marker names, in all."
+                : "Boundary edges that a marker names, in all.");
   for (std::size_t m = 0; m < markers.size(); ++m) {
     const std::string count = grouped(static_cast<long long>(markers[m].faces.size()));
     const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(count.c_str()).x -
                        2 * ImGui::GetFontSize();
-    line("  " + ui::elided(markers[m].name, room), count, "Edges of this marker.");
+    line("  " + ui::elided(markers[m].name, room), count,
+         in_space ? "Faces of this marker." : "Edges of this marker.");
   }
   ImGui::EndGroup();
   ui::note("mesh/markers");

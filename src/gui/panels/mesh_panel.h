@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 
+#include "core/mesh/element_type.h"
 #include "gui/panels/panel.h"
 
 namespace winslow::gui {
@@ -22,8 +24,8 @@ class MeshPanel : public Panel {
   /// Of one connectivity.
   struct Counts {
     std::shared_ptr<const Topology> topology;
-    Index triangles = 0, quadrilaterals = 0, boundary_nodes = 0, unused_nodes = 0;
-    std::size_t boundary_edges = 0;
+    std::array<Index, all_element_types.size()> of_type{};
+    Index boundary_nodes = 0, unused_nodes = 0;
   };
   void count(const std::shared_ptr<const Topology>& topology);
   void measure(const Session& session);
@@ -31,7 +33,7 @@ class MeshPanel : public Panel {
   static void draw_markers(const PanelContext& context);
 
   Counts counts_;
-  Bounds extents_{Vec2(0, 0), Vec2(0, 0)};
+  Box<3> extents_;           // z = 0 in the plane
   std::uint64_t shape_ = 0;  // that the extents are of
   std::uint64_t generation_ = 0;
 };

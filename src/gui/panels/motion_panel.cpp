@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/motion/rigid_motion.h"
+#include "gui/panels/forms/motion_steps_row.h"
 #include "gui/panels/forms/quality_limits_form.h"
 #include "gui/panels/keep_outside_rows.h"
 #include "gui/widgets/controls.h"
@@ -41,7 +42,7 @@ void MotionPanel::draw(const PanelContext& context) {
   ImGui::BeginDisabled(live);
   const bool entered = draw_fields(context, live);
   draw_pivot(context);
-  draw_steps(context);
+  draw_motion_steps(context);
   draw_keep_outside(context);
   draw_limits(context);
   ImGui::EndDisabled();
@@ -62,7 +63,7 @@ void MotionPanel::draw(const PanelContext& context) {
 /// Draws where the typed motion would put the bodies, or no longer.
 void MotionPanel::preview(const PanelContext& context, bool wanted) const {
   const auto& shown = context.session.selection().motion_preview();
-  if (wanted && (!shown || !same_motion(shown->motion, typed_)))
+  if (wanted && (!shown || shown->motion != RigidMotionRequest(typed_)))
     context.emit(action::PreviewMotion{typed_});
   else if (!wanted && shown)
     context.emit(action::PreviewMotion{});
@@ -108,24 +109,6 @@ void MotionPanel::draw_pivot(const PanelContext& context) {
   if (chosen == names.size()) names.emplace_back("As typed or dragged");
   if (ui::combo("motion/pivot_place", names, chosen, tip) && chosen < places.size())
     context.emit(action::SetPivot{{}, places[chosen]});
-}
-
-void MotionPanel::draw_steps(const PanelContext& context) {
-  constexpr std::array<int, 4> increments{0, 1, 8, 32};
-  const std::vector<std::string> names{"Automatic", "At once", "8 steps", "32 steps"};
-  const MotionOptions& now = context.session.jobs().motion_options();
-  std::size_t chosen = 0;
-  for (std::size_t i = 0; i < increments.size(); ++i)
-    if (increments[i] == now.increments) chosen = i;
-  constexpr const char* tip =
-      "In how many steps the body goes to its place, the mesh smoothed after each. Automatic: at "
-      "once, and in steps only if that leaves the mesh tangled.";
-  ui::row("Steps", tip, motion_label_share);
-  if (ui::combo("motion/steps", names, chosen, tip)) {
-    MotionOptions options = now;
-    options.increments = increments[chosen];
-    context.emit(action::EditMotionOptions{difference(now, options)});
-  }
 }
 
 /// They hold for every motion and deformation from here on, dragged or typed.

@@ -53,7 +53,9 @@ QualityRow title_of(std::string name, std::string tip) {
 QualityRow inverted_row(const QualityReport* before, Index now) {
   QualityRow row;
   row.name = "Inverted";
-  row.tip = "Elements with a corner whose area is not positive. A solver cannot use such a mesh.";
+  row.tip =
+      "Elements of which some part has no positive area or volume. A solver cannot use such a "
+      "mesh.";
   row.now = grouped(now);
   row.alarming = now > 0;
   row.before = before ? grouped(before->inverted) : "-";
@@ -137,8 +139,8 @@ void add_height_change(const WallReport& before, const WallReport& now,
 std::vector<QualityRow> quality_table(const QualityReport* before, const QualityReport& now,
                                       const Validity* shown) {
   std::vector<QualityRow> rows;
-  for (const Metric metric : reported_metrics()) {
-    const FieldInfo& info = metric_info(metric).field;
+  for (const Metric metric : reported_metrics(now.cell_dimension)) {
+    const FieldInfo& info = metric_info(metric, now.cell_dimension).field;
     rows.push_back(title_of(std::string(info.label), std::string(info.help)));
     Statistics n = now.of(metric).statistics;
     if (shown && metric == Metric::normalized_jacobian) n.min = shown->min_sine;

@@ -36,20 +36,40 @@ std::string coordinate(double value, double pixel) {
   return text.data();
 }
 
+std::string cursor_text(const PanelContext& context) {
+  const auto& at = context.view_state.cursor;
+  const double pixel = context.view_state.pixel;
+  return at ? "x " + coordinate(at->x(), pixel) + "   y " + coordinate(at->y(), pixel) : "";
+}
+
+/// "slat   e120   x 1.20   y 0.30   z 0.00"
+std::string seen_text(const PanelContext& context) {
+  const auto& seen = context.view_state.seen;
+  if (!seen) return {};
+  const auto& markers = context.topology()->markers();
+  std::string text;
+  if (seen->marker >= 0 && static_cast<std::size_t>(seen->marker) < markers.size())
+    text += markers[static_cast<std::size_t>(seen->marker)].name + "   ";
+  text += "e" + std::to_string(seen->element) + "   ";
+  if (seen->node) text += "n" + std::to_string(*seen->node) + "   ";
+  const double pixel = context.view_state.pixel;
+  for (Index k = 0; k < 3; ++k)
+    text += std::string(k > 0 ? "   " : "") + "xyz"[k] + " " + coordinate(seen->point[k], pixel);
+  return text;
+}
+
 /// At the right end, where it takes room from the notice alone. Returns where it begins.
 float draw_cursor(const PanelContext& context) {
   const float end = ImGui::GetWindowContentRegionMax().x;
-  const auto& at = context.view_state.cursor;
-  if (!at) return end;
-  const double pixel = context.view_state.pixel;
-  const std::string text = "x " + coordinate(at->x(), pixel) + "   y " + coordinate(at->y(), pixel);
+  const std::string text = context.session.in_space() ? seen_text(context) : cursor_text(context);
+  if (text.empty()) return end;
   const float width = ImGui::CalcTextSize(text.c_str()).x;
   const float line = ImGui::GetCursorPosY();
   const float back = ImGui::GetCursorPosX();
   ImGui::SetCursorPos(ImVec2(end - width, line));
   ui::text_dim(text);
   ui::note("status/cursor");
-  ui::tooltip("Where the mouse is, in units of the mesh.");
+  ui::tooltip("What is under the mouse, and where that is, in units of the mesh.");
   ImGui::SetCursorPos(ImVec2(back, line));
   // Steps, so that what stands left of it does not tremble with every digit.
   const float step = context.theme.px(40);
@@ -76,8 +96,10 @@ void draw_mesh(const PanelContext& context) {
   separator();
   if (!context.shown) return;
   const Validity& validity = context.shown->validity;
-  ui::text_dim("min sine " + table_number(validity.min_sine));
-  ui::tooltip("Smallest sine of any corner angle. Positive: every element is valid.");
+  const bool in_space = context.session.in_space();
+  ui::text_dim((in_space ? "min scaled Jacobian " : "min sine ") + table_number(validity.min_sine));
+  ui::tooltip(in_space ? "Smallest scaled Jacobian of the elements that can move."
+                       : "Smallest sine of any corner angle. Positive: every element is valid.");
   separator();
   if (validity.inverted > 0)
     ui::text_colored(palette().danger, grouped(validity.inverted) + " inverted");

@@ -50,10 +50,15 @@ void ViewPanel::draw(const PanelContext& context) {
     changed |= draw_map(view);
     changed |= draw_range(context, view);
   }
-  changed |= draw_elements(view);
-  changed |= draw_boundary(view);
-  changed |= draw_comparison(view);
-  changed |= draw_magnifier(context, view);
+  const bool in_space = context.session.in_space();
+  changed |= draw_elements(view, in_space);
+  if (in_space) {
+    changed |= draw_space(view);
+  } else {
+    changed |= draw_boundary(view);
+    changed |= draw_comparison(view);
+    changed |= draw_magnifier(context, view);
+  }
   changed |= draw_appearance(view);
   if (changed) context.emit(action::EditView{difference(context.view, view)});
 }
@@ -62,9 +67,9 @@ bool ViewPanel::draw_color(const PanelContext& context, ViewOptions& view) {
   std::vector<std::string> names{"None"};
   std::vector<ElementField> fields;
   std::size_t chosen = 0;
-  for (const ElementField& field : all_element_fields()) {
+  for (const ElementField& field : all_element_fields(context.session.in_space() ? 3 : 2)) {
     // Of layers there is nothing to see where there are none.
-    if (field.layer() && !context.session.layers() && view.color != field) continue;
+    if (field.layer() && !context.session.mesh().layers() && view.color != field) continue;
     fields.push_back(field);
     names.emplace_back(field_info(field).label);
     if (view.color == field) chosen = fields.size();
@@ -167,7 +172,7 @@ bool ViewPanel::draw_range(const PanelContext& context, ViewOptions& view) {
   return changed;
 }
 
-bool ViewPanel::draw_elements(ViewOptions& view) {
+bool ViewPanel::draw_elements(ViewOptions& view, bool in_space) {
   if (!ui::section("section/elements", "Elements")) return false;
   constexpr const char* tip = "Draw surfaces, edges or both (W).";
   auto style = static_cast<std::size_t>(style_of(view));
@@ -187,7 +192,30 @@ bool ViewPanel::draw_elements(ViewOptions& view) {
                           "Draw inverted elements in red above all others.");
   ui::second_column("Legend");
   changed |= ui::checkbox("view/legend", "Legend", view.legend, "Colours and their values (L).");
-  changed |= ui::checkbox("view/nodes", "Nodes", view.nodes, "A dot on every node.");
+  if (!in_space) changed |= ui::checkbox("view/nodes", "Nodes", view.nodes, "A dot on every node.");
+  return changed;
+}
+
+bool ViewPanel::draw_space(ViewOptions& view) {
+  if (!ui::section("section/space", "Space")) return false;
+  constexpr const char* tip =
+      "Parallel: lengths can be compared, and there is a bar that shows one. In perspective what "
+      "is "
+      "nearer is larger (P).";
+  std::size_t how = view.space.perspective ? 1 : 0;
+  row("Projection", tip);
+  bool changed = ui::combo("view/projection", {"Parallel", "Perspective"}, how, tip);
+  view.space.perspective = how == 1;
+  constexpr const char* up_tip = "The axis that stays upright while the view is turned.";
+  auto up = static_cast<std::size_t>(view.space.up);
+  row("Upright", up_tip);
+  changed |= ui::combo("view/up", {"x axis", "y axis", "z axis"}, up, up_tip);
+  view.space.up = static_cast<int>(up);
+  changed |= ui::checkbox("view/axes", "Axes", view.space.axes,
+                          "Where the axes point, in the corner of the picture.");
+  ui::second_column("Scale bar");
+  changed |= ui::checkbox("view/scale_bar", "Scale bar", view.scale_bar,
+                          "A bar of a round length; not in perspective.");
   return changed;
 }
 

@@ -13,8 +13,9 @@ class ViewPanel : public Panel {
   bool draw_color(const PanelContext& context, ViewOptions& view);
   bool draw_map(ViewOptions& view);
   bool draw_range(const PanelContext& context, ViewOptions& view);
-  bool draw_elements(ViewOptions& view);
+  bool draw_elements(ViewOptions& view, bool in_space);
   bool draw_boundary(ViewOptions& view);
+  bool draw_space(ViewOptions& view);
   bool draw_comparison(ViewOptions& view);
   bool draw_magnifier(const PanelContext& context, ViewOptions& view);
   bool draw_appearance(ViewOptions& view);

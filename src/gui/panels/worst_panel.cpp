@@ -26,7 +26,8 @@ void WorstPanel::draw(const PanelContext& context) {
 void WorstPanel::draw_choices(const PanelContext& context) {
   ViewOptions view = context.view;
   bool changed = false;
-  const std::vector<ElementField> fields = rankings();
+  const bool in_space = context.session.in_space();
+  const std::vector<ElementField> fields = rankings(in_space ? 3 : 2);
   std::vector<std::string> names{"As coloured"};
   std::size_t chosen = 0;
   for (std::size_t k = 0; k < fields.size(); ++k) {
@@ -48,6 +49,9 @@ void WorstPanel::draw_choices(const PanelContext& context) {
     view.worst_count = counts[length];
     changed = true;
   }
+  if (in_space)
+    changed |= ui::checkbox("worst/through", "See them through the mesh", view.space.worst,
+                            "Draw the elements of this list in orange, through what hides them.");
   if (changed) context.emit(action::EditView{difference(context.view, view)});
 }
 

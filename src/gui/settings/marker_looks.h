@@ -7,11 +7,18 @@
 
 namespace winslow::gui {
 
+/// How a marker of a volume mesh is drawn; automatic: a body as a surface, what encloses bodies as
+/// an outline.
+enum class MarkerDrawing { automatic, surface, outline };
+
 /// How one marker is shown, and whether the mouse may take it.
 struct MarkerLook {
   bool hidden = false;                        ///< not drawn; the mouse passes through it
   bool locked = false;                        ///< drawn, but neither selected nor moved
   std::optional<std::array<float, 3>> color;  ///< red, green, blue, 0 to 1; none: by its number
+  // In space.
+  MarkerDrawing drawing = MarkerDrawing::automatic;
+  double opacity = 1;  ///< of its surface, 0.1 to 1
 
   bool operator==(const MarkerLook&) const = default;
 };

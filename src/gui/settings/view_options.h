@@ -7,6 +7,7 @@
 #include "core/inspect/element_field.h"
 #include "gui/render/color_map.h"
 #include "gui/settings/marker_looks.h"
+#include "gui/settings/space_options.h"
 
 namespace winslow::gui {
 
@@ -77,6 +78,7 @@ struct ViewOptions {
   double divider = 0.5;  ///< share of the viewport left of the divider
   BeforeState before = BeforeState::loaded;
   Magnifier magnifier;
+  SpaceOptions space;
   /// What the list of worst elements goes by; none: as coloured.
   std::optional<ElementField> worst_by;
   int worst_count = 20;  ///< length of that list

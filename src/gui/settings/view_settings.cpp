@@ -34,6 +34,10 @@ constexpr Names<ColorAxis, 3> axes{{{ColorAxis::automatic, "automatic"},
 constexpr Names<BeforeState, 2> befores{
     {{BeforeState::loaded, "loaded"}, {BeforeState::last_command, "last_command"}}};
 
+constexpr Names<MarkerDrawing, 3> drawings{{{MarkerDrawing::automatic, "automatic"},
+                                            {MarkerDrawing::surface, "surface"},
+                                            {MarkerDrawing::outline, "outline"}}};
+
 constexpr Names<LegendPlace, 6> legend_places{{{LegendPlace::right, "right"},
                                                {LegendPlace::left, "left"},
                                                {LegendPlace::top_right, "top_right"},
@@ -64,6 +68,10 @@ void visit(View& view, Visitor&& visitor) {
   visitor.flag("mark_inverted", view.mark_inverted);
   visitor.choice("before", view.before, befores);
   visitor.number("magnification", view.magnifier.factor, 2, 1000);
+  visitor.flag("crinkle", view.space.crinkle);
+  visitor.flag("perspective", view.space.perspective);
+  visitor.number("up", view.space.up, 0, 2);
+  visitor.flag("axes", view.space.axes);
   visitor.number("worst_count", view.worst_count, 1, 100);
   visitor.choice("lightness", view.lightness, looks);
   visitor.choice("backdrop", view.backdrop, backdrops);
@@ -89,6 +97,9 @@ struct Writer {
       json& entry = looks[name];
       entry = {{"hidden", look.hidden}, {"locked", look.locked}};
       if (look.color) entry["color"] = *look.color;
+      Writer of_marker{entry};
+      of_marker.choice("drawing", look.drawing, drawings);
+      of_marker.number("opacity", look.opacity, 0.1, 1);
     }
     object[key] = {{"mesh", value.mesh}, {"looks", std::move(looks)}};
   }
@@ -158,6 +169,8 @@ struct Reader {
       Reader of_marker{entry};
       of_marker.flag("hidden", look.hidden);
       of_marker.flag("locked", look.locked);
+      of_marker.choice("drawing", look.drawing, drawings);
+      of_marker.number("opacity", look.opacity, 0.1, 1);
       look.color = of_marker.color("color");
       value.set(name, look);
     }

@@ -30,6 +30,15 @@ void open_right(ViewOptions& view, const ColumnState& columns);
 void fold_left(ViewOptions& view, const ColumnState& columns);
 void fold_right(ViewOptions& view, const ColumnState& columns);
 
+/// What is seen at a place of a volume mesh.
+struct SeenPlace {
+  Vec3 point{0, 0, 0};
+  Vec3 normal{0, 0, 1};  ///< of the surface there, towards the viewer
+  Index element = -1;
+  Index marker = -1;          ///< of the boundary; -1: none there
+  std::optional<Index> node;  ///< of the element, near enough to be meant
+};
+
 /// What the view is doing at the moment; unlike ViewOptions nothing that one would keep.
 struct ViewState {
   std::optional<MeshItem> focus;  ///< what was gone to: highlighted and described
@@ -37,9 +46,11 @@ struct ViewState {
   bool box_zoom_armed = false;    ///< the next drag draws the box to zoom to
   bool can_go_back = false;       ///< to an earlier view
   bool can_go_forward = false;
-  bool ruler = false;          ///< clicks measure
-  std::optional<Vec2> cursor;  ///< what the mouse is over, in units of the mesh; none: no mesh
-  double pixel = 1;            ///< what a pixel is wide, in units of the mesh
+  bool ruler = false;              ///< clicks measure
+  std::optional<Vec2> cursor;      ///< what the mouse is over, in units of the mesh; none: no mesh
+  std::optional<SeenPlace> seen;   ///< what the mouse is over, of a volume mesh
+  std::optional<std::size_t> cut;  ///< that has a handle in the picture
+  double pixel = 1;                ///< what a pixel is wide, in units of the mesh
   ColumnState columns;
 };
 

@@ -5,6 +5,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 
 #include "gui/widgets/line_breaks.h"
 #include "gui/widgets/ui_layer.h"
@@ -206,6 +207,27 @@ bool vector_field(const VectorField& field, Vec2& value, bool* enter) {
     ImGui::SetNextItemWidth(width);
     double component = value[axis];
     if (number(axis == 0 ? field.x : field.y, component, field.tooltip, format)) {
+      value[axis] = component;
+      changed = true;
+    }
+    if (enter && entered()) *enter = true;
+  }
+  return changed;
+}
+
+bool space_vector_field(const SpaceVectorField& field, Vec3& value, bool* enter) {
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+  constexpr std::array<const char*, 3> letters{"x", "y", "z"};
+  bool changed = false;
+  for (Index axis = 0; axis < 3; ++axis) {
+    if (axis > 0) ImGui::SameLine(0, gap);
+    const char* letter = letters[static_cast<std::size_t>(axis)];
+    const std::string id = std::string(field.id) + "_" + letter;
+    ImGui::SetNextItemWidth(width);
+    double component = value[axis];
+    // The letter stands in the field: beside it there would be no room for digits.
+    if (number(id, component, std::string(letter) + ": " + std::string(field.tooltip), "%.5g")) {
       value[axis] = component;
       changed = true;
     }

@@ -47,6 +47,12 @@ struct VectorField {
 };
 /// True when the value has changed. entered: set if Enter was pressed in one of them.
 bool vector_field(const VectorField& field, Vec2& value, bool* entered = nullptr);
+/// Three fields, of a vector in space, in a row without a label; z may be as narrow as the others.
+struct SpaceVectorField {
+  std::string_view id;  ///< of the fields: with "_x", "_y", "_z" after it
+  std::string_view tooltip;
+};
+bool space_vector_field(const SpaceVectorField& field, Vec3& value, bool* entered = nullptr);
 /// Enter was pressed in the last field, which ends the typing there.
 bool entered();
 /// For the callback of a text field that has put another text in place of what was typed: the undo

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "core/error.h"
+#include "core/parallel/parallel_for.h"
 
 namespace winslow {
 
@@ -22,12 +24,61 @@ std::vector<double> distances(const Mesh& mesh, const Plane& plane) {
   const double least = nearness * space_bounds(mesh).size().norm();
   const SpacePoints x(mesh.coordinates);
   std::vector<double> d(at(mesh.coordinates.size()));
-  for (Index i = 0; i < mesh.coordinates.size(); ++i) {
-    const double distance = plane.distance(x[i]);
-    d[at(i)] = std::abs(distance) > least ? distance : 0;
-  }
+  parallel_for(0, mesh.coordinates.size(), [&](Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) {
+      const double distance = plane.distance(x[i]);
+      d[at(i)] = std::abs(distance) > least ? distance : 0;
+    }
+  });
   return d;
 }
+
+/// Numbers by keys, in one array: a section asks for a point four times over.
+class KeyTable {
+ public:
+  struct Found {
+    Index value;
+    bool fresh;
+  };
+  /// For so many keys there will be room without moving any.
+  void reserve(std::size_t keys) {
+    while (slots_.size() < 2 * (keys + 1)) grow();
+  }
+  Found find_or_add(std::uint64_t key, Index value) {
+    if (2 * (count_ + 1) > slots_.size()) grow();
+    Slot& slot = slot_of(key);
+    const bool fresh = slot.value < 0;
+    if (fresh) {
+      slot = {key, value};
+      ++count_;
+    }
+    return {slot.value, fresh};
+  }
+
+ private:
+  struct Slot {
+    std::uint64_t key = 0;
+    Index value = -1;  // -1: empty
+  };
+
+  Slot& slot_of(std::uint64_t key) {
+    // Fibonacci hashing: the upper bits of the product are spread well.
+    std::size_t k = (key * 0x9E3779B97F4A7C15U) >> shift_;
+    while (slots_[k].value >= 0 && slots_[k].key != key) k = (k + 1) & (slots_.size() - 1);
+    return slots_[k];
+  }
+  void grow() {
+    std::vector<Slot> old = std::move(slots_);
+    --shift_;
+    slots_.assign(std::size_t{1} << (64U - shift_), {});
+    for (const Slot& slot : old)
+      if (slot.value >= 0) slot_of(slot.key) = slot;
+  }
+
+  std::vector<Slot> slots_ = std::vector<Slot>(1024);
+  unsigned shift_ = 54;  // 64 less the bits of a place
+  std::size_t count_ = 0;
+};
 
 /// Cuts one element after the other.
 class Cutter {
@@ -40,17 +91,32 @@ class Cutter {
         front_on_plane_(front_on_plane) {}
 
   PlaneSection cut() {
-    for (Index e = 0; e < topology_.element_count(); ++e) {
-      const auto corners = topology_.element(e);
-      const bool first = in_front(corners[0]);
-      const bool met =
-          std::ranges::any_of(corners, [&](Index node) { return in_front(node) != first; });
-      if (met) cut_element(e, corners);
-    }
+    const std::vector<unsigned char> met = met_elements();
+    // A plane tiling of n triangles has about n / 2 corners.
+    point_of_.reserve(static_cast<std::size_t>(std::ranges::count(met, 1)) * 2 / 3);
+    for (Index e = 0; e < topology_.element_count(); ++e)
+      if (met[at(e)] != 0) cut_element(e, topology_.element(e));
     return std::move(section_);
   }
 
  private:
+  /// Elements with corners on both sides: found first, by all threads, as most have none.
+  std::vector<unsigned char> met_elements() const {
+    std::vector<unsigned char> front(distance_.size());
+    for (std::size_t i = 0; i < front.size(); ++i)
+      front[i] = in_front(static_cast<Index>(i)) ? 1 : 0;
+    std::vector<unsigned char> met(at(topology_.element_count()));
+    parallel_for(0, topology_.element_count(), [&](Index begin, Index end) {
+      for (Index e = begin; e < end; ++e) {
+        const auto corners = topology_.element(e);
+        unsigned sum = 0;
+        for (const Index node : corners) sum += front[at(node)];
+        met[at(e)] = sum != 0 && sum != corners.size() ? 1 : 0;
+      }
+    });
+    return met;
+  }
+
   static constexpr std::size_t most_edges = 12;
 
   /// An edge of an element from one side of the plane to the other.
@@ -117,12 +183,13 @@ class Cutter {
     const Index b = behind == 0 ? crossing.behind : crossing.front;
     const auto key = (std::uint64_t{static_cast<std::uint32_t>(a)} << 32U) |
                      std::uint64_t{static_cast<std::uint32_t>(b)};
-    const auto [it, fresh] = point_of_.try_emplace(key, static_cast<Index>(section_.points.size()));
+    const auto [point, fresh] =
+        point_of_.find_or_add(key, static_cast<Index>(section_.points.size()));
     if (fresh) {
       const Vec3 p = x_[a], q = x_[b];
       section_.points.emplace_back(a == b ? p : Vec3(p + (q - p) * (behind / (behind - front))));
     }
-    return it->second;
+    return point;
   }
 
   void add_polygon(Index e, std::size_t first) {
@@ -149,7 +216,7 @@ class Cutter {
   bool front_on_plane_;
   std::array<Crossing, most_edges> crossings_{};
   std::size_t count_ = 0;
-  std::unordered_map<std::uint64_t, Index> point_of_;
+  KeyTable point_of_;
   PlaneSection section_;
 };
 
@@ -184,16 +251,19 @@ std::vector<unsigned char> elements_behind(const Mesh& mesh, std::span<const Pla
   std::vector<unsigned char> left(at(mesh.topology->element_count()), 1);
   for (const Plane& plane : planes) {
     const std::vector<double> d = distances(mesh, plane);
-    for (Index e = 0; e < mesh.topology->element_count(); ++e) {
-      const auto corners = mesh.topology->element(e);
-      if (std::ranges::none_of(corners, [&](Index node) { return d[at(node)] < 0; }))
-        left[at(e)] = 0;
-    }
+    parallel_for(0, mesh.topology->element_count(), [&](Index begin, Index end) {
+      for (Index e = begin; e < end; ++e) {
+        const auto corners = mesh.topology->element(e);
+        if (std::ranges::none_of(corners, [&](Index node) { return d[at(node)] < 0; }))
+          left[at(e)] = 0;
+      }
+    });
   }
   return left;
 }
 
 std::vector<Index> cut_polygon(std::span<const Vec3> corners, const Vec3& normal) {
+  if (corners.size() == 3) return {0, 1, 2};
   const auto [u, v] = directions_in(normal);
   std::vector<Vec2> p;
   std::vector<Index> left;

@@ -8,8 +8,9 @@
 /// Motions and changes of shape, typed or under the mouse. Carried out by Motions.
 namespace winslow::gui::action {
 
+/// In the plane or in space, as the open mesh is.
 struct ApplyMotion {
-  RigidMotion motion;
+  RigidMotionRequest motion;
 };
 struct ApplyDeformation {
   SineDeformation shape;

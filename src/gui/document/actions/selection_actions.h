@@ -22,6 +22,10 @@ struct SetPivot {
   std::optional<Vec2> pivot;  ///< none: at the place named
   PivotPlace place = PivotPlace::centre;
 };
+/// The same of a volume mesh; none: at the centre of what is selected.
+struct SetSpacePivot {
+  std::optional<Vec3> pivot;
+};
 struct SelectArc {
   std::optional<BoundaryArc> arc;
 };
@@ -31,7 +35,7 @@ struct PreviewDeformation {
 };
 /// A rigid motion of the selected bodies, shown as an outline only; none: no more.
 struct PreviewMotion {
-  std::optional<RigidMotion> motion;
+  std::optional<RigidMotionRequest> motion;
 };
 /// Selects the node of the inspector; none: no node.
 struct SelectNode {
@@ -50,8 +54,8 @@ struct PinNodes {
 namespace winslow::gui {
 
 using SelectionAction =
-    std::variant<action::SelectMarkers, action::HoverMarkers, action::SetPivot, action::SelectArc,
-                 action::PreviewDeformation, action::PreviewMotion, action::SelectNode,
-                 action::HoverNode, action::PinNodes>;
+    std::variant<action::SelectMarkers, action::HoverMarkers, action::SetPivot,
+                 action::SetSpacePivot, action::SelectArc, action::PreviewDeformation,
+                 action::PreviewMotion, action::SelectNode, action::HoverNode, action::PinNodes>;
 
 }  // namespace winslow::gui

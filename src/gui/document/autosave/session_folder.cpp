@@ -58,7 +58,7 @@ Document::Loaded read_start(const fs::path& file, int zone) {
   Document::Loaded loaded;
   loaded.state = read_step(file, MeshState{}).state;
   loaded.file.mesh = loaded.state.mesh;
-  loaded.quality = measure_quality(loaded.file.mesh);
+  examine(loaded);
   return loaded;
 }
 

@@ -200,7 +200,9 @@ MeshState read_state(ArchiveReader& reader, const MeshState& before) {
     reader.fail(std::to_string(state.mesh.coordinates.size()) + " nodes of " +
                 std::to_string(topology.node_count()));
   // What belongs to other elements than there are now cannot have stayed as it was.
-  if (parts.topology && (!parts.vcv || (state.layers && !parts.layers)))
+  // Volume meshes have no control volumes of their own.
+  const bool without_vcv = topology.cell_dimension() == 2 && !parts.vcv;
+  if (parts.topology && (without_vcv || (state.layers && !parts.layers)))
     reader.fail("other elements without their control volumes or layers");
   if (parts.vcv) {
     VcvData data;

@@ -3,8 +3,6 @@
 #include <system_error>
 #include <utility>
 
-#include "core/error.h"
-
 namespace winslow::gui {
 
 namespace {
@@ -22,15 +20,17 @@ Document::Loaded Document::load(const std::filesystem::path& path, int zone) {
   loaded.path = path;
   loaded.stamp = stamp_of(path);
   loaded.file = io::read_mesh(path, {.zone = zone});
-  if (loaded.file.mesh.topology->cell_dimension() == 3) {
-    throw InputError(path.string() +
-                     ": a volume mesh, and the studio shows plane meshes only; the command line "
-                     "smooths and moves it ('winslow smooth', 'winslow move')");
-  }
-  loaded.quality = measure_quality(loaded.file.mesh);
   loaded.state = make_state(loaded.file.mesh);
+  examine(loaded);
   if (stamp_of(path) != loaded.stamp) loaded.stamp.reset();
   return loaded;
+}
+
+void examine(Document::Loaded& loaded) {
+  const Mesh& mesh = loaded.state.mesh;
+  loaded.quality = measure_quality(mesh);
+  if (mesh.topology->cell_dimension() == 3)
+    loaded.boundary = std::make_shared<const VolumeBoundary>(find_boundary(mesh));
 }
 
 Document::Document(Loaded loaded)
@@ -40,6 +40,7 @@ Document::Document(Loaded loaded)
       details_(std::move(loaded.file.details)),
       warnings_(std::move(loaded.file.warnings)),
       loaded_quality_(std::move(loaded.quality)),
+      boundary_(std::move(loaded.boundary)),
       edits_(std::move(loaded.state)) {}
 
 std::span<const int> Document::zones() const {

@@ -13,6 +13,7 @@
 #include "core/quality/quality.h"
 #include "gui/document/history/edit_history.h"
 #include "gui/files/file_stamp.h"
+#include "gui/render/space/volume_scene.h"
 #include "io/format/mesh_file.h"
 
 namespace winslow::gui {
@@ -27,6 +28,7 @@ class Document {
     MeshState state;
     QualityReport quality;
     std::optional<FileStamp> stamp;  ///< of the file that was read; empty: it changed meanwhile
+    std::shared_ptr<const VolumeBoundary> boundary;  ///< of a volume mesh; null: of a plane one
   };
   /// Reads and prepares a mesh, of a file of several zones that one; 0: the first. Throws what
   /// io::read_mesh throws.
@@ -54,6 +56,8 @@ class Document {
   std::string zone_text() const;
   const std::vector<std::string>& warnings() const { return warnings_; }
   const QualityReport& loaded_quality() const { return loaded_quality_; }
+  /// Of a volume mesh, whose faces no command changes; null: it is a plane mesh.
+  const std::shared_ptr<const VolumeBoundary>& boundary() const { return boundary_; }
 
   /// What was done to the mesh.
   const EditHistory& edits() const { return edits_; }
@@ -78,10 +82,14 @@ class Document {
   std::shared_ptr<const io::FormatDetails> details_;
   std::vector<std::string> warnings_;
   QualityReport loaded_quality_;
+  std::shared_ptr<const VolumeBoundary> boundary_;
   EditHistory edits_;
   std::uint64_t saved_revision_ = 0;
   std::set<std::uint64_t> shown_only_;  // revisions that a demo made
   std::set<std::filesystem::path> written_;
 };
+
+/// Finds what there is to know of a mesh beside what its file says, of the state it is opened in.
+void examine(Document::Loaded& loaded);
 
 }  // namespace winslow::gui

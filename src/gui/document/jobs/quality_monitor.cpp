@@ -18,7 +18,12 @@ std::shared_ptr<const QualityMonitor::Measured> measure(std::uint64_t shape, con
   measured->before = named;
   measured->report = measure_quality(
       state.mesh, {.histogram_bins = 40, .worst = most_worst, .threads = 1, .before = wish.before});
-  if (wish.field)
+  if (wish.field && state.mesh.topology->cell_dimension() == 3)
+    // Fields of plane meshes alone have no values here.
+    measured->values = wish.field->metric() && wish.field->cell_dimension() == 3
+                           ? element_values(state.mesh, *wish.field->metric())
+                           : std::vector<double>();
+  else if (wish.field)
     measured->values = element_values(*state.vcv, state.mesh.coordinates, *wish.field, 1,
                                       {.layers = state.layers.get(), .before = wish.before});
   return measured;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,8 @@ struct PickedPlace {
   std::vector<Index> markers;    ///< of the body there, ascending; empty: none
   std::optional<Index> node;     ///< near enough to be meant
   std::optional<Index> element;  ///< that contains the point
+  /// Of a volume mesh, with the normal of the surface there, towards the viewer.
+  std::optional<std::array<Vec3, 2>> in_space = {};
 };
 
 }  // namespace winslow::gui

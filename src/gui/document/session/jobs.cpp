@@ -98,7 +98,7 @@ double Jobs::pace_of(Command command) const {
   return method_of(*smooth, move ? move->how : motion_) == Method::direct ? pace_ : 0;
 }
 
-MoveCommand Jobs::move_command(const RigidMotion& motion) const {
+MoveCommand Jobs::move_command(const RigidMotionRequest& motion) const {
   return MoveCommand{selection_.names(), motion, motion_, smooth_};
 }
 
@@ -200,8 +200,7 @@ void Jobs::keep(JobRunner::Outcome outcome) {
   else if (!cut_short_.empty())
     messages_.set_banner(Banner::Kind::partial_motion, std::exchange(cut_short_, {}));
   const std::string what = describe(outcome.command);
-  if (const auto* move = std::get_if<MoveCommand>(&outcome.command))
-    selection_.moved(move->motion.about(Vec2(0, 0)));  // jobs name the pivot
+  if (const auto* move = std::get_if<MoveCommand>(&outcome.command)) selection_.moved(move->motion);
   mesh_.document()->edits().push(std::move(outcome.command), std::move(*outcome.result),
                                  outcome.seconds);
   if (std::exchange(shown_only_, false)) mesh_.document()->mark_shown_only();

@@ -52,7 +52,7 @@ class Jobs {
   void stop();
   void cancel();
   /// Moves selected bodies.
-  MoveCommand move_command(const RigidMotion& motion) const;
+  MoveCommand move_command(const RigidMotionRequest& motion) const;
   /// A job under way moves just these markers: it can be sent elsewhere.
   bool can_join(const std::vector<std::string>& markers) const;
   /// The region outside which nothing moves was of another mesh.

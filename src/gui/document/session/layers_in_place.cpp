@@ -8,14 +8,14 @@ namespace {
 
 /// 0: none are known.
 int known_layers(const Session& session, const LayerWall& wall) {
-  const auto stack = session.layers();
+  const auto stack = session.mesh().layers();
   return stack ? layer_count(*stack, *session.topology(), wall) : 0;
 }
 
 }  // namespace
 
 bool all_held(const Session& session, const std::vector<LayerWall>& walls) {
-  const auto stack = session.layers();
+  const auto stack = session.mesh().layers();
   return stack && stack->held && std::ranges::all_of(walls, [&](const LayerWall& wall) {
            return known_layers(session, wall) > 0;
          });

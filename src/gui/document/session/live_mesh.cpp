@@ -4,8 +4,18 @@
 
 namespace winslow::gui {
 
+namespace {
+
+/// The motion that is being carried out; null: none is.
+const MoveCommand* move_of(const JobRunner& job) {
+  return job.active() ? std::get_if<MoveCommand>(&job.command()) : nullptr;
+}
+
+}  // namespace
+
 void LiveMesh::open(std::unique_ptr<Document> document) {
-  auto boundary = std::make_unique<BoundaryIndex>(document->topology());
+  auto boundary =
+      document->boundary() ? nullptr : std::make_unique<BoundaryIndex>(document->topology());
   close();
   document_ = std::move(document);
   boundary_ = std::move(boundary);
@@ -61,10 +71,15 @@ const MeshState& LiveMesh::motion_base() const {
 
 std::optional<RigidMotion> LiveMesh::live_motion() const {
   if (drag_.active()) return drag_.grip().rigid() ? std::optional(drag_.wanted()) : std::nullopt;
-  if (!job_.active()) return std::nullopt;
-  const auto* move = std::get_if<MoveCommand>(&job_.command());
-  if (!move) return std::nullopt;
+  const MoveCommand* move = move_of(job_);
+  if (!move || in_space(*this)) return std::nullopt;
   return move->motion.about(Vec2(0, 0));  // jobs name the pivot
+}
+
+std::optional<SpaceMotion> live_space_motion(const LiveMesh& mesh) {
+  const MoveCommand* move = move_of(mesh.job());
+  if (!move || !in_space(mesh)) return std::nullopt;
+  return move->motion.in_space(Vec3(0, 0, 0));  // likewise
 }
 
 std::span<const IterationRecord> LiveMesh::convergence() const {
@@ -83,7 +98,8 @@ void LiveMesh::changed() {
 }
 
 void LiveMesh::follow_topology() {
-  if (!document_ || boundary_->topology() == topology()) return;
+  // No command changes the connectivity of a volume mesh.
+  if (!boundary_ || boundary_->topology() == topology()) return;
   const std::shared_ptr<const Topology> before = boundary_->topology();
   const std::shared_ptr<const Topology> now = topology();
   boundary_ = std::make_unique<BoundaryIndex>(now);

@@ -59,11 +59,11 @@ class LiveMesh {
     std::optional<Coordinates> coordinates;
   };
   Instead& instead() { return instead_; }
-  /// Null without a mesh.
+  /// Null without a plane mesh.
   const BoundaryIndex* boundary() const { return boundary_.get(); }
   /// State that live_motion() is seen from.
   const MeshState& motion_base() const;
-  /// Motion of the job under way, from the state it started from.
+  /// Motion of the job under way, from the state it started from; of a plane mesh.
   std::optional<RigidMotion> live_motion() const;
   /// Of the job under way, or else of the command that led to the present mesh.
   std::span<const IterationRecord> convergence() const;
@@ -93,5 +93,12 @@ class LiveMesh {
   std::shared_ptr<const VirtualControlVolumes> passing_;
   Rebuilt rebuilt_;
 };
+
+/// A volume mesh is open.
+inline bool in_space(const LiveMesh& mesh) {
+  return mesh.document() && mesh.document()->boundary();
+}
+/// As LiveMesh::live_motion(), of a volume mesh.
+std::optional<SpaceMotion> live_space_motion(const LiveMesh& mesh);
 
 }  // namespace winslow::gui

@@ -74,7 +74,7 @@ void MessageBoard::set_banner_of_result(const SmoothResult& smooth) {
 /// Its text: a sentence on what the command that led to the present mesh has spoilt.
 Damage MessageBoard::damage_of_last_command() const {
   const Document* document = mesh_.document();
-  if (!document || document->history().position() == 0) return {};
+  if (!document || document->history().position() == 0 || document->boundary()) return {};
   const History& history = document->history();
   if (asks_for_heights(history.command(history.position()))) return {};
   Damage damage = find_damage(history.state(history.position() - 1).mesh,
@@ -92,8 +92,13 @@ std::optional<MeshItem> MessageBoard::worst_place(const Damage& damage) const {
   if (damage.node) return MeshItem{MeshItem::Kind::node, *damage.node};
   const Document* document = mesh_.document();
   if (!document) return std::nullopt;
-  return MeshItem{MeshItem::Kind::element,
-                  worst_element(document->state().mesh, Metric::normalized_jacobian)};
+  if (!document->boundary())
+    return MeshItem{MeshItem::Kind::element,
+                    worst_element(document->state().mesh, Metric::normalized_jacobian)};
+  // The mesh as it was opened has been measured; any other would have to be, here and now.
+  const auto& worst = document->loaded_quality().of(Metric::normalized_jacobian).worst;
+  if (document->history().position() > 0 || worst.empty()) return std::nullopt;
+  return MeshItem{MeshItem::Kind::element, worst.front().element};
 }
 
 void MessageBoard::on(const action::DismissPrompt&) {

@@ -20,11 +20,15 @@ bool stays(const RigidMotion& m) { return m.rotate == 0 && m.translate == Vec2(0
 
 void Motions::on(const action::ApplyMotion& a) {
   if (!mesh_.document() || selection_.empty() || mesh_.held().body) return;
-  if (jobs_.can_join(selection_.names())) {
-    mesh_.job().retarget(jobs_.move_command(compose(*mesh_.live_motion(), a.motion)));
-    return;
+  if (!jobs_.can_join(selection_.names())) {
+    jobs_.start(jobs_.move_command(a.motion), false);
+  } else if (in_space(mesh_)) {
+    const SpaceMotion more = a.motion.in_space(selection_.space_pivot());
+    mesh_.job().retarget(jobs_.move_command(compose(*live_space_motion(mesh_), more)));
+  } else {
+    const RigidMotion more = a.motion.about(selection_.pivot());
+    mesh_.job().retarget(jobs_.move_command(compose(*mesh_.live_motion(), more)));
   }
-  jobs_.start(jobs_.move_command(a.motion), false);
 }
 
 void Motions::on(const action::ApplyDeformation& a) {
@@ -37,7 +41,7 @@ void Motions::on(const action::ApplyDeformation& a) {
 
 void Motions::on(const action::SetShapeEdit& a) {
   const bool dragging = mesh_.held().body;
-  if (!mesh_.document() || (dragging && !a.active)) return;
+  if (!mesh_.boundary() || (dragging && !a.active)) return;
   selection_.edit_shape(a.active, a.radius);
   const BodyDrag* drag = mesh_.body_drag();
   if (!dragging || !drag || drag->grip().rigid() || !selection_.shape_edit().arc) return;
@@ -55,7 +59,7 @@ DragGrip Motions::arc_grip() const {
 }
 
 void Motions::on(const action::BeginDrag& a) {
-  if (!mesh_.document() || mesh_.held().body) return;
+  if (!mesh_.boundary() || mesh_.held().body) return;
   const bool rigid = !a.shape;
   if (rigid ? selection_.empty() : !selection_.shape_edit().arc.has_value()) return;
   base_.reset();

@@ -33,12 +33,16 @@ class Selection {
 
   /// Point about which the selection turns, where it is on screen now.
   Vec2 pivot() const;
+  /// The same of a volume mesh.
+  Vec3 space_pivot() const;
+  /// It is where it was typed, not at the centre of the selection; of a volume mesh.
+  bool space_pivot_typed() const { return space_pivot_typed_; }
   /// Where the pivot was put; none: to a place of its own.
   std::optional<PivotPlace> pivot_place() const { return pivot_place_; }
   /// Points of the selection where it stands between motions; none without a selection.
   const std::optional<BodyAnchors>& anchors() const { return anchors_; }
   /// A command has moved the selection.
-  void moved(const RigidMotion& motion);
+  void moved(const RigidMotionRequest& motion);
 
   const ShapeEdit& shape_edit() const { return shape_edit_; }
   /// radius: as action::SetShapeEdit.
@@ -51,8 +55,8 @@ class Selection {
   const std::optional<DeformationPreview>& deformation_preview() const { return preview_; }
   /// A rigid motion of the selection that is typed but not yet carried out.
   struct MotionPreview {
-    RigidMotion motion;
-    std::vector<std::pair<Vec2, Vec2>> outline;  ///< edges where it would put them
+    RigidMotionRequest motion;
+    std::vector<std::pair<Vec3, Vec3>> outline;  ///< edges where it would put them
   };
   const std::optional<MotionPreview>& motion_preview() const { return motion_preview_; }
   void drop_preview() {
@@ -77,6 +81,7 @@ class Selection {
   void on(const action::SelectMarkers& a);
   void on(const action::HoverMarkers& a) { hovered_ = a.markers; }
   void on(const action::SetPivot& a);
+  void on(const action::SetSpacePivot& a);
   void on(const action::SelectArc& a) { shape_edit_.arc = a.arc; }
   void on(const action::PreviewDeformation& a);
   void on(const action::PreviewMotion& a);
@@ -85,6 +90,7 @@ class Selection {
   void on(const action::PinNodes& a);
 
   bool exists(Index node) const;
+  void outline_in_space(MotionPreview& preview) const;
   void place_pivot();
   void follow_nodes(const std::shared_ptr<const Topology>& before,
                     const std::shared_ptr<const Topology>& now);
@@ -95,6 +101,8 @@ class Selection {
   Vec2 pivot_{0, 0};  // seen from the state before the job under way
   std::optional<PivotPlace> pivot_place_ = PivotPlace::centre;
   std::optional<BodyAnchors> anchors_;
+  Vec3 space_pivot_{0, 0, 0};  // likewise
+  bool space_pivot_typed_ = false;
   ShapeEdit shape_edit_;
   std::optional<DeformationPreview> preview_;
   std::optional<MotionPreview> motion_preview_;

@@ -51,9 +51,10 @@ class Session {
   std::uint64_t shape() const { return mesh_.shape(); }
   const Coordinates& coordinates() const { return mesh_.coordinates(); }
   const std::shared_ptr<const Topology>& topology() const { return mesh_.topology(); }
-  std::shared_ptr<const LayerStack> layers() const { return mesh_.layers(); }
   std::shared_ptr<const VirtualControlVolumes> vcv() const { return mesh_.vcv(); }
   const JobRunner& job() const { return mesh_.job(); }
+  /// A volume mesh is open.
+  bool in_space() const { return winslow::gui::in_space(mesh_); }
   bool in_motion() const { return mesh_.in_motion(); }
   bool dragging() const { return mesh_.held().body; }
   const NodeSelection& nodes() const { return selection_.nodes(); }

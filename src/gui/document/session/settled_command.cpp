@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/motion/rigid_motion.h"
+#include "core/motion/space_motion.h"
 
 namespace winslow::gui {
 
@@ -38,10 +39,36 @@ double share_of(const RigidMotion& reached, const RigidMotion& asked, const Boun
   return whole > 0 ? std::clamp(1 - way(reached, asked) / whole, 0.0, 1.0) : 1;
 }
 
+/// The same in space.
+SpaceMotion about(const Vec3& pivot, const SpaceMotion& motion, double size) {
+  SpaceMotion said{motion.rotate, motion.axis, pivot, transform(motion, pivot) - pivot};
+  constexpr double rounding = 1e-11;
+  if (std::abs(said.rotate) < 360 * rounding) said.rotate = 0;
+  const double round_off = 16 * std::numeric_limits<double>::epsilon() * pivot.norm();
+  const double arm = (pivot - motion.pivot).norm();
+  const double least = rounding * (size + arm + said.translate.norm()) + round_off;
+  for (Index d = 0; d < 3; ++d)
+    if (std::abs(said.translate[d]) < least) said.translate[d] = 0;
+  return said;
+}
+
+/// Runs in space begin where their command does, so that their fraction is that of the whole.
+double settle_in_space(MoveCommand& move, double fraction, const Mesh& base,
+                       const Coordinates& now) {
+  const std::vector<Index> nodes = base.topology->markers().nodes_of(move.markers);
+  const SpaceMotion asked = move.motion.in_space(Vec3(0, 0, 0));
+  const SpaceMotion fitted = with_turns(fit_space_motion(nodes, base.coordinates, now), asked.axis,
+                                        fraction * asked.rotate);
+  const double size = space_bounds(base.coordinates, nodes).size().norm();
+  move.motion = about(asked.pivot, fitted, size);
+  return fraction;
+}
+
 /// rest, now: positions before the motion and where it got to. Returns the share of the motion that
 /// was reached.
 double settle(MoveCommand& move, double fraction, const Mesh& base, const Coordinates& now,
               bool started_elsewhere) {
+  if (base.topology->cell_dimension() == 3) return settle_in_space(move, fraction, base, now);
   const Coordinates& rest = base.coordinates;
   const std::vector<Index> nodes = base.topology->markers().nodes_of(move.markers);
   RigidMotion reached = fit_rigid_motion(nodes, rest, now);
@@ -62,10 +89,16 @@ void settle(DeformCommand& deform, double fraction, const Coordinates& rest,
   auto* table = std::get_if<DisplacementTable>(&deform.shape);
   if (!table) return;
   for (DisplacementEntry& entry : table->entries) {
-    if (entry.node)
+    if (entry.node && now.dimension() == 3) {
+      const Vec3 by = now.xyz(*entry.node) - rest.xyz(*entry.node);
+      entry.displacement = by.head<2>();
+      entry.displacement_z = by.z();
+    } else if (entry.node) {
       entry.displacement = now.xy(*entry.node) - rest.xy(*entry.node);
-    else
+    } else {
       entry.displacement *= fraction;
+      if (entry.displacement_z) *entry.displacement_z *= fraction;
+    }
   }
 }
 

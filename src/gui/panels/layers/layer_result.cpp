@@ -58,7 +58,7 @@ ui::LayerHeights mean_heights(const std::vector<const LayerColumn*>& columns,
 
 void LayerResult::measure(const PanelContext& context) {
   const Session& session = context.session;
-  auto stack = session.layers();
+  auto stack = session.mesh().layers();
   if (stack == stack_ && shape_ == session.shape() && selection_ == session.selection().markers())
     return;
   stack_ = std::move(stack);

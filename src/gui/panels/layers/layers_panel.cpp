@@ -41,7 +41,7 @@ LayerStatus status(const PanelContext& context) {
     status.count = std::max(status.count, count);
     status.markers += (status.markers.empty() ? "" : ", ") + marker;
   };
-  if (const auto stack = context.session.layers()) {
+  if (const auto stack = context.session.mesh().layers()) {
     status.known = true;
     status.held = stack->held;
     for (const Marker& marker : context.topology()->markers())

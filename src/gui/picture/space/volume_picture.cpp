@@ -13,9 +13,9 @@
 #include "core/quality/volume_element.h"
 #include "gui/picture/frame/picture_frame.h"
 #include "gui/picture/frame/picture_parts.h"
-#include "gui/picture/space/space_marks.h"
 #include "gui/render/gl_context.h"
 #include "gui/render/space/space_renderer.h"
+#include "gui/view/overlays/space_marks.h"
 
 namespace winslow::gui {
 
@@ -198,8 +198,9 @@ class VolumePicture {
     const bool marks = frame.has_room_for_text();
     frame.draw(options_.half_width.has_value(), [&](ImDrawList& list, ImFont* font) {
       if (!marks) return;
-      draw_axes(list, *font, frame.font_size(), camera, theme_);
-      draw_scale_bar(list, *font, frame.font_size(), camera, theme_);
+      const MarkColors colors{theme_.ink, theme_.paper};
+      draw_axes(list, *font, frame.font_size(), camera, colors);
+      draw_scale_bar(list, *font, frame.font_size(), camera, colors);
     });
     return target.read();
   }

@@ -9,6 +9,7 @@
 #include "gui/render/image.h"
 #include "gui/render/metric_scale.h"
 #include "gui/render/space/space_camera.h"
+#include "gui/render/space/standard_views.h"
 #include "gui/render/space/volume_scene.h"
 
 namespace winslow::gui {
@@ -58,17 +59,5 @@ ColorScale volume_picture_scale(const Mesh& mesh, const VolumePictureOptions& op
 /// A box around all that such a picture shows: of several that are to be seen alike, join them.
 /// Holds no point where nothing is shown. Needs no OpenGL.
 Box<3> volume_picture_extent(const Mesh& mesh, const VolumePictureOptions& options);
-
-/// "iso", "+x", "-x", ...: names of directions to look from.
-const std::vector<std::string>& view_names();
-/// Throws UsageError listing the names.
-ViewDirection named_view(const std::string& name, int up = 2);
-
-/// Where one looks from unless told: onto a cut from its front, or three quarters from ahead.
-ViewDirection automatic_view(const std::vector<Plane>& cuts, int up = 2);
-/// The cut that a picture has unless told: through the middle of the bodies, at right angles to
-/// the axis that points to the viewer most. None where nothing encloses bodies.
-std::vector<Plane> automatic_cuts(const Mesh& mesh, const VolumeBoundary& boundary,
-                                  const ViewDirection& view);
 
 }  // namespace winslow::gui

@@ -34,10 +34,19 @@ float faded(double spacing) {
   return std::max(static_cast<float>(spacing), std::numeric_limits<float>::min());
 }
 
-std::vector<Vec3> corners_of(const PlaneSection& section, Index polygon) {
-  std::vector<Vec3> corners;
-  for (const Index point : section.polygons[polygon]) corners.push_back(section.points[at(point)]);
-  return corners;
+/// The triangles of a polygon: a fan where it is convex, as sections of tetrahedra are.
+void fan_of(std::span<const Vec3> corners, const Vec3& normal, std::vector<Index>& triangles) {
+  triangles.clear();
+  const std::size_t n = corners.size();
+  for (std::size_t k = 0; k < n && n > 3; ++k) {
+    const Vec3 &a = corners[k], &b = corners[(k + 1) % n], &c = corners[(k + 2) % n];
+    if ((b - a).cross(c - b).dot(normal) > 0) continue;
+    triangles = cut_polygon(corners, normal);
+    return;
+  }
+  for (std::size_t k = 1; k + 1 < n; ++k)
+    for (const std::size_t corner : {std::size_t{0}, k, k + 1})
+      triangles.push_back(static_cast<Index>(corner));
 }
 
 }  // namespace
@@ -48,10 +57,11 @@ std::array<float, 3> SceneLists::relative(const Vec3& p) const {
 }
 
 void SceneLists::add_triangle(SpaceFill& fill, const std::array<Vec3, 3>& corners,
-                              const Vec3& normal, std::uint32_t rgba) const {
-  const Eigen::Vector3f n = normal.cast<float>();
+                              const TriangleLook& look) const {
+  const Eigen::Vector3f n = look.normal.cast<float>();
   for (const Vec3& corner : corners)
-    fill.corners.push_back({relative(corner), {n.x(), n.y(), n.z()}, rgba});
+    fill.corners.push_back({relative(corner), {n.x(), n.y(), n.z()}, look.rgba});
+  fill.elements.push_back(look.element);
 }
 
 /// A quadrilateral has one normal, so that one shade; it is cut along its shorter diagonal.
@@ -59,29 +69,32 @@ void SceneLists::add_faces(SpaceFill& fill, std::span<const SurfaceFace> faces,
                            const Color& color) const {
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const Face& face = faces[f].nodes;
-    const Vec3 normal = area_vector(x_, face).normalized();
-    const std::uint32_t rgba = color(f);
+    const TriangleLook look{area_vector(x_, face).normalized(), color(f), faces[f].element};
     if (face.size() == 3) {
-      add_triangle(fill, {x_[face[0]], x_[face[1]], x_[face[2]]}, normal, rgba);
+      add_triangle(fill, {x_[face[0]], x_[face[1]], x_[face[2]]}, look);
       continue;
     }
     const std::array<Vec3, 4> p{x_[face[0]], x_[face[1]], x_[face[2]], x_[face[3]]};
     const std::size_t s = (p[2] - p[0]).squaredNorm() <= (p[3] - p[1]).squaredNorm() ? 0 : 1;
-    add_triangle(fill, {p[s], p[s + 1], p[s + 2]}, normal, rgba);
-    add_triangle(fill, {p[s], p[s + 2], p[(s + 3) % 4]}, normal, rgba);
+    add_triangle(fill, {p[s], p[s + 1], p[s + 2]}, look);
+    add_triangle(fill, {p[s], p[s + 2], p[(s + 3) % 4]}, look);
   }
 }
 
 void SceneLists::add_section(SpaceFill& fill, const PlaneSection& section, const Plane& plane,
                              const Color& color) const {
+  std::vector<Vec3> corners;
+  std::vector<Index> triangles;
   for (Index k = 0; k < section.polygons.rows(); ++k) {
-    const std::vector<Vec3> corners = corners_of(section, k);
-    const std::vector<Index> triangles = cut_polygon(corners, plane.normal());
+    corners.clear();
+    for (const Index point : section.polygons[k]) corners.push_back(section.points[at(point)]);
+    fan_of(corners, plane.normal(), triangles);
+    const TriangleLook look{plane.normal(), color(at(k)), section.elements[at(k)]};
     for (std::size_t t = 0; t < triangles.size(); t += 3)
       add_triangle(
           fill,
           {corners[at(triangles[t])], corners[at(triangles[t + 1])], corners[at(triangles[t + 2])]},
-          plane.normal(), color(at(k)));
+          look);
   }
 }
 
@@ -121,16 +134,28 @@ void SceneLists::add_sides(const EdgeLists& lists, const PlaneSection& section) 
     double spacing;
   };
   std::vector<Side> sides;
+  sides.reserve(section.polygons.values.size());
+  std::vector<std::size_t> begin(section.points.size() + 2, 0);  // of the sides by their low ends
+  std::vector<Vec3> corners;
   for (Index k = 0; k < section.polygons.rows(); ++k) {
-    const std::vector<Vec3> corners = corners_of(section, k);
+    corners.clear();
+    for (const Index point : section.polygons[k]) corners.push_back(section.points[at(point)]);
     const double spacing = spacing_of(0.5 * doubled_area(corners).norm(), longest_side(corners));
     const auto points = section.polygons[k];
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto [low, high] = std::minmax({points[i], points[(i + 1) % points.size()]});
       sides.push_back({low, high, spacing});
+      ++begin[at(low) + 2];
     }
   }
-  std::ranges::sort(sides, {}, [](const Side& s) { return std::pair(s.low, s.high); });
+  // Few sides have their low end in common: put by it, hardly anything is left to sort.
+  for (std::size_t k = 2; k < begin.size(); ++k) begin[k] += begin[k - 1];
+  std::vector<Side> sorted(sides.size());
+  for (const Side& side : sides) sorted[begin[at(side.low) + 1]++] = side;
+  for (std::size_t low = 0; low < section.points.size(); ++low)
+    std::ranges::sort(std::span(sorted).subspan(begin[low], begin[low + 1] - begin[low]), {},
+                      &Side::high);
+  sides = std::move(sorted);
   for (std::size_t k = 0; k < sides.size();) {
     const std::size_t first = k;
     double least = sides[k].spacing;

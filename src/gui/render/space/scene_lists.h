@@ -32,8 +32,13 @@ class SceneLists {
   void add_sides(const EdgeLists& lists, const PlaneSection& section) const;
 
  private:
-  void add_triangle(SpaceFill& fill, const std::array<Vec3, 3>& corners, const Vec3& normal,
-                    std::uint32_t rgba) const;
+  struct TriangleLook {
+    Vec3 normal;
+    std::uint32_t rgba;
+    Index element;
+  };
+  void add_triangle(SpaceFill& fill, const std::array<Vec3, 3>& corners,
+                    const TriangleLook& look) const;
   void add_line(SpaceLines& lines, const Vec3& a, const Vec3& b, double spacing) const;
   std::array<float, 3> relative(const Vec3& p) const;
 

@@ -67,6 +67,7 @@ class SpaceCamera {
   /// By what depth, -1 to 1 from the nearest to the furthest, changes over the size of a pixel
   /// towards the viewer: the first number, and the second times the depth itself.
   std::array<double, 2> pixel_depth() const;
+  bool operator==(const SpaceCamera&) const = default;
   /// Where the viewer is, in perspective.
   Vec3 viewer() const { return centre_ + distance() * back_; }
 

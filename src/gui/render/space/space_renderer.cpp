@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "core/error.h"
 #include "gui/render/line_density.h"
@@ -28,39 +29,30 @@ Rgba as_float(const Vec3& v, double w) {
 
 class SpaceRenderer::Impl {
  public:
-  void set_scene(const SpaceScene& scene) {
-    if (scene.planes.size() > most_clip_planes)
+  void set_parts(const std::vector<std::shared_ptr<const SpaceScene>>& parts,
+                 const std::vector<Plane>& planes) {
+    if (planes.size() > most_clip_planes)
       throw UsageError("at most " + std::to_string(most_clip_planes) + " planes cut a scene");
-    fills_.clear();
-    lines_.clear();
-    origin_ = scene.origin;
-    planes_ = scene.planes;
-    for (const SpaceFill& fill : scene.fills) {
-      if (fill.corners.empty()) continue;
-      Fill& made = *fills_.emplace_back(std::make_unique<Fill>());
-      made.rows.upload(fill.corners, {{3, GL_FLOAT, GL_FALSE, offsetof(SpaceCorner, position)},
-                                      {3, GL_FLOAT, GL_FALSE, offsetof(SpaceCorner, normal)},
-                                      {4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(SpaceCorner, rgba)}});
-      made.style = {{}, fill.shading, fill.opacity, fill.emphasised, fill.clipped_by};
+    std::vector<std::unique_ptr<Part>> kept = std::move(parts_);
+    parts_.clear();
+    for (const auto& scene : parts) {
+      const auto same =
+          std::ranges::find_if(kept, [&](const auto& part) { return part && part->of == scene; });
+      parts_.push_back(same == kept.end() ? uploaded(scene) : std::move(*same));
     }
-    for (const SpaceLines& lines : scene.lines) {
-      if (lines.ends.empty() || lines.width <= 0) continue;
-      Lines& made = *lines_.emplace_back(std::make_unique<Lines>());
-      made.rows.upload(lines.ends, {{3, GL_FLOAT, GL_FALSE, offsetof(SpaceLines::End, position)},
-                                    {1, GL_FLOAT, GL_FALSE, offsetof(SpaceLines::End, spacing)}});
-      made.style = {{}, lines.color, lines.width, lines.clipped_by};
-    }
+    planes_ = planes;
   }
+  void set_tints(std::vector<Rgba> tints) { tints_ = std::move(tints); }
 
   void draw(const SpaceCamera& camera, int framebuffer_height) {
     begin(camera, framebuffer_height);
-    for (const bool see_through : {false, true}) {
-      for (const auto& fill : fills_) {
-        if ((fill->style.opacity < 1) != see_through) continue;
-        see_through ? draw_see_through(*fill, camera) : draw_solid(*fill, camera);
-      }
-      if (!see_through) draw_lines(camera);
-    }
+    for (const auto& part : parts_)
+      for (const auto& fill : part->fills)
+        if (fill->style.opacity >= 1) draw_solid(*part, *fill, camera);
+    draw_lines(camera);
+    for (const auto& part : parts_)
+      for (const auto& fill : part->fills)
+        if (fill->style.opacity < 1) draw_see_through(*part, *fill, camera);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_SCISSOR_TEST);
     clip(false);
@@ -75,6 +67,33 @@ class SpaceRenderer::Impl {
     VertexRows rows;
     SpaceLines style;  // without ends
   };
+  struct Part {
+    std::shared_ptr<const SpaceScene> of;
+    std::vector<std::unique_ptr<Fill>> fills;
+    std::vector<std::unique_ptr<Lines>> lines;
+  };
+
+  static std::unique_ptr<Part> uploaded(const std::shared_ptr<const SpaceScene>& scene) {
+    auto part = std::make_unique<Part>();
+    part->of = scene;
+    for (const SpaceFill& fill : scene->fills) {
+      if (fill.corners.empty()) continue;
+      Fill& made = *part->fills.emplace_back(std::make_unique<Fill>());
+      made.rows.upload(fill.corners, {{3, GL_FLOAT, GL_FALSE, offsetof(SpaceCorner, position)},
+                                      {3, GL_FLOAT, GL_FALSE, offsetof(SpaceCorner, normal)},
+                                      {4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(SpaceCorner, rgba)}});
+      made.style = {
+          {}, {}, fill.marker, fill.shading, fill.opacity, fill.emphasised, fill.clipped_by};
+    }
+    for (const SpaceLines& lines : scene->lines) {
+      if (lines.ends.empty() || lines.width <= 0) continue;
+      Lines& made = *part->lines.emplace_back(std::make_unique<Lines>());
+      made.rows.upload(lines.ends, {{3, GL_FLOAT, GL_FALSE, offsetof(SpaceLines::End, position)},
+                                    {1, GL_FLOAT, GL_FALSE, offsetof(SpaceLines::End, spacing)}});
+      made.style = {{}, lines.color, lines.width, lines.clipped_by};
+    }
+    return part;
+  }
 
   static void begin(const SpaceCamera& camera, int framebuffer_height) {
     const ScreenBox box = camera.viewport();
@@ -103,21 +122,26 @@ class SpaceRenderer::Impl {
     }
   }
 
-  void set_common(const Shader& shader, const SpaceCamera& camera, unsigned clipped_by) const {
+  void set_common(const Shader& shader, const SpaceCamera& camera, const Vec3& origin,
+                  unsigned clipped_by) const {
     shader.use();
-    shader.set("to_clip", camera.matrix(origin_));
+    shader.set("to_clip", camera.matrix(origin));
     for (std::size_t k = 0; k < planes_.size(); ++k) {
       const Vec3& n = planes_[k].normal();
       const std::string name = "planes[" + std::to_string(k) + "]";
       shader.set(name.c_str(),
                  Rgba{static_cast<float>(n.x()), static_cast<float>(n.y()),
-                      static_cast<float>(n.z()), static_cast<float>(planes_[k].distance(origin_))});
+                      static_cast<float>(n.z()), static_cast<float>(planes_[k].distance(origin))});
     }
-    shader.set("clipped_by", static_cast<int>(clipped_by));
+    const unsigned there = (1U << planes_.size()) - 1;
+    shader.set("clipped_by", static_cast<int>(clipped_by & there));
   }
 
-  void prepare(const Fill& fill, const SpaceCamera& camera, float opacity) const {
-    set_common(fill_shader_, camera, fill.style.clipped_by);
+  void prepare(const Part& part, const Fill& fill, const SpaceCamera& camera, float opacity) const {
+    set_common(fill_shader_, camera, part.of->origin, fill.style.clipped_by);
+    const auto marker = static_cast<std::size_t>(fill.style.marker);
+    const bool tinted = fill.style.marker >= 0 && marker < tints_.size();
+    fill_shader_.set("tint", tinted ? tints_[marker] : Rgba{0, 0, 0, 0});
     const Vec3 light = (camera.back() + 0.35 * camera.up() - 0.3 * camera.right()).normalized();
     fill_shader_.set("light", as_float(light, 0));
     fill_shader_.set("shading", fill.style.shading);
@@ -126,16 +150,16 @@ class SpaceRenderer::Impl {
     fill_shader_.set("pixel_depth", static_cast<float>(pixel_depth[0]),
                      static_cast<float>(pixel_depth[1]));
     const bool perspective = camera.in_perspective();
-    fill_shader_.set("viewer", perspective ? as_float(camera.viewer() - origin_, 1)
+    fill_shader_.set("viewer", perspective ? as_float(camera.viewer() - part.of->origin, 1)
                                            : as_float(camera.back(), 0));
     fill_shader_.set("set_back", fill.style.emphasised ? 0.5f * set_back : set_back);
   }
 
-  void draw_solid(const Fill& fill, const SpaceCamera& camera) const {
-    prepare(fill, camera, 1);
+  void draw_solid(const Part& part, const Fill& fill, const SpaceCamera& camera) const {
+    prepare(part, fill, camera, 1);
     fill.rows.draw(GL_TRIANGLES);
     if (!fill.style.emphasised) return;
-    prepare(fill, camera, hidden_opacity);
+    prepare(part, fill, camera, hidden_opacity);
     glDepthFunc(GL_GREATER);
     glDepthMask(GL_FALSE);
     fill.rows.draw(GL_TRIANGLES);
@@ -144,8 +168,8 @@ class SpaceRenderer::Impl {
   }
 
   /// Its depth first, so that one layer of it is left.
-  void draw_see_through(const Fill& fill, const SpaceCamera& camera) const {
-    prepare(fill, camera, fill.style.opacity);
+  void draw_see_through(const Part& part, const Fill& fill, const SpaceCamera& camera) const {
+    prepare(part, fill, camera, fill.style.opacity);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     fill.rows.draw(GL_TRIANGLES);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -155,30 +179,38 @@ class SpaceRenderer::Impl {
   void draw_lines(const SpaceCamera& camera) const {
     glDepthMask(GL_FALSE);
     const ScreenVector size = camera.viewport().size();
-    for (const auto& lines : lines_) {
-      set_common(line_shader_, camera, lines->style.clipped_by);
-      line_shader_.set("viewport", static_cast<float>(size.x()), static_cast<float>(size.y()));
-      line_shader_.set("width", lines->style.width);
-      line_shader_.set("color", lines->style.color);
-      line_shader_.set("pixels_per_unit", static_cast<float>(1 / camera.units_per_pixel()));
-      line_shader_.set("fade_below", fade_distance * lines->style.width);
-      line_shader_.set("vanishing_share", vanishing_share);
-      lines->rows.draw(GL_LINES);
-    }
+    line_shader_.use();
+    line_shader_.set("viewport", static_cast<float>(size.x()), static_cast<float>(size.y()));
+    line_shader_.set("pixels_per_unit", static_cast<float>(1 / camera.units_per_pixel()));
+    line_shader_.set("vanishing_share", vanishing_share);
+    for (const auto& part : parts_)
+      for (const auto& lines : part->lines) {
+        set_common(line_shader_, camera, part->of->origin, lines->style.clipped_by);
+        line_shader_.set("width", lines->style.width);
+        line_shader_.set("color", lines->style.color);
+        line_shader_.set("fade_below", fade_distance * lines->style.width);
+        lines->rows.draw(GL_LINES);
+      }
     glDepthMask(GL_TRUE);
   }
 
   Shader fill_shader_{"space_fill.vert", "space_fill.frag"};
   Shader line_shader_{"space_line.vert", "space_line.geom", "line.frag"};
-  Vec3 origin_{0, 0, 0};
   std::vector<Plane> planes_;
-  std::vector<std::unique_ptr<Fill>> fills_;
-  std::vector<std::unique_ptr<Lines>> lines_;
+  std::vector<Rgba> tints_;
+  std::vector<std::unique_ptr<Part>> parts_;
 };
 
 SpaceRenderer::SpaceRenderer() : impl_(std::make_unique<Impl>()) {}
 SpaceRenderer::~SpaceRenderer() = default;
-void SpaceRenderer::set_scene(const SpaceScene& scene) { impl_->set_scene(scene); }
+void SpaceRenderer::set_parts(const std::vector<std::shared_ptr<const SpaceScene>>& parts,
+                              const std::vector<Plane>& planes) {
+  impl_->set_parts(parts, planes);
+}
+void SpaceRenderer::set_scene(const SpaceScene& scene) {
+  impl_->set_parts({std::make_shared<const SpaceScene>(scene)}, scene.planes);
+}
+void SpaceRenderer::set_tints(std::vector<Rgba> tints) { impl_->set_tints(std::move(tints)); }
 void SpaceRenderer::draw(const SpaceCamera& camera, int framebuffer_height) {
   impl_->draw(camera, framebuffer_height);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "gui/render/space/space_camera.h"
 #include "gui/render/space/space_scene.h"
@@ -16,7 +17,15 @@ class SpaceRenderer {
   SpaceRenderer(const SpaceRenderer&) = delete;
   SpaceRenderer& operator=(const SpaceRenderer&) = delete;
 
+  /// A scene in parts, which are drawn in their order; those that it has already are not uploaded
+  /// again. planes: by which all of them are clipped, at most most_clip_planes; those of the parts
+  /// are not looked at.
+  void set_parts(const std::vector<std::shared_ptr<const SpaceScene>>& parts,
+                 const std::vector<Plane>& planes);
   void set_scene(const SpaceScene& scene);
+  /// Colours towards which the surfaces of markers are tinted, as far as their alpha says
+  /// (#markers; those left out are not).
+  void set_tints(std::vector<Rgba> tints);
   /// Clears the depth of the camera's viewport and draws there. The camera's content should be the
   /// scene's extent.
   void draw(const SpaceCamera& camera, int framebuffer_height);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/inspect/space/plane.h"
@@ -12,6 +13,8 @@ namespace winslow::gui {
 
 /// Most planes by which a scene is clipped.
 inline constexpr std::size_t most_clip_planes = 6;
+/// Of what all planes clip, however many there are.
+inline constexpr unsigned by_all_planes = std::numeric_limits<unsigned>::max();
 
 /// A corner of a triangle as the graphics card wants it: single precision, relative to the scene's
 /// origin.
@@ -23,12 +26,14 @@ struct SpaceCorner {
 /// Triangles that are drawn in one way; 3 corners each.
 struct SpaceFill {
   std::vector<SpaceCorner> corners;
+  std::vector<Index> elements;  ///< of each triangle, for who asks what lies under the mouse
+  Index marker = -1;            ///< of all of them; -1: none, or several
   /// How much the light tells of the form: 0, colours are as given, to 1.
   float shading = 0;
   float opacity = 1;  ///< of what is see-through only the nearest layer is drawn
   /// Lies above what is in the same place, and is seen faintly through what hides it.
   bool emphasised = false;
-  /// Bit k: what lies in front of the scene's plane k is left out.
+  /// Bit k: what lies in front of the scene's plane k is left out, if it has that many.
   unsigned clipped_by = 0;
 };
 

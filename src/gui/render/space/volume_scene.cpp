@@ -1,6 +1,8 @@
 #include "gui/render/space/volume_scene.h"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -31,15 +33,10 @@ Drawn drawn_as(const VolumeBoundary& boundary, const VolumeLook& look, std::size
   if (show == MarkerShow::hidden) return Drawn::no;
   if (show == MarkerShow::see_through) return Drawn::see_through;
   if (show == MarkerShow::surface) return Drawn::surface;
+  if (show == MarkerShow::outline) return Drawn::outline;
   const bool outlined =
       boundary.enclosing[f] != 0 || (!boundary.encloses && !look.isolated.empty());
   return outlined ? Drawn::outline : Drawn::surface;
-}
-
-/// Bodies keep their own colours beside a cut, so that they are told from what is cut.
-bool boundary_has_values(const VolumeBoundary& boundary, const VolumeLook& look) {
-  return !look.colors.empty() &&
-         (!boundary.encloses || (look.cuts.empty() && look.isolated.empty()));
 }
 
 class SceneBuilder {
@@ -52,18 +49,24 @@ class SceneBuilder {
     lists_.emplace(mesh, scene_.origin);
   }
 
-  SpaceScene build() {
-    if (!look_.isolated.empty()) {
-      add_elements(outer_faces(*mesh_.topology, look_.isolated));
-    } else if (look_.crinkle && !look_.cuts.empty()) {
-      left_ = elements_behind(mesh_, look_.cuts);
-      add_crinkle();
-    } else {
-      scene_.planes = look_.cuts;
-      for (std::size_t k = 0; k < look_.cuts.size(); ++k) add_section(k);
+  SpaceScene build(const VolumePart& part) {
+    switch (part.kind) {
+      case VolumePart::Kind::elements:
+        add_chosen_elements();
+        break;
+      case VolumePart::Kind::section:
+        add_section(part.cut);
+        break;
+      case VolumePart::Kind::boundary:
+        add_boundary();
+        break;
+      case VolumePart::Kind::worst:
+        add_emphasised(look_.worst, style_.worst);
+        break;
+      case VolumePart::Kind::inverted:
+        add_emphasised(look_.inverted, style_.inverted);
+        break;
     }
-    add_boundary();
-    if (!look_.inverted.empty()) add_inverted();
     return std::move(scene_);
   }
 
@@ -82,14 +85,22 @@ class SceneBuilder {
     return {{}, style_.feature, style_.feature_width, clipped_by};
   }
 
-  void add_surface(SpaceFill fill, std::span<const SurfaceFace> faces,
-                   const SceneLists::Color& color) {
+  /// A fill for each marker, which can be told apart when they are drawn; edges of all together.
+  void add_surface(const SpaceFill& style, std::span<const SurfaceFace> faces, bool values) {
     if (faces.empty()) return;
-    lists_->add_faces(fill, faces, color);
-    SpaceLines other = element_lines(fill.clipped_by), feature = feature_lines(fill.clipped_by);
-    const bool with_edges = look_.edges && fill.opacity == 1;
+    SpaceLines other = element_lines(style.clipped_by), feature = feature_lines(style.clipped_by);
+    const bool with_edges = look_.edges && style.opacity == 1;
     lists_->add_edges({&feature, with_edges ? &other : nullptr}, faces, look_.feature_angle);
-    scene_.fills.push_back(std::move(fill));
+    std::map<Index, std::vector<SurfaceFace>> of_marker;
+    for (const SurfaceFace& face : faces) of_marker[face.marker].push_back(face);
+    for (const auto& [marker, own] : of_marker) {
+      SpaceFill fill = style;
+      fill.marker = marker;
+      if (fill.opacity < 1 && marker >= 0 && at(marker) < look_.marker_opacity.size())
+        fill.opacity = look_.marker_opacity[at(marker)];
+      lists_->add_faces(fill, own, boundary_color(own, values));
+      scene_.fills.push_back(std::move(fill));
+    }
     scene_.lines.push_back(std::move(other));
     scene_.lines.push_back(std::move(feature));
   }
@@ -105,8 +116,9 @@ class SceneBuilder {
     scene_.lines.push_back(std::move(lines));
   }
 
-  void add_crinkle() {
-    std::vector<SurfaceFace> faces = outer_faces(*mesh_.topology, left_);
+  void add_chosen_elements() {
+    if (!look_.isolated.empty()) return add_elements(outer_faces(*mesh_.topology, look_.isolated));
+    std::vector<SurfaceFace> faces = outer_faces(*mesh_.topology, look_.left);
     std::erase_if(faces, [](const SurfaceFace& face) { return face.neighbour < 0; });
     add_elements(faces);
   }
@@ -115,7 +127,7 @@ class SceneBuilder {
     const Plane& plane = look_.cuts[k];
     const PlaneSection section = plane_section(mesh_, plane);
     SpaceFill fill;
-    fill.clipped_by = all_planes() & ~(1U << k);
+    fill.clipped_by = by_all_planes & ~(1U << k);
     lists_->add_section(fill, section, plane,
                         [&](std::size_t p) { return element_color(section.elements[p]); });
     SpaceLines other = element_lines(fill.clipped_by), feature = feature_lines(fill.clipped_by);
@@ -125,32 +137,41 @@ class SceneBuilder {
     scene_.lines.push_back(std::move(feature));
   }
 
-  unsigned all_planes() const { return (1U << scene_.planes.size()) - 1; }
-
-  void add_boundary() {
+  /// Faces of the boundary by how they are drawn.
+  struct DrawnFaces {
+    std::vector<SurfaceFace> surface, see_through, outline;
+    std::vector<SurfaceFace> block;  ///< outlines where whole elements have all their sides
+  };
+  DrawnFaces drawn_faces() const {
     const bool solid = !boundary_.encloses;
-    std::vector<SurfaceFace> surface, see_through, outline, block;
+    DrawnFaces drawn;
     for (std::size_t f = 0; f < boundary_.faces.size(); ++f) {
       const SurfaceFace& face = boundary_.faces[f];
-      const Drawn drawn = drawn_as(boundary_, look_, f);
-      if (drawn == Drawn::outline) {
-        outline.push_back(face);
-        if (is_set(left_, face.element)) block.push_back(face);  // whole elements have all sides
-      } else if (solid && !left_.empty() && left_[at(face.element)] == 0)
+      const Drawn how = drawn_as(boundary_, look_, f);
+      if (how == Drawn::outline) {
+        drawn.outline.push_back(face);
+        if (is_set(look_.left, face.element)) drawn.block.push_back(face);
+      } else if (solid && !look_.left.empty() && look_.left[at(face.element)] == 0) {
         continue;  // cut away
-      else if (drawn != Drawn::no)
-        (drawn == Drawn::see_through ? see_through : surface).push_back(face);
+      } else if (how != Drawn::no) {
+        (how == Drawn::see_through ? drawn.see_through : drawn.surface).push_back(face);
+      }
     }
+    return drawn;
+  }
+
+  void add_boundary() {
+    const DrawnFaces drawn = drawn_faces();
     SpaceFill fill;
-    fill.clipped_by = solid ? all_planes() : 0;
+    fill.clipped_by = boundary_.encloses ? 0 : by_all_planes;
     const bool values = boundary_has_values(boundary_, look_);
     fill.shading = values ? value_shading : form_shading;
-    add_surface(fill, surface, boundary_color(surface, values));
+    add_surface(fill, drawn.surface, values);
     fill.opacity = style_.see_through;
-    add_surface(fill, see_through, boundary_color(see_through, values));
-    add_elements(block);
+    add_surface(fill, drawn.see_through, values);
+    add_elements(drawn.block);
     SpaceLines lines{{}, style_.enclosure, style_.feature_width, 0};
-    lists_->add_edges({&lines, nullptr}, outline, look_.feature_angle);
+    lists_->add_edges({&lines, nullptr}, drawn.outline, look_.feature_angle);
     scene_.lines.push_back(std::move(lines));
   }
 
@@ -164,13 +185,13 @@ class SceneBuilder {
     };
   }
 
-  void add_inverted() {
-    const std::vector<SurfaceFace> faces = outer_faces(*mesh_.topology, look_.inverted);
+  void add_emphasised(std::span<const unsigned char> elements, const Rgba& color) {
+    const std::vector<SurfaceFace> faces = outer_faces(*mesh_.topology, elements);
     SpaceFill fill;
     fill.emphasised = true;
     fill.shading = form_shading;
-    lists_->add_faces(fill, faces, [&](std::size_t) { return packed(style_.inverted); });
-    SpaceLines lines{{}, style_.inverted, std::max(style_.edge_width, 1.0f), 0};
+    lists_->add_faces(fill, faces, [&](std::size_t) { return packed(color); });
+    SpaceLines lines{{}, color, std::max(style_.edge_width, 1.0f), 0};
     for (std::size_t c = 0; c < 3; ++c) lines.color[c] *= 0.6f;
     if (look_.edges) lists_->add_edges({&lines, &lines}, faces, 180);
     scene_.fills.push_back(std::move(fill));
@@ -182,7 +203,6 @@ class SceneBuilder {
   const VolumeLook& look_;
   const VolumeStyle& style_;
   std::optional<SceneLists> lists_;
-  std::vector<unsigned char> left_;  // by a crinkled cut; empty: there is none
   SpaceScene scene_;
 };
 
@@ -197,11 +217,55 @@ VolumeBoundary find_boundary(const Mesh& mesh) {
   return boundary;
 }
 
+/// Bodies keep their own colours beside a cut, so that they are told from what is cut.
+bool boundary_has_values(const VolumeBoundary& boundary, const VolumeLook& look) {
+  return !look.colors.empty() &&
+         (!boundary.encloses || (look.cuts.empty() && look.isolated.empty()));
+}
+
+std::vector<VolumePart> parts_of(const VolumeLook& look) {
+  using Kind = VolumePart::Kind;
+  std::vector<VolumePart> parts;
+  if (!look.isolated.empty() || (look.crinkle && !look.cuts.empty()))
+    parts.push_back({Kind::elements});
+  else
+    for (std::size_t k = 0; k < look.cuts.size(); ++k) parts.push_back({Kind::section, k});
+  parts.push_back({Kind::boundary});
+  if (!look.worst.empty()) parts.push_back({Kind::worst});
+  if (!look.inverted.empty()) parts.push_back({Kind::inverted});
+  return parts;
+}
+
+std::vector<Plane> clip_planes_of(const VolumeLook& look) {
+  const bool flat = look.isolated.empty() && !look.crinkle;
+  return flat ? look.cuts : std::vector<Plane>{};
+}
+
+SpaceScene build_part(const Mesh& mesh, const VolumeBoundary& boundary, const VolumeLook& look,
+                      const VolumeStyle& style, const VolumePart& part) {
+  return SceneBuilder(mesh, boundary, look, style).build(part);
+}
+
 SpaceScene build_scene(const Mesh& mesh, const VolumeBoundary& boundary, const VolumeLook& look,
                        const VolumeStyle& style) {
   if (look.cuts.size() > most_clip_planes)
     throw UsageError("at most " + std::to_string(most_clip_planes) + " planes can cut a mesh");
-  return SceneBuilder(mesh, boundary, look, style).build();
+  VolumeLook whole = look;
+  std::vector<unsigned char> left;
+  if (look.isolated.empty() && look.crinkle && !look.cuts.empty() && look.left.empty()) {
+    left = elements_behind(mesh, look.cuts);
+    whole.left = left;
+  }
+  SpaceScene scene;
+  scene.extent = space_bounds(mesh);
+  scene.origin = scene.extent.centre();
+  scene.planes = clip_planes_of(whole);
+  for (const VolumePart& part : parts_of(whole)) {
+    SpaceScene made = build_part(mesh, boundary, whole, style, part);
+    std::ranges::move(made.fills, std::back_inserter(scene.fills));
+    std::ranges::move(made.lines, std::back_inserter(scene.lines));
+  }
+  return scene;
 }
 
 std::vector<unsigned char> markers_in_color(const Mesh& mesh, const VolumeBoundary& boundary,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <span>
 #include <vector>
 
@@ -21,7 +22,7 @@ VolumeBoundary find_boundary(const Mesh& mesh);
 
 /// How a marker is shown. automatic: bodies as surfaces, what encloses them as outlines; a solid
 /// mesh as a surface.
-enum class MarkerShow { automatic, surface, see_through, hidden };
+enum class MarkerShow { automatic, surface, outline, see_through, hidden };
 
 /// What is shown of a volume mesh. Spans and pointers may be empty: nothing of the kind.
 struct VolumeLook {
@@ -34,13 +35,18 @@ struct VolumeLook {
   std::span<const unsigned char> isolated;
   /// Elements that are red wherever they are (#elements).
   std::span<const unsigned char> inverted;
+  /// Elements that are seen through what hides them, in a colour of their own (#elements).
+  std::span<const unsigned char> worst;
   /// Of elements (#elements), packed as element_colors() does; on cuts and single elements, and on
   /// the boundary unless bodies stand beside a cut.
   std::span<const std::uint32_t> colors;
-  std::vector<MarkerShow> markers;  ///< per marker; those left out are automatic
-  std::vector<Rgb> marker_colors;   ///< per marker, of surfaces without other colours
-  bool edges = true;                ///< of elements
-  double feature_angle = 40;        ///< degrees by which a surface turns at an edge that is drawn
+  /// What a crinkled cut leaves (#elements), where it is known: elements_behind().
+  std::span<const unsigned char> left;
+  std::vector<MarkerShow> markers;    ///< per marker; those left out are automatic
+  std::vector<float> marker_opacity;  ///< per marker, of see-through ones; else the style's
+  std::vector<Rgb> marker_colors;     ///< per marker, of surfaces without other colours
+  bool edges = true;                  ///< of elements
+  double feature_angle = 40;          ///< degrees by which a surface turns at an edge that is drawn
 };
 
 /// Colours and widths of a scene, of the theme.
@@ -50,11 +56,34 @@ struct VolumeStyle {
   Rgba feature{0.13f, 0.15f, 0.18f, 1};    ///< edges that show the form
   Rgba enclosure{0.45f, 0.48f, 0.53f, 1};  ///< outlines of what encloses
   Rgba inverted{0.90f, 0.10f, 0.12f, 1};
+  Rgba worst{0.93f, 0.50f, 0.05f, 1};
   float edge_width = 1, feature_width = 1.6f;
   float see_through = 0.35f;  ///< opacity of such markers
+
+  bool operator==(const VolumeStyle&) const = default;
 };
 
-/// Throws UsageError for more than most_clip_planes cuts.
+/// A part of a scene, which can be made by itself. What the scene's cuts have to do with it:
+/// whole elements and the boundary of a solid mesh depend on crinkled cuts, a section on its own
+/// plane, the rest on none.
+struct VolumePart {
+  enum class Kind { elements, section, boundary, worst, inverted };
+  Kind kind = Kind::boundary;
+  std::size_t cut = 0;  ///< of a section
+
+  auto operator<=>(const VolumePart&) const = default;
+};
+/// In the order in which they are drawn.
+std::vector<VolumePart> parts_of(const VolumeLook& look);
+/// Without planes: those of look.cuts clip a scene of flat cuts.
+SpaceScene build_part(const Mesh& mesh, const VolumeBoundary& boundary, const VolumeLook& look,
+                      const VolumeStyle& style, const VolumePart& part);
+/// The planes that clip the parts: those of flat cuts.
+std::vector<Plane> clip_planes_of(const VolumeLook& look);
+/// Colours of elements show on the boundary, too.
+bool boundary_has_values(const VolumeBoundary& boundary, const VolumeLook& look);
+
+/// All parts in one. Throws UsageError for more than most_clip_planes cuts.
 SpaceScene build_scene(const Mesh& mesh, const VolumeBoundary& boundary, const VolumeLook& look,
                        const VolumeStyle& style);
 

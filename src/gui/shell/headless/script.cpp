@@ -21,12 +21,12 @@ struct Arity {
 /// Words that follow the first.
 const std::map<std::string, Arity, std::less<>>& known_words() {
   static const std::map<std::string, Arity, std::less<>> words{
-      {"open", {1, 1}},        {"replay", {1, 1}},       {"click", {1, 2}},
-      {"right-click", {1, 2}}, {"double-click", {1, 2}}, {"hover", {1, 2}},
-      {"drag", {4, 4}},        {"press", {2, 2}},        {"move", {2, 2}},
-      {"release", {0, 0}},     {"away", {0, 0}},         {"wheel", {3, 3}},
+      {"open", {1, 1}},        {"replay", {1, 1}},       {"click", {1, 3}},
+      {"right-click", {1, 3}}, {"double-click", {1, 3}}, {"hover", {1, 3}},
+      {"drag", {4, 6}},        {"press", {2, 3}},        {"move", {2, 3}},
+      {"release", {0, 0}},     {"away", {0, 0}},         {"wheel", {3, 4}},
       {"key", {1, 1}},         {"type", {1, 1}},         {"fill", {2, 2}},
-      {"look", {3, 3}},        {"wait", {0, 1}},         {"size", {2, 2}},
+      {"look", {3, 4}},        {"wait", {0, 1}},         {"size", {2, 2}},
       {"screenshot", {1, 1}},  {"picture", {1, 5}},      {"widgets", {0, 1}}};
   return words;
 }

@@ -40,16 +40,15 @@ class ScriptPlayer {
       return click(at);
     }
     if (what == "hover" || what == "move") return move(target(words, 1));
-    if (what == "drag") return drag(mesh_point(words, 1), mesh_point(words, 3));
+    if (what == "drag") return drag(mesh_point(words, 1), mesh_point(words, 1 + coordinates()));
     if (what == "press") return press(mesh_point(words, 1));
     if (what == "release") return release();
     if (what == "away") return away();
-    if (what == "wheel") return wheel(mesh_point(words, 1), number(words[3]));
+    if (what == "wheel") return wheel(mesh_point(words, 1), number(words.back()));
     if (what == "key") return key(words[1]);
     if (what == "type") return type(words[1]);
     if (what == "fill") return fill(words[1], words[2]);
-    if (what == "look")
-      return bench().apply(action::LookAt{{number(words[1]), number(words[2])}, number(words[3])});
+    if (what == "look") return look(words);
     if (what == "wait") return wait(words);
     if (what == "size")
       return studio_.resize(whole_number(words[1], 320), whole_number(words[2], 240));
@@ -81,15 +80,33 @@ class ScriptPlayer {
     return static_cast<int>(value);
   }
 
-  /// Pixel of a point of the mesh.
+  /// How many a point of the open mesh has.
+  std::size_t coordinates() { return bench().session().in_space() ? 3 : 2; }
+
+  /// A point of the mesh, z = 0 in the plane.
+  Vec3 point(const std::vector<std::string>& words, std::size_t first) {
+    if (words.size() < first + coordinates())
+      throw UsageError("a point of this mesh has " + std::to_string(coordinates()) +
+                       " coordinates");
+    Vec3 p(0, 0, 0);
+    for (std::size_t k = 0; k < coordinates(); ++k)
+      p[static_cast<Index>(k)] = number(words[first + k]);
+    return p;
+  }
+  /// Its pixel.
   ScreenPoint mesh_point(const std::vector<std::string>& words, std::size_t first) {
-    return bench().view_control().camera().to_screen(
-        {number(words[first]), number(words[first + 1])});
+    return bench().view_control().view().project(point(words, first)).at;
+  }
+  void look(const std::vector<std::string>& words) {
+    const Vec3 at = point(words, 1);
+    const double radius = number(words.back());
+    if (bench().session().in_space()) return bench().apply(action::LookAtPlace{at, radius});
+    bench().apply(action::LookAt{at.head<2>(), radius});
   }
 
-  /// Pixel of a widget, or of a point of the mesh where there are two numbers.
+  /// Pixel of a widget, or of a point of the mesh where there are numbers.
   ScreenPoint target(const std::vector<std::string>& words, std::size_t first) {
-    return words.size() == first + 2 ? mesh_point(words, first) : widget(words[first]);
+    return words.size() > first + 1 ? mesh_point(words, first) : widget(words[first]);
   }
   ScreenPoint widget(const std::string& id) {
     auto found = bench().widgets().find(id);

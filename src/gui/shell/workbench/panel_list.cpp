@@ -15,6 +15,8 @@
 #include "gui/panels/quality_panel.h"
 #include "gui/panels/shape_panel.h"
 #include "gui/panels/solver_panel.h"
+#include "gui/panels/space/cuts_panel.h"
+#include "gui/panels/space/space_motion_panel.h"
 #include "gui/panels/status_bar.h"
 #include "gui/panels/toolbar.h"
 #include "gui/panels/vcv/vcv_panel.h"
@@ -26,6 +28,23 @@ namespace winslow::gui {
 namespace {
 
 constexpr MeshKinds plane{MeshKind::plane};
+constexpr MeshKinds plane_or_volume{MeshKind::plane, MeshKind::volume};
+
+/// One panel of the user's, which is another where the mesh is in space.
+template <class InPlane, class InSpace>
+class OfEither : public Panel {
+ public:
+  void draw(const PanelContext& context) override {
+    if (context.session.in_space())
+      in_space_.draw(context);
+    else
+      in_plane_.draw(context);
+  }
+
+ private:
+  InPlane in_plane_;
+  InSpace in_space_;
+};
 
 template <class P>
 RegisteredPanel entry(const char* id, const char* title, Region region, MeshKinds serves) {
@@ -49,18 +68,21 @@ PanelRegistry make_panels() {
   r.add(entry<Toolbar>("toolbar", "Toolbar", Region::toolbar, all_meshes));
   r.add(entry<StatusBar>("status", "Status", Region::status, all_meshes));
   r.add(entry<ZonePanel>("zone", "Zone", Region::left, all_meshes));
-  r.add(entry<MarkersPanel>("markers", "Markers", Region::left, plane));
-  r.add(entry<MotionPanel>("motion", "Move the selection", Region::left, plane));
+  r.add(entry<MarkersPanel>("markers", "Markers", Region::left, plane_or_volume));
+  r.add({"cuts", "Cuts", Region::left, plane_or_volume, std::make_unique<CutsPanel>(),
+         [](const PanelContext& context) { return context.session.in_space(); }});
+  r.add(entry<OfEither<MotionPanel, SpaceMotionPanel>>("motion", "Move the selection", Region::left,
+                                                       plane_or_volume));
   r.add(entry<ShapePanel>("shape", "Shape", Region::left, plane));
   r.add(entry<LayersPanel>("layers", "Layers", Region::left, plane));
-  r.add(entry<SolverPanel>("solver", "Solver", Region::left, plane));
-  r.add(entry<MeshPanel>("mesh", "Mesh", Region::left, plane));
-  r.add(in_tab<QualityPanel>(SideTab::quality, "quality", "Quality", plane));
-  r.add(in_tab<WallPanel>(SideTab::quality, "walls", "Walls", plane));
-  r.add(in_tab<GoToPanel>(SideTab::quality, "go_to", "Go to", plane));
-  r.add(in_tab<WorstPanel>(SideTab::quality, "worst", "Worst elements", plane));
-  r.add(in_tab<IsolatePanel>(SideTab::quality, "isolate", "Isolate", plane));
-  r.add(in_tab<ViewPanel>(SideTab::view, "view", "View", plane));
+  r.add(entry<SolverPanel>("solver", "Solver", Region::left, plane_or_volume));
+  r.add(entry<MeshPanel>("mesh", "Mesh", Region::left, plane_or_volume));
+  r.add(in_tab<QualityPanel>(SideTab::quality, "quality", "Quality", plane_or_volume));
+  r.add(in_tab<WallPanel>(SideTab::quality, "walls", "Walls", plane_or_volume));
+  r.add(in_tab<GoToPanel>(SideTab::quality, "go_to", "Go to", plane_or_volume));
+  r.add(in_tab<WorstPanel>(SideTab::quality, "worst", "Worst elements", plane_or_volume));
+  r.add(in_tab<IsolatePanel>(SideTab::quality, "isolate", "Isolate", plane_or_volume));
+  r.add(in_tab<ViewPanel>(SideTab::view, "view", "View", plane_or_volume));
   r.add(in_tab<VcvPanel>(SideTab::vcv, "vcv", "Virtual control volume", plane));
   r.add(in_tab<HistoryPanel>(SideTab::history, "history", "History", all_meshes));
   r.add(entry<ConvergencePanel>("convergence", "Convergence", Region::plot, all_meshes));

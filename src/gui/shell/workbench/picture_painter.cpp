@@ -32,6 +32,16 @@ void copy_into(Image& whole, const Image& part, int x, int y) {
   }
 }
 
+/// A camera that sees what another one does, in a viewport of another size.
+void fill_viewport(SpaceCamera& camera, const SpaceCamera& as, const Area& v) {
+  const ScreenVector size = as.viewport().size();
+  camera = as;
+  camera.set_viewport(v.x, v.y, v.width, v.height);
+  const ScreenVector now = camera.viewport().size();
+  camera.look_at(as.centre(),
+                 as.units_per_pixel() * std::max(size.x() / now.x(), size.y() / now.y()));
+}
+
 }  // namespace
 
 /// A picture being made.
@@ -41,6 +51,7 @@ struct PicturePainter::Picture {
   bool mesh_alone = false;
   ViewOptions options;
   PlaneView view;
+  SpaceView space;
   ActionQueue actions;  ///< nobody carries them out
   PanelContext context;
   Lens lens;
@@ -49,6 +60,7 @@ struct PicturePainter::Picture {
       : frame(std::move(of)),
         options(shown.context.view),
         view(shown.view),
+        space(shown.space),
         context{shown.context.session,
                 options,
                 shown.context.view_state,
@@ -73,7 +85,11 @@ void PicturePainter::paint_window() {
   glClearColor(ground.x, ground.y, ground.z, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   shown_.pane.lens().set_tile({ScreenPoint(), ScreenPoint(window.width, window.height)});
-  shown_.pane.mesh_view().draw_kept(shown_.view.camera(), window.width, window.height);
+  MeshView& mesh = shown_.pane.mesh_view();
+  if (shown_.session.in_space())
+    mesh.volume().draw_kept(shown_.space.camera(), window.width, window.height);
+  else
+    mesh.draw_kept(shown_.view.camera(), window.width, window.height);
   window.ui.paint();
 }
 
@@ -170,7 +186,9 @@ void PicturePainter::end(std::unique_ptr<Picture> picture, int framebuffer) {
   age_ = 0;
   UiLayer& ui = shown_.window.ui;
   ui.make_current();
-  shown_.pane.update(shown_.context.view, shown_.view, ui.theme().scale);
+  const bool in_space = shown_.session.in_space();
+  const View& view = in_space ? static_cast<const View&>(shown_.space) : shown_.view;
+  shown_.pane.update(shown_.context.view, view, ui.theme().scale);
   glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(framebuffer));
 }
 
@@ -184,20 +202,27 @@ void PicturePainter::lay_out(Picture& picture, const Bounds& visible) {
   }
   const Area& v = frame.layout.viewport;
   picture.view.camera().set_viewport(v.x, v.y, v.width, v.height);
-  if (shown_.session.document()) picture.view.camera().fit(visible, 0);
+  const bool in_space = shown_.session.in_space();
+  if (in_space)
+    fill_viewport(picture.space.camera(), shown_.space.camera(), v);
+  else if (shown_.session.document())
+    picture.view.camera().fit(visible, 0);
+  const View& view = in_space ? static_cast<const View&>(picture.space) : picture.view;
   const float scale = frame.ui.theme().scale;
-  picture.lens.place(pinned_inset(shown_.session, picture.options, picture.view.camera(),
-                                  static_cast<double>(scale)));
+  picture.lens.place(in_space ? std::nullopt
+                              : pinned_inset(shown_.session, picture.options, picture.view.camera(),
+                                             static_cast<double>(scale)));
   if (!picture.mesh_alone) shown_.regions.draw(picture.context, frame.layout);
   shown_.regions.draw_over_mesh(
       picture.context, frame.layout.viewport,
       picture.mesh_alone ? Regions::Cards::none : Regions::Cards::of_the_mesh);
   // A picture is of this mesh: here, unlike in a frame, what is prepared is waited for.
   ViewportPane& pane = shown_.pane;
-  const auto update = [&] { pane.update(picture.options, picture.view, scale); };
+  const auto update = [&] { pane.update(picture.options, view, scale); };
   for (update(); pane.mesh_view().busy(); update()) std::this_thread::yield();
-  pane.draw_overlays(*ImGui::GetBackgroundDrawList(), {picture.context, picture.view, frame.layout,
-                                                       picture.lens, picture.mesh_alone});
+  pane.draw_overlays(*ImGui::GetBackgroundDrawList(),
+                     {picture.context, view, frame.layout, picture.lens,
+                      in_space ? &picture.space : nullptr, picture.mesh_alone});
   frame.ui.end();
   picture.actions.clear();  // nobody pressed anything
 }
@@ -220,7 +245,9 @@ Image PicturePainter::paint_tiles(Picture& picture, bool transparent) {
         buffer.clear({ground.x, ground.y, ground.z, 1});
       const ScreenBox tile{ScreenPoint(x, y), ScreenPoint(x + side_x, y + side_y)};
       picture.lens.set_tile(tile);
-      if (const auto part = part_of(picture.view.camera(), tile))
+      if (shown_.session.in_space())
+        draw_space_tile(picture, tile, transparent, side_y);
+      else if (const auto part = part_of(picture.view.camera(), tile))
         shown_.pane.mesh_view().draw(*part, transparent ? nullptr : &picture.view.camera(), side_x,
                                      side_y);
       picture.frame->ui.paint_part(static_cast<float>(x), static_cast<float>(y),
@@ -231,9 +258,21 @@ Image PicturePainter::paint_tiles(Picture& picture, bool transparent) {
   return whole;
 }
 
+void PicturePainter::draw_space_tile(const Picture& picture, const ScreenBox& tile,
+                                     bool transparent, int height) {
+  SpaceCamera camera = picture.space.camera();
+  const ScreenVector corner = camera.viewport().min - tile.min;
+  const ScreenVector size = camera.viewport().size();
+  camera.set_viewport(corner.x(), corner.y(), size.x(), size.y());
+  const ScreenBox whole = camera.viewport();
+  shown_.pane.mesh_view().volume().draw(camera, transparent ? nullptr : &whole, height);
+}
+
 VectorFigure PicturePainter::figure(bool legend) const {
   VectorFigure figure;
   const Session& session = shown_.session;
+  if (session.in_space())
+    throw Error("Vector figures are of plane meshes: save this picture as PNG.");
   const ViewOptions& view = shown_.context.view;
   const auto& shown_legend = shown_.pane.mesh_view().legend();
   const Document* document = session.document();

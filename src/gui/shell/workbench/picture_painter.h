@@ -18,7 +18,8 @@ class PicturePainter : public PictureSource {
   struct Shown {
     Session& session;
     PanelContext context;
-    const PlaneView& view;
+    const PlaneView& view;   ///< of plane meshes
+    const SpaceView& space;  ///< of volume meshes
     WindowFrame& window;
     Regions& regions;
     ViewportPane& pane;
@@ -42,6 +43,7 @@ class PicturePainter : public PictureSource {
   struct Picture;
   std::unique_ptr<Picture> begin(const PictureSpec& spec, float scale);
   void lay_out(Picture& picture, const Bounds& visible);
+  void draw_space_tile(const Picture& picture, const ScreenBox& tile, bool transparent, int height);
   Image paint_tiles(Picture& picture, bool transparent);
   void end(std::unique_ptr<Picture> picture, int framebuffer);
 

@@ -89,9 +89,8 @@ void Regions::draw(const PanelContext& context, const Layout& layout) const {
   }
 }
 
-/// All meshes are plane so far.
 void Regions::draw_panels(const PanelContext& context, Region region) const {
-  panels_.draw(region, context, MeshKind::plane);
+  panels_.draw(region, context, context.session.in_space() ? MeshKind::volume : MeshKind::plane);
 }
 
 void Regions::draw_tabs(const PanelContext& context) const {
@@ -126,7 +125,8 @@ std::optional<float> Regions::drag_splitters(const PanelContext& context, Layout
   if (!p.empty() && !layout.plot_empty)
     layout.plot_height -=
         splitter("splitter/plot", {p.x, p.y - grip / 2, p.width, grip}, false) / scale;
-  if (context.view.comparison != Comparison::split || !context.session.document())
+  if (context.view.comparison != Comparison::split || !context.session.document() ||
+      context.session.in_space())
     return std::nullopt;
   const Area& v = layout.viewport;
   const float middle = v.x + static_cast<float>(context.view.divider) * v.width;

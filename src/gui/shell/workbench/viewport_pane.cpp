@@ -3,7 +3,10 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <utility>
+
 #include "gui/panels/banner_panel.h"
+#include "gui/view/navigation/worst_list.h"
 #include "gui/view/overlays/foot_overlay.h"
 #include "gui/view/overlays/overlay.h"
 #include "gui/view/overlays/ruler_overlay.h"
@@ -87,11 +90,12 @@ void ViewportPane::drive(const InputState& input, const PanelContext& context,
                                                      static_cast<float>(input.mouse.y()));
   PointerState pointer = pointer_of(input, over);
   control_.set_mouse(over ? std::optional(input.mouse) : std::nullopt);
-  if (viewport_.gesture() == Viewport::Gesture::none) {
+  if (!mouse_busy()) {
     pointer.over = free;
     take_for_legend(pointer, context, layout);
     take_for_lens(pointer, context);
   }
+  if (session_.in_space()) return drive_space(pointer, context);
   const ViewOptions& view = control_.options();
   const ViewState& state = control_.state();
   const auto scale = static_cast<double>(context.theme.scale);
@@ -99,16 +103,49 @@ void ViewportPane::drive(const InputState& input, const PanelContext& context,
   const bool nodes = !state.box_zoom_armed && !state.ruler && (input.alt() || inspects);
   pointer.picks_nodes = nodes;
   pointer.click_taken =
-      node_tool_.update(pointer, nodes, scale, session_, control_.view(), context.actions);
+      node_tool_.update(pointer, nodes, scale, session_, control_.plane(), context.actions);
   take_for_ruler(pointer, scale);
   const bool dragging = viewport_.dragging();
-  viewport_.update(pointer, scene(scale), control_.view(), context.actions);
+  viewport_.update(pointer, scene(scale), control_.plane(), context.actions);
   zoom_to_double_click(pointer, context);
   if (const auto at = context_click_.update(pointer, scale); at && !dragging && session_.document())
     context.emit(
-        action::ShowContextMenu{pick_place(session_, control_.view(), view.markers, *at, scale)});
+        action::ShowContextMenu{pick_place(session_, control_.plane(), view.markers, *at, scale)});
   if (viewport_.gesture() == Viewport::Gesture::box) control_.disarm_box_zoom();
   lens_.place(magnifier_inset(view.magnifier, control_.camera(), input.mouse, over, scale));
+}
+
+void ViewportPane::drive_space(PointerState pointer, const PanelContext& context) {
+  const ViewOptions& view = control_.options();
+  const auto scale = static_cast<double>(context.theme.scale);
+  const SpaceSurroundings around{session_,
+                                 mesh_view_.volume(),
+                                 view,
+                                 control_.state().cut,
+                                 taken_out(session_, view.markers),
+                                 scale,
+                                 control_.state().box_zoom_armed};
+  using Gesture = SpaceViewport::Gesture;
+  space_viewport_.update(pointer, around, control_.space().view(), context.actions);
+  if (space_viewport_.gesture() == Gesture::box) control_.disarm_box_zoom();
+  const bool looks = space_viewport_.gesture() == Gesture::none;
+  control_.set_mouse(pointer.over ? std::optional(pointer.position) : std::nullopt,
+                     looks ? space_viewport_.seen() : std::nullopt);
+  const auto& seen = space_viewport_.seen();
+  const bool plain = !pointer.shift && !pointer.control && !pointer.alt && pointer.over;
+  if (plain && seen && seen->marker >= 0 && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+    context.emit(action::FitMarkers{{seen->marker}});
+  if (const auto at = context_click_.update(pointer, scale)) {
+    PickedPlace place;
+    if (const auto there = SpaceViewport::seen_at(*at, around, control_.space().view())) {
+      place.in_space = {there->point, there->normal};
+      if (there->marker >= 0) place.markers = {there->marker};
+      place.node = there->node;
+      place.element = there->element;
+    }
+    context.emit(action::ShowContextMenu{place});
+  }
+  lens_.place(std::nullopt);
 }
 
 /// The legend's strip lies beside the mesh: pointer.over says that nothing else has the mouse.
@@ -144,8 +181,8 @@ void ViewportPane::take_for_ruler(PointerState& pointer, double scale) {
   if (!control_.state().ruler || !session_.document()) return ruler_.clear();
   const bool snaps = pointer.over && !pointer.shift;
   const auto node =
-      snaps ? node_tool_.node_at(pointer, scale, session_, control_.view()) : std::nullopt;
-  ruler_.update(pointer, node, scale, session_, control_.view());
+      snaps ? node_tool_.node_at(pointer, scale, session_, control_.plane()) : std::nullopt;
+  ruler_.update(pointer, node, scale, session_, control_.plane());
   pointer.click_taken = true;
 }
 
@@ -168,18 +205,40 @@ void ViewportPane::measure_selection() {
 
 void ViewportPane::follow_mesh(const ViewOptions& options, float scale) {
   before_.update(session_, options);
+  std::vector<Index> worst;
+  if (session_.in_space() && options.space.worst)
+    for (const WorstElement& element : worst_elements(session_, options))
+      worst.push_back(element.element);
+  mesh_view_.volume().set_worst(std::move(worst));
   mesh_view_.update(session_, before_, options, scale);
 }
 
 void ViewportPane::update(const ViewOptions& options, const View& view, float scale) {
   follow_mesh(options, scale);
+  if (session_.in_space()) return;
   const ScreenBox seen = view.viewport();
   const double middle = seen.min.x() + options.divider * seen.size().x();
   mesh_view_.set_divider(view.to_plane(ScreenPoint(middle, 0)).x());
 }
 
+void ViewportPane::draw_space_overlays(ImDrawList& list, const MeshFrame& frame) {
+  const PanelContext& context = frame.context;
+  const SpaceOverlay overlay{session_, context.view, context.view_state, *frame.space,
+                             context.theme};
+  const Area& v = frame.layout.viewport;
+  list.PushClipRect(ImVec2(v.x, v.y), ImVec2(v.x + v.width, v.y + v.height), true);
+  draw_space_marks(list, overlay);
+  if (!frame.mesh_alone) draw_space_handles(list, overlay, space_viewport_);
+  list.PopClipRect();
+  LegendCard of_picture;
+  LegendCard& legend = &frame.lens == &lens_ ? legend_card_ : of_picture;
+  draw_legend(list, frame, legend);
+  if (const auto box = space_viewport_.box()) draw_zoom_box(list, context.theme, *box);
+}
+
 void ViewportPane::draw_overlays(ImDrawList& list, const MeshFrame& frame) {
   if (!session_.document()) return;
+  if (frame.space) return draw_space_overlays(list, frame);
   const PanelContext& context = frame.context;
   const Theme& theme = context.theme;
   // What is for the mouse's sake: a picture of the mesh alone has none of it.
@@ -246,6 +305,11 @@ void ViewportPane::draw_foot(ImDrawList& list, const MeshFrame& frame, const Vie
 
 std::optional<int> ViewportPane::cursor() const {
   if (legend_card_.offers_grip()) return ImGuiMouseCursor_ResizeAll;
+  if (session_.in_space()) {
+    if (space_viewport_.cut_part() != CutPart::none) return ImGuiMouseCursor_Hand;
+    if (mouse_busy()) return ImGuiMouseCursor_ResizeAll;
+    return std::nullopt;
+  }
   if (viewport_.gesture() == Viewport::Gesture::pan ||
       viewport_.gesture() == Viewport::Gesture::box)
     return ImGuiMouseCursor_ResizeAll;

@@ -13,10 +13,12 @@
 #include "gui/view/navigation/view_control.h"
 #include "gui/view/overlays/id_labels.h"
 #include "gui/view/overlays/lens.h"
+#include "gui/view/overlays/space_overlay.h"
 #include "gui/view/overlays/view_overlay.h"
 #include "gui/view/tools/context_click.h"
 #include "gui/view/tools/node_tool.h"
 #include "gui/view/tools/ruler.h"
+#include "gui/view/tools/space_viewport.h"
 #include "gui/view/tools/viewport.h"
 
 namespace winslow::gui {
@@ -27,7 +29,8 @@ struct MeshFrame {
   const View& view;
   const Layout& layout;
   Lens& lens;
-  bool mesh_alone = false;  ///< nothing that is there for the mouse's sake
+  const SpaceView* space = nullptr;  ///< the view, of a volume mesh
+  bool mesh_alone = false;           ///< nothing that is there for the mouse's sake
 };
 
 /// The part of the window that shows the mesh: the mesh itself, what is drawn over it, and the
@@ -55,6 +58,13 @@ class ViewportPane {
   /// What the mouse acts upon now. scale: of the interface.
   ViewportScene scene(double scale) const;
   const Viewport& viewport() const { return viewport_; }
+  /// The mouse over a volume mesh.
+  const SpaceViewport& space_viewport() const { return space_viewport_; }
+  /// It changes the view, or drags something.
+  bool mouse_busy() const {
+    return viewport_.gesture() != Viewport::Gesture::none ||
+           space_viewport_.gesture() != SpaceViewport::Gesture::none;
+  }
   const Ruler& ruler() const { return ruler_; }
   /// What the mesh is compared with, as of the last frame.
   const BeforeMesh& before() const { return before_; }
@@ -66,6 +76,8 @@ class ViewportPane {
   std::optional<int> cursor() const;
 
  private:
+  void drive_space(PointerState pointer, const PanelContext& context);
+  void draw_space_overlays(ImDrawList& list, const MeshFrame& frame);
   void take_for_legend(PointerState& pointer, const PanelContext& context, const Layout& layout);
   void take_for_lens(PointerState& pointer, const PanelContext& context);
   void take_for_ruler(PointerState& pointer, double scale);
@@ -80,6 +92,7 @@ class ViewportPane {
   MeshView mesh_view_;
   Lens lens_{mesh_view_};
   Viewport viewport_;
+  SpaceViewport space_viewport_;
   NodeTool node_tool_;
   ContextClick context_click_;
   Ruler ruler_;

@@ -47,7 +47,8 @@ Workbench::Workbench(const WorkbenchOptions& options)
       window_(options.scale),
       autosave_(options.profile),
       view_control_(session_, options.scale),
-      pictures_({session_, context(), view_control_.view(), window_, regions_, pane_}) {
+      pictures_({session_, context(), view_control_.plane(), view_control_.space().view(), window_,
+                 regions_, pane_}) {
   take_settings(settings_file_.initial());
 }
 
@@ -94,7 +95,7 @@ void Workbench::update(InputQueue& queue, int width, int height, double seconds)
   demo_.update(session_, seconds, actions_);
   take_input(input);
   draw_window(input);
-  view_control_.observe(pane_.viewport().gesture() != Viewport::Gesture::none, seconds);
+  view_control_.observe(pane_.mouse_busy(), seconds);
   dispatch();
   finish_frame();
   follow_keys(input);
@@ -150,7 +151,8 @@ void Workbench::finish_frame() {
   pane_.update(view_control_.options(), view_control_.view(), theme().scale);
   const PanelContext shown = context();
   pane_.draw_overlays(*ImGui::GetBackgroundDrawList(),
-                      {shown, view_control_.view(), layout(), pane_.lens()});
+                      {shown, view_control_.view(), layout(), pane_.lens(),
+                       session_.in_space() ? &view_control_.space().view() : nullptr});
   window_.ui.end();
   capture_.after_frame(pictures_);
 }

@@ -41,7 +41,10 @@ MeshStyle style_for(const ViewOptions& view, float scale) {
 
 void MeshView::update(const Session& session, const BeforeMesh& before, const ViewOptions& view,
                       float scale) {
-  has_mesh_ = session.document() != nullptr;
+  in_space_ = session.in_space();
+  has_mesh_ = session.document() != nullptr && !in_space_;
+  if (in_space_) return volume_.update(session, view, scale);
+  volume_.clear();
   if (!has_mesh_) return;
   backdrop_ = backdrop_colors(view);
   style_ = style_for(view, scale);
@@ -73,7 +76,8 @@ void MeshView::update(const Session& session, const BeforeMesh& before, const Vi
 
 bool MeshView::poll() {
   const bool news = now_.poll();
-  return before_.poll() || news;
+  const bool in_space = volume_.poll();
+  return before_.poll() || news || in_space;
 }
 
 void MeshView::update_markers(const Session& session, const ViewOptions& view, float scale) {
@@ -120,7 +124,7 @@ MeshView::PictureKey MeshView::picture_key(const Camera& camera, int width, int 
 }
 
 void MeshView::draw_kept(const Camera& camera, int width, int height) {
-  if (!has_mesh() || now_.small()) {
+  if (!has_mesh_ || !now_.has_mesh() || now_.small()) {
     kept_.reset();
     kept_key_.reset();
     return draw(camera, &camera, width, height);

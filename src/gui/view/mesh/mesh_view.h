@@ -12,12 +12,14 @@
 #include "gui/settings/view_options.h"
 #include "gui/view/mesh/before_mesh.h"
 #include "gui/view/mesh/mesh_layer.h"
+#include "gui/view/mesh/volume_view.h"
 #include "gui/widgets/legend.h"
 
 namespace winslow::gui {
 
 /// Keeps the picture in step with the session: the mesh, its colours and markers, the state before
-/// where they are compared. Uploads only what changed.
+/// where they are compared. Uploads only what changed. Of a volume mesh `volume()` draws; what is
+/// said of the picture is the same for both.
 class MeshView {
  public:
   void update(const Session& session, const BeforeMesh& before, const ViewOptions& view,
@@ -30,9 +32,14 @@ class MeshView {
   /// bar or a menu under the mouse, then costs what it does without a mesh.
   void draw_kept(const Camera& camera, int width, int height);
   /// Draws anew next time.
-  void forget_picture() { kept_key_.reset(); }
+  void forget_picture() {
+    kept_key_.reset();
+    volume_.forget_picture();
+  }
+  VolumeView& volume() { return volume_; }
+  const VolumeView& volume() const { return volume_; }
   /// The mesh on screen is drawn, though perhaps without its colours yet.
-  bool has_mesh() const { return has_mesh_ && now_.has_mesh(); }
+  bool has_mesh() const { return shown() != nullptr; }
   /// It has its colours, too.
   bool has_colors() const { return has_mesh() && legend().has_value(); }
   /// Where the mesh before ends and the mesh now begins, if they are side by side: x of the mesh.
@@ -40,12 +47,17 @@ class MeshView {
   /// The present mesh alone, with the camera of a magnifier.
   void draw_magnified(const Camera& camera, const Camera& whole, int width, int height);
   /// The mesh now on screen, if any.
-  const ShownMesh* shown() const { return has_mesh_ && now_.shown() ? &*now_.shown() : nullptr; }
+  const ShownMesh* shown() const {
+    if (in_space_) return volume_.shown();
+    return has_mesh_ && now_.shown() ? &*now_.shown() : nullptr;
+  }
   /// Takes what the background has prepared. True if the picture changes.
   bool poll();
-  bool busy() const { return now_.busy() || before_.busy(); }
+  bool busy() const { return in_space_ ? volume_.busy() : now_.busy() || before_.busy(); }
   /// Of the colours now shown; none if elements are plain.
-  const std::optional<Legend>& legend() const { return now_.legend(); }
+  const std::optional<Legend>& legend() const {
+    return in_space_ ? volume_.legend() : now_.legend();
+  }
 
  private:
   void update_markers(const Session& session, const ViewOptions& view, float scale);
@@ -66,6 +78,8 @@ class MeshView {
   PictureKey picture_key(const Camera& camera, int width, int height);
 
   MeshLayer now_, before_;
+  VolumeView volume_;
+  bool in_space_ = false;
   MeshStyle style_;
   MeshStyle ghost_;
   BackdropColors backdrop_;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "core/mesh/element_type.h"
 #include "gui/base/text.h"
 #include "gui/view/navigation/worst_list.h"
 
@@ -16,6 +17,9 @@ namespace {
 
 constexpr const char* expected =
     "Expected a node (n123), an element (e45), a point (0.5, 0.1), \"worst 3\" or a marker.";
+
+constexpr const char* expected_in_space =
+    "Expected a node (n123), an element (e45), a point (0.5, 0.1, 2), \"worst 3\" or a marker.";
 
 std::string trimmed(const std::string& text) {
   const auto first = text.find_first_not_of(" \t");
@@ -30,14 +34,20 @@ std::optional<long long> whole_number(const std::string& text) {
   return value;
 }
 
-std::optional<Vec2> point_of(const std::string& text) {
-  double x = 0;
-  double y = 0;
+/// With as many numbers as the mesh has coordinates; z = 0 in the plane.
+std::optional<Vec3> point_of(const std::string& text, bool in_space) {
+  Vec3 p(0, 0, 0);
   char rest = 0;
-  if (std::sscanf(text.c_str(), "%lf , %lf %c", &x, &y, &rest) != 2 || !std::isfinite(x) ||
-      !std::isfinite(y))
-    return std::nullopt;
-  return Vec2(x, y);
+  const int read = in_space
+                       ? std::sscanf(text.c_str(), "%lf , %lf , %lf %c", &p[0], &p[1], &p[2], &rest)
+                       : std::sscanf(text.c_str(), "%lf , %lf %c", &p[0], &p[1], &rest);
+  if (read != (in_space ? 3 : 2) || !p.allFinite()) return std::nullopt;
+  return p;
+}
+
+Vec3 place_of(const Coordinates& x, Index node) {
+  if (x.dimension() == 3) return x.xyz(node);
+  return {x.xy(node).x(), x.xy(node).y(), 0};
 }
 
 MeshItem checked(MeshItem::Kind kind, long long id, const Topology& topology) {
@@ -49,12 +59,12 @@ MeshItem checked(MeshItem::Kind kind, long long id, const Topology& topology) {
   return {kind, static_cast<Index>(id)};
 }
 
-MeshItem nearest_node(const Vec2& point, const Session& session) {
+MeshItem nearest_node(const Vec3& point, const Session& session) {
   const Coordinates& x = session.coordinates();
   Index best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (Index i = 0; i < x.size(); ++i) {
-    const double d = (x.xy(i) - point).squaredNorm();
+    const double d = (place_of(x, i) - point).squaredNorm();
     if (d >= least || !session.topology()->used(i)) continue;
     least = d;
     best = i;
@@ -87,10 +97,9 @@ std::vector<std::pair<std::string, std::string>> describe_element(Index e, const
   const Topology& topology = *session.topology();
   const Mesh mesh{session.topology(), session.coordinates()};
   std::vector<std::pair<std::string, std::string>> lines{
-      {"Element " + std::to_string(e),
-       topology.element(e).size() == 3 ? "triangle" : "quadrilateral"},
+      {"Element " + std::to_string(e), std::string(shape_of(topology.element_type(e)).name)},
       {"Nodes", list_of(topology.element(e))}};
-  for (const Metric metric : all_metrics()) {
+  for (const Metric metric : all_metrics(topology.cell_dimension())) {
     const double value = element_value(mesh, e, metric);
     lines.emplace_back(metric_label(metric),
                        std::isfinite(value) ? short_number(value) : "inverted");
@@ -100,7 +109,7 @@ std::vector<std::pair<std::string, std::string>> describe_element(Index e, const
 
 std::vector<std::pair<std::string, std::string>> describe_node(Index i, const Session& session) {
   const Topology& topology = *session.topology();
-  const Vec2 p = session.coordinates().xy(i);
+  const Vec3 p = place_of(session.coordinates(), i);
   std::string markers;
   for (std::size_t m = 0; m < topology.markers().size(); ++m) {
     const auto nodes = topology.markers().nodes(static_cast<Index>(m));
@@ -110,19 +119,20 @@ std::vector<std::pair<std::string, std::string>> describe_node(Index i, const Se
   const char* role = !topology.used(i)         ? "unused"
                      : topology.on_boundary(i) ? "boundary"
                                                : "interior";
-  return {{"Node " + std::to_string(i), role},
-          {"x", coordinate(p.x())},
-          {"y", coordinate(p.y())},
-          {"Marker", markers.empty() ? "none" : markers},
-          {"Degree", std::to_string(topology.neighbours(i).size())},
-          {"Elements", list_of(topology.star(i))}};
+  std::vector<std::pair<std::string, std::string>> lines{
+      {"Node " + std::to_string(i), role}, {"x", coordinate(p.x())}, {"y", coordinate(p.y())}};
+  if (session.in_space()) lines.emplace_back("z", coordinate(p.z()));
+  lines.emplace_back("Marker", markers.empty() ? "none" : markers);
+  lines.emplace_back("Degree", std::to_string(topology.neighbours(i).size()));
+  lines.emplace_back("Elements", list_of(topology.star(i)));
+  return lines;
 }
 
 }  // namespace
 
 MeshItem parse_item(const std::string& text, const Session& session, const ViewOptions& view) {
   const std::string wanted = trimmed(text);
-  if (wanted.empty()) throw UsageError(expected);
+  if (wanted.empty()) throw UsageError(session.in_space() ? expected_in_space : expected);
   const Topology& topology = *session.topology();
   // A marker may be called "n1" or "worst": a name that exists wins.
   if (const auto marker = topology.markers().find(wanted); marker)
@@ -138,8 +148,8 @@ MeshItem parse_item(const std::string& text, const Session& session, const ViewO
       return checked(MeshItem::Kind::element, *number, topology);
   }
   if (wanted.starts_with("worst")) return worst_item(trimmed(wanted.substr(5)), session, view);
-  if (const auto point = point_of(wanted)) return nearest_node(*point, session);
-  throw UsageError(expected);
+  if (const auto point = point_of(wanted, session.in_space())) return nearest_node(*point, session);
+  throw UsageError(session.in_space() ? expected_in_space : expected);
 }
 
 std::string item_name(const MeshItem& item) {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "gui/render/space/standard_views.h"
+#include "gui/view/mesh/isolated_elements.h"
 #include "gui/view/navigation/go_to.h"
 
 namespace winslow::gui {
@@ -22,12 +24,33 @@ void look_above(Camera& camera, const ScreenBox& card) {
   camera.look_at(camera.centre() - Vec2(0, (height - free) / 2 * unit), unit);
 }
 
+/// The same metric of elements of that dimension, or the one that all have.
+void suit_field(std::optional<ElementField>& field, int cell_dimension) {
+  if (!field || field->cell_dimension() == cell_dimension) return;
+  const std::vector<ElementField>& all = all_element_fields(cell_dimension);
+  const auto same = std::ranges::find_if(
+      all, [&](const ElementField& f) { return field_info(f).name == field_info(*field).name; });
+  field = same != all.end() ? *same : ElementField(Metric::normalized_jacobian, cell_dimension);
+}
+
+void suit_fields(ViewOptions& options, int cell_dimension) {
+  const std::optional<ElementField> before = options.color;
+  suit_field(options.color, cell_dimension);
+  suit_field(options.worst_by, cell_dimension);
+  if (!options.color || options.color == before) return;
+  // What was chosen for the values of the other.
+  options.range.reset();
+  options.isolation = isolation_for(*options.color);
+}
+
 }  // namespace
 
 bool ViewControl::begin_frame(double x, double y, double width, double height) {
   view_.camera().set_viewport(x, y, width, height);
+  space_.view().camera().set_viewport(x, y, width, height);
   const bool another = follow_mesh();
-  state_.can_go_back = history_.can_go_back(view_.camera());
+  if (session_.in_space()) space_.follow(options_.space);
+  state_.can_go_back = history_.can_go_back(looked_at_now());
   state_.can_go_forward = history_.can_go_forward();
   return another;
 }
@@ -36,6 +59,7 @@ bool ViewControl::follow_mesh() {
   if (generation_ == session_.generation()) return false;
   generation_ = session_.generation();
   history_.clear();
+  space_.leave(options_);
   const ColumnState columns = state_.columns;
   state_ = ViewState();
   state_.columns = columns;
@@ -44,28 +68,47 @@ bool ViewControl::follow_mesh() {
   if (const Document* document = session_.document()) {
     const std::string file = document->source().string();
     if (options_.markers.mesh != file) options_.markers = {file, {}};
+    suit_fields(options_, session_.in_space() ? 3 : 2);
   }
   look_at_start();
   return true;
 }
 
+LookedAt ViewControl::looked_at_now() const {
+  return session_.in_space() ? looked_at(space_.camera()) : looked_at(view_.camera());
+}
+
+void ViewControl::go(const std::optional<LookedAt>& place) {
+  if (!place) return;
+  if (session_.in_space())
+    look_at(space_.view().camera(), *place);
+  else
+    look_at(view_.camera(), *place);
+}
+
 /// Of all holes.
 std::vector<Index> ViewControl::body_nodes() const {
   std::vector<Index> nodes;
+  if (!session_.mesh().boundary()) return nodes;
   for (const auto& body : session_.mesh().boundary()->bodies())
     if (body.hole) nodes.insert(nodes.end(), body.nodes.begin(), body.nodes.end());
   return nodes;
 }
 
-void ViewControl::set_mouse(const std::optional<ScreenPoint>& mouse) {
+void ViewControl::set_mouse(const std::optional<ScreenPoint>& mouse,
+                            const std::optional<SeenPlace>& seen) {
   mouse_ = mouse;
-  state_.pixel = view_.camera().units_per_pixel();
-  state_.cursor = mouse ? std::optional(view_.camera().to_world(*mouse)) : std::nullopt;
+  state_.pixel =
+      session_.in_space() ? space_.camera().units_per_pixel() : view_.camera().units_per_pixel();
+  state_.seen = seen;
+  state_.cursor =
+      mouse && !session_.in_space() ? std::optional(view_.camera().to_world(*mouse)) : std::nullopt;
 }
 
 void ViewControl::look_at_start() {
   const Document* document = session_.document();
   if (!document) return;
+  if (session_.in_space()) return space_.begin(options_);
   const Bounds all = bounds(document->state().mesh);
   if (const std::vector<Index> holes = body_nodes(); !holes.empty()) {
     Bounds bodies = bounds(document->state().mesh.coordinates, holes);
@@ -122,6 +165,7 @@ void ViewControl::on(const action::StepScale& a) {
 void ViewControl::on(const action::InspectNode& a) {
   session_.apply(action::SelectNode{a.node});
   if (!a.node) return;
+  if (session_.in_space()) return on(action::GoTo{MeshItem{MeshItem::Kind::node, *a.node}});
   options_.side_tab = SideTab::vcv;
   open_right(options_, state_.columns);
   // A number that was typed may be that of a node anywhere.
@@ -137,7 +181,8 @@ void ViewControl::on(const action::InspectNode& a) {
 
 void ViewControl::on(const action::FitView&) {
   if (!session_.document()) return;
-  history_.leave(view_.camera());
+  leave();
+  if (session_.in_space()) return space_.fit_all();
   view_.camera().fit(bounds(Mesh{session_.topology(), session_.coordinates()}));
 }
 
@@ -147,6 +192,10 @@ void ViewControl::on(const action::FitSelection&) {
 
 void ViewControl::on(const action::FitMarkers& a) {
   if (!session_.document()) return;
+  if (session_.in_space()) {
+    leave();
+    return space_.fit_markers(a.markers);
+  }
   std::vector<Index> nodes;
   for (const Index m : a.markers) {
     if (m < 0 || static_cast<std::size_t>(m) >= session_.topology()->markers().size()) continue;
@@ -154,27 +203,73 @@ void ViewControl::on(const action::FitMarkers& a) {
     nodes.insert(nodes.end(), of_marker.begin(), of_marker.end());
   }
   if (nodes.empty()) return;
-  history_.leave(view_.camera());
+  leave();
   view_.camera().fit(bounds(session_.coordinates(), nodes), 0.2);
 }
 
 void ViewControl::on(const action::FitBodies&) {
   if (!session_.document()) return;
+  if (session_.in_space()) {
+    leave();
+    return space_.fit_bodies();
+  }
   const std::vector<Index> nodes = body_nodes();
   if (nodes.empty()) return;
-  history_.leave(view_.camera());
+  leave();
   view_.camera().fit(bounds(session_.coordinates(), nodes), 0.1);
 }
 
 void ViewControl::on(const action::LookAt& a) {
-  history_.leave(view_.camera());
+  if (session_.in_space()) return;
+  leave();
   const Vec2 half = Vec2::Constant(a.radius);
   view_.camera().fit({a.point - half, a.point + half});
   if (card_) look_above(view_.camera(), *card_);
 }
 
+void ViewControl::on(const action::LookAtPlace& a) {
+  if (!session_.in_space()) return;
+  leave();
+  space_.look_at(a.point, a.radius);
+}
+
+void ViewControl::on(const action::ZoomToScreen& a) {
+  if (!session_.in_space()) return;
+  leave();
+  space_.zoom_to(a.box, a.depth);
+}
+
+void ViewControl::on(const action::LookFrom& a) {
+  if (!session_.in_space()) return;
+  leave();
+  space_.look_from(named_view(a.name, options_.space.up));
+}
+
+void ViewControl::on(const action::AddCut& a) {
+  if (!session_.in_space() || options_.space.cuts.size() >= most_cuts) return;
+  CutPlane cut;
+  for (Index k = 0; k < 3; ++k) {
+    cut.point[at(k)] = a.point[k];
+    cut.normal[at(k)] = a.normal[k];
+  }
+  state_.cut = options_.space.cuts.size();
+  options_.space.cuts.push_back(cut);
+}
+
+void ViewControl::on(const action::AddCutAcrossView&) {
+  if (!session_.in_space()) return;
+  const SpaceCamera& camera = space_.camera();
+  Index axis = 0;
+  camera.back().cwiseAbs().maxCoeff(&axis);
+  const Vec3 normal = (camera.back()[axis] < 0 ? -1 : 1) * Vec3::Unit(axis);
+  const Box<3> mesh = space_bounds(Mesh{session_.topology(), session_.coordinates()});
+  const Vec3 middle = camera.centre().cwiseMax(mesh.min).cwiseMin(mesh.max);
+  on(action::AddCut{middle, normal});
+}
+
 void ViewControl::on(const action::ZoomTo& a) {
-  history_.leave(view_.camera());
+  if (session_.in_space()) return;
+  leave();
   view_.camera().fit(a.box, 0);
 }
 
@@ -185,7 +280,11 @@ void ViewControl::on(const action::BoxZoom&) {
 void ViewControl::on(const action::GoTo& a) {
   if (a.item && !exists(*a.item, session_)) return;
   state_.focus = a.item;
-  if (!a.item) return;
+  if (!a.item || !a.centre) return;
+  if (session_.in_space()) {
+    leave();
+    return space_.go_to(*a.item);
+  }
   const Bounds box = surroundings(*a.item, session_);
   on(action::LookAt{box.centre(), 4 * box.size().norm()});
 }
@@ -198,7 +297,7 @@ void ViewControl::on(const action::AskGoTo&) {
 }
 
 void ViewControl::on(const action::PinMagnifier&) {
-  if (!session_.document()) return;
+  if (!session_.document() || session_.in_space()) return;
   if (options_.magnifier.on && options_.magnifier.pin) {
     options_.magnifier.pin.reset();
     options_.magnifier.on = false;

@@ -10,6 +10,7 @@
 #include "gui/settings/interface_scale.h"
 #include "gui/settings/view_options.h"
 #include "gui/settings/view_state.h"
+#include "gui/view/navigation/space_control.h"
 #include "gui/view/navigation/view_history.h"
 
 namespace winslow::gui {
@@ -19,7 +20,8 @@ namespace winslow::gui {
 class ViewControl {
  public:
   /// screen_scale: pixels per unit of the layout that the screen wants.
-  ViewControl(Session& session, float screen_scale) : session_(session), scale_(screen_scale) {}
+  ViewControl(Session& session, float screen_scale)
+      : session_(session), space_(session), scale_(screen_scale) {}
 
   void apply(const ViewAction& action) { Dispatch::to(*this, action); }
 
@@ -27,10 +29,18 @@ class ViewControl {
   /// As they were kept from the last run.
   void set_options(const ViewOptions& options) { options_ = options; }
   const ViewState& state() const { return state_; }
-  const PlaneView& view() const { return view_; }
-  /// For the mouse, which pans and zooms.
-  PlaneView& view() { return view_; }
+  /// Of the open mesh.
+  const View& view() const {
+    if (session_.in_space()) return space_.view();
+    return view_;
+  }
+  /// Of plane meshes; for the mouse, which pans and zooms.
+  const PlaneView& plane() const { return view_; }
+  PlaneView& plane() { return view_; }
   const Camera& camera() const { return view_.camera(); }
+  /// Of volume meshes.
+  const SpaceControl& space() const { return space_; }
+  SpaceControl& space() { return space_; }
   InterfaceScale& scale() { return scale_; }
   const InterfaceScale& scale() const { return scale_; }
 
@@ -41,13 +51,15 @@ class ViewControl {
   bool follow_mesh();
   /// In every frame. mouse_busy: the mouse is changing the view. seconds: since the last frame.
   void observe(bool mouse_busy, double seconds) {
-    history_.observe(view_.camera(), mouse_busy, seconds);
+    history_.observe(looked_at_now(), mouse_busy, seconds);
   }
   /// What was asked of this frame alone is done.
   void end_requests() { state_.go_to_wanted = false; }
 
-  /// Where the mouse is over the mesh; none: it is elsewhere.
-  void set_mouse(const std::optional<ScreenPoint>& mouse);
+  /// Where the mouse is over the mesh; none: it is elsewhere. seen: what is there, of a volume
+  /// mesh.
+  void set_mouse(const std::optional<ScreenPoint>& mouse,
+                 const std::optional<SeenPlace>& seen = {});
   /// As the window has room for the columns beside the mesh.
   void set_columns(const ColumnState& columns) { state_.columns = columns; }
   void put_ruler_away() { state_.ruler = false; }
@@ -72,19 +84,29 @@ class ViewControl {
   void on(const action::LookAt& a);
   void on(const action::ZoomTo& a);
   void on(const action::BoxZoom&);
-  void on(const action::BackView&) { history_.back(view_.camera()); }
-  void on(const action::ForwardView&) { history_.forward(view_.camera()); }
+  void on(const action::BackView&) { go(history_.back(looked_at_now())); }
+  void on(const action::ForwardView&) { go(history_.forward()); }
   void on(const action::GoTo& a);
   void on(const action::AskGoTo&);
   void on(const action::PinMagnifier&);
   void on(const action::StepScale& a);
+  void on(const action::LookAtPlace& a);
+  void on(const action::ZoomToScreen& a);
+  void on(const action::LookFrom& a);
+  void on(const action::AddCut& a);
+  void on(const action::AddCutAcrossView&);
+  void on(const action::HoldCut& a) { state_.cut = a.cut; }
   void look_at_start();
+  LookedAt looked_at_now() const;
+  void go(const std::optional<LookedAt>& place);
+  void leave() { history_.leave(looked_at_now()); }
   std::vector<Index> body_nodes() const;
 
   Session& session_;
   ViewOptions options_;
   ViewState state_;
   PlaneView view_;
+  SpaceControl space_;
   ViewHistory history_;
   InterfaceScale scale_;
   std::uint64_t generation_ = 0;  // of the mesh that the camera was set up for

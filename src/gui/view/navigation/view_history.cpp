@@ -10,12 +10,29 @@ namespace {
 constexpr double rest_seconds = 0.4;
 constexpr std::size_t most_views = 100;
 
+bool same(const LookedAt& a, const LookedAt& b) {
+  const double unit = std::min(a.units_per_pixel, b.units_per_pixel);
+  return a.direction == b.direction && (a.centre - b.centre).cwiseAbs().maxCoeff() < 0.5 * unit &&
+         std::abs(a.units_per_pixel - b.units_per_pixel) < 1e-3 * unit;
+}
+
 }  // namespace
 
-bool ViewHistory::same(const View& a, const View& b) {
-  const double unit = std::min(a.units_per_pixel, b.units_per_pixel);
-  return (a.centre - b.centre).cwiseAbs().maxCoeff() < 0.5 * unit &&
-         std::abs(a.units_per_pixel - b.units_per_pixel) < 1e-3 * unit;
+LookedAt looked_at(const Camera& camera) {
+  return {{camera.centre().x(), camera.centre().y(), 0}, camera.units_per_pixel(), std::nullopt};
+}
+
+LookedAt looked_at(const SpaceCamera& camera) {
+  return {camera.centre(), camera.units_per_pixel(), camera.direction()};
+}
+
+void look_at(Camera& camera, const LookedAt& place) {
+  camera.look_at(place.centre.head<2>(), place.units_per_pixel);
+}
+
+void look_at(SpaceCamera& camera, const LookedAt& place) {
+  if (place.direction) camera.look_from(*place.direction);
+  camera.look_at(place.centre, place.units_per_pixel);
 }
 
 void ViewHistory::clear() {
@@ -24,15 +41,13 @@ void ViewHistory::clear() {
   rested_ = 0;
 }
 
-void ViewHistory::observe(const Camera& camera, bool busy, double seconds) {
-  const View now = view_of(camera);
+void ViewHistory::observe(const LookedAt& now, bool busy, double seconds) {
   rested_ = busy || !same(now, last_) ? 0 : rested_ + seconds;
   last_ = now;
-  if (rested_ >= rest_seconds) leave(camera);
+  if (rested_ >= rest_seconds) leave(now);
 }
 
-void ViewHistory::leave(const Camera& camera) {
-  const View now = view_of(camera);
+void ViewHistory::leave(const LookedAt& now) {
   if (!views_.empty()) {
     if (same(views_[position_], now)) return;
     views_.resize(position_ + 1, now);
@@ -42,21 +57,19 @@ void ViewHistory::leave(const Camera& camera) {
   position_ = views_.size() - 1;
 }
 
-bool ViewHistory::can_go_back(const Camera& camera) const {
-  return position_ > 0 || (!views_.empty() && !same(views_[position_], view_of(camera)));
+bool ViewHistory::can_go_back(const LookedAt& now) const {
+  return position_ > 0 || (!views_.empty() && !same(views_[position_], now));
 }
 
-void ViewHistory::back(Camera& camera) {
-  leave(camera);
-  if (position_ == 0) return;
-  --position_;
-  camera.look_at(views_[position_].centre, views_[position_].units_per_pixel);
+std::optional<LookedAt> ViewHistory::back(const LookedAt& now) {
+  leave(now);
+  if (position_ == 0) return std::nullopt;
+  return views_[--position_];
 }
 
-void ViewHistory::forward(Camera& camera) {
-  if (!can_go_forward()) return;
-  ++position_;
-  camera.look_at(views_[position_].centre, views_[position_].units_per_pixel);
+std::optional<LookedAt> ViewHistory::forward() {
+  if (!can_go_forward()) return std::nullopt;
+  return views_[++position_];
 }
 
 }  // namespace winslow::gui

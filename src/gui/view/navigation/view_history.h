@@ -1,10 +1,23 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "gui/render/camera.h"
+#include "gui/render/space/space_camera.h"
 
 namespace winslow::gui {
+
+/// Where a camera looks; the direction is that of space.
+struct LookedAt {
+  Vec3 centre{0, 0, 0};
+  double units_per_pixel = 1;
+  std::optional<ViewDirection> direction;  ///< none: of the plane
+};
+LookedAt looked_at(const Camera& camera);
+LookedAt looked_at(const SpaceCamera& camera);
+void look_at(Camera& camera, const LookedAt& place);
+void look_at(SpaceCamera& camera, const LookedAt& place);
 
 /// The places that the user has looked at, to go back to and forward from. A view counts once it
 /// has rested; what one passes through while panning and zooming does not.
@@ -13,26 +26,20 @@ class ViewHistory {
   /// Another mesh: forgets everything.
   void clear();
   /// In every frame. busy: the mouse is changing the view. seconds: since the last frame.
-  void observe(const Camera& camera, bool busy, double seconds);
+  void observe(const LookedAt& now, bool busy, double seconds);
   /// The view is about to jump elsewhere: where it is now counts.
-  void leave(const Camera& camera);
+  void leave(const LookedAt& now);
 
-  bool can_go_back(const Camera& camera) const;
+  bool can_go_back(const LookedAt& now) const;
   bool can_go_forward() const { return position_ + 1 < views_.size(); }
-  void back(Camera& camera);
-  void forward(Camera& camera);
+  /// Where that leads; none: nowhere.
+  std::optional<LookedAt> back(const LookedAt& now);
+  std::optional<LookedAt> forward();
 
  private:
-  struct View {
-    Vec2 centre;
-    double units_per_pixel;
-  };
-  static View view_of(const Camera& camera) { return {camera.centre(), camera.units_per_pixel()}; }
-  static bool same(const View& a, const View& b);
-
-  std::vector<View> views_;
+  std::vector<LookedAt> views_;
   std::size_t position_ = 0;
-  View last_{{0, 0}, 1};
+  LookedAt last_;
   double rested_ = 0;  // seconds
 };
 

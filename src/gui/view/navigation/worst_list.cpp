@@ -4,17 +4,23 @@
 
 namespace winslow::gui {
 
-std::vector<ElementField> rankings() {
-  std::vector<ElementField> fields(reported_metrics().begin(), reported_metrics().end());
-  fields.insert(fields.end(), all_wall_fields().begin(), all_wall_fields().end());
+std::vector<ElementField> rankings(int cell_dimension) {
+  std::vector<ElementField> fields;
+  for (const Metric metric : reported_metrics(cell_dimension))
+    fields.emplace_back(metric, cell_dimension);
+  if (cell_dimension == 2)
+    fields.insert(fields.end(), all_wall_fields().begin(), all_wall_fields().end());
   return fields;
 }
 
 ElementField worst_field(const ViewOptions& view) {
-  const std::vector<ElementField> fields = rankings();
+  // The view suits the mesh: what it is coloured or ranked by says which kind of elements it has.
+  const bool in_space = (view.worst_by && view.worst_by->cell_dimension() == 3) ||
+                        (view.color && view.color->cell_dimension() == 3);
+  const std::vector<ElementField> fields = rankings(in_space ? 3 : 2);
   for (const std::optional<ElementField>& field : {view.worst_by, view.color})
     if (field && std::ranges::find(fields, *field) != fields.end()) return *field;
-  return Metric::normalized_jacobian;
+  return fields.front();
 }
 
 std::span<const WorstElement> worst_elements(const Session& session, const ViewOptions& view) {

@@ -12,7 +12,7 @@
 namespace winslow::gui {
 
 /// What elements can be ranked by: metrics of the report and what is measured at walls.
-std::vector<ElementField> rankings();
+std::vector<ElementField> rankings(int cell_dimension);
 /// What the list goes by: as chosen, or as coloured; what has no such list (the area, the fields of
 /// the virtual control volumes and of layers) gives way to the normalized Jacobian.
 ElementField worst_field(const ViewOptions& view);

@@ -111,7 +111,11 @@ void draw_preview(ImDrawList& list, const Overlay& o) {
     draw_planned(list, o, edges);
   };
   if (const auto& shape = o.session.selection().deformation_preview()) draw(shape->outline);
-  if (const auto& motion = o.session.selection().motion_preview()) draw(motion->outline);
+  if (const auto& motion = o.session.selection().motion_preview()) {
+    std::vector<std::pair<Vec2, Vec2>> outline;
+    for (const auto& [a, b] : motion->outline) outline.emplace_back(a.head<2>(), b.head<2>());
+    draw(outline);
+  }
 }
 
 /// While shapes are edited: the nodes that can be taken, all of them where they are few, else those

@@ -144,7 +144,7 @@ TEST_CASE("a session whose layers were damaged is restored up to them, and it is
   REQUIRE(rig.wait([&] { return rig.session().document() && rig.session().messages().prompt(); }));
   CHECK(rig.session().messages().prompt()->text.find("lost") != std::string::npos);
   CHECK(rig.document().history().size() == 2);
-  CHECK(rig.session().layers() == nullptr);
+  CHECK(rig.session().mesh().layers() == nullptr);
   rig.bench->pictures().picture();
 }
 

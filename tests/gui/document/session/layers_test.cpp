@@ -254,7 +254,7 @@ TEST_CASE("layers in a mesh of many nodes") {
       rig.bench->apply(action::Redo{});
     REQUIRE(rig.wait([&] { return !rig.session().in_motion(); }, 200));
     REQUIRE(rig.settle());
-    REQUIRE(rig.session().layers() != nullptr);
+    REQUIRE(rig.session().mesh().layers() != nullptr);
     CHECK(rig.mesh().topology->node_count() >= nodes + 4 * 200);
     CHECK(rig.document().history().result(1).inverted == 0);
     show_everything(rig, Comparison::split, Metric::normalized_jacobian);

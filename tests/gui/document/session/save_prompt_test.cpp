@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "gui/panels/files/file_dialog.h"
 #include "gui/support/keys.h"
 #include "gui/support/rig.h"
 #include "io/format/mesh_file.h"

@@ -225,7 +225,7 @@ TEST_CASE("a step of the history is recorded from its start to its end") {
   Rig rig(900, 600);
   rig.open(ring_mesh());
   rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
-  rig.bench->apply(action::ApplyMotion{{30, {0, 0}, {0, 0}}});
+  rig.bench->apply(action::ApplyMotion{{30, Vec2(0, 0), Vec2(0, 0)}});
   REQUIRE(rig.settle());
   rig.bench->apply(action::Scramble{1});
   REQUIRE(rig.settle());
@@ -253,7 +253,7 @@ TEST_CASE("a recorded turn of 60 degrees has a frame for every degree, on record
   rig.bench->apply(action::SetRecordingSpec{spec});
   rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
   rig.bench->apply(action::StartRecording{rig.folder / "live", std::nullopt});
-  rig.bench->apply(action::ApplyMotion{{60, {0, 0}, {0, 0}}});
+  rig.bench->apply(action::ApplyMotion{{60, Vec2(0, 0), Vec2(0, 0)}});
   REQUIRE(rig.wait([&] { return !rig.session().in_motion(); }));
   const Coordinates end = rig.mesh().coordinates;
   rig.bench->apply(action::StopRecording{});

@@ -1,8 +1,9 @@
+#include "gui/render/space/standard_views.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
-#include "gui/picture/space/volume_picture.h"
 
 namespace winslow::gui {
 

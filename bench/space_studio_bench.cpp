@@ -1,0 +1,142 @@
+// The studio on volume meshes, all panels open, without a display (EGL): what frames cost at rest,
+// while the view is turned, and how long a cut that is dragged takes to be in the picture.
+//
+//   bench/space_studio_bench MESH ...
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "gui/render/frame_buffer.h"
+#include "gui/render/gl.h"
+#include "gui/render/gl_context.h"
+#include "gui/shell/workbench/workbench.h"
+
+namespace {
+
+using namespace winslow;
+using namespace winslow::gui;
+
+constexpr int width = 1440, height = 900;
+
+double clock_ms() {
+  return 1e3 *
+         std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Milliseconds that this thread has had of a processor: what else runs does not count.
+double spent_ms() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+void report(const char* what, std::vector<double> values) {
+  std::ranges::sort(values);
+  std::printf("  %-34s median %7.2f, longest %7.2f ms\n", what, values[values.size() / 2],
+              values.back());
+}
+
+class SpaceBench {
+ public:
+  explicit SpaceBench(const char* mesh) {
+    const double begin = clock_ms();
+    bench_.apply(action::OpenMesh{mesh});
+    settle();
+    const auto& topology = *bench_.session().topology();
+    std::printf("%s: %d nodes, %d elements, opened and coloured in %.0f ms\n", mesh,
+                static_cast<int>(topology.node_count()), static_cast<int>(topology.element_count()),
+                clock_ms() - begin);
+  }
+
+  void run() {
+    at_rest();
+    turn();
+    drag_cut();
+  }
+
+ private:
+  double frame() {
+    const double begin = spent_ms();
+    bench_.update(input_, width, height, 1.0 / 60);
+    return spent_ms() - begin;
+  }
+  /// The driver's work, which a graphics card does.
+  double paint() {
+    const double begin = spent_ms();
+    buffer_.bind();
+    bench_.paint();
+    glFinish();
+    return spent_ms() - begin;
+  }
+  void settle() {
+    for (int quiet = 0; quiet < 4; quiet = bench_.settled() ? quiet + 1 : 0) {
+      frame();
+      paint();
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  }
+
+  void at_rest() {
+    std::vector<double> update, drawn;
+    for (int k = 0; k < 60; ++k) {
+      input_.move(ScreenPoint(560 + k % 40, 350));
+      update.push_back(frame());
+      drawn.push_back(paint());
+    }
+    report("mouse moves, update", update);
+    report("mouse moves, drawn (kept picture)", drawn);
+  }
+
+  void turn() {
+    std::vector<double> update, drawn;
+    input_.move(ScreenPoint(600, 400));
+    frame();
+    input_.button(MouseButton::left, true);
+    for (int k = 0; k < 30; ++k) {
+      input_.move(ScreenPoint(600 + 4 * k, 400 + k));
+      update.push_back(frame());
+      drawn.push_back(paint());
+    }
+    input_.button(MouseButton::left, false);
+    frame();
+    report("turning, update", update);
+    report("turning, drawn by the processor", drawn);
+  }
+
+  void drag_cut() {
+    std::vector<double> answer, update;
+    for (int k = 0; k < 20; ++k) {
+      ViewOptions view = bench_.view_control().options();
+      if (view.space.cuts.empty()) return;
+      view.space.cuts[0].point[1] += 0.004;
+      const auto before = bench_.pane().mesh_view().volume().scenes();
+      const double begin = clock_ms();
+      bench_.apply(action::EditView{whole(view)});
+      while (bench_.pane().mesh_view().volume().scenes() == before) {
+        update.push_back(frame());
+        std::this_thread::sleep_for(std::chrono::microseconds(200));
+      }
+      answer.push_back(clock_ms() - begin);
+      paint();
+    }
+    report("a cut moves, until its section", answer);
+    report("frames meanwhile, update", update);
+  }
+
+  std::unique_ptr<HeadlessContext> context_ = make_headless_context();
+  Workbench bench_;
+  FrameBuffer buffer_{width, height, 4};
+  InputQueue input_;
+};
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  for (int k = 1; k < count; ++k) SpaceBench(arguments[k]).run();
+  return count > 1 ? 0 : 1;
+}

@@ -1,0 +1,282 @@
+#include "gui/view/mesh/volume_layer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/inspect/space/plane_section.h"
+#include "core/parallel/parallel_for.h"
+#include "core/quality/quality.h"
+#include "core/quality/volume_element.h"
+#include "gui/render/mesh_renderer.h"
+#include "gui/view/mesh/isolated_elements.h"
+
+namespace winslow::gui {
+
+namespace {
+
+/// Below this a scene is made within a frame, faster than a thread could hand it over.
+constexpr Index small_volume = 1500;  // nodes
+
+}  // namespace
+
+struct VolumeScenes::Memory {
+  using Flags = std::vector<unsigned char>;
+
+  struct Painted {
+    std::shared_ptr<const QualityMonitor::Measured> measured;
+    ColorChoice choice;
+    Isolation isolation;
+    bool plain = true;
+    std::vector<std::uint32_t> rgba;  // of elements; empty: plain
+    Flags isolated;                   // empty: not asked for
+    std::optional<Legend> legend;
+  };
+
+  /// What a part depends on beside the wish's look, which all of them do.
+  struct PartKey {
+    VolumePart part;
+    const void* mesh = nullptr;         // of parts within
+    std::uint64_t boundary_places = 0;  // of the boundary
+    const void* painted = nullptr;
+    const void* flags = nullptr;     // of the elements that it has
+    const void* inverted = nullptr;  // those that are red in it
+    bool isolated = false;           // surfaces of a solid mesh give way to outlines
+    std::optional<CutPlane> cut;
+    bool operator==(const PartKey&) const = default;
+  };
+
+  std::uint64_t boundary_places = 0;  // grows when nodes of the boundary move
+  std::shared_ptr<const Painted> painted;
+  std::shared_ptr<const Flags> inverted, left, worst;
+  std::vector<PartKey> keys;  // of parts
+};
+
+namespace {
+
+using Flags = VolumeScenes::Memory::Flags;
+using Painted = VolumeScenes::Memory::Painted;
+using PartKey = VolumeScenes::Memory::PartKey;
+
+Plane plane_of(const CutPlane& cut) { return {Vec3(cut.point.data()), Vec3(cut.normal.data())}; }
+
+bool boundary_stays(const VolumeWish& a, const VolumeWish& b) {
+  if (a.mesh == b.mesh) return true;
+  if (a.boundary != b.boundary) return false;
+  for (const SurfaceFace& face : a.boundary->faces)
+    for (const Index node : face.nodes)
+      if (!a.mesh->coordinates.same_place(node, b.mesh->coordinates)) return false;
+  return true;
+}
+
+std::shared_ptr<const Flags> find_inverted(const Mesh& mesh) {
+  const Topology& topology = *mesh.topology;
+  auto inverted = std::make_shared<Flags>(at(topology.element_count()));
+  parallel_for(0, topology.element_count(), [&](Index begin, Index end) {
+    for (Index e = begin; e < end; ++e) {
+      const VolumeElement element(mesh.coordinates, topology.element_type(e), topology.element(e));
+      (*inverted)[at(e)] = element.inverted() ? 1 : 0;
+    }
+  });
+  return inverted;
+}
+
+std::shared_ptr<const Painted> paint(const VolumeWish& wish, bool any_inverted) {
+  auto painted = std::make_shared<Painted>();
+  painted->measured = wish.measured;
+  painted->choice = wish.colors;
+  painted->isolation = wish.isolation;
+  painted->plain = !wish.surfaces;
+  if (!wish.measured || !wish.measured->field) return painted;
+  const std::vector<double>& values = wish.measured->values;
+  const ElementField& field = *wish.measured->field;
+  const ColorScale scale = color_scale(field, values, wish.colors);
+  if (wish.surfaces) {
+    painted->rgba = element_colors(values, scale);
+    painted->legend = legend_of(field, values, scale);
+    const Rgba& red = wish.style.inverted;
+    if (any_inverted && wish.mark_inverted) painted->legend->inverted = Rgb{red[0], red[1], red[2]};
+  }
+  if (!wish.isolation.on) return painted;
+  for (const double v : values)
+    painted->isolated.push_back(isolated(v, wish.isolation) || !std::isfinite(v) ? 1 : 0);
+  return painted;
+}
+
+/// Makes one picture, with what the last one has.
+class SceneMaker {
+ public:
+  SceneMaker(VolumeWish wish, std::shared_ptr<const VolumeScenes> last)
+      : wish_(std::move(wish)), last_(std::move(last)), memory_(std::make_shared<Memory>()) {
+    if (last_ && last_->of.generation != wish_.generation) last_.reset();
+    if (last_ && last_->memory) before_ = last_->memory.get();
+  }
+
+  std::shared_ptr<const VolumeScenes> make() {
+    auto scenes = std::make_shared<VolumeScenes>();
+    check(*scenes);
+    choose();
+    scenes->legend = memory_->painted->legend;
+    scenes->planes = clip_planes_of(look_);
+    const bool same_look = last_ && look_stays();
+    for (const VolumePart& part : parts_of(look_)) {
+      PartKey key = key_of(part);
+      scenes->parts.push_back(part_of(key, same_look));
+      memory_->keys.push_back(std::move(key));
+    }
+    scenes->memory = memory_;
+    scenes->of = std::move(wish_);
+    return scenes;
+  }
+
+ private:
+  using Memory = VolumeScenes::Memory;
+
+  void check(VolumeScenes& scenes) {
+    const Mesh& mesh = *wish_.mesh;
+    const bool same = before_ && last_->of.mesh == wish_.mesh;
+    scenes.shown.shape = wish_.shape;
+    scenes.shown.validity =
+        same ? last_->shown.validity : check_validity(*mesh.topology, mesh.coordinates);
+    any_inverted_ = scenes.shown.validity.inverted > 0;
+    memory_->inverted = same ? before_->inverted : find_inverted(mesh);
+    const bool boundary_same = before_ && boundary_stays(last_->of, wish_);
+    memory_->boundary_places = before_ ? before_->boundary_places + (boundary_same ? 0 : 1) : 0;
+  }
+
+  void choose() {
+    const bool same_paint = before_ && before_->painted->measured == wish_.measured &&
+                            before_->painted->choice == wish_.colors &&
+                            before_->painted->isolation == wish_.isolation &&
+                            before_->painted->plain == !wish_.surfaces;
+    memory_->painted = same_paint ? before_->painted : paint(wish_, any_inverted_);
+    for (const CutPlane& cut : wish_.cuts) look_.cuts.push_back(plane_of(cut));
+    look_.crinkle = wish_.crinkle;
+    look_.isolated = memory_->painted->isolated;
+    look_.colors = memory_->painted->rgba;
+    look_.markers = wish_.markers;
+    look_.marker_opacity = wish_.opacity;
+    look_.marker_colors = wish_.marker_colors;
+    look_.edges = wish_.edges;
+    choose_left();
+    choose_marked();
+  }
+
+  void choose_left() {
+    if (!look_.crinkle || look_.cuts.empty() || !look_.isolated.empty()) return;
+    const bool same =
+        before_ && before_->left && last_->of.mesh == wish_.mesh && last_->of.cuts == wish_.cuts;
+    memory_->left = same ? before_->left
+                         : std::make_shared<const Flags>(elements_behind(*wish_.mesh, look_.cuts));
+    look_.left = *memory_->left;
+  }
+
+  /// Elements that are seen through what hides them.
+  void choose_marked() {
+    if (wish_.mark_inverted && any_inverted_) look_.inverted = *memory_->inverted;
+    if (wish_.worst.empty()) return;
+    const bool same =
+        before_ && before_->worst && last_->of.mesh == wish_.mesh && last_->of.worst == wish_.worst;
+    if (same) {
+      memory_->worst = before_->worst;
+    } else {
+      auto worst = std::make_shared<Flags>(memory_->inverted->size(), 0);
+      for (const Index e : wish_.worst)
+        if (at(e) < worst->size()) (*worst)[at(e)] = 1;
+      memory_->worst = std::move(worst);
+    }
+    look_.worst = *memory_->worst;
+  }
+
+  bool look_stays() const {
+    const VolumeWish& was = last_->of;
+    return was.markers == wish_.markers && was.opacity == wish_.opacity &&
+           was.marker_colors == wish_.marker_colors && was.edges == wish_.edges &&
+           was.style == wish_.style;
+  }
+
+  PartKey key_of(const VolumePart& part) const {
+    PartKey key;
+    key.part = part;
+    if (!look_.inverted.empty()) key.inverted = memory_->inverted.get();
+    switch (part.kind) {
+      case VolumePart::Kind::section:
+        key.cut = wish_.cuts[part.cut];
+        [[fallthrough]];
+      case VolumePart::Kind::elements:
+        key.mesh = wish_.mesh.get();
+        key.painted = memory_->painted.get();
+        key.flags = memory_->left.get();
+        break;
+      case VolumePart::Kind::boundary:
+        key.boundary_places = memory_->boundary_places;
+        // Whole elements have sides on the outlines of what encloses.
+        key.flags = memory_->left.get();
+        if (key.flags != nullptr || boundary_has_values(*wish_.boundary, look_))
+          key.painted = memory_->painted.get();
+        key.isolated = !look_.isolated.empty();
+        break;
+      case VolumePart::Kind::worst:
+        key.flags = memory_->worst.get();
+        [[fallthrough]];
+      case VolumePart::Kind::inverted:
+        key.mesh = wish_.mesh.get();
+        break;
+    }
+    return key;
+  }
+
+  std::shared_ptr<const SpaceScene> part_of(const PartKey& key, bool same_look) const {
+    if (same_look && before_)
+      for (std::size_t k = 0; k < before_->keys.size(); ++k)
+        if (before_->keys[k] == key) return last_->parts[k];
+    return std::make_shared<const SpaceScene>(
+        build_part(*wish_.mesh, *wish_.boundary, look_, wish_.style, key.part));
+  }
+
+  VolumeWish wish_;
+  std::shared_ptr<const VolumeScenes> last_;
+  std::shared_ptr<Memory> memory_;
+  const Memory* before_ = nullptr;
+  bool any_inverted_ = false;
+  VolumeLook look_;
+};
+
+}  // namespace
+
+void VolumeLayer::want(VolumeWish wish) {
+  if (wanted_ == wish) return;
+  if (wanted_ && wanted_->generation != wish.generation) scenes_.reset();
+  wanted_ = wish;
+  waiting_ = std::move(wish);
+  start();
+}
+
+void VolumeLayer::start() {
+  if (!waiting_ || worker_.busy()) return;
+  VolumeWish wish = *std::exchange(waiting_, std::nullopt);
+  if (wish.mesh->topology->node_count() < small_volume)
+    return take(SceneMaker(std::move(wish), scenes_).make());
+  worker_.start([wish = std::move(wish), last = scenes_] { return SceneMaker(wish, last).make(); });
+}
+
+bool VolumeLayer::poll() {
+  auto made = worker_.poll();
+  if (made) take(std::move(*made));
+  start();
+  return made.has_value();
+}
+
+void VolumeLayer::take(std::shared_ptr<const VolumeScenes> scenes) {
+  if (!wanted_ || scenes->of.generation != wanted_->generation) return;
+  scenes_ = std::move(scenes);
+  ++revision_;
+}
+
+void VolumeLayer::clear() {
+  waiting_.reset();
+  wanted_.reset();
+  scenes_.reset();
+}
+
+}  // namespace winslow::gui

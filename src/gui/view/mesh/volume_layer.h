@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/inspect/space/plane.h"
+#include "gui/base/background.h"
+#include "gui/document/jobs/quality_monitor.h"
+#include "gui/document/session/session.h"
+#include "gui/render/space/volume_scene.h"
+#include "gui/settings/view_options.h"
+#include "gui/view/mesh/mesh_layer.h"
+
+namespace winslow::gui {
+
+/// What is wanted of a picture of a volume mesh: all that its scene depends on.
+struct VolumeWish {
+  std::uint64_t generation = 0, shape = 0;
+  std::shared_ptr<const Mesh> mesh;
+  std::shared_ptr<const VolumeBoundary> boundary;
+  /// Values to colour by; null: plain elements, or none measured yet.
+  std::shared_ptr<const QualityMonitor::Measured> measured;
+  ColorChoice colors;
+  Isolation isolation;
+  std::vector<CutPlane> cuts;  ///< that are on
+  bool crinkle = false;
+  bool mark_inverted = true;
+  std::vector<Index> worst;  ///< elements that are to be seen through what hides them
+  bool surfaces = true, edges = true;
+  std::vector<MarkerShow> markers;
+  std::vector<float> opacity;
+  std::vector<Rgb> marker_colors;
+  VolumeStyle style;
+
+  bool operator==(const VolumeWish&) const = default;
+};
+
+/// A picture of a volume mesh, ready to be drawn. Its parts are those of the picture before where
+/// nothing has changed for them.
+struct VolumeScenes {
+  VolumeWish of;
+  ShownMesh shown;
+  std::vector<std::shared_ptr<const SpaceScene>> parts;
+  std::vector<Plane> planes;
+  std::optional<Legend> legend;
+  struct Memory;
+  std::shared_ptr<const Memory> memory;  ///< of what was made, for the next picture
+};
+
+/// Makes the scenes of a volume mesh, of a large one in the background: until they are made, the
+/// picture is the last one.
+class VolumeLayer {
+ public:
+  void want(VolumeWish wish);
+  /// Takes what the background has made. True if the picture changes.
+  bool poll();
+  /// The picture is not what was last wanted yet.
+  bool busy() const { return worker_.busy() || waiting_.has_value(); }
+  void clear();
+
+  /// Null before the first picture of a mesh.
+  const VolumeScenes* scenes() const { return scenes_.get(); }
+  /// Grows with every other picture.
+  std::uint64_t revision() const { return revision_; }
+
+ private:
+  void start();
+  void take(std::shared_ptr<const VolumeScenes> scenes);
+
+  Background<std::shared_ptr<const VolumeScenes>> worker_;
+  std::optional<VolumeWish> waiting_;
+  std::optional<VolumeWish> wanted_;
+  std::shared_ptr<const VolumeScenes> scenes_;
+  std::uint64_t revision_ = 0;
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,188 @@
+#include "gui/view/mesh/volume_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "gui/render/gl.h"
+#include "gui/view/mesh/mesh_colors.h"
+
+namespace winslow::gui {
+
+namespace {
+
+constexpr int kept_samples = 4;
+
+Rgba mixed(const Rgba& a, const Rgba& b, float share) {
+  Rgba c = a;
+  for (std::size_t k = 0; k < 3; ++k) c[k] += share * (b[k] - a[k]);
+  return c;
+}
+
+VolumeStyle volume_style(const ViewOptions& view, float scale) {
+  const MeshColors colors = mesh_colors(view);
+  const BackdropColors ground = backdrop_colors(view);
+  VolumeStyle style;
+  // Edges alone: surfaces have the colour of the ground, and hide the edges behind them.
+  style.fill = view.fill ? colors.fill : mixed(ground.top, ground.bottom, 0.5f);
+  style.edge = colors.edge;
+  style.edge[3] *= 0.8f;
+  style.feature = colors.dark ? Rgba{0.78f, 0.81f, 0.86f, 1} : Rgba{0.13f, 0.15f, 0.18f, 1};
+  style.enclosure = colors.dark ? Rgba{0.50f, 0.54f, 0.61f, 1} : Rgba{0.45f, 0.48f, 0.53f, 1};
+  style.inverted = colors.inverted;
+  style.edge_width = scale * static_cast<float>(view.line_width);
+  style.feature_width = 1.7f * scale;
+  return style;
+}
+
+/// Of surfaces: paler than that of lines, so that edges are seen on them.
+Rgb surface_color(const ViewOptions& view, const VolumeStyle& style, const std::string& name,
+                  Index marker) {
+  if (!view.fill) return {style.fill[0], style.fill[1], style.fill[2]};
+  const bool dark = mesh_colors(view).dark;
+  Rgb color = color_of_marker(view, name, marker, dark);
+  const float share = view.markers.of(name).color ? 0.15f : dark ? 0.45f : 0.5f;
+  for (std::size_t c = 0; c < 3; ++c) color[c] += share * (style.fill[c] - color[c]);
+  return color;
+}
+
+MarkerShow show_of(const MarkerLook& look) {
+  if (look.hidden) return MarkerShow::hidden;
+  if (look.opacity < 1 && look.drawing != MarkerDrawing::outline) return MarkerShow::see_through;
+  if (look.drawing == MarkerDrawing::surface) return MarkerShow::surface;
+  return look.drawing == MarkerDrawing::outline ? MarkerShow::outline : MarkerShow::automatic;
+}
+
+bool usable(const CutPlane& cut) {
+  const Vec3 normal(cut.normal.data());
+  return cut.on && Vec3(cut.point.data()).allFinite() && normal.allFinite() && normal.norm() > 0;
+}
+
+/// The viewport for what takes the plane's camera for it.
+Camera viewport_of(const ScreenBox& box) {
+  Camera camera;
+  camera.set_viewport(box.min.x(), box.min.y(), box.size().x(), box.size().y());
+  return camera;
+}
+
+}  // namespace
+
+VolumeWish VolumeView::wish_of(const Session& session, const ViewOptions& view, float scale) {
+  VolumeWish wish;
+  wish.generation = generation_;
+  wish.shape = shape_;
+  wish.mesh = mesh_;
+  wish.boundary = session.document()->boundary();
+  // Until the field that is asked for is measured, the colours stay what they are.
+  const auto& latest = session.quality().latest();
+  if (!view.color)
+    measured_.reset();
+  else if (latest && latest->field == view.color && !latest->values.empty())
+    measured_ = latest;
+  wish.measured = measured_;
+  wish.colors = color_choice(view);
+  wish.isolation = view.isolation;
+  for (const CutPlane& cut : view.space.cuts)
+    if (usable(cut) && wish.cuts.size() < most_clip_planes) wish.cuts.push_back(cut);
+  wish.crinkle = view.space.crinkle;
+  wish.mark_inverted = view.mark_inverted;
+  wish.worst = worst_;
+  wish.surfaces = view.fill;
+  wish.edges = view.wireframe;
+  wish.style = volume_style(view, scale);
+  const auto& markers = session.topology()->markers();
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    const MarkerLook look = view.markers.of(markers[m].name);
+    wish.markers.push_back(show_of(look));
+    wish.opacity.push_back(static_cast<float>(look.opacity));
+    wish.marker_colors.push_back(
+        surface_color(view, wish.style, markers[m].name, static_cast<Index>(m)));
+  }
+  return wish;
+}
+
+void VolumeView::update(const Session& session, const ViewOptions& view, float scale) {
+  layer_.poll();
+  if (generation_ != session.generation()) measured_.reset();
+  if (!mesh_ || generation_ != session.generation() || shape_ != session.shape()) {
+    // The shape grows with each look at a job, too: the same nodes are the same mesh.
+    const bool same = mesh_ && generation_ == session.generation() &&
+                      mesh_->topology == session.topology() &&
+                      mesh_->coordinates == session.coordinates();
+    if (!same)
+      mesh_ = std::make_shared<const Mesh>(Mesh{session.topology(), session.coordinates()});
+    generation_ = session.generation();
+    shape_ = session.shape();
+  }
+  backdrop_ = backdrop_colors(view);
+  layer_.want(wish_of(session, view, scale));
+  choose_tints(session);
+}
+
+void VolumeView::clear() {
+  if (!mesh_) return;
+  layer_.clear();
+  renderer_.set_parts({}, {});
+  drawn_ = 0;
+  worst_.clear();
+  mesh_.reset();
+  measured_.reset();
+  kept_.reset();
+  kept_key_.reset();
+}
+
+/// What is selected, and what lies under the mouse in the list or in the picture.
+void VolumeView::choose_tints(const Session& session) {
+  constexpr Rgba accent{0.16f, 0.45f, 0.95f, 0};
+  tints_.assign(session.topology()->markers().size(), accent);
+  for (const Index m : session.selection().hovered())
+    if (at(m) < tints_.size()) tints_[at(m)][3] = 0.22f;
+  for (const Index m : session.selection().markers())
+    if (at(m) < tints_.size()) tints_[at(m)][3] = tints_[at(m)][3] > 0 ? 0.6f : 0.5f;
+}
+
+const std::optional<Legend>& VolumeView::legend() const {
+  static const std::optional<Legend> none;
+  return layer_.scenes() ? layer_.scenes()->legend : none;
+}
+
+std::optional<SpaceHit> VolumeView::pick(const View& view, const ScreenPoint& at) const {
+  const VolumeScenes* scenes = layer_.scenes();
+  if (!scenes) return std::nullopt;
+  return pick_in_scene(scenes->parts, scenes->planes, view.unproject(at));
+}
+
+void VolumeView::draw(const SpaceCamera& camera, const ScreenBox* whole, int height) {
+  if (whole) draw_backdrop(viewport_of(camera.viewport()), viewport_of(*whole), backdrop_, height);
+  const VolumeScenes* scenes = layer_.scenes();
+  if (!scenes) return;
+  if (drawn_ != layer_.revision()) renderer_.set_parts(scenes->parts, scenes->planes);
+  drawn_ = layer_.revision();
+  renderer_.set_tints(tints_);
+  SpaceCamera seen = camera;
+  seen.set_content(scenes->parts.front()->extent);
+  renderer_.draw(seen, height);
+}
+
+void VolumeView::draw_kept(const SpaceCamera& camera, int width, int height) {
+  GLint target = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+  const ScreenBox box = camera.viewport();
+  const auto x = static_cast<int>(std::lround(box.min.x()));
+  const auto y = static_cast<int>(std::lround(box.min.y()));
+  const auto part_width = static_cast<int>(std::lround(box.size().x()));
+  const auto part_height = static_cast<int>(std::lround(box.size().y()));
+  const FrameBuffer::Part part{x, height - y - part_height, part_width, part_height};
+  PictureKey key{camera, width, height, backdrop_, layer_.revision(), tints_};
+  if (kept_key_ != key) {
+    if (!kept_ || kept_->width() != width || kept_->height() != height)
+      kept_ = std::make_unique<FrameBuffer>(width, height, kept_samples);
+    kept_->bind();
+    draw(camera, &box, height);
+    kept_->resolve(part);
+    kept_key_ = std::move(key);
+  }
+  kept_->show(part, static_cast<GLuint>(target));
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,163 @@
+#include "gui/view/navigation/space_control.h"
+
+#include <algorithm>
+
+#include "gui/render/space/standard_views.h"
+
+namespace winslow::gui {
+
+namespace {
+
+constexpr double opening = 30;  // degrees, of a perspective view
+
+std::vector<Vec3> corners_of(const Box<3>& box) {
+  std::vector<Vec3> corners;
+  for (const double x : {box.min.x(), box.max.x()})
+    for (const double y : {box.min.y(), box.max.y()})
+      for (const double z : {box.min.z(), box.max.z()}) corners.emplace_back(x, y, z);
+  return corners;
+}
+
+Box<3> around(const Vec3& point, double radius) {
+  const Vec3 half = Vec3::Constant(radius);
+  return {point - half, point + half};
+}
+
+std::vector<Plane> planes_of(const std::vector<CutPlane>& cuts) {
+  std::vector<Plane> planes;
+  for (const CutPlane& cut : cuts)
+    if (cut.on) planes.emplace_back(Vec3(cut.point.data()), Vec3(cut.normal.data()));
+  return planes;
+}
+
+}  // namespace
+
+void SpaceControl::leave(const ViewOptions& options) {
+  if (open_) kept_[*open_] = {view_.camera(), options.space.cuts};
+  open_.reset();
+}
+
+void SpaceControl::begin(ViewOptions& options) {
+  const Document& document = *session_.document();
+  open_ = document.source();
+  SpaceCamera& camera = view_.camera();
+  camera.set_content(space_bounds(document.state().mesh));
+  if (const auto kept = kept_.find(*open_); kept != kept_.end()) {
+    const SpaceCamera& was = kept->second.camera;
+    options.space.cuts = kept->second.cuts;
+    camera.look_from(was.direction());
+    return camera.look_at(was.centre(), was.units_per_pixel());
+  }
+  options.space.cuts = first_cuts();
+  camera.look_from(automatic_view(planes_of(options.space.cuts), options.space.up));
+  follow(options.space);
+  // With a far field of a hundred chords the bodies would be a dot.
+  const Box<3> all = space_bounds(document.state().mesh);
+  if (const std::vector<Index> nodes = body_nodes(); !nodes.empty()) {
+    const Box<3> bodies = space_bounds(document.state().mesh.coordinates, nodes);
+    if (bodies.size().maxCoeff() < 0.3 * all.size().maxCoeff()) {
+      const Vec3 room = Vec3::Constant(0.35 * bodies.size().maxCoeff());
+      return camera.fit(corners_of({bodies.min - room, bodies.max + room}), 0);
+    }
+  }
+  fit_all();
+}
+
+std::vector<CutPlane> SpaceControl::first_cuts() const {
+  const Document& document = *session_.document();
+  std::vector<CutPlane> cuts;
+  for (const Plane& plane :
+       automatic_cuts(document.state().mesh, *document.boundary(), automatic_view({}))) {
+    CutPlane& cut = cuts.emplace_back();
+    for (Index k = 0; k < 3; ++k) {
+      cut.point[at(k)] = plane.point()[k];
+      cut.normal[at(k)] = plane.normal()[k];
+    }
+  }
+  return cuts;
+}
+
+void SpaceControl::follow(const SpaceOptions& options) {
+  SpaceCamera& camera = view_.camera();
+  if (options.perspective != camera.in_perspective())
+    camera.set_perspective(options.perspective ? opening : 0);
+  if (options.up != camera.direction().up) look_from(direction_towards(camera.back(), options.up));
+}
+
+std::vector<Index> SpaceControl::body_nodes() const {
+  const VolumeBoundary& boundary = *session_.document()->boundary();
+  std::vector<Index> nodes;
+  if (!boundary.encloses) return nodes;
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f)
+    if (boundary.enclosing[f] == 0)
+      nodes.insert(nodes.end(), boundary.faces[f].nodes.begin(), boundary.faces[f].nodes.end());
+  return nodes;
+}
+
+void SpaceControl::fit(std::span<const Index> nodes, double margin) {
+  if (nodes.empty()) return;
+  const SpacePoints x(session_.coordinates());
+  std::vector<Vec3> points;
+  for (const Index node : nodes) points.push_back(x[node]);
+  view_.camera().fit(points, margin);
+}
+
+void SpaceControl::fit_all() {
+  const VolumeBoundary& boundary = *session_.document()->boundary();
+  std::vector<Index> nodes;
+  for (const SurfaceFace& face : boundary.faces)
+    nodes.insert(nodes.end(), face.nodes.begin(), face.nodes.end());
+  fit(nodes, 0.05);
+}
+
+void SpaceControl::fit_bodies() {
+  const std::vector<Index> nodes = body_nodes();
+  if (nodes.empty()) return fit_all();
+  fit(nodes, 0.1);
+}
+
+void SpaceControl::fit_markers(std::span<const Index> markers) {
+  std::vector<Index> nodes;
+  for (const Index m : markers) {
+    if (m < 0 || at(m) >= session_.topology()->markers().size()) continue;
+    const auto of_marker = session_.topology()->markers().nodes(m);
+    nodes.insert(nodes.end(), of_marker.begin(), of_marker.end());
+  }
+  fit(nodes, 0.15);
+}
+
+void SpaceControl::look_at(const Vec3& point, double radius) {
+  view_.camera().fit(corners_of(around(point, radius)), 0);
+}
+
+void SpaceControl::go_to(const MeshItem& item) {
+  const Box<3> box = space_surroundings(item, {session_.topology(), session_.coordinates()});
+  look_at(box.centre(), 2 * box.size().norm());
+}
+
+void SpaceControl::zoom_to(const ScreenBox& box, const Vec3& depth) {
+  const ScreenVector from = box.size(), to = view_.viewport().size();
+  const double factor = std::min(to.x() / from.x(), to.y() / from.y());
+  const Vec3 middle = view_.at_depth_of(depth, box.centre());
+  view_.pan_at(middle, view_.viewport().centre() - box.centre());
+  view_.zoom_about(middle, factor);
+}
+
+void SpaceControl::look_from(const ViewDirection& direction) {
+  view_.look_from(direction, view_.camera().centre());
+}
+
+Box<3> space_surroundings(const MeshItem& item, const Mesh& mesh) {
+  const Topology& topology = *mesh.topology;
+  if (item.kind == MeshItem::Kind::element)
+    return space_bounds(mesh.coordinates, topology.element(item.id));
+  const Vec3 p = mesh.coordinates.xyz(item.id);
+  const auto neighbours = topology.neighbours(item.id);
+  if (neighbours.empty()) return {p, p};
+  // The node itself in the middle, whatever lies on one side of it.
+  const Box<3> box = space_bounds(mesh.coordinates, neighbours);
+  const Vec3 half = (box.max - p).cwiseAbs().cwiseMax((p - box.min).cwiseAbs());
+  return {p - half, p + half};
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "gui/document/session/session.h"
+#include "gui/render/space/space_view.h"
+#include "gui/settings/view_options.h"
+#include "gui/settings/view_state.h"
+
+namespace winslow::gui {
+
+/// Where the user looks in space. Knows nothing of OpenGL or of widgets.
+class SpaceControl {
+ public:
+  explicit SpaceControl(const Session& session) : session_(session) {}
+
+  const SpaceView& view() const { return view_; }
+  SpaceView& view() { return view_; }
+  const SpaceCamera& camera() const { return view_.camera(); }
+
+  /// A volume mesh has come, or goes: what it was looked at by is kept for when it is back. options
+  /// get the cuts that it has, or those to begin with.
+  void leave(const ViewOptions& options);
+  void begin(ViewOptions& options);
+  /// In every frame: the parts of the options that the camera has.
+  void follow(const SpaceOptions& options);
+
+  void fit_all();
+  /// Of bodies, or all where nothing is enclosed.
+  void fit_bodies();
+  void fit_markers(std::span<const Index> markers);
+  void look_at(const Vec3& point, double radius);
+  /// Looks at an item and what touches it.
+  void go_to(const MeshItem& item);
+  /// Shows what lies in a box of the screen as large as there is room for; depth: of a point.
+  void zoom_to(const ScreenBox& box, const Vec3& depth);
+  void look_from(const ViewDirection& direction);
+
+ private:
+  void fit(std::span<const Index> nodes, double margin);
+  std::vector<Index> body_nodes() const;
+  std::vector<CutPlane> first_cuts() const;
+
+  const Session& session_;
+  SpaceView view_;
+  /// How a mesh was looked at last.
+  struct Kept {
+    SpaceCamera camera;
+    std::vector<CutPlane> cuts;
+  };
+  std::map<std::filesystem::path, Kept> kept_;  // by the mesh's file
+  std::optional<std::filesystem::path> open_;   // that is looked at now
+};
+
+/// Box around an item of a volume mesh and what touches it.
+Box<3> space_surroundings(const MeshItem& item, const Mesh& mesh);
+
+}  // namespace winslow::gui

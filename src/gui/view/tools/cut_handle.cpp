@@ -1,0 +1,86 @@
+#include "gui/view/tools/cut_handle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace winslow::gui {
+
+namespace {
+
+// Framebuffer pixels at scale 1.
+constexpr double arrow_length = 72;
+constexpr double knob_reach = 10, shaft_reach = 7, foot_reach = 13;
+constexpr double seen_sideways = 16;  // an arrow that is shorter points at the viewer
+
+double distance_to_arrow(const ScreenPoint& p, const ScreenPoint& a, const ScreenPoint& b) {
+  const ScreenVector along = b - a;
+  const double t = along.squared_norm() > 0
+                       ? std::clamp((p - a).dot(along) / along.squared_norm(), 0.0, 1.0)
+                       : 0.0;
+  return (p - (a + t * along)).norm();
+}
+
+void set(std::array<double, 3>& to, const Vec3& from) {
+  for (Index k = 0; k < 3; ++k) to[at(k)] = from[k];
+}
+
+}  // namespace
+
+CutPart CutHandle::at(const ScreenPoint& pixel) const {
+  if ((pixel - tip).norm() <= knob_reach * scale) return CutPart::knob;
+  const bool on_foot = (pixel - foot).norm() <= foot_reach * scale;
+  const bool on_shaft = distance_to_arrow(pixel, foot, tip) <= shaft_reach * scale;
+  return on_foot || on_shaft ? CutPart::shaft : CutPart::none;
+}
+
+CutHandle make_cut_handle(const CutPlane& cut, const View& view, double scale) {
+  CutHandle handle;
+  handle.scale = scale;
+  handle.anchor = Vec3(cut.point.data());
+  handle.normal = Vec3(cut.normal.data()).normalized();
+  const ScreenBox box = view.viewport();
+  if (!box.contains(view.project(handle.anchor).at)) {
+    // Where the plane is seen in the middle of the view, or nearest to that.
+    const auto [origin, direction] = view.unproject(box.centre());
+    const double slope = handle.normal.dot(direction);
+    const double height = handle.normal.dot(handle.anchor - origin);
+    const Vec3 met = std::abs(slope) > 0.05 ? Vec3(origin + height / slope * direction)
+                                            : Vec3(origin + height * handle.normal);
+    if (met.allFinite()) handle.anchor = met;
+  }
+  handle.length = arrow_length * scale * view.pixel_size(handle.anchor);
+  handle.foot = view.project(handle.anchor).at;
+  handle.tip = view.project(handle.anchor + handle.length * handle.normal).at;
+  return handle;
+}
+
+CutPlane moved_cut(const CutPlane& cut, const CutHandle& handle, const View& view,
+                   const ScreenVector& by) {
+  const ScreenVector arrow = handle.tip - handle.foot;
+  // Seen end on, the arrow comes to the viewer, or goes, as the mouse goes up.
+  const double along = arrow.norm() > seen_sideways * handle.scale
+                           ? by.dot(arrow) / arrow.squared_norm() * handle.length
+                           : -by.y() * view.pixel_size(handle.anchor);
+  CutPlane moved = cut;
+  set(moved.point, Vec3(cut.point.data()) + along * handle.normal);
+  return moved;
+}
+
+/// The arrow's tip stays on a sphere about its foot, on the side of the viewer on which it is.
+CutPlane turned_cut(const CutPlane& cut, const CutHandle& handle, const View& view,
+                    const ScreenPoint& to) {
+  const Ray<3> ray = view.unproject(to);
+  const Vec3 along = ray.direction.normalized();
+  const Vec3 from = ray.origin - handle.anchor;
+  const double middle = -from.dot(along);
+  const Vec3 nearest = from + middle * along;
+  const double inside = handle.length * handle.length - nearest.squaredNorm();
+  const double side = handle.normal.dot(along) > 0 ? 1 : -1;
+  const Vec3 tip = inside > 0 ? Vec3(nearest + side * std::sqrt(inside) * along) : nearest;
+  CutPlane turned = cut;
+  if (tip.norm() > 0) set(turned.normal, tip.normalized());
+  set(turned.point, handle.anchor);
+  return turned;
+}
+
+}  // namespace winslow::gui

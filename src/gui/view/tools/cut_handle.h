@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+
+#include "gui/render/view.h"
+#include "gui/settings/space_options.h"
+
+namespace winslow::gui {
+
+/// The parts of a cut's handle.
+enum class CutPart {
+  none,
+  shaft,  ///< moves the cut along its normal
+  knob    ///< turns it about its point
+};
+
+/// The handle of a cut: an arrow along its normal, from a point of the plane to what is taken away.
+struct CutHandle {
+  Vec3 anchor{0, 0, 0};   ///< on the plane
+  Vec3 normal{0, 0, 1};   ///< of length 1
+  double length = 1;      ///< of the arrow, units of the mesh
+  ScreenPoint foot, tip;  ///< the ends of the arrow
+  double scale = 1;       ///< of the interface
+
+  CutPart at(const ScreenPoint& pixel) const;
+};
+CutHandle make_cut_handle(const CutPlane& cut, const View& view, double scale);
+
+/// The cut after its handle was dragged from a place to another; handle, cut: as they were when the
+/// drag began.
+CutPlane moved_cut(const CutPlane& cut, const CutHandle& handle, const View& view,
+                   const ScreenVector& by);
+CutPlane turned_cut(const CutPlane& cut, const CutHandle& handle, const View& view,
+                    const ScreenPoint& to);
+
+}  // namespace winslow::gui

@@ -1,0 +1,212 @@
+#include "gui/view/tools/space_viewport.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace winslow::gui {
+
+namespace {
+
+// Framebuffer pixels at scale 1.
+constexpr double orbit_threshold = 4;
+constexpr double near_node = 10;
+constexpr double zoom_per_turn = 1.2;  // of the wheel, by a notch
+
+const CutPlane* held_cut(const SpaceSurroundings& around) {
+  const auto& cuts = around.options.space.cuts;
+  if (!around.cut || *around.cut >= cuts.size() || !cuts[*around.cut].on) return nullptr;
+  return Vec3(cuts[*around.cut].normal.data()).norm() > 0 ? &cuts[*around.cut] : nullptr;
+}
+
+void edit_cut(const SpaceSurroundings& around, const CutPlane& cut, ActionQueue& actions) {
+  ViewOptions after = around.options;
+  after.space.cuts[*around.cut] = cut;
+  actions.emplace_back(action::EditView{difference(around.options, after)});
+}
+
+/// Where the view is turned about if nothing lies under the mouse: what is in the middle of the
+/// view, or of the mesh.
+Vec3 middle_of_view(const SpaceSurroundings& around, const SpaceView& view) {
+  const ScreenPoint centre = view.viewport().centre();
+  if (const auto hit = around.picture.pick(view, centre)) return hit->point;
+  if (!around.picture.mesh()) return view.camera().centre();
+  const Vec3 middle = around.picture.scenes()->parts.front()->extent.centre();
+  return view.viewport().contains(view.project(middle).at) ? middle : view.camera().centre();
+}
+
+}  // namespace
+
+std::optional<SeenPlace> SpaceViewport::seen_at(const ScreenPoint& at,
+                                                const SpaceSurroundings& around,
+                                                const SpaceView& view) {
+  const auto hit = around.picture.pick(view, at);
+  if (!hit) return std::nullopt;
+  SeenPlace seen{hit->point, hit->normal, hit->element, hit->marker, {}};
+  const Mesh& mesh = *around.picture.mesh();
+  double nearest = near_node * around.scale;
+  for (const Index node : mesh.topology->element(hit->element)) {
+    const double distance = (view.project(mesh.coordinates.xyz(node)).at - at).norm();
+    if (distance > nearest) continue;
+    nearest = distance;
+    seen.node = node;
+  }
+  return seen;
+}
+
+std::optional<ScreenBox> SpaceViewport::box() const {
+  if (gesture_ != Gesture::box) return std::nullopt;
+  const ScreenPoint &a = press_, &b = last_.position;
+  return ScreenBox{{std::min(a.x(), b.x()), std::min(a.y(), b.y())},
+                   {std::max(a.x(), b.x()), std::max(a.y(), b.y())}};
+}
+
+CutPart SpaceViewport::cut_part() const {
+  if (gesture_ == Gesture::move_cut) return CutPart::shaft;
+  if (gesture_ == Gesture::turn_cut) return CutPart::knob;
+  return gesture_ == Gesture::none ? hovered_part_ : CutPart::none;
+}
+
+std::optional<Vec3> SpaceViewport::pivot() const {
+  return gesture_ == Gesture::orbit ? std::optional(pivot_) : std::nullopt;
+}
+
+void SpaceViewport::update(const PointerState& p, const SpaceSurroundings& around, SpaceView& view,
+                           ActionQueue& actions) {
+  const bool other = p.middle || p.right;
+  const bool held = other_button_ ? other : p.left;
+  if (p.cancel && gesture_ != Gesture::none) {
+    cancel(around, view, actions);
+  } else if (gesture_ == Gesture::none) {
+    hover(p, around, view, actions);
+    if (p.over && p.wheel != 0)
+      view.zoom_about(
+          seen_ ? seen_->point : view.at_depth_of(middle_of_view(around, view), p.position),
+          std::pow(zoom_per_turn, p.wheel));
+    const bool pressed =
+        (p.left && !last_.left) || (p.middle && !last_.middle) || (p.right && !last_.right);
+    if (p.over && pressed) press(p, around, view);
+  } else {
+    follow(p, around, view, actions);
+    last_.position = p.position;
+    if (!held) release(p, around, actions);
+  }
+  last_ = p;
+}
+
+void SpaceViewport::hover(const PointerState& p, const SpaceSurroundings& around,
+                          const SpaceView& view, ActionQueue& actions) {
+  hovered_part_ = CutPart::none;
+  if (!p.over) return forget_seen(actions);
+  if (const CutPlane* cut = held_cut(around))
+    hovered_part_ = make_cut_handle(*cut, view, around.scale).at(p.position);
+  const Looked now{p.position, view.camera(), around.picture.scenes()};
+  if (looked_ != now) seen_ = seen_at(p.position, around, view);
+  looked_ = now;
+  std::vector<Index> markers;
+  if (seen_ && seen_->marker >= 0 && hovered_part_ == CutPart::none &&
+      !std::ranges::binary_search(around.taken_out, seen_->marker))
+    markers.push_back(seen_->marker);
+  if (markers == last_hover_) return;
+  last_hover_ = markers;
+  actions.emplace_back(action::HoverMarkers{std::move(markers)});
+}
+
+void SpaceViewport::forget_seen(ActionQueue& actions) {
+  seen_.reset();
+  looked_.reset();
+  if (last_hover_.empty()) return;
+  last_hover_.clear();
+  actions.emplace_back(action::HoverMarkers{});
+}
+
+void SpaceViewport::press(const PointerState& p, const SpaceSurroundings& around,
+                          const SpaceView& view) {
+  press_ = p.position;
+  other_button_ = !p.left;
+  camera_before_ = view.camera();
+  pivot_ = seen_ ? seen_->point : middle_of_view(around, view);
+  if ((p.left && around.box_zoom) || (p.right && p.control)) {
+    gesture_ = Gesture::box;
+  } else if (other_button_ || p.shift) {
+    gesture_ = Gesture::pan;
+  } else if (const CutPlane* cut = held_cut(around); cut && hovered_part_ != CutPart::none) {
+    gesture_ = hovered_part_ == CutPart::knob ? Gesture::turn_cut : Gesture::move_cut;
+    cut_before_ = *cut;
+    handle_ = make_cut_handle(*cut, view, around.scale);
+  } else {
+    gesture_ = Gesture::press;
+  }
+  last_.position = p.position;
+}
+
+void SpaceViewport::follow(const PointerState& p, const SpaceSurroundings& around, SpaceView& view,
+                           ActionQueue& actions) {
+  const ScreenVector by = p.position - last_.position;
+  if (gesture_ == Gesture::press && (p.position - press_).norm() > orbit_threshold * around.scale) {
+    gesture_ = Gesture::orbit;
+    return view.orbit(pivot_, p.position - press_);
+  }
+  if (gesture_ == Gesture::orbit)
+    view.orbit(pivot_, by);
+  else if (gesture_ == Gesture::pan)
+    view.pan_at(pivot_, by);
+  else if (by != ScreenVector())
+    follow_cut(p, around, view, actions);
+}
+
+void SpaceViewport::follow_cut(const PointerState& p, const SpaceSurroundings& around,
+                               const SpaceView& view, ActionQueue& actions) {
+  if (!held_cut(around)) return;
+  if (gesture_ == Gesture::move_cut)
+    edit_cut(around, moved_cut(cut_before_, handle_, view, p.position - press_), actions);
+  if (gesture_ == Gesture::turn_cut)
+    edit_cut(around, turned_cut(cut_before_, handle_, view, p.position), actions);
+}
+
+void SpaceViewport::release(const PointerState& p, const SpaceSurroundings& around,
+                            ActionQueue& actions) {
+  if (gesture_ == Gesture::press) click(p, around, actions);
+  if (gesture_ == Gesture::box) {
+    const ScreenBox pixels = *box();
+    // A click is no box.
+    if (std::min(pixels.size().x(), pixels.size().y()) > orbit_threshold)
+      actions.emplace_back(action::ZoomToScreen{pixels, pivot_});
+  }
+  gesture_ = Gesture::none;
+  looked_.reset();
+}
+
+void SpaceViewport::click(const PointerState& p, const SpaceSurroundings& around,
+                          ActionQueue& actions) const {
+  const bool add = p.shift || p.control;
+  if (p.alt) {
+    if (seen_ && seen_->node)
+      actions.emplace_back(action::GoTo{MeshItem{MeshItem::Kind::node, *seen_->node}, false});
+    else
+      actions.emplace_back(action::Remark{"No node is there. Click nearer to one, or zoom in."});
+    return;
+  }
+  if (!seen_) {
+    if (!add) actions.emplace_back(action::SelectMarkers{{}, false});
+    return;
+  }
+  if (seen_->marker < 0) {
+    actions.emplace_back(action::GoTo{MeshItem{MeshItem::Kind::element, seen_->element}, false});
+    return;
+  }
+  if (!std::ranges::binary_search(around.taken_out, seen_->marker))
+    actions.emplace_back(action::SelectMarkers{{seen_->marker}, add});
+}
+
+void SpaceViewport::cancel(const SpaceSurroundings& around, SpaceView& view, ActionQueue& actions) {
+  if (gesture_ == Gesture::orbit || gesture_ == Gesture::pan) {
+    view.camera().look_from(camera_before_.direction());
+    view.camera().look_at(camera_before_.centre(), camera_before_.units_per_pixel());
+  }
+  const bool cut = gesture_ == Gesture::move_cut || gesture_ == Gesture::turn_cut;
+  if (cut && held_cut(around)) edit_cut(around, cut_before_, actions);
+  gesture_ = Gesture::none;
+  looked_.reset();
+}
+
+}  // namespace winslow::gui
