@@ -257,11 +257,11 @@ bool MarkersPanel::draw_colors(const PanelContext& context) {
       ui::button("marker_color/other", "Other colour...",
                  {"Any colour, by hue or as #rrggbb.", ui::ButtonStyle::normal, true, -1});
   if (other) ImGui::CloseCurrentPopup();
-  if (context.session.in_space()) draw_surface(context, *marker);
   if (ui::button(
           "marker_color/automatic", "Automatic",
           {"The colour that it has by its place in the list.", ui::ButtonStyle::normal, true, -1}))
     paint({});
+  if (context.session.in_space()) draw_surface(context, *marker);
   ImGui::EndPopup();
   return other;
 }

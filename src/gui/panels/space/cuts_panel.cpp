@@ -129,7 +129,7 @@ void CutsPanel::draw_place(ViewOptions& view, std::size_t k) const {
   const double offset = unit.dot(vector_of(cut.point));
   auto share = static_cast<float>(100 * (offset - low) / (high - low));
   ui::row("Position", "From one end of the mesh to the other, along the normal.", cut_label_share);
-  if (ImGui::SliderFloat("##cuts/position", &share, 0, 100, "%.1f %%"))
+  if (ImGui::SliderFloat("##cuts/position", &share, 0, 100, ""))
     put(cut.point, vector_of(cut.point) +
                        (low + 0.01 * static_cast<double>(share) * (high - low) - offset) * unit);
   ui::note("cuts/position");
