@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include "core/linear/block_kernel.h"
@@ -18,6 +19,7 @@ constexpr Index coarse_block = 256;
 template <int B>
 void add_triple_products(const Real* left, const double* a, const Real* right, const Index* columns,
                          Index count, const Index* slot_of, double* coarse) {
+  constexpr std::ptrdiff_t size = std::ptrdiff_t{B} * B;
   double product[B * B]{};  // left^T a
   for (int r = 0; r < B; ++r) {
     for (int k = 0; k < B; ++k) {
@@ -25,7 +27,7 @@ void add_triple_products(const Real* left, const double* a, const Real* right, c
         product[r * B + c] += static_cast<double>(left[k * B + r]) * a[k * B + c];
     }
   }
-  for (Index q = 0; q < count; ++q, right += B * B) {
+  for (Index q = 0; q < count; ++q, right += size) {
     double* to = coarse + at(slot_of[columns[q]]) * B * B;
     for (int r = 0; r < B; ++r) {
       for (int k = 0; k < B; ++k) {
