@@ -242,7 +242,7 @@ ContextPart of_element(const PanelContext& context, Index element) {
 
 /// What the place of a volume mesh is good for.
 std::vector<UserCommand> in_space(const std::array<Vec3, 2>& place) {
-  const Vec3 point = place[0], normal = place[1];
+  const Vec3 &point = place[0], &normal = place[1];
   const auto full = [](const PanelContext& c) -> std::string {
     return c.view.space.cuts.size() < most_cuts ? "" : "There are six cuts already.";
   };

@@ -122,7 +122,7 @@ class SceneMaker {
     for (const VolumePart& part : parts_of(look_)) {
       PartKey key = key_of(part);
       scenes->parts.push_back(part_of(key, same_look));
-      memory_->keys.push_back(std::move(key));
+      memory_->keys.push_back(key);
     }
     scenes->memory = memory_;
     scenes->of = std::move(wish_);
