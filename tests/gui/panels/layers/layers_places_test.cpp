@@ -8,7 +8,7 @@ namespace winslow::gui::test {
 
 TEST_CASE("buttons stay in their places while a plan is made, arrives, and is carried out") {
   Rig rig(1280, 1500);
-  rig.open(ring_mesh());
+  rig.open(ring_mesh(240, 40));  // a plan takes longer than a frame
   rig.click("marker/flap");
   rig.frames(3);
   rig.click("section/layers");
