@@ -111,6 +111,14 @@ class SolverThread::Impl final : public SolverMonitor {
     wake_.notify_all();
   }
 
+  void follow(std::optional<std::uint64_t> seen) {
+    {
+      const std::lock_guard lock(mutex_);
+      follower_saw_ = seen;
+    }
+    wake_.notify_all();
+  }
+
   bool busy() const {
     const std::lock_guard lock(mutex_);
     return active_ || request_.has_value();
@@ -139,6 +147,10 @@ class SolverThread::Impl final : public SolverMonitor {
     if (iterated && allowed_ > 0) --allowed_;
     publish_progress(JobState::running);
     keep_pace(lock, opening);
+    wake_.wait(lock, [&] {
+      return !follower_saw_ || *follower_saw_ >= latest_->serial || allowed_ == 0 ||
+             interrupted(opening);
+    });
     if (allowed_ == 0 && !interrupted(opening)) {
       publish_progress(JobState::paused);
       wake_.wait(lock, [&] { return allowed_ != 0 || interrupted(opening); });
@@ -268,6 +280,7 @@ class SolverThread::Impl final : public SolverMonitor {
   Clock::duration interval_{};      // between two outer iterations; 0: none
   Clock::time_point last_shown_{};  // when the worker last went on
   int allowed_ = unlimited;         // outer iterations until the next pause
+  std::optional<std::uint64_t> follower_saw_;  // serial; none: nobody follows
   std::uint64_t last_job_ = 0;
   std::optional<MeshState> base_;
   std::optional<Request> request_;
@@ -292,6 +305,7 @@ void SolverThread::step(int n) {
 }
 void SolverThread::cancel() { impl_->cancel(); }
 void SolverThread::set_pace(double rate) { impl_->set_pace(rate); }
+void SolverThread::follow(std::optional<std::uint64_t> seen) { impl_->follow(seen); }
 bool SolverThread::busy() const { return impl_->busy(); }
 std::shared_ptr<const Snapshot> SolverThread::latest() const { return impl_->latest(); }
 

@@ -410,3 +410,29 @@ TEST_CASE("a pace holds iterations back; pause, cancel and another pace act at o
   thread.cancel();
   wait_for(thread, job, JobState::cancelled);
 }
+
+TEST_CASE("a follower misses no iteration; nobody is waited for once it has left") {
+  const MeshState state = perturbed_state();
+  SolverThread thread;
+  thread.follow(0);
+  const std::uint64_t job = thread.run(state, endless());
+  int seen = -1;
+  for (int k = 0; k < 8; ++k) {
+    const auto snapshot =
+        wait_for(thread, [&](const Snapshot& s) { return last_iteration(s) > seen; });
+    // A worker that did not wait would be some iterations further by now.
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    CHECK(thread.latest()->serial == snapshot->serial);
+    CHECK(last_iteration(*snapshot) == seen + 1);
+    seen = last_iteration(*snapshot);
+    thread.follow(snapshot->serial);
+  }
+  thread.pause();  // while the worker waits for its follower
+  const int at = last_iteration(*wait_for(thread, job, JobState::paused));
+  thread.resume();
+  thread.follow({});
+  wait_for(thread, [&](const Snapshot& s) { return last_iteration(s) >= at + 20; });
+  thread.follow(0);
+  thread.cancel();
+  wait_for(thread, job, JobState::cancelled);
+}

@@ -31,6 +31,10 @@ struct EditMotionOptions {
 struct SetPace {
   double iterations_per_second = 0;  ///< 0: as fast as they come
 };
+/// The solver waits after every iteration until this comes again: someone records them all.
+struct FollowSolver {
+  bool on = true;
+};
 /// Any command, as a recipe has it.
 struct RunCommand {
   Command command;
@@ -56,7 +60,7 @@ namespace winslow::gui {
 using JobAction =
     std::variant<action::RunSmooth, action::Scramble, action::PauseSolver, action::ResumeSolver,
                  action::StepSolver, action::CancelSolver, action::EditSmoothOptions,
-                 action::EditMotionOptions, action::SetPace, action::RunCommand, action::RerunStep,
-                 action::PreviewLayers>;
+                 action::EditMotionOptions, action::SetPace, action::FollowSolver,
+                 action::RunCommand, action::RerunStep, action::PreviewLayers>;
 
 }  // namespace winslow::gui

@@ -71,6 +71,13 @@ void JobRunner::set_pace(double iterations_per_second) {
   solver_.set_pace(pace_);
 }
 
+void JobRunner::follow(bool on) {
+  if (on)
+    solver_.follow(snapshot_ ? snapshot_->serial : 0);
+  else
+    solver_.follow({});
+}
+
 void JobRunner::cancel() {
   if (!active_) return;
   solver_.cancel();

@@ -130,6 +130,8 @@ void Jobs::on(const action::SetPace& a) {
   if (mesh_.job().active()) mesh_.job().set_pace(pace_of(mesh_.job().command()));
 }
 
+void Jobs::on(const action::FollowSolver& a) { mesh_.job().follow(a.on); }
+
 void Jobs::on(const action::RunCommand& a) {
   const Document* document = mesh_.document();
   const bool clean = document && !document->modified();

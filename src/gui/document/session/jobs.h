@@ -71,6 +71,7 @@ class Jobs {
   void on(const action::EditSmoothOptions& a) { a.edit.apply_to(smooth_); }
   void on(const action::EditMotionOptions& a) { a.edit.apply_to(motion_); }
   void on(const action::SetPace& a);
+  void on(const action::FollowSolver& a);
   void on(const action::RunCommand& a);
   void on(const action::RerunStep& a);
   void on(const action::PreviewLayers& a) { layer_preview_.want(a.options); }

@@ -120,6 +120,16 @@ void Capture::after_frame(PictureSource& source) {
     take(source, due.path, due.as_set);
   }
   if (recorder_.state() == Recorder::State::recording) record_frame(source);
+  follow_solver();
+}
+
+/// While every shape is recorded the solver waits for its pictures: a slow window would leave
+/// meshes out, and what is put between those that are far apart can be invalid.
+void Capture::follow_solver() {
+  const bool follow = recorder_.state() == Recorder::State::recording && !stepping_ && !ending_ &&
+                      recorder_.spec().when == RecordingSpec::When::every_shape;
+  if (follow || following_) session_.apply(action::FollowSolver{follow});
+  following_ = follow;
 }
 
 void Capture::take(PictureSource& source, const fs::path& path, bool as_set) {

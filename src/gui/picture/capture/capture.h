@@ -61,6 +61,7 @@ class Capture {
   bool record_queued(PictureSource& source);
   bool frame_due() const;
   void step_on();
+  void follow_solver();
 
   Session& session_;
   PictureSpec picture_;
@@ -77,8 +78,9 @@ class Capture {
   };
   std::deque<Frame> queue_;  // in the order of the film
   FilmMeshes meshes_;
-  bool ending_ = false;    // the recording ends with the queue
-  bool stepping_ = false;  // the job goes on when its frame is taken
+  bool ending_ = false;     // the recording ends with the queue
+  bool following_ = false;  // the solver waits for pictures
+  bool stepping_ = false;   // the job goes on when its frame is taken
   std::uint64_t shape_ = 0;
   std::uint64_t left_ = 0;  // serial of the pause that the last step went on from
   std::chrono::steady_clock::time_point last_frame_{};
