@@ -62,6 +62,12 @@ class ElasticSolid {
   /// badly that the matrix is not positive definite.
   void deform(Coordinates& x, const Coordinates& boundary);
 
+  /// The stiffness of the mesh x, between its interior nodes.
+  const SparseMatrix& stiffness(const Coordinates& x) {
+    assemble(x, x);
+    return matrix_;
+  }
+
   /// Of the iterative solver, in all.
   int linear_iterations() const { return linear_iterations_; }
 
