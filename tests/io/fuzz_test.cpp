@@ -24,7 +24,7 @@ TEST_CASE("no damaged file does anything but give a mesh or an InputError") {
   for (const std::string& name : seeds()) {
     const std::string original = read_text(std::string(WINSLOW_TEST_DATA "/") + name);
     const auto path = folder / name;
-    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    for (std::uint64_t seed = 0; seed < mutation_count(400); ++seed) {
       CAPTURE(name);
       CAPTURE(seed);
       Random random(seed);

@@ -50,7 +50,7 @@ TEST_CASE("volumes: no damaged file does anything but give a mesh or an InputErr
   int meshes = 0, refused = 0;
   for (const auto& [name, original] : volume_seeds()) {
     const auto path = folder / name;
-    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    for (std::uint64_t seed = 0; seed < mutation_count(200); ++seed) {
       CAPTURE(name);
       CAPTURE(seed);
       Random random(seed);
@@ -98,7 +98,7 @@ TEST_CASE("volumes: no damage to one file of several does more than to give an I
   const auto damage = [&](const std::string& whole, const std::string& part,
                           const std::string& again) {
     const std::string original = read_text(folder / part);
-    for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    for (std::uint64_t seed = 0; seed < mutation_count(150); ++seed) {
       CAPTURE(part);
       CAPTURE(seed);
       Random random(seed);

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -9,6 +11,12 @@
 
 /// Damage for files that readers have to survive.
 namespace winslow::test {
+
+/// How often each file is damaged: `usual`, or the number in WINSLOW_MUTATIONS for long runs.
+inline std::uint64_t mutation_count(std::uint64_t usual) {
+  const char* wanted = std::getenv("WINSLOW_MUTATIONS");
+  return wanted ? std::strtoull(wanted, nullptr, 10) : usual;
+}
 
 /// Numbers that tend to break readers.
 inline std::string nasty_number(Random& random) {
