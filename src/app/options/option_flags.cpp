@@ -119,6 +119,13 @@ CLI::Option* declare(CLI::App& app, const Option& option, const SpaceVectorOptio
                            [vector](const Triple& v) { *vector.value = Vec3(v[0], v[1], v[2]); });
 }
 
+/// The flag once for each name.
+CLI::Option* declare(CLI::App& app, const Option& option, const NamesOption& names) {
+  using Names = std::vector<std::string>;
+  return add_value<Names>(app, option, [names](const Names& given) { *names.value = given; })
+      ->allow_extra_args(false);
+}
+
 CLI::Option* declare(CLI::App& app, const Option& option, const SwitchOption& on) {
   const bool value = on.off_flag.empty();
   return app.add_flag_callback(
@@ -152,6 +159,7 @@ std::string metavariable(const Option& option) {
   if (const auto* vector = std::get_if<OptionalVectorOption>(&option.value))
     return plane(vector->third);
   if (std::holds_alternative<SpaceVectorOption>(option.value)) return "X Y Z";
+  if (std::holds_alternative<NamesOption>(option.value)) return "NAME";
   if (std::holds_alternative<SharesOption>(option.value)) return "NAME[=SHARE]...";
   if (const auto* choice = std::get_if<ChoiceOption>(&option.value)) {
     constexpr std::size_t few = 4;

@@ -66,6 +66,14 @@ json describe_gap(const std::optional<Gap>& gap) {
   return report;
 }
 
+json describe_sliding(const std::vector<SlidingPart>& parts) {
+  json report = json::array();
+  for (const SlidingPart& part : parts)
+    report.push_back(
+        {{"marker", part.marker}, {"on", part.description}, {"nodes", part.nodes.size()}});
+  return report;
+}
+
 json describe_result(const CommandRecord& record) {
   const SmoothResult& r = record.result;
   json report = {{"command", record.name},
@@ -81,6 +89,7 @@ json describe_result(const CommandRecord& record) {
                  {"gap", describe_gap(r.gap)},
                  {"stretched_elements", r.stretched ? json(*r.stretched) : json()},
                  {"kept_outside", r.kept_outside},
+                 {"sliding", describe_sliding(r.sliding)},
                  {"increments", r.increments},
                  {"linear_solver", r.linear_solver},
                  {"inverted", r.inverted}};

@@ -17,8 +17,12 @@ namespace {
 class Builder {
  public:
   Builder(const VirtualControlVolumes& vcv, const TargetBlend& blend, const Coordinates* given,
-          int threads, std::span<const Index> urgent)
-      : vcv_(vcv), topology_(vcv.topology()), blend_(normalized(blend)), given_(given) {
+          int threads, std::span<const Index> urgent, const NodeClasses* classes)
+      : vcv_(vcv),
+        topology_(vcv.topology()),
+        classes_(classes),
+        blend_(normalized(blend)),
+        given_(given) {
     if (refers_to_given(blend) && !given) throw UsageError("targets that refer to no mesh");
     if (blend.automatic > 0) {
       stretch_ = stretch_field(topology_, *given, threads);
@@ -41,8 +45,9 @@ class Builder {
 
  private:
   bool movable(const std::array<Index, 3>& nodes) const {
-    return std::any_of(nodes.begin(), nodes.end(),
-                       [&](Index node) { return !topology_.on_boundary(node); });
+    return std::any_of(nodes.begin(), nodes.end(), [&](Index node) {
+      return !topology_.on_boundary(node) || (classes_ && classes_->slides(node));
+    });
   }
 
   static std::array<Index, 3> corner_nodes(std::span<const Index> element, std::size_t k) {
@@ -183,6 +188,13 @@ class Builder {
       return !topology_.on_boundary(node) && (blend_.vcv > 0 || vcv_.edited(node));
     };
     const auto corners = std::count_if(element.begin(), element.end(), counts);
+    if (corners == 0) {  // all of its nodes slide on the boundary, where there are no VCVs
+      TargetBlend regular = blend_;
+      regular.element += std::exchange(regular.vcv, 0);
+      shapes_.terms.push_back(
+          common_metric(regular, corner_nodes(element, 0), e).normalized().term(element_weight(e)));
+      return;
+    }
     const double weight = element_weight(e) / static_cast<double>(corners);
     for (std::size_t k = 0; k < 3; ++k) {
       if (!counts(element[k])) continue;
@@ -241,6 +253,7 @@ class Builder {
 
   const VirtualControlVolumes& vcv_;
   const Topology& topology_;
+  const NodeClasses* classes_;  // null: nothing slides
   TargetBlend blend_;
   TargetBlend edited_blend_;  // at nodes whose VCVs were edited
   const Coordinates* given_;
@@ -252,8 +265,8 @@ class Builder {
 
 TargetShapes TargetShapes::build(const VirtualControlVolumes& vcv, const TargetBlend& blend,
                                  const Coordinates* given, int threads,
-                                 std::span<const Index> urgent) {
-  return Builder(vcv, blend, given, threads, urgent).build();
+                                 std::span<const Index> urgent, const NodeClasses* classes) {
+  return Builder(vcv, blend, given, threads, urgent, classes).build();
 }
 
 }  // namespace winslow

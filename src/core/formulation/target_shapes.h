@@ -5,6 +5,7 @@
 #include "core/formulation/cell_targets.h"
 #include "core/formulation/target_blend.h"
 #include "core/mesh/coordinates.h"
+#include "core/problem/node_classes.h"
 #include "core/types.h"
 #include "core/vcv/virtual_control_volumes.h"
 
@@ -12,8 +13,8 @@ namespace winslow {
 
 /// All targets of a plane mesh: triangles, and corners of quadrilaterals, each with one or more
 /// terms. The terms of an element have weights that sum to its own (VirtualControlVolumes::Role,
-/// one as a rule), however many of its nodes lie at the boundary. Triangles whose three nodes lie
-/// on the boundary are left out: they cannot change.
+/// one as a rule), however many of its nodes lie at the boundary. Triangles none of whose nodes can
+/// move are left out: they cannot change.
 ///
 /// A VCV that was edited (VirtualControlVolumes::edited) counts whatever the blend: in the corners
 /// at such a node the shares `automatic` and `element` go to the VCV, and where the blend has no
@@ -24,12 +25,14 @@ struct TargetShapes : CellTargets<2> {
   /// Targets over the VCVs as the blend says. given: coordinates (#nodes by 2) of the mesh that the
   /// shares `automatic` and `rest` refer to; may be null if those are zero. threads: 0 for all
   /// cores. urgent: elements that count four
-  /// times as much under `automatic`, once more for each time they are listed.
+  /// times as much under `automatic`, once more for each time they are listed. classes: nodes of
+  /// the boundary may slide; null: only those inside move.
   /// Throws UsageError for shares that are negative or all zero, MeshError if `rest` counts
   /// and the mesh has an inverted element.
   static TargetShapes build(const VirtualControlVolumes& vcv, const TargetBlend& blend,
                             const Coordinates* given, int threads = 0,
-                            std::span<const Index> urgent = {});
+                            std::span<const Index> urgent = {},
+                            const NodeClasses* classes = nullptr);
 };
 
 }  // namespace winslow

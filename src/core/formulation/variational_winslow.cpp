@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/formulation/distortion.h"
+#include "core/formulation/sliding_rows.h"
 #include "core/formulation/target_path.h"
 #include "core/formulation/tetrahedron_distortion.h"
 #include "core/parallel/parallel_for.h"
@@ -74,8 +75,9 @@ template <int D>
 struct RowSum {
   const double* v;
   const double* gradient() const { return v + Layout<D>::gradient; }
-  /// Distance by which the node alone would move, over the mean edge. cells: around the node.
-  double scaled(Index cells) const {
+  /// Distance by which the node alone would move, over the mean edge. cells: around the node. foot:
+  /// of a node that slides; null for others.
+  double scaled(Index cells, const Foot* foot) const {
     double trace = 0, square = 0;
     for (std::ptrdiff_t k = 0; k < D; ++k) {
       trace += v[(D + 1) * k];
@@ -83,7 +85,7 @@ struct RowSum {
     }
     const double mean_edge = gradient()[D] / (D * std::max<Index>(cells, 1));
     const double scale = trace / D * mean_edge;
-    const double g = std::sqrt(square);
+    const double g = foot ? SlidingRows<D>::along(*foot, gradient()) : std::sqrt(square);
     return scale > 0 ? g / scale : g;
   }
 };
@@ -116,7 +118,8 @@ struct SimplexWinslow<D>::Structure {
       : row_of_node(make_row_of_node(nodes)),
         rows(shapes.cells, row_of_node, static_cast<Index>(nodes.nodes().size()), nodes.threads()),
         shape_order(rows.renumber_cells()),
-        cells_at_row(nodes.nodes().size(), 0) {
+        cells_at_row(nodes.nodes().size(), 0),
+        sliding(nodes, *rows.pattern()) {
     for (std::size_t t = 0; t < shape_order.size(); ++t) {
       bool all_free = true;
       for (const Index node : shapes.cells[at(shape_order[t])]) {
@@ -132,15 +135,22 @@ struct SimplexWinslow<D>::Structure {
   std::vector<Index> shape_order;   // number in the targets as given of each cell of shapes_
   std::vector<Index> half_free;     // cells with a node that has no unknowns
   std::vector<Index> cells_at_row;  // how many
+  SlidingRows<D> sliding;
+  /// Of a row, by what SlidingRows::feet() gives.
+  const Foot* foot(std::span<const Foot> feet, std::size_t row) const {
+    const Index slot = sliding.slot(row);
+    return slot < 0 ? nullptr : &feet[at(slot)];
+  }
 };
 
 template <int D>
 SimplexWinslow<D>::SimplexWinslow(std::shared_ptr<const NodeClasses> classes, const Targets& shapes,
                                   const PenaltyOptions& penalty, int threads)
-    : VariationalForm(NodeUnknowns(std::move(classes), threads), penalty),
+    : VariationalForm(NodeUnknowns(std::move(classes), threads, NodeUnknowns::Layout::blocks),
+                      penalty),
       structure_(std::make_shared<const Structure>(node_unknowns(), shapes)),
       shapes_(std::make_shared<const Targets>(reordered(shapes, structure_->shape_order))) {
-  node_unknowns().require_free_interior("the variational form");
+  node_unknowns().require_held_boundary("the variational form");
 }
 
 template <int D>
@@ -310,17 +320,19 @@ template <int D>
 ResidualNorms SimplexWinslow<D>::residual(const Coordinates& x, std::span<double> out) const {
   const SimplexData cells = data(x, nullptr);
   const RowBlocks<D>& rows = structure_->rows;
+  const std::vector<Foot> feet = structure_->sliding.feet(node_unknowns(), x);
   std::vector<NormSum> norms(block_count(rows.rows()));
   for_each_block([&](std::size_t part, Index block, Index first, Index last, BlockMemory& memory) {
     sum_block(cells, false, false, block, memory);
     for (Index p = first; p < last; ++p) {
       const RowSum<D> sum = memory.row(p - first);
       const std::size_t row = at(rows.row(p));
-      norms[part].add(sum.scaled(structure_->cells_at_row[row]));
+      norms[part].add(sum.scaled(structure_->cells_at_row[row], structure_->foot(feet, row)));
       if (out.empty()) continue;
       for (std::size_t k = 0; k < D; ++k) out[D * row + k] = -sum.gradient()[k];
     }
   });
+  if (!out.empty()) structure_->sliding.restrict(feet, out);
   return NormSum::total(norms);
 }
 
@@ -328,7 +340,7 @@ template <int D>
 Linearisation SimplexWinslow<D>::linearise(const Coordinates& x, Curvature curvature,
                                            SparseMatrix& hessian,
                                            std::span<double> residual) const {
-  return assemble(data(x, nullptr), curvature == Curvature::projected, hessian, residual);
+  return assemble(data(x, nullptr), x, curvature == Curvature::projected, false, hessian, residual);
 }
 
 template <int D>
@@ -336,12 +348,14 @@ Linearisation SimplexWinslow<D>::linearise_regularised(const Coordinates& x,
                                                        const Regularisation& regularisation,
                                                        SparseMatrix& hessian,
                                                        std::span<double> residual) const {
-  return assemble(data(x, &regularisation), false, hessian, residual);
+  return assemble(data(x, &regularisation), x, false, true, hessian, residual);
 }
 
 template <int D>
-Linearisation SimplexWinslow<D>::assemble(const SimplexData& cells, bool project, SparseMatrix& out,
+Linearisation SimplexWinslow<D>::assemble(const SimplexData& cells, const Coordinates& x,
+                                          bool project, bool convex, SparseMatrix& out,
                                           std::span<double> residual) const {
+  const std::vector<Foot> feet = structure_->sliding.feet(node_unknowns(), x);
   const RowBlocks<D>& rows = structure_->rows;
   const SparsityPattern& pattern = *rows.pattern();
   out.pattern = rows.pattern();
@@ -366,10 +380,12 @@ Linearisation SimplexWinslow<D>::assemble(const SimplexData& cells, bool project
           diagonal[D * i + j] =
               i == j ? sum.v[(D + 1) * i] : 0.5 * (sum.v[D * i + j] + sum.v[D * j + i]);
       }
-      norms[part].add(sum.scaled(structure_->cells_at_row[row]));
+      norms[part].add(sum.scaled(structure_->cells_at_row[row], structure_->foot(feet, row)));
       for (std::size_t k = 0; k < D; ++k) residual[D * row + k] = -sum.gradient()[k];
     }
   });
+  structure_->sliding.restrict(feet, residual, project || convex, out);
+  structure_->sliding.restrict(feet, residual);
   return {NormSum::total(norms), std::accumulate(energies.begin(), energies.end(), 0.0)};
 }
 
@@ -409,6 +425,7 @@ void SimplexWinslow<D>::boundary_response(const Coordinates& x, const Coordinate
       }
     }
   }
+  structure_->sliding.restrict(structure_->sliding.feet(node_unknowns(), x), out);
 }
 
 template class SimplexWinslow<2>;

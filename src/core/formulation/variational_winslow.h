@@ -31,8 +31,9 @@ class SimplexWinslow final : public VariationalForm {
  public:
   using Targets = CellTargets<D>;
 
-  /// classes: which nodes move. threads: 0 for all cores; no result depends on it. Throws
-  /// UsageError for nodes that slide.
+  /// classes: which nodes move; those that slide have the geometry of their classes. targets: of
+  /// all cells with a node that moves. threads: 0 for all cores; no result depends on it. Throws
+  /// UsageError for nodes of the boundary that are free.
   SimplexWinslow(std::shared_ptr<const NodeClasses> classes, const Targets& targets,
                  const PenaltyOptions& penalty, int threads);
   std::shared_ptr<const VariationalForm> with_penalty(const PenaltyOptions& penalty) const override;
@@ -72,8 +73,9 @@ class SimplexWinslow final : public VariationalForm {
   struct BlockMemory;
   distortion::SimplexData data(const Coordinates& x, const Regularisation* regularisation) const;
   double energy_of(const distortion::SimplexData& cells) const;
-  Linearisation assemble(const distortion::SimplexData& cells, bool project, SparseMatrix& hessian,
-                         std::span<double> residual) const;
+  /// convex: the Hessian is positive semidefinite by construction, and is to stay so.
+  Linearisation assemble(const distortion::SimplexData& cells, const Coordinates& x, bool project,
+                         bool convex, SparseMatrix& hessian, std::span<double> residual) const;
   double sum_block(const distortion::SimplexData& data, bool is_projected, bool with_matrix,
                    Index block, BlockMemory& memory) const;
   void project(const distortion::SimplexData& data, std::span<const Index> cells,

@@ -20,8 +20,13 @@ namespace {
 class Builder {
  public:
   Builder(const Topology& topology, const VolumeVcvs* vcvs, const TargetBlend& blend,
-          const Coordinates* given, int threads, std::span<const Index> urgent)
-      : topology_(topology), vcvs_(vcvs), blend_(normalized(blend)), threads_(threads) {
+          const Coordinates* given, int threads, std::span<const Index> urgent,
+          const NodeClasses* classes)
+      : topology_(topology),
+        vcvs_(vcvs),
+        blend_(normalized(blend)),
+        threads_(threads),
+        classes_(classes) {
     if (topology.cell_dimension() != 3)
       throw UsageError("targets of volume elements: the mesh is a " +
                        std::string(mesh_kind(topology)));
@@ -58,8 +63,14 @@ class Builder {
     return static_cast<Index>(
         std::count_if(nodes.begin(), nodes.end(), [&](Index node) { return free(node); }));
   }
-  bool has_vcv_terms(Index e) const {
-    return blend_.vcv > 0 && topology_.element_type(e) == ElementType::tetrahedron;
+  bool slides(const std::array<Index, 4>& nodes) const {
+    return classes_ && std::any_of(nodes.begin(), nodes.end(),
+                                   [&](Index node) { return classes_->slides(node); });
+  }
+  /// Terms of a cell that are over VCVs, one for each free node; 0: it has a single other one.
+  Index vcv_terms(Index e, const std::array<Index, 4>& nodes) const {
+    const bool has = blend_.vcv > 0 && topology_.element_type(e) == ElementType::tetrahedron;
+    return has ? free_nodes(nodes) : 0;
   }
 
   /// The cells of an element, and how many terms each is to have.
@@ -68,11 +79,10 @@ class Builder {
     const std::size_t first = targets_.cells.size();
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const auto nodes = by_nodes(corners[k], topology_.element(e));
-      const Index movable = free_nodes(nodes);
-      if (movable == 0) continue;
+      if (free_nodes(nodes) == 0 && !slides(nodes)) continue;
       if (blend_.rest > 0) require_valid(e, nodes);
       targets_.cells.push_back(nodes);
-      targets_.offsets.push_back(targets_.offsets.back() + (has_vcv_terms(e) ? movable : 1));
+      targets_.offsets.push_back(targets_.offsets.back() + std::max(1, vcv_terms(e, nodes)));
       origins_.push_back({e, static_cast<int>(k), 0});
     }
     const auto live = static_cast<double>(targets_.cells.size() - first);
@@ -94,8 +104,8 @@ class Builder {
     VolumeTerm* term = targets_.terms.data() + targets_.offsets[at(cell)];
     const Eigen::Matrix3d& regular = regular_metrics(topology_.element_type(e))[at(corner)];
     const Eigen::Matrix3d common = common_part(e, regular, nodes);
-    if (has_vcv_terms(e)) {
-      const double each = weight / static_cast<double>(free_nodes(nodes));
+    if (const Index terms = vcv_terms(e, nodes); terms > 0) {
+      const double each = weight / static_cast<double>(terms);
       for (std::size_t k = 0; k < 4; ++k) {
         if (!free(nodes[k])) continue;
         *term++ = volume_term(normalized_metric(common + blend_.vcv * vcv_metric(nodes, k)), each);
@@ -166,6 +176,7 @@ class Builder {
   const VolumeVcvs* vcvs_;
   TargetBlend blend_;
   int threads_;
+  const NodeClasses* classes_;        // null: nothing slides
   std::vector<Origin> origins_;       // of each cell
   std::optional<SpacePoints> given_;  // where the blend refers to it
   StretchField stretch_;              // where the blend has a share for it
@@ -176,8 +187,8 @@ class Builder {
 
 CellTargets<3> volume_targets(const Topology& topology, const VolumeVcvs* vcvs,
                               const TargetBlend& blend, const Coordinates* given, int threads,
-                              std::span<const Index> urgent) {
-  return Builder(topology, vcvs, blend, given, threads, urgent).build();
+                              std::span<const Index> urgent, const NodeClasses* classes) {
+  return Builder(topology, vcvs, blend, given, threads, urgent, classes).build();
 }
 
 }  // namespace winslow

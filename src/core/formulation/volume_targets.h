@@ -4,13 +4,14 @@
 #include "core/formulation/target_blend.h"
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"
+#include "core/problem/node_classes.h"
 #include "core/vcv/sphere/volume_vcvs.h"
 
 namespace winslow {
 
 /// Targets of a volume mesh as the blend says: one for each tetrahedron, one for each corner of the
-/// other elements (corner_tetrahedra()). The weights of an element sum to 1; tetrahedra whose four
-/// nodes lie on the boundary are left out: they cannot change.
+/// other elements (corner_tetrahedra()). The weights of an element sum to 1; tetrahedra none of whose
+/// nodes can move are left out: they cannot change.
 ///
 /// `element`: the corners of the regular element of the type. `rest`: the element's own corners in
 /// the mesh as given. `automatic`: on the way between these as StretchField says. `vcv`: of a
@@ -21,10 +22,12 @@ namespace winslow {
 /// vcvs: may be null if they have no share. given: coordinates (#nodes by 3) of the mesh that the
 /// shares `automatic` and `rest` refer to; may be null if those are zero. threads: 0 for all cores;
 /// no result depends on it. urgent: elements that count four times as much under `automatic`, once
-/// more for each time they are listed. Throws UsageError for shares that are negative or all zero;
+/// more for each time they are listed. classes: nodes of the boundary may slide; null: only those
+/// inside move. Throws UsageError for shares that are negative or all zero;
 /// MeshError if `rest` counts and the mesh has an inverted element.
 CellTargets<3> volume_targets(const Topology& topology, const VolumeVcvs* vcvs,
                               const TargetBlend& blend, const Coordinates* given, int threads = 0,
-                              std::span<const Index> urgent = {});
+                              std::span<const Index> urgent = {},
+                              const NodeClasses* classes = nullptr);
 
 }  // namespace winslow

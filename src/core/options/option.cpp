@@ -29,6 +29,11 @@ std::string text_of(const VectorOption& vector) {
 std::string text_of(const OptionalVectorOption& vector) {
   return *vector.value ? text_of(**vector.value) + third_text(vector.third) : "";
 }
+std::string text_of(const NamesOption& names) {
+  std::string text;
+  for (const std::string& name : *names.value) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
 std::string text_of(const SpaceVectorOption& vector) {
   if (!*vector.value) return "";
   const Vec3& v = **vector.value;
@@ -54,6 +59,7 @@ std::string expected_of(const SeedOption&) { return at_least(0).text(); }
 std::string expected_of(const VectorOption&) { return ""; }
 std::string expected_of(const OptionalVectorOption&) { return ""; }
 std::string expected_of(const SpaceVectorOption&) { return ""; }
+std::string expected_of(const NamesOption&) { return ""; }
 std::string expected_of(const SwitchOption&) { return ""; }
 std::string expected_of(const ChoiceOption& choice) { return choice.names(); }
 std::string expected_of(const SharesOption&) { return at_least(0).text(); }
@@ -94,6 +100,7 @@ std::string wrong_with(const SpaceVectorOption& vector) {
   const std::string wrong = wrong_with(Vec2((*vector.value)->head<2>()));
   return wrong.empty() ? out_of({}, z) : wrong;
 }
+std::string wrong_with(const NamesOption&) { return ""; }
 std::string wrong_with(const SwitchOption&) { return ""; }
 std::string wrong_with(const ChoiceOption& choice) {
   if (choice.chosen() < choice.items().size()) return "";

@@ -72,6 +72,11 @@ struct SpaceVectorOption {
   std::optional<Vec3>* value;
 };
 
+/// Names, any number of them.
+struct NamesOption {
+  std::vector<std::string>* value;
+};
+
 struct SwitchOption {
   bool* value;
   /// Of a switch that is on unless it is turned off: the flag that does so, and what that means.
@@ -126,7 +131,7 @@ struct SharesOption {
 
 using OptionValue =
     std::variant<RealOption, OptionalRealOption, IntegerOption, SeedOption, VectorOption,
-                 OptionalVectorOption, SpaceVectorOption, SwitchOption, ChoiceOption, SharesOption>;
+                 OptionalVectorOption, SpaceVectorOption, NamesOption, SwitchOption, ChoiceOption, SharesOption>;
 
 /// Whether an option is given by a flag of its own.
 enum class OnCommandLine { yes, no };

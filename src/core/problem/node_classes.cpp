@@ -22,12 +22,6 @@ Vec3 unit(const Vec3& direction, const char* what, Index node) {
 
 }  // namespace
 
-TangentFrame TangentFrame::axes(int dimension) {
-  TangentFrame frame;
-  for (int k = 0; k < dimension; ++k) frame.add(Vec3::Unit(k));
-  return frame;
-}
-
 NodeClasses::NodeClasses(std::shared_ptr<const Topology> topology)
     : topology_(std::move(topology)),
       classes_(static_cast<std::size_t>(topology_->node_count()), NodeClass::fixed) {
@@ -52,6 +46,15 @@ int NodeClasses::unknowns(Index node) const {
 TangentFrame NodeClasses::frame(Index node) const {
   const auto found = frames_.find(node);
   return found != frames_.end() ? found->second : TangentFrame::axes(unknowns(node));
+}
+
+Foot NodeClasses::foot(Index node, const Vec3& point) const {
+  const auto found = geometry_.find(node);
+  if (found != geometry_.end()) return found->second->foot(node, point);
+  Foot foot;
+  foot.point = point;
+  foot.frame = frame(node);
+  return foot;
 }
 
 void NodeClasses::set_free(std::span<const Index> nodes) {
@@ -89,6 +92,24 @@ void NodeClasses::set_on_surface(Index node, const Vec3& normal) {
   frames_[node] = frame;
 }
 
+void NodeClasses::set_sliding(std::span<const Index> nodes,
+                              std::shared_ptr<const SlidingGeometry> geometry,
+                              const Coordinates& x) {
+  for (const Index node : nodes) {
+    require(node);
+    Vec3 point(0, 0, 0);
+    if (x.dimension() == 2)
+      point.head<2>() = x.xy(node);
+    else
+      point = x.xyz(node);
+    const TangentFrame frame = geometry->foot(node, point).frame;
+    classes_[static_cast<std::size_t>(node)] =
+        frame.count() == 1 ? NodeClass::on_curve : NodeClass::on_surface;
+    frames_[node] = frame;
+    geometry_[node] = geometry;
+  }
+}
+
 bool NodeClasses::same_unknowns(const NodeClasses& other) const {
   if (topology_ != other.topology_) return false;
   if (this == &other) return true;
@@ -96,7 +117,7 @@ bool NodeClasses::same_unknowns(const NodeClasses& other) const {
     const NodeClass a = classes_[i], b = other.classes_[i];
     if (a != b && !(held(a) && held(b))) return false;
   }
-  return frames_ == other.frames_;
+  return frames_ == other.frames_ && geometry_ == other.geometry_;
 }
 
 void NodeClasses::require(Index node) const {
@@ -109,6 +130,7 @@ void NodeClasses::set(std::span<const Index> nodes, NodeClass value) {
   for (const Index node : nodes) {
     require(node);
     if (slides(node)) frames_.erase(node);
+    geometry_.erase(node);
     classes_[static_cast<std::size_t>(node)] = value;
   }
 }

@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry/sliding_geometry.h"
+#include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"
 #include "core/types.h"
 
@@ -20,26 +22,6 @@ enum class NodeClass : std::uint8_t {
   on_curve,    ///< slides along a curve: one unknown
   on_surface,  ///< slides on a surface in space: two
   free         ///< moves as it likes: as many as the space has dimensions
-};
-
-/// Orthonormal directions in which a node may move, one per unknown. In the plane their third
-/// component is zero.
-class TangentFrame {
- public:
-  TangentFrame() = default;
-  /// The axes of a space of that many dimensions.
-  static TangentFrame axes(int dimension);
-  void add(const Vec3& direction) { directions_[static_cast<std::size_t>(count_++)] = direction; }
-
-  int count() const { return count_; }
-  const Vec3* begin() const { return directions_.data(); }
-  const Vec3* end() const { return directions_.data() + count_; }
-
-  bool operator==(const TangentFrame&) const = default;
-
- private:
-  std::array<Vec3, 3> directions_{Vec3(0, 0, 0), Vec3(0, 0, 0), Vec3(0, 0, 0)};
-  int count_ = 0;
 };
 
 /// The class of every node of a mesh. What smooths a mesh asks it which nodes have unknowns, how
@@ -63,6 +45,9 @@ class NodeClasses {
   int unknowns(Index node) const;
   /// As many directions as the node has unknowns: of a free node the axes.
   TangentFrame frame(Index node) const;
+  /// Where a node at a point is, and the directions in which it may move from there: of a node that
+  /// slides on geometry the foot of the point, else the point itself and its frame.
+  Foot foot(Index node, const Vec3& point) const;
 
   // Each throws UsageError for a node that the mesh does not have.
 
@@ -74,6 +59,9 @@ class NodeClasses {
   void set_on_curve(Index node, const Vec3& tangent);
   /// normal: of any length but zero. Throws UsageError in the plane.
   void set_on_surface(Index node, const Vec3& normal);
+  /// Nodes that slide on geometry, which says what it is at the places in x.
+  void set_sliding(std::span<const Index> nodes, std::shared_ptr<const SlidingGeometry> geometry,
+                   const Coordinates& x);
 
   /// Whether the same nodes may move in the same directions. What is fixed in one and prescribed in
   /// the other counts as the same.
@@ -86,6 +74,7 @@ class NodeClasses {
   std::shared_ptr<const Topology> topology_;
   std::vector<NodeClass> classes_;
   std::map<Index, TangentFrame> frames_;  // of nodes on curves and surfaces
+  std::map<Index, std::shared_ptr<const SlidingGeometry>> geometry_;  // of those that follow one
 };
 
 }  // namespace winslow

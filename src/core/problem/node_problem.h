@@ -19,9 +19,9 @@ class NodeProblem : public Problem {
   double advance(std::span<const double> direction, double step, Coordinates& x) const final {
     return nodes_.advance(direction, step, x);
   }
-  void velocities(const Coordinates& /*x*/, std::span<const double> rates,
+  void velocities(const Coordinates& x, std::span<const double> rates,
                   Coordinates& out) const final {
-    nodes_.velocities(rates, out);
+    nodes_.velocities(x, rates, out);
   }
   double largest_valid_step(const Coordinates& from, const Coordinates& to,
                             double most) const final {

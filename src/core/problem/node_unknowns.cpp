@@ -32,15 +32,19 @@ void in_dimension(const Coordinates& x, Visit&& visit) {
   }
 }
 
+Vec3 in_space(const Vec2& p) { return {p.x(), p.y(), 0}; }
+Vec3 in_space(const Vec3& p) { return p; }
+
 }  // namespace
 
-NodeUnknowns::NodeUnknowns(std::shared_ptr<const NodeClasses> classes, int threads)
+NodeUnknowns::NodeUnknowns(std::shared_ptr<const NodeClasses> classes, int threads, Layout numbers)
     : classes_(std::move(classes)), threads_(threads) {
-  auto layout = std::make_shared<Layout>();
+  auto layout = std::make_shared<Numbers>();
   std::size_t next = 0;
   for (Index node = 0; node < topology().node_count(); ++node) {
-    const int count = classes_->unknowns(node);
+    int count = classes_->unknowns(node);
     if (count == 0) continue;
+    if (numbers == Layout::blocks) count = topology().space_dimension();
     layout->nodes.push_back(node);
     layout->first.push_back(next);
     next += static_cast<std::size_t>(count);
@@ -57,13 +61,24 @@ void NodeUnknowns::require_free_interior(const char* what) const {
   }
 }
 
-/// Velocity of nodes()[i] where its unknowns change at the given rates (#unknowns of all nodes).
+void NodeUnknowns::require_held_boundary(const char* what) const {
+  for (const Index node : nodes()) {
+    if ((*classes_)[node] != NodeClass::free || !topology().on_boundary(node)) continue;
+    throw UsageError(std::string(what) + ": node " + std::to_string(node) +
+                     " of the boundary is to be free, and the boundary has no equations");
+  }
+}
+
+/// Velocity of nodes()[i], which is at `from`, where its unknowns change at the given rates
+/// (#unknowns of all nodes).
 template <int D>
-Vec<D> NodeUnknowns::move_of(std::size_t i, std::span<const double> rates) const {
+Vec<D> NodeUnknowns::move_of(std::size_t i, const Vec<D>& from,
+                             std::span<const double> rates) const {
   const double* own = rates.data() + first(i);
-  if (count(i) == D && !classes_->slides(nodes()[i])) return Vec<D>(own);
+  if (!classes_->slides(nodes()[i])) return Vec<D>(own);
   Vec<D> move = Vec<D>::Zero();
-  for (const Vec3& direction : classes_->frame(nodes()[i])) move += *own++ * direction.head<D>();
+  for (const Vec3& direction : classes_->foot(nodes()[i], in_space(from)).frame)
+    move += *own++ * direction.head<D>();
   return move;
 }
 
@@ -83,6 +98,7 @@ void NodeUnknowns::values(const Coordinates& x, std::span<double> out) const {
         std::copy(p.data(), p.data() + D, own);
         continue;
       }
+      std::fill_n(own, count(i), 0.0);
       for (const Vec3& direction : classes_->frame(nodes()[i])) {
         *own++ = direction.head<D>().dot(p);
       }
@@ -103,19 +119,24 @@ double NodeUnknowns::advance(std::span<const double> direction, double step, Coo
   in_dimension(x, [&](auto dimension, const auto&) {
     constexpr int D = decltype(dimension)::value;
     for (std::size_t i = 0; i < nodes().size(); ++i) {
-      const Vec<D> move = step * move_of<D>(i, direction);
-      x.template set<D>(nodes()[i], x.template get<D>(nodes()[i]) + move);
-      largest2 = std::max(largest2, move.squaredNorm());
+      const Index node = nodes()[i];
+      const Vec<D> from = x.template get<D>(node);
+      Vec<D> to = from + step * move_of<D>(i, from, direction);
+      // A move along the tangent leaves a curved boundary: back to it.
+      if (classes_->slides(node)) to = classes_->foot(node, in_space(to)).point.template head<D>();
+      x.template set<D>(node, to);
+      largest2 = std::max(largest2, (to - from).squaredNorm());
     }
   });
   return std::sqrt(largest2);
 }
 
-void NodeUnknowns::velocities(std::span<const double> rates, Coordinates& out) const {
-  in_dimension(out, [&](auto dimension, const auto&) {
+void NodeUnknowns::velocities(const Coordinates& x, std::span<const double> rates,
+                              Coordinates& out) const {
+  in_dimension(x, [&](auto dimension, const auto& points) {
     constexpr int D = decltype(dimension)::value;
     for (std::size_t i = 0; i < nodes().size(); ++i) {
-      out.template set<D>(nodes()[i], move_of<D>(i, rates));
+      out.template set<D>(nodes()[i], move_of<D>(i, points[nodes()[i]], rates));
     }
   });
 }

@@ -16,8 +16,13 @@ namespace winslow {
 /// directions of its frame. Members are as of SmoothingProblem. Copies share what is worked out.
 class NodeUnknowns {
  public:
+  enum class Layout {
+    packed,  ///< each node has as many numbers as it has unknowns
+    blocks   ///< each node has as many as the space has dimensions; what is left over means nothing
+  };
   /// threads: 0 for all cores; no result depends on it.
-  NodeUnknowns(std::shared_ptr<const NodeClasses> classes, int threads);
+  NodeUnknowns(std::shared_ptr<const NodeClasses> classes, int threads,
+               Layout layout = Layout::packed);
 
   const NodeClasses& classes() const { return *classes_; }
   const Topology& topology() const { return classes_->topology(); }
@@ -29,9 +34,11 @@ class NodeUnknowns {
   std::size_t first(std::size_t i) const { return layout_->first[i]; }
   /// Number of unknowns of nodes()[i].
   std::size_t count(std::size_t i) const { return layout_->first[i + 1] - layout_->first[i]; }
-  /// Throws UsageError unless all nodes that have unknowns are free and in the interior: what the
-  /// formulations can do without the geometry of the boundary. what: names the formulation.
+  /// Throws UsageError unless all nodes that have unknowns are free and in the interior: what a
+  /// formulation can do that knows no geometry of the boundary. what: names the formulation.
   void require_free_interior(const char* what) const;
+  /// Throws UsageError if a node of the boundary is free: it would have no equation of its own.
+  void require_held_boundary(const char* what) const;
 
   /// Mean length of the edges at a node, in units of the mesh.
   double mean_edge(const Coordinates& x, Index node) const;
@@ -40,7 +47,7 @@ class NodeUnknowns {
   void values(const Coordinates& x, std::span<double> out) const;
   void lengths(const Coordinates& x, std::span<double> out) const;
   double advance(std::span<const double> direction, double step, Coordinates& x) const;
-  void velocities(std::span<const double> rates, Coordinates& out) const;
+  void velocities(const Coordinates& x, std::span<const double> rates, Coordinates& out) const;
   double largest_valid_step(const Coordinates& from, const Coordinates& to, double most) const;
   Validity validity(const Coordinates& x) const;
   /// Residuals are differences of coordinates over edge lengths, so they carry the round-off of the
@@ -48,15 +55,15 @@ class NodeUnknowns {
   double residual_round_off(const Coordinates& x) const;
 
  private:
-  struct Layout {
+  struct Numbers {
     std::vector<Index> nodes;
     std::vector<std::size_t> first;  // one more than nodes
   };
   template <int D>
-  Vec<D> move_of(std::size_t i, std::span<const double> rates) const;
+  Vec<D> move_of(std::size_t i, const Vec<D>& from, std::span<const double> rates) const;
 
   std::shared_ptr<const NodeClasses> classes_;
-  std::shared_ptr<const Layout> layout_;
+  std::shared_ptr<const Numbers> layout_;
   int threads_;
 };
 

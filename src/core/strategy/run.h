@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/sliding_boundary.h"
 #include "core/mesh/topology.h"
 #include "core/motion/contact.h"
 #include "core/outer/outer_solver.h"
@@ -59,8 +60,9 @@ struct SmoothResult {
   int increments = 1;      ///< steps in which the boundary was moved
   /// Part of the elements (0 to 1) that `auto` targets keep stretched; none for other targets.
   std::optional<double> stretched;
-  Index kept_outside = 0;     ///< interior nodes that SmoothOptions::keep_outside fixed
-  std::string linear_solver;  ///< what solved the linear systems, e.g. "CHOLMOD ..."
+  std::vector<SlidingPart> sliding;  ///< what nodes of the boundary slid on
+  Index kept_outside = 0;            ///< interior nodes that SmoothOptions::keep_outside fixed
+  std::string linear_solver;         ///< what solved the linear systems, e.g. "CHOLMOD ..."
   Index inverted = 0;
   std::vector<IterationRecord> history;
 };

@@ -241,6 +241,7 @@ OptionTable option_table(SmoothOptions& options) {
     for (Option& row : rows(options)) table.push_back(std::move(row));
   }
   for (Option& row : option_table(options.keep_outside)) table.push_back(std::move(row));
+  for (Option& row : option_table(options.slide)) table.push_back(std::move(row));
   return table;
 }
 
@@ -256,6 +257,12 @@ void validate(const SmoothOptions& options) {
       "the linear solver " + options.linear.solver +
           " takes symmetric systems only: choose automatic, direct or gmres, or the formulation "
           "variational");
+  require(!options.slide.given() || is_variational(options),
+          "slide: the pointwise form knows no geometry of the boundary: choose the formulation "
+          "variational");
+  require(!options.slide.given() || options.untangle != Untangle::picard,
+          "slide: the fixed point knows no geometry of the boundary: choose the untangling energy "
+          "or auto");
   require(options.vcv_updates == 0 || follows_mesh(options.vcv),
           "equal and existing VCVs do not follow the mesh: vcv_updates needs the VCVs adjusted");
 }

@@ -8,6 +8,7 @@
 #include "core/options/option.h"
 #include "core/outer/equation_options.h"
 #include "core/strategy/keep_outside.h"
+#include "core/strategy/slide_options.h"
 
 namespace winslow {
 
@@ -54,6 +55,7 @@ struct SmoothOptions {
   int max_iterations = 500;
   double tolerance = 1e-10;       ///< of ResidualNorms::max
   KeepOutside keep_outside = {};  ///< all nodes in it are free: none given
+  SlideOptions slide = {};        ///< no node of the boundary slides
   int threads = 0;
 };
 

@@ -47,9 +47,11 @@ Coordinates unknowns_within(const NodeClasses& classes, const Coordinates& unkno
 /// The classes of a run in which the boundary stays or, but for the nodes of a motion, does, and
 /// all that lies outside a region that the options name.
 std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Motion* motion,
-                                              const SmoothOptions& options, const RunOptions& run) {
+                                              const SmoothOptions& options, const RunOptions& run,
+                                              SmoothResult& result) {
   auto classes = std::make_shared<NodeClasses>(state.mesh.topology);
   const auto moving = motion ? motion->nodes() : std::span<const Index>();
+  result.sliding = make_slide(options.slide, state.mesh, moving, *classes);
   classes->set_fixed(run.kept ? *run.kept
                               : nodes_kept_outside(options.keep_outside, *state.mesh.topology,
                                                    state.mesh.coordinates, moving));
@@ -174,7 +176,7 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& option
   SmoothResult result;
   SmoothingWorkspace own;
   SmoothingWorkspace& workspace = run.workspace ? *run.workspace : own;
-  workspace.prepare(state.vcv, classes_of(state, nullptr, options, run), options,
+  workspace.prepare(state.vcv, classes_of(state, nullptr, options, run, result), options,
                     state.mesh.coordinates);
   result.kept_outside = keep_fixed(state, workspace.classes(), x);
   RunRecorder recorder(run.monitor, result, budget(options));
@@ -197,7 +199,7 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const M
   }
   SmoothingWorkspace own;
   SmoothingWorkspace& workspace = run.workspace ? *run.workspace : own;
-  workspace.prepare(state.vcv, classes_of(state, &motion, options, run), options,
+  workspace.prepare(state.vcv, classes_of(state, &motion, options, run, result), options,
                     state.mesh.coordinates);
   result.kept_outside = keep_fixed(state, workspace.classes(), x);
   RunRecorder recorder(run.monitor, result, budget(options));

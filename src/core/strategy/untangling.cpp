@@ -76,8 +76,9 @@ bool Untangling::run(Coordinates& x, double fraction, const Coordinates* referen
   const Topology& topology = *state_.mesh.topology;
   const int threads = workspace_.options().threads;
   if (check_validity(topology, x, threads).inverted == 0) return true;
-  // In space the energy does it alone: the fixed point would be over the VCVs of a tangle.
-  const bool energy_alone = topology.cell_dimension() == 3;
+  // In space the energy does it alone: the fixed point would be over the VCVs of a tangle. So it
+  // does where nodes slide, of which the fixed point knows nothing.
+  const bool energy_alone = topology.cell_dimension() == 3 || workspace_.options().slide.given();
   const Untangle chosen = workspace_.options().untangle;
   const Untangle how = chosen == Untangle::automatic && energy_alone ? Untangle::energy : chosen;
   // The pointwise form has the fixed point for its own, which leads nearer to its solution.

@@ -184,10 +184,10 @@ std::shared_ptr<const VariationalForm> SmoothingWorkspace::energy() {
     if (in_space()) {
       const VolumeVcvs* vcvs = options_.targets.vcv > 0 ? &volume_vcvs() : nullptr;
       make_energy(volume_targets(classes_->topology(), vcvs, options_.targets, given(),
-                                 options_.threads, urgent_));
+                                 options_.threads, urgent_, classes_.get()));
     } else {
-      make_energy<2>(
-          TargetShapes::build(*vcv_, options_.targets, given(), options_.threads, urgent_));
+      make_energy<2>(TargetShapes::build(*vcv_, options_.targets, given(), options_.threads,
+                                         urgent_, classes_.get()));
     }
   }
   energy_stale_ = false;

@@ -73,6 +73,21 @@ class Field {
     return changed;
   }
 
+  /// Names apart from one another by commas; they are taken with Enter.
+  bool operator()(const NamesOption& names) const {
+    std::string text;
+    for (const std::string& name : *names.value) text += (text.empty() ? "" : ", ") + name;
+    if (!text_field(id_, text, tip_)) return false;
+    names.value->clear();
+    std::istringstream words(text);
+    for (std::string name; std::getline(words, name, ',');) {
+      const auto first = name.find_first_not_of(' ');
+      if (first == std::string::npos) continue;
+      names.value->push_back(name.substr(first, name.find_last_not_of(' ') - first + 1));
+    }
+    return true;
+  }
+
   bool operator()(const SwitchOption& on) const {
     return checkbox(id_, std::string(option_.label), *on.value, tip_);
   }

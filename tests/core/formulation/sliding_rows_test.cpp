@@ -1,0 +1,135 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "core/formulation/target_shapes.h"
+#include "core/formulation/variational_winslow.h"
+#include "core/formulation/volume_targets.h"
+#include "core/geometry/sliding_boundary.h"
+#include "support/meshes.h"
+#include "support/space_meshes.h"
+
+/// The variational form with nodes that slide: its derivatives are those of the energy along the
+/// curves and planes, by differences.
+namespace winslow::test {
+namespace {
+
+std::shared_ptr<const NodeClasses> sliding(const Mesh& mesh, std::vector<std::string> markers) {
+  auto classes = std::make_shared<NodeClasses>(mesh.topology);
+  const auto boundary = SlidingBoundary::find(*mesh.topology, mesh.coordinates, markers, 40);
+  for (const SlidingPart& part : boundary.parts)
+    classes->set_sliding(part.nodes, boundary.geometry, mesh.coordinates);
+  return classes;
+}
+
+double product(const SparseMatrix& a, const std::vector<double>& u) {
+  const auto block = static_cast<std::size_t>(a.block);
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < a.pattern->offsets.size(); ++i) {
+    for (auto e = static_cast<std::size_t>(a.pattern->offsets[i]);
+         e < static_cast<std::size_t>(a.pattern->offsets[i + 1]); ++e) {
+      const auto j = static_cast<std::size_t>(a.pattern->columns[e]);
+      for (std::size_t r = 0; r < block; ++r)
+        for (std::size_t c = 0; c < block; ++c)
+          sum += u[i * block + r] * a.values[(e * block + r) * block + c] * u[j * block + c];
+    }
+  }
+  return sum;
+}
+
+/// A direction over the unknowns, zero where a number stands for nothing.
+std::vector<double> direction(const VariationalForm& form, const NodeClasses& classes,
+                              const Coordinates& x, Random& random, double size) {
+  std::vector<double> u(form.unknowns());
+  const auto d = static_cast<std::size_t>(x.dimension());
+  std::size_t row = 0;
+  for (Index node = 0; node < x.size(); ++node) {
+    const int unknowns = classes.unknowns(node);
+    if (unknowns == 0) continue;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(unknowns); ++k)
+      u[row * d + k] = size * random.uniform(-1, 1);
+    ++row;
+  }
+  return u;
+}
+
+void check_derivatives(const VariationalForm& form, const NodeClasses& classes,
+                       const Coordinates& x, double edge) {
+  Random random(5);
+  SparseMatrix hessian;
+  std::vector<double> residual(form.unknowns());
+  form.linearise(x, Curvature::exact, hessian, residual);
+  for (int run = 0; run < 6; ++run) {
+    const auto u = direction(form, classes, x, random, edge);
+    const auto energy = [&](double t) {
+      Coordinates y = x;
+      form.advance(u, t, y);
+      return form.energy(y);
+    };
+    double slope = 0;
+    for (std::size_t i = 0; i < u.size(); ++i) slope -= residual[i] * u[i];
+    constexpr double h = 1e-4;
+    CHECK((energy(h) - energy(-h)) / (2 * h) == doctest::Approx(slope).epsilon(1e-6));
+    const double curvature = product(hessian, u);
+    constexpr double step = 2e-3;
+    CHECK((energy(step) - 2 * energy(0) + energy(-step)) / (step * step) ==
+          doctest::Approx(curvature).epsilon(2e-4));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("sliding in the plane: gradient and Hessian are the energy's along the boundary") {
+  for (const Cells cells : {Cells::triangles, Cells::quads, Cells::mixed}) {
+    CAPTURE(name_of(cells));
+    Mesh mesh = make_mesh(annulus(12, 3, 1.4, cells));
+    Random random(2);
+    const auto classes = sliding(mesh, {"outer", "inner"});
+    perturb(mesh, random, 0.2);
+    const VirtualControlVolumes vcv(mesh.topology);
+    const VariationalWinslow form(
+        classes, TargetShapes::build(vcv, TargetBlend::regular(), nullptr, 1, {}, classes.get()),
+        {}, 1);
+    CHECK(form.unknowns() == 2 * static_cast<std::size_t>(mesh.coordinates.size()));
+    // Off the nodes' own places, so that gradients across the circles count.
+    Coordinates x = mesh.coordinates;
+    form.advance(direction(form, *classes, x, random, 0.05), 1, x);
+    check_derivatives(form, *classes, x, 0.1);
+    for (const Index node : mesh.topology->markers().nodes(0))
+      CHECK(x.xy(node).norm() == doctest::Approx(mesh.coordinates.xy(node).norm()).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("sliding in space: gradient and Hessian are the energy's in the planes") {
+  for (const Volumes volumes : {Volumes::tetrahedra, Volumes::hexahedra}) {
+    CAPTURE(name_of(volumes));
+    const Mesh mesh = make_mesh(cube_with_cavity(6, volumes));
+    std::vector<std::string> names;
+    for (const Marker& marker : mesh.topology->markers()) names.push_back(marker.name);
+    const auto classes = sliding(mesh, names);
+    const VolumeWinslow form(classes,
+                             volume_targets(*mesh.topology, nullptr, TargetBlend::regular(),
+                                            nullptr, 1, {}, classes.get()),
+                             {}, 1);
+    Random random(3);
+    Coordinates x = mesh.coordinates;
+    form.advance(direction(form, *classes, x, random, 0.03), 1, x);
+    check_derivatives(form, *classes, x, 0.05);
+  }
+}
+
+TEST_CASE("a triangle whose nodes all slide has a target, one whose nodes all stay has none") {
+  const Mesh mesh = make_mesh(square(3, Cells::triangles));
+  const VirtualControlVolumes vcv(mesh.topology);
+  const auto all = sliding(mesh, {"bottom", "top", "left", "right"});
+  const auto with = TargetShapes::build(vcv, TargetBlend::regular(), nullptr, 1, {}, all.get());
+  const auto without = TargetShapes::build(vcv, TargetBlend::regular(), nullptr, 1);
+  CHECK(with.cells.size() > without.cells.size());
+  TargetBlend by_vcv{0, 0, 1, 0};
+  CHECK(TargetShapes::build(vcv, by_vcv, nullptr, 1, {}, all.get()).cells.size() ==
+        with.cells.size());
+}
+
+}  // namespace winslow::test

@@ -1,0 +1,98 @@
+#include "core/geometry/sliding_boundary.h"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <set>
+
+#include "core/error.h"
+#include "support/meshes.h"
+#include "support/space_meshes.h"
+
+namespace winslow::test {
+namespace {
+
+SlidingBoundary find(const Mesh& mesh, std::vector<std::string> markers, double angle = 40) {
+  return SlidingBoundary::find(*mesh.topology, mesh.coordinates, markers, angle);
+}
+
+}  // namespace
+
+TEST_CASE("sides of a square slide on lines, their corners stay") {
+  const Mesh mesh = make_mesh(square(6, Cells::triangles));
+  const SlidingBoundary boundary = find(mesh, {"bottom", "left"});
+  REQUIRE(boundary.parts.size() == 2);
+  for (const SlidingPart& part : boundary.parts) {
+    CHECK(part.description == "straight line");
+    CHECK(part.nodes.size() == 5);
+    for (const Index node : part.nodes) {
+      const Vec2 p = mesh.coordinates.xy(node);
+      CHECK((part.marker == "bottom" ? p.y() : p.x()) == 0);
+      const Foot foot = boundary.geometry->foot(node, Vec3(p.x() + 0.3, p.y() + 0.1, 0));
+      CHECK((part.marker == "bottom" ? foot.point.y() : foot.point.x()) == doctest::Approx(0));
+      CHECK(foot.frame.count() == 1);
+    }
+  }
+  CHECK_THROWS_AS(boundary.geometry->foot(mesh.topology->interior_nodes()[0], Vec3(0, 0, 0)),
+                  UsageError);
+}
+
+TEST_CASE("a marker that goes round a square is cut at its corners, as the angle says") {
+  const Mesh mesh = make_mesh(square_with_hole(10, Cells::quads));
+  const SlidingBoundary cut = find(mesh, {"outer"});
+  CHECK(cut.parts.size() == 4);
+  for (const SlidingPart& part : cut.parts) CHECK(part.description == "straight line");
+  const SlidingBoundary whole = find(mesh, {"outer"}, 91);
+  REQUIRE(whole.parts.size() == 1);
+  CHECK(whole.parts[0].nodes.size() == 40);
+}
+
+TEST_CASE("circles are found, with all of their nodes") {
+  const Mesh mesh = make_mesh(annulus(24, 5, 1.3, Cells::triangles));
+  const SlidingBoundary boundary = find(mesh, {"outer", "inner"});
+  REQUIRE(boundary.parts.size() == 2);
+  CHECK(boundary.parts[1].description == "circle of radius 1");
+  for (const SlidingPart& part : boundary.parts) CHECK(part.nodes.size() == 24);
+}
+
+TEST_CASE("what cannot slide is refused by name") {
+  const Mesh mesh = make_mesh(square(6, Cells::triangles));
+  CHECK_THROWS_WITH_AS(find(mesh, {"lid"}), doctest::Contains("lid"), UsageError);
+  const Mesh coarse = make_mesh(square(1, Cells::triangles));
+  CHECK_THROWS_WITH_AS(find(coarse, {"top"}), doctest::Contains("no node of marker \"top\""),
+                       UsageError);
+}
+
+TEST_CASE("in space the nodes inside a plane marker slide, those on its edges stay") {
+  const Mesh mesh = make_mesh(cube_with_cavity(6, Volumes::tetrahedra));
+  std::vector<std::string> names;
+  for (const Marker& marker : mesh.topology->markers()) names.push_back(marker.name);
+  for (const std::string& name : names) {
+    CAPTURE(name);
+    const SlidingBoundary boundary = find(mesh, {name});
+    std::set<Index> sliding;
+    for (const SlidingPart& part : boundary.parts) {
+      CHECK(part.description == "plane");
+      for (const Index node : part.nodes) {
+        sliding.insert(node);
+        const Vec3 p = mesh.coordinates.xyz(node);
+        const Foot foot = boundary.geometry->foot(node, p);
+        CHECK((foot.point - p).norm() < 1e-14);
+        REQUIRE(foot.frame.count() == 2);
+        // Every boundary face around it lies across the frame.
+        for (Index f = 0; f < mesh.topology->face_count(); ++f) {
+          const auto face = mesh.topology->face(f);
+          if (face.elements[1] >= 0) continue;
+          if (std::find(face.nodes.begin(), face.nodes.end(), node) == face.nodes.end()) continue;
+          const Vec3 normal = foot.frame[0].cross(foot.frame[1]);
+          for (const Index other : face.nodes)
+            CHECK(std::abs(normal.dot(mesh.coordinates.xyz(other) - p)) < 1e-12);
+        }
+      }
+    }
+    CHECK(!sliding.empty());
+  }
+}
+
+}  // namespace winslow::test

@@ -1,0 +1,163 @@
+#include <doctest/doctest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "core/command/command.h"
+#include "core/error.h"
+#include "core/quality/quality.h"
+#include "support/meshes.h"
+#include "support/space_meshes.h"
+
+namespace winslow::test {
+namespace {
+
+double worst(const Mesh& mesh) {
+  return measure_quality(mesh).of(Metric::normalized_jacobian).statistics.min;
+}
+
+/// Boundary nodes of a square moved along their sides, by up to a share of a cell.
+void shift_along_sides(Mesh& mesh, Index n, Random& random, double share) {
+  for (Index node = 0; node < mesh.coordinates.size(); ++node) {
+    if (!mesh.topology->on_boundary(node)) continue;
+    Vec2 p = mesh.coordinates.xy(node);
+    for (int k = 0; k < 2; ++k)
+      if (p[k] > 1e-9 && p[k] < 1 - 1e-9) p[k] += share / n * random.uniform(-1, 1);
+    mesh.coordinates.set_xy(node, p);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a square whose sides slide is smoothed to its squares, from shifted nodes") {
+  constexpr Index n = 8;
+  const Mesh regular = make_mesh(square(n, Cells::quads));
+  Mesh mesh = regular;
+  Random random(6);
+  shift_along_sides(mesh, n, random, 0.4);
+  perturb(mesh, random, 0.3);
+  SmoothCommand command;
+  command.smooth.targets = TargetBlend::regular();
+  const CommandResult held = execute(command, make_state(mesh));
+  command.smooth.slide.markers = {"bottom", "top", "left", "right"};
+  const CommandResult result = execute(command, make_state(mesh));
+  CHECK(result.smooth.converged);
+  CHECK(largest_difference(result.state.mesh.coordinates, regular.coordinates) < 1e-8);
+  CHECK(worst(result.state.mesh) > worst(held.state.mesh));
+  REQUIRE(result.smooth.sliding.size() == 4);
+  for (const SlidingPart& part : result.smooth.sliding) {
+    CHECK(part.nodes.size() == n - 1);
+    for (const Index node : part.nodes) {  // on its side to the last bit
+      const Vec2 p = result.state.mesh.coordinates.xy(node);
+      CHECK((part.marker == "bottom" || part.marker == "top" ? p.y() : p.x()) ==
+            (part.marker == "top" || part.marker == "right" ? 1 : 0));
+    }
+  }
+}
+
+TEST_CASE("a body that turns takes a far field along that slides: the mesh turns as a whole") {
+  const Mesh mesh = make_mesh(conformal_annulus(24, 8));
+  for (const double angle : {90.0, 360.0}) {
+    CAPTURE(angle);
+    MoveCommand move;
+    move.markers = {"inner"};
+    move.motion.rotate = angle;
+    move.motion.pivot = Vec2(0, 0);
+    move.smooth.targets = TargetBlend::regular();
+    move.smooth.slide.markers = {"outer"};
+    const CommandResult result = execute(move, make_state(mesh));
+    CHECK(result.smooth.converged);
+    CHECK(result.smooth.fraction_reached == 1);
+    Coordinates turned = mesh.coordinates;
+    const Eigen::Rotation2D<double> turn(radians(angle));
+    for (Index node = 0; node < turned.size(); ++node) turned.set_xy(node, turn * turned.xy(node));
+    // The smoothed mesh at rest is the solution that turns; this one is smooth as it is made.
+    SmoothCommand smooth;
+    smooth.smooth = move.smooth;
+    const CommandResult rest = execute(smooth, make_state(mesh));
+    for (Index node = 0; node < turned.size(); ++node)
+      turned.set_xy(node, turn * rest.state.mesh.coordinates.xy(node));
+    CHECK(largest_difference(result.state.mesh.coordinates, turned) < 1e-7);
+  }
+}
+
+TEST_CASE("in space planes stay plane to round-off, and a body that moves draws nodes along them") {
+  const Mesh mesh = make_mesh(cube_with_cavity(6, Volumes::tetrahedra));
+  MoveCommand move;
+  move.markers = {"cavity"};
+  move.motion.translate = Vec2(0.12, 0);
+  const CommandResult held = execute(move, make_state(mesh));
+  move.smooth.slide.markers = {"outer"};
+  const CommandResult result = execute(move, make_state(mesh));
+  REQUIRE(result.smooth.converged);
+  CHECK(result.smooth.fraction_reached == 1);
+  CHECK(result.smooth.sliding.size() == 6);
+  double drawn = 0;
+  for (const SlidingPart& part : result.smooth.sliding) {
+    for (const Index node : part.nodes) {
+      const Vec3 before = mesh.coordinates.xyz(node),
+                 after = result.state.mesh.coordinates.xyz(node);
+      double across = 1;  // the distance from the plane that it came from
+      for (int k = 0; k < 3; ++k)
+        if (before[k] < 1e-9 || before[k] > 1 - 1e-9)
+          across = std::min(across, std::abs(after[k] - before[k]));
+      CHECK(across < 1e-15);
+      drawn = std::max(drawn, (after - before).norm());
+    }
+  }
+  CHECK(drawn > 0.01);
+  const auto mean_aspect = [](const Mesh& of) {
+    return measure_quality(of).of(Metric::aspect_ratio).statistics.avg;
+  };
+  CHECK(mean_aspect(result.state.mesh) < mean_aspect(held.state.mesh));
+}
+
+TEST_CASE("with sliding nodes, too, the result is the same at one thread and at three") {
+  const Mesh mesh = make_mesh(annulus(20, 6, 1.25, Cells::mixed));
+  MoveCommand move;
+  move.markers = {"inner"};
+  move.motion.rotate = 40;
+  move.motion.translate = Vec2(0.2, 0.1);
+  move.smooth.slide.markers = {"outer"};
+  move.smooth.threads = 1;
+  const CommandResult one = execute(move, make_state(mesh));
+  move.smooth.threads = 3;
+  const CommandResult three = execute(move, make_state(mesh));
+  CHECK(one.smooth.converged);
+  CHECK(one.state.mesh.coordinates == three.state.mesh.coordinates);
+}
+
+TEST_CASE("a tangled interior is untangled while the boundary slides") {
+  Mesh mesh = make_mesh(square(8, Cells::triangles));
+  Random random(8);
+  tangle(mesh, random);
+  SmoothCommand command;
+  command.smooth.slide.markers = {"bottom", "top", "left", "right"};
+  const CommandResult result = execute(command, make_state(mesh));
+  CHECK(result.smooth.converged);
+  CHECK(result.smooth.inverted == 0);
+}
+
+TEST_CASE("what does not go with sliding is refused by name") {
+  const MeshState state = make_state(make_mesh(square_with_hole(10, Cells::triangles)));
+  SmoothCommand smooth;
+  smooth.smooth.slide.markers = {"lid"};
+  CHECK_THROWS_WITH_AS(execute(smooth, state), doctest::Contains("lid"), UsageError);
+  smooth.smooth.slide.markers = {"outer"};
+  smooth.smooth.formulation = "pointwise";
+  CHECK_THROWS_WITH_AS(execute(smooth, state), doctest::Contains("slide:"), UsageError);
+  smooth.smooth.formulation = "variational";
+  smooth.smooth.untangle = Untangle::picard;
+  CHECK_THROWS_WITH_AS(execute(smooth, state), doctest::Contains("slide:"), UsageError);
+  smooth.smooth.untangle = Untangle::automatic;
+  smooth.smooth.slide.feature_angle = 200;
+  CHECK_THROWS_WITH_AS(execute(smooth, state), doctest::Contains("feature_angle"), UsageError);
+  MoveCommand move;
+  move.markers = {"hole"};
+  move.motion.rotate = 5;
+  move.smooth.slide.markers = {"hole"};
+  CHECK_THROWS_WITH_AS(execute(move, state), doctest::Contains("the motion takes its nodes"),
+                       UsageError);
+}
+
+}  // namespace winslow::test
