@@ -200,9 +200,11 @@ void print_commands(const RunReport& run) {
       std::cout << ", " << std::lround(100 * *c.result.stretched)
                 << " % of the elements kept stretched";
     Index sliding = 0;
-    for (const SlidingPart& part : c.result.sliding)
+    for (const SlidingPart& part : c.result.boundary.sliding)
       sliding += static_cast<Index>(part.nodes.size());
     if (sliding > 0) std::cout << ", " << sliding << " nodes of the boundary slide";
+    for (const PeriodicPairs& pairs : c.result.boundary.periodic)
+      std::cout << ", " << pairs.pairs.size() << " periodic pairs by " << pairs.description;
     if (c.result.kept_outside > 0)
       std::cout << ", " << c.result.kept_outside << " interior nodes kept outside";
     if (c.result.increments > 1) std::cout << ", in " << c.result.increments << " steps";

@@ -3,6 +3,7 @@
 #include <array>
 #include <cctype>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "app/options/suggestion.h"
@@ -119,8 +120,18 @@ CLI::Option* declare(CLI::App& app, const Option& option, const SpaceVectorOptio
                            [vector](const Triple& v) { *vector.value = Vec3(v[0], v[1], v[2]); });
 }
 
-/// The flag once for each name.
+/// The flag once for each name, or each pair.
 CLI::Option* declare(CLI::App& app, const Option& option, const NamesOption& names) {
+  if (names.pairs) {
+    using Pairs = std::vector<std::pair<std::string, std::string>>;
+    return add_value<Pairs>(app, option,
+                            [names](const Pairs& given) {
+                              names.value->clear();
+                              for (const auto& [first, second] : given)
+                                names.value->insert(names.value->end(), {first, second});
+                            })
+        ->allow_extra_args(false);
+  }
   using Names = std::vector<std::string>;
   return add_value<Names>(app, option, [names](const Names& given) { *names.value = given; })
       ->allow_extra_args(false);
@@ -159,7 +170,8 @@ std::string metavariable(const Option& option) {
   if (const auto* vector = std::get_if<OptionalVectorOption>(&option.value))
     return plane(vector->third);
   if (std::holds_alternative<SpaceVectorOption>(option.value)) return "X Y Z";
-  if (std::holds_alternative<NamesOption>(option.value)) return "NAME";
+  if (const auto* names = std::get_if<NamesOption>(&option.value))
+    return names->pairs ? "NAME NAME" : "NAME";
   if (std::holds_alternative<SharesOption>(option.value)) return "NAME[=SHARE]...";
   if (const auto* choice = std::get_if<ChoiceOption>(&option.value)) {
     constexpr std::size_t few = 4;

@@ -74,6 +74,15 @@ json describe_sliding(const std::vector<SlidingPart>& parts) {
   return report;
 }
 
+json describe_periodic(const std::vector<PeriodicPairs>& list) {
+  json report = json::array();
+  for (const PeriodicPairs& pairs : list)
+    report.push_back({{"markers", {pairs.first, pairs.second}},
+                      {"by", pairs.description},
+                      {"pairs", pairs.pairs.size()}});
+  return report;
+}
+
 json describe_result(const CommandRecord& record) {
   const SmoothResult& r = record.result;
   json report = {{"command", record.name},
@@ -89,7 +98,8 @@ json describe_result(const CommandRecord& record) {
                  {"gap", describe_gap(r.gap)},
                  {"stretched_elements", r.stretched ? json(*r.stretched) : json()},
                  {"kept_outside", r.kept_outside},
-                 {"sliding", describe_sliding(r.sliding)},
+                 {"sliding", describe_sliding(r.boundary.sliding)},
+                 {"periodic", describe_periodic(r.boundary.periodic)},
                  {"increments", r.increments},
                  {"linear_solver", r.linear_solver},
                  {"inverted", r.inverted}};

@@ -46,7 +46,7 @@ class Builder {
  private:
   bool movable(const std::array<Index, 3>& nodes) const {
     return std::any_of(nodes.begin(), nodes.end(), [&](Index node) {
-      return !topology_.on_boundary(node) || (classes_ && classes_->slides(node));
+      return !topology_.on_boundary(node) || (classes_ && classes_->moves(node));
     });
   }
 
@@ -188,7 +188,7 @@ class Builder {
       return !topology_.on_boundary(node) && (blend_.vcv > 0 || vcv_.edited(node));
     };
     const auto corners = std::count_if(element.begin(), element.end(), counts);
-    if (corners == 0) {  // all of its nodes slide on the boundary, where there are no VCVs
+    if (corners == 0) {  // all of its nodes move on the boundary, where there are no VCVs
       TargetBlend regular = blend_;
       regular.element += std::exchange(regular.vcv, 0);
       shapes_.terms.push_back(

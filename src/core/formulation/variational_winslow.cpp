@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "core/formulation/distortion.h"
-#include "core/formulation/sliding_rows.h"
+#include "core/formulation/row_sums.h"
+#include "core/formulation/simplex_structure.h"
 #include "core/formulation/target_path.h"
 #include "core/formulation/tetrahedron_distortion.h"
 #include "core/parallel/parallel_for.h"
@@ -22,36 +23,6 @@ template <int D>
 using Layout = distortion::SimplexLayout<D>;
 
 std::size_t block_count(Index n) { return at((n + parallel_block - 1) / parallel_block); }
-
-double larger(double a, double b) { return std::isnan(a) || a >= b ? a : b; }
-
-/// Sums of what blocks of rows came to, in the order of the blocks.
-struct NormSum {
-  double max = 0, squares = 0;
-  Index count = 0;
-
-  void add(double scaled) {
-    max = larger(max, scaled);
-    squares += scaled * scaled;
-    ++count;
-  }
-  static ResidualNorms total(const std::vector<NormSum>& parts) {
-    NormSum sum;
-    for (const NormSum& part : parts) {
-      sum.max = larger(sum.max, part.max);
-      sum.squares += part.squares;
-      sum.count += part.count;
-    }
-    return {sum.max, sum.count > 0 ? std::sqrt(sum.squares / sum.count) : 0};
-  }
-};
-
-std::vector<Index> make_row_of_node(const NodeUnknowns& nodes) {
-  std::vector<Index> row(at(nodes.topology().node_count()), -1);
-  Index next = 0;
-  for (const Index node : nodes.nodes()) row[at(node)] = next++;
-  return row;
-}
 
 /// Targets in the order of `old_number`.
 template <int D>
@@ -68,27 +39,6 @@ CellTargets<D> reordered(const CellTargets<D>& shapes, const std::vector<Index>&
   }
   return out;
 }
-
-/// What the cells around one row came to: diagonal block, gradient, length of their edges at the
-/// node.
-template <int D>
-struct RowSum {
-  const double* v;
-  const double* gradient() const { return v + Layout<D>::gradient; }
-  /// Distance by which the node alone would move, over the mean edge. cells: around the node. foot:
-  /// of a node that slides; null for others.
-  double scaled(Index cells, const Foot* foot) const {
-    double trace = 0, square = 0;
-    for (std::ptrdiff_t k = 0; k < D; ++k) {
-      trace += v[(D + 1) * k];
-      square += gradient()[k] * gradient()[k];
-    }
-    const double mean_edge = gradient()[D] / (D * std::max<Index>(cells, 1));
-    const double scale = trace / D * mean_edge;
-    const double g = foot ? SlidingRows<D>::along(*foot, gradient()) : std::sqrt(square);
-    return scale > 0 ? g / scale : g;
-  }
-};
 
 double distortion_of(const std::array<Vec2, 3>& p, const ShapeTerm& term) {
   return distortion::Corner2(p[0].data(), p[1].data(), p[2].data()).distortion(term);
@@ -111,44 +61,12 @@ struct SimplexWinslow<D>::BlockMemory {
   RowSum<D> row(Index i) const { return {rows.data() + Layout<D>::row * i}; }
 };
 
-/// What depends on the connectivity alone.
-template <int D>
-struct SimplexWinslow<D>::Structure {
-  Structure(const NodeUnknowns& nodes, const CellTargets<D>& shapes)
-      : row_of_node(make_row_of_node(nodes)),
-        rows(shapes.cells, row_of_node, static_cast<Index>(nodes.nodes().size()), nodes.threads()),
-        shape_order(rows.renumber_cells()),
-        cells_at_row(nodes.nodes().size(), 0),
-        sliding(nodes, *rows.pattern()) {
-    for (std::size_t t = 0; t < shape_order.size(); ++t) {
-      bool all_free = true;
-      for (const Index node : shapes.cells[at(shape_order[t])]) {
-        const Index row = row_of_node[at(node)];
-        all_free &= row >= 0;
-        if (row >= 0) ++cells_at_row[at(row)];
-      }
-      if (!all_free) half_free.push_back(static_cast<Index>(t));
-    }
-  }
-  std::vector<Index> row_of_node;
-  RowBlocks<D> rows;
-  std::vector<Index> shape_order;   // number in the targets as given of each cell of shapes_
-  std::vector<Index> half_free;     // cells with a node that has no unknowns
-  std::vector<Index> cells_at_row;  // how many
-  SlidingRows<D> sliding;
-  /// Of a row, by what SlidingRows::feet() gives.
-  const Foot* foot(std::span<const Foot> feet, std::size_t row) const {
-    const Index slot = sliding.slot(row);
-    return slot < 0 ? nullptr : &feet[at(slot)];
-  }
-};
-
 template <int D>
 SimplexWinslow<D>::SimplexWinslow(std::shared_ptr<const NodeClasses> classes, const Targets& shapes,
                                   const PenaltyOptions& penalty, int threads)
     : VariationalForm(NodeUnknowns(std::move(classes), threads, NodeUnknowns::Layout::blocks),
                       penalty),
-      structure_(std::make_shared<const Structure>(node_unknowns(), shapes)),
+      structure_(std::make_shared<const SimplexStructure<D>>(node_unknowns(), shapes)),
       shapes_(std::make_shared<const Targets>(reordered(shapes, structure_->shape_order))) {
   node_unknowns().require_held_boundary("the variational form");
 }
@@ -320,19 +238,27 @@ template <int D>
 ResidualNorms SimplexWinslow<D>::residual(const Coordinates& x, std::span<double> out) const {
   const SimplexData cells = data(x, nullptr);
   const RowBlocks<D>& rows = structure_->rows;
+  const PeriodicRows<D>& periodic = structure_->periodic;
   const std::vector<Foot> feet = structure_->sliding.feet(node_unknowns(), x);
   std::vector<NormSum> norms(block_count(rows.rows()));
+  PairedRows<D> paired(*structure_);
+  const std::span<double> full = paired.residual(out);
   for_each_block([&](std::size_t part, Index block, Index first, Index last, BlockMemory& memory) {
     sum_block(cells, false, false, block, memory);
     for (Index p = first; p < last; ++p) {
       const RowSum<D> sum = memory.row(p - first);
       const std::size_t row = at(rows.row(p));
-      norms[part].add(sum.scaled(structure_->cells_at_row[row], structure_->foot(feet, row)));
-      if (out.empty()) continue;
-      for (std::size_t k = 0; k < D; ++k) out[D * row + k] = -sum.gradient()[k];
+      const Index count = structure_->cells_at_row[row];
+      if (periodic.is_part(row))
+        paired.scales[row] = sum.scale_of(count);
+      else
+        norms[part].add(sum.scaled(count, structure_->foot(feet, row)));
+      if (full.empty()) continue;
+      for (std::size_t k = 0; k < D; ++k) full[D * row + k] = -sum.gradient()[k];
     }
   });
-  if (!out.empty()) structure_->sliding.restrict(feet, out);
+  if (!full.empty()) structure_->sliding.restrict(feet, full);
+  paired.reduce(full, out, norms);
   return NormSum::total(norms);
 }
 
@@ -353,11 +279,16 @@ Linearisation SimplexWinslow<D>::linearise_regularised(const Coordinates& x,
 
 template <int D>
 Linearisation SimplexWinslow<D>::assemble(const SimplexData& cells, const Coordinates& x,
-                                          bool project, bool convex, SparseMatrix& out,
+                                          bool project, bool convex, SparseMatrix& hessian,
                                           std::span<double> residual) const {
   const std::vector<Foot> feet = structure_->sliding.feet(node_unknowns(), x);
   const RowBlocks<D>& rows = structure_->rows;
+  const PeriodicRows<D>& periodic = structure_->periodic;
   const SparsityPattern& pattern = *rows.pattern();
+  PairedRows<D> paired(*structure_);
+  const std::span<double> full = paired.residual(residual);
+  SparseMatrix unreduced;
+  SparseMatrix& out = periodic.empty() ? hessian : unreduced;
   out.pattern = rows.pattern();
   out.block = D;
   out.symmetric = true;
@@ -380,22 +311,31 @@ Linearisation SimplexWinslow<D>::assemble(const SimplexData& cells, const Coordi
           diagonal[D * i + j] =
               i == j ? sum.v[(D + 1) * i] : 0.5 * (sum.v[D * i + j] + sum.v[D * j + i]);
       }
-      norms[part].add(sum.scaled(structure_->cells_at_row[row], structure_->foot(feet, row)));
-      for (std::size_t k = 0; k < D; ++k) residual[D * row + k] = -sum.gradient()[k];
+      const Index count = structure_->cells_at_row[row];
+      if (periodic.is_part(row))
+        paired.scales[row] = sum.scale_of(count);
+      else
+        norms[part].add(sum.scaled(count, structure_->foot(feet, row)));
+      for (std::size_t k = 0; k < D; ++k) full[D * row + k] = -sum.gradient()[k];
     }
   });
-  structure_->sliding.restrict(feet, residual, project || convex, out);
-  structure_->sliding.restrict(feet, residual);
+  structure_->sliding.restrict(feet, full, project || convex, out);
+  structure_->sliding.restrict(feet, full);
+  if (!periodic.empty()) periodic.reduce(out, hessian);
+  paired.reduce(full, residual, norms);
   return {NormSum::total(norms), std::accumulate(energies.begin(), energies.end(), 0.0)};
 }
 
 template <int D>
 void SimplexWinslow<D>::boundary_response(const Coordinates& x, const Coordinates& displacement,
                                           std::span<double> out) const {
+  std::vector<double> all;  // rows, those of images too
+  if (!structure_->periodic.empty()) all.resize(D * structure_->cells_at_row.size());
+  const std::span<double> full = all.empty() ? out : std::span<double>(all);
   const SimplexData cells = data(x, nullptr);
   const std::vector<Index>& half_free = structure_->half_free;
   const std::vector<Index>& row_of_node = structure_->row_of_node;
-  std::fill(out.begin(), out.end(), 0.0);
+  std::fill(full.begin(), full.end(), 0.0);
   const Points<D> moved(displacement);
   // out_i -= H_ij m_j for i with unknowns and j without.
   const auto subtract = [&](Index i, Index j, const double* h, bool is_transposed) {
@@ -405,7 +345,7 @@ void SimplexWinslow<D>::boundary_response(const Coordinates& x, const Coordinate
     for (int r = 0; r < D; ++r) {
       double sum = 0;
       for (int c = 0; c < D; ++c) sum += h[is_transposed ? D * c + r : D * r + c] * m[c];
-      out[D * at(row) + at(r)] -= sum;
+      full[D * at(row) + at(r)] -= sum;
     }
   };
   constexpr std::size_t chunk = 1024;
@@ -425,7 +365,8 @@ void SimplexWinslow<D>::boundary_response(const Coordinates& x, const Coordinate
       }
     }
   }
-  structure_->sliding.restrict(structure_->sliding.feet(node_unknowns(), x), out);
+  structure_->sliding.restrict(structure_->sliding.feet(node_unknowns(), x), full);
+  if (!all.empty()) structure_->periodic.reduce(full, out);
 }
 
 template class SimplexWinslow<2>;

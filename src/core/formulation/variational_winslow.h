@@ -11,6 +11,9 @@
 
 namespace winslow {
 
+template <int D>
+struct SimplexStructure;  // what depends on the connectivity, and on which nodes move
+
 /// Winslow smoothing as a minimisation: the harmonic energy of the inverse map, summed over
 /// targets,
 ///
@@ -69,7 +72,6 @@ class SimplexWinslow final : public VariationalForm {
   const Targets& shapes() const { return *shapes_; }
 
  private:
-  struct Structure;
   struct BlockMemory;
   distortion::SimplexData data(const Coordinates& x, const Regularisation* regularisation) const;
   double energy_of(const distortion::SimplexData& cells) const;
@@ -83,7 +85,7 @@ class SimplexWinslow final : public VariationalForm {
   template <typename Visit>
   void for_each_block(Visit&& visit) const;
 
-  std::shared_ptr<const Structure> structure_;
+  std::shared_ptr<const SimplexStructure<D>> structure_;
   std::shared_ptr<const Targets> shapes_;
   const distortion::SimplexKernel<D>& kernel_ = distortion::fastest_kernel<D>();
 };

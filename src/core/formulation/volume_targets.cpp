@@ -63,9 +63,9 @@ class Builder {
     return static_cast<Index>(
         std::count_if(nodes.begin(), nodes.end(), [&](Index node) { return free(node); }));
   }
-  bool slides(const std::array<Index, 4>& nodes) const {
+  bool moves(const std::array<Index, 4>& nodes) const {
     return classes_ && std::any_of(nodes.begin(), nodes.end(),
-                                   [&](Index node) { return classes_->slides(node); });
+                                   [&](Index node) { return classes_->moves(node); });
   }
   /// Terms of a cell that are over VCVs, one for each free node; 0: it has a single other one.
   Index vcv_terms(Index e, const std::array<Index, 4>& nodes) const {
@@ -79,7 +79,7 @@ class Builder {
     const std::size_t first = targets_.cells.size();
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const auto nodes = by_nodes(corners[k], topology_.element(e));
-      if (free_nodes(nodes) == 0 && !slides(nodes)) continue;
+      if (free_nodes(nodes) == 0 && !moves(nodes)) continue;
       if (blend_.rest > 0) require_valid(e, nodes);
       targets_.cells.push_back(nodes);
       targets_.offsets.push_back(targets_.offsets.back() + std::max(1, vcv_terms(e, nodes)));

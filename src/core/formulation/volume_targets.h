@@ -10,8 +10,8 @@
 namespace winslow {
 
 /// Targets of a volume mesh as the blend says: one for each tetrahedron, one for each corner of the
-/// other elements (corner_tetrahedra()). The weights of an element sum to 1; tetrahedra none of whose
-/// nodes can move are left out: they cannot change.
+/// other elements (corner_tetrahedra()). The weights of an element sum to 1; tetrahedra none of
+/// whose nodes can move are left out: they cannot change.
 ///
 /// `element`: the corners of the regular element of the type. `rest`: the element's own corners in
 /// the mesh as given. `automatic`: on the way between these as StretchField says. `vcv`: of a

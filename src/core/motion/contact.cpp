@@ -25,11 +25,12 @@ void set_place(EdgePair& pair, const Vec<D>& place) {
 template <int D>
 class ContactSearch {
  public:
-  ContactSearch(const Topology& topology, const Coordinates& rest, const Motion& motion)
+  ContactSearch(const Topology& topology, const Coordinates& rest, const Motion& motion,
+                std::span<const Index> yielding)
       : topology_(topology),
         rest_(rest),
         motion_(motion),
-        outline_(topology, motion.nodes()),
+        outline_(topology, motion.nodes(), yielding),
         fixed_(tree_of(outline_.fixed.facets, rest)),
         rigid_(keeps_distances()) {}
 
@@ -318,8 +319,8 @@ std::string number(const char* format, double value) {
 /// The smallest distance between facets that move and facets that stay.
 template <int D>
 std::optional<Gap> gap_of(const Topology& topology, const Coordinates& x,
-                          std::span<const Index> moving) {
-  const Outline<D> outline(topology, moving);
+                          std::span<const Index> moving, std::span<const Index> yielding) {
+  const Outline<D> outline(topology, moving, yielding);
   const BoxTree<D> fixed = tree_of(outline.fixed.facets, x);
   const auto name = [&](Index m) {
     return m < 0 ? "" : topology.markers()[static_cast<std::size_t>(m)].name;
@@ -358,17 +359,18 @@ std::optional<Gap> gap_of(const Topology& topology, const Coordinates& x,
 }  // namespace
 
 std::optional<Contact> find_contact(const Topology& topology, const Coordinates& rest,
-                                    const Motion& motion) {
-  if (topology.cell_dimension() == 3) return ContactSearch<3>(topology, rest, motion).first();
+                                    const Motion& motion, std::span<const Index> yielding) {
+  if (topology.cell_dimension() == 3)
+    return ContactSearch<3>(topology, rest, motion, yielding).first();
   require_plane(topology, "motions");
-  return ContactSearch<2>(topology, rest, motion).first();
+  return ContactSearch<2>(topology, rest, motion, yielding).first();
 }
 
 std::optional<Gap> smallest_gap(const Topology& topology, const Coordinates& x,
-                                std::span<const Index> moving) {
-  if (topology.cell_dimension() == 3) return gap_of<3>(topology, x, moving);
+                                std::span<const Index> moving, std::span<const Index> yielding) {
+  if (topology.cell_dimension() == 3) return gap_of<3>(topology, x, moving, yielding);
   require_plane(topology, "motions");
-  return gap_of<2>(topology, x, moving);
+  return gap_of<2>(topology, x, moving, yielding);
 }
 
 void put_in_mesh(EdgePair& edges, const LocalFrame& frame) {

@@ -37,8 +37,9 @@ struct Contact {
 /// halved down to 1/1024 of the motion and there judged by whether they meet, so a touch shorter
 /// than that may go unnoticed. None if edges or faces cross before the motion begins; those that
 /// touch then, as those of a crack do, are left out. rest: all nodes before the motion.
+/// yielding: nodes of the boundary that give way, whose edges and faces are in nothing's way.
 std::optional<Contact> find_contact(const Topology& topology, const Coordinates& rest,
-                                    const Motion& motion);
+                                    const Motion& motion, std::span<const Index> yielding = {});
 
 /// How near the moving boundary is to the rest of it.
 struct Gap {
@@ -51,7 +52,8 @@ struct Gap {
 /// The smallest distance of edges (in space: faces) whose nodes move to those whose nodes stay;
 /// none if there are no such, or only such that share a node. moving: ascending.
 std::optional<Gap> smallest_gap(const Topology& topology, const Coordinates& x,
-                                std::span<const Index> moving);
+                                std::span<const Index> moving,
+                                std::span<const Index> yielding = {});
 
 /// "flap would touch main".
 std::string describe_touch(const EdgePair& edges);

@@ -21,7 +21,10 @@ std::vector<FacetNodes<D>> facets_of(const Face& face) {
 }  // namespace
 
 template <int D>
-Outline<D>::Outline(const Topology& topology, std::span<const Index> moving_nodes) {
+Outline<D>::Outline(const Topology& topology, std::span<const Index> moving_nodes,
+                    std::span<const Index> yielding) {
+  std::vector<bool> yields(static_cast<std::size_t>(topology.node_count()), false);
+  for (const Index node : yielding) yields[static_cast<std::size_t>(node)] = true;
   std::vector<unsigned char> moves(static_cast<std::size_t>(topology.node_count()), 0);
   for (const Index node : moving_nodes) moves[static_cast<std::size_t>(node)] = 1;
   const Index faces = topology.face_count();
@@ -37,7 +40,11 @@ Outline<D>::Outline(const Topology& topology, std::span<const Index> moving_node
   for (Index f = 0; f < faces; ++f) {
     const Index own = marker[static_cast<std::size_t>(f)];
     if (own == inside) continue;
-    for (const FacetNodes<D>& nodes : facets_of<D>(topology.face(f).nodes)) add(nodes, own, moves);
+    const Face nodes_of_face = topology.face(f).nodes;
+    if (std::ranges::any_of(nodes_of_face,
+                            [&](Index node) { return yields[static_cast<std::size_t>(node)]; }))
+      continue;
+    for (const FacetNodes<D>& nodes : facets_of<D>(nodes_of_face)) add(nodes, own, moves);
   }
 }
 

@@ -25,8 +25,10 @@ struct Outline {
   Part fixed;                       ///< all others
   std::vector<std::size_t> joints;  ///< of `moving`, with a node that stays
 
-  /// topology: of a plane (D = 2) or volume (D = 3) mesh.
-  Outline(const Topology& topology, std::span<const Index> moving_nodes);
+  /// topology: of a plane (D = 2) or volume (D = 3) mesh. yielding: facets with a node of these are
+  /// left out.
+  Outline(const Topology& topology, std::span<const Index> moving_nodes,
+          std::span<const Index> yielding = {});
 
  private:
   void add(const FacetNodes<D>& nodes, Index marker, const std::vector<unsigned char>& moves);

@@ -70,7 +70,7 @@ std::unique_ptr<Motion> make_straight(const NodeClasses& classes, const Coordina
                                       const Coordinates& to) {
   std::vector<Index> nodes;
   for (Index node = 0; node < from.size(); ++node) {
-    if (classes.unknowns(node) == 0 && !from.same_place(node, to)) nodes.push_back(node);
+    if (!classes.moves(node) && !from.same_place(node, to)) nodes.push_back(node);
   }
   return std::make_unique<StraightTransfer>(std::move(nodes), to);
 }
@@ -83,7 +83,7 @@ std::unique_ptr<Motion> make_transfer(const NodeClasses& classes, const Coordina
   require_plane(classes.topology(), "motions");
   std::vector<Index> nodes;
   for (Index node = 0; node < from.size(); ++node) {
-    if (classes.unknowns(node) == 0 && from.xy(node) != to.xy(node)) nodes.push_back(node);
+    if (!classes.moves(node) && from.xy(node) != to.xy(node)) nodes.push_back(node);
   }
   return std::make_unique<Transfer>(std::move(nodes), from, to);
 }

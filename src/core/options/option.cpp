@@ -100,7 +100,10 @@ std::string wrong_with(const SpaceVectorOption& vector) {
   const std::string wrong = wrong_with(Vec2((*vector.value)->head<2>()));
   return wrong.empty() ? out_of({}, z) : wrong;
 }
-std::string wrong_with(const NamesOption&) { return ""; }
+std::string wrong_with(const NamesOption& names) {
+  if (!names.pairs || names.value->size() % 2 == 0) return "";
+  return "found " + std::to_string(names.value->size()) + " names, expected pairs of them";
+}
 std::string wrong_with(const SwitchOption&) { return ""; }
 std::string wrong_with(const ChoiceOption& choice) {
   if (choice.chosen() < choice.items().size()) return "";

@@ -72,9 +72,10 @@ struct SpaceVectorOption {
   std::optional<Vec3>* value;
 };
 
-/// Names, any number of them.
+/// Names, any number of them, or of pairs of them one after the other.
 struct NamesOption {
   std::vector<std::string>* value;
+  bool pairs = false;
 };
 
 struct SwitchOption {
@@ -129,9 +130,9 @@ struct SharesOption {
   std::vector<Part> parts;
 };
 
-using OptionValue =
-    std::variant<RealOption, OptionalRealOption, IntegerOption, SeedOption, VectorOption,
-                 OptionalVectorOption, SpaceVectorOption, NamesOption, SwitchOption, ChoiceOption, SharesOption>;
+using OptionValue = std::variant<RealOption, OptionalRealOption, IntegerOption, SeedOption,
+                                 VectorOption, OptionalVectorOption, SpaceVectorOption, NamesOption,
+                                 SwitchOption, ChoiceOption, SharesOption>;
 
 /// Whether an option is given by a flag of its own.
 enum class OnCommandLine { yes, no };

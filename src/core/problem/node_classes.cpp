@@ -1,6 +1,7 @@
 #include "core/problem/node_classes.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <string>
 
 #include "core/error.h"
@@ -32,6 +33,7 @@ int NodeClasses::unknowns(Index node) const {
   switch ((*this)[node]) {
     case NodeClass::fixed:
     case NodeClass::prescribed:
+    case NodeClass::image:
       return 0;
     case NodeClass::on_curve:
       return 1;
@@ -110,6 +112,34 @@ void NodeClasses::set_sliding(std::span<const Index> nodes,
   }
 }
 
+void NodeClasses::set_periodic(const PeriodicPairs& pairs) {
+  const auto transform = std::make_shared<const RigidImage>(pairs.image);
+  for (const auto& [node, image] : pairs.pairs) {
+    for (const Index either : {node, image}) {
+      require(either);
+      if (images_.contains(either) || masters_.contains(either))
+        throw UsageError("node " + std::to_string(either) + " is in two periodic pairs");
+    }
+    classes_[static_cast<std::size_t>(node)] = NodeClass::free;
+    classes_[static_cast<std::size_t>(image)] = NodeClass::image;
+    images_[image] = {image, node, transform};
+    masters_[node] = image;
+  }
+}
+
+std::vector<NodeClasses::Image> NodeClasses::images() const {
+  std::vector<Image> list;
+  for (const auto& [node, image] : images_) list.push_back(image);
+  return list;
+}
+
+std::vector<Index> NodeClasses::periodic_nodes() const {
+  std::vector<Index> nodes;
+  for (const auto& [node, image] : masters_) nodes.insert(nodes.end(), {node, image});
+  std::ranges::sort(nodes);
+  return nodes;
+}
+
 bool NodeClasses::same_unknowns(const NodeClasses& other) const {
   if (topology_ != other.topology_) return false;
   if (this == &other) return true;
@@ -117,7 +147,7 @@ bool NodeClasses::same_unknowns(const NodeClasses& other) const {
     const NodeClass a = classes_[i], b = other.classes_[i];
     if (a != b && !(held(a) && held(b))) return false;
   }
-  return frames_ == other.frames_ && geometry_ == other.geometry_;
+  return frames_ == other.frames_ && geometry_ == other.geometry_ && images_ == other.images_;
 }
 
 void NodeClasses::require(Index node) const {

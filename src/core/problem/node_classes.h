@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry/periodic_pairs.h"
 #include "core/geometry/sliding_geometry.h"
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"
@@ -19,6 +20,7 @@ namespace winslow {
 enum class NodeClass : std::uint8_t {
   fixed,       ///< stays where it is: no unknown
   prescribed,  ///< goes where a motion takes it: no unknown
+  image,       ///< goes where its partner across a periodic boundary goes: no unknown of its own
   on_curve,    ///< slides along a curve: one unknown
   on_surface,  ///< slides on a surface in space: two
   free         ///< moves as it likes: as many as the space has dimensions
@@ -41,6 +43,8 @@ class NodeClasses {
     const NodeClass c = (*this)[node];
     return c == NodeClass::on_curve || c == NodeClass::on_surface;
   }
+  /// True for nodes that move while a mesh is smoothed: by their own unknowns or as an image.
+  bool moves(Index node) const { return (*this)[node] == NodeClass::image || unknowns(node) > 0; }
   /// Number of directions in which a node may move: 0 to 3.
   int unknowns(Index node) const;
   /// As many directions as the node has unknowns: of a free node the axes.
@@ -63,6 +67,24 @@ class NodeClasses {
   void set_sliding(std::span<const Index> nodes, std::shared_ptr<const SlidingGeometry> geometry,
                    const Coordinates& x);
 
+  /// Pairs of nodes that move as one: those of the first side are free, those of the second their
+  /// images. Throws UsageError for nodes that are in a pair already.
+  void set_periodic(const PeriodicPairs& pairs);
+  /// An image, the node that it is of, and what takes that to it.
+  struct Image {
+    Index image, node;
+    std::shared_ptr<const RigidImage> transform;
+    bool operator==(const Image& other) const {
+      return image == other.image && node == other.node && *transform == *other.transform;
+    }
+  };
+  /// Ascending by the image.
+  std::vector<Image> images() const;
+  /// Nodes of periodic pairs, either side, ascending.
+  std::vector<Index> periodic_nodes() const;
+  /// Whether a node has an image.
+  bool has_image(Index node) const { return masters_.contains(node); }
+
   /// Whether the same nodes may move in the same directions. What is fixed in one and prescribed in
   /// the other counts as the same.
   bool same_unknowns(const NodeClasses& other) const;
@@ -74,6 +96,8 @@ class NodeClasses {
   std::shared_ptr<const Topology> topology_;
   std::vector<NodeClass> classes_;
   std::map<Index, TangentFrame> frames_;  // of nodes on curves and surfaces
+  std::map<Index, Image> images_;         // by the image
+  std::map<Index, Index> masters_;        // nodes that have images, and these
   std::map<Index, std::shared_ptr<const SlidingGeometry>> geometry_;  // of those that follow one
 };
 

@@ -50,6 +50,7 @@ NodeUnknowns::NodeUnknowns(std::shared_ptr<const NodeClasses> classes, int threa
     next += static_cast<std::size_t>(count);
   }
   layout->first.push_back(next);
+  layout->images = classes_->images();
   layout_ = std::move(layout);
 }
 
@@ -64,6 +65,7 @@ void NodeUnknowns::require_free_interior(const char* what) const {
 void NodeUnknowns::require_held_boundary(const char* what) const {
   for (const Index node : nodes()) {
     if ((*classes_)[node] != NodeClass::free || !topology().on_boundary(node)) continue;
+    if (classes_->has_image(node)) continue;
     throw UsageError(std::string(what) + ": node " + std::to_string(node) +
                      " of the boundary is to be free, and the boundary has no equations");
   }
@@ -127,6 +129,8 @@ double NodeUnknowns::advance(std::span<const double> direction, double step, Coo
       x.template set<D>(node, to);
       largest2 = std::max(largest2, (to - from).squaredNorm());
     }
+    for (const auto& [image, node, transform] : images())
+      x.template set<D>(image, transform->of(in_space(x.template get<D>(node))).template head<D>());
   });
   return std::sqrt(largest2);
 }
@@ -137,6 +141,10 @@ void NodeUnknowns::velocities(const Coordinates& x, std::span<const double> rate
     constexpr int D = decltype(dimension)::value;
     for (std::size_t i = 0; i < nodes().size(); ++i) {
       out.template set<D>(nodes()[i], move_of<D>(i, points[nodes()[i]], rates));
+    }
+    for (const auto& [image, node, transform] : images()) {
+      const Vec3 rate = transform->rotation * in_space(out.template get<D>(node));
+      out.template set<D>(image, rate.template head<D>());
     }
   });
 }

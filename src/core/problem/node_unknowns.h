@@ -30,6 +30,8 @@ class NodeUnknowns {
 
   /// The nodes that have unknowns, ascending.
   std::span<const Index> nodes() const { return layout_->nodes; }
+  /// The nodes that are images of others, ascending.
+  std::span<const NodeClasses::Image> images() const { return layout_->images; }
   /// Number of the first unknown of nodes()[i].
   std::size_t first(std::size_t i) const { return layout_->first[i]; }
   /// Number of unknowns of nodes()[i].
@@ -37,7 +39,7 @@ class NodeUnknowns {
   /// Throws UsageError unless all nodes that have unknowns are free and in the interior: what a
   /// formulation can do that knows no geometry of the boundary. what: names the formulation.
   void require_free_interior(const char* what) const;
-  /// Throws UsageError if a node of the boundary is free: it would have no equation of its own.
+  /// Throws UsageError if a node of the boundary is free that has no image: nothing would hold it.
   void require_held_boundary(const char* what) const;
 
   /// Mean length of the edges at a node, in units of the mesh.
@@ -58,6 +60,7 @@ class NodeUnknowns {
   struct Numbers {
     std::vector<Index> nodes;
     std::vector<std::size_t> first;  // one more than nodes
+    std::vector<NodeClasses::Image> images;
   };
   template <int D>
   Vec<D> move_of(std::size_t i, const Vec<D>& from, std::span<const double> rates) const;

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry/sliding_boundary.h"
 #include "core/mesh/topology.h"
 #include "core/motion/contact.h"
 #include "core/outer/outer_solver.h"
 #include "core/quality/quality_floor.h"
+#include "core/strategy/slide_options.h"
 
 namespace winslow {
 
@@ -60,7 +60,7 @@ struct SmoothResult {
   int increments = 1;      ///< steps in which the boundary was moved
   /// Part of the elements (0 to 1) that `auto` targets keep stretched; none for other targets.
   std::optional<double> stretched;
-  std::vector<SlidingPart> sliding;  ///< what nodes of the boundary slid on
+  MovingBoundary boundary;    ///< what nodes of the boundary slid on, or were paired by
   Index kept_outside = 0;            ///< interior nodes that SmoothOptions::keep_outside fixed
   std::string linear_solver;         ///< what solved the linear systems, e.g. "CHOLMOD ..."
   Index inverted = 0;

@@ -16,7 +16,7 @@ void take_outcome(SmoothResult& all, const SmoothResult& run) {
   all.out_of_iterations = run.out_of_iterations;
   all.linear_solver = run.linear_solver;
   all.kept_outside = run.kept_outside;
-  all.sliding = run.sliding;
+  all.boundary = run.boundary;
 }
 
 /// How another run went, after those before it.

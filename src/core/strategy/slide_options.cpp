@@ -17,7 +17,7 @@ OptionTable option_table(SlideOptions& slide) {
                  "the mesh along.",
        .object = "slide",
        .flag = "slide",
-       .applies = slide.given()},
+       .applies = !slide.markers.empty()},
       {.key = "feature_angle",
        .value = RealOption{&slide.feature_angle, between(0, 180)},
        .label = "Feature angle",
@@ -25,24 +25,59 @@ OptionTable option_table(SlideOptions& slide) {
        .unit = "degrees",
        .object = "slide",
        .flag = "feature-angle",
-       .applies = slide.given()},
+       .applies = !slide.markers.empty()},
+      {.key = "periodic",
+       .value = NamesOption{&slide.periodic, true},
+       .label = "Periodic pairs",
+       .help = "Two markers of which one is the image of the other by a translation or a rotation: "
+               "their nodes move together and keep matching; variational form only",
+       .advice = "The sides of a passage: they give way to a blade that turns.",
+       .object = "slide",
+       .flag = "periodic",
+       .applies = !slide.periodic.empty()},
   };
 }
 
-std::vector<SlidingPart> make_slide(const SlideOptions& slide, const Mesh& mesh,
-                                    std::span<const Index> moving, NodeClasses& classes) {
-  if (!slide.given()) return {};
-  const SlidingBoundary boundary =
-      SlidingBoundary::find(*mesh.topology, mesh.coordinates, slide.markers, slide.feature_angle);
-  for (const SlidingPart& part : boundary.parts) {
-    const auto both = std::ranges::find_if(
-        part.nodes, [&](Index node) { return std::ranges::find(moving, node) != moving.end(); });
-    if (both != part.nodes.end())
-      throw UsageError("marker \"" + part.marker +
-                       "\" is to slide, and the motion takes its nodes");
-    classes.set_sliding(part.nodes, boundary.geometry, mesh.coordinates);
+namespace {
+
+void require_at_rest(const std::string& marker, std::span<const Index> nodes,
+                     std::span<const Index> moving) {
+  for (const Index node : nodes)
+    if (std::ranges::binary_search(moving, node))
+      throw UsageError("marker \"" + marker +
+                       "\" is to slide or to be periodic, and the motion takes its nodes");
+}
+
+}  // namespace
+
+MovingBoundary make_boundary_move(const SlideOptions& slide, const Mesh& mesh,
+                                  std::span<const Index> moving, NodeClasses& classes) {
+  MovingBoundary out;
+  std::vector<Index> taken(moving.begin(), moving.end());
+  std::ranges::sort(taken);
+  if (!slide.markers.empty()) {
+    SlidingBoundary boundary =
+        SlidingBoundary::find(*mesh.topology, mesh.coordinates, slide.markers, slide.feature_angle);
+    for (const SlidingPart& part : boundary.parts) {
+      require_at_rest(part.marker, part.nodes, taken);
+      classes.set_sliding(part.nodes, boundary.geometry, mesh.coordinates);
+    }
+    out.sliding = std::move(boundary.parts);
   }
-  return boundary.parts;
+  for (std::size_t k = 0; k + 1 < slide.periodic.size(); k += 2) {
+    const std::string &first = slide.periodic[k], &second = slide.periodic[k + 1];
+    for (const std::string& name : {first, second})
+      if (std::ranges::find(slide.markers, name) != slide.markers.end())
+        throw UsageError("marker \"" + name + "\" is to slide and to be periodic: expected one");
+    PeriodicPairs pairs = PeriodicPairs::find(*mesh.topology, mesh.coordinates, first, second);
+    for (const auto& [node, image] : pairs.pairs) {
+      require_at_rest(first, {&node, 1}, taken);
+      require_at_rest(second, {&image, 1}, taken);
+    }
+    classes.set_periodic(pairs);
+    out.periodic.push_back(std::move(pairs));
+  }
+  return out;
 }
 
 }  // namespace winslow

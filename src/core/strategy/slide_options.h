@@ -10,21 +10,29 @@
 
 namespace winslow {
 
-/// Markers whose nodes slide while the mesh is smoothed, on what they lie on in the mesh that the
-/// command is given.
+/// Nodes of the boundary that move while the mesh is smoothed: those of some markers slide on what
+/// they lie on in the mesh that the command is given, those of periodic pairs move together.
 struct SlideOptions {
   std::vector<std::string> markers;
-  double feature_angle = 40;  ///< degrees by which a marker turns at a corner, which stays
+  double feature_angle = 40;          ///< degrees by which a marker turns at a corner, which stays
+  std::vector<std::string> periodic;  ///< names of markers, pair after pair
 
-  bool given() const { return !markers.empty(); }
+  bool given() const { return !markers.empty() || !periodic.empty(); }
   bool operator==(const SlideOptions&) const = default;
 };
 
 OptionTable option_table(SlideOptions& slide);
 
-/// Has the nodes of the markers slide. Returns what they slide on. Throws UsageError as
-/// SlidingBoundary::find() does, and for a node of them that `moving`, the nodes of a motion, has.
-std::vector<SlidingPart> make_slide(const SlideOptions& slide, const Mesh& mesh,
-                                    std::span<const Index> moving, NodeClasses& classes);
+/// What the nodes of the boundary that move were found to do.
+struct MovingBoundary {
+  std::vector<SlidingPart> sliding;
+  std::vector<PeriodicPairs> periodic;
+};
+
+/// Has the nodes of the markers slide and those of the pairs move together. Throws UsageError as
+/// SlidingBoundary::find() and PeriodicPairs::find() do, and for a node of them that `moving`, the
+/// nodes of a motion, has.
+MovingBoundary make_boundary_move(const SlideOptions& slide, const Mesh& mesh,
+                                  std::span<const Index> moving, NodeClasses& classes);
 
 }  // namespace winslow

@@ -39,7 +39,7 @@ bool valid(const MeshState& state, const Coordinates& x, int threads) {
 Coordinates unknowns_within(const NodeClasses& classes, const Coordinates& unknown,
                             Coordinates held) {
   for (Index node = 0; node < held.size(); ++node) {
-    if (classes.unknowns(node) > 0) held.copy_node(node, unknown);
+    if (classes.moves(node)) held.copy_node(node, unknown);
   }
   return held;
 }
@@ -51,7 +51,7 @@ std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Moti
                                               SmoothResult& result) {
   auto classes = std::make_shared<NodeClasses>(state.mesh.topology);
   const auto moving = motion ? motion->nodes() : std::span<const Index>();
-  result.sliding = make_slide(options.slide, state.mesh, moving, *classes);
+  result.boundary = make_boundary_move(options.slide, state.mesh, moving, *classes);
   classes->set_fixed(run.kept ? *run.kept
                               : nodes_kept_outside(options.keep_outside, *state.mesh.topology,
                                                    state.mesh.coordinates, moving));
@@ -130,9 +130,10 @@ void keep_above_worst(const MeshState& state, SmoothingWorkspace& workspace, Run
 
 /// A motion that would end at a contact, where only the whole of it will do, is not begun: the
 /// result says so before targets and matrices are made, which take longer than the search.
-bool is_blocked(const MeshState& state, const Motion& motion, const SmoothOptions& options,
-                const Coordinates& x, SmoothResult& result) {
-  result.contact = find_contact(*state.mesh.topology, state.mesh.coordinates, motion);
+bool is_blocked(const MeshState& state, const Motion& motion, const NodeClasses& classes,
+                const SmoothOptions& options, const Coordinates& x, SmoothResult& result) {
+  result.contact =
+      find_contact(*state.mesh.topology, state.mesh.coordinates, motion, classes.periodic_nodes());
   if (!result.contact) return false;
   result.fraction_reached = 0;
   result.converged = false;
@@ -212,7 +213,7 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const M
   }
   const bool near_start = run.start && !how.floor.given();  // limits hold all the way
   const bool known = run.all_or_nothing && how.increments == 0 && !near_start;
-  if (known && is_blocked(state, motion, options, x, result)) return result;
+  if (known && is_blocked(state, motion, workspace.classes(), options, x, result)) return result;
   const auto steps = make_newton_run(state, workspace, recorder);
   steps->keep_within(how.floor);
   steps->end_at_contact(run.all_or_nothing);

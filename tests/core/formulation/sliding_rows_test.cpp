@@ -9,6 +9,7 @@
 #include "core/formulation/volume_targets.h"
 #include "core/geometry/sliding_boundary.h"
 #include "support/meshes.h"
+#include "support/periodic_meshes.h"
 #include "support/space_meshes.h"
 
 /// The variational form with nodes that slide: its derivatives are those of the energy along the
@@ -118,6 +119,31 @@ TEST_CASE("sliding in space: gradient and Hessian are the energy's in the planes
     form.advance(direction(form, *classes, x, random, 0.03), 1, x);
     check_derivatives(form, *classes, x, 0.05);
   }
+}
+
+TEST_CASE("periodic pairs: gradient and Hessian are the energy's where both sides move as one") {
+  Random random(7);
+  const auto check = [&](Mesh mesh, const char* first, const char* second, double edge) {
+    auto classes = std::make_shared<NodeClasses>(mesh.topology);
+    const auto pairs = PeriodicPairs::find(*mesh.topology, mesh.coordinates, first, second);
+    classes->set_periodic(pairs);
+    const VirtualControlVolumes vcv(mesh.topology);
+    const VariationalWinslow form(
+        classes, TargetShapes::build(vcv, TargetBlend::regular(), nullptr, 1, {}, classes.get()),
+        {}, 1);
+    CHECK(form.unknowns() == 2 * (mesh.topology->interior_nodes().size() + pairs.pairs.size()));
+    Coordinates x = mesh.coordinates;
+    form.advance(direction(form, *classes, x, random, 0.3 * edge), 1, x);
+    for (const auto& [node, image] : pairs.pairs) {
+      const Vec2 p = x.xy(node);
+      CHECK((pairs.image.of({p.x(), p.y(), 0}).head<2>() - x.xy(image)).norm() < 1e-14);
+      CHECK((p - mesh.coordinates.xy(node)).norm() > 0);
+    }
+    check_derivatives(form, *classes, x, edge);
+  };
+  check(make_mesh(square(5, Cells::triangles)), "left", "right", 0.05);
+  check(make_mesh(square(4, Cells::mixed)), "top", "bottom", 0.05);
+  check(make_mesh(sector(75, 5, 4, Vec2(0.5, 2))), "begin", "end", 0.05);
 }
 
 TEST_CASE("a triangle whose nodes all slide has a target, one whose nodes all stay has none") {

@@ -181,7 +181,7 @@ TEST_CASE("unknowns move nodes along their frames and nothing else") {
     }
     // Velocities are the derivative of advance(); those of other nodes stay.
     Coordinates rates = x;
-    nodes.velocities(direction, rates);
+    nodes.velocities(x, direction, rates);
     for (Index node = 0; node < topology->node_count(); ++node) {
       Coordinates expected_rate = x;
       if (classes->unknowns(node) == 0) {

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/quality/quality.h"
 #include "support/meshes.h"
+#include "support/periodic_meshes.h"
 #include "support/space_meshes.h"
 
 namespace winslow::test {
@@ -44,8 +45,8 @@ TEST_CASE("a square whose sides slide is smoothed to its squares, from shifted n
   CHECK(result.smooth.converged);
   CHECK(largest_difference(result.state.mesh.coordinates, regular.coordinates) < 1e-8);
   CHECK(worst(result.state.mesh) > worst(held.state.mesh));
-  REQUIRE(result.smooth.sliding.size() == 4);
-  for (const SlidingPart& part : result.smooth.sliding) {
+  REQUIRE(result.smooth.boundary.sliding.size() == 4);
+  for (const SlidingPart& part : result.smooth.boundary.sliding) {
     CHECK(part.nodes.size() == n - 1);
     for (const Index node : part.nodes) {  // on its side to the last bit
       const Vec2 p = result.state.mesh.coordinates.xy(node);
@@ -91,9 +92,9 @@ TEST_CASE("in space planes stay plane to round-off, and a body that moves draws 
   const CommandResult result = execute(move, make_state(mesh));
   REQUIRE(result.smooth.converged);
   CHECK(result.smooth.fraction_reached == 1);
-  CHECK(result.smooth.sliding.size() == 6);
+  CHECK(result.smooth.boundary.sliding.size() == 6);
   double drawn = 0;
-  for (const SlidingPart& part : result.smooth.sliding) {
+  for (const SlidingPart& part : result.smooth.boundary.sliding) {
     for (const Index node : part.nodes) {
       const Vec3 before = mesh.coordinates.xyz(node),
                  after = result.state.mesh.coordinates.xyz(node);
@@ -138,6 +139,54 @@ TEST_CASE("a tangled interior is untangled while the boundary slides") {
   CHECK(result.smooth.inverted == 0);
 }
 
+TEST_CASE("periodic sides keep matching, and a mesh that repeats itself is smoothed to one") {
+  // Rings of a sector: whatever the angles at which they are cut, the smoothed mesh is the same at
+  // every angle.
+  const Mesh regular = make_mesh(sector(60, 6, 5, Vec2(0, 0)));
+  Mesh mesh = regular;
+  Random random(12);
+  perturb(mesh, random, 0.3);
+  const auto pairs = PeriodicPairs::find(*mesh.topology, mesh.coordinates, "begin", "end");
+  for (const auto& [node, image] : pairs.pairs) {
+    const Vec2 p = mesh.coordinates.xy(node) + 0.03 * random.vector();
+    mesh.coordinates.set_xy(node, p);
+    mesh.coordinates.set_xy(image, pairs.image.of({p.x(), p.y(), 0}).head<2>());
+  }
+  SmoothCommand command;
+  command.smooth.targets = TargetBlend::regular();
+  command.smooth.slide.periodic = {"begin", "end"};
+  const CommandResult result = execute(command, make_state(mesh));
+  REQUIRE(result.smooth.converged);
+  REQUIRE(result.smooth.boundary.periodic.size() == 1);
+  CHECK(result.smooth.boundary.periodic[0].pairs.size() == 4);
+  const Coordinates& x = result.state.mesh.coordinates;
+  for (Index ring = 0; ring <= 5; ++ring) {
+    for (Index j = 0; j <= 6; ++j) {
+      const Vec2 p = x.xy(ring * 7 + j), first = x.xy(ring * 7);
+      CHECK((p - Eigen::Rotation2D<double>(radians(10.0 * j)) * first).norm() < 1e-8);
+    }
+  }
+  for (const auto& [node, image] : result.smooth.boundary.periodic[0].pairs) {
+    const Vec2 p = x.xy(node);
+    CHECK((pairs.image.of({p.x(), p.y(), 0}).head<2>() - x.xy(image)).norm() < 1e-14);
+  }
+}
+
+TEST_CASE("a body in a periodic passage goes farther than one between sides that stay") {
+  const Mesh mesh = make_mesh(square_with_periodic_sides(10));
+  MoveCommand move;
+  move.markers = {"hole"};
+  move.motion.translate = Vec2(0.5, 0);  // beyond the right side, where it comes from the left
+  const CommandResult held = execute(move, make_state(mesh));
+  CHECK(held.smooth.fraction_reached < 1);
+  CHECK(held.smooth.contact.has_value());
+  move.smooth.slide.periodic = {"left", "right"};
+  const CommandResult result = execute(move, make_state(mesh));
+  CHECK(result.smooth.converged);
+  CHECK(result.smooth.fraction_reached == 1);
+  CHECK(result.smooth.inverted == 0);
+}
+
 TEST_CASE("what does not go with sliding is refused by name") {
   const MeshState state = make_state(make_mesh(square_with_hole(10, Cells::triangles)));
   SmoothCommand smooth;
@@ -158,6 +207,9 @@ TEST_CASE("what does not go with sliding is refused by name") {
   move.smooth.slide.markers = {"hole"};
   CHECK_THROWS_WITH_AS(execute(move, state), doctest::Contains("the motion takes its nodes"),
                        UsageError);
+  smooth.smooth.slide = {};
+  smooth.smooth.slide.periodic = {"outer"};
+  CHECK_THROWS_WITH_AS(execute(smooth, state), doctest::Contains("expected pairs"), UsageError);
 }
 
 }  // namespace winslow::test

@@ -73,18 +73,12 @@ class Field {
     return changed;
   }
 
-  /// Names apart from one another by commas; they are taken with Enter.
+  /// Chosen in the list of markers; here they are named, and can be let go of.
   bool operator()(const NamesOption& names) const {
-    std::string text;
-    for (const std::string& name : *names.value) text += (text.empty() ? "" : ", ") + name;
-    if (!text_field(id_, text, tip_)) return false;
+    if (!button(id_, elided(value_text(option_), ImGui::GetContentRegionAvail().x * 0.7F),
+                {.tooltip = tip_ + " Click: none of them."}))
+      return false;
     names.value->clear();
-    std::istringstream words(text);
-    for (std::string name; std::getline(words, name, ',');) {
-      const auto first = name.find_first_not_of(' ');
-      if (first == std::string::npos) continue;
-      names.value->push_back(name.substr(first, name.find_last_not_of(' ') - first + 1));
-    }
     return true;
   }
 
