@@ -1,0 +1,84 @@
+import math
+
+import support
+from support import USAGE, ProgramTest
+
+
+class Slide(ProgramTest):
+    def test_a_far_field_slides_on_its_circle_and_a_recipe_does_the_same(self):
+        self.ring()
+        run = self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--rotate", "60",
+                           "--slide", "farfield", "--report", "r.json", "--save-recipe", "p.json")
+        self.assertIn("24 nodes of the boundary slide", run.stdout)
+        before, elements, markers = support.read_su2(self.path("ring.su2"))
+        after, _, _ = support.read_su2(self.path("out.su2"))
+        self.assertGreater(support.smallest_corner_area(after, elements), 0)
+        for node in {n for edge in markers["farfield"] for n in edge}:
+            self.assertAlmostEqual(math.hypot(*after[node]), 4, delta=1e-12)
+            self.assertGreater(math.dist(after[node], before[node]), 1)
+        sliding = self.json("r.json")["commands"][0]["sliding"]
+        self.assertEqual(sliding, [{"marker": "farfield", "on": "circle of radius 4", "nodes": 24}])
+        self.assertEqual(self.json("p.json")["commands"][0]["smooth"]["slide"]["markers"],
+                         ["farfield"])
+        self.winslow("replay", "p.json", "-o", "again.su2")
+        self.assertEqual(self.path("again.su2").read_bytes(), self.path("out.su2").read_bytes())
+
+    def test_what_cannot_slide_or_be_paired_is_a_usage_error_that_names_it(self):
+        self.ring()
+        for arguments, words in ((["--slide", "lid"], "lid"),
+                                 (["--slide", "body"], "the motion takes its nodes"),
+                                 (["--periodic", "body", "farfield"], "are not periodic"),
+                                 (["--slide", "farfield", "--formulation", "pointwise"], "slide:")):
+            run = self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--rotate",
+                               "5", *arguments, code=USAGE)
+            self.assertIn(words, run.stderr)
+            self.assertFalse(self.path("out.su2").exists())
+
+    def test_sides_of_a_passage_move_together_until_the_blade_is_where_it_is_to_be(self):
+        nodes, elements, markers = passage()
+        support.write_su2(self.path("passage.su2"), nodes, elements, markers)
+        self.winslow("move", "passage.su2", "-o", "out.su2", "--marker", "blade", "--translate",
+                     "0", "0.5", "--periodic", "lower", "upper", "--report", "r.json")
+        after, _, _ = support.read_su2(self.path("out.su2"))
+        self.assertGreater(support.smallest_corner_area(after, elements), 0)
+        pairs = self.json("r.json")["commands"][0]["periodic"]
+        self.assertEqual(pairs[0]["by"], "translation by (0, 1)")
+        lower = {n for edge in markers["lower"] for n in edge}
+        upper = {n for edge in markers["upper"] for n in edge}
+        for node in lower:
+            image = min(upper, key=lambda n: math.dist(nodes[n], (nodes[node][0],
+                                                                  nodes[node][1] + 1)))
+            self.assertAlmostEqual(after[image][0], after[node][0], delta=1e-13)
+            self.assertAlmostEqual(after[image][1], after[node][1] + 1, delta=1e-13)
+        self.assertGreater(max(after[n][1] for n in lower), 0.1)  # they gave way
+
+
+def passage(n=10):
+    """A square of n by n cells, of triangles, with a square blade in its middle."""
+    number, nodes, elements = {}, [], []
+
+    def node(i, j):
+        if (i, j) not in number:
+            number[i, j] = len(nodes)
+            nodes.append((i / n, j / n))
+        return number[i, j]
+
+    solid = {(i, j) for i in range(4, 6) for j in range(4, 6)}
+    for j in range(n):
+        for i in range(n):
+            if (i, j) not in solid:
+                a, b, c, d = node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)
+                elements += [(a, b, c), (a, c, d)]
+    markers = {"lower": [(node(i, 0), node(i + 1, 0)) for i in range(n)],
+               "upper": [(node(i + 1, n), node(i, n)) for i in range(n)],
+               "inflow": [(node(0, j + 1), node(0, j)) for j in range(n)],
+               "outflow": [(node(n, j), node(n, j + 1)) for j in range(n)],
+               "blade": [(node(4, 4), node(4, 5)), (node(4, 5), node(4, 6)),
+                         (node(4, 6), node(5, 6)), (node(5, 6), node(6, 6)),
+                         (node(6, 6), node(6, 5)), (node(6, 5), node(6, 4)),
+                         (node(6, 4), node(5, 4)), (node(5, 4), node(4, 4))]}
+    return nodes, elements, markers
+
+
+if __name__ == "__main__":
+    support.main()
