@@ -167,4 +167,42 @@ TEST_CASE("fields of vectors say which is x and which is y") {
   CHECK(y->max.x() - y->min.x() > 50);  // room for numbers
 }
 
+TEST_CASE("a click on a marker's role has it slide: a body that turns takes the far field along") {
+  Rig rig;
+  rig.open(ring_mesh());
+  const Coordinates before = rig.mesh().coordinates;
+  rig.click("marker_role/farfield");
+  CHECK(rig.session().jobs().smooth_options().slide.markers ==
+        std::vector<std::string>{"farfield"});
+  rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
+  rig.bench->apply(action::ApplyMotion{{20, Vec2(0, 0), Vec2(0, 0)}});
+  REQUIRE(rig.settle());
+  for (const Index node : rig.document().topology()->markers().nodes(rig.marker("farfield"))) {
+    const Vec2 from = before.xy(node), to = rig.mesh().coordinates.xy(node);
+    CHECK(to.norm() == doctest::Approx(from.norm()).epsilon(1e-9));
+    CHECK((to - from).norm() > 0.01);
+  }
+  // What is selected moves; its role is no button then.
+  rig.click("marker_role/flap");
+  CHECK(rig.session().jobs().smooth_options().slide.markers.size() == 1);
+  rig.click("marker_role/farfield");
+  CHECK(rig.session().jobs().smooth_options().slide.markers.empty());
+}
+
+TEST_CASE("a marker that slides and is then moved does not slide; another mesh knows no roles") {
+  Rig rig;
+  rig.open(ring_mesh());
+  rig.click("marker_role/flap");
+  rig.click("marker_role/farfield");
+  rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
+  rig.bench->apply(action::ApplyMotion{{10, Vec2(0, 0), Vec2(0, 0)}});
+  REQUIRE(rig.settle());
+  CHECK(rig.session().messages().prompt() == nullptr);
+  CHECK(rig.document().history().size() == 1);
+  const Command& done = rig.document().history().command(1);
+  CHECK(std::get<MoveCommand>(done).smooth.slide.markers == std::vector<std::string>{"farfield"});
+  rig.open(two_body_mesh());
+  CHECK(rig.session().jobs().smooth_options().slide.markers.empty());
+}
+
 }  // namespace winslow::gui::test

@@ -90,7 +90,7 @@ void Files::adopt(Document::Loaded loaded) {
   jobs_.stop();
   messages_.clear_banner();
   mesh_.open(std::move(document));
-  jobs_.forget_region();
+  jobs_.forget_mesh();
   jobs_.show_position();
   const Document& opened = *mesh_.document();
   const auto& warnings = opened.warnings();

@@ -98,8 +98,14 @@ double Jobs::pace_of(Command command) const {
   return method_of(*smooth, move ? move->how : motion_) == Method::direct ? pace_ : 0;
 }
 
+SmoothOptions Jobs::smooth_for_motion() const {
+  SmoothOptions smooth = smooth_;
+  for (const std::string& name : selection_.names()) std::erase(smooth.slide.markers, name);
+  return smooth;
+}
+
 MoveCommand Jobs::move_command(const RigidMotionRequest& motion) const {
-  return MoveCommand{selection_.names(), motion, motion_, smooth_};
+  return MoveCommand{selection_.names(), motion, motion_, smooth_for_motion()};
 }
 
 bool Jobs::can_join(const std::vector<std::string>& markers) const {

@@ -51,12 +51,17 @@ class Jobs {
   /// Ends what is under way at once; the mesh is as it was before.
   void stop();
   void cancel();
+  /// The solver's settings for a motion of the selected bodies: these do not slide.
+  SmoothOptions smooth_for_motion() const;
   /// Moves selected bodies.
   MoveCommand move_command(const RigidMotionRequest& motion) const;
   /// A job under way moves just these markers: it can be sent elsewhere.
   bool can_join(const std::vector<std::string>& markers) const;
-  /// The region outside which nothing moves was of another mesh.
-  void forget_region() { smooth_.keep_outside = {}; }
+  /// What is set for one mesh means nothing for another: a region, markers that slide.
+  void forget_mesh() {
+    smooth_.keep_outside = {};
+    smooth_.slide = {};
+  }
   /// The document has come to another mesh: all that refers to the one on screen follows.
   void show_position();
 

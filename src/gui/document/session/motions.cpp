@@ -35,7 +35,7 @@ void Motions::on(const action::ApplyDeformation& a) {
   if (!mesh_.document() || selection_.empty() || mesh_.held().body) return;
   selection_.drop_preview();
   jobs_.start(
-      DeformCommand{selection_.names(), a.shape, jobs_.motion_options(), jobs_.smooth_options()},
+      DeformCommand{selection_.names(), a.shape, jobs_.motion_options(), jobs_.smooth_for_motion()},
       false);
 }
 
