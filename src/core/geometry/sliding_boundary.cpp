@@ -1,12 +1,15 @@
 #include "core/geometry/sliding_boundary.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
 #include "core/error.h"
 #include "core/geometry/plane_curve.h"
+#include "core/search/box.h"
 
 namespace winslow {
 
@@ -168,26 +171,50 @@ struct Plane {
   Vec3 origin, normal;
 };
 
+/// Planes, and the lines in which two of them meet.
 class PlaneGeometry final : public SlidingGeometry {
  public:
   Foot foot(Index node, const Vec3& point) const override {
-    const auto& [plane, frame] = planes_[static_cast<std::size_t>(parts_.of(node))];
+    const Piece& piece = pieces_[static_cast<std::size_t>(parts_.of(node))];
     Foot foot;
-    foot.point = point - plane.normal.dot(point - plane.origin) * plane.normal;
-    foot.frame = frame;
+    foot.point = piece.origin;
+    for (const Vec3& direction : piece.frame)
+      foot.point += direction.dot(point - piece.origin) * direction;
+    if (piece.frame.count() == 2)  // what the plane does not say keeps its bits
+      foot.point = point - piece.normal.dot(point - piece.origin) * piece.normal;
+    foot.frame = piece.frame;
     return foot;
   }
-  void add(const Plane& plane, std::span<const Index> nodes) {
-    for (const Index node : nodes) parts_.set(node, static_cast<Index>(planes_.size()));
-    TangentFrame frame;
+  void add_plane(const Plane& plane, std::span<const Index> nodes) {
+    Piece piece{plane.origin, plane.normal, {}};
     const Vec3 first = plane.normal.unitOrthogonal();
-    frame.add(first);
-    frame.add(plane.normal.cross(first));
-    planes_.emplace_back(plane, frame);
+    piece.frame.add(first);
+    piece.frame.add(plane.normal.cross(first));
+    add(piece, nodes);
+  }
+  void add_line(const Plane& a, const Plane& b, std::span<const Index> nodes) {
+    Piece piece;
+    const Vec3 direction = a.normal.cross(b.normal).normalized();
+    // The place on both planes that is nearest to the origin of the first.
+    Eigen::Matrix3d rows;
+    rows << a.normal.transpose(), b.normal.transpose(), direction.transpose();
+    piece.origin = rows.inverse() *
+                   Vec3(a.normal.dot(a.origin), b.normal.dot(b.origin), direction.dot(a.origin));
+    piece.frame.add(direction);
+    add(piece, nodes);
   }
 
  private:
-  std::vector<std::pair<Plane, TangentFrame>> planes_;
+  struct Piece {
+    Vec3 origin{0, 0, 0}, normal{0, 0, 0};  // the latter of a plane
+    TangentFrame frame;
+  };
+  void add(const Piece& piece, std::span<const Index> nodes) {
+    for (const Index node : nodes) parts_.set(node, static_cast<Index>(pieces_.size()));
+    pieces_.push_back(piece);
+  }
+
+  std::vector<Piece> pieces_;
   NodeParts parts_;
 };
 
@@ -198,109 +225,132 @@ Vec3 normal_of(const Face& face, const Coordinates& x) {
   return (c - a).cross(x.xyz(face[3]) - b);
 }
 
-/// The planes of one marker: faces that follow one another by the same unit normal and distance.
+/// The planes of markers, and what each node lies on.
 class PlaneFinder {
  public:
-  PlaneFinder(const Topology& topology, const Coordinates& x, Index marker)
-      : topology_(topology), x_(x), marker_(marker) {
-    Vec3 low = x.xyz(0), high = low;
-    const auto nodes = topology.markers().nodes(marker);
-    if (!nodes.empty()) low = high = x.xyz(nodes.front());
-    for (const Index node : nodes) {
-      low = low.cwiseMin(x.xyz(node));
-      high = high.cwiseMax(x.xyz(node));
+  PlaneFinder(const Topology& topology, const Coordinates& x, std::span<const Index> markers)
+      : topology_(topology), x_(x), at_(static_cast<std::size_t>(topology.node_count())) {
+    find_other_faces(markers);
+    for (const Index marker : markers) add_marker(marker);
+  }
+
+  /// features: nodes slide on edges as well.
+  SlidingBoundary boundary(bool features) const {
+    std::map<std::pair<Index, std::vector<Index>>, std::vector<Index>> parts;  // marker, planes
+    for (Index node = 0; node < topology_.node_count(); ++node) {
+      const NodePlanes& at = at_[static_cast<std::size_t>(node)];
+      const bool on_plane = at.planes.size() == 1 && at.markers.size() == 1;
+      const bool on_edge = features && at.planes.size() == 2 && meet(at.planes[0], at.planes[1]);
+      if (!at.other && (on_plane || on_edge))
+        parts[{at.markers.front(), at.planes}].push_back(node);
     }
-    tolerance_ = 1e-6 * (high - low).norm();
+    SlidingBoundary out;
+    auto geometry = std::make_shared<PlaneGeometry>();
+    for (const auto& [where, nodes] : parts) {
+      const auto& [marker, planes] = where;
+      const Plane& first = planes_[static_cast<std::size_t>(planes[0])];
+      const bool edge = planes.size() == 2;
+      if (edge)
+        geometry->add_line(first, planes_[static_cast<std::size_t>(planes[1])], nodes);
+      else
+        geometry->add_plane(first, nodes);
+      out.parts.push_back({topology_.markers()[static_cast<std::size_t>(marker)].name,
+                           edge ? "straight edge" : "plane", nodes});
+    }
+    out.geometry = std::move(geometry);
+    return out;
   }
-
-  /// Plane of each face of the marker, with all of its nodes in it.
-  Index plane_of(const Face& face) {
-    const Vec3 normal = normal_of(face, x_);
-    if (!(normal.norm() > 0)) return -1;
-    for (std::size_t k = 0; k < planes.size(); ++k)
-      if (contains(planes[k], face)) return static_cast<Index>(k);
-    planes.push_back({x_.xyz(face[0]), normal.normalized()});
-    constexpr std::size_t most = 64;
-    const std::string& name = topology_.markers()[static_cast<std::size_t>(marker_)].name;
-    if (planes.size() > most)
-      throw UsageError("marker \"" + name +
-                       "\" is curved, and in space nodes can slide on planes only");
-    return static_cast<Index>(planes.size()) - 1;
-  }
-
-  std::vector<Plane> planes;
 
  private:
-  bool contains(const Plane& plane, const Face& face) const {
-    for (const Index node : face)
-      if (std::abs(plane.normal.dot(x_.xyz(node) - plane.origin)) > tolerance_) return false;
-    return true;
+  struct NodePlanes {
+    std::vector<Index> planes, markers;  // ascending
+    bool other = false;                  // on a face of the boundary that does not slide
+  };
+
+  static void insert(std::vector<Index>& list, Index value) {
+    const auto place = std::ranges::lower_bound(list, value);
+    if (place == list.end() || *place != value) list.insert(place, value);
+  }
+
+  bool meet(Index a, Index b) const {
+    constexpr double least = 0.02;  // sine of the angle between them
+    return planes_[static_cast<std::size_t>(a)]
+               .normal.cross(planes_[static_cast<std::size_t>(b)].normal)
+               .norm() > least;
+  }
+
+  /// Marks the nodes of other markers and of boundary faces without one.
+  void find_other_faces(std::span<const Index> sliding) {
+    const Markers& markers = topology_.markers();
+    for (Index m = 0; m < static_cast<Index>(markers.size()); ++m)
+      if (std::ranges::find(sliding, m) == sliding.end())
+        for (const Index node : markers.nodes(m)) at_[static_cast<std::size_t>(node)].other = true;
+    if (markers.unmarked_faces() == 0) return;
+    std::vector<bool> marked(static_cast<std::size_t>(topology_.face_count()), false);
+    for (const Marker& marker : markers)
+      for (const Face& face : marker.faces)
+        if (const auto f = topology_.find_face(face)) marked[static_cast<std::size_t>(*f)] = true;
+    for (Index f = 0; f < topology_.face_count(); ++f) {
+      const auto face = topology_.face(f);
+      if (face.elements[1] >= 0 || marked[static_cast<std::size_t>(f)]) continue;
+      for (const Index node : face.nodes) at_[static_cast<std::size_t>(node)].other = true;
+    }
+  }
+
+  void add_marker(Index marker) {
+    const Marker& data = topology_.markers()[static_cast<std::size_t>(marker)];
+    const auto nodes = topology_.markers().nodes(marker);
+    Box<3> box = Box<3>::empty();
+    for (const Index node : nodes) box.add(x_.xyz(node));
+    const double tolerance = 1e-6 * (nodes.empty() ? 0 : box.size().norm());
+    const std::size_t before = planes_.size();
+    for (const Face& face : data.faces) {
+      const Index plane = plane_of(face, tolerance);
+      constexpr std::size_t most = 64;
+      if (planes_.size() > before + most)
+        throw UsageError("marker \"" + data.name +
+                         "\" is curved, and in space nodes can slide on planes only");
+      for (const Index node : face) {
+        NodePlanes& at = at_[static_cast<std::size_t>(node)];
+        insert(at.planes, plane);
+        insert(at.markers, marker);
+      }
+    }
+  }
+
+  /// The plane in which all nodes of a face lie, one that is known or another.
+  Index plane_of(const Face& face, double tolerance) {
+    const auto holds = [&](const Plane& plane) {
+      return std::ranges::all_of(face, [&](Index node) {
+        return std::abs(plane.normal.dot(x_.xyz(node) - plane.origin)) <= tolerance;
+      });
+    };
+    const auto known = std::ranges::find_if(planes_, holds);
+    if (known == planes_.end()) {
+      const Vec3 normal = normal_of(face, x_);
+      planes_.push_back({x_.xyz(face[0]), normal.norm() > 0 ? Vec3(normal.normalized()) : normal});
+      return static_cast<Index>(planes_.size()) - 1;
+    }
+    return static_cast<Index>(known - planes_.begin());
   }
 
   const Topology& topology_;
   const Coordinates& x_;
-  Index marker_;
-  double tolerance_;
+  std::vector<NodePlanes> at_;
+  std::vector<Plane> planes_;
 };
-
-SlidingBoundary find_planes(const Topology& topology, const Coordinates& x,
-                            std::span<const Index> markers) {
-  constexpr Index untouched = -1, feature = -2;
-  const auto count = static_cast<std::size_t>(topology.node_count());
-  SlidingBoundary boundary;
-  auto geometry = std::make_shared<PlaneGeometry>();
-  std::vector<int> markers_at(count, 0);
-  for (Index m = 0; m < static_cast<Index>(topology.markers().size()); ++m)
-    for (const Index node : topology.markers().nodes(m))
-      ++markers_at[static_cast<std::size_t>(node)];
-  std::vector<bool> open(count, false);  // at a boundary face of no marker
-  if (topology.markers().unmarked_faces() > 0) {
-    std::map<std::array<Index, 4>, bool> marked;
-    for (const Marker& marker : topology.markers())
-      for (const Face& face : marker.faces) marked[face.sorted()] = true;
-    for (Index f = 0; f < topology.face_count(); ++f) {
-      const auto face = topology.face(f);
-      if (face.elements[1] >= 0 || marked.contains(face.nodes.sorted())) continue;
-      for (const Index node : face.nodes) open[static_cast<std::size_t>(node)] = true;
-    }
-  }
-  for (const Index marker : markers) {
-    const std::string& name = topology.markers()[static_cast<std::size_t>(marker)].name;
-    PlaneFinder finder(topology, x, marker);
-    std::vector<Index> plane_at(count, untouched);
-    for (const Face& face : topology.markers()[static_cast<std::size_t>(marker)].faces) {
-      const Index plane = finder.plane_of(face);
-      for (const Index node : face) {
-        Index& at = plane_at[static_cast<std::size_t>(node)];
-        at = at == untouched || at == plane ? plane : feature;
-      }
-    }
-    std::vector<SlidingPart> parts(finder.planes.size(), SlidingPart{name, "plane", {}});
-    for (const Index node : topology.markers().nodes(marker)) {
-      const auto i = static_cast<std::size_t>(node);
-      if (plane_at[i] >= 0 && markers_at[i] == 1 && !open[i])
-        parts[static_cast<std::size_t>(plane_at[i])].nodes.push_back(node);
-    }
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-      if (parts[k].nodes.empty()) continue;
-      geometry->add(finder.planes[k], parts[k].nodes);
-      boundary.parts.push_back(std::move(parts[k]));
-    }
-  }
-  boundary.geometry = std::move(geometry);
-  return boundary;
-}
 
 }  // namespace
 
 SlidingBoundary SlidingBoundary::find(const Topology& topology, const Coordinates& x,
-                                      std::span<const std::string> names, double feature_angle) {
+                                      std::span<const std::string> names, double feature_angle,
+                                      bool features) {
   const std::vector<Index> markers = indices_of(topology, names);
   if (topology.cell_dimension() != topology.space_dimension())
     throw UsageError("nodes of a surface mesh cannot slide");
   SlidingBoundary boundary = topology.cell_dimension() == 2
                                  ? find_curves(topology, x, markers, feature_angle)
-                                 : find_planes(topology, x, markers);
+                                 : PlaneFinder(topology, x, markers).boundary(features);
   for (const std::string& name : names) {
     bool slides = false;
     for (const SlidingPart& part : boundary.parts) slides |= part.marker == name;

@@ -24,16 +24,19 @@ struct SlidingPart {
 /// ends or meets the rest of the boundary. The nodes there stay; the others slide on the curve
 /// through their stretch (curve_through()).
 ///
-/// In space a node slides if all boundary faces around it are of one marker and lie in one plane;
-/// those on edges and corners stay. Markers that are not made up of planes are refused.
+/// In space a node slides if all boundary faces around it are of one marker and lie in one plane.
+/// Those on the edge in which two planes of the markers meet stay, too, or slide along it. Markers
+/// that are not made up of planes are refused.
 struct SlidingBoundary {
   std::vector<SlidingPart> parts;
   std::shared_ptr<const SlidingGeometry> geometry;
 
-  /// markers: names. feature_angle: in degrees, 0 to 180. Throws UsageError for markers that the
+  /// markers: names. feature_angle: in degrees, 0 to 180, in the plane. features: in space nodes
+  /// slide along straight edges. Throws UsageError for markers that the
   /// mesh does not have, those of which no node can slide, and in space curved ones.
   static SlidingBoundary find(const Topology& topology, const Coordinates& x,
-                              std::span<const std::string> markers, double feature_angle);
+                              std::span<const std::string> markers, double feature_angle,
+                              bool features = false);
 };
 
 }  // namespace winslow

@@ -26,6 +26,13 @@ OptionTable option_table(SlideOptions& slide) {
        .object = "slide",
        .flag = "feature-angle",
        .applies = !slide.markers.empty()},
+      {.key = "features",
+       .value = SwitchOption{&slide.features},
+       .label = "Slide along edges",
+       .help = "Volume meshes: nodes slide along the straight edges in which planes of sliding "
+               "markers meet, instead of staying",
+       .object = "slide",
+       .applies = !slide.markers.empty()},
       {.key = "periodic",
        .value = NamesOption{&slide.periodic, true},
        .label = "Periodic pairs",
@@ -56,8 +63,8 @@ MovingBoundary make_boundary_move(const SlideOptions& slide, const Mesh& mesh,
   std::vector<Index> taken(moving.begin(), moving.end());
   std::ranges::sort(taken);
   if (!slide.markers.empty()) {
-    SlidingBoundary boundary =
-        SlidingBoundary::find(*mesh.topology, mesh.coordinates, slide.markers, slide.feature_angle);
+    SlidingBoundary boundary = SlidingBoundary::find(
+        *mesh.topology, mesh.coordinates, slide.markers, slide.feature_angle, slide.features);
     for (const SlidingPart& part : boundary.parts) {
       require_at_rest(part.marker, part.nodes, taken);
       classes.set_sliding(part.nodes, boundary.geometry, mesh.coordinates);

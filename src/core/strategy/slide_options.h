@@ -15,6 +15,7 @@ namespace winslow {
 struct SlideOptions {
   std::vector<std::string> markers;
   double feature_angle = 40;          ///< degrees by which a marker turns at a corner, which stays
+  bool features = false;              ///< in space nodes slide along the edges of the markers, too
   std::vector<std::string> periodic;  ///< names of markers, pair after pair
 
   bool given() const { return !markers.empty() || !periodic.empty(); }

@@ -95,4 +95,34 @@ TEST_CASE("in space the nodes inside a plane marker slide, those on its edges st
   }
 }
 
+TEST_CASE(
+    "asked for, nodes slide along the edges of a box, between markers as well; corners stay") {
+  const Mesh mesh = make_mesh(cube(4, Volumes::hexahedra));
+  const std::vector<std::string> all{"floor", "lid", "walls"};
+  const SlidingBoundary boundary =
+      SlidingBoundary::find(*mesh.topology, mesh.coordinates, all, 40, true);
+  std::size_t edges = 0, faces = 0;
+  for (const SlidingPart& part : boundary.parts) {
+    const bool edge = part.description == "straight edge";
+    (edge ? edges : faces) += part.nodes.size();
+    for (const Index node : part.nodes) {
+      const Vec3 p = mesh.coordinates.xyz(node);
+      const Foot foot = boundary.geometry->foot(node, p + Vec3(0.05, 0.04, 0.03));
+      CHECK(foot.frame.count() == (edge ? 1 : 2));
+      for (int k = 0; k < 3; ++k)
+        if (p[k] < 1e-9 || p[k] > 1 - 1e-9)
+          CHECK(foot.point[k] == doctest::Approx(p[k]).epsilon(1e-14));
+    }
+  }
+  CHECK(edges == 12 * 3);
+  CHECK(faces == 6 * 9);
+  // Where a marker beside stays, so do the nodes on its border.
+  const std::vector<std::string> some{"walls"};
+  edges = 0;
+  for (const SlidingPart& part :
+       SlidingBoundary::find(*mesh.topology, mesh.coordinates, some, 40, true).parts)
+    if (part.description == "straight edge") edges += part.nodes.size();
+  CHECK(edges == 4 * 3);
+}
+
 }  // namespace winslow::test
