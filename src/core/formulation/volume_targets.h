@@ -18,6 +18,11 @@ namespace winslow {
 /// place (node, three neighbours), blended with the other shares; of a corner of another element,
 /// that of the VCV of its node, or the regular one where that lies on the boundary.
 ///
+/// A VCV that was given by hand (stencils; vcvs have them, too) counts whatever the blend, as in
+/// the plane: in the targets at its node the shares `automatic` and `element` go to the VCV, and
+/// where the blend has no share for VCVs, a tetrahedron with such nodes has the targets at these
+/// alone.
+///
 /// vcvs: may be null if they have no share. given: coordinates (#nodes by 3) of the mesh that the
 /// shares `automatic` and `rest` refer to; may be null if those are zero. threads: 0 for all cores;
 /// no result depends on it. urgent: elements that count four times as much under `automatic`, once
@@ -25,6 +30,7 @@ namespace winslow {
 /// MeshError if `rest` counts and the mesh has an inverted element.
 CellTargets<3> volume_targets(const Topology& topology, const VolumeVcvs* vcvs,
                               const TargetBlend& blend, const Coordinates* given, int threads = 0,
-                              std::span<const Index> urgent = {});
+                              std::span<const Index> urgent = {},
+                              const SphereStencils* stencils = nullptr);
 
 }  // namespace winslow
