@@ -172,10 +172,14 @@ std::vector<StarSketch::Piece> StarSketch::cut(const Vec3& a, const Vec3& b) con
     if (high - low > 1e-9)
       pieces.push_back({from.at + low * along, from.at + high * along, is_hidden});
   };
-  for (const auto& [low, high] : hidden) {
-    if (high <= reached) continue;
+  for (std::size_t k = 0; k < hidden.size();) {
+    const double low = hidden[k].first;
+    double high = low;
+    // Triangles that touch hide it as one.
+    for (; k < hidden.size() && hidden[k].first <= high + 1e-9; ++k)
+      high = std::max(high, hidden[k].second);
     add(reached, low, false);
-    add(std::max(low, reached), high, true);
+    add(low, high, true);
     reached = high;
   }
   add(reached, 1, false);
