@@ -19,6 +19,7 @@ README_PICTURE = "studio"  # one level up, and larger
 README_SIZE = (1440, 900)
 NACA = ROOT / "assets" / "naca0012.su2"
 CIRCLE = ROOT / "assets" / "circle.su2"
+SPHERE = ROOT / "assets" / "coarse" / "sphere.su2.gz"
 WING = ROOT / "assets" / "three_element.su2"
 
 # Name: (mesh or None, script; the picture is taken at its end).
@@ -48,6 +49,8 @@ TOUR = {
     "vcv": (NACA, "click tab/vcv\nwait\nlook 0.05 0 0.25\nwait\nclick 0.02 0.1\naway\nwait\n"),
     "vcv_edit": (NACA, "click tab/vcv\nwait\nlook 0.05 0.06 0.16\nwait\nclick 0.0246 0.1055\nwait 3\n"
                        "click vcv/pin\nclick vcv/row/1\nfill vcv/angle 110\nwait\naway\nwait\n"),
+    "vcv_sphere": (SPHERE, "click tab/vcv\nwait\nkey K\nfill vcv/node 2419\nkey Enter\nwait\n"
+                           "click vcv/pin\naway\nwait\n"),
     "compare": (NACA, "click 0.5 0\nfill motion/rotate -40\nclick motion/apply\nwait\n"
                       "key Shift+G\nlook 0.5 0 0.8\naway\nwait\n"),
     "ghost": (NACA, "click 0.5 0\nfill motion/dy -0.2\nclick motion/apply\nwait\nkey Escape\n"

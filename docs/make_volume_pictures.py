@@ -97,11 +97,20 @@ def draw_bundled(winslow, folder):
             "--quiet")
 
 
+def draw_stencils(winslow):
+    """The links of the paper's figure 24."""
+    links = ",".join(f"link{n}" for n in (4, 6, 8, 10, 22, 40, 80))
+    run(winslow, "render", ASSETS / "stencils.su2", "-o", PICTURES / "stencils.png", "--size", 1400, 260,
+        "--vcv", "0,1,2,3,4,5,6", "--vcv-kind", "equal", "--hide", links, "--color", "none", "--no-cut",
+        "--azimuth", -90, "--elevation", 18, "--quiet")
+
+
 def main():
     winslow = Path(sys.argv[1]).resolve()
     PICTURES.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
         draw_bundled(winslow, Path(folder))
+        draw_stencils(winslow)
         for name, geometry, motion, options in FIGURES:
             source, mesh = Path(folder) / "mesh.geo", Path(folder) / "mesh.su2"
             source.write_text(geometry)

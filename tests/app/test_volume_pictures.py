@@ -187,14 +187,16 @@ class VolumePictures(ProgramTest):
                 (("--color", "area"), "smallest_solid_angle"),
                 (("--color", "kappa"), "smallest_solid_angle"),
                 (("--bounds", 0, 0, 1, 1), "--bounds: only for a plane mesh"),
-                (("--vcv", 3), "--vcv: only for a plane mesh")):
+                (("--vcv", 0), "node 0 lies on the boundary or on a marker: it has no VCV"),
+                (("--vcv", 9999), "the mesh has no node 9999"),
+                (("--vcv", 0, "--vcv-kind", "round"), "round")):
             with self.subTest(args=args):
                 self.assertIn(words, self.render(*args, code=USAGE).stderr)
         for name in ("p.svg", "p.pdf"):
             run = self.winslow("render", "box.su2", "-o", name, code=USAGE)
             self.assertIn("ends in .png", run.stderr)
         for args in (("--cut", 0, 0, 0, 0, 0, 1), ("--view", "+x"), ("--crinkle",), ("--hide", "body"),
-                     ("--isolate", .5), ("--perspective",)):
+                     ("--isolate", .5), ("--perspective",), ("--vcv-kind", "equal")):
             run = self.winslow("render", ring, "-o", "p.png", *args, code=USAGE)
             self.assertIn(f"{args[0]}: only for a volume mesh", run.stderr)
         run = self.winslow("render", ring, "-o", "p.png", "--color", "volume", code=USAGE)

@@ -20,6 +20,7 @@ struct VolumeFlags {
   std::optional<std::array<double, 3>> centre;
   std::optional<double> half_width;
   std::vector<std::string> show, hide, see_through;
+  std::string vcv_kind = "adjusted";
 };
 
 /// What the user asked for, in terms that need no OpenGL.

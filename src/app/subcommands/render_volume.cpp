@@ -19,11 +19,13 @@ namespace {
 
 const std::vector<std::string> axes{"x", "y", "z"};
 
-constexpr std::array plane_only{"--bounds", "--vcv"};
+constexpr std::array plane_only{"--bounds"};
 constexpr std::array volume_only{"--cut",         "--no-cut",  "--crinkle",    "--isolate",
                                  "--view",        "--azimuth", "--elevation",  "--perspective",
                                  "--centre",      "--show",    "--half-width", "--hide",
-                                 "--see-through", "--up"};
+                                 "--see-through", "--up",      "--vcv-kind"};
+
+const std::vector<std::string> vcv_kinds{"equal", "existing", "adjusted"};
 
 #ifdef WINSLOW_HAS_GUI
 std::vector<std::string> names_of_views() { return gui::view_names(); }
@@ -100,6 +102,15 @@ void add_marker_flags(CLI::App& app, VolumeFlags& flags) {
         "Draw these parts of the boundary so that one sees through");
 }
 
+void add_vcv_flag(CLI::App& app, VolumeFlags& flags) {
+  app.add_option("--vcv-kind", flags.vcv_kind,
+                 "Solid angles of the control volumes that --vcv draws: all equal, those of the "
+                 "mesh, or the mean of both")
+      ->check(one_of(vcv_kinds))
+      ->option_text("equal|existing|adjusted [adjusted]")
+      ->group("Control volumes (volume meshes)");
+}
+
 #ifdef WINSLOW_HAS_GUI
 
 int axis_of(const std::string& name) { return name.front() - 'x'; }
@@ -139,6 +150,9 @@ gui::VolumePictureOptions volume_options(const RenderFlags& flags) {
   options.show = volume.show;
   options.hide = volume.hide;
   options.see_through = volume.see_through;
+  options.vcvs = flags.vcvs;
+  if (volume.vcv_kind == "equal") options.vcv_kind.angles = VcvAngles::equal;
+  if (volume.vcv_kind == "existing") options.vcv_kind.angles = VcvAngles::existing;
   options.title = flags.title;
   options.dark = flags.dark;
   options.wireframe = !flags.no_wireframe;
@@ -170,6 +184,7 @@ void add_volume_flags(CLI::App& app, VolumeFlags& flags) {
   add_cut_flags(app, flags);
   add_view_flags(app, flags);
   add_marker_flags(app, flags);
+  add_vcv_flag(app, flags);
 }
 
 void check_volume_flags(const CLI::App& app, const RenderFlags& flags, const Topology& topology) {

@@ -11,6 +11,7 @@
 #include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
 #include "core/strategy/smooth_run.h"
+#include "core/vcv/sphere/sphere_edit.h"
 
 namespace winslow {
 
@@ -105,10 +106,7 @@ bool is_volume(const MeshState& state) { return state.mesh.topology->cell_dimens
 
 /// What volume meshes cannot do yet is refused by name.
 void require_dimension(const Command& command, const MeshState& state) {
-  const bool serves_volumes = std::holds_alternative<SmoothCommand>(command) ||
-                              std::holds_alternative<MoveCommand>(command) ||
-                              std::holds_alternative<DeformCommand>(command) ||
-                              std::holds_alternative<ScrambleCommand>(command);
+  const bool serves_volumes = !std::holds_alternative<LayersCommand>(command);
   if (!is_volume(state) || !serves_volumes)
     require_plane(*state.mesh.topology, command_name(command));
   std::visit(
@@ -152,7 +150,8 @@ CommandResult execute_one(const SmoothCommand& command, const MeshState& state,
   validate(command.smooth);
   Coordinates x = starting_point(state, options);
   RunOptions run = options;
-  run.never_worse = !state.vcv || state.vcv->edits().empty();  // edits say what is wanted instead
+  // Edits say what is wanted instead.
+  run.never_worse = !state.sphere_vcvs && (!state.vcv || state.vcv->edits().empty());
   SmoothResult result = smooth_interior(state, command.smooth, x, run);
   return finish(state, std::move(x), std::move(result));
 }
@@ -223,7 +222,11 @@ CommandResult execute_one(const EditVcvCommand& command, const MeshState& state,
                           const RunOptions& options) {
   validate(command.smooth);
   if (command.edits.empty()) throw UsageError("no VCV is given to edit");
-  const MeshState edited{state.mesh, edit_vcvs(*state.vcv, command.edits), state.layers};
+  MeshState edited = state;
+  if (is_volume(state))
+    edited.sphere_vcvs = edit_vcvs(*state.mesh.topology, state.sphere_vcvs.get(), command.edits);
+  else
+    edited.vcv = edit_vcvs(*state.vcv, command.edits);
   Coordinates x = starting_point(edited, options);
   SmoothResult result = smooth_interior(edited, command.smooth, x, options);
   return finish(edited, std::move(x), std::move(result));

@@ -21,12 +21,13 @@ class Builder {
  public:
   Builder(const Topology& topology, const VolumeVcvs* vcvs, const TargetBlend& blend,
           const Coordinates* given, int threads, std::span<const Index> urgent,
-          const NodeClasses* classes)
+          const VolumeTargetNodes& nodes)
       : topology_(topology),
         vcvs_(vcvs),
+        stencils_(nodes.stencils),
         blend_(normalized(blend)),
         threads_(threads),
-        classes_(classes) {
+        classes_(nodes.classes) {
     if (topology.cell_dimension() != 3)
       throw UsageError("targets of volume elements: the mesh is a " +
                        std::string(mesh_kind(topology)));
@@ -67,10 +68,22 @@ class Builder {
     return classes_ && std::any_of(nodes.begin(), nodes.end(),
                                    [&](Index node) { return classes_->moves(node); });
   }
-  /// Terms of a cell that are over VCVs, one for each free node; 0: it has a single other one.
+  const SphereStencil* by_hand(Index node) const {
+    if (!stencils_) return nullptr;
+    const auto found = stencils_->find(node);
+    return found != stencils_->end() ? &found->second : nullptr;
+  }
+  /// The share of VCVs in a target at a node.
+  double vcv_share(Index node) const {
+    if (!free(node)) return 0;
+    return by_hand(node) ? 1 - blend_.rest : blend_.vcv;
+  }
+  /// How many nodes of a tetrahedron have a target with a VCV in it; 0: one target for all.
   Index vcv_terms(Index e, const std::array<Index, 4>& nodes) const {
-    const bool has = blend_.vcv > 0 && topology_.element_type(e) == ElementType::tetrahedron;
-    return has ? free_nodes(nodes) : 0;
+    if (topology_.element_type(e) != ElementType::tetrahedron) return 0;
+    if (blend_.vcv == 0 && !stencils_) return 0;
+    return static_cast<Index>(
+        std::count_if(nodes.begin(), nodes.end(), [&](Index node) { return vcv_share(node) > 0; }));
   }
 
   /// The cells of an element, and how many terms each is to have.
@@ -82,7 +95,7 @@ class Builder {
       if (free_nodes(nodes) == 0 && !moves(nodes)) continue;
       if (blend_.rest > 0) require_valid(e, nodes);
       targets_.cells.push_back(nodes);
-      targets_.offsets.push_back(targets_.offsets.back() + std::max(1, vcv_terms(e, nodes)));
+      targets_.offsets.push_back(targets_.offsets.back() + std::max(vcv_terms(e, nodes), 1));
       origins_.push_back({e, static_cast<int>(k), 0});
     }
     const auto live = static_cast<double>(targets_.cells.size() - first);
@@ -104,17 +117,23 @@ class Builder {
     VolumeTerm* term = targets_.terms.data() + targets_.offsets[at(cell)];
     const Eigen::Matrix3d& regular = regular_metrics(topology_.element_type(e))[at(corner)];
     const Eigen::Matrix3d common = common_part(e, regular, nodes);
+    const auto at_node = [&](std::size_t k, double share) {
+      const double vcv = vcv_share(nodes[k]);
+      const Eigen::Matrix3d others = by_hand(nodes[k]) ? rest_part(nodes) : common;
+      return volume_term(normalized_metric(others + vcv * vcv_metric(nodes, k)), share);
+    };
     if (const Index terms = vcv_terms(e, nodes); terms > 0) {
-      const double each = weight / static_cast<double>(terms);
-      for (std::size_t k = 0; k < 4; ++k) {
-        if (!free(nodes[k])) continue;
-        *term++ = volume_term(normalized_metric(common + blend_.vcv * vcv_metric(nodes, k)), each);
-      }
+      for (std::size_t k = 0; k < 4; ++k)
+        if (vcv_share(nodes[k]) > 0) *term++ = at_node(k, weight / static_cast<double>(terms));
+      return;
+    }
+    const bool tetrahedron = topology_.element_type(e) == ElementType::tetrahedron;
+    if (!tetrahedron && vcv_share(nodes[0]) > 0) {
+      *term = at_node(0, weight);
       return;
     }
     // There is no VCV at the boundary.
-    Eigen::Matrix3d sum = common;
-    if (blend_.vcv > 0) sum += blend_.vcv * (free(nodes[0]) ? vcv_metric(nodes, 0) : regular);
+    const Eigen::Matrix3d sum = common + blend_.vcv * regular;
     *term = volume_term(normalized_metric(sum), weight);
   }
 
@@ -125,7 +144,10 @@ class Builder {
     const auto place = [&](std::size_t k) -> Vec3 {
       if (k == centre) return {0, 0, 0};
       const auto found = std::find(neighbours.begin(), neighbours.end(), nodes[k]);
-      return vcvs_->point(nodes[centre], static_cast<Index>(found - neighbours.begin()));
+      const auto at_ring = static_cast<std::size_t>(found - neighbours.begin());
+      if (const SphereStencil* given = by_hand(nodes[centre]))
+        return given->lengths[at_ring] * given->directions[at_ring];
+      return vcvs_->point(nodes[centre], static_cast<Index>(at_ring));
     };
     const Vec3 origin = place(0);
     Edges3 edges;
@@ -159,6 +181,12 @@ class Builder {
     return relative.between(stretch_.share[at(e)] * limit);
   }
 
+  /// The share of the mesh as given alone.
+  Eigen::Matrix3d rest_part(const std::array<Index, 4>& nodes) const {
+    if (!(blend_.rest > 0)) return Eigen::Matrix3d::Zero();
+    return blend_.rest * *own_metric(nodes);
+  }
+
   Edges3 given_edges(const std::array<Index, 4>& nodes) const {
     Edges3 edges;
     for (int k = 0; k < 3; ++k) edges.col(k) = (*given_)[nodes[at(k + 1)]] - (*given_)[nodes[0]];
@@ -174,6 +202,7 @@ class Builder {
 
   const Topology& topology_;
   const VolumeVcvs* vcvs_;
+  const SphereStencils* stencils_;  // null: none
   TargetBlend blend_;
   int threads_;
   const NodeClasses* classes_;        // null: nothing slides
@@ -187,8 +216,8 @@ class Builder {
 
 CellTargets<3> volume_targets(const Topology& topology, const VolumeVcvs* vcvs,
                               const TargetBlend& blend, const Coordinates* given, int threads,
-                              std::span<const Index> urgent, const NodeClasses* classes) {
-  return Builder(topology, vcvs, blend, given, threads, urgent, classes).build();
+                              std::span<const Index> urgent, const VolumeTargetNodes& nodes) {
+  return Builder(topology, vcvs, blend, given, threads, urgent, nodes).build();
 }
 
 }  // namespace winslow

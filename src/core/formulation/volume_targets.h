@@ -9,6 +9,12 @@
 
 namespace winslow {
 
+/// What is particular about single nodes.
+struct VolumeTargetNodes {
+  const NodeClasses* classes = nullptr;      ///< nodes of the boundary may move; null: none does
+  const SphereStencils* stencils = nullptr;  ///< VCVs given by hand; null: none
+};
+
 /// Targets of a volume mesh as the blend says: one for each tetrahedron, one for each corner of the
 /// other elements (corner_tetrahedra()). The weights of an element sum to 1; tetrahedra none of
 /// whose nodes can move are left out: they cannot change.
@@ -19,15 +25,19 @@ namespace winslow {
 /// place (node, three neighbours), blended with the other shares; of a corner of another element,
 /// that of the VCV of its node, or the regular one where that lies on the boundary.
 ///
+/// A VCV that was given by hand (stencils; vcvs have them, too) counts whatever the blend, as in
+/// the plane: in the targets at its node the shares `automatic` and `element` go to the VCV, and
+/// where the blend has no share for VCVs, a tetrahedron with such nodes has the targets at these
+/// alone.
+///
 /// vcvs: may be null if they have no share. given: coordinates (#nodes by 3) of the mesh that the
 /// shares `automatic` and `rest` refer to; may be null if those are zero. threads: 0 for all cores;
 /// no result depends on it. urgent: elements that count four times as much under `automatic`, once
-/// more for each time they are listed. classes: nodes of the boundary may slide; null: only those
-/// inside move. Throws UsageError for shares that are negative or all zero;
+/// more for each time they are listed. Throws UsageError for shares that are negative or all zero;
 /// MeshError if `rest` counts and the mesh has an inverted element.
 CellTargets<3> volume_targets(const Topology& topology, const VolumeVcvs* vcvs,
                               const TargetBlend& blend, const Coordinates* given, int threads = 0,
                               std::span<const Index> urgent = {},
-                              const NodeClasses* classes = nullptr);
+                              const VolumeTargetNodes& nodes = {});
 
 }  // namespace winslow

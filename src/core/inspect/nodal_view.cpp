@@ -13,7 +13,9 @@ namespace {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-void require_vcv(const Topology& topology, Index node) {
+}  // namespace
+
+void require_inspectable(const Topology& topology, Index node) {
   const std::string who = "node " + std::to_string(node);
   if (node < 0 || node >= topology.node_count()) {
     throw UsageError("the mesh has no " + who + ": its nodes count from 0 to " +
@@ -24,8 +26,6 @@ void require_vcv(const Topology& topology, Index node) {
     throw UsageError(who + " lies on the boundary or on a marker: it has no VCV");
   }
 }
-
-}  // namespace
 
 double Star::mean_length() const {
   double sum = 0;
@@ -58,7 +58,7 @@ std::array<double, 2> singular_values(const NodalGradient& jacobian) {
 
 NodalView inspect_node(const VirtualControlVolumes& vcv, const Coordinates& x, Index node) {
   const Topology& topology = vcv.topology();
-  require_vcv(topology, node);
+  require_inspectable(topology, node);
   NodalView view;
   view.node = node;
   const auto neighbours = topology.neighbours(node);

@@ -41,8 +41,11 @@ struct NodalView {
   double scaled_residual = 0;   ///< distance to where the node alone would go, over its mean edge
 };
 
-/// Throws UsageError for a node that has no VCV: one on the boundary, on a marker, that no element
-/// uses, or that does not exist.
+/// Throws UsageError, saying why, for a node that has no VCV: one on the boundary, on a marker,
+/// that no element uses, or that does not exist.
+void require_inspectable(const Topology& topology, Index node);
+
+/// Throws as require_inspectable() does.
 NodalView inspect_node(const VirtualControlVolumes& vcv, const Coordinates& x, Index node);
 
 /// Angle (radians, counter-clockwise) by which a VCV is turned to lie over its physical star: that

@@ -4,6 +4,7 @@
 
 #include "core/layers/layer_stack.h"
 #include "core/mesh/mesh.h"
+#include "core/vcv/sphere/node_vcv.h"
 #include "core/vcv/virtual_control_volumes.h"
 
 namespace winslow {
@@ -14,6 +15,8 @@ struct MeshState {
   std::shared_ptr<const VirtualControlVolumes> vcv;  ///< null: a volume mesh
   /// Layers that were inserted; if held, their spacing is kept whatever moves. Null: none.
   std::shared_ptr<const LayerStack> layers = nullptr;
+  /// VCVs of a volume mesh that were given by hand. Null: none.
+  std::shared_ptr<const SphereStencils> sphere_vcvs = nullptr;
 };
 /// A state with the paper's VCVs of a plane mesh: equal angles, unit edges.
 MeshState make_state(Mesh mesh);

@@ -178,7 +178,7 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& option
   SmoothingWorkspace own;
   SmoothingWorkspace& workspace = run.workspace ? *run.workspace : own;
   workspace.prepare(state.vcv, classes_of(state, nullptr, options, run, result), options,
-                    state.mesh.coordinates);
+                    state.mesh.coordinates, state.sphere_vcvs);
   result.kept_outside = keep_fixed(state, workspace.classes(), x);
   RunRecorder recorder(run.monitor, result, budget(options));
   smooth_at_end(state, workspace, recorder, x);
@@ -201,7 +201,7 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const M
   SmoothingWorkspace own;
   SmoothingWorkspace& workspace = run.workspace ? *run.workspace : own;
   workspace.prepare(state.vcv, classes_of(state, &motion, options, run, result), options,
-                    state.mesh.coordinates);
+                    state.mesh.coordinates, state.sphere_vcvs);
   result.kept_outside = keep_fixed(state, workspace.classes(), x);
   RunRecorder recorder(run.monitor, result, budget(options));
   if (by_fixed_point(options)) {

@@ -9,17 +9,6 @@ namespace winslow {
 
 namespace {
 
-VolumeVcvOptions volume_vcv_options(const SmoothOptions& options) {
-  VolumeVcvOptions vcvs;
-  vcvs.threads = options.threads;
-  vcvs.length_power = options.vcv_lengths;
-  if (options.vcv == VcvKind::equal) vcvs.angles = VcvAngles::equal;
-  if (options.vcv == VcvKind::existing) vcvs.angles = VcvAngles::existing;
-  if (follows_mesh(options.vcv)) vcvs.angles = VcvAngles::adjusted;
-  if (options.vcv == VcvKind::perturbation) vcvs.construction = VcvConstruction::perturbation;
-  return vcvs;
-}
-
 bool same_vcv_options(const SmoothOptions& a, const SmoothOptions& b) {
   return a.vcv == b.vcv && a.vcv_lengths == b.vcv_lengths;
 }
@@ -33,7 +22,8 @@ bool refers_to_mesh(const SmoothOptions& options) {
 
 void SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualControlVolumes>& vcv,
                                  const std::shared_ptr<const NodeClasses>& classes,
-                                 const SmoothOptions& options, const Coordinates& given) {
+                                 const SmoothOptions& options, const Coordinates& given,
+                                 std::shared_ptr<const SphereStencils> stencils) {
   const bool same_unknowns =
       classes_ && classes_->same_unknowns(*classes) && options_.threads == options.threads;
   const bool space = classes->topology().cell_dimension() == 3;
@@ -44,13 +34,14 @@ void SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualControlVolum
       (space ? same_vcv_options(options_, options) && (same_given || !refers_to_mesh(options))
              : vcv == vcv_);
   // Targets of a plane mesh have to do with its VCVs in any case: some of them may be edited.
-  const bool same_targets = same_unknowns && options_.targets == options.targets &&
+  const bool same_stencils = stencils == stencils_;
+  const bool same_targets = same_unknowns && same_stencils && options_.targets == options.targets &&
                             (same_given || !refers_to_given(options.targets)) &&
                             (same_vcv || (space && options.targets.vcv == 0));
   picard_.reset();
   newton_.reset();
   pointwise_newton_.reset();
-  pointwise_stale_ |= !same_vcv;
+  pointwise_stale_ |= !same_vcv || !same_stencils;
   energy_stale_ |= !same_targets || !urgent_.empty();
   urgent_.clear();
   if (!same_unknowns) {
@@ -65,6 +56,7 @@ void SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualControlVolum
   if (!needs_given) given_.reset();
   if (needs_given && !same_given) given_ = given;
   if (!same_vcv) volume_vcvs_.reset();
+  if (!same_stencils) take_stencils(std::move(stencils));
   adjusted_ = false;
   vcv_ = vcv;
   classes_ = classes;
@@ -107,6 +99,26 @@ void SmoothingWorkspace::make_volume_vcvs(const Coordinates& x) {
   volume_vcvs_ =
       std::make_unique<VolumeVcvs>(classes_->shared_topology(), x, volume_vcv_options(options_));
   tangled_vcvs_ = follows_mesh(options_.vcv) && tangled(x);
+  if (!stencils_) return;
+  for (const auto& [node, stencil] : *stencils_)
+    volume_vcvs_->set(node, stencil.directions, stencil.lengths);
+}
+
+/// All other VCVs stay as they are: under the mouse one changes many times a second.
+void SmoothingWorkspace::take_stencils(std::shared_ptr<const SphereStencils> stencils) {
+  static const SphereStencils none;
+  const SphereStencils& before = stencils_ ? *stencils_ : none;
+  const SphereStencils& after = stencils ? *stencils : none;
+  if (volume_vcvs_) {
+    for (const auto& [node, stencil] : before)
+      if (!after.contains(node)) volume_vcvs_->reset(node);
+    for (const auto& [node, stencil] : after) {
+      const auto found = before.find(node);
+      if (found == before.end() || found->second != stencil)
+        volume_vcvs_->set(node, stencil.directions, stencil.lengths);
+    }
+  }
+  stencils_ = std::move(stencils);
 }
 
 Index SmoothingWorkspace::adjust_vcvs(const Coordinates& x) {
@@ -184,7 +196,7 @@ std::shared_ptr<const VariationalForm> SmoothingWorkspace::energy() {
     if (in_space()) {
       const VolumeVcvs* vcvs = options_.targets.vcv > 0 ? &volume_vcvs() : nullptr;
       make_energy(volume_targets(classes_->topology(), vcvs, options_.targets, given(),
-                                 options_.threads, urgent_, classes_.get()));
+                                 options_.threads, urgent_, {classes_.get(), stencils_.get()}));
     } else {
       make_energy<2>(TargetShapes::build(*vcv_, options_.targets, given(), options_.threads,
                                          urgent_, classes_.get()));

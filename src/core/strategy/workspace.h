@@ -24,11 +24,11 @@ class SmoothingWorkspace {
  public:
   /// Says what is to be solved; parts that are still good are kept. classes: which nodes move.
   /// vcv: of a plane mesh; null for volume meshes, whose VCVs are made here, of the kind that the
-  /// options say. given: the mesh that targets `auto` and `rest` and those VCVs refer to; kept by
-  /// value where they do.
+  /// options say, but for those given by hand (stencils; null: none). given: the mesh that targets
+  /// `auto` and `rest` and those VCVs refer to; kept by value where they do.
   void prepare(const std::shared_ptr<const VirtualControlVolumes>& vcv,
                const std::shared_ptr<const NodeClasses>& classes, const SmoothOptions& options,
-               const Coordinates& given);
+               const Coordinates& given, std::shared_ptr<const SphereStencils> stencils = nullptr);
 
   /// From here to the next prepare() these elements count four times as much with `auto` targets,
   /// once more for each time they are listed.
@@ -64,6 +64,7 @@ class SmoothingWorkspace {
   bool tangled(const Coordinates& x) const;
   const VolumeVcvs& volume_vcvs();
   void make_volume_vcvs(const Coordinates& x);
+  void take_stencils(std::shared_ptr<const SphereStencils> stencils);
   const ClipVariants<EquationProblem>& pointwise();
   template <int D>
   void make_pointwise(const typename PointwiseForm<D>::Vcvs& vcvs);
@@ -74,6 +75,7 @@ class SmoothingWorkspace {
 
   std::shared_ptr<const VirtualControlVolumes> vcv_;  // of a plane mesh
   std::unique_ptr<VolumeVcvs> volume_vcvs_;           // null: not made yet
+  std::shared_ptr<const SphereStencils> stencils_;    // of a volume mesh, by hand
   std::shared_ptr<const NodeClasses> classes_;
   SmoothOptions options_;
   std::optional<Coordinates> given_;         // only where something refers to it

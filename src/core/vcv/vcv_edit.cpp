@@ -40,6 +40,10 @@ std::vector<double> turned(std::vector<double> values, std::size_t place) {
 
 void apply(const VcvEdit& edit, VirtualControlVolumes& vcv) {
   if (edit.resets()) return vcv.reset(edit.node);
+  if (!edit.directions.empty()) {
+    throw UsageError(who(edit.node) +
+                     ": directions are for volume meshes; that of a plane mesh has angles");
+  }
   const Topology& topology = vcv.topology();
   // Says so if the node has no VCV; its numbers are read from then on.
   if (edit.node < 0 || edit.node >= topology.node_count() || vcv.angles(edit.node).empty()) {

@@ -9,18 +9,21 @@
 
 namespace winslow {
 
-/// New numbers for the VCV of one node. Without angles and lengths: the paper's VCV again.
+/// New numbers for the VCV of one node: angles of a plane mesh, directions of a volume mesh.
+/// Without any: the VCV again that the node has of itself.
 struct VcvEdit {
   Index node = -1;
-  /// The node's neighbours, counter-clockwise from any one on, to which the numbers belong; empty:
-  /// as in Topology::neighbours().
+  /// The node's neighbours to which the numbers belong: of a plane mesh counter-clockwise from any
+  /// one on, of a volume mesh in any order; empty: as in Topology::neighbours().
   std::vector<Index> neighbours;
   /// Degrees; angle k lies between neighbour k and neighbour k + 1 (cyclic). Their sum is 360
   /// within 0.01 and is made exact. Empty: equal angles.
   std::vector<double> angles;
   std::vector<double> lengths;  ///< of the edges to the neighbours; empty: all 1
+  /// Where the edges point to, of any length but zero; so that no triangle of the link is inverted.
+  std::vector<Vec3> directions = {};
 
-  bool resets() const { return angles.empty() && lengths.empty(); }
+  bool resets() const { return angles.empty() && lengths.empty() && directions.empty(); }
   bool operator==(const VcvEdit&) const = default;
 };
 

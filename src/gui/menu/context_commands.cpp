@@ -174,7 +174,6 @@ ContextPart of_body(const PanelContext& context, const std::vector<Index>& marke
 ContextPart of_node(const PanelContext& context, Index node) {
   const bool pinned = std::ranges::binary_search(context.session.nodes().pinned(), node);
   const auto boundary = [node](const PanelContext& c) -> std::string {
-    if (c.session.in_space()) return in_space_not_yet;
     return c.topology()->on_boundary(node) ? "A node of the boundary has no control volume." : "";
   };
   const MeshItem item{MeshItem::Kind::node, node};

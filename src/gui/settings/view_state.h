@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/types.h"
+#include "gui/render/space/space_camera.h"
 #include "gui/settings/view_options.h"
 
 namespace winslow::gui {
@@ -46,11 +47,12 @@ struct ViewState {
   bool box_zoom_armed = false;    ///< the next drag draws the box to zoom to
   bool can_go_back = false;       ///< to an earlier view
   bool can_go_forward = false;
-  bool ruler = false;              ///< clicks measure
-  std::optional<Vec2> cursor;      ///< what the mouse is over, in units of the mesh; none: no mesh
-  std::optional<SeenPlace> seen;   ///< what the mouse is over, of a volume mesh
-  std::optional<std::size_t> cut;  ///< that has a handle in the picture
-  double pixel = 1;                ///< what a pixel is wide, in units of the mesh
+  bool ruler = false;             ///< clicks measure
+  std::optional<Vec2> cursor;     ///< what the mouse is over, in units of the mesh; none: no mesh
+  std::optional<SeenPlace> seen;  ///< what the mouse is over, of a volume mesh
+  std::optional<ViewDirection> looks_from;  ///< from where a volume mesh is seen
+  std::optional<std::size_t> cut;           ///< that has a handle in the picture
+  double pixel = 1;                         ///< what a pixel is wide, in units of the mesh
   ColumnState columns;
 };
 

@@ -85,6 +85,19 @@ DisplacementTable read_table(const json& value, const std::string& path,
   return table;
 }
 
+std::vector<Vec3> read_directions(const json& list, const std::string& path) {
+  if (!list.is_array()) throw JsonValueError(path, "expected a list of directions [x, y, z]");
+  std::vector<Vec3> directions;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string where = path + '[' + std::to_string(i) + ']';
+    std::vector<double> numbers;
+    ObjectReader::read(list[i], where, numbers);
+    if (numbers.size() != 3) throw JsonValueError(where, "expected three numbers");
+    directions.emplace_back(numbers[0], numbers[1], numbers[2]);
+  }
+  return directions;
+}
+
 VcvEdit read_vcv_edit(const json& value, const std::string& path) {
   ObjectReader reader(value, path);
   VcvEdit edit;
@@ -92,6 +105,8 @@ VcvEdit read_vcv_edit(const json& value, const std::string& path) {
   reader.field("neighbours", edit.neighbours);
   reader.field("angles", edit.angles);
   reader.field("lengths", edit.lengths);
+  if (const json* list = reader.find("directions"))
+    edit.directions = read_directions(*list, reader.path_of("directions"));
   reader.finish();
   return edit;
 }
@@ -142,6 +157,9 @@ void write_beyond(ObjectWriter& writer, const EditVcvCommand& command) {
     if (!edit.neighbours.empty()) item.field("neighbours", edit.neighbours);
     if (!edit.angles.empty()) item.field("angles", edit.angles);
     if (!edit.lengths.empty()) item.field("lengths", edit.lengths);
+    json directions = json::array();
+    for (const Vec3& d : edit.directions) directions.push_back({d.x(), d.y(), d.z()});
+    if (!directions.empty()) item.field("directions", directions);
     nodes.push_back(item.take());
   }
   writer.required("nodes", nodes);

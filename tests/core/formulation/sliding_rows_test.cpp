@@ -112,7 +112,7 @@ TEST_CASE("sliding in space: gradient and Hessian are the energy's in the planes
     const auto classes = sliding(mesh, names);
     const VolumeWinslow form(classes,
                              volume_targets(*mesh.topology, nullptr, TargetBlend::regular(),
-                                            nullptr, 1, {}, classes.get()),
+                                            nullptr, 1, {}, {.classes = classes.get()}),
                              {}, 1);
     Random random(3);
     Coordinates x = mesh.coordinates;

@@ -13,6 +13,14 @@ double equal_angle(const SphereLink& link) { return 4 * pi / link.triangle_count
 
 }  // namespace
 
+SphereFitOptions VolumeVcvOptions::fit() const {
+  SphereFitOptions options;
+  options.least_regularisation =
+      angles == VcvAngles::equal ? equal_regularisation : physical_regularisation;
+  options.regularisation = std::max(options.regularisation, options.least_regularisation);
+  return options;
+}
+
 std::span<const double> StarTargets::equal(const SphereLink& link) {
   angles_.assign(at(link.triangle_count()), equal_angle(link));
   return angles_;
@@ -48,6 +56,19 @@ std::span<const double> StarTargets::adjusted(const SphereLink& link,
   return scaled();
 }
 
+std::span<const double> StarTargets::of_kind(VcvAngles kind, const SphereLink& link,
+                                             std::span<const Vec3> physical) {
+  switch (kind) {
+    case VcvAngles::existing:
+      return existing(link, physical);
+    case VcvAngles::adjusted:
+      return adjusted(link, physical);
+    case VcvAngles::equal:
+      break;
+  }
+  return equal(link);
+}
+
 void physical_directions(const SpacePoints& x, Index node, std::span<const Index> neighbours,
                          std::vector<Vec3>& out) {
   out.clear();
@@ -55,6 +76,20 @@ void physical_directions(const SpacePoints& x, Index node, std::span<const Index
   for (const Index other : neighbours) {
     const Vec3 edge = x[other] - centre;
     out.push_back(edge / edge.norm());
+  }
+}
+
+void graded_lengths(const SpacePoints& x, Index node, std::span<const Index> neighbours,
+                    double power, std::vector<double>& out) {
+  // A node that lies on another in a tangled mesh still has an edge to it.
+  constexpr double most = 1e3;
+  double sum = 0;
+  for (const Index other : neighbours) sum += (x[other] - x[node]).norm();
+  const double mean = sum / static_cast<double>(neighbours.size());
+  out.clear();
+  for (const Index other : neighbours) {
+    const double share = mean > 0 ? (x[other] - x[node]).norm() / mean : 1;
+    out.push_back(std::pow(std::clamp(share, 1 / most, most), power));
   }
 }
 

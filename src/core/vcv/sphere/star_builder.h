@@ -18,6 +18,29 @@ enum class VcvConstruction : std::uint8_t {
   perturbation  ///< the paper's, see perturb_directions()
 };
 
+/// Which solid angles the VCVs of a volume mesh are to have (AIAA 2009-1362, sections IV and V).
+enum class VcvAngles : std::uint8_t {
+  equal,     ///< 4 pi / #triangles
+  existing,  ///< those of a given mesh
+  adjusted   ///< the mean of both, worked out anew as the mesh moves
+};
+
+struct VolumeVcvOptions {
+  VcvAngles angles = VcvAngles::equal;
+  VcvConstruction construction = VcvConstruction::fit;
+  /// Least weight of the shape of triangles beside their angles (SphereFitOptions): equal angles
+  /// are met exactly, those of a mesh as far as the shape of the VCV allows, since a nearly flat
+  /// star would have a nearly flat VCV.
+  double equal_regularisation = 1e-6;
+  double physical_regularisation = 0.3;
+  /// Edge lengths are those of the given mesh, over their mean in each star, to this power: 0 for
+  /// unit edges (the paper's), up to 1 for the grading of the mesh itself.
+  double length_power = 0;
+  int threads = 0;  ///< 0 for all cores; no result depends on it
+
+  SphereFitOptions fit() const;
+};
+
 /// Solid angles of one star as they are to be in a VCV, and what they are made of.
 class StarTargets {
  public:
@@ -29,6 +52,9 @@ class StarTargets {
   /// AIAA 2009-1362, section V: the mean of the equal and the physical ones, these taken as zero
   /// where they are negative, scaled to a sum of 4 pi.
   std::span<const double> adjusted(const SphereLink& link, std::span<const Vec3> physical);
+  /// Of any kind; physical has no part in equal ones.
+  std::span<const double> of_kind(VcvAngles kind, const SphereLink& link,
+                                  std::span<const Vec3> physical);
 
  private:
   void measure(const SphereLink& link, std::span<const Vec3> physical, double floor);
@@ -40,6 +66,10 @@ class StarTargets {
 /// Unit vectors from a node to its neighbours (#neighbours).
 void physical_directions(const SpacePoints& x, Index node, std::span<const Index> neighbours,
                          std::vector<Vec3>& out);
+
+/// Lengths of a VCV's edges for VolumeVcvOptions::length_power (#neighbours).
+void graded_lengths(const SpacePoints& x, Index node, std::span<const Index> neighbours,
+                    double power, std::vector<double>& out);
 
 /// Makes VCVs, one star after another, in memory that it keeps.
 class StarBuilder {

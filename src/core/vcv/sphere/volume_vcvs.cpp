@@ -28,12 +28,11 @@ class VolumeVcvs::StarSolver {
  public:
   /// physical: null for equal angles. first: there are no directions yet.
   StarSolver(VolumeVcvs& vcvs, const Coordinates* physical, bool first)
-      : vcvs_(vcvs), physical_(physical), first_(first), builder_(vcvs.options_.construction) {
-    fit_.least_regularisation = vcvs.options_.angles == VcvAngles::equal
-                                    ? vcvs.options_.equal_regularisation
-                                    : vcvs.options_.physical_regularisation;
-    fit_.regularisation = std::max(fit_.regularisation, fit_.least_regularisation);
-  }
+      : vcvs_(vcvs),
+        physical_(physical),
+        first_(first),
+        fit_(vcvs.options_.fit()),
+        builder_(vcvs.options_.construction) {}
 
   /// True if the star was solved, false if its targets are what they were.
   bool solve(std::size_t i) {
@@ -43,7 +42,7 @@ class VolumeVcvs::StarSolver {
     link_.assign(topology, node);
     directions_.assign(neighbours.size(), Vec3(0, 0, 0));
     if (physical_) physical_directions(SpacePoints(*physical_), node, neighbours, directions_);
-    const auto wanted = targets();
+    const auto wanted = targets_.of_kind(vcvs_.options_.angles, link_, directions_);
     if (!keep_targets(i, wanted)) return false;
     if (!first_) {
       for (std::size_t k = 0; k < neighbours.size(); ++k) {
@@ -64,18 +63,6 @@ class VolumeVcvs::StarSolver {
   }
 
  private:
-  std::span<const double> targets() {
-    switch (vcvs_.options_.angles) {
-      case VcvAngles::existing:
-        return targets_.existing(link_, directions_);
-      case VcvAngles::adjusted:
-        return targets_.adjusted(link_, directions_);
-      case VcvAngles::equal:
-        break;
-    }
-    return targets_.equal(link_);
-  }
-
   /// Stores the targets of a star. False if they were the same already.
   bool keep_targets(std::size_t i, std::span<const double> wanted) {
     if (vcvs_.rows_.empty()) return true;
@@ -120,24 +107,17 @@ VolumeVcvs::VolumeVcvs(std::shared_ptr<const Topology> topology, const Coordinat
 }
 
 void VolumeVcvs::take_lengths(const Coordinates& physical) {
-  // A node that lies on another in a tangled mesh still has an edge to it.
-  constexpr double most = 1e3;
   lengths_.assign(topology_->neighbour_rows().values.size(), 1.0F);
   const SpacePoints x(physical);
   const auto interior = topology_->interior_nodes();
   parallel_for(options_.threads, static_cast<Index>(interior.size()), [&](Index begin, Index end) {
+    std::vector<double> lengths;
     for (Index i = begin; i < end; ++i) {
       const Index node = interior[at(i)];
-      const auto neighbours = topology_->neighbours(node);
-      double sum = 0;
-      for (const Index other : neighbours) sum += (x[other] - x[node]).norm();
-      const double mean = sum / static_cast<double>(neighbours.size());
-      float* out = lengths_.data() + topology_->neighbour_rows().offsets[at(node)];
-      for (const Index other : neighbours) {
-        const double share = mean > 0 ? (x[other] - x[node]).norm() / mean : 1;
-        *out++ =
-            static_cast<float>(std::pow(std::clamp(share, 1 / most, most), options_.length_power));
-      }
+      graded_lengths(x, node, topology_->neighbours(node), options_.length_power, lengths);
+      std::transform(lengths.begin(), lengths.end(),
+                     lengths_.begin() + topology_->neighbour_rows().offsets[at(node)],
+                     [](double length) { return static_cast<float>(length); });
     }
   });
 }
@@ -205,19 +185,7 @@ void VolumeVcvs::points(Index node, std::vector<Vec3>& out) const {
 
 void VolumeVcvs::set(Index node, std::span<const Vec3> directions,
                      std::span<const double> lengths) {
-  require_vcv_node(*topology_, node);
-  const std::string who = "VCV of node " + std::to_string(node);
-  const std::size_t n = topology_->neighbours(node).size();
-  if (directions.size() != n || lengths.size() != n) {
-    throw UsageError(who + ": expected " + std::to_string(n) + " directions and lengths");
-  }
-  Stencil stencil{{}, {lengths.begin(), lengths.end()}};
-  for (const Vec3& direction : directions) stencil.directions.push_back(direction.normalized());
-  if (!covers_sphere(SphereLink(*topology_, node), stencil.directions)) {
-    throw UsageError(who + ": the directions do not cover the sphere once, a triangle is inverted");
-  }
-  require_edge_lengths(node, lengths);
-  edited_[node] = std::move(stencil);
+  edited_[node] = checked_stencil(*topology_, node, directions, lengths);
 }
 
 void VolumeVcvs::reset(Index node) {

@@ -1,37 +1,16 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"
+#include "core/vcv/sphere/node_vcv.h"
 #include "core/vcv/sphere/star_builder.h"
 
 namespace winslow {
-
-/// Which solid angles the VCVs of a volume mesh are to have (AIAA 2009-1362, sections IV and V).
-enum class VcvAngles : std::uint8_t {
-  equal,     ///< 4 pi / #triangles
-  existing,  ///< those of a given mesh
-  adjusted   ///< the mean of both, worked out anew as the mesh moves
-};
-
-struct VolumeVcvOptions {
-  VcvAngles angles = VcvAngles::equal;
-  VcvConstruction construction = VcvConstruction::fit;
-  /// Least weight of the shape of triangles beside their angles (SphereFitOptions): equal angles
-  /// are met exactly, those of a mesh as far as the shape of the VCV allows, since a nearly flat
-  /// star would have a nearly flat VCV.
-  double equal_regularisation = 1e-6;
-  double physical_regularisation = 0.3;
-  /// Edge lengths are those of the given mesh, over their mean in each star, to this power: 0 for
-  /// unit edges (the paper's), up to 1 for the grading of the mesh itself.
-  double length_power = 0;
-  int threads = 0;  ///< 0 for all cores; no result depends on it
-};
 
 /// Virtual control volumes (VCVs) of the interior nodes of a volume mesh, as data: the directions
 /// of their edges (unit vectors) and the lengths of these, in computational space. The node lies at
@@ -87,10 +66,6 @@ class VolumeVcvs {
   void targets(std::size_t i, const SphereLink& link, std::vector<double>& out) const;
 
  private:
-  struct Stencil {
-    std::vector<Vec3> directions;
-    std::vector<double> lengths;
-  };
   class StarSolver;
 
   Index solve(const Coordinates* physical, bool first);
@@ -104,7 +79,7 @@ class VolumeVcvs {
   std::vector<SphereFitEnd> ends_;  // #interior nodes
   std::vector<std::size_t> rows_;   // #interior nodes + 1, into targets_; empty of equal angles
   std::vector<float> targets_;      // of the triangles of each link; empty of equal angles
-  std::map<Index, Stencil> edited_;
+  SphereStencils edited_;
 };
 
 }  // namespace winslow

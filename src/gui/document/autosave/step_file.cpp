@@ -16,7 +16,7 @@ namespace winslow::gui {
 namespace {
 
 /// Also tells a machine with another order of bytes.
-constexpr std::uint64_t magic = 0x0005504554534e57;  // "WNSTEP", version 5
+constexpr std::uint64_t magic = 0x0006504554534e57;  // "WNSTEP", version 6
 
 /// Every field of a record, named once for reading and writing.
 template <class Archive, class Record>
@@ -113,6 +113,50 @@ void vcv_fields(Archive& archive, Data& data) {
   archive.numbers(data.roles);
 }
 
+/// A VCV of a volume mesh that was given by hand.
+struct SphereData {
+  Index node = -1;
+  std::vector<double> directions, lengths;  // x, y, z one after another
+};
+
+template <class Archive, class List>
+void sphere_fields(Archive& archive, List& list) {
+  archive.list(list, [](auto& a, auto& item) {
+    a.number(item.node);
+    a.numbers(item.directions);
+    a.numbers(item.lengths);
+  });
+}
+
+/// null: none.
+std::vector<SphereData> data_of(const SphereStencils* stencils) {
+  std::vector<SphereData> list;
+  if (!stencils) return list;
+  for (const auto& [node, stencil] : *stencils) {
+    SphereData item{node, {}, stencil.lengths};
+    for (const Vec3& d : stencil.directions)
+      item.directions.insert(item.directions.end(), d.begin(), d.end());
+    list.push_back(std::move(item));
+  }
+  return list;
+}
+
+std::shared_ptr<const SphereStencils> made_of(ArchiveReader& reader,
+                                              const std::vector<SphereData>& list,
+                                              const Topology& topology) {
+  SphereStencils stencils;
+  for (const SphereData& item : list) {
+    std::vector<Vec3> directions;
+    if (item.directions.size() % 3 != 0) reader.fail("a direction of two numbers");
+    for (std::size_t k = 0; k < item.directions.size(); k += 3)
+      directions.emplace_back(item.directions.data() + k);
+    // Checked, and kept to the bit.
+    checked_stencil(topology, item.node, directions, item.lengths);
+    stencils[item.node] = {std::move(directions), item.lengths};
+  }
+  return stencils.empty() ? nullptr : std::make_shared<const SphereStencils>(std::move(stencils));
+}
+
 /// Without coordinates.
 MeshData data_of(const Topology& topology) {
   MeshData data;
@@ -144,7 +188,7 @@ std::shared_ptr<const VirtualControlVolumes> made_of(
 
 /// Which parts of a state follow.
 struct Parts {
-  bool topology = false, vcv = false, layers = false, any_layers = false;
+  bool topology = false, vcv = false, layers = false, any_layers = false, spheres = false;
 };
 
 template <class Archive, class AnyParts>
@@ -153,11 +197,13 @@ void part_fields(Archive& archive, AnyParts& parts) {
   archive.number(parts.vcv);
   archive.number(parts.layers);
   archive.number(parts.any_layers);
+  archive.number(parts.spheres);
 }
 
 Parts changed_parts(const MeshState& state, const MeshState& before) {
   return {state.mesh.topology != before.mesh.topology, state.vcv != before.vcv,
-          state.layers != before.layers, state.layers != nullptr};
+          state.layers != before.layers, state.layers != nullptr,
+          state.sphere_vcvs != before.sphere_vcvs};
 }
 
 void read_coordinates(ArchiveReader& reader, Coordinates& x) {
@@ -210,6 +256,11 @@ MeshState read_state(ArchiveReader& reader, const MeshState& before) {
     refuse(reader, fault_of(data.roles));
     state.vcv = made_of(data, state.mesh.topology);
   }
+  if (parts.spheres) {
+    std::vector<SphereData> list;
+    sphere_fields(reader, list);
+    state.sphere_vcvs = made_of(reader, list, topology);
+  }
   if (parts.layers) {
     state.layers.reset();
     if (parts.any_layers) {
@@ -240,6 +291,10 @@ void write_step(const std::filesystem::path& path, const MeshState& state, const
     if (parts.vcv) {
       const VcvData data = data_of(*state.vcv);
       vcv_fields(writer, data);
+    }
+    if (parts.spheres) {
+      const std::vector<SphereData> list = data_of(state.sphere_vcvs.get());
+      sphere_fields(writer, list);
     }
     if (parts.layers && parts.any_layers) layer_fields(writer, *state.layers);
     result_fields(writer, smooth);

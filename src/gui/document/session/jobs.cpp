@@ -84,6 +84,7 @@ bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start,
   shown_only_ = false;
   messages_.clear_banner();
   mesh_.instead().vcv = nullptr;
+  mesh_.instead().sphere_vcvs.reset();
   mesh_.job().set_pace(pace_of(command));
   mesh_.job().run(mesh_.document()->state(), std::move(command), paused, std::move(start));
   mesh_.changed();

@@ -64,6 +64,14 @@ std::shared_ptr<const VirtualControlVolumes> LiveMesh::vcv() const {
   return editing && instead_.vcv ? instead_.vcv : document_->state().vcv;
 }
 
+std::shared_ptr<const SphereStencils> sphere_vcvs(const LiveMesh& mesh) {
+  if (!mesh.document_) return nullptr;
+  const auto& edited = mesh.instead_.sphere_vcvs;
+  const bool editing =
+      mesh.job_.active() && std::holds_alternative<EditVcvCommand>(mesh.job_.command());
+  return editing && edited ? *edited : mesh.document_->state().sphere_vcvs;
+}
+
 const MeshState& LiveMesh::motion_base() const {
   if (drag_.active()) return drag_base_;
   return job_.active() ? job_.base() : document_->state();

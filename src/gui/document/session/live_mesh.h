@@ -55,6 +55,8 @@ class LiveMesh {
   struct Instead {
     /// Edited ones, while the job that edits them is under way.
     std::shared_ptr<const VirtualControlVolumes> vcv;
+    /// The same of a volume mesh; null within: none is edited.
+    std::optional<std::shared_ptr<const SphereStencils>> sphere_vcvs;
     /// Of the mesh on screen, for a picture.
     std::optional<Coordinates> coordinates;
   };
@@ -79,6 +81,7 @@ class LiveMesh {
   void when_rebuilt(Rebuilt tell) { rebuilt_ = std::move(tell); }
 
  private:
+  friend std::shared_ptr<const SphereStencils> sphere_vcvs(const LiveMesh& mesh);
   void follow_topology();
 
   std::unique_ptr<Document> document_;
@@ -98,6 +101,8 @@ class LiveMesh {
 inline bool in_space(const LiveMesh& mesh) {
   return mesh.document() && mesh.document()->boundary();
 }
+/// VCVs of a volume mesh on screen that were given by hand; null: none.
+std::shared_ptr<const SphereStencils> sphere_vcvs(const LiveMesh& mesh);
 /// As LiveMesh::live_motion(), of a volume mesh.
 std::optional<SpaceMotion> live_space_motion(const LiveMesh& mesh);
 

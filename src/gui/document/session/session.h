@@ -12,6 +12,7 @@
 #include "gui/document/session/motions.h"
 #include "gui/document/session/quality_watch.h"
 #include "gui/document/session/selection.h"
+#include "gui/document/session/sphere_inspector.h"
 #include "gui/document/session/vcv_editor.h"
 
 namespace winslow::gui {
@@ -60,6 +61,7 @@ class Session {
   const NodeSelection& nodes() const { return selection_.nodes(); }
 
  private:
+  friend const SphereInspector& spheres(const Session& session) { return session.spheres_; }
   void apply_group(const FileAction& action) { files_.apply(action); }
   void apply_group(const SelectionAction& action) { selection_.apply(action); }
   void apply_group(const MotionAction& action) { motions_.apply(action); }
@@ -75,8 +77,12 @@ class Session {
   Jobs jobs_{mesh_, messages_, selection_};
   Motions motions_{mesh_, messages_, selection_, jobs_};
   VcvEditor vcvs_{mesh_, messages_, jobs_};
+  SphereInspector spheres_{mesh_, jobs_};
   HistoryEditor history_{mesh_, messages_, jobs_, motions_};
   Files files_{mesh_, messages_, selection_, jobs_};
 };
+
+/// Nodes of a volume mesh with their VCVs.
+const SphereInspector& spheres(const Session& session);
 
 }  // namespace winslow::gui

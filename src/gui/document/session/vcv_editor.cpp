@@ -4,27 +4,37 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/vcv/sphere/sphere_edit.h"
 
 namespace winslow::gui {
 
 void VcvEditor::on(const action::EditVcvs& a) {
   if (!mesh_.document() || a.edits.empty()) return;
-  std::shared_ptr<const VirtualControlVolumes> edited;
+  const MeshState& state = mesh_.document()->state();
+  LiveMesh::Instead edited;
   try {
-    edited = edit_vcvs(*mesh_.document()->state().vcv, a.edits);
+    if (in_space(mesh_))
+      edited.sphere_vcvs = edit_vcvs(*state.mesh.topology, state.sphere_vcvs.get(), a.edits);
+    else
+      edited.vcv = edit_vcvs(*state.vcv, a.edits);
   } catch (const UsageError& error) {
     return messages_.report_error("This is no virtual control volume", error.what());
   }
   EditVcvCommand command{a.edits, jobs_.smooth_options()};
   if (mesh_.held().vcv && mesh_.job().active()) {
-    mesh_.instead().vcv = std::move(edited);
+    show(std::move(edited));
     mesh_.job().retarget(std::move(command));
     return mesh_.changed();
   }
   if (!jobs_.start(std::move(command), false)) return;
-  mesh_.instead().vcv = std::move(edited);
+  show(std::move(edited));
   mesh_.held().vcv = a.under_mouse;
   mesh_.job().hold(a.under_mouse);
+}
+
+void VcvEditor::show(LiveMesh::Instead edited) {
+  mesh_.instead().vcv = std::move(edited.vcv);
+  mesh_.instead().sphere_vcvs = std::move(edited.sphere_vcvs);
 }
 
 void VcvEditor::on(const action::EndVcvEdit&) {

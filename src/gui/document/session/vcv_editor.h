@@ -21,6 +21,7 @@ class VcvEditor {
   void on(const action::EditVcvs& a);
   void on(const action::EndVcvEdit&);
   void on(const action::CancelVcvEdit&);
+  void show(LiveMesh::Instead edited);
 
   LiveMesh& mesh_;
   MessageBoard& messages_;

@@ -3,47 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "core/error.h"
 #include "gui/base/text.h"
+#include "gui/panels/vcv/node_header.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
 
-namespace {
-
-std::string fixed(double value, const char* format) {
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, value);
-  return buffer.data();
-}
-
-void figure(const char* id, const char* label, const std::string& value, const char* tip,
-            ImU32 color = palette().text) {
-  ui::text_dim(label);
-  ui::tooltip(tip);
-  ImGui::SameLine();
-  ui::text_right(value, color);
-  ui::note(id);
-}
-
-void edit_one(const PanelContext& context, VcvEdit edit) {
-  context.emit(action::EditVcvs{{std::move(edit)}});
-}
-
-}  // namespace
-
 void VcvPanel::draw(const PanelContext& context) {
   if (!context.session.document()) return ui::text_dim("No mesh is open.");
-  draw_header(context);
+  draw_node_header(context, typed_node_);
   const auto& node = context.session.nodes().inspected();
-  if (!node) {
-    ui::text_wrapped(
-        "Click a node of the mesh, or type its number. While another tab is open, Alt+click.");
-    return ui::note("vcv/hint");
-  }
+  if (!node) return draw_node_hint();
   if (shown_ != node) {
     shown_ = node;
     edge_ = 0;
@@ -61,36 +34,8 @@ void VcvPanel::draw(const PanelContext& context) {
     draw_reset(context, view);
     draw_spread(context, view);
   } catch (const UsageError& error) {
-    std::string text = error.what();
-    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-    ui::text_wrapped(text + ".");
-    ui::note("vcv/none");
+    draw_no_vcv(error.what());
   }
-}
-
-void VcvPanel::draw_header(const PanelContext& context) {
-  const NodeSelection& nodes = context.session.nodes();
-  const Theme& theme = context.theme;
-  ui::row("Node", "Number of the node, from 0, in the order of the file. Enter inspects it.", 0.2f);
-  const ImGuiStyle& style = ImGui::GetStyle();
-  const float buttons =
-      ImGui::CalcTextSize("UnpinClear pins").x + 4 * style.FramePadding.x + 2 * style.ItemSpacing.x;
-  const float room = ImGui::GetContentRegionAvail().x - buttons;
-  ImGui::SetNextItemWidth(std::clamp(room, theme.px(52), theme.px(86)));
-  ui::number("vcv/node", typed_node_);
-  if (ImGui::IsItemDeactivatedAfterEdit()) context.emit(action::InspectNode{typed_node_});
-  const auto& node = nodes.inspected();
-  ImGui::SameLine();
-  const bool pinned = node && nodes.pinned(*node);
-  if (ui::button("vcv/pin", pinned ? "Unpin" : "Pin",
-                 {"Keep this node's virtual control volume drawn over the mesh.",
-                  ui::ButtonStyle::normal, node.has_value(), 0}))
-    context.emit(action::PinNodes{{*node}, !pinned});
-  ImGui::SameLine();
-  if (ui::button("vcv/clear_pins", "Clear pins",
-                 {"Take all pinned control volumes off the mesh.", ui::ButtonStyle::normal,
-                  !nodes.pinned().empty(), 0}))
-    context.emit(action::PinNodes{nodes.pinned(), false});
 }
 
 void VcvPanel::draw_plot(const PanelContext& context, const NodalView& view) {
@@ -121,21 +66,24 @@ void VcvPanel::draw_plot(const PanelContext& context, const NodalView& view) {
 void VcvPanel::draw_figures(const NodalView& view, const Theme& theme) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(theme.px(8), theme.px(4)));
   const WinslowCoefficients& c = view.coefficients;
-  figure("vcv/coefficients", "\xCE\xB1  \xCE\xB2  \xCE\xB3",
-         fixed(c.alpha, "%.3f") + "   " + fixed(c.beta, "%.3f") + "   " + fixed(c.gamma, "%.3f"),
-         "Coefficients of the Winslow equations at this node, divided by (alpha + gamma) / 2.");
-  figure("vcv/singular", "Singular values",
-         short_number(view.singular_values[0]) + "   " + short_number(view.singular_values[1]),
-         "Of the nodal Jacobian, which maps the control volume to the mesh: half axes of the "
-         "ellipse.");
-  figure("vcv/kappa", "Kappa", short_number(view.kappa),
-         "Ratio of the singular values: 1 where the map is conformal.");
-  figure("vcv/smallest", "Smallest weight", short_number(view.smallest_weight),
-         "The smallest of the weights over their mean magnitude: 1 where all are equal.",
-         view.smallest_weight < 0 ? palette().danger : palette().text);
-  figure("vcv/residual", "Residual", short_number(view.scaled_residual),
-         "Distance to where the paper's operator would move this node alone, over the mean length "
-         "of its edges.");
+  draw_figure(
+      "vcv/coefficients", "\xCE\xB1  \xCE\xB2  \xCE\xB3",
+      formatted(c.alpha, "%.3f") + "   " + formatted(c.beta, "%.3f") + "   " +
+          formatted(c.gamma, "%.3f"),
+      "Coefficients of the Winslow equations at this node, divided by (alpha + gamma) / 2.");
+  draw_figure("vcv/singular", "Singular values",
+              short_number(view.singular_values[0]) + "   " + short_number(view.singular_values[1]),
+              "Of the nodal Jacobian, which maps the control volume to the mesh: half axes of the "
+              "ellipse.");
+  draw_figure("vcv/kappa", "Kappa", short_number(view.kappa),
+              "Ratio of the singular values: 1 where the map is conformal.");
+  draw_figure("vcv/smallest", "Smallest weight", short_number(view.smallest_weight),
+              "The smallest of the weights over their mean magnitude: 1 where all are equal.",
+              view.smallest_weight < 0 ? palette().danger : palette().text);
+  draw_figure(
+      "vcv/residual", "Residual", short_number(view.scaled_residual),
+      "Distance to where the paper's operator would move this node alone, over the mean length "
+      "of its edges.");
   ImGui::PopStyleVar();
 }
 
@@ -168,8 +116,8 @@ void VcvPanel::draw_neighbours(const PanelContext& context, const NodalView& vie
       if (ImGui::IsItemHovered()) over = k;
       const double weight = view.weights[k];
       const std::array<std::string, 5> cells{
-          std::to_string(view.neighbours[k]), fixed(degrees(star.angles[k]), "%.1f"),
-          short_number(star.lengths[k]), short_number(star.areas[k]), fixed(weight, "%.3f")};
+          std::to_string(view.neighbours[k]), formatted(degrees(star.angles[k]), "%.1f"),
+          short_number(star.lengths[k]), short_number(star.areas[k]), formatted(weight, "%.3f")};
       for (std::size_t cell = 0; cell < cells.size(); ++cell) {
         ImGui::TableNextColumn();
         const bool bad = (cell == 4 && weight < 0) || (cell == 3 && star.areas[k] < 0);
@@ -205,11 +153,11 @@ void VcvPanel::draw_edge_fields(const PanelContext& context, const NodalView& vi
     const double rest = 360 - edit.angles[edge_];
     for (double& angle : edit.angles) angle *= (360 - angle_) / rest;
     edit.angles[edge_] = angle_;
-    edit_one(context, std::move(edit));
+    edit_vcv(context, std::move(edit));
   } else if (length_done && length_ > 0 && std::isfinite(length_) &&
              length_ != edit.lengths[edge_]) {
     edit.lengths[edge_] = length_;
-    edit_one(context, std::move(edit));
+    edit_vcv(context, std::move(edit));
   }
 }
 
@@ -218,7 +166,7 @@ void VcvPanel::draw_reset(const PanelContext& context, const NodalView& view) {
   if (ui::button("vcv/reset", "Reset",
                  {"Give this node equal angles and unit edges again.", ui::ButtonStyle::normal,
                   view.edited, 0}))
-    edit_one(context, VcvEdit{view.node, view.neighbours, {}, {}});
+    edit_vcv(context, VcvEdit{view.node, view.neighbours, {}, {}});
   ImGui::SameLine();
   if (ui::button("vcv/reset_all", "Reset all",
                  {"Give all nodes equal angles and unit edges again.", ui::ButtonStyle::normal,

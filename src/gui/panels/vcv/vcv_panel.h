@@ -16,7 +16,6 @@ class VcvPanel : public Panel {
   void draw(const PanelContext& context) override;
 
  private:
-  void draw_header(const PanelContext& context);
   void draw_plot(const PanelContext& context, const NodalView& view);
   void draw_figures(const NodalView& view, const Theme& theme);
   void draw_neighbours(const PanelContext& context, const NodalView& view);

@@ -7,7 +7,9 @@
 #include <limits>
 
 #include "core/error.h"
+#include "core/inspect/nodal_view.h"
 #include "core/inspect/space/plane_section.h"
+#include "core/inspect/space/volume_nodal_view.h"
 #include "core/parallel/parallel_for.h"
 #include "core/quality/quality.h"
 #include "core/quality/volume_element.h"
@@ -16,6 +18,7 @@
 #include "gui/render/gl_context.h"
 #include "gui/render/space/space_renderer.h"
 #include "gui/view/overlays/space_marks.h"
+#include "gui/view/overlays/sphere_overlay.h"
 
 namespace winslow::gui {
 
@@ -183,6 +186,12 @@ class VolumePicture {
     const auto markers = static_cast<Index>(mesh.topology->markers().size());
     for (Index m = 0; m < markers; ++m)
       look_.marker_colors.push_back(surface_color(m, theme_, options.dark));
+    for (const Index node : options.vcvs) {
+      require_inspectable(*mesh.topology, node);
+      vcvs_.push_back(
+          inspect_node(*mesh.topology, mesh.coordinates,
+                       make_node_vcv(*mesh.topology, mesh.coordinates, node, options.vcv_kind)));
+    }
   }
 
   Image draw() {
@@ -197,6 +206,8 @@ class VolumePicture {
     renderer.draw(camera, options_.height);
     const bool marks = frame.has_room_for_text();
     frame.draw(options_.half_width.has_value(), [&](ImDrawList& list, ImFont* font) {
+      for (const VolumeNodalView& node : vcvs_)
+        draw_sphere_vcv(list, camera, node, 0.06f * frame.font_size(), font);
       if (!marks) return;
       const MarkColors colors{theme_.ink, theme_.paper};
       draw_axes(list, *font, frame.font_size(), camera, colors);
@@ -208,11 +219,18 @@ class VolumePicture {
   Box<3> extent() const {
     constexpr float unit = 1;  // widths of lines take no room
     Box<3> box = Box<3>::empty();
-    for (const Vec3& point : points_of(scene(unit))) box.add(point);
+    for (const Vec3& point : all_points(scene(unit))) box.add(point);
     return box;
   }
 
  private:
+  std::vector<Vec3> all_points(const SpaceScene& scene) const {
+    std::vector<Vec3> points = points_of(scene);
+    for (const VolumeNodalView& node : vcvs_)
+      for (const Vec3& p : sphere_over_star(node)) points.push_back(p);
+    return points;
+  }
+
   SpaceScene scene(float unit) const { return build_scene(mesh_, boundary_, look_, style(unit)); }
 
   void choose_cuts() {
@@ -274,7 +292,7 @@ class VolumePicture {
     if (options_.perspective) camera.set_perspective(opening);
     camera.set_content(scene.extent);
     const bool box = options_.extent && (options_.extent->size().array() >= 0).all();
-    std::vector<Vec3> points = box ? corners_of(*options_.extent) : points_of(scene);
+    std::vector<Vec3> points = box ? corners_of(*options_.extent) : all_points(scene);
     if (points.empty()) points = corners_of(scene.extent);
     camera.fit(points, 0.02);
     const double size = options_.half_width
@@ -288,6 +306,7 @@ class VolumePicture {
   const VolumePictureOptions& options_;
   const PictureTheme& theme_;
   VolumeBoundary boundary_;
+  std::vector<VolumeNodalView> vcvs_;
   std::vector<unsigned char> inverted_, isolated_;
   std::vector<double> values_;
   ColorScale scale_;

@@ -6,6 +6,7 @@
 
 #include "core/inspect/element_field.h"
 #include "core/inspect/space/plane.h"
+#include "core/vcv/sphere/node_vcv.h"
 #include "gui/render/image.h"
 #include "gui/render/metric_scale.h"
 #include "gui/render/space/space_camera.h"
@@ -39,6 +40,9 @@ struct VolumePictureOptions {
 
   std::optional<Box<3>> extent;  ///< that all means there; none: what is drawn
 
+  std::vector<Index> vcvs;  ///< nodes whose virtual control volumes are drawn over the mesh
+  VolumeVcvOptions vcv_kind = {VcvAngles::adjusted};  ///< how these are made
+
   bool wireframe = true;  ///< edges of elements
   bool legend = true;     ///< only with color
   bool marker_key = true;
@@ -49,7 +53,7 @@ struct VolumePictureOptions {
 
 /// Inverted elements are red, seen through what hides them, and counted in a caption. Throws Error
 /// where no OpenGL can be had, and UsageError for a plane or a surface mesh, an unknown colour map
-/// or marker, a cut that meets no element, a size or a number out of range.
+/// or marker, a cut that meets no element, a node without a VCV, a size or a number out of range.
 Image draw_volume_picture(const Mesh& mesh, const VolumePictureOptions& options);
 
 /// The cuts of such a picture, and the scale of its colours (needs options.color): of several that

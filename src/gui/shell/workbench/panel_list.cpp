@@ -19,6 +19,7 @@
 #include "gui/panels/space/space_motion_panel.h"
 #include "gui/panels/status_bar.h"
 #include "gui/panels/toolbar.h"
+#include "gui/panels/vcv/sphere_panel.h"
 #include "gui/panels/vcv/vcv_panel.h"
 #include "gui/panels/view_panel.h"
 #include "gui/panels/worst_panel.h"
@@ -83,7 +84,8 @@ PanelRegistry make_panels() {
   r.add(in_tab<WorstPanel>(SideTab::quality, "worst", "Worst elements", plane_or_volume));
   r.add(in_tab<IsolatePanel>(SideTab::quality, "isolate", "Isolate", plane_or_volume));
   r.add(in_tab<ViewPanel>(SideTab::view, "view", "View", plane_or_volume));
-  r.add(in_tab<VcvPanel>(SideTab::vcv, "vcv", "Virtual control volume", plane));
+  r.add(in_tab<OfEither<VcvPanel, SpherePanel>>(SideTab::vcv, "vcv", "Virtual control volume",
+                                                plane_or_volume));
   r.add(in_tab<HistoryPanel>(SideTab::history, "history", "History", all_meshes));
   r.add(entry<ConvergencePanel>("convergence", "Convergence", Region::plot, all_meshes));
   r.add(entry<BannerPanel>("banner", "Banner", Region::banner, all_meshes));

@@ -118,13 +118,15 @@ void ViewportPane::drive(const InputState& input, const PanelContext& context,
 void ViewportPane::drive_space(PointerState pointer, const PanelContext& context) {
   const ViewOptions& view = control_.options();
   const auto scale = static_cast<double>(context.theme.scale);
-  const SpaceSurroundings around{session_,
-                                 mesh_view_.volume(),
-                                 view,
-                                 control_.state().cut,
-                                 taken_out(session_, view.markers),
-                                 scale,
-                                 control_.state().box_zoom_armed};
+  const SpaceSurroundings around{
+      session_,
+      mesh_view_.volume(),
+      view,
+      control_.state().cut,
+      taken_out(session_, view.markers),
+      scale,
+      control_.state().box_zoom_armed,
+      control_.state().columns.right_open && view.side_tab == SideTab::vcv};
   using Gesture = SpaceViewport::Gesture;
   space_viewport_.update(pointer, around, control_.space().view(), context.actions);
   if (space_viewport_.gesture() == Gesture::box) control_.disarm_box_zoom();

@@ -101,6 +101,8 @@ void ViewControl::set_mouse(const std::optional<ScreenPoint>& mouse,
   state_.pixel =
       session_.in_space() ? space_.camera().units_per_pixel() : view_.camera().units_per_pixel();
   state_.seen = seen;
+  state_.looks_from =
+      session_.in_space() ? std::optional(space_.camera().direction()) : std::nullopt;
   state_.cursor =
       mouse && !session_.in_space() ? std::optional(view_.camera().to_world(*mouse)) : std::nullopt;
 }
@@ -165,11 +167,16 @@ void ViewControl::on(const action::StepScale& a) {
 void ViewControl::on(const action::InspectNode& a) {
   session_.apply(action::SelectNode{a.node});
   if (!a.node) return;
-  if (session_.in_space()) return on(action::GoTo{MeshItem{MeshItem::Kind::node, *a.node}});
   options_.side_tab = SideTab::vcv;
   open_right(options_, state_.columns);
   // A number that was typed may be that of a node anywhere.
   if (session_.nodes().inspected() != a.node) return;
+  if (session_.in_space()) {
+    const SpaceView& view = space_.view();
+    const bool seen =
+        view.viewport().contains(view.project(session_.coordinates().xyz(*a.node)).at);
+    return on(action::GoTo{MeshItem{MeshItem::Kind::node, *a.node}, !seen});
+  }
   const ScreenVector pixel = view_.camera().to_screen(session_.coordinates().xy(*a.node)) -
                              view_.camera().viewport_origin();
   if (pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() <= view_.camera().viewport_width() &&

@@ -6,10 +6,13 @@
 #include <set>
 #include <utility>
 
+#include "core/error.h"
 #include "core/mesh/element_type.h"
 #include "gui/view/mesh/mesh_colors.h"
 #include "gui/view/navigation/go_to.h"
 #include "gui/view/overlays/space_marks.h"
+#include "gui/view/overlays/sphere_overlay.h"
+#include "gui/view/overlays/vcv_overlay.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -56,6 +59,36 @@ void draw_space_focus(ImDrawList& list, const SpaceOverlay& o) {
            static_cast<ImVec2>(o.view.viewport().max));
 }
 
+/// The VCVs of pinned nodes, the furthest first.
+void draw_pins(ImDrawList& list, const SpaceOverlay& o) {
+  std::vector<std::pair<double, Index>> by_depth;
+  for (const Index node : o.session.nodes().pinned())
+    by_depth.emplace_back(-o.view.project(o.session.coordinates().xyz(node)).depth, node);
+  std::sort(by_depth.begin(), by_depth.end());
+  for (const auto& [depth, node] : by_depth) {
+    try {
+      draw_sphere_vcv(list, o.view.camera(), spheres(o.session).at(node), o.theme.px(1),
+                      o.theme.small);
+    } catch (const Error&) {
+      continue;  // a star without a VCV: the tab says why
+    }
+    const ImVec2 at = seen_at(o, o.session.coordinates().xyz(node));
+    ui::note("pin/" + std::to_string(node), {at.x - 4, at.y - 4}, {at.x + 4, at.y + 4});
+  }
+}
+
+/// Rings around the node that is inspected and the one under the mouse.
+void draw_node_rings(ImDrawList& list, const SpaceOverlay& o) {
+  const NodeSelection& nodes = o.session.nodes();
+  const auto ring = [&](const std::optional<Index>& node, float radius, float width) {
+    if (!node || *node >= o.session.coordinates().size()) return;
+    draw_node_ring(list, seen_at(o, o.session.coordinates().xyz(*node)), o.theme.px(radius),
+                   o.theme.px(width), palette().accent);
+  };
+  ring(nodes.inspected(), 6, 2);
+  ring(nodes.hovered(), 8, 1.5f);
+}
+
 void draw_motion_preview(ImDrawList& list, const SpaceOverlay& o) {
   const auto& motion = o.session.selection().motion_preview();
   if (!motion) return;
@@ -97,6 +130,7 @@ void draw_cut_handle(ImDrawList& list, const SpaceOverlay& o, CutPart hot) {
 }  // namespace
 
 void draw_space_marks(ImDrawList& list, const SpaceOverlay& o) {
+  draw_pins(list, o);
   draw_space_focus(list, o);
   const BackdropColors ground = backdrop_colors(o.options);
   const Rgba ink = ground.dark() ? Rgba{0.86f, 0.88f, 0.92f, 1} : Rgba{0.13f, 0.15f, 0.18f, 1};
@@ -119,6 +153,7 @@ double space_marks_top(const SpaceOverlay& o) {
 }
 
 void draw_space_handles(ImDrawList& list, const SpaceOverlay& o, const SpaceViewport& viewport) {
+  draw_node_rings(list, o);
   draw_motion_preview(list, o);
   draw_space_pivot(list, o);
   draw_cut_handle(list, o, viewport.cut_part());

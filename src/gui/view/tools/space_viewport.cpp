@@ -102,6 +102,7 @@ void SpaceViewport::hover(const PointerState& p, const SpaceSurroundings& around
   const Looked now{p.position, view.camera(), around.picture.scenes()};
   if (looked_ != now) seen_ = seen_at(p.position, around, view);
   looked_ = now;
+  hover_node(seen_ && (around.inspects || p.alt) ? seen_->node : std::nullopt, actions);
   std::vector<Index> markers;
   if (seen_ && seen_->marker >= 0 && hovered_part_ == CutPart::none &&
       !std::ranges::binary_search(around.taken_out, seen_->marker))
@@ -114,9 +115,16 @@ void SpaceViewport::hover(const PointerState& p, const SpaceSurroundings& around
 void SpaceViewport::forget_seen(ActionQueue& actions) {
   seen_.reset();
   looked_.reset();
+  hover_node(std::nullopt, actions);
   if (last_hover_.empty()) return;
   last_hover_.clear();
   actions.emplace_back(action::HoverMarkers{});
+}
+
+void SpaceViewport::hover_node(std::optional<Index> node, ActionQueue& actions) {
+  if (node == last_node_) return;
+  last_node_ = node;
+  actions.emplace_back(action::HoverNode{node});
 }
 
 void SpaceViewport::press(const PointerState& p, const SpaceSurroundings& around,
@@ -179,6 +187,12 @@ void SpaceViewport::release(const PointerState& p, const SpaceSurroundings& arou
 void SpaceViewport::click(const PointerState& p, const SpaceSurroundings& around,
                           ActionQueue& actions) const {
   const bool add = p.shift || p.control;
+  const bool has_vcv =
+      seen_ && seen_->node && !around.session.topology()->on_boundary(*seen_->node);
+  if (has_vcv && !add && (p.alt || around.inspects)) {
+    actions.emplace_back(action::InspectNode{*seen_->node});
+    return;
+  }
   if (p.alt) {
     if (seen_ && seen_->node)
       actions.emplace_back(action::GoTo{MeshItem{MeshItem::Kind::node, *seen_->node}, false});

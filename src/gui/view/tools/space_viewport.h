@@ -23,6 +23,7 @@ struct SpaceSurroundings {
   std::vector<Index> taken_out;    ///< markers that the mouse does not take, ascending
   double scale = 1;                ///< of the interface
   bool box_zoom = false;           ///< the next drag draws the box to zoom to
+  bool inspects = false;           ///< a click on a node shows it in the tab VCV
 };
 
 /// Turns the mouse over a volume mesh into actions: orbits, pans, zooms, picks, drags cuts. Knows
@@ -58,6 +59,7 @@ class SpaceViewport {
   void click(const PointerState& p, const SpaceSurroundings& around, ActionQueue& actions) const;
   void cancel(const SpaceSurroundings& around, SpaceView& view, ActionQueue& actions);
   void forget_seen(ActionQueue& actions);
+  void hover_node(std::optional<Index> node, ActionQueue& actions);
 
   Gesture gesture_ = Gesture::none;
   bool other_button_ = false;  // the gesture is held by the middle or right button
@@ -70,6 +72,7 @@ class SpaceViewport {
   CutHandle handle_;           // likewise
   CutPlane cut_before_;
   std::vector<Index> last_hover_;
+  std::optional<Index> last_node_;
   // What seen_ was found for.
   struct Looked {
     ScreenPoint at;
