@@ -31,7 +31,7 @@ std::span<const Gesture> mouse_gestures() {
        {"Click a cut", "its element", space},
        {"Alt + click", "the node there", space},
        {"Double click a surface", "zoom to it", space},
-       {"Left drag", "turn about what is there", space},
+       {"Left drag", "turn about what is there (T: freely)", space},
        {"Middle, right, Shift + left", "pan", space},
        {"Drag a cut's arrow", "move the cut", space},
        {"Drag the arrow's ball", "turn the cut", space},
