@@ -65,7 +65,7 @@ TOUR = {
     "volume_layers": (WING_IN_SPACE, ASLANT + "key Shift+C\nclick peel/on\nclick peel/marker\n"
                       "click peel/marker/flap\nfill peel/from 2\nfill peel/to 4\n"
                       "look 0.9 -0.05 0.5 0.5\naway\nwait\n"),
-    "volume_ruler": (CUBE_IN_SPACE, "key Shift+C\nkey 7\nlook 0 0 0 2.2\nwait\nkey R\n"
+    "volume_ruler": (CUBE_IN_SPACE, "key Shift+C\nkey 7\nlook 0.3 0.3 -1 2.4\nwait\nkey R\n"
                      "click -1 -1 1\nclick 1 -1 1\nclick 1 -1 -1\naway\nwait\n"),
     "volume_compare": (CUBE_IN_SPACE, "click marker/cube\nfill motion/rotate 35\nfill motion/d_z 0.5\n"
                        "click motion/apply\nwait\nkey Escape\nkey Shift+G\nwait\nlook 0 0 0.2 2.6\n"

@@ -306,8 +306,9 @@ void ViewportPane::draw_space_overlays(ImDrawList& list, const MeshFrame& frame)
   space_id_labels_.draw(list, overlay, mesh_view_.volume());
   draw_space_marks(list, overlay);
   if (!frame.mesh_alone) draw_space_handles(list, overlay, space_viewport_);
-  if (context.view_state.ruler && !frame.mesh_alone) draw_space_ruler(list, overlay, space_ruler_);
+  // What is measured lies over what is said of the ruler.
   if (!frame.mesh_alone) draw_space_mode(list, overlay);
+  if (context.view_state.ruler && !frame.mesh_alone) draw_space_ruler(list, overlay, space_ruler_);
   list.PopClipRect();
   draw_comparison(list, context.view, context.theme, whole);
   LegendCard of_picture;
