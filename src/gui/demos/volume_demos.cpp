@@ -33,7 +33,7 @@ DemoStep seen(const char* title, const char* text, const SpaceLook& view,
 }
 
 Demo sphere() {
-  const SpaceLook view{-66, 22, 2, {0, 0, 0}, 2.6, {cut({0, 0, 0}, {0, -1, 0})}};
+  const SpaceLook view{-66, 22, 2, {0, 0, 0}, 3.6, {cut({0, 0, 0}, {0, -1, 0})}};
   return {"H",
           "A sphere, by three kinds of solid angles",
           "sphere.su2.gz",
