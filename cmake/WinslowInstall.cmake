@@ -45,7 +45,7 @@ if(WINSLOW_BUILD_APP)
   install(TARGETS winslow)
   # The studio looks for its bundled meshes in ../share/winslow from where the program is.
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/ DESTINATION ${CMAKE_INSTALL_DATADIR}/winslow
-          FILES_MATCHING PATTERN "*.su2" PATTERN meshgen EXCLUDE PATTERN volumes EXCLUDE)
+          FILES_MATCHING PATTERN "*.su2" PATTERN "*.su2.gz" PATTERN meshgen EXCLUDE PATTERN volumes EXCLUDE)
   # Manual page and completions are what the program says of itself, so it has to run here.
   if(NOT CMAKE_CROSSCOMPILING)
     install(FILES ${WINSLOW_PAGES}/winslow.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

@@ -13,7 +13,8 @@ ROOT = Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "assets" / "demos"
 SIZE = (192, 120)  # pixels, twice as fine as shown
 
-# Commands of the case, and the part of the plane that tells it from the others.
+# Commands of the case, and the part of the plane that tells it from the others; of a volume mesh how it
+# is looked at.
 CASES = {
     "A": ("naca0012.su2", [["move", "--marker", "airfoil", "--rotate", "-90", "--pivot", "0.5", "0",
                             "--translate", "2", "-2"]], (1.3, -2.7, 3.7, -1.3)),
@@ -24,6 +25,15 @@ CASES = {
                                  "-0.036"]], (0.7, -0.28, 1.15, 0.03)),
     "E": ("quads.su2", [["smooth", "--targets", "element"]], (-1.7, -0.7, 0.5, 0.675)),
     "F": ("circle.su2", [["layers", "--marker", "circle"]], (0.0, 0.12, 0.72, 0.57)),
+    "H": ("sphere.su2.gz", [["smooth", "--formulation", "pointwise", "--outer", "picard", "--vcv", "adjusted"]],
+          ["--cut", 0, 0, 0, 0, -1, 0, "--centre", 0, 0, 0, "--half-width", 2.6]),
+    "I": ("cube.su2.gz", [["move", "--marker", "cube", "--rotate", "60", "--axis", "0", "1", "0",
+                           "--translate", "1", "0", "0.5"]],
+          ["--cut", 0, 0, 0, 0, -1, 0, "--centre", 0.7, 0, 0.3, "--half-width", 3]),
+    "J": ("wing.su2.gz", [["move", "--marker", "flap", "--rotate", "-15", "--axis", "0.2755", "0.018", "1.5",
+                           "--pivot", "0.848", "-0.036", "0"]],
+          ["--up", "y", "--cut", 0, 0, 0.5, 0, 0, 1, "--azimuth", 35, "--elevation", 20,
+           "--centre", 0.5, 0, 0.35, "--half-width", 0.8]),
     "G": ("three_element.su2", [["deform", "--marker", "main", "--sine", "-0.04", "4"]],
           (-0.1, -0.35, 1.1, 0.35)),
 }
@@ -46,7 +56,7 @@ def main():
                 out = Path(name) / f"{letter}{number}.su2"
                 run(winslow, command, source, "-o", out, *options, "--quiet")
                 source = out
-            run(winslow, "render", source, "-o", FOLDER / f"{letter}.png", "--size", *SIZE, "--bounds", *view,
+            run(winslow, "render", source, "-o", FOLDER / f"{letter}.png", "--size", *SIZE, *(["--bounds", *view] if isinstance(view, tuple) else view),
                 "--color", "normalized_jacobian", "--range", 0, 1, "--no-legend", "--quiet")
 
 

@@ -21,6 +21,10 @@ NACA = ROOT / "assets" / "naca0012.su2"
 CIRCLE = ROOT / "assets" / "circle.su2"
 SPHERE = ROOT / "assets" / "coarse" / "sphere.su2.gz"
 WING = ROOT / "assets" / "three_element.su2"
+WING_IN_SPACE = ROOT / "assets" / "coarse" / "wing.su2.gz"
+CUBE_IN_SPACE = ROOT / "assets" / "coarse" / "cube.su2.gz"
+# Seen from aslant, the y axis upright.
+ASLANT = "click tab/view\nclick view/up\nclick \"view/up/y axis\"\nkey 7\nclick tab/quality\n"
 
 # Name: (mesh or None, script; the picture is taken at its end).
 TOUR = {
@@ -60,6 +64,15 @@ TOUR = {
     "isolate": (NACA, "click 0.5 0\nfill motion/rotate -90\nclick motion/apply\nwait\n"
                       "key Escape\nlook 0.5 0 1\nclick section/go_to\nclick section/worst\nwait 3\n"
                       "key I\nwait\nfill isolate/threshold 0.7\naway\nwait\n"),
+    "volume": (WING_IN_SPACE, ASLANT + "look 0.5 0 0.4 0.75\naway\nwait\n"),
+    "volume_layers": (WING_IN_SPACE, ASLANT + "key Shift+C\nclick peel/on\nclick peel/marker\n"
+                      "click peel/marker/flap\nfill peel/from 2\nfill peel/to 4\n"
+                      "look 0.9 -0.05 0.5 0.5\naway\nwait\n"),
+    "volume_ruler": (CUBE_IN_SPACE, "key Shift+C\nkey 7\nlook 0.3 0.3 -1 2.4\nwait\nkey R\n"
+                     "click -1 -1 1\nclick 1 -1 1\nclick 1 -1 -1\naway\nwait\n"),
+    "volume_compare": (CUBE_IN_SPACE, "click marker/cube\nfill motion/rotate 35\nfill motion/d_z 0.5\n"
+                       "click motion/apply\nwait\nkey Escape\nkey Shift+G\nwait\nlook 0 0 0.2 2.6\n"
+                       "away\nwait\n"),
     "demo": (None, "wait\nclick welcome/demo/C\nwait\nclick demo/next\nwait\naway\nwait\n"),
     "history": (NACA, "click 0.5 0\nfill motion/rotate -20\nclick motion/apply\nwait\n"
                       "fill motion/dx 0.3\nclick motion/apply\nwait\nkey Space\nwait\n"

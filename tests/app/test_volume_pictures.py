@@ -192,9 +192,9 @@ class VolumePictures(ProgramTest):
                 (("--vcv", 0, "--vcv-kind", "round"), "round")):
             with self.subTest(args=args):
                 self.assertIn(words, self.render(*args, code=USAGE).stderr)
-        for name in ("p.svg", "p.pdf"):
+        for name in ("p.jpg", "p.eps"):
             run = self.winslow("render", "box.su2", "-o", name, code=USAGE)
-            self.assertIn("ends in .png", run.stderr)
+            self.assertIn(".png, .svg or .pdf", run.stderr)
         for args in (("--cut", 0, 0, 0, 0, 0, 1), ("--view", "+x"), ("--crinkle",), ("--hide", "body"),
                      ("--isolate", .5), ("--perspective",), ("--vcv-kind", "equal")):
             run = self.winslow("render", ring, "-o", "p.png", *args, code=USAGE)

@@ -129,9 +129,8 @@ class RenderSubcommand : public Subcommand {
  public:
   explicit RenderSubcommand(CLI::App& program)
       : Subcommand(program.add_subcommand("render",
-                                          "Draw a mesh as a picture (PNG, of plane meshes SVG "
-                                          "and PDF, too); needs no display, inverted elements are "
-                                          "red")) {
+                                          "Draw a mesh as a picture (PNG, SVG or PDF); needs no "
+                                          "display, inverted elements are red")) {
     add_input(app(), flags_.input);
     add_zone_flag(app(), flags_.zone, "the first");
     app()
@@ -171,21 +170,28 @@ class RenderSubcommand : public Subcommand {
       if (flags_.zone == 0) print_warnings(io::zones_left(file.details.get(), flags_.input));
     }
     if (!flags_.frames.empty()) {
-      const std::vector<Mesh> meshes = frames_of(file.mesh);
-      const std::string said =
-          volume ? draw_volume_frames(flags_, meshes) : draw_frames(flags_, meshes);
+      const std::string said = draw_all_frames(file.mesh, volume);
       if (!flags_.quiet) std::cout << printable(said) << '\n';
     }
     if (flags_.output.empty()) return ExitCode::done;
-    if (flags_.before.empty())
-      volume ? draw_volume(flags_, file.mesh) : draw(flags_, file.mesh);
-    else
+    std::string more;
+    if (!flags_.before.empty())
       (volume ? draw_volumes : draw_both)(flags_, read_before(file.mesh), file.mesh);
-    if (!flags_.quiet) std::cout << "Wrote " << printable(flags_.output) << '\n';
+    else if (volume)
+      more = draw_volume(flags_, file.mesh);
+    else
+      draw(flags_, file.mesh);
+    if (!flags_.quiet) std::cout << "Wrote " << printable(flags_.output) << more << '\n';
     return ExitCode::done;
   }
 
  private:
+  std::string draw_all_frames(const Mesh& mesh, bool volume) const {
+    if (flags_.turntable > 0) return draw_turntable(flags_, mesh);
+    const std::vector<Mesh> meshes = frames_of(mesh);
+    return volume ? draw_volume_frames(flags_, meshes) : draw_frames(flags_, meshes);
+  }
+
   void add_frame_flags() {
     const char* group = "Motion";
     app()
@@ -202,11 +208,20 @@ class RenderSubcommand : public Subcommand {
         app()
             .add_option("--frames", flags_.frames,
                         "Draw the meshes on the recipe's way, of a body that turns one for every "
-                        "degree: PNG files into a folder, or a film .mp4 or .gif (by ffmpeg)")
+                        "degree, or a turn of the view: PNG files into a folder, or a film .mp4 or "
+                        ".gif (by ffmpeg)")
             ->type_name("DIR")
             ->group(group);
     recipe->needs(frames);
-    frames->needs(recipe);
+    app()
+        .add_option("--turntable", flags_.turntable,
+                    "Draw so many frames while the view turns once around a volume mesh, for "
+                    "--frames")
+        ->check(CLI::Range(2, 36000))
+        ->type_name("N")
+        ->needs(frames)
+        ->excludes(recipe)
+        ->group(group);
     app()
         .add_option("--per-command", flags_.per_command, "Most frames of one command [all]")
         ->check(CLI::Range(1, 10000))
@@ -294,6 +309,10 @@ class RenderSubcommand : public Subcommand {
     if (flags_.output.empty() && flags_.frames.empty()) {
       throw UsageError(
           "nothing to draw to: give a picture with -o PIC or frames with --frames DIR");
+    }
+    if (!flags_.frames.empty() && flags_.recipe.empty() && flags_.turntable == 0) {
+      throw UsageError(
+          "--frames is for the meshes of a --recipe, or for a --turntable around a volume mesh");
     }
     if (!flags_.before.empty() && flags_.output.empty()) {
       throw UsageError("--before is for a picture: give one with -o PIC.png");

@@ -21,6 +21,7 @@ struct VolumeFlags {
   std::optional<double> half_width;
   std::vector<std::string> show, hide, see_through;
   std::string vcv_kind = "adjusted";
+  std::string peel;  // MARKER:FROM:TO
 };
 
 /// What the user asked for, in terms that need no OpenGL.
@@ -34,6 +35,7 @@ struct RenderFlags {
   std::string before;          // mesh to put beside
   std::string recipe, frames;  // frames of what the recipe does
   int per_command = 0, rate = 20;
+  int turntable = 0;  // frames of a turn; 0: none
   std::vector<Index> vcvs;
   bool dark = false, no_wireframe = false, no_legend = false, quiet = false;
   VolumeFlags volume;
@@ -48,11 +50,15 @@ void add_volume_flags(CLI::App& app, VolumeFlags& flags);
 /// numbers that make no picture.
 void check_volume_flags(const CLI::App& app, const RenderFlags& flags, const Topology& topology);
 
-/// Draws a volume mesh into flags.output, a PNG file. Throws UsageError for another format, and
+/// Draws a volume mesh into flags.output, a PNG, SVG or PDF file; returns what to tell the user
+/// beside its name. Throws UsageError for another format, and
 /// Error where winslow was built without graphics.
-void draw_volume(const RenderFlags& flags, const Mesh& mesh);
+std::string draw_volume(const RenderFlags& flags, const Mesh& mesh);
 /// The same of two states side by side, seen alike, in one range of colours.
 void draw_volumes(const RenderFlags& flags, const Mesh& before, const Mesh& after);
+/// Draws frames of a volume mesh while the view turns once around it; returns what to tell the
+/// user.
+std::string draw_turntable(const RenderFlags& flags, const Mesh& mesh);
 /// The same of the meshes on a recipe's way, as frames in flags.frames; returns what to tell the
 /// user.
 std::string draw_volume_frames(const RenderFlags& flags, const std::vector<Mesh>& meshes);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <span>
 
@@ -20,10 +21,10 @@ namespace {
 const std::vector<std::string> axes{"x", "y", "z"};
 
 constexpr std::array plane_only{"--bounds"};
-constexpr std::array volume_only{"--cut",         "--no-cut",  "--crinkle",    "--isolate",
-                                 "--view",        "--azimuth", "--elevation",  "--perspective",
-                                 "--centre",      "--show",    "--half-width", "--hide",
-                                 "--see-through", "--up",      "--vcv-kind"};
+constexpr std::array volume_only{
+    "--cut",         "--no-cut",      "--crinkle",  "--isolate", "--view",       "--azimuth",
+    "--elevation",   "--perspective", "--centre",   "--show",    "--half-width", "--hide",
+    "--see-through", "--up",          "--vcv-kind", "--peel",    "--turntable"};
 
 const std::vector<std::string> vcv_kinds{"equal", "existing", "adjusted"};
 
@@ -50,6 +51,11 @@ void add_cut_flags(CLI::App& app, VolumeFlags& flags) {
                  "Show whole the elements whose METRIC is worse than this value, without cuts")
       ->type_name("VALUE")
       ->excludes(cut)
+      ->group(group);
+  app.add_option("--peel", flags.peel,
+                 "Show whole the elements that lie so many layers deep below a marker, alone: "
+                 "wing:1:3 are the three layers at it, wing:4:6 the next three")
+      ->type_name("MARKER:FROM:TO")
       ->group(group);
 }
 
@@ -115,6 +121,25 @@ void add_vcv_flag(CLI::App& app, VolumeFlags& flags) {
 
 int axis_of(const std::string& name) { return name.front() - 'x'; }
 
+std::optional<gui::Peel> peel_of(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const auto last = text.rfind(':');
+  const auto first = last == std::string::npos || last == 0 ? last : text.rfind(':', last - 1);
+  gui::Peel peel{true, {}, 0, 0};
+  if (first != std::string::npos && first != last) {
+    const auto number = [&](std::size_t from, std::size_t to, int& value) {
+      const auto [end, error] = std::from_chars(text.data() + from, text.data() + to, value);
+      return error == std::errc() && end == text.data() + to;
+    };
+    peel.marker = text.substr(0, first);
+    if (number(first + 1, last, peel.from) && number(last + 1, text.size(), peel.to) &&
+        peel.from >= 1 && peel.to >= peel.from)
+      return peel;
+  }
+  throw UsageError("--peel: found \"" + text +
+                   "\", expected a marker and two numbers of layers from 1 on, as in wing:1:3");
+}
+
 std::optional<gui::ViewDirection> direction_of(const VolumeFlags& flags,
                                                const std::vector<Plane>& cuts) {
   if (flags.view.empty() && !flags.azimuth && !flags.elevation) return {};
@@ -144,6 +169,7 @@ gui::VolumePictureOptions volume_options(const RenderFlags& flags) {
   if (!cuts.empty() || volume.no_cut) options.cuts = std::move(cuts);
   options.crinkle = volume.crinkle;
   options.isolate = volume.isolate;
+  options.peel = peel_of(volume.peel);
   options.perspective = volume.perspective;
   if (volume.centre) options.centre = Vec3(volume.centre->data());
   options.half_width = volume.half_width;
@@ -208,12 +234,33 @@ void check_volume_flags(const CLI::App& app, const RenderFlags& flags, const Top
 }
 
 #ifdef WINSLOW_HAS_GUI
-void draw_volume(const RenderFlags& flags, const Mesh& mesh) {
-  if (gui::is_vector_format(flags.output))
-    throw UsageError(flags.output +
-                     ": pictures of volume meshes are made of pixels: give a name that "
-                     "ends in .png");
-  gui::write_png(flags.output, gui::draw_volume_picture(mesh, volume_options(flags)));
+std::string draw_volume(const RenderFlags& flags, const Mesh& mesh) {
+  if (!gui::is_vector_format(flags.output)) {
+    gui::write_png(flags.output, gui::draw_volume_picture(mesh, volume_options(flags)));
+    return {};
+  }
+  const gui::VectorFigure figure = gui::volume_picture_figure(mesh, volume_options(flags));
+  gui::write_figure(flags.output, figure);
+  return figure.scene->raster ? ", the mesh in it as pixels: too many faces are seen" : "";
+}
+
+std::string draw_turntable(const RenderFlags& flags, const Mesh& mesh) {
+  gui::VolumePictureOptions options = volume_options(flags);
+  if (!options.view)
+    options.view = gui::automatic_view(gui::cuts_of_picture(mesh, options), options.up);
+  // From whatever side all of it has room, and has one size.
+  if (!options.half_width) {
+    const Box<3> box = gui::volume_picture_extent(mesh, options);
+    const Vec3 half = Vec3::Constant(0.5 * box.size().norm());
+    options.extent = Box<3>{box.centre() - half, box.centre() + half};
+  }
+  const double start = options.view->azimuth;
+  int frame = 0;
+  const std::vector<Mesh> again(static_cast<std::size_t>(flags.turntable), mesh);
+  return record_frames(flags, again, [&](const Mesh& shown) {
+    options.view->azimuth = start + 360.0 * frame++ / flags.turntable;
+    return gui::draw_volume_picture(shown, options);
+  });
 }
 
 void draw_volumes(const RenderFlags& flags, const Mesh& before, const Mesh& after) {
@@ -239,7 +286,10 @@ std::string draw_volume_frames(const RenderFlags& flags, const std::vector<Mesh>
   draw_volume(flags, meshes.front());
   return {};
 }
-void draw_volume(const RenderFlags&, const Mesh&) {
+std::string draw_turntable(const RenderFlags& flags, const Mesh& mesh) {
+  return draw_volume(flags, mesh);
+}
+std::string draw_volume(const RenderFlags&, const Mesh&) {
   throw Error("this winslow was built without graphics (WINSLOW_BUILD_GUI=OFF): it cannot render");
 }
 #endif

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "gui/files/assets.h"
+
 namespace winslow::gui {
 
 namespace {
@@ -19,7 +21,7 @@ void DemoPlayer::start(const Demo& demo, const std::filesystem::path& folder,
   rested_ = 0;
   before_.assign(demo.steps.size(), 0);
   generation_ = session.generation();
-  actions.emplace_back(action::OpenMesh{folder / demo.mesh, true});
+  actions.emplace_back(action::OpenMesh{bundled_path(folder, demo.mesh), true});
 }
 
 bool DemoPlayer::ready(const Session& session) const {
@@ -56,6 +58,7 @@ void DemoPlayer::begin_step(const Session& session, ActionQueue& actions) {
     const Vec2 half(0.5 * (x1 - x0), 0.5 * (y1 - y0));
     actions.emplace_back(action::LookAt{Vec2(x0, y0) + half, half.maxCoeff()});
   }
+  if (step.space) actions.emplace_back(action::ShowLook{*step.space});
   if (!step.command) return;
   if (step.afresh) actions.emplace_back(action::GoToStep{0});
   Command command = *step.command;
@@ -63,6 +66,13 @@ void DemoPlayer::begin_step(const Session& session, ActionQueue& actions) {
   if (SmoothOptions* smooth = winslow::smooth_options(command)) {
     *smooth = session.jobs().smooth_options();
     if (step.regular) smooth->targets = TargetBlend::regular();
+    if (step.pointwise_over) {
+      smooth->formulation = "pointwise";
+      smooth->outer = OuterMethod::picard;
+      smooth->vcv = *step.pointwise_over;
+      smooth->vcv_updates = 0;
+      smooth->vcv_lengths = 0;
+    }
   }
   actions.emplace_back(action::RunCommand{std::move(command), false, true});
 }

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <utility>
 
 #include "gui/demos/demo.h"
+#include "gui/demos/volume_demos.h"
 
 namespace winslow::gui {
 
@@ -215,8 +217,11 @@ Demo case_g() {
 }  // namespace
 
 const std::vector<Demo>& demos() {
-  static const std::vector<Demo> all{case_a(), case_b(), case_c(), case_d(),
-                                     case_e(), case_f(), case_g()};
+  static const std::vector<Demo> all = [] {
+    std::vector<Demo> demos{case_a(), case_b(), case_c(), case_d(), case_e(), case_f(), case_g()};
+    for (Demo& demo : volume_demos()) demos.push_back(std::move(demo));
+    return demos;
+  }();
   return all;
 }
 

@@ -12,6 +12,10 @@ std::filesystem::path assets_folder();
 /// The same for a program at a path; for tests.
 std::filesystem::path assets_folder(const std::filesystem::path& program);
 
+/// A bundled mesh by its name, below that folder or another: volume meshes are there as coarse ones
+/// alone.
+std::filesystem::path bundled_path(const std::filesystem::path& folder, const std::string& name);
+
 /// True below that folder: what is there belongs to the program and is never written over.
 bool bundled(const std::filesystem::path& path);
 constexpr const char* bundled_text =
@@ -20,7 +24,7 @@ constexpr const char* bundled_text =
 /// A mesh that comes with the program.
 struct BundledMesh {
   std::string id;     ///< "naca0012"
-  std::string file;   ///< below assets_folder(): "naca0012.su2"
+  std::string file;   ///< as bundled_path() takes it: "naca0012.su2"
   std::string title;  ///< "NACA 0012"
   std::string about;  ///< a sentence
 };

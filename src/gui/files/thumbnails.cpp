@@ -12,6 +12,9 @@
 #include "gui/render/gl.h"
 #include "gui/render/image.h"
 #include "gui/render/mesh_renderer.h"
+#include "gui/render/space/space_renderer.h"
+#include "gui/render/space/standard_views.h"
+#include "gui/render/space/volume_scene.h"
 #include "io/format/mesh_file.h"
 
 namespace winslow::gui {
@@ -34,6 +37,22 @@ Bounds interesting(const Mesh& mesh) {
   if (bodies.size().maxCoeff() > 0.3 * all.size().maxCoeff()) return all;
   const Vec2 room = Vec2::Constant(0.25 * bodies.size().maxCoeff());
   return {bodies.min - room, bodies.max + room};
+}
+
+/// Across the longest extent of the bodies, where sections say most. Returns the axis that is up
+/// on screen.
+int choose_cut(const Mesh& mesh, const VolumeBoundary& boundary, VolumeLook& look) {
+  if (!boundary.encloses) return 2;
+  const SpacePoints x(mesh.coordinates);
+  Box<3> bodies = Box<3>::empty();
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f)
+    if (boundary.enclosing[f] == 0)
+      for (const Index node : boundary.faces[f].nodes) bodies.add(x[node]);
+  Index axis = 1;
+  for (const Index k : {0, 2})
+    if (bodies.size()[k] > 1.01 * bodies.size()[axis]) axis = k;
+  look.cuts = {Plane(bodies.centre(), (axis == 1 ? -1 : 1) * Vec3::Unit(axis))};
+  return axis == 2 ? 1 : 2;
 }
 
 }  // namespace
@@ -68,6 +87,7 @@ std::vector<Thumbnails::Loaded> Thumbnails::read() {
 }
 
 Image Thumbnails::draw(const Mesh& mesh) {
+  if (mesh.topology->cell_dimension() == 3) return draw_volume(mesh);
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   FrameBuffer buffer(width, height, 4);
@@ -82,6 +102,40 @@ Image Thumbnails::draw(const Mesh& mesh) {
   style.edge_color = {0.22f, 0.35f, 0.60f, 1};
   style.boundary_width = 3;
   renderer.draw(camera, style, width, height);
+  Image image = buffer.read();
+  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+  return image;
+}
+
+/// Cut through the bodies, where there are any.
+Image Thumbnails::draw_volume(const Mesh& mesh) {
+  const VolumeBoundary boundary = find_boundary(mesh);
+  VolumeLook look;
+  const int up = choose_cut(mesh, boundary, look);
+  VolumeStyle style;
+  style.fill = {0.90f, 0.93f, 0.98f, 1};
+  style.edge = {0.22f, 0.35f, 0.60f, 0.7f};
+  style.feature_width = 2.4f;
+  for (std::size_t m = 0; m < mesh.topology->markers().size(); ++m)
+    look.marker_colors.push_back({0.55f, 0.68f, 0.90f});
+  SpaceCamera camera;
+  camera.set_viewport(0, 0, width, height);
+  camera.look_from(automatic_view(look.cuts, up));
+  std::vector<Vec3> points;
+  const SpacePoints x(mesh.coordinates);
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f)
+    if (!boundary.encloses || boundary.enclosing[f] == 0)
+      for (const Index node : boundary.faces[f].nodes) points.push_back(x[node]);
+  camera.fit(points, boundary.encloses ? 0.16 : 0.04);
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  FrameBuffer buffer(width, height, 4);
+  buffer.clear({1, 1, 1, 1});
+  SpaceRenderer renderer;
+  const SpaceScene scene = build_scene(mesh, boundary, look, style);
+  camera.set_content(scene.extent);
+  renderer.set_scene(scene);
+  renderer.draw(camera, height);
   Image image = buffer.read();
   glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
   return image;

@@ -26,6 +26,8 @@ class Thumbnails {
   bool busy() const { return (!started_ && possible()) || reader_.busy() || !waiting_.empty(); }
   /// Of a bundled mesh, or of a demo: "demo/A". Null until it is there.
   const Texture* find(const std::string& id) const;
+  /// A picture of a plane or volume mesh.
+  static Image draw(const Mesh& mesh);
 
  private:
   struct Loaded {
@@ -36,7 +38,7 @@ class Thumbnails {
   /// The bundled meshes are installed.
   static bool possible();
   static std::vector<Loaded> read();
-  static Image draw(const Mesh& mesh);
+  static Image draw_volume(const Mesh& mesh);
 
   double shown_ = 0;  // seconds for which pictures were wanted
   bool started_ = false;

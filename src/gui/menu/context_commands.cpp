@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/inspect/space/surface_measures.h"
 #include "core/quality/metric.h"
 #include "gui/base/text.h"
 #include "gui/menu/bodies.h"
@@ -42,6 +43,17 @@ UserCommand copying(std::string id, std::string label, const std::string& text) 
           .label = std::move(label),
           .tooltip = "To paste it elsewhere: " + text,
           .run = [text](const PanelContext& c) { c.emit(action::CopyText{text}); }};
+}
+
+/// Says what is known of an item, in the column on the right; the view stays.
+UserCommand describing(std::string id, const MeshItem& item) {
+  return {.id = std::move(id),
+          .label = "Say what is known of it",
+          .tooltip = "Coordinates, neighbours and quality, in the panel \"Go to\".",
+          .run = [item](const PanelContext& c) {
+            c.emit(action::AskGoTo{});
+            c.emit(action::GoTo{item, false});
+          }};
 }
 
 /// Selects a body, then edits a field of a panel.
@@ -198,6 +210,7 @@ ContextPart of_node(const PanelContext& context, Index node) {
                     .run = [item](const PanelContext& c) { c.emit(action::GoTo{item}); }},
                    copying("node/copy_place", "Copy coordinates", node_place(context, node)),
                    copying("node/copy_id", "Copy node number", std::to_string(node))};
+  if (context.session.in_space()) part.commands.push_back(describing("node/describe", item));
   return part;
 }
 
@@ -236,6 +249,21 @@ ContextPart of_element(const PanelContext& context, Index element) {
                           });
                         }},
                    copying("element/copy_id", "Copy element number", std::to_string(element))};
+  if (dimension == 3) part.commands.push_back(describing("element/describe", item));
+  return part;
+}
+
+ContextPart of_face(const PanelContext& context, Index face) {
+  const MeshItem item{MeshItem::Kind::face, face};
+  const double area = face_area(SpacePoints(context.session.coordinates()),
+                                context.session.topology()->face(face).nodes);
+  ContextPart part{"Face " + std::to_string(face) + ", area " + short_number(area), {}};
+  part.commands = {{.id = "face/go_to",
+                    .label = "Centre it",
+                    .tooltip = "Zoom to the face, and say what is known of it.",
+                    .run = [item](const PanelContext& c) { c.emit(action::GoTo{item}); }},
+                   describing("face/describe", item),
+                   copying("face/copy_id", "Copy face number", std::to_string(face))};
   return part;
 }
 
@@ -281,6 +309,7 @@ std::vector<ContextPart> context_parts(const PanelContext& context, const Picked
   if (!context.session.document()) return parts;
   if (!place.markers.empty()) parts.push_back(of_body(context, place.markers));
   if (place.node) parts.push_back(of_node(context, *place.node));
+  if (place.face) parts.push_back(of_face(context, *place.face));
   if (place.element) parts.push_back(of_element(context, *place.element));
   if (place.point || place.in_space || context.session.in_space()) parts.push_back(of_view(place));
   return parts;

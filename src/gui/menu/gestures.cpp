@@ -30,7 +30,7 @@ std::span<const Gesture> mouse_gestures() {
        {"Click a surface", "select its marker", space},
        {"Click a cut", "its element", space},
        {"Double click a surface", "zoom to it", space},
-       {"Left drag", "turn about what is there", space},
+       {"Left drag", "turn about what is there (T: freely)", space},
        {"Alt + click", "the node there", space},
        {"Middle, right, Shift + left", "pan", space},
        {"Drag a cut's arrow", "move the cut", space},

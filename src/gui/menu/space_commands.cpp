@@ -85,6 +85,14 @@ std::vector<UserCommand> space_commands() {
                                                    .label = "Axes",
                                                    .tooltip = "Where the axes point, in a corner.",
                                                    .words = "triad"}));
+  all.push_back(space_toggle(
+      &SpaceOptions::free_orbit,
+      {.id = "free_orbit",
+       .label = "Turn freely",
+       .keys = {key(GLFW_KEY_T)},
+       .tooltip = "The mouse turns the view about any axis; else as on a turntable, on which the "
+                  "upright axis stays upright.",
+       .words = "orbit trackball tumble rotate turntable"}));
   all.push_back(add_cut());
   all.push_back(remove_cuts());
   all.push_back(space_toggle(&SpaceOptions::crinkle,

@@ -20,9 +20,11 @@ void draw_numbers(const PanelContext& context) {
   ui::text_colored(report.inverted > 0 ? palette().danger : palette().success, inverted);
   ui::note("demo/inverted");
   ImGui::SameLine();
-  ui::text_dim("smallest sine " +
+  const bool in_space = context.session.in_space();
+  ui::text_dim((in_space ? "smallest scaled Jacobian " : "smallest sine ") +
                short_number(report.of(Metric::normalized_jacobian).statistics.min) +
-               ", largest R/2r " + short_number(report.of(Metric::aspect_ratio).statistics.max));
+               (in_space ? ", largest R/3r " : ", largest R/2r ") +
+               short_number(report.of(Metric::aspect_ratio).statistics.max));
 }
 
 void draw_buttons(const PanelContext& context) {

@@ -24,7 +24,8 @@ void GoToPanel::draw(const PanelContext& context) {
 void GoToPanel::draw_field(const PanelContext& context) {
   constexpr const char* tip =
       "n123 goes to a node, e45 to an element, 0.5, 0.1 to the node nearest to a point, worst 3 to "
-      "an entry of the list above, the name of a marker to its first node. Ctrl+G comes here.";
+      "an entry of the list above, the name of a marker to its first node; of a volume mesh f12 to "
+      "a face, wing 12 to that face of a marker. Ctrl+G comes here.";
   if (context.view_state.go_to_wanted) ImGui::SetKeyboardFocusHere();
   const float go = context.theme.px(44);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - go -
@@ -32,7 +33,7 @@ void GoToPanel::draw_field(const PanelContext& context) {
   // What is typed next is another place, not more of the last one.
   bool wanted = ImGui::InputTextWithHint(
       "##go_to",
-      context.session.in_space() ? "n123, e45, 0.5, 0.1, 2 ..." : "n123, e45, 0.5, 0.1 ...",
+      context.session.in_space() ? "n123, e45, f12, 0.5, 0.1, 2 ..." : "n123, e45, 0.5, 0.1 ...",
       text_.data(), text_.size(),
       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   ui::note("go_to/field");
@@ -54,7 +55,14 @@ void GoToPanel::draw_item(const PanelContext& context) {
   const float left = ImGui::GetCursorPosX();
   ImGui::BeginGroup();
   bool first = true;
-  for (const auto& [name, value] : describe_item(*focus, context.session)) {
+  if (described_ != focus || shape_ != context.session.shape() ||
+      generation_ != context.session.generation()) {
+    lines_ = describe_item(*focus, context.session);
+    described_ = focus;
+    shape_ = context.session.shape();
+    generation_ = context.session.generation();
+  }
+  for (const auto& [name, value] : lines_) {
     if (first)
       ui::text_colored(palette().text, name);
     else

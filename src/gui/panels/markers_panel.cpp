@@ -300,7 +300,7 @@ bool MarkersPanel::draw_colors(const PanelContext& context) {
                  {"Any colour, by hue or as #rrggbb.", ui::ButtonStyle::normal, true, -1});
   if (other) ImGui::CloseCurrentPopup();
   if (ui::button(
-          "marker_color/automatic", "Automatic",
+          "marker_color/automatic", "Automatic colour",
           {"The colour that it has by its place in the list.", ui::ButtonStyle::normal, true, -1}))
     paint({});
   if (context.session.in_space()) draw_surface(context, *marker);
@@ -311,11 +311,12 @@ bool MarkersPanel::draw_colors(const PanelContext& context) {
 /// How the marker's surface is drawn in space.
 void MarkersPanel::draw_surface(const PanelContext& context, Index marker) const {
   const MarkerLook look = context.view.markers.of(coloured_);
-  constexpr const char* tip = "Automatic: a body as a surface, what encloses bodies as an outline.";
+  constexpr const char* tip =
+      "By its role: a body as a surface, what encloses bodies as an outline.";
   auto drawing = static_cast<std::size_t>(look.drawing);
   ImGui::SetNextItemWidth(context.theme.px(162));
-  if (ui::combo("marker_color/drawing", {"Automatic", "As a surface", "As an outline"}, drawing,
-                tip))
+  if (ui::combo("marker_color/drawing", {"Drawn by its role", "As a surface", "As an outline"},
+                drawing, tip))
     change_look(context, marker, coloured_,
                 [&](MarkerLook& l) { l.drawing = static_cast<MarkerDrawing>(drawing); });
   int percent = static_cast<int>(std::lround(100 * look.opacity));

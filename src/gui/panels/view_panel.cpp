@@ -54,6 +54,7 @@ void ViewPanel::draw(const PanelContext& context) {
   changed |= draw_elements(view, in_space);
   if (in_space) {
     changed |= draw_space(view);
+    changed |= draw_comparison(view);
   } else {
     changed |= draw_boundary(view);
     changed |= draw_comparison(view);
@@ -193,6 +194,7 @@ bool ViewPanel::draw_elements(ViewOptions& view, bool in_space) {
   ui::second_column("Legend");
   changed |= ui::checkbox("view/legend", "Legend", view.legend, "Colours and their values (L).");
   if (!in_space) changed |= ui::checkbox("view/nodes", "Nodes", view.nodes, "A dot on every node.");
+  if (in_space) changed |= draw_ids(view);
   return changed;
 }
 
@@ -211,6 +213,13 @@ bool ViewPanel::draw_space(ViewOptions& view) {
   row("Upright", up_tip);
   changed |= ui::combo("view/up", {"x axis", "y axis", "z axis"}, up, up_tip);
   view.space.up = static_cast<int>(up);
+  constexpr const char* turn_tip =
+      "As on a turntable: the upright axis stays upright. Freely: about any axis, so that the mesh "
+      "may lie on its side (T).";
+  std::size_t turn = view.space.free_orbit ? 1 : 0;
+  row("Turned", turn_tip);
+  changed |= ui::combo("view/turn", {"As on a turntable", "Freely"}, turn, turn_tip);
+  view.space.free_orbit = turn == 1;
   changed |= ui::checkbox("view/axes", "Axes", view.space.axes,
                           "Where the axes point, in the corner of the picture.");
   ui::second_column("Scale bar");
@@ -226,8 +235,13 @@ bool ViewPanel::draw_boundary(ViewOptions& view) {
   ui::second_column("Directions");
   changed |= ui::checkbox("view/directions", "Directions", view.directions,
                           "Arrows along the boundary, with the mesh on their left.");
-  changed |= ui::checkbox("view/node_ids", "Node IDs", view.node_ids,
-                          "Numbers of the nodes that are far enough apart on screen (Shift+I).");
+  return draw_ids(view) || changed;
+}
+
+bool ViewPanel::draw_ids(ViewOptions& view) {
+  bool changed =
+      ui::checkbox("view/node_ids", "Node IDs", view.node_ids,
+                   "Numbers of the nodes that are far enough apart on screen (Shift+I).");
   ui::second_column("Element IDs");
   changed |= ui::checkbox("view/element_ids", "Element IDs", view.element_ids,
                           "Numbers of the elements that are large enough on screen (Shift+E).");

@@ -121,15 +121,17 @@ void WelcomePanel::draw_bundled(const PanelContext& context) {
   heading(context, "Bundled meshes");
   const float gap = context.theme.px(card_gap);
   const float room = ImGui::GetContentRegionAvail().x;
-  const std::size_t columns = room > context.theme.px(440) ? 4 : 2;
+  const std::size_t all = bundled_meshes().size();
+  const std::size_t columns = room > context.theme.px(640) ? all : (all + 1) / 2;
   const auto n = static_cast<float>(columns);
-  const float width = std::min((room - (n - 1) * gap) / n, context.theme.px(card_width));
+  const float width = std::min((std::min(room, context.theme.px(page_width)) - (n - 1) * gap) / n,
+                               context.theme.px(card_width));
   std::size_t k = 0;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
   for (const BundledMesh& mesh : bundled_meshes()) {
     if (k++ % columns != 0) ImGui::SameLine();
     if (draw_card(context, mesh, width, 0.625f * width + context.theme.px(30)))
-      context.emit(action::OpenMesh{assets_folder() / mesh.file});
+      context.emit(action::OpenMesh{bundled_path(assets_folder(), mesh.file)});
   }
   ImGui::PopStyleVar();
 }
@@ -159,7 +161,7 @@ bool WelcomePanel::draw_card(const PanelContext& context, const BundledMesh& mes
 }
 
 void WelcomePanel::draw_demos(const PanelContext& context) {
-  heading(context, "Guided demos: the cases of the paper");
+  heading(context, "Guided demos: the cases of the paper, and three in space");
   const Columns columns = columns_of(context);
   // As high as a small window has room for without scrolling.
   const std::size_t full_rows = (demos().size() + columns.count - 1) / columns.count;

@@ -14,7 +14,7 @@ class WelcomePanel : public Panel {
  public:
   static constexpr float card_width = 190, card_gap = 10;
   /// Room that all of it takes at scale 1; the height with recent files.
-  static constexpr float page_width = 4 * card_width + 3 * card_gap, page_height = 672;
+  static constexpr float page_width = 790, page_height = 672;
 
   void draw(const PanelContext& context) override;
 

@@ -35,8 +35,8 @@ auto option_fields(T& options) {
 
 template <Is<SpaceOptions> T>
 auto option_fields(T& options) {
-  auto& [cuts, crinkle, perspective, up, axes, worst] = options;
-  return std::tie(cuts, crinkle, perspective, up, axes, worst);
+  auto& [cuts, crinkle, perspective, up, axes, worst, free_orbit, peel] = options;
+  return std::tie(cuts, crinkle, perspective, up, axes, worst, free_orbit, peel);
 }
 
 template <Is<ViewOptions> T>

@@ -1,5 +1,6 @@
 #include "gui/settings/picture_spec.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -26,6 +27,11 @@ std::array<int, 2> picture_size(const PictureSpec& spec, double width, double he
                      std::to_string(largest_picture_side) +
                      " pixels a side and at most 268 million in all.");
   return {static_cast<int>(w), static_cast<int>(h)};
+}
+
+int turntable_frames(const RecordingSpec& spec) {
+  constexpr double most = 36000;  // 600 seconds at 60 a second
+  return static_cast<int>(std::clamp(std::round(spec.turn_seconds * spec.rate), 2.0, most));
 }
 
 }  // namespace winslow::gui

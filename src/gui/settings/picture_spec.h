@@ -14,6 +14,9 @@ struct PictureSpec {
   bool panels = true;                      ///< the whole window, or else the mesh alone
   bool transparent = false;                ///< without panels: no paper behind the mesh
   bool legend = true;
+  /// Degrees by which the view of a volume mesh is turned about the upright axis, through what is
+  /// in the middle of the view.
+  double turned = 0;
 
   bool operator==(const PictureSpec&) const = default;
 };
@@ -22,15 +25,21 @@ struct PictureSpec {
 struct RecordingSpec {
   enum class When {
     every_shape,  ///< a frame whenever the mesh has moved
-    timed         ///< `rate` frames a second, as far as the machine keeps up
+    timed,        ///< `rate` frames a second, as far as the machine keeps up
+    turntable     ///< of a volume mesh: while the view turns once around it
   };
   When when = When::every_shape;
   int rate = 20;             ///< frames a second, of the film
+  double turn_seconds = 6;   ///< that a turn takes in the film
   PictureSpec picture;       ///< of each frame
   bool keep_frames = false;  ///< beside a film; without a film they are always kept
 
   bool operator==(const RecordingSpec&) const = default;
 };
+
+/// Frames of a turn: one for each step of as many degrees, so that a film of them can go round and
+/// round.
+int turntable_frames(const RecordingSpec& spec);
 
 /// Largest side of a picture, in pixels. Above what the graphics card can draw at once a picture is
 /// put together from tiles.

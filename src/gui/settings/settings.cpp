@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "gui/settings/kept_view_json.h"
 #include "gui/settings/view_settings.h"
 #include "io/file/atomic_file.h"
 
@@ -62,6 +63,7 @@ std::string write_settings(const Settings& settings, const std::string& previous
   layout["folded"] = settings.folded;
   layout["window"] = settings.window;
   root["recent"] = settings.recent;
+  root["views"] = write_kept_views(settings.views);
   // Names of files may hold any bytes.
   return root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
@@ -83,6 +85,7 @@ Settings read_settings(const std::string& text) {
   if (const auto it = root.find("recent"); it != root.end() && it->is_array())
     for (const json& path : *it)
       if (path.is_string()) settings.recent.push_back(path.get<std::string>());
+  if (const auto it = root.find("views"); it != root.end()) settings.views = read_kept_views(*it);
   if (const auto it = layout.find("window"); it != layout.end() && it->is_array() &&
                                              it->size() == 2 && (*it)[0].is_number_integer() &&
                                              (*it)[1].is_number_integer()) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gui/base/background.h"
+#include "gui/settings/kept_view.h"
 #include "gui/settings/view_options.h"
 
 namespace winslow::gui {
@@ -18,7 +19,9 @@ struct Settings {
   /// Sizes of the panels, in units of the layout; 0: as designed.
   float left_width = 0, right_width = 0, plot_height = 0;
   /// Sections of panels that are folded, by id; at first those that few need.
-  std::set<std::string> folded{"section/mesh", "section/shape", "section/layers"};
+  std::set<std::string> folded{"section/mesh", "section/shape", "section/layers",
+                               "section/measures"};
+  std::vector<KeptView> views;      ///< of volume meshes, the last one first
   std::vector<std::string> recent;  ///< meshes opened last, absolute paths, the last one first
   std::array<int, 2> window{0, 0};  ///< size of the window in units of the layout; 0: as designed
 

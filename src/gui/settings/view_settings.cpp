@@ -72,6 +72,7 @@ void visit(View& view, Visitor&& visitor) {
   visitor.flag("perspective", view.space.perspective);
   visitor.number("up", view.space.up, 0, 2);
   visitor.flag("axes", view.space.axes);
+  visitor.flag("free_orbit", view.space.free_orbit);
   visitor.number("worst_count", view.worst_count, 1, 100);
   visitor.choice("lightness", view.lightness, looks);
   visitor.choice("backdrop", view.backdrop, backdrops);

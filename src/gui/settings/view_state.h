@@ -8,9 +8,9 @@
 
 namespace winslow::gui {
 
-/// A node or an element of the open mesh.
+/// A node or an element of the open mesh, or a face of a volume mesh (as Topology numbers them).
 struct MeshItem {
-  enum class Kind { node, element };
+  enum class Kind { node, element, face };
   Kind kind = Kind::element;
   Index id = 0;
 

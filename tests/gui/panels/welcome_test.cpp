@@ -18,7 +18,7 @@ TEST_CASE("the cards of the welcome page open the bundled meshes") {
   for (const BundledMesh& mesh : bundled_meshes()) {
     Rig rig(1400, 900);
     INFO("mesh ", mesh.id);
-    CHECK(fs::is_regular_file(assets_folder() / mesh.file));
+    CHECK(fs::is_regular_file(bundled_path(assets_folder(), mesh.file)));
     rig.click("welcome/" + mesh.id);
     REQUIRE(rig.wait([&] { return rig.session().document() != nullptr; }));
     CHECK(rig.document().name() == mesh.file);

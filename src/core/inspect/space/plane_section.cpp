@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -80,6 +81,53 @@ class KeyTable {
   std::size_t count_ = 0;
 };
 
+/// The edges of a tetrahedron that a plane goes through, around the section, by which of its
+/// corners lie in front.
+struct TetrahedronCut {
+  std::array<std::array<std::uint8_t, 2>, 4> edges{};  ///< from behind to the front
+  std::size_t count = 0;
+};
+
+/// By the same rule as that of other elements: see Cutter::cut_face().
+TetrahedronCut cut_of_tetrahedron(unsigned front) {
+  const auto in_front = [&](Index k) { return (front >> static_cast<unsigned>(k) & 1U) != 0; };
+  std::vector<std::array<Index, 2>> crossings;
+  std::array<std::size_t, 4> next{};
+  const auto find = [&](Index behind, Index before) {
+    const std::array<Index, 2> edge{behind, before};
+    const auto found = std::ranges::find(crossings, edge);
+    const auto k = static_cast<std::size_t>(found - crossings.begin());
+    if (found == crossings.end()) crossings.push_back(edge);
+    return k;
+  };
+  for (const Face& face : shape_of(ElementType::tetrahedron).faces) {
+    std::optional<std::size_t> enters, leaves;
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const Index a = face[k], b = face[(k + 1) % face.size()];
+      if (in_front(a) == in_front(b)) continue;
+      if (in_front(b))
+        enters = find(a, b);
+      else
+        leaves = find(b, a);
+    }
+    if (leaves) next[*leaves] = *enters;
+  }
+  TetrahedronCut cut;
+  for (std::size_t k = 0; cut.count < crossings.size(); k = next[k], ++cut.count)
+    cut.edges[cut.count] = {static_cast<std::uint8_t>(crossings[k][0]),
+                            static_cast<std::uint8_t>(crossings[k][1])};
+  return cut;
+}
+
+const std::array<TetrahedronCut, 16>& tetrahedron_cuts() {
+  static const std::array<TetrahedronCut, 16> all = [] {
+    std::array<TetrahedronCut, 16> cuts;
+    for (unsigned front = 0; front < cuts.size(); ++front) cuts[front] = cut_of_tetrahedron(front);
+    return cuts;
+  }();
+  return all;
+}
+
 /// Cuts one element after the other.
 class Cutter {
  public:
@@ -88,33 +136,62 @@ class Cutter {
       : topology_(*mesh.topology),
         x_(mesh.coordinates),
         distance_(std::move(distance)),
-        front_on_plane_(front_on_plane) {}
+        front_(distance_.size()) {
+    for (std::size_t i = 0; i < front_.size(); ++i) {
+      const double d = distance_[i];
+      front_[i] = (front_on_plane ? d >= 0 : d > 0) ? 1 : 0;
+    }
+  }
 
   PlaneSection cut() {
-    const std::vector<unsigned char> met = met_elements();
+    const std::vector<Index> met = met_elements();
     // A plane tiling of n triangles has about n / 2 corners.
-    point_of_.reserve(static_cast<std::size_t>(std::ranges::count(met, 1)) * 2 / 3);
-    for (Index e = 0; e < topology_.element_count(); ++e)
-      if (met[at(e)] != 0) cut_element(e, topology_.element(e));
+    point_of_.reserve(met.size() * 2 / 3);
+    section_.points.reserve(met.size() * 2 / 3);
+    section_.elements.reserve(met.size());
+    section_.polygons.values.reserve(4 * met.size());
+    for (const Index e : met) {
+      const auto corners = topology_.element(e);
+      if (topology_.element_type(e) == ElementType::tetrahedron)
+        cut_tetrahedron(e, corners);
+      else
+        cut_element(e, corners);
+    }
     return std::move(section_);
   }
 
  private:
   /// Elements with corners on both sides: found first, by all threads, as most have none.
-  std::vector<unsigned char> met_elements() const {
-    std::vector<unsigned char> front(distance_.size());
-    for (std::size_t i = 0; i < front.size(); ++i)
-      front[i] = in_front(static_cast<Index>(i)) ? 1 : 0;
-    std::vector<unsigned char> met(at(topology_.element_count()));
+  std::vector<Index> met_elements() const {
+    std::vector<Index> met;
+    std::vector<unsigned char> flags(at(topology_.element_count()));
     parallel_for(0, topology_.element_count(), [&](Index begin, Index end) {
-      for (Index e = begin; e < end; ++e) {
-        const auto corners = topology_.element(e);
-        unsigned sum = 0;
-        for (const Index node : corners) sum += front[at(node)];
-        met[at(e)] = sum != 0 && sum != corners.size() ? 1 : 0;
-      }
+      for (Index e = begin; e < end; ++e) flags[at(e)] = is_met(e) ? 1 : 0;
     });
+    for (Index e = 0; e < topology_.element_count(); ++e)
+      if (flags[at(e)] != 0) met.push_back(e);
     return met;
+  }
+
+  bool is_met(Index e) const {
+    const auto corners = topology_.element(e);
+    unsigned sum = 0;
+    for (const Index node : corners) sum += front_[at(node)];
+    return sum != 0 && sum != corners.size();
+  }
+
+  void cut_tetrahedron(Index e, std::span<const Index> corners) {
+    unsigned front = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      if (in_front(corners[k])) front |= 1U << k;
+    const TetrahedronCut& cut = tetrahedron_cuts()[front];
+    std::array<Index, 4> points{};
+    for (std::size_t k = 0; k < cut.count; ++k)
+      points[k] = point_at(corners[cut.edges[k][0]], corners[cut.edges[k][1]]);
+    auto& polygons = section_.polygons;
+    const std::size_t begin = polygons.values.size();
+    for (std::size_t k = 0; k < cut.count; ++k) put_point(begin, points[k]);
+    end_polygon(e, begin);
   }
 
   static constexpr std::size_t most_edges = 12;
@@ -126,10 +203,7 @@ class Cutter {
     bool done;
   };
 
-  bool in_front(Index node) const {
-    const double d = distance_[at(node)];
-    return front_on_plane_ ? d >= 0 : d > 0;
-  }
+  bool in_front(Index node) const { return front_[at(node)] != 0; }
 
   std::size_t find_crossing(Index behind, Index front) {
     std::size_t k = 0;
@@ -176,11 +250,11 @@ class Cutter {
     return d(0) * d(2) > d(1) * d(3);
   }
 
-  Index point_at(const Crossing& crossing) {
+  Index point_at(Index behind_node, Index front_node) {
     // A node on the plane is one point, whichever edges lead to it.
-    const double front = distance_[at(crossing.front)], behind = distance_[at(crossing.behind)];
-    const Index a = front == 0 ? crossing.front : crossing.behind;
-    const Index b = behind == 0 ? crossing.behind : crossing.front;
+    const double front = distance_[at(front_node)], behind = distance_[at(behind_node)];
+    const Index a = front == 0 ? front_node : behind_node;
+    const Index b = behind == 0 ? behind_node : front_node;
     const auto key = (std::uint64_t{static_cast<std::uint32_t>(a)} << 32U) |
                      std::uint64_t{static_cast<std::uint32_t>(b)};
     const auto [point, fresh] =
@@ -198,11 +272,21 @@ class Cutter {
     std::size_t k = first;
     do {
       crossings_[k].done = true;
-      const Index point = point_at(crossings_[k]);
-      if (polygons.values.size() == begin || polygons.values.back() != point)
-        polygons.values.push_back(point);
+      put_point(begin, point_at(crossings_[k].behind, crossings_[k].front));
       k = crossings_[k].next;
     } while (k != first);
+    end_polygon(e, begin);
+  }
+
+  /// begin: of the polygon, in the values of all.
+  void put_point(std::size_t begin, Index point) {
+    auto& values = section_.polygons.values;
+    if (values.size() == begin || values.back() != point) values.push_back(point);
+  }
+
+  /// Points that fell together make no corner; fewer than three no polygon.
+  void end_polygon(Index e, std::size_t begin) {
+    auto& polygons = section_.polygons;
     while (polygons.values.size() > begin + 1 && polygons.values.back() == polygons.values[begin])
       polygons.values.pop_back();
     if (polygons.values.size() < begin + 3) return polygons.values.resize(begin);
@@ -213,7 +297,7 @@ class Cutter {
   const Topology& topology_;
   SpacePoints x_;
   std::vector<double> distance_;
-  bool front_on_plane_;
+  std::vector<unsigned char> front_;  // of nodes; small enough to stay near the processor
   std::array<Crossing, most_edges> crossings_{};
   std::size_t count_ = 0;
   KeyTable point_of_;

@@ -49,6 +49,10 @@ struct ZoomToScreen {
 struct LookFrom {
   std::string name;
 };
+/// Looks at a volume mesh, and cuts it, as is said.
+struct ShowLook {
+  SpaceLook look;
+};
 /// The same through what is in the middle of the view, across the axis that points to the viewer
 /// most.
 struct AddCutAcrossView {};
@@ -90,6 +94,6 @@ using ViewAction =
                  action::ZoomTo, action::BackView, action::ForwardView, action::GoTo,
                  action::InspectNode, action::PinMagnifier, action::AskGoTo, action::StepScale,
                  action::LookAtPlace, action::ZoomToScreen, action::LookFrom, action::AddCut,
-                 action::HoldCut, action::AddCutAcrossView>;
+                 action::HoldCut, action::AddCutAcrossView, action::ShowLook>;
 
 }  // namespace winslow::gui

@@ -7,17 +7,18 @@ namespace {
 // While a solver runs, measuring more often than the eye can follow would only slow it down.
 constexpr std::chrono::milliseconds live_interval{120};
 
-/// named: the numbers of wish.before, or of what it is a copy of.
+/// named: the numbers of wish.before, or of what it is a copy of. threads: 0 for all cores.
 std::shared_ptr<const QualityMonitor::Measured> measure(std::uint64_t shape, const MeshState& state,
                                                         const QualityMonitor::Wish& wish,
-                                                        const void* named) {
+                                                        const void* named, int threads) {
   auto measured = std::make_shared<QualityMonitor::Measured>();
   measured->shape = shape;
   measured->topology = state.mesh.topology;
   measured->field = wish.field;
   measured->before = named;
   measured->report = measure_quality(
-      state.mesh, {.histogram_bins = 40, .worst = most_worst, .threads = 1, .before = wish.before});
+      state.mesh,
+      {.histogram_bins = 40, .worst = most_worst, .threads = threads, .before = wish.before});
   if (wish.field && state.mesh.topology->cell_dimension() == 3)
     // Fields of plane meshes alone have no values here.
     measured->values = wish.field->metric() && wish.field->cell_dimension() == 3
@@ -44,14 +45,16 @@ void QualityMonitor::request(std::uint64_t shape, const MeshState& state, const 
   last_start_ = std::chrono::steady_clock::now();
   // A copy: the history may drop that state before the measurement has ended.
   auto before = wish.before ? std::make_shared<const Coordinates>(*wish.before) : nullptr;
-  worker_.start([shape, state, field = wish.field, before, named = wish.before_numbers()] {
-    return measure(shape, state, {field, before.get()}, named);
+  // Beside a solver one core is enough; else the colours wait for it.
+  const int threads = live ? 1 : 0;
+  worker_.start([shape, state, field = wish.field, before, named = wish.before_numbers(), threads] {
+    return measure(shape, state, {field, before.get()}, named, threads);
   });
 }
 
 void QualityMonitor::measure_now(std::uint64_t shape, const MeshState& state, const Wish& wish) {
   if (latest_ && latest_->shape == shape && wish.met_by(*latest_)) return;
-  latest_ = measure(shape, state, wish, wish.before_numbers());
+  latest_ = measure(shape, state, wish, wish.before_numbers(), 0);
 }
 
 bool QualityMonitor::poll() {

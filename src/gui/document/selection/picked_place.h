@@ -16,6 +16,7 @@ struct PickedPlace {
   std::optional<Index> element;  ///< that contains the point
   /// Of a volume mesh, with the normal of the surface there, towards the viewer.
   std::optional<std::array<Vec3, 2>> in_space = {};
+  std::optional<Index> face = {};  ///< of the boundary of a volume mesh, as Topology numbers them
 };
 
 }  // namespace winslow::gui

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "gui/files/places.h"
+#include "gui/files/thumbnails.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -20,6 +21,8 @@ namespace {
 constexpr float date_width = 130;
 constexpr float day_width = 92;
 constexpr float size_width = 76;
+/// Of the places beside the list.
+constexpr float places_width = 168;
 
 /// What stands before a name.
 std::string lead_of(const Theme& theme, bool folder) {
@@ -85,9 +88,29 @@ void FileBrowser::draw_new_folder(const PanelContext& context) {
     choice_.go(folder);
 }
 
+/// Of the mesh that is chosen, at the foot of the places. Returns the height that it takes.
+float FileBrowser::draw_preview(const PanelContext& context, float height) {
+  const float width = context.theme.px(places_width);
+  const float picture = width * static_cast<float>(Thumbnails::height) / Thumbnails::width;
+  const float gap = ImGui::GetStyle().ItemSpacing.y;
+  const Texture* texture = preview_.picture();
+  if (!texture || height < 2 * picture) return 0;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 min(at.x, at.y + height - picture), max(at.x + width, at.y + height);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddImageRounded(texture->id(), min, max, ImVec2(0, 0), ImVec2(1, 1), IM_COL32_WHITE,
+                       context.theme.px(4));
+  list.AddRect(min, max, palette().border, context.theme.px(4));
+  ui::note("dialog/preview", min, max);
+  return picture + gap;
+}
+
 void FileBrowser::draw_places(const PanelContext& context, float height) {
   const Theme& theme = context.theme;
-  ImGui::BeginChild("places", ImVec2(theme.px(168), height), true);
+  const auto chosen = choice_.folder.chosen();
+  preview_.want(chosen && !new_folders_ ? choice_.folder.listing().folder() / *chosen : fs::path());
+  height -= draw_preview(context, height);
+  ImGui::BeginChild("places", ImVec2(theme.px(places_width), height), true);
   std::string group;
   for (const Place& place : places(context.recent.folders())) {
     if (place.group != group) {

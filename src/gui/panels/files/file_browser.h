@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "gui/files/mesh_preview.h"
 #include "gui/panels/files/file_choice.h"
 #include "gui/panels/panel.h"
 
@@ -19,8 +20,11 @@ class FileBrowser {
   void draw_address(const PanelContext& context);
   /// Places and list side by side. True if a file was chosen for good.
   bool draw(const PanelContext& context, float height);
+  /// A file that is chosen is still being read for its picture.
+  bool busy() const { return preview_.busy(); }
 
  private:
+  float draw_preview(const PanelContext& context, float height);
   void draw_new_folder(const PanelContext& context);
   void draw_places(const PanelContext& context, float height);
   bool draw_list(const PanelContext& context, float height);
@@ -38,6 +42,7 @@ class FileBrowser {
   FileChoice& choice_;
   Columns columns_;
   bool new_folders_ = false;
+  MeshPreview preview_;
   std::optional<std::string> new_folder_;  // being named
   SortBy sort_ = SortBy::name;
   bool reversed_ = false;

@@ -26,8 +26,8 @@ class FileDialog : public Panel {
   bool is_open() const { return open_; }
   /// A mesh that is saved is saved to go on with what asked for that: see action::SaveMesh.
   void set_proceed(bool proceed) { proceed_ = proceed; }
-  /// A folder is being read.
-  bool busy() const { return open_ && choice_.folder.listing().busy(); }
+  /// A folder, or a mesh for its picture, is being read.
+  bool busy() const { return open_ && (choice_.folder.listing().busy() || browser_.busy()); }
   const std::filesystem::path& folder() const { return choice_.folder.listing().folder(); }
   void draw(const PanelContext& context) override;
 

@@ -40,12 +40,20 @@ void RecordDialog::draw(const PanelContext& context) {
     if (document && *step_ < document->history().size())
       ui::text_dim(describe(document->history().command(*step_)));
   } else {
-    std::size_t when = spec_.when == RecordingSpec::When::every_shape ? 0 : 1;
+    std::vector<std::string> ways{"Whenever the mesh moved", "By the clock"};
+    if (context.session.in_space()) ways.emplace_back("While the view turns once");
+    auto when = std::min(static_cast<std::size_t>(spec_.when), ways.size() - 1);
     ui::row("A frame",
-            "Whenever the mesh has moved: no frame shows the same mesh twice. Or by the "
-            "clock, with what you do to the view in between.");
-    if (ui::combo("record/when", {"Whenever the mesh moved", "By the clock"}, when))
-      spec_.when = when == 0 ? RecordingSpec::When::every_shape : RecordingSpec::When::timed;
+            "Whenever the mesh has moved: no frame shows the same mesh twice. By the clock, with "
+            "what you do to the view in between. Or while the view of a volume mesh turns once "
+            "about the upright axis.");
+    ui::combo("record/when", ways, when);
+    spec_.when = static_cast<RecordingSpec::When>(when);
+    if (spec_.when == RecordingSpec::When::turntable) {
+      ui::row("Seconds", "That the turn takes in the film");
+      ui::number("record/seconds", spec_.turn_seconds);
+      if (!(spec_.turn_seconds >= 0.1 && spec_.turn_seconds <= 600)) spec_.turn_seconds = 6;
+    }
   }
   ui::row("Frames a second", "Of the film");
   ui::number("record/rate", spec_.rate);

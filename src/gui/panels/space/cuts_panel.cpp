@@ -72,6 +72,7 @@ void CutsPanel::draw(const PanelContext& context) {
   draw_buttons(context, view);
   ui::checkbox("cuts/crinkle", "Whole elements", view.space.crinkle,
                "Cuts leave whole elements: those of which some part lies behind every cut (K).");
+  draw_peel(context, view.space.peel);
   const auto edit = difference(context.view, view);
   if (!edit.empty()) context.emit(action::EditView{edit});
 }
@@ -133,6 +134,38 @@ void CutsPanel::draw_place(ViewOptions& view, std::size_t k) const {
     put(cut.point, vector_of(cut.point) +
                        (low + 0.01 * static_cast<double>(share) * (high - low) - offset) * unit);
   ui::note("cuts/position");
+}
+
+void CutsPanel::draw_peel(const PanelContext& context, Peel& peel) {
+  const auto& markers = context.topology()->markers();
+  if (markers.empty()) return;
+  ui::checkbox(
+      "peel/on", "Layers at a marker", peel.on,
+      "Show only the elements that lie so many layers deep below a marker: layer 1 has a "
+      "node of it, layer 2 lies beside layer 1, and so on. Cuts then leave whole elements.");
+  if (!peel.on) return;
+  std::vector<std::string> names;
+  std::size_t chosen = 0;
+  for (const Marker& marker : markers) {
+    if (marker.name == peel.marker) chosen = names.size();
+    names.push_back(marker.name);
+  }
+  constexpr const char* tip = "From where the layers are counted.";
+  ui::row("Marker", tip, cut_label_share);
+  if (ui::combo("peel/marker", names, chosen, tip)) peel.marker = names[chosen];
+  constexpr const char* layers_tip =
+      "The first layer that is shown, and the last. 1 to 3: the three at the marker; 4 to 6: "
+      "without the first three.";
+  ui::row("Layers", layers_tip, cut_label_share);
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  ImGui::SetNextItemWidth(width);
+  if (ui::number("peel/from", peel.from, layers_tip)) peel.to = std::max(peel.to, peel.from);
+  ImGui::SameLine(0, gap);
+  ImGui::SetNextItemWidth(width);
+  if (ui::number("peel/to", peel.to, layers_tip)) peel.from = std::min(peel.from, peel.to);
+  peel.from = std::max(peel.from, 1);
+  peel.to = std::max(peel.to, 1);
 }
 
 void CutsPanel::draw_buttons(const PanelContext& context, ViewOptions& view) const {

@@ -16,6 +16,7 @@ class CutsPanel : public Panel {
   void measure(const Session& session);
   void draw_rows(const PanelContext& context, ViewOptions& view);
   void draw_place(ViewOptions& view, std::size_t k) const;
+  static void draw_peel(const PanelContext& context, Peel& peel);
   void draw_buttons(const PanelContext& context, ViewOptions& view) const;
 
   Box<3> extents_;                            // of the mesh

@@ -74,6 +74,12 @@ void Capture::on(const action::StartRecording& a) {
     session_.messages().tell(Notice::Kind::warning, "There is no mesh to record.");
     return;
   }
+  if (recording_.when == RecordingSpec::When::turntable && !a.step && !session_.in_space()) {
+    session_.messages().tell(Notice::Kind::warning,
+                             "A turn around the mesh is for volume meshes: choose another way to "
+                             "take frames.");
+    return;
+  }
   if (!may_write(a.path)) return;
   if (!a.overwrite && Recorder::occupied(a.path)) {
     session_.messages().ask(
@@ -92,6 +98,7 @@ void Capture::on(const action::StartRecording& a) {
   }
   meshes_.clear();
   shape_ = left_ = 0;
+  turns_ = 0;
   queue_.clear();
   ending_ = false;
   stepping_ = a.step.has_value();
@@ -168,8 +175,25 @@ void Capture::queue_frames() {
   // A film that lags far behind would never end.
   constexpr std::size_t longest_queue = 400;
   for (Coordinates& x : meshes_.take(session_, every_shape && queue_.size() < longest_queue))
-    queue_.push_back({session_.topology(), std::move(x)});
+    queue_.push_back({session_.topology(), std::move(x), 0});
   last_frame_ = std::chrono::steady_clock::now();
+}
+
+bool Capture::turning() const {
+  return recorder_.state() == Recorder::State::recording &&
+         recorder_.spec().when == RecordingSpec::When::turntable && !stepping_;
+}
+
+/// The next frame of a turn; the recording ends with the last.
+void Capture::queue_turn() {
+  const int frames = turntable_frames(recorder_.spec());
+  if (turns_ >= frames) {
+    ending_ = true;
+    return;
+  }
+  if (!queue_.empty()) return;
+  queue_.push_back({session_.topology(), session_.coordinates(), 360.0 * turns_ / frames});
+  ++turns_;
 }
 
 /// One picture; the rest waits for the next frame of the window. False if that failed.
@@ -186,6 +210,7 @@ bool Capture::record_queued(PictureSource& source) {
       recorder_.fix_size(picture_size(spec, extent.x(), extent.y()));
       spec = recorder_.spec().picture;
     }
+    spec.turned = next.turned;
     recorder_.add(source.picture_of(next.coordinates, spec));
   } catch (const Error& error) {
     drawn = false;
@@ -200,8 +225,9 @@ bool Capture::record_queued(PictureSource& source) {
 void Capture::record_frame(PictureSource& source) {
   if (!session_.document()) queue_.clear();
   if (!session_.document()) return recorder_.stop();
+  if (turning() && !ending_) queue_turn();
   const bool timed = recorder_.spec().when == RecordingSpec::When::timed && !stepping_;
-  if (!ending_ && frame_due()) {
+  if (!ending_ && !turning() && frame_due()) {
     if (timed && !recorder_.has_room()) {
       recorder_.drop();  // what happens by itself does not wait for the disk
       last_frame_ = std::chrono::steady_clock::now();
@@ -266,7 +292,8 @@ bool Capture::poll() {
 bool Capture::busy() const {
   const auto state = recorder_.state();
   const bool finishing = state == Recorder::State::writing || state == Recorder::State::encoding;
-  return due_ || writer_.pending() > 0 || figure_.busy() || stepping_ || ending_ || finishing;
+  return due_ || turning() || writer_.pending() > 0 || figure_.busy() || stepping_ || ending_ ||
+         finishing;
 }
 
 }  // namespace winslow::gui

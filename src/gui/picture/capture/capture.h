@@ -58,6 +58,8 @@ class Capture {
   void take(PictureSource& source, const std::filesystem::path& path, bool as_set);
   void record_frame(PictureSource& source);
   void queue_frames();
+  void queue_turn();
+  bool turning() const;
   bool record_queued(PictureSource& source);
   bool frame_due() const;
   void step_on();
@@ -75,12 +77,14 @@ class Capture {
   struct Frame {
     std::shared_ptr<const Topology> topology;
     Coordinates coordinates;
+    double turned = 0;  ///< of the view, see PictureSpec
   };
   std::deque<Frame> queue_;  // in the order of the film
   FilmMeshes meshes_;
   bool ending_ = false;     // the recording ends with the queue
   bool following_ = false;  // the solver waits for pictures
   bool stepping_ = false;   // the job goes on when its frame is taken
+  int turns_ = 0;           // frames of a turn that have been queued
   std::uint64_t shape_ = 0;
   std::uint64_t left_ = 0;  // serial of the pause that the last step went on from
   std::chrono::steady_clock::time_point last_frame_{};

@@ -6,7 +6,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <vector>
 
 #include "core/error.h"
 
@@ -104,6 +106,30 @@ void Page::fill_with_rim(double width) {
   set_line(width, true);
   cairo_fill_preserve(cairo_);
   cairo_stroke(cairo_);
+}
+
+void Page::image(const Image& image, const std::array<double, 4>& rectangle) {
+  // Premultiplied, and in the order of the machine's words.
+  std::vector<std::uint32_t> pixels;
+  pixels.reserve(image.rgba.size() / 4);
+  for (std::size_t k = 0; k + 3 < image.rgba.size(); k += 4) {
+    const std::uint32_t a = image.rgba[k + 3];
+    const auto part = [&](std::size_t c) { return image.rgba[k + c] * a / 255; };
+    pixels.push_back(a << 24U | part(0) << 16U | part(1) << 8U | part(2));
+  }
+  cairo_surface_t* surface = cairo_image_surface_create_for_data(
+      reinterpret_cast<unsigned char*>(pixels.data()), CAIRO_FORMAT_ARGB32, image.width,
+      image.height, 4 * image.width);
+  cairo_save(cairo_);
+  cairo_translate(cairo_, rectangle[0], rectangle[1]);
+  cairo_scale(cairo_, rectangle[2] / image.width, rectangle[3] / image.height);
+  cairo_set_source_surface(cairo_, surface, 0, 0);
+  cairo_paint(cairo_);
+  cairo_restore(cairo_);
+  // The page has a copy of its own only once the surface is finished.
+  cairo_surface_flush(surface_);
+  cairo_surface_finish(surface);
+  cairo_surface_destroy(surface);
 }
 
 void Page::clip(double x, double y, double w, double h) {

@@ -7,6 +7,7 @@
 
 #include "gui/render/color_map.h"
 #include "gui/render/fonts.h"
+#include "gui/render/image.h"
 
 struct _cairo;
 struct _cairo_surface;
@@ -39,6 +40,8 @@ class Page {
   void fill();
   /// Fills, and draws the rim in the same colour: between neighbours no ground shines through.
   void fill_with_rim(double width);
+  /// A picture of pixels, stretched over a rectangle {x, y, width, height}.
+  void image(const Image& image, const std::array<double, 4>& rectangle);
   /// Only what is inside this rectangle is drawn, until unclip().
   void clip(double x, double y, double width, double height);
   void unclip();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -7,6 +8,7 @@
 
 #include "core/inspect/nodal_view.h"
 #include "core/mesh/mesh.h"
+#include "gui/picture/figure/figure_scene.h"
 #include "gui/render/camera.h"
 #include "gui/render/mesh_renderer.h"
 #include "gui/widgets/legend.h"
@@ -22,6 +24,8 @@ struct FigureInset {
 /// A mesh as vector graphics: what is drawn. Lengths are points, 1/72 of an inch, which stand for
 /// the pixels of the screen.
 struct VectorFigure {
+  /// What is drawn of a volume mesh, in place of `mesh` and what belongs to it.
+  std::shared_ptr<const FigureScene> scene;
   Mesh mesh;
   Camera camera;  ///< its viewport is where the mesh goes; what lies outside is cut off
   std::vector<double> values;       ///< colour the elements, one each; none: plain
@@ -29,6 +33,7 @@ struct VectorFigure {
   std::optional<ColorScale> scale;  ///< of the values
   std::string title;                ///< above the mesh; empty: none
   std::string warning;              ///< below it, in red; empty: none
+  std::string note;                 ///< beside it; empty: none
   std::vector<std::pair<std::string, Rgb>> key;  ///< names of markers in their colours, below it
   /// Of each marker of the mesh; none: it is not drawn.
   std::vector<std::optional<Rgb>> marker_colors;

@@ -35,7 +35,8 @@ class FigureDrawing {
   FigureMargins margins() {
     FigureMargins m{em_, em_, em_, em_};
     if (!figure_.title.empty()) m.top = 2.9 * em_;
-    if (!figure_.key.empty() || !figure_.warning.empty()) m.bottom = 2.6 * em_;
+    if (!figure_.key.empty() || !figure_.warning.empty() || !figure_.note.empty())
+      m.bottom = 2.6 * em_;
     if (figure_.legend) m.right = legend_width() + 2.5 * em_;
     return m;
   }
@@ -45,11 +46,16 @@ class FigureDrawing {
     page_.set_color(rgb(theme_.paper));
     page_.rectangle(0, 0, page_.width(), page_.height());
     page_.fill();
-    draw_figure_mesh(page_, figure_, figure_.camera, {m.left, m.top});
-    draw_figure_vcvs(page_, figure_, {m.left, m.top});
-    if (figure_.inset) draw_inset(*figure_.inset, {m.left, m.top});
     const double width = page_.width() - m.left - m.right;
     const double height = page_.height() - m.top - m.bottom;
+    if (figure_.scene) {
+      draw_figure_scene(page_, *figure_.scene, {m.left, m.top}, {width, height}, em_,
+                        rgb(theme_.ink));
+    } else {
+      draw_figure_mesh(page_, figure_, figure_.camera, {m.left, m.top});
+      draw_figure_vcvs(page_, figure_, {m.left, m.top});
+      if (figure_.inset) draw_inset(*figure_.inset, {m.left, m.top});
+    }
     if (figure_.framed) {
       page_.set_color(rgb(theme_.frame));
       page_.set_line(0.5, false);
@@ -182,6 +188,11 @@ class FigureDrawing {
       page_.set_color(rgb(theme_.warning));
       page_.text(x, y, figure_.warning, em_, FontWeight::semibold);
       x += page_.text_width(figure_.warning, em_, FontWeight::semibold) + 2 * em_;
+    }
+    if (!figure_.note.empty()) {
+      page_.set_color(rgb(theme_.ink));
+      page_.text(x, y, figure_.note, em_, FontWeight::regular);
+      x += page_.text_width(figure_.note, em_, FontWeight::regular) + 2 * em_;
     }
     for (const auto& [name, color] : figure_.key) {
       const double needed = 1.9 * em_ + page_.text_width(name, em_, FontWeight::regular);

@@ -8,13 +8,16 @@
 
 #include "core/error.h"
 #include "core/inspect/nodal_view.h"
+#include "core/inspect/space/element_layers.h"
 #include "core/inspect/space/plane_section.h"
 #include "core/inspect/space/volume_nodal_view.h"
 #include "core/parallel/parallel_for.h"
 #include "core/quality/quality.h"
 #include "core/quality/volume_element.h"
+#include "gui/picture/figure/write_figure.h"
 #include "gui/picture/frame/picture_frame.h"
 #include "gui/picture/frame/picture_parts.h"
+#include "gui/picture/space/scene_figure.h"
 #include "gui/render/gl_context.h"
 #include "gui/render/space/space_renderer.h"
 #include "gui/view/overlays/space_marks.h"
@@ -157,6 +160,7 @@ std::vector<Vec3> points_of(const SpaceScene& scene) {
 std::vector<Plane> chosen_cuts(const Mesh& mesh, const VolumeBoundary& boundary,
                                const VolumePictureOptions& options) {
   if (options.cuts) return *options.cuts;
+  if (options.peel) return {};  // what encloses them is left out already
   return automatic_cuts(mesh, boundary, options.view.value_or(automatic_view({}, options.up)));
 }
 
@@ -183,6 +187,7 @@ class VolumePicture {
     choose_cuts();
     if (count_of(inverted_) > 0) look_.inverted = inverted_;
     if (options.color) choose_colors();
+    choose_peeled();
     const auto markers = static_cast<Index>(mesh.topology->markers().size());
     for (Index m = 0; m < markers; ++m)
       look_.marker_colors.push_back(surface_color(m, theme_, options.dark));
@@ -216,6 +221,34 @@ class VolumePicture {
     return target.read();
   }
 
+  VectorFigure figure() const {
+    VectorFigure figure;
+    PictureText said = text();
+    figure.dark = options_.dark;
+    figure.title = said.title;
+    figure.warning = said.warning;
+    figure.legend = said.legend;
+    figure.framed = options_.half_width.has_value();
+    figure.font_size = std::clamp(0.02 * std::min(options_.width, options_.height), 8.0, 40.0);
+    figure.note = said.note;
+    for (const auto& entry : said.key) figure.key.push_back(entry);
+    const FigureMargins m = figure_margins(figure);
+    const double width = std::max(options_.width - m.left - m.right, 1.0);
+    const double height = std::max(options_.height - m.top - m.bottom, 1.0);
+    figure.camera.set_viewport(0, 0, width, height);
+    const auto font = static_cast<float>(figure.font_size);
+    const auto scene = std::make_shared<const SpaceScene>(this->scene(font));
+    const SpaceCamera camera = place_camera(*scene, {0, 0, width, height});
+    SceneFigureOptions how;
+    how.ink = {theme_.ink[0], theme_.ink[1], theme_.ink[2]};
+    how.font_size = figure.font_size;
+    const std::array parts{scene};
+    FigureScene drawn = figure_of_scene(parts, scene->planes, camera, how);
+    if (drawn.wants_raster) drawn.raster = raster(*scene, camera);
+    figure.scene = std::make_shared<const FigureScene>(std::move(drawn));
+    return figure;
+  }
+
   Box<3> extent() const {
     constexpr float unit = 1;  // widths of lines take no room
     Box<3> box = Box<3>::empty();
@@ -231,7 +264,45 @@ class VolumePicture {
     return points;
   }
 
+  /// What the camera sees, in pixels several times as fine as points.
+  Image raster(const SpaceScene& scene, SpaceCamera camera) const {
+    const std::unique_ptr<HeadlessContext> context = make_headless_context();
+    const ScreenVector size = camera.viewport().size();
+    constexpr double finest = 3, largest = 4096;
+    const double factor = std::min(finest, largest / std::max(size.x(), size.y()));
+    const auto width = static_cast<int>(std::lround(factor * size.x()));
+    const auto height = static_cast<int>(std::lround(factor * size.y()));
+    camera.set_viewport(0, 0, width, height);
+    camera.look_at(camera.centre(), camera.units_per_pixel() / factor);
+    const FrameBuffer target(width, height, options_.samples);
+    target.clear(theme_.paper);
+    SpaceRenderer renderer;
+    renderer.set_scene(scene);
+    renderer.draw(camera, height);
+    return target.read();
+  }
+
   SpaceScene scene(float unit) const { return build_scene(mesh_, boundary_, look_, style(unit)); }
+
+  void choose_peeled() {
+    if (!options_.peel) return;
+    const Peel& peel = *options_.peel;
+    if (peel.from < 1 || peel.to < peel.from)
+      throw UsageError("layers at a marker go from 1 or more to no less");
+    const auto nodes = mesh_.topology->markers().nodes_of({&peel.marker, 1});
+    const std::vector<Index> layers = element_layers(*mesh_.topology, nodes);
+    const std::vector<unsigned char> behind =
+        look_.cuts.empty() ? std::vector<unsigned char>{} : elements_behind(mesh_, look_.cuts);
+    std::vector<unsigned char> shown(layers.size(), 0);
+    for (std::size_t e = 0; e < shown.size(); ++e)
+      shown[e] = layers[e] >= peel.from && layers[e] <= peel.to &&
+                         (behind.empty() || behind[e] != 0) &&
+                         (isolated_.empty() || isolated_[e] != 0)
+                     ? 1
+                     : 0;
+    isolated_ = std::move(shown);
+    look_.isolated = isolated_;
+  }
 
   void choose_cuts() {
     if (options_.isolate) return;
@@ -264,7 +335,14 @@ class VolumePicture {
   }
 
   std::string note() const {
-    if (!options_.isolate) return cut_text(look_.cuts);
+    const std::string peeled = options_.peel ? "Layers " + std::to_string(options_.peel->from) +
+                                                   " to " + std::to_string(options_.peel->to) +
+                                                   " at " + options_.peel->marker
+                                             : std::string();
+    if (!options_.isolate) {
+      const std::string cut = cut_text(look_.cuts);
+      return peeled.empty() ? cut : peeled + (cut.empty() ? "" : ". ") + cut;
+    }
     const Index count = count_of(isolated_);
     return std::to_string(count) + (count == 1 ? " element " : " elements ") +
            (field_info(*options_.color).larger_is_better ? "below " : "above ") +
@@ -323,6 +401,11 @@ std::vector<Plane> cuts_of_picture(const Mesh& mesh, const VolumePictureOptions&
 ColorScale volume_picture_scale(const Mesh& mesh, const VolumePictureOptions& options) {
   return picture_colors(*options.color, options.colors, options.dark,
                         element_values(mesh, *options.color->metric()));
+}
+
+VectorFigure volume_picture_figure(const Mesh& mesh, const VolumePictureOptions& options) {
+  check(mesh, options);
+  return VolumePicture(mesh, options).figure();
 }
 
 Box<3> volume_picture_extent(const Mesh& mesh, const VolumePictureOptions& options) {

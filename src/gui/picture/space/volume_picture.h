@@ -7,11 +7,13 @@
 #include "core/inspect/element_field.h"
 #include "core/inspect/space/plane.h"
 #include "core/vcv/sphere/node_vcv.h"
+#include "gui/picture/figure/vector_figure.h"
 #include "gui/render/image.h"
 #include "gui/render/metric_scale.h"
 #include "gui/render/space/space_camera.h"
 #include "gui/render/space/standard_views.h"
 #include "gui/render/space/volume_scene.h"
+#include "gui/settings/space_options.h"
 
 namespace winslow::gui {
 
@@ -23,9 +25,11 @@ struct VolumePictureOptions {
   ColorChoice colors;  ///< of what is coloured; on_dark follows dark
 
   /// Planes that cut; what lies in front of any is taken away. None given: where something encloses
-  /// bodies one through their middle, else none.
+  /// bodies, and no layers are peeled, one through their middle, else none.
   std::optional<std::vector<Plane>> cuts;
   bool crinkle = false;  ///< cuts leave whole elements
+  /// Only elements of these layers below a marker, whole: see Peel. Its `on` is not asked.
+  std::optional<Peel> peel;
   /// Elements whose value of the colour is worse than this are shown alone, whole. Needs color.
   std::optional<double> isolate;
   std::vector<std::string> show;         ///< markers that are drawn, as surfaces; empty: see hide
@@ -55,6 +59,11 @@ struct VolumePictureOptions {
 /// where no OpenGL can be had, and UsageError for a plane or a surface mesh, an unknown colour map
 /// or marker, a cut that meets no element, a node without a VCV, a size or a number out of range.
 Image draw_volume_picture(const Mesh& mesh, const VolumePictureOptions& options);
+
+/// The same as vector graphics, hidden surfaces and lines left out; width and height are points.
+/// Where more than 60,000 faces are seen, the mesh is a raster in it: figure.scene says so. Needs
+/// OpenGL for that alone.
+VectorFigure volume_picture_figure(const Mesh& mesh, const VolumePictureOptions& options);
 
 /// The cuts of such a picture, and the scale of its colours (needs options.color): of several that
 /// are to be compared, take one.

@@ -34,6 +34,14 @@ ViewDirection direction_towards(const Vec3& viewer, int up) {
   return {level < 1e-9 ? -90 : degrees(std::atan2(y, x)), degrees(std::atan2(z, level)), up};
 }
 
+ViewDirection direction_of(const Vec3& right, const Vec3& back, int up) {
+  ViewDirection direction = direction_towards(back, up);
+  SpaceCamera upright;
+  upright.look_from(direction);
+  direction.roll = degrees(std::atan2(right.dot(upright.up()), right.dot(upright.right())));
+  return direction;
+}
+
 void SpaceCamera::set_viewport(double x, double y, double width, double height) {
   x_ = x;
   y_ = y;
@@ -41,12 +49,16 @@ void SpaceCamera::set_viewport(double x, double y, double width, double height) 
   height_ = std::max(height, 1.0);
 }
 
-/// The axis to the right is level, and known from above, too.
+/// Without a roll the axis to the right is level, and known from above, too.
 void SpaceCamera::look_from(const ViewDirection& direction) {
   direction_ = direction;
   const double a = radians(direction.azimuth);
   right_ = from_upright({-std::sin(a), std::cos(a), 0}, direction.up);
   back_ = to_viewer(direction);
+  up_ = back_.cross(right_);
+  if (direction.roll == 0) return;
+  const double r = radians(direction.roll);
+  right_ = (std::cos(r) * right_ + std::sin(r) * up_).eval();
   up_ = back_.cross(right_);
 }
 

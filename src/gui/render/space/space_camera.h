@@ -16,6 +16,7 @@ namespace winslow::gui {
 struct ViewDirection {
   double azimuth = 0, elevation = 0;  ///< degrees
   int up = 2;                         ///< 0, 1, 2: the x, y or z axis is up on screen
+  double roll = 0;  ///< degrees by which the picture is turned anticlockwise from there
 
   bool operator==(const ViewDirection&) const = default;
 };
@@ -24,6 +25,8 @@ Vec3 to_viewer(const ViewDirection& direction);
 /// From where a vector, of any length but 0, points to the viewer. From above or below, x is to the
 /// right where z is up.
 ViewDirection direction_towards(const Vec3& viewer, int up);
+/// That of a camera whose screen has these axes, to the right and towards the viewer, of length 1.
+ViewDirection direction_of(const Vec3& right, const Vec3& back, int up);
 
 /// How space is seen: parallel or in perspective, and where on screen.
 class SpaceCamera {

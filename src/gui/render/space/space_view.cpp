@@ -1,5 +1,6 @@
 #include "gui/render/space/space_view.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -40,9 +41,20 @@ void SpaceView::look_from(const ViewDirection& direction, const Vec3& pivot) {
 void SpaceView::orbit(const Vec3& pivot, const ScreenVector& by) {
   const double degrees_per_pixel = 180 / std::max(camera_.viewport().size().y(), 1.0);
   ViewDirection direction = camera_.direction();
+  direction.roll = 0;
   direction.azimuth = std::remainder(direction.azimuth - degrees_per_pixel * by.x(), 360);
   direction.elevation = std::clamp(direction.elevation + degrees_per_pixel * by.y(), -90.0, 90.0);
   look_from(direction, pivot);
+}
+
+void SpaceView::tumble(const Vec3& pivot, const ScreenVector& by) {
+  const double per_pixel = pi / std::max(camera_.viewport().size().y(), 1.0);
+  // What is turned is the viewer, against the way that the mesh goes.
+  const Eigen::Matrix3d turn = (Eigen::AngleAxisd(-per_pixel * by.x(), camera_.up()) *
+                                Eigen::AngleAxisd(-per_pixel * by.y(), camera_.right()))
+                                   .toRotationMatrix();
+  look_from(direction_of(turn * camera_.right(), turn * camera_.back(), camera_.direction().up),
+            pivot);
 }
 
 }  // namespace winslow::gui

@@ -4,7 +4,8 @@
 
 namespace winslow::gui {
 
-/// Space, as a turntable shows it: the axis that is up stays upright on screen.
+/// Space, turned by the mouse as a turntable, on which the axis that is up stays upright, or
+/// freely.
 class SpaceView : public View {
  public:
   using View::pixel_size;
@@ -25,6 +26,8 @@ class SpaceView : public View {
   /// Turns about a point, which stays where it is on screen: half a turn for as many pixels as the
   /// view is high.
   void orbit(const Vec3& pivot, const ScreenVector& by);
+  /// The same, freely: about the axes of the screen, so that the view may end up on its side.
+  void tumble(const Vec3& pivot, const ScreenVector& by);
   /// Looks from elsewhere; a point stays where it is on screen.
   void look_from(const ViewDirection& direction, const Vec3& pivot);
   /// A point at a place, as deep as another point.

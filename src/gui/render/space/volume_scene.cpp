@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/inspect/space/plane_section.h"
+#include "core/parallel/parallel_for.h"
 #include "gui/render/space/scene_lists.h"
 
 namespace winslow::gui {
@@ -128,10 +129,21 @@ class SceneBuilder {
     const PlaneSection section = plane_section(mesh_, plane);
     SpaceFill fill;
     fill.clipped_by = by_all_planes & ~(1U << k);
-    lists_->add_section(fill, section, plane,
-                        [&](std::size_t p) { return element_color(section.elements[p]); });
     SpaceLines other = element_lines(fill.clipped_by), feature = feature_lines(fill.clipped_by);
-    lists_->add_sides({&feature, look_.edges ? &other : nullptr}, section);
+    // Surfaces and lines at the same time: a cut that is dragged waits for both.
+    const auto make = [&](Index half) {
+      if (half == 0)
+        lists_->add_section(fill, section, plane,
+                            [&](std::size_t p) { return element_color(section.elements[p]); });
+      else
+        lists_->add_sides({&feature, look_.edges ? &other : nullptr}, section);
+    };
+    parallel_for(
+        0, 2,
+        [&](Index begin, Index end) {
+          for (Index half = begin; half < end; ++half) make(half);
+        },
+        1);
     scene_.fills.push_back(std::move(fill));
     scene_.lines.push_back(std::move(other));
     scene_.lines.push_back(std::move(feature));
@@ -217,6 +229,11 @@ VolumeBoundary find_boundary(const Mesh& mesh) {
   return boundary;
 }
 
+bool drawn_as_surface(const VolumeBoundary& boundary, const VolumeLook& look, std::size_t face) {
+  const Drawn drawn = drawn_as(boundary, look, face);
+  return drawn == Drawn::surface || drawn == Drawn::see_through;
+}
+
 /// Bodies keep their own colours beside a cut, so that they are told from what is cut.
 bool boundary_has_values(const VolumeBoundary& boundary, const VolumeLook& look) {
   return !look.colors.empty() &&
@@ -274,9 +291,7 @@ std::vector<unsigned char> markers_in_color(const Mesh& mesh, const VolumeBounda
   if (boundary_has_values(boundary, look)) return in_color;
   for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
     const Index marker = boundary.faces[f].marker;
-    const Drawn drawn = drawn_as(boundary, look, f);
-    if (marker >= 0 && (drawn == Drawn::surface || drawn == Drawn::see_through))
-      in_color[at(marker)] = 1;
+    if (marker >= 0 && drawn_as_surface(boundary, look, f)) in_color[at(marker)] = 1;
   }
   return in_color;
 }

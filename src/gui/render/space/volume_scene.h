@@ -57,6 +57,7 @@ struct VolumeStyle {
   Rgba enclosure{0.45f, 0.48f, 0.53f, 1};  ///< outlines of what encloses
   Rgba inverted{0.90f, 0.10f, 0.12f, 1};
   Rgba worst{0.93f, 0.50f, 0.05f, 1};
+  Rgba ghost{0.80f, 0.20f, 0.70f, 1};  ///< of the bodies before
   float edge_width = 1, feature_width = 1.6f;
   float see_through = 0.35f;  ///< opacity of such markers
 
@@ -80,6 +81,8 @@ SpaceScene build_part(const Mesh& mesh, const VolumeBoundary& boundary, const Vo
                       const VolumeStyle& style, const VolumePart& part);
 /// The planes that clip the parts: those of flat cuts.
 std::vector<Plane> clip_planes_of(const VolumeLook& look);
+/// A face of the boundary is drawn as a surface, see-through or not.
+bool drawn_as_surface(const VolumeBoundary& boundary, const VolumeLook& look, std::size_t face);
 /// Colours of elements show on the boundary, too.
 bool boundary_has_values(const VolumeBoundary& boundary, const VolumeLook& look);
 

@@ -27,7 +27,8 @@ const std::map<std::string, Arity, std::less<>>& known_words() {
       {"release", {0, 0}},     {"away", {0, 0}},         {"wheel", {3, 4}},
       {"key", {1, 1}},         {"type", {1, 1}},         {"fill", {2, 2}},
       {"look", {3, 4}},        {"wait", {0, 1}},         {"size", {2, 2}},
-      {"screenshot", {1, 1}},  {"picture", {1, 5}},      {"widgets", {0, 1}}};
+      {"screenshot", {1, 1}},  {"picture", {1, 5}},      {"film", {1, 3}},
+      {"widgets", {0, 1}}};
   return words;
 }
 

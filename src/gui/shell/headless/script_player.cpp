@@ -54,6 +54,7 @@ class ScriptPlayer {
       return studio_.resize(whole_number(words[1], 320), whole_number(words[2], 240));
     if (what == "screenshot") return picture({words[0], words[1]});
     if (what == "picture") return picture(words);
+    if (what == "film") return film(words);
     widgets(words.size() > 1 ? words[1] : "");
   }
 
@@ -204,6 +205,29 @@ class ScriptPlayer {
     else
       write_png(path, spec == PictureSpec{} ? bench().pictures().picture()
                                             : bench().pictures().picture(spec));
+    say_("Wrote " + path.string());
+  }
+
+  /// While the view of a volume mesh turns once around it.
+  void film(const std::vector<std::string>& words) {
+    if (!bench().session().in_space())
+      throw UsageError("a film of a turn is of a volume mesh, and none is open");
+    RecordingSpec spec;
+    spec.when = RecordingSpec::When::turntable;
+    for (std::size_t k = 2; k < words.size(); ++k) {
+      if (words[k] == "mesh-alone")
+        spec.picture.panels = false;
+      else
+        spec.turn_seconds = number(words[k]);
+    }
+    if (!(spec.turn_seconds >= 0.1 && spec.turn_seconds <= 600))
+      throw UsageError("a turn takes 0.1 to 600 seconds");
+    const std::filesystem::path path = out_ / words[1];
+    bench().apply(action::SetRecordingSpec{spec});
+    bench().apply(action::StartRecording{path, std::nullopt, true});
+    studio_.settle();
+    if (const Prompt* prompt = bench().session().messages().prompt())
+      throw OutputError(prompt->title + ": " + prompt->text);
     say_("Wrote " + path.string());
   }
 

@@ -16,6 +16,7 @@
 #include "gui/panels/shape_panel.h"
 #include "gui/panels/solver_panel.h"
 #include "gui/panels/space/cuts_panel.h"
+#include "gui/panels/space/measures_panel.h"
 #include "gui/panels/space/space_motion_panel.h"
 #include "gui/panels/status_bar.h"
 #include "gui/panels/toolbar.h"
@@ -78,6 +79,9 @@ PanelRegistry make_panels() {
   r.add(entry<LayersPanel>("layers", "Layers", Region::left, plane));
   r.add(entry<SolverPanel>("solver", "Solver", Region::left, plane_or_volume));
   r.add(entry<MeshPanel>("mesh", "Mesh", Region::left, plane_or_volume));
+  r.add({"measures", "Areas and volumes", Region::left, plane_or_volume,
+         std::make_unique<MeasuresPanel>(),
+         [](const PanelContext& context) { return context.session.in_space(); }});
   r.add(in_tab<QualityPanel>(SideTab::quality, "quality", "Quality", plane_or_volume));
   r.add(in_tab<WallPanel>(SideTab::quality, "walls", "Walls", plane_or_volume));
   r.add(in_tab<GoToPanel>(SideTab::quality, "go_to", "Go to", plane_or_volume));

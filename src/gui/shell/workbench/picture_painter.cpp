@@ -1,14 +1,17 @@
 #include "gui/shell/workbench/picture_painter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <thread>
 #include <utility>
 
 #include "core/error.h"
 #include "core/inspect/nodal_view.h"
 #include "gui/base/text.h"
+#include "gui/picture/space/scene_figure.h"
 #include "gui/render/frame_buffer.h"
 #include "gui/render/gl.h"
+#include "gui/render/space/side_by_side.h"
 #include "gui/view/mesh/mesh_colors.h"
 
 namespace winslow::gui {
@@ -33,13 +36,32 @@ void copy_into(Image& whole, const Image& part, int x, int y) {
 }
 
 /// A camera that sees what another one does, in a viewport of another size.
-void fill_viewport(SpaceCamera& camera, const SpaceCamera& as, const Area& v) {
+void fill_viewport(SpaceCamera& camera, const SpaceCamera& as, const ScreenBox& v) {
   const ScreenVector size = as.viewport().size();
   camera = as;
-  camera.set_viewport(v.x, v.y, v.width, v.height);
+  camera.set_viewport(v.min.x(), v.min.y(), v.size().x(), v.size().y());
   const ScreenVector now = camera.viewport().size();
   camera.look_at(as.centre(),
                  as.units_per_pixel() * std::max(size.x() / now.x(), size.y() / now.y()));
+}
+
+/// Names of the markers that are seen in their colours.
+std::vector<std::pair<std::string, Rgb>> key_of(const VolumeScenes& scenes,
+                                                const Topology& topology) {
+  std::vector<std::pair<std::string, Rgb>> key;
+  for (std::size_t m = 0; m < topology.markers().size(); ++m) {
+    if (m >= scenes.of.marker_colors.size()) break;
+    const std::uint32_t color = pack_color(scenes.of.marker_colors[m]);
+    const bool seen = std::ranges::any_of(scenes.parts, [&](const auto& part) {
+      return std::ranges::any_of(part->fills, [&](const SpaceFill& fill) {
+        return fill.marker == static_cast<Index>(m) &&
+               std::ranges::any_of(fill.corners,
+                                   [&](const SpaceCorner& c) { return c.rgba == color; });
+      });
+    });
+    if (seen) key.emplace_back(topology.markers()[m].name, scenes.of.marker_colors[m]);
+  }
+  return key;
 }
 
 }  // namespace
@@ -49,6 +71,7 @@ struct PicturePainter::Picture {
   std::unique_ptr<WindowFrame> frame;
   bool kept = false;  ///< its frame is that of the picture before
   bool mesh_alone = false;
+  double turned = 0;  ///< the view of space
   ViewOptions options;
   PlaneView view;
   SpaceView space;
@@ -175,6 +198,7 @@ std::unique_ptr<PicturePainter::Picture> PicturePainter::begin(const PictureSpec
   auto picture = std::make_unique<Picture>(std::move(frame), shown_);
   picture->kept = kept;
   picture->mesh_alone = !spec.panels;
+  picture->turned = spec.turned;
   picture->options.legend = picture->options.legend && spec.legend;
   return picture;
 }
@@ -203,10 +227,16 @@ void PicturePainter::lay_out(Picture& picture, const Bounds& visible) {
   const Area& v = frame.layout.viewport;
   picture.view.camera().set_viewport(v.x, v.y, v.width, v.height);
   const bool in_space = shown_.session.in_space();
-  if (in_space)
-    fill_viewport(picture.space.camera(), shown_.space.camera(), v);
-  else if (shown_.session.document())
-    picture.view.camera().fit(visible, 0);
+  ScreenBox now{{v.x, v.y}, {v.x + v.width, v.y + v.height}};
+  if (picture.options.comparison == Comparison::split)
+    now = side_by_side(now, picture.options.divider).now;
+  if (in_space) fill_viewport(picture.space.camera(), shown_.space.camera(), now);
+  if (in_space && picture.turned != 0) {
+    ViewDirection direction = picture.space.camera().direction();
+    direction.azimuth += picture.turned;
+    picture.space.camera().look_from(direction);
+  }
+  if (!in_space && shown_.session.document()) picture.view.camera().fit(visible, 0);
   const View& view = in_space ? static_cast<const View&>(picture.space) : picture.view;
   const float scale = frame.ui.theme().scale;
   picture.lens.place(in_space ? std::nullopt
@@ -271,8 +301,7 @@ void PicturePainter::draw_space_tile(const Picture& picture, const ScreenBox& ti
 VectorFigure PicturePainter::figure(bool legend) const {
   VectorFigure figure;
   const Session& session = shown_.session;
-  if (session.in_space())
-    throw Error("Vector figures are of plane meshes: save this picture as PNG.");
+  if (session.in_space()) return space_figure(legend);
   const ViewOptions& view = shown_.context.view;
   const auto& shown_legend = shown_.pane.mesh_view().legend();
   const Document* document = session.document();
@@ -310,6 +339,58 @@ VectorFigure PicturePainter::figure(bool legend) const {
   const Index inverted = check_validity(*figure.mesh.topology, figure.mesh.coordinates).inverted;
   if (inverted > 0) figure.warning = counted(inverted, "inverted element");
   return figure;
+}
+
+/// The mesh now, as it is looked at. Where too much is seen for polygons, pixels.
+VectorFigure PicturePainter::space_figure(bool legend) const {
+  VectorFigure figure;
+  const Session& session = shown_.session;
+  const ViewOptions& view = shown_.context.view;
+  const VolumeView& volume = shown_.pane.mesh_view().volume();
+  if (!volume.scenes()) throw Error("The mesh is not drawn yet.");
+  const VolumeScenes& scenes = *volume.scenes();
+  const double scale = static_cast<double>(shown_.window.ui.theme().scale);
+  SpaceCamera camera = shown_.space.camera();
+  const ScreenVector size = camera.viewport().size() / scale;
+  camera.set_viewport(0, 0, size.x(), size.y());
+  camera.look_at(camera.centre(), camera.units_per_pixel() * scale);
+  figure.camera.set_viewport(0, 0, size.x(), size.y());
+  figure.framed = true;
+  figure.dark = mesh_colors(view).dark;
+  figure.title = session.document()->name();
+  if (legend && view.legend && scenes.legend) figure.legend = scenes.legend;
+  figure.key = key_of(scenes, *session.topology());
+  const Index inverted = scenes.shown.validity.inverted;
+  if (inverted > 0) figure.warning = counted(inverted, "inverted element");
+  SceneFigureOptions how;
+  how.line_scale = 1 / scale;
+  how.axes = view.space.axes;
+  how.scale_bar = view.scale_bar;
+  if (figure.dark) how.ink = {0.86f, 0.88f, 0.92f};
+  FigureScene drawn = figure_of_scene(scenes.parts, scenes.planes, camera, how);
+  if (drawn.wants_raster) drawn.raster = raster_of(camera);
+  figure.scene = std::make_shared<const FigureScene>(std::move(drawn));
+  return figure;
+}
+
+/// What a camera sees, in pixels several times as fine as points.
+Image PicturePainter::raster_of(SpaceCamera camera) const {
+  constexpr double finest = 3;
+  const ScreenVector size = camera.viewport().size();
+  const double factor = std::min(finest, 2.0 * tile_side / std::max(size.x(), size.y()));
+  const auto width = static_cast<int>(std::lround(factor * size.x()));
+  const auto height = static_cast<int>(std::lround(factor * size.y()));
+  camera.set_viewport(0, 0, width, height);
+  camera.look_at(camera.centre(), camera.units_per_pixel() / factor);
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  const FrameBuffer buffer(width, height, samples);
+  buffer.clear({0, 0, 0, 0});
+  shown_.pane.mesh_view().volume().draw_alone(camera, height);
+  Image image = buffer.read();
+  divide_by_alpha(image);
+  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+  return image;
 }
 
 }  // namespace winslow::gui

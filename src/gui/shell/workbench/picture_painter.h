@@ -40,6 +40,8 @@ class PicturePainter : public PictureSource {
   void forget_idle(double seconds);
 
  private:
+  VectorFigure space_figure(bool legend) const;
+  Image raster_of(SpaceCamera camera) const;
   struct Picture;
   std::unique_ptr<Picture> begin(const PictureSpec& spec, float scale);
   void lay_out(Picture& picture, const Bounds& visible);

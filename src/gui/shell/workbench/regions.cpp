@@ -125,8 +125,7 @@ std::optional<float> Regions::drag_splitters(const PanelContext& context, Layout
   if (!p.empty() && !layout.plot_empty)
     layout.plot_height -=
         splitter("splitter/plot", {p.x, p.y - grip / 2, p.width, grip}, false) / scale;
-  if (context.view.comparison != Comparison::split || !context.session.document() ||
-      context.session.in_space())
+  if (context.view.comparison != Comparison::split || !context.session.document())
     return std::nullopt;
   const Area& v = layout.viewport;
   const float middle = v.x + static_cast<float>(context.view.divider) * v.width;

@@ -3,13 +3,20 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
+#include "core/inspect/space/surface_faces.h"
+#include "core/mesh/element_type.h"
 #include "gui/panels/banner_panel.h"
+#include "gui/render/space/side_by_side.h"
 #include "gui/view/navigation/worst_list.h"
 #include "gui/view/overlays/foot_overlay.h"
 #include "gui/view/overlays/overlay.h"
 #include "gui/view/overlays/ruler_overlay.h"
+#include "gui/view/overlays/space_ruler_overlay.h"
 
 namespace winslow::gui {
 
@@ -46,6 +53,42 @@ std::vector<Index> taken_out(const Session& session, const MarkerLooks& looks) {
     if (look.hidden || look.locked) markers.push_back(static_cast<Index>(m));
   }
   return markers;
+}
+
+/// The face of the boundary at a place that is seen; none: a part of a cut or of an element within.
+std::optional<Index> face_at(const Session& session, const SeenPlace& seen) {
+  const Topology& topology = *session.topology();
+  const SpacePoints x(session.coordinates());
+  std::optional<Index> best;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Face& side : shape_of(topology.element_type(seen.element)).faces) {
+    const auto f = topology.find_face(by_nodes(side, topology.element(seen.element)));
+    if (!f || topology.face(*f).elements[1] >= 0) continue;
+    const Face nodes = topology.face(*f).nodes;
+    const Vec3 normal = area_vector(x, nodes).normalized();
+    // An element may have several faces on the boundary: the one in whose plane the place lies.
+    const double distance = std::abs(normal.dot(seen.point - centre_of(x, nodes)));
+    if (distance >= nearest) continue;
+    nearest = distance;
+    best = f;
+  }
+  return best;
+}
+
+/// What is under the mouse, or a node so near to it that it is meant: a corner of a body has
+/// nothing beside it to be under the mouse.
+std::optional<SeenPlace> seen_by_ruler(const PointerState& pointer, const SpaceViewport& viewport,
+                                       const SpaceSurroundings& around, const SpaceView& view) {
+  if (viewport.seen() || !pointer.over) return viewport.seen();
+  const double reach = 6 * around.scale;
+  for (int k = 0; k < 8; ++k) {
+    const double angle = k * pi / 4;
+    const ScreenPoint at =
+        pointer.position + ScreenVector(reach * std::cos(angle), reach * std::sin(angle));
+    const auto seen = SpaceViewport::seen_at(at, around, view);
+    if (seen && seen->node) return seen;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -128,26 +171,57 @@ void ViewportPane::drive_space(PointerState pointer, const PanelContext& context
       control_.state().box_zoom_armed,
       control_.state().columns.right_open && view.side_tab == SideTab::vcv};
   using Gesture = SpaceViewport::Gesture;
+  pointer.click_taken = control_.state().ruler;
+  const bool beside = take_from_beside(pointer);
   space_viewport_.update(pointer, around, control_.space().view(), context.actions);
   if (space_viewport_.gesture() == Gesture::box) control_.disarm_box_zoom();
   const bool looks = space_viewport_.gesture() == Gesture::none;
   control_.set_mouse(pointer.over ? std::optional(pointer.position) : std::nullopt,
-                     looks ? space_viewport_.seen() : std::nullopt);
+                     looks && !beside ? space_viewport_.seen() : std::nullopt);
   const auto& seen = space_viewport_.seen();
+  if (control_.state().ruler)
+    space_ruler_.update(
+        pointer,
+        beside ? std::nullopt
+               : seen_by_ruler(pointer, space_viewport_, around, control_.space().view()),
+        scale, session_);
+  else
+    space_ruler_.clear();
   const bool plain = !pointer.shift && !pointer.control && !pointer.alt && pointer.over;
-  if (plain && seen && seen->marker >= 0 && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+  if (plain && !beside && seen && seen->marker >= 0 &&
+      ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
     context.emit(action::FitMarkers{{seen->marker}});
   if (const auto at = context_click_.update(pointer, scale)) {
     PickedPlace place;
+    if (beside) return context.emit(action::ShowContextMenu{place});
     if (const auto there = SpaceViewport::seen_at(*at, around, control_.space().view())) {
       place.in_space = {there->point, there->normal};
-      if (there->marker >= 0) place.markers = {there->marker};
+      if (there->marker >= 0) {
+        place.markers = {there->marker};
+        place.face = face_at(session_, *there);
+      }
       place.node = there->node;
       place.element = there->element;
     }
     context.emit(action::ShowContextMenu{place});
   }
   lens_.place(std::nullopt);
+}
+
+/// Over the mesh before, beside the one now, the mouse turns, pans and zooms both as if it were at
+/// the same place of the mesh now; what it is over is not of the mesh now, and cannot be picked.
+bool ViewportPane::take_from_beside(PointerState& pointer) {
+  if (control_.options().comparison != Comparison::split) return beside_held_ = false;
+  const double divider = control_.options().divider;
+  const ScreenBox now = control_.space().view().viewport();
+  const ScreenBox before = side_by_side(whole_of(now, divider), divider).before;
+  const bool busy = space_viewport_.gesture() != SpaceViewport::Gesture::none;
+  // A gesture ends on the side where it began.
+  if (!busy) beside_held_ = pointer.position.x() < before.max.x();
+  if (!beside_held_) return false;
+  pointer.position = pointer.position + (now.centre() - before.centre());
+  pointer.click_taken = true;
+  return true;
 }
 
 /// The legend's strip lies beside the mesh: pointer.over says that nothing else has the mouse.
@@ -228,14 +302,34 @@ void ViewportPane::draw_space_overlays(ImDrawList& list, const MeshFrame& frame)
   const SpaceOverlay overlay{session_, context.view, context.view_state, *frame.space,
                              context.theme};
   const Area& v = frame.layout.viewport;
-  list.PushClipRect(ImVec2(v.x, v.y), ImVec2(v.x + v.width, v.y + v.height), true);
+  const ScreenBox whole{{v.x, v.y}, {v.x + v.width, v.y + v.height}};
+  const ScreenBox now = frame.space->viewport();
+  list.PushClipRect(static_cast<ImVec2>(now.min), static_cast<ImVec2>(now.max), true);
+  space_id_labels_.draw(list, overlay, mesh_view_.volume());
   draw_space_marks(list, overlay);
   if (!frame.mesh_alone) draw_space_handles(list, overlay, space_viewport_);
+  // What is measured lies over what is said of the ruler.
+  if (!frame.mesh_alone) draw_space_mode(list, overlay);
+  if (context.view_state.ruler && !frame.mesh_alone) draw_space_ruler(list, overlay, space_ruler_);
   list.PopClipRect();
+  draw_comparison(list, context.view, context.theme, whole);
   LegendCard of_picture;
   LegendCard& legend = &frame.lens == &lens_ ? legend_card_ : of_picture;
   draw_legend(list, frame, legend);
   if (const auto box = space_viewport_.box()) draw_zoom_box(list, context.theme, *box);
+}
+
+/// What the mouse does at present, above the axes.
+void ViewportPane::draw_space_mode(ImDrawList& list, const SpaceOverlay& o) const {
+  const std::string text = mode_text(session_, o.state);
+  if (text.empty()) return;
+  const float margin = o.theme.px(16);
+  const ScreenBox seen = o.view.viewport();
+  double foot = space_marks_top(o);
+  if (control_.card()) foot = std::min(foot, control_.card()->min.y());
+  draw_mode(list, o.theme,
+            {static_cast<float>(seen.min.x()) + margin, static_cast<float>(foot) - margin / 2},
+            static_cast<float>(seen.size().x()) - 2 * margin, text);
 }
 
 void ViewportPane::draw_overlays(ImDrawList& list, const MeshFrame& frame) {

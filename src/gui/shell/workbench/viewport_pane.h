@@ -13,11 +13,13 @@
 #include "gui/view/navigation/view_control.h"
 #include "gui/view/overlays/id_labels.h"
 #include "gui/view/overlays/lens.h"
+#include "gui/view/overlays/space_id_labels.h"
 #include "gui/view/overlays/space_overlay.h"
 #include "gui/view/overlays/view_overlay.h"
 #include "gui/view/tools/context_click.h"
 #include "gui/view/tools/node_tool.h"
 #include "gui/view/tools/ruler.h"
+#include "gui/view/tools/space_ruler.h"
 #include "gui/view/tools/space_viewport.h"
 #include "gui/view/tools/viewport.h"
 
@@ -66,6 +68,7 @@ class ViewportPane {
            space_viewport_.gesture() != SpaceViewport::Gesture::none;
   }
   const Ruler& ruler() const { return ruler_; }
+  const SpaceRuler& space_ruler() const { return space_ruler_; }
   /// What the mesh is compared with, as of the last frame.
   const BeforeMesh& before() const { return before_; }
   MeshView& mesh_view() { return mesh_view_; }
@@ -78,6 +81,8 @@ class ViewportPane {
  private:
   void drive_space(PointerState pointer, const PanelContext& context);
   void draw_space_overlays(ImDrawList& list, const MeshFrame& frame);
+  void draw_space_mode(ImDrawList& list, const SpaceOverlay& overlay) const;
+  bool take_from_beside(PointerState& pointer);
   void take_for_legend(PointerState& pointer, const PanelContext& context, const Layout& layout);
   void take_for_lens(PointerState& pointer, const PanelContext& context);
   void take_for_ruler(PointerState& pointer, double scale);
@@ -96,7 +101,10 @@ class ViewportPane {
   NodeTool node_tool_;
   ContextClick context_click_;
   Ruler ruler_;
+  SpaceRuler space_ruler_;
+  bool beside_held_ = false;  // the mouse is over the mesh before, or its gesture began there
   IdLabels id_labels_;
+  SpaceIdLabels space_id_labels_;
   LegendCard legend_card_;
   std::vector<Index> double_click_;  // markers of the body that is clicked the second time
   double reach_ = 0;                 // of the selection, when nothing was moving

@@ -70,6 +70,7 @@ Settings Workbench::settings() const {
   settings.right_width = window_.layout.right_width;
   settings.plot_height = window_.layout.plot_height;
   settings.folded = window_.ui.folded();
+  settings.views = view_control_.space().views(view_control_.options());
   settings.recent = recent_.paths();
   const float scale = view_control_.scale().screen();
   // The screen's own scale: a window has its size whatever the user makes of what is in it.
@@ -84,6 +85,7 @@ void Workbench::take_settings(const Settings& settings) {
   if (settings.right_width > 0) window_.layout.right_width = settings.right_width;
   if (settings.plot_height > 0) window_.layout.plot_height = settings.plot_height;
   window_.ui.folded() = settings.folded;
+  view_control_.space().set_views(settings.views);
   recent_.set(settings.recent);
 }
 

@@ -14,10 +14,17 @@
 
 namespace winslow::gui {
 
+/// Elements of a volume mesh that are shown without the others.
+struct ShownAlone {
+  Index count = 0;
+  double volume = 0;  ///< cubed units of the mesh
+};
+
 /// The mesh whose picture is on screen, which may be one behind the mesh of the session.
 struct ShownMesh {
   std::uint64_t shape = 0;  ///< LiveMesh::shape()
   Validity validity;
+  std::optional<ShownAlone> alone = {};  ///< of a volume mesh; none: all are shown
 };
 
 /// One mesh on screen with its colours. What takes long for a large mesh is done in the background:

@@ -43,7 +43,7 @@ void MeshView::update(const Session& session, const BeforeMesh& before, const Vi
                       float scale) {
   in_space_ = session.in_space();
   has_mesh_ = session.document() != nullptr && !in_space_;
-  if (in_space_) return volume_.update(session, view, scale);
+  if (in_space_) return volume_.update(session, before, view, scale);
   volume_.clear();
   if (!has_mesh_) return;
   backdrop_ = backdrop_colors(view);

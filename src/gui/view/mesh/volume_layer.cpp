@@ -4,11 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "core/inspect/space/element_layers.h"
 #include "core/inspect/space/plane_section.h"
 #include "core/parallel/parallel_for.h"
 #include "core/quality/quality.h"
 #include "core/quality/volume_element.h"
 #include "gui/render/mesh_renderer.h"
+#include "gui/render/space/ghost_scene.h"
 #include "gui/view/mesh/isolated_elements.h"
 
 namespace winslow::gui {
@@ -49,7 +51,9 @@ struct VolumeScenes::Memory {
   std::uint64_t boundary_places = 0;  // grows when nodes of the boundary move
   std::shared_ptr<const Painted> painted;
   std::shared_ptr<const Flags> inverted, left, worst;
-  std::vector<PartKey> keys;  // of parts
+  std::shared_ptr<const std::vector<Index>> layers;  // of the elements at the peeled marker
+  std::shared_ptr<const Flags> peeled;               // elements that are left
+  std::vector<PartKey> keys;                         // of parts
 };
 
 namespace {
@@ -114,8 +118,10 @@ class SceneMaker {
 
   std::shared_ptr<const VolumeScenes> make() {
     auto scenes = std::make_shared<VolumeScenes>();
+    if (wish_.ghost) return make_ghost(std::move(scenes));
     check(*scenes);
     choose();
+    count_alone(*scenes);
     scenes->legend = memory_->painted->legend;
     scenes->planes = clip_planes_of(look_);
     const bool same_look = last_ && look_stays();
@@ -132,6 +138,14 @@ class SceneMaker {
  private:
   using Memory = VolumeScenes::Memory;
 
+  std::shared_ptr<const VolumeScenes> make_ghost(std::shared_ptr<VolumeScenes> scenes) {
+    choose_look();
+    scenes->parts = {std::make_shared<const SpaceScene>(
+        build_ghost(*wish_.mesh, *wish_.boundary, look_, wish_.style))};
+    scenes->of = std::move(wish_);
+    return scenes;
+  }
+
   void check(VolumeScenes& scenes) {
     const Mesh& mesh = *wish_.mesh;
     const bool same = before_ && last_->of.mesh == wish_.mesh;
@@ -139,9 +153,35 @@ class SceneMaker {
     scenes.shown.validity =
         same ? last_->shown.validity : check_validity(*mesh.topology, mesh.coordinates);
     any_inverted_ = scenes.shown.validity.inverted > 0;
-    memory_->inverted = same ? before_->inverted : find_inverted(mesh);
+    if (same)
+      memory_->inverted = before_->inverted;
+    else if (any_inverted_)
+      memory_->inverted = find_inverted(mesh);
+    else
+      memory_->inverted = std::make_shared<const Flags>(at(mesh.topology->element_count()), 0);
     const bool boundary_same = before_ && boundary_stays(last_->of, wish_);
     memory_->boundary_places = before_ ? before_->boundary_places + (boundary_same ? 0 : 1) : 0;
+  }
+
+  /// The elements that are shown alone, and their volume.
+  void count_alone(VolumeScenes& scenes) const {
+    if (look_.isolated.empty()) return;
+    const bool same = before_ && last_->of.mesh == wish_.mesh &&
+                      before_->painted == memory_->painted && before_->peeled == memory_->peeled;
+    if (same) {
+      scenes.shown.alone = last_->shown.alone;
+      return;
+    }
+    const Topology& topology = *wish_.mesh->topology;
+    ShownAlone alone;
+    for (Index e = 0; e < topology.element_count(); ++e) {
+      if (look_.isolated[at(e)] == 0) continue;
+      ++alone.count;
+      alone.volume +=
+          VolumeElement(wish_.mesh->coordinates, topology.element_type(e), topology.element(e))
+              .volume();
+    }
+    scenes.shown.alone = alone;
   }
 
   void choose() {
@@ -150,16 +190,50 @@ class SceneMaker {
                             before_->painted->isolation == wish_.isolation &&
                             before_->painted->plain == !wish_.surfaces;
     memory_->painted = same_paint ? before_->painted : paint(wish_, any_inverted_);
-    for (const CutPlane& cut : wish_.cuts) look_.cuts.push_back(plane_of(cut));
-    look_.crinkle = wish_.crinkle;
+    choose_look();
     look_.isolated = memory_->painted->isolated;
     look_.colors = memory_->painted->rgba;
+    if (wish_.peel.on) choose_peeled();
+    choose_left();
+    choose_marked();
+  }
+
+  void choose_look() {
+    for (const CutPlane& cut : wish_.cuts) look_.cuts.push_back(plane_of(cut));
+    look_.crinkle = wish_.crinkle;
     look_.markers = wish_.markers;
     look_.marker_opacity = wish_.opacity;
     look_.marker_colors = wish_.marker_colors;
     look_.edges = wish_.edges;
-    choose_left();
-    choose_marked();
+  }
+
+  /// Elements of some layers below a marker, of those that are isolated and lie behind all cuts.
+  void choose_peeled() {
+    const Topology& topology = *wish_.mesh->topology;
+    const Peel& peel = wish_.peel;
+    const bool same_layers = before_ && before_->layers && last_->of.peel.marker == peel.marker &&
+                             last_->of.mesh->topology == wish_.mesh->topology;
+    memory_->layers = same_layers ? before_->layers
+                                  : std::make_shared<const std::vector<Index>>(element_layers(
+                                        topology, topology.markers().nodes_of({&peel.marker, 1})));
+    const bool same = same_layers && before_->peeled && last_->of.peel == peel &&
+                      before_->painted == memory_->painted && last_->of.cuts == wish_.cuts &&
+                      (wish_.cuts.empty() || last_->of.mesh == wish_.mesh);
+    if (same) {
+      memory_->peeled = before_->peeled;
+    } else {
+      auto peeled = std::make_shared<Flags>(at(topology.element_count()), 0);
+      const Flags behind = look_.cuts.empty() ? Flags{} : elements_behind(*wish_.mesh, look_.cuts);
+      for (std::size_t e = 0; e < peeled->size(); ++e) {
+        const Index layer = (*memory_->layers)[e];
+        const bool shown = layer >= peel.from && layer <= peel.to &&
+                           (behind.empty() || behind[e] != 0) &&
+                           (look_.isolated.empty() || look_.isolated[e] != 0);
+        (*peeled)[e] = shown ? 1 : 0;
+      }
+      memory_->peeled = std::move(peeled);
+    }
+    look_.isolated = *memory_->peeled;
   }
 
   void choose_left() {
@@ -206,7 +280,7 @@ class SceneMaker {
       case VolumePart::Kind::elements:
         key.mesh = wish_.mesh.get();
         key.painted = memory_->painted.get();
-        key.flags = memory_->left.get();
+        key.flags = memory_->peeled ? memory_->peeled.get() : memory_->left.get();
         break;
       case VolumePart::Kind::boundary:
         key.boundary_places = memory_->boundary_places;

@@ -25,6 +25,7 @@ struct VolumeWish {
   ColorChoice colors;
   Isolation isolation;
   std::vector<CutPlane> cuts;  ///< that are on
+  Peel peel;                   ///< that is on, of a marker that there is
   bool crinkle = false;
   bool mark_inverted = true;
   std::vector<Index> worst;  ///< elements that are to be seen through what hides them
@@ -33,6 +34,7 @@ struct VolumeWish {
   std::vector<float> opacity;
   std::vector<Rgb> marker_colors;
   VolumeStyle style;
+  bool ghost = false;  ///< the bodies alone, as lines
 
   bool operator==(const VolumeWish&) const = default;
 };

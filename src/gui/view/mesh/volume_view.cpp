@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "gui/render/gl.h"
+#include "gui/render/space/side_by_side.h"
 #include "gui/view/mesh/mesh_colors.h"
 
 namespace winslow::gui {
@@ -30,6 +31,8 @@ VolumeStyle volume_style(const ViewOptions& view, float scale) {
   style.feature = colors.dark ? Rgba{0.78f, 0.81f, 0.86f, 1} : Rgba{0.13f, 0.15f, 0.18f, 1};
   style.enclosure = colors.dark ? Rgba{0.50f, 0.54f, 0.61f, 1} : Rgba{0.45f, 0.48f, 0.53f, 1};
   style.inverted = colors.inverted;
+  style.ghost = colors.ghost;
+  style.ghost[3] = 1;
   style.edge_width = scale * static_cast<float>(view.line_width);
   style.feature_width = 1.7f * scale;
   return style;
@@ -85,6 +88,8 @@ VolumeWish VolumeView::wish_of(const Session& session, const ViewOptions& view, 
   for (const CutPlane& cut : view.space.cuts)
     if (usable(cut) && wish.cuts.size() < most_clip_planes) wish.cuts.push_back(cut);
   wish.crinkle = view.space.crinkle;
+  if (view.space.peel.on && session.topology()->markers().find(view.space.peel.marker))
+    wish.peel = view.space.peel;
   wish.mark_inverted = view.mark_inverted;
   wish.worst = worst_;
   wish.surfaces = view.fill;
@@ -101,8 +106,11 @@ VolumeWish VolumeView::wish_of(const Session& session, const ViewOptions& view, 
   return wish;
 }
 
-void VolumeView::update(const Session& session, const ViewOptions& view, float scale) {
-  layer_.poll();
+void VolumeView::update(const Session& session, const BeforeMesh& before, const ViewOptions& view,
+                        float scale) {
+  poll();
+  comparison_ = view.comparison;
+  divider_ = view.divider;
   if (generation_ != session.generation()) measured_.reset();
   if (!mesh_ || generation_ != session.generation() || shape_ != session.shape()) {
     // The shape grows with each look at a job, too: the same nodes are the same mesh.
@@ -115,15 +123,57 @@ void VolumeView::update(const Session& session, const ViewOptions& view, float s
     shape_ = session.shape();
   }
   backdrop_ = backdrop_colors(view);
-  layer_.want(wish_of(session, view, scale));
+  VolumeWish wish = wish_of(session, view, scale);
+  layer_.want(wish);
+  if (compares())
+    compare(session, before, std::move(wish));
+  else
+    before_layer_.clear();
   choose_tints(session);
+}
+
+/// wish: of the mesh now.
+void VolumeView::compare(const Session& session, const BeforeMesh& before, VolumeWish wish) {
+  if (!before_mesh_ || before_generation_ != session.generation() ||
+      before_shape_ != before.shape())
+    before_mesh_ = std::make_shared<const Mesh>(Mesh{before.topology(), *before.coordinates()});
+  before_generation_ = session.generation();
+  before_shape_ = before.shape();
+  wish.mesh = before_mesh_;
+  wish.shape = before.shape();
+  wish.worst.clear();
+  wish.ghost = comparison_ == Comparison::ghost;
+  wish.measured.reset();
+  if (wish.ghost) {
+    wish.colors = {};
+    wish.isolation = {};
+    return before_layer_.want(std::move(wish));
+  }
+  const auto measured = before.measured();
+  if (measured && measured->field && measured_ && measured->field == measured_->field &&
+      !measured->values.empty())
+    wish.measured = measured;
+  // The same colour is the same value on both sides.
+  if (const auto& legend = this->legend()) {
+    wish.colors.range = {{legend->scale.low, legend->scale.high}};
+    wish.colors.axis = legend->scale.logarithmic ? ColorAxis::logarithmic : ColorAxis::linear;
+  }
+  before_layer_.want(std::move(wish));
+}
+
+bool VolumeView::poll() {
+  const bool news = layer_.poll();
+  return before_layer_.poll() || news;
 }
 
 void VolumeView::clear() {
   if (!mesh_) return;
   layer_.clear();
+  before_layer_.clear();
   renderer_.set_parts({}, {});
-  drawn_ = 0;
+  before_renderer_.set_parts({}, {});
+  drawn_ = before_drawn_ = ghost_drawn_ = 0;
+  before_mesh_.reset();
   worst_.clear();
   mesh_.reset();
   measured_.reset();
@@ -153,27 +203,61 @@ std::optional<SpaceHit> VolumeView::pick(const View& view, const ScreenPoint& at
 }
 
 void VolumeView::draw(const SpaceCamera& camera, const ScreenBox* whole, int height) {
-  if (whole) draw_backdrop(viewport_of(camera.viewport()), viewport_of(*whole), backdrop_, height);
+  const bool both = comparison_ == Comparison::split;
+  const ScreenBox box = both ? whole_of(camera.viewport(), divider_) : camera.viewport();
+  if (whole) draw_backdrop(viewport_of(box), viewport_of(both ? box : *whole), backdrop_, height);
+  if (!layer_.scenes()) return;
+  if (both) draw_before(camera, box, height);
+  draw_now(camera, height);
+}
+
+void VolumeView::draw_now(const SpaceCamera& camera, int height) {
   const VolumeScenes* scenes = layer_.scenes();
-  if (!scenes) return;
-  if (drawn_ != layer_.revision()) renderer_.set_parts(scenes->parts, scenes->planes);
+  const VolumeScenes* ghost =
+      comparison_ == Comparison::ghost && before_layer_.scenes() ? before_layer_.scenes() : nullptr;
+  if (ghost && !ghost->of.ghost) ghost = nullptr;
+  const std::uint64_t ghost_revision = ghost ? before_layer_.revision() : 0;
+  if (drawn_ != layer_.revision() || ghost_drawn_ != ghost_revision) {
+    auto parts = scenes->parts;
+    if (ghost) parts.push_back(ghost->parts.front());
+    renderer_.set_parts(parts, scenes->planes);
+  }
   drawn_ = layer_.revision();
+  ghost_drawn_ = ghost_revision;
   renderer_.set_tints(tints_);
   SpaceCamera seen = camera;
-  seen.set_content(scenes->parts.front()->extent);
+  Box<3> content = scenes->parts.front()->extent;
+  if (ghost) content.add(ghost->parts.front()->extent);
+  seen.set_content(content);
   renderer_.draw(seen, height);
+}
+
+/// By the same camera, in the other part of the view.
+void VolumeView::draw_before(SpaceCamera camera, const ScreenBox& whole, int height) {
+  const VolumeScenes* scenes = before_layer_.scenes();
+  if (!scenes || scenes->of.ghost) return;
+  if (before_drawn_ != before_layer_.revision())
+    before_renderer_.set_parts(scenes->parts, scenes->planes);
+  before_drawn_ = before_layer_.revision();
+  before_renderer_.set_tints(tints_);
+  const ScreenBox part = side_by_side(whole, divider_).before;
+  camera.set_viewport(part.min.x(), part.min.y(), part.size().x(), part.size().y());
+  camera.set_content(scenes->parts.front()->extent);
+  before_renderer_.draw(camera, height);
 }
 
 void VolumeView::draw_kept(const SpaceCamera& camera, int width, int height) {
   GLint target = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
-  const ScreenBox box = camera.viewport();
+  const ScreenBox box =
+      comparison_ == Comparison::split ? whole_of(camera.viewport(), divider_) : camera.viewport();
   const auto x = static_cast<int>(std::lround(box.min.x()));
   const auto y = static_cast<int>(std::lround(box.min.y()));
   const auto part_width = static_cast<int>(std::lround(box.size().x()));
   const auto part_height = static_cast<int>(std::lround(box.size().y()));
   const FrameBuffer::Part part{x, height - y - part_height, part_width, part_height};
-  PictureKey key{camera, width, height, backdrop_, layer_.revision(), tints_};
+  PictureKey key{camera, width, height, backdrop_, layer_.revision(), 0, tints_, comparison_};
+  if (compares()) key.before = before_layer_.revision();
   if (kept_key_ != key) {
     if (!kept_ || kept_->width() != width || kept_->height() != height)
       kept_ = std::make_unique<FrameBuffer>(width, height, kept_samples);

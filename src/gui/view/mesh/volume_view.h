@@ -12,6 +12,7 @@
 #include "gui/render/space/space_pick.h"
 #include "gui/render/space/space_renderer.h"
 #include "gui/settings/view_options.h"
+#include "gui/view/mesh/before_mesh.h"
 #include "gui/view/mesh/volume_layer.h"
 
 namespace winslow::gui {
@@ -19,39 +20,54 @@ namespace winslow::gui {
 /// Keeps the picture of a volume mesh in step with the session; uploads only what changed.
 class VolumeView {
  public:
-  void update(const Session& session, const ViewOptions& view, float scale);
+  void update(const Session& session, const BeforeMesh& before, const ViewOptions& view,
+              float scale);
   void clear();
   /// Elements that are to be seen through what hides them, from the next update() on.
   void set_worst(std::vector<Index> worst) { worst_ = std::move(worst); }
-  /// Draws into the bound framebuffer, `height` pixels high. whole: the part of the framebuffer
-  /// over which the colours of the backdrop run; null: nothing lies behind.
+  /// Draws into the bound framebuffer, `height` pixels high, the mesh before beside it where both
+  /// are compared: camera is that of the mesh now, side_by_side() says where each is. whole: the
+  /// part of the framebuffer over which the colours of the backdrop run; null: nothing lies behind.
   void draw(const SpaceCamera& camera, const ScreenBox* whole, int height);
+  /// The mesh now alone, with nothing behind it.
+  void draw_alone(const SpaceCamera& camera, int height) {
+    if (layer_.scenes()) draw_now(camera, height);
+  }
   /// The same with the backdrop, of a picture that is kept and drawn anew only when it would be
   /// another.
   void draw_kept(const SpaceCamera& camera, int width, int height);
   void forget_picture() { kept_key_.reset(); }
 
-  bool poll() { return layer_.poll(); }
-  bool busy() const { return layer_.busy(); }
+  bool poll();
+  bool busy() const { return layer_.busy() || (compares() && before_layer_.busy()); }
   const ShownMesh* shown() const { return layer_.scenes() ? &layer_.scenes()->shown : nullptr; }
   const std::optional<Legend>& legend() const;
   /// The mesh in the picture; null before the first one.
   const Mesh* mesh() const { return layer_.scenes() ? layer_.scenes()->of.mesh.get() : nullptr; }
   /// What is drawn at a place.
   std::optional<SpaceHit> pick(const View& view, const ScreenPoint& at) const;
+  /// Grows with every other picture.
+  std::uint64_t revision() const { return layer_.revision(); }
+  /// Of the mesh before; null if it is not compared.
+  const VolumeScenes* before_scenes() const { return before_layer_.scenes(); }
   /// Parts that the picture has; for tests of what is made anew.
   const VolumeScenes* scenes() const { return layer_.scenes(); }
 
  private:
   VolumeWish wish_of(const Session& session, const ViewOptions& view, float scale);
+  void compare(const Session& session, const BeforeMesh& before, VolumeWish wish);
+  bool compares() const { return comparison_ != Comparison::none; }
+  void draw_now(const SpaceCamera& camera, int height);
+  void draw_before(SpaceCamera camera, const ScreenBox& whole, int height);
   void choose_tints(const Session& session);
 
   struct PictureKey {
     SpaceCamera camera;
     int width = 0, height = 0;
     BackdropColors backdrop;
-    std::uint64_t revision = 0;
+    std::uint64_t revision = 0, before = 0;
     std::vector<Rgba> tints;
+    Comparison comparison = Comparison::none;
 
     bool operator==(const PictureKey&) const = default;
   };
@@ -59,6 +75,14 @@ class VolumeView {
   VolumeLayer layer_;
   SpaceRenderer renderer_;
   std::uint64_t drawn_ = 0;  // revision of the layer that the renderer has
+  // The mesh before: as a ghost over that now, or beside it.
+  VolumeLayer before_layer_;
+  SpaceRenderer before_renderer_;
+  std::uint64_t before_drawn_ = 0, ghost_drawn_ = 0;
+  std::shared_ptr<const Mesh> before_mesh_;
+  std::uint64_t before_generation_ = 0, before_shape_ = 0;
+  Comparison comparison_ = Comparison::none;
+  double divider_ = 0.5;
   std::shared_ptr<const Mesh> mesh_;
   std::uint64_t generation_ = 0, shape_ = 0;  // of mesh_
   std::shared_ptr<const QualityMonitor::Measured> measured_;

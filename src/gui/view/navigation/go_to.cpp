@@ -1,12 +1,14 @@
 #include "gui/view/navigation/go_to.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 
 #include "core/error.h"
+#include "core/inspect/space/surface_measures.h"
 #include "core/mesh/element_type.h"
 #include "gui/base/text.h"
 #include "gui/view/navigation/worst_list.h"
@@ -19,7 +21,8 @@ constexpr const char* expected =
     "Expected a node (n123), an element (e45), a point (0.5, 0.1), \"worst 3\" or a marker.";
 
 constexpr const char* expected_in_space =
-    "Expected a node (n123), an element (e45), a point (0.5, 0.1, 2), \"worst 3\" or a marker.";
+    "Expected a node (n123), an element (e45), a face (f12, wing 12), a point (0.5, 0.1, 2), "
+    "\"worst 3\" or a marker.";
 
 std::string trimmed(const std::string& text) {
   const auto first = text.find_first_not_of(" \t");
@@ -50,13 +53,43 @@ Vec3 place_of(const Coordinates& x, Index node) {
   return {x.xy(node).x(), x.xy(node).y(), 0};
 }
 
+Index count_of(MeshItem::Kind kind, const Topology& topology) {
+  switch (kind) {
+    case MeshItem::Kind::node:
+      return topology.node_count();
+    case MeshItem::Kind::element:
+      return topology.element_count();
+    case MeshItem::Kind::face:
+      break;
+  }
+  return topology.cell_dimension() == 3 ? topology.face_count() : 0;
+}
+
 MeshItem checked(MeshItem::Kind kind, long long id, const Topology& topology) {
-  const bool node = kind == MeshItem::Kind::node;
-  const Index count = node ? topology.node_count() : topology.element_count();
-  if (id < 0 || id >= count)
-    throw UsageError(std::string(node ? "Nodes" : "Elements") + " go from 0 to " +
-                     grouped(count - 1) + ".");
+  const Index count = count_of(kind, topology);
+  if (id < 0 || id >= count) {
+    const char* what = kind == MeshItem::Kind::node      ? "Nodes"
+                       : kind == MeshItem::Kind::element ? "Elements"
+                                                         : "Faces";
+    throw UsageError(std::string(what) + " go from 0 to " + grouped(count - 1) + ".");
+  }
   return {kind, static_cast<Index>(id)};
+}
+
+/// "wing 12": a face by its marker and its number there.
+std::optional<MeshItem> marker_face(const std::string& text, const Topology& topology) {
+  const auto gap = text.find_last_of(" \t");
+  if (gap == std::string::npos) return std::nullopt;
+  const auto marker = topology.markers().find(trimmed(text.substr(0, gap)));
+  const auto number = whole_number(text.substr(gap + 1));
+  if (!marker || !number) return std::nullopt;
+  const auto& faces = topology.markers()[at(*marker)].faces;
+  if (*number < 0 || *number >= static_cast<long long>(faces.size()))
+    throw UsageError("Faces of " + topology.markers()[at(*marker)].name + " go from 0 to " +
+                     grouped(static_cast<long long>(faces.size()) - 1) + ".");
+  const auto face = topology.find_face(faces[static_cast<std::size_t>(*number)]);
+  if (!face) return std::nullopt;
+  return MeshItem{MeshItem::Kind::face, *face};
 }
 
 MeshItem nearest_node(const Vec3& point, const Session& session) {
@@ -70,6 +103,26 @@ MeshItem nearest_node(const Vec3& point, const Session& session) {
     best = i;
   }
   return {MeshItem::Kind::node, best};
+}
+
+struct FaceOfMarker {
+  std::string name;
+  std::size_t number = 0;  ///< among the marker's faces
+};
+std::optional<FaceOfMarker> marker_of_face(const Topology& topology, const Face& face) {
+  const Markers& markers = topology.markers();
+  const auto sorted = face.sorted();
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    const auto nodes = markers.nodes(static_cast<Index>(m));
+    if (!std::ranges::all_of(face, [&](Index i) { return std::ranges::binary_search(nodes, i); }))
+      continue;
+    const auto& faces = markers[m].faces;
+    const auto found =
+        std::ranges::find_if(faces, [&](const Face& f) { return f.sorted() == sorted; });
+    if (found != faces.end())
+      return FaceOfMarker{markers[m].name, static_cast<std::size_t>(found - faces.begin())};
+  }
+  return std::nullopt;
 }
 
 MeshItem worst_item(const std::string& rank, const Session& session, const ViewOptions& view) {
@@ -93,12 +146,80 @@ std::string coordinate(double value) {
   return text;
 }
 
+using Lines = std::vector<std::pair<std::string, std::string>>;
+
+std::string place_text(const Vec3& p) {
+  return coordinate(p.x()) + ", " + coordinate(p.y()) + ", " + coordinate(p.z());
+}
+
+Vec3 middle_of(const SpacePoints& x, std::span<const Index> nodes) {
+  Vec3 sum(0, 0, 0);
+  for (const Index node : nodes) sum += x[node];
+  return sum / static_cast<double>(nodes.size());
+}
+
+/// Of a volume element: where it is, and what lies beyond its faces.
+void add_surroundings(Lines& lines, Index e, const Mesh& mesh) {
+  const Topology& topology = *mesh.topology;
+  std::string neighbours, markers;
+  for (const Face& face : shape_of(topology.element_type(e)).faces) {
+    const Face nodes = by_nodes(face, topology.element(e));
+    const auto f = topology.find_face(nodes);
+    if (!f) continue;
+    const std::array<Index, 2> elements = topology.face(*f).elements;
+    const Index other = elements[0] == e ? elements[1] : elements[0];
+    if (other >= 0) neighbours += (neighbours.empty() ? "" : ", ") + std::to_string(other);
+    if (const auto marker = marker_of_face(topology, nodes))
+      markers += (markers.empty() ? "" : ", ") + marker->name;
+  }
+  lines.emplace_back("Middle",
+                     place_text(middle_of(SpacePoints(mesh.coordinates), topology.element(e))));
+  lines.emplace_back("Neighbours", neighbours.empty() ? "none" : neighbours);
+  if (!markers.empty()) lines.emplace_back("Faces on", markers);
+}
+
+Lines describe_face(Index f, const Session& session) {
+  const Topology& topology = *session.topology();
+  const SpacePoints x(session.coordinates());
+  const Topology::SharedFace face = topology.face(f);
+  const Vec3 normal = area_vector(x, face.nodes).normalized();
+  Lines lines{{"Face " + std::to_string(f), face.elements[1] < 0 ? "boundary" : "interior"},
+              {"Nodes", list_of({face.nodes.begin(), face.nodes.size()})}};
+  if (const auto marker = marker_of_face(topology, face.nodes))
+    lines.emplace_back("Marker", marker->name + ", its face " + std::to_string(marker->number));
+  lines.emplace_back(
+      "Elements",
+      std::to_string(face.elements[0]) +
+          (face.elements[1] < 0 ? std::string() : ", " + std::to_string(face.elements[1])));
+  lines.emplace_back("Area", short_number(face_area(x, face.nodes)));
+  lines.emplace_back("Middle", place_text(centre_of(x, face.nodes)));
+  lines.emplace_back("Normal", place_text(normal));
+  return lines;
+}
+
+/// The worst element at a node.
+void add_worst_around(Lines& lines, Index i, const Session& session) {
+  const Mesh mesh{session.topology(), session.coordinates()};
+  double least = std::numeric_limits<double>::infinity();
+  Index worst = -1;
+  for (const Index e : mesh.topology->star(i)) {
+    const double value = element_value(mesh, e, Metric::normalized_jacobian);
+    if (value >= least) continue;
+    least = value;
+    worst = e;
+  }
+  if (worst >= 0)
+    lines.emplace_back("Worst of them",
+                       std::to_string(worst) + ", scaled Jacobian " + short_number(least));
+}
+
 std::vector<std::pair<std::string, std::string>> describe_element(Index e, const Session& session) {
   const Topology& topology = *session.topology();
   const Mesh mesh{session.topology(), session.coordinates()};
   std::vector<std::pair<std::string, std::string>> lines{
       {"Element " + std::to_string(e), std::string(shape_of(topology.element_type(e)).name)},
       {"Nodes", list_of(topology.element(e))}};
+  if (session.in_space()) add_surroundings(lines, e, mesh);
   for (const Metric metric : all_metrics(topology.cell_dimension())) {
     const double value = element_value(mesh, e, metric);
     lines.emplace_back(metric_label(metric),
@@ -124,7 +245,9 @@ std::vector<std::pair<std::string, std::string>> describe_node(Index i, const Se
   if (session.in_space()) lines.emplace_back("z", coordinate(p.z()));
   lines.emplace_back("Marker", markers.empty() ? "none" : markers);
   lines.emplace_back("Degree", std::to_string(topology.neighbours(i).size()));
+  if (session.in_space()) lines.emplace_back("Neighbours", list_of(topology.neighbours(i)));
   lines.emplace_back("Elements", list_of(topology.star(i)));
+  if (session.in_space()) add_worst_around(lines, i, session);
   return lines;
 }
 
@@ -144,20 +267,28 @@ MeshItem parse_item(const std::string& text, const Session& session, const ViewO
   if (const auto number = whole_number(rest)) {
     const char letter = wanted.front();
     if (letter == 'n' || letter == 'N') return checked(MeshItem::Kind::node, *number, topology);
+    if (session.in_space() && (letter == 'f' || letter == 'F'))
+      return checked(MeshItem::Kind::face, *number, topology);
     if (letter == 'e' || letter == 'E' || letter == '#')
       return checked(MeshItem::Kind::element, *number, topology);
   }
   if (wanted.starts_with("worst")) return worst_item(trimmed(wanted.substr(5)), session, view);
+  if (session.in_space())
+    if (const auto face = marker_face(wanted, topology)) return *face;
   if (const auto point = point_of(wanted, session.in_space())) return nearest_node(*point, session);
   throw UsageError(session.in_space() ? expected_in_space : expected);
 }
 
 std::string item_name(const MeshItem& item) {
-  return (item.kind == MeshItem::Kind::node ? "n" : "e") + std::to_string(item.id);
+  const char* letter = item.kind == MeshItem::Kind::node      ? "n"
+                       : item.kind == MeshItem::Kind::element ? "e"
+                                                              : "f";
+  return letter + std::to_string(item.id);
 }
 
 std::vector<std::pair<std::string, std::string>> describe_item(const MeshItem& item,
                                                                const Session& session) {
+  if (item.kind == MeshItem::Kind::face) return describe_face(item.id, session);
   return item.kind == MeshItem::Kind::node ? describe_node(item.id, session)
                                            : describe_element(item.id, session);
 }
@@ -177,9 +308,7 @@ Bounds surroundings(const MeshItem& item, const Session& session) {
 
 bool exists(const MeshItem& item, const Session& session) {
   if (!session.document() || item.id < 0) return false;
-  const Topology& topology = *session.topology();
-  return item.id <
-         (item.kind == MeshItem::Kind::node ? topology.node_count() : topology.element_count());
+  return item.id < count_of(item.kind, *session.topology());
 }
 
 }  // namespace winslow::gui

@@ -12,10 +12,11 @@ namespace winslow::gui {
 
 /// The node or element that a text names: "n123" a node, "e45", "#45" or "45" an element, "x, y"
 /// the node nearest to a point, "worst" or "worst 3" an entry of the list of worst elements, the
-/// name of a marker its first node. Throws UsageError, saying what was expected.
+/// name of a marker its first node. Of a volume mesh "f12" a face, and "wing 12" the marker's 12th,
+/// from 0 on in the order of the file. Throws UsageError, saying what was expected.
 MeshItem parse_item(const std::string& text, const Session& session, const ViewOptions& view);
 
-/// "e45", "n123": as parse_item takes it.
+/// "e45", "n123", "f12": as parse_item takes it.
 std::string item_name(const MeshItem& item);
 
 /// What it is, as lines of a name and a value.

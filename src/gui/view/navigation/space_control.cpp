@@ -1,6 +1,7 @@
 #include "gui/view/navigation/space_control.h"
 
 #include <algorithm>
+#include <system_error>
 
 #include "gui/render/space/standard_views.h"
 
@@ -33,22 +34,49 @@ std::vector<Plane> planes_of(const std::vector<CutPlane>& cuts) {
 }  // namespace
 
 void SpaceControl::leave(const ViewOptions& options) {
-  if (open_) kept_[*open_] = {view_.camera(), options.space.cuts};
+  if (open_) kept_ = views(options);
   open_.reset();
+}
+
+KeptView SpaceControl::view_now(const ViewOptions& options) const {
+  const SpaceCamera& camera = view_.camera();
+  const ViewDirection& from = camera.direction();
+  const Vec3 centre = camera.centre();
+  return {open_->string(),
+          {centre.x(), centre.y(), centre.z()},
+          camera.units_per_pixel() * camera.viewport().size().y(),
+          from.azimuth,
+          from.elevation,
+          from.roll,
+          from.up,
+          options.space.cuts,
+          options.space.peel};
+}
+
+std::vector<KeptView> SpaceControl::views(const ViewOptions& options) const {
+  if (!open_) return kept_;
+  std::vector<KeptView> all{view_now(options)};
+  for (const KeptView& view : kept_)
+    if (view.mesh != all.front().mesh && all.size() < most_kept_views) all.push_back(view);
+  return all;
 }
 
 void SpaceControl::begin(ViewOptions& options) {
   const Document& document = *session_.document();
-  open_ = document.source();
+  std::error_code ignored;
+  open_ = std::filesystem::absolute(document.source(), ignored);
   SpaceCamera& camera = view_.camera();
   camera.set_content(space_bounds(document.state().mesh));
-  if (const auto kept = kept_.find(*open_); kept != kept_.end()) {
-    const SpaceCamera& was = kept->second.camera;
-    options.space.cuts = kept->second.cuts;
-    camera.look_from(was.direction());
-    return camera.look_at(was.centre(), was.units_per_pixel());
+  const std::string file = open_->string();
+  if (const auto kept = std::ranges::find(kept_, file, &KeptView::mesh); kept != kept_.end()) {
+    options.space.cuts = kept->cuts;
+    options.space.peel = kept->peel;
+    camera.look_from({kept->azimuth, kept->elevation, kept->up, kept->roll});
+    follow(options.space);
+    return camera.look_at(Vec3(kept->centre.data()), kept->height / camera.viewport().size().y());
   }
   options.space.cuts = first_cuts();
+  options.space.peel = {};
   camera.look_from(automatic_view(planes_of(options.space.cuts), options.space.up));
   follow(options.space);
   // With a far field of a hundred chords the bodies would be a dot.
@@ -82,6 +110,11 @@ void SpaceControl::follow(const SpaceOptions& options) {
   if (options.perspective != camera.in_perspective())
     camera.set_perspective(options.perspective ? opening : 0);
   if (options.up != camera.direction().up) look_from(direction_towards(camera.back(), options.up));
+  if (!options.free_orbit && camera.direction().roll != 0) {
+    ViewDirection upright = camera.direction();
+    upright.roll = 0;
+    look_from(upright);
+  }
 }
 
 std::vector<Index> SpaceControl::body_nodes() const {
@@ -151,6 +184,10 @@ Box<3> space_surroundings(const MeshItem& item, const Mesh& mesh) {
   const Topology& topology = *mesh.topology;
   if (item.kind == MeshItem::Kind::element)
     return space_bounds(mesh.coordinates, topology.element(item.id));
+  if (item.kind == MeshItem::Kind::face) {
+    const Face face = topology.face(item.id).nodes;
+    return space_bounds(mesh.coordinates, {face.begin(), face.size()});
+  }
   const Vec3 p = mesh.coordinates.xyz(item.id);
   const auto neighbours = topology.neighbours(item.id);
   if (neighbours.empty()) return {p, p};

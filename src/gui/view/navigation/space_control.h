@@ -1,13 +1,14 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "gui/document/session/session.h"
 #include "gui/render/space/space_view.h"
+#include "gui/settings/kept_view.h"
 #include "gui/settings/view_options.h"
 #include "gui/settings/view_state.h"
 
@@ -26,6 +27,10 @@ class SpaceControl {
   /// get the cuts that it has, or those to begin with.
   void leave(const ViewOptions& options);
   void begin(ViewOptions& options);
+  /// How meshes were looked at, the last one first: the open one among them.
+  std::vector<KeptView> views(const ViewOptions& options) const;
+  /// As they were kept from the last run.
+  void set_views(std::vector<KeptView> views) { kept_ = std::move(views); }
   /// In every frame: the parts of the options that the camera has.
   void follow(const SpaceOptions& options);
 
@@ -47,13 +52,10 @@ class SpaceControl {
 
   const Session& session_;
   SpaceView view_;
-  /// How a mesh was looked at last.
-  struct Kept {
-    SpaceCamera camera;
-    std::vector<CutPlane> cuts;
-  };
-  std::map<std::filesystem::path, Kept> kept_;  // by the mesh's file
-  std::optional<std::filesystem::path> open_;   // that is looked at now
+  KeptView view_now(const ViewOptions& options) const;
+
+  std::vector<KeptView> kept_;                 // the last one first
+  std::optional<std::filesystem::path> open_;  // that is looked at now
 };
 
 /// Box around an item of a volume mesh and what touches it.

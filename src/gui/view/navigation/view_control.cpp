@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "gui/render/space/side_by_side.h"
 #include "gui/render/space/standard_views.h"
 #include "gui/view/mesh/isolated_elements.h"
 #include "gui/view/navigation/go_to.h"
@@ -22,6 +23,16 @@ void look_above(Camera& camera, const ScreenBox& card) {
   if (card.max.x() < origin.x() + width / 2 || free < height / 4) return;
   const double unit = camera.units_per_pixel() * std::min(width, height) / std::min(width, free);
   camera.look_at(camera.centre() - Vec2(0, (height - free) / 2 * unit), unit);
+}
+
+void look_above(SpaceCamera& camera, const ScreenBox& card) {
+  const ScreenBox view = camera.viewport();
+  const ScreenVector size = view.size();
+  const double free = card.min.y() - view.min.y();
+  if (card.max.x() < view.min.x() + size.x() / 2 || free < size.y() / 4) return;
+  const double unit =
+      camera.units_per_pixel() * std::min(size.x(), size.y()) / std::min(size.x(), free);
+  camera.look_at(camera.centre() - (size.y() - free) / 2 * unit * camera.up(), unit);
 }
 
 /// The same metric of elements of that dimension, or the one that all have.
@@ -47,9 +58,13 @@ void suit_fields(ViewOptions& options, int cell_dimension) {
 
 bool ViewControl::begin_frame(double x, double y, double width, double height) {
   view_.camera().set_viewport(x, y, width, height);
-  space_.view().camera().set_viewport(x, y, width, height);
+  ScreenBox space{{x, y}, {x + width, y + height}};
+  if (options_.comparison == Comparison::split) space = side_by_side(space, options_.divider).now;
+  space_.view().camera().set_viewport(space.min.x(), space.min.y(), space.size().x(),
+                                      space.size().y());
   const bool another = follow_mesh();
   if (session_.in_space()) space_.follow(options_.space);
+  if (session_.in_space()) suit_peel();
   state_.can_go_back = history_.can_go_back(looked_at_now());
   state_.can_go_forward = history_.can_go_forward();
   return another;
@@ -72,6 +87,19 @@ bool ViewControl::follow_mesh() {
   }
   look_at_start();
   return true;
+}
+
+/// Of the markers that there are; at first of a body.
+void ViewControl::suit_peel() {
+  const Topology& topology = *session_.topology();
+  std::string& marker = options_.space.peel.marker;
+  if (topology.markers().empty() || topology.markers().find(marker)) return;
+  const VolumeBoundary& boundary = *session_.document()->boundary();
+  std::size_t chosen = 0;
+  for (std::size_t f = boundary.faces.size(); f-- > 0;)
+    if (boundary.enclosing[f] == 0 && boundary.faces[f].marker >= 0)
+      chosen = at(boundary.faces[f].marker);
+  marker = topology.markers()[chosen].name;
 }
 
 LookedAt ViewControl::looked_at_now() const {
@@ -272,6 +300,19 @@ void ViewControl::on(const action::AddCutAcrossView&) {
   const Box<3> mesh = space_bounds(Mesh{session_.topology(), session_.coordinates()});
   const Vec3 middle = camera.centre().cwiseMax(mesh.min).cwiseMin(mesh.max);
   on(action::AddCut{middle, normal});
+}
+
+void ViewControl::on(const action::ShowLook& a) {
+  if (!session_.in_space()) return;
+  leave();
+  const SpaceLook& look = a.look;
+  options_.space.cuts = look.cuts;
+  options_.space.peel.on = false;
+  options_.space.up = look.up;
+  state_.cut.reset();
+  space_.look_from({look.azimuth, look.elevation, look.up});
+  space_.look_at(Vec3(look.centre.data()), look.radius);
+  if (card_) look_above(space_.view().camera(), *card_);
 }
 
 void ViewControl::on(const action::ZoomTo& a) {

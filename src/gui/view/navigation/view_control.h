@@ -95,8 +95,10 @@ class ViewControl {
   void on(const action::LookFrom& a);
   void on(const action::AddCut& a);
   void on(const action::AddCutAcrossView&);
+  void on(const action::ShowLook& a);
   void on(const action::HoldCut& a) { state_.cut = a.cut; }
   void look_at_start();
+  void suit_peel();
   LookedAt looked_at_now() const;
   void go(const std::optional<LookedAt>& place);
   void leave() { history_.leave(looked_at_now()); }

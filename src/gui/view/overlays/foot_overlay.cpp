@@ -39,21 +39,21 @@ float draw_scale_bar(ImDrawList& list, const ViewOverlay& o, const ImVec2& botto
   return extent.y;
 }
 
-void draw_mode(ImDrawList& list, const ViewOverlay& o, const ImVec2& bottom_left, float room,
+}  // namespace
+
+void draw_mode(ImDrawList& list, const Theme& theme, const ImVec2& bottom_left, float room,
                const std::string& text) {
-  ImFont& font = *o.theme.small;
-  const float pad = o.theme.px(8);
-  const float wrap = std::max(room - 2 * pad, o.theme.px(80));
+  ImFont& font = *theme.small;
+  const float pad = theme.px(8);
+  const float wrap = std::max(room - 2 * pad, theme.px(80));
   const ImVec2 size = font.CalcTextSizeA(font.FontSize, FLT_MAX, wrap, text.c_str());
   const ImVec2 min(bottom_left.x, bottom_left.y - size.y - 1.4f * pad);
   const ImVec2 max(min.x + size.x + 2 * pad, bottom_left.y);
-  list.AddRectFilled(min, max, palette().accent, o.theme.px(5));
+  list.AddRectFilled(min, max, palette().accent, theme.px(5));
   list.AddText(&font, font.FontSize, ImVec2(min.x + pad, min.y + 0.7f * pad), palette().on_accent,
                text.c_str(), nullptr, wrap);
   ui::note("mode", min, max);
 }
-
-}  // namespace
 
 double round_length(double most) {
   if (!(most > 0) || !std::isfinite(most)) return 1;
@@ -65,8 +65,12 @@ double round_length(double most) {
 
 std::string mode_text(const Session& session, const ViewState& state) {
   if (state.ruler)
-    return "Ruler: click two points for a distance, a third for the angle. Clicks snap to nodes, "
-           "not with Shift. Esc puts it away.";
+    return session.in_space()
+               ? "Ruler: click two points for a distance and the angle between the faces, a third "
+                 "for the angle at the second. Clicks snap to nodes, not with Shift. Esc puts it "
+                 "away."
+               : "Ruler: click two points for a distance, a third for the angle. Clicks snap to "
+                 "nodes, not with Shift. Esc puts it away.";
   if (state.box_zoom_armed) return "Zoom: drag a box. Esc leaves the view as it is.";
   if (session.selection().shape_edit().active)
     return "Editing boundary nodes: drag one; Shift+click takes the arc up to another. E or Esc "
@@ -81,7 +85,7 @@ void draw_foot(ImDrawList& list, const ViewOverlay& o, const ScreenBox& room,
   ImVec2 at(static_cast<float>(room.min.x()) + margin, static_cast<float>(room.max.y()) - margin);
   if (o.options.scale_bar && width > o.theme.px(180))
     at.y -= draw_scale_bar(list, o, at) + o.theme.px(6);
-  if (!mode.empty()) draw_mode(list, o, at, width - 2 * margin, mode);
+  if (!mode.empty()) draw_mode(list, o.theme, at, width - 2 * margin, mode);
 }
 
 void draw_out_of_view(ImDrawList& list, const ViewOverlay& o) {

@@ -16,6 +16,10 @@ double round_length(double most);
 /// What the mouse does at present if that is not what it does as a rule; empty: it is.
 std::string mode_text(const Session& session, const ViewState& state);
 
+/// What mode_text() says, on a card. theme: its letters. room: its width, pixels.
+void draw_mode(ImDrawList& list, const Theme& theme, const ImVec2& bottom_left, float room,
+               const std::string& text);
+
 /// room: of the view that no card covers.
 void draw_foot(ImDrawList& list, const ViewOverlay& overlay, const ScreenBox& room,
                const std::string& mode);

@@ -49,31 +49,30 @@ void draw_point(ImDrawList& list, const ViewOverlay& o, const Ruler::Point& poin
   if (point.node) list.AddCircle(at, o.theme.px(8), palette().accent, 24, o.theme.px(1.5f));
 }
 
-/// Lines of text on one card beside a place, inside the view.
-void draw_card(ImDrawList& list, const ViewOverlay& o, const ScreenPoint& beside,
-               const std::vector<std::string>& lines) {
-  ImFont& font = *o.theme.small;
-  const float pad = o.theme.px(7), step = font.FontSize + o.theme.px(3);
+}  // namespace
+
+void draw_measurement_card(ImDrawList& list, const Theme& theme, const ScreenBox& viewport,
+                           const ScreenPoint& beside, const std::vector<std::string>& lines) {
+  ImFont& font = *theme.small;
+  const float pad = theme.px(7), step = font.FontSize + theme.px(3);
   float width = 0;
   for (const std::string& line : lines)
     width = std::max(width, font.CalcTextSizeA(font.FontSize, FLT_MAX, 0, line.c_str()).x);
   const ImVec2 size(width + 2 * pad, static_cast<float>(lines.size()) * step + pad);
-  const ImVec2 low = pixel(o.view.viewport().min), high = pixel(o.view.viewport().max);
-  ImVec2 at(static_cast<float>(beside.x()) + o.theme.px(16),
-            static_cast<float>(beside.y()) + o.theme.px(16));
+  const ImVec2 low = pixel(viewport.min), high = pixel(viewport.max);
+  ImVec2 at(static_cast<float>(beside.x()) + theme.px(16),
+            static_cast<float>(beside.y()) + theme.px(16));
   at.x = std::max(low.x, std::min(at.x, high.x - size.x - pad));
   at.y = std::max(low.y, std::min(at.y, high.y - size.y - pad));
   const ImVec2 end(at.x + size.x, at.y + size.y);
-  list.AddRectFilled(at, end, faded(palette().card, 0.94f), o.theme.px(5));
-  list.AddRect(at, end, palette().border, o.theme.px(5));
+  list.AddRectFilled(at, end, faded(palette().card, 0.94f), theme.px(5));
+  list.AddRect(at, end, palette().border, theme.px(5));
   for (std::size_t k = 0; k < lines.size(); ++k)
     list.AddText(&font, font.FontSize,
                  ImVec2(at.x + pad, at.y + pad / 2 + static_cast<float>(k) * step), palette().text,
                  lines[k].c_str());
   ui::note("ruler", at, end);
 }
-
-}  // namespace
 
 std::vector<std::string> measurement_lines(const Measurement& m) {
   // Rounding errors of the nodes are no distance.
@@ -97,7 +96,8 @@ void draw_ruler(ImDrawList& list, const ViewOverlay& o, const Ruler& ruler) {
   if (measured && measured->angle) draw_arc(list, o, points);
   for (const Ruler::Point& point : points) draw_point(list, o, point);
   if (measured)
-    draw_card(list, o, o.view.to_screen(points.back().at), measurement_lines(*measured));
+    draw_measurement_card(list, o.theme, o.view.viewport(), o.view.to_screen(points.back().at),
+                          measurement_lines(*measured));
 }
 
 }  // namespace winslow::gui

@@ -43,6 +43,15 @@ std::vector<std::array<Vec3, 2>> edges_of(const Mesh& mesh, Index element) {
   return lines;
 }
 
+std::vector<std::array<Vec3, 2>> sides_of(const Mesh& mesh, Index face) {
+  const Face nodes = mesh.topology->face(face).nodes;
+  std::vector<std::array<Vec3, 2>> lines;
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    lines.push_back(
+        {mesh.coordinates.xyz(nodes[k]), mesh.coordinates.xyz(nodes[(k + 1) % nodes.size()])});
+  return lines;
+}
+
 /// Above all that hides it.
 void draw_space_focus(ImDrawList& list, const SpaceOverlay& o) {
   const auto& focus = o.state.focus;
@@ -50,6 +59,8 @@ void draw_space_focus(ImDrawList& list, const SpaceOverlay& o) {
   const Mesh mesh{o.session.topology(), o.session.coordinates()};
   if (focus->kind == MeshItem::Kind::element) {
     draw_lines_with_halo(list, o, edges_of(mesh, focus->id), palette().accent, o.theme.px(2));
+  } else if (focus->kind == MeshItem::Kind::face) {
+    draw_lines_with_halo(list, o, sides_of(mesh, focus->id), palette().accent, o.theme.px(2.5f));
   } else {
     const ImVec2 at = seen_at(o, mesh.coordinates.xyz(focus->id));
     list.AddCircle(at, o.theme.px(7), palette().card, 24, o.theme.px(4.5f));

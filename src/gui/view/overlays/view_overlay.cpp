@@ -106,47 +106,52 @@ void draw_rim(ImDrawList& list, const ViewOverlay& o) {
 }
 
 void draw_comparison(ImDrawList& list, const ViewOverlay& o) {
-  if (o.options.comparison == Comparison::none) return;
-  const auto [origin, end] = o.view.viewport();
+  draw_comparison(list, o.options, o.theme, o.view.viewport());
+}
+
+void draw_comparison(ImDrawList& list, const ViewOptions& options, const Theme& theme,
+                     const ScreenBox& whole) {
+  if (options.comparison == Comparison::none) return;
+  const auto [origin, end] = whole;
   const auto x = static_cast<float>(origin.x());
   const auto y = static_cast<float>(origin.y());
   const auto width = static_cast<float>(end.x() - origin.x());
   const auto height = static_cast<float>(end.y() - origin.y());
-  const float gap = o.theme.px(10);
+  const float gap = theme.px(10);
   const char* before =
-      o.options.before == BeforeState::loaded ? "As opened" : "Before the last command";
-  if (o.options.comparison == Comparison::ghost) {
-    const float line = o.theme.px(22);
+      options.before == BeforeState::loaded ? "As opened" : "Before the last command";
+  if (options.comparison == Comparison::ghost) {
+    const float line = theme.px(22);
     const ImVec2 at(x + gap, y + gap);
     const std::string text = std::string("          ") + before;
-    const ImVec2 size = draw_tag(list, o.theme, at, text.c_str());
+    const ImVec2 size = draw_tag(list, theme, at, text.c_str());
     const float middle = at.y + size.y / 2;
     // White edges would not be seen on a white card.
-    list.AddRectFilled(ImVec2(at.x + o.theme.px(5), middle - o.theme.px(5)),
-                       ImVec2(at.x + o.theme.px(9) + line, middle + o.theme.px(5)),
-                       faded(palette().text, 0.5f), o.theme.px(2));
-    list.AddLine(ImVec2(at.x + o.theme.px(7), middle), ImVec2(at.x + o.theme.px(7) + line, middle),
-                 color_of(mesh_colors(o.options).ghost) | IM_COL32_A_MASK, o.theme.px(2));
+    list.AddRectFilled(ImVec2(at.x + theme.px(5), middle - theme.px(5)),
+                       ImVec2(at.x + theme.px(9) + line, middle + theme.px(5)),
+                       faded(palette().text, 0.5f), theme.px(2));
+    list.AddLine(ImVec2(at.x + theme.px(7), middle), ImVec2(at.x + theme.px(7) + line, middle),
+                 color_of(mesh_colors(options).ghost) | IM_COL32_A_MASK, theme.px(2));
     return;
   }
-  const float middle = x + static_cast<float>(o.options.divider) * width;
-  list.AddLine(ImVec2(middle, y), ImVec2(middle, y + height), palette().card, o.theme.px(5));
-  list.AddLine(ImVec2(middle, y), ImVec2(middle, y + height), palette().accent, o.theme.px(2));
+  const float middle = x + static_cast<float>(options.divider) * width;
+  list.AddLine(ImVec2(middle, y), ImVec2(middle, y + height), palette().card, theme.px(5));
+  list.AddLine(ImVec2(middle, y), ImVec2(middle, y + height), palette().accent, theme.px(2));
   const ImVec2 grip(middle, y + height / 2);
-  list.AddCircleFilled(grip, o.theme.px(9), palette().card);
-  list.AddCircle(grip, o.theme.px(9), palette().accent, 32, o.theme.px(2));
+  list.AddCircleFilled(grip, theme.px(9), palette().card);
+  list.AddCircle(grip, theme.px(9), palette().accent, 32, theme.px(2));
   for (const float side : {-1.0f, 1.0f})
-    list.AddTriangleFilled(ImVec2(grip.x + side * o.theme.px(6), grip.y),
-                           ImVec2(grip.x + side * o.theme.px(2), grip.y - o.theme.px(4)),
-                           ImVec2(grip.x + side * o.theme.px(2), grip.y + o.theme.px(4)),
+    list.AddTriangleFilled(ImVec2(grip.x + side * theme.px(6), grip.y),
+                           ImVec2(grip.x + side * theme.px(2), grip.y - theme.px(4)),
+                           ImVec2(grip.x + side * theme.px(2), grip.y + theme.px(4)),
                            palette().accent);
-  ImFont& font = *o.theme.small;
-  const float text = font.CalcTextSizeA(font.FontSize, 1e6f, 0, before).x + o.theme.px(14);
+  ImFont& font = *theme.small;
+  const float text = font.CalcTextSizeA(font.FontSize, 1e6f, 0, before).x + theme.px(14);
   list.PushClipRect(ImVec2(x, y), ImVec2(middle, y + height), true);
-  draw_tag(list, o.theme, ImVec2(middle - text - gap, y + gap), before);
+  draw_tag(list, theme, ImVec2(middle - text - gap, y + gap), before);
   list.PopClipRect();
   list.PushClipRect(ImVec2(middle, y), ImVec2(x + width, y + height), true);
-  draw_tag(list, o.theme, ImVec2(middle + gap, y + gap), "Now");
+  draw_tag(list, theme, ImVec2(middle + gap, y + gap), "Now");
   list.PopClipRect();
 }
 

@@ -28,6 +28,9 @@ void draw_focus(ImDrawList& list, const ViewOverlay& overlay);
 void draw_rim(ImDrawList& list, const ViewOverlay& overlay);
 /// What is compared with what: the divider and the names of both sides, or of the ghost.
 void draw_comparison(ImDrawList& list, const ViewOverlay& overlay);
+/// The same in a view of which the mesh now may have a part.
+void draw_comparison(ImDrawList& list, const ViewOptions& options, const Theme& theme,
+                     const ScreenBox& whole);
 /// The box that the mouse draws to zoom to (pixels).
 void draw_zoom_box(ImDrawList& list, const Theme& theme, const ScreenBox& box);
 /// Where a pinned magnifier looks: below its picture, should they overlap.

@@ -152,14 +152,20 @@ void SpaceViewport::follow(const PointerState& p, const SpaceSurroundings& aroun
   const ScreenVector by = p.position - last_.position;
   if (gesture_ == Gesture::press && (p.position - press_).norm() > orbit_threshold * around.scale) {
     gesture_ = Gesture::orbit;
-    return view.orbit(pivot_, p.position - press_);
+    return turn(around, view, p.position - press_);
   }
   if (gesture_ == Gesture::orbit)
-    view.orbit(pivot_, by);
+    turn(around, view, by);
   else if (gesture_ == Gesture::pan)
     view.pan_at(pivot_, by);
   else if (by != ScreenVector())
     follow_cut(p, around, view, actions);
+}
+
+/// As a turntable does, or freely.
+void SpaceViewport::turn(const SpaceSurroundings& around, SpaceView& view,
+                         const ScreenVector& by) const {
+  around.options.space.free_orbit ? view.tumble(pivot_, by) : view.orbit(pivot_, by);
 }
 
 void SpaceViewport::follow_cut(const PointerState& p, const SpaceSurroundings& around,
@@ -186,6 +192,7 @@ void SpaceViewport::release(const PointerState& p, const SpaceSurroundings& arou
 
 void SpaceViewport::click(const PointerState& p, const SpaceSurroundings& around,
                           ActionQueue& actions) const {
+  if (p.click_taken) return;
   const bool add = p.shift || p.control;
   const bool has_vcv =
       seen_ && seen_->node && !around.session.topology()->on_boundary(*seen_->node);

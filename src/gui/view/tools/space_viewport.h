@@ -53,6 +53,7 @@ class SpaceViewport {
   void press(const PointerState& p, const SpaceSurroundings& around, const SpaceView& view);
   void follow(const PointerState& p, const SpaceSurroundings& around, SpaceView& view,
               ActionQueue& actions);
+  void turn(const SpaceSurroundings& around, SpaceView& view, const ScreenVector& by) const;
   void follow_cut(const PointerState& p, const SpaceSurroundings& around, const SpaceView& view,
                   ActionQueue& actions);
   void release(const PointerState& p, const SpaceSurroundings& around, ActionQueue& actions);

@@ -8,24 +8,30 @@
 
 namespace winslow::gui::test {
 
+namespace {
+
+using Points = std::vector<Ruler::Point>;
+
+}  // namespace
+
 TEST_CASE("a measurement is the length, the vector and the angle against x, then at the corner") {
-  CHECK_FALSE(measure({{Vec2(0, 0), {}}}).has_value());
-  const auto two = measure({{Vec2(1, 1), {}}, {Vec2(4, 5), {}}});
+  CHECK_FALSE(measure(Points{{Vec2(0, 0), {}}}).has_value());
+  const auto two = measure(Points{{Vec2(1, 1), {}}, {Vec2(4, 5), {}}});
   REQUIRE(two.has_value());
   CHECK(two->length == doctest::Approx(5));
   CHECK(two->along == Vec2(3, 4));
   CHECK(two->direction == doctest::Approx(53.130102));
   CHECK_FALSE(two->angle.has_value());
-  const auto three = measure({{Vec2(1, 0), {}}, {Vec2(0, 0), {}}, {Vec2(0, 2), {}}});
+  const auto three = measure(Points{{Vec2(1, 0), {}}, {Vec2(0, 0), {}}, {Vec2(0, 2), {}}});
   REQUIRE(three->angle.has_value());
   CHECK(*three->angle == doctest::Approx(90));
   CHECK(*three->second == doctest::Approx(2));
-  const auto nowhere = measure({{Vec2(1, 0), {}}, {Vec2(1, 0), {}}, {Vec2(0, 2), {}}});
+  const auto nowhere = measure(Points{{Vec2(1, 0), {}}, {Vec2(1, 0), {}}, {Vec2(0, 2), {}}});
   CHECK_FALSE(nowhere->angle.has_value());
 }
 
 TEST_CASE("rounding errors of nodes are no distance") {
-  const auto lines = measurement_lines(*measure({{Vec2(0, 0), {}}, {Vec2(1, -3.3e-17), {}}}));
+  const auto lines = measurement_lines(*measure(Points{{Vec2(0, 0), {}}, {Vec2(1, -3.3e-17), {}}}));
   REQUIRE(lines.size() == 3);
   CHECK(lines[1] == "x +1   y +0");
   CHECK(lines[2].starts_with("0.00"));

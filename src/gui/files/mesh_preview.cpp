@@ -1,0 +1,45 @@
+#include "gui/files/mesh_preview.h"
+
+#include <system_error>
+#include <utility>
+
+#include "gui/files/thumbnails.h"
+#include "io/format/mesh_file.h"
+
+namespace winslow::gui {
+
+namespace {
+
+std::optional<Mesh> mesh_in(const std::filesystem::path& file) {
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(file, failed) ||
+      std::filesystem::file_size(file, failed) > MeshPreview::largest)
+    return std::nullopt;
+  try {
+    Mesh mesh = io::read_mesh(file).mesh;
+    // A surface in space has no picture yet.
+    const bool flat = mesh.topology->cell_dimension() == 2 && mesh.coordinates.dimension() == 3;
+    return flat ? std::nullopt : std::optional(std::move(mesh));
+  } catch (const std::exception&) {
+    return std::nullopt;  // opening it will say what is wrong
+  }
+}
+
+}  // namespace
+
+void MeshPreview::want(const std::filesystem::path& file) {
+  wanted_ = file;
+  if (auto read = reader_.poll()) {
+    shown_ = read->file;
+    texture_ = read->mesh ? std::make_unique<Texture>(Thumbnails::draw(*read->mesh)) : nullptr;
+  }
+  if (shown_ == wanted_ || reader_.busy()) return;
+  texture_.reset();
+  if (wanted_.empty()) {
+    shown_.clear();
+    return;
+  }
+  reader_.start([file = wanted_] { return Read{file, mesh_in(file)}; });
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gui/menu/user_command.h"
+#include "gui/support/keys.h"
+#include "gui/support/rig.h"
+#include "support/space_meshes.h"
+
+namespace winslow::gui::test {
+
+/// A studio with a volume mesh, at first the unit cube with a cubic hole from 1/3 to 2/3, seen from
+/// aslant and cut.
+struct LookingRig : Rig {
+  explicit LookingRig(const std::filesystem::path& profile = {}, int width = 1100, int height = 700)
+      : Rig(width, height, profile) {
+    open(cavity());
+  }
+  static Mesh cavity(winslow::test::Volumes volumes = winslow::test::Volumes::tetrahedra) {
+    return make_mesh(winslow::test::cube_with_cavity(6, volumes));
+  }
+
+  const SpaceControl& space() const { return bench->view_control().space(); }
+  const ViewOptions& options() const { return bench->view_control().options(); }
+  const ViewState& state() const { return bench->view_control().state(); }
+  const VolumeView& volume() const { return bench->pane().mesh_view().volume(); }
+  const VolumeScenes& scenes() const { return *volume().scenes(); }
+  ScreenPoint at(const Vec3& point) const { return space().view().project(point).at; }
+  ScreenPoint middle() const { return space().view().viewport().centre(); }
+  std::string blocked(std::string_view id) {
+    ActionQueue actions;
+    const PanelContext context{session(), options(),        state(),         bench->theme(),
+                               actions,   bench->capture(), bench->recent(), bench->demo(),
+                               nullptr,   nullptr};
+    return why_blocked(user_command(id), context);
+  }
+  /// The node at a place, which there must be.
+  Index node_at(const Vec3& place) const {
+    const Coordinates& x = mesh().coordinates;
+    for (Index i = 0; i < x.size(); ++i)
+      if ((x.xyz(i) - place).norm() < 1e-9) return i;
+    return -1;
+  }
+  /// Without cuts, so that the outside is seen as a surface.
+  void show_outside() {
+    set_view(*this, [](ViewOptions& view) {
+      view.space.cuts.clear();
+      MarkerLook look;
+      look.drawing = MarkerDrawing::surface;
+      view.markers.set("outer", look);
+    });
+  }
+  /// Turns the hole by degrees about z, and waits for the mesh.
+  void turn_cavity(double degrees) {
+    bench->apply(action::SelectMarkers{{marker("cavity")}});
+    frames();
+    fill("motion/rotate", std::to_string(degrees));
+    click("motion/apply");
+    settle();
+  }
+};
+
+}  // namespace winslow::gui::test
