@@ -54,7 +54,7 @@ TOUR = {
     "vcv_edit": (NACA, "click tab/vcv\nwait\nlook 0.05 0.06 0.16\nwait\nclick 0.0246 0.1055\nwait 3\n"
                        "click vcv/pin\nclick vcv/row/1\nfill vcv/angle 110\nwait\naway\nwait\n"),
     "vcv_sphere": (SPHERE, "click tab/vcv\nwait\nkey K\nfill vcv/node 2419\nkey Enter\nwait\n"
-                           "click vcv/pin\naway\nwait\n"),
+                           "click vcv/pin\nclick vcv/large\naway\nwait\n"),
     "compare": (NACA, "click 0.5 0\nfill motion/rotate -40\nclick motion/apply\nwait\n"
                       "key Shift+G\nlook 0.5 0 0.8\naway\nwait\n"),
     "ghost": (NACA, "click 0.5 0\nfill motion/dy -0.2\nclick motion/apply\nwait\nkey Escape\n"

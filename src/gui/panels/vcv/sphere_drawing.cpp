@@ -218,8 +218,9 @@ class Painter {
                         inside(face.at, middle + ScreenVector(-w, h)) &&
                         inside(face.at, middle + ScreenVector(w, h));
       if (!fits) continue;
-      const ImU32 ink =
-          luminance(face_color(face)) > 0.52f ? IM_COL32(20, 24, 31, 255) : IM_COL32_WHITE;
+      const ImU32 ink = luminance(mixed(face_color(face), rgba(palette().card), 0.2f)) > 0.5f
+                            ? IM_COL32(20, 24, 31, 255)
+                            : IM_COL32_WHITE;
       if (labels_.place(pixel(middle), text, ink))
         ui::note(std::string(d_.id) + "/angle/" + std::to_string(face.triangle),
                  pixel(middle + ScreenVector(-w, -h)), pixel(middle + ScreenVector(w, h)));
