@@ -12,10 +12,10 @@ namespace winslow::gui {
 namespace {
 
 /// What has no counterpart in space (yet).
-constexpr std::array<std::string_view, 19> of_planes{
-    "ruler",       "magnifier",    "pin_magnifier", "ghost",         "split",
-    "nodes",       "rim_nodes",    "directions",    "node_ids",      "element_ids",
-    "pivot",       "shape_edit",   "deform",        "insert_layers", "respace_layers",
+constexpr std::array<std::string_view, 16> of_planes{
+    "ruler",       "magnifier",    "pin_magnifier", "ghost",
+    "split",       "nodes",        "rim_nodes",     "directions",
+    "node_ids",    "element_ids",  "insert_layers", "respace_layers",
     "hold_layers", "layers_panel", "color_layers",  "color_spacing"};
 
 }  // namespace
