@@ -121,6 +121,12 @@ template RigidMotion fit_motion<2>(std::span<const Index>, std::span<const doubl
 template SpaceMotion fit_motion<3>(std::span<const Index>, std::span<const double>,
                                    const Coordinates&, const Coordinates&);
 
+double faded_share(double distance, double radius) {
+  if (!(distance < radius)) return 0;
+  const double t = distance / radius;
+  return 1 - t * t * (3 - 2 * t);
+}
+
 FadedArc faded_arc(const std::vector<Index>& loop, const Coordinates& x, std::size_t first,
                    std::size_t last, double radius) {
   const std::size_t n = loop.size();
@@ -130,8 +136,7 @@ FadedArc faded_arc(const std::vector<Index>& loop, const Coordinates& x, std::si
     if (at == last) break;
   }
   const auto fade = [&](std::size_t at, double distance) {
-    const double t = distance / radius;
-    share[at] = std::max(share[at], 1 - t * t * (3 - 2 * t));
+    share[at] = std::max(share[at], faded_share(distance, radius));
   };
   walk(loop, x, last, true, radius, fade);
   walk(loop, x, first, false, radius, fade);

@@ -43,9 +43,12 @@ template <int D>
 RigidMotionIn<D> fit_motion(std::span<const Index> nodes, std::span<const double> shares,
                             const Coordinates& rest, const Coordinates& x);
 
+/// 1 - t^2 (3 - 2t) with t = distance / radius: from 1 to 0, with continuous slope; 0 beyond the
+/// radius.
+double faded_share(double distance, double radius);
+
 /// Shares that fade from 1 on the arc `first` .. `last` of a closed boundary loop to 0 at
-/// `radius` beyond its ends, measured along the loop, with continuous slope:
-/// 1 - t^2 (3 - 2t), t = distance / radius.
+/// `radius` beyond its ends, measured along the loop, as faded_share().
 /// loop: nodes in order. first, last: positions in it; the arc goes forward from first to last.
 /// radius >= 0, in units of the mesh. Nodes without a share are left out.
 struct FadedArc {

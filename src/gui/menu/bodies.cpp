@@ -79,6 +79,10 @@ std::string selection_in_use(const PanelContext& context) {
   return without_selection(context);
 }
 
+const char* translation_field(const PanelContext& context) {
+  return context.session.in_space() ? "motion/d_x" : "motion/dx";
+}
+
 void cycle_bodies(const PanelContext& context, int step) {
   std::vector<NamedBody> all = bodies(context);
   std::erase_if(

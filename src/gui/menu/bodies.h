@@ -31,6 +31,9 @@ std::string without_selection(const PanelContext& context);
 /// No mesh, nothing selected, or the solver is at work.
 std::string selection_in_use(const PanelContext& context);
 
+/// The field of the panel in which one types how far a selection moves along x.
+const char* translation_field(const PanelContext& context);
+
 /// Selects the next body that is not locked, or with -1 the one before.
 void cycle_bodies(const PanelContext& context, int step);
 

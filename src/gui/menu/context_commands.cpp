@@ -11,6 +11,7 @@
 #include "gui/base/text.h"
 #include "gui/menu/bodies.h"
 #include "gui/menu/layer_commands.h"
+#include "gui/menu/pivot_commands.h"
 
 namespace winslow::gui {
 
@@ -118,7 +119,11 @@ std::vector<UserCommand> moving(const std::vector<Index>& markers) {
        .label = "Move...",
        .tooltip = "Type how far it moves, and press Enter.",
        .blocked = blocked,
-       .run = select_and_edit(markers, "motion/dx")},
+       .run =
+           [markers](const PanelContext& c) {
+             c.emit(action::SelectMarkers{markers, false});
+             c.emit(action::EditField{translation_field(c)});
+           }},
       {.id = "body/rotate",
        .label = "Rotate...",
        .tooltip = "Type by how many degrees it turns, and press Enter.",
@@ -127,7 +132,7 @@ std::vector<UserCommand> moving(const std::vector<Index>& markers) {
       {.id = "body/deform",
        .label = "Deform by a sine...",
        .tooltip = "Type a sine that bends it.",
-       .blocked = in_plane(blocked),
+       .blocked = blocked,
        .run = select_and_edit(markers, "shape/amplitude")},
       {.id = "body/layers",
        .label = "Insert layers...",
@@ -294,6 +299,7 @@ std::vector<UserCommand> in_space(const std::array<Vec3, 2>& place) {
 ContextPart of_view(const PickedPlace& place) {
   ContextPart part{{}, {}};
   if (place.in_space) part.commands = in_space(*place.in_space);
+  for (UserCommand& command : turn_about_place(place)) part.commands.push_back(std::move(command));
   if (place.point && !place.node)
     part.commands.push_back(
         copying("place/copy", "Copy coordinates", coordinates_text(*place.point, ", ")));

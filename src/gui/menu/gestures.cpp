@@ -6,7 +6,7 @@ namespace winslow::gui {
 
 std::span<const Gesture> mouse_gestures() {
   constexpr MeshScope plane = MeshScope::plane, space = MeshScope::space;
-  static constexpr std::array<Gesture, 31> gestures{
+  static constexpr std::array<Gesture, 40> gestures{
       {{"Click a body", "select it", plane},
        {"Ctrl or Shift + click", "add to the selection"},
        {"Double click a body", "zoom to it, also in the list", plane},
@@ -33,6 +33,15 @@ std::span<const Gesture> mouse_gestures() {
        {"Left drag", "turn about what is there (T: freely)", space},
        {"Alt + click", "the node there", space},
        {"Middle, right, Shift + left", "pan", space},
+       {"Drag an arrow", "move along it", space},
+       {"Drag a small square", "move in its plane", space},
+       {"Drag a ring", "turn about its axis", space},
+       {"Drag the disc", "move across the view", space},
+       {"... with Ctrl, Shift", "in steps, slowly", space},
+       {"X, Y, Z in a drag", "that axis alone, or back", space},
+       {"30 Enter in a drag", "by just 30; Tab: the next", space},
+       {"Drag a node (E)", "change the shape", space},
+       {"Shift + click a node or face (E)", "hold it as well", space},
        {"Drag a cut's arrow", "move the cut", space},
        {"Drag the arrow's ball", "turn the cut", space},
        {"Esc in a drag", "as it was before", space},

@@ -2,10 +2,12 @@
 #include <GLFW/glfw3.h>
 
 #include <array>
+#include <string_view>
 #include <utility>
 
 #include "gui/demos/demo_player.h"
 #include "gui/menu/bodies.h"
+#include "gui/menu/pivot_commands.h"
 #include "gui/menu/user_command.h"
 
 namespace winslow::gui {
@@ -16,6 +18,10 @@ constexpr auto motion_group = CommandGroup::motion;
 
 std::function<void(const PanelContext&)> edit_field(const char* field) {
   return [field](const PanelContext& c) { c.emit(action::EditField{field}); };
+}
+
+void edit_translation(const PanelContext& context) {
+  context.emit(action::EditField{translation_field(context)});
 }
 
 /// What to do with one body after it is selected, for each body and marker of the mesh.
@@ -38,13 +44,30 @@ std::function<std::vector<UserCommand>(const PanelContext&)> for_each_body(const
                        .run =
                            [markers = body.markers, field](const PanelContext& c) {
                              c.emit(action::SelectMarkers{markers, false});
-                             if (*field) c.emit(action::EditField{field});
+                             if (field == std::string_view("motion/dx"))
+                               edit_translation(c);
+                             else if (*field)
+                               c.emit(action::EditField{field});
                            }});
     return items;
   };
 }
 
-std::vector<UserCommand> pivot_places(const PanelContext&) {
+UserCommand type_pivot() {
+  return {.id = "pivot/type",
+          .label = "By numbers...",
+          .group = motion_group,
+          .tooltip = "Type where the pivot is.",
+          .run = edit_field("motion/pivot_x"),
+          .starts_section = true};
+}
+
+std::vector<UserCommand> pivot_places(const PanelContext& context) {
+  if (context.session.in_space()) {
+    std::vector<UserCommand> items = pivots_in_space();
+    items.push_back(type_pivot());
+    return items;
+  }
   constexpr std::array<std::pair<PivotPlace, const char*>, 4> places{
       {{PivotPlace::centre, "Centre"},
        {PivotPlace::centroid, "Centroid"},
@@ -65,12 +88,7 @@ std::vector<UserCommand> pivot_places(const PanelContext&) {
                          [place = place](const PanelContext& c) {
                            c.emit(action::SetPivot{{}, place});
                          }});
-  items.push_back({.id = "pivot/type",
-                   .label = "By numbers...",
-                   .group = motion_group,
-                   .tooltip = "Type where the pivot is.",
-                   .run = edit_field("motion/pivot_x"),
-                   .starts_section = true});
+  items.push_back(type_pivot());
   return items;
 }
 
@@ -82,7 +100,7 @@ std::vector<UserCommand> moving_commands() {
        .tooltip = "Type how far the selected bodies move, and press Enter; the mesh follows.",
        .words = "translate shift displace body motion",
        .blocked = selection_in_use,
-       .run = edit_field("motion/dx")},
+       .run = edit_translation},
       {.id = "rotate",
        .label = "Rotate the selection...",
        .group = motion_group,
@@ -98,6 +116,17 @@ std::vector<UserCommand> moving_commands() {
        .words = "hinge centre rotation axis",
        .blocked = without_selection,
        .items = pivot_places},
+      {.id = "pivot_pick_done",
+       .label = "End the picking of a pivot",
+       .group = motion_group,
+       .keys = {key(GLFW_KEY_ESCAPE)},
+       .tooltip = "Clicks in the picture select again.",
+       .blocked = [](const PanelContext& c) -> std::string {
+         if (c.session.job().active()) return "Esc cancels the solver now.";
+         return c.session.selection().pivot_pick() ? "" : "No pivot is being picked.";
+       },
+       .run = [](const PanelContext& c) { c.emit(action::PickPivot{}); },
+       .scope = MeshScope::space},
       {.id = "move_body",
        .label = "Move",
        .group = motion_group,
@@ -166,6 +195,7 @@ std::vector<UserCommand> selection_commands() {
        .blocked = [](const PanelContext& c) -> std::string {
          if (c.session.job().active()) return "Esc cancels the solver now.";
          if (c.demo.demo()) return "Esc ends the demo now.";
+         if (c.session.selection().pivot_pick()) return "Esc ends the picking of a pivot now.";
          if (c.session.selection().shape_edit().active) return "Esc ends the editing of nodes now.";
          return c.session.selection().empty() ? "Nothing is selected." : "";
        },
@@ -196,6 +226,7 @@ std::vector<UserCommand> shape_commands() {
        .tooltip = "Whole bodies are dragged again.",
        .blocked = [](const PanelContext& c) -> std::string {
          if (c.session.job().active()) return "Esc cancels the solver now.";
+         if (c.session.selection().pivot_pick()) return "Esc ends the picking of a pivot now.";
          return c.session.selection().shape_edit().active ? "" : "No nodes are being edited.";
        },
        .run =

@@ -12,10 +12,10 @@ namespace winslow::gui {
 namespace {
 
 /// What has no counterpart in space (yet).
-constexpr std::array<std::string_view, 14> of_planes{
-    "magnifier",   "pin_magnifier", "nodes",        "rim_nodes",     "directions",
-    "pivot",       "shape_edit",    "deform",       "insert_layers", "respace_layers",
-    "hold_layers", "layers_panel",  "color_layers", "color_spacing"};
+constexpr std::array<std::string_view, 11> of_planes{
+    "magnifier",    "pin_magnifier", "nodes",          "rim_nodes",
+    "directions",   "insert_layers", "respace_layers", "hold_layers",
+    "layers_panel", "color_layers",  "color_spacing"};
 
 }  // namespace
 

@@ -1,6 +1,8 @@
 #include "gui/panels/shape_panel.h"
 
 #include <cmath>
+#include <optional>
+#include <string>
 
 #include "gui/widgets/controls.h"
 
@@ -12,7 +14,29 @@ constexpr float label_share = 0.38f;
 
 bool sensible(const SineDeformation& s) {
   return std::isfinite(s.amplitude) && s.amplitude != 0 && std::isfinite(s.waves) &&
-         s.direction.allFinite() && s.direction.norm() > 0;
+         s.direction.allFinite() && (s.direction.norm() > 0 || s.direction_z.value_or(0) != 0);
+}
+
+/// The axis that a direction is, 0 to 2.
+std::size_t axis_of(const SineDeformation& s) {
+  if (s.direction_z.value_or(0) != 0) return 2;
+  return s.direction == Vec2(1, 0) ? 0 : 1;
+}
+
+/// A sine in space says along what it runs; without, it runs at right angles to its direction.
+void set_axes(SineDeformation& s, std::size_t direction, std::optional<std::size_t> along) {
+  s.direction = direction == 0 ? Vec2(1, 0) : Vec2(0, direction == 1 ? 1 : 0);
+  s.direction_z = direction == 2 ? std::optional(1.0) : std::nullopt;
+  s.along = along ? std::optional(Vec3(Vec3::Unit(static_cast<Index>(*along)))) : std::nullopt;
+}
+
+std::string chosen_patch(const ShapeEdit& edit) {
+  if (!edit.patch)
+    return "Drag a node of the surface, or click nodes and faces to hold them (Shift adds). A drag "
+           "fades over their marker; select several markers first to have it go over all of them.";
+  const std::size_t n = edit.patch->nodes.size();
+  return (n == 1 ? std::string("One node is held.") : std::to_string(n) + " nodes are held.") +
+         " Drag any of them, or an arrow.";
 }
 
 const char* chosen_arc(const ShapeEdit& edit) {
@@ -43,7 +67,9 @@ void ShapePanel::draw_by_hand(const PanelContext& context) {
   const ShapeEdit& edit = context.session.selection().shape_edit();
   bool active = edit.active;
   if (ui::checkbox("shape/edit", "Edit boundary nodes (E)", active,
-                   "Drag single nodes or arcs of a boundary instead of whole bodies."))
+                   context.session.in_space()
+                       ? "Drag nodes or patches of a surface instead of whole bodies."
+                       : "Drag single nodes or arcs of a boundary instead of whole bodies."))
     context.emit(action::SetShapeEdit{active, edit.radius});
   if (!edit.active) return;
   double radius = edit.radius;
@@ -53,7 +79,7 @@ void ShapePanel::draw_by_hand(const PanelContext& context) {
   ui::row("Falloff", tip, label_share);
   if (ui::number("shape/radius", radius, tip) && std::isfinite(radius))
     context.emit(action::SetShapeEdit{true, std::max(radius, 0.0)});
-  ui::text_wrapped(chosen_arc(edit));
+  ui::text_wrapped(context.session.in_space() ? chosen_patch(edit) : chosen_arc(edit));
 }
 
 void ShapePanel::draw_sine(const PanelContext& context) {
@@ -63,7 +89,7 @@ void ShapePanel::draw_sine(const PanelContext& context) {
     ui::text_wrapped("Select a body first.");
     return;
   }
-  draw_fields();
+  draw_fields(session.in_space());
   ui::checkbox("shape/preview", "Preview", preview_,
                "Draw where the boundary would be, before anything is done.");
   const auto& shown = session.selection().deformation_preview();
@@ -80,7 +106,35 @@ void ShapePanel::draw_sine(const PanelContext& context) {
   }
 }
 
-bool ShapePanel::draw_fields() {
+/// Direction, and in space along what the sine runs.
+bool ShapePanel::draw_axes(bool in_space) {
+  constexpr const char* direction_tip =
+      "Which way the boundary is displaced; the sine runs along the body at right angles to it.";
+  ui::row("Direction", direction_tip, label_share);
+  if (!in_space) {
+    std::size_t direction = axis_of(typed_) == 0 ? 1 : 0;
+    if (axis_of(typed_) == 2 || typed_.along) set_axes(typed_, 1, std::nullopt);
+    if (!ui::combo("shape/direction", {"y", "x"}, direction, direction_tip)) return false;
+    set_axes(typed_, direction == 1 ? 0 : 1, std::nullopt);
+    return true;
+  }
+  std::size_t direction = axis_of(typed_);
+  std::size_t along = direction == 2 ? 0 : 2;
+  for (std::size_t k = 0; k < 3 && typed_.along; ++k)
+    if (*typed_.along == Vec3::Unit(static_cast<Index>(k))) along = k;
+  bool changed = !typed_.along;  // in space it is said
+  changed |= ui::combo("shape/direction", {"x", "y", "z"}, direction,
+                       "Which way the boundary is displaced.");
+  constexpr const char* along_tip =
+      "The axis along which the sine runs, from one end of the body to the other. At right angles "
+      "to it nothing changes.";
+  ui::row("Runs along", along_tip, label_share);
+  changed |= ui::combo("shape/along", {"x", "y", "z"}, along, along_tip);
+  if (changed) set_axes(typed_, direction, along);
+  return changed;
+}
+
+bool ShapePanel::draw_fields(bool in_space) {
   bool changed = false;
   const auto field = [&](const char* id, const char* label, double& value, const char* tip) {
     ui::row(label, tip, label_share);
@@ -89,14 +143,7 @@ bool ShapePanel::draw_fields() {
   field("shape/amplitude", "Amplitude", typed_.amplitude,
         "Largest displacement, in units of the mesh; negative turns the sine over.");
   field("shape/waves", "Waves", typed_.waves, "Full periods over the length of the body.");
-  constexpr const char* direction_tip =
-      "Which way the boundary is displaced; the sine runs along the body at right angles to it.";
-  ui::row("Direction", direction_tip, label_share);
-  std::size_t direction = typed_.direction == Vec2(1, 0) ? 1 : 0;
-  if (ui::combo("shape/direction", {"y", "x"}, direction, direction_tip)) {
-    typed_.direction = direction == 1 ? Vec2(1, 0) : Vec2(0, 1);
-    changed = true;
-  }
+  changed |= draw_axes(in_space);
   constexpr const char* fade_tip =
       "Where the displacement fades to nothing, so that an edge stays where it is. Start and end "
       "are those of smallest and largest x (for direction y).";

@@ -12,7 +12,8 @@ class ShapePanel : public Panel {
  private:
   void draw_by_hand(const PanelContext& context);
   void draw_sine(const PanelContext& context);
-  bool draw_fields();
+  bool draw_fields(bool in_space);
+  bool draw_axes(bool in_space);
 
   SineDeformation typed_;
   bool preview_ = true;

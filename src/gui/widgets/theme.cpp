@@ -181,6 +181,7 @@ const Palette& dark_palette() {
     p.move_line = IM_COL32(45, 200, 184, 255);
     p.axis_x = IM_COL32(244, 112, 100, 255);
     p.axis_y = IM_COL32(98, 200, 124, 255);
+    p.axis_z = IM_COL32(112, 166, 255, 255);
     return p;
   }();
   return dark;

@@ -28,6 +28,7 @@ struct Palette {
   ImU32 move_line = IM_COL32(13, 148, 136, 255);  ///< "largest move" of the plot
   ImU32 axis_x = IM_COL32(206, 60, 48, 255);
   ImU32 axis_y = IM_COL32(32, 138, 66, 255);
+  ImU32 axis_z = IM_COL32(36, 96, 214, 255);
 };
 const Palette& light_palette();
 const Palette& dark_palette();

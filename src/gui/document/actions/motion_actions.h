@@ -23,10 +23,10 @@ struct SetShapeEdit {
 /// A motion under the mouse: the mesh follows every DragTo until EndDrag. Motions are total, seen
 /// from BeginDrag.
 struct BeginDrag {
-  bool shape = false;  ///< the arc of the shape edit instead of the selected bodies
+  bool shape = false;  ///< the arc or patch of the shape edit instead of the selected bodies
 };
 struct DragTo {
-  RigidMotion motion;
+  RigidMotionRequest motion;  ///< as the open mesh is; it names its pivot
 };
 struct EndDrag {};
 struct CancelDrag {};

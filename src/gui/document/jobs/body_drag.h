@@ -10,8 +10,10 @@
 
 namespace winslow::gui {
 
-/// What the mouse drags, seen from the frame loop: every position is answered within the frame by a
-/// valid mesh, and solved for behind the frame loop's back. Nothing here waits for the solver.
+/// What the mouse drags, seen from the frame loop, in a plane mesh or a volume mesh: every position
+/// is answered within the frame by a valid mesh, and solved for behind the frame loop's back.
+/// Nothing here waits for the solver. Motions are of the plane or of space, as the mesh is, and
+/// name their pivots.
 class BodyDrag {
  public:
   /// How far the mesh has followed.
@@ -20,31 +22,63 @@ class BodyDrag {
     catching_up,  ///< not yet: the solver is on its way
     limit         ///< as far as a valid mesh was found
   };
+  /// What is shown under the mouse, as DragFrameIn.
+  struct Frame {
+    RigidMotionRequest motion;
+    bool held = false, limit = false;
+    double share = 1;
+    double min_sine = 0;
+    std::optional<EdgePair> contact;
+  };
+  /// A mesh to go on from, as DragSessionIn::Start.
+  struct Start {
+    Coordinates coordinates;
+    RigidMotionRequest motion;
+  };
 
   /// Throws what DragSession throws; nothing has begun then.
   void begin(const MeshState& state, DragGrip grip, const SmoothOptions& options,
-             std::optional<DragSession::Start> start = {});
-  void to(const RigidMotion& motion);
+             std::optional<Start> start = {});
+  void to(const RigidMotionRequest& motion);
   /// Takes what the solver has found since the last call. True if the mesh on screen changed.
   bool poll();
   void end();
 
   bool active() const { return session_ != nullptr; }
   // While active.
-  const DragFrame& frame() const { return *frame_; }
+  const Frame& frame() const { return frame_; }
+  const Coordinates& coordinates() const { return session_->coordinates(); }
   const DragGrip& grip() const { return grip_; }
-  const RigidMotion& wanted() const { return wanted_; }
+  const RigidMotionRequest& wanted() const { return wanted_; }
   Reach reach() const;
   /// The frame is the solution for the position asked for.
   bool settled() const { return session_->settled(); }
 
  private:
-  std::unique_ptr<DragSession> session_;
-  const DragFrame* frame_ = nullptr;
+  /// The drag of one dimension.
+  class Session {
+   public:
+    virtual ~Session() = default;
+    virtual Frame to(const RigidMotionRequest& motion) = 0;
+    /// Of the last frame.
+    virtual const Coordinates& coordinates() const = 0;
+    virtual int revision() const = 0;
+    virtual bool settled() const = 0;
+    virtual std::string error() const = 0;
+  };
+  template <int D>
+  class SessionIn;
+
+  std::unique_ptr<Session> session_;
+  Frame frame_;
   DragGrip grip_;
-  RigidMotion wanted_;
+  RigidMotionRequest wanted_;
   int revision_ = 0;
   std::vector<std::future<void>> ending_;  // a session ends with its present iteration
 };
+
+/// The motion that is `first`, then `second`; both name their pivots.
+RigidMotionRequest compose(const RigidMotionRequest& first, const RigidMotionRequest& second,
+                           bool in_space);
 
 }  // namespace winslow::gui

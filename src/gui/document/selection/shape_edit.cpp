@@ -1,6 +1,9 @@
 #include "gui/document/selection/shape_edit.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "core/drag/faded_patch.h"
 
 namespace winslow::gui {
 
@@ -24,6 +27,22 @@ DragGrip grip_of(const BoundaryArc& arc, double radius, const BoundaryIndex& bou
   DragGrip grip;
   for (Index m : body.markers)
     grip.markers.push_back(topology.markers()[static_cast<std::size_t>(m)].name);
+  grip.nodes = std::move(faded.nodes);
+  grip.shares = std::move(faded.shares);
+  return grip;
+}
+
+bool SurfacePatch::contains(Index node) const { return std::ranges::binary_search(nodes, node); }
+
+DragGrip grip_of(const SurfacePatch& patch, double radius, const Mesh& rest) {
+  std::vector<Face> faces;
+  DragGrip grip;
+  for (const Index m : patch.markers) {
+    const Marker& marker = rest.topology->markers()[at(m)];
+    grip.markers.push_back(marker.name);
+    faces.insert(faces.end(), marker.faces.begin(), marker.faces.end());
+  }
+  FadedPatch faded = faded_patch(faces, rest.coordinates, patch.nodes, radius);
   grip.nodes = std::move(faded.nodes);
   grip.shares = std::move(faded.shares);
   return grip;

@@ -209,7 +209,7 @@ void Jobs::keep(JobRunner::Outcome outcome) {
   else if (!cut_short_.empty())
     messages_.set_banner(Banner::Kind::partial_motion, std::exchange(cut_short_, {}));
   const std::string what = describe(outcome.command);
-  if (const auto* move = std::get_if<MoveCommand>(&outcome.command)) selection_.moved(move->motion);
+  if (const auto* move = std::get_if<MoveCommand>(&outcome.command)) selection_.moved(*move);
   mesh_.document()->edits().push(std::move(outcome.command), std::move(*outcome.result),
                                  outcome.seconds);
   if (std::exchange(shown_only_, false)) mesh_.document()->mark_shown_only();

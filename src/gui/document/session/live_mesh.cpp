@@ -31,7 +31,7 @@ void LiveMesh::close() {
 }
 
 void LiveMesh::begin_drag(DragGrip grip, const SmoothOptions& options,
-                          std::optional<DragSession::Start> start) {
+                          std::optional<BodyDrag::Start> start) {
   const MeshState base = motion_base();
   drag_.begin(base, std::move(grip), options, std::move(start));
   drag_base_ = base;
@@ -41,7 +41,7 @@ const Coordinates& LiveMesh::coordinates() const {
   static const Coordinates none;
   if (!document_) return none;
   if (instead_.coordinates) return *instead_.coordinates;
-  if (drag_.active()) return drag_.frame().coordinates;
+  if (drag_.active()) return drag_.coordinates();
   return job_.active() ? job_.coordinates() : document_->state().mesh.coordinates;
 }
 
@@ -77,17 +77,20 @@ const MeshState& LiveMesh::motion_base() const {
   return job_.active() ? job_.base() : document_->state();
 }
 
-std::optional<RigidMotion> LiveMesh::live_motion() const {
+std::optional<RigidMotionRequest> LiveMesh::live_request() const {
   if (drag_.active()) return drag_.grip().rigid() ? std::optional(drag_.wanted()) : std::nullopt;
   const MoveCommand* move = move_of(job_);
-  if (!move || in_space(*this)) return std::nullopt;
-  return move->motion.about(Vec2(0, 0));  // jobs name the pivot
+  return move ? std::optional(move->motion) : std::nullopt;  // jobs name the pivot
+}
+
+std::optional<RigidMotion> LiveMesh::live_motion() const {
+  const auto motion = in_space(*this) ? std::nullopt : live_request();
+  return motion ? std::optional(motion->about(Vec2(0, 0))) : std::nullopt;
 }
 
 std::optional<SpaceMotion> live_space_motion(const LiveMesh& mesh) {
-  const MoveCommand* move = move_of(mesh.job());
-  if (!move || !in_space(mesh)) return std::nullopt;
-  return move->motion.in_space(Vec3(0, 0, 0));  // likewise
+  const auto motion = in_space(mesh) ? mesh.live_request() : std::nullopt;
+  return motion ? std::optional(motion->in_space(Vec3(0, 0, 0))) : std::nullopt;
 }
 
 std::span<const IterationRecord> LiveMesh::convergence() const {

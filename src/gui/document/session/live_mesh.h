@@ -33,7 +33,7 @@ class LiveMesh {
   const BodyDrag* body_drag() const { return drag_.active() ? &drag_ : nullptr; }
   /// Begins such a drag from the mesh on screen. Throws what BodyDrag::begin throws.
   void begin_drag(DragGrip grip, const SmoothOptions& options,
-                  std::optional<DragSession::Start> start);
+                  std::optional<BodyDrag::Start> start);
   /// What the mouse holds, and the mesh follows.
   struct Held {
     bool body = false, vcv = false;
@@ -65,7 +65,9 @@ class LiveMesh {
   const BoundaryIndex* boundary() const { return boundary_.get(); }
   /// State that live_motion() is seen from.
   const MeshState& motion_base() const;
-  /// Motion of the job under way, from the state it started from; of a plane mesh.
+  /// Motion of the job or drag under way, from the state it started from; it names its pivot.
+  std::optional<RigidMotionRequest> live_request() const;
+  /// The same, of a plane mesh.
   std::optional<RigidMotion> live_motion() const;
   /// Of the job under way, or else of the command that led to the present mesh.
   std::span<const IterationRecord> convergence() const;

@@ -14,7 +14,9 @@ namespace {
 constexpr const char* at_work =
     "The solver is at work on something else. Wait until it is done, or cancel it.";
 
-bool stays(const RigidMotion& m) { return m.rotate == 0 && m.translate == Vec2(0, 0); }
+bool stays(const RigidMotionRequest& m) {
+  return m.rotate == 0 && m.translate == Vec2(0, 0) && m.translate_z.value_or(0) == 0;
+}
 
 }  // namespace
 
@@ -22,12 +24,12 @@ void Motions::on(const action::ApplyMotion& a) {
   if (!mesh_.document() || selection_.empty() || mesh_.held().body) return;
   if (!jobs_.can_join(selection_.names())) {
     jobs_.start(jobs_.move_command(a.motion), false);
-  } else if (in_space(mesh_)) {
-    const SpaceMotion more = a.motion.in_space(selection_.space_pivot());
-    mesh_.job().retarget(jobs_.move_command(compose(*live_space_motion(mesh_), more)));
   } else {
-    const RigidMotion more = a.motion.about(selection_.pivot());
-    mesh_.job().retarget(jobs_.move_command(compose(*mesh_.live_motion(), more)));
+    const bool space = in_space(mesh_);
+    const RigidMotionRequest more =
+        space ? RigidMotionRequest(a.motion.in_space(selection_.space_pivot()))
+              : a.motion.about(selection_.pivot());
+    mesh_.job().retarget(jobs_.move_command(compose(*mesh_.live_request(), more, space)));
   }
 }
 
@@ -41,37 +43,38 @@ void Motions::on(const action::ApplyDeformation& a) {
 
 void Motions::on(const action::SetShapeEdit& a) {
   const bool dragging = mesh_.held().body;
-  if (!mesh_.boundary() || (dragging && !a.active)) return;
+  if (!mesh_.document() || (dragging && !a.active)) return;
   selection_.edit_shape(a.active, a.radius);
   const BodyDrag* drag = mesh_.body_drag();
-  if (!dragging || !drag || drag->grip().rigid() || !selection_.shape_edit().arc) return;
-  // The same pull on another length of boundary.
-  const RigidMotion pull = drag->wanted();
-  begin_body_drag(arc_grip());
+  if (!dragging || !drag || drag->grip().rigid() || !selection_.shape_edit().holds()) return;
+  // The same pull on another part of the boundary.
+  const RigidMotionRequest pull = drag->wanted();
+  begin_body_drag(shape_grip());
   mesh_.drag().to(pull);
   mesh_.changed();
 }
 
-DragGrip Motions::arc_grip() const {
+DragGrip Motions::shape_grip() const {
   const ShapeEdit& edit = selection_.shape_edit();
   const Mesh& mesh = std::as_const(mesh_).document()->state().mesh;
+  if (const auto* held = selection_.held_patch()) return held->grip;
   return grip_of(*edit.arc, edit.radius, *mesh_.boundary(), *mesh.topology, mesh.coordinates);
 }
 
 void Motions::on(const action::BeginDrag& a) {
-  if (!mesh_.boundary() || mesh_.held().body) return;
+  if (!mesh_.document() || mesh_.held().body) return;
   const bool rigid = !a.shape;
-  if (rigid ? selection_.empty() : !selection_.shape_edit().arc.has_value()) return;
+  if (rigid ? selection_.empty() : !selection_.shape_edit().holds()) return;
   base_.reset();
   start_.reset();
   if (mesh_.job().active()) {
     if (!rigid || !jobs_.can_join(selection_.names()))
       return messages_.tell(Notice::Kind::warning, at_work);
-    base_ = mesh_.live_motion();
+    base_ = mesh_.live_request();
   }
   // Where it was asked for, the boundary goes at once and the mesh may be tangled on the way.
   const bool direct = rigid && jobs_.motion_options().increments == 1;
-  DragGrip grip = rigid ? DragGrip{selection_.names(), {}, {}} : arc_grip();
+  DragGrip grip = rigid ? DragGrip{selection_.names(), {}, {}} : shape_grip();
   if (!direct && begin_body_drag(std::move(grip))) {
     mesh_.held().body = true;
     return;
@@ -86,8 +89,8 @@ void Motions::on(const action::BeginDrag& a) {
 /// False where the drag can show no valid mesh: the one it would begin from is tangled, or the
 /// settings make no sense (then the job says so).
 bool Motions::begin_body_drag(DragGrip grip) {
-  std::optional<DragSession::Start> start;
-  if (base_) start = DragSession::Start{mesh_.job().coordinates(), *base_};
+  std::optional<BodyDrag::Start> start;
+  if (base_) start = BodyDrag::Start{mesh_.job().coordinates(), *base_};
   try {
     mesh_.begin_drag(std::move(grip), jobs_.smooth_options(), start);
   } catch (const UsageError&) {
@@ -102,7 +105,7 @@ bool Motions::begin_body_drag(DragGrip grip) {
 
 void Motions::on(const action::DragTo& a) {
   if (!mesh_.held().body) return;
-  const RigidMotion total = base_ ? compose(*base_, a.motion) : a.motion;
+  const RigidMotionRequest total = base_ ? compose(*base_, a.motion, in_space(mesh_)) : a.motion;
   if (mesh_.body_drag()) {
     mesh_.drag().to(total);
     return mesh_.changed();
@@ -127,7 +130,7 @@ void Motions::on(const action::EndDrag&) {
   if (mesh_.body_drag()) return end_body_drag();
   base_.reset();
   mesh_.job().hold(false);
-  const auto motion = mesh_.live_motion();
+  const auto motion = mesh_.live_request();
   if (!motion) return;
   const MoveCommand wanted = jobs_.move_command(*motion);
   // What has converged under the mouse needs no second run, unless other steps were asked for.
@@ -143,9 +146,9 @@ void Motions::end_body_drag() {
   BodyDrag& drag = mesh_.drag();
   // What the handle said while it was held: this far and no further.
   const bool limit = drag.reach() == BodyDrag::Reach::limit;
-  const RigidMotion motion = limit ? drag.frame().motion : drag.wanted();
+  const RigidMotionRequest motion = limit ? drag.frame().motion : drag.wanted();
   const DragGrip grip = drag.grip();
-  std::optional<Coordinates> start = drag.frame().coordinates;
+  std::optional<Coordinates> start = drag.coordinates();
   std::string cut_short;
   if (limit) cut_short = end_of_drag(drag);
   drag.end();
@@ -156,13 +159,16 @@ void Motions::end_body_drag() {
   if (stays(motion)) return messages_.set_banner_of_position();
   const MotionOptions& how = jobs_.motion_options();
   if (how.increments > 1) start.reset();
-  jobs_.start(drag_command(grip, motion, how, jobs_.smooth_options()), false, std::move(start),
-              std::move(cut_short));
+  Command command =
+      in_space(mesh_)
+          ? drag_command(grip, motion.in_space(Vec3(0, 0, 0)), how, jobs_.smooth_options())
+          : drag_command(grip, motion.about(Vec2(0, 0)), how, jobs_.smooth_options());
+  jobs_.start(std::move(command), false, std::move(start), std::move(cut_short));
 }
 
 void Motions::cancel_drag() {
   if (!std::exchange(mesh_.held().body, false)) return;
-  const std::optional<RigidMotion> base = std::exchange(base_, std::nullopt);
+  const std::optional<RigidMotionRequest> base = std::exchange(base_, std::nullopt);
   if (mesh_.body_drag()) {
     mesh_.drag().end();
     mesh_.changed();

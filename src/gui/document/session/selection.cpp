@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/error.h"
-#include "core/inspect/space/surface_faces.h"
 #include "core/motion/rigid_motion.h"
 #include "core/motion/space_motion.h"
 
@@ -49,19 +48,6 @@ Vec2 Selection::pivot() const {
   return motion ? transform(*motion, pivot_) : pivot_;
 }
 
-Vec3 Selection::space_pivot() const {
-  const auto motion = live_space_motion(mesh_);
-  return motion ? transform(*motion, space_pivot_) : space_pivot_;
-}
-
-/// Motions that were carried out name their pivots.
-void Selection::moved(const RigidMotionRequest& motion) {
-  if (in_space(mesh_))
-    space_pivot_ = transform(motion.in_space(Vec3(0, 0, 0)), space_pivot_);
-  else
-    pivot_ = transform(motion.about(Vec2(0, 0)), pivot_);
-}
-
 void Selection::refresh() {
   drop_preview();
   update_anchors();
@@ -75,7 +61,10 @@ void Selection::clear() {
   lost_nodes_.clear();
   anchors_.reset();
   pivot_place_ = PivotPlace::centre;
-  space_pivot_typed_ = false;
+  space_pivots_.clear();
+  pivot_pick_.reset();
+  outline_.reset();
+  held_patch_.reset();
   shape_edit_ = {};
   drop_preview();
 }
@@ -99,10 +88,13 @@ void Selection::on(const action::SelectMarkers& a) {
     wanted = std::move(toggled);
   }
   if (wanted == markers_) return;
+  keep_space_pivot();
   markers_ = std::move(wanted);
+  outline_.reset();
   drop_preview();
   pivot_place_ = PivotPlace::centre;
-  space_pivot_typed_ = false;
+  if (markers_.empty()) pivot_pick_.reset();
+  recall_space_pivot();
   update_anchors();
   place_pivot();
 }
@@ -114,23 +106,8 @@ void Selection::on(const action::SetPivot& a) {
   pivot_ = motion ? transform_back(*motion, *a.pivot) : *a.pivot;
 }
 
-void Selection::on(const action::SetSpacePivot& a) {
-  space_pivot_typed_ = a.pivot.has_value();
-  if (!a.pivot) return place_pivot();
-  const auto motion = live_space_motion(mesh_);
-  space_pivot_ = motion ? transform_back(*motion, *a.pivot) : *a.pivot;
-}
-
 void Selection::place_pivot() {
-  if (in_space(mesh_)) {
-    const Mesh& mesh = mesh_.document()->state().mesh;
-    const std::vector<Index> nodes =
-        markers_.empty() ? std::vector<Index>() : mesh.topology->markers().nodes_of(names());
-    // The very point of commands without a pivot.
-    if (!nodes.empty() && !space_pivot_typed_)
-      space_pivot_ = body_centre(space_bounds(mesh.coordinates, nodes));
-    return;
-  }
+  if (in_space(mesh_)) return place_space_pivot();
   if (!anchors_ || !pivot_place_) return;
   pivot_ = anchors_->at(*pivot_place_);
   if (pivot_place_ == PivotPlace::centre) return;  // the very point of commands without a pivot
@@ -142,7 +119,9 @@ void Selection::place_pivot() {
 
 void Selection::update_anchors() {
   anchors_.reset();
-  if (!mesh_.document() || markers_.empty() || in_space(mesh_)) return;
+  if (!mesh_.document() || markers_.empty()) return;
+  if (in_space(mesh_) && space_pivot_.picked()) place_space_pivot();
+  if (in_space(mesh_)) return;
   // A job shows a mesh that is none of the history: what it comes to has anchors of its own.
   if (mesh_.topology() != mesh_.document()->topology()) return;
   const Mesh& mesh = mesh_.document()->state().mesh;
@@ -171,15 +150,23 @@ void Selection::update_anchors() {
 void Selection::edit_shape(bool active, double radius) {
   if (active && !shape_edit_.active && radius <= 0 && shape_edit_.radius <= 0) {
     // A first guess that shows what the radius is for: a tenth of the smallest body.
-    double size = bounds(mesh_.document()->state().mesh).size().maxCoeff();
-    for (const auto& body : mesh_.boundary()->bodies())
-      size = std::min(size, bounds(mesh_.coordinates(), body.nodes).size().maxCoeff());
-    shape_edit_.radius = 0.1 * size;
+    shape_edit_.radius = 0.1 * smallest_body();
   } else if (radius > 0 || shape_edit_.active) {
     shape_edit_.radius = std::max(radius, 0.0);
   }
   shape_edit_.active = active;
-  if (!active) shape_edit_.arc.reset();
+  if (active) return;
+  shape_edit_.arc.reset();
+  shape_edit_.patch.reset();
+}
+
+/// Its largest extent.
+double Selection::smallest_body() const {
+  if (in_space(mesh_)) return smallest_marker(mesh_.document()->state().mesh);
+  double size = bounds(mesh_.document()->state().mesh).size().maxCoeff();
+  for (const auto& body : mesh_.boundary()->bodies())
+    size = std::min(size, bounds(mesh_.coordinates(), body.nodes).size().maxCoeff());
+  return size;
 }
 
 void Selection::on(const action::PreviewDeformation& a) {
@@ -195,16 +182,30 @@ void Selection::on(const action::PreviewDeformation& a) {
     return;  // numbers half typed; carrying them out would say what is wrong
   }
   preview_ = DeformationPreview{*a.shape, {}};
+  if (in_space(mesh_)) {
+    for (const auto& [a, b] : outline_in_space())
+      preview_->outline.emplace_back(moved.xyz(a), moved.xyz(b));
+    return;
+  }
+  const auto at_height_0 = [&](Index node) {
+    return Vec3(moved.xy(node).x(), moved.xy(node).y(), 0);
+  };
   for (Index m : markers_)
     for (const Face& edge : mesh.topology->markers()[static_cast<std::size_t>(m)].faces)
-      preview_->outline.emplace_back(moved.xy(edge[0]), moved.xy(edge[1]));
+      preview_->outline.emplace_back(at_height_0(edge[0]), at_height_0(edge[1]));
 }
 
 void Selection::on(const action::PreviewMotion& a) {
   motion_preview_.reset();
   if (!a.motion || !mesh_.document() || markers_.empty()) return;
   motion_preview_ = MotionPreview{*a.motion, {}};
-  if (in_space(mesh_)) return outline_in_space(*motion_preview_);
+  if (in_space(mesh_)) {
+    const SpacePoints x(mesh_.coordinates());
+    const SpaceMotion motion = a.motion->in_space(space_pivot());
+    for (const auto& [from, to] : outline_in_space())
+      motion_preview_->outline.emplace_back(transform(motion, x[from]), transform(motion, x[to]));
+    return;
+  }
   const Coordinates& x = mesh_.coordinates();
   const RigidMotion motion = a.motion->about(pivot());
   const auto moved = [&](Index node) {
@@ -214,29 +215,6 @@ void Selection::on(const action::PreviewMotion& a) {
   for (const Index m : markers_)
     for (const Face& edge : mesh_.topology()->markers()[static_cast<std::size_t>(m)].faces)
       motion_preview_->outline.emplace_back(moved(edge[0]), moved(edge[1]));
-}
-
-/// The edges that show the form, and of the others a few, spread over the surface: all of them
-/// would be a blot.
-void Selection::outline_in_space(MotionPreview& preview) const {
-  constexpr std::size_t most_faces = 100;
-  constexpr double sharp_angle = 40;  // degrees
-  std::vector<SurfaceFace> faces;
-  for (const SurfaceFace& face : mesh_.document()->boundary()->faces)
-    if (contains(face.marker)) faces.push_back(face);
-  const SpacePoints x(mesh_.coordinates());
-  const SpaceMotion motion = preview.motion.in_space(space_pivot());
-  const auto add = [&](Index a, Index b) {
-    preview.outline.emplace_back(transform(motion, x[a]), transform(motion, x[b]));
-  };
-  const SurfaceEdges edges = surface_edges(faces);
-  const std::vector<unsigned char> sharp = feature_edges(x, faces, edges, sharp_angle);
-  for (std::size_t k = 0; k < sharp.size(); ++k)
-    if (sharp[k] != 0) add(edges.nodes[k][0], edges.nodes[k][1]);
-  const std::size_t step = faces.size() / most_faces + 1;
-  for (std::size_t f = 0; f < faces.size(); f += step)
-    for (std::size_t c = 0; c < faces[f].nodes.size(); ++c)
-      add(faces[f].nodes[c], faces[f].nodes[(c + 1) % faces[f].nodes.size()]);
 }
 
 bool Selection::exists(Index node) const {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,24 +36,35 @@ class Selection {
 
   /// Point about which the selection turns, where it is on screen now.
   Vec2 pivot() const;
-  /// The same of a volume mesh.
+  /// The same of a volume mesh, and the axis about which it turns.
   Vec3 space_pivot() const;
-  /// It is where it was typed, not at the centre of the selection; of a volume mesh.
-  bool space_pivot_typed() const { return space_pivot_typed_; }
+  Vec3 space_axis() const;
+  /// What both were taken from, as seen from the state before the job under way.
+  const SpacePivot& pivot_in_space() const { return space_pivot_; }
+  /// What the next click picks a pivot from.
+  const std::optional<action::PickPivot>& pivot_pick() const { return pivot_pick_; }
   /// Where the pivot was put; none: to a place of its own.
   std::optional<PivotPlace> pivot_place() const { return pivot_place_; }
   /// Points of the selection where it stands between motions; none without a selection.
   const std::optional<BodyAnchors>& anchors() const { return anchors_; }
-  /// A command has moved the selection.
-  void moved(const RigidMotionRequest& motion);
+  /// A command has moved bodies.
+  void moved(const MoveCommand& move);
 
   const ShapeEdit& shape_edit() const { return shape_edit_; }
   /// radius: as action::SetShapeEdit.
   void edit_shape(bool active, double radius);
+  /// The patch that is held of a volume mesh, in the mesh of the history.
+  struct HeldPatch {
+    DragGrip grip;
+    Vec3 centre{0, 0, 0};
+    Vec3 normal{0, 0, 1};  ///< of the surface around it, of length 1, out of the mesh
+  };
+  /// Null: nothing is held.
+  const HeldPatch* held_patch() const;
   /// A deformation of the selection that is not yet carried out.
   struct DeformationPreview {
     SineDeformation shape;
-    std::vector<std::pair<Vec2, Vec2>> outline;  ///< edges where it would put them
+    std::vector<std::pair<Vec3, Vec3>> outline;  ///< edges where it would put them
   };
   const std::optional<DeformationPreview>& deformation_preview() const { return preview_; }
   /// A rigid motion of the selection that is typed but not yet carried out.
@@ -59,6 +73,9 @@ class Selection {
     std::vector<std::pair<Vec3, Vec3>> outline;  ///< edges where it would put them
   };
   const std::optional<MotionPreview>& motion_preview() const { return motion_preview_; }
+  /// Edges that show the form of what is selected, of a volume mesh: all that are sharp, and some
+  /// of the others.
+  const std::vector<std::array<Index, 2>>& outline_in_space() const;
   void drop_preview() {
     preview_.reset();
     motion_preview_.reset();
@@ -82,7 +99,11 @@ class Selection {
   void on(const action::HoverMarkers& a) { hovered_ = a.markers; }
   void on(const action::SetPivot& a);
   void on(const action::SetSpacePivot& a);
+  void on(const action::SetSpaceAxis& a);
+  void on(const action::TakePivot& a);
+  void on(const action::PickPivot& a);
   void on(const action::SelectArc& a) { shape_edit_.arc = a.arc; }
+  void on(const action::SelectPatch& a) { shape_edit_.patch = a.patch; }
   void on(const action::PreviewDeformation& a);
   void on(const action::PreviewMotion& a);
   void on(const action::SelectNode& a);
@@ -90,8 +111,11 @@ class Selection {
   void on(const action::PinNodes& a);
 
   bool exists(Index node) const;
-  void outline_in_space(MotionPreview& preview) const;
   void place_pivot();
+  void place_space_pivot();
+  void keep_space_pivot();
+  void recall_space_pivot();
+  double smallest_body() const;
   void follow_nodes(const std::shared_ptr<const Topology>& before,
                     const std::shared_ptr<const Topology>& now);
 
@@ -101,8 +125,19 @@ class Selection {
   Vec2 pivot_{0, 0};  // seen from the state before the job under way
   std::optional<PivotPlace> pivot_place_ = PivotPlace::centre;
   std::optional<BodyAnchors> anchors_;
-  Vec3 space_pivot_{0, 0, 0};  // likewise
-  bool space_pivot_typed_ = false;
+  SpacePivot space_pivot_;  // likewise
+  // Pivots that were typed or picked, by selection: it finds them again.
+  std::map<std::vector<Index>, SpacePivot> space_pivots_;
+  std::optional<action::PickPivot> pivot_pick_;
+  mutable std::optional<std::vector<std::array<Index, 2>>> outline_;  // as it is asked for
+  /// Likewise, and what it was made for.
+  struct MadePatch {
+    SurfacePatch patch;
+    double radius;
+    std::uint64_t revision;
+    HeldPatch held;
+  };
+  mutable std::optional<MadePatch> held_patch_;
   ShapeEdit shape_edit_;
   std::optional<DeformationPreview> preview_;
   std::optional<MotionPreview> motion_preview_;
@@ -115,5 +150,8 @@ class Selection {
   };
   std::vector<LostNodes> lost_nodes_;
 };
+
+/// Largest extent of the smallest marker of a volume mesh.
+double smallest_marker(const Mesh& mesh);
 
 }  // namespace winslow::gui

@@ -12,75 +12,77 @@ namespace winslow::gui {
 
 namespace {
 
+/// Of what moves: in the plane and in space.
+Bounds body_bounds(const Coordinates& x, const std::vector<Index>& nodes, const RigidMotion&) {
+  return bounds(x, nodes);
+}
+Box<3> body_bounds(const Coordinates& x, const std::vector<Index>& nodes, const SpaceMotion&) {
+  return space_bounds(x, nodes);
+}
+
+/// Where the nodes are in `now`, with the full turns of what was asked for, of which about `share`
+/// is done: those do not show in where the body is.
+RigidMotion fitted(const RigidMotion& asked, double share, const std::vector<Index>& nodes,
+                   const Coordinates& rest, const Coordinates& now) {
+  return with_turns(fit_rigid_motion(nodes, rest, now), share * asked.rotate);
+}
+SpaceMotion fitted(const SpaceMotion& asked, double share, const std::vector<Index>& nodes,
+                   const Coordinates& rest, const Coordinates& now) {
+  return with_turns(fit_space_motion(nodes, rest, now), asked.axis, share * asked.rotate);
+}
+
 /// The same motion said as turning about `pivot`, without the rounding errors that a fit leaves:
 /// the history and recipes would show them. `size`: of the body.
-RigidMotion about(const Vec2& pivot, const RigidMotion& motion, double size) {
-  RigidMotion said{motion.rotate, pivot, transform(motion, pivot) - pivot};
+template <typename Pose, typename Point>
+Pose about(const Point& pivot, const Pose& motion, double size) {
+  Pose said = motion;
+  said.pivot = pivot;
+  said.translate = transform(motion, pivot) - pivot;
   constexpr double rounding = 1e-11;
   if (std::abs(said.rotate) < 360 * rounding) said.rotate = 0;
   // Of coordinates, and of what the fit and the way from its centre to the pivot make of them.
   const double round_off = 16 * std::numeric_limits<double>::epsilon() * pivot.norm();
   const double arm = (pivot - motion.pivot).norm();
   const double least = rounding * (size + arm + said.translate.norm()) + round_off;
-  for (int d = 0; d < 2; ++d)
-    if (std::abs(said.translate[d]) < least) said.translate[d] = 0;
+  for (auto& component : said.translate)
+    if (std::abs(component) < least) component = 0;
   return said;
 }
 
 /// How far a body came of a motion that was asked for: of the way of its nodes.
-double share_of(const RigidMotion& reached, const RigidMotion& asked, const Bounds& body) {
-  const Vec2 centre = body.centre();
+template <typename Pose, typename Body>
+double share_of(const Pose& reached, const Pose& asked, const Body& body) {
+  const auto centre = body.centre();
   const double radius = 0.5 * body.size().norm();
-  const auto way = [&](const RigidMotion& from, const RigidMotion& to) {
-    return std::abs(radians(to.rotate - from.rotate)) * radius +
+  const auto way = [&](const Pose& from, const Pose& to) {
+    return std::abs(radians(compose(inverse(from), to).rotate)) * radius +
            (transform(to, centre) - transform(from, centre)).norm();
   };
   const double whole = way({}, asked);
   return whole > 0 ? std::clamp(1 - way(reached, asked) / whole, 0.0, 1.0) : 1;
 }
 
-/// The same in space.
-SpaceMotion about(const Vec3& pivot, const SpaceMotion& motion, double size) {
-  SpaceMotion said{motion.rotate, motion.axis, pivot, transform(motion, pivot) - pivot};
-  constexpr double rounding = 1e-11;
-  if (std::abs(said.rotate) < 360 * rounding) said.rotate = 0;
-  const double round_off = 16 * std::numeric_limits<double>::epsilon() * pivot.norm();
-  const double arm = (pivot - motion.pivot).norm();
-  const double least = rounding * (size + arm + said.translate.norm()) + round_off;
-  for (Index d = 0; d < 3; ++d)
-    if (std::abs(said.translate[d]) < least) said.translate[d] = 0;
-  return said;
-}
-
-/// Runs in space begin where their command does, so that their fraction is that of the whole.
-double settle_in_space(MoveCommand& move, double fraction, const Mesh& base,
-                       const Coordinates& now) {
-  const std::vector<Index> nodes = base.topology->markers().nodes_of(move.markers);
-  const SpaceMotion asked = move.motion.in_space(Vec3(0, 0, 0));
-  const SpaceMotion fitted = with_turns(fit_space_motion(nodes, base.coordinates, now), asked.axis,
-                                        fraction * asked.rotate);
-  const double size = space_bounds(base.coordinates, nodes).size().norm();
-  move.motion = about(asked.pivot, fitted, size);
-  return fraction;
-}
-
 /// rest, now: positions before the motion and where it got to. Returns the share of the motion that
 /// was reached.
-double settle(MoveCommand& move, double fraction, const Mesh& base, const Coordinates& now,
-              bool started_elsewhere) {
-  if (base.topology->cell_dimension() == 3) return settle_in_space(move, fraction, base, now);
+template <typename Pose>
+double settle(MoveCommand& move, const Pose& asked, double fraction, const Mesh& base,
+              const Coordinates& now, bool started_elsewhere) {
   const Coordinates& rest = base.coordinates;
   const std::vector<Index> nodes = base.topology->markers().nodes_of(move.markers);
-  RigidMotion reached = fit_rigid_motion(nodes, rest, now);
-  // Full turns do not show in where the body is.
-  const double turned = (started_elsewhere ? 1 : fraction) * move.motion.rotate;
-  reached.rotate += 360 * std::round((turned - reached.rotate) / 360);
-  const Vec2 pivot = move.motion.pivot.value_or(Vec2(0, 0));
-  const Bounds body = bounds(rest, nodes);
+  const Pose reached = fitted(asked, started_elsewhere ? 1 : fraction, nodes, rest, now);
+  const auto body = body_bounds(rest, nodes, asked);
   // The fraction of a run that began on the way says nothing of the whole way.
-  if (started_elsewhere) fraction = share_of(reached, move.motion.about(pivot), body);
-  move.motion = about(pivot, reached, body.size().norm());
+  if (started_elsewhere) fraction = share_of(reached, asked, body);
+  move.motion = about(asked.pivot, reached, body.size().norm());
   return fraction;
+}
+
+double settle(MoveCommand& move, double fraction, const Mesh& base, const Coordinates& now,
+              bool started_elsewhere) {
+  if (base.topology->cell_dimension() == 3)
+    return settle(move, move.motion.in_space(Vec3(0, 0, 0)), fraction, base, now,
+                  started_elsewhere);
+  return settle(move, move.motion.about(Vec2(0, 0)), fraction, base, now, started_elsewhere);
 }
 
 void settle(DeformCommand& deform, double fraction, const Coordinates& rest,

@@ -27,16 +27,20 @@ void SpaceMotionPanel::draw(const PanelContext& context) {
     if (session.selection().motion_preview()) context.emit(action::PreviewMotion{});
     if (open)
       ui::text_wrapped(
-          "Click a body in the picture, or a marker in the list, to select it. Then type numbers "
-          "here.");
+          "Click a body in the picture, or a marker in the list, to select it. Then drag its "
+          "handle, "
+          "or type numbers here.");
     return;
   }
-  const bool entered = draw_fields();
-  draw_axis();
+  const bool live = session.dragging();
+  typed_.pivot = session.selection().space_pivot();
+  typed_.axis = session.selection().space_axis();
+  ImGui::BeginDisabled(live);
+  const bool entered = draw_fields(context, live);
   draw_pivot(context);
   draw_motion_steps(context);
-  typed_.pivot = session.selection().space_pivot();
-  const bool can = moves(typed_) && usable(typed_);
+  ImGui::EndDisabled();
+  const bool can = !live && moves(typed_) && usable(typed_);
   preview(context, can && !session.in_motion());
   const bool pressed =
       ui::button("motion/apply", "Apply",
@@ -59,45 +63,83 @@ void SpaceMotionPanel::preview(const PanelContext& context, bool wanted) const {
     context.emit(action::PreviewMotion{});
 }
 
-/// True if Enter was pressed in one of them.
-bool SpaceMotionPanel::draw_fields() {
+/// True if Enter was pressed in one of them. live: they show the drag under the mouse.
+bool SpaceMotionPanel::draw_fields(const PanelContext& context, bool live) {
+  const auto motion = live_space_motion(context.session.mesh());
+  SpaceMotion shown = live && motion ? *motion : typed_;
   bool entered = false;
   ui::text_dim("Translate");
   ui::tooltip("How far the body moves, x, y and z, in units of the mesh.");
-  ui::space_vector_field({"motion/d", "how far the body moves. Enter applies the motion."},
-                         typed_.translate, &entered);
+  bool changed = ui::space_vector_field(
+      {"motion/d", "how far the body moves. Enter applies the motion."}, shown.translate, &entered);
   constexpr const char* tip =
       "Degrees about the axis through the pivot, counter-clockwise seen from where the axis points "
       "to. Enter applies the motion.";
   ui::row("Rotate", tip, motion_label_share);
-  ui::number("motion/rotate", typed_.rotate, tip, "%.6g\xC2\xB0");
-  return entered || ui::entered();
+  changed |= ui::number("motion/rotate", shown.rotate, tip, "%.6g\xC2\xB0");
+  entered |= ui::entered();
+  if (changed && !live) typed_ = shown;
+  return entered;
 }
 
-void SpaceMotionPanel::draw_axis() {
+/// Where the axis is, and where it comes from.
+void SpaceMotionPanel::draw_pivot(const PanelContext& context) {
+  const Selection& selection = context.session.selection();
+  draw_sources(context);
+  Vec3 axis = selection.space_axis();
   constexpr const char* tip = "The axis about which the body turns: x, y, z, or any other.";
   ui::row("Axis", tip, motion_label_share);
   std::vector<std::string> names{"x", "y", "z"};
   std::size_t chosen = 3;
   for (Index k = 0; k < 3; ++k)
-    if (typed_.axis == Vec3::Unit(k)) chosen = static_cast<std::size_t>(k);
-  names.emplace_back("As typed");
+    if (axis == Vec3::Unit(k)) chosen = static_cast<std::size_t>(k);
+  if (chosen == 3) names.emplace_back("Another one");
   if (ui::combo("motion/axis", names, chosen, tip) && chosen < 3)
-    typed_.axis = Vec3::Unit(static_cast<Index>(chosen));
-  ui::space_vector_field({"motion/axis", "the direction of the axis, of any length but 0."},
-                         typed_.axis);
-}
-
-void SpaceMotionPanel::draw_pivot(const PanelContext& context) {
-  Vec3 pivot = context.session.selection().space_pivot();
-  const bool typed = context.session.selection().space_pivot_typed();
+    context.emit(action::SetSpaceAxis{Vec3::Unit(static_cast<Index>(chosen))});
+  if (ui::space_vector_field({"motion/axis", "the direction of the axis, of any length but 0."},
+                             axis))
+    context.emit(action::SetSpaceAxis{axis});
+  Vec3 pivot = selection.space_pivot();
   ui::row("Pivot", "A point of the axis about which the body turns.", motion_label_share);
-  if (ui::button("motion/pivot_centre", typed ? "To the centre" : "At the centre",
+  const bool elsewhere = selection.pivot_in_space().from != PivotFrom::centre;
+  if (ui::button("motion/pivot_centre", elsewhere ? "To the centre" : "At the centre",
                  {"The centre of the bounding box of what is selected.", ui::ButtonStyle::normal,
-                  typed, -1}))
+                  elsewhere, -1}))
     context.emit(action::SetSpacePivot{});
   if (ui::space_vector_field({"motion/pivot", "a point of the axis."}, pivot) && pivot.allFinite())
     context.emit(action::SetSpacePivot{pivot});
+}
+
+/// Buttons that let the next click in the picture pick pivot and axis.
+void SpaceMotionPanel::draw_sources(const PanelContext& context) {
+  struct Source {
+    PivotFrom from;
+    const char *id, *label, *tip;
+  };
+  static constexpr std::array<Source, 4> sources{
+      {{PivotFrom::edge, "motion/pick_edge", "Edge",
+        "Click an edge in the picture: the body turns about it, as about a hinge. A row of sharp "
+        "edges that goes on straight is taken as one."},
+       {PivotFrom::nodes, "motion/pick_nodes", "2 nodes",
+        "Click two nodes in the picture: the body turns about the line through both."},
+       {PivotFrom::face, "motion/pick_face", "Face",
+        "Click a face in the picture: the body turns about its normal, through its centre."},
+       {PivotFrom::node, "motion/pick_node", "Node",
+        "Click a node in the picture: it is the pivot. The axis keeps its direction."}}};
+  ui::text_dim("Turn about, picked in the picture");
+  ui::tooltip("Choose one, then click in the picture. Esc ends it.");
+  const auto& pick = context.session.selection().pivot_pick();
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float room = ImGui::GetContentRegionAvail().x - 3 * gap;
+  for (std::size_t k = 0; k < sources.size(); ++k) {
+    const auto& [from, id, label, tip] = sources[k];
+    const float width = room * (from == PivotFrom::nodes ? 0.325f : 0.225f);
+    if (k > 0) ImGui::SameLine();
+    const bool armed = pick && pick->from == from;
+    if (ui::button(id, label,
+                   {tip, armed ? ui::ButtonStyle::primary : ui::ButtonStyle::normal, true, width}))
+      context.emit(action::PickPivot{armed ? std::nullopt : std::optional(from)});
+  }
 }
 
 }  // namespace winslow::gui

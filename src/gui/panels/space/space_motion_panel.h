@@ -10,12 +10,12 @@ class SpaceMotionPanel : public Panel {
   void draw(const PanelContext& context) override;
 
  private:
-  bool draw_fields();
-  void draw_axis();
+  bool draw_fields(const PanelContext& context, bool live);
   static void draw_pivot(const PanelContext& context);
+  static void draw_sources(const PanelContext& context);
   void preview(const PanelContext& context, bool wanted) const;
 
-  SpaceMotion typed_;  // the pivot is the session's
+  SpaceMotion typed_;  // pivot and axis are the session's
 };
 
 }  // namespace winslow::gui

@@ -23,7 +23,7 @@ const std::map<std::string, Arity, std::less<>>& known_words() {
   static const std::map<std::string, Arity, std::less<>> words{
       {"open", {1, 1}},        {"replay", {1, 1}},       {"click", {1, 3}},
       {"right-click", {1, 3}}, {"double-click", {1, 3}}, {"hover", {1, 3}},
-      {"drag", {4, 6}},        {"press", {2, 3}},        {"move", {2, 3}},
+      {"drag", {4, 6}},        {"press", {1, 3}},        {"move", {2, 3}},
       {"release", {0, 0}},     {"away", {0, 0}},         {"wheel", {3, 4}},
       {"key", {1, 1}},         {"type", {1, 1}},         {"fill", {2, 2}},
       {"look", {3, 4}},        {"wait", {0, 1}},         {"size", {2, 2}},

@@ -41,7 +41,7 @@ class ScriptPlayer {
     }
     if (what == "hover" || what == "move") return move(target(words, 1));
     if (what == "drag") return drag(mesh_point(words, 1), mesh_point(words, 1 + coordinates()));
-    if (what == "press") return press(mesh_point(words, 1));
+    if (what == "press") return press(target(words, 1));
     if (what == "release") return release();
     if (what == "away") return away();
     if (what == "wheel") return wheel(mesh_point(words, 1), number(words.back()));

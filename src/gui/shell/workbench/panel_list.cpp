@@ -75,7 +75,7 @@ PanelRegistry make_panels() {
          [](const PanelContext& context) { return context.session.in_space(); }});
   r.add(entry<OfEither<MotionPanel, SpaceMotionPanel>>("motion", "Move the selection", Region::left,
                                                        plane_or_volume));
-  r.add(entry<ShapePanel>("shape", "Shape", Region::left, plane));
+  r.add(entry<ShapePanel>("shape", "Shape", Region::left, plane_or_volume));
   r.add(entry<LayersPanel>("layers", "Layers", Region::left, plane));
   r.add(entry<SolverPanel>("solver", "Solver", Region::left, plane_or_volume));
   r.add(entry<MeshPanel>("mesh", "Mesh", Region::left, plane_or_volume));

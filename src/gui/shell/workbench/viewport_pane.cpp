@@ -37,6 +37,7 @@ PointerState pointer_of(const InputState& input, bool over) {
   pointer.accept = input.keys[GLFW_KEY_ENTER] || input.keys[GLFW_KEY_KP_ENTER];
   pointer.key_x = input.keys[GLFW_KEY_X];
   pointer.key_y = input.keys[GLFW_KEY_Y];
+  pointer.key_z = input.keys[GLFW_KEY_Z];
   pointer.text = input.text;
   pointer.erase = input.keys[GLFW_KEY_BACKSPACE];
   pointer.next = input.keys[GLFW_KEY_TAB];
@@ -402,7 +403,9 @@ void ViewportPane::draw_foot(ImDrawList& list, const MeshFrame& frame, const Vie
 std::optional<int> ViewportPane::cursor() const {
   if (legend_card_.offers_grip()) return ImGuiMouseCursor_ResizeAll;
   if (session_.in_space()) {
-    if (space_viewport_.cut_part() != CutPart::none) return ImGuiMouseCursor_Hand;
+    if (space_viewport_.cut_part() != CutPart::none || space_viewport_.mover().handle() ||
+        space_viewport_.pivot_source() || !space_viewport_.held_by_click().empty())
+      return ImGuiMouseCursor_Hand;
     if (mouse_busy()) return ImGuiMouseCursor_ResizeAll;
     return std::nullopt;
   }

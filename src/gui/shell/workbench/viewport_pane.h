@@ -67,6 +67,8 @@ class ViewportPane {
     return viewport_.gesture() != Viewport::Gesture::none ||
            space_viewport_.gesture() != SpaceViewport::Gesture::none;
   }
+  /// A body, a handle or a piece of boundary is being dragged.
+  bool dragging() const { return viewport_.dragging() || space_viewport_.mover().dragging(); }
   const Ruler& ruler() const { return ruler_; }
   const SpaceRuler& space_ruler() const { return space_ruler_; }
   /// What the mesh is compared with, as of the last frame.

@@ -131,7 +131,7 @@ void Workbench::take_input(const InputState& input) {
   if (view_control_.state().ruler && ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false))
     return view_control_.put_ruler_away();
   if (magnifier_let_go()) view_control_.release_magnifier();
-  handle_shortcuts(context(), pane_.viewport().dragging());
+  handle_shortcuts(context(), pane_.dragging());
 }
 
 void Workbench::dispatch() {

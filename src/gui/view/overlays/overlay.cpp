@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/inspect/nodal_view.h"
 #include "core/motion/rigid_motion.h"
-#include "gui/document/jobs/drag_text.h"
 #include "gui/view/overlays/gizmo_drawing.h"
 #include "gui/view/overlays/layer_overlay.h"
+#include "gui/view/overlays/mouse_labels.h"
 #include "gui/view/overlays/region_overlay.h"
 #include "gui/view/overlays/vcv_overlay.h"
 #include "gui/widgets/controls.h"
@@ -22,49 +21,6 @@ namespace winslow::gui {
 namespace {
 
 ImVec2 pixel(const ScreenPoint& p) { return static_cast<ImVec2>(p); }
-
-std::string number(double value, const char* format = "%.4g") {
-  std::array<char, 48> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, value);
-  return buffer.data();
-}
-
-struct Label {
-  std::string text;
-  ImU32 background;
-};
-
-/// Where labels of a size stand beside the mouse: on its other side where the view ends, since
-/// panels would cover them.
-ImVec2 beside_mouse(const Overlay& o, const ImVec2& size) {
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const ScreenBox seen = o.view.viewport();
-  const ImVec2 start = pixel(seen.min);
-  const float right = start.x + static_cast<float>(seen.size().x());
-  const float bottom = start.y + static_cast<float>(seen.size().y());
-  ImVec2 at(mouse.x + o.theme.px(18), mouse.y + o.theme.px(14));
-  if (at.x + size.x > right) at.x = std::max(start.x, mouse.x - o.theme.px(12) - size.x);
-  if (at.y + size.y > bottom) at.y = std::max(start.y, mouse.y - o.theme.px(8) - size.y);
-  return at;
-}
-
-/// Labels beside the mouse, below one another.
-void draw_labels(ImDrawList& list, const Overlay& o, const std::vector<Label>& labels) {
-  const float pad = o.theme.px(7);
-  const float height = ImGui::GetTextLineHeight() + 1.4f * pad;
-  const float step = height + o.theme.px(3);
-  float width = 0;
-  for (const Label& label : labels)
-    width = std::max(width, ImGui::CalcTextSize(label.text.c_str()).x + 2 * pad);
-  ImVec2 at = beside_mouse(o, ImVec2(width, static_cast<float>(labels.size()) * step));
-  for (const Label& label : labels) {
-    const ImVec2 size = ImGui::CalcTextSize(label.text.c_str());
-    list.AddRectFilled(at, ImVec2(at.x + size.x + 2 * pad, at.y + height),
-                       faded(label.background, 0.88f), o.theme.px(5));
-    list.AddText(ImVec2(at.x + pad, at.y + 0.7f * pad), palette().card, label.text.c_str());
-    at.y += step;
-  }
-}
 
 /// Lines that are to be: with a halo, so that they are legible over any colour.
 void draw_planned(ImDrawList& list, const Overlay& o,
@@ -105,17 +61,13 @@ void draw_wanted(ImDrawList& list, const Overlay& o) {
 }
 
 void draw_preview(ImDrawList& list, const Overlay& o) {
-  const auto draw = [&](const auto& outline) {
+  const auto draw = [&](const std::vector<std::pair<Vec3, Vec3>>& outline) {
     std::vector<std::array<Vec2, 2>> edges;
-    for (const auto& [a, b] : outline) edges.push_back({a, b});
+    for (const auto& [a, b] : outline) edges.push_back({a.head<2>(), b.head<2>()});
     draw_planned(list, o, edges);
   };
   if (const auto& shape = o.session.selection().deformation_preview()) draw(shape->outline);
-  if (const auto& motion = o.session.selection().motion_preview()) {
-    std::vector<std::pair<Vec2, Vec2>> outline;
-    for (const auto& [a, b] : motion->outline) outline.emplace_back(a.head<2>(), b.head<2>());
-    draw(outline);
-  }
+  if (const auto& motion = o.session.selection().motion_preview()) draw(motion->outline);
 }
 
 /// While shapes are edited: the nodes that can be taken, all of them where they are few, else those
@@ -166,21 +118,17 @@ void draw_shape(ImDrawList& list, const Overlay& o) {
   }
 }
 
-/// What is typed, with a bar where the next character goes.
+/// What is typed, in place of how far the mouse has gone.
 std::string typed_text(const Overlay& o) {
   const TypedMotion& typed = o.viewport.typed();
   const MotionGesture& drag = o.viewport.drag();
-  const auto field = [&](std::size_t k) {
-    const std::string text = typed.text(k).empty() && typed.field() != k ? "0" : typed.text(k);
-    return text + (typed.field() == k ? "|" : "");
-  };
   std::string text;
   if (drag.kind() == MotionGesture::Kind::rotate)
-    text = field(0) + "\xC2\xB0";
+    text = typed_field(typed, 0) + "\xC2\xB0";
   else if (drag.axis())
-    text = (*drag.axis() == 0 ? "x " : "y ") + field(0);
+    text = (*drag.axis() == 0 ? "x " : "y ") + typed_field(typed, 0);
   else
-    text = "x " + field(0) + "   y " + field(1) + "   Tab: the other";
+    text = "x " + typed_field(typed, 0) + "   y " + typed_field(typed, 1) + "   Tab: the other";
   return text + "   Enter applies";
 }
 
@@ -189,24 +137,13 @@ std::string motion_text(const Overlay& o) {
   const MotionGesture& drag = o.viewport.drag();
   const RigidMotion& m = drag.motion();
   if (drag.kind() == MotionGesture::Kind::rotate)
-    return number(m.rotate, "%+.2f") + "\xC2\xB0" + (drag.snapped() ? "   steps of 5\xC2\xB0" : "");
-  std::string text =
-      "x " + number(m.translate.x(), "%+.4g") + "   y " + number(m.translate.y(), "%+.4g");
+    return label_number(m.rotate, "%+.2f") + "\xC2\xB0" +
+           (drag.snapped() ? "   steps of 5\xC2\xB0" : "");
+  std::string text = "x " + label_number(m.translate.x(), "%+.4g") + "   y " +
+                     label_number(m.translate.y(), "%+.4g");
   if (drag.axis()) text += *drag.axis() == 0 ? "   along x" : "   along y";
-  if (drag.snapped()) text += "   grid " + number(MotionGesture::grid_step(o.view, m.pivot));
+  if (drag.snapped()) text += "   grid " + label_number(MotionGesture::grid_step(o.view, m.pivot));
   return text;
-}
-
-/// The numbers of the drag, and whether the mesh can follow.
-std::vector<Label> motion_labels(const Overlay& o) {
-  std::vector<Label> labels{{motion_text(o), palette().text}};
-  const BodyDrag* drag = o.session.mesh().body_drag();
-  if (!drag || drag->reach() == BodyDrag::Reach::there) return labels;
-  if (drag->reach() == BodyDrag::Reach::limit)
-    labels.push_back({blocked_text(*drag), palette().danger});
-  else
-    labels.push_back({updating_text(*drag), palette().text_dim});
-  return labels;
 }
 
 std::string hint_text(const Overlay& o) {
@@ -274,9 +211,10 @@ void draw_handles(ImDrawList& list, const Overlay& o) {
 
 void draw_mouse_labels(ImDrawList& list, const Overlay& o) {
   if (!o.session.document()) return;
-  if (o.session.dragging() && o.viewport.dragging()) return draw_labels(list, o, motion_labels(o));
+  if (o.session.dragging() && o.viewport.dragging())
+    return draw_beside_mouse(list, o.view, o.theme, drag_labels(motion_text(o), o.session));
   if (std::string hint = hint_text(o); !hint.empty())
-    draw_labels(list, o, {{std::move(hint), palette().text}});
+    draw_beside_mouse(list, o.view, o.theme, {{std::move(hint), palette().text}});
 }
 
 }  // namespace winslow::gui

@@ -10,6 +10,7 @@
 #include "core/mesh/element_type.h"
 #include "gui/view/mesh/mesh_colors.h"
 #include "gui/view/navigation/go_to.h"
+#include "gui/view/overlays/moving_overlay.h"
 #include "gui/view/overlays/space_marks.h"
 #include "gui/view/overlays/sphere_overlay.h"
 #include "gui/view/overlays/vcv_overlay.h"
@@ -100,25 +101,6 @@ void draw_node_rings(ImDrawList& list, const SpaceOverlay& o) {
   ring(nodes.hovered(), 8, 1.5f);
 }
 
-void draw_motion_preview(ImDrawList& list, const SpaceOverlay& o) {
-  const auto& motion = o.session.selection().motion_preview();
-  if (!motion) return;
-  for (const auto& [a, b] : motion->outline)
-    list.AddLine(seen_at(o, a), seen_at(o, b), faded(palette().accent, 0.65f), o.theme.px(1.2f));
-}
-
-/// The pivot of the selection, and the axis through it.
-void draw_space_pivot(ImDrawList& list, const SpaceOverlay& o) {
-  if (o.session.selection().empty()) return;
-  const ImVec2 at = seen_at(o, o.session.selection().space_pivot());
-  const float arm = o.theme.px(7);
-  for (const auto& [color, width] :
-       {std::pair{palette().card, o.theme.px(4.5f)}, std::pair{palette().accent, o.theme.px(2)}}) {
-    list.AddLine({at.x - arm, at.y}, {at.x + arm, at.y}, color, width);
-    list.AddLine({at.x, at.y - arm}, {at.x, at.y + arm}, color, width);
-  }
-}
-
 void draw_cut_handle(ImDrawList& list, const SpaceOverlay& o, CutPart hot) {
   const auto& cuts = o.options.space.cuts;
   if (!o.state.cut || *o.state.cut >= cuts.size()) return;
@@ -165,8 +147,7 @@ double space_marks_top(const SpaceOverlay& o) {
 
 void draw_space_handles(ImDrawList& list, const SpaceOverlay& o, const SpaceViewport& viewport) {
   draw_node_rings(list, o);
-  draw_motion_preview(list, o);
-  draw_space_pivot(list, o);
+  draw_moving(list, o, viewport);
   draw_cut_handle(list, o, viewport.cut_part());
   if (const auto pivot = viewport.pivot()) {
     const ImVec2 at = seen_at(o, *pivot);

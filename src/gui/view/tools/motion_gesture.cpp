@@ -79,7 +79,7 @@ void MotionGesture::toggle_axis(int axis) {
     axis_ = axis;
 }
 
-double MotionGesture::grid_step(const View& view, const Vec2& at) {
+double MotionGesture::grid_step(const View& view, const Vec3& at) {
   const double least = smallest_step * view.pixel_size(at);
   const double decade = std::pow(10, std::floor(std::log10(least)));
   for (const double digit : {1.0, 2.0, 5.0})

@@ -36,7 +36,10 @@ class MotionGesture {
   bool snapped() const { return modifiers_.snap; }
   /// Step of the grid: a round number of mesh units that is 8 to 20 pixels on screen at a
   /// point.
-  static double grid_step(const View& view, const Vec2& at);
+  static double grid_step(const View& view, const Vec2& at) {
+    return grid_step(view, Vec3(at.x(), at.y(), 0));
+  }
+  static double grid_step(const View& view, const Vec3& at);
 
  private:
   Kind kind_ = Kind::move;

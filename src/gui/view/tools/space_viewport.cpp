@@ -10,6 +10,7 @@ namespace {
 // Framebuffer pixels at scale 1.
 constexpr double orbit_threshold = 4;
 constexpr double near_node = 10;
+constexpr double near_surface = 7;
 constexpr double zoom_per_turn = 1.2;  // of the wheel, by a notch
 
 const CutPlane* held_cut(const SpaceSurroundings& around) {
@@ -74,7 +75,9 @@ void SpaceViewport::update(const PointerState& p, const SpaceSurroundings& aroun
                            ActionQueue& actions) {
   const bool other = p.middle || p.right;
   const bool held = other_button_ ? other : p.left;
-  if (p.cancel && gesture_ != Gesture::none) {
+  if (gesture_ == Gesture::move) {
+    if (!follow_move(p, around, view, actions)) gesture_ = Gesture::none;
+  } else if (p.cancel && gesture_ != Gesture::none) {
     cancel(around, view, actions);
   } else if (gesture_ == Gesture::none) {
     hover(p, around, view, actions);
@@ -84,7 +87,7 @@ void SpaceViewport::update(const PointerState& p, const SpaceSurroundings& aroun
           std::pow(zoom_per_turn, p.wheel));
     const bool pressed =
         (p.left && !last_.left) || (p.middle && !last_.middle) || (p.right && !last_.right);
-    if (p.over && pressed) press(p, around, view);
+    if (p.over && pressed) press(p, around, view, actions);
   } else {
     follow(p, around, view, actions);
     last_.position = p.position;
@@ -96,24 +99,71 @@ void SpaceViewport::update(const PointerState& p, const SpaceSurroundings& aroun
 void SpaceViewport::hover(const PointerState& p, const SpaceSurroundings& around,
                           const SpaceView& view, ActionQueue& actions) {
   hovered_part_ = CutPart::none;
+  mover_.hover(p, around.session, view, around.scale);
   if (!p.over) return forget_seen(actions);
-  if (const CutPlane* cut = held_cut(around))
+  if (const CutPlane* cut = held_cut(around); cut && !mover_.handle())
     hovered_part_ = make_cut_handle(*cut, view, around.scale).at(p.position);
   const Looked now{p.position, view.camera(), around.picture.scenes()};
   if (looked_ != now) seen_ = seen_at(p.position, around, view);
   looked_ = now;
   hover_node(seen_ && (around.inspects || p.alt) ? seen_->node : std::nullopt, actions);
+  look(p, around, view);
   std::vector<Index> markers;
-  if (seen_ && seen_->marker >= 0 && hovered_part_ == CutPart::none &&
-      !std::ranges::binary_search(around.taken_out, seen_->marker))
+  const bool picks = around.session.selection().pivot_pick().has_value();
+  if (seen_ && seen_->marker >= 0 && hovered_part_ == CutPart::none && !mover_.handle() && !picks &&
+      held_by_click_.empty() && !std::ranges::binary_search(around.taken_out, seen_->marker))
     markers.push_back(seen_->marker);
   if (markers == last_hover_) return;
   last_hover_ = markers;
   actions.emplace_back(action::HoverMarkers{std::move(markers)});
 }
 
+/// What the tools would do with what is under the mouse.
+void SpaceViewport::look(const PointerState& p, const SpaceSurroundings& around,
+                         const SpaceView& view) {
+  pivot_source_.reset();
+  held_by_click_.clear();
+  surface_.reset();
+  const Selection& selection = around.session.selection();
+  const auto& pick = selection.pivot_pick();
+  if (!pick && !selection.shape_edit().active) return;
+  if (mover_.handle() || hovered_part_ != CutPart::none) return;
+  surface_ = surface_near(p.position, around, view);
+  if (!surface_) return;
+  if (pick) {
+    pivot_source_ = pivot_picker_.source_at(*surface_, *pick->from, pick->first, around.session);
+  } else if (!around.session.in_motion() &&
+             !std::ranges::binary_search(around.taken_out, surface_->marker)) {
+    const Mesh mesh{around.session.topology(), around.session.coordinates()};
+    held_by_click_ = seen_face(*surface_, mesh);
+    const auto node = nearest_corner(*surface_, mesh);
+    if (node && (view.project(mesh.coordinates.xyz(*node)).at - p.position).norm() <=
+                    near_node * around.scale)
+      held_by_click_ = {*node};
+  }
+}
+
+/// The boundary that is seen under the mouse or beside it: one aims at the rim of a body, too.
+std::optional<SeenPlace> SpaceViewport::surface_near(const ScreenPoint& at,
+                                                     const SpaceSurroundings& around,
+                                                     const SpaceView& view) const {
+  if (seen_ && seen_->marker >= 0) return seen_;
+  constexpr int directions = 8;
+  for (int k = 0; k < directions; ++k) {
+    const double angle = 2 * pi * k / directions;
+    const auto beside =
+        seen_at(at + near_surface * around.scale * ScreenVector(std::cos(angle), std::sin(angle)),
+                around, view);
+    if (beside && beside->marker >= 0) return beside;
+  }
+  return std::nullopt;
+}
+
 void SpaceViewport::forget_seen(ActionQueue& actions) {
   seen_.reset();
+  surface_.reset();
+  pivot_source_.reset();
+  held_by_click_.clear();
   looked_.reset();
   hover_node(std::nullopt, actions);
   if (last_hover_.empty()) return;
@@ -128,13 +178,15 @@ void SpaceViewport::hover_node(std::optional<Index> node, ActionQueue& actions) 
 }
 
 void SpaceViewport::press(const PointerState& p, const SpaceSurroundings& around,
-                          const SpaceView& view) {
+                          const SpaceView& view, ActionQueue& actions) {
   press_ = p.position;
   other_button_ = !p.left;
   camera_before_ = view.camera();
   pivot_ = seen_ ? seen_->point : middle_of_view(around, view);
   if ((p.left && around.box_zoom) || (p.right && p.control)) {
     gesture_ = Gesture::box;
+  } else if (!other_button_ && mover_.press(p, around.session, view, around.scale, actions)) {
+    gesture_ = Gesture::move;
   } else if (other_button_ || p.shift) {
     gesture_ = Gesture::pan;
   } else if (const CutPlane* cut = held_cut(around); cut && hovered_part_ != CutPart::none) {
@@ -151,6 +203,7 @@ void SpaceViewport::follow(const PointerState& p, const SpaceSurroundings& aroun
                            ActionQueue& actions) {
   const ScreenVector by = p.position - last_.position;
   if (gesture_ == Gesture::press && (p.position - press_).norm() > orbit_threshold * around.scale) {
+    if (held_by_click_.size() == 1) return take_node(around, view, actions);
     gesture_ = Gesture::orbit;
     return turn(around, view, p.position - press_);
   }
@@ -179,7 +232,10 @@ void SpaceViewport::follow_cut(const PointerState& p, const SpaceSurroundings& a
 
 void SpaceViewport::release(const PointerState& p, const SpaceSurroundings& around,
                             ActionQueue& actions) {
-  if (gesture_ == Gesture::press) click(p, around, actions);
+  // Shift and the left button pan, or add what is clicked.
+  const bool stayed = (p.position - press_).norm() <= orbit_threshold * around.scale;
+  if (gesture_ == Gesture::press || (gesture_ == Gesture::pan && !other_button_ && stayed))
+    click(p, around, actions);
   if (gesture_ == Gesture::box) {
     const ScreenBox pixels = *box();
     // A click is no box.
@@ -194,6 +250,9 @@ void SpaceViewport::click(const PointerState& p, const SpaceSurroundings& around
                           ActionQueue& actions) const {
   if (p.click_taken) return;
   const bool add = p.shift || p.control;
+  if (around.session.selection().pivot_pick() && click_for_pivot(around, actions)) return;
+  if (around.session.selection().shape_edit().active && !p.alt)
+    return click_for_shape(add, around, actions);
   const bool has_vcv =
       seen_ && seen_->node && !around.session.topology()->on_boundary(*seen_->node);
   if (has_vcv && !add && (p.alt || around.inspects)) {
@@ -217,6 +276,73 @@ void SpaceViewport::click(const PointerState& p, const SpaceSurroundings& around
   }
   if (!std::ranges::binary_search(around.taken_out, seen_->marker))
     actions.emplace_back(action::SelectMarkers{{seen_->marker}, add});
+}
+
+/// False when the drag has ended.
+bool SpaceViewport::follow_move(const PointerState& p, const SpaceSurroundings& around,
+                                const SpaceView& view, ActionQueue& actions) {
+  const ShapeEdit& shape = around.session.selection().shape_edit();
+  if (p.over && p.wheel != 0 && shape.active && mover_.dragging()) {
+    // From nothing it grows to something that can be seen.
+    const double least = 10 * view.pixel_size(mover_.gesture().motion().pivot);
+    const double radius =
+        std::max(shape.radius * std::pow(zoom_per_turn, p.wheel), p.wheel > 0 ? least : 0.0);
+    actions.emplace_back(action::SetShapeEdit{true, radius < 0.5 * least ? 0 : radius});
+  }
+  mover_.follow(p, last_, view, actions);
+  looked_.reset();
+  return mover_.dragging();
+}
+
+/// Drags a node of the boundary, and what is held together with it.
+void SpaceViewport::take_node(const SpaceSurroundings& around, const SpaceView& view,
+                              ActionQueue& actions) {
+  const Index node = held_by_click_.front();
+  const auto& patch = around.session.selection().shape_edit().patch;
+  if (!patch || !patch->contains(node)) click_for_shape(false, around, actions);
+  gesture_ = Gesture::move;
+  mover_.take(around.session.coordinates().xyz(node), press_, around.session, view, around.scale,
+              actions);
+}
+
+/// True if the click was for a pivot.
+bool SpaceViewport::click_for_pivot(const SpaceSurroundings& around, ActionQueue& actions) const {
+  const auto& pick = around.session.selection().pivot_pick();
+  if (!pivot_source_) {
+    actions.emplace_back(
+        action::Remark{"No surface is there to pick from. Esc ends the picking of a pivot."});
+    return true;
+  }
+  const std::size_t wanted = pick->from == PivotFrom::nodes ? 2 : pivot_source_->nodes.size();
+  if (pivot_source_->nodes.size() < wanted)
+    actions.emplace_back(action::PickPivot{pick->from, pivot_source_->nodes.front()});
+  else
+    actions.emplace_back(action::TakePivot{*pivot_source_});
+  return true;
+}
+
+/// Holds what is under the mouse, or lets go of what was held.
+void SpaceViewport::click_for_shape(bool add, const SpaceSurroundings& around,
+                                    ActionQueue& actions) const {
+  const Selection& selection = around.session.selection();
+  const auto& held = selection.shape_edit().patch;
+  if (held_by_click_.empty()) {
+    if (!add && held) actions.emplace_back(action::SelectPatch{});
+    return;
+  }
+  SurfacePatch patch;
+  if (add && held) patch = *held;
+  patch.nodes.insert(patch.nodes.end(), held_by_click_.begin(), held_by_click_.end());
+  // A drag fades over all of what is selected, or over the marker alone.
+  patch.markers.push_back(surface_->marker);
+  if (selection.contains(surface_->marker))
+    patch.markers.insert(patch.markers.end(), selection.markers().begin(),
+                         selection.markers().end());
+  for (std::vector<Index>* list : {&patch.nodes, &patch.markers}) {
+    std::ranges::sort(*list);
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+  actions.emplace_back(action::SelectPatch{std::move(patch)});
 }
 
 void SpaceViewport::cancel(const SpaceSurroundings& around, SpaceView& view, ActionQueue& actions) {

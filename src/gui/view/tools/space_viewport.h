@@ -10,6 +10,8 @@
 #include "gui/settings/view_state.h"
 #include "gui/view/mesh/volume_view.h"
 #include "gui/view/tools/cut_handle.h"
+#include "gui/view/tools/pivot_picker.h"
+#include "gui/view/tools/space_mover.h"
 #include "gui/view/tools/viewport.h"
 
 namespace winslow::gui {
@@ -26,14 +28,14 @@ struct SpaceSurroundings {
   bool inspects = false;           ///< a click on a node shows it in the tab VCV
 };
 
-/// Turns the mouse over a volume mesh into actions: orbits, pans, zooms, picks, drags cuts. Knows
-/// nothing of OpenGL or of widgets.
+/// Turns the mouse over a volume mesh into actions: orbits, pans, zooms, picks, drags cuts, bodies
+/// and parts of the boundary. Knows nothing of OpenGL or of widgets.
 class SpaceViewport {
  public:
   void update(const PointerState& pointer, const SpaceSurroundings& around, SpaceView& view,
               ActionQueue& actions);
 
-  enum class Gesture { none, press, orbit, pan, box, move_cut, turn_cut };
+  enum class Gesture { none, press, orbit, pan, box, move_cut, turn_cut, move };
   Gesture gesture() const { return gesture_; }
   /// The box being drawn to zoom to.
   std::optional<ScreenBox> box() const;
@@ -41,6 +43,14 @@ class SpaceViewport {
   const std::optional<SeenPlace>& seen() const { return seen_; }
   /// The part of a cut's handle that is under the mouse, or held.
   CutPart cut_part() const;
+  /// The mouse is over the mesh, with nothing of the interface in between.
+  bool over() const { return last_.over; }
+  /// The handle of what is selected.
+  const SpaceMover& mover() const { return mover_; }
+  /// What a click would take the pivot from.
+  const std::optional<PivotSource>& pivot_source() const { return pivot_source_; }
+  /// Nodes that a click would hold while shapes are edited: one, or those of a face.
+  const std::vector<Index>& held_by_click() const { return held_by_click_; }
   /// The point about which the view is turned just now.
   std::optional<Vec3> pivot() const;
   /// What lies at a place of the screen.
@@ -50,7 +60,8 @@ class SpaceViewport {
  private:
   void hover(const PointerState& p, const SpaceSurroundings& around, const SpaceView& view,
              ActionQueue& actions);
-  void press(const PointerState& p, const SpaceSurroundings& around, const SpaceView& view);
+  void press(const PointerState& p, const SpaceSurroundings& around, const SpaceView& view,
+             ActionQueue& actions);
   void follow(const PointerState& p, const SpaceSurroundings& around, SpaceView& view,
               ActionQueue& actions);
   void turn(const SpaceSurroundings& around, SpaceView& view, const ScreenVector& by) const;
@@ -61,6 +72,14 @@ class SpaceViewport {
   void cancel(const SpaceSurroundings& around, SpaceView& view, ActionQueue& actions);
   void forget_seen(ActionQueue& actions);
   void hover_node(std::optional<Index> node, ActionQueue& actions);
+  void look(const PointerState& p, const SpaceSurroundings& around, const SpaceView& view);
+  std::optional<SeenPlace> surface_near(const ScreenPoint& at, const SpaceSurroundings& around,
+                                        const SpaceView& view) const;
+  bool follow_move(const PointerState& p, const SpaceSurroundings& around, const SpaceView& view,
+                   ActionQueue& actions);
+  void take_node(const SpaceSurroundings& around, const SpaceView& view, ActionQueue& actions);
+  bool click_for_pivot(const SpaceSurroundings& around, ActionQueue& actions) const;
+  void click_for_shape(bool add, const SpaceSurroundings& around, ActionQueue& actions) const;
 
   Gesture gesture_ = Gesture::none;
   bool other_button_ = false;  // the gesture is held by the middle or right button
@@ -74,6 +93,11 @@ class SpaceViewport {
   CutPlane cut_before_;
   std::vector<Index> last_hover_;
   std::optional<Index> last_node_;
+  SpaceMover mover_;
+  PivotPicker pivot_picker_;
+  std::optional<PivotSource> pivot_source_;
+  std::vector<Index> held_by_click_;
+  std::optional<SeenPlace> surface_;  // of which both are
   // What seen_ was found for.
   struct Looked {
     ScreenPoint at;

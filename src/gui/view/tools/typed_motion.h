@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -9,7 +10,8 @@
 namespace winslow::gui {
 
 /// Numbers typed while the mouse drags a body: "30" turns it by 30 degrees, "0.1 Tab 0.2" moves it
-/// by (0.1, 0.2). As long as there are any, they count in place of the mouse.
+/// by (0.1, 0.2), in space "0.1 Tab 0.2 Tab 0.3". As long as there are any, they count in place of
+/// the mouse.
 class TypedMotion {
  public:
   void clear() { *this = TypedMotion(); }
@@ -21,7 +23,9 @@ class TypedMotion {
   /// Goes on to the next of `count` fields, from the last one to the first.
   void next(std::size_t count);
 
-  bool active() const { return !fields_[0].empty() || !fields_[1].empty(); }
+  bool active() const {
+    return std::ranges::any_of(fields_, [](const std::string& text) { return !text.empty(); });
+  }
   /// As typed.
   const std::string& text(std::size_t field) const { return fields_[field]; }
   std::size_t field() const { return at_; }
@@ -29,7 +33,7 @@ class TypedMotion {
   std::optional<double> value(std::size_t field) const;
 
  private:
-  std::array<std::string, 2> fields_;
+  std::array<std::string, 3> fields_;
   std::size_t at_ = 0;
 };
 

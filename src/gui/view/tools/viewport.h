@@ -22,11 +22,11 @@ struct PointerState {
   bool left = false, middle = false, right = false;
   double wheel = 0;  ///< notches; up zooms in
   bool shift = false, control = false, alt = false;
-  bool cancel = false;                ///< Esc
-  bool accept = false;                ///< Enter
-  bool key_x = false, key_y = false;  ///< keep a drag to an axis
-  std::u32string text;                ///< typed since the last frame
-  bool erase = false, next = false;   ///< Backspace, Tab
+  bool cancel = false;                               ///< Esc
+  bool accept = false;                               ///< Enter
+  bool key_x = false, key_y = false, key_z = false;  ///< keep a drag to an axis
+  std::u32string text;                               ///< typed since the last frame
+  bool erase = false, next = false;                  ///< Backspace, Tab
   /// The click under way is another tool's: it selects nothing. A drag is the viewport's still.
   bool click_taken = false;
   bool picks_nodes = false;  ///< clicks are to pick nodes

@@ -31,7 +31,7 @@ TEST_CASE(
   }));
   CHECK(reach() == BodyDrag::Reach::catching_up);
   REQUIRE(rig.wait([&] { return reach() == BodyDrag::Reach::limit; }));
-  const DragFrame& frame = rig.session().mesh().body_drag()->frame();
+  const BodyDrag::Frame& frame = rig.session().mesh().body_drag()->frame();
   CHECK(frame.share == doctest::Approx(way_of(rig, before) / asked).epsilon(1e-6));
   REQUIRE(frame.contact);
   CHECK(describe_touch(*frame.contact) == "left would touch right");

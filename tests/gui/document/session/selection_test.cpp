@@ -35,7 +35,9 @@ TEST_CASE("the pivot is the centre of what is selected until it is put elsewhere
   selection.apply(action::SelectMarkers{{parts.marker("right")}});
   CHECK(selection.pivot().isApprox(Vec2(2, 0)));
   // It goes with a body that is moved.
-  selection.moved({0, Vec2(0, 0), Vec2(0, 1)});
+  MoveCommand up;
+  up.motion = RigidMotion{0, Vec2(0, 0), Vec2(0, 1)};
+  selection.moved(up);
   CHECK(selection.pivot().isApprox(Vec2(2, 1)));
 }
 

@@ -65,11 +65,11 @@ TEST_CASE("A volume mesh opens: panels count its elements, and its quality is th
 
 TEST_CASE("What has no counterpart in space says so, and does nothing by its key") {
   SpaceStudio studio;
-  for (const char* id : {"magnifier", "shape_edit", "insert_layers"})
+  for (const char* id : {"magnifier", "insert_layers"})
     CHECK(studio.blocked(id) == "Not for volume meshes yet.");
   CHECK(studio.blocked("fit").empty());
   CHECK(studio.blocked("look_from/iso").empty());
-  for (const int key : {GLFW_KEY_M, GLFW_KEY_E, GLFW_KEY_I, GLFW_KEY_B}) studio.key(key);
+  for (const int key : {GLFW_KEY_M, GLFW_KEY_I, GLFW_KEY_B}) studio.key(key);
   CHECK(studio.settle());
   CHECK_FALSE(studio.options().magnifier.on);
   CHECK(studio.options().isolation.on);  // that one has

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "core/command/command.h"
+#include "core/motion/space_motion.h"
+#include "gui/menu/user_command.h"
+#include "gui/support/keys.h"
+#include "gui/support/rig.h"
+#include "support/space_meshes.h"
+
+namespace winslow::gui::test {
+
+/// A studio with a volume mesh, one marker of which is selected.
+struct MovingStudio : Rig {
+  /// A body of a fifth of the box around it.
+  explicit MovingStudio(
+      const Mesh& mesh = winslow::test::box_with_body(5, winslow::test::Volumes::tetrahedra),
+      const std::string& name = "body")
+      : Rig(1000, 760) {
+    open(mesh);
+    set_view(*this, [](ViewOptions& view) { view.left_panel = true; });
+    take(name);
+    key(GLFW_KEY_7);
+    frames();
+  }
+
+  /// Selects a marker, as its row in the list does.
+  void take(const std::string& name) {
+    click("marker/" + name);
+    REQUIRE(session().selection().markers() == std::vector<Index>{marker(name)});
+  }
+  const SpaceView& view() const { return bench->view_control().space().view(); }
+  ScreenPoint at(const Vec3& point) const { return view().project(point).at; }
+  const SpaceMover& mover() const { return bench->pane().space_viewport().mover(); }
+  SpaceGizmo space_gizmo() const {
+    return mover().gizmo(session(), view(), static_cast<double>(bench->theme().scale)).value();
+  }
+  /// A place of a handle of the gizmo, as the picture has it: "arrow/x".
+  ScreenPoint handle(const std::string& id) const {
+    const auto rect = bench->widgets().find("gizmo/" + id);
+    INFO("handle ", id);
+    REQUIRE(rect.has_value());
+    return rect->centre();
+  }
+  /// The motion under the mouse.
+  SpaceMotion live() const { return live_space_motion(session().mesh()).value(); }
+  SpaceMotion last_motion() const {
+    const auto* move =
+        std::get_if<MoveCommand>(&document().history().command(document().history().position()));
+    REQUIRE(move != nullptr);
+    return move->motion.in_space(Vec3(0, 0, 0));
+  }
+  const DeformCommand& last_deform() const {
+    return std::get<DeformCommand>(document().history().command(document().history().position()));
+  }
+  /// Waits until the mesh on screen is the solution for where the mouse is, or the limit.
+  void follow() {
+    REQUIRE(session().mesh().body_drag() != nullptr);
+    REQUIRE(wait(
+        [this] {
+          const BodyDrag* drag = session().mesh().body_drag();
+          return drag && drag->settled() && drag->reach() != BodyDrag::Reach::catching_up;
+        },
+        240));
+  }
+  /// The mesh of the history is what its last command makes of the one before, headless.
+  void check_replay() const {
+    const auto& history = document().history();
+    const std::size_t now = history.position();
+    REQUIRE(now > 0);
+    const CommandResult again = execute(history.command(now), history.state(now - 1));
+    double apart = 0;
+    for (Index i = 0; i < mesh().coordinates.size(); ++i)
+      apart =
+          std::max(apart, (again.state.mesh.coordinates.xyz(i) - mesh().coordinates.xyz(i)).norm());
+    CHECK(apart < 1e-6);
+  }
+  /// Why a command cannot be done now.
+  std::string blocked(std::string_view id) {
+    ActionQueue actions;
+    const PanelContext context{session(),
+                               bench->view_control().options(),
+                               bench->view_control().state(),
+                               bench->theme(),
+                               actions,
+                               bench->capture(),
+                               bench->recent(),
+                               bench->demo(),
+                               nullptr,
+                               nullptr};
+    return why_blocked(user_command(id), context);
+  }
+};
+
+/// A place on the same circle about a centre, counter-clockwise on screen.
+inline ScreenPoint around(const ScreenPoint& centre, const ScreenPoint& from, double degrees) {
+  const ScreenVector arm = from - centre;
+  const double a = -radians(degrees);
+  return centre + ScreenVector(std::cos(a) * arm.x() - std::sin(a) * arm.y(),
+                               std::sin(a) * arm.x() + std::cos(a) * arm.y());
+}
+
+/// Goes around a centre with the button down, counter-clockwise on screen, from where a drag was
+/// begun.
+inline void go_around(Rig& rig, const ScreenPoint& centre, const ScreenPoint& from, double degrees,
+                      int steps) {
+  for (int k = 1; k <= steps; ++k) rig.move(around(centre, from, degrees * k / steps));
+}
+
+}  // namespace winslow::gui::test
