@@ -99,14 +99,15 @@ double Jobs::pace_of(Command command) const {
   return method_of(*smooth, move ? move->how : motion_) == Method::direct ? pace_ : 0;
 }
 
-SmoothOptions Jobs::smooth_for_motion() const {
+SmoothOptions Jobs::smooth_for_motion(const std::vector<std::string>& markers) const {
   SmoothOptions smooth = smooth_;
-  for (const std::string& name : selection_.names()) std::erase(smooth.slide.markers, name);
+  for (const std::string& name : markers) std::erase(smooth.slide.markers, name);
   return smooth;
 }
 
 MoveCommand Jobs::move_command(const RigidMotionRequest& motion) const {
-  return MoveCommand{selection_.names(), motion, motion_, smooth_for_motion()};
+  const std::vector<std::string> markers = selection_.names();
+  return MoveCommand{markers, motion, motion_, smooth_for_motion(markers)};
 }
 
 bool Jobs::can_join(const std::vector<std::string>& markers) const {

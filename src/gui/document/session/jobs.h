@@ -51,8 +51,8 @@ class Jobs {
   /// Ends what is under way at once; the mesh is as it was before.
   void stop();
   void cancel();
-  /// The solver's settings for a motion of the selected bodies: these do not slide.
-  SmoothOptions smooth_for_motion() const;
+  /// The solver's settings for a motion of nodes of these markers, which do not slide then.
+  SmoothOptions smooth_for_motion(const std::vector<std::string>& markers) const;
   /// Moves selected bodies.
   MoveCommand move_command(const RigidMotionRequest& motion) const;
   /// A job under way moves just these markers: it can be sent elsewhere.

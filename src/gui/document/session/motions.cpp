@@ -36,9 +36,9 @@ void Motions::on(const action::ApplyMotion& a) {
 void Motions::on(const action::ApplyDeformation& a) {
   if (!mesh_.document() || selection_.empty() || mesh_.held().body) return;
   selection_.drop_preview();
-  jobs_.start(
-      DeformCommand{selection_.names(), a.shape, jobs_.motion_options(), jobs_.smooth_for_motion()},
-      false);
+  jobs_.start(DeformCommand{selection_.names(), a.shape, jobs_.motion_options(),
+                            jobs_.smooth_for_motion(selection_.names())},
+              false);
 }
 
 void Motions::on(const action::SetShapeEdit& a) {
@@ -92,7 +92,8 @@ bool Motions::begin_body_drag(DragGrip grip) {
   std::optional<BodyDrag::Start> start;
   if (base_) start = BodyDrag::Start{mesh_.job().coordinates(), *base_};
   try {
-    mesh_.begin_drag(std::move(grip), jobs_.smooth_options(), start);
+    const SmoothOptions smooth = jobs_.smooth_for_motion(grip.markers);
+    mesh_.begin_drag(std::move(grip), smooth, start);
   } catch (const UsageError&) {
     return false;
   }
@@ -159,10 +160,10 @@ void Motions::end_body_drag() {
   if (stays(motion)) return messages_.set_banner_of_position();
   const MotionOptions& how = jobs_.motion_options();
   if (how.increments > 1) start.reset();
-  Command command =
-      in_space(mesh_)
-          ? drag_command(grip, motion.in_space(Vec3(0, 0, 0)), how, jobs_.smooth_options())
-          : drag_command(grip, motion.about(Vec2(0, 0)), how, jobs_.smooth_options());
+  const SmoothOptions smooth = jobs_.smooth_for_motion(grip.markers);
+  Command command = in_space(mesh_)
+                        ? drag_command(grip, motion.in_space(Vec3(0, 0, 0)), how, smooth)
+                        : drag_command(grip, motion.about(Vec2(0, 0)), how, smooth);
   jobs_.start(std::move(command), false, std::move(start), std::move(cut_short));
 }
 
