@@ -123,7 +123,7 @@ std::vector<UserCommand> moving_commands() {
        .tooltip = "Clicks in the picture select again.",
        .blocked = [](const PanelContext& c) -> std::string {
          if (c.session.job().active()) return "Esc cancels the solver now.";
-         return c.session.selection().pivot_pick() ? "" : "No pivot is being picked.";
+         return c.session.selection().space().pick() ? "" : "No pivot is being picked.";
        },
        .run = [](const PanelContext& c) { c.emit(action::PickPivot{}); },
        .scope = MeshScope::space},
@@ -195,7 +195,7 @@ std::vector<UserCommand> selection_commands() {
        .blocked = [](const PanelContext& c) -> std::string {
          if (c.session.job().active()) return "Esc cancels the solver now.";
          if (c.demo.demo()) return "Esc ends the demo now.";
-         if (c.session.selection().pivot_pick()) return "Esc ends the picking of a pivot now.";
+         if (c.session.selection().space().pick()) return "Esc ends the picking of a pivot now.";
          if (c.session.selection().shape_edit().active) return "Esc ends the editing of nodes now.";
          return c.session.selection().empty() ? "Nothing is selected." : "";
        },
@@ -226,7 +226,7 @@ std::vector<UserCommand> shape_commands() {
        .tooltip = "Whole bodies are dragged again.",
        .blocked = [](const PanelContext& c) -> std::string {
          if (c.session.job().active()) return "Esc cancels the solver now.";
-         if (c.session.selection().pivot_pick()) return "Esc ends the picking of a pivot now.";
+         if (c.session.selection().space().pick()) return "Esc ends the picking of a pivot now.";
          return c.session.selection().shape_edit().active ? "" : "No nodes are being edited.";
        },
        .run =

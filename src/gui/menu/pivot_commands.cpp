@@ -32,7 +32,7 @@ std::vector<UserCommand> pivots_in_space() {
                    .tooltip = "Turn the selection about the centre of its bounding box.",
                    .checked =
                        [](const PanelContext& c) {
-                         return c.session.selection().pivot_in_space().from == PivotFrom::centre;
+                         return c.session.selection().space().source().from == PivotFrom::centre;
                        },
                    .run = [](const PanelContext& c) { c.emit(action::SetSpacePivot{}); }});
   for (const Pick& pick : picks)
@@ -44,7 +44,7 @@ std::vector<UserCommand> pivots_in_space() {
          .words = "hinge axis rotation",
          .checked =
              [from = pick.from](const PanelContext& c) {
-               return c.session.selection().pivot_in_space().from == from;
+               return c.session.selection().space().source().from == from;
              },
          .run = [from = pick.from](const PanelContext& c) { c.emit(action::PickPivot{from}); }});
   return items;

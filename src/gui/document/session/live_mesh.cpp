@@ -77,19 +77,20 @@ const MeshState& LiveMesh::motion_base() const {
   return job_.active() ? job_.base() : document_->state();
 }
 
-std::optional<RigidMotionRequest> LiveMesh::live_request() const {
-  if (drag_.active()) return drag_.grip().rigid() ? std::optional(drag_.wanted()) : std::nullopt;
-  const MoveCommand* move = move_of(job_);
+std::optional<RigidMotionRequest> live_request(const LiveMesh& mesh) {
+  if (const BodyDrag* drag = mesh.body_drag())
+    return drag->grip().rigid() ? std::optional(drag->wanted()) : std::nullopt;
+  const MoveCommand* move = move_of(mesh.job());
   return move ? std::optional(move->motion) : std::nullopt;  // jobs name the pivot
 }
 
 std::optional<RigidMotion> LiveMesh::live_motion() const {
-  const auto motion = in_space(*this) ? std::nullopt : live_request();
+  const auto motion = in_space(*this) ? std::nullopt : live_request(*this);
   return motion ? std::optional(motion->about(Vec2(0, 0))) : std::nullopt;
 }
 
 std::optional<SpaceMotion> live_space_motion(const LiveMesh& mesh) {
-  const auto motion = in_space(mesh) ? mesh.live_request() : std::nullopt;
+  const auto motion = in_space(mesh) ? live_request(mesh) : std::nullopt;
   return motion ? std::optional(motion->in_space(Vec3(0, 0, 0))) : std::nullopt;
 }
 

@@ -65,9 +65,7 @@ class LiveMesh {
   const BoundaryIndex* boundary() const { return boundary_.get(); }
   /// State that live_motion() is seen from.
   const MeshState& motion_base() const;
-  /// Motion of the job or drag under way, from the state it started from; it names its pivot.
-  std::optional<RigidMotionRequest> live_request() const;
-  /// The same, of a plane mesh.
+  /// Motion of the job or drag under way, from the state it started from; of a plane mesh.
   std::optional<RigidMotion> live_motion() const;
   /// Of the job under way, or else of the command that led to the present mesh.
   std::span<const IterationRecord> convergence() const;
@@ -105,7 +103,9 @@ inline bool in_space(const LiveMesh& mesh) {
 }
 /// VCVs of a volume mesh on screen that were given by hand; null: none.
 std::shared_ptr<const SphereStencils> sphere_vcvs(const LiveMesh& mesh);
-/// As LiveMesh::live_motion(), of a volume mesh.
+/// As LiveMesh::live_motion(), of either mesh; it names its pivot.
+std::optional<RigidMotionRequest> live_request(const LiveMesh& mesh);
+/// The same of a volume mesh.
 std::optional<SpaceMotion> live_space_motion(const LiveMesh& mesh);
 
 }  // namespace winslow::gui

@@ -29,7 +29,7 @@ void Motions::on(const action::ApplyMotion& a) {
     const RigidMotionRequest more =
         space ? RigidMotionRequest(a.motion.in_space(selection_.space_pivot()))
               : a.motion.about(selection_.pivot());
-    mesh_.job().retarget(jobs_.move_command(compose(*mesh_.live_request(), more, space)));
+    mesh_.job().retarget(jobs_.move_command(compose(*live_request(mesh_), more, space)));
   }
 }
 
@@ -57,7 +57,7 @@ void Motions::on(const action::SetShapeEdit& a) {
 DragGrip Motions::shape_grip() const {
   const ShapeEdit& edit = selection_.shape_edit();
   const Mesh& mesh = std::as_const(mesh_).document()->state().mesh;
-  if (const auto* held = selection_.held_patch()) return held->grip;
+  if (const auto* held = selection_.space().held(edit)) return held->grip;
   return grip_of(*edit.arc, edit.radius, *mesh_.boundary(), *mesh.topology, mesh.coordinates);
 }
 
@@ -70,7 +70,7 @@ void Motions::on(const action::BeginDrag& a) {
   if (mesh_.job().active()) {
     if (!rigid || !jobs_.can_join(selection_.names()))
       return messages_.tell(Notice::Kind::warning, at_work);
-    base_ = mesh_.live_request();
+    base_ = live_request(mesh_);
   }
   // Where it was asked for, the boundary goes at once and the mesh may be tangled on the way.
   const bool direct = rigid && jobs_.motion_options().increments == 1;
@@ -131,7 +131,7 @@ void Motions::on(const action::EndDrag&) {
   if (mesh_.body_drag()) return end_body_drag();
   base_.reset();
   mesh_.job().hold(false);
-  const auto motion = mesh_.live_request();
+  const auto motion = live_request(mesh_);
   if (!motion) return;
   const MoveCommand wanted = jobs_.move_command(*motion);
   // What has converged under the mouse needs no second run, unless other steps were asked for.

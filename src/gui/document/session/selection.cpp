@@ -48,6 +48,12 @@ Vec2 Selection::pivot() const {
   return motion ? transform(*motion, pivot_) : pivot_;
 }
 
+/// Motions that were carried out name their pivots.
+void Selection::moved(const MoveCommand& move) {
+  if (in_space(mesh_)) return space_.moved(move);
+  pivot_ = transform(move.motion.about(Vec2(0, 0)), pivot_);
+}
+
 void Selection::refresh() {
   drop_preview();
   update_anchors();
@@ -61,10 +67,7 @@ void Selection::clear() {
   lost_nodes_.clear();
   anchors_.reset();
   pivot_place_ = PivotPlace::centre;
-  space_pivots_.clear();
-  pivot_pick_.reset();
-  outline_.reset();
-  held_patch_.reset();
+  space_.clear();
   shape_edit_ = {};
   drop_preview();
 }
@@ -88,13 +91,10 @@ void Selection::on(const action::SelectMarkers& a) {
     wanted = std::move(toggled);
   }
   if (wanted == markers_) return;
-  keep_space_pivot();
   markers_ = std::move(wanted);
-  outline_.reset();
   drop_preview();
   pivot_place_ = PivotPlace::centre;
-  if (markers_.empty()) pivot_pick_.reset();
-  recall_space_pivot();
+  space_.choose(markers_);
   update_anchors();
   place_pivot();
 }
@@ -107,7 +107,7 @@ void Selection::on(const action::SetPivot& a) {
 }
 
 void Selection::place_pivot() {
-  if (in_space(mesh_)) return place_space_pivot();
+  if (in_space(mesh_)) return space_.place();
   if (!anchors_ || !pivot_place_) return;
   pivot_ = anchors_->at(*pivot_place_);
   if (pivot_place_ == PivotPlace::centre) return;  // the very point of commands without a pivot
@@ -120,8 +120,7 @@ void Selection::place_pivot() {
 void Selection::update_anchors() {
   anchors_.reset();
   if (!mesh_.document() || markers_.empty()) return;
-  if (in_space(mesh_) && space_pivot_.picked()) place_space_pivot();
-  if (in_space(mesh_)) return;
+  if (in_space(mesh_)) return space_.follow_nodes();
   // A job shows a mesh that is none of the history: what it comes to has anchors of its own.
   if (mesh_.topology() != mesh_.document()->topology()) return;
   const Mesh& mesh = mesh_.document()->state().mesh;
@@ -183,7 +182,7 @@ void Selection::on(const action::PreviewDeformation& a) {
   }
   preview_ = DeformationPreview{*a.shape, {}};
   if (in_space(mesh_)) {
-    for (const auto& [a, b] : outline_in_space())
+    for (const auto& [a, b] : space_.outline())
       preview_->outline.emplace_back(moved.xyz(a), moved.xyz(b));
     return;
   }
@@ -202,7 +201,7 @@ void Selection::on(const action::PreviewMotion& a) {
   if (in_space(mesh_)) {
     const SpacePoints x(mesh_.coordinates());
     const SpaceMotion motion = a.motion->in_space(space_pivot());
-    for (const auto& [from, to] : outline_in_space())
+    for (const auto& [from, to] : space_.outline())
       motion_preview_->outline.emplace_back(transform(motion, x[from]), transform(motion, x[to]));
     return;
   }

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,6 +13,7 @@
 #include "gui/document/selection/shape_edit.h"
 #include "gui/document/session/live_mesh.h"
 #include "gui/document/session/message_board.h"
+#include "gui/document/session/space_selection.h"
 
 namespace winslow::gui {
 
@@ -36,13 +34,10 @@ class Selection {
 
   /// Point about which the selection turns, where it is on screen now.
   Vec2 pivot() const;
-  /// The same of a volume mesh, and the axis about which it turns.
-  Vec3 space_pivot() const;
-  Vec3 space_axis() const;
-  /// What both were taken from, as seen from the state before the job under way.
-  const SpacePivot& pivot_in_space() const { return space_pivot_; }
-  /// What the next click picks a pivot from.
-  const std::optional<action::PickPivot>& pivot_pick() const { return pivot_pick_; }
+  /// The same of a volume mesh.
+  Vec3 space_pivot() const { return space_.pivot(); }
+  /// What it has of its own in a volume mesh.
+  const SpaceSelection& space() const { return space_; }
   /// Where the pivot was put; none: to a place of its own.
   std::optional<PivotPlace> pivot_place() const { return pivot_place_; }
   /// Points of the selection where it stands between motions; none without a selection.
@@ -53,14 +48,6 @@ class Selection {
   const ShapeEdit& shape_edit() const { return shape_edit_; }
   /// radius: as action::SetShapeEdit.
   void edit_shape(bool active, double radius);
-  /// The patch that is held of a volume mesh, in the mesh of the history.
-  struct HeldPatch {
-    DragGrip grip;
-    Vec3 centre{0, 0, 0};
-    Vec3 normal{0, 0, 1};  ///< of the surface around it, of length 1, out of the mesh
-  };
-  /// Null: nothing is held.
-  const HeldPatch* held_patch() const;
   /// A deformation of the selection that is not yet carried out.
   struct DeformationPreview {
     SineDeformation shape;
@@ -73,9 +60,6 @@ class Selection {
     std::vector<std::pair<Vec3, Vec3>> outline;  ///< edges where it would put them
   };
   const std::optional<MotionPreview>& motion_preview() const { return motion_preview_; }
-  /// Edges that show the form of what is selected, of a volume mesh: all that are sharp, and some
-  /// of the others.
-  const std::vector<std::array<Index, 2>>& outline_in_space() const;
   void drop_preview() {
     preview_.reset();
     motion_preview_.reset();
@@ -98,10 +82,10 @@ class Selection {
   void on(const action::SelectMarkers& a);
   void on(const action::HoverMarkers& a) { hovered_ = a.markers; }
   void on(const action::SetPivot& a);
-  void on(const action::SetSpacePivot& a);
-  void on(const action::SetSpaceAxis& a);
-  void on(const action::TakePivot& a);
-  void on(const action::PickPivot& a);
+  void on(const action::SetSpacePivot& a) { space_.set_pivot(a.pivot); }
+  void on(const action::SetSpaceAxis& a) { space_.set_axis(a.axis); }
+  void on(const action::TakePivot& a) { space_.take(a.source); }
+  void on(const action::PickPivot& a) { space_.wait_for(a); }
   void on(const action::SelectArc& a) { shape_edit_.arc = a.arc; }
   void on(const action::SelectPatch& a) { shape_edit_.patch = a.patch; }
   void on(const action::PreviewDeformation& a);
@@ -112,9 +96,6 @@ class Selection {
 
   bool exists(Index node) const;
   void place_pivot();
-  void place_space_pivot();
-  void keep_space_pivot();
-  void recall_space_pivot();
   double smallest_body() const;
   void follow_nodes(const std::shared_ptr<const Topology>& before,
                     const std::shared_ptr<const Topology>& now);
@@ -125,19 +106,7 @@ class Selection {
   Vec2 pivot_{0, 0};  // seen from the state before the job under way
   std::optional<PivotPlace> pivot_place_ = PivotPlace::centre;
   std::optional<BodyAnchors> anchors_;
-  SpacePivot space_pivot_;  // likewise
-  // Pivots that were typed or picked, by selection: it finds them again.
-  std::map<std::vector<Index>, SpacePivot> space_pivots_;
-  std::optional<action::PickPivot> pivot_pick_;
-  mutable std::optional<std::vector<std::array<Index, 2>>> outline_;  // as it is asked for
-  /// Likewise, and what it was made for.
-  struct MadePatch {
-    SurfacePatch patch;
-    double radius;
-    std::uint64_t revision;
-    HeldPatch held;
-  };
-  mutable std::optional<MadePatch> held_patch_;
+  SpaceSelection space_{mesh_, messages_};
   ShapeEdit shape_edit_;
   std::optional<DeformationPreview> preview_;
   std::optional<MotionPreview> motion_preview_;
@@ -150,8 +119,5 @@ class Selection {
   };
   std::vector<LostNodes> lost_nodes_;
 };
-
-/// Largest extent of the smallest marker of a volume mesh.
-double smallest_marker(const Mesh& mesh);
 
 }  // namespace winslow::gui

@@ -1,12 +1,11 @@
+#include "gui/document/session/space_selection.h"
+
 #include <algorithm>
 #include <limits>
 
 #include "core/inspect/space/surface_faces.h"
 #include "core/motion/rigid_motion.h"
 #include "core/motion/space_motion.h"
-#include "gui/document/session/selection.h"
-
-/// What a selection has of its own in a volume mesh.
 namespace winslow::gui {
 
 namespace {
@@ -22,22 +21,23 @@ void move_pivot(SpacePivot& pivot, const SpaceMotion& motion) {
 
 }  // namespace
 
-Vec3 Selection::space_pivot() const {
+Vec3 SpaceSelection::pivot() const {
   const auto motion = live_space_motion(mesh_);
-  return motion ? transform(*motion, space_pivot_.point) : space_pivot_.point;
+  return motion ? transform(*motion, pivot_.point) : pivot_.point;
 }
 
-Vec3 Selection::space_axis() const {
+Vec3 SpaceSelection::axis() const {
   const auto motion = live_space_motion(mesh_);
-  return motion ? rotated(*motion, space_pivot_.axis) : space_pivot_.axis;
+  return motion ? rotated(*motion, pivot_.axis) : pivot_.axis;
 }
 
-/// Motions that were carried out name their pivots.
-void Selection::moved(const MoveCommand& move) {
-  if (!in_space(mesh_)) {
-    pivot_ = transform(move.motion.about(Vec2(0, 0)), pivot_);
-    return;
-  }
+std::vector<std::string> SpaceSelection::names() const {
+  std::vector<std::string> names;
+  for (const Index m : markers_) names.push_back(mesh_.topology()->markers()[at(m)].name);
+  return names;
+}
+
+void SpaceSelection::moved(const MoveCommand& move) {
   const SpaceMotion motion = move.motion.in_space(Vec3(0, 0, 0));
   const auto goes = [&](const std::vector<Index>& markers) {
     return std::ranges::all_of(markers, [&](Index m) {
@@ -45,83 +45,96 @@ void Selection::moved(const MoveCommand& move) {
              move.markers.end();
     });
   };
-  if (goes(markers_)) move_pivot(space_pivot_, motion);
-  for (auto& [markers, pivot] : space_pivots_)
+  if (goes(markers_)) move_pivot(pivot_, motion);
+  for (auto& [markers, pivot] : kept_)
     if (goes(markers)) move_pivot(pivot, motion);
 }
 
-void Selection::keep_space_pivot() {
-  if (!in_space(mesh_) || markers_.empty()) return;
-  if (space_pivot_.from == PivotFrom::centre && space_pivot_.axis == Vec3::UnitZ())
-    space_pivots_.erase(markers_);
+void SpaceSelection::choose(const std::vector<Index>& markers) {
+  if (!in_space(mesh_)) return;
+  const bool own = pivot_.from != PivotFrom::centre || pivot_.axis != Vec3::UnitZ();
+  if (!markers_.empty() && own)
+    kept_[markers_] = pivot_;
   else
-    space_pivots_[markers_] = space_pivot_;
+    kept_.erase(markers_);
+  markers_ = markers;
+  outline_.reset();
+  if (markers_.empty()) pick_.reset();
+  const auto kept = kept_.find(markers_);
+  pivot_ = kept == kept_.end() ? SpacePivot() : kept->second;
 }
 
-void Selection::recall_space_pivot() {
-  const auto kept = space_pivots_.find(markers_);
-  space_pivot_ = kept == space_pivots_.end() ? SpacePivot() : kept->second;
-}
-
-void Selection::on(const action::SetSpacePivot& a) {
-  space_pivot_.nodes.clear();
-  space_pivot_.from = a.pivot ? PivotFrom::typed : PivotFrom::centre;
-  if (!a.pivot) return place_pivot();
+void SpaceSelection::set_pivot(const std::optional<Vec3>& pivot) {
+  pivot_.nodes.clear();
+  pivot_.from = pivot ? PivotFrom::typed : PivotFrom::centre;
+  if (!pivot) return place();
   const auto motion = live_space_motion(mesh_);
-  space_pivot_.point = motion ? transform_back(*motion, *a.pivot) : *a.pivot;
+  pivot_.point = motion ? transform_back(*motion, *pivot) : *pivot;
 }
 
-void Selection::on(const action::SetSpaceAxis& a) {
-  if (!a.axis.allFinite() || a.axis.norm() == 0) return;
+void SpaceSelection::set_axis(const Vec3& axis) {
+  if (!axis.allFinite() || axis.norm() == 0) return;
   // A picked axis would come back with the nodes that it was picked from.
-  if (space_pivot_.nodes.size() > 1) {
-    space_pivot_.nodes.clear();
-    space_pivot_.from = PivotFrom::typed;
+  if (pivot_.nodes.size() > 1) {
+    pivot_.nodes.clear();
+    pivot_.from = PivotFrom::typed;
   }
   const auto motion = live_space_motion(mesh_);
-  space_pivot_.axis = motion ? rotated(inverse(*motion), a.axis) : a.axis;
+  pivot_.axis = motion ? rotated(inverse(*motion), axis) : axis;
 }
 
-void Selection::on(const action::TakePivot& a) {
+void SpaceSelection::take(const PivotSource& source) {
   if (!in_space(mesh_) || markers_.empty()) return;
-  const auto pivot =
-      pivot_at(a.source, mesh_.document()->state().mesh.coordinates, space_pivot_.axis);
+  const auto pivot = pivot_at(source, mesh_.document()->state().mesh.coordinates, pivot_.axis);
   if (!pivot) {
     messages_.tell(Notice::Kind::warning, "That has no direction: its nodes lie on one another.");
     return;
   }
-  space_pivot_ = *pivot;
-  pivot_pick_.reset();
+  pivot_ = *pivot;
+  pick_.reset();
 }
 
-void Selection::on(const action::PickPivot& a) {
-  pivot_pick_.reset();
-  if (a.from && in_space(mesh_) && !markers_.empty()) pivot_pick_ = a;
+void SpaceSelection::wait_for(const action::PickPivot& pick) {
+  pick_.reset();
+  if (pick.from && in_space(mesh_) && !markers_.empty()) pick_ = pick;
 }
 
-void Selection::place_space_pivot() {
+void SpaceSelection::follow_nodes() {
+  if (pivot_.picked()) place();
+}
+
+void SpaceSelection::place() {
+  if (!in_space(mesh_)) return;
   const Mesh& mesh = mesh_.document()->state().mesh;
-  if (space_pivot_.picked()) {
-    const auto pivot =
-        pivot_at({space_pivot_.from, space_pivot_.nodes}, mesh.coordinates, space_pivot_.axis);
-    if (pivot) space_pivot_ = *pivot;
+  if (pivot_.picked()) {
+    const auto pivot = pivot_at({pivot_.from, pivot_.nodes}, mesh.coordinates, pivot_.axis);
+    if (pivot) pivot_ = *pivot;
     return;
   }
-  if (markers_.empty() || space_pivot_.from != PivotFrom::centre) return;
+  if (markers_.empty() || pivot_.from != PivotFrom::centre) return;
   const std::vector<Index> nodes = mesh.topology->markers().nodes_of(names());
   // The very point of commands without a pivot.
-  if (!nodes.empty()) space_pivot_.point = body_centre(space_bounds(mesh.coordinates, nodes));
+  if (!nodes.empty()) pivot_.point = body_centre(space_bounds(mesh.coordinates, nodes));
+}
+
+void SpaceSelection::clear() {
+  markers_.clear();
+  pivot_ = {};
+  kept_.clear();
+  pick_.reset();
+  outline_.reset();
+  held_.reset();
 }
 
 /// All edges would be a blot: of those that are not sharp a few, spread over the surface.
-const std::vector<std::array<Index, 2>>& Selection::outline_in_space() const {
+const std::vector<std::array<Index, 2>>& SpaceSelection::outline() const {
   constexpr std::size_t most_faces = 100;
   constexpr double sharp_angle = 40;  // degrees
   if (outline_) return *outline_;
   outline_.emplace();
   std::vector<SurfaceFace> faces;
   for (const SurfaceFace& face : mesh_.document()->boundary()->faces)
-    if (contains(face.marker)) faces.push_back(face);
+    if (std::ranges::binary_search(markers_, face.marker)) faces.push_back(face);
   const SpacePoints x(mesh_.coordinates());
   const SurfaceEdges edges = surface_edges(faces);
   const std::vector<unsigned char> sharp = feature_edges(x, faces, edges, sharp_angle);
@@ -134,16 +147,16 @@ const std::vector<std::array<Index, 2>>& Selection::outline_in_space() const {
   return *outline_;
 }
 
-const Selection::HeldPatch* Selection::held_patch() const {
-  const auto& patch = shape_edit_.patch;
+const SpaceSelection::HeldPatch* SpaceSelection::held(const ShapeEdit& edit) const {
+  const auto& patch = edit.patch;
   if (!patch || patch->nodes.empty() || !in_space(mesh_)) return nullptr;
   const std::uint64_t revision = mesh_.document()->edits().revision();
-  if (held_patch_ && held_patch_->patch == *patch && held_patch_->radius == shape_edit_.radius &&
-      held_patch_->revision == revision)
-    return &held_patch_->held;
+  if (held_ && held_->patch == *patch && held_->radius == edit.radius &&
+      held_->revision == revision)
+    return &held_->held;
   const Mesh& mesh = mesh_.document()->state().mesh;
   HeldPatch held;
-  held.grip = grip_of(*patch, shape_edit_.radius, mesh);
+  held.grip = grip_of(*patch, edit.radius, mesh);
   for (const Index node : patch->nodes) held.centre += mesh.coordinates.xyz(node);
   held.centre /= static_cast<double>(patch->nodes.size());
   const SpacePoints x(mesh.coordinates);
@@ -160,8 +173,8 @@ const Selection::HeldPatch* Selection::held_patch() const {
     held.normal = whole.normalized();
   else if (around.norm() > 0)
     held.normal = around.normalized();
-  held_patch_ = MadePatch{*patch, shape_edit_.radius, revision, std::move(held)};
-  return &held_patch_->held;
+  held_ = MadePatch{*patch, edit.radius, revision, std::move(held)};
+  return &held_->held;
 }
 
 double smallest_marker(const Mesh& mesh) {

@@ -34,7 +34,7 @@ void SpaceMotionPanel::draw(const PanelContext& context) {
   }
   const bool live = session.dragging();
   typed_.pivot = session.selection().space_pivot();
-  typed_.axis = session.selection().space_axis();
+  typed_.axis = session.selection().space().axis();
   ImGui::BeginDisabled(live);
   const bool entered = draw_fields(context, live);
   draw_pivot(context);
@@ -86,7 +86,7 @@ bool SpaceMotionPanel::draw_fields(const PanelContext& context, bool live) {
 void SpaceMotionPanel::draw_pivot(const PanelContext& context) {
   const Selection& selection = context.session.selection();
   draw_sources(context);
-  Vec3 axis = selection.space_axis();
+  Vec3 axis = selection.space().axis();
   constexpr const char* tip = "The axis about which the body turns: x, y, z, or any other.";
   ui::row("Axis", tip, motion_label_share);
   std::vector<std::string> names{"x", "y", "z"};
@@ -101,7 +101,7 @@ void SpaceMotionPanel::draw_pivot(const PanelContext& context) {
     context.emit(action::SetSpaceAxis{axis});
   Vec3 pivot = selection.space_pivot();
   ui::row("Pivot", "A point of the axis about which the body turns.", motion_label_share);
-  const bool elsewhere = selection.pivot_in_space().from != PivotFrom::centre;
+  const bool elsewhere = selection.space().source().from != PivotFrom::centre;
   if (ui::button("motion/pivot_centre", elsewhere ? "To the centre" : "At the centre",
                  {"The centre of the bounding box of what is selected.", ui::ButtonStyle::normal,
                   elsewhere, -1}))
@@ -128,7 +128,7 @@ void SpaceMotionPanel::draw_sources(const PanelContext& context) {
         "Click a node in the picture: it is the pivot. The axis keeps its direction."}}};
   ui::text_dim("Turn about, picked in the picture");
   ui::tooltip("Choose one, then click in the picture. Esc ends it.");
-  const auto& pick = context.session.selection().pivot_pick();
+  const auto& pick = context.session.selection().space().pick();
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float room = ImGui::GetContentRegionAvail().x - 3 * gap;
   for (std::size_t k = 0; k < sources.size(); ++k) {

@@ -77,10 +77,10 @@ void draw_pivot_line(ImDrawList& list, const SpaceOverlay& o, const SpacePivot& 
 void draw_chosen_pivot(ImDrawList& list, const SpaceOverlay& o) {
   const Selection& selection = o.session.selection();
   if (selection.empty() || selection.shape_edit().active) return;
-  SpacePivot pivot = selection.pivot_in_space();
+  SpacePivot pivot = selection.space().source();
   if (pivot.from == PivotFrom::centre && GizmoFrame::about(pivot.axis).aligned == false) return;
   pivot.point = selection.space_pivot();
-  pivot.axis = selection.space_axis();
+  pivot.axis = selection.space().axis();
   // The nodes of a body go with it, and are seen in the mesh; the line is what counts in a drag.
   if (o.session.in_motion()) pivot.nodes.clear();
   draw_pivot_line(list, o, pivot, o.session.coordinates());
@@ -89,7 +89,7 @@ void draw_chosen_pivot(ImDrawList& list, const SpaceOverlay& o) {
 }
 
 void draw_offered_pivot(ImDrawList& list, const SpaceOverlay& o, const SpaceViewport& viewport) {
-  const auto& pick = o.session.selection().pivot_pick();
+  const auto& pick = o.session.selection().space().pick();
   if (!pick) return;
   const Coordinates& x = o.session.coordinates();
   if (pick->first) draw_bold_node(list, o, x.xyz(*pick->first));
@@ -105,7 +105,7 @@ void draw_wanted_in_space(ImDrawList& list, const SpaceOverlay& o) {
   const Coordinates& rest = o.session.mesh().motion_base().mesh.coordinates;
   if (const auto motion = live_space_motion(o.session.mesh())) {
     std::vector<std::pair<Vec3, Vec3>> outline;
-    for (const auto& [a, b] : o.session.selection().outline_in_space())
+    for (const auto& [a, b] : o.session.selection().space().outline())
       outline.emplace_back(transform(*motion, rest.xyz(a)), transform(*motion, rest.xyz(b)));
     return draw_planned_edges(list, o, outline);
   }
@@ -122,7 +122,7 @@ void draw_held(ImDrawList& list, const SpaceOverlay& o, const SpaceViewport& vie
   if (!edit.active) return;
   const Coordinates& x = o.session.coordinates();
   const BodyDrag* drag = o.session.mesh().body_drag();
-  const auto* held = o.session.selection().held_patch();
+  const auto* held = o.session.selection().space().held(edit);
   static const DragGrip none;
   const DragGrip& grip = drag ? drag->grip() : held ? held->grip : none;
   for (std::size_t i = 0; i < grip.nodes.size() && !grip.rigid(); ++i) {
@@ -163,7 +163,7 @@ std::string hint_of(const SpaceOverlay& o, const SpaceViewport& viewport,
                     const std::optional<SpaceGizmo>& gizmo) {
   if (gizmo && viewport.mover().handle())
     return space_handle_hint(viewport.mover().handle(), gizmo->frame);
-  if (const auto& pick = o.session.selection().pivot_pick()) return pick_hint(*pick, viewport);
+  if (const auto& pick = o.session.selection().space().pick()) return pick_hint(*pick, viewport);
   const auto& offered = viewport.held_by_click();
   if (offered.size() == 1)
     return "Node " + std::to_string(offered[0]) + ": drag it; Shift+click takes it as well";

@@ -17,7 +17,7 @@ std::optional<Place> place_of(const Session& session) {
   if (!session.in_space()) return std::nullopt;
   const Selection& selection = session.selection();
   if (selection.shape_edit().active) {
-    const auto* held = selection.held_patch();
+    const auto* held = selection.space().held(selection.shape_edit());
     // What is being carried out is where the mesh says, not where it was held.
     if (!held || session.job().active()) return std::nullopt;
     Place place{held->centre, GizmoFrame::about(held->normal, "normal"), false};
@@ -26,7 +26,7 @@ std::optional<Place> place_of(const Session& session) {
     return place;
   }
   if (selection.empty()) return std::nullopt;
-  return Place{selection.space_pivot(), GizmoFrame::about(selection.space_axis()), true};
+  return Place{selection.space_pivot(), GizmoFrame::about(selection.space().axis()), true};
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ std::optional<Place> place_of(const Session& session) {
 std::optional<SpaceGizmo> SpaceMover::gizmo(const Session& session, const View& view,
                                             double scale) const {
   const auto place = place_of(session);
-  if (!place || session.selection().pivot_pick()) return std::nullopt;
+  if (!place || session.selection().space().pick()) return std::nullopt;
   return make_space_gizmo(view, place->point, dragging_ ? frame_ : place->frame, place->turns,
                           scale);
 }

@@ -109,7 +109,7 @@ void SpaceViewport::hover(const PointerState& p, const SpaceSurroundings& around
   hover_node(seen_ && (around.inspects || p.alt) ? seen_->node : std::nullopt, actions);
   look(p, around, view);
   std::vector<Index> markers;
-  const bool picks = around.session.selection().pivot_pick().has_value();
+  const bool picks = around.session.selection().space().pick().has_value();
   if (seen_ && seen_->marker >= 0 && hovered_part_ == CutPart::none && !mover_.handle() && !picks &&
       held_by_click_.empty() && !std::ranges::binary_search(around.taken_out, seen_->marker))
     markers.push_back(seen_->marker);
@@ -125,7 +125,7 @@ void SpaceViewport::look(const PointerState& p, const SpaceSurroundings& around,
   held_by_click_.clear();
   surface_.reset();
   const Selection& selection = around.session.selection();
-  const auto& pick = selection.pivot_pick();
+  const auto& pick = selection.space().pick();
   if (!pick && !selection.shape_edit().active) return;
   if (mover_.handle() || hovered_part_ != CutPart::none) return;
   surface_ = surface_near(p.position, around, view);
@@ -250,7 +250,7 @@ void SpaceViewport::click(const PointerState& p, const SpaceSurroundings& around
                           ActionQueue& actions) const {
   if (p.click_taken) return;
   const bool add = p.shift || p.control;
-  if (around.session.selection().pivot_pick() && click_for_pivot(around, actions)) return;
+  if (around.session.selection().space().pick() && click_for_pivot(around, actions)) return;
   if (around.session.selection().shape_edit().active && !p.alt)
     return click_for_shape(add, around, actions);
   const bool has_vcv =
@@ -307,7 +307,7 @@ void SpaceViewport::take_node(const SpaceSurroundings& around, const SpaceView& 
 
 /// True if the click was for a pivot.
 bool SpaceViewport::click_for_pivot(const SpaceSurroundings& around, ActionQueue& actions) const {
-  const auto& pick = around.session.selection().pivot_pick();
+  const auto& pick = around.session.selection().space().pick();
   if (!pivot_source_) {
     actions.emplace_back(
         action::Remark{"No surface is there to pick from. Esc ends the picking of a pivot."});

@@ -22,7 +22,7 @@ struct CavityStudio : MovingStudio {
     bench->apply(action::HoldCut{});
     frames();
   }
-  const SpacePivot& pivot() const { return session().selection().pivot_in_space(); }
+  const SpacePivot& pivot() const { return session().selection().space().source(); }
   void hover(const Vec3& point) {
     move(at(point));
     frames();
@@ -36,7 +36,7 @@ const Vec3 corner(1.0 / 3, 1.0 / 3, 2.0 / 3);  // of the cavity, at the viewer's
 TEST_CASE("An edge that is picked is the hinge: the whole straight row of sharp edges") {
   CavityStudio studio;
   studio.click("motion/pick_edge");
-  REQUIRE(studio.session().selection().pivot_pick().has_value());
+  REQUIRE(studio.session().selection().space().pick().has_value());
   CHECK_FALSE(studio.visible("gizmo/centre"));  // nothing lies in the way of the click
   studio.hover({0.42, 1.0 / 3, 0.655});         // just below the upper edge of the front
   const auto& source = studio.bench->pane().space_viewport().pivot_source();
@@ -44,11 +44,11 @@ TEST_CASE("An edge that is picked is the hinge: the whole straight row of sharp 
   CHECK(source->from == PivotFrom::edge);
   CHECK(studio.session().selection().hovered().empty());
   studio.click(studio.at({0.42, 1.0 / 3, 0.655}));
-  CHECK_FALSE(studio.session().selection().pivot_pick().has_value());
+  CHECK_FALSE(studio.session().selection().space().pick().has_value());
   CHECK(studio.session().selection().markers() == std::vector<Index>{studio.marker("cavity")});
   CHECK(studio.pivot().from == PivotFrom::edge);
   CHECK((studio.session().selection().space_pivot() - Vec3(0.5, 1.0 / 3, 2.0 / 3)).norm() < 1e-12);
-  CHECK((studio.session().selection().space_axis() - Vec3(1, 0, 0)).norm() < 1e-12);
+  CHECK((studio.session().selection().space().axis() - Vec3(1, 0, 0)).norm() < 1e-12);
   CHECK(studio.visible("pivot/line"));
   // Its ring turns about it, and so do typed degrees.
   studio.fill("motion/rotate", "8");
@@ -72,20 +72,20 @@ TEST_CASE("A face that is picked gives its centre and normal, out of the mesh") 
   CHECK(studio.pivot().from == PivotFrom::face);
   const Vec3 pivot = studio.session().selection().space_pivot();
   CHECK((pivot - Vec3(5.0 / 12, 1.0 / 3, 5.0 / 12)).norm() < 1e-12);
-  CHECK((studio.session().selection().space_axis() - Vec3(0, -1, 0)).norm() < 1e-12);
+  CHECK((studio.session().selection().space().axis() - Vec3(0, -1, 0)).norm() < 1e-12);
 }
 
 TEST_CASE("Two nodes are the ends of the axis; a node is the pivot and leaves the axis as it is") {
   CavityStudio studio;
   studio.click("motion/pick_nodes");
   studio.click(studio.at(corner + Vec3(0.02, 0, -0.02)));
-  REQUIRE(studio.session().selection().pivot_pick().has_value());  // the other one is missing
-  CHECK(studio.session().selection().pivot_pick()->first.has_value());
+  REQUIRE(studio.session().selection().space().pick().has_value());  // the other one is missing
+  CHECK(studio.session().selection().space().pick()->first.has_value());
   studio.click(studio.at({0.65, 1.0 / 3, 0.35}));
-  CHECK_FALSE(studio.session().selection().pivot_pick().has_value());
+  CHECK_FALSE(studio.session().selection().space().pick().has_value());
   CHECK(studio.pivot().from == PivotFrom::nodes);
   CHECK((studio.session().selection().space_pivot() - Vec3(0.5, 1.0 / 3, 0.5)).norm() < 1e-12);
-  const Vec3 axis = studio.session().selection().space_axis();
+  const Vec3 axis = studio.session().selection().space().axis();
   CHECK(axis.cross(Vec3(1, 0, -1).normalized()).norm() < 1e-12);
   // The axis is none of the mesh's own: the handle has a frame with it.
   studio.move(studio.handle("ring/axis"));
@@ -95,23 +95,23 @@ TEST_CASE("Two nodes are the ends of the axis; a node is the pivot and leaves th
   studio.click(studio.at(corner + Vec3(0.03, 0, -0.02)));
   CHECK(studio.pivot().from == PivotFrom::node);
   CHECK((studio.session().selection().space_pivot() - corner).norm() < 1e-12);
-  CHECK(studio.session().selection().space_axis() == axis);
+  CHECK(studio.session().selection().space().axis() == axis);
 }
 
 TEST_CASE("Pivots and axes are typed as well, and each selection has its own again") {
   CavityStudio studio;
   studio.fill("motion/axis_x", "1");
   studio.fill("motion/axis_z", "2");
-  CHECK(studio.session().selection().space_axis() == Vec3(1, 0, 2));
+  CHECK(studio.session().selection().space().axis() == Vec3(1, 0, 2));
   studio.fill("motion/pivot_y", "0.25");
   const Vec3 pivot(0.5, 0.25, 0.5);
   CHECK((studio.session().selection().space_pivot() - pivot).norm() < 1e-12);
   studio.take("outer");
   CHECK((studio.session().selection().space_pivot() - Vec3(0.5, 0.5, 0.5)).norm() < 1e-12);
-  CHECK(studio.session().selection().space_axis() == Vec3(0, 0, 1));
+  CHECK(studio.session().selection().space().axis() == Vec3(0, 0, 1));
   studio.take("cavity");
   CHECK((studio.session().selection().space_pivot() - pivot).norm() < 1e-12);
-  CHECK(studio.session().selection().space_axis() == Vec3(1, 0, 2));
+  CHECK(studio.session().selection().space().axis() == Vec3(1, 0, 2));
   studio.click("motion/pivot_centre");
   CHECK((studio.session().selection().space_pivot() - Vec3(0.5, 0.5, 0.5)).norm() < 1e-12);
 }
@@ -143,10 +143,10 @@ TEST_CASE(
   CavityStudio studio;
   studio.click("motion/pick_edge");
   studio.click(ScreenPoint(studio.view().viewport().min) + ScreenVector(30, 30));
-  CHECK(studio.session().selection().pivot_pick().has_value());
+  CHECK(studio.session().selection().space().pick().has_value());
   CHECK(studio.pivot().from == PivotFrom::centre);
   studio.key(keys::escape);
-  CHECK_FALSE(studio.session().selection().pivot_pick().has_value());
+  CHECK_FALSE(studio.session().selection().space().pick().has_value());
   CHECK_FALSE(studio.session().selection().empty());
   // A drag while one picks turns the view, and picks nothing.
   studio.click("motion/pick_face");
@@ -155,7 +155,7 @@ TEST_CASE(
   studio.drag(place, place + ScreenVector(40, 0));
   studio.release();
   CHECK(studio.view().camera().direction() != before);
-  CHECK(studio.session().selection().pivot_pick().has_value());
+  CHECK(studio.session().selection().space().pick().has_value());
   CHECK(studio.pivot().from == PivotFrom::centre);
 }
 
@@ -169,7 +169,7 @@ TEST_CASE("The menu and a right click offer pivots, and say what they lack") {
   studio.frames();
   studio.click("menu/place/pivot_edge");
   CHECK(studio.pivot().from == PivotFrom::edge);
-  CHECK((studio.session().selection().space_axis() - Vec3(1, 0, 0)).norm() < 1e-12);
+  CHECK((studio.session().selection().space().axis() - Vec3(1, 0, 0)).norm() < 1e-12);
   studio.bench->apply(action::SelectMarkers{});
   CHECK(studio.blocked("pivot") == "Select a body or a marker first.");
 }
@@ -219,7 +219,7 @@ TEST_CASE("A new user turns the flap of the wing by 10 degrees about its hinge i
   const SeenRow row = find_long_row(rig, rig.marker("flap"));
   REQUIRE(row.ends.size() == 2);
   click(row.at);
-  const SpacePivot hinge = rig.session().selection().pivot_in_space();
+  const SpacePivot hinge = rig.session().selection().space().source();
   CHECK(hinge.from == PivotFrom::edge);
   CHECK(std::abs(hinge.axis.z()) > 0.9);  // along the span
   click("motion/rotate");
