@@ -34,6 +34,13 @@ const std::vector<Soak::Choice>& Soak::choices() {
   return all;
 }
 
+/// Where the handles of the selection are.
+ScreenPoint Soak::at_pivot() const {
+  const Selection& selection = rig_->session().selection();
+  if (!rig_->session().in_space()) return rig_->pixel(selection.pivot());
+  return rig_->bench->view_control().space().view().project(selection.space_pivot()).at;
+}
+
 ScreenPoint Soak::somewhere() { return ScreenPoint(between(0, width_), between(0, height_)); }
 
 void Soak::click_anything() {
@@ -124,10 +131,8 @@ void Soak::drag_in_picture() {
   ScreenPoint from = somewhere();
   if (rig_->session().document() && chance(70)) {
     // On a body most often: at its pivot, where the handles are, or at a node of the boundary.
-    const auto nodes = rig_->mesh().topology->interior_nodes();
-    from = rig_->pixel(rig_->session().selection().pivot()) +
-           ScreenVector(between(-60, 60), between(-60, 60));
-    if (chance(50) && !nodes.empty()) from = rig_->pixel(rig_->session().selection().pivot());
+    from = at_pivot();
+    if (chance(50)) from = from + ScreenVector(between(-60, 60), between(-60, 60));
   }
   const auto button = chance(75) ? MouseButton::left : static_cast<MouseButton>(pick(3));
   rig_->drag(from, from + ScreenVector(between(-120, 120), between(-90, 90)), 1 + pick(10), button);
@@ -140,8 +145,13 @@ void Soak::drag_in_picture() {
 void Soak::wheel_somewhere() { rig_->wheel(somewhere(), chance(50) ? 1 : -1); }
 
 void Soak::move_selection() {
-  const RigidMotion motion{chance(50) ? between(-40, 40) : 0, rig_->session().selection().pivot(),
-                           Vec2(between(-0.3, 0.3), between(-0.2, 0.2))};
+  const double reach = rig_->session().in_space() ? 0.1 : 0.3;
+  RigidMotionRequest motion(chance(50) ? between(-40, 40) : 0, rig_->session().selection().pivot(),
+                            Vec2(between(-reach, reach), between(-reach, reach)));
+  if (rig_->session().in_space())
+    motion = RigidMotionRequest(SpaceMotion{motion.rotate, Vec3(between(-1, 1), between(-1, 1), 1),
+                                            rig_->session().selection().space_pivot(),
+                                            reach * Vec3(between(-1, 1), between(-1, 1), 0)});
   rig_->bench->apply(action::ApplyMotion{motion});
   rig_->frames(pick(10));
 }
@@ -251,7 +261,9 @@ void Soak::write_files() {
 /// Another connectivity. A mesh that has layers gets no more, or it would grow for ever.
 void Soak::insert_layers() {
   const Document* document = rig_->session().document();
-  if (!document || document->state().layers || document->topology()->markers().empty()) return;
+  if (!document || rig_->session().in_space() || document->state().layers ||
+      document->topology()->markers().empty())
+    return;
   const auto& markers = document->topology()->markers();
   LayersCommand command;
   LayerWall wall{{markers[static_cast<std::size_t>(pick(static_cast<int>(markers.size())))].name},

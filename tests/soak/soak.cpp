@@ -7,6 +7,7 @@
 #include "gui/base/resident_memory.h"
 #include "gui/panels/files/file_dialog.h"
 #include "gui/support/keys.h"
+#include "support/space_meshes.h"
 
 namespace winslow::gui::test {
 
@@ -19,8 +20,15 @@ Soak::Soak(std::uint64_t seed) : random_(seed) {
   for (const char* name : {"HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"})
     setenv(name, folder_.path().c_str(), 1);
   sources_ = {
-      write(folder_, ring_mesh(), "ring.su2"), write(folder_, ring_mesh(60, 16), "fine.su2"),
-      write(folder_, two_body_mesh(), "bodies.su2"), write(folder_, tangled_mesh(), "tangled.su2")};
+      write(folder_, ring_mesh(), "ring.su2"),
+      write(folder_, ring_mesh(60, 16), "fine.su2"),
+      write(folder_,
+            make_mesh(winslow::test::cube_with_cavity(6, winslow::test::Volumes::tetrahedra)),
+            "cavity.su2"),
+      write(folder_, two_body_mesh(), "bodies.su2"),
+      write(folder_, make_mesh(winslow::test::cube_with_cavity(3, winslow::test::Volumes::mixed)),
+            "mixed.su2"),
+      write(folder_, tangled_mesh(), "tangled.su2")};
   rig_ = std::make_unique<Rig>(width_, height_, folder_ / "profile");
   open_next();
 }

@@ -82,6 +82,7 @@ class Soak {
     return low + (high - low) * (static_cast<double>(random_() >> 11) * 0x1.0p-53);
   }
   ScreenPoint somewhere();
+  ScreenPoint at_pivot() const;
 
   std::mt19937_64 random_;
   TemporaryFolder folder_;  // all that is written is below it
