@@ -7,7 +7,7 @@ from support import USAGE, ProgramTest
 class Slide(ProgramTest):
     def test_a_far_field_slides_on_its_circle_and_a_recipe_does_the_same(self):
         self.ring()
-        run = self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--rotate", "60",
+        run = self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--rotate", "30",
                            "--slide", "farfield", "--report", "r.json", "--save-recipe", "p.json")
         self.assertIn("24 nodes of the boundary slide", run.stdout)
         before, elements, markers = support.read_su2(self.path("ring.su2"))

@@ -56,8 +56,10 @@ struct LookingRig : Rig {
   void turn_cavity(double degrees) {
     bench->apply(action::SelectMarkers{{marker("cavity")}});
     frames();
-    fill("motion/rotate", std::to_string(degrees));
-    click("motion/apply");
+    click("motion/rotate");
+    key(keys::a, {keys::control});
+    type(std::to_string(degrees));
+    key(keys::enter);
     settle();
   }
 };

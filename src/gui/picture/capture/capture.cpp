@@ -102,6 +102,7 @@ void Capture::on(const action::StartRecording& a) {
   queue_.clear();
   ending_ = false;
   stepping_ = a.step.has_value();
+  follow_solver();  // a motion may begin before the next frame is drawn
   if (!stepping_) return;
   session_.apply(action::RerunStep{*a.step});
   if (!session_.job().active()) recorder_.cancel();

@@ -339,6 +339,7 @@ TEST_CASE("A scrambled volume mesh shows its inverted elements, and smoothing re
 
 TEST_CASE("A body of a volume mesh moves by typed numbers, and back by undo") {
   SpaceStudio studio;
+  studio.resize(1400, 1300);  // the whole of the panel has room
   studio.click("marker/cavity");
   CHECK((studio.session().selection().space_pivot() - Vec3(0.5, 0.5, 0.5)).norm() < 1e-12);
   studio.fill("motion/d_x", "0.05");
