@@ -56,6 +56,13 @@ class RigidInSpace final : public Motion {
 
 }  // namespace
 
+void require_fits(const RigidMotionRequest& motion, int dimension) {
+  if (dimension == 3)
+    static_cast<void>(motion.in_space(Vec3(0, 0, 0)));
+  else
+    static_cast<void>(motion.about(Vec2(0, 0)));
+}
+
 RigidMotion RigidMotionRequest::about(const Vec2& centre) const {
   if (axis || pivot_z || translate_z)
     throw UsageError(

@@ -67,6 +67,9 @@ struct RigidMotionRequest {
   SpaceMotion in_space(const Vec3& centre) const;
 };
 
+/// Throws UsageError for a motion that meshes of this dimension (2 or 3) do not have.
+void require_fits(const RigidMotionRequest& motion, int dimension);
+
 enum class Fade { none, start, end, both };
 
 /// x -> x + amplitude f(s) sin(2 pi waves s) direction, where s in [0, 1] runs along the body at

@@ -80,6 +80,15 @@ bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start,
       return false;
     }
   }
+  // Of a recipe for a mesh of another kind; while it is under way its motion is asked for.
+  if (const auto* move = std::get_if<MoveCommand>(&command)) {
+    try {
+      require_fits(move->motion, mesh_.document()->state().mesh.topology->space_dimension());
+    } catch (const Error& error) {
+      messages_.report_error("This motion does not fit the mesh", error.what());
+      return false;
+    }
+  }
   cut_short_ = std::move(cut_short);
   shown_only_ = false;
   messages_.clear_banner();

@@ -391,4 +391,27 @@ TEST_CASE("A picture of the mesh alone shows what the window shows, at another s
   CHECK(studio.bench->pictures().picture().rgba == studio.bench->pictures().picture().rgba);
 }
 
+TEST_CASE("A recipe's motion for meshes of the other kind is refused, and the mesh stays open") {
+  MoveCommand in_space;
+  in_space.markers = {"left"};
+  in_space.motion =
+      RigidMotionRequest(SpaceMotion{10, Vec3(0, 1, 0), Vec3(0, 0, 0), Vec3(0, 0, 1)});
+  Rig plane;
+  plane.open(two_body_mesh());
+  plane.bench->apply(action::RunCommand{in_space});
+  plane.frames(3);
+  REQUIRE(plane.session().messages().prompt() != nullptr);
+  CHECK(plane.session().messages().prompt()->text.find("only for a volume mesh") !=
+        std::string::npos);
+  CHECK(plane.document().history().position() == 0);
+  SpaceStudio space;
+  MoveCommand in_plane;
+  in_plane.markers = {"cavity"};
+  in_plane.motion = RigidMotionRequest(10, std::nullopt, Vec2(0, 0));
+  space.bench->apply(action::RunCommand{in_plane});
+  space.frames(3);
+  REQUIRE(space.session().messages().prompt() != nullptr);
+  CHECK(space.document().history().position() == 0);
+}
+
 }  // namespace winslow::gui::test
