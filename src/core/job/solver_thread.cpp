@@ -277,9 +277,9 @@ class SolverThread::Impl final : public SolverMonitor {
   bool quit_ = false;
   bool cancel_ = false;
   bool active_ = false;
-  Clock::duration interval_{};      // between two outer iterations; 0: none
-  Clock::time_point last_shown_{};  // when the worker last went on
-  int allowed_ = unlimited;         // outer iterations until the next pause
+  Clock::duration interval_{};                 // between two outer iterations; 0: none
+  Clock::time_point last_shown_{};             // when the worker last went on
+  int allowed_ = unlimited;                    // outer iterations until the next pause
   std::optional<std::uint64_t> follower_saw_;  // serial; none: nobody follows
   std::uint64_t last_job_ = 0;
   std::optional<MeshState> base_;

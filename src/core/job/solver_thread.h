@@ -50,9 +50,9 @@ class SolverThread {
   /// At most this many outer iterations a second, for someone who watches; 0: as fast as they come.
   /// Holds for all jobs until it is set again. Pause, step and cancel act at once all the same.
   void set_pace(double iterations_per_second);
-  /// For someone who misses no iteration: the worker goes on from a snapshot only when it is the one
-  /// named here, or an older one. None, as at first: it waits for nobody. Pause, step, cancel and
-  /// another target act at once all the same.
+  /// For someone who misses no iteration: the worker goes on from a snapshot only when it is the
+  /// one named here, or an older one. None, as at first: it waits for nobody. Pause, step, cancel
+  /// and another target act at once all the same.
   void follow(std::optional<std::uint64_t> seen);
   /// True while a job is running or paused.
   bool busy() const;

@@ -61,8 +61,8 @@ struct SmoothResult {
   /// Part of the elements (0 to 1) that `auto` targets keep stretched; none for other targets.
   std::optional<double> stretched;
   MovingBoundary boundary;    ///< what nodes of the boundary slid on, or were paired by
-  Index kept_outside = 0;            ///< interior nodes that SmoothOptions::keep_outside fixed
-  std::string linear_solver;         ///< what solved the linear systems, e.g. "CHOLMOD ..."
+  Index kept_outside = 0;     ///< interior nodes that SmoothOptions::keep_outside fixed
+  std::string linear_solver;  ///< what solved the linear systems, e.g. "CHOLMOD ..."
   Index inverted = 0;
   std::vector<IterationRecord> history;
 };
