@@ -72,7 +72,7 @@ struct Chain {
 class ChainFinder {
  public:
   ChainFinder(const Topology& topology, const Coordinates& x, Index marker, double feature_angle)
-      : topology_(topology), x_(x), marker_(marker), feature_angle_(radians(feature_angle)) {
+      : x_(x), feature_angle_(radians(feature_angle)) {
     const auto& markers = topology.markers();
     for (const Face& face : markers[static_cast<std::size_t>(marker)].faces) {
       const auto [a, b] = face.edge();
@@ -130,9 +130,7 @@ class ChainFinder {
     }
   }
 
-  const Topology& topology_;
   const Coordinates& x_;
-  Index marker_;
   double feature_angle_;
   std::map<Index, std::vector<Index>> next_;
   std::map<Index, int> others_, edges_at_;
