@@ -28,8 +28,7 @@ PeriodicRows<D>::PeriodicRows(const NodeUnknowns& nodes,
       columns[at(row_[i])].push_back(row_[at(full_->columns[e])]);
   for (std::size_t i = 0; i < own_; ++i) {
     std::ranges::sort(columns[i]);
-    const auto again = std::ranges::unique(columns[i]);
-    columns[i].erase(again.begin(), again.end());
+    columns[i].erase(std::unique(columns[i].begin(), columns[i].end()), columns[i].end());
     const auto diagonal = std::ranges::lower_bound(columns[i], static_cast<Index>(i));
     reduced->diagonal.push_back(reduced->offsets.back() +
                                 static_cast<Index>(diagonal - columns[i].begin()));
@@ -64,10 +63,11 @@ void PeriodicRows<D>::reduce(const SparseMatrix& full, SparseMatrix& out) const 
   out.block = D;
   out.symmetric = full.symmetric;
   out.in_space = full.in_space;
-  out.values.assign(D * D * pattern_->columns.size(), 0.0);
+  constexpr std::size_t size = std::size_t{D} * D;  // of a block
+  out.values.assign(size * pattern_->columns.size(), 0.0);
   for (std::size_t e = 0; e < entry_.size(); ++e) {
-    const Eigen::Map<const Block> from(&full.values[e * D * D]);
-    Eigen::Map<Block> to(&out.values[at(entry_[e]) * D * D]);
+    const Eigen::Map<const Block> from(&full.values[e * size]);
+    Eigen::Map<Block> to(&out.values[at(entry_[e]) * size]);
     const Block* left = rotation(at(row_of_entry_[e]));
     const Block* right = rotation(at(full_->columns[e]));
     Block block = from;
