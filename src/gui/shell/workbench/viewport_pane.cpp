@@ -86,7 +86,7 @@ std::optional<SeenPlace> seen_by_ruler(const PointerState& pointer, const SpaceV
     const double angle = k * pi / 4;
     const ScreenPoint at =
         pointer.position + ScreenVector(reach * std::cos(angle), reach * std::sin(angle));
-    const auto seen = SpaceViewport::seen_at(at, around, view);
+    auto seen = SpaceViewport::seen_at(at, around, view);
     if (seen && seen->node) return seen;
   }
   return std::nullopt;
