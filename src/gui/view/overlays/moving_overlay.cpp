@@ -78,7 +78,7 @@ void draw_chosen_pivot(ImDrawList& list, const SpaceOverlay& o) {
   const Selection& selection = o.session.selection();
   if (selection.empty() || selection.shape_edit().active) return;
   SpacePivot pivot = selection.space().source();
-  if (pivot.from == PivotFrom::centre && GizmoFrame::about(pivot.axis).aligned == false) return;
+  if (pivot.from == PivotFrom::centre && !GizmoFrame::about(pivot.axis).aligned) return;
   pivot.point = selection.space_pivot();
   pivot.axis = selection.space().axis();
   // The nodes of a body go with it, and are seen in the mesh; the line is what counts in a drag.

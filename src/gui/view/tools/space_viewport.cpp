@@ -151,7 +151,7 @@ std::optional<SeenPlace> SpaceViewport::surface_near(const ScreenPoint& at,
   constexpr int directions = 8;
   for (int k = 0; k < directions; ++k) {
     const double angle = 2 * pi * k / directions;
-    const auto beside =
+    auto beside =
         seen_at(at + near_surface * around.scale * ScreenVector(std::cos(angle), std::sin(angle)),
                 around, view);
     if (beside && beside->marker >= 0) return beside;
