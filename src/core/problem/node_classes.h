@@ -80,8 +80,10 @@ class NodeClasses {
   };
   /// Ascending by the image.
   std::vector<Image> images() const;
-  /// Nodes of periodic pairs, either side, ascending.
-  std::vector<Index> periodic_nodes() const;
+  /// Nodes of the boundary that give way to a body that moves, so that nothing touches their edges
+  /// and faces: those of periodic pairs, and those that were set. Ascending.
+  std::vector<Index> yielding_nodes() const;
+  void set_yielding(std::span<const Index> nodes);
   /// Whether a node has an image.
   bool has_image(Index node) const { return masters_.contains(node); }
 
@@ -99,6 +101,7 @@ class NodeClasses {
   std::map<Index, Image> images_;         // by the image
   std::map<Index, Index> masters_;        // nodes that have images, and these
   std::map<Index, std::shared_ptr<const SlidingGeometry>> geometry_;  // of those that follow one
+  std::vector<Index> yielding_;
 };
 
 }  // namespace winslow
