@@ -31,8 +31,8 @@ void shift_along_sides(Mesh& mesh, Index n, Random& random, double share) {
   }
 }
 
-/// m by n squares of size 1/8, without columns `left` to `right` (exclusive) up to `height`; markers
-/// floor, gate, rest.
+/// m by n squares of size 1/8, without columns `left` to `right` (exclusive) up to `height`;
+/// markers floor, gate, rest.
 MeshData channel_with_gate(Index m, Index n, Index left, Index right, Index height) {
   MeshData data;
   std::map<std::pair<Index, Index>, Index> ids;
