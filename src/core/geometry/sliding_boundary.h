@@ -14,7 +14,7 @@ namespace winslow {
 /// A stretch of a marker's boundary without features, as it was recognised.
 struct SlidingPart {
   std::string marker;
-  std::string description;   ///< "straight line", "circle of radius 10", "plane"
+  std::string description;   ///< "straight line", "circle of radius 10", "plane", "straight edge"
   std::vector<Index> nodes;  ///< those that slide on it
 };
 
@@ -24,16 +24,17 @@ struct SlidingPart {
 /// ends or meets the rest of the boundary. The nodes there stay; the others slide on the curve
 /// through their stretch (curve_through()).
 ///
-/// In space a node slides if all boundary faces around it are of one marker and lie in one plane.
-/// Those on the edge in which two planes of the markers meet stay, too, or slide along it. Markers
-/// that are not made up of planes are refused.
+/// In space the faces of the markers, or the elements of a surface mesh, are cut into regions at
+/// their features (find_features()). A node inside a region slides on the surface through it
+/// (surface_through()); one on a feature line stays, or slides along the curve through the line,
+/// and corners stay, as do nodes that meet the rest of the boundary.
 struct SlidingBoundary {
   std::vector<SlidingPart> parts;
   std::shared_ptr<const SlidingGeometry> geometry;
 
-  /// markers: names. feature_angle: in degrees, 0 to 180, in the plane. features: in space nodes
-  /// slide along straight edges. Throws UsageError for markers that the
-  /// mesh does not have, those of which no node can slide, and in space curved ones.
+  /// markers: names; none of a surface mesh, all of whose nodes take part. feature_angle: in
+  /// degrees, 0 to 180. features: in space nodes slide along feature lines. Throws UsageError for
+  /// markers that the mesh does not have and those of which no node can slide.
   static SlidingBoundary find(const Topology& topology, const Coordinates& x,
                               std::span<const std::string> markers, double feature_angle,
                               bool features = false);

@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <set>
 
 #include "core/error.h"
@@ -123,6 +125,75 @@ TEST_CASE(
        SlidingBoundary::find(*mesh.topology, mesh.coordinates, some, 40, true).parts)
     if (part.description == "straight edge") edges += part.nodes.size();
   CHECK(edges == 4 * 3);
+}
+
+TEST_CASE("a cylinder with caps is cut at their rims") {
+  // A block of hexahedra whose sides are drawn onto a circle.
+  Mesh mesh = make_mesh(cube(8, Volumes::hexahedra));
+  for (Index node = 0; node < mesh.coordinates.size(); ++node) {
+    const Vec3 p = 2 * mesh.coordinates.xyz(node) - Vec3(1, 1, 1);
+    const double square = std::max(std::abs(p.x()), std::abs(p.y()));
+    const double round = std::hypot(p.x(), p.y());
+    const double share = round > 0 ? square / round : 1;
+    mesh.coordinates.set_xyz(node, Vec3(3 * share * p.x(), 3 * share * p.y(), p.z()));
+  }
+  const std::vector<std::string> all{"floor", "lid", "walls"};
+  const SlidingBoundary boundary =
+      SlidingBoundary::find(*mesh.topology, mesh.coordinates, all, 40, true);
+  std::map<std::string, std::size_t> found;
+  for (const SlidingPart& part : boundary.parts) found[part.description] += part.nodes.size();
+  CHECK(found == std::map<std::string, std::size_t>{{"cylinder of radius 3", 32 * 7},
+                                                    {"plane", 2 * 49},
+                                                    {"edge, circle of radius 3", 2 * 32}});
+  for (const SlidingPart& part : boundary.parts) {
+    const Vec3 p = mesh.coordinates.xyz(part.nodes.front());
+    const Foot foot = boundary.geometry->foot(part.nodes.front(), p + Vec3(0.1, 0.2, 0.05));
+    if (part.description != "plane")
+      CHECK(std::hypot(foot.point.x(), foot.point.y()) == doctest::Approx(3).epsilon(1e-12));
+    if (part.description != "cylinder of radius 3")
+      CHECK(foot.point.z() == doctest::Approx(p.z()).epsilon(1e-12));
+    // To second order it runs on as the foot says.
+    constexpr double h = 1e-4;
+    for (int k = 0; k < foot.frame.count(); ++k) {
+      const Vec3& along = foot.frame[k];
+      const auto at = [&](double s) {
+        return boundary.geometry->foot(part.nodes.front(), foot.point + s * along).point;
+      };
+      CHECK(((at(h) - at(-h)) / (2 * h) - along).norm() < 1e-7);
+      CHECK(((at(h) + at(-h) - 2 * foot.point) / (h * h) - foot.bend[k == 0 ? 0 : 2]).norm() <
+            1e-5);
+    }
+  }
+}
+
+TEST_CASE("the tip of a cone stays, and so does what turns by more than the angle") {
+  // A pyramid of many sides as a surface mesh.
+  MeshData data;
+  data.coordinates = Coordinates(3, 0);
+  constexpr Index sides = 24, rings = 4;
+  data.coordinates.push_xyz(Vec3(0, 0, 1));
+  for (Index ring = 1; ring <= rings; ++ring)
+    for (Index k = 0; k < sides; ++k) {
+      const double angle = 2 * pi * k / sides, r = double(ring) / rings;
+      data.coordinates.push_xyz(Vec3(r * std::cos(angle), r * std::sin(angle), 1 - r));
+      const Index next = (k + 1) % sides, here = 1 + (ring - 1) * sides;
+      const Index inner = here - sides;
+      if (ring == 1)
+        data.add_element(ElementType::triangle, std::array<Index, 3>{0, here + k, here + next});
+      else
+        data.add_element(ElementType::quadrilateral,
+                         std::array<Index, 4>{inner + k, here + k, here + next, inner + next});
+    }
+  const Mesh mesh = make_mesh(data);
+  const SlidingBoundary boundary = SlidingBoundary::find(*mesh.topology, mesh.coordinates, {}, 40);
+  std::set<Index> sliding;
+  for (const SlidingPart& part : boundary.parts)
+    sliding.insert(part.nodes.begin(), part.nodes.end());
+  for (Index node = 0; node < mesh.topology->node_count(); ++node) {
+    const Vec3 p = mesh.coordinates.xyz(node);
+    const bool tip = p.z() > 1 - 1e-9, rim = p.z() < 1e-9;
+    CHECK(sliding.contains(node) == (!tip && !rim));
+  }
 }
 
 }  // namespace winslow::test

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/inspect/space/surface_faces.h"
+#include "core/inspect/space/enclosing_faces.h"
 #include "core/mesh/joined_sets.h"
 
 namespace winslow {

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "core/inspect/space/surface_faces.h"
 #include "core/mesh/mesh.h"
+#include "core/mesh/surface_faces.h"
 
 /// Areas and volumes of parts of volume meshes. A quadrilateral is taken for the four triangles
 /// between its sides and its centre.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/inspect/space/surface_faces.h"
+#include "core/mesh/surface_faces.h"
 #include "core/motion/rigid_motion.h"
 #include "core/motion/space_motion.h"
 namespace winslow::gui {

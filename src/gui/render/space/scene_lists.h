@@ -4,7 +4,7 @@
 #include <span>
 
 #include "core/inspect/space/plane_section.h"
-#include "core/inspect/space/surface_faces.h"
+#include "core/mesh/surface_faces.h"
 #include "gui/render/space/space_scene.h"
 
 namespace winslow::gui {

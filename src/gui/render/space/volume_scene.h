@@ -4,9 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "core/inspect/space/enclosing_faces.h"
 #include "core/inspect/space/plane.h"
-#include "core/inspect/space/surface_faces.h"
 #include "core/mesh/mesh.h"
+#include "core/mesh/surface_faces.h"
 #include "gui/render/space/space_scene.h"
 
 namespace winslow::gui {

@@ -218,6 +218,8 @@ void PicturePainter::end(std::unique_ptr<Picture> picture, int framebuffer) {
 
 void PicturePainter::lay_out(Picture& picture, const Bounds& visible) {
   WindowFrame& frame = *picture.frame;
+  // Laying out the frame before this one may have replaced the mesh that the panels speak of.
+  picture.context.shown = shown_.pane.mesh_view().shown();
   frame.ui.begin(InputState{}, frame.width, frame.height, 1.0 / 60);
   if (picture.mesh_alone) {
     frame.layout.arrange_mesh(frame.width, frame.height, picture.options, frame.ui.theme());

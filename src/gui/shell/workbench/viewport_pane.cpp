@@ -8,8 +8,8 @@
 #include <limits>
 #include <utility>
 
-#include "core/inspect/space/surface_faces.h"
 #include "core/mesh/element_type.h"
+#include "core/mesh/surface_faces.h"
 #include "gui/panels/banner_panel.h"
 #include "gui/render/space/side_by_side.h"
 #include "gui/view/navigation/worst_list.h"

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/inspect/space/surface_faces.h"
 #include "core/mesh/element_type.h"
+#include "core/mesh/surface_faces.h"
 
 namespace winslow::gui {
 

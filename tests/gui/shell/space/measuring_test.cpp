@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/inspect/space/surface_faces.h"
+#include "core/mesh/surface_faces.h"
 #include "gui/support/looking_rig.h"
 #include "gui/view/navigation/go_to.h"
 #include "gui/view/overlays/space_ruler_overlay.h"

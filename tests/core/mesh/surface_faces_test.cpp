@@ -1,4 +1,5 @@
-#include "core/inspect/space/surface_faces.h"
+#include "core/mesh/surface_faces.h"
+#include "core/inspect/space/enclosing_faces.h"
 
 #include <doctest/doctest.h>
 

@@ -5,7 +5,7 @@
 
 #include "core/mesh/mesh.h"
 
-/// Surfaces in volume meshes, as faces of elements.
+/// Surfaces in volume meshes, as faces of elements, and surface meshes.
 namespace winslow {
 
 /// A face of an element, seen from outside it counter-clockwise.
@@ -16,7 +16,8 @@ struct SurfaceFace {
   Index marker = -1;     ///< index into Topology::markers(); -1: none
 };
 
-/// The boundary of a volume mesh, and the faces of markers that lie inside (once each).
+/// The boundary of a volume mesh, and the faces of markers that lie inside (once each); of a
+/// surface mesh all of its elements.
 std::vector<SurfaceFace> boundary_faces(const Topology& topology);
 
 /// What bounds some elements of a volume mesh: their faces beyond which none of them lies. Closed.
@@ -41,15 +42,5 @@ Vec3 centre_of(const SpacePoints& x, const Face& face);  ///< mean of the corner
 /// markers.
 std::vector<unsigned char> feature_edges(const SpacePoints& x, std::span<const SurfaceFace> faces,
                                          const SurfaceEdges& edges, double angle);
-
-/// Which faces of a boundary enclose bodies (#faces, 1 or 0): a box around a wing does, the wing
-/// does not, though both may hang together in a plane of symmetry. All are 0 where nothing is
-/// enclosed: of a solid body, that is, which is to be seen from outside.
-///
-/// Parts are faces of one marker that hang together by edges. A part encloses if most of its area
-/// lies on the convex hull of the mesh, up to 1 % of the mesh's extent; the others are bodies
-/// if they lie inside or bound it from inside: the sum of (c - c_part) . a over the faces of
-/// the boundary among them, of centres c and area vectors a, is not positive.
-std::vector<unsigned char> enclosing_faces(const Mesh& mesh, std::span<const SurfaceFace> faces);
 
 }  // namespace winslow

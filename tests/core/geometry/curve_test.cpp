@@ -1,4 +1,4 @@
-#include "core/geometry/plane_curve.h"
+#include "core/geometry/curve.h"
 
 #include <doctest/doctest.h>
 

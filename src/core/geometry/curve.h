@@ -9,22 +9,27 @@
 
 namespace winslow {
 
-/// A place on a curve of the plane.
+/// A place on a curve of the plane or of space.
+template <int D>
 struct CurvePoint {
-  Vec2 point{0, 0};
-  Vec2 tangent{1, 0};    ///< of length 1
-  Vec2 curvature{0, 0};  ///< derivative of the tangent by the length of arc, 1/length
+  Vec<D> point = Vec<D>::Zero();
+  Vec<D> tangent = Vec<D>::UnitX();   ///< of length 1
+  Vec<D> curvature = Vec<D>::Zero();  ///< derivative of the tangent by the length of arc, 1/length
 };
 
-/// A curve that boundary nodes of a plane mesh slide along.
-class PlaneCurve {
+/// A curve that boundary nodes slide along.
+template <int D>
+class Curve {
  public:
-  virtual ~PlaneCurve() = default;
+  virtual ~Curve() = default;
   /// The place nearest to a point. A straight line goes on beyond its ends.
-  virtual CurvePoint nearest(const Vec2& point) const = 0;
+  virtual CurvePoint<D> nearest(const Vec<D>& point) const = 0;
   /// "straight line", "circle of radius 10", "smooth curve through 200 nodes": for reports.
   virtual std::string description() const = 0;
 };
+
+using PlaneCurve = Curve<2>;
+using SpaceCurve = Curve<3>;
 
 /// The curve through a row of points (closed: the last is joined to the first): a straight line or
 /// a circle where all of them lie on one to within `tolerance` times the extent of the row, else
@@ -32,6 +37,8 @@ class PlaneCurve {
 /// chords (natural at the ends of an open row). At least two points, three of a closed row, no two
 /// neighbours at one place: else UsageError.
 std::unique_ptr<const PlaneCurve> curve_through(std::span<const Vec2> points, bool closed,
+                                                double tolerance = 1e-6);
+std::unique_ptr<const SpaceCurve> curve_through(std::span<const Vec3> points, bool closed,
                                                 double tolerance = 1e-6);
 
 }  // namespace winslow

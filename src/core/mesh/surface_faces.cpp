@@ -1,4 +1,4 @@
-#include "core/inspect/space/surface_faces.h"
+#include "core/mesh/surface_faces.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -18,6 +18,12 @@ void require_volume(const Topology& topology) {
 }  // namespace
 
 std::vector<SurfaceFace> boundary_faces(const Topology& topology) {
+  if (topology.cell_dimension() == 2 && topology.space_dimension() == 3) {
+    std::vector<SurfaceFace> elements;
+    for (Index e = 0; e < topology.element_count(); ++e)
+      elements.push_back({Face(topology.element(e)), e, -1, -1});
+    return elements;
+  }
   require_volume(topology);
   std::vector<Index> marker_of(at(topology.face_count()), -1);
   for (std::size_t m = 0; m < topology.markers().size(); ++m) {

@@ -1,0 +1,135 @@
+#include "core/geometry/surface/triangulation.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "core/mesh/compressed_rows.h"
+
+namespace winslow {
+
+namespace {
+
+struct TriangleSide {
+  Index low, high, triangle;
+  int corner;
+  auto operator<=>(const TriangleSide&) const = default;
+};
+
+/// The triangles around each point.
+CompressedRows triangles_at(const Triangulation& surface) {
+  CompressedRows rows;
+  rows.offsets.assign(surface.points.size() + 1, 0);
+  for (const auto& triangle : surface.triangles)
+    for (const Index p : triangle) ++rows.offsets[at(p) + 1];
+  for (std::size_t k = 1; k < rows.offsets.size(); ++k) rows.offsets[k] += rows.offsets[k - 1];
+  rows.values.resize(3 * surface.triangles.size());
+  std::vector<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (const Index p : surface.triangles[t])
+      rows.values[at(next[at(p)]++)] = static_cast<Index>(t);
+  return rows;
+}
+
+/// Points of the triangles around, and of the triangles around these; not the point itself.
+std::vector<Index> points_around(const Triangulation& surface, const CompressedRows& star,
+                                 Index point) {
+  std::vector<Index> ring, out;
+  for (const Index t : star[point])
+    for (const Index p : surface.triangles[at(t)]) ring.push_back(p);
+  for (const Index q : ring)
+    for (const Index t : star[q])
+      for (const Index p : surface.triangles[at(t)])
+        if (p != point) out.push_back(p);
+  std::ranges::sort(out);
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+/// Of z = a x + b y + c x^2 + d x y + e y^2 over the plane of the normal that is known roughly,
+/// through the points around by least squares. That one if they do not say.
+Vec3 paraboloid_normal(const Triangulation& surface, const CompressedRows& star, Index point,
+                       const Vec3& rough) {
+  const std::vector<Index> around = points_around(surface, star, point);
+  constexpr std::size_t least = 6;
+  if (around.size() < least) return rough;
+  const Vec3 first = rough.unitOrthogonal(), second = rough.cross(first);
+  const Vec3 origin = surface.points[at(point)];
+  double reach = 0;
+  for (const Index p : around) reach = std::max(reach, (surface.points[at(p)] - origin).norm());
+  Eigen::Matrix<double, Eigen::Dynamic, 5> rows(static_cast<Eigen::Index>(around.size()), 5);
+  Eigen::VectorXd heights(rows.rows());
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    const Vec3 arm = (surface.points[at(around[static_cast<std::size_t>(i)])] - origin) / reach;
+    const double x = first.dot(arm), y = second.dot(arm);
+    const double weight = 1 / (0.05 + x * x + y * y);
+    rows.row(i) << x, y, x * x, x * y, y * y;
+    rows.row(i) *= weight;
+    heights[i] = weight * rough.dot(arm);
+  }
+  const Eigen::ColPivHouseholderQR<decltype(rows)> qr(rows);
+  if (qr.rank() < 5) return rough;
+  const Eigen::VectorXd fit = qr.solve(heights);
+  const Vec3 normal = (rough - fit[0] * first - fit[1] * second).normalized();
+  constexpr double least_cosine = 0.94;  // 20 degrees
+  return normal.dot(rough) > least_cosine ? normal : rough;
+}
+
+}  // namespace
+
+std::vector<std::array<Index, 3>> triangle_neighbours(const Triangulation& surface) {
+  std::vector<TriangleSide> sides;
+  sides.reserve(3 * surface.triangles.size());
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto& triangle = surface.triangles[t];
+    for (int k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(
+          {triangle[static_cast<std::size_t>(k)], triangle[static_cast<std::size_t>((k + 1) % 3)]});
+      sides.push_back({low, high, static_cast<Index>(t), k});
+    }
+  }
+  std::ranges::sort(sides);
+  std::vector<std::array<Index, 3>> out(surface.triangles.size(), {-1, -1, -1});
+  const auto same = [&](std::size_t a, std::size_t b) {
+    return sides[a].low == sides[b].low && sides[a].high == sides[b].high;
+  };
+  for (std::size_t k = 0, end = 0; k < sides.size(); k = end) {
+    for (end = k + 1; end < sides.size() && same(k, end);) ++end;
+    if (end - k != 2) continue;
+    const TriangleSide &a = sides[k], &b = sides[k + 1];
+    out[at(a.triangle)][static_cast<std::size_t>(a.corner)] = b.triangle;
+    out[at(b.triangle)][static_cast<std::size_t>(b.corner)] = a.triangle;
+  }
+  return out;
+}
+
+std::vector<Vec3> point_normals(const Triangulation& surface, std::span<const Vec3> tangents) {
+  const std::size_t count = surface.points.size();
+  std::vector<Vec3> normals(count, Vec3(0, 0, 0));
+  std::vector<unsigned char> border(count, 0);
+  const auto neighbours = triangle_neighbours(surface);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto& triangle = surface.triangles[t];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t next = at(triangle[(k + 1) % 3]), last = at(triangle[(k + 2) % 3]);
+      const Vec3 a = surface.points[next] - surface.points[at(triangle[k])];
+      const Vec3 b = surface.points[last] - surface.points[at(triangle[k])];
+      const double lengths = a.squaredNorm() * b.squaredNorm();
+      if (lengths > 0) normals[at(triangle[k])] += a.cross(b) / lengths;
+      if (neighbours[t][k] < 0) border[at(triangle[k])] = border[next] = 1;
+    }
+  }
+  const CompressedRows star = triangles_at(surface);
+  for (std::size_t p = 0; p < count; ++p) {
+    if (normals[p].norm() == 0) continue;
+    normals[p].normalize();
+    if (border[p] == 0) continue;
+    Vec3 normal = paraboloid_normal(surface, star, static_cast<Index>(p), normals[p]);
+    normal -= normal.dot(tangents[p]) * tangents[p];
+    if (normal.norm() > 0.5) normals[p] = normal.normalized();
+  }
+  return normals;
+}
+
+}  // namespace winslow

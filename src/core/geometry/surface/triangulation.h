@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/index.h"
+#include "core/types.h"
+
+namespace winslow {
+
+/// Triangles of a part of a surface without features, seen from one side counter-clockwise.
+struct Triangulation {
+  std::vector<Vec3> points;
+  std::vector<std::array<Index, 3>> triangles;  ///< of points
+};
+
+/// Neighbour k of a triangle lies across the edge from its corner k to the next; -1: none, or more
+/// than one.
+std::vector<std::array<Index, 3>> triangle_neighbours(const Triangulation& surface);
+
+/// The normals at the points, of length 1. Inside, the mean of the triangles' normals with weights
+/// that are exact for spheres (N. Max, "Weights for computing vertex normals from facet normals",
+/// J. Graphics Tools 4(2), 1999); at the border, where that is of first order only, that of a
+/// paraboloid through the points around. tangents: of the borders that are smooth there, to which
+/// the normals are at right angles; zero elsewhere (#points).
+std::vector<Vec3> point_normals(const Triangulation& surface, std::span<const Vec3> tangents);
+
+}  // namespace winslow
