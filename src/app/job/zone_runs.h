@@ -16,8 +16,9 @@ struct ZoneRun {
   io::MeshFile source;
   std::vector<std::optional<Command>> commands;  ///< of the job, in order; none: not of this zone
   MeshState result;
-  QualityReport quality, before;         ///< of the result; of what was read
-  std::optional<SurfaceChange> surface;  ///< of a surface mesh, against what was read
+  QualityReport quality, before;  ///< of the result; of what was read
+  std::optional<SurfaceChange> surface =
+      std::nullopt;  ///< of a surface mesh, against what was read
 
   /// "zone 2"; empty for a file that is one mesh.
   std::string name() const;

@@ -51,6 +51,8 @@ std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Moti
   if (state.surface) {
     slide_on_surface(*state.surface, state.mesh.coordinates, *classes);
     result.boundary.sliding = state.surface->boundary.parts;
+    for (SlidingPart& part : result.boundary.sliding)
+      std::erase_if(part.nodes, [&](Index node) { return !classes->slides(node); });
     return classes;
   }
   const auto moving = motion ? motion->nodes() : std::span<const Index>();
@@ -62,13 +64,14 @@ std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Moti
   return classes;
 }
 
-/// Puts the interior nodes that are not free where the mesh has them; how many these are.
+/// Puts the interior nodes that are not free where the mesh has them; how many of these were asked
+/// to stay.
 Index keep_fixed(const MeshState& state, const NodeClasses& classes, Coordinates& x) {
   const auto interior = classes.topology().interior_nodes();
   const auto kept = std::ranges::count_if(
       interior, [&](Index node) { return classes[node] == NodeClass::fixed; });
   if (kept > 0) x = unknowns_within(classes, x, state.mesh.coordinates);
-  return static_cast<Index>(kept);
+  return state.surface ? 0 : static_cast<Index>(kept);
 }
 
 /// A motion that is begun from a mesh near its end: along the path from there where that mesh is

@@ -30,7 +30,16 @@ std::shared_ptr<const SurfaceShape> surface_shape(const MeshState& state,
 /// of another kind of mesh.
 std::vector<Vec3> reference_normals(const MeshState& state, const Coordinates& x);
 
-/// The nodes inside regions and, if so, on feature lines slide, the others stay.
+/// The nodes inside regions and, if so, on feature lines slide, the others stay, and with them
+/// nodes_to_hold().
 void slide_on_surface(const SurfaceShape& shape, const Coordinates& x, NodeClasses& classes);
+
+/// Nodes that have to be held besides those that stay anyway, for a surface mesh to have one place
+/// to go to. Shapes of triangles do not change under conformal maps, so that a mesh could move for
+/// nothing with all those of its surface to itself: three nodes far from one another hold what is,
+/// but for its borders, like a sphere, one what is like a torus; of all others there are none.
+/// slides: of each node.
+std::vector<Index> nodes_to_hold(const Topology& topology, const Coordinates& x,
+                                 const std::vector<bool>& slides);
 
 }  // namespace winslow
