@@ -72,18 +72,20 @@ def torus(n, m, ring=2.0, tube=0.8):
     return nodes, elements
 
 
-def grid(n, place, quads=False):
-    """n by n cells of the unit square, laid where place(x, y) is."""
-    nodes = [place(i / n, j / n) for j in range(n + 1) for i in range(n + 1)]
+def grid(n, place, quads=False, rows=None):
+    """n by `rows` cells of the unit square, laid where place(x, y) is. Diagonals alternate from row to
+    row."""
+    rows = rows or n
+    nodes = [place(i / n, j / rows) for j in range(rows + 1) for i in range(n + 1)]
     elements = []
-    for j in range(n):
+    for j in range(rows):
         for i in range(n):
             a = j * (n + 1) + i
             b, c, d = a + 1, a + n + 2, a + n + 1
             if quads and (i + j) % 3:
                 elements.append((a, b, c, d))
             else:
-                elements += [(a, b, d), (b, c, d)] if (i + j) % 2 else [(a, b, c), (a, c, d)]
+                elements += [(a, b, d), (b, c, d)] if j % 2 else [(a, b, c), (a, c, d)]
     return nodes, elements
 
 

@@ -42,8 +42,9 @@ class Surface(ProgramTest):
     def test_a_scrambled_sphere_comes_back_on_its_sphere(self):
         report = self.scrambled_and_smoothed(*surfaces.sphere(12))
         self.check_shape(report, 2e-3)
+        # All but three, which hold it where it is.
         self.assertEqual(report["commands"][1]["sliding"],
-                         [{"marker": "surface", "on": "sphere of radius 1", "nodes": 578}])
+                         [{"marker": "surface", "on": "sphere of radius 1", "nodes": 575}])
         nodes, _ = read_obj(self.path("out.obj"))
         self.assertLess(max(abs(norm(p) - 1) for p in nodes), 1e-12)
         volume = report["surface"]
@@ -51,10 +52,10 @@ class Surface(ProgramTest):
         self.assertAlmostEqual(volume["volume_after"], volume["volume_before"], delta=0.01)
 
     def test_scrambled_curved_surfaces_come_back_on_their_shape(self):
-        self.check_shape(self.scrambled_and_smoothed(*surfaces.torus(60, 30)), 1e-3)
-        nodes, elements = surfaces.sphere(16)
+        self.check_shape(self.scrambled_and_smoothed(*surfaces.torus(100, 50)), 1e-3)
+        nodes, elements = surfaces.sphere(24)
         self.check_shape(self.scrambled_and_smoothed([bumps(p) for p in nodes], elements), 1e-3)
-        saddle = surfaces.grid(16, lambda x, y: (x, y, 0.5 * (x * x - y * y)))
+        saddle = surfaces.grid(20, lambda x, y: (x, y, 0.5 * (x * x - y * y)), rows=23)
         self.check_shape(self.scrambled_and_smoothed(*saddle), 1e-3)
 
     def test_open_surfaces_keep_their_border(self):
@@ -135,12 +136,9 @@ class Surface(ProgramTest):
         nodes, elements = surfaces.sphere(3)
         write_obj(self.path("in.obj"), nodes, elements)
         for arguments, words in ((["--formulation", "pointwise"], "the pointwise form"),
-                                 (["--outer", "picard"], "the fixed-point iteration"),
                                  (["--slide", "surface"], "sliding markers")):
             run = self.winslow("smooth", "in.obj", "-o", "out.obj", *arguments, code=USAGE)
             self.assertIn(words, run.stderr)
-        run = self.winslow("move", "in.obj", "-o", "out.obj", "--marker", "boundary", "--rotate", "5",
-                           code=USAGE)
         run = self.winslow("smooth", "in.obj", "-o", "out.su2", code=USAGE)
         self.assertIn("cannot hold a surface mesh", run.stderr)
 

@@ -226,7 +226,7 @@ CommandResult scrambled(const MeshState& state, Coordinates x) {
 
 /// Nodes stay on the surface and, so that the mesh still covers it once, near their places.
 CommandResult scramble_surface(const MeshState& state, std::mt19937_64& generator) {
-  constexpr double reach = 3;  // mean edges at the node
+  constexpr double reach = 6;  // mean edges at the node
   const MeshState shaped = with_shape(state, {});
   const auto classes = std::make_shared<NodeClasses>(state.mesh.topology);
   slide_on_surface(*shaped.surface, state.mesh.coordinates, *classes);
