@@ -18,6 +18,7 @@
 #include "core/error.h"
 #include "core/mesh/place_text.h"
 #include "core/quality/mesh_change.h"
+#include "core/strategy/surface_shape.h"
 #include "io/recipe/recipe.h"
 #include "io/tables/convergence_csv.h"
 
@@ -81,6 +82,7 @@ CommandRecord apply(const Command& command, ZoneRun& zone, bool all_or_nothing,
   CommandResult result = execute(command, zone.result, options);
   InterruptGuard::check();
   CommandRecord record = make_record(command, std::move(result.smooth));
+  record.on_surface = is_surface(*result.state.mesh.topology);
   if (!name.empty()) {
     record.description.insert(0, name + ": ");
     record.zone = zone.source.details->zone;
@@ -202,7 +204,9 @@ void print_commands(const RunReport& run) {
     Index sliding = 0;
     for (const SlidingPart& part : c.result.boundary.sliding)
       sliding += static_cast<Index>(part.nodes.size());
-    if (sliding > 0) std::cout << ", " << sliding << " nodes of the boundary slide";
+    if (sliding > 0)
+      std::cout << ", " << sliding << (c.on_surface ? " nodes" : " nodes of the boundary")
+                << " slide";
     for (const PeriodicPairs& pairs : c.result.boundary.periodic)
       std::cout << ", " << pairs.pairs.size() << " periodic pairs by " << pairs.description;
     if (c.result.kept_outside > 0)
@@ -223,7 +227,8 @@ void print_outcome(const EditJob& job, const std::vector<ZoneRun>& zones, const 
     std::cout << '\n';
     print_zone_heading(std::cout, zone.name());
     print_quality_table(std::cout, zone.result.mesh, zone.quality);
-    if (zone.quality.cell_dimension == 2) {
+    if (zone.surface) print_surface_change(std::cout, *zone.surface);
+    if (zone.quality.has_walls()) {
       std::cout << '\n';
       print_walls(std::cout, &zone.before.walls, zone.quality.walls);
     }
@@ -313,12 +318,25 @@ std::vector<ZoneRun> load(const EditJob& job, RunReport& run) {
   return share_out(std::move(files), job.commands, job.files.input);
 }
 
+void measure(ZoneRun& zone, const QualityOptions& options) {
+  const Mesh& before = zone.source.mesh;
+  QualityOptions of_source = options, compared = options;
+  of_source.normals = reference_normals(zone.result, before.coordinates);
+  zone.before = measure_quality(before, of_source);
+  compared.before = &before.coordinates;
+  compared.normals = reference_normals(zone.result, zone.result.mesh.coordinates);
+  zone.quality = measure_quality(zone.result.mesh, compared);
+  if (is_surface(*before.topology))
+    zone.surface = compare_surfaces(before, zone.result.mesh, options.threads);
+}
+
 nlohmann::json describe(const std::vector<ZoneRun>& zones, const RunReport& run) {
   std::vector<ZoneResult> results;
   for (const ZoneRun& zone : zones) {
     results.push_back({zone.name().empty() ? 0 : zone.source.details->zone, &zone.result.mesh,
                        &zone.quality, &zone.before,
-                       zone.result.layers ? &*zone.result.layers : nullptr});
+                       zone.result.layers ? &*zone.result.layers : nullptr,
+                       zone.surface ? &*zone.surface : nullptr});
   }
   return describe_run(run, results);
 }
@@ -340,10 +358,7 @@ ExitCode run_edit_job(const EditJob& job) {
   quality_options.threads = thread_count(job.commands);
   apply(job, zones, run);
   for (ZoneRun& zone : zones) {
-    zone.before = measure_quality(zone.source.mesh, quality_options);
-    QualityOptions compared = quality_options;
-    compared.before = &zone.source.mesh.coordinates;
-    zone.quality = measure_quality(zone.result.mesh, compared);
+    measure(zone, quality_options);
   }
   run.seconds.solve = lap.lap();
 

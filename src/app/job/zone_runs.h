@@ -6,6 +6,7 @@
 
 #include "core/command/command.h"
 #include "core/quality/quality.h"
+#include "core/quality/surface_change.h"
 #include "io/format/mesh_file.h"
 
 namespace winslow::app {
@@ -16,6 +17,8 @@ struct ZoneRun {
   std::vector<std::optional<Command>> commands;  ///< of the job, in order; none: not of this zone
   MeshState result;
   QualityReport quality, before;  ///< of the result; of what was read
+  std::optional<SurfaceChange> surface =
+      std::nullopt;  ///< of a surface mesh, against what was read
 
   /// "zone 2"; empty for a file that is one mesh.
   std::string name() const;

@@ -62,11 +62,22 @@ void print_quality_table(std::ostream& out, const Mesh& mesh, const QualityRepor
   }
 }
 
+void print_surface_change(std::ostream& out, const SurfaceChange& change) {
+  out << "largest deviation: " << formatted("%.3g", change.from_before)
+      << " from the surface as given to the new one, " << formatted("%.3g", change.from_after)
+      << " back (" << formatted("%.2g", change.hausdorff() / change.extent)
+      << " of the extent, at nodes and middles of edges and elements)\n";
+  if (change.volume_before && change.volume_after)
+    out << "enclosed volume: " << formatted("%.9g", *change.volume_before) << " before, "
+        << formatted("%.9g", *change.volume_after) << " after ("
+        << formatted("%+.2g", 100 * (*change.volume_after / *change.volume_before - 1)) << " %)\n";
+}
+
 void print_worst_elements(std::ostream& out, const QualityReport& quality) {
   for (const Metric m : reported_metrics(quality.cell_dimension))
     print_list(out, metric_info(m, quality.cell_dimension).field, quality.of(m).worst,
-               quality.cell_dimension);
-  if (quality.cell_dimension != 2) return;
+               quality.space_dimension);
+  if (!quality.has_walls()) return;
   for (const WallField field : all_wall_fields())
     print_list(out, wall_field_info(field), quality.worst_by(field), 2);
 }

@@ -5,9 +5,12 @@
 
 #include "core/mesh/mesh.h"
 #include "core/quality/quality.h"
+#include "core/quality/surface_change.h"
 
 namespace winslow::app {
 
+/// Deviation and volume, one line each.
+void print_surface_change(std::ostream& out, const SurfaceChange& change);
 /// "zone 2" over what follows about it; nothing for an empty name.
 void print_zone_heading(std::ostream& out, const std::string& name);
 /// Minimum, average and maximum of the three metrics, as the paper tabulates them, and the number

@@ -148,11 +148,11 @@ json describe_mesh(const Mesh& mesh, const QualityReport& quality, const Quality
   const int dimension = quality.cell_dimension;
   for (const Metric m : reported_metrics(dimension)) {
     const std::string name(metric_name(m));
-    worst[name] = describe_list(quality.of(m).worst, dimension);
+    worst[name] = describe_list(quality.of(m).worst, quality.space_dimension);
     units[name] = unit_of(metric_info(m, dimension).field);
   }
   for (const WallField field : all_wall_fields()) {
-    if (dimension != 2) break;  // volume meshes have none yet
+    if (!quality.has_walls()) break;
     const auto& list = quality.worst_by(field);
     if (list.empty()) continue;
     const FieldInfo& info = wall_field_info(field);
@@ -160,6 +160,7 @@ json describe_mesh(const Mesh& mesh, const QualityReport& quality, const Quality
     units[std::string(info.name)] = unit_of(info);
   }
   json report{{"dimension", dimension},
+              {"space_dimension", quality.space_dimension},
               {"nodes", mesh.topology->node_count()},
               {"elements", mesh.topology->element_count()},
               {"inverted", quality.inverted},
@@ -167,9 +168,9 @@ json describe_mesh(const Mesh& mesh, const QualityReport& quality, const Quality
               {"quality", describe_metrics(quality)},
               {"units", units},
               {"worst", worst}};
-  if (dimension == 2) {
+  if (quality.has_walls()) {
     report["walls"] = describe_walls(before ? &before->walls : nullptr, quality.walls, mesh);
-  } else {
+  } else if (dimension == 3) {
     report["all_on_boundary"] = quality.all_on_boundary;
     report["all_on_boundary_inverted"] = quality.all_on_boundary_inverted;
   }
@@ -227,12 +228,25 @@ json describe_layers(const LayerStack& stack, const Coordinates& x) {
           {"cut_short", cut}};
 }
 
+json describe_surface(const SurfaceChange& change) {
+  const auto number = [](const std::optional<double>& value) {
+    return value ? json(*value) : json();
+  };
+  return {{"deviation_from_before", change.from_before},
+          {"deviation_from_after", change.from_after},
+          {"hausdorff", change.hausdorff()},
+          {"extent", change.extent},
+          {"volume_before", number(change.volume_before)},
+          {"volume_after", number(change.volume_after)}};
+}
+
 json describe_zones(const std::vector<ZoneResult>& zones) {
   json list = json::array();
   Index nodes = 0, elements = 0, inverted = 0;
   for (const ZoneResult& z : zones) {
     json block = describe_mesh(*z.mesh, *z.quality, z.before);
     if (z.layers != nullptr) block["layers"] = describe_layers(*z.layers, z.mesh->coordinates);
+    if (z.surface != nullptr) block["surface"] = describe_surface(*z.surface);
     if (z.zone != 0) block["zone"] = z.zone;
     list.push_back(std::move(block));
     nodes += z.mesh->topology->node_count();

@@ -10,6 +10,7 @@
 #include "core/layers/layer_stack.h"
 #include "core/mesh/mesh.h"
 #include "core/quality/quality.h"
+#include "core/quality/surface_change.h"
 #include "core/strategy/run.h"
 
 namespace winslow::app {
@@ -22,6 +23,7 @@ struct CommandRecord {
   std::optional<double> pivot_z;           ///< its third component in space
   std::optional<std::string> formulation;  ///< of commands that smooth
   SmoothResult result;
+  bool on_surface = false;  ///< of a surface mesh
   int zone = 0;  ///< number of the zone that it was carried out on; 0: of a file that has none
 };
 
@@ -45,13 +47,17 @@ nlohmann::json describe_mesh(const Mesh& mesh, const QualityReport& quality,
 /// orthogonality, counts, and the columns that were cut short.
 nlohmann::json describe_layers(const LayerStack& stack, const Coordinates& x);
 
+/// The block "surface".
+nlohmann::json describe_surface(const SurfaceChange& change);
+
 /// What came of a zone, or of the one mesh of a file.
 struct ZoneResult {
   int zone;  ///< 0: of a file that has none
   const Mesh* mesh;
   const QualityReport* quality;
-  const QualityReport* before;  ///< of what was read; null: nothing was done to it
-  const LayerStack* layers;     ///< null: none
+  const QualityReport* before;             ///< of what was read; null: nothing was done to it
+  const LayerStack* layers;                ///< null: none
+  const SurfaceChange* surface = nullptr;  ///< of a surface mesh, against what was read; else null
 };
 
 /// What is said of meshes: of one mesh itself; of several "nodes", "elements" and "inverted"

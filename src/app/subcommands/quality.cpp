@@ -89,7 +89,7 @@ class QualitySubcommand : public Subcommand {
       print_zone_heading(std::cout, zone.name());
       const Mesh& mesh = zone.source.mesh;
       print_quality_table(std::cout, mesh, zone.quality);
-      if (zone.quality.cell_dimension == 2) {
+      if (zone.quality.has_walls()) {
         std::cout << '\n';
         print_walls(std::cout, nullptr, zone.quality.walls);
       }

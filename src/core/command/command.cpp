@@ -11,6 +11,7 @@
 #include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
 #include "core/strategy/smooth_run.h"
+#include "core/strategy/surface_shape.h"
 #include "core/vcv/sphere/sphere_edit.h"
 
 namespace winslow {
@@ -104,8 +105,37 @@ CommandResult finish(const MeshState& state, Coordinates x, SmoothResult smooth)
 
 bool is_volume(const MeshState& state) { return state.mesh.topology->cell_dimension() == 3; }
 
+/// What surface meshes cannot do is refused by name.
+void require_surface_command(const Command& command, const SmoothOptions* smooth,
+                             const Topology& topology) {
+  const auto refuse = [&](std::string_view what) { require_plane(topology, what); };
+  if (!std::holds_alternative<SmoothCommand>(command) &&
+      !std::holds_alternative<ScrambleCommand>(command) &&
+      !std::holds_alternative<EditVcvCommand>(command))
+    refuse(command_name(command));
+  if (smooth == nullptr) return;
+  if (smooth->formulation != "variational") refuse("the pointwise form");
+  if (smooth->outer == OuterMethod::picard) refuse("the fixed-point iteration");
+  if (smooth->untangle == Untangle::picard) refuse("untangling by the fixed-point iteration");
+  if (smooth->keep_outside.given()) refuse("keep-outside");
+}
+
+/// A state of a surface mesh with the shape that its nodes stay on.
+MeshState with_shape(const MeshState& state, const SlideOptions& slide) {
+  MeshState copy = state;
+  if (is_surface(*state.mesh.topology)) copy.surface = surface_shape(state, slide);
+  return copy;
+}
+
 /// What volume meshes cannot do yet is refused by name.
 void require_dimension(const Command& command, const MeshState& state) {
+  Command copy = command;
+  const SmoothOptions* smooth = smooth_options(copy);
+  if (is_surface(*state.mesh.topology)) {
+    require_surface_command(command, smooth, *state.mesh.topology);
+    if (smooth) validate_vcvs(*smooth, state.mesh.topology->cell_dimension());
+    return;
+  }
   const bool serves_volumes = !std::holds_alternative<LayersCommand>(command);
   if (!is_volume(state) || !serves_volumes)
     require_plane(*state.mesh.topology, command_name(command));
@@ -115,8 +145,6 @@ void require_dimension(const Command& command, const MeshState& state) {
           c.how.floor.require_dimension(state.mesh.topology->cell_dimension());
       },
       command);
-  Command copy = command;
-  const SmoothOptions* smooth = smooth_options(copy);
   if (!smooth) return;
   validate_vcvs(*smooth, state.mesh.topology->cell_dimension());
   if (smooth->keep_outside.given()) require_plane(*state.mesh.topology, "keep-outside");
@@ -145,9 +173,10 @@ CommandResult run_motion(const MeshState& state, const Motion& motion, const Mot
   return finish(state, std::move(x), std::move(result));
 }
 
-CommandResult execute_one(const SmoothCommand& command, const MeshState& state,
+CommandResult execute_one(const SmoothCommand& command, const MeshState& given,
                           const RunOptions& options) {
   validate(command.smooth);
+  const MeshState state = with_shape(given, command.smooth.slide);
   Coordinates x = starting_point(state, options);
   RunOptions run = options;
   // Edits say what is wanted instead.
@@ -192,13 +221,28 @@ double uniform(std::mt19937_64& generator) {
 CommandResult scrambled(const MeshState& state, Coordinates x) {
   SmoothResult result;
   result.converged = true;
-  result.inverted = check_validity(*state.mesh.topology, x).inverted;
   return finish(state, std::move(x), std::move(result));
+}
+
+/// Nodes stay on the surface and, so that the mesh still covers it once, near their places.
+CommandResult scramble_surface(const MeshState& state, std::mt19937_64& generator) {
+  constexpr double reach = 6;  // mean edges at the node
+  const MeshState shaped = with_shape(state, {});
+  const auto classes = std::make_shared<NodeClasses>(state.mesh.topology);
+  slide_on_surface(*shaped.surface, state.mesh.coordinates, *classes);
+  const NodeUnknowns unknowns(classes, 1);
+  std::vector<double> lengths(unknowns.unknowns());
+  unknowns.lengths(state.mesh.coordinates, lengths);
+  for (double& length : lengths) length *= reach * (2 * uniform(generator) - 1);
+  Coordinates x = state.mesh.coordinates;
+  unknowns.advance(lengths, 1, x);
+  return scrambled(shaped, std::move(x));
 }
 
 CommandResult execute_one(const ScrambleCommand& command, const MeshState& state,
                           const RunOptions&) {
   std::mt19937_64 generator(command.seed);
+  if (is_surface(*state.mesh.topology)) return scramble_surface(state, generator);
   Coordinates x = state.mesh.coordinates;
   if (is_volume(state)) {
     const Box<3> box = space_bounds(state.mesh);
@@ -222,7 +266,7 @@ CommandResult execute_one(const EditVcvCommand& command, const MeshState& state,
                           const RunOptions& options) {
   validate(command.smooth);
   if (command.edits.empty()) throw UsageError("no VCV is given to edit");
-  MeshState edited = state;
+  MeshState edited = with_shape(state, command.smooth.slide);
   if (is_volume(state))
     edited.sphere_vcvs = edit_vcvs(*state.mesh.topology, state.sphere_vcvs.get(), command.edits);
   else
@@ -329,6 +373,14 @@ CommandResult execute(const Command& command, const MeshState& state, const RunO
   const auto carry_out = [](const Command& which, const MeshState& from, const RunOptions& how) {
     return std::visit([&](const auto& c) { return execute_one(c, from, how); }, which);
   };
+  if (is_surface(*state.mesh.topology)) {
+    CommandResult result = carry_out(command, state, options);
+    const Mesh& surface = result.state.mesh;
+    result.smooth.inverted = check_validity(*surface.topology, surface.coordinates, 0,
+                                            reference_normals(result.state, surface.coordinates))
+                                 .inverted;
+    return result;
+  }
   const LocalFrame frame(state.mesh);
   CommandResult result = frame.shifts() ? run_in_frame(frame, command, state, options, carry_out)
                                         : carry_out(command, state, options);

@@ -30,7 +30,8 @@ Index find_entry(const SparsityPattern& pattern, Index row, Index column) {
   return static_cast<Index>(std::lower_bound(first, last, column) - pattern.columns.begin());
 }
 
-/// What the bends of a foot add to the second derivatives by its unknowns.
+}  // namespace
+
 Eigen::Matrix2d bending(const Foot& foot, const Vec3& gradient, bool convex) {
   Eigen::Matrix2d m;
   m << gradient.dot(foot.bend[0]), gradient.dot(foot.bend[1]), gradient.dot(foot.bend[1]),
@@ -40,8 +41,6 @@ Eigen::Matrix2d bending(const Foot& foot, const Vec3& gradient, bool convex) {
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
          eigen.eigenvectors().transpose();
 }
-
-}  // namespace
 
 template <int D>
 SlidingRows<D>::SlidingRows(const NodeUnknowns& nodes, const SparsityPattern& pattern) {

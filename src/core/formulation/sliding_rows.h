@@ -9,6 +9,10 @@
 
 namespace winslow {
 
+/// What the bends of a foot add to the second derivatives by its unknowns. gradient: of the energy
+/// by the node's place. convex: only what curves upwards.
+Eigen::Matrix2d bending(const Foot& foot, const Vec3& gradient, bool convex);
+
 /// The rows of nodes that slide, in a system of D by D blocks that was assembled as if all nodes
 /// were free. With Q_i the directions of node i's frame (D by its unknowns), its unknowns u are
 /// those of x_i(u) = foot(x_i + Q_i u), so that by the chain rule

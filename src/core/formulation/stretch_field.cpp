@@ -35,17 +35,38 @@ bool is_inverted(std::span<const Index> nodes, const PlanePoints& x) {
   return false;
 }
 
-/// s of StretchField; NaN of an inverted element.
-double stretch_of(std::span<const Index> nodes, const PlanePoints& x) {
-  if (is_inverted(nodes, x)) return inverted;
-  if (nodes.size() == 3) {
-    return 0.5 *
-           stretch_between(TargetMetric::of_angle(pi / 3),
-                           TargetMetric::of(x[nodes[1]] - x[nodes[0]], x[nodes[2]] - x[nodes[0]]));
+/// The same of an element of a surface mesh, seen against its reference normal.
+bool is_inverted(std::span<const Index> nodes, const SpacePoints& x, const Vec3& normal) {
+  const std::size_t n = nodes.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec3 a = x[nodes[k]], to_b = x[nodes[(k + 1) % n]] - a,
+               to_c = x[nodes[(k + n - 1) % n]] - a;
+    if (!(to_b.cross(to_c).dot(normal) > 0)) return true;
   }
-  const Vec2 p = x[nodes[1]] - x[nodes[0]] + x[nodes[2]] - x[nodes[3]];
-  const Vec2 q = x[nodes[3]] - x[nodes[0]] + x[nodes[2]] - x[nodes[1]];
-  return 0.5 * stretch_between(TargetMetric::of_angle(pi / 2), TargetMetric::of(p, q));
+  return false;
+}
+
+TargetMetric metric_of(const Vec2& u, const Vec2& v) { return TargetMetric::of(u, v); }
+TargetMetric metric_of(const Vec3& u, const Vec3& v) { return TargetMetric::in_space(u, v); }
+
+/// s of StretchField, of an element that is not inverted.
+template <int D>
+double stretch_in_plane(std::span<const Index> nodes, const Points<D>& x) {
+  if (nodes.size() == 3) {
+    const Vec<D> u = x[nodes[1]] - x[nodes[0]], v = x[nodes[2]] - x[nodes[0]];
+    return 0.5 * stretch_between(TargetMetric::of_angle(pi / 3), metric_of(u, v));
+  }
+  const Vec<D> p = x[nodes[1]] - x[nodes[0]] + x[nodes[2]] - x[nodes[3]];
+  const Vec<D> q = x[nodes[3]] - x[nodes[0]] + x[nodes[2]] - x[nodes[1]];
+  return 0.5 * stretch_between(TargetMetric::of_angle(pi / 2), metric_of(p, q));
+}
+
+/// NaN of an inverted element.
+double stretch_of(std::span<const Index> nodes, const PlanePoints& x) {
+  return is_inverted(nodes, x) ? inverted : stretch_in_plane(nodes, x);
+}
+double stretch_of(std::span<const Index> nodes, const SpacePoints& x, const Vec3& normal) {
+  return is_inverted(nodes, x, normal) ? inverted : stretch_in_plane(nodes, x);
 }
 
 /// The same of a volume element; NaN of one that is flat, too.
@@ -98,7 +119,8 @@ class Neighbourhood {
 
 class Field {
  public:
-  Field(const Topology& topology, const Coordinates& given, int threads)
+  Field(const Topology& topology, const Coordinates& given, int threads,
+        std::span<const Vec3> normals)
       : topology_(topology), threads_(threads), stretch_(at(topology.element_count())) {
     for (Index e = 1; e < topology.element_count(); ++e)
       is_of_one_type_ &= topology.element_type(e) == topology.element_type(0);
@@ -107,6 +129,12 @@ class Field {
       for_each_element([&](Index e) {
         stretch_[at(e)] = stretch_of(topology_.element_type(e), topology_.element(e), x);
       });
+      return;
+    }
+    if (is_surface(topology)) {
+      const SpacePoints x(given);
+      for_each_element(
+          [&](Index e) { stretch_[at(e)] = stretch_of(topology_.element(e), x, normals[at(e)]); });
       return;
     }
     const PlanePoints x(given);
@@ -264,8 +292,9 @@ class Field {
 
 }  // namespace
 
-StretchField stretch_field(const Topology& topology, const Coordinates& given, int threads) {
-  return Field(topology, given, threads).build();
+StretchField stretch_field(const Topology& topology, const Coordinates& given, int threads,
+                           std::span<const Vec3> normals) {
+  return Field(topology, given, threads, normals).build();
 }
 
 }  // namespace winslow

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/mesh/coordinates.h"
@@ -45,8 +46,9 @@ struct StretchField {
   double stretched = 0;
 };
 
-/// given: #nodes by dimension, of a plane or volume mesh. threads: 0 for all cores; no result
-/// depends on it.
-StretchField stretch_field(const Topology& topology, const Coordinates& given, int threads);
+/// threads: 0 for all cores; no result depends on it. normals: of a surface mesh, the reference
+/// normals of its elements (ElementNormals), which say which are inverted.
+StretchField stretch_field(const Topology& topology, const Coordinates& given, int threads,
+                           std::span<const Vec3> normals = {});
 
 }  // namespace winslow

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -17,6 +18,11 @@ struct TargetMetric {
 
   static TargetMetric of(const Vec2& m1, const Vec2& m2) {
     const double det = m1.x() * m2.y() - m1.y() * m2.x();
+    return {m2.squaredNorm() / det, -m1.dot(m2) / det, m1.squaredNorm() / det};
+  }
+  /// Of edges in space, as they lie in their own plane.
+  static TargetMetric in_space(const Vec3& m1, const Vec3& m2) {
+    const double det = m1.cross(m2).norm();
     return {m2.squaredNorm() / det, -m1.dot(m2) / det, m1.squaredNorm() / det};
   }
   static TargetMetric of_angle(double angle) {

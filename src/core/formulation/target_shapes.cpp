@@ -17,15 +17,17 @@ namespace {
 class Builder {
  public:
   Builder(const VirtualControlVolumes& vcv, const TargetBlend& blend, const Coordinates* given,
-          int threads, std::span<const Index> urgent, const NodeClasses* classes)
+          int threads, std::span<const Index> urgent, const NodeClasses* classes,
+          std::span<const Vec3> normals)
       : vcv_(vcv),
         topology_(vcv.topology()),
         classes_(classes),
         blend_(normalized(blend)),
-        given_(given) {
+        given_(given),
+        normals_(normals) {
     if (refers_to_given(blend) && !given) throw UsageError("targets that refer to no mesh");
     if (blend.automatic > 0) {
-      stretch_ = stretch_field(topology_, *given, threads);
+      stretch_ = stretch_field(topology_, *given, threads, normals);
       shapes_.stretched = stretch_.stretched;
       for (const Index e : urgent) stretch_.weight[at(e)] *= 4;
     }
@@ -67,7 +69,7 @@ class Builder {
   /// Rest metric of a corner, times the share.
   void add_rest(TargetMetric& metric, const std::array<Index, 3>& nodes, Index e) const {
     if (blend_.rest == 0) return;
-    const auto own = own_metric(nodes);
+    const auto own = own_metric(nodes, e);
     if (!own) {
       throw MeshError(MeshEntity::element, e,
                       "element " + std::to_string(e) +
@@ -78,7 +80,13 @@ class Builder {
   }
 
   /// Of a corner in the mesh as given; none if it is inverted.
-  std::optional<TargetMetric> own_metric(const std::array<Index, 3>& nodes) const {
+  std::optional<TargetMetric> own_metric(const std::array<Index, 3>& nodes, Index e) const {
+    if (is_surface(topology_)) {
+      const Vec3 m1 = given_->xyz(nodes[1]) - given_->xyz(nodes[0]);
+      const Vec3 m2 = given_->xyz(nodes[2]) - given_->xyz(nodes[0]);
+      if (!(m1.cross(m2).dot(normals_[at(e)]) > 0)) return std::nullopt;
+      return TargetMetric::in_space(m1, m2);
+    }
     const Vec2 m1 = given_->xy(nodes[1]) - given_->xy(nodes[0]);
     const Vec2 m2 = given_->xy(nodes[2]) - given_->xy(nodes[0]);
     if (!(m1.x() * m2.y() - m1.y() * m2.x() > 0)) return std::nullopt;
@@ -105,7 +113,7 @@ class Builder {
     const TargetMetric regular = TargetMetric::of_angle(angle);
     metric.add(blend.element, regular);
     if (blend.automatic == 0) return;
-    const auto own = own_metric(nodes);
+    const auto own = own_metric(nodes, e);
     metric.add(blend.automatic,
                own ? between(regular, *own, own_share(e, regular, *own)) : regular);
   }
@@ -257,7 +265,8 @@ class Builder {
   TargetBlend blend_;
   TargetBlend edited_blend_;  // at nodes whose VCVs were edited
   const Coordinates* given_;
-  StretchField stretch_;  // where the blend has a share for it
+  std::span<const Vec3> normals_;  // of the elements of a surface mesh
+  StretchField stretch_;           // where the blend has a share for it
   TargetShapes shapes_;
 };
 
@@ -265,8 +274,9 @@ class Builder {
 
 TargetShapes TargetShapes::build(const VirtualControlVolumes& vcv, const TargetBlend& blend,
                                  const Coordinates* given, int threads,
-                                 std::span<const Index> urgent, const NodeClasses* classes) {
-  return Builder(vcv, blend, given, threads, urgent, classes).build();
+                                 std::span<const Index> urgent, const NodeClasses* classes,
+                                 std::span<const Vec3> normals) {
+  return Builder(vcv, blend, given, threads, urgent, classes, normals).build();
 }
 
 }  // namespace winslow

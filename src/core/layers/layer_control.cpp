@@ -156,6 +156,7 @@ std::shared_ptr<const std::vector<VirtualControlVolumes::Role>> roles(const Topo
 std::shared_ptr<const VirtualControlVolumes> layer_vcvs(
     const std::shared_ptr<const Topology>& topology, const LayerStack& stack,
     const VirtualControlVolumes& base, const Coordinates& x) {
+  require_plane(*topology, "virtual control volumes");
   VirtualControlVolumes vcv(topology);
   for (const auto& [node, stencil] : base.edits()) {
     if (node >= topology->node_count() || topology->on_boundary(node)) continue;

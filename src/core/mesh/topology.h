@@ -129,6 +129,10 @@ class Topology {
   mutable std::unique_ptr<HalfEdgeMesh> half_edges_;
 };
 
+/// Elements of two dimensions in space of three.
+inline bool is_surface(const Topology& topology) {
+  return topology.cell_dimension() < topology.space_dimension();
+}
 /// "plane mesh", "surface mesh" or "volume mesh".
 std::string_view mesh_kind(const Topology& topology);
 /// Throws UsageError unless it is a plane mesh. what: "layers", as the message is to begin.

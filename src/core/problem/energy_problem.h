@@ -5,6 +5,7 @@
 
 #include "core/linear/sparse_system.h"
 #include "core/problem/smoothing_problem.h"
+#include "core/types.h"
 
 namespace winslow {
 
@@ -35,6 +36,9 @@ class EnergyProblem : public SmoothingProblem {
 /// every D (V. A. Garanzha et al., "Foldover-free maps in 50 lines of code", ACM TOG 40(4), 2021).
 struct Regularisation {
   std::vector<double> size;  ///< #cells of the problem, in the unit of their determinants
+  /// Of a surface mesh: the normals (#elements) against which cells are seen, held while a step is
+  /// searched for.
+  std::vector<Vec3> normals = {};
 };
 
 /// An energy with a version that is finite on every mesh: what untangling needs.

@@ -51,8 +51,7 @@ TangentFrame NodeClasses::frame(Index node) const {
 }
 
 Foot NodeClasses::foot(Index node, const Vec3& point) const {
-  const auto found = geometry_.find(node);
-  if (found != geometry_.end()) return found->second->foot(node, point);
+  if (!geometry_.empty() && geometry_[at(node)]) return geometry_[at(node)]->foot(node, point);
   Foot foot;
   foot.point = point;
   foot.frame = frame(node);
@@ -97,6 +96,7 @@ void NodeClasses::set_on_surface(Index node, const Vec3& normal) {
 void NodeClasses::set_sliding(std::span<const Index> nodes,
                               std::shared_ptr<const SlidingGeometry> geometry,
                               const Coordinates& x) {
+  if (geometry_.empty()) geometry_.resize(classes_.size());
   for (const Index node : nodes) {
     require(node);
     Vec3 point(0, 0, 0);
@@ -108,7 +108,7 @@ void NodeClasses::set_sliding(std::span<const Index> nodes,
     classes_[static_cast<std::size_t>(node)] =
         frame.count() == 1 ? NodeClass::on_curve : NodeClass::on_surface;
     frames_[node] = frame;
-    geometry_[node] = geometry;
+    geometry_[at(node)] = geometry;
   }
 }
 
@@ -166,7 +166,7 @@ void NodeClasses::set(std::span<const Index> nodes, NodeClass value) {
   for (const Index node : nodes) {
     require(node);
     if (slides(node)) frames_.erase(node);
-    geometry_.erase(node);
+    if (!geometry_.empty()) geometry_[at(node)] = nullptr;
     classes_[static_cast<std::size_t>(node)] = value;
   }
 }

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry/element_normals.h"
 #include "core/geometry/periodic_pairs.h"
 #include "core/geometry/sliding_geometry.h"
 #include "core/mesh/coordinates.h"
@@ -67,6 +68,12 @@ class NodeClasses {
   void set_sliding(std::span<const Index> nodes, std::shared_ptr<const SlidingGeometry> geometry,
                    const Coordinates& x);
 
+  /// Of a surface mesh, what tells elements that are turned over (null: nothing does).
+  void set_element_normals(std::shared_ptr<const ElementNormals> normals) {
+    element_normals_ = std::move(normals);
+  }
+  const std::shared_ptr<const ElementNormals>& element_normals() const { return element_normals_; }
+
   /// Pairs of nodes that move as one: those of the first side are free, those of the second their
   /// images. Throws UsageError for nodes that are in a pair already.
   void set_periodic(const PeriodicPairs& pairs);
@@ -100,8 +107,10 @@ class NodeClasses {
   std::map<Index, TangentFrame> frames_;  // of nodes on curves and surfaces
   std::map<Index, Image> images_;         // by the image
   std::map<Index, Index> masters_;        // nodes that have images, and these
-  std::map<Index, std::shared_ptr<const SlidingGeometry>> geometry_;  // of those that follow one
-  std::vector<Index> yielding_;
+  // #nodes, of those that follow one; empty if none does.
+  std::vector<std::shared_ptr<const SlidingGeometry>> geometry_;
+  std::vector<Index> yielding_;  // as set_yielding() was told
+  std::shared_ptr<const ElementNormals> element_normals_;
 };
 
 }  // namespace winslow

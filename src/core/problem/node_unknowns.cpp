@@ -7,6 +7,8 @@
 #include <type_traits>
 
 #include "core/error.h"
+#include "core/parallel/parallel_for.h"
+#include "core/problem/run_validity.h"
 #include "core/quality/quality.h"
 #include "core/quality/valid_step.h"
 
@@ -44,7 +46,7 @@ NodeUnknowns::NodeUnknowns(std::shared_ptr<const NodeClasses> classes, int threa
   for (Index node = 0; node < topology().node_count(); ++node) {
     int count = classes_->unknowns(node);
     if (count == 0) continue;
-    if (numbers == Layout::blocks) count = topology().space_dimension();
+    if (numbers == Layout::blocks) count = topology().cell_dimension();
     layout->nodes.push_back(node);
     layout->first.push_back(next);
     next += static_cast<std::size_t>(count);
@@ -68,6 +70,14 @@ void NodeUnknowns::require_held_boundary(const char* what) const {
     if (classes_->has_image(node)) continue;
     throw UsageError(std::string(what) + ": node " + std::to_string(node) +
                      " of the boundary is to be free, and the boundary has no equations");
+  }
+}
+
+void NodeUnknowns::require_sliding(const char* what) const {
+  for (const Index node : nodes()) {
+    if (classes_->slides(node)) continue;
+    throw UsageError(std::string(what) + ": node " + std::to_string(node) +
+                     " of a surface mesh has nothing to slide on");
   }
 }
 
@@ -117,22 +127,29 @@ void NodeUnknowns::lengths(const Coordinates& x, std::span<double> out) const {
 }
 
 double NodeUnknowns::advance(std::span<const double> direction, double step, Coordinates& x) const {
-  double largest2 = 0;
+  constexpr Index block = 512;  // the way back to a curved surface takes a search
+  const auto count = static_cast<Index>(nodes().size());
+  std::vector<double> largest2(at((count + block - 1) / block), 0.0);
   in_dimension(x, [&](auto dimension, const auto&) {
     constexpr int D = decltype(dimension)::value;
-    for (std::size_t i = 0; i < nodes().size(); ++i) {
-      const Index node = nodes()[i];
-      const Vec<D> from = x.template get<D>(node);
-      Vec<D> to = from + step * move_of<D>(i, from, direction);
-      // A move along the tangent leaves a curved boundary: back to it.
-      if (classes_->slides(node)) to = classes_->foot(node, in_space(to)).point.template head<D>();
-      x.template set<D>(node, to);
-      largest2 = std::max(largest2, (to - from).squaredNorm());
-    }
+    const auto move_nodes = [&](Index begin, Index end) {
+      double& largest = largest2[at(begin / block)];
+      for (Index i = begin; i < end; ++i) {
+        const Index node = nodes()[at(i)];
+        const Vec<D> from = x.template get<D>(node);
+        Vec<D> to = from + step * move_of<D>(at(i), from, direction);
+        // A move along the tangent leaves a curved boundary: back to it.
+        if (classes_->slides(node))
+          to = classes_->foot(node, in_space(to)).point.template head<D>();
+        x.template set<D>(node, to);
+        largest = std::max(largest, (to - from).squaredNorm());
+      }
+    };
+    parallel_for(threads_, count, move_nodes, block);
     for (const auto& [image, node, transform] : images())
       x.template set<D>(image, transform->of(in_space(x.template get<D>(node))).template head<D>());
   });
-  return std::sqrt(largest2);
+  return std::sqrt(largest2.empty() ? 0 : *std::ranges::max_element(largest2));
 }
 
 void NodeUnknowns::velocities(const Coordinates& x, std::span<const double> rates,
@@ -151,11 +168,14 @@ void NodeUnknowns::velocities(const Coordinates& x, std::span<const double> rate
 
 double NodeUnknowns::largest_valid_step(const Coordinates& from, const Coordinates& to,
                                         double most) const {
-  return winslow::largest_valid_step(topology(), from, to, most, threads_);
+  if (!is_surface(topology()))
+    return winslow::largest_valid_step(topology(), from, to, most, threads_);
+  return largest_valid_step_on_surface(topology(), from, to,
+                                       element_normals(*classes_, from, threads_), most, threads_);
 }
 
 Validity NodeUnknowns::validity(const Coordinates& x) const {
-  return check_validity(topology(), x, threads_);
+  return check_validity(*classes_, x, threads_);
 }
 
 double NodeUnknowns::residual_round_off(const Coordinates& x) const {

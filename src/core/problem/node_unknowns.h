@@ -14,11 +14,14 @@ namespace winslow {
 /// The unknowns of a mesh: those of each node that has any, in ascending order of the nodes. A free
 /// node has its coordinates, one on a curve or a surface its distances from the origin along the
 /// directions of its frame. Members are as of SmoothingProblem. Copies share what is worked out.
+///
+/// Validity of a surface mesh is by the element normals of the classes.
 class NodeUnknowns {
  public:
   enum class Layout {
     packed,  ///< each node has as many numbers as it has unknowns
-    blocks   ///< each node has as many as the space has dimensions; what is left over means nothing
+    blocks   ///< each node has as many as the elements have dimensions; what is left over means
+             ///< nothing
   };
   /// threads: 0 for all cores; no result depends on it.
   NodeUnknowns(std::shared_ptr<const NodeClasses> classes, int threads,
@@ -41,6 +44,10 @@ class NodeUnknowns {
   void require_free_interior(const char* what) const;
   /// Throws UsageError if a node of the boundary is free that has no image: nothing would hold it.
   void require_held_boundary(const char* what) const;
+
+  /// Throws UsageError unless all nodes that have unknowns slide: a node that leaves a surface mesh
+  /// leaves its shape.
+  void require_sliding(const char* what) const;
 
   /// Mean length of the edges at a node, in units of the mesh.
   double mean_edge(const Coordinates& x, Index node) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -22,6 +23,19 @@ struct Corner {
     l2 = b.norm();
     l3 = (next - previous).norm();
     area2 = a.x() * b.y() - a.y() * b.x();
+    dot = a.dot(b);
+  }
+
+  /// Of an element of a surface mesh, in its own plane. normal: the side that the element should
+  /// show; the area is negative if the corner shows the other.
+  Corner(const Vec3& at, const Vec3& next, const Vec3& previous, const Vec3& normal) {
+    const Vec3 a = next - at;
+    const Vec3 b = previous - at;
+    l1 = a.norm();
+    l2 = b.norm();
+    l3 = (next - previous).norm();
+    const Vec3 area = a.cross(b);
+    area2 = std::copysign(area.norm(), area.dot(normal));
     dot = a.dot(b);
   }
 
@@ -49,6 +63,13 @@ struct Corner {
 inline Corner corner_of(const Coordinates& x, std::span<const Index> element, std::size_t k) {
   const std::size_t n = element.size();
   return {x.xy(element[k]), x.xy(element[(k + 1) % n]), x.xy(element[(k + n - 1) % n])};
+}
+
+/// The same of a surface mesh.
+inline Corner corner_of(const Points<3>& x, std::span<const Index> element, std::size_t k,
+                        const Vec3& normal) {
+  const std::size_t n = element.size();
+  return {x[element[k]], x[element[(k + 1) % n]], x[element[(k + n - 1) % n]], normal};
 }
 
 }  // namespace winslow

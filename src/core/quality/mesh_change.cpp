@@ -104,7 +104,7 @@ Damage find_damage(const Mesh& before, const Mesh& after) {
   const Validity was = check_validity(*before.topology, before.coordinates);
   const Validity is = check_validity(*after.topology, after.coordinates);
   if (was.inverted > 0 || is.inverted > 0) return damage;
-  if (before.topology->cell_dimension() == 2) describe_heights(before, after, damage);
+  if (before.topology->space_dimension() == 2) describe_heights(before, after, damage);
   describe_sine(was.min_sine, is.min_sine, after, damage);
   return damage;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/geometry/element_normals.h"
 #include "core/parallel/parallel_for.h"
 #include "core/quality/corner.h"
 #include "core/quality/corner_kernel.h"
@@ -21,6 +22,10 @@ class ElementCorners {
   ElementCorners(const Coordinates& x, std::span<const Index> element) : count_(element.size()) {
     for (std::size_t k = 0; k < count_; ++k) corners_[k] = corner_of(x, element, k);
   }
+  ElementCorners(const SpacePoints& x, std::span<const Index> element, const Vec3& normal)
+      : count_(element.size()) {
+    for (std::size_t k = 0; k < count_; ++k) corners_[k] = corner_of(x, element, k, normal);
+  }
   std::span<const Corner> span() const { return {corners_.data(), count_}; }
   /// Each counts: for a flat triangle round-off may disagree on the sign of its one area.
   bool inverted() const {
@@ -32,21 +37,23 @@ class ElementCorners {
   std::size_t count_;
 };
 
-/// Neither metrics nor validity of surfaces: they have no sign.
-void require_quality(const Topology& topology) {
-  if (topology.cell_dimension() != topology.space_dimension()) require_plane(topology, "quality");
+/// Of a plane mesh or a surface mesh. normals: reference normals; empty: there are none.
+ElementCorners corners_of(const Mesh& mesh, std::span<const Vec3> normals, Index e) {
+  const auto element = mesh.topology->element(e);
+  if (!is_surface(*mesh.topology)) return {mesh.coordinates, element};
+  const SpacePoints x(mesh.coordinates);
+  return {x, element, normals.empty() ? area_vector(x, element) : normals[at(e)]};
 }
 
 VolumeElement volume_element(const Mesh& mesh, Index e) {
   return {mesh.coordinates, mesh.topology->element_type(e), mesh.topology->element(e)};
 }
 
-double value_of(const Mesh& mesh, Index e, Metric metric) {
+double value_of(const Mesh& mesh, std::span<const Vec3> normals, Index e, Metric metric) {
   const int dimension = mesh.topology->cell_dimension();
   const MetricInfo& info = metric_info(metric, dimension);
   if (dimension == 3) return info.of_volume(volume_element(mesh, e));
-  const ElementCorners corners(mesh.coordinates, mesh.topology->element(e));
-  return info.of_element(corners.span());
+  return info.of_element(corners_of(mesh, normals, e).span());
 }
 
 Statistics statistics_of(std::span<const double> values) {
@@ -84,16 +91,15 @@ std::vector<double> finite(std::span<const double> values) {
 
 /// Values of the reported metrics, in their order.
 struct Values {
-  Values(const Mesh& mesh, int threads);
+  Values(const Mesh& mesh, std::span<const Vec3> normals, int threads);
 
   std::vector<std::vector<double>> of_elements;  ///< #elements each
   std::vector<std::vector<double>> of_corners;   ///< #corners each; empty where there are none
   std::vector<char> inverted;                    ///< #elements
 };
 
-Values::Values(const Mesh& mesh, int threads) {
+Values::Values(const Mesh& mesh, std::span<const Vec3> normals, int threads) {
   const Topology& topology = *mesh.topology;
-  require_quality(topology);
   const int dimension = topology.cell_dimension();
   const auto& reported = reported_metrics(dimension);
   const auto elements = at(topology.element_count());
@@ -117,7 +123,7 @@ Values::Values(const Mesh& mesh, int threads) {
   }
   parallel_for(threads, topology.element_count(), [&](Index begin, Index end) {
     for (Index e = begin; e < end; ++e) {
-      const ElementCorners corners(mesh.coordinates, topology.element(e));
+      const ElementCorners corners = corners_of(mesh, normals, e);
       inverted[at(e)] = corners.inverted();
       const auto first = at(topology.elements().offsets[at(e)]);
       for (std::size_t m = 0; m < reported.size(); ++m) {
@@ -164,9 +170,10 @@ QualityReport::PerMetric QualityReport::of(Metric metric) && {
 }
 
 QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
-  Values values(mesh, options.threads);
+  Values values(mesh, options.normals, options.threads);
   QualityReport report;
   report.cell_dimension = mesh.topology->cell_dimension();
+  report.space_dimension = mesh.topology->space_dimension();
   if (report.cell_dimension == 3) set_fixed_apart(*mesh.topology, values, report);
   report.elements = mesh.topology->element_count();
   constexpr std::size_t listed = 100;
@@ -187,7 +194,7 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
     const double high = info.field.larger_is_better ? info.best : part.statistics.max;
     part.histogram = histogram_of(counted, low, high, options.histogram_bins);
   }
-  if (report.cell_dimension == 3) return report;
+  if (!report.has_walls()) return report;
   report.walls = measure_walls(mesh);
   for (const WallField field : all_wall_fields()) {
     report.worst_at_walls.push_back(
@@ -198,12 +205,11 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
   return report;
 }
 
-std::vector<double> element_values(const Mesh& mesh, Metric metric) {
-  require_quality(*mesh.topology);
+std::vector<double> element_values(const Mesh& mesh, Metric metric, std::span<const Vec3> normals) {
   std::vector<double> values(at(mesh.topology->element_count()));
   parallel_for(0, mesh.topology->element_count(), [&](Index begin, Index end) {
     for (Index e = begin; e < end; ++e) {
-      values[at(e)] = value_of(mesh, e, metric);
+      values[at(e)] = value_of(mesh, normals, e, metric);
     }
   });
   return values;
@@ -218,23 +224,17 @@ Index worst_element(const Mesh& mesh, Metric metric) {
 }
 
 double element_value(const Mesh& mesh, Index element, Metric metric) {
-  require_quality(*mesh.topology);
-  return value_of(mesh, element, metric);
+  return value_of(mesh, {}, element, metric);
 }
 
 namespace {
 
-Validity check_volume(const Topology& topology, const Coordinates& coordinates, int threads) {
-  const Index n = topology.element_count();
+/// add(element, validity so far): of all elements together.
+template <typename Add>
+Validity check_elements(Index n, int threads, const Add& add) {
   std::vector<Validity> blocks(at((n + parallel_block - 1) / parallel_block), Validity{0, 1.0});
   parallel_for(threads, n, [&](Index begin, Index end) {
-    Validity& block = blocks[at(begin / parallel_block)];
-    for (Index e = begin; e < end; ++e) {
-      const VolumeElement element(coordinates, topology.element_type(e), topology.element(e));
-      block.inverted += element.inverted() ? 1 : 0;
-      if (!all_on_boundary(topology, e))
-        block.min_sine = std::min(block.min_sine, element.scaled_jacobian());
-    }
+    for (Index e = begin; e < end; ++e) add(e, blocks[at(begin / parallel_block)]);
   });
   Validity total{0, 1.0};
   for (const Validity& v : blocks) {
@@ -244,12 +244,35 @@ Validity check_volume(const Topology& topology, const Coordinates& coordinates, 
   return total;
 }
 
+Validity check_volume(const Topology& topology, const Coordinates& coordinates, int threads) {
+  return check_elements(topology.element_count(), threads, [&](Index e, Validity& sum) {
+    const VolumeElement element(coordinates, topology.element_type(e), topology.element(e));
+    sum.inverted += element.inverted() ? 1 : 0;
+    if (!all_on_boundary(topology, e))
+      sum.min_sine = std::min(sum.min_sine, element.scaled_jacobian());
+  });
+}
+
+Validity check_surface(const Topology& topology, const Coordinates& coordinates,
+                       std::span<const Vec3> normals, int threads) {
+  const SpacePoints x(coordinates);
+  return check_elements(topology.element_count(), threads, [&](Index e, Validity& sum) {
+    const auto element = topology.element(e);
+    const ElementCorners corners(x, element,
+                                 normals.empty() ? area_vector(x, element) : normals[at(e)]);
+    sum.inverted += corners.inverted() ? 1 : 0;
+    for (const Corner& corner : corners.span())
+      sum.min_sine = std::min(sum.min_sine, corner.sine());
+  });
+}
+
 }  // namespace
 
-Validity check_validity(const Topology& topology, const Coordinates& coordinates, int threads) {
-  require_quality(topology);
-  coordinates.require_dimension(topology.cell_dimension());
+Validity check_validity(const Topology& topology, const Coordinates& coordinates, int threads,
+                        std::span<const Vec3> normals) {
+  coordinates.require_dimension(topology.space_dimension());
   if (topology.cell_dimension() == 3) return check_volume(topology, coordinates, threads);
+  if (is_surface(topology)) return check_surface(topology, coordinates, normals, threads);
   const CornerData data{coordinates.values().data(), topology.elements().offsets.data(),
                         topology.elements().values.data()};
   const CornerKernel avx2 = avx2_corner_kernel();

@@ -10,7 +10,10 @@
 
 namespace winslow {
 
-/// Metrics of plane and of volume meshes: everything here throws UsageError for a surface mesh.
+/// Metrics of plane, surface and volume meshes. Those of a surface mesh are those of the plane,
+/// each corner measured in its own plane; the sign is that of the reference normal of its element
+/// (ElementNormals) where such are given, else the element's own: then a triangle is never
+/// inverted, a quadrilateral if it is folded or not convex.
 struct Statistics {
   double min = 0, avg = 0, max = 0;
 };
@@ -24,6 +27,8 @@ struct QualityOptions {
   int histogram_bins = 20;
   int worst = 10;   ///< how many worst elements to list for each metric and wall field
   int threads = 0;  ///< 0 for all cores
+  /// Of a surface mesh: reference normals (#elements); empty: the elements' own.
+  std::vector<Vec3> normals;
   /// The same nodes as they were before (#nodes by 2), for WallField::first_height_ratio; null:
   /// it has no list.
   const Coordinates* before = nullptr;
@@ -31,7 +36,7 @@ struct QualityOptions {
 
 /// Quality of a whole mesh.
 struct QualityReport {
-  int cell_dimension = 2;
+  int cell_dimension = 2, space_dimension = 2;
   Index elements = 0;
   Index inverted = 0;
   std::vector<Index> inverted_elements;  ///< first 100
@@ -47,6 +52,8 @@ struct QualityReport {
   WallReport walls;                                       ///< of plane meshes
   std::vector<std::vector<WorstElement>> worst_at_walls;  ///< of all_wall_fields(), in their order
 
+  /// Plane meshes have walls.
+  bool has_walls() const { return space_dimension == 2; }
   /// Throws UsageError for a metric that is not reported.
   const PerMetric& of(Metric metric) const&;
   PerMetric of(Metric metric) &&;  ///< a copy: the report is about to go
@@ -60,14 +67,17 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options = 
 /// All nodes of an element lie on the boundary.
 bool all_on_boundary(const Topology& topology, Index e);
 
-/// Value of a metric for each element (#elements).
-std::vector<double> element_values(const Mesh& mesh, Metric metric);
+/// Value of a metric for each element (#elements). normals: as in QualityOptions.
+std::vector<double> element_values(const Mesh& mesh, Metric metric,
+                                   std::span<const Vec3> normals = {});
 /// The element that is worst by a metric; the first of several. mesh: plane, with elements.
 Index worst_element(const Mesh& mesh, Metric metric);
 /// The value of one element.
 double element_value(const Mesh& mesh, Index element, Metric metric);
 
 /// Cheaper than a report. threads: 0 for all cores; the result does not depend on it.
-Validity check_validity(const Topology& topology, const Coordinates& coordinates, int threads = 0);
+/// normals: of a surface mesh, as in QualityOptions.
+Validity check_validity(const Topology& topology, const Coordinates& coordinates, int threads = 0,
+                        std::span<const Vec3> normals = {});
 
 }  // namespace winslow

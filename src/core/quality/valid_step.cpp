@@ -27,15 +27,27 @@ bool stays_positive(double d0, double d1, double d2, double d3, double most) {
   return d0 * (1 - round_off) > fall;
 }
 
+/// Of a corner whose area is d0 + d1 t + d2 t^2.
+double area_step(double d0, double d1, double d2, double most) {
+  if (!(d0 > 0)) return 0;
+  return stays_positive(d0, d1, d2, 0, most) ? most : first_positive_root(d0, d1, d2);
+}
+
 /// Of a corner, given by its node and the ends of its two edges.
 double corner_step(const std::array<Vec2, 3>& from, const std::array<Vec2, 3>& to, double most) {
   const Vec2 u = from[1] - from[0], v = from[2] - from[0];
   const Vec2 du = to[1] - to[0] - u, dv = to[2] - to[0] - v;
-  const double d0 = cross(u, v);
-  if (!(d0 > 0)) return 0;
   const double d1 = u.x() * dv.y() - u.y() * dv.x() + du.x() * v.y() - du.y() * v.x();
-  const double d2 = cross(du, dv);
-  return stays_positive(d0, d1, d2, 0, most) ? most : first_positive_root(d0, d1, d2);
+  return area_step(cross(u, v), d1, cross(du, dv), most);
+}
+
+/// The same in space, seen against a normal.
+double corner_step(const std::array<Vec3, 3>& from, const std::array<Vec3, 3>& to,
+                   const Vec3& normal, double most) {
+  const Vec3 u = from[1] - from[0], v = from[2] - from[0];
+  const Vec3 du = to[1] - to[0] - u, dv = to[2] - to[0] - v;
+  return area_step(normal.dot(u.cross(v)), normal.dot(u.cross(dv) + du.cross(v)),
+                   normal.dot(du.cross(dv)), most);
 }
 
 }  // namespace
@@ -112,6 +124,14 @@ double tetrahedron_step(const std::array<Index, 4>& nodes, const SpacePoints& fr
   return stays_positive(d0, d1, d2, d3, most) ? most : first_positive_root(d0, d1, d2, d3);
 }
 
+/// visit(node, next, previous) for each corner of which the areas are not the same.
+template <typename Visit>
+void for_each_corner(std::span<const Index> nodes, const Visit& visit) {
+  const std::size_t count = nodes.size(), corners = count == 3 ? 1 : count;
+  for (std::size_t k = 0; k < corners; ++k)
+    visit(nodes[k], nodes[(k + 1) % count], nodes[(k + count - 1) % count]);
+}
+
 /// Smallest of `most` and step(element, smallest so far) over all elements.
 template <typename Step>
 double smallest_step(Index elements, double most, int threads, Step&& step) {
@@ -144,14 +164,24 @@ double largest_valid_step(const Topology& topology, const Coordinates& from, con
   require_plane(topology, "steps that keep a mesh valid");
   const PlanePoints before(from), after(to);
   return smallest_step(topology.element_count(), most, threads, [&](Index e, double smallest) {
-    const auto nodes = topology.element(e);
-    const std::size_t count = nodes.size();
-    const std::size_t corners = count == 3 ? 1 : count;
-    for (std::size_t k = 0; k < corners; ++k) {
-      const Index a = nodes[k], b = nodes[(k + 1) % count], c = nodes[(k + count - 1) % count];
+    for_each_corner(topology.element(e), [&](Index a, Index b, Index c) {
       smallest = std::min(smallest, corner_step({before[a], before[b], before[c]},
                                                 {after[a], after[b], after[c]}, smallest));
-    }
+    });
+    return smallest;
+  });
+}
+
+double largest_valid_step_on_surface(const Topology& topology, const Coordinates& from,
+                                     const Coordinates& to, std::span<const Vec3> normals,
+                                     double most, int threads) {
+  const SpacePoints before(from), after(to);
+  return smallest_step(topology.element_count(), most, threads, [&](Index e, double smallest) {
+    for_each_corner(topology.element(e), [&](Index a, Index b, Index c) {
+      smallest =
+          std::min(smallest, corner_step({before[a], before[b], before[c]},
+                                         {after[a], after[b], after[c]}, normals[at(e)], smallest));
+    });
     return smallest;
   });
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"
@@ -22,5 +23,12 @@ double first_positive_root(double d0, double d1, double d2, double d3);
 /// does not depend on it. Throws UsageError for a surface mesh.
 double largest_valid_step(const Topology& topology, const Coordinates& from, const Coordinates& to,
                           double most = std::numeric_limits<double>::infinity(), int threads = 0);
+
+/// The same of a surface mesh: corners whose area stays positive, seen against the reference
+/// normals of their elements (#elements).
+double largest_valid_step_on_surface(const Topology& topology, const Coordinates& from,
+                                     const Coordinates& to, std::span<const Vec3> normals,
+                                     double most = std::numeric_limits<double>::infinity(),
+                                     int threads = 0);
 
 }  // namespace winslow

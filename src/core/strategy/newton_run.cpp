@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/quality/quality.h"
-
 namespace winslow {
 
 namespace {
@@ -112,7 +110,7 @@ std::string NewtonRun::fault(const Coordinates& x) const {
 }
 
 double NewtonRun::smallest_sine(const Coordinates& x) const {
-  return check_validity(*state_.mesh.topology, x, workspace_.options().threads).min_sine;
+  return workspace_.validity(x).min_sine;
 }
 
 /// Converges at the end of a path. Meshes of the path are near their solutions only: where such a

@@ -8,12 +8,14 @@
 #include "core/error.h"
 #include "core/motion/contact.h"
 #include "core/motion/transfer.h"
+#include "core/problem/run_validity.h"
 #include "core/quality/quality.h"
 #include "core/strategy/keep_outside.h"
 #include "core/strategy/picard_run.h"
 #include "core/strategy/pointwise_run.h"
 #include "core/strategy/run_recorder.h"
 #include "core/strategy/sliding_bodies.h"
+#include "core/strategy/surface_shape.h"
 #include "core/strategy/variational_run.h"
 #include "core/strategy/vcv_updates.h"
 #include "core/strategy/workspace.h"
@@ -32,10 +34,6 @@ std::unique_ptr<NewtonRun> make_newton_run(const MeshState& state, SmoothingWork
   return std::make_unique<PointwiseRun>(state, workspace, recorder);
 }
 
-bool valid(const MeshState& state, const Coordinates& x, int threads) {
-  return check_validity(*state.mesh.topology, x, threads).inverted == 0;
-}
-
 /// The nodes of one mesh that have unknowns, the others where another mesh has them.
 Coordinates unknowns_within(const NodeClasses& classes, const Coordinates& unknown,
                             Coordinates held) {
@@ -51,6 +49,13 @@ std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Moti
                                               const SmoothOptions& options, const RunOptions& run,
                                               SmoothResult& result) {
   auto classes = std::make_shared<NodeClasses>(state.mesh.topology);
+  if (state.surface) {
+    slide_on_surface(*state.surface, state.mesh.coordinates, *classes);
+    result.boundary.sliding = state.surface->boundary.parts;
+    for (SlidingPart& part : result.boundary.sliding)
+      std::erase_if(part.nodes, [&](Index node) { return !classes->slides(node); });
+    return classes;
+  }
   const auto moving = motion ? motion->nodes() : std::span<const Index>();
   result.boundary = make_boundary_move(options.slide, state.mesh, moving, *classes);
   if (motion) let_bodies_slide(state.mesh, *motion, result.boundary, *classes);
@@ -61,13 +66,14 @@ std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Moti
   return classes;
 }
 
-/// Puts the interior nodes that are not free where the mesh has them; how many these are.
+/// Puts the interior nodes that are not free where the mesh has them; how many of these were asked
+/// to stay.
 Index keep_fixed(const MeshState& state, const NodeClasses& classes, Coordinates& x) {
   const auto interior = classes.topology().interior_nodes();
   const auto kept = std::ranges::count_if(
       interior, [&](Index node) { return classes[node] == NodeClass::fixed; });
   if (kept > 0) x = unknowns_within(classes, x, state.mesh.coordinates);
-  return static_cast<Index>(kept);
+  return state.surface ? 0 : static_cast<Index>(kept);
 }
 
 /// A motion that is begun from a mesh near its end: along the path from there where that mesh is
@@ -75,16 +81,18 @@ Index keep_fixed(const MeshState& state, const NodeClasses& classes, Coordinates
 bool move_from(const MeshState& state, const Motion& motion, const Coordinates& start,
                const SmoothingWorkspace& workspace, NewtonRun& steps, Coordinates& x) {
   const NodeClasses& classes = workspace.classes();
-  const int threads = workspace.options().threads;
+  const auto valid = [&](const Coordinates& mesh) {
+    return workspace.validity(mesh).inverted == 0;
+  };
   Coordinates target = state.mesh.coordinates;
   motion.apply(state.mesh.coordinates, 1, target);
-  if (valid(state, start, threads)) {
+  if (valid(start)) {
     x = start;
     steps.follow(*make_transfer(classes, start, target), start, x);
     return true;
   }
   Coordinates within = unknowns_within(classes, start, target);
-  if (!valid(state, within, threads)) return false;
+  if (!valid(within)) return false;
   x = std::move(within);
   steps.smooth(x, 1, nullptr);
   return true;
@@ -101,7 +109,7 @@ void keep_above_worst(const MeshState& state, SmoothingWorkspace& workspace, Run
   if (options.formulation != "variational" || options.targets.automatic == 0) return;
   const Topology& topology = *state.mesh.topology;
   const auto worst_of = [&](const Coordinates& mesh) {
-    const Validity found = check_validity(topology, mesh, options.threads);
+    const Validity found = workspace.validity(mesh);
     return found.inverted > 0 ? 0 : found.min_sine;
   };
   const double enough = worst_of(state.mesh.coordinates) - rounding;
@@ -110,7 +118,8 @@ void keep_above_worst(const MeshState& state, SmoothingWorkspace& workspace, Run
   double best_worst = worst_of(best), best_residual = result.residual;
   std::vector<Index> urgent;
   for (int round = 0; round < rounds && best_worst < enough; ++round) {
-    const auto sines = element_values({state.mesh.topology, x}, Metric::normalized_jacobian);
+    const auto sines = element_values({state.mesh.topology, x}, Metric::normalized_jacobian,
+                                      element_normals(workspace.classes(), x, options.threads));
     for (Index e = 0; e < topology.element_count(); ++e)
       if (sines[static_cast<std::size_t>(e)] < enough) urgent.push_back(e);
     workspace.count_more(urgent);

@@ -3,8 +3,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/quality/quality.h"
-
 namespace winslow {
 
 namespace {
@@ -52,8 +50,7 @@ bool Untangling::by_energy(Coordinates& x, double fraction, const Coordinates* r
 /// keeping, and as it stands the energy would draw its nodes together in heaps.
 bool Untangling::by_harmonic_start(Coordinates& x, double fraction) {
   constexpr int limit = 60;  // what it does not do soon it mostly never does
-  const int threads = workspace_.options().threads;
-  const Index given = check_validity(*state_.mesh.topology, x, threads).inverted;
+  const Index given = workspace_.validity(x).inverted;
   const auto hopeless = [given](const IterationRecord& record) {
     return record.iteration > limit || (record.iteration == 1 && record.inverted >= given);
   };
@@ -74,11 +71,10 @@ bool Untangling::by_energy_from_either(Coordinates& x, double fraction,
 
 bool Untangling::run(Coordinates& x, double fraction, const Coordinates* reference) {
   const Topology& topology = *state_.mesh.topology;
-  const int threads = workspace_.options().threads;
-  if (check_validity(topology, x, threads).inverted == 0) return true;
+  if (workspace_.validity(x).inverted == 0) return true;
   // In space the energy does it alone: the fixed point would be over the VCVs of a tangle. So it
   // does where nodes slide, of which the fixed point knows nothing.
-  const bool energy_alone = topology.cell_dimension() == 3 || workspace_.options().slide.given();
+  const bool energy_alone = topology.space_dimension() == 3 || workspace_.options().slide.given();
   const Untangle chosen = workspace_.options().untangle;
   const Untangle how = chosen == Untangle::automatic && energy_alone ? Untangle::energy : chosen;
   // The pointwise form has the fixed point for its own, which leads nearer to its solution.
@@ -94,7 +90,7 @@ bool Untangling::run(Coordinates& x, double fraction, const Coordinates* referen
   // Where the fixed point leads astray, the energy alone may do better from the start itself.
   Coordinates other = start;
   if (!by_energy_from_either(other, fraction, reference)) {
-    recorder_.result().inverted = check_validity(topology, x, threads).inverted;
+    recorder_.result().inverted = workspace_.validity(x).inverted;
     return false;
   }
   x = std::move(other);

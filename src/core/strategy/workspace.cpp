@@ -2,7 +2,8 @@
 
 #include <utility>
 
-#include "core/quality/quality.h"
+#include "core/formulation/surface_winslow.h"
+#include "core/problem/run_validity.h"
 #include "core/strategy/solver_options.h"
 
 namespace winslow {
@@ -144,8 +145,10 @@ bool SmoothingWorkspace::adjust_tangled_vcvs(const Coordinates& x) {
   return tangled_vcvs_ && adjust_vcvs(x) > 0;
 }
 
-bool SmoothingWorkspace::tangled(const Coordinates& x) const {
-  return check_validity(classes_->topology(), x, options_.threads).inverted > 0;
+bool SmoothingWorkspace::tangled(const Coordinates& x) const { return validity(x).inverted > 0; }
+
+Validity SmoothingWorkspace::validity(const Coordinates& x) const {
+  return check_validity(*classes_, x, options_.threads);
 }
 
 template <int D>
@@ -197,6 +200,8 @@ std::shared_ptr<const VariationalForm> SmoothingWorkspace::energy() {
       const VolumeVcvs* vcvs = options_.targets.vcv > 0 ? &volume_vcvs() : nullptr;
       make_energy(volume_targets(classes_->topology(), vcvs, options_.targets, given(),
                                  options_.threads, urgent_, {classes_.get(), stencils_.get()}));
+    } else if (on_surface()) {
+      energy_ = surface_energy();
     } else {
       make_energy<2>(TargetShapes::build(*vcv_, options_.targets, given(), options_.threads,
                                          urgent_, classes_.get()));
@@ -204,6 +209,16 @@ std::shared_ptr<const VariationalForm> SmoothingWorkspace::energy() {
   }
   energy_stale_ = false;
   return energy_;
+}
+
+std::shared_ptr<const VariationalForm> SmoothingWorkspace::surface_energy() {
+  const auto normals =
+      given_ ? element_normals(*classes_, *given_, options_.threads) : std::vector<Vec3>();
+  auto targets = std::make_shared<const TargetShapes>(TargetShapes::build(
+      *vcv_, options_.targets, given(), options_.threads, urgent_, classes_.get(), normals));
+  if (energy_) return static_cast<const SurfaceWinslow&>(*energy_).with_shapes(std::move(targets));
+  return std::make_shared<const SurfaceWinslow>(classes_, std::move(targets), options_.penalty,
+                                                options_.threads);
 }
 
 EnergyNewton& SmoothingWorkspace::newton() {

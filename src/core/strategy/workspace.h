@@ -57,10 +57,13 @@ class SmoothingWorkspace {
   LinearSolver& newton_linear();
 
   const NodeClasses& classes() const { return *classes_; }
+  /// Of the mesh of the run at x.
+  Validity validity(const Coordinates& x) const;
   const SmoothOptions& options() const { return options_; }
 
  private:
   bool in_space() const { return classes_->topology().cell_dimension() == 3; }
+  bool on_surface() const { return is_surface(classes_->topology()); }
   bool tangled(const Coordinates& x) const;
   const VolumeVcvs& volume_vcvs();
   void make_volume_vcvs(const Coordinates& x);
@@ -70,6 +73,7 @@ class SmoothingWorkspace {
   void make_pointwise(const typename PointwiseForm<D>::Vcvs& vcvs);
   template <int D>
   void make_energy(const CellTargets<D>& targets);
+  std::shared_ptr<const VariationalForm> surface_energy();
   const Coordinates* given() const { return given_ ? &*given_ : nullptr; }
   std::unique_ptr<LinearSolver> make_general_solver() const;
 

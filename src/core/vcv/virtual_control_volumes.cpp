@@ -12,7 +12,7 @@ namespace winslow {
 
 VirtualControlVolumes::VirtualControlVolumes(std::shared_ptr<const Topology> topology)
     : topology_(std::move(topology)) {
-  require_plane(*topology_, "virtual control volumes");
+  if (topology_->cell_dimension() != 2) require_plane(*topology_, "virtual control volumes");
   for (const Index node : topology_->interior_nodes()) {
     const std::size_t n = topology_->neighbours(node).size();
     if (n >= equal_.size()) equal_.resize(n + 1);

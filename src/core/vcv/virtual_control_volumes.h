@@ -20,7 +20,8 @@ namespace winslow {
 /// for each node: a copy is cheap.
 class VirtualControlVolumes {
  public:
-  /// Equal angles (2 pi / #neighbours) and unit edges. Throws UsageError unless the mesh is plane.
+  /// Equal angles (2 pi / #neighbours) and unit edges. Of a surface mesh they are those of its
+  /// tangent planes. Throws UsageError for a volume mesh.
   explicit VirtualControlVolumes(std::shared_ptr<const Topology> topology);
 
   const Topology& topology() const { return *topology_; }

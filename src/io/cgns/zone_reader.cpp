@@ -71,7 +71,8 @@ class ZoneReader {
     }
     mesh_.where.nodes.assign(count, 0);
     grid.set_part();
-    set_nodes(zone_.source(), xyz, mesh_);
+    const bool volume = mesh_.data.cell_dimension() == 3;
+    (volume ? set_space_nodes : set_planar_nodes)(zone_.source(), xyz, mesh_);
   }
 
   void warn_of_other_grids() {

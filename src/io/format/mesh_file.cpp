@@ -52,8 +52,10 @@ std::size_t place_of(const MeshError& error, const SourceMap& where) {
 
 void check_dimension(const std::filesystem::path& path, const Topology& topology,
                      const MeshFormat& format) {
-  const bool volume = topology.cell_dimension() == 3;
-  if (volume ? format.writes_volumes : format.writes_planes) return;
+  const bool can = topology.cell_dimension() == 3 ? format.writes_volumes
+                   : is_surface(topology)         ? format.writes_surfaces
+                                                  : format.writes_planes;
+  if (can) return;
   throw UsageError(path.string() + ": " + std::string(format.title) + " files cannot hold a " +
                    std::string(mesh_kind(topology)));
 }

@@ -48,7 +48,8 @@ struct MeshFormat {
   /// Of formats whose meshes are folders: what such a folder is called.
   std::string_view folder_name = {};
   bool writes_planes = true;
-  bool writes_volumes = false;  ///< volume meshes, or at least what bounds them
+  bool writes_surfaces = false;  ///< surface meshes
+  bool writes_volumes = false;   ///< volume meshes, or at least what bounds them
   bool keeps_markers = false;
   bool has_binary = false;
   bool plane_only = false;  ///< two coordinates: a plane in space cannot be put back

@@ -82,27 +82,40 @@ void check_finite(const Source& source, const ParsedMesh& mesh) {
   }
 }
 
-void set_planar_nodes(const Source& source, const std::vector<double>& xyz, ParsedMesh& mesh) {
+namespace {
+
+/// False, and nothing is done, if the nodes lie in no plane.
+bool set_in_plane(const Source& source, const std::vector<double>& xyz, ParsedMesh& mesh) {
   const std::size_t n = xyz.size() / 3;
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t k = 0; k < 3; ++k)
       require_finite(source, mesh.where.nodes[i], i, xyz[3 * i + k]);
   }
-  mesh.data.coordinates = Coordinates(2, static_cast<Index>(n));
-  const std::size_t off = first_off_level(xyz);
-  if (off == n) return set_level_nodes(xyz, mesh);
-  auto plane = PlanePlacement::find(xyz);
-  if (!plane) {
-    source.fail(mesh.where.nodes[off],
-                "z = " + shown(xyz[3 * off + 2]) + " after z = " + shown(xyz[2]) +
-                    " (a surface in space), nodes up to " + shown(distance_from_plane(xyz)) +
-                    " away from the nearest plane",
-                "a plane mesh, all nodes in one plane, or a mesh of volume elements");
+  if (first_off_level(xyz) == n) {
+    mesh.data.coordinates = Coordinates(2, static_cast<Index>(n));
+    set_level_nodes(xyz, mesh);
+    return true;
   }
+  auto plane = PlanePlacement::find(xyz);
+  if (!plane) return false;
+  mesh.data.coordinates = Coordinates(2, static_cast<Index>(n));
   for (Index i = 0; i < plane->size(); ++i) mesh.data.coordinates.set_xy(i, plane->in_plane(i));
   mesh.warnings.push_back("the mesh lies in " + plane->plane_text() +
                           " of space: its coordinates are " + plane->axes_text());
   mesh.details->plane = std::make_shared<PlanePlacement>(std::move(*plane));
+  return true;
+}
+
+}  // namespace
+
+void set_planar_nodes(const Source& source, const std::vector<double>& xyz, ParsedMesh& mesh) {
+  if (set_in_plane(source, xyz, mesh)) return;
+  const std::size_t off = first_off_level(xyz);
+  source.fail(mesh.where.nodes[off],
+              "z = " + shown(xyz[3 * off + 2]) + " after z = " + shown(xyz[2]) +
+                  " (a surface in space), nodes up to " + shown(distance_from_plane(xyz)) +
+                  " away from the nearest plane",
+              "a plane mesh, all nodes in one plane, or a mesh of volume elements");
 }
 
 void set_space_nodes(const Source& source, const std::vector<double>& xyz, ParsedMesh& mesh) {
@@ -112,8 +125,8 @@ void set_space_nodes(const Source& source, const std::vector<double>& xyz, Parse
 }
 
 void set_nodes(const Source& source, const std::vector<double>& xyz, ParsedMesh& mesh) {
-  if (mesh.data.cell_dimension() == 3) return set_space_nodes(source, xyz, mesh);
-  set_planar_nodes(source, xyz, mesh);
+  if (mesh.data.cell_dimension() == 3 || !set_in_plane(source, xyz, mesh))
+    set_space_nodes(source, xyz, mesh);
 }
 
 void turn_to_viewer(ParsedMesh& mesh) {

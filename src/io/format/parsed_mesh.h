@@ -33,11 +33,11 @@ struct ParsedMesh {
 /// noise; where the nodes were in space is kept in `details` and written back.
 void set_planar_nodes(const Source& source, const std::vector<double>& xyz, ParsedMesh& mesh);
 
-/// Sets the nodes' coordinates in space, of a volume mesh. Throws InputError for one that is not
-/// finite.
+/// Sets the nodes' coordinates in space, of a surface or volume mesh. Throws InputError for one
+/// that is not finite.
 void set_space_nodes(const Source& source, const std::vector<double>& xyz, ParsedMesh& mesh);
-/// set_space_nodes() if the elements have three dimensions, which they must by now; else
-/// set_planar_nodes().
+/// set_space_nodes() if the elements have three dimensions or the nodes lie in no plane; else
+/// set_planar_nodes(). The elements must be known by now.
 void set_nodes(const Source& source, const std::vector<double>& xyz, ParsedMesh& mesh);
 
 /// Turns all elements of a mesh in another plane than z = constant if they go round clockwise

@@ -35,6 +35,7 @@ const MeshFormat format{
     .regions = "yes",
     .quadrilaterals = "yes",
     .volumes = "yes",
+    .writes_surfaces = true,
     .writes_volumes = true,
     .keeps_markers = true,
     .has_binary = true,

@@ -24,6 +24,7 @@ const MeshFormat format{
     .regions = "yes, tag, and name in a comment",
     .quadrilaterals = "yes",
     .volumes = "yes",
+    .writes_surfaces = true,
     .writes_volumes = true,
     .keeps_markers = true,
     .recognise =

@@ -22,7 +22,7 @@ void Builder::add_face(std::span<const Index> corners, std::size_t offset) {
 
 ParsedMesh Builder::finish(bool binary) {
   if (mesh_.data.types.empty()) source_.fail(source_.text().size(), "no faces", "a mesh");
-  set_planar_nodes(source_, xyz_, mesh_);
+  set_nodes(source_, xyz_, mesh_);
   mesh_.details->binary = binary;
   for (const std::string& what : dropped_)
     mesh_.warnings.push_back(what + " of the file are not kept");
@@ -30,9 +30,9 @@ ParsedMesh Builder::finish(bool binary) {
 }
 
 WrittenSurface::WrittenSurface(const Mesh& mesh, const FormatDetails* details)
-    : space_(mesh, details), plane_(mesh.topology->cell_dimension() == 2) {
+    : space_(mesh, details), plane_(mesh.topology->space_dimension() == 2) {
   const Topology& topology = *mesh.topology;
-  if (!plane_) {
+  if (topology.cell_dimension() == 3) {
     add_boundary(topology);
     return;
   }

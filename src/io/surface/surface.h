@@ -46,7 +46,7 @@ class Builder {
   void add_vertex(double x, double y, double z, std::size_t offset);
   /// Throws InputError if it is neither a triangle nor a quadrilateral. Vertices may follow later.
   void add_face(std::span<const Index> corners, std::size_t offset);
-  /// Throws InputError if there is no face, or if a coordinate is not finite or not planar.
+  /// Throws InputError if there is no face, or if a coordinate is not finite.
   ParsedMesh finish(bool binary = false);
 
  private:
@@ -56,8 +56,8 @@ class Builder {
   std::set<std::string> dropped_;
 };
 
-/// The polygons that a file of a mesh holds: the elements of a plane mesh with all its nodes, or
-/// what bounds a volume mesh, seen from outside counter-clockwise, with the nodes there.
+/// The polygons that a file of a mesh holds: the elements of a plane or surface mesh with all its
+/// nodes, or what bounds a volume mesh, seen from outside counter-clockwise, with the nodes there.
 class WrittenSurface {
  public:
   /// What they refer to has to outlive this; details may be null.
@@ -72,7 +72,7 @@ class WrittenSurface {
 
   /// The faces of each marker of a volume mesh, one after the other, and of none; else one group.
   struct Group {
-    std::string name;  ///< empty: of a plane mesh
+    std::string name;  ///< empty: of a plane or surface mesh
     std::size_t first, count;
   };
   const std::vector<Group>& groups() const { return groups_; }

@@ -75,6 +75,10 @@ LayerOptions layers_at(const Mesh& mesh, bool match_outside) {
 TEST_CASE("commands are refused by their names on meshes that are not plane") {
   for (const Command& command : all_commands()) {
     const bool serves_volumes = !std::holds_alternative<LayersCommand>(command);
+    if (std::holds_alternative<SmoothCommand>(command) ||
+        std::holds_alternative<ScrambleCommand>(command) ||
+        std::holds_alternative<EditVcvCommand>(command))
+      continue;  // of surface meshes, too
     check_refused(
         std::string(command_name(command)),
         [&](const Mesh& mesh) { execute(command, state_of(mesh)); }, !serves_volumes);
@@ -120,15 +124,29 @@ TEST_CASE("what volume meshes cannot do yet is refused by its name") {
       "an axis or a third component: only for a volume mesh, and this is a plane mesh", UsageError);
 }
 
-TEST_CASE("quality and bounds are those of plane meshes, quality of volume meshes, too") {
-  check_refused(
-      "quality", [](const Mesh& mesh) { measure_quality(mesh); }, false);
-  check_refused(
-      "quality", [](const Mesh& mesh) { element_values(mesh, Metric::condition_number); }, false);
-  check_refused(
-      "quality", [](const Mesh& mesh) { element_value(mesh, 0, Metric::condition_number); }, false);
-  check_refused(
-      "quality", [](const Mesh& mesh) { check_validity(*mesh.topology, mesh.coordinates); }, false);
+TEST_CASE("what smooths a surface mesh is refused by its name where it is for other meshes") {
+  const auto smooth = [](auto set) {
+    return [set](const Mesh& mesh) {
+      SmoothCommand command;
+      set(command.smooth);
+      execute(command, make_state(mesh));
+    };
+  };
+  const auto refused = [&](const char* who, auto set) {
+    const auto call = smooth(set);
+    check_refused(who, [&](const Mesh& mesh) {
+      if (is_surface(*mesh.topology)) return call(mesh);
+      require_plane(*mesh.topology, who);
+    });
+  };
+  refused("the pointwise form", [](SmoothOptions& o) { o.formulation = "pointwise"; });
+  refused("the fixed-point iteration", [](SmoothOptions& o) { o.outer = OuterMethod::picard; });
+  refused("untangling by the fixed-point iteration",
+          [](SmoothOptions& o) { o.untangle = Untangle::picard; });
+  refused("keep-outside", [](SmoothOptions& o) { o.keep_outside.radius = 1; });
+}
+
+TEST_CASE("steps on straight lines and bounds of the plane are those of plane meshes") {
   check_refused(
       "steps that keep a mesh valid",
       [](const Mesh& mesh) {
@@ -138,11 +156,13 @@ TEST_CASE("quality and bounds are those of plane meshes, quality of volume meshe
   check_refused("bounds", [](const Mesh& mesh) { bounds(mesh); });
 }
 
-TEST_CASE("virtual control volumes are those of plane meshes") {
-  const std::string who = "virtual control volumes";
-  check_refused(who, [](const Mesh& mesh) { VirtualControlVolumes vcv(mesh.topology); });
-  check_refused(
-      who, [](const Mesh& mesh) { make_state(mesh); }, false);
+TEST_CASE("virtual control volumes as data of a state are not those of volume meshes") {
+  for (const Other& other : other_meshes()) {
+    if (other.kind != "volume mesh") continue;
+    CHECK_THROWS_WITH_AS(
+        VirtualControlVolumes(other.mesh.topology),
+        "virtual control volumes: only for a plane mesh, and this is a volume mesh", UsageError);
+  }
 }
 
 TEST_CASE("motions are those of plane meshes") {

@@ -3,6 +3,8 @@
 #include <system_error>
 #include <utility>
 
+#include "core/error.h"
+
 namespace winslow::gui {
 
 namespace {
@@ -20,6 +22,10 @@ Document::Loaded Document::load(const std::filesystem::path& path, int zone) {
   loaded.path = path;
   loaded.stamp = stamp_of(path);
   loaded.file = io::read_mesh(path, {.zone = zone});
+  if (is_surface(*loaded.file.mesh.topology))
+    throw UsageError(path.filename().string() +
+                     ": a surface mesh; the studio shows plane and volume meshes so far, winslow "
+                     "smooth takes surface meshes");
   loaded.state = make_state(loaded.file.mesh);
   examine(loaded);
   if (stamp_of(path) != loaded.stamp) loaded.stamp.reset();

@@ -1,0 +1,157 @@
+#include "core/formulation/surface_cells.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numeric>
+
+#include "core/linear/pattern_builder.h"
+#include "core/mesh/joined_sets.h"
+#include "core/parallel/parallel_for.h"
+
+namespace winslow {
+
+namespace {
+
+/// The element that has all nodes of a triangle.
+Index element_of(const Topology& topology, const std::array<Index, 3>& nodes) {
+  for (const Index e : topology.star(nodes[0])) {
+    const auto element = topology.element(e);
+    const auto has = [&](Index node) { return std::ranges::find(element, node) != element.end(); };
+    if (has(nodes[1]) && has(nodes[2])) return e;
+  }
+  return -1;
+}
+
+CompressedRows corners_of_rows(const std::vector<std::array<Index, 3>>& cells,
+                               std::span<const Index> row_of_node, Index rows) {
+  CompressedRows corners;
+  corners.offsets.assign(at(rows) + 1, 0);
+  const auto for_each_corner = [&](const auto& visit) {
+    for (std::size_t t = 0; t < cells.size(); ++t)
+      for (std::size_t c = 0; c < 3; ++c)
+        if (const Index row = row_of_node[at(cells[t][c])]; row >= 0)
+          visit(at(row), static_cast<Index>(3 * t + c));
+  };
+  for_each_corner([&](std::size_t row, Index) { ++corners.offsets[row + 1]; });
+  std::partial_sum(corners.offsets.begin(), corners.offsets.end(), corners.offsets.begin());
+  corners.values.resize(at(corners.offsets.back()));
+  std::vector<Index> next = corners.offsets;
+  for_each_corner([&](std::size_t row, Index corner) { corners.values[at(next[row]++)] = corner; });
+  return corners;
+}
+
+std::vector<bool> loose_rows(const NodeUnknowns& nodes,
+                             const std::vector<std::array<Index, 3>>& cells) {
+  const auto count = at(nodes.topology().node_count());
+  JoinedSets parts(count);
+  for (const auto& cell : cells) {
+    parts.join(cell[0], cell[1]);
+    parts.join(cell[0], cell[2]);
+  }
+  std::vector<bool> held(count, false);
+  for (const auto& cell : cells)
+    for (const Index node : cell)
+      if (!nodes.classes().moves(node)) held[at(parts.find(node))] = true;
+  std::vector<bool> loose;
+  for (const Index node : nodes.nodes()) loose.push_back(!held[at(parts.find(node))]);
+  return loose;
+}
+
+}  // namespace
+
+SurfaceStructure::SurfaceStructure(const NodeUnknowns& nodes,
+                                   const std::vector<std::array<Index, 3>>& triangles)
+    : cells(triangles), row_of_node(at(nodes.topology().node_count()), -1) {
+  const auto rows = static_cast<Index>(nodes.nodes().size());
+  for (Index row = 0; row < rows; ++row) row_of_node[at(nodes.nodes()[at(row)])] = row;
+  for (const auto& cell : cells) element.push_back(element_of(nodes.topology(), cell));
+  corners = corners_of_rows(cells, row_of_node, rows);
+  pattern = build_pattern(rows, parallel_block, nodes.threads(), [&] {
+    return [&](Index row, std::vector<Index>& columns) {
+      columns.push_back(row);
+      for (const Index corner : corners[row])
+        for (const Index node : cells[at(corner / 3)])
+          if (const Index other = row_of_node[at(node)]; other >= 0) columns.push_back(other);
+      std::ranges::sort(columns);
+      columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+    };
+  });
+  entries.assign(3 * cells.size(), {-1, -1, -1});
+  for (Index row = 0; row < rows; ++row) {
+    const auto first = pattern->columns.begin() + pattern->offsets[at(row)];
+    const auto last = pattern->columns.begin() + pattern->offsets[at(row) + 1];
+    for (const Index corner : corners[row]) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        const Index column = row_of_node[at(cells[at(corner / 3)][j])];
+        if (column < 0) continue;
+        entries[at(corner)][j] =
+            static_cast<Index>(std::lower_bound(first, last, column) - pattern->columns.begin());
+      }
+    }
+  }
+  loose = loose_rows(nodes, cells);
+  numbers.resize(3 * cells.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+}
+
+namespace {
+
+/// plane(edges at the first corner, reference normal) for each cell.
+template <typename Plane>
+FlatCells lay_flat(const SurfaceStructure& structure, const Coordinates& coordinates,
+                   std::span<const Vec3> normals, int threads, const Plane& plane) {
+  const SpacePoints x(coordinates);
+  FlatCells flat;
+  flat.x.resize(6 * structure.cells.size());
+  flat.planes.resize(structure.cells.size());
+  parallel_for(threads, static_cast<Index>(structure.cells.size()), [&](Index begin, Index end) {
+    for (auto t = at(begin); t < at(end); ++t) {
+      const auto& nodes = structure.cells[t];
+      const Vec3 u = x[nodes[1]] - x[nodes[0]], v = x[nodes[2]] - x[nodes[0]];
+      CellPlane& of_cell = flat.planes[t] = plane(u, v, normals[at(structure.element[t])]);
+      double* points = flat.x.data() + 6 * t;
+      points[0] = points[1] = 0;
+      const Vec2 b = of_cell.of(u), c = of_cell.of(v);
+      std::copy_n(b.data(), 2, points + 2);
+      std::copy_n(c.data(), 2, points + 4);
+    }
+  });
+  return flat;
+}
+
+}  // namespace
+
+FlatCells FlatCells::in_own_planes(const SurfaceStructure& structure, const Coordinates& x,
+                                   std::span<const Vec3> normals, int threads) {
+  return lay_flat(
+      structure, x, normals, threads, [](const Vec3& u, const Vec3& v, const Vec3& reference) {
+        CellPlane plane;
+        const Vec3 area = u.cross(v);
+        const double size = area.norm(), length = u.norm();
+        if (!(size > 0)) {
+          plane.normal = reference;
+          plane.e1 = reference.unitOrthogonal();
+        } else {
+          plane.normal = area.dot(reference) < 0 ? Vec3(-area / size) : Vec3(area / size);
+          plane.e1 = u / length;
+        }
+        plane.e2 = plane.normal.cross(plane.e1);
+        return plane;
+      });
+}
+
+FlatCells FlatCells::against(const SurfaceStructure& structure, const Coordinates& x,
+                             std::span<const Vec3> normals, int threads) {
+  return lay_flat(structure, x, normals, threads,
+                  [](const Vec3&, const Vec3&, const Vec3& reference) {
+                    const Vec3 e1 = reference.unitOrthogonal();
+                    return CellPlane{e1, reference.cross(e1), reference};
+                  });
+}
+
+double FlatCells::determinant(std::size_t cell) const {
+  const double* p = x.data() + 6 * cell;
+  return p[2] * p[5] - p[3] * p[4];
+}
+
+}  // namespace winslow

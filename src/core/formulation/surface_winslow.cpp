@@ -1,0 +1,365 @@
+#include "core/formulation/surface_winslow.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/error.h"
+#include "core/formulation/distortion.h"
+#include "core/formulation/regularised_sizes.h"
+#include "core/formulation/row_sums.h"
+#include "core/formulation/surface_path.h"
+#include "core/parallel/parallel_for.h"
+#include "core/problem/run_validity.h"
+
+namespace winslow {
+
+namespace {
+
+using distortion::PenaltyFunction;
+using distortion::SimplexData;
+using Layout = distortion::SimplexLayout<2>;
+using Block = Eigen::Matrix<double, 2, 2, Eigen::RowMajor>;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+std::size_t block_count(Index n) { return at((n + parallel_block - 1) / parallel_block); }
+
+/// Number of a pair of a cell's nodes, a < b: 01, 02, 12.
+constexpr std::size_t pair_of(std::size_t a, std::size_t b) { return a + b - 1; }
+
+}  // namespace
+
+/// What the kernel sums up for all cells, and the numbers z of each pair of nodes (01, 02, 12).
+struct SurfaceWinslow::CellSums {
+  std::vector<double> sums;  // Layout::sum for each cell
+  std::vector<double> z;     // 3 for each cell; empty: none
+  double energy = 0;
+
+  const double* corner(Index t, std::size_t c) const {
+    return sums.data() + Layout::sum * t + Layout::corners +
+           Layout::corner * static_cast<std::ptrdiff_t>(c);
+  }
+  /// Of the row of one node of a cell at another.
+  Block block(Index t, std::size_t c, std::size_t j) const {
+    const double* first = sums.data() + Layout::sum * t;
+    if (c < j) return Eigen::Map<const Block>(first + 4 * pair_of(c, j));
+    return Eigen::Map<const Block>(first + 4 * pair_of(j, c)).transpose();
+  }
+  double z_of(Index t, std::size_t c, std::size_t j) const {
+    return z.empty() ? 0 : z[3 * at(t) + pair_of(std::min(c, j), std::max(c, j))];
+  }
+};
+
+/// What the cells around one row come to.
+struct SurfaceWinslow::RowSums {
+  Vec3 gradient{0, 0, 0};
+  RowSum<2>::Scale scale;
+};
+
+SurfaceWinslow::SurfaceWinslow(std::shared_ptr<const NodeClasses> classes,
+                               std::shared_ptr<const Targets> shapes, const PenaltyOptions& penalty,
+                               int threads)
+    : VariationalForm(NodeUnknowns(std::move(classes), threads, NodeUnknowns::Layout::blocks),
+                      penalty),
+      shapes_(std::move(shapes)) {
+  node_unknowns().require_sliding("the variational form");
+  for (const auto& cell : shapes_->cells)
+    for (const Index node : cell)
+      if (node_unknowns().classes()[node] == NodeClass::prescribed)
+        throw UsageError("motions: only for plane and volume meshes, and this is a surface mesh");
+  if (!node_unknowns().classes().element_normals())
+    throw UsageError("the variational form of a surface mesh needs the normals of its elements");
+  structure_ = std::make_shared<const SurfaceStructure>(node_unknowns(), shapes_->cells);
+}
+
+std::shared_ptr<const VariationalForm> SurfaceWinslow::with_penalty(
+    const PenaltyOptions& penalty) const {
+  auto other = std::make_shared<SurfaceWinslow>(*this);
+  other->set_penalty(penalty);
+  return other;
+}
+
+std::shared_ptr<const SurfaceWinslow> SurfaceWinslow::with_shapes(
+    std::shared_ptr<const Targets> shapes) const {
+  auto other = std::make_shared<SurfaceWinslow>(*this);
+  other->shapes_ = std::move(shapes);
+  return other;
+}
+
+std::unique_ptr<const TargetPath> SurfaceWinslow::target_path(const Coordinates& from) const {
+  return std::make_unique<SurfacePath>(std::make_shared<const SurfaceWinslow>(*this), from);
+}
+
+std::vector<Vec3> SurfaceWinslow::normals(const Coordinates& x) const {
+  return element_normals(node_unknowns().classes(), x, threads());
+}
+
+FlatCells SurfaceWinslow::own_planes(const Coordinates& x) const {
+  return FlatCells::in_own_planes(*structure_, x, normals(x), threads());
+}
+
+SimplexData SurfaceWinslow::data(const FlatCells& cells,
+                                 const Regularisation* regularisation) const {
+  static_assert(sizeof(ShapeTerm) == Layout::term * sizeof(double));
+  SimplexData data;
+  data.x = cells.x.data();
+  data.nodes = structure_->numbers.data();
+  data.offsets = shapes_->offsets.data();
+  // The first member of the first term: a term is nothing but numbers.
+  data.terms = reinterpret_cast<const double*>(shapes_->terms.data());
+  data.penalty = PenaltyFunction(penalty().exponent, penalty().knee).constants();
+  if (regularisation) {
+    data.size = regularisation->size.data();
+    data.epsilon = 1;
+    data.curvature_share = 0;
+  }
+  return data;
+}
+
+double SurfaceWinslow::energy_of(const FlatCells& cells,
+                                 const Regularisation* regularisation) const {
+  const SimplexData of_cells = data(cells, regularisation);
+  const auto n = static_cast<Index>(cells.planes.size());
+  std::vector<double> sums(block_count(n), 0.0);
+  parallel_for(threads(), n, [&](Index begin, Index end) {
+    sums[at(begin / parallel_block)] = kernel_.energy(of_cells, begin, end);
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+double SurfaceWinslow::energy(const Coordinates& x) const {
+  return energy_of(own_planes(x), nullptr);
+}
+
+double SurfaceWinslow::regularised_energy(const Coordinates& x,
+                                          const Regularisation& regularisation) const {
+  return energy_of(FlatCells::against(*structure_, x, regularisation.normals, threads()),
+                   &regularisation);
+}
+
+std::vector<double> SurfaceWinslow::determinants(const FlatCells& cells) const {
+  std::vector<double> list;
+  list.reserve(cells.planes.size());
+  for (std::size_t t = 0; t < cells.planes.size(); ++t) list.push_back(cells.determinant(t));
+  return list;
+}
+
+std::vector<double> SurfaceWinslow::cell_sizes(const Coordinates& x) const {
+  return sizes_around(structure_->cells, determinants(own_planes(x)), topology().node_count());
+}
+
+Regularisation SurfaceWinslow::regularisation(const Coordinates& x, std::span<const double> sizes,
+                                              double softness) const {
+  std::vector<Vec3> held = normals(x);
+  const FlatCells cells = FlatCells::against(*structure_, x, held, threads());
+  Regularisation out = regularise(determinants(cells), sizes, softness);
+  out.normals = std::move(held);
+  return out;
+}
+
+Regularisation SurfaceWinslow::full_regularisation(const Coordinates& x) const {
+  std::vector<Vec3> held = normals(x);
+  const FlatCells cells = FlatCells::against(*structure_, x, held, threads());
+  Regularisation out = regularise_fully(determinants(cells));
+  out.normals = std::move(held);
+  return out;
+}
+
+double SurfaceWinslow::worst_distortion(const Coordinates& x) const {
+  const FlatCells cells = own_planes(x);
+  double worst = 0;
+  for (std::size_t t = 0; t < cells.planes.size(); ++t) {
+    const double* p = cells.x.data() + 6 * t;
+    const distortion::Corner2 corner(p, p + 2, p + 4);
+    for (Index k = shapes_->offsets[t]; k < shapes_->offsets[t + 1]; ++k) {
+      const double f = corner.distortion(shapes_->terms[at(k)]);
+      if (!(f > 0)) return infinite;
+      worst = std::max(worst, f);
+    }
+  }
+  return worst;
+}
+
+std::vector<Foot> SurfaceWinslow::feet(const Coordinates& coordinates) const {
+  const SpacePoints x(coordinates);
+  const auto& nodes = node_unknowns();
+  std::vector<Foot> feet(nodes.nodes().size());
+  constexpr Index block = 512;
+  const auto find = [&](Index begin, Index end) {
+    for (auto i = at(begin); i < at(end); ++i) {
+      const Index node = nodes.nodes()[i];
+      feet[i] = nodes.classes().foot(node, x[node]);
+    }
+  };
+  parallel_for(threads(), static_cast<Index>(feet.size()), find, block);
+  return feet;
+}
+
+/// The numbers z of a cell, for each pair of its nodes.
+void SurfaceWinslow::bend_out(const FlatCells& cells, std::size_t cell, double* z) const {
+  const PenaltyFunction psi(penalty().exponent, penalty().knee);
+  const double* p = cells.x.data() + 6 * cell;
+  const distortion::Corner2 corner(p, p + 2, p + 4);
+  const Vec2 u(corner.ux, corner.uy), v(corner.vx, corner.vy);
+  const std::array<Vec2, 3> across{v - u, -v, u};
+  const std::array<double, 3> actual{across[0].dot(across[1]) / corner.d,
+                                     across[0].dot(across[2]) / corner.d,
+                                     across[1].dot(across[2]) / corner.d};
+  std::fill_n(z, 3, 0.0);
+  for (Index k = shapes_->offsets[cell]; k < shapes_->offsets[cell + 1]; ++k) {
+    const ShapeTerm& term = shapes_->terms[at(k)];
+    const double f = corner.distortion(term);
+    const double scale = term.weight * psi.slopes(f).first / corner.d;
+    const std::array<double, 3> target{-term.ab, -term.ac, -term.bc};
+    for (std::size_t i = 0; i < 3; ++i) z[i] += scale * (target[i] - f * actual[i]);
+  }
+}
+
+SurfaceWinslow::CellSums SurfaceWinslow::sum_cells(const FlatCells& cells,
+                                                   const Regularisation* regularisation,
+                                                   Second second) const {
+  const SimplexData of_cells = data(cells, regularisation);
+  const PenaltyFunction psi(penalty().exponent, penalty().knee);
+  const auto n = static_cast<Index>(cells.planes.size());
+  constexpr std::size_t lanes = 4;  // the kernel writes full packs
+  CellSums out;
+  out.sums.resize((at(n) + lanes) * Layout::sum);
+  if (second == Second::exact) out.z.resize(3 * at(n));
+  std::vector<double> energies(block_count(n), 0.0);
+  static_assert(parallel_block % lanes == 0);
+  parallel_for(threads(), n, [&](Index begin, Index end) {
+    energies[at(begin / parallel_block)] =
+        kernel_.sum(of_cells, structure_->numbers.data() + begin, end - begin, 0,
+                    out.sums.data() + Layout::sum * begin);
+    for (auto t = at(begin); t < at(end); ++t) {
+      if (second == Second::exact) bend_out(cells, t, out.z.data() + 3 * t);
+      if (second != Second::projected) continue;
+      double* sums = out.sums.data() + Layout::sum * static_cast<std::ptrdiff_t>(t);
+      std::fill(sums, sums + Layout::corners, 0.0);
+      const double* p = cells.x.data() + 6 * t;
+      const distortion::Corner2 corner(p, p + 2, p + 4);
+      for (Index k = shapes_->offsets[t]; k < shapes_->offsets[t + 1]; ++k)
+        distortion::add_projected_blocks(corner, shapes_->terms[at(k)], psi, sums);
+    }
+  });
+  out.energy = std::accumulate(energies.begin(), energies.end(), 0.0);
+  return out;
+}
+
+/// entries: values of the matrix; null where none is wanted.
+SurfaceWinslow::RowSums SurfaceWinslow::sum_row(const FlatCells& cells, const CellSums& sums,
+                                                std::span<const Foot> feet, Index row,
+                                                double* entries) const {
+  const auto directions = [&](const CellPlane& plane, const Foot& foot) {
+    Block p = Block::Zero();
+    for (int k = 0; k < foot.frame.count(); ++k) p.col(k) = plane.of(foot.frame[k]);
+    return p;
+  };
+  const auto outward = [&](const CellPlane& plane, const Foot& foot) {
+    Vec2 r(0, 0);
+    for (int k = 0; k < foot.frame.count(); ++k) r[k] = plane.normal.dot(foot.frame[k]);
+    return r;
+  };
+  const Foot& own = feet[at(row)];
+  RowSums out;
+  for (const Index corner : structure_->corners[row]) {
+    const Index t = corner / 3;
+    const std::size_t c = at(corner % 3);
+    const CellPlane& plane = cells.planes[at(t)];
+    const double* of_corner = sums.corner(t, c);
+    out.gradient += of_corner[0] * plane.e1 + of_corner[1] * plane.e2;
+    out.scale.edges += of_corner[2];
+    ++out.scale.cells;
+    Block diagonal = Block::Zero();
+    double z_diagonal = 0;
+    const Block p = directions(plane, own);
+    const Vec2 r = outward(plane, own);
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (j == c) continue;
+      const Block h = sums.block(t, c, j);
+      const double z = sums.z_of(t, c, j);
+      diagonal -= h;
+      z_diagonal -= z;
+      const Index entry = structure_->entries[at(corner)][j];
+      if (entry < 0 || entries == nullptr) continue;
+      const Foot& other = feet[at(structure_->row_of_node[at(structure_->cells[at(t)][j])])];
+      Eigen::Map<Block> block(entries + std::ptrdiff_t{4} * entry);
+      block += p.transpose() * h * directions(plane, other);
+      block += z * r * outward(plane, other).transpose();
+    }
+    out.scale.trace += diagonal.trace();
+    if (entries == nullptr) continue;
+    Eigen::Map<Block> block(entries + std::ptrdiff_t{4} * structure_->entries[at(corner)][c]);
+    block += p.transpose() * diagonal * p;
+    block += z_diagonal * r * r.transpose();
+  }
+  return out;
+}
+
+Linearisation SurfaceWinslow::assemble(const FlatCells& cells, const Regularisation* regularisation,
+                                       const Coordinates& x, Second second, SparseMatrix* hessian,
+                                       std::span<double> residual) const {
+  // What a surface without a held node may do for nothing, a sphere turn say, is held by so much of
+  // the diagonal: far less than any other change of shape costs.
+  constexpr double hold = 1e-8;
+  const CellSums sums = sum_cells(cells, regularisation, second);
+  const std::vector<Foot> at_nodes = feet(x);
+  const SparsityPattern& pattern = *structure_->pattern;
+  if (hessian) {
+    hessian->pattern = structure_->pattern;
+    hessian->block = 2;
+    hessian->symmetric = true;
+    hessian->values.assign(4 * pattern.columns.size(), 0.0);
+  }
+  std::vector<NormSum> norms(block_count(pattern.rows()));
+  parallel_for(threads(), pattern.rows(), [&](Index begin, Index end) {
+    for (Index row = begin; row < end; ++row) {
+      const Foot& foot = at_nodes[at(row)];
+      const RowSums sum =
+          sum_row(cells, sums, at_nodes, row, hessian ? hessian->values.data() : nullptr);
+      Vec2 along(0, 0);
+      for (int k = 0; k < foot.frame.count(); ++k) along[k] = foot.frame[k].dot(sum.gradient);
+      norms[at(begin / parallel_block)].add(sum.scale.scaled(along.norm()));
+      if (!residual.empty()) Eigen::Map<Vec2>(residual.data() + 2 * at(row)) = -along;
+      if (!hessian) continue;
+      Eigen::Map<Block> diagonal(hessian->values.data() +
+                                 std::ptrdiff_t{4} * pattern.diagonal[at(row)]);
+      const int count = foot.frame.count();
+      const double scale = sum.scale.trace / 2;
+      diagonal.topLeftCorner(count, count) +=
+          bending(foot, sum.gradient, second != Second::exact).topLeftCorner(count, count);
+      if (count < 2) diagonal(1, 1) = scale;
+      if (structure_->loose[at(row)]) diagonal += hold * scale * Block::Identity();
+      diagonal = (0.5 * (diagonal + diagonal.transpose())).eval();
+    }
+  });
+  return {NormSum::total(norms), sums.energy};
+}
+
+ResidualNorms SurfaceWinslow::residual(const Coordinates& x, std::span<double> out) const {
+  return assemble(own_planes(x), nullptr, x, Second::none, nullptr, out).norms;
+}
+
+Linearisation SurfaceWinslow::linearise(const Coordinates& x, Curvature curvature,
+                                        SparseMatrix& hessian, std::span<double> residual) const {
+  const Second second = curvature == Curvature::exact ? Second::exact : Second::projected;
+  return assemble(own_planes(x), nullptr, x, second, &hessian, residual);
+}
+
+Linearisation SurfaceWinslow::linearise_regularised(const Coordinates& x,
+                                                    const Regularisation& regularisation,
+                                                    SparseMatrix& hessian,
+                                                    std::span<double> residual) const {
+  const FlatCells cells = FlatCells::against(*structure_, x, regularisation.normals, threads());
+  return assemble(cells, &regularisation, x, Second::convex, &hessian, residual);
+}
+
+void SurfaceWinslow::boundary_response(const Coordinates&, const Coordinates&,
+                                       std::span<double> out) const {
+  std::ranges::fill(out, 0.0);
+}
+
+}  // namespace winslow

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/formulation/cell_targets.h"
+#include "core/formulation/simplex_kernel.h"
+#include "core/formulation/surface_cells.h"
+#include "core/formulation/triangle_kernel.h"
+#include "core/formulation/variational_form.h"
+
+namespace winslow {
+
+/// The variational form on a surface mesh whose nodes stay on their surface: the energy of the
+/// plane (SimplexWinslow<2>), each triangle laid flat into its own plane,
+///
+///   E = sum_t w_t psi(f_t),   f_t = N_t / (2 d_t),   d_t = |(b - a) x (c - a)|,
+///
+/// N_t by the lengths of its edges in space; infinite if a triangle shows the other side than its
+/// reference normal (ElementNormals) wants to see. So f_t does not depend on how a triangle lies in
+/// space, and on a surface that is plane this is the form of the plane.
+///
+/// The unknowns of a node are its two (on a feature line: one) directions in the tangent plane,
+/// x_i(u) = foot(x_i + Q_i u). With B_t the two directions of a triangle's plane, n_t its normal,
+/// and g, H gradient and Hessian of the plane,
+///
+///   dE/du_i = sum_t P_ti^T g_ti,   P_ti = B_t^T Q_i,
+///   d2E/du_i du_j = sum_t P_ti^T H_tij P_tj + z_tij (n_t Q_i)^T (n_t Q_j)
+///                   + [i = j] sum_kl (dE/dx_i . bend_kl),
+///   z_tij = w psi'(f) (L_ij - f (c_i . c_j) / d) / d,
+///
+/// z by what moves of its nodes at right angles to a triangle do to its edges and area (L the
+/// target's graph Laplacian, c_i the edge across from node i). They are exact, so that Newton's
+/// method converges quadratically.
+///
+/// Untangling sees each triangle against its reference normal instead, held for a step
+/// (Regularisation::normals): there determinants have a sign.
+class SurfaceWinslow final : public VariationalForm {
+ public:
+  using Targets = CellTargets<2>;
+
+  /// classes: with element normals; every node that moves slides. targets: of all cells with a node
+  /// that moves. threads: 0 for all cores; no result depends on it. Throws UsageError for nodes
+  /// that are free or prescribed.
+  SurfaceWinslow(std::shared_ptr<const NodeClasses> classes, std::shared_ptr<const Targets> targets,
+                 const PenaltyOptions& penalty, int threads);
+  std::shared_ptr<const VariationalForm> with_penalty(const PenaltyOptions& penalty) const override;
+  /// The same with other targets of the same cells, in the same order.
+  std::shared_ptr<const SurfaceWinslow> with_shapes(std::shared_ptr<const Targets> targets) const;
+
+  std::string_view name() const override { return "variational"; }
+  ResidualNorms residual(const Coordinates& x, std::span<double> out) const override;
+  /// Zero: no node is prescribed.
+  void boundary_response(const Coordinates& x, const Coordinates& displacement,
+                         std::span<double> out) const override;
+  double energy(const Coordinates& x) const override;
+  Linearisation linearise(const Coordinates& x, Curvature curvature, SparseMatrix& hessian,
+                          std::span<double> residual) const override;
+  std::vector<double> cell_sizes(const Coordinates& x) const override;
+  Regularisation regularisation(const Coordinates& x, std::span<const double> sizes,
+                                double softness) const override;
+  Regularisation full_regularisation(const Coordinates& x) const override;
+  double regularised_energy(const Coordinates& x,
+                            const Regularisation& regularisation) const override;
+  Linearisation linearise_regularised(const Coordinates& x, const Regularisation& regularisation,
+                                      SparseMatrix& hessian,
+                                      std::span<double> residual) const override;
+  double worst_distortion(const Coordinates& x) const override;
+  std::unique_ptr<const TargetPath> target_path(const Coordinates& from) const override;
+  std::optional<double> stretched() const override { return shapes_->stretched; }
+
+  const Targets& shapes() const { return *shapes_; }
+
+ private:
+  enum class Second { none, exact, projected, convex };
+  struct CellSums;
+  struct RowSums;
+
+  std::vector<Vec3> normals(const Coordinates& x) const;
+  FlatCells own_planes(const Coordinates& x) const;
+  distortion::SimplexData data(const FlatCells& cells, const Regularisation* regularisation) const;
+  double energy_of(const FlatCells& cells, const Regularisation* regularisation) const;
+  std::vector<double> determinants(const FlatCells& cells) const;
+  std::vector<Foot> feet(const Coordinates& x) const;
+
+  CellSums sum_cells(const FlatCells& cells, const Regularisation* regularisation,
+                     Second second) const;
+  void bend_out(const FlatCells& cells, std::size_t cell, double* z) const;
+  RowSums sum_row(const FlatCells& cells, const CellSums& sums, std::span<const Foot> feet,
+                  Index row, double* entries) const;
+  /// hessian: null where none is wanted; residual may be empty.
+  Linearisation assemble(const FlatCells& cells, const Regularisation* regularisation,
+                         const Coordinates& x, Second second, SparseMatrix* hessian,
+                         std::span<double> residual) const;
+
+  std::shared_ptr<const SurfaceStructure> structure_;
+  std::shared_ptr<const Targets> shapes_;
+  const distortion::TriangleKernel& kernel_ = distortion::triangle_kernel();
+};
+
+}  // namespace winslow

@@ -1,0 +1,88 @@
+#include "core/geometry/element_normals.h"
+
+#include <Eigen/Geometry>
+
+#include "core/parallel/parallel_for.h"
+
+namespace winslow {
+
+Vec3 area_vector(const Points<3>& x, std::span<const Index> element) {
+  const Vec3 a = x[element[0]], b = x[element[1]], c = x[element[2]];
+  if (element.size() == 3) return (b - a).cross(c - a);
+  return (c - a).cross(x[element[3]] - b);
+}
+
+/// Of each node the side of its surface that elements face to: 1 or -1 against the normal of its
+/// frame; 0 where it has none. Of each element its normal in the mesh as given.
+struct ElementNormals::Sides {
+  std::vector<signed char> of_node;
+  std::vector<Vec3> given;
+};
+
+ElementNormals::ElementNormals(std::shared_ptr<const Topology> topology, const Coordinates& given,
+                               const SlidingBoundary& boundary)
+    : topology_(std::move(topology)), geometry_(boundary.geometry) {
+  const SpacePoints x(given);
+  auto sides = std::make_shared<Sides>();
+  sides->of_node.assign(winslow::at(topology_->node_count()), 0);
+  for (Index e = 0; e < topology_->element_count(); ++e) {
+    const Vec3 area = area_vector(x, topology_->element(e));
+    const double length = area.norm();
+    sides->given.push_back(length > 0 ? Vec3(area / length) : Vec3::UnitZ());
+  }
+  sides_ = sides;
+  for (const SlidingPart& part : boundary.parts) {
+    // Of a mesh with elements turned over most area still faces the right way.
+    double area = 0;
+    std::vector<Index> on_surface;
+    for (const Index node : part.nodes) {
+      const Foot foot = geometry_->foot(node, x[node]);
+      if (foot.frame.count() != 2) continue;
+      on_surface.push_back(node);
+      const Vec3 normal = foot.frame[0].cross(foot.frame[1]);
+      for (const Index e : topology_->star(node))
+        area += normal.dot(area_vector(x, topology_->element(e)));
+    }
+    for (const Index node : on_surface) sides->of_node[winslow::at(node)] = area < 0 ? -1 : 1;
+  }
+}
+
+ElementNormals ElementNormals::asking(std::shared_ptr<const SlidingGeometry> geometry) const {
+  ElementNormals other = *this;
+  other.geometry_ = std::move(geometry);
+  return other;
+}
+
+Vec3 ElementNormals::node_normal(Index node, const Vec3& point) const {
+  const int side = sides_->of_node[winslow::at(node)];
+  if (side == 0) return Vec3::Zero();
+  const Foot foot = geometry_->foot(node, point);
+  return side * foot.frame[0].cross(foot.frame[1]);
+}
+
+std::vector<Vec3> ElementNormals::at(const Coordinates& coordinates, int threads) const {
+  const SpacePoints x(coordinates);
+  constexpr Index block = 512;  // a foot may take a search
+  std::vector<Vec3> of_nodes(winslow::at(topology_->node_count()));
+  parallel_for(
+      threads, topology_->node_count(),
+      [&](Index begin, Index end) {
+        for (Index node = begin; node < end; ++node)
+          of_nodes[winslow::at(node)] = node_normal(node, x[node]);
+      },
+      block);
+  std::vector<Vec3> normals(winslow::at(topology_->element_count()));
+  parallel_for(threads, topology_->element_count(), [&](Index begin, Index end) {
+    constexpr double cancelled = 0.1;  // normals of opposite sides of a body say nothing
+    for (Index e = begin; e < end; ++e) {
+      Vec3 sum = Vec3::Zero();
+      for (const Index node : topology_->element(e)) sum += of_nodes[winslow::at(node)];
+      const double length = sum.norm();
+      normals[winslow::at(e)] =
+          length > cancelled ? Vec3(sum / length) : sides_->given[winslow::at(e)];
+    }
+  });
+  return normals;
+}
+
+}  // namespace winslow

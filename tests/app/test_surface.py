@@ -1,0 +1,160 @@
+import json
+import math
+import random
+
+import support
+import surface_meshes as surfaces
+from support import DONE, INPUT, USAGE, ProgramTest
+from surface_meshes import norm, read_obj, write_obj
+
+
+def bumps(p):
+    x, y, z = p
+    factor = 1 + 0.1 * math.sin(3 * x + 1) * math.cos(2 * y) * math.cos(2 * z)
+    return tuple(factor * value for value in p)
+
+
+class Surface(ProgramTest):
+    def smooth(self, *arguments, code=DONE):
+        self.winslow("smooth", "in.obj", "-o", "out.obj", "--report", "r.json", *arguments, code=code)
+        return self.json("r.json")
+
+    def scrambled_and_smoothed(self, nodes, elements, seed=1):
+        """Scrambled and smoothed in one recipe, which keeps the shape of the mesh as given."""
+        write_obj(self.path("in.obj"), nodes, elements)
+        self.path("p.json").write_text(json.dumps({
+            "winslow_recipe": 1, "input": "in.obj", "output": "out.obj",
+            "commands": [{"command": "scramble", "seed": seed}, {"command": "smooth"}]}))
+        self.winslow("replay", "p.json", "--report", "r.json")
+        report = self.json("r.json")
+        self.assertGreater(report["commands"][0]["inverted"], 0.1 * len(elements))
+        self.assertTrue(report["commands"][1]["converged"])
+        self.assertEqual(report["inverted"], 0)
+        return report
+
+    def check_shape(self, report, deviation):
+        sine = report["quality"]["normalized_jacobian"]
+        self.assertGreaterEqual(sine["min"], 0.35)
+        self.assertGreaterEqual(sine["avg"], 0.84)
+        self.assertLessEqual(report["surface"]["hausdorff"],
+                             deviation * report["surface"]["extent"])
+
+    def test_a_scrambled_sphere_comes_back_on_its_sphere(self):
+        report = self.scrambled_and_smoothed(*surfaces.sphere(12))
+        self.check_shape(report, 2e-3)
+        # All but three, which hold it where it is.
+        self.assertEqual(report["commands"][1]["sliding"],
+                         [{"marker": "surface", "on": "sphere of radius 1", "nodes": 575}])
+        nodes, _ = read_obj(self.path("out.obj"))
+        self.assertLess(max(abs(norm(p) - 1) for p in nodes), 1e-12)
+        volume = report["surface"]
+        self.assertAlmostEqual(volume["volume_before"], 4 / 3 * math.pi, delta=0.05)
+        self.assertAlmostEqual(volume["volume_after"], volume["volume_before"], delta=0.01)
+
+    def test_scrambled_curved_surfaces_come_back_on_their_shape(self):
+        self.check_shape(self.scrambled_and_smoothed(*surfaces.torus(100, 50)), 1e-3)
+        nodes, elements = surfaces.sphere(24)
+        self.check_shape(self.scrambled_and_smoothed([bumps(p) for p in nodes], elements), 1e-3)
+        saddle = surfaces.grid(20, lambda x, y: (x, y, 0.5 * (x * x - y * y)), rows=23)
+        self.check_shape(self.scrambled_and_smoothed(*saddle), 1e-3)
+
+    def test_open_surfaces_keep_their_border(self):
+        nodes, elements = surfaces.grid(10, lambda x, y: (x, y, 0.3 * math.sin(3 * x) * y), True)
+        numbers = random.Random(2)
+        inner = [i for i in range(len(nodes)) if 0 < i % 11 < 10 and 0 < i // 11 < 10]
+        for i in inner:
+            x, y, _ = nodes[i]
+            x, y = x + numbers.uniform(-0.02, 0.02), y + numbers.uniform(-0.02, 0.02)
+            nodes[i] = (x, y, 0.3 * math.sin(3 * x) * y)
+        write_obj(self.path("in.obj"), nodes, elements)
+        report = self.smooth("--targets", "element")
+        self.assertEqual(report["space_dimension"], 3)
+        self.assertGreater(report["quality"]["normalized_jacobian"]["min"],
+                           report["quality_before"]["normalized_jacobian"]["min"])
+        after, same = read_obj(self.path("out.obj"))
+        self.assertEqual(same, elements)
+        for i, (p, q) in enumerate(zip(nodes, after)):
+            self.assertEqual(p == q, i not in inner)
+
+    def test_sharp_edges_and_corners_stay_or_slide(self):
+        nodes, elements = surfaces.cube(6, seed=3)
+        edges, corners = surfaces.features_of_cube(nodes)
+        write_obj(self.path("in.obj"), nodes, elements)
+        report = self.smooth()
+        self.assertEqual([part["on"] for part in report["commands"][0]["sliding"]], 6 * ["plane"])
+        after, _ = read_obj(self.path("out.obj"))
+        for i in edges + corners:
+            self.assertEqual(after[i], nodes[i])
+        for p in after:
+            self.assertTrue(any(abs(value - side) < 1e-12 for value in p for side in (0, 1)))
+        self.assertLess(report["surface"]["hausdorff"], 1e-12)
+        self.assertAlmostEqual(report["surface"]["volume_after"], 1, delta=1e-12)
+
+        # Nodes crowded at one end of an edge are spread along it.
+        crowded = [tuple(value ** 1.5 for value in p) for p in nodes]
+        write_obj(self.path("in.obj"), crowded, elements)
+        report = self.smooth("--slide-features", "--targets", "element")
+        after, _ = read_obj(self.path("out.obj"))
+        for i in corners:
+            self.assertEqual(after[i], crowded[i])
+        moved = 0
+        for i in edges:
+            off = sorted(min(abs(value), abs(value - 1)) for value in after[i])
+            self.assertLess(off[1], 1e-12)
+            moved = max(moved, math.dist(after[i], crowded[i]))
+        self.assertGreater(moved, 0.02)
+        self.assertLess(report["surface"]["hausdorff"], 1e-12)
+
+    def test_every_format_of_surfaces_takes_part(self):
+        nodes, elements = surfaces.sphere(4)
+        write_obj(self.path("a.obj"), nodes, elements)
+        results = {}
+        for name in ("off", "ply", "vtk", "vtu", "msh", "mesh"):
+            self.winslow("convert", "a.obj", f"a.{name}")
+            self.winslow("smooth", f"a.{name}", "-o", f"out.{name}")
+            self.winslow("convert", f"out.{name}", f"{name}.obj")
+            results[name] = read_obj(self.path(f"{name}.obj"))
+        self.winslow("smooth", "a.obj", "-o", "out.obj")
+        for name, result in results.items():
+            self.assertEqual(result, read_obj(self.path("out.obj")), name)
+        self.winslow("convert", "a.obj", "a.stl")
+        self.winslow("smooth", "a.stl", "-o", "out.stl")
+        self.winslow("convert", "out.stl", "stl.obj")
+        for p in read_obj(self.path("stl.obj"))[0]:
+            self.assertAlmostEqual(norm(p), 1, delta=1e-12)
+
+    def test_quality_measures_elements_in_their_own_planes(self):
+        write_obj(self.path("a.obj"), *surfaces.cube(3))
+        run = self.winslow("quality", "a.obj", "--report", "r.json")
+        self.assertIn("108 elements, 0 inverted", run.stdout)
+        quality = self.json("r.json")["quality"]
+        self.assertAlmostEqual(quality["normalized_jacobian"]["min"], math.sqrt(0.5), delta=1e-12)
+        self.assertAlmostEqual(quality["smallest_angle"]["min"] if "smallest_angle" in quality else 45,
+                               45, delta=1e-9)
+
+    def test_what_a_surface_mesh_cannot_do_is_refused_by_name(self):
+        nodes, elements = surfaces.sphere(3)
+        write_obj(self.path("in.obj"), nodes, elements)
+        for arguments, words in ((["--formulation", "pointwise"], "the pointwise form"),
+                                 (["--slide", "surface"], "sliding markers")):
+            run = self.winslow("smooth", "in.obj", "-o", "out.obj", *arguments, code=USAGE)
+            self.assertIn(words, run.stderr)
+        run = self.winslow("smooth", "in.obj", "-o", "out.su2", code=USAGE)
+        self.assertIn("cannot hold a surface mesh", run.stderr)
+
+    def test_surfaces_that_are_none_are_refused_with_a_reason(self):
+        strip = [(math.cos(a) * r, math.sin(a) * r, s * math.sin(a / 2))
+                 for a in (2 * math.pi * k / 12 for k in range(12))
+                 for s, r in ((-0.3, 2 - 0.3 * math.cos(a / 2)), (0.3, 2 + 0.3 * math.cos(a / 2)))]
+        moebius = [(2 * k, 2 * k + 1, 2 * k + 3, 2 * k + 2) for k in range(11)] + [(22, 23, 0, 1)]
+        write_obj(self.path("in.obj"), strip, moebius)
+        run = self.winslow("smooth", "in.obj", "-o", "out.obj", code=INPUT)
+        self.assertIn("orient", run.stderr)
+        three = [(0, 0, 0), (1, 0, 0), (0.5, 1, 0), (0.5, -1, 0), (0.5, 0, 1)]
+        write_obj(self.path("in.obj"), three, [(0, 1, 2), (1, 0, 3), (0, 1, 4)])
+        run = self.winslow("smooth", "in.obj", "-o", "out.obj", code=INPUT)
+        self.assertIn("in.obj:8:", run.stderr)
+
+
+if __name__ == "__main__":
+    support.main()

@@ -1,0 +1,76 @@
+#include <doctest/doctest.h>
+
+#include <Eigen/Geometry>
+#include <string>
+
+#include "core/error.h"
+#include "io/file/temporary_folder.h"
+#include "io/format/mesh_file.h"
+#include "io/format/mesh_format.h"
+#include "io/support/files.h"
+#include "support/space_meshes.h"
+
+/// Surface meshes through every format that holds them.
+namespace winslow::test {
+namespace {
+
+using io::TemporaryFolder;
+
+Vec3 bowl(const Vec2& p) { return {p.x(), p.y(), 0.3 * p.squaredNorm()}; }
+
+}  // namespace
+
+TEST_CASE("surface meshes come back from every format that holds them") {
+  const TemporaryFolder folder;
+  int formats = 0;
+  for (const Cells cells : {Cells::triangles, Cells::quads, Cells::mixed}) {
+    for (const MeshData& data :
+         {lifted(square(5, cells), bowl), skin(cube(2, Volumes::hexahedra))}) {
+      const Mesh mesh = make_mesh(data);
+      for (const io::MeshFormat* format : io::mesh_formats()) {
+        if (!format->writes_surfaces) continue;
+        ++formats;
+        for (const bool binary : {false, true}) {
+          if (binary && !format->has_binary) continue;
+          CAPTURE(format->name);
+          CAPTURE(binary);
+          const auto path = folder / ("a." + std::string(format->name));
+          io::write_mesh(path, mesh, nullptr, {.binary = binary});
+          const io::MeshFile back = io::read_mesh(path);
+          REQUIRE(is_surface(*back.mesh.topology));
+          if (format->name == "stl") {
+            CHECK(back.mesh.topology->node_count() == mesh.topology->node_count());
+            continue;  // triangles, in an order of its own
+          }
+          CHECK(back.mesh.coordinates == mesh.coordinates);
+          REQUIRE(back.mesh.topology->element_count() == mesh.topology->element_count());
+          for (Index e = 0; e < mesh.topology->element_count(); ++e) {
+            const auto a = mesh.topology->element(e), b = back.mesh.topology->element(e);
+            CHECK(std::vector<Index>(a.begin(), a.end()) == std::vector<Index>(b.begin(), b.end()));
+          }
+        }
+      }
+    }
+  }
+  CHECK(formats == 6 * 8);
+}
+
+TEST_CASE("surface meshes: a format that cannot hold them says so") {
+  const TemporaryFolder folder;
+  const Mesh mesh = make_mesh(lifted(square(3, Cells::quads), bowl));
+  for (const char* name : {"a.su2", "a.ugrid"})
+    CHECK_THROWS_AS(io::write_mesh(folder / name, mesh, nullptr), UsageError);
+}
+
+TEST_CASE("STL of a surface mesh: facets have the normals of its triangles") {
+  const TemporaryFolder folder;
+  const Mesh mesh = make_mesh(skin(cube(1, Volumes::hexahedra)));
+  io::write_mesh(folder / "a.stl", mesh, nullptr);
+  const std::string text = read_text(folder / "a.stl");
+  for (const char* normal : {"1 0 0", "-1 0 0", "0 1 0", "0 -1 0", "0 0 1", "0 0 -1"}) {
+    CAPTURE(normal);
+    CHECK(text.find("facet normal " + std::string(normal) + "\n") != std::string::npos);
+  }
+}
+
+}  // namespace winslow::test
