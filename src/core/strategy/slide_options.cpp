@@ -21,8 +21,9 @@ OptionTable option_table(SlideOptions& slide) {
       {.key = "feature_angle",
        .value = RealOption{&slide.feature_angle, between(0, 180)},
        .label = "Feature angle",
-       .help = "Where a sliding marker turns by more than this is a corner, which stays, in space an "
-               "edge",
+       .help =
+           "Where a sliding marker turns by more than this is a corner, which stays, in space an "
+           "edge",
        .unit = "degrees",
        .object = "slide",
        .flag = "feature-angle",
