@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Runs clang-tidy over src. Usage: tidy.py BUILD_FOLDER [SOURCE...]
 
-What passed is remembered by the hash of everything it depends on, so a second run is quick. Where the
-build compiles several sources together, so does this: headers are then read once for all of them.
+What passed is remembered, in the user's cache, by the hash of everything it depends on but for where the
+repository lies, so a second run, or one of a second clone, is quick. Where the build compiles several
+sources together, so does this: headers are then read once for all of them.
 """
 
 import concurrent.futures
@@ -18,6 +19,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TIDY = shutil.which("clang-tidy-14") or shutil.which("clang-tidy")
+PASSED = pathlib.Path(os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache") / "winslow" / "tidy"
 
 
 @functools.lru_cache(maxsize=None)
@@ -38,14 +40,19 @@ def closure(path):
 
 
 def key(source, command):
-    digest = hashlib.sha256(command.encode())
-    for path in [ROOT / ".clang-tidy", *closure(source)]:
-        digest.update(path.read_bytes())
+    def anywhere(content):
+        return content.replace(str(ROOT).encode(), b"")
+
+    digest = hashlib.sha256(TIDY.encode() + anywhere(command.encode()))
+    # By what they are called in the repository: two clones have them in one order.
+    paths = sorted(closure(source), key=lambda path: anywhere(str(path).encode()))
+    for path in [ROOT / ".clang-tidy", *paths]:
+        digest.update(anywhere(path.read_bytes()))
     return digest.hexdigest()
 
 
 def check(source, command, build):
-    stamp = build / "tidy" / key(source, command)
+    stamp = PASSED / key(source, command)
     if stamp.exists():
         return source, True, ""
     # What CMake puts together includes .cpp files.
@@ -62,7 +69,7 @@ def check(source, command, build):
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
     wanted = {pathlib.Path(p).resolve() for p in sys.argv[2:]}
-    (build / "tidy").mkdir(exist_ok=True)
+    PASSED.mkdir(parents=True, exist_ok=True)
     units = {}
     for entry in json.loads((build / "compile_commands.json").read_text()):
         path = pathlib.Path(entry["file"]).resolve()

@@ -133,11 +133,17 @@ std::vector<NodeClasses::Image> NodeClasses::images() const {
   return list;
 }
 
-std::vector<Index> NodeClasses::periodic_nodes() const {
-  std::vector<Index> nodes;
+std::vector<Index> NodeClasses::yielding_nodes() const {
+  std::vector<Index> nodes = yielding_;
   for (const auto& [node, image] : masters_) nodes.insert(nodes.end(), {node, image});
   std::ranges::sort(nodes);
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   return nodes;
+}
+
+void NodeClasses::set_yielding(std::span<const Index> nodes) {
+  for (const Index node : nodes) require(node);
+  yielding_.insert(yielding_.end(), nodes.begin(), nodes.end());
 }
 
 bool NodeClasses::same_unknowns(const NodeClasses& other) const {

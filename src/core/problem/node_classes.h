@@ -87,8 +87,10 @@ class NodeClasses {
   };
   /// Ascending by the image.
   std::vector<Image> images() const;
-  /// Nodes of periodic pairs, either side, ascending.
-  std::vector<Index> periodic_nodes() const;
+  /// Nodes of the boundary that give way to a body that moves, so that nothing touches their edges
+  /// and faces: those of periodic pairs, and those that were set. Ascending.
+  std::vector<Index> yielding_nodes() const;
+  void set_yielding(std::span<const Index> nodes);
   /// Whether a node has an image.
   bool has_image(Index node) const { return masters_.contains(node); }
 
@@ -108,6 +110,7 @@ class NodeClasses {
   // #nodes, of those that follow one; empty if none does.
   std::vector<std::shared_ptr<const SlidingGeometry>> geometry_;
   std::shared_ptr<const ElementNormals> element_normals_;
+  std::vector<Index> yielding_;
 };
 
 }  // namespace winslow

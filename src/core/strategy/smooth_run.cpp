@@ -14,6 +14,7 @@
 #include "core/strategy/picard_run.h"
 #include "core/strategy/pointwise_run.h"
 #include "core/strategy/run_recorder.h"
+#include "core/strategy/sliding_bodies.h"
 #include "core/strategy/surface_shape.h"
 #include "core/strategy/variational_run.h"
 #include "core/strategy/vcv_updates.h"
@@ -57,6 +58,7 @@ std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Moti
   }
   const auto moving = motion ? motion->nodes() : std::span<const Index>();
   result.boundary = make_boundary_move(options.slide, state.mesh, moving, *classes);
+  if (motion) let_bodies_slide(state.mesh, *motion, result.boundary, *classes);
   classes->set_fixed(run.kept ? *run.kept
                               : nodes_kept_outside(options.keep_outside, *state.mesh.topology,
                                                    state.mesh.coordinates, moving));
@@ -142,7 +144,7 @@ void keep_above_worst(const MeshState& state, SmoothingWorkspace& workspace, Run
 bool is_blocked(const MeshState& state, const Motion& motion, const NodeClasses& classes,
                 const SmoothOptions& options, const Coordinates& x, SmoothResult& result) {
   result.contact =
-      find_contact(*state.mesh.topology, state.mesh.coordinates, motion, classes.periodic_nodes());
+      find_contact(*state.mesh.topology, state.mesh.coordinates, motion, classes.yielding_nodes());
   if (!result.contact) return false;
   result.fraction_reached = 0;
   result.converged = false;

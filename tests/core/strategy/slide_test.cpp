@@ -1,7 +1,10 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "core/command/command.h"
 #include "core/error.h"
@@ -26,6 +29,36 @@ void shift_along_sides(Mesh& mesh, Index n, Random& random, double share) {
       if (p[k] > 1e-9 && p[k] < 1 - 1e-9) p[k] += share / n * random.uniform(-1, 1);
     mesh.coordinates.set_xy(node, p);
   }
+}
+
+/// m by n squares of size 1/8, without columns `left` to `right` (exclusive) up to `height`;
+/// markers floor, gate, rest.
+MeshData channel_with_gate(Index m, Index n, Index left, Index right, Index height) {
+  MeshData data;
+  std::map<std::pair<Index, Index>, Index> ids;
+  const auto id = [&](Index i, Index j) {
+    const auto [place, is_new] = ids.try_emplace({i, j}, data.node_count());
+    if (is_new) data.coordinates.push_xy(Vec2(i, j) / 8);
+    return place->second;
+  };
+  const auto solid = [&](Index i, Index j) { return i >= left && i < right && j < height; };
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < m; ++i)
+      if (!solid(i, j))
+        data.add_element(ElementType::quadrilateral,
+                         std::array{id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)});
+  Marker floor{"floor", 1, {}}, gate{"gate", 2, {}}, rest{"rest", 3, {}};
+  for (Index i = 0; i < m; ++i) {
+    if (!solid(i, 0)) floor.faces.emplace_back(id(i, 0), id(i + 1, 0));
+    rest.faces.emplace_back(id(i, n), id(i + 1, n));
+  }
+  for (Index j = 0; j < n; ++j)
+    for (const Index i : {Index{0}, m}) rest.faces.emplace_back(id(i, j), id(i, j + 1));
+  for (Index j = 0; j < height; ++j)
+    for (const Index i : {left, right}) gate.faces.emplace_back(id(i, j), id(i, j + 1));
+  for (Index i = left; i < right; ++i) gate.faces.emplace_back(id(i, height), id(i + 1, height));
+  data.markers = {floor, gate, rest};
+  return data;
 }
 
 }  // namespace
@@ -111,6 +144,56 @@ TEST_CASE("in space planes stay plane to round-off, and a body that moves draws 
     return measure_quality(of).of(Metric::aspect_ratio).statistics.avg;
   };
   CHECK(mean_aspect(result.state.mesh) < mean_aspect(held.state.mesh));
+}
+
+TEST_CASE("a gate moves along a floor that slides, and not off it") {
+  // A channel of square cells without those of the gate.
+  const Mesh mesh = make_mesh(channel_with_gate(24, 8, 6, 9, 3));
+  MoveCommand move;
+  move.markers = {"gate"};
+  move.motion.translate = Vec2(1, 0);
+  CHECK(execute(move, make_state(mesh)).smooth.contact);
+  move.smooth.slide.markers = {"floor"};
+  const CommandResult result = execute(move, make_state(mesh));
+  REQUIRE(result.smooth.converged);
+  CHECK(result.smooth.fraction_reached == 1);
+  CHECK(worst(result.state.mesh) > 0.4);
+  std::size_t on_floor = 0;
+  for (const SlidingPart& part : result.smooth.boundary.sliding)
+    for (const Index node : part.nodes) {
+      CHECK(result.state.mesh.coordinates.xy(node).y() == 0);
+      ++on_floor;
+    }
+  CHECK(on_floor == 24 - 3 - 2);
+  move.motion.translate = Vec2(1, 0.05);
+  CHECK_THROWS_WITH_AS(execute(move, make_state(mesh)),
+                       doctest::Contains("takes the node off it by 0.05"), UsageError);
+  // What does not slide is still in the way.
+  move.motion.translate = Vec2(2.5, 0);
+  const CommandResult far = execute(move, make_state(mesh));
+  CHECK(far.smooth.contact);
+}
+
+TEST_CASE("a body moves along a sliding floor in space") {
+  constexpr Index n = 6;
+  MeshData data = cubes_with_holes(n, Volumes::tetrahedra, [](Index i, Index j, Index k) {
+    return i >= 1 && i < 3 && j >= 2 && j < 4 && k < 2;
+  });
+  mark_volume(data, [](const Vec3& p) {
+    const bool sides = (p.array().head<2>() < 1e-9).any() || (p.array() > 1 - 1e-9).any();
+    return p.z() < 1e-9 ? "floor" : sides ? "box" : "body";
+  });
+  const Mesh mesh = make_mesh(data);
+  MoveCommand move;
+  move.markers = {"body"};
+  move.motion.translate = Vec2(0.3, 0);
+  move.smooth.slide.markers = {"floor"};
+  const CommandResult result = execute(move, make_state(mesh));
+  REQUIRE(result.smooth.converged);
+  CHECK(result.smooth.fraction_reached == 1);
+  CHECK(result.smooth.inverted == 0);
+  for (const SlidingPart& part : result.smooth.boundary.sliding)
+    for (const Index node : part.nodes) CHECK(result.state.mesh.coordinates.xyz(node).z() == 0);
 }
 
 TEST_CASE("with sliding nodes, too, the result is the same at one thread and at three") {
