@@ -45,20 +45,6 @@ ElementNormals::ElementNormals(std::shared_ptr<const Topology> topology, const C
     }
     for (const Index node : on_surface) sides->of_node[winslow::at(node)] = area < 0 ? -1 : 1;
   }
-  find_across(given);
-}
-
-void ElementNormals::find_across(const Coordinates& given) {
-  constexpr double turned_over = -0.7, along = 0.2;  // cosines
-  const std::vector<Vec3> normals = at(given, 0);
-  std::vector<bool> across;
-  std::size_t count = 0;
-  for (std::size_t e = 0; e < normals.size(); ++e) {
-    const double cosine = normals[e].dot(sides_->given[e]);
-    across.push_back(cosine > turned_over && cosine < along);
-    if (across.back()) ++count;
-  }
-  if (count > 0) across_ = std::make_shared<const std::vector<bool>>(std::move(across));
 }
 
 ElementNormals ElementNormals::asking(std::shared_ptr<const SlidingGeometry> geometry) const {
@@ -92,7 +78,7 @@ std::vector<Vec3> ElementNormals::at(const Coordinates& coordinates, int threads
       Vec3 sum = Vec3::Zero();
       for (const Index node : topology_->element(e)) sum += of_nodes[winslow::at(node)];
       const double length = sum.norm();
-      const bool as_given = !(length > cancelled) || (across_ && (*across_)[winslow::at(e)]);
+      const bool as_given = !(length > cancelled);
       normals[winslow::at(e)] = as_given ? sides_->given[winslow::at(e)] : Vec3(sum / length);
     }
   });

@@ -16,7 +16,7 @@ namespace winslow {
 /// The reference normal of an element is the mean of the surface's normals at its nodes, on the
 /// side to which the elements of that part of the surface face; nodes on feature lines, where the
 /// surface has no one normal, do not count. An element with no other nodes has the normal that it
-/// had in the mesh as given; so have those that stood across the surface there, slivers above all.
+/// had in the mesh as given.
 class ElementNormals {
  public:
   /// given: the mesh that the boundary was found in.
@@ -30,13 +30,11 @@ class ElementNormals {
 
  private:
   struct Sides;
-  void find_across(const Coordinates& given);
   Vec3 node_normal(Index node, const Vec3& point) const;
 
   std::shared_ptr<const Topology> topology_;
   std::shared_ptr<const SlidingGeometry> geometry_;
   std::shared_ptr<const Sides> sides_;
-  std::shared_ptr<const std::vector<bool>> across_;  // #elements; null: none counts
 };
 
 /// Twice the area of an element of a surface mesh, as a vector at right angles to it.

@@ -45,33 +45,6 @@ TEST_CASE("element normals: elements without a node inside a region keep the one
     CHECK((found[at(e)] - area_vector(x, mesh.topology->element(e)).normalized()).norm() < 1e-14);
 }
 
-TEST_CASE(
-    "element normals: what stood across the surface keeps its normal, what was turned over not") {
-  const auto flat = [](const Vec2& p) -> Vec3 { return {p.x(), p.y(), 0}; };
-  MeshData data = lifted(square(4, Cells::triangles), flat);
-  const Index node = 12;  // in the middle
-  const Vec3 place = data.coordinates.xyz(node);
-  const auto sides = [&](const Vec3& where) {
-    data.coordinates.set_xyz(node, where);
-    const Mesh mesh = make_mesh(data);
-    const MeshState state = on_shape(mesh, plane_shape({0, 0, 0}, {0, 0, 1}));
-    std::array<int, 2> count{0, 0};  // of elements that stand up, that lie upside down
-    const SpacePoints x(mesh.coordinates);
-    const auto normals = state.surface->normals->at(mesh.coordinates, 1);
-    for (Index e = 0; e < mesh.topology->element_count(); ++e) {
-      const Vec3 own = area_vector(x, mesh.topology->element(e)).normalized();
-      const bool up = own.z() > 0.2, over = own.z() < -0.7;
-      CHECK((normals[at(e)] - (up || over ? Vec3(0, 0, 1) : own)).norm() < 1e-12);
-      count[0] += !up && !over;
-      count[1] += over;
-    }
-    return count;
-  };
-  CHECK(sides(place) == std::array<int, 2>{0, 0});
-  CHECK(sides(place + Vec3(0.25, 0.01, 0.3))[0] > 0);
-  CHECK(sides(place + Vec3(0.3, 0.02, 0))[1] > 0);
-}
-
 TEST_CASE("remembered feet: the geometry is asked once for each place") {
   struct Counting final : SlidingGeometry {
     Foot foot(Index, const Vec3& point) const override {
