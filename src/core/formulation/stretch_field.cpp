@@ -11,6 +11,7 @@
 #include "core/formulation/volume_metric.h"
 #include "core/mesh/corner_tetrahedra.h"
 #include "core/parallel/parallel_for.h"
+#include "core/quality/corner.h"
 
 namespace winslow {
 
@@ -41,7 +42,8 @@ bool is_inverted(std::span<const Index> nodes, const SpacePoints& x, const Vec3&
   for (std::size_t k = 0; k < n; ++k) {
     const Vec3 a = x[nodes[k]], to_b = x[nodes[(k + 1) % n]] - a,
                to_c = x[nodes[(k + n - 1) % n]] - a;
-    if (!(to_b.cross(to_c).dot(normal) > 0)) return true;
+    const Vec3 area = to_b.cross(to_c);
+    if (!(area.norm() > 0) || is_turned_over(area, normal)) return true;
   }
   return false;
 }

@@ -7,6 +7,7 @@
 #include "core/linear/pattern_builder.h"
 #include "core/mesh/joined_sets.h"
 #include "core/parallel/parallel_for.h"
+#include "core/quality/corner.h"
 
 namespace winslow {
 
@@ -132,7 +133,7 @@ FlatCells FlatCells::in_own_planes(const SurfaceStructure& structure, const Coor
           plane.normal = reference;
           plane.e1 = reference.unitOrthogonal();
         } else {
-          plane.normal = area.dot(reference) < 0 ? Vec3(-area / size) : Vec3(area / size);
+          plane.normal = is_turned_over(area, reference) ? Vec3(-area / size) : Vec3(area / size);
           plane.e1 = u / length;
         }
         plane.e2 = plane.normal.cross(plane.e1);

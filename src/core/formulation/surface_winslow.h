@@ -17,9 +17,9 @@ namespace winslow {
 ///
 ///   E = sum_t w_t psi(f_t),   f_t = N_t / (2 d_t),   d_t = |(b - a) x (c - a)|,
 ///
-/// N_t by the lengths of its edges in space; infinite if a triangle shows the other side than its
-/// reference normal (ElementNormals) wants to see. So f_t does not depend on how a triangle lies in
-/// space, and on a surface that is plane this is the form of the plane.
+/// N_t by the lengths of its edges in space; infinite if a triangle is turned over by its
+/// reference normal (ElementNormals, is_turned_over()). So f_t does not depend on how a triangle
+/// lies in space, and on a surface that is plane this is the form of the plane.
 ///
 /// The unknowns of a node are its two (on a feature line: one) directions in the tangent plane,
 /// x_i(u) = foot(x_i + Q_i u). With B_t the two directions of a triangle's plane, n_t its normal,

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/formulation/stretch_field.h"
 #include "core/formulation/target_metric.h"
+#include "core/quality/corner.h"
 
 namespace winslow {
 
@@ -84,7 +85,8 @@ class Builder {
     if (is_surface(topology_)) {
       const Vec3 m1 = given_->xyz(nodes[1]) - given_->xyz(nodes[0]);
       const Vec3 m2 = given_->xyz(nodes[2]) - given_->xyz(nodes[0]);
-      if (!(m1.cross(m2).dot(normals_[at(e)]) > 0)) return std::nullopt;
+      const Vec3 area = m1.cross(m2);
+      if (!(area.norm() > 0) || is_turned_over(area, normals_[at(e)])) return std::nullopt;
       return TargetMetric::in_space(m1, m2);
     }
     const Vec2 m1 = given_->xy(nodes[1]) - given_->xy(nodes[0]);

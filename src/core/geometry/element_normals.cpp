@@ -78,8 +78,8 @@ std::vector<Vec3> ElementNormals::at(const Coordinates& coordinates, int threads
       Vec3 sum = Vec3::Zero();
       for (const Index node : topology_->element(e)) sum += of_nodes[winslow::at(node)];
       const double length = sum.norm();
-      normals[winslow::at(e)] =
-          length > cancelled ? Vec3(sum / length) : sides_->given[winslow::at(e)];
+      const bool as_given = !(length > cancelled);
+      normals[winslow::at(e)] = as_given ? sides_->given[winslow::at(e)] : Vec3(sum / length);
     }
   });
   return normals;

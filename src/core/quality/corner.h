@@ -9,6 +9,15 @@
 
 namespace winslow {
 
+/// Whether an element of a surface mesh shows the other side than its reference normal says: if it
+/// faces away by more than 120 degrees. Where a surface is finely meshed that is told from 0 and
+/// 180 degrees; over a sharp tip a sound element may well stand across the mean of the normals at
+/// its nodes. area: at right angles to the element.
+inline bool is_turned_over(const Vec3& area, const Vec3& normal) {
+  constexpr double farthest = -0.5;  // cosine
+  return area.dot(normal) < farthest * area.norm();
+}
+
 /// The triangle of an element's corner and its two neighbours within the element.
 struct Corner {
   double l1 = 0, l2 = 0, l3 = 0;  ///< edges at the corner (next, previous), and the one across
@@ -35,7 +44,7 @@ struct Corner {
     l2 = b.norm();
     l3 = (next - previous).norm();
     const Vec3 area = a.cross(b);
-    area2 = std::copysign(area.norm(), area.dot(normal));
+    area2 = is_turned_over(area, normal) ? -area.norm() : area.norm();
     dot = a.dot(b);
   }
 

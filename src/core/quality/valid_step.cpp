@@ -10,6 +10,7 @@
 
 #include "core/mesh/corner_tetrahedra.h"
 #include "core/parallel/parallel_for.h"
+#include "core/quality/corner.h"
 
 namespace winslow {
 
@@ -41,13 +42,15 @@ double corner_step(const std::array<Vec2, 3>& from, const std::array<Vec2, 3>& t
   return area_step(cross(u, v), d1, cross(du, dv), most);
 }
 
-/// The same in space, seen against a normal.
+/// The same in space, seen as it is at first. normal: the reference normal.
 double corner_step(const std::array<Vec3, 3>& from, const std::array<Vec3, 3>& to,
                    const Vec3& normal, double most) {
   const Vec3 u = from[1] - from[0], v = from[2] - from[0];
   const Vec3 du = to[1] - to[0] - u, dv = to[2] - to[0] - v;
-  return area_step(normal.dot(u.cross(v)), normal.dot(u.cross(dv) + du.cross(v)),
-                   normal.dot(du.cross(dv)), most);
+  const Vec3 area = u.cross(v);
+  if (is_turned_over(area, normal)) return 0;
+  return area_step(area.squaredNorm(), area.dot(u.cross(dv) + du.cross(v)), area.dot(du.cross(dv)),
+                   most);
 }
 
 }  // namespace

@@ -24,8 +24,8 @@ double first_positive_root(double d0, double d1, double d2, double d3);
 double largest_valid_step(const Topology& topology, const Coordinates& from, const Coordinates& to,
                           double most = std::numeric_limits<double>::infinity(), int threads = 0);
 
-/// The same of a surface mesh: corners whose area stays positive, seen against the reference
-/// normals of their elements (#elements).
+/// The same of a surface mesh: corners whose area stays positive, seen as they were at first.
+/// normals: the reference normals of the elements (#elements).
 double largest_valid_step_on_surface(const Topology& topology, const Coordinates& from,
                                      const Coordinates& to, std::span<const Vec3> normals,
                                      double most = std::numeric_limits<double>::infinity(),
