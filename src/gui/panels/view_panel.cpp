@@ -243,10 +243,11 @@ bool ViewPanel::draw_boundary(ViewOptions& view) {
 }
 
 bool ViewPanel::draw_roles(ViewOptions& view) {
-  return ui::checkbox("view/roles", "What nodes do", view.roles,
-                      "Nodes in colours by what they do while the mesh is smoothed: stay at a "
-                      "corner, slide along a curve or on a surface, move as one of a periodic pair, "
-                      "are free. A key says which is which.");
+  return ui::checkbox(
+      "view/roles", "What nodes do", view.roles,
+      "Nodes in colours by what they do while the mesh is smoothed: stay at a "
+      "corner, slide along a curve or on a surface, move as one of a periodic pair, "
+      "are free. A key says which is which.");
 }
 
 bool ViewPanel::draw_ids(ViewOptions& view) {
