@@ -70,7 +70,9 @@ bool InputQueue::take(const Event& event, Frame& frame) {
     if (frame.settled || frame.any_button || frame.key_changed[k]) return false;
     if (key->down && frame.keys == Keys::hold) return false;
     const bool chord = state_.control() || state_.alt() || state_.super();
-    if (key->down && waits() && !chord && !is_modifier(key->key)) return false;
+    // A key that types a character comes with it.
+    const bool types = events_.size() > 1 && std::holds_alternative<Text>(events_[1]);
+    if (key->down && waits() && !chord && types) return false;
     frame.key_changed[k] = true;
     frame.settled = key->down && !is_modifier(key->key);
     frame.leads_elsewhere = key->down && types_nothing(key->key);
@@ -78,7 +80,7 @@ bool InputQueue::take(const Event& event, Frame& frame) {
     state_.keys[k] = key->down;
   } else if (const auto* text = std::get_if<Text>(&event)) {
     // What is typed after Tab or Enter is for where these lead.
-    if (frame.leads_elsewhere || frame.chord || waits()) return false;
+    if (frame.leads_elsewhere || waits()) return false;
     // A frame cannot tell whether a character that is a command was typed once or twice.
     if (state_.text.find(text->character) != std::u32string::npos) return false;
     state_.text.push_back(text->character);

@@ -87,6 +87,7 @@ TEST_CASE("commands are refused by their names on meshes that are not plane") {
 
 TEST_CASE("what volume meshes cannot do yet is refused by its name") {
   const MeshState state = make_state(make_mesh(cube(2, Volumes::tetrahedra)));
+  SmoothCommand smooth;
   MoveCommand move;
   move.markers = a_marker(state.mesh);
   move.motion.rotate = 10;

@@ -88,7 +88,7 @@ TEST_CASE("outside a sphere about the body of a volume mesh nothing moves") {
 }
 
 TEST_CASE("outside a box of space nothing moves, whichever corners are given") {
-  const MeshState state = box_state();
+  const MeshState state = make_state(shaken_box(6, 0.2, 4));
   const Box<3> all = space_bounds(state.mesh);
   SmoothCommand smooth;
   smooth.smooth.targets = TargetBlend::regular();
@@ -103,7 +103,7 @@ TEST_CASE("outside a box of space nothing moves, whichever corners are given") {
                                              [&](const Vec3& at) { return at.z() <= middle; });
   CHECK(counted.moved_outside == 0);
   CHECK(counted.outside > 10);
-  CHECK(counted.moved_inside > 0);
+  CHECK(counted.moved_inside > counted.inside / 2);
 }
 
 TEST_CASE("a drag in space keeps what lies outside, too") {

@@ -17,14 +17,15 @@ constexpr const char* tip =
     "the line above the mesh says how far that is. A drag shows what lies beyond; let go, the body "
     "goes back to the limit.";
 
-bool limit_row(const std::string& id, const Option& option, std::optional<double>& limit,
-               double first) {
+/// field: what the metric is in elements of this dimension.
+bool limit_row(const std::string& id, const Option& option, const FieldInfo& field,
+               std::optional<double>& limit) {
   const std::string row_tip = std::string(option.help) + '.';
   bool on = limit.has_value();
   const float start = ImGui::GetCursorPosX();
   const float width = ImGui::GetContentRegionAvail().x;
-  bool changed = checkbox(id + "/on", std::string(option.label), on, row_tip);
-  if (changed) limit = on ? std::optional(first) : std::nullopt;
+  bool changed = checkbox(id + "/on", std::string(field.label), on, row_tip);
+  if (changed) limit = on ? std::optional(field.threshold) : std::nullopt;
   if (!limit) return changed;
   ImGui::SameLine(start + width * name_share);
   ImGui::SetNextItemWidth(-FLT_MIN);
@@ -59,7 +60,7 @@ bool quality_limits_form(const std::string& prefix, QualityFloor& floor, int cel
     const Metric metric = limited_metrics()[m];
     if (std::ranges::find(reported, metric) == reported.end()) continue;
     changed |= limit_row(prefix + "/min_quality_" + std::string(table[m].key), table[m],
-                         floor.limits[m], metric_info(metric, cell_dimension).field.threshold);
+                         metric_info(metric, cell_dimension).field, floor.limits[m]);
   }
   return changed;
 }

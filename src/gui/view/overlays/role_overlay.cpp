@@ -16,16 +16,25 @@ namespace {
 constexpr std::array<NodeRole, node_role_count> in_order{
     NodeRole::free,     NodeRole::fixed,    NodeRole::moves, NodeRole::on_surface,
     NodeRole::on_curve, NodeRole::periodic, NodeRole::corner};
-/// Inner nodes of a plane mesh are left out where more are in view: they are everywhere.
-constexpr std::size_t most_free = 4000;
+/// Pixels at 100 % to the nearest neighbour that an inner node of a plane mesh needs for its dot:
+/// closer together they would hide the mesh.
+constexpr float free_room = 9;
 
 bool shown(const ViewOptions& options, const ViewState& state) {
   return options.roles || state.roles_previewed;
 }
 
+bool has_room(const ViewOverlay& o, Index node) {
+  const Coordinates& x = o.session.coordinates();
+  const Vec2 p = x.xy(node);
+  const double least = static_cast<double>(o.theme.px(free_room)) * o.view.pixel_size(p);
+  return std::ranges::all_of(o.session.topology()->neighbours(node),
+                             [&](Index other) { return (x.xy(other) - p).norm() >= least; });
+}
+
 void draw_dot(ImDrawList& list, const Theme& theme, const ScreenPoint& at, NodeRole role) {
   const bool quiet = role == NodeRole::free || role == NodeRole::fixed;
-  const float radius = theme.px(quiet ? 1.8f : role == NodeRole::corner ? 4.0f : 3.0f);
+  const float radius = theme.px(quiet ? 2.2f : role == NodeRole::corner ? 4.0f : 3.0f);
   const auto place = static_cast<ImVec2>(at);
   if (!quiet) list.AddCircleFilled(place, radius + theme.px(1.2f), palette().card, 12);
   list.AddCircleFilled(place, radius, color_of(role), 10);
@@ -61,7 +70,7 @@ void draw_key(ImDrawList& list, const Theme& theme, const ScreenBox& room, const
                    min.y + static_cast<float>(rows.size()) * line + 2 * pad - theme.px(4));
   // Where there is no room for it, the mesh matters more.
   if (max.x > static_cast<float>(room.max.x()) || max.y > static_cast<float>(room.max.y())) return;
-  list.AddRectFilled(min, max, faded(palette().card, 0.92f), theme.px(5));
+  list.AddRectFilled(min, max, faded(palette().card, 0.97f), theme.px(5));
   list.AddRect(min, max, palette().border, theme.px(5));
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const float y = min.y + pad + static_cast<float>(k) * line;
@@ -81,7 +90,7 @@ ImU32 color_of(NodeRole role) {
   switch (role) {
     case NodeRole::free:
     case NodeRole::fixed:
-      return role == NodeRole::free ? faded(palette().text_faint, 0.9f) : palette().text_dim;
+      return role == NodeRole::free ? palette().text_dim : palette().text;
     case NodeRole::moves:
       return palette().accent;
     case NodeRole::on_surface:
@@ -126,19 +135,18 @@ void RoleOverlay::draw(ImDrawList& list, const ViewOverlay& o, const ScreenBox& 
   for (Index i = 0; i < x.size(); ++i) {
     const Vec2 p = x.xy(i);
     if ((p.array() < seen.min.array()).any() || (p.array() > seen.max.array()).any()) continue;
-    auto& own = places[static_cast<std::size_t>(roles->roles[at(i)])];
-    if (roles->roles[at(i)] != NodeRole::free || own.size() <= most_free)
-      own.push_back(o.view.to_screen(p));
+    const NodeRole role = roles->roles[at(i)];
+    if (role == NodeRole::free && !has_room(o, i)) continue;
+    places[static_cast<std::size_t>(role)].push_back(o.view.to_screen(p));
   }
-  auto& free = places[static_cast<std::size_t>(NodeRole::free)];
-  if (free.size() > most_free) free.clear();
   for (const NodeRole role : in_order)
     for (const ScreenPoint& at : places[static_cast<std::size_t>(role)])
       draw_dot(list, o.theme, at, role);
   draw_key(list, o.theme, key_room(room, o.options, o.theme), *roles);
 }
 
-/// Nodes of bodies and of what moves; of what encloses them and stays there is nothing to be said.
+/// Nodes of bodies, and of what moves; of what encloses them and stays there is nothing to be said,
+/// and what a cut takes away of it is not there.
 void RoleOverlay::find(const SpaceOverlay& o, const VolumeScenes& scenes, const NodeRoles& roles) {
   dots_.clear();
   const VolumeBoundary& boundary = *o.session.document()->boundary();
@@ -154,6 +162,7 @@ void RoleOverlay::find(const SpaceOverlay& o, const VolumeScenes& scenes, const 
       const NodeRole role = roles.roles[at(node)];
       const bool quiet = role == NodeRole::fixed || role == NodeRole::moves;
       if (taken[at(node)] != 0 || (quiet && boundary.enclosing[f] != 0)) continue;
+      if (boundary.enclosing[f] != 0 && cut_away(x.xyz(node), ~0U, scenes.planes)) continue;
       taken[at(node)] = 1;
       nodes.push_back(node);
     }
