@@ -1,5 +1,6 @@
 // The studio on volume meshes, all panels open, without a display (EGL): what frames cost at rest,
-// while the view is turned, and how long a cut that is dragged takes to be in the picture.
+// while the view is turned and while a body is moved by the solver, and how long a cut that is
+// dragged takes to be in the picture. Times of frames are those of the window's thread alone.
 //
 //   bench/space_studio_bench MESH ...
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <cstdio>
 #include <ctime>
 #include <functional>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -65,6 +67,7 @@ class SpaceBench {
     at_rest();
     turn();
     drag_cut();
+    solve();
   }
 
  private:
@@ -137,6 +140,51 @@ class SpaceBench {
     report("a cut moves, until its section", answer);
     report("the same, work of its threads", beside);
     report("frames meanwhile, update", update);
+  }
+
+  /// The first marker that does not enclose the others.
+  std::optional<Index> body() const {
+    const VolumeBoundary& boundary = *bench_.session().document()->boundary();
+    for (std::size_t f = 0; f < boundary.faces.size(); ++f)
+      if (boundary.enclosing[f] == 0 && boundary.faces[f].marker >= 0)
+        return boundary.faces[f].marker;
+    return std::nullopt;
+  }
+
+  /// Frames at 60 a second while a body goes to its place, for at most so many of them.
+  void solve() {
+    constexpr int most = 900;
+    const auto marker = body();
+    if (!marker) return;
+    bench_.apply(action::SelectMarkers{{*marker}});
+    settle();
+    SpaceMotion motion;
+    motion.rotate = 25;
+    motion.pivot = bench_.session().selection().space_pivot();
+    motion.translate = Vec3(0, 0, 0);
+    bench_.apply(action::ApplyMotion{motion});
+    std::vector<double> update, drawn;
+    std::uint64_t meshes = 0, shape = bench_.session().shape();
+    double beside = -spent_beside_ms();
+    const double begin = clock_ms();
+    for (int k = 0; k < most && bench_.session().in_motion(); ++k) {
+      input_.move(ScreenPoint(560 + k % 40, 350));
+      update.push_back(frame());
+      drawn.push_back(paint());
+      if (bench_.session().shape() != shape) ++meshes;
+      shape = bench_.session().shape();
+      std::this_thread::sleep_for(std::chrono::milliseconds(16));
+    }
+    beside += spent_beside_ms();
+    std::printf(
+        "  the solver runs: %zu frames in %.1f s, %d meshes, %.0f %% of a processor beside\n",
+        update.size(), (clock_ms() - begin) / 1e3, static_cast<int>(meshes),
+        100 * beside / (clock_ms() - begin));
+    if (update.empty()) return;
+    report("meanwhile, update", update);
+    report("meanwhile, drawn by the processor", drawn);
+    bench_.apply(action::CancelSolver{});
+    settle();
   }
 
   std::unique_ptr<HeadlessContext> context_ = make_headless_context();

@@ -73,6 +73,14 @@ TOUR = {
     "volume_compare": (CUBE_IN_SPACE, "click marker/cube\nfill motion/rotate 35\nfill motion/d_z 0.5\n"
                        "click motion/apply\nwait\nkey Escape\nkey Shift+G\nwait\nlook 0 0 0.2 2.6\n"
                        "away\nwait\n"),
+    "volume_handle": (WING_IN_SPACE, ASLANT + "click marker/flap\nclick motion/axis\n"
+                      "click \"motion/axis/z\"\nlook 0.9 -0.05 0.6 0.55\nwait\n"
+                      "press gizmo/ring/z\nmove gizmo/ring/x\nwait\n"),
+    "volume_region": (CUBE_IN_SPACE, "click marker/cube\nclick motion/keep_outside\n"
+                      "click motion/keep_outside/Sphere\nclick motion/limits\n"
+                      "click motion/min_quality_smallest_solid_angle/on\naway\nwait\n"),
+    "roles": (CIRCLE, "click marker_role/farfield\nwait\nclick markers/roles\nclick 0.5 0\nkey F\n"
+                      "away\nwait\n"),
     "demo": (None, "wait\nclick welcome/demo/C\nwait\nclick demo/next\nwait\naway\nwait\n"),
     "history": (NACA, "click 0.5 0\nfill motion/rotate -20\nclick motion/apply\nwait\n"
                       "fill motion/dx 0.3\nclick motion/apply\nwait\nkey Space\nwait\n"

@@ -147,7 +147,7 @@ void require_dimension(const Command& command, const MeshState& state) {
       command);
   if (!smooth) return;
   validate_vcvs(*smooth, state.mesh.topology->cell_dimension());
-  if (smooth->keep_outside.given()) require_plane(*state.mesh.topology, "keep-outside");
+  validate(smooth->keep_outside, state.mesh.topology->cell_dimension());
 }
 
 /// Limits of the quality are kept on a path, so there has to be one.

@@ -245,7 +245,9 @@ bool same(const SharesOption& a, const SharesOption& b) {
 }
 template <class Simple>
 bool same(const Simple& a, const Simple& b) {
-  return *a.value == *b.value;
+  bool equal = *a.value == *b.value;
+  if constexpr (requires { a.third; }) equal = equal && (!a.third || *a.third == *b.third);
+  return equal;
 }
 
 void copy(const ChoiceOption& from, const ChoiceOption& to) { to.choose(from.name()); }
@@ -255,6 +257,8 @@ void copy(const SharesOption& from, const SharesOption& to) {
 template <class Simple>
 void copy(const Simple& from, const Simple& to) {
   *to.value = *from.value;
+  if constexpr (requires { from.third; })
+    if (from.third) *to.third = *from.third;
 }
 
 bool same_value(const Option& a, const Option& b) {

@@ -109,8 +109,8 @@ class NodeClasses {
   std::map<Index, Index> masters_;        // nodes that have images, and these
   // #nodes, of those that follow one; empty if none does.
   std::vector<std::shared_ptr<const SlidingGeometry>> geometry_;
+  std::vector<Index> yielding_;  // as set_yielding() was told
   std::shared_ptr<const ElementNormals> element_normals_;
-  std::vector<Index> yielding_;
 };
 
 }  // namespace winslow

@@ -1,8 +1,10 @@
 #include "core/strategy/keep_outside.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <string>
+#include <utility>
 
 #include "core/error.h"
 #include "core/motion/rigid_motion.h"
@@ -20,22 +22,23 @@ OptionTable option_table(KeepOutside& keep) {
        .object = "keep_outside",
        .applies = keep.radius.has_value()},
       {.key = "centre",
-       .value = OptionalVectorOption{&keep.centre},
+       .value = OptionalVectorOption{&keep.centre, &keep.centre_z},
        .label = "Free centre",
-       .help = "Of the circle outside which nodes stay; not given: the centre of the bounding box "
+       .help = "Of the circle, in space the sphere, outside which nodes stay; not given: the "
+               "centre of the bounding box "
                "of all that moves, or of the walls that get layers",
        .unit = "units of the mesh",
        .object = "keep_outside",
        .applies = keep.centre.has_value()},
       {.key = "corner",
-       .value = OptionalVectorOption{&keep.corner},
+       .value = OptionalVectorOption{&keep.corner, &keep.corner_z},
        .label = "Free box",
        .help = "Nodes outside the box with this corner and the one opposite stay where they are",
        .unit = "units of the mesh",
        .object = "keep_outside",
        .applies = keep.corner.has_value()},
       {.key = "opposite",
-       .value = OptionalVectorOption{&keep.opposite},
+       .value = OptionalVectorOption{&keep.opposite, &keep.opposite_z},
        .label = "Opposite corner",
        .help = "Of the box outside which nodes stay",
        .unit = "units of the mesh",
@@ -53,41 +56,81 @@ void validate(const KeepOutside& keep) {
     throw UsageError("keep-outside: found a centre without a radius, expected both");
 }
 
+void validate(const KeepOutside& keep, int dimension) {
+  validate(keep);
+  const std::array<std::pair<const char*, bool>, 3> places{
+      {{"centre", keep.centre && keep.centre_z.has_value() != (dimension == 3)},
+       {"corner", keep.corner && keep.corner_z.has_value() != (dimension == 3)},
+       {"opposite", keep.opposite && keep.opposite_z.has_value() != (dimension == 3)}}};
+  for (const auto& [name, wrong] : places)
+    if (wrong)
+      throw UsageError("keep-outside " + std::string(name) +
+                       (dimension == 3 ? ": found two numbers, expected three for a volume mesh"
+                                       : ": found three numbers, expected two for a plane mesh"));
+}
+
 KeepOutside to_local(KeepOutside keep, const LocalFrame& frame) {
   for (std::optional<Vec2>* place : {&keep.centre, &keep.corner, &keep.opposite})
     if (*place) *place = frame.to_local(**place);
+  for (std::optional<double>* height : {&keep.centre_z, &keep.corner_z, &keep.opposite_z})
+    if (*height) **height -= frame.origin().z();
   return keep;
 }
 
+namespace {
+
+Vec3 middle_of(const Coordinates& x, std::span<const Index> nodes) {
+  if (x.dimension() == 3) return body_centre(space_bounds(x, nodes));
+  const Vec2 middle = body_centre(bounds(x, nodes));
+  return {middle.x(), middle.y(), 0};
+}
+
+/// Calls holds() with the places of nodes.
+class NodesInside {
+ public:
+  NodesInside(const FreeRegion& region, const Coordinates& x) : region_(region), x_(x) {}
+  bool operator()(Index node) const {
+    return x_.dimension() == 3 ? region_.holds(x_.xyz(node)) : region_.holds(x_.xy(node));
+  }
+
+ private:
+  const FreeRegion& region_;
+  const Coordinates& x_;
+};
+
+}  // namespace
+
 FreeRegion::FreeRegion(const KeepOutside& keep, const Coordinates& x,
                        std::span<const Index> about) {
-  validate(keep);
+  validate(keep, x.dimension());
   if (keep.radius) {
     if (!keep.centre && about.empty())
       throw UsageError(
           "keep-outside radius: nothing moves whose centre could be meant; give the centre of "
-          "the circle (keep-outside centre)");
-    centre_ = keep.centre ? *keep.centre : body_centre(bounds(x, about));
+          "the " +
+          std::string(x.dimension() == 3 ? "sphere" : "circle") + " (keep-outside centre)");
+    centre_ = keep.centre ? keep.centre_point() : middle_of(x, about);
     radius_ = keep.radius;
   }
   if (keep.corner) {
-    low_ = keep.corner->cwiseMin(*keep.opposite);
-    high_ = keep.corner->cwiseMax(*keep.opposite);
+    low_ = keep.corner_point().cwiseMin(keep.opposite_point());
+    high_ = keep.corner_point().cwiseMax(keep.opposite_point());
     box_ = true;
   }
 }
 
-bool FreeRegion::holds(const Vec2& point) const {
+bool FreeRegion::holds(const Vec3& point) const {
   if (radius_ && (point - centre_).norm() > *radius_) return false;
   return !box_ || ((point.array() >= low_.array()).all() && (point.array() <= high_.array()).all());
 }
 
 std::vector<Index> nodes_outside(const FreeRegion& region, const Topology& topology,
                                  const Coordinates& x) {
+  const NodesInside inside(region, x);
   std::vector<Index> outside;
   const auto interior = topology.interior_nodes();
   std::ranges::copy_if(interior, std::back_inserter(outside),
-                       [&](Index node) { return !region.holds(x.xy(node)); });
+                       [&](Index node) { return !inside(node); });
   if (outside.size() == interior.size())
     throw UsageError("keep-outside: no interior node lies inside the region");
   std::ranges::sort(outside);
@@ -98,8 +141,8 @@ std::vector<Index> nodes_kept_outside(const KeepOutside& keep, const Topology& t
                                       const Coordinates& x, std::span<const Index> moving) {
   if (!keep.given()) return {};
   const FreeRegion region(keep, x, moving);
-  const auto left =
-      std::ranges::count_if(moving, [&](Index node) { return !region.holds(x.xy(node)); });
+  const NodesInside inside(region, x);
+  const auto left = std::ranges::count_if(moving, [&](Index node) { return !inside(node); });
   if (left > 0)
     throw UsageError("keep-outside: " + std::to_string(left) + " of " +
                      std::to_string(moving.size()) +

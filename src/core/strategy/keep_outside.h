@@ -10,19 +10,26 @@
 
 namespace winslow {
 
-/// A circle, a box, or both, outside which nothing moves but the boundary that a motion takes.
-/// Places are those of the mesh that a command is given, before anything moves.
+/// A circle (in space a sphere), a box, or both, outside which nothing moves but the boundary that
+/// a motion takes. Places are those of the mesh that a command is given, before anything moves; in
+/// space they have a third component.
 struct KeepOutside {
   /// Of the circle, in units of the mesh. None: no circle.
   std::optional<double> radius = std::nullopt;
   /// Of the circle. None: the centre of the bounding box of all that moves, or of the walls that
   /// get layers.
   std::optional<Vec2> centre = std::nullopt;
+  std::optional<double> centre_z = std::nullopt;
   /// Opposite corners of the box, in any order. Both or none.
   std::optional<Vec2> corner = std::nullopt;
   std::optional<Vec2> opposite = std::nullopt;
+  std::optional<double> corner_z = std::nullopt, opposite_z = std::nullopt;
 
   bool given() const { return radius || corner || opposite; }
+  /// Their third component is 0 where it is not given, as in the plane.
+  Vec3 centre_point() const { return {centre->x(), centre->y(), centre_z.value_or(0)}; }
+  Vec3 corner_point() const { return {corner->x(), corner->y(), corner_z.value_or(0)}; }
+  Vec3 opposite_point() const { return {opposite->x(), opposite->y(), opposite_z.value_or(0)}; }
   bool operator==(const KeepOutside&) const = default;
 };
 
@@ -30,6 +37,8 @@ OptionTable option_table(KeepOutside& keep);
 
 /// Throws UsageError for a box with one corner, or a centre without a radius.
 void validate(const KeepOutside& keep);
+/// The same, and for places that have not as many components as points of the mesh (2 or 3).
+void validate(const KeepOutside& keep, int dimension);
 
 /// The same region, of a mesh in that frame.
 KeepOutside to_local(KeepOutside keep, const LocalFrame& frame);
@@ -38,17 +47,19 @@ KeepOutside to_local(KeepOutside keep, const LocalFrame& frame);
 /// is.
 class FreeRegion {
  public:
-  /// x: the mesh that the region is about. about: nodes in the middle of whose bounding box a
-  /// circle without a centre stands. Throws as validate(), and for such a circle about no nodes.
+  /// x: the mesh that the region is about, in the plane or in space. about: nodes in the middle of
+  /// whose bounding box a circle without a centre stands. Throws as validate(), and for such a
+  /// circle about no nodes.
   FreeRegion(const KeepOutside& keep, const Coordinates& x, std::span<const Index> about);
 
-  bool holds(const Vec2& point) const;
+  bool holds(const Vec3& point) const;
+  bool holds(const Vec2& point) const { return holds(Vec3(point.x(), point.y(), 0)); }
 
  private:
   std::optional<double> radius_;
-  Vec2 centre_{0, 0};
+  Vec3 centre_{0, 0, 0};
   bool box_ = false;
-  Vec2 low_{0, 0}, high_{0, 0};
+  Vec3 low_{0, 0, 0}, high_{0, 0, 0};
 };
 
 /// The interior nodes outside a region, ascending: those that a command keeps where they are.

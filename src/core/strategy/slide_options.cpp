@@ -21,7 +21,9 @@ OptionTable option_table(SlideOptions& slide) {
       {.key = "feature_angle",
        .value = RealOption{&slide.feature_angle, between(0, 180)},
        .label = "Feature angle",
-       .help = "Where a sliding marker turns by more than this is a corner, which stays",
+       .help =
+           "Where a sliding marker turns by more than this is a corner, which stays, in space an "
+           "edge",
        .unit = "degrees",
        .object = "slide",
        .flag = "feature-angle",
@@ -29,8 +31,8 @@ OptionTable option_table(SlideOptions& slide) {
       {.key = "features",
        .value = SwitchOption{&slide.features},
        .label = "Slide along edges",
-       .help = "Volume meshes: nodes slide along the straight edges in which planes of sliding "
-               "markers meet, instead of staying",
+       .help = "In space: nodes slide along the edges of sliding markers and of surface meshes, "
+               "instead of staying",
        .object = "slide",
        .applies = !slide.markers.empty()},
       {.key = "periodic",

@@ -3,6 +3,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace winslow::gui {
@@ -46,6 +47,7 @@ struct InputQueue::Frame {
   bool any_button = false;
   std::bitset<512> key_changed;
   bool leads_elsewhere = false;  // a key went down that types no character
+  bool chord = false;            // a key went down with Ctrl, Alt or Super, as for a command
   // A key went down: what Control and Shift do after that is no part of it.
   bool settled = false;
   Keys keys = Keys::take;
@@ -67,13 +69,16 @@ bool InputQueue::take(const Event& event, Frame& frame) {
     const auto k = static_cast<std::size_t>(key->key);
     if (frame.settled || frame.any_button || frame.key_changed[k]) return false;
     if (key->down && frame.keys == Keys::hold) return false;
+    const bool chord = state_.control() || state_.alt() || state_.super();
+    if (key->down && waits() && !chord && !is_modifier(key->key)) return false;
     frame.key_changed[k] = true;
     frame.settled = key->down && !is_modifier(key->key);
     frame.leads_elsewhere = key->down && types_nothing(key->key);
+    frame.chord = frame.settled && chord;
     state_.keys[k] = key->down;
   } else if (const auto* text = std::get_if<Text>(&event)) {
     // What is typed after Tab or Enter is for where these lead.
-    if (frame.leads_elsewhere) return false;
+    if (frame.leads_elsewhere || frame.chord || waits()) return false;
     // A frame cannot tell whether a character that is a command was typed once or twice.
     if (state_.text.find(text->character) != std::u32string::npos) return false;
     state_.text.push_back(text->character);
@@ -86,6 +91,8 @@ bool InputQueue::take(const Event& event, Frame& frame) {
 InputState InputQueue::next_frame(Keys keys) {
   // Frames that a field takes until it has the keyboard.
   constexpr int frames_to_lead = 2;
+  // The same of one in a column that a command opens (Ctrl+G).
+  constexpr int frames_to_open = 4;
   state_.wheel = Vec2(0, 0);
   state_.text.clear();
   state_.dropped.clear();
@@ -97,6 +104,7 @@ InputState InputQueue::next_frame(Keys keys) {
   Frame frame;
   frame.keys = keys;
   while (!events_.empty() && take(events_.front(), frame)) events_.pop_front();
+  waiting_ = frame.chord ? frames_to_open : std::max(waiting_ - 1, 0);
   // A drop of no files stands for a frame in which nothing happens.
   if (frame.leads_elsewhere && !events_.empty() && std::holds_alternative<Text>(events_.front()))
     events_.insert(events_.begin(), frames_to_lead, Drop{});

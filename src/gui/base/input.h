@@ -37,7 +37,8 @@ struct InputState {
 /// Events in the order in which they came. Several events may fall into one frame, but never two
 /// that a frame could not tell apart: a press and its release, a press and a motion after it, a key
 /// and the release of the Control key that was held with it, a character twice, or one that was
-/// typed after Tab or Enter.
+/// typed after Tab or Enter. What is typed after a command's key with Ctrl or Alt waits some frames
+/// for the field that the command may open.
 class InputQueue {
  public:
   void move(const ScreenPoint& position);
@@ -80,9 +81,12 @@ class InputQueue {
   using Event = std::variant<Move, Button, Wheel, Key, Text, Drop>;
   struct Frame;  // what the frame being filled holds already
   bool take(const Event& event, Frame& frame);
+  /// What is typed is kept back in this frame.
+  bool waits() const { return waiting_ > 0; }
 
   std::deque<Event> events_;
   InputState state_;
+  int waiting_ = 0;  // frames for which it is
 };
 
 }  // namespace winslow::gui

@@ -9,6 +9,7 @@
 #include "core/inspect/space/surface_measures.h"
 #include "core/quality/metric.h"
 #include "gui/base/text.h"
+#include "gui/document/jobs/periodic_sides.h"
 #include "gui/menu/bodies.h"
 #include "gui/menu/layer_commands.h"
 #include "gui/menu/pivot_commands.h"
@@ -149,6 +150,29 @@ std::vector<UserCommand> moving(const std::vector<Index>& markers) {
   };
 }
 
+/// What a marker can be periodic with: nothing, or another marker.
+std::vector<UserCommand> partners_of(const PanelContext& context, Index marker) {
+  const auto& markers = context.topology()->markers();
+  const std::string& own = markers[at(marker)].name;
+  const auto now = partner_of(context.session.jobs().smooth_options().slide, own);
+  std::vector<std::optional<std::string>> others{std::nullopt};
+  for (const Marker& other : markers)
+    if (other.name != own) others.emplace_back(other.name);
+  std::vector<UserCommand> commands;
+  for (const auto& other : others)
+    commands.push_back({.id = "periodic/" + other.value_or("none"),
+                        .label = other.value_or("None"),
+                        .tooltip = other
+                                       ? "Nodes of " + own + " and of " + *other + " move together."
+                                       : own + " stays, or slides.",
+                        .checked = [on = now == other](const PanelContext&) { return on; },
+                        .run =
+                            [own, other](const PanelContext& c) {
+                              c.emit(action::PairMarkers{own, other});
+                            }});
+  return commands;
+}
+
 std::vector<UserCommand> looking(const PanelContext& context, const std::vector<Index>& markers) {
   const MarkerLook look = context.view.markers.of(names_of(context, {markers.front()}));
   return {
@@ -170,6 +194,17 @@ std::vector<UserCommand> looking(const PanelContext& context, const std::vector<
        .checked = [look](const PanelContext&) { return look.locked; },
        .run =
            change_looks(markers, [on = !look.locked](MarkerLook& marker) { marker.locked = on; })},
+      {.id = "body/periodic",
+       .label = "Periodic with",
+       .tooltip = "The marker whose nodes are the images of its own, shifted or turned: they then "
+                  "move together. Where they do not match, it is said which do not.",
+       .blocked = [markers](const PanelContext& c) -> std::string {
+         if (std::string busy = while_busy(c); !busy.empty()) return busy;
+         if (markers.size() > 1) return "Of one marker at a time.";
+         return c.topology()->markers().size() < 2 ? "There is no other marker." : "";
+       },
+       .items = [marker =
+                     markers.front()](const PanelContext& c) { return partners_of(c, marker); }},
       {.id = "body/export",
        .label = "Export as curve...",
        .tooltip = "Write its nodes as a table, points or VTK lines.",

@@ -228,6 +228,13 @@ std::vector<UserCommand> style_commands() {
              {.id = "nodes", .label = "Nodes", .tooltip = "Draw the nodes as dots."}),
       toggle(&ViewOptions::rim_nodes,
              {.id = "rim_nodes", .label = "Boundary nodes", .tooltip = "Dots along the boundary."}),
+      toggle(
+          &ViewOptions::roles,
+          {.id = "roles",
+           .label = "What nodes do",
+           .tooltip = "Nodes in colours by what they do while the mesh is smoothed: stay, slide, "
+                      "move as one of a periodic pair.",
+           .words = "sliding periodic feature corner class role"}),
       toggle(&ViewOptions::directions,
              {.id = "directions",
               .label = "Boundary directions",

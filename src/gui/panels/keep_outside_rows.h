@@ -6,7 +6,7 @@
 namespace winslow::gui {
 
 /// Rows for the region outside which nothing moves (SmoothOptions::keep_outside): none, a circle
-/// about the selection, a box around it.
+/// about the selection (of a volume mesh a sphere), a box around it.
 void draw_keep_outside(const PanelContext& context);
 
 }  // namespace winslow::gui

@@ -94,63 +94,9 @@ float draw_row_buttons(const PanelContext& context, Index marker, const ImVec2& 
   return end.x - 2 * side;
 }
 
-/// What the nodes of a marker do while the mesh is smoothed.
-enum class Role { fixed, slides, moves };
-
-Role role_of(const PanelContext& context, Index marker, const std::string& name) {
-  if (context.session.selection().contains(marker)) return Role::moves;
-  const auto& sliding = context.session.jobs().smooth_options().slide.markers;
-  return std::ranges::find(sliding, name) != sliding.end() ? Role::slides : Role::fixed;
-}
-
-float role_width(const Theme& theme) { return ImGui::CalcTextSize("slides").x + 2 * theme.px(6); }
-
-void toggle_sliding(const PanelContext& context, const std::string& name) {
-  const SmoothOptions& before = context.session.jobs().smooth_options();
-  SmoothOptions after = before;
-  std::vector<std::string>& sliding = after.slide.markers;
-  if (std::erase(sliding, name) == 0) sliding.push_back(name);
-  context.emit(action::EditSmoothOptions{difference(before, after)});
-}
-
 struct RowRect {
   ImVec2 min, max;
 };
-/// A click has a marker that stays slide, and the other way round.
-void draw_role(const PanelContext& context, Index marker, const RowRect& rect) {
-  const std::string& name = context.topology()->markers()[static_cast<std::size_t>(marker)].name;
-  const Role role = role_of(context, marker, name);
-  ImGui::SetCursorScreenPos(rect.min);
-  const std::string id = "marker_role/" + name;
-  const bool pressed =
-      ImGui::InvisibleButton(id.c_str(), ImVec2(rect.max.x - rect.min.x, rect.max.y - rect.min.y));
-  ui::note(id);
-  const bool over = ImGui::IsItemHovered() && role != Role::moves;
-  ui::tooltip(role == Role::moves ? name + " is selected: it moves."
-              : role == Role::slides
-                  ? name +
-                        " slides: while the mesh is smoothed its nodes move along the boundary, "
-                        "which keeps its shape; corners stay. Click: all of it stays."
-                  : name +
-                        " stays where it is. Click: its nodes slide along the boundary while "
-                        "the mesh is smoothed, as those of a far field may.");
-  if (pressed && role != Role::moves) toggle_sliding(context, name);
-  const float pad = context.theme.px(6);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (role != Role::fixed)
-    list.AddRectFilled(
-        ImVec2(rect.min.x, rect.min.y + pad / 2), ImVec2(rect.max.x, rect.max.y - pad / 2),
-        role == Role::moves ? palette().accent : palette().accent_soft, context.theme.px(4));
-  constexpr std::array names{"fixed", "slides", "moves"};
-  const char* text = names[static_cast<std::size_t>(role)];
-  const float width = ImGui::CalcTextSize(text).x;
-  const ImU32 ink = role == Role::moves    ? palette().on_accent
-                    : over                 ? palette().accent
-                    : role == Role::slides ? palette().text
-                                           : palette().text_faint;
-  list.AddText(ImVec2((rect.min.x + rect.max.x - width) / 2, rect.min.y + pad), ink, text);
-}
-
 void draw_name(const std::string& name, bool hidden, const Theme& theme, const RowRect& rect) {
   const std::string text = ui::elided(name, rect.max.x - theme.px(6) - rect.min.x);
   ImGui::GetWindowDrawList()->AddText(ImVec2(rect.min.x, rect.min.y + theme.px(6)),
@@ -180,6 +126,7 @@ void MarkersPanel::draw(const PanelContext& context) {
   if (draw_colors(context)) ImGui::OpenPopup(other_popup);
   draw_other_color(context);
   ImGui::EndChild();
+  roles_.draw_settings(context);
 }
 
 void MarkersPanel::draw_row(const PanelContext& context, Index marker) {
@@ -216,8 +163,8 @@ void MarkersPanel::draw_row(const PanelContext& context, Index marker) {
                      context.theme.px(3));
 
   const float tools = draw_row_buttons(context, marker, start, end);
-  const float role = tools - role_width(context.theme);
-  draw_role(context, marker, {ImVec2(role, start.y), ImVec2(tools, end.y)});
+  const float role = tools - MarkerRoles::width(context.theme);
+  MarkerRoles::draw_word(context, marker, {ImVec2(role, start.y), ImVec2(tools, end.y)});
   ImGui::SetCursorScreenPos(ImVec2(start.x + side, start.y));
   const bool pressed = ImGui::InvisibleButton("row", ImVec2(role - start.x - side, side));
   ui::note("marker/" + data.name);

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "gui/panels/marker_roles.h"
 #include "gui/panels/panel.h"
 
 namespace winslow::gui {
@@ -20,6 +21,7 @@ class MarkersPanel : public Panel {
   void draw_other_color(const PanelContext& context);
   void draw_surface(const PanelContext& context, Index marker) const;
 
+  MarkerRoles roles_;
   std::string coloured_;  // marker whose colour is being chosen
 };
 

@@ -5,7 +5,6 @@
 
 #include "core/motion/rigid_motion.h"
 #include "gui/panels/forms/motion_steps_row.h"
-#include "gui/panels/forms/quality_limits_form.h"
 #include "gui/panels/keep_outside_rows.h"
 #include "gui/widgets/controls.h"
 
@@ -44,7 +43,7 @@ void MotionPanel::draw(const PanelContext& context) {
   draw_pivot(context);
   draw_motion_steps(context);
   draw_keep_outside(context);
-  draw_limits(context);
+  draw_quality_limits(context);
   ImGui::EndDisabled();
   typed_.pivot = session.selection().pivot();
   const bool can = !live && moves(typed_) && finite(typed_);
@@ -109,15 +108,6 @@ void MotionPanel::draw_pivot(const PanelContext& context) {
   if (chosen == names.size()) names.emplace_back("As typed or dragged");
   if (ui::combo("motion/pivot_place", names, chosen, tip) && chosen < places.size())
     context.emit(action::SetPivot{{}, places[chosen]});
-}
-
-/// They hold for every motion and deformation from here on, dragged or typed.
-void MotionPanel::draw_limits(const PanelContext& context) {
-  const Jobs& jobs = context.session.jobs();
-  MotionOptions options = jobs.motion_options();
-  if (ui::quality_limits_form("motion", options.floor,
-                              follows_path(options, jobs.smooth_options())))
-    context.emit(action::EditMotionOptions{difference(jobs.motion_options(), options)});
 }
 
 }  // namespace winslow::gui

@@ -13,7 +13,6 @@ class MotionPanel : public Panel {
   bool draw_fields(const PanelContext& context, bool live);
   void preview(const PanelContext& context, bool wanted) const;
   void draw_pivot(const PanelContext& context);
-  void draw_limits(const PanelContext& context);
 
   RigidMotion typed_;  // rotate and translate; the pivot is the session's
 };

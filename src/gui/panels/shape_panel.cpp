@@ -144,9 +144,13 @@ bool ShapePanel::draw_fields(bool in_space) {
         "Largest displacement, in units of the mesh; negative turns the sine over.");
   field("shape/waves", "Waves", typed_.waves, "Full periods over the length of the body.");
   changed |= draw_axes(in_space);
-  constexpr const char* fade_tip =
-      "Where the displacement fades to nothing, so that an edge stays where it is. Start and end "
-      "are those of smallest and largest x (for direction y).";
+  const char* fade_tip =
+      in_space
+          ? "Where the displacement fades to nothing, so that an edge stays where it is. Start "
+            "and end are those along the axis in which the sine runs: of its smallest and its "
+            "largest coordinate."
+          : "Where the displacement fades to nothing, so that an edge stays where it is. Start "
+            "and end are those of smallest and largest x (for direction y).";
   ui::row("Fade", fade_tip, label_share);
   auto fade = static_cast<std::size_t>(typed_.fade);
   if (ui::combo("shape/fade", {"None", "At the start", "At the end", "At both ends"}, fade,

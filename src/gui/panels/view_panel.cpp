@@ -194,7 +194,10 @@ bool ViewPanel::draw_elements(ViewOptions& view, bool in_space) {
   ui::second_column("Legend");
   changed |= ui::checkbox("view/legend", "Legend", view.legend, "Colours and their values (L).");
   if (!in_space) changed |= ui::checkbox("view/nodes", "Nodes", view.nodes, "A dot on every node.");
-  if (in_space) changed |= draw_ids(view);
+  if (in_space) {
+    changed |= draw_ids(view);
+    changed |= draw_roles(view);
+  }
   return changed;
 }
 
@@ -235,7 +238,15 @@ bool ViewPanel::draw_boundary(ViewOptions& view) {
   ui::second_column("Directions");
   changed |= ui::checkbox("view/directions", "Directions", view.directions,
                           "Arrows along the boundary, with the mesh on their left.");
+  changed |= draw_roles(view);
   return draw_ids(view) || changed;
+}
+
+bool ViewPanel::draw_roles(ViewOptions& view) {
+  return ui::checkbox("view/roles", "What nodes do", view.roles,
+                      "Nodes in colours by what they do while the mesh is smoothed: stay at a "
+                      "corner, slide along a curve or on a surface, move as one of a periodic pair, "
+                      "are free. A key says which is which.");
 }
 
 bool ViewPanel::draw_ids(ViewOptions& view) {

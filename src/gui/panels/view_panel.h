@@ -16,6 +16,7 @@ class ViewPanel : public Panel {
   bool draw_elements(ViewOptions& view, bool in_space);
   bool draw_boundary(ViewOptions& view);
   bool draw_ids(ViewOptions& view);
+  bool draw_roles(ViewOptions& view);
   bool draw_space(ViewOptions& view);
   bool draw_comparison(ViewOptions& view);
   bool draw_magnifier(const PanelContext& context, ViewOptions& view);

@@ -42,14 +42,14 @@ auto option_fields(T& options) {
 template <Is<ViewOptions> T>
 auto option_fields(T& options) {
   auto& [color, color_map, color_axis, percentiles, range, bands, isolation, fill, wireframe,
-         line_width, nodes, rim_nodes, directions, markers, node_ids, element_ids, legend,
+         line_width, nodes, rim_nodes, roles, directions, markers, node_ids, element_ids, legend,
          legend_place, scale_bar, mark_inverted, comparison, divider, before, magnifier, space,
          worst_by, worst_count, lightness, backdrop, scale, left_panel, right_panel, side_tab,
          plot_panel] = options;
   return std::tuple_cat(std::tie(color, color_map, color_axis, percentiles, range, bands),
                         option_fields(isolation),
-                        std::tie(fill, wireframe, line_width, nodes, rim_nodes, directions, markers,
-                                 node_ids, element_ids, legend, legend_place, scale_bar,
+                        std::tie(fill, wireframe, line_width, nodes, rim_nodes, roles, directions,
+                                 markers, node_ids, element_ids, legend, legend_place, scale_bar,
                                  mark_inverted, comparison, divider, before),
                         option_fields(magnifier), option_fields(space),
                         std::tie(worst_by, worst_count, lightness, backdrop, scale, left_panel,

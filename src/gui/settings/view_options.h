@@ -66,6 +66,7 @@ struct ViewOptions {
   double line_width = 1;    ///< of edges, units of the layout
   bool nodes = false;       ///< of the whole mesh
   bool rim_nodes = false;   ///< of the markers
+  bool roles = false;       ///< what nodes do while the mesh is smoothed, in colours
   bool directions = false;  ///< arrows along markers, the mesh on their left
   MarkerLooks markers;      ///< what is hidden, locked or has another colour
   bool node_ids = false;

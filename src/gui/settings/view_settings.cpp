@@ -58,6 +58,7 @@ void visit(View& view, Visitor&& visitor) {
   visitor.number("line_width", view.line_width, 0.25, 4);
   visitor.flag("nodes", view.nodes);
   visitor.flag("rim_nodes", view.rim_nodes);
+  visitor.flag("roles", view.roles);
   visitor.flag("directions", view.directions);
   visitor.looks("markers", view.markers);
   visitor.flag("node_ids", view.node_ids);

@@ -44,6 +44,7 @@ struct SeenPlace {
 struct ViewState {
   std::optional<MeshItem> focus;  ///< what was gone to: highlighted and described
   bool go_to_wanted = false;      ///< the field "Go to" takes the keyboard in this frame
+  bool roles_previewed = false;   ///< roles of nodes are shown as long as what sets them is edited
   bool box_zoom_armed = false;    ///< the next drag draws the box to zoom to
   bool can_go_back = false;       ///< to an earlier view
   bool can_go_forward = false;

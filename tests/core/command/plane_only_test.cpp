@@ -87,11 +87,6 @@ TEST_CASE("commands are refused by their names on meshes that are not plane") {
 
 TEST_CASE("what volume meshes cannot do yet is refused by its name") {
   const MeshState state = make_state(make_mesh(cube(2, Volumes::tetrahedra)));
-  SmoothCommand smooth;
-  smooth.smooth.keep_outside.radius = 1;
-  CHECK_THROWS_WITH_AS(execute(smooth, state),
-                       "keep-outside: only for a plane mesh, and this is a volume mesh",
-                       UsageError);
   MoveCommand move;
   move.markers = a_marker(state.mesh);
   move.motion.rotate = 10;

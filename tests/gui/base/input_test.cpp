@@ -109,4 +109,35 @@ TEST_CASE("keys that are held back stay in their order, and what is down can go 
   CHECK(taken.text == U"z");
 }
 
+TEST_CASE("what is typed after a command with Ctrl waits for its field, another command does not") {
+  InputQueue queue;
+  queue.key(keys::control, true);
+  queue.key(GLFW_KEY_G, true);
+  queue.key(GLFW_KEY_G, false);
+  queue.key(keys::control, false);
+  queue.key(keys::e, true);
+  queue.text(U'e');
+  queue.key(keys::e, false);
+  InputState state = queue.next_frame();
+  REQUIRE(state.keys[GLFW_KEY_G]);
+  int waited = 0;
+  for (; waited < 20 && !state.keys[keys::e]; ++waited) {
+    CHECK(state.text.empty());
+    state = queue.next_frame();
+  }
+  CHECK(waited > 3);
+  CHECK(waited < 8);
+  CHECK(state.text == U"e");
+  // Undo, three times in a row.
+  queue = {};
+  queue.key(keys::control, true);
+  for (int k = 0; k < 3; ++k) {
+    queue.key(keys::z, true);
+    queue.key(keys::z, false);
+  }
+  int frames = 0;
+  for (; !queue.empty(); ++frames) queue.next_frame();
+  CHECK(frames <= 6);
+}
+
 }  // namespace winslow::gui::test

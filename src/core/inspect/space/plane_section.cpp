@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -17,22 +18,88 @@ namespace {
 
 constexpr double nearness = 1e-10;  // of the mesh's extent
 
-/// Signed distance of each node, 0 for those that count as on the plane.
+/// Nodes and elements of a mesh as a section goes through them: in the order of the mesh, or in
+/// another one with numbers of its own.
+class OrderedMesh {
+ public:
+  OrderedMesh(const Mesh& mesh, const SectionOrder* order)
+      : mesh_(mesh),
+        x_(mesh.coordinates),
+        order_(order),
+        rows_(order ? order->corners : mesh.topology->elements()) {}
+
+  std::span<const Index> corners(Index e) const { return rows_[e]; }
+  Vec3 point(Index node) const { return x_[order_ ? order_->nodes[at(node)] : node]; }
+  /// Its number in the mesh.
+  Index element(Index e) const { return order_ ? order_->elements[at(e)] : e; }
+  ElementType type(Index e) const { return mesh_.topology->element_type(element(e)); }
+
+ private:
+  const Mesh& mesh_;
+  SpacePoints x_;
+  const SectionOrder* order_;
+  const CompressedRows& rows_;
+};
+
+/// Signed distances of points to a plane, 0 for those that count as on it.
+class PlaneDistance {
+ public:
+  PlaneDistance(const Plane& plane, const Box<3>& extent)
+      : plane_(plane), least_(nearness * extent.size().norm()) {}
+
+  double of(const Vec3& point) const {
+    const double distance = plane_.distance(point);
+    return std::abs(distance) > least_ ? distance : 0;
+  }
+  double least() const { return least_; }
+
+ private:
+  const Plane& plane_;
+  double least_;
+};
+
+/// Of each node of the mesh.
 std::vector<double> distances(const Mesh& mesh, const Plane& plane) {
   if (mesh.topology->cell_dimension() != 3)
     throw UsageError("cuts by a plane: only for a volume mesh, and this is a " +
                      std::string(mesh_kind(*mesh.topology)));
-  const double least = nearness * space_bounds(mesh).size().norm();
+  const PlaneDistance distance(plane, space_bounds(mesh));
   const SpacePoints x(mesh.coordinates);
   std::vector<double> d(at(mesh.coordinates.size()));
   parallel_for(0, mesh.coordinates.size(), [&](Index begin, Index end) {
-    for (Index i = begin; i < end; ++i) {
-      const double distance = plane.distance(x[i]);
-      d[at(i)] = std::abs(distance) > least ? distance : 0;
-    }
+    for (Index i = begin; i < end; ++i) d[at(i)] = distance.of(x[i]);
   });
   return d;
 }
+
+/// On which side of a plane nodes lie, and how far from it. What it has of nodes that it was not
+/// told of says nothing: the memory for them is never touched.
+class NodeSides {
+ public:
+  /// front_on_plane: nodes on the plane count with what lies in front of it.
+  NodeSides(Index nodes, bool front_on_plane)
+      : front_on_plane_(front_on_plane),
+        distance_(std::make_unique_for_overwrite<double[]>(at(nodes))),
+        front_(std::make_unique_for_overwrite<unsigned char[]>(at(nodes))) {}
+
+  void put(Index node, double distance) {
+    distance_[at(node)] = distance;
+    front_[at(node)] = (front_on_plane_ ? distance >= 0 : distance > 0) ? 1 : 0;
+  }
+  bool in_front(Index node) const { return front_[at(node)] != 0; }
+  double distance(Index node) const { return distance_[at(node)]; }
+  /// Nodes on both sides are among them.
+  bool divides(std::span<const Index> nodes) const {
+    unsigned sum = 0;
+    for (const Index node : nodes) sum += front_[at(node)];
+    return sum != 0 && sum != nodes.size();
+  }
+
+ private:
+  bool front_on_plane_;
+  std::unique_ptr<double[]> distance_;
+  std::unique_ptr<unsigned char[]> front_;  // small enough to stay near the processor
+};
 
 /// Numbers by keys, in one array: a section asks for a point four times over.
 class KeyTable {
@@ -131,28 +198,18 @@ const std::array<TetrahedronCut, 16>& tetrahedron_cuts() {
 /// Cuts one element after the other.
 class Cutter {
  public:
-  /// front_on_plane: nodes on the plane count with what lies in front of it.
-  Cutter(const Mesh& mesh, std::vector<double> distance, bool front_on_plane)
-      : topology_(*mesh.topology),
-        x_(mesh.coordinates),
-        distance_(std::move(distance)),
-        front_(distance_.size()) {
-    for (std::size_t i = 0; i < front_.size(); ++i) {
-      const double d = distance_[i];
-      front_[i] = (front_on_plane ? d >= 0 : d > 0) ? 1 : 0;
-    }
-  }
+  Cutter(const OrderedMesh& mesh, const NodeSides& sides) : mesh_(mesh), sides_(sides) {}
 
-  PlaneSection cut() {
-    const std::vector<Index> met = met_elements();
+  /// met: elements that the plane divides.
+  PlaneSection cut(std::span<const Index> met) {
     // A plane tiling of n triangles has about n / 2 corners.
     point_of_.reserve(met.size() * 2 / 3);
     section_.points.reserve(met.size() * 2 / 3);
     section_.elements.reserve(met.size());
     section_.polygons.values.reserve(4 * met.size());
     for (const Index e : met) {
-      const auto corners = topology_.element(e);
-      if (topology_.element_type(e) == ElementType::tetrahedron)
+      const auto corners = mesh_.corners(e);
+      if (corners.size() == 4)
         cut_tetrahedron(e, corners);
       else
         cut_element(e, corners);
@@ -161,25 +218,6 @@ class Cutter {
   }
 
  private:
-  /// Elements with corners on both sides: found first, by all threads, as most have none.
-  std::vector<Index> met_elements() const {
-    std::vector<Index> met;
-    std::vector<unsigned char> flags(at(topology_.element_count()));
-    parallel_for(0, topology_.element_count(), [&](Index begin, Index end) {
-      for (Index e = begin; e < end; ++e) flags[at(e)] = is_met(e) ? 1 : 0;
-    });
-    for (Index e = 0; e < topology_.element_count(); ++e)
-      if (flags[at(e)] != 0) met.push_back(e);
-    return met;
-  }
-
-  bool is_met(Index e) const {
-    const auto corners = topology_.element(e);
-    unsigned sum = 0;
-    for (const Index node : corners) sum += front_[at(node)];
-    return sum != 0 && sum != corners.size();
-  }
-
   void cut_tetrahedron(Index e, std::span<const Index> corners) {
     unsigned front = 0;
     for (std::size_t k = 0; k < 4; ++k)
@@ -203,7 +241,7 @@ class Cutter {
     bool done;
   };
 
-  bool in_front(Index node) const { return front_[at(node)] != 0; }
+  bool in_front(Index node) const { return sides_.in_front(node); }
 
   std::size_t find_crossing(Index behind, Index front) {
     std::size_t k = 0;
@@ -214,8 +252,7 @@ class Cutter {
 
   void cut_element(Index e, std::span<const Index> corners) {
     count_ = 0;
-    for (const Face& face : shape_of(topology_.element_type(e)).faces)
-      cut_face(by_nodes(face, corners));
+    for (const Face& face : shape_of(mesh_.type(e)).faces) cut_face(by_nodes(face, corners));
     for (std::size_t k = 0; k < count_; ++k)
       if (!crossings_[k].done) add_polygon(e, k);
   }
@@ -246,13 +283,13 @@ class Cutter {
   /// elements.
   bool front_joined(const Face& face) const {
     const std::size_t first = in_front(face[0]) ? 0 : 1;
-    const auto d = [&](std::size_t k) { return distance_[at(face[(first + k) % 4])]; };
+    const auto d = [&](std::size_t k) { return sides_.distance(face[(first + k) % 4]); };
     return d(0) * d(2) > d(1) * d(3);
   }
 
   Index point_at(Index behind_node, Index front_node) {
     // A node on the plane is one point, whichever edges lead to it.
-    const double front = distance_[at(front_node)], behind = distance_[at(behind_node)];
+    const double front = sides_.distance(front_node), behind = sides_.distance(behind_node);
     const Index a = front == 0 ? front_node : behind_node;
     const Index b = behind == 0 ? behind_node : front_node;
     const auto key = (std::uint64_t{static_cast<std::uint32_t>(a)} << 32U) |
@@ -260,7 +297,7 @@ class Cutter {
     const auto [point, fresh] =
         point_of_.find_or_add(key, static_cast<Index>(section_.points.size()));
     if (fresh) {
-      const Vec3 p = x_[a], q = x_[b];
+      const Vec3 p = mesh_.point(a), q = mesh_.point(b);
       section_.points.emplace_back(a == b ? p : Vec3(p + (q - p) * (behind / (behind - front))));
     }
     return point;
@@ -291,13 +328,11 @@ class Cutter {
       polygons.values.pop_back();
     if (polygons.values.size() < begin + 3) return polygons.values.resize(begin);
     polygons.end_row();
-    section_.elements.push_back(e);
+    section_.elements.push_back(mesh_.element(e));
   }
 
-  const Topology& topology_;
-  SpacePoints x_;
-  std::vector<double> distance_;
-  std::vector<unsigned char> front_;  // of nodes; small enough to stay near the processor
+  const OrderedMesh& mesh_;
+  const NodeSides& sides_;
   std::array<Crossing, most_edges> crossings_{};
   std::size_t count_ = 0;
   KeyTable point_of_;
@@ -324,11 +359,46 @@ bool is_ear(const std::vector<Vec2>& p, const std::vector<Index>& left, std::siz
 
 }  // namespace
 
-PlaneSection plane_section(const Mesh& mesh, const Plane& plane) {
-  std::vector<double> d = distances(mesh, plane);
-  PlaneSection section = Cutter(mesh, d, true).cut();
-  if (section.elements.empty()) section = Cutter(mesh, std::move(d), false).cut();
-  return section;
+namespace {
+
+PlaneSection whole_section(const Mesh& mesh, const std::vector<double>& distances,
+                           bool front_on_plane) {
+  NodeSides sides(mesh.coordinates.size(), front_on_plane);
+  for (std::size_t i = 0; i < distances.size(); ++i) sides.put(static_cast<Index>(i), distances[i]);
+  // Found first, by all threads, as the plane divides few.
+  const Topology& topology = *mesh.topology;
+  std::vector<unsigned char> flags(at(topology.element_count()));
+  parallel_for(0, topology.element_count(), [&](Index begin, Index end) {
+    for (Index e = begin; e < end; ++e) flags[at(e)] = sides.divides(topology.element(e)) ? 1 : 0;
+  });
+  std::vector<Index> met;
+  for (Index e = 0; e < topology.element_count(); ++e)
+    if (flags[at(e)] != 0) met.push_back(e);
+  return Cutter(OrderedMesh(mesh, nullptr), sides).cut(met);
+}
+
+PlaneSection indexed_section(const Mesh& mesh, const Plane& plane, const SectionIndex& index,
+                             bool front_on_plane) {
+  const PlaneDistance distance(plane, index.extent());
+  const OrderedMesh ordered(mesh, &index.order());
+  std::vector<Index> met = index.near(plane, 2 * distance.least());
+  NodeSides sides(mesh.coordinates.size(), front_on_plane);
+  for (const Index e : met)
+    for (const Index node : ordered.corners(e)) sides.put(node, distance.of(ordered.point(node)));
+  std::erase_if(met, [&](Index e) { return !sides.divides(ordered.corners(e)); });
+  return Cutter(ordered, sides).cut(met);
+}
+
+}  // namespace
+
+PlaneSection plane_section(const Mesh& mesh, const Plane& plane, const SectionIndex* index) {
+  if (index) {
+    PlaneSection section = indexed_section(mesh, plane, *index, true);
+    return section.elements.empty() ? indexed_section(mesh, plane, *index, false) : section;
+  }
+  const std::vector<double> d = distances(mesh, plane);
+  PlaneSection section = whole_section(mesh, d, true);
+  return section.elements.empty() ? whole_section(mesh, d, false) : section;
 }
 
 std::vector<unsigned char> elements_behind(const Mesh& mesh, std::span<const Plane> planes) {

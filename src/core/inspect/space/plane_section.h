@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/inspect/space/plane.h"
+#include "core/inspect/space/section_index.h"
 #include "core/mesh/compressed_rows.h"
 #include "core/mesh/mesh.h"
 
@@ -26,9 +27,10 @@ struct PlaneSection {
 
 /// Nodes nearer to the plane than 1e-10 of the mesh's extent count as on it, and with what lies in
 /// front: where the plane runs along faces, the elements behind them are shown. If there are none,
-/// as at one end of the mesh, those in front are.
-/// Throws UsageError unless it is a volume mesh.
-PlaneSection plane_section(const Mesh& mesh, const Plane& plane);
+/// as at one end of the mesh, those in front are. index: of this mesh; polygons and points are the
+/// same, in another order. Throws UsageError unless it is a volume mesh.
+PlaneSection plane_section(const Mesh& mesh, const Plane& plane,
+                           const SectionIndex* index = nullptr);
 
 /// 1 for each element (#elements) that a crinkled cut leaves: some part of it lies behind each of
 /// the planes. What only touches a plane from in front is not left.

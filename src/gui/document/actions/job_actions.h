@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <variant>
 
 #include "core/command/command.h"
@@ -26,6 +27,12 @@ struct EditSmoothOptions {
 };
 struct EditMotionOptions {
   OptionEdit<MotionOptions> edit;
+};
+/// Has the nodes of two markers move together, as periodic sides, or those of `first` with none (no
+/// second): in every run from here on.
+struct PairMarkers {
+  std::string first;
+  std::optional<std::string> second;
 };
 /// How fast the outer iterations of the direct method go by.
 struct SetPace {
@@ -57,10 +64,10 @@ struct PreviewLayers {
 
 namespace winslow::gui {
 
-using JobAction =
-    std::variant<action::RunSmooth, action::Scramble, action::PauseSolver, action::ResumeSolver,
-                 action::StepSolver, action::CancelSolver, action::EditSmoothOptions,
-                 action::EditMotionOptions, action::SetPace, action::FollowSolver,
-                 action::RunCommand, action::RerunStep, action::PreviewLayers>;
+using JobAction = std::variant<action::RunSmooth, action::Scramble, action::PauseSolver,
+                               action::ResumeSolver, action::StepSolver, action::CancelSolver,
+                               action::EditSmoothOptions, action::EditMotionOptions,
+                               action::PairMarkers, action::SetPace, action::FollowSolver,
+                               action::RunCommand, action::RerunStep, action::PreviewLayers>;
 
 }  // namespace winslow::gui

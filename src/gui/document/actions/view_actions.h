@@ -79,6 +79,10 @@ struct InspectNode {
 struct PinMagnifier {};
 /// Puts the keyboard into the field "Go to".
 struct AskGoTo {};
+/// Shows what nodes do while the mesh is smoothed, whatever the view's options are; or no longer.
+struct PreviewRoles {
+  bool on = false;
+};
 /// Steps the scale of the interface up (1) or down (-1), or back to the screen's own (0).
 struct StepScale {
   int by = 0;
@@ -92,8 +96,9 @@ using ViewAction =
     std::variant<action::EditView, action::FitView, action::FitSelection, action::FitBodies,
                  action::FitMarkers, action::ToggleRuler, action::LookAt, action::BoxZoom,
                  action::ZoomTo, action::BackView, action::ForwardView, action::GoTo,
-                 action::InspectNode, action::PinMagnifier, action::AskGoTo, action::StepScale,
-                 action::LookAtPlace, action::ZoomToScreen, action::LookFrom, action::AddCut,
-                 action::HoldCut, action::AddCutAcrossView, action::ShowLook>;
+                 action::InspectNode, action::PinMagnifier, action::AskGoTo, action::PreviewRoles,
+                 action::StepScale, action::LookAtPlace, action::ZoomToScreen,
+                 action::LookFrom, action::AddCut, action::HoldCut, action::AddCutAcrossView,
+                 action::ShowLook>;
 
 }  // namespace winslow::gui

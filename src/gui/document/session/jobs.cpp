@@ -4,8 +4,10 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/geometry/periodic_pairs.h"
 #include "gui/base/text.h"
 #include "gui/document/jobs/end_text.h"
+#include "gui/document/jobs/periodic_sides.h"
 #include "gui/document/session/settled_command.h"
 
 namespace winslow::gui {
@@ -110,7 +112,10 @@ double Jobs::pace_of(Command command) const {
 
 SmoothOptions Jobs::smooth_for_motion(const std::vector<std::string>& markers) const {
   SmoothOptions smooth = smooth_;
-  for (const std::string& name : markers) std::erase(smooth.slide.markers, name);
+  for (const std::string& name : markers) {
+    std::erase(smooth.slide.markers, name);
+    smooth.slide.periodic = pairs_without(smooth.slide.periodic, name);
+  }
   return smooth;
 }
 
@@ -140,6 +145,30 @@ void Jobs::on(const action::StepSolver& a) {
   if (mesh_.held().body) return;
   if (!mesh_.job().active() && !start(SmoothCommand{smooth_}, true)) return;
   mesh_.job().step(a.count);
+}
+
+void Jobs::on(const action::PairMarkers& a) {
+  if (!mesh_.document()) return;
+  SlideOptions slide = smooth_.slide;
+  slide.periodic = pairs_without(slide.periodic, a.first);
+  if (a.second) slide.periodic = pairs_without(slide.periodic, *a.second);
+  if (!a.second) {
+    smooth_.slide = std::move(slide);
+    return messages_.tell(Notice::Kind::information, a.first + " stays where it is.");
+  }
+  try {
+    const Mesh& mesh = mesh_.document()->state().mesh;
+    const PeriodicPairs pairs =
+        PeriodicPairs::find(*mesh.topology, mesh.coordinates, a.first, *a.second);
+    slide.periodic.insert(slide.periodic.end(), {a.first, *a.second});
+    for (const std::string& name : {a.first, *a.second}) std::erase(slide.markers, name);
+    smooth_.slide = std::move(slide);
+    messages_.tell(Notice::Kind::information,
+                   a.first + " and " + *a.second + " are periodic: " + pairs.description + ", " +
+                       counted(pairs.pairs.size(), "pair") + " of nodes.");
+  } catch (const UsageError& error) {
+    messages_.report_error("These markers are not periodic", error.what());
+  }
 }
 
 void Jobs::on(const action::SetPace& a) {

@@ -51,7 +51,8 @@ class Jobs {
   /// Ends what is under way at once; the mesh is as it was before.
   void stop();
   void cancel();
-  /// The solver's settings for a motion of nodes of these markers, which do not slide then.
+  /// The solver's settings for a motion of nodes of these markers, which neither slide nor
+  /// are periodic then.
   SmoothOptions smooth_for_motion(const std::vector<std::string>& markers) const;
   /// Moves selected bodies.
   MoveCommand move_command(const RigidMotionRequest& motion) const;
@@ -75,6 +76,7 @@ class Jobs {
   void on(const action::CancelSolver&) { cancel(); }
   void on(const action::EditSmoothOptions& a) { a.edit.apply_to(smooth_); }
   void on(const action::EditMotionOptions& a) { a.edit.apply_to(motion_); }
+  void on(const action::PairMarkers& a);
   void on(const action::SetPace& a);
   void on(const action::FollowSolver& a);
   void on(const action::RunCommand& a);

@@ -20,11 +20,14 @@ bool Session::poll() {
   changed |= history_.poll();
   changed |= quality_.poll();
   changed |= jobs_.poll();
+  changed |= stars_.poll();
+  changed |= roles_.poll();
   return changed;
 }
 
 bool Session::working() const {
-  return files_.busy() || history_.busy() || quality_.busy() || jobs_.working();
+  return files_.busy() || history_.busy() || quality_.busy() || jobs_.working() || stars_.busy() ||
+         roles_.busy();
 }
 
 }  // namespace winslow::gui

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "gui/document/actions/actions.h"
+#include "gui/document/session/boundary_roles.h"
 #include "gui/document/session/files.h"
 #include "gui/document/session/history_editor.h"
 #include "gui/document/session/jobs.h"
@@ -13,6 +14,7 @@
 #include "gui/document/session/quality_watch.h"
 #include "gui/document/session/selection.h"
 #include "gui/document/session/sphere_inspector.h"
+#include "gui/document/session/star_matches.h"
 #include "gui/document/session/vcv_editor.h"
 
 namespace winslow::gui {
@@ -62,6 +64,8 @@ class Session {
 
  private:
   friend const SphereInspector& spheres(const Session& session) { return session.spheres_; }
+  friend const StarMatches& star_matches(const Session& session) { return session.stars_; }
+  friend const BoundaryRoles& boundary_roles(const Session& session) { return session.roles_; }
   void apply_group(const FileAction& action) { files_.apply(action); }
   void apply_group(const SelectionAction& action) { selection_.apply(action); }
   void apply_group(const MotionAction& action) { motions_.apply(action); }
@@ -75,14 +79,20 @@ class Session {
   QualityWatch quality_{mesh_};
   Selection selection_{mesh_, messages_};
   Jobs jobs_{mesh_, messages_, selection_};
+  BoundaryRoles roles_{mesh_, jobs_, selection_};
   Motions motions_{mesh_, messages_, selection_, jobs_};
   VcvEditor vcvs_{mesh_, messages_, jobs_};
   SphereInspector spheres_{mesh_, jobs_};
+  StarMatches stars_{mesh_};
   HistoryEditor history_{mesh_, messages_, jobs_, motions_};
   Files files_{mesh_, messages_, selection_, jobs_};
 };
 
 /// Nodes of a volume mesh with their VCVs.
 const SphereInspector& spheres(const Session& session);
+/// Nodes that can take the VCV of another.
+const StarMatches& star_matches(const Session& session);
+/// What nodes do in the next run.
+const BoundaryRoles& boundary_roles(const Session& session);
 
 }  // namespace winslow::gui

@@ -105,16 +105,22 @@ void SpaceSelection::follow_nodes() {
 
 void SpaceSelection::place() {
   if (!in_space(mesh_)) return;
-  const Mesh& mesh = mesh_.document()->state().mesh;
   if (pivot_.picked()) {
+    const Mesh& mesh = mesh_.document()->state().mesh;
     const auto pivot = pivot_at({pivot_.from, pivot_.nodes}, mesh.coordinates, pivot_.axis);
     if (pivot) pivot_ = *pivot;
     return;
   }
   if (markers_.empty() || pivot_.from != PivotFrom::centre) return;
-  const std::vector<Index> nodes = mesh.topology->markers().nodes_of(names());
   // The very point of commands without a pivot.
-  if (!nodes.empty()) pivot_.point = body_centre(space_bounds(mesh.coordinates, nodes));
+  pivot_.point = centre();
+}
+
+Vec3 SpaceSelection::centre() const {
+  if (!in_space(mesh_)) return Vec3::Zero();
+  const Mesh& mesh = mesh_.document()->state().mesh;
+  const std::vector<Index> nodes = mesh.topology->markers().nodes_of(names());
+  return nodes.empty() ? Vec3(Vec3::Zero()) : body_centre(space_bounds(mesh.coordinates, nodes));
 }
 
 void SpaceSelection::clear() {

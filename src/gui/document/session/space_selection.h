@@ -21,6 +21,8 @@ class SpaceSelection {
   /// A point of the axis, and its direction, where they are on screen now.
   Vec3 pivot() const;
   Vec3 axis() const;
+  /// Of the bounding box of what is selected, in the mesh of the history; of nothing, the origin.
+  Vec3 centre() const;
   /// What both were taken from, as seen from the state before the job under way.
   const SpacePivot& source() const { return pivot_; }
   /// What the next click picks a pivot from.

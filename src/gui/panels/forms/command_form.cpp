@@ -17,7 +17,8 @@ namespace {
 
 class CommandFields {
  public:
-  explicit CommandFields(const std::string& prefix) : prefix_(prefix) {}
+  CommandFields(const std::string& prefix, int cell_dimension)
+      : prefix_(prefix), cell_dimension_(cell_dimension) {}
   bool changed() const { return changed_; }
 
   /// Of a command that its table describes.
@@ -78,7 +79,7 @@ class CommandFields {
     OptionTable table = option_table(how);
     std::erase_if(table, [](const Option& option) { return option.object == "min_quality"; });
     rows(table);
-    changed_ |= quality_limits_form(prefix_, how.floor, follows_path(how, smooth));
+    changed_ |= quality_limits_form(prefix_, how.floor, cell_dimension_, follows_path(how, smooth));
     if (how.smooth_after) smoothing(smooth);
   }
 
@@ -87,13 +88,14 @@ class CommandFields {
   void smoothing(SmoothOptions& smooth) { changed_ |= smooth_options_form(prefix_, smooth); }
 
   const std::string& prefix_;
+  int cell_dimension_;
   bool changed_ = false;
 };
 
 }  // namespace
 
-bool command_form(const std::string& prefix, Command& command) {
-  CommandFields form(prefix);
+bool command_form(const std::string& prefix, Command& command, int cell_dimension) {
+  CommandFields form(prefix, cell_dimension);
   std::visit(form, command);
   return form.changed();
 }

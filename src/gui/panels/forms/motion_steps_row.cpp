@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "gui/panels/forms/quality_limits_form.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -22,6 +23,14 @@ void draw_motion_steps(const PanelContext& context) {
     options.increments = increments[chosen];
     context.emit(action::EditMotionOptions{difference(now, options)});
   }
+}
+
+void draw_quality_limits(const PanelContext& context) {
+  const Jobs& jobs = context.session.jobs();
+  MotionOptions options = jobs.motion_options();
+  if (ui::quality_limits_form("motion", options.floor, context.session.in_space() ? 3 : 2,
+                              follows_path(options, jobs.smooth_options())))
+    context.emit(action::EditMotionOptions{difference(jobs.motion_options(), options)});
 }
 
 }  // namespace winslow::gui

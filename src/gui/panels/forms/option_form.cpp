@@ -39,7 +39,13 @@ class Field {
  public:
   Field(const std::string& prefix, const Option& option)
       : option_(option), id_(id_of(prefix, option)), tip_(tip_of(option)) {
-    row(std::holds_alternative<SwitchOption>(option.value) ? "" : std::string(option.label), tip_);
+    if (in_space(option)) {  // three fields want the whole row
+      text_dim(option.label);
+      tooltip(tip_);
+    } else {
+      row(std::holds_alternative<SwitchOption>(option.value) ? "" : std::string(option.label),
+          tip_);
+    }
   }
 
   bool operator()(const RealOption& real) const { return real_number(*real.value); }
@@ -58,19 +64,16 @@ class Field {
     return true;
   }
 
-  bool operator()(const VectorOption& vector) const { return components(*vector.value); }
+  bool operator()(const VectorOption& vector) const {
+    return components(*vector.value, vector.third);
+  }
 
   bool operator()(const OptionalVectorOption& vector) const {
-    return *vector.value && components(**vector.value);
+    return *vector.value && components(**vector.value, vector.third);
   }
 
   bool operator()(const SpaceVectorOption& vector) const {
-    bool changed = false;
-    if (*vector.value) {
-      for (int k = 0; k < 3; ++k)
-        changed |= number(id_ + "_" + "xyz"[k], (**vector.value)[k], tip_, "%.6g");
-    }
-    return changed;
+    return *vector.value && space_vector_field({id_, tip_}, **vector.value);
   }
 
   /// Chosen in the list of markers; here they are named, and can be let go of.
@@ -123,7 +126,25 @@ class Field {
     return true;
   }
 
-  bool components(Vec2& vector) const {
+  /// A vector of three components, all of which are given.
+  static bool in_space(const Option& option) {
+    const auto has = [](const std::optional<double>* third) {
+      return third != nullptr && third->has_value();
+    };
+    if (const auto* vector = std::get_if<VectorOption>(&option.value)) return has(vector->third);
+    if (const auto* vector = std::get_if<OptionalVectorOption>(&option.value))
+      return has(vector->third);
+    return std::holds_alternative<SpaceVectorOption>(option.value);
+  }
+
+  bool components(Vec2& vector, std::optional<double>* third) const {
+    if (in_space(option_)) {
+      Vec3 all(vector.x(), vector.y(), third->value());
+      if (!space_vector_field({id_, tip_}, all)) return false;
+      vector = all.head<2>();
+      *third = all.z();
+      return true;
+    }
     const std::string x = id_ + "_x";
     const std::string y = id_ + "_y";
     return vector_field({x, y, tip_}, vector);

@@ -39,7 +39,8 @@ bool limit_row(const std::string& id, const Option& option, std::optional<double
 
 }  // namespace
 
-bool quality_limits_form(const std::string& prefix, QualityFloor& floor, bool follows_path) {
+bool quality_limits_form(const std::string& prefix, QualityFloor& floor, int cell_dimension,
+                         bool follows_path) {
   const auto given =
       std::ranges::count_if(floor.limits, [](const auto& l) { return l.has_value(); });
   const std::string title =
@@ -53,10 +54,13 @@ bool quality_limits_form(const std::string& prefix, QualityFloor& floor, bool fo
   }
   bool changed = false;
   const OptionTable table = option_table(floor);
-  // Those of plane meshes come first.
-  for (std::size_t m = 0; m < reported_metrics().size(); ++m)
+  const auto& reported = reported_metrics(cell_dimension);
+  for (std::size_t m = 0; m < limited_metrics().size(); ++m) {
+    const Metric metric = limited_metrics()[m];
+    if (std::ranges::find(reported, metric) == reported.end()) continue;
     changed |= limit_row(prefix + "/min_quality_" + std::string(table[m].key), table[m],
-                         floor.limits[m], metric_info(reported_metrics()[m]).field.threshold);
+                         floor.limits[m], metric_info(metric, cell_dimension).field.threshold);
+  }
   return changed;
 }
 

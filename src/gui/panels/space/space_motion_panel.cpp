@@ -5,6 +5,7 @@
 #include <string>
 
 #include "gui/panels/forms/motion_steps_row.h"
+#include "gui/panels/keep_outside_rows.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -39,6 +40,8 @@ void SpaceMotionPanel::draw(const PanelContext& context) {
   const bool entered = draw_fields(context, live);
   draw_pivot(context);
   draw_motion_steps(context);
+  draw_keep_outside(context);
+  draw_quality_limits(context);
   ImGui::EndDisabled();
   const bool can = !live && moves(typed_) && usable(typed_);
   preview(context, can && !session.in_motion());

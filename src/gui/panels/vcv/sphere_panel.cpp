@@ -74,6 +74,7 @@ void SpherePanel::draw(const PanelContext& context) {
     draw_tables(context.theme, view);
     draw_edge_fields(context, view);
     draw_reset(context, view);
+    draw_spread(context, view);
   } catch (const Error& error) {
     draw_no_vcv(error.what());
   }
@@ -287,6 +288,38 @@ void SpherePanel::draw_reset(const PanelContext& context, const VolumeNodalView&
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   ui::text_dim(count == 0 ? "none edited" : grouped(static_cast<long long>(count)) + " edited");
+}
+
+void SpherePanel::draw_spread(const PanelContext& context, const VolumeNodalView& view) {
+  ui::row(
+      "Apply to",
+      "Gives this control volume to other nodes whose link is the same graph: as many triangles, "
+      "joined in the same way. It is turned so that edges which point the same way in the mesh "
+      "have the same numbers.");
+  ui::combo("vcv/spread", {"Pinned nodes", "Nodes within a radius", "All nodes"}, spread_to_);
+  StarMatches::Wish wish{view.node};
+  if (spread_to_ == 0) wish.among = context.session.nodes().pinned();
+  if (spread_to_ == 1) {
+    ui::row("Radius", "Units of the mesh.");
+    if (radius_ == 0) radius_ = 3 * view.physical.mean_length();
+    ui::number("vcv/radius", radius_, {}, "%.4g");
+    wish.radius = radius_;
+  }
+  const StarMatches::Found* found = star_matches(context.session).find(wish);
+  if (!found) {
+    ui::button("vcv/apply", "Looking for nodes...",
+               {"Nodes with the same link are looked for.", ui::ButtonStyle::normal, false, -1});
+    return;
+  }
+  const std::string tip = !found->empty()   ? "To the nodes with the same link."
+                          : spread_to_ == 0 ? "Pin another node with the same link first."
+                          : spread_to_ == 1 ? "No other node within this radius has the same link."
+                                            : "No other node of the mesh has the same link.";
+  const std::string label =
+      found->empty() ? "Apply to no node" : "Apply to " + counted(found->size(), "node");
+  if (!ui::button("vcv/apply", label, {tip, ui::ButtonStyle::normal, !found->empty(), -1})) return;
+  const VcvEdit own = numbers_of(view);
+  context.emit(action::EditVcvs{spread_vcv({own.directions, own.lengths}, *found)});
 }
 
 }  // namespace winslow::gui

@@ -27,6 +27,7 @@ class SpherePanel : public Panel {
   void draw_faces(const VolumeNodalView& view);
   void draw_edge_fields(const PanelContext& context, const VolumeNodalView& view);
   void draw_reset(const PanelContext& context, const VolumeNodalView& view);
+  void draw_spread(const PanelContext& context, const VolumeNodalView& view);
 
   SpherePlot plot_;
   bool large_ = false;
@@ -38,7 +39,9 @@ class SpherePanel : public Panel {
   std::size_t table_ = 0;
   Vec3 direction_{0, 0, 1};  // as typed
   double length_ = 1;
-  int typing_ = 0;  // frames for which the fields keep what was typed
+  std::size_t spread_to_ = 0;  // which of the choices of "Apply to"
+  double radius_ = 0;          // of the second of them; 0: none yet
+  int typing_ = 0;             // frames for which the fields keep what was typed
 };
 
 }  // namespace winslow::gui

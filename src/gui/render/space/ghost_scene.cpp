@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "core/inspect/space/plane_section.h"
 #include "gui/render/space/scene_lists.h"
 
 namespace winslow::gui {
@@ -21,8 +20,7 @@ SpaceScene build_ghost(const Mesh& mesh, const VolumeBoundary& boundary, const V
     if (drawn_as_surface(boundary, look, f)) bodies.push_back(boundary.faces[f]);
   lists.add_edges({&feature, &other}, bodies, look.feature_angle);
   SpaceLines outlines{{}, style.ghost, style.feature_width, 0};
-  for (const Plane& cut : look.cuts)
-    lists.add_sides({&outlines, nullptr}, plane_section(mesh, cut));
+  for (const Plane& cut : look.cuts) lists.add_cut(outlines, bodies, cut);
   scene.lines = {std::move(other), std::move(feature), std::move(outlines)};
   return scene;
 }

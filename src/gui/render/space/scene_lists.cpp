@@ -172,4 +172,20 @@ void SceneLists::add_sides(const EdgeLists& lists, const PlaneSection& section) 
   }
 }
 
+void SceneLists::add_cut(SpaceLines& lines, std::span<const SurfaceFace> faces,
+                         const Plane& plane) const {
+  std::vector<Vec3> crossings;
+  for (const SurfaceFace& face : faces) {
+    const std::size_t n = face.nodes.size();
+    crossings.clear();
+    for (std::size_t k = 0; k < n; ++k) {
+      const Vec3 p = x_[face.nodes[k]], q = x_[face.nodes[(k + 1) % n]];
+      const double a = plane.distance(p), b = plane.distance(q);
+      if ((a >= 0) != (b >= 0)) crossings.emplace_back(p + (q - p) * (a / (a - b)));
+    }
+    for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
+      add_line(lines, crossings[k], crossings[k + 1], -1);
+  }
+}
+
 }  // namespace winslow::gui

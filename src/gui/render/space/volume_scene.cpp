@@ -126,7 +126,7 @@ class SceneBuilder {
 
   void add_section(std::size_t k) {
     const Plane& plane = look_.cuts[k];
-    const PlaneSection section = plane_section(mesh_, plane);
+    const PlaneSection section = plane_section(mesh_, plane, look_.sections);
     SpaceFill fill;
     fill.clipped_by = by_all_planes & ~(1U << k);
     SpaceLines other = element_lines(fill.clipped_by), feature = feature_lines(fill.clipped_by);

@@ -6,6 +6,7 @@
 
 #include "core/inspect/space/enclosing_faces.h"
 #include "core/inspect/space/plane.h"
+#include "core/inspect/space/section_index.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/surface_faces.h"
 #include "gui/render/space/space_scene.h"
@@ -43,6 +44,8 @@ struct VolumeLook {
   std::span<const std::uint32_t> colors;
   /// What a crinkled cut leaves (#elements), where it is known: elements_behind().
   std::span<const unsigned char> left;
+  /// Of the mesh, where many cuts are wanted of it.
+  const SectionIndex* sections = nullptr;
   std::vector<MarkerShow> markers;    ///< per marker; those left out are automatic
   std::vector<float> marker_opacity;  ///< per marker, of see-through ones; else the style's
   std::vector<Rgb> marker_colors;     ///< per marker, of surfaces without other colours

@@ -92,6 +92,10 @@ std::optional<SeenPlace> seen_by_ruler(const PointerState& pointer, const SpaceV
   return std::nullopt;
 }
 
+ScreenBox box_of(const Area& a) {
+  return {ScreenPoint(a.x, a.y), ScreenPoint(a.x + a.width, a.y + a.height)};
+}
+
 }  // namespace
 
 std::optional<Inset> pinned_inset(const Session& session, const ViewOptions& view,
@@ -306,6 +310,7 @@ void ViewportPane::draw_space_overlays(ImDrawList& list, const MeshFrame& frame)
   const ScreenBox whole{{v.x, v.y}, {v.x + v.width, v.y + v.height}};
   const ScreenBox now = frame.space->viewport();
   list.PushClipRect(static_cast<ImVec2>(now.min), static_cast<ImVec2>(now.max), true);
+  roles_.draw(list, overlay, mesh_view_.volume(), box_of(room_under_banner(frame)));
   space_id_labels_.draw(list, overlay, mesh_view_.volume());
   draw_space_marks(list, overlay);
   if (!frame.mesh_alone) draw_space_handles(list, overlay, space_viewport_);
@@ -352,6 +357,7 @@ void ViewportPane::draw_overlays(ImDrawList& list, const MeshFrame& frame) {
   list.PopClipRect();
   const ViewOverlay overlay{session_, context.view, context.view_state, frame.view, theme};
   draw_rim(list, overlay);
+  roles_.draw(list, overlay, box_of(room_under_banner(frame)));
   id_labels_.draw(list, overlay);
   draw_focus(list, overlay);
   draw_comparison(list, overlay);
@@ -374,14 +380,18 @@ void ViewportPane::draw_legend(ImDrawList& list, const MeshFrame& frame, LegendC
   const auto& legend = mesh_view_.legend();
   const ViewOptions& view = frame.context.view;
   if (!view.legend || !view.color) return card.hide();
+  card.draw(list, frame.context, {room_under_banner(frame), frame.layout.legend},
+            legend && view.fill ? &*legend : nullptr);
+}
+
+Area ViewportPane::room_under_banner(const MeshFrame& frame) const {
   Area area = frame.layout.viewport;
   if (session_.messages().banner() && !frame.mesh_alone) {
     const float banner = BannerPanel::height(frame.context, area.width);
     area.y += banner;
     area.height -= banner;
   }
-  card.draw(list, frame.context, {area, frame.layout.legend},
-            legend && view.fill ? &*legend : nullptr);
+  return area;
 }
 
 /// Above a card at the foot, beside a pinned magnifier or a legend in that corner.

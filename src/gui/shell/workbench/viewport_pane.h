@@ -13,6 +13,7 @@
 #include "gui/view/navigation/view_control.h"
 #include "gui/view/overlays/id_labels.h"
 #include "gui/view/overlays/lens.h"
+#include "gui/view/overlays/role_overlay.h"
 #include "gui/view/overlays/space_id_labels.h"
 #include "gui/view/overlays/space_overlay.h"
 #include "gui/view/overlays/view_overlay.h"
@@ -90,6 +91,8 @@ class ViewportPane {
   void take_for_ruler(PointerState& pointer, double scale);
   void zoom_to_double_click(const PointerState& pointer, const PanelContext& context);
   void draw_legend(ImDrawList& list, const MeshFrame& frame, LegendCard& card) const;
+  /// The part of the viewport that no banner covers.
+  Area room_under_banner(const MeshFrame& frame) const;
   void draw_foot(ImDrawList& list, const MeshFrame& frame, const ViewOverlay& overlay,
                  const LegendCard& card) const;
 
@@ -107,6 +110,7 @@ class ViewportPane {
   bool beside_held_ = false;  // the mouse is over the mesh before, or its gesture began there
   IdLabels id_labels_;
   SpaceIdLabels space_id_labels_;
+  RoleOverlay roles_;
   LegendCard legend_card_;
   std::vector<Index> double_click_;  // markers of the body that is clicked the second time
   double reach_ = 0;                 // of the selection, when nothing was moving

@@ -19,6 +19,8 @@ namespace {
 
 /// Below this a scene is made within a frame, faster than a thread could hand it over.
 constexpr Index small_volume = 1500;  // nodes
+/// From here on an index of sections is worth its making.
+constexpr Index large_volume = 20000;  // elements
 
 }  // namespace
 
@@ -53,7 +55,9 @@ struct VolumeScenes::Memory {
   std::shared_ptr<const Flags> inverted, left, worst;
   std::shared_ptr<const std::vector<Index>> layers;  // of the elements at the peeled marker
   std::shared_ptr<const Flags> peeled;               // elements that are left
-  std::vector<PartKey> keys;                         // of parts
+  std::shared_ptr<const SectionIndex> sections;      // of this mesh, or of one before
+  std::weak_ptr<const Mesh> sections_of;
+  std::vector<PartKey> keys;  // of parts
 };
 
 namespace {
@@ -196,6 +200,27 @@ class SceneMaker {
     if (wish_.peel.on) choose_peeled();
     choose_left();
     choose_marked();
+    choose_sections();
+  }
+
+  /// An index pays where a mesh is cut again: it is made when a mesh is opened and, when nodes have
+  /// moved, with the second picture of where they are.
+  void choose_sections() {
+    if (wish_.mesh->topology->element_count() < large_volume) return;
+    const bool same_topology = before_ && last_->of.mesh->topology == wish_.mesh->topology;
+    const auto known = same_topology ? before_->sections : nullptr;
+    if (known) {
+      memory_->sections = known;
+      memory_->sections_of = before_->sections_of;
+    }
+    if (look_.cuts.empty() || look_.crinkle) return;
+    if (!known || memory_->sections_of.lock() != wish_.mesh) {
+      if (known && last_->of.mesh != wish_.mesh) return;
+      memory_->sections = known ? std::make_shared<const SectionIndex>(*wish_.mesh, *known)
+                                : std::make_shared<const SectionIndex>(*wish_.mesh);
+      memory_->sections_of = wish_.mesh;
+    }
+    look_.sections = memory_->sections.get();
   }
 
   void choose_look() {

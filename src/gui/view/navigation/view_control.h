@@ -88,6 +88,7 @@ class ViewControl {
   void on(const action::ForwardView&) { go(history_.forward()); }
   void on(const action::GoTo& a);
   void on(const action::AskGoTo&);
+  void on(const action::PreviewRoles& a) { state_.roles_previewed = a.on; }
   void on(const action::PinMagnifier&);
   void on(const action::StepScale& a);
   void on(const action::LookAtPlace& a);

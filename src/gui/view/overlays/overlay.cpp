@@ -193,7 +193,7 @@ void draw_overlay(ImDrawList& list, const Overlay& o) {
   if (!o.session.document()) return;
   draw_pins(list, o);
   draw_rings(list, o);
-  draw_region(list, o);
+  draw_region(list, o.session, o.view, o.theme);
   if (o.session.dragging()) draw_wanted(list, o);
   draw_preview(list, o);
   draw_layer_preview(list, o);

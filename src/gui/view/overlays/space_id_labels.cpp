@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "gui/view/overlays/hidden_places.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -21,88 +22,6 @@ constexpr std::size_t most_labels = 600;
 ImVec2 size_of(const Theme& theme, const std::string& text) {
   return theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0, text.c_str());
 }
-
-bool clipped(const Vec3& point, unsigned by, const std::vector<Plane>& planes) {
-  for (std::size_t k = 0; k < planes.size(); ++k)
-    if ((by >> k & 1U) != 0 && planes[k].distance(point) > 0) return true;
-  return false;
-}
-
-double doubled_area(const ScreenVector& a, const ScreenVector& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-/// A triangle of a fill on screen.
-struct SeenTriangle {
-  std::array<Vec3, 3> at;
-  std::array<View::Projection, 3> seen;
-
-  SeenTriangle(const SpaceFill& fill, std::size_t first, const Vec3& origin, const View& view) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      at[k] = origin + Eigen::Vector3f(fill.corners[first + k].position.data()).cast<double>();
-      seen[k] = view.project(at[k]);
-    }
-  }
-  ScreenVector side(std::size_t k) const { return seen[(k + 1) % 3].at - seen[k].at; }
-  double area() const { return 0.5 * std::abs(doubled_area(side(0), seen[2].at - seen[0].at)); }
-  double girth() const { return side(0).norm() + side(1).norm() + side(2).norm(); }
-  bool near(const ScreenBox& box) const {
-    const auto out = [&](auto&& beyond) { return std::ranges::all_of(seen, beyond); };
-    return !(out([&](const auto& p) { return p.at.x() < box.min.x(); }) ||
-             out([&](const auto& p) { return p.at.x() > box.max.x(); }) ||
-             out([&](const auto& p) { return p.at.y() < box.min.y(); }) ||
-             out([&](const auto& p) { return p.at.y() > box.max.y(); }));
-  }
-  /// Weights of the corners at a place; negative ones outside.
-  std::array<double, 3> weights(const ScreenPoint& p) const {
-    const double whole = doubled_area(side(0), seen[2].at - seen[0].at);
-    const double a = doubled_area(seen[1].at - p, seen[2].at - p) / whole;
-    const double b = doubled_area(seen[2].at - p, seen[0].at - p) / whole;
-    return {a, b, 1 - a - b};
-  }
-};
-
-/// Places of the screen in a grid, to find those in a triangle.
-class PlaceGrid {
- public:
-  explicit PlaceGrid(const ScreenBox& box) : box_(box) {
-    columns_ = std::max(1, static_cast<int>(box.size().x() / side) + 1);
-    rows_ = std::max(1, static_cast<int>(box.size().y() / side) + 1);
-    cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
-  }
-  void add(const ScreenPoint& at, std::size_t label) {
-    cells_[cell(column(at), row(at))].push_back(label);
-  }
-
-  template <class Visit>
-  void around(const SeenTriangle& triangle, const Visit& visit) const {
-    ScreenPoint low = triangle.seen[0].at, high = low;
-    for (const auto& p : triangle.seen) {
-      low = {std::min(low.x(), p.at.x()), std::min(low.y(), p.at.y())};
-      high = {std::max(high.x(), p.at.x()), std::max(high.y(), p.at.y())};
-    }
-    for (int y = row(low); y <= row(high); ++y)
-      for (int x = column(low); x <= column(high); ++x)
-        for (const std::size_t label : cells_[cell(x, y)]) visit(label);
-  }
-
- private:
-  static constexpr double side = 32;  // pixels
-  int column(const ScreenPoint& p) const {
-    return static_cast<int>(std::clamp((p.x() - box_.min.x()) / side, 0.0, columns_ - 1.0));
-  }
-  int row(const ScreenPoint& p) const {
-    return static_cast<int>(std::clamp((p.y() - box_.min.y()) / side, 0.0, rows_ - 1.0));
-  }
-  std::size_t cell(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
-           static_cast<std::size_t>(x);
-  }
-
-  ScreenBox box_;
-  int columns_ = 1, rows_ = 1;
-  std::vector<std::vector<std::size_t>> cells_;
-};
 
 /// The node of an element that a corner of a picture is; none: it lies on an edge, as of a cut.
 std::optional<Index> node_at(const SpaceCorner& corner, Index element, const Mesh& mesh,
@@ -200,12 +119,12 @@ void SpaceIdLabels::find_in(const SpaceOverlay& o, const SpaceScene& part,
       if (!o.options.element_ids || !(area > 0)) continue;
       middle /= area;
       // As wide as the circle within, which is four times the area over the girth.
-      if (!clipped(middle, fill.clipped_by, scenes.planes))
+      if (!cut_away(middle, fill.clipped_by, scenes.planes))
         add_label(o, middle, {fill.elements[first], false}, 4 * area / girth);
     }
   }
   for (const auto& [node, place] : nodes.found())
-    if (!clipped(place.at, place.clipped_by, scenes.planes))
+    if (!cut_away(place.at, place.clipped_by, scenes.planes))
       add_label(o, place.at, {node, true}, place.room);
 }
 
@@ -219,32 +138,11 @@ void SpaceIdLabels::add_label(const SpaceOverlay& o, const Vec3& point, const It
   if (o.view.viewport().contains(at)) labels_.push_back({at, depth, text, item.node, false});
 }
 
-/// A label is hidden by a triangle over its middle that lies nearer to the viewer.
 void SpaceIdLabels::hide_what_lies_behind(const SpaceOverlay& o, const VolumeScenes& scenes) {
-  PlaceGrid grid(o.view.viewport());
-  for (std::size_t k = 0; k < labels_.size(); ++k) grid.add(labels_[k].at, k);
-  const double slack = 1e-4 * scenes.parts.front()->extent.size().norm();
-  for (const auto& part : scenes.parts)
-    for (const SpaceFill& fill : part->fills) {
-      if (fill.opacity < 1) continue;
-      for (std::size_t first = 0; first + 2 < fill.corners.size(); first += 3) {
-        const SeenTriangle triangle(fill, first, part->origin, o.view);
-        if (!triangle.near(o.view.viewport()) || !(triangle.area() > 0)) continue;
-        grid.around(triangle, [&](std::size_t k) {
-          Label& label = labels_[k];
-          const auto w = triangle.weights(label.at);
-          if (label.hidden || std::ranges::any_of(w, [](double v) { return v < 0; })) return;
-          double depth = 0;
-          Vec3 point(0, 0, 0);
-          for (std::size_t c = 0; c < 3; ++c) {
-            depth += w[c] * triangle.seen[c].depth;
-            point += w[c] * triangle.at[c];
-          }
-          if (depth < label.depth - slack && !clipped(point, fill.clipped_by, scenes.planes))
-            label.hidden = true;
-        });
-      }
-    }
+  std::vector<DeepPlace> places;
+  for (const Label& label : labels_) places.push_back({label.at, label.depth});
+  hide_behind(o.view, scenes, places);
+  for (std::size_t k = 0; k < places.size(); ++k) labels_[k].hidden = places[k].hidden;
   std::erase_if(labels_, [](const Label& label) { return label.hidden; });
 }
 

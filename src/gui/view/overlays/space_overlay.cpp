@@ -11,6 +11,7 @@
 #include "gui/view/mesh/mesh_colors.h"
 #include "gui/view/navigation/go_to.h"
 #include "gui/view/overlays/moving_overlay.h"
+#include "gui/view/overlays/region_overlay.h"
 #include "gui/view/overlays/space_marks.h"
 #include "gui/view/overlays/sphere_overlay.h"
 #include "gui/view/overlays/vcv_overlay.h"
@@ -147,6 +148,7 @@ double space_marks_top(const SpaceOverlay& o) {
 
 void draw_space_handles(ImDrawList& list, const SpaceOverlay& o, const SpaceViewport& viewport) {
   draw_node_rings(list, o);
+  draw_region(list, o.session, o.view, o.theme);
   draw_moving(list, o, viewport);
   draw_cut_handle(list, o, viewport.cut_part());
   if (const auto pivot = viewport.pivot()) {

@@ -1,5 +1,8 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
+
+#include "gui/render/space/ghost_scene.h"
 #include "gui/render/space/side_by_side.h"
 #include "gui/support/looking_rig.h"
 #include "gui/support/pixels.h"
@@ -54,6 +57,23 @@ TEST_CASE("before any change the ghost lies on the body itself") {
   const VolumeScenes& scenes = rig.scenes();
   CHECK(scenes.parts.size() == 2);  // the ghost is no part of what is picked
   CHECK(rig.bench->settled());
+}
+
+TEST_CASE("where a cut is, the ghost outlines the bodies and not what encloses them") {
+  const Mesh mesh = LookingRig::cavity();
+  const VolumeBoundary boundary = find_boundary(mesh);
+  VolumeLook look;
+  look.cuts = {Plane(Vec3(0.5, 0.5, 0.5), Vec3(0.1, 1, 0.2))};
+  const SpaceScene scene = build_ghost(mesh, boundary, look, {});
+  REQUIRE(scene.lines.size() == 3);
+  const auto& ends = scene.lines[2].ends;
+  REQUIRE(ends.size() >= 8);
+  for (const auto& end : ends) {
+    const Vec3 place = scene.origin + Vec3(end.position[0], end.position[1], end.position[2]) -
+                       Vec3(0.5, 0.5, 0.5);
+    CHECK(std::abs(look.cuts[0].distance(place + Vec3(0.5, 0.5, 0.5))) < 1e-6);
+    CHECK(place.cwiseAbs().maxCoeff() == doctest::Approx(1.0 / 6));  // on the hole's walls
+  }
 }
 
 TEST_CASE("before and after side by side: the view is halved, and both are drawn") {

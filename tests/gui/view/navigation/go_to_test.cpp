@@ -26,6 +26,29 @@ std::string value(const Rig& rig, const MeshItem& item, const std::string& name)
 
 }  // namespace
 
+TEST_CASE("Ctrl+G and what is typed at once after it, with the column on the right folded") {
+  for (const int width : {1280, 760}) {
+    CAPTURE(width);
+    Rig rig(width, 700);
+    rig.open(ring_mesh());
+    set_view(rig, [](ViewOptions& view) {
+      view.side_tab = SideTab::view;
+      view.right_panel = false;
+      view.left_panel = true;
+    });
+    REQUIRE_FALSE(rig.visible("go_to/field"));
+    // As fast as it can be typed: the queue knows no pause.
+    rig.input.key(keys::control, true);
+    for (const bool down : {true, false}) rig.input.key(GLFW_KEY_G, down);
+    rig.input.key(keys::control, false);
+    for (const char c : {'e', '4', '5'}) rig.input.text(static_cast<char32_t>(c));
+    for (const bool down : {true, false}) rig.input.key(keys::enter, down);
+    rig.frames(4);
+    CHECK(rig.bench->view_control().state().focus == MeshItem{MeshItem::Kind::element, 45});
+    CHECK(rig.visible("go_to/field"));
+  }
+}
+
 TEST_CASE("Ctrl+G and an id go to an element, highlight it and say what it is") {
   Rig rig(1280, 1700);
   rig.open(ring_mesh());

@@ -1,0 +1,124 @@
+#include "core/inspect/node_roles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <map>
+#include <optional>
+
+#include "core/error.h"
+#include "core/problem/node_classes.h"
+
+namespace winslow {
+
+namespace {
+
+/// Area vector of a face of a volume mesh: half the cross product of its diagonals.
+Vec3 normal_of(const SpacePoints& x, const Face& face) {
+  const Vec3 a = face.size() == 4 ? Vec3(x[face[2]] - x[face[0]]) : Vec3(x[face[1]] - x[face[0]]);
+  const Vec3 b = face.size() == 4 ? Vec3(x[face[3]] - x[face[1]]) : Vec3(x[face[2]] - x[face[0]]);
+  return 0.5 * a.cross(b);
+}
+
+/// The faces of sliding markers at an edge.
+struct EdgeSides {
+  int faces = 0;
+  Index marker = -1;
+  Vec3 normal{0, 0, 0};
+  bool feature = true;  // until a second face goes on smoothly
+};
+
+std::vector<std::array<Index, 2>> features_of(const Mesh& mesh, const SlideOptions& slide) {
+  std::map<std::array<Index, 2>, EdgeSides> edges;
+  const SpacePoints x(mesh.coordinates);
+  const double most = std::cos(slide.feature_angle * pi / 180);
+  for (const std::string& name : slide.markers) {
+    const auto m = mesh.topology->markers().find(name);
+    if (!m) continue;
+    for (const Face& face : mesh.topology->markers()[at(*m)].faces) {
+      const Vec3 normal = normal_of(x, face).normalized();
+      for (std::size_t k = 0; k < face.size(); ++k) {
+        const auto [low, high] = std::minmax({face[k], face[(k + 1) % face.size()]});
+        EdgeSides& sides = edges[{low, high}];
+        // Faces of one surface look to one side, up to how they were written.
+        const bool smooth =
+            sides.faces == 1 && sides.marker == *m && std::abs(sides.normal.dot(normal)) >= most;
+        ++sides.faces;
+        sides.feature = !smooth;
+        sides.marker = *m;
+        sides.normal = normal;
+      }
+    }
+  }
+  std::vector<std::array<Index, 2>> features;
+  for (const auto& [edge, sides] : edges)
+    if (sides.feature) features.push_back(edge);
+  return features;
+}
+
+/// The classes of a boundary that moves so; none where it cannot.
+std::optional<NodeClasses> classes_of(const Mesh& mesh, const SlideOptions& slide, NodeRoles& out) {
+  NodeClasses classes(mesh.topology);
+  try {
+    const MovingBoundary boundary = make_boundary_move(slide, mesh, {}, classes);
+    for (const SlidingPart& part : boundary.sliding)
+      out.found.push_back(part.marker + ": " + part.description);
+    for (const PeriodicPairs& pairs : boundary.periodic)
+      out.found.push_back(pairs.first + " and " + pairs.second + ": " + pairs.description);
+    return classes;
+  } catch (const Error& error) {
+    out.fault = error.what();
+    out.found.clear();
+    return std::nullopt;
+  }
+}
+
+NodeRole role_of(NodeClass which, bool paired, bool on_sliding_marker) {
+  if (paired) return NodeRole::periodic;
+  switch (which) {
+    case NodeClass::free:
+      return NodeRole::free;
+    case NodeClass::on_curve:
+      return NodeRole::on_curve;
+    case NodeClass::on_surface:
+      return NodeRole::on_surface;
+    case NodeClass::prescribed:
+      return NodeRole::moves;
+    case NodeClass::image:
+      return NodeRole::periodic;
+    case NodeClass::fixed:
+      break;
+  }
+  return on_sliding_marker ? NodeRole::corner : NodeRole::fixed;
+}
+
+std::vector<unsigned char> marked(const Mesh& mesh, const std::vector<std::string>& names) {
+  std::vector<unsigned char> flags(at(mesh.coordinates.size()), 0);
+  for (const std::string& name : names)
+    if (const auto m = mesh.topology->markers().find(name))
+      for (const Index node : mesh.topology->markers().nodes(*m)) flags[at(node)] = 1;
+  return flags;
+}
+
+}  // namespace
+
+NodeRoles node_roles(const Mesh& mesh, const SlideOptions& slide,
+                     const std::vector<std::string>& moving) {
+  NodeRoles out;
+  const auto found = classes_of(mesh, slide, out);
+  const NodeClasses classes = found ? *found : NodeClasses(mesh.topology);
+  const std::vector<unsigned char> sliding =
+      marked(mesh, found ? slide.markers : std::vector<std::string>());
+  const std::vector<unsigned char> moved = marked(mesh, moving);
+  out.roles.resize(sliding.size());
+  for (std::size_t i = 0; i < sliding.size(); ++i) {
+    const auto node = static_cast<Index>(i);
+    out.roles[i] = moved[i] != 0 ? NodeRole::moves
+                                 : role_of(classes[node], classes.has_image(node), sliding[i] != 0);
+    ++out.counts[static_cast<std::size_t>(out.roles[i])];
+  }
+  if (mesh.coordinates.dimension() == 3) out.features = features_of(mesh, slide);
+  return out;
+}
+
+}  // namespace winslow

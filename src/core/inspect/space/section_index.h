@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/inspect/space/plane.h"
+#include "core/inspect/space/section_order.h"
+#include "core/search/box.h"
+
+namespace winslow {
+
+/// Where the elements of a volume mesh are, in blocks of such as lie near one another: what a plane
+/// meets is found without a look at the others. For many sections of one mesh.
+class SectionIndex {
+ public:
+  /// Throws UsageError unless it is a volume mesh.
+  explicit SectionIndex(const Mesh& mesh);
+  /// Of other positions of the same nodes.
+  SectionIndex(const Mesh& mesh, const SectionIndex& before);
+
+  const SectionOrder& order() const { return *order_; }
+  /// Elements, by their numbers in the order, of all blocks that come nearer to a plane than
+  /// `slack`: among them all elements that do.
+  std::vector<Index> near(const Plane& plane, double slack) const;
+  /// Around all nodes that elements use.
+  const Box<3>& extent() const { return extent_; }
+
+ private:
+  void measure(const Mesh& mesh);
+
+  std::shared_ptr<const SectionOrder> order_;
+  std::vector<Box<3>> boxes_;  // of the blocks
+  Box<3> extent_;
+};
+
+}  // namespace winslow

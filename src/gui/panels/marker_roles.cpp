@@ -1,0 +1,135 @@
+#include "gui/panels/marker_roles.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "gui/document/jobs/periodic_sides.h"
+#include "gui/widgets/controls.h"
+
+namespace winslow::gui {
+
+namespace {
+
+enum class Role { fixed, slides, periodic, moves };
+constexpr std::array words{"fixed", "slides", "periodic", "moves"};
+
+Role role_of(const PanelContext& context, Index marker, const std::string& name) {
+  if (context.session.selection().contains(marker)) return Role::moves;
+  const SlideOptions& slide = context.session.jobs().smooth_options().slide;
+  if (partner_of(slide, name)) return Role::periodic;
+  return std::ranges::find(slide.markers, name) != slide.markers.end() ? Role::slides : Role::fixed;
+}
+
+void edit_slide(const PanelContext& context, const SlideOptions& slide) {
+  const SmoothOptions& before = context.session.jobs().smooth_options();
+  SmoothOptions after = before;
+  after.slide = slide;
+  context.emit(action::EditSmoothOptions{difference(before, after)});
+}
+
+void toggle_sliding(const PanelContext& context, const std::string& name) {
+  SlideOptions slide = context.session.jobs().smooth_options().slide;
+  if (std::erase(slide.markers, name) == 0) slide.markers.push_back(name);
+  edit_slide(context, slide);
+}
+
+std::string tip_of(const PanelContext& context, Role role, const std::string& name) {
+  switch (role) {
+    case Role::moves:
+      return name + " is selected: it moves.";
+    case Role::slides:
+      return name +
+             " slides: while the mesh is smoothed its nodes move along the boundary, which keeps "
+             "its "
+             "shape; corners stay. Click: all of it stays. Right click: periodic with another.";
+    case Role::periodic:
+      return name + " is periodic with " +
+             partner_of(context.session.jobs().smooth_options().slide, name).value_or("") +
+             ": their nodes move together and keep matching. Click to choose another marker, or "
+             "none.";
+    case Role::fixed:
+      break;
+  }
+  return name +
+         " stays where it is. Click: its nodes slide along the boundary while the mesh is "
+         "smoothed, "
+         "as those of a far field may. Right click: periodic with another marker.";
+}
+
+void draw_pill(const Theme& theme, Role role, bool over, const MarkerRoles::Place& place) {
+  const float pad = theme.px(6);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (role != Role::fixed)
+    list.AddRectFilled(ImVec2(place.min.x, place.min.y + pad / 2),
+                       ImVec2(place.max.x, place.max.y - pad / 2),
+                       role == Role::moves ? palette().accent : palette().accent_soft, theme.px(4));
+  const char* text = words[static_cast<std::size_t>(role)];
+  const float width = ImGui::CalcTextSize(text).x;
+  const ImU32 ink = role == Role::moves   ? palette().on_accent
+                    : over                ? palette().accent
+                    : role == Role::fixed ? palette().text_faint
+                                          : palette().text;
+  list.AddText(ImVec2((place.min.x + place.max.x - width) / 2, place.min.y + pad), ink, text);
+}
+
+}  // namespace
+
+float MarkerRoles::width(const Theme& theme) {
+  return ImGui::CalcTextSize("periodic").x + 2 * theme.px(6);
+}
+
+void MarkerRoles::draw_word(const PanelContext& context, Index marker, const Place& place) {
+  const std::string& name = context.topology()->markers()[static_cast<std::size_t>(marker)].name;
+  const Role role = role_of(context, marker, name);
+  ImGui::SetCursorScreenPos(place.min);
+  const std::string id = "marker_role/" + name;
+  const bool pressed = ImGui::InvisibleButton(
+      id.c_str(), ImVec2(place.max.x - place.min.x, place.max.y - place.min.y));
+  ui::note(id);
+  const bool over = ImGui::IsItemHovered() && role != Role::moves;
+  ui::tooltip(tip_of(context, role, name));
+  // What a right click on the rest of the row offers as well.
+  if (ImGui::IsItemClicked(ImGuiMouseButton_Right) || (role == Role::periodic && pressed))
+    context.emit(action::ShowContextMenu{PickedPlace{{}, {marker}, {}, {}}});
+  else if (pressed && role != Role::moves)
+    toggle_sliding(context, name);
+  draw_pill(context.theme, role, over, place);
+}
+
+void MarkerRoles::draw_settings(const PanelContext& context) {
+  SlideOptions slide = context.session.jobs().smooth_options().slide;
+  bool editing = false;
+  if (!slide.markers.empty()) {
+    constexpr const char* tip =
+        "Where a sliding marker turns by more than this is a corner or an edge, whose nodes stay. "
+        "While it is edited, these are drawn.";
+    ui::row("Feature angle", tip);
+    if (ui::number("markers/feature_angle", slide.feature_angle, tip, "%.6g\xC2\xB0") &&
+        slide.feature_angle >= 0 && slide.feature_angle <= 180)
+      edit_slide(context, slide);
+    editing = ImGui::IsItemActive();
+    if (context.session.in_space() &&
+        ui::checkbox("markers/features", "Slide along edges", slide.features,
+                     "Nodes slide along the edges in which sliding surfaces meet; off: they stay."))
+      edit_slide(context, slide);
+  }
+  if (editing != previewed_) context.emit(action::PreviewRoles{editing});
+  previewed_ = editing;
+  if (!slide.given()) return;
+  const auto roles = boundary_roles(context.session).find();
+  if (roles && !roles->fault.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().danger);
+    ui::text_wrapped(roles->fault);
+    ImGui::PopStyleColor();
+    ui::note("markers/fault");
+  }
+  bool shown = context.view.roles;
+  std::string tip = "Nodes in colours by what they do while the mesh is smoothed.";
+  if (roles)
+    for (const std::string& found : roles->found) tip += "\n" + found;
+  if (ui::checkbox("markers/roles", "Show what nodes do", shown, tip))
+    context.edit_view([&](ViewOptions& view) { view.roles = shown; });
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "gui/menu/panel_context.h"
+
+namespace winslow::gui {
+
+/// What the nodes of markers do while the mesh is smoothed, in the list of markers: a word in every
+/// row, which a click changes, and below the list what belongs to it.
+class MarkerRoles {
+ public:
+  static float width(const Theme& theme);
+
+  struct Place {
+    ImVec2 min, max;
+  };
+  /// The word: a click has a marker that stays slide, and the other way round; that of a periodic
+  /// side offers what it can be periodic with.
+  static void draw_word(const PanelContext& context, Index marker, const Place& place);
+  /// The list of markers that one can be periodic with, while it is open. Where the words are
+  /// drawn.
+  void draw_partners(const PanelContext& context);
+  /// Feature angle, what slides along edges, and why the boundary cannot move so: below the list.
+  void draw_settings(const PanelContext& context);
+
+ private:
+  bool previewed_ = false;
+};
+
+}  // namespace winslow::gui

@@ -1,0 +1,197 @@
+#include "gui/view/overlays/role_overlay.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "gui/base/text.h"
+#include "gui/view/overlays/hidden_places.h"
+#include "gui/widgets/controls.h"
+
+namespace winslow::gui {
+
+namespace {
+
+// In the order of the key; those that matter most are drawn last.
+constexpr std::array<NodeRole, node_role_count> in_order{
+    NodeRole::free,     NodeRole::fixed,    NodeRole::moves, NodeRole::on_surface,
+    NodeRole::on_curve, NodeRole::periodic, NodeRole::corner};
+/// Inner nodes of a plane mesh are left out where more are in view: they are everywhere.
+constexpr std::size_t most_free = 4000;
+
+bool shown(const ViewOptions& options, const ViewState& state) {
+  return options.roles || state.roles_previewed;
+}
+
+void draw_dot(ImDrawList& list, const Theme& theme, const ScreenPoint& at, NodeRole role) {
+  const bool quiet = role == NodeRole::free || role == NodeRole::fixed;
+  const float radius = theme.px(quiet ? 1.8f : role == NodeRole::corner ? 4.0f : 3.0f);
+  const auto place = static_cast<ImVec2>(at);
+  if (!quiet) list.AddCircleFilled(place, radius + theme.px(1.2f), palette().card, 12);
+  list.AddCircleFilled(place, radius, color_of(role), 10);
+}
+
+/// What is compared with what stands in the corner, too.
+ScreenBox key_room(ScreenBox room, const ViewOptions& options, const Theme& theme) {
+  if (options.comparison != Comparison::none)
+    room.min = ScreenPoint(room.min.x(), room.min.y() + static_cast<double>(theme.px(34)));
+  return room;
+}
+
+/// The roles that there are, with their colours and numbers of nodes. Stands in the corner top
+/// left.
+void draw_key(ImDrawList& list, const Theme& theme, const ScreenBox& room, const NodeRoles& roles) {
+  ImFont& font = *theme.small;
+  struct Row {
+    NodeRole role;
+    std::string text;
+  };
+  std::vector<Row> rows;
+  float wide = 0;
+  for (const NodeRole role : in_order) {
+    const Index count = roles.counts[static_cast<std::size_t>(role)];
+    if (count == 0) continue;
+    rows.push_back({role, std::string(name_of(role)) + ": " + grouped(count)});
+    wide = std::max(wide, font.CalcTextSizeA(font.FontSize, 1e6f, 0, rows.back().text.c_str()).x);
+  }
+  const float pad = theme.px(8), line = font.FontSize + theme.px(4), dot = theme.px(14);
+  const ImVec2 min(static_cast<float>(room.min.x()) + theme.px(12),
+                   static_cast<float>(room.min.y()) + theme.px(12));
+  const ImVec2 max(min.x + wide + dot + 2 * pad,
+                   min.y + static_cast<float>(rows.size()) * line + 2 * pad - theme.px(4));
+  // Where there is no room for it, the mesh matters more.
+  if (max.x > static_cast<float>(room.max.x()) || max.y > static_cast<float>(room.max.y())) return;
+  list.AddRectFilled(min, max, faded(palette().card, 0.92f), theme.px(5));
+  list.AddRect(min, max, palette().border, theme.px(5));
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const float y = min.y + pad + static_cast<float>(k) * line;
+    draw_dot(list, theme, {min.x + pad + theme.px(4), y + font.FontSize / 2}, rows[k].role);
+    list.AddText(&font, font.FontSize, ImVec2(min.x + pad + dot, y), palette().text,
+                 rows[k].text.c_str());
+    ui::note("roles/key/" + std::to_string(static_cast<int>(rows[k].role)), ImVec2(min.x, y),
+             ImVec2(max.x, y + line));
+  }
+  ui::note("roles/key", min, max);
+}
+
+}  // namespace
+
+ImU32 color_of(NodeRole role) {
+  const bool dark = palette().dark;
+  switch (role) {
+    case NodeRole::free:
+    case NodeRole::fixed:
+      return role == NodeRole::free ? faded(palette().text_faint, 0.9f) : palette().text_dim;
+    case NodeRole::moves:
+      return palette().accent;
+    case NodeRole::on_surface:
+      return dark ? IM_COL32(70, 200, 120, 255) : IM_COL32(22, 140, 70, 255);
+    case NodeRole::on_curve:
+      return dark ? IM_COL32(240, 190, 40, 255) : IM_COL32(196, 140, 0, 255);
+    case NodeRole::periodic:
+      return dark ? IM_COL32(210, 130, 250, 255) : IM_COL32(140, 50, 190, 255);
+    case NodeRole::corner:
+      return dark ? IM_COL32(255, 110, 90, 255) : IM_COL32(210, 40, 30, 255);
+  }
+  return palette().text;
+}
+
+const char* name_of(NodeRole role) {
+  switch (role) {
+    case NodeRole::free:
+      return "Free, inside";
+    case NodeRole::fixed:
+      return "Fixed";
+    case NodeRole::moves:
+      return "Moved, selected";
+    case NodeRole::on_surface:
+      return "Slides on a surface";
+    case NodeRole::on_curve:
+      return "Slides on a curve";
+    case NodeRole::periodic:
+      return "Periodic";
+    case NodeRole::corner:
+      return "Corner or edge, stays";
+  }
+  return "";
+}
+
+void RoleOverlay::draw(ImDrawList& list, const ViewOverlay& o, const ScreenBox& room) {
+  if (!shown(o.options, o.state)) return;
+  const auto roles = boundary_roles(o.session).find();
+  const Coordinates& x = o.session.coordinates();
+  if (!roles || roles->roles.size() != at(x.size())) return;
+  const Bounds seen = o.view.visible();
+  std::array<std::vector<ScreenPoint>, node_role_count> places;
+  for (Index i = 0; i < x.size(); ++i) {
+    const Vec2 p = x.xy(i);
+    if ((p.array() < seen.min.array()).any() || (p.array() > seen.max.array()).any()) continue;
+    auto& own = places[static_cast<std::size_t>(roles->roles[at(i)])];
+    if (roles->roles[at(i)] != NodeRole::free || own.size() <= most_free)
+      own.push_back(o.view.to_screen(p));
+  }
+  auto& free = places[static_cast<std::size_t>(NodeRole::free)];
+  if (free.size() > most_free) free.clear();
+  for (const NodeRole role : in_order)
+    for (const ScreenPoint& at : places[static_cast<std::size_t>(role)])
+      draw_dot(list, o.theme, at, role);
+  draw_key(list, o.theme, key_room(room, o.options, o.theme), *roles);
+}
+
+/// Nodes of bodies and of what moves; of what encloses them and stays there is nothing to be said.
+void RoleOverlay::find(const SpaceOverlay& o, const VolumeScenes& scenes, const NodeRoles& roles) {
+  dots_.clear();
+  const VolumeBoundary& boundary = *o.session.document()->boundary();
+  const Topology& topology = *o.session.topology();
+  const Coordinates& x = o.session.coordinates();
+  std::vector<unsigned char> taken(at(x.size()), 0);
+  std::vector<Index> nodes;
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
+    const SurfaceFace& face = boundary.faces[f];
+    const bool marked = face.marker >= 0;
+    if (marked && o.options.markers.of(topology.markers()[at(face.marker)].name).hidden) continue;
+    for (const Index node : face.nodes) {
+      const NodeRole role = roles.roles[at(node)];
+      const bool quiet = role == NodeRole::fixed || role == NodeRole::moves;
+      if (taken[at(node)] != 0 || (quiet && boundary.enclosing[f] != 0)) continue;
+      taken[at(node)] = 1;
+      nodes.push_back(node);
+    }
+  }
+  std::vector<DeepPlace> places;
+  for (const Index node : nodes) {
+    const auto [at, depth] = o.view.project(x.xyz(node));
+    places.push_back({at, depth, !o.view.viewport().contains(at)});
+  }
+  hide_behind(o.view, scenes, places);
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    if (!places[k].hidden) dots_.push_back({places[k].at, roles.roles[at(nodes[k])]});
+  std::ranges::stable_sort(dots_, {}, [](const Dot& dot) {
+    return std::ranges::find(in_order, dot.role) - in_order.begin();
+  });
+}
+
+void RoleOverlay::draw(ImDrawList& list, const SpaceOverlay& o, const VolumeView& picture,
+                       const ScreenBox& room) {
+  const VolumeScenes* scenes = picture.scenes();
+  if (!shown(o.options, o.state) || !scenes) {
+    key_ = Key();
+    return;
+  }
+  const auto roles = boundary_roles(o.session).find();
+  const Coordinates& x = o.session.coordinates();
+  if (!roles || roles->roles.size() != at(x.size())) return;
+  const Key now{o.view.camera(), picture.revision(), o.session.shape(), roles};
+  if (key_ != now) {
+    key_ = now;
+    find(o, *scenes, *roles);
+  }
+  for (const auto& [a, b] : roles->features)
+    list.AddLine(static_cast<ImVec2>(o.view.project(x.xyz(a)).at),
+                 static_cast<ImVec2>(o.view.project(x.xyz(b)).at),
+                 faded(color_of(NodeRole::corner), 0.7f), o.theme.px(1.6f));
+  for (const Dot& dot : dots_) draw_dot(list, o.theme, dot.at, dot.role);
+  draw_key(list, o.theme, key_room(room, o.options, o.theme), *roles);
+}
+
+}  // namespace winslow::gui

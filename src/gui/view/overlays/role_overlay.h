@@ -1,0 +1,50 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/inspect/node_roles.h"
+#include "gui/view/overlays/space_overlay.h"
+#include "gui/view/overlays/view_overlay.h"
+
+namespace winslow::gui {
+
+/// What nodes do while the mesh is smoothed, as dots in colours, with a key: of a plane mesh all
+/// nodes in view, as far as there is room, of a volume mesh those of the boundary that are seen.
+/// Edges at which sliding markers turn are lines. While the feature angle is edited it is shown
+/// whatever the view's options are.
+class RoleOverlay {
+ public:
+  /// room: of the viewport, for the key.
+  void draw(ImDrawList& list, const ViewOverlay& overlay, const ScreenBox& room);
+  void draw(ImDrawList& list, const SpaceOverlay& overlay, const VolumeView& picture,
+            const ScreenBox& room);
+
+ private:
+  struct Dot {
+    ScreenPoint at;
+    NodeRole role;
+  };
+  /// What the dots of a volume mesh depend on.
+  struct Key {
+    SpaceCamera camera;
+    std::uint64_t revision = 0;  // of the picture
+    std::uint64_t shape = 0;
+    std::shared_ptr<const NodeRoles> roles;
+    bool operator==(const Key&) const = default;
+  };
+  void find(const SpaceOverlay& overlay, const VolumeScenes& scenes, const NodeRoles& roles);
+
+  Key key_;
+  std::vector<Dot> dots_;
+};
+
+/// Of dots and in the key.
+ImU32 color_of(NodeRole role);
+/// "On a curve".
+const char* name_of(NodeRole role);
+
+}  // namespace winslow::gui

@@ -1,0 +1,98 @@
+#include "core/inspect/node_roles.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "support/meshes.h"
+#include "support/periodic_meshes.h"
+#include "support/space_meshes.h"
+
+using namespace winslow;
+using namespace winslow::test;
+
+namespace {
+
+Index count_of(const NodeRoles& roles, NodeRole role) {
+  CHECK(roles.counts[static_cast<std::size_t>(role)] == std::ranges::count(roles.roles, role));
+  return roles.counts[static_cast<std::size_t>(role)];
+}
+
+}  // namespace
+
+TEST_CASE("roles in the plane: corners stay, stretches slide, pairs move together") {
+  const Mesh mesh = make_mesh(square(6, Cells::triangles));
+  SlideOptions slide;
+  const NodeRoles still = node_roles(mesh, slide, {});
+  CHECK(still.fault.empty());
+  CHECK(count_of(still, NodeRole::free) == 25);
+  CHECK(count_of(still, NodeRole::fixed) == 24);
+
+  slide.markers = {"top"};
+  slide.periodic = {"left", "right"};
+  const NodeRoles roles = node_roles(mesh, slide, {"bottom"});
+  CHECK(roles.fault.empty());
+  CHECK(count_of(roles, NodeRole::on_curve) == 5);
+  CHECK(count_of(roles, NodeRole::corner) == 2);
+  CHECK(count_of(roles, NodeRole::periodic) == 10);
+  CHECK(count_of(roles, NodeRole::moves) == 7);
+  CHECK(count_of(roles, NodeRole::free) == 25);
+  REQUIRE(roles.found.size() == 2);
+  CHECK(roles.found[0] == "top: straight line");
+  CHECK(roles.found[1] == "left and right: translation by (1, 0)");
+  for (Index i = 0; i < mesh.coordinates.size(); ++i)
+    if (roles.roles[at(i)] == NodeRole::on_curve) CHECK(mesh.coordinates.xy(i).y() == 1);
+}
+
+TEST_CASE("roles follow the feature angle") {
+  // All four sides as one marker: its corners turn by 90 degrees.
+  MeshData data = square(6, Cells::quads);
+  Marker all;
+  all.name = "all";
+  for (const Marker& marker : data.markers)
+    all.faces.insert(all.faces.end(), marker.faces.begin(), marker.faces.end());
+  data.markers = {all};
+  const Mesh mesh = make_mesh(data);
+  SlideOptions slide;
+  slide.markers = {"all"};
+  slide.feature_angle = 40;
+  const NodeRoles sharp = node_roles(mesh, slide, {});
+  CHECK(count_of(sharp, NodeRole::corner) == 4);
+  slide.feature_angle = 120;
+  CHECK(count_of(node_roles(mesh, slide, {}), NodeRole::corner) < 4);
+}
+
+TEST_CASE("roles in space: faces slide, their edges stay, and are listed") {
+  const Mesh mesh = make_mesh(cube(4, Volumes::tetrahedra));
+  SlideOptions slide;
+  slide.markers = {"lid"};
+  const NodeRoles roles = node_roles(mesh, slide, {});
+  CHECK(roles.fault.empty());
+  CHECK(count_of(roles, NodeRole::on_surface) == 9);
+  CHECK(count_of(roles, NodeRole::corner) == 16);
+  CHECK(count_of(roles, NodeRole::free) == 27);
+  CHECK(roles.features.size() == 16);  // around the lid
+  for (const auto& [a, b] : roles.features) {
+    CHECK(mesh.coordinates.xyz(a).z() == 1);
+    CHECK(mesh.coordinates.xyz(b).z() == 1);
+  }
+  slide.markers = {"walls", "lid"};
+  // The upright edges of the walls, what the lid has, and where the walls end at the floor.
+  CHECK(node_roles(mesh, slide, {}).features.size() == 16 + 16 + 16);
+  slide.feature_angle = 100;  // more than any edge turns: what is left is where markers end
+  CHECK(node_roles(mesh, slide, {}).features.size() == 16 + 16);
+}
+
+TEST_CASE("what cannot slide or pair is said, and the boundary stays") {
+  const Mesh mesh = make_mesh(square(6, Cells::triangles));
+  SlideOptions slide;
+  slide.periodic = {"left", "top"};
+  slide.markers = {"left"};
+  const NodeRoles roles = node_roles(mesh, slide, {});
+  CHECK_FALSE(roles.fault.empty());
+  CHECK(roles.found.empty());
+  CHECK(count_of(roles, NodeRole::fixed) == 24);
+  slide.periodic.clear();
+  slide.markers = {"nowhere"};
+  CHECK(node_roles(mesh, slide, {}).fault.find("nowhere") != std::string::npos);
+}
