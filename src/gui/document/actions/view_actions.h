@@ -97,8 +97,7 @@ using ViewAction =
                  action::FitMarkers, action::ToggleRuler, action::LookAt, action::BoxZoom,
                  action::ZoomTo, action::BackView, action::ForwardView, action::GoTo,
                  action::InspectNode, action::PinMagnifier, action::AskGoTo, action::PreviewRoles,
-                 action::StepScale, action::LookAtPlace, action::ZoomToScreen,
-                 action::LookFrom, action::AddCut, action::HoldCut, action::AddCutAcrossView,
-                 action::ShowLook>;
+                 action::StepScale, action::LookAtPlace, action::ZoomToScreen, action::LookFrom,
+                 action::AddCut, action::HoldCut, action::AddCutAcrossView, action::ShowLook>;
 
 }  // namespace winslow::gui

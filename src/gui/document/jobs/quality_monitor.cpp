@@ -16,9 +16,11 @@ std::shared_ptr<const QualityMonitor::Measured> measure(std::uint64_t shape, con
   measured->topology = state.mesh.topology;
   measured->field = wish.field;
   measured->before = named;
-  measured->report = measure_quality(
-      state.mesh,
-      {.histogram_bins = 40, .worst = most_worst, .threads = threads, .before = wish.before});
+  measured->report = measure_quality(state.mesh, {.histogram_bins = 40,
+                                                  .worst = most_worst,
+                                                  .threads = threads,
+                                                  .normals = {},
+                                                  .before = wish.before});
   if (wish.field && state.mesh.topology->cell_dimension() == 3)
     // Fields of plane meshes alone have no values here.
     measured->values = wish.field->metric() && wish.field->cell_dimension() == 3
