@@ -124,9 +124,8 @@ class Volume(ProgramTest):
             self.assertEqual(self.path("a.su2").read_bytes(), self.path("b.su2").read_bytes(), name)
 
     def test_what_is_for_plane_meshes_says_so(self):
-        only = "only for a plane mesh, and this is a volume mesh"
         run = self.winslow("smooth", "box.su2", "-o", "o.su2", "--keep-outside-radius", "1", code=USAGE)
-        self.assertIn(only, run.stderr)
+        self.assertIn("give the centre of the sphere", run.stderr)
         run = self.winslow("move", "box.su2", "-o", "o.su2", "--marker", "body", "--rotate", "9",
                            code=USAGE)
         self.assertIn("a rotation in space needs an axis", run.stderr)

@@ -54,7 +54,7 @@ ElementNormals ElementNormals::asking(std::shared_ptr<const SlidingGeometry> geo
 }
 
 Vec3 ElementNormals::node_normal(Index node, const Vec3& point) const {
-  const int side = sides_->of_node[winslow::at(node)];
+  const double side = sides_->of_node[winslow::at(node)];
   if (side == 0) return Vec3::Zero();
   const Foot foot = geometry_->foot(node, point);
   return side * foot.frame[0].cross(foot.frame[1]);

@@ -125,7 +125,7 @@ bool is_closed(const Topology& topology) {
 
 double enclosed_volume(const Mesh& mesh) {
   const SpacePoints x(mesh.coordinates);
-  const Vec3 origin = mesh.coordinates.size() > 0 ? Vec3(x[0]) : Vec3(0, 0, 0);
+  const Vec3 origin = !mesh.coordinates.empty() ? Vec3(x[0]) : Vec3(0, 0, 0);
   double volume = 0;
   for (Index e = 0; e < mesh.topology->element_count(); ++e)
     for_each_triangle(x, mesh.topology->element(e), [&](const Triangle& t) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 
 #include "core/mesh/compressed_rows.h"
 
@@ -14,7 +15,6 @@ namespace {
 struct TriangleSide {
   Index low, high, triangle;
   int corner;
-  auto operator<=>(const TriangleSide&) const = default;
 };
 
 /// The triangles around each point.
@@ -89,7 +89,9 @@ std::vector<std::array<Index, 3>> triangle_neighbours(const Triangulation& surfa
       sides.push_back({low, high, static_cast<Index>(t), k});
     }
   }
-  std::ranges::sort(sides);
+  std::ranges::sort(sides, [](const TriangleSide& a, const TriangleSide& b) {
+    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+  });
   std::vector<std::array<Index, 3>> out(surface.triangles.size(), {-1, -1, -1});
   const auto same = [&](std::size_t a, std::size_t b) {
     return sides[a].low == sides[b].low && sides[a].high == sides[b].high;

@@ -40,8 +40,6 @@ void SpaceMotionPanel::draw(const PanelContext& context) {
   const bool entered = draw_fields(context, live);
   draw_pivot(context);
   draw_motion_steps(context);
-  draw_keep_outside(context);
-  draw_quality_limits(context);
   ImGui::EndDisabled();
   const bool can = !live && moves(typed_) && usable(typed_);
   preview(context, can && !session.in_motion());
@@ -50,6 +48,11 @@ void SpaceMotionPanel::draw(const PanelContext& context) {
                  {"Move the selected bodies and smooth the mesh around them. Enter in a field does "
                   "so as well.",
                   ui::ButtonStyle::primary, can, -1});
+  // Below the button, which a small window is to show.
+  ImGui::BeginDisabled(live);
+  draw_keep_outside(context);
+  draw_quality_limits(context);
+  ImGui::EndDisabled();
   if (!can || !(pressed || entered)) return;
   context.emit(action::PreviewMotion{});
   context.emit(action::ApplyMotion{typed_});
