@@ -147,7 +147,7 @@ TEST_CASE("what nodes do is shown in colours with a key, and follows roles and f
   CHECK_FALSE(rig.visible("roles/key"));
 }
 
-TEST_CASE("roles in space: seen nodes of a sliding face have dots, and a curved one says why not") {
+TEST_CASE("roles in space: seen nodes of a sliding face have dots, and along its edges if asked") {
   Rig rig(1280, 900);
   rig.open(make_mesh(winslow::test::cube(4, winslow::test::Volumes::tetrahedra)));
   rig.key(GLFW_KEY_5);  // from above, onto the lid
