@@ -21,6 +21,7 @@
 #include "core/strategy/surface_shape.h"
 #include "io/recipe/recipe.h"
 #include "io/tables/convergence_csv.h"
+#include "io/tables/reference_file.h"
 
 namespace winslow::app {
 namespace {
@@ -343,9 +344,10 @@ nlohmann::json describe(const std::vector<ZoneRun>& zones, const RunReport& run)
 
 }  // namespace
 
-ExitCode run_edit_job(const EditJob& job) {
+ExitCode run_edit_job(EditJob job) {
   check_files(job.files);
   check_options(job.commands);
+  for (Command& command : job.commands) io::load_reference(command);
   const InterruptGuard interrupts;
   Stopwatch total, lap;
   RunReport run{job.name, job.files.input, job.files.output, false, {}, {}, {}};

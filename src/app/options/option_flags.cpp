@@ -137,6 +137,11 @@ CLI::Option* declare(CLI::App& app, const Option& option, const NamesOption& nam
       ->allow_extra_args(false);
 }
 
+CLI::Option* declare(CLI::App& app, const Option& option, const FileOption& file) {
+  return add_value<std::string>(app, option,
+                                [file](const std::string& name) { *file.value = name; });
+}
+
 CLI::Option* declare(CLI::App& app, const Option& option, const SwitchOption& on) {
   const bool value = on.off_flag.empty();
   return app.add_flag_callback(
@@ -172,6 +177,7 @@ std::string metavariable(const Option& option) {
   if (std::holds_alternative<SpaceVectorOption>(option.value)) return "X Y Z";
   if (const auto* names = std::get_if<NamesOption>(&option.value))
     return names->pairs ? "NAME NAME" : "NAME";
+  if (std::holds_alternative<FileOption>(option.value)) return "FILE";
   if (std::holds_alternative<SharesOption>(option.value)) return "NAME[=SHARE]...";
   if (const auto* choice = std::get_if<ChoiceOption>(&option.value)) {
     constexpr std::size_t few = 4;

@@ -11,6 +11,7 @@
 #include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
 #include "core/strategy/smooth_run.h"
+#include "core/strategy/surface_first.h"
 #include "core/strategy/surface_shape.h"
 #include "core/vcv/sphere/sphere_edit.h"
 
@@ -120,11 +121,40 @@ void require_surface_command(const Command& command, const SmoothOptions* smooth
   if (smooth->keep_outside.given()) refuse("keep-outside");
 }
 
-/// A state of a surface mesh with the shape that its nodes stay on.
+/// A state of a surface mesh with the shape that its nodes stay on, put there if that is another
+/// surface than its own.
 MeshState with_shape(const MeshState& state, const SlideOptions& slide) {
   MeshState copy = state;
-  if (is_surface(*state.mesh.topology)) copy.surface = surface_shape(state, slide);
+  if (!is_surface(*state.mesh.topology)) return copy;
+  copy.surface = surface_shape(state, slide);
+  if (!slide.reference.name.empty())
+    copy.mesh.coordinates = put_on(copy.surface->boundary, std::move(copy.mesh.coordinates));
   return copy;
+}
+
+/// A state of a volume mesh, its sliding nodes put onto the reference surface that they are to
+/// slide on. Before a motion, which leads through valid meshes, that must not invert elements.
+MeshState on_reference(const Command& command, const MeshState& state) {
+  Command copy = command;
+  const SmoothOptions* smooth = smooth_options(copy);
+  if (!smooth || smooth->slide.reference.name.empty()) return state;
+  const SlideOptions& slide = smooth->slide;
+  if (slide.markers.empty())
+    throw UsageError(slide.reference.name +
+                     ": a reference surface is for nodes that slide: name their markers");
+  const Mesh& mesh = state.mesh;
+  MeshState placed = state;
+  placed.mesh.coordinates =
+      put_on(SlidingBoundary::find(*mesh.topology, mesh.coordinates, slide.markers,
+                                   slide.feature_angle, slide.features, reference_of(slide)),
+             mesh.coordinates);
+  if (std::holds_alternative<SmoothCommand>(command)) return placed;
+  const Index before = check_validity(*mesh.topology, mesh.coordinates).inverted;
+  const Index after = check_validity(*mesh.topology, placed.mesh.coordinates).inverted;
+  if (after > before)
+    throw UsageError(slide.reference.name + ": with their nodes put onto this surface " +
+                     std::to_string(after) + " elements are inverted: smooth the mesh on it first");
+  return placed;
 }
 
 /// What volume meshes cannot do yet is refused by name.
@@ -163,6 +193,10 @@ CommandResult run_motion(const MeshState& state, const Motion& motion, const Mot
   if (how.increments < 0) throw UsageError("the number of increments is negative");
   validate(smooth);
   require_path(how, smooth);
+  if (smooth.slide.surface_first)
+    throw UsageError(
+        "surface_first: a motion smooths the boundary together with the interior; it "
+        "is for the command smooth");
   if (state.layers && state.layers->held && how.smooth_after) {
     CommandResult result{state, {}};
     result.smooth = move_with_layers(result.state, motion, how, smooth, options);
@@ -181,7 +215,9 @@ CommandResult execute_one(const SmoothCommand& command, const MeshState& given,
   RunOptions run = options;
   // Edits say what is wanted instead.
   run.never_worse = !state.sphere_vcvs && (!state.vcv || state.vcv->edits().empty());
-  SmoothResult result = smooth_interior(state, command.smooth, x, run);
+  SmoothResult result = command.smooth.slide.surface_first
+                            ? smooth_surface_first(state, command.smooth, x, run)
+                            : smooth_interior(state, command.smooth, x, run);
   return finish(state, std::move(x), std::move(result));
 }
 
@@ -382,8 +418,9 @@ CommandResult execute(const Command& command, const MeshState& state, const RunO
     return result;
   }
   const LocalFrame frame(state.mesh);
-  CommandResult result = frame.shifts() ? run_in_frame(frame, command, state, options, carry_out)
-                                        : carry_out(command, state, options);
+  const MeshState placed = on_reference(command, state);
+  CommandResult result = frame.shifts() ? run_in_frame(frame, command, placed, options, carry_out)
+                                        : carry_out(command, placed, options);
   // Whatever way it went: the count is that of the mesh that is handed over.
   const Mesh& mesh = result.state.mesh;
   result.smooth.inverted = check_validity(*mesh.topology, mesh.coordinates).inverted;

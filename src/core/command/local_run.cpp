@@ -82,8 +82,11 @@ class MonitorInFrame final : public SolverMonitor {
 
 Command in_frame(Command command, const LocalFrame& frame) {
   std::visit([&](auto& c) { put_in_frame(c, frame); }, command);
-  if (SmoothOptions* smooth = smooth_options(command))
+  if (SmoothOptions* smooth = smooth_options(command)) {
     smooth->keep_outside = to_local(std::move(smooth->keep_outside), frame);
+    auto& surface = smooth->slide.reference.surface;
+    if (surface) surface = moved_to(*surface, frame.origin());
+  }
   return command;
 }
 

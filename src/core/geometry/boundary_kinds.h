@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "core/geometry/sliding_boundary.h"
 
-/// The two halves of SlidingBoundary::find().
+/// The parts of SlidingBoundary::find().
 namespace winslow {
 
 /// Which part of a boundary each node that slides is on.
@@ -33,5 +33,10 @@ SlidingBoundary sliding_on_curves(const Topology& topology, const Coordinates& x
 SlidingBoundary sliding_on_surfaces(const Topology& topology, const Coordinates& x,
                                     std::span<const Index> markers, double feature_angle,
                                     bool features);
+
+/// The same on another surface: see SlidingBoundary::find().
+SlidingBoundary sliding_on_reference(const Topology& topology, const Coordinates& x,
+                                     std::span<const Index> markers, double feature_angle,
+                                     bool features, const ReferenceSurface& reference);
 
 }  // namespace winslow

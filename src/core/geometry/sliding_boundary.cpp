@@ -18,16 +18,20 @@ std::vector<Index> indices_of(const Topology& topology, std::span<const std::str
 
 SlidingBoundary SlidingBoundary::find(const Topology& topology, const Coordinates& x,
                                       std::span<const std::string> names, double feature_angle,
-                                      bool features) {
+                                      bool features, const ReferenceSurface* reference) {
   const bool surface = topology.cell_dimension() != topology.space_dimension();
   if (surface && !names.empty())
     throw UsageError("all nodes of a surface mesh slide: expected no marker, found \"" +
                      names.front() + "\"");
   const std::vector<Index> markers = indices_of(topology, names);
+  const bool plane = topology.space_dimension() == 2;
+  if (plane && reference)
+    throw UsageError(reference->source + ": a reference surface is for meshes in space, and this " +
+                     "is a plane mesh");
   SlidingBoundary boundary =
-      topology.space_dimension() == 2
-          ? sliding_on_curves(topology, x, markers, feature_angle)
-          : sliding_on_surfaces(topology, x, markers, feature_angle, features);
+      plane       ? sliding_on_curves(topology, x, markers, feature_angle)
+      : reference ? sliding_on_reference(topology, x, markers, feature_angle, features, *reference)
+                  : sliding_on_surfaces(topology, x, markers, feature_angle, features);
   for (const std::string& name : names) {
     bool slides = false;
     for (const SlidingPart& part : boundary.parts) slides |= part.marker == name;
@@ -36,6 +40,19 @@ SlidingBoundary SlidingBoundary::find(const Topology& topology, const Coordinate
                        "\" can slide: each lies at a corner or meets another marker");
   }
   return boundary;
+}
+
+Coordinates put_on(const SlidingBoundary& boundary, Coordinates x) {
+  for (const SlidingPart& part : boundary.parts)
+    for (const Index node : part.nodes) {
+      if (x.dimension() == 3) {
+        x.set_xyz(node, boundary.geometry->foot(node, x.xyz(node)).point);
+      } else {
+        const Vec2 p = x.xy(node);
+        x.set_xy(node, boundary.geometry->foot(node, Vec3(p.x(), p.y(), 0)).point.head<2>());
+      }
+    }
+  return x;
 }
 
 }  // namespace winslow

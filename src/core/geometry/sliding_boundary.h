@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/reference_surface.h"
 #include "core/geometry/sliding_geometry.h"
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"
@@ -28,16 +29,26 @@ struct SlidingPart {
 /// their features (find_features()). A node inside a region slides on the surface through it
 /// (surface_through()); one on a feature line stays, or slides along the curve through the line,
 /// and corners stay, as do nodes that meet the rest of the boundary.
+///
+/// On a reference surface features, curves and surfaces are those of that surface. Edges of the
+/// mesh that run along one of its feature lines are what the faces of the markers are cut by;
+/// borders and edges between markers cut them, too, and stay where they run along none. The nodes
+/// between slide on those regions of it to which their part of the mesh is nearest.
 struct SlidingBoundary {
   std::vector<SlidingPart> parts;
   std::shared_ptr<const SlidingGeometry> geometry;
 
   /// markers: names; none of a surface mesh, all of whose nodes take part. feature_angle: in
-  /// degrees, 0 to 180. features: in space nodes slide along feature lines. Throws UsageError for
-  /// markers that the mesh does not have and those of which no node can slide.
+  /// degrees, 0 to 180. features: in space nodes slide along feature lines. reference: a surface to
+  /// slide on instead of the mesh's own, which the nodes need not lie on (put_on()). Throws
+  /// UsageError for markers that the mesh does not have and those of which no node can slide, and
+  /// for a reference surface of a plane mesh, or one that is not where the nodes are.
   static SlidingBoundary find(const Topology& topology, const Coordinates& x,
                               std::span<const std::string> markers, double feature_angle,
-                              bool features = false);
+                              bool features = false, const ReferenceSurface* reference = nullptr);
 };
+
+/// The nodes that slide put where they lie nearest to on what they slide on.
+Coordinates put_on(const SlidingBoundary& boundary, Coordinates x);
 
 }  // namespace winslow

@@ -34,6 +34,7 @@ std::string text_of(const NamesOption& names) {
   for (const std::string& name : *names.value) text += (text.empty() ? "" : ", ") + name;
   return text;
 }
+std::string text_of(const FileOption& file) { return *file.value; }
 std::string text_of(const SpaceVectorOption& vector) {
   if (!*vector.value) return "";
   const Vec3& v = **vector.value;
@@ -60,6 +61,7 @@ std::string expected_of(const VectorOption&) { return ""; }
 std::string expected_of(const OptionalVectorOption&) { return ""; }
 std::string expected_of(const SpaceVectorOption&) { return ""; }
 std::string expected_of(const NamesOption&) { return ""; }
+std::string expected_of(const FileOption&) { return ""; }
 std::string expected_of(const SwitchOption&) { return ""; }
 std::string expected_of(const ChoiceOption& choice) { return choice.names(); }
 std::string expected_of(const SharesOption&) { return at_least(0).text(); }
@@ -104,6 +106,7 @@ std::string wrong_with(const NamesOption& names) {
   if (!names.pairs || names.value->size() % 2 == 0) return "";
   return "found " + std::to_string(names.value->size()) + " names, expected pairs of them";
 }
+std::string wrong_with(const FileOption&) { return ""; }
 std::string wrong_with(const SwitchOption&) { return ""; }
 std::string wrong_with(const ChoiceOption& choice) {
   if (choice.chosen() < choice.items().size()) return "";

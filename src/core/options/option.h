@@ -78,6 +78,11 @@ struct NamesOption {
   bool pairs = false;
 };
 
+/// The name of a file; empty: none.
+struct FileOption {
+  std::string* value;
+};
+
 struct SwitchOption {
   bool* value;
   /// Of a switch that is on unless it is turned off: the flag that does so, and what that means.
@@ -132,7 +137,7 @@ struct SharesOption {
 
 using OptionValue = std::variant<RealOption, OptionalRealOption, IntegerOption, SeedOption,
                                  VectorOption, OptionalVectorOption, SpaceVectorOption, NamesOption,
-                                 SwitchOption, ChoiceOption, SharesOption>;
+                                 FileOption, SwitchOption, ChoiceOption, SharesOption>;
 
 /// Whether an option is given by a flag of its own.
 enum class OnCommandLine { yes, no };

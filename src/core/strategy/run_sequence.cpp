@@ -19,15 +19,6 @@ void take_outcome(SmoothResult& all, const SmoothResult& run) {
   all.boundary = run.boundary;
 }
 
-/// How another run went, after those before it.
-void append(SmoothResult& all, SmoothResult more) {
-  for (IterationRecord& record : more.history) record.iteration += all.outer_iterations;
-  all.history.insert(all.history.end(), more.history.begin(), more.history.end());
-  all.outer_iterations += more.outer_iterations;
-  all.linear_solves += more.linear_solves;
-  take_outcome(all, more);
-}
-
 /// Nodes of a column between its wall and its rim, as its heights are to one another.
 void fill_between(const LayerColumn& column, Coordinates& x) {
   const Vec2 wall = x.xy(column.wall_node), rim = x.xy(column.rim());
@@ -40,6 +31,14 @@ void fill_between(const LayerColumn& column, Coordinates& x) {
 }
 
 }  // namespace
+
+void append(SmoothResult& all, SmoothResult more) {
+  for (IterationRecord& record : more.history) record.iteration += all.outer_iterations;
+  all.history.insert(all.history.end(), more.history.begin(), more.history.end());
+  all.outer_iterations += more.outer_iterations;
+  all.linear_solves += more.linear_solves;
+  take_outcome(all, more);
+}
 
 void RelayMonitor::begin(int first, const LayerStack* fill) {
   first_ = first;

@@ -11,6 +11,10 @@
 
 namespace winslow {
 
+/// How another run of a command went, after those before it: counts and histories add up, the rest
+/// is that of the last run.
+void append(SmoothResult& all, SmoothResult more);
+
 /// Passes iterations on to another monitor, numbered consecutively over several runs. While only
 /// the mesh outside the layers is smoothed, it adds the layers' nodes to the coordinates.
 class RelayMonitor final : public SolverMonitor {

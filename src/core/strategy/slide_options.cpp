@@ -35,6 +35,24 @@ OptionTable option_table(SlideOptions& slide) {
                "instead of staying",
        .object = "slide",
        .applies = !slide.markers.empty()},
+      {.key = "surface_first",
+       .value = SwitchOption{&slide.surface_first},
+       .label = "Surface first",
+       .help = "Smoothing a volume mesh: sliding markers are smoothed as surface meshes, then the "
+               "interior within them; without, all at once",
+       .advice = "For elements of the boundary that are as good as they can be by themselves.",
+       .object = "slide",
+       .flag = "surface-first",
+       .applies = !slide.markers.empty()},
+      {.key = "reference",
+       .value = FileOption{&slide.reference.name},
+       .label = "Reference surface",
+       .help = "In space: a surface mesh, from CAD or a scan, that nodes slide on instead of the "
+               "surface of the mesh as given; they are put onto it first",
+       .advice = "Where the mesh is coarser than the shape that it stands for, or tangled.",
+       .object = "slide",
+       .flag = "reference",
+       .applies = !slide.reference.name.empty()},
       {.key = "periodic",
        .value = NamesOption{&slide.periodic, true},
        .label = "Periodic pairs",
@@ -45,6 +63,13 @@ OptionTable option_table(SlideOptions& slide) {
        .flag = "periodic",
        .applies = !slide.periodic.empty()},
   };
+}
+
+const ReferenceSurface* reference_of(const SlideOptions& slide) {
+  if (slide.reference.name.empty()) return nullptr;
+  if (!slide.reference.surface)
+    throw UsageError(slide.reference.name + ": this reference surface was not read");
+  return slide.reference.surface.get();
 }
 
 namespace {
@@ -65,8 +90,9 @@ MovingBoundary make_boundary_move(const SlideOptions& slide, const Mesh& mesh,
   std::vector<Index> taken(moving.begin(), moving.end());
   std::ranges::sort(taken);
   if (!slide.markers.empty()) {
-    SlidingBoundary boundary = SlidingBoundary::find(
-        *mesh.topology, mesh.coordinates, slide.markers, slide.feature_angle, slide.features);
+    SlidingBoundary boundary =
+        SlidingBoundary::find(*mesh.topology, mesh.coordinates, slide.markers, slide.feature_angle,
+                              slide.features, reference_of(slide));
     for (const SlidingPart& part : boundary.parts) {
       require_at_rest(part.marker, part.nodes, taken);
       classes.set_sliding(part.nodes, boundary.geometry, mesh.coordinates);

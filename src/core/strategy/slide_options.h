@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "core/geometry/reference_surface.h"
 #include "core/geometry/sliding_boundary.h"
 #include "core/mesh/mesh.h"
 #include "core/options/option.h"
@@ -10,12 +12,22 @@
 
 namespace winslow {
 
+/// A surface from a file, by its name until somebody who can read files has read it.
+struct ReferenceFile {
+  std::string name;  ///< empty: none
+  std::shared_ptr<const ReferenceSurface> surface;
+
+  bool operator==(const ReferenceFile& other) const { return name == other.name; }
+};
+
 /// Nodes of the boundary that move while the mesh is smoothed: those of some markers slide on what
 /// they lie on in the mesh that the command is given, those of periodic pairs move together.
 struct SlideOptions {
   std::vector<std::string> markers;
-  double feature_angle = 40;          ///< degrees by which a marker turns at a corner, which stays
-  bool features = false;              ///< in space nodes slide along the edges of the markers, too
+  double feature_angle = 40;   ///< degrees by which a marker turns at a corner, which stays
+  bool features = false;       ///< in space nodes slide along the edges of the markers, too
+  bool surface_first = false;  ///< of a volume mesh, the sliding boundary before the interior
+  ReferenceFile reference;     ///< in space: the surface to slide on instead of the mesh's own
   std::vector<std::string> periodic;  ///< names of markers, pair after pair
 
   bool given() const { return !markers.empty() || !periodic.empty(); }
@@ -23,6 +35,9 @@ struct SlideOptions {
 };
 
 OptionTable option_table(SlideOptions& slide);
+
+/// The reference surface; null: none. Throws UsageError for one that was not read.
+const ReferenceSurface* reference_of(const SlideOptions& slide);
 
 /// What the nodes of the boundary that move were found to do.
 struct MovingBoundary {

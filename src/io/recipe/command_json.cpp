@@ -220,7 +220,10 @@ Command command_from_json(const json& value, const std::filesystem::path& folder
   ObjectReader reader(value, where);
   Command command = read_command(reader, folder);
   reader.finish();
-  if (const SmoothOptions* options = smooth_options(command)) {
+  if (SmoothOptions* options = smooth_options(command)) {
+    // A file is meant beside the recipe, as tables of displacements are.
+    std::string& reference = options->slide.reference.name;
+    if (!reference.empty()) reference = (folder / reference).string();
     try {
       validate(*options);
     } catch (const UsageError& error) {

@@ -39,6 +39,19 @@ Recipe parse_recipe(const json& document, const std::filesystem::path& folder) {
   return recipe;
 }
 
+/// A reference surface below the folder of the recipe is named from there, so that both can be
+/// moved together.
+Command named_from(Command command, const std::filesystem::path& folder) {
+  SmoothOptions* options = smooth_options(command);
+  if (!options || options->slide.reference.name.empty()) return command;
+  std::string& name = options->slide.reference.name;
+  const std::filesystem::path file = std::filesystem::absolute(name).lexically_normal();
+  const std::filesystem::path from =
+      file.lexically_relative(std::filesystem::absolute(folder).lexically_normal());
+  name = !from.empty() && *from.begin() != ".." ? from.string() : file.string();
+  return command;
+}
+
 }  // namespace
 
 Recipe read_recipe(const std::filesystem::path& path) {
@@ -59,7 +72,8 @@ void write_recipe(const std::filesystem::path& path, const Recipe& recipe) {
   if (recipe.zone != 0) document["zone"] = recipe.zone;
   document["commands"] = json::array();
   for (const Command& command : recipe.commands) {
-    document["commands"].push_back(nlohmann::ordered_json(to_json(command)));
+    document["commands"].push_back(
+        nlohmann::ordered_json(to_json(named_from(command, path.parent_path()))));
   }
   std::string text;
   try {

@@ -3,36 +3,12 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
 namespace winslow {
 
 namespace {
-
-/// Barycentric coordinates of the place of a flat triangle that is nearest to a point (C. Ericson,
-/// "Real-Time Collision Detection", 5.1.5).
-Vec3 nearest_in_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
-  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
-  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    const double t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return {0, 1 - t, t};
-  }
-  const double sum = va + vb + vc;
-  return {va / sum, vb / sum, vc / sum};
-}
 
 /// A walk over the patches to the place whose connection with a point is at right angles to the
 /// surface, by Newton's method on half the squared distance.
@@ -42,7 +18,7 @@ class Descent {
           std::span<const SurfacePatch> patches, const Vec3& target)
       : surface_(surface), neighbours_(neighbours), patches_(patches), target_(target) {}
 
-  SmoothSurface::Place run(SmoothSurface::Place place) {
+  TrianglePlace run(TrianglePlace place) {
     constexpr int most_steps = 50, most_turns = 12;
     constexpr double small = 1e-14;
     int turns = 0;  // from triangle to triangle without a step
@@ -67,7 +43,7 @@ class Descent {
 
  private:
   /// Of the barycentric coordinates. fixed: one of them that stays; -1: none.
-  Vec3 newton_step(const SmoothSurface::Place& place, int fixed) const {
+  Vec3 newton_step(const TrianglePlace& place, int fixed) const {
     const auto d = patches_[at(place.triangle)].at(place.at[0], place.at[1]);
     const Vec3 off = d.r - target_;
     const Vec2 gradient(d.u.dot(off), d.v.dot(off));
@@ -91,7 +67,7 @@ class Descent {
 
   /// The coordinate that is zero and that a step would make negative; of several the one that falls
   /// fastest. -1: none.
-  static int blocked_by(const SmoothSurface::Place& place, const Vec3& step) {
+  static int blocked_by(const TrianglePlace& place, const Vec3& step) {
     int blocked = -1;
     for (int k = 0; k < 3; ++k)
       if (place.at[k] <= 0 && step[k] < 0 && (blocked < 0 || step[k] < step[blocked])) blocked = k;
@@ -99,7 +75,7 @@ class Descent {
   }
 
   /// As far as the triangle goes.
-  static void advance(SmoothSurface::Place& place, const Vec3& step) {
+  static void advance(TrianglePlace& place, const Vec3& step) {
     double share = 1;
     int hit = -1;
     for (int k = 0; k < 3; ++k)
@@ -114,7 +90,7 @@ class Descent {
   }
 
   /// To the triangle on the other side of the edge on which a coordinate is zero, if there is one.
-  bool cross(SmoothSurface::Place& place, int zero) const {
+  bool cross(TrianglePlace& place, int zero) const {
     const auto& from = surface_.triangles[at(place.triangle)];
     const auto edge = static_cast<std::size_t>((zero + 1) % 3);
     const Index next = neighbours_[at(place.triangle)][edge];
@@ -140,39 +116,17 @@ class Descent {
 }  // namespace
 
 SmoothSurface::SmoothSurface(Triangulation surface, std::span<const Vec3> normals)
-    : surface_(std::move(surface)), neighbours_(triangle_neighbours(surface_)) {
-  std::vector<Box<3>> boxes;
+    : surface_(std::move(surface)), neighbours_(triangle_neighbours(surface_)), tree_(surface_) {
   for (const auto& [a, b, c] : surface_.triangles) {
     const std::array<Vec3, 3> corners{surface_.points[at(a)], surface_.points[at(b)],
                                       surface_.points[at(c)]};
     patches_.emplace_back(corners,
                           std::array<Vec3, 3>{normals[at(a)], normals[at(b)], normals[at(c)]});
-    Box<3> box = Box<3>::empty();
-    for (const Vec3& corner : corners) box.add(corner);
-    boxes.push_back(box);
   }
-  tree_ = BoxTree<3>(boxes);
 }
 
-SmoothSurface::Place SmoothSurface::nearest_on_triangles(const Vec3& point) const {
-  const auto place_in = [&](Index t) {
-    const auto& [a, b, c] = surface_.triangles[at(t)];
-    return nearest_in_triangle(point, surface_.points[at(a)], surface_.points[at(b)],
-                               surface_.points[at(c)]);
-  };
-  const auto distance = [&](Index t) {
-    const auto& [a, b, c] = surface_.triangles[at(t)];
-    const Vec3 place = place_in(t);
-    return (place[0] * surface_.points[at(a)] + place[1] * surface_.points[at(b)] +
-            place[2] * surface_.points[at(c)] - point)
-        .norm();
-  };
-  const auto nearest = tree_.nearest(point, std::numeric_limits<double>::infinity(), distance);
-  return {nearest->item, place_in(nearest->item)};
-}
-
-SmoothSurface::Place SmoothSurface::nearest_place(const Vec3& point) const {
-  return Descent(surface_, neighbours_, patches_, point).run(nearest_on_triangles(point));
+TrianglePlace SmoothSurface::nearest_place(const Vec3& point) const {
+  return Descent(surface_, neighbours_, patches_, point).run(tree_.nearest(surface_, point));
 }
 
 SurfacePoint SmoothSurface::over(Index triangle, const Vec3& place) const {
@@ -191,7 +145,7 @@ SurfacePoint SmoothSurface::over(Index triangle, const Vec3& place) const {
 }
 
 SurfacePoint SmoothSurface::nearest(const Vec3& point) const {
-  const Place place = nearest_place(point);
+  const TrianglePlace place = nearest_place(point);
   return over(place.triangle, place.at);
 }
 

@@ -6,8 +6,8 @@
 
 #include "core/geometry/surface/surface.h"
 #include "core/geometry/surface/surface_patch.h"
+#include "core/geometry/surface/triangle_tree.h"
 #include "core/geometry/surface/triangulation.h"
-#include "core/search/box_tree.h"
 
 namespace winslow {
 
@@ -26,19 +26,13 @@ class SmoothSurface final : public Surface {
   /// The point over a place in a triangle, by its barycentric coordinates.
   SurfacePoint over(Index triangle, const Vec3& place) const;
   /// The triangle and the place in it over which the point of the surface lies that is nearest.
-  struct Place {
-    Index triangle = -1;
-    Vec3 at{0, 0, 0};  ///< barycentric coordinates
-  };
-  Place nearest_place(const Vec3& point) const;
+  TrianglePlace nearest_place(const Vec3& point) const;
 
  private:
-  Place nearest_on_triangles(const Vec3& point) const;
-
   Triangulation surface_;
   std::vector<std::array<Index, 3>> neighbours_;
   std::vector<SurfacePatch> patches_;
-  BoxTree<3> tree_;
+  TriangleTree tree_;
 };
 
 }  // namespace winslow

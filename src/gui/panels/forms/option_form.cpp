@@ -85,6 +85,15 @@ class Field {
     return true;
   }
 
+  /// Named by the recipe or on the command line; here it can be let go of.
+  bool operator()(const FileOption& file) const {
+    if (!button(id_, elided(value_text(option_), ImGui::GetContentRegionAvail().x * 0.7F),
+                {.tooltip = tip_ + " Click: none."}))
+      return false;
+    file.value->clear();
+    return true;
+  }
+
   bool operator()(const SwitchOption& on) const {
     return checkbox(id_, std::string(option_.label), *on.value, tip_);
   }

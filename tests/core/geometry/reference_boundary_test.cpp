@@ -1,0 +1,170 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/command/command.h"
+#include "core/error.h"
+#include "core/geometry/sliding_boundary.h"
+#include "core/mesh/surface_faces.h"
+#include "core/quality/quality.h"
+#include "support/random.h"
+#include "support/surface_meshes.h"
+
+/// Surfaces from elsewhere that nodes slide on.
+namespace winslow::test {
+namespace {
+
+ReferenceSurface reference_of(const MeshData& data) {
+  ReferenceSurface out;
+  out.source = "fine.obj";
+  for (Index i = 0; i < data.node_count(); ++i) out.points.push_back(data.coordinates.xyz(i));
+  for (Index e = 0; e < data.element_count(); ++e) out.faces.emplace_back(data.element(e));
+  return out;
+}
+
+SmoothCommand smooth_on(const MeshData& data) {
+  SmoothCommand command;
+  command.smooth.slide.reference = {"fine.obj",
+                                    std::make_shared<ReferenceSurface>(reference_of(data))};
+  return command;
+}
+
+/// How far from the torus about z the nodes of a mesh are, at most.
+double off_torus(const Coordinates& x, double ring, double tube) {
+  double largest = 0;
+  for (Index i = 0; i < x.size(); ++i) {
+    const Vec3 p = x.xyz(i);
+    largest =
+        std::max(largest, std::abs(std::hypot(std::hypot(p.x(), p.y()) - ring, p.z()) - tube));
+  }
+  return largest;
+}
+
+MeshData torus_of(Index n, Index m) {
+  return torus_grid(n, m, Cells::triangles, [](const Vec2& p) { return on_torus(p, 3, 1); });
+}
+
+/// The surface of a unit cube, n by n quadrilaterals on each side.
+MeshData cube_surface(Index n) {
+  const Mesh volume = make_mesh(cube(n, Volumes::hexahedra));
+  MeshData data;
+  data.coordinates = Coordinates(3, 0);
+  std::map<Index, Index> numbers;
+  for (const SurfaceFace& face : boundary_faces(*volume.topology)) {
+    std::vector<Index> corners;
+    for (const Index node : face.nodes) {
+      const auto [place, is_new] = numbers.try_emplace(node, data.node_count());
+      if (is_new) data.coordinates.push_xyz(volume.coordinates.xyz(node));
+      corners.push_back(place->second);
+    }
+    data.add_element(ElementType::quadrilateral, corners);
+  }
+  return data;
+}
+
+}  // namespace
+
+TEST_CASE("reference surface: nodes of a coarse mesh are put on the finer surface and stay on it") {
+  const MeshState state = make_state(make_mesh(torus_of(24, 12)));
+  const MeshData fine = torus_of(144, 72);
+  const CommandResult own = execute(SmoothCommand{}, state);
+  const CommandResult on_fine = execute(smooth_on(fine), state);
+  CHECK(on_fine.smooth.converged);
+  CHECK(on_fine.smooth.inverted == 0);
+  CHECK(on_fine.smooth.boundary.sliding.at(0).description ==
+        "smooth surface through 10368 nodes of fine.obj");
+  // The surface through the coarse nodes is one of a coarse mesh.
+  const double off_own = off_torus(own.state.mesh.coordinates, 3, 1);
+  const double off_fine = off_torus(on_fine.state.mesh.coordinates, 3, 1);
+  CHECK(off_own > 1e-4);
+  CHECK(off_fine < 2e-6);
+  CHECK(off_fine < 0.02 * off_own);
+}
+
+TEST_CASE("reference surface: a file that is tangled comes back on the shape, not on its tangle") {
+  MeshData data = torus_of(24, 12);
+  Random random(3);
+  for (Index i = 0; i < data.node_count(); ++i) {
+    const Vec3 p = data.coordinates.xyz(i);
+    const double round = std::atan2(p.y(), p.x()) + random.uniform(-0.5, 0.5);
+    const double along =
+        std::atan2(p.z(), std::hypot(p.x(), p.y()) - 3) + random.uniform(-0.9, 0.9);
+    data.coordinates.set_xyz(i, on_torus(Vec2(round, along) / (2 * pi), 3, 1));
+  }
+  const MeshState state = make_state(make_mesh(data));
+  const CommandResult result = execute(smooth_on(torus_of(144, 72)), state);
+  CHECK(result.smooth.converged);
+  CHECK(result.smooth.inverted == 0);
+  CHECK(off_torus(result.state.mesh.coordinates, 3, 1) < 1e-5);
+  CHECK(measure_quality(result.state.mesh).of(Metric::normalized_jacobian).statistics.min > 0.5);
+}
+
+TEST_CASE(
+    "reference surface: its features are those of the mesh, wherever the mesh has sharp edges") {
+  // A cube whose sides bulge by a thousandth, so that the mesh alone has curved sides.
+  MeshData data = cube_surface(8);
+  Random random(5);
+  for (Index i = 0; i < data.node_count(); ++i) {
+    Vec3 p = data.coordinates.xyz(i);
+    int at_ends = 0;
+    for (const double c : p) at_ends += c == 0 || c == 1 ? 1 : 0;
+    if (at_ends == 1)
+      for (double& c : p)
+        c += c == 0 || c == 1 ? 1e-3 * random.uniform(-1, 1) : 0.02 * random.uniform(-1, 1);
+    data.coordinates.set_xyz(i, p);
+  }
+  const Mesh mesh = make_mesh(data);
+  const ReferenceSurface reference = reference_of(cube_surface(3));
+  const SlidingBoundary boundary =
+      SlidingBoundary::find(*mesh.topology, mesh.coordinates, {}, 40, true, &reference);
+  std::map<std::string, std::size_t> nodes;
+  for (const SlidingPart& part : boundary.parts) nodes[part.description] += part.nodes.size();
+  CHECK(nodes.size() == 2);
+  CHECK(nodes["plane of fine.obj"] == 6 * 49);
+  CHECK(nodes["straight edge of fine.obj"] == 12 * 7);
+  const Coordinates x = put_on(boundary, mesh.coordinates);
+  for (Index i = 0; i < x.size(); ++i) {
+    const Vec3 p = x.xyz(i);
+    double nearest = 1;
+    for (const double c : p) nearest = std::min({nearest, std::abs(c), std::abs(1 - c)});
+    CHECK(nearest < 1e-15);
+  }
+}
+
+TEST_CASE("reference surface: the boundary of a volume mesh slides on its faces and edges") {
+  const Mesh mesh = make_mesh(cube(6, Volumes::tetrahedra));
+  std::vector<std::string> names;
+  for (const Marker& marker : mesh.topology->markers()) names.push_back(marker.name);
+  SmoothCommand command = smooth_on(cube_surface(4));
+  command.smooth.slide.markers = names;
+  command.smooth.slide.features = true;
+  const CommandResult result = execute(command, make_state(mesh));
+  CHECK(result.smooth.converged);
+  CHECK(result.smooth.inverted == 0);
+  std::size_t sliding = 0;
+  for (const SlidingPart& part : result.smooth.boundary.sliding) sliding += part.nodes.size();
+  CHECK(sliding == 6 * 25 + 12 * 5);
+}
+
+TEST_CASE("reference surface: what does not fit is refused by name") {
+  const MeshState state = make_state(make_mesh(torus_of(24, 12)));
+  MeshData far = torus_of(48, 24);
+  for (Index i = 0; i < far.node_count(); ++i)
+    far.coordinates.set_xyz(i, 1000 * far.coordinates.xyz(i));
+  CHECK_THROWS_WITH_AS(execute(smooth_on(far), state), doctest::Contains("away from this surface"),
+                       UsageError);
+  SmoothCommand unread;
+  unread.smooth.slide.reference.name = "scan.stl";
+  CHECK_THROWS_WITH_AS(execute(unread, state), doctest::Contains("scan.stl"), UsageError);
+  const MeshState plane = make_state(make_mesh(square(6, Cells::triangles)));
+  SmoothCommand in_plane = smooth_on(torus_of(24, 12));
+  in_plane.smooth.slide.markers = {"bottom"};
+  CHECK_THROWS_WITH_AS(execute(in_plane, plane), doctest::Contains("plane mesh"), UsageError);
+  const MeshState volume = make_state(make_mesh(cube(3, Volumes::tetrahedra)));
+  CHECK_THROWS_WITH_AS(execute(smooth_on(torus_of(24, 12)), volume),
+                       doctest::Contains("name their markers"), UsageError);
+}
+
+}  // namespace winslow::test
