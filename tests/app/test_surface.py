@@ -132,6 +132,40 @@ class Surface(ProgramTest):
         self.assertAlmostEqual(quality["smallest_angle"]["min"] if "smallest_angle" in quality else 45,
                                45, delta=1e-9)
 
+    def test_a_surface_from_another_file_takes_the_place_of_a_tangled_one(self):
+        nodes, elements = surfaces.sphere(8)
+        scatter = random.Random(2)
+        tangled = []
+        for p in nodes:
+            q = tuple(value + scatter.uniform(-0.3, 0.3) for value in p)
+            tangled.append(tuple(value / norm(q) for value in bumps(q)))
+        write_obj(self.path("in.obj"), [bumps(p) for p in tangled], elements)
+        fine, of_fine = surfaces.sphere(30)
+        self.path("shapes").mkdir()
+        write_obj(self.path("shapes/fine.obj"), [bumps(p) for p in fine], of_fine)
+        report = self.smooth("--reference", "shapes/fine.obj", "--save-recipe", "shapes/p.json")
+        self.assertTrue(report["commands"][0]["converged"])
+        self.assertEqual(report["inverted"], 0)
+        self.assertIn("of fine.obj", report["commands"][0]["sliding"][0]["on"])
+        for p in read_obj(self.path("out.obj"))[0]:
+            on = norm(bumps(tuple(value / norm(p) for value in p)))
+            self.assertAlmostEqual(norm(p), on, delta=2e-4)
+        # The recipe names the file from its own folder, and can be moved together with it.
+        recipe = self.json("shapes/p.json")
+        self.assertEqual(recipe["commands"][0]["smooth"]["slide"]["reference"], "fine.obj")
+        self.path("shapes").rename(self.path("moved"))
+        self.winslow("replay", "moved/p.json", "--input", "in.obj", "-o", "again.obj")
+        self.assertEqual(self.path("again.obj").read_bytes(), self.path("out.obj").read_bytes())
+
+    def test_a_reference_that_cannot_be_read_is_named(self):
+        write_obj(self.path("in.obj"), *surfaces.sphere(3))
+        run = self.winslow("smooth", "in.obj", "-o", "out.obj", "--reference", "none.stl", code=INPUT)
+        self.assertIn("none.stl", run.stderr)
+        self.path("bad.obj").write_text("v 0 0 0\nv 1 0 zero\n")
+        run = self.winslow("smooth", "in.obj", "-o", "out.obj", "--reference", "bad.obj", code=INPUT)
+        self.assertIn("bad.obj:2:", run.stderr)
+        self.assertFalse(self.path("out.obj").exists())
+
     def test_what_a_surface_mesh_cannot_do_is_refused_by_name(self):
         nodes, elements = surfaces.sphere(3)
         write_obj(self.path("in.obj"), nodes, elements)
