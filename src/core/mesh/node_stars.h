@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/mesh/compressed_rows.h"
@@ -9,6 +10,7 @@
 namespace winslow {
 
 class HalfEdgeMesh;
+class Topology;
 
 /// What lies around each node (#nodes rows): its edge neighbours and the elements that it is a
 /// corner of. Rows of unused nodes are empty.
@@ -20,9 +22,10 @@ struct NodeStars {
 /// elements: those of the half-edge mesh. Throws MeshError naming a node with two separate stars.
 NodeStars surface_stars(const HalfEdgeMesh& mesh, const CompressedRows& elements);
 
-/// Of a volume mesh; rows ascend. types: #elements.
+/// Of a volume mesh; rows ascend. types: #elements. order: all nodes, as along_curve() has them:
+/// the result does not depend on it, the time that it takes does.
 NodeStars volume_stars(const std::vector<ElementType>& types, const CompressedRows& elements,
-                       Index node_count);
+                       std::span<const Index> order);
 
 /// Boundary loops of a plane or surface mesh, elements on the left: each starts at its lowest node,
 /// and they are in the order of these.
@@ -34,7 +37,9 @@ void check_surface_manifold(const MeshData& data, const FacePairs& pairs);
 
 /// Throws MeshError naming a node of a volume mesh around which the elements do not fill one ball
 /// or, on the boundary, half of one: parts of the mesh, or of its boundary, that meet in this node
-/// or in an edge only. stars: of the mesh.
-void check_volume_manifold(const MeshData& data, const FacePairs& pairs, const NodeStars& stars);
+/// or in an edge only. topology: with its faces and stars; pairs: of its elements; order: as that
+/// of volume_stars().
+void check_volume_manifold(const Topology& topology, const FacePairs& pairs,
+                           std::span<const Index> order);
 
 }  // namespace winslow

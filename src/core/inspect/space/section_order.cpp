@@ -1,47 +1,15 @@
 #include "core/inspect/space/section_order.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <string>
-#include <utility>
 
 #include "core/error.h"
+#include "core/mesh/curve_order.h"
 #include "core/parallel/parallel_for.h"
 
 namespace winslow {
 
 namespace {
-
-/// The 21 bits of a number, two zeros after each.
-std::uint64_t spread_bits(std::uint64_t bits) {
-  bits = (bits | bits << 32U) & 0x1f00000000ffffU;
-  bits = (bits | bits << 16U) & 0x1f0000ff0000ffU;
-  bits = (bits | bits << 8U) & 0x100f00f00f00f00fU;
-  bits = (bits | bits << 4U) & 0x10c30c30c30c30c3U;
-  return (bits | bits << 2U) & 0x1249249249249249U;
-}
-
-/// Nodes along the Z-order curve of the box around them.
-std::vector<Index> along_curve(const Mesh& mesh) {
-  const SpacePoints x(mesh.coordinates);
-  const Box<3> box = space_bounds(mesh);
-  constexpr double cells = (1U << 21U) - 1;
-  const double unit = cells / std::max(box.size().maxCoeff(), 1e-300);
-  std::vector<std::pair<std::uint64_t, Index>> codes(at(mesh.coordinates.size()));
-  parallel_for(0, mesh.coordinates.size(), [&](Index begin, Index end) {
-    for (Index i = begin; i < end; ++i) {
-      // Nodes that no element uses may lie outside the box.
-      const Vec3 cell = ((x[i] - box.min) * unit).cwiseMax(0).cwiseMin(cells);
-      const auto bits = [&](Index k) { return spread_bits(static_cast<std::uint64_t>(cell[k])); };
-      codes[at(i)] = {bits(0) | bits(1) << 1U | bits(2) << 2U, i};
-    }
-  });
-  std::ranges::sort(codes);
-  std::vector<Index> nodes;
-  nodes.reserve(codes.size());
-  for (const auto& [code, node] : codes) nodes.push_back(node);
-  return nodes;
-}
 
 /// Elements by the first of their nodes in the order, of which `places` are the inverse.
 std::vector<Index> by_first_node(const Topology& topology, const std::vector<Index>& places) {
@@ -69,7 +37,8 @@ SectionOrder::SectionOrder(const Mesh& mesh) {
   if (topology.cell_dimension() != 3)
     throw UsageError("cuts by a plane: only for a volume mesh, and this is a " +
                      std::string(mesh_kind(topology)));
-  nodes = along_curve(mesh);
+  // Nodes that no element uses may lie outside the box.
+  nodes = along_curve(SpacePoints(mesh.coordinates), mesh.coordinates.size(), space_bounds(mesh));
   std::vector<Index> places(nodes.size());
   for (std::size_t k = 0; k < nodes.size(); ++k) places[at(nodes[k])] = static_cast<Index>(k);
   elements = by_first_node(topology, places);
