@@ -27,6 +27,10 @@ SectionIndex::SectionIndex(const Mesh& mesh, const SectionIndex& before) : order
 
 void SectionIndex::measure(const Mesh& mesh) {
   const SpacePoints x(mesh.coordinates);
+  places_.resize(order_->nodes.size());
+  parallel_for(0, static_cast<Index>(places_.size()), [&](Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) places_[at(i)] = x[order_->nodes[at(i)]];
+  });
   const Index count = order_->corners.rows();
   boxes_.resize(at((count + block_size - 1) / block_size));
   parallel_for(
@@ -38,9 +42,9 @@ void SectionIndex::measure(const Mesh& mesh) {
           const auto values =
               std::span(order_->corners.values)
                   .subspan(first_value, at(order_->corners.offsets[at(last)]) - first_value);
-          Vec3 low = x[order_->nodes[at(values.front())]], high = low;
+          Vec3 low = places_[at(values.front())], high = low;
           for (const Index node : values) {
-            const Vec3 p = x[order_->nodes[at(node)]];
+            const Vec3& p = places_[at(node)];
             low = low.cwiseMin(p);
             high = high.cwiseMax(p);
           }

@@ -19,6 +19,8 @@ class SectionIndex {
   SectionIndex(const Mesh& mesh, const SectionIndex& before);
 
   const SectionOrder& order() const { return *order_; }
+  /// Where nodes are, by their numbers in the order.
+  const std::vector<Vec3>& places() const { return places_; }
   /// Elements, by their numbers in the order, of all blocks that come nearer to a plane than
   /// `slack`: among them all elements that do.
   std::vector<Index> near(const Plane& plane, double slack) const;
@@ -29,6 +31,7 @@ class SectionIndex {
   void measure(const Mesh& mesh);
 
   std::shared_ptr<const SectionOrder> order_;
+  std::vector<Vec3> places_;
   std::vector<Box<3>> boxes_;  // of the blocks
   Box<3> extent_;
 };
