@@ -19,8 +19,6 @@ std::uint64_t spread_bits(std::uint64_t bits) {
   return (bits | bits << 2U) & 0x1249249249249249U;
 }
 
-}  // namespace
-
 std::vector<Index> along_curve(const SpacePoints& x, Index node_count, const Box<3>& box) {
   constexpr double cells = (1U << 21U) - 1;
   const double unit = cells / std::max(box.size().maxCoeff(), 1e-300);
@@ -41,6 +39,41 @@ std::vector<Index> along_curve(const SpacePoints& x, Index node_count, const Box
   nodes.reserve(codes.size());
   for (const auto& [code, node] : codes) nodes.push_back(node);
   return nodes;
+}
+
+/// Elements by the first of their nodes in the order, of which `places` are the inverse.
+std::vector<Index> by_first_node(const CompressedRows& corners, const std::vector<Index>& places) {
+  std::vector<Index> first(at(corners.rows()));
+  parallel_for(0, corners.rows(), [&](Index begin, Index end) {
+    for (Index e = begin; e < end; ++e) {
+      Index least = static_cast<Index>(places.size());
+      for (const Index node : corners[e]) least = std::min(least, places[at(node)]);
+      first[at(e)] = least;
+    }
+  });
+  std::vector<Index> begin(places.size() + 1, 0);
+  for (const Index place : first) ++begin[at(place) + 1];
+  for (std::size_t k = 1; k < begin.size(); ++k) begin[k] += begin[k - 1];
+  std::vector<Index> elements(first.size());
+  for (std::size_t e = 0; e < first.size(); ++e)
+    elements[at(begin[at(first[e])]++)] = static_cast<Index>(e);
+  return elements;
+}
+
+}  // namespace
+
+CurveOrder::CurveOrder(const SpacePoints& x, Index node_count, const Box<3>& box,
+                       const CompressedRows& of_mesh)
+    : nodes(along_curve(x, node_count, box)) {
+  std::vector<Index> places(nodes.size());
+  for (std::size_t k = 0; k < nodes.size(); ++k) places[at(nodes[k])] = static_cast<Index>(k);
+  elements = by_first_node(of_mesh, places);
+  corners.offsets.reserve(elements.size() + 1);
+  corners.values.reserve(of_mesh.values.size());
+  for (const Index e : elements) {
+    for (const Index node : of_mesh[e]) corners.values.push_back(places[at(node)]);
+    corners.end_row();
+  }
 }
 
 }  // namespace winslow

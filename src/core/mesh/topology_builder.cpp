@@ -5,7 +5,6 @@
 
 #include "core/error.h"
 #include "core/mesh/boundary_parts.h"
-#include "core/mesh/curve_order.h"
 #include "core/mesh/element_checks.h"
 #include "core/mesh/half_edge.h"
 #include "core/mesh/node_stars.h"
@@ -82,14 +81,10 @@ void TopologyBuilder::build_volume() {
         {turned_[at(elements[0])] ? face.reversed() : face, elements});
   }
   check_matching_faces(*topology_);
-  const SpacePoints x(data_.coordinates);
-  Box<3> box = Box<3>::empty();
-  for (Index i = 0; i < data_.node_count(); ++i) box.add(x[i]);
-  const std::vector<Index> order = along_curve(x, data_.node_count(), box);
-  NodeStars stars = volume_stars(data_.types, topology_->elements_, order);
-  topology_->neighbours_ = std::move(stars.neighbours);
-  topology_->star_ = std::move(stars.elements);
-  check_volume_manifold(*topology_, pairs_, order);
+  topology_->star_ = star_rows(topology_->elements_, data_.node_count());
+  const OrderedStars stars(data_, topology_->elements_);
+  topology_->neighbours_ = volume_neighbours(stars);
+  check_volume_manifold(*topology_, stars);
 }
 
 void TopologyBuilder::make_markers() {

@@ -21,12 +21,23 @@ double mean_step(const SpacePoints& x, const std::vector<Index>& nodes) {
 
 }  // namespace
 
-TEST_CASE("nodes along the curve: each once, and near one another in whatever order they came") {
+TEST_CASE("an order along the curve: all once, and nodes near one another however they came") {
   Random random(3);
   const MeshData data = shuffled_volume(cube(16, Volumes::hexahedra), random, false);
   const SpacePoints x(data.coordinates);
   const Box<3> unit{{0, 0, 0}, {1, 1, 1}};
-  std::vector<Index> nodes = along_curve(x, data.node_count(), unit);
+  const CompressedRows corners{data.element_offsets, data.element_nodes};
+  const CurveOrder order(x, data.node_count(), unit, corners);
+  for (std::size_t e = 0; e < order.elements.size(); ++e) {
+    const auto own = order.corners[static_cast<Index>(e)];
+    const auto given = corners[order.elements[e]];
+    REQUIRE(own.size() == given.size());
+    for (std::size_t k = 0; k < own.size(); ++k) CHECK(order.nodes[at(own[k])] == given[k]);
+  }
+  std::vector<Index> elements = order.elements;
+  std::ranges::sort(elements);
+  for (std::size_t e = 0; e < elements.size(); ++e) CHECK(elements[e] == static_cast<Index>(e));
+  std::vector<Index> nodes = order.nodes;
   std::vector<Index> given(nodes.size());
   for (std::size_t k = 0; k < given.size(); ++k) given[k] = static_cast<Index>(k);
   CHECK(mean_step(x, given) > 0.5);
@@ -35,14 +46,15 @@ TEST_CASE("nodes along the curve: each once, and near one another in whatever or
   CHECK(nodes == given);
 }
 
-TEST_CASE("nodes along the curve: outside the box, in one point and in a box without end") {
+TEST_CASE(
+    "an order along the curve: nodes outside the box, in one point and in a box without end") {
   Coordinates x(3, 4);
   x.set_xyz(1, {5, -5, 1e308});
   x.set_xyz(2, {-1e308, 0.5, 0.5});
   x.set_xyz(3, {0.5, 0.5, 0.5});
   for (const Box<3>& box : {Box<3>{{0, 0, 0}, {1, 1, 1}}, Box<3>{},
                             Box<3>{Vec3::Constant(-1e308), Vec3::Constant(1e308)}}) {
-    std::vector<Index> nodes = along_curve(SpacePoints(x), 4, box);
+    std::vector<Index> nodes = CurveOrder(SpacePoints(x), 4, box, {}).nodes;
     std::ranges::sort(nodes);
     CHECK(nodes == std::vector<Index>{0, 1, 2, 3});
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "core/error.h"
 #include "core/parallel/parallel_for.h"
@@ -14,7 +15,13 @@ constexpr Index block_size = 32;
 
 }  // namespace
 
-SectionIndex::SectionIndex(const Mesh& mesh) : order_(std::make_shared<const SectionOrder>(mesh)) {
+SectionIndex::SectionIndex(const Mesh& mesh) {
+  const Topology& topology = *mesh.topology;
+  if (topology.cell_dimension() != 3)
+    throw UsageError("cuts by a plane: only for a volume mesh, and this is a " +
+                     std::string(mesh_kind(topology)));
+  order_ = std::make_shared<const CurveOrder>(SpacePoints(mesh.coordinates), topology.node_count(),
+                                              space_bounds(mesh), topology.elements());
   measure(mesh);
 }
 
