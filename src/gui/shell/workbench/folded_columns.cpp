@@ -116,15 +116,17 @@ void draw_fold_handles(const PanelContext& context, const Layout& layout) {
   const Theme& theme = context.theme;
   const Area& l = layout.left;
   const Area& r = layout.right;
-  const float half = theme.px(24);
+  // Half way up the view: a strip below it would cover them in a low window.
+  const Area& view = layout.viewport;
+  const float top = view.y + view.height / 2 - theme.px(24);
   if (!l.empty() && layout.columns.left_open &&
-      fold_handle("fold/left", theme, ImVec2(l.x + l.width, l.y + l.height / 2 - half),
-                  ImGuiDir_Left, "Fold this column to icons (F2)."))
-    context.edit_view([&](ViewOptions& view) { fold_left(view, context.view_state.columns); });
+      fold_handle("fold/left", theme, ImVec2(l.x + l.width, top), ImGuiDir_Left,
+                  "Fold this column to icons (F2)."))
+    context.edit_view([&](ViewOptions& v) { fold_left(v, context.view_state.columns); });
   if (!r.empty() && layout.columns.right_open &&
-      fold_handle("fold/right", theme, ImVec2(r.x - theme.px(12), r.y + r.height / 2 - half),
-                  ImGuiDir_Right, "Fold this column to icons (F3)."))
-    context.edit_view([&](ViewOptions& view) { fold_right(view, context.view_state.columns); });
+      fold_handle("fold/right", theme, ImVec2(r.x - theme.px(12), top), ImGuiDir_Right,
+                  "Fold this column to icons (F3)."))
+    context.edit_view([&](ViewOptions& v) { fold_right(v, context.view_state.columns); });
 }
 
 }  // namespace winslow::gui
