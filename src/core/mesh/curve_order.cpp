@@ -69,11 +69,15 @@ CurveOrder::CurveOrder(const SpacePoints& x, Index node_count, const Box<3>& box
   for (std::size_t k = 0; k < nodes.size(); ++k) places[at(nodes[k])] = static_cast<Index>(k);
   elements = by_first_node(of_mesh, places);
   corners.offsets.reserve(elements.size() + 1);
-  corners.values.reserve(of_mesh.values.size());
-  for (const Index e : elements) {
-    for (const Index node : of_mesh[e]) corners.values.push_back(places[at(node)]);
-    corners.end_row();
-  }
+  for (const Index e : elements)
+    corners.offsets.push_back(corners.offsets.back() + static_cast<Index>(of_mesh[e].size()));
+  corners.values.resize(at(corners.offsets.back()));
+  parallel_for(0, corners.rows(), [&](Index begin, Index end) {
+    for (Index e = begin; e < end; ++e) {
+      auto value = corners.values.begin() + corners.offsets[at(e)];
+      for (const Index node : of_mesh[elements[at(e)]]) *value++ = places[at(node)];
+    }
+  });
 }
 
 }  // namespace winslow
