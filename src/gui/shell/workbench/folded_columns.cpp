@@ -2,7 +2,10 @@
 
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
+#include <string>
 
 #include "gui/shell/workbench/region_window.h"
 #include "gui/widgets/controls.h"
@@ -71,6 +74,13 @@ bool fold_handle(const char* id, const Theme& theme, const ImVec2& min, ImGuiDir
   return pressed;
 }
 
+/// As ui::tabs() names it.
+std::string tab_id(std::string label) {
+  std::ranges::transform(label, label.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return "tab/" + label;
+}
+
 }  // namespace
 
 std::span<const SideTabInfo> side_tabs() {
@@ -103,7 +113,11 @@ void draw_folded_right(const PanelContext& context, const Area& area) {
   for (const SideTabInfo& tab : side_tabs()) {
     const bool present = tab.which == context.view.side_tab;
     std::string id = "open/tab/" + tab.label;
-    if (!icon_button(context.theme, id, tab.icon, tab.label, tab.tooltip, present)) continue;
+    const bool pressed = icon_button(context.theme, id, tab.icon, tab.label, tab.tooltip, present);
+    // Scripts find it by the tab's own name, too: whether there is room for the column depends on
+    // the window.
+    ui::note(tab_id(tab.label));
+    if (!pressed) continue;
     context.edit_view([&](ViewOptions& view) {
       open_right(view, context.view_state.columns);
       view.side_tab = tab.which;

@@ -95,6 +95,21 @@ TEST_CASE("in a low window nothing covers the handles that fold columns") {
   }
 }
 
+TEST_CASE("a tab has its name in a column that is folded, too") {
+  Rig rig(760, 480);
+  rig.open(ring_mesh());
+  REQUIRE_FALSE(rig.bench->layout().columns.right_open);
+  for (const auto& [name, tab] :
+       {std::pair{"tab/vcv", SideTab::vcv}, std::pair{"tab/history", SideTab::history}}) {
+    rig.click(name);
+    rig.frames();
+    CHECK(rig.bench->layout().columns.right_open);
+    CHECK(rig.bench->view_control().options().side_tab == tab);
+    rig.key(GLFW_KEY_F3);
+    CHECK_FALSE(rig.bench->layout().columns.right_open);
+  }
+}
+
 TEST_CASE("folded columns and the place of the legend are remembered") {
   const TemporaryFolder home;
   {
