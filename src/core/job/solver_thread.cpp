@@ -36,8 +36,8 @@ class SolverThread::Impl final : public SolverMonitor {
     worker_.join();
   }
 
-  std::uint64_t run(MeshState state, Command command, std::optional<Coordinates> start,
-                    bool paused) {
+  std::uint64_t run(std::shared_ptr<const MeshState> state, Command command,
+                    std::optional<Coordinates> start, bool paused) {
     std::uint64_t job = 0;
     {
       const std::lock_guard lock(mutex_);
@@ -48,8 +48,9 @@ class SolverThread::Impl final : public SolverMonitor {
       Snapshot first;
       first.job = job;
       first.state = JobState::running;
-      first.topology = state.mesh.topology;
-      first.coordinates = start ? *start : state.mesh.coordinates;
+      // A part of the state, which a large mesh is not copied for.
+      first.mesh = start ? std::make_shared<const Mesh>(Mesh{state->mesh.topology, *start})
+                         : std::shared_ptr<const Mesh>(state, &state->mesh);
       first.command = command;
       publish_locked(std::move(first));
       base_ = state;
@@ -60,7 +61,7 @@ class SolverThread::Impl final : public SolverMonitor {
   }
 
   void retarget(Command command) {
-    std::optional<std::pair<MeshState, Coordinates>> again;
+    std::optional<std::pair<std::shared_ptr<const MeshState>, Coordinates>> again;
     {
       const std::lock_guard lock(mutex_);
       if (!base_) return;
@@ -73,7 +74,7 @@ class SolverThread::Impl final : public SolverMonitor {
       if (active_ && !cancel_) {
         retarget_ = std::move(command);
       } else {
-        again.emplace(*base_, latest_->coordinates);
+        again.emplace(base_, latest_->mesh->coordinates);
       }
     }
     if (again) {  // the command was not moved from then
@@ -162,7 +163,7 @@ class SolverThread::Impl final : public SolverMonitor {
  private:
   struct Request {
     std::uint64_t job = 0;
-    MeshState state;
+    std::shared_ptr<const MeshState> state;
     Command command;
     std::optional<Coordinates> start;
   };
@@ -199,8 +200,7 @@ class SolverThread::Impl final : public SolverMonitor {
     Snapshot snapshot;
     snapshot.job = current_.job;
     snapshot.state = state;
-    snapshot.topology = topology_;
-    snapshot.coordinates = reached_;
+    snapshot.mesh = std::make_shared<const Mesh>(Mesh{topology_, reached_});
     snapshot.history = history_;
     snapshot.command = current_.command;
     return snapshot;
@@ -218,8 +218,8 @@ class SolverThread::Impl final : public SolverMonitor {
       }
       history_.clear();
       iterations_ = 0;
-      topology_ = current_.state.mesh.topology;
-      reached_ = current_.start ? *current_.start : current_.state.mesh.coordinates;
+      topology_ = current_.state->mesh.topology;
+      reached_ = current_.start ? *current_.start : current_.state->mesh.coordinates;
       while (run_once()) {
       }
     }
@@ -234,7 +234,7 @@ class SolverThread::Impl final : public SolverMonitor {
     first_iteration_ = iterations_;
     try {
       const RunOptions options{this, current_.start ? &*current_.start : nullptr, &workspace_};
-      result = execute(current_.command, current_.state, options);
+      result = execute(current_.command, *current_.state, options);
       reached_ = result->state.mesh.coordinates;
       topology_ = result->state.mesh.topology;
     } catch (const Cancelled&) {
@@ -282,7 +282,7 @@ class SolverThread::Impl final : public SolverMonitor {
   int allowed_ = unlimited;                    // outer iterations until the next pause
   std::optional<std::uint64_t> follower_saw_;  // serial; none: nobody follows
   std::uint64_t last_job_ = 0;
-  std::optional<MeshState> base_;
+  std::shared_ptr<const MeshState> base_;
   std::optional<Request> request_;
   std::optional<Command> retarget_;
   std::shared_ptr<const Snapshot> latest_ = std::make_shared<const Snapshot>();
@@ -293,8 +293,8 @@ class SolverThread::Impl final : public SolverMonitor {
 SolverThread::SolverThread() : impl_(std::make_unique<Impl>()) {}
 SolverThread::~SolverThread() = default;
 
-std::uint64_t SolverThread::run(MeshState state, Command command, std::optional<Coordinates> start,
-                                bool paused) {
+std::uint64_t SolverThread::run(std::shared_ptr<const MeshState> state, Command command,
+                                std::optional<Coordinates> start, bool paused) {
   return impl_->run(std::move(state), std::move(command), std::move(start), paused);
 }
 void SolverThread::retarget(Command command) { impl_->retarget(std::move(command)); }

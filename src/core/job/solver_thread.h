@@ -17,8 +17,7 @@ struct Snapshot {
   std::uint64_t serial = 0;  ///< grows with every snapshot of one SolverThread
   std::uint64_t job = 0;     ///< which call of run() it belongs to
   JobState state = JobState::idle;
-  std::shared_ptr<const Topology> topology;
-  Coordinates coordinates;               ///< after the last finished outer iteration
+  std::shared_ptr<const Mesh> mesh;      ///< after the last finished outer iteration; null: idle
   std::vector<IterationRecord> history;  ///< of this job so far
   std::optional<Command> command;        ///< as last targeted
   std::optional<CommandResult> result;   ///< with state done
@@ -37,8 +36,13 @@ class SolverThread {
   /// Starts a command on a state; one that is under way is cancelled first. `start`: interior to
   /// start from (see RunOptions::start). paused: stop before the first iteration. Returns the
   /// job's number.
+  std::uint64_t run(std::shared_ptr<const MeshState> state, Command command,
+                    std::optional<Coordinates> start = {}, bool paused = false);
   std::uint64_t run(MeshState state, Command command, std::optional<Coordinates> start = {},
-                    bool paused = false);
+                    bool paused = false) {
+    return run(std::make_shared<const MeshState>(std::move(state)), std::move(command),
+               std::move(start), paused);
+  }
   /// Replaces the command of the job under way, on the same state, and goes on from the interior
   /// reached so far: for dragging. Starts again from there if the job had ended.
   void retarget(Command command);

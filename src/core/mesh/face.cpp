@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "core/error.h"
 
@@ -22,9 +23,15 @@ void Face::refuse_edge() const {
 std::array<Index, 4> Face::sorted() const {
   std::array<Index, 4> all = nodes_;
   // As unsigned numbers, -1 comes last.
-  std::sort(all.begin(), all.end(), [](Index a, Index b) {
-    return static_cast<std::uint32_t>(a) < static_cast<std::uint32_t>(b);
-  });
+  const auto order = [&](std::size_t a, std::size_t b) {
+    if (static_cast<std::uint32_t>(all[b]) < static_cast<std::uint32_t>(all[a]))
+      std::swap(all[a], all[b]);
+  };
+  order(0, 1);
+  order(2, 3);
+  order(0, 2);
+  order(1, 3);
+  order(1, 2);
   return all;
 }
 

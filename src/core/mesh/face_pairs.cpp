@@ -39,22 +39,12 @@ bool same_diagonals(const Face& a, const Face& b) {
   return b[(place + 2) % 4] == a[2];
 }
 
-/// Calls body(lowest node, side) for every side of every element.
-template <std::size_t N, typename Body>
+/// Calls body(nodes, element) for every side of every element.
+template <typename Body>
 void for_each_side(const MeshData& data, const Body& body) {
-  Index side = 0;
   for (Index e = 0; e < data.element_count(); ++e) {
     const auto corners = data.element(e);
-    for (const Face& face : shape_of(data.types[at(e)]).faces) {
-      const Face nodes = by_nodes(face, corners);
-      if constexpr (N == 2) {
-        const auto [low, high] = std::minmax({nodes[0], nodes[1]});
-        body(low, Side<N>{{high}, side++, e, low == nodes[0]});
-      } else {
-        const auto [low, a, b, c] = nodes.sorted();
-        body(low, Side<N>{{a, b, c}, side++, e, ascends(nodes)});
-      }
-    }
+    for (const Face& face : shape_of(data.types[at(e)]).faces) body(by_nodes(face, corners), e);
   }
 }
 
@@ -63,11 +53,21 @@ void for_each_side(const MeshData& data, const Body& body) {
 template <std::size_t N>
 struct SortedSides {
   explicit SortedSides(const MeshData& data) : begin(at(data.node_count()) + 2, 0) {
-    for_each_side<N>(data, [&](Index low, const Side<N>&) { ++begin[at(low) + 2]; });
+    for_each_side(data, [&](const Face& nodes, Index) {
+      ++begin[at(*std::min_element(nodes.begin(), nodes.end())) + 2];
+    });
     for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
     sides.resize(at(begin.back()));
-    for_each_side<N>(
-        data, [&](Index low, const Side<N>& side) { sides[at(begin[at(low) + 1]++)] = side; });
+    Index side = 0;
+    for_each_side(data, [&](const Face& nodes, Index e) {
+      if constexpr (N == 2) {
+        const auto [low, high] = std::minmax({nodes[0], nodes[1]});
+        put(low, {{high}, side++, e, low == nodes[0]});
+      } else {
+        const auto [low, a, b, c] = nodes.sorted();
+        put(low, {{a, b, c}, side++, e, ascends(nodes)});
+      }
+    });
     begin.pop_back();
     parallel_for(0, data.node_count(), [&](Index first, Index last) {
       for (Index node = first; node < last; ++node) {
@@ -83,6 +83,9 @@ struct SortedSides {
 
   std::vector<Index> begin;  // #nodes + 1
   std::vector<Side<N>> sides;
+
+ private:
+  void put(Index low, const Side<N>& side) { sides[at(begin[at(low) + 1]++)] = side; }
 };
 
 template <std::size_t N>
@@ -102,7 +105,8 @@ Facing facing(const MeshData& data, const FacePairs& pairs, const Side<N>& a, co
     const auto face = [&](const Side<N>& side) {
       return face_of_side(data, side.element, side.side - pairs.side_offsets[at(side.element)]);
     };
-    if (!same_diagonals(face(a), face(b))) return Facing::twisted;
+    const bool quadrilateral = a.others.back() >= 0;
+    if (quadrilateral && !same_diagonals(face(a), face(b))) return Facing::twisted;
   }
   return a.ascends == b.ascends ? Facing::same : Facing::opposite;
 }

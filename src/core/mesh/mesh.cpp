@@ -100,11 +100,16 @@ Box<3> space_bounds(const Coordinates& coordinates, std::span<const Index> nodes
 }
 
 Box<3> space_bounds(const Mesh& mesh) {
-  std::vector<Index> used;
+  const SpacePoints x(mesh.coordinates);
+  Box<3> box = Box<3>::empty();
+  bool any = false;
   for (Index i = 0; i < mesh.topology->node_count(); ++i) {
-    if (mesh.topology->used(i)) used.push_back(i);
+    if (!mesh.topology->used(i)) continue;
+    box.add(x[i]);
+    any = true;
   }
-  return space_bounds(mesh.coordinates, used);
+  if (!any) throw UsageError("bounds of no nodes");
+  return box;
 }
 
 }  // namespace winslow

@@ -10,6 +10,7 @@
 #include "core/mesh/node_stars.h"
 #include "core/mesh/orientation.h"
 #include "core/mesh/volume_checks.h"
+#include "core/parallel/parallel_for.h"
 
 namespace winslow {
 
@@ -73,18 +74,20 @@ void TopologyBuilder::build_surface() {
 }
 
 void TopologyBuilder::build_volume() {
-  topology_->volume_faces_.reserve(pairs_.elements.size());
-  for (Index f = 0; f < pairs_.face_count(); ++f) {
-    const auto& elements = pairs_.elements[at(f)];
-    const Face face = first_face(data_, pairs_, f);
-    topology_->volume_faces_.push_back(
-        {turned_[at(elements[0])] ? face.reversed() : face, elements});
-  }
+  topology_->volume_faces_.resize(pairs_.elements.size());
+  parallel_for(0, pairs_.face_count(), [&](Index begin, Index end) {
+    for (Index f = begin; f < end; ++f) {
+      const auto& elements = pairs_.elements[at(f)];
+      const Face face = first_face(data_, pairs_, f);
+      topology_->volume_faces_[at(f)] = {turned_[at(elements[0])] ? face.reversed() : face,
+                                         elements};
+    }
+  });
   check_matching_faces(*topology_);
-  NodeStars stars = volume_stars(data_.types, topology_->elements_, data_.node_count());
-  check_volume_manifold(data_, pairs_, stars);
-  topology_->neighbours_ = std::move(stars.neighbours);
-  topology_->star_ = std::move(stars.elements);
+  topology_->star_ = star_rows(topology_->elements_, data_.node_count());
+  const OrderedStars stars(data_, topology_->elements_);
+  topology_->neighbours_ = volume_neighbours(stars);
+  check_volume_manifold(*topology_, stars);
 }
 
 void TopologyBuilder::make_markers() {

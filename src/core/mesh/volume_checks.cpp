@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/mesh/mesh_checks.h"
+#include "core/parallel/parallel_for.h"
 #include "core/search/box_tree.h"
 
 namespace winslow {
@@ -57,13 +58,14 @@ bool on_face(const SpacePoints& x, const Face& face, const Vec3& p) {
 void check_volumes(const Mesh& mesh) {
   const Topology& topology = *mesh.topology;
   const SpacePoints x(mesh.coordinates);
-  for (Index e = 0; e < topology.element_count(); ++e) {
-    if (!has_volume(x, topology.element_type(e), topology.element(e))) {
+  parallel_for(0, topology.element_count(), [&](Index begin, Index end) {
+    for (Index e = begin; e < end; ++e) {
+      if (has_volume(x, topology.element_type(e), topology.element(e))) continue;
       throw MeshError(
           MeshEntity::element, e,
           "element " + std::to_string(e) + " has no volume (its corners lie in one plane)");
     }
-  }
+  });
 }
 
 void check_boundary_faces(const Mesh& mesh) {

@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <numeric>
 #include <string>
 
 #include "core/error.h"
 #include "core/mesh/node_stars.h"
+#include "core/mesh/topology.h"
 #include "core/parallel/parallel_for.h"
 
 namespace winslow {
@@ -24,34 +27,75 @@ CompressedRows rows_of(Index node_count, const Each& each) {
   return rows;
 }
 
-/// Sorts rows, and drops values that a row has more than once.
-CompressedRows sorted_unique(CompressedRows rows) {
-  std::vector<Index> counts(at(rows.rows()));
-  parallel_for(0, rows.rows(), [&](Index first, Index last) {
-    for (Index i = first; i < last; ++i) {
-      const auto begin = rows.values.begin() + rows.offsets[at(i)];
-      const auto end = rows.values.begin() + rows.offsets[at(i) + 1];
-      std::sort(begin, end);
-      counts[at(i)] = static_cast<Index>(std::unique(begin, end) - begin);
-    }
-  });
-  CompressedRows out;
-  out.offsets.reserve(rows.offsets.size());
-  for (Index i = 0; i < rows.rows(); ++i) {
-    const auto begin = rows.values.begin() + rows.offsets[at(i)];
-    out.values.insert(out.values.end(), begin, begin + counts[at(i)]);
-    out.end_row();
+/// Neighbours of nodes along the edges of the elements around them, ascending. They are found block
+/// by block of the order, and put to their places when the lengths of all are known.
+class NeighbourRows {
+ public:
+  explicit NeighbourRows(const OrderedStars& stars)
+      : stars_(stars), found_(stars.order.nodes.size() / at(parallel_block) + 1) {
+    rows_.offsets.assign(stars.order.nodes.size() + 1, 0);
   }
-  out.values.shrink_to_fit();
-  return out;
-}
+
+  CompressedRows make() {
+    const auto nodes = static_cast<Index>(stars_.order.nodes.size());
+    parallel_for(0, nodes, [&](Index begin, Index end) { find(begin, end); });
+    auto& offsets = rows_.offsets;
+    for (std::size_t i = 1; i < offsets.size(); ++i) offsets[i] += offsets[i - 1];
+    rows_.values.resize(at(offsets.back()));
+    parallel_for(0, nodes, [&](Index begin, Index end) { put(begin, end); });
+    return std::move(rows_);
+  }
+
+ private:
+  Index node(Index k) const { return stars_.order.nodes[at(k)]; }
+
+  void find(Index begin, Index end) {
+    std::vector<Index>& values = found_[at(begin / parallel_block)];
+    for (Index k = begin; k < end; ++k) {
+      const std::size_t before = values.size();
+      add_neighbours(k, values);
+      const auto own = values.begin() + static_cast<std::ptrdiff_t>(before);
+      for (auto it = own; it != values.end(); ++it) *it = node(*it);
+      std::sort(own, values.end());
+      rows_.offsets[at(node(k)) + 1] = static_cast<Index>(values.size() - before);
+    }
+  }
+
+  /// By their numbers in the order, each once.
+  void add_neighbours(Index k, std::vector<Index>& values) const {
+    const auto begin = static_cast<std::ptrdiff_t>(values.size());
+    for (const Index e : stars_.elements[k]) {
+      const auto corners = stars_.order.corners[e];
+      const auto corner = std::ranges::find(corners, k) - corners.begin();
+      for (const Index c : shape_of(stars_.types[at(e)]).links[static_cast<std::size_t>(corner)]) {
+        const Index other = corners[at(c)];
+        if (std::find(values.begin() + begin, values.end(), other) == values.end())
+          values.push_back(other);
+      }
+    }
+  }
+
+  void put(Index begin, Index end) {
+    auto value = found_[at(begin / parallel_block)].cbegin();
+    for (Index k = begin; k < end; ++k) {
+      const Index first = rows_.offsets[at(node(k))];
+      const Index count = rows_.offsets[at(node(k)) + 1] - first;
+      std::copy_n(value, count, rows_.values.begin() + first);
+      value += count;
+    }
+  }
+
+  const OrderedStars& stars_;
+  std::vector<std::vector<Index>> found_;  // of blocks
+  CompressedRows rows_;
+};
 
 /// Edges at which more than two boundary faces meet. Throws MeshError naming a node of one.
-void check_boundary_edges(const MeshData& data, const FacePairs& pairs) {
+void check_boundary_edges(const Topology& topology) {
   std::vector<std::array<Index, 2>> edges;
-  for (Index f = 0; f < pairs.face_count(); ++f) {
-    if (pairs.elements[at(f)][1] >= 0) continue;
-    const Face face = first_face(data, pairs, f);
+  for (Index f = 0; f < topology.face_count(); ++f) {
+    const auto [face, elements] = topology.face(f);
+    if (elements[1] >= 0) continue;
     for (std::size_t k = 0; k < face.size(); ++k) {
       const Index a = face[k], b = face[(k + 1) % face.size()];
       edges.push_back({std::min(a, b), std::max(a, b)});
@@ -68,109 +112,150 @@ void check_boundary_edges(const MeshData& data, const FacePairs& pairs) {
   }
 }
 
-/// What the nodes' links consist of.
-struct LinkFaces {
-  LinkFaces(const MeshData& data, const FacePairs& pairs)
-      : count(at(data.node_count()), 0), boundary(at(data.node_count()), false) {
-    for (Index f = 0; f < pairs.face_count(); ++f) {
-      for (const Index node : first_face(data, pairs, f)) {
-        ++count[at(node)];
-        if (pairs.elements[at(f)][1] < 0) boundary[at(node)] = true;
-      }
+Box<3> box_around(const Coordinates& coordinates) {
+  const SpacePoints x(coordinates);
+  Box<3> box = Box<3>::empty();
+  for (Index i = 0; i < coordinates.size(); ++i) box.add(x[i]);
+  return box;
+}
+
+/// The faces of elements at a corner of theirs, by the numbers of corners.
+const std::vector<Face>& faces_at(ElementType type, std::size_t corner) {
+  using OfCorners = std::vector<std::vector<Face>>;
+  static const std::array<OfCorners, all_element_types.size()> all = [] {
+    std::array<OfCorners, all_element_types.size()> table;
+    for (const ElementType t : all_element_types) {
+      OfCorners& own = table[static_cast<std::size_t>(t)];
+      own.resize(at(corner_count(t)));
+      for (const Face& face : shape_of(t).faces)
+        for (const Index k : face) own[at(k)].push_back(face);
     }
+    return table;
+  }();
+  return all[static_cast<std::size_t>(type)][corner];
+}
+
+/// Faces at one node, and the elements of its star that have them.
+class FaceTable {
+ public:
+  /// Forgets all. sides: of elements at the node, at most.
+  void begin(std::size_t sides) {
+    while (slots_.size() < 2 * sides) {
+      slots_.assign(2 * slots_.size(), {});
+      --shift_;
+    }
+    ++round_;
+  }
+  /// The element, by its place in the star, that has the face, too; -1: none of those before.
+  Index meet(const std::array<Index, 4>& face, Index element) {
+    std::uint64_t hash = 0;
+    for (const Index node : face)
+      hash = (hash ^ static_cast<std::uint32_t>(node)) * 0x9E3779B97F4A7C15U;
+    std::size_t k = hash >> shift_;
+    for (; slots_[k].round == round_; k = (k + 1) & (slots_.size() - 1))
+      if (slots_[k].face == face) return slots_[k].element;
+    slots_[k] = {face, element, round_};
+    return -1;
   }
 
-  std::vector<Index> count;  // #nodes: faces at the node
-  std::vector<bool> boundary;
+ private:
+  struct Slot {
+    std::array<Index, 4> face{};
+    Index element = -1;
+    Index round = 0;  // others are of nodes before
+  };
+  std::vector<Slot> slots_ = std::vector<Slot>(256);
+  unsigned shift_ = 56;  // 64 less the bits of a place
+  Index round_ = 0;
 };
 
 /// The link of a node (its star's outer surface) is a sphere, or on the boundary a disc, exactly if
 /// it is connected and its Euler characteristic is 2, or 1.
 class LinkCheck {
  public:
-  LinkCheck(const MeshData& data, const FacePairs& pairs, const NodeStars& stars,
-            const LinkFaces& faces)
-      : data_(data),
-        pairs_(pairs),
-        stars_(stars),
-        faces_(faces),
-        reached_(at(data.element_count()), -1) {}
+  explicit LinkCheck(const OrderedStars& stars) : stars_(stars) {}
 
-  void check(Index node) {
-    const auto star = static_cast<Index>(stars_.elements[node].size());
-    if (star == 0) return;
-    const auto edges = static_cast<Index>(stars_.neighbours[node].size());
-    const Index characteristic = edges - faces_.count[at(node)] + star;
-    if (connected(node) == star && characteristic == (faces_.boundary[at(node)] ? 1 : 2)) return;
-    throw MeshError(MeshEntity::node, node,
-                    "node " + std::to_string(node) +
-                        " joins parts of the mesh, or of its boundary, that meet in this node only "
-                        "(non-manifold)");
+  /// node: by its number in the order; edges: at it.
+  bool holds(Index node, Index edges) {
+    constexpr std::size_t most_faces = 4;  // of an element at a corner
+    const auto star = stars_.elements[node];
+    const auto count = static_cast<Index>(star.size());
+    if (count == 0) return true;
+    faces_.begin(most_faces * star.size());
+    joined_.resize(star.size());
+    std::iota(joined_.begin(), joined_.end(), 0);
+    Index faces = 0, open = 0, parts = count;
+    for (Index place = 0; place < count; ++place) {
+      const Index e = star[at(place)];
+      const auto corners = stars_.order.corners[e];
+      const auto corner = std::ranges::find(corners, node) - corners.begin();
+      for (const Face& face : faces_at(stars_.types[at(e)], static_cast<std::size_t>(corner))) {
+        const Index other = faces_.meet(by_nodes(face, corners).sorted(), place);
+        faces += other < 0 ? 1 : 0;
+        open += other < 0 ? 1 : -1;
+        if (other >= 0 && join(other, place)) --parts;
+      }
+    }
+    return parts == 1 && edges - faces + count == (open > 0 ? 1 : 2);
   }
 
  private:
-  /// Number of elements that can be reached from the first one of a star through faces at its node.
-  Index connected(Index node) {
-    const auto star = stars_.elements[node];
-    todo_.assign(1, star.front());
-    reached_[at(star.front())] = node;
-    for (std::size_t head = 0; head < todo_.size(); ++head) {
-      const Index e = todo_[head];
-      const auto faces = pairs_.faces_of(e);
-      for (std::size_t k = 0; k < faces.size(); ++k) {
-        const auto& [first, second] = pairs_.elements[at(faces[k])];
-        const Index other = first == e ? second : first;
-        if (other < 0 || reached_[at(other)] == node) continue;
-        const Face face = face_of_side(data_, e, static_cast<Index>(k));
-        if (std::find(face.begin(), face.end(), node) == face.end()) continue;
-        reached_[at(other)] = node;
-        todo_.push_back(other);
-      }
-    }
-    return static_cast<Index>(todo_.size());
+  Index root(Index place) {
+    while (joined_[at(place)] != place)
+      place = joined_[at(place)] = joined_[at(joined_[at(place)])];
+    return place;
+  }
+  /// False: they were joined before.
+  bool join(Index a, Index b) {
+    const Index from = root(a), to = root(b);
+    joined_[at(from)] = to;
+    return from != to;
   }
 
-  const MeshData& data_;
-  const FacePairs& pairs_;
-  const NodeStars& stars_;
-  const LinkFaces& faces_;
-  std::vector<Index> reached_;  // #elements: the node from which it was reached last
-  std::vector<Index> todo_;
+  const OrderedStars& stars_;
+  FaceTable faces_;
+  std::vector<Index> joined_;  // elements of the star: towards one for all that hang together
 };
 
 }  // namespace
 
-NodeStars volume_stars(const std::vector<ElementType>& types, const CompressedRows& elements,
-                       Index node_count) {
-  NodeStars stars;
-  stars.elements = rows_of(node_count, [&](const auto& add) {
+CompressedRows star_rows(const CompressedRows& elements, Index node_count) {
+  return rows_of(node_count, [&](const auto& add) {
     for (Index e = 0; e < elements.rows(); ++e) {
       for (const Index node : elements[e]) add(node, e);
     }
   });
-  stars.neighbours = sorted_unique(rows_of(node_count, [&](const auto& add) {
-    for (Index e = 0; e < elements.rows(); ++e) {
-      const auto corners = elements[e];
-      for (const auto& [a, b] : shape_of(types[at(e)]).edges) {
-        add(corners[at(a)], corners[at(b)]);
-        add(corners[at(b)], corners[at(a)]);
-      }
-    }
-  }));
-  return stars;
 }
 
-void check_volume_manifold(const MeshData& data, const FacePairs& pairs, const NodeStars& stars) {
-  check_boundary_edges(data, pairs);
-  const LinkFaces faces(data, pairs);
-  // Each block has a list of all elements: few blocks.
-  constexpr Index most_blocks = 16;
-  const Index block = std::max(parallel_block, data.node_count() / most_blocks + 1);
-  const auto check_nodes = [&](Index begin, Index end) {
-    LinkCheck check(data, pairs, stars, faces);
-    for (Index node = begin; node < end; ++node) check.check(node);
-  };
-  parallel_for(0, data.node_count(), check_nodes, block);
+OrderedStars::OrderedStars(const MeshData& data, const CompressedRows& corners)
+    : order(SpacePoints(data.coordinates), data.node_count(), box_around(data.coordinates),
+            corners),
+      elements(star_rows(order.corners, data.node_count())) {
+  types.reserve(order.elements.size());
+  for (const Index e : order.elements) types.push_back(data.types[at(e)]);
+}
+
+CompressedRows volume_neighbours(const OrderedStars& stars) { return NeighbourRows(stars).make(); }
+
+void check_volume_manifold(const Topology& topology, const OrderedStars& stars) {
+  check_boundary_edges(topology);
+  const Index nodes = topology.node_count();
+  std::vector<Index> failed(at(nodes / parallel_block + 1), nodes);  // the lowest one of each block
+  parallel_for(0, nodes, [&](Index begin, Index end) {
+    LinkCheck check(stars);
+    Index& lowest = failed[at(begin / parallel_block)];
+    for (Index k = begin; k < end; ++k) {
+      const Index node = stars.order.nodes[at(k)];
+      const auto edges = static_cast<Index>(topology.neighbours(node).size());
+      if (node < lowest && !check.holds(k, edges)) lowest = node;
+    }
+  });
+  const Index node = *std::ranges::min_element(failed);
+  if (node == nodes) return;
+  throw MeshError(MeshEntity::node, node,
+                  "node " + std::to_string(node) +
+                      " joins parts of the mesh, or of its boundary, that meet in this node only "
+                      "(non-manifold)");
 }
 
 }  // namespace winslow

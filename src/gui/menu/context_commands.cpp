@@ -259,7 +259,8 @@ ContextPart of_element(const PanelContext& context, Index element) {
   const Metric* coloured = context.view.color ? context.view.color->metric() : nullptr;
   const Metric metric = coloured ? *coloured : Metric::normalized_jacobian;
   const int dimension = context.session.in_space() ? 3 : 2;
-  const Mesh mesh{context.session.topology(), context.session.coordinates()};
+  const auto shared = context.session.mesh().shared();
+  const Mesh& mesh = *shared;
   const double value = element_value(mesh, element, metric);
   const bool high_is_bad = !metric_info(metric, dimension).field.larger_is_better;
   ContextPart part{"Element " + std::to_string(element) + ", " +

@@ -75,7 +75,8 @@ void MeshPanel::measure(const Session& session) {
   if (generation_ == session.generation() && shape_ == session.shape()) return;
   generation_ = session.generation();
   shape_ = session.shape();
-  const Mesh mesh{session.topology(), session.coordinates()};
+  const auto shared = session.mesh().shared();
+  const Mesh& mesh = *shared;
   if (session.in_space()) {
     extents_ = space_bounds(mesh);
     return;

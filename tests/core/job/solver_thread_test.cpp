@@ -106,10 +106,10 @@ TEST_CASE("a job's result is that of execute, to the bit") {
     const auto snapshot = wait_for(thread, job, JobState::done);
     REQUIRE(snapshot->result.has_value());
     CHECK(snapshot->result->state.mesh.coordinates == expected.state.mesh.coordinates);
-    CHECK(snapshot->coordinates == expected.state.mesh.coordinates);
+    CHECK(snapshot->mesh->coordinates == expected.state.mesh.coordinates);
     CHECK(snapshot->result->smooth.outer_iterations == expected.smooth.outer_iterations);
     CHECK(snapshot->history.size() == expected.smooth.history.size());
-    CHECK(snapshot->topology == state.mesh.topology);
+    CHECK(snapshot->mesh->topology == state.mesh.topology);
     CHECK(snapshot->command.has_value());
     CHECK(snapshot->error.empty());
     CHECK_FALSE(thread.busy());
@@ -131,7 +131,7 @@ TEST_CASE("a job started paused waits before its first iteration; steps are coun
   SolverThread thread;
   thread.run(state, endless(), {}, true);
   const auto first = wait_paused_at(thread, 0);
-  CHECK(first->coordinates == state.mesh.coordinates);
+  CHECK(first->mesh->coordinates == state.mesh.coordinates);
   int expected = 0;
   for (const int n : {1, 1, 5, 2}) {
     thread.step(n);
@@ -166,7 +166,7 @@ TEST_CASE("pause holds, resume goes on, and the result is the same") {
   wait_paused_at(thread, 3);
   thread.resume();
   const auto done = wait_for(thread, job, JobState::done);
-  CHECK(done->coordinates == expected.state.mesh.coordinates);
+  CHECK(done->mesh->coordinates == expected.state.mesh.coordinates);
 
   thread.run(perturbed_state(), endless());
   wait_for(thread, [](const Snapshot& s) { return last_iteration(s) > 2; });
@@ -216,7 +216,7 @@ TEST_CASE("retargeting during a run ends at the last target") {
   CHECK(done->job >= job);
   REQUIRE(done->result.has_value());
   CHECK(done->result->smooth.converged);
-  CHECK(largest_difference(done->coordinates, expected.state.mesh.coordinates) < 1e-8);
+  CHECK(largest_difference(done->mesh->coordinates, expected.state.mesh.coordinates) < 1e-8);
   CHECK_FALSE(thread.busy());
 }
 
@@ -240,7 +240,7 @@ TEST_CASE("retargeting a paused job keeps its number and its pause, and numbers 
   thread.resume();
   const auto done = wait_for(thread, job, JobState::done);
   const CommandResult expected = execute(shift(0.1), state);
-  CHECK(largest_difference(done->coordinates, expected.state.mesh.coordinates) < 1e-8);
+  CHECK(largest_difference(done->mesh->coordinates, expected.state.mesh.coordinates) < 1e-8);
 }
 
 TEST_CASE("retargeting after the end starts again on the same state, from where it got to") {
@@ -252,7 +252,7 @@ TEST_CASE("retargeting after the end starts again on the same state, from where 
   const auto done = wait_for(thread, job + 1, JobState::done);
   // On the state of the first run, not on its result: 0.06 in all.
   const CommandResult expected = execute(shift(0.06), state);
-  CHECK(largest_difference(done->coordinates, expected.state.mesh.coordinates) < 1e-8);
+  CHECK(largest_difference(done->mesh->coordinates, expected.state.mesh.coordinates) < 1e-8);
   CHECK(done->result->smooth.outer_iterations < expected.smooth.outer_iterations);
 }
 
@@ -284,7 +284,7 @@ TEST_CASE("a new run supersedes the one under way") {
   }
   job = thread.run(state, shift(0.1));
   const auto done = wait_for(thread, job, JobState::done);
-  CHECK(done->coordinates == expected.state.mesh.coordinates);
+  CHECK(done->mesh->coordinates == expected.state.mesh.coordinates);
 }
 
 TEST_CASE("a run on another topology leaves nothing of the first") {
@@ -293,8 +293,8 @@ TEST_CASE("a run on another topology leaves nothing of the first") {
   thread.run(first, endless());
   const std::uint64_t job = thread.run(second, shift(0.05));
   const auto done = wait_for(thread, job, JobState::done);
-  CHECK(done->topology == second.mesh.topology);
-  CHECK(done->coordinates == execute(shift(0.05), second).state.mesh.coordinates);
+  CHECK(done->mesh->topology == second.mesh.topology);
+  CHECK(done->mesh->coordinates == execute(shift(0.05), second).state.mesh.coordinates);
 }
 
 TEST_CASE("a start leads to the same mesh") {
@@ -304,7 +304,7 @@ TEST_CASE("a start leads to the same mesh") {
   const std::uint64_t job =
       thread.run(state, shift(0.1), execute(shift(0.09), state).state.mesh.coordinates);
   const auto done = wait_for(thread, job, JobState::done);
-  CHECK(largest_difference(done->coordinates, expected.state.mesh.coordinates) < 1e-8);
+  CHECK(largest_difference(done->mesh->coordinates, expected.state.mesh.coordinates) < 1e-8);
 }
 
 TEST_CASE("a snapshot never changes after it was published, serials grow") {
@@ -321,12 +321,12 @@ TEST_CASE("a snapshot never changes after it was published, serials grow") {
     const auto s = thread.latest();
     if (!kept.empty() && s->serial == kept.back().snapshot->serial) continue;
     if (!kept.empty()) CHECK(s->serial > kept.back().snapshot->serial);
-    kept.push_back({s, s->coordinates, s->history.size(), s->state});
+    kept.push_back({s, s->mesh->coordinates, s->history.size(), s->state});
   }
   thread.cancel();
   wait_for(thread, [](const Snapshot& s) { return s.state == JobState::cancelled; });
   for (const Kept& k : kept) {
-    CHECK(k.snapshot->coordinates == k.coordinates);
+    CHECK(k.snapshot->mesh->coordinates == k.coordinates);
     CHECK(k.snapshot->history.size() == k.records);
     CHECK(k.snapshot->state == k.state);
   }

@@ -119,6 +119,23 @@ TEST_CASE("volumes that meet in a node only are refused") {
   CHECK(says(error, "meet in this node only"));
 }
 
+TEST_CASE("of several nodes in which volumes meet the one with the lowest number is named") {
+  // A row of tetrahedra along x, from far to near and each on the tip of the last.
+  MeshData data;
+  data.coordinates = Coordinates(3, 0);
+  constexpr Index count = 12;
+  for (Index k = 0; k <= count; ++k) data.coordinates.push_xyz({double(count - k), 0, 0});
+  for (Index k = 0; k < count; ++k) {
+    const auto first = data.coordinates.size();
+    data.coordinates.push_xyz({count - k - 0.5, 0.2, 0});
+    data.coordinates.push_xyz({count - k - 0.5, 0, 0.2});
+    add_cell(data, ElementType::tetrahedron, {k, first, first + 1, k + 1});
+  }
+  const MeshError error = refusal(data);
+  CHECK(error.entity() == MeshEntity::node);
+  CHECK(error.index() == 1);
+}
+
 TEST_CASE("a boundary that touches itself in one node is refused") {
   // Two cavities in hexahedra that share one corner: the star hangs together, its link is a ring.
   const MeshData data = cubes_with_holes(4, Volumes::hexahedra, [](Index i, Index j, Index k) {

@@ -114,4 +114,9 @@ inline void go_around(Rig& rig, const ScreenPoint& centre, const ScreenPoint& fr
   for (int k = 1; k <= steps; ++k) rig.move(around(centre, from, degrees * k / steps));
 }
 
+/// How far a motion moves, in pixels of the view.
+inline double pixels(const MovingStudio& studio, const Vec3& way) {
+  return way.norm() / studio.view().pixel_size(studio.session().selection().space_pivot());
+}
+
 }  // namespace winslow::gui::test

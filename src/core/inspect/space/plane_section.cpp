@@ -19,25 +19,25 @@ namespace {
 constexpr double nearness = 1e-10;  // of the mesh's extent
 
 /// Nodes and elements of a mesh as a section goes through them: in the order of the mesh, or in
-/// another one with numbers of its own.
+/// that of an index, with numbers of its own.
 class OrderedMesh {
  public:
-  OrderedMesh(const Mesh& mesh, const SectionOrder* order)
+  OrderedMesh(const Mesh& mesh, const SectionIndex* index)
       : mesh_(mesh),
         x_(mesh.coordinates),
-        order_(order),
-        rows_(order ? order->corners : mesh.topology->elements()) {}
+        index_(index),
+        rows_(index ? index->order().corners : mesh.topology->elements()) {}
 
   std::span<const Index> corners(Index e) const { return rows_[e]; }
-  Vec3 point(Index node) const { return x_[order_ ? order_->nodes[at(node)] : node]; }
+  Vec3 point(Index node) const { return index_ ? index_->places()[at(node)] : x_[node]; }
   /// Its number in the mesh.
-  Index element(Index e) const { return order_ ? order_->elements[at(e)] : e; }
+  Index element(Index e) const { return index_ ? index_->order().elements[at(e)] : e; }
   ElementType type(Index e) const { return mesh_.topology->element_type(element(e)); }
 
  private:
   const Mesh& mesh_;
   SpacePoints x_;
-  const SectionOrder* order_;
+  const SectionIndex* index_;
   const CompressedRows& rows_;
 };
 
@@ -72,80 +72,71 @@ std::vector<double> distances(const Mesh& mesh, const Plane& plane) {
   return d;
 }
 
-/// On which side of a plane nodes lie, and how far from it. What it has of nodes that it was not
-/// told of says nothing: the memory for them is never touched.
+/// On which side of a plane nodes lie, how far from it, and the points of the section that lie on
+/// edges of theirs.
 class NodeSides {
  public:
   /// front_on_plane: nodes on the plane count with what lies in front of it.
   NodeSides(Index nodes, bool front_on_plane)
       : front_on_plane_(front_on_plane),
-        distance_(std::make_unique_for_overwrite<double[]>(at(nodes))),
-        front_(std::make_unique_for_overwrite<unsigned char[]>(at(nodes))) {}
+        sides_(at(nodes), unknown),
+        nodes_(std::make_unique_for_overwrite<Node[]>(at(nodes))) {}
 
+  bool known(Index node) const { return sides_[at(node)] != unknown; }
   void put(Index node, double distance) {
-    distance_[at(node)] = distance;
-    front_[at(node)] = (front_on_plane_ ? distance >= 0 : distance > 0) ? 1 : 0;
+    const bool in_front = front_on_plane_ ? distance >= 0 : distance > 0;
+    sides_[at(node)] = in_front ? front : behind;
+    nodes_[at(node)] = {distance, -1};
   }
-  bool in_front(Index node) const { return front_[at(node)] != 0; }
-  double distance(Index node) const { return distance_[at(node)]; }
+  bool in_front(Index node) const { return sides_[at(node)] == front; }
+  double distance(Index node) const { return nodes_[at(node)].distance; }
+  /// The point by which the list of those on the node's edges begins; -1: there is none yet.
+  Index& first_point(Index node) { return nodes_[at(node)].first_point; }
   /// Nodes on both sides are among them.
   bool divides(std::span<const Index> nodes) const {
-    unsigned sum = 0;
-    for (const Index node : nodes) sum += front_[at(node)];
-    return sum != 0 && sum != nodes.size();
+    unsigned met = 0;
+    for (const Index node : nodes) met |= sides_[at(node)];
+    return met == (front | behind);
   }
 
  private:
+  static constexpr unsigned char unknown = 0, behind = 1, front = 2;
+  struct Node {
+    double distance;
+    Index first_point;
+  };
+
   bool front_on_plane_;
-  std::unique_ptr<double[]> distance_;
-  std::unique_ptr<unsigned char[]> front_;  // small enough to stay near the processor
+  std::vector<unsigned char> sides_;  // small enough to stay near the processor
+  // Memory for nodes that are not known is never touched.
+  std::unique_ptr<Node[]> nodes_;
 };
 
-/// Numbers by keys, in one array: a section asks for a point four times over.
-class KeyTable {
+/// Points of a section by the edges that they lie on: a section asks for each of them four times
+/// over. They stand in lists by the node at one end of the edge, so that those near one another in
+/// the order of the mesh are near in memory; on one side of the plane a node has few.
+class EdgePoints {
  public:
   struct Found {
-    Index value;
+    Index point;
     bool fresh;
   };
-  /// For so many keys there will be room without moving any.
-  void reserve(std::size_t keys) {
-    while (slots_.size() < 2 * (keys + 1)) grow();
-  }
-  Found find_or_add(std::uint64_t key, Index value) {
-    if (2 * (count_ + 1) > slots_.size()) grow();
-    Slot& slot = slot_of(key);
-    const bool fresh = slot.value < 0;
-    if (fresh) {
-      slot = {key, value};
-      ++count_;
-    }
-    return {slot.value, fresh};
+  void reserve(std::size_t points) { entries_.reserve(points); }
+  /// first: NodeSides::first_point() of one end.
+  Found find_or_add(Index& first, Index other_end) {
+    for (Index k = first; k >= 0; k = entries_[at(k)].next)
+      if (entries_[at(k)].other_end == other_end) return {k, false};
+    const auto point = static_cast<Index>(entries_.size());
+    entries_.push_back({other_end, first});
+    first = point;
+    return {point, true};
   }
 
  private:
-  struct Slot {
-    std::uint64_t key = 0;
-    Index value = -1;  // -1: empty
+  struct Entry {
+    Index other_end, next;
   };
-
-  Slot& slot_of(std::uint64_t key) {
-    // Fibonacci hashing: the upper bits of the product are spread well.
-    std::size_t k = (key * 0x9E3779B97F4A7C15U) >> shift_;
-    while (slots_[k].value >= 0 && slots_[k].key != key) k = (k + 1) & (slots_.size() - 1);
-    return slots_[k];
-  }
-  void grow() {
-    std::vector<Slot> old = std::move(slots_);
-    --shift_;
-    slots_.assign(std::size_t{1} << (64U - shift_), {});
-    for (const Slot& slot : old)
-      if (slot.value >= 0) slot_of(slot.key) = slot;
-  }
-
-  std::vector<Slot> slots_ = std::vector<Slot>(1024);
-  unsigned shift_ = 54;  // 64 less the bits of a place
-  std::size_t count_ = 0;
+  std::vector<Entry> entries_;  // by point
 };
 
 /// The edges of a tetrahedron that a plane goes through, around the section, by which of its
@@ -198,7 +189,7 @@ const std::array<TetrahedronCut, 16>& tetrahedron_cuts() {
 /// Cuts one element after the other.
 class Cutter {
  public:
-  Cutter(const OrderedMesh& mesh, const NodeSides& sides) : mesh_(mesh), sides_(sides) {}
+  Cutter(const OrderedMesh& mesh, NodeSides& sides) : mesh_(mesh), sides_(sides) {}
 
   /// met: elements that the plane divides.
   PlaneSection cut(std::span<const Index> met) {
@@ -292,10 +283,7 @@ class Cutter {
     const double front = sides_.distance(front_node), behind = sides_.distance(behind_node);
     const Index a = front == 0 ? front_node : behind_node;
     const Index b = behind == 0 ? behind_node : front_node;
-    const auto key = (std::uint64_t{static_cast<std::uint32_t>(a)} << 32U) |
-                     std::uint64_t{static_cast<std::uint32_t>(b)};
-    const auto [point, fresh] =
-        point_of_.find_or_add(key, static_cast<Index>(section_.points.size()));
+    const auto [point, fresh] = point_of_.find_or_add(sides_.first_point(a), b);
     if (fresh) {
       const Vec3 p = mesh_.point(a), q = mesh_.point(b);
       section_.points.emplace_back(a == b ? p : Vec3(p + (q - p) * (behind / (behind - front))));
@@ -332,10 +320,10 @@ class Cutter {
   }
 
   const OrderedMesh& mesh_;
-  const NodeSides& sides_;
+  NodeSides& sides_;
   std::array<Crossing, most_edges> crossings_{};
   std::size_t count_ = 0;
-  KeyTable point_of_;
+  EdgePoints point_of_;
   PlaneSection section_;
 };
 
@@ -358,12 +346,15 @@ PlaneSection whole_section(const Mesh& mesh, const std::vector<double>& distance
 PlaneSection indexed_section(const Mesh& mesh, const Plane& plane, const SectionIndex& index,
                              bool front_on_plane) {
   const PlaneDistance distance(plane, index.extent());
-  const OrderedMesh ordered(mesh, &index.order());
-  std::vector<Index> met = index.near(plane, 2 * distance.least());
+  const OrderedMesh ordered(mesh, &index);
   NodeSides sides(mesh.coordinates.size(), front_on_plane);
-  for (const Index e : met)
-    for (const Index node : ordered.corners(e)) sides.put(node, distance.of(ordered.point(node)));
-  std::erase_if(met, [&](Index e) { return !sides.divides(ordered.corners(e)); });
+  std::vector<Index> met = index.near(plane, 2 * distance.least());
+  std::erase_if(met, [&](Index e) {
+    const auto corners = ordered.corners(e);
+    for (const Index node : corners)
+      if (!sides.known(node)) sides.put(node, distance.of(ordered.point(node)));
+    return !sides.divides(corners);
+  });
   return Cutter(ordered, sides).cut(met);
 }
 

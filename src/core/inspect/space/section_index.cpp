@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "core/error.h"
 #include "core/parallel/parallel_for.h"
@@ -14,7 +15,13 @@ constexpr Index block_size = 32;
 
 }  // namespace
 
-SectionIndex::SectionIndex(const Mesh& mesh) : order_(std::make_shared<const SectionOrder>(mesh)) {
+SectionIndex::SectionIndex(const Mesh& mesh) {
+  const Topology& topology = *mesh.topology;
+  if (topology.cell_dimension() != 3)
+    throw UsageError("cuts by a plane: only for a volume mesh, and this is a " +
+                     std::string(mesh_kind(topology)));
+  order_ = std::make_shared<const CurveOrder>(SpacePoints(mesh.coordinates), topology.node_count(),
+                                              space_bounds(mesh), topology.elements());
   measure(mesh);
 }
 
@@ -27,6 +34,10 @@ SectionIndex::SectionIndex(const Mesh& mesh, const SectionIndex& before) : order
 
 void SectionIndex::measure(const Mesh& mesh) {
   const SpacePoints x(mesh.coordinates);
+  places_.resize(order_->nodes.size());
+  parallel_for(0, static_cast<Index>(places_.size()), [&](Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) places_[at(i)] = x[order_->nodes[at(i)]];
+  });
   const Index count = order_->corners.rows();
   boxes_.resize(at((count + block_size - 1) / block_size));
   parallel_for(
@@ -38,9 +49,9 @@ void SectionIndex::measure(const Mesh& mesh) {
           const auto values =
               std::span(order_->corners.values)
                   .subspan(first_value, at(order_->corners.offsets[at(last)]) - first_value);
-          Vec3 low = x[order_->nodes[at(values.front())]], high = low;
+          Vec3 low = places_[at(values.front())], high = low;
           for (const Index node : values) {
-            const Vec3 p = x[order_->nodes[at(node)]];
+            const Vec3& p = places_[at(node)];
             low = low.cwiseMin(p);
             high = high.cwiseMax(p);
           }

@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "core/inspect/space/plane.h"
-#include "core/inspect/space/section_order.h"
+#include "core/mesh/curve_order.h"
+#include "core/mesh/mesh.h"
 #include "core/search/box.h"
 
 namespace winslow {
@@ -18,7 +19,9 @@ class SectionIndex {
   /// Of other positions of the same nodes.
   SectionIndex(const Mesh& mesh, const SectionIndex& before);
 
-  const SectionOrder& order() const { return *order_; }
+  const CurveOrder& order() const { return *order_; }
+  /// Where nodes are, by their numbers in the order.
+  const std::vector<Vec3>& places() const { return places_; }
   /// Elements, by their numbers in the order, of all blocks that come nearer to a plane than
   /// `slack`: among them all elements that do.
   std::vector<Index> near(const Plane& plane, double slack) const;
@@ -28,7 +31,8 @@ class SectionIndex {
  private:
   void measure(const Mesh& mesh);
 
-  std::shared_ptr<const SectionOrder> order_;
+  std::shared_ptr<const CurveOrder> order_;
+  std::vector<Vec3> places_;
   std::vector<Box<3>> boxes_;  // of the blocks
   Box<3> extent_;
 };

@@ -10,8 +10,8 @@ bool JobRunner::paused() const { return active_ && pause_requested_; }
 
 void JobRunner::run(MeshState base, Command command, bool paused,
                     std::optional<Coordinates> start) {
-  base_ = std::move(base);
-  const MeshState* const mesh = &base_;
+  base_ = std::make_shared<const MeshState>(std::move(base));
+  const MeshState* const mesh = base_.get();
   command_ = with_pivot(std::move(command), std::span(&mesh, 1));
   snapshot_.reset();
   active_ = true;
@@ -23,13 +23,13 @@ void JobRunner::run(MeshState base, Command command, bool paused,
 }
 
 const Coordinates& JobRunner::coordinates() const {
-  if (snapshot_ && !snapshot_->coordinates.empty()) return snapshot_->coordinates;
-  return start_ ? *start_ : base_.mesh.coordinates;
+  if (snapshot_ && snapshot_->mesh) return snapshot_->mesh->coordinates;
+  return start_ ? *start_ : base_->mesh.coordinates;
 }
 
 const std::shared_ptr<const Topology>& JobRunner::topology() const {
-  if (snapshot_ && !snapshot_->coordinates.empty()) return snapshot_->topology;
-  return base_.mesh.topology;
+  if (snapshot_ && snapshot_->mesh) return snapshot_->mesh->topology;
+  return base_->mesh.topology;
 }
 
 void JobRunner::retarget(Command command) {

@@ -29,7 +29,7 @@ class JobRunner {
   /// Paused, or about to be.
   bool paused() const;
   const Command& command() const { return command_; }
-  const MeshState& base() const { return base_; }
+  const MeshState& base() const { return *base_; }
   /// Latest snapshot of this job; null before the first and without a job.
   const std::shared_ptr<const Snapshot>& snapshot() const { return snapshot_; }
 
@@ -37,6 +37,10 @@ class JobRunner {
   void run(MeshState base, Command command, bool paused, std::optional<Coordinates> start = {});
   /// The mesh of this job now: of its latest snapshot, or what it starts from.
   const Coordinates& coordinates() const;
+  /// The same of its latest snapshot, which stays as it is; null before the first.
+  std::shared_ptr<const Mesh> snapshot_mesh() const {
+    return snapshot_ ? snapshot_->mesh : nullptr;
+  }
   /// That coordinates() are of: the command may change it on its way.
   const std::shared_ptr<const Topology>& topology() const;
   bool started_elsewhere() const { return start_.has_value(); }
@@ -70,7 +74,7 @@ class JobRunner {
   bool pause_requested_ = false;
   double pace_ = 0;
   std::chrono::steady_clock::time_point started_;
-  MeshState base_;
+  std::shared_ptr<const MeshState> base_ = std::make_shared<const MeshState>();
   Command command_;
   std::uint64_t job_ = 0;
   std::shared_ptr<const Snapshot> snapshot_;

@@ -27,6 +27,12 @@ class QualityMonitor {
     std::vector<double> values;    ///< of field, one per element
     const void* before = nullptr;  ///< numbers of Wish::before, to know it again
   };
+  /// A mesh, and what fields may need beside it.
+  struct Subject {
+    std::shared_ptr<const Mesh> mesh;
+    std::shared_ptr<const VirtualControlVolumes> vcv;
+    std::shared_ptr<const LayerStack> layers;
+  };
   /// What is to be measured beside the report.
   struct Wish {
     std::optional<ElementField> field;  ///< its value of every element
@@ -43,9 +49,9 @@ class QualityMonitor {
   /// Whether a request would start a measurement: ask before a mesh is copied for it.
   bool wants(std::uint64_t shape, const Wish& wish, bool live) const;
   /// Asks for the quality of a mesh. live: a solver is changing it, so measure only now and then.
-  void request(std::uint64_t shape, const MeshState& state, const Wish& wish, bool live);
+  void request(std::uint64_t shape, const Subject& subject, const Wish& wish, bool live);
   /// The same, before returning.
-  void measure_now(std::uint64_t shape, const MeshState& state, const Wish& wish);
+  void measure_now(std::uint64_t shape, const Subject& subject, const Wish& wish);
   /// True if a newer measurement has come in.
   bool poll();
   /// The latest measurement; null if there is none of the present topology.

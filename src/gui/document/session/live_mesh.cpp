@@ -26,6 +26,7 @@ void LiveMesh::close() {
   document_.reset();
   boundary_.reset();
   passing_.reset();
+  shared_.reset();
   ++generation_;
   if (rebuilt_) rebuilt_(before, nullptr);
 }
@@ -50,6 +51,20 @@ const std::shared_ptr<const Topology>& LiveMesh::topology() const {
   if (!document_) return none;
   if (drag_.active()) return drag_base_.mesh.topology;
   return job_.active() ? job_.topology() : document_->topology();
+}
+
+std::shared_ptr<const Mesh> LiveMesh::shared() const {
+  if (!document_) return nullptr;
+  if (shared_ && shared_shape_ == shape_ && shared_->topology == topology()) return shared_;
+  shared_shape_ = shape_;
+  const bool of_job = job_.active() && !drag_.active() && !instead_.coordinates;
+  if (auto mesh = of_job ? job_.snapshot_mesh() : nullptr; mesh && mesh == shared_) return shared_;
+  // The shape grows with each look at a job, too: the same nodes are the same mesh.
+  if (shared_ && shared_->topology == topology() && shared_->coordinates == coordinates())
+    return shared_;
+  shared_ = of_job ? job_.snapshot_mesh() : nullptr;
+  if (!shared_) shared_ = std::make_shared<const Mesh>(Mesh{topology(), coordinates()});
+  return shared_;
 }
 
 std::shared_ptr<const LayerStack> LiveMesh::layers() const {

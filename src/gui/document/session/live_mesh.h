@@ -47,6 +47,9 @@ class LiveMesh {
   const Coordinates& coordinates() const;
   /// That coordinates() are of: a job may change it on its way. Null without a mesh.
   const std::shared_ptr<const Topology>& topology() const;
+  /// Both as one mesh that stays as it is, for threads and for what keeps it: none is made while
+  /// nodes stay where they are. Null without a mesh.
+  std::shared_ptr<const Mesh> shared() const;
   /// Layers of the mesh on screen; null where there are none, or not all of them yet.
   std::shared_ptr<const LayerStack> layers() const;
   /// Virtual control volumes of the mesh on screen; null without a mesh.
@@ -95,6 +98,8 @@ class LiveMesh {
   // While a job shows a mesh of another connectivity than the document's.
   std::shared_ptr<const VirtualControlVolumes> passing_;
   Rebuilt rebuilt_;
+  mutable std::shared_ptr<const Mesh> shared_;
+  mutable std::uint64_t shared_shape_ = 0;
 };
 
 /// A volume mesh is open.

@@ -30,8 +30,8 @@ QualityMonitor::Wish QualityWatch::wish(const std::optional<ElementField>& field
   return {field, state.mesh.topology == mesh_.topology() ? &state.mesh.coordinates : nullptr};
 }
 
-MeshState QualityWatch::on_screen() const {
-  return {{mesh_.topology(), mesh_.coordinates()}, mesh_.vcv(), mesh_.layers()};
+QualityMonitor::Subject QualityWatch::on_screen() const {
+  return {mesh_.shared(), mesh_.vcv(), mesh_.layers()};
 }
 
 }  // namespace winslow::gui

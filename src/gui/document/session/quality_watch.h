@@ -32,7 +32,7 @@ class QualityWatch {
   bool busy() const { return monitor_.busy(); }
 
  private:
-  MeshState on_screen() const;
+  QualityMonitor::Subject on_screen() const;
   QualityMonitor::Wish wish(const std::optional<ElementField>& field, BeforeState before) const;
 
   const LiveMesh& mesh_;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/inspect/space/volume_nodal_view.h"
+#include "gui/panels/vcv/plot_outcome.h"
 #include "gui/render/color_map.h"
 #include "gui/render/space/space_view.h"
 #include "gui/view/tools/sphere_drag.h"
@@ -17,12 +18,7 @@ namespace winslow::gui {
 /// one by one. The points of the VCV can be dragged over the sphere.
 class SpherePlot {
  public:
-  struct Outcome {
-    std::optional<std::size_t> hovered;  ///< neighbour under the mouse
-    std::optional<VcvEdit> edit;         ///< the VCV as it is dragged
-    bool ended = false;                  ///< the drag is over
-    bool cancelled = false;              ///< by Esc
-  };
+  using Outcome = VcvPlotOutcome;
   struct Look {
     std::optional<std::size_t> lit;       ///< a neighbour that is lit up from elsewhere
     std::optional<std::size_t> lit_face;  ///< a triangle that is

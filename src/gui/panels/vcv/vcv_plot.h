@@ -6,6 +6,7 @@
 
 #include "core/inspect/nodal_view.h"
 #include "gui/panels/vcv/label_placer.h"
+#include "gui/panels/vcv/plot_outcome.h"
 #include "gui/view/tools/vcv_drag.h"
 #include "gui/widgets/theme.h"
 
@@ -19,12 +20,7 @@ VcvEdit numbers_of(const NodalView& view);
 /// have the same numbers in both. The ends of the VCV's edges can be dragged.
 class VcvPlot {
  public:
-  struct Outcome {
-    std::optional<std::size_t> hovered;  ///< neighbour under the mouse
-    std::optional<VcvEdit> edit;         ///< the VCV as it is dragged
-    bool ended = false;                  ///< the drag is over
-    bool cancelled = false;              ///< by Esc
-  };
+  using Outcome = VcvPlotOutcome;
   /// Across the row. highlighted: a neighbour lit up from elsewhere.
   Outcome draw(const NodalView& view, std::optional<std::size_t> highlighted, const Theme& theme);
   bool dragging() const { return drag_.has_value(); }

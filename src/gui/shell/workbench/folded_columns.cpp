@@ -2,7 +2,10 @@
 
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
+#include <string>
 
 #include "gui/shell/workbench/region_window.h"
 #include "gui/widgets/controls.h"
@@ -71,6 +74,13 @@ bool fold_handle(const char* id, const Theme& theme, const ImVec2& min, ImGuiDir
   return pressed;
 }
 
+/// As ui::tabs() names it.
+std::string tab_id(std::string label) {
+  std::ranges::transform(label, label.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return "tab/" + label;
+}
+
 }  // namespace
 
 std::span<const SideTabInfo> side_tabs() {
@@ -103,7 +113,11 @@ void draw_folded_right(const PanelContext& context, const Area& area) {
   for (const SideTabInfo& tab : side_tabs()) {
     const bool present = tab.which == context.view.side_tab;
     std::string id = "open/tab/" + tab.label;
-    if (!icon_button(context.theme, id, tab.icon, tab.label, tab.tooltip, present)) continue;
+    const bool pressed = icon_button(context.theme, id, tab.icon, tab.label, tab.tooltip, present);
+    // Scripts find it by the tab's own name, too: whether there is room for the column depends on
+    // the window.
+    ui::note(tab_id(tab.label));
+    if (!pressed) continue;
     context.edit_view([&](ViewOptions& view) {
       open_right(view, context.view_state.columns);
       view.side_tab = tab.which;
@@ -116,15 +130,17 @@ void draw_fold_handles(const PanelContext& context, const Layout& layout) {
   const Theme& theme = context.theme;
   const Area& l = layout.left;
   const Area& r = layout.right;
-  const float half = theme.px(24);
+  // Half way up the view: a strip below it would cover them in a low window.
+  const Area& view = layout.viewport;
+  const float top = view.y + view.height / 2 - theme.px(24);
   if (!l.empty() && layout.columns.left_open &&
-      fold_handle("fold/left", theme, ImVec2(l.x + l.width, l.y + l.height / 2 - half),
-                  ImGuiDir_Left, "Fold this column to icons (F2)."))
-    context.edit_view([&](ViewOptions& view) { fold_left(view, context.view_state.columns); });
+      fold_handle("fold/left", theme, ImVec2(l.x + l.width, top), ImGuiDir_Left,
+                  "Fold this column to icons (F2)."))
+    context.edit_view([&](ViewOptions& v) { fold_left(v, context.view_state.columns); });
   if (!r.empty() && layout.columns.right_open &&
-      fold_handle("fold/right", theme, ImVec2(r.x - theme.px(12), r.y + r.height / 2 - half),
-                  ImGuiDir_Right, "Fold this column to icons (F3)."))
-    context.edit_view([&](ViewOptions& view) { fold_right(view, context.view_state.columns); });
+      fold_handle("fold/right", theme, ImVec2(r.x - theme.px(12), top), ImGuiDir_Right,
+                  "Fold this column to icons (F3)."))
+    context.edit_view([&](ViewOptions& v) { fold_right(v, context.view_state.columns); });
 }
 
 }  // namespace winslow::gui

@@ -147,7 +147,9 @@ void Workbench::dispatch() {
 void Workbench::finish_frame() {
   if (view_control_.follow_mesh()) regions_.welcome().close();
   pane_.measure_selection();
-  session_.quality().watch(view_control_.options().color, view_control_.options().before);
+  // The first picture of a large mesh has the processors for itself.
+  if (!session_.in_space() || pane_.mesh_view().shown())
+    session_.quality().watch(view_control_.options().color, view_control_.options().before);
   pane_.update(view_control_.options(), view_control_.view(), theme().scale);
   const PanelContext shown = context();
   pane_.draw_overlays(*ImGui::GetBackgroundDrawList(),

@@ -30,7 +30,9 @@ void BeforeMesh::update(const Session& session, const ViewOptions& view) {
   if (loaded_ && !values) return;
   // Compared with itself: nothing has changed yet.
   const QualityMonitor::Wish wish{values ? view.color : std::nullopt, &now};
-  if (monitor_.wants(shape_, wish, false)) monitor_.request(shape_, state, wish, false);
+  if (!monitor_.wants(shape_, wish, false)) return;
+  monitor_.request(shape_, {std::make_shared<const Mesh>(state.mesh), state.vcv, state.layers},
+                   wish, false);
 }
 
 const QualityReport* BeforeMesh::report() const {

@@ -113,12 +113,7 @@ void VolumeView::update(const Session& session, const BeforeMesh& before, const 
   divider_ = view.divider;
   if (generation_ != session.generation()) measured_.reset();
   if (!mesh_ || generation_ != session.generation() || shape_ != session.shape()) {
-    // The shape grows with each look at a job, too: the same nodes are the same mesh.
-    const bool same = mesh_ && generation_ == session.generation() &&
-                      mesh_->topology == session.topology() &&
-                      mesh_->coordinates == session.coordinates();
-    if (!same)
-      mesh_ = std::make_shared<const Mesh>(Mesh{session.topology(), session.coordinates()});
+    mesh_ = session.mesh().shared();
     generation_ = session.generation();
     shape_ = session.shape();
   }

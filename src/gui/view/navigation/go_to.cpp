@@ -199,7 +199,8 @@ Lines describe_face(Index f, const Session& session) {
 
 /// The worst element at a node.
 void add_worst_around(Lines& lines, Index i, const Session& session) {
-  const Mesh mesh{session.topology(), session.coordinates()};
+  const auto shared = session.mesh().shared();
+  const Mesh& mesh = *shared;
   double least = std::numeric_limits<double>::infinity();
   Index worst = -1;
   for (const Index e : mesh.topology->star(i)) {
@@ -215,7 +216,8 @@ void add_worst_around(Lines& lines, Index i, const Session& session) {
 
 std::vector<std::pair<std::string, std::string>> describe_element(Index e, const Session& session) {
   const Topology& topology = *session.topology();
-  const Mesh mesh{session.topology(), session.coordinates()};
+  const auto shared = session.mesh().shared();
+  const Mesh& mesh = *shared;
   std::vector<std::pair<std::string, std::string>> lines{
       {"Element " + std::to_string(e), std::string(shape_of(topology.element_type(e)).name)},
       {"Nodes", list_of(topology.element(e))}};

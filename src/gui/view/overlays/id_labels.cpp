@@ -4,18 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "gui/widgets/controls.h"
-
 namespace winslow::gui {
 
 namespace {
-
-// More would be no help to anyone, and slow.
-constexpr std::size_t most_labels = 600;
-
-ImVec2 size_of(const Theme& theme, const std::string& text) {
-  return theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0, text.c_str());
-}
 
 bool within(const Bounds& box, const Vec2& p) {
   return (p.array() >= box.min.array()).all() && (p.array() <= box.max.array()).all();
@@ -38,7 +29,7 @@ void IdLabels::find_nodes(const ViewOverlay& o) {
   const Topology& topology = *o.session.topology();
   const Coordinates& x = o.session.coordinates();
   const Bounds seen = o.view.visible();
-  for (Index i = 0; i < x.size() && labels_.size() < most_labels; ++i) {
+  for (Index i = 0; i < x.size() && labels_.size() < most_id_labels; ++i) {
     const Vec2 p = x.xy(i);
     if (!within(seen, p) || !topology.used(i)) continue;
     double shortest = std::numeric_limits<double>::infinity();
@@ -47,7 +38,7 @@ void IdLabels::find_nodes(const ViewOverlay& o) {
     const std::string text = std::to_string(i);
     // Half of an edge belongs to each of its ends.
     const double room = shortest / o.view.pixel_size(p);
-    if (room < static_cast<double>(size_of(o.theme, text).x + o.theme.px(10))) continue;
+    if (room < static_cast<double>(id_label_size(o.theme, text).x + o.theme.px(10))) continue;
     labels_.push_back({o.view.to_screen(p), text, true});
   }
 }
@@ -56,7 +47,7 @@ void IdLabels::find_elements(const ViewOverlay& o) {
   const Topology& topology = *o.session.topology();
   const Coordinates& x = o.session.coordinates();
   const Bounds seen = o.view.visible();
-  for (Index e = 0; e < topology.element_count() && labels_.size() < most_labels; ++e) {
+  for (Index e = 0; e < topology.element_count() && labels_.size() < most_id_labels; ++e) {
     const auto nodes = topology.element(e);
     Vec2 middle(0, 0);
     for (const Index i : nodes) middle += x.xy(i);
@@ -73,7 +64,7 @@ void IdLabels::find_elements(const ViewOverlay& o) {
     // Twice the area over the girth is the radius of a circle inside.
     const double radius = std::abs(twice_area) / around / o.view.pixel_size(middle);
     const std::string text = std::to_string(e);
-    const ImVec2 size = size_of(o.theme, text);
+    const ImVec2 size = id_label_size(o.theme, text);
     if (2 * radius < static_cast<double>(std::hypot(size.x, size.y))) continue;
     labels_.push_back({o.view.to_screen(middle), text, false});
   }
@@ -88,27 +79,12 @@ void IdLabels::draw(ImDrawList& list, const ViewOverlay& o) {
     key_ = now;
     find(o);
   }
-  ImFont& font = *o.theme.small;
-  const float pad = o.theme.px(3);
-  for (const Label& label : labels_) {
-    const ImVec2 size = size_of(o.theme, label.text);
-    const ImVec2 at(std::round(static_cast<float>(label.at.x()) - size.x / 2),
-                    std::round(static_cast<float>(label.at.y()) - size.y / 2));
-    const ImVec2 min(at.x - pad, at.y);
-    const ImVec2 max(at.x + size.x + pad, at.y + size.y);
-    // Nodes on cards, elements bare but for what sets them off: the two are told apart.
-    list.AddRectFilled(min, max, label.node ? palette().text : faded(palette().card, 0.8f),
-                       o.theme.px(3));
-    list.AddText(&font, font.FontSize, at, label.node ? palette().card : palette().text,
-                 label.text.c_str());
-    ui::note((label.node ? "id/n" : "id/e") + label.text, min, max);
-  }
+  for (const IdLabel& label : labels_) draw_id_label(list, o.theme, label);
   if (!labels_.empty()) return;
   const ScreenBox seen = o.view.viewport();
-  const float y = static_cast<float>(seen.max.y()) - o.theme.px(36);
-  draw_tag(list, o.theme, ImVec2(static_cast<float>(seen.min.x()) + o.theme.px(12), y),
-           "Zoom in to see the ids");
-  ui::note("id/none", ImVec2(0, y), ImVec2(1, y + 1));
+  draw_no_id_labels(list, o.theme,
+                    ImVec2(static_cast<float>(seen.min.x()) + o.theme.px(12),
+                           static_cast<float>(seen.max.y()) - o.theme.px(36)));
 }
 
 }  // namespace winslow::gui

@@ -3,9 +3,9 @@
 #include <imgui.h>
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
+#include "gui/view/overlays/id_label_drawing.h"
 #include "gui/view/overlays/view_overlay.h"
 
 namespace winslow::gui {
@@ -17,11 +17,6 @@ class IdLabels {
   void draw(ImDrawList& list, const ViewOverlay& overlay);
 
  private:
-  struct Label {
-    ScreenPoint at;  ///< middle of the text
-    std::string text;
-    bool node = false;
-  };
   /// What the labels depend on.
   struct Key {
     std::uint64_t generation = 0, shape = 0;
@@ -37,7 +32,7 @@ class IdLabels {
   void find_elements(const ViewOverlay& overlay);
 
   Key key_;
-  std::vector<Label> labels_;
+  std::vector<IdLabel> labels_;
 };
 
 }  // namespace winslow::gui

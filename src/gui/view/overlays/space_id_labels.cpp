@@ -10,18 +10,10 @@
 #include <utility>
 
 #include "gui/view/overlays/hidden_places.h"
-#include "gui/widgets/controls.h"
 
 namespace winslow::gui {
 
 namespace {
-
-// More would be no help to anyone, and slow.
-constexpr std::size_t most_labels = 600;
-
-ImVec2 size_of(const Theme& theme, const std::string& text) {
-  return theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0, text.c_str());
-}
 
 /// The node of an element that a corner of a picture is; none: it lies on an edge, as of a cut.
 std::optional<Index> node_at(const SpaceCorner& corner, Index element, const Mesh& mesh,
@@ -131,16 +123,16 @@ void SpaceIdLabels::find_in(const SpaceOverlay& o, const SpaceScene& part,
 void SpaceIdLabels::add_label(const SpaceOverlay& o, const Vec3& point, const Item& item,
                               double room) {
   const std::string text = std::to_string(item.id);
-  const ImVec2 size = size_of(o.theme, text);
+  const ImVec2 size = id_label_size(o.theme, text);
   const float wanted = item.node ? size.x + o.theme.px(10) : std::hypot(size.x, size.y);
   if (room < static_cast<double>(wanted)) return;
   const auto [at, depth] = o.view.project(point);
-  if (o.view.viewport().contains(at)) labels_.push_back({at, depth, text, item.node, false});
+  if (o.view.viewport().contains(at)) labels_.push_back({{at, text, item.node}, depth, false});
 }
 
 void SpaceIdLabels::hide_what_lies_behind(const SpaceOverlay& o, const VolumeScenes& scenes) {
   std::vector<DeepPlace> places;
-  for (const Label& label : labels_) places.push_back({label.at, label.depth});
+  for (const Label& label : labels_) places.push_back({label.drawn.at, label.depth});
   hide_behind(o.view, scenes, places);
   for (std::size_t k = 0; k < places.size(); ++k) labels_[k].hidden = places[k].hidden;
   std::erase_if(labels_, [](const Label& label) { return label.hidden; });
@@ -153,9 +145,9 @@ void SpaceIdLabels::find(const SpaceOverlay& o, const VolumeScenes& scenes) {
   // A node may be in several parts.
   std::set<std::pair<bool, std::string>> there;
   std::erase_if(labels_, [&](const Label& label) {
-    return !there.insert({label.node, label.text}).second;
+    return !there.insert({label.drawn.node, label.drawn.text}).second;
   });
-  if (labels_.size() > most_labels) labels_.resize(most_labels);
+  if (labels_.size() > most_id_labels) labels_.resize(most_id_labels);
 }
 
 void SpaceIdLabels::draw(ImDrawList& list, const SpaceOverlay& o, const VolumeView& picture) {
@@ -170,26 +162,12 @@ void SpaceIdLabels::draw(ImDrawList& list, const SpaceOverlay& o, const VolumeVi
     key_ = now;
     find(o, *scenes);
   }
-  ImFont& font = *o.theme.small;
-  const float pad = o.theme.px(3);
-  for (const Label& label : labels_) {
-    const ImVec2 size = size_of(o.theme, label.text);
-    const ImVec2 at(std::round(static_cast<float>(label.at.x()) - size.x / 2),
-                    std::round(static_cast<float>(label.at.y()) - size.y / 2));
-    const ImVec2 min(at.x - pad, at.y), max(at.x + size.x + pad, at.y + size.y);
-    // Nodes on cards, elements bare but for what sets them off: the two are told apart.
-    list.AddRectFilled(min, max, label.node ? palette().text : faded(palette().card, 0.8f),
-                       o.theme.px(3));
-    list.AddText(&font, font.FontSize, at, label.node ? palette().card : palette().text,
-                 label.text.c_str());
-    ui::note((label.node ? "id/n" : "id/e") + label.text, min, max);
-  }
+  for (const Label& label : labels_) draw_id_label(list, o.theme, label.drawn);
   if (!labels_.empty()) return;
   const ScreenPoint top = o.view.viewport().min;
-  const ImVec2 at(static_cast<float>(top.x()) + o.theme.px(12),
-                  static_cast<float>(top.y()) + o.theme.px(12));
-  draw_tag(list, o.theme, at, "Zoom in to see the numbers");
-  ui::note("id/none", at, ImVec2(at.x + 1, at.y + 1));
+  draw_no_id_labels(list, o.theme,
+                    ImVec2(static_cast<float>(top.x()) + o.theme.px(12),
+                           static_cast<float>(top.y()) + o.theme.px(12)));
 }
 
 }  // namespace winslow::gui

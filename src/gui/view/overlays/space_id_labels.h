@@ -3,10 +3,10 @@
 #include <imgui.h>
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "gui/view/mesh/volume_view.h"
+#include "gui/view/overlays/id_label_drawing.h"
 #include "gui/view/overlays/space_overlay.h"
 
 namespace winslow::gui {
@@ -19,10 +19,8 @@ class SpaceIdLabels {
 
  private:
   struct Label {
-    ScreenPoint at;  ///< middle of the text
+    IdLabel drawn;
     double depth = 0;
-    std::string text;
-    bool node = false;
     bool hidden = false;
   };
   /// What the labels depend on.

@@ -64,7 +64,8 @@ std::optional<Index> nearest_corner(const SeenPlace& seen, const Mesh& mesh) {
 std::optional<PivotSource> PivotPicker::source_at(const SeenPlace& seen, PivotFrom from,
                                                   std::optional<Index> first,
                                                   const Session& session) {
-  const Mesh mesh{session.topology(), session.coordinates()};
+  const auto shared = session.mesh().shared();
+  const Mesh& mesh = *shared;
   const std::vector<Index> face = seen_face(seen, mesh);
   if (face.empty()) return std::nullopt;
   if (from == PivotFrom::face) return PivotSource{from, face};

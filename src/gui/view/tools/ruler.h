@@ -1,11 +1,10 @@
 #pragma once
 
-#include <cstdint>
-#include <memory>
 #include <optional>
 #include <vector>
 
 #include "gui/document/session/session.h"
+#include "gui/view/tools/ruler_points.h"
 #include "gui/view/tools/viewport.h"
 
 namespace winslow::gui {
@@ -22,21 +21,15 @@ class Ruler {
   void update(const PointerState& pointer, std::optional<Index> snapped, double scale,
               const Session& session, const View& view);
   /// Takes all points away.
-  void clear();
+  void clear() { points_.clear(); }
 
   /// Clicked so far, three at most.
-  const std::vector<Point>& points() const { return points_; }
+  const std::vector<Point>& points() const { return points_.clicked(); }
   /// Those, and where the next click would put one.
-  std::vector<Point> drawn() const;
+  std::vector<Point> drawn() const { return points_.drawn(); }
 
  private:
-  void follow(const Session& session);
-
-  std::vector<Point> points_;
-  std::optional<Point> hovered_;
-  std::optional<ScreenPoint> press_;
-  bool was_down_ = false;
-  std::shared_ptr<const Topology> topology_;  // that the nodes are of
+  RulerPoints<Point> points_;
 };
 
 /// What two or three points measure, in units of the mesh and in degrees.

@@ -18,7 +18,7 @@ double way_of(const Rig& rig, const Mesh& before) {
 
 TEST_CASE(
     "a fast drag into another body shows valid meshes on the way, and keeps the last on release") {
-  const Mesh before = two_body_mesh(6);
+  const Mesh before = two_body_mesh(4);
   Rig rig;
   rig.open(before);
   const double asked = 4;  // to the middle of the right body: they touch after 3
@@ -52,7 +52,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a drag that is let go while the mesh is on its way goes as far as it can") {
-  const Mesh before = two_body_mesh(6);
+  const Mesh before = two_body_mesh(4);
   Rig rig;
   rig.open(before);
   rig.drag(rig.pixel(Vec2(-2, 0)), rig.pixel(Vec2(2, 0)), 3);

@@ -71,7 +71,7 @@ void check_same_mesh(const MeshState& a, const MeshState& b) {
 }  // namespace
 
 TEST_CASE("the studio follows layers in, back and forth, whatever is drawn") {
-  Rig rig;
+  Rig rig(800, 560);  // many pictures are drawn
   rig.open(ring_mesh());
   const Index nodes = rig.mesh().topology->node_count();
   for (const Comparison comparison : {Comparison::ghost, Comparison::split, Comparison::none}) {

@@ -173,11 +173,11 @@ TEST_CASE("no frame waits for the solver") {
   // An iteration takes several times as long as a frame. If frames waited for iterations there
   // would be another one published after every frame.
   Rig rig;
-  rig.open(ring_mesh(320, 120));
+  rig.open(ring_mesh(220, 90));
   rig.key(keys::space);
   int frames = 0;
   int within_an_iteration = 0;
-  while (rig.session().job().active() && iterations(rig) < 6) {
+  while (rig.session().job().active() && iterations(rig) < 4) {
     const int before = iterations(rig);
     rig.frames(1);
     ++frames;

@@ -78,6 +78,38 @@ TEST_CASE("where there is room for one column only, opening one folds the other"
   CHECK_FALSE(rig.bench->layout().columns.right_open);
 }
 
+TEST_CASE("in a low window nothing covers the handles that fold columns") {
+  Rig rig(760, 480);
+  rig.open(ring_mesh());
+  rig.bench->apply(action::RunSmooth{});  // its convergence is shown below the mesh
+  REQUIRE(rig.settle());
+  for (const char* handle : {"fold/left", "fold/right"}) {
+    INFO(handle);
+    if (!rig.visible(handle)) rig.click("open/tab/Quality");
+    rig.frames();
+    const auto place = rig.bench->widgets().find(handle);
+    REQUIRE(place.has_value());
+    const Area& v = rig.bench->layout().viewport;
+    CHECK(place->min.y() >= v.y);
+    CHECK(place->max.y() <= v.y + v.height);
+  }
+}
+
+TEST_CASE("a tab has its name in a column that is folded, too") {
+  Rig rig(760, 480);
+  rig.open(ring_mesh());
+  REQUIRE_FALSE(rig.bench->layout().columns.right_open);
+  for (const auto& [name, tab] :
+       {std::pair{"tab/vcv", SideTab::vcv}, std::pair{"tab/history", SideTab::history}}) {
+    rig.click(name);
+    rig.frames();
+    CHECK(rig.bench->layout().columns.right_open);
+    CHECK(rig.bench->view_control().options().side_tab == tab);
+    rig.key(GLFW_KEY_F3);
+    CHECK_FALSE(rig.bench->layout().columns.right_open);
+  }
+}
+
 TEST_CASE("folded columns and the place of the legend are remembered") {
   const TemporaryFolder home;
   {

@@ -1,11 +1,9 @@
-#include "core/inspect/space/section_order.h"
+#include "core/mesh/curve_order.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <string>
 #include <utility>
 
-#include "core/error.h"
 #include "core/parallel/parallel_for.h"
 
 namespace winslow {
@@ -21,18 +19,18 @@ std::uint64_t spread_bits(std::uint64_t bits) {
   return (bits | bits << 2U) & 0x1249249249249249U;
 }
 
-/// Nodes along the Z-order curve of the box around them.
-std::vector<Index> along_curve(const Mesh& mesh) {
-  const SpacePoints x(mesh.coordinates);
-  const Box<3> box = space_bounds(mesh);
+std::vector<Index> along_curve(const SpacePoints& x, Index node_count, const Box<3>& box) {
   constexpr double cells = (1U << 21U) - 1;
   const double unit = cells / std::max(box.size().maxCoeff(), 1e-300);
-  std::vector<std::pair<std::uint64_t, Index>> codes(at(mesh.coordinates.size()));
-  parallel_for(0, mesh.coordinates.size(), [&](Index begin, Index end) {
+  std::vector<std::pair<std::uint64_t, Index>> codes(at(node_count));
+  parallel_for(0, node_count, [&](Index begin, Index end) {
     for (Index i = begin; i < end; ++i) {
-      // Nodes that no element uses may lie outside the box.
-      const Vec3 cell = ((x[i] - box.min) * unit).cwiseMax(0).cwiseMin(cells);
-      const auto bits = [&](Index k) { return spread_bits(static_cast<std::uint64_t>(cell[k])); };
+      const Vec3 cell = (x[i] - box.min) * unit;
+      const auto bits = [&](Index k) {
+        // Written so that what is no number, of a box without end, becomes 0.
+        const double number = cell[k] > 0 ? std::min(cell[k], cells) : 0;
+        return spread_bits(static_cast<std::uint64_t>(number));
+      };
       codes[at(i)] = {bits(0) | bits(1) << 1U | bits(2) << 2U, i};
     }
   });
@@ -44,12 +42,12 @@ std::vector<Index> along_curve(const Mesh& mesh) {
 }
 
 /// Elements by the first of their nodes in the order, of which `places` are the inverse.
-std::vector<Index> by_first_node(const Topology& topology, const std::vector<Index>& places) {
-  std::vector<Index> first(at(topology.element_count()));
-  parallel_for(0, topology.element_count(), [&](Index begin, Index end) {
+std::vector<Index> by_first_node(const CompressedRows& corners, const std::vector<Index>& places) {
+  std::vector<Index> first(at(corners.rows()));
+  parallel_for(0, corners.rows(), [&](Index begin, Index end) {
     for (Index e = begin; e < end; ++e) {
-      Index least = topology.node_count();
-      for (const Index node : topology.element(e)) least = std::min(least, places[at(node)]);
+      Index least = static_cast<Index>(places.size());
+      for (const Index node : corners[e]) least = std::min(least, places[at(node)]);
       first[at(e)] = least;
     }
   });
@@ -64,21 +62,22 @@ std::vector<Index> by_first_node(const Topology& topology, const std::vector<Ind
 
 }  // namespace
 
-SectionOrder::SectionOrder(const Mesh& mesh) {
-  const Topology& topology = *mesh.topology;
-  if (topology.cell_dimension() != 3)
-    throw UsageError("cuts by a plane: only for a volume mesh, and this is a " +
-                     std::string(mesh_kind(topology)));
-  nodes = along_curve(mesh);
+CurveOrder::CurveOrder(const SpacePoints& x, Index node_count, const Box<3>& box,
+                       const CompressedRows& of_mesh)
+    : nodes(along_curve(x, node_count, box)) {
   std::vector<Index> places(nodes.size());
   for (std::size_t k = 0; k < nodes.size(); ++k) places[at(nodes[k])] = static_cast<Index>(k);
-  elements = by_first_node(topology, places);
+  elements = by_first_node(of_mesh, places);
   corners.offsets.reserve(elements.size() + 1);
-  corners.values.reserve(topology.elements().values.size());
-  for (const Index e : elements) {
-    for (const Index node : topology.element(e)) corners.values.push_back(places[at(node)]);
-    corners.end_row();
-  }
+  for (const Index e : elements)
+    corners.offsets.push_back(corners.offsets.back() + static_cast<Index>(of_mesh[e].size()));
+  corners.values.resize(at(corners.offsets.back()));
+  parallel_for(0, corners.rows(), [&](Index begin, Index end) {
+    for (Index e = begin; e < end; ++e) {
+      auto value = corners.values.begin() + corners.offsets[at(e)];
+      for (const Index node : of_mesh[elements[at(e)]]) *value++ = places[at(node)];
+    }
+  });
 }
 
 }  // namespace winslow
