@@ -97,7 +97,7 @@ class LiveMesh {
   Rebuilt rebuilt_;
 };
 
-/// A volume mesh is open.
+/// A volume mesh or a surface mesh is open.
 inline bool in_space(const LiveMesh& mesh) {
   return mesh.document() && mesh.document()->boundary();
 }

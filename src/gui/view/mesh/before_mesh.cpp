@@ -29,7 +29,7 @@ void BeforeMesh::update(const Session& session, const ViewOptions& view) {
   const bool values = view.comparison == Comparison::split && view.color;
   if (loaded_ && !values) return;
   // Compared with itself: nothing has changed yet.
-  const QualityMonitor::Wish wish{values ? view.color : std::nullopt, &now};
+  const QualityMonitor::Wish wish{values ? view.color : std::nullopt, &now, document_->given()};
   if (monitor_.wants(shape_, wish, false)) monitor_.request(shape_, state, wish, false);
 }
 
