@@ -76,7 +76,7 @@ PanelRegistry make_panels() {
   r.add(entry<StatusBar>("status", "Status", Region::status, all_meshes));
   r.add(entry<ZonePanel>("zone", "Zone", Region::left, all_meshes));
   r.add(entry<MarkersPanel>("markers", "Markers", Region::left, all_meshes));
-  r.add({"cuts", "Cuts", Region::left, volume_meshes, std::make_unique<CutsPanel>(),
+  r.add({"cuts", "Cuts", Region::left, all_meshes, std::make_unique<CutsPanel>(),
          [](const PanelContext& context) { return context.session.kind() == MeshKind::volume; }});
   r.add(of_movable(entry<OfEither<MotionPanel, SpaceMotionPanel>>("motion", "Move the selection",
                                                                   Region::left, movable_meshes)));
