@@ -3,8 +3,10 @@
 (needs numpy and gmsh 4.8)
 
 NAME is sphere, cylinder, torus, bumpy, saddle, part, quads or scan; without a name all are made, in a
-minute. Each is FOLDER/NAME.obj, the same from the same gmsh.
+minute. Each is FOLDER/NAME.obj, the same from the same gmsh; coarse/bumpy and coarse/part, which are in
+the repository, are compressed.
 """
+import gzip
 import subprocess
 import sys
 import tempfile
@@ -93,21 +95,27 @@ MESHES = {
     "quads": lambda: surface(BALL, 0.15, quads=True),
     "scan": lambda: scan(0.0173),
 }
+COARSE = {
+    "coarse/bumpy": lambda: bumpy(0.15),
+    "coarse/part": lambda: surface(PART, 0.28),
+}
 
 
-def write_obj(path, nodes, elements):
-    with open(path, "w", encoding="ascii") as out:
-        for x, y, z in nodes.tolist():
-            out.write(f"v {x!r} {y!r} {z!r}\n")
-        for element in elements:
-            out.write("f " + " ".join(str(i + 1) for i in element) + "\n")
+def obj_of(nodes, elements):
+    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in nodes.tolist()]
+    lines += ["f " + " ".join(str(i + 1) for i in element) for element in elements]
+    return "\n".join(lines) + "\n"
 
 
 def main():
     folder = Path(sys.argv[1])
     for name in sys.argv[2:] or MESHES:
-        nodes, elements = MESHES[name]()
-        write_obj(folder / f"{name}.obj", nodes, elements)
+        nodes, elements = (MESHES | COARSE)[name]()
+        text = obj_of(nodes, elements).encode("ascii")
+        if name in COARSE:
+            (folder / f"{name}.obj.gz").write_bytes(gzip.compress(text, 9, mtime=0))
+        else:
+            (folder / f"{name}.obj").write_bytes(text)
         print(name, len(nodes), "nodes,", len(elements), "elements")
 
 

@@ -22,6 +22,8 @@ CIRCLE = ROOT / "assets" / "circle.su2"
 SPHERE = ROOT / "assets" / "coarse" / "sphere.su2.gz"
 WING = ROOT / "assets" / "three_element.su2"
 WING_IN_SPACE = ROOT / "assets" / "coarse" / "wing.su2.gz"
+BUMPY = ROOT / "assets" / "coarse" / "bumpy.obj.gz"
+PART = ROOT / "assets" / "coarse" / "part.obj.gz"
 CUBE_IN_SPACE = ROOT / "assets" / "coarse" / "cube.su2.gz"
 # Seen from aslant, the y axis upright.
 ASLANT = "click tab/view\nclick view/up\nclick \"view/up/y axis\"\nkey 7\nclick tab/quality\n"
@@ -64,6 +66,10 @@ TOUR = {
     "isolate": (NACA, "click 0.5 0\nfill motion/rotate -90\nclick motion/apply\nwait\n"
                       "key Escape\nlook 0.5 0 1\nclick section/go_to\nclick section/worst\nwait 3\n"
                       "key I\nwait\nfill isolate/threshold 0.7\naway\nwait\n"),
+    "surface": (PART, "click menu/Edit\nwait 2\nclick menu/scramble\nwait\nkey Shift+N\nwait\nkey F\naway\nwait\n"),
+    "surface_deviation": (BUMPY, "click menu/Edit\nwait 2\nclick menu/scramble\nwait\nkey Space\nwait\n"
+                          "click tab/view\nclick view/color\nclick view/color/Deviation\n"
+                          "click tab/quality\nkey F\naway\nwait\n"),
     "volume": (WING_IN_SPACE, ASLANT + "look 0.5 0 0.4 0.75\naway\nwait\n"),
     "volume_layers": (WING_IN_SPACE, ASLANT + "key Shift+C\nclick peel/on\nclick peel/marker\n"
                       "click peel/marker/flap\nfill peel/from 2\nfill peel/to 4\n"

@@ -195,10 +195,12 @@ class VolumePictures(ProgramTest):
         for name in ("p.jpg", "p.eps"):
             run = self.winslow("render", "box.su2", "-o", name, code=USAGE)
             self.assertIn(".png, .svg or .pdf", run.stderr)
-        for args in (("--cut", 0, 0, 0, 0, 0, 1), ("--view", "+x"), ("--crinkle",), ("--hide", "body"),
-                     ("--isolate", .5), ("--perspective",), ("--vcv-kind", "equal")):
-            run = self.winslow("render", ring, "-o", "p.png", *args, code=USAGE)
-            self.assertIn(f"{args[0]}: only for a volume mesh", run.stderr)
+        of_volumes = (("--cut", 0, 0, 0, 0, 0, 1), ("--crinkle",), ("--hide", "body"), ("--vcv-kind", "equal"))
+        in_space = (("--view", "+x"), ("--isolate", .5), ("--perspective",))  # of surface meshes, too
+        for group, whose in ((of_volumes, "volume mesh"), (in_space, "mesh in space")):
+            for args in group:
+                run = self.winslow("render", ring, "-o", "p.png", *args, code=USAGE)
+                self.assertIn(f"{args[0]}: only for a {whose}", run.stderr)
         run = self.winslow("render", ring, "-o", "p.png", "--color", "volume", code=USAGE)
         self.assertIn("normalized_jacobian", run.stderr)
         self.assertEqual(self.files(), ["box.su2", "ring.su2"])

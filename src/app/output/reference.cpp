@@ -58,7 +58,10 @@ void print_table(std::ostream& out) {
 
 void print_fields(std::ostream& out) {
   out << "| field | in the report | meaning |\n|---|---|---|\n";
-  for (const ElementField& field : all_element_fields()) {
+  std::vector<ElementField> fields = all_element_fields();
+  for (const ElementField& field : all_element_fields(MeshKind::surface))
+    if (field.surface()) fields.push_back(field);
+  for (const ElementField& field : fields) {
     if (field.layer()) continue;  // a mesh file says nothing of layers
     const bool reported = field.metric() && metric_info(*field.metric()).reported;
     const FieldInfo& info = field_info(field);

@@ -163,8 +163,7 @@ class RenderSubcommand : public Subcommand {
     check_flags();
     const io::MeshFile file = io::read_mesh(flags_.input, {.zone = flags_.zone});
     check_volume_flags(app(), flags_, *file.mesh.topology);
-    const bool volume = file.mesh.topology->cell_dimension() == 3;
-    if (!volume) require_plane(*file.mesh.topology, "render");
+    const bool volume = file.mesh.topology->space_dimension() == 3;
     if (!flags_.quiet) {
       print_warnings(file.warnings);
       if (flags_.zone == 0) print_warnings(io::zones_left(file.details.get(), flags_.input));
@@ -215,7 +214,7 @@ class RenderSubcommand : public Subcommand {
     recipe->needs(frames);
     app()
         .add_option("--turntable", flags_.turntable,
-                    "Draw so many frames while the view turns once around a volume mesh, for "
+                    "Draw so many frames while the view turns once around a mesh in space, for "
                     "--frames")
         ->check(CLI::Range(2, 36000))
         ->type_name("N")
@@ -260,8 +259,8 @@ class RenderSubcommand : public Subcommand {
   void add_color_flags() {
     std::vector<std::string> names;
     // A mesh file says nothing of layers and of the heights that were wanted.
-    for (const int dimension : {2, 3}) {
-      for (const ElementField& f : all_element_fields(dimension)) {
+    for (const MeshKind kind : {MeshKind::plane, MeshKind::surface, MeshKind::volume}) {
+      for (const ElementField& f : all_element_fields(kind)) {
         const std::string name(field_info(f).name);
         if (!f.layer() && std::ranges::find(names, name) == names.end()) names.push_back(name);
       }
@@ -271,7 +270,7 @@ class RenderSubcommand : public Subcommand {
     auto* color = app()
                       .add_option("--color", flags_.color,
                                   "Colour elements by one of " + join(names) +
-                                      " [of a volume mesh: normalized_jacobian]")
+                                      " [in space: normalized_jacobian]")
                       ->check(one_of(names))
                       ->option_text("METRIC")
                       ->group(group);
@@ -312,7 +311,7 @@ class RenderSubcommand : public Subcommand {
     }
     if (!flags_.frames.empty() && flags_.recipe.empty() && flags_.turntable == 0) {
       throw UsageError(
-          "--frames is for the meshes of a --recipe, or for a --turntable around a volume mesh");
+          "--frames is for the meshes of a --recipe, or for a --turntable around a mesh in space");
     }
     if (!flags_.before.empty() && flags_.output.empty()) {
       throw UsageError("--before is for a picture: give one with -o PIC.png");
@@ -322,8 +321,9 @@ class RenderSubcommand : public Subcommand {
           "--before draws two pictures into one PNG file; for vector graphics draw them "
           "one by one");
     }
-    if (flags_.color == field_info(WallField::first_height_ratio).name && flags_.before.empty() &&
-        !flags_.output.empty()) {
+    const bool compares = flags_.color == field_info(WallField::first_height_ratio).name ||
+                          flags_.color == field_info(SurfaceField::deviation).name;
+    if (compares && flags_.before.empty() && !flags_.output.empty()) {
       throw UsageError("--color " + flags_.color +
                        " compares with an earlier mesh: give it with --before MESH");
     }

@@ -21,10 +21,10 @@ namespace {
 const std::vector<std::string> axes{"x", "y", "z"};
 
 constexpr std::array plane_only{"--bounds"};
-constexpr std::array volume_only{
-    "--cut",         "--no-cut",      "--crinkle",  "--isolate", "--view",       "--azimuth",
-    "--elevation",   "--perspective", "--centre",   "--show",    "--half-width", "--hide",
-    "--see-through", "--up",          "--vcv-kind", "--peel",    "--turntable"};
+constexpr std::array space_only{"--isolate", "--view",       "--azimuth",     "--elevation", "--up",
+                                "--centre",  "--half-width", "--perspective", "--turntable"};
+constexpr std::array volume_only{"--cut",  "--no-cut",      "--crinkle",  "--show",
+                                 "--hide", "--see-through", "--vcv-kind", "--peel"};
 
 const std::vector<std::string> vcv_kinds{"equal", "existing", "adjusted"};
 
@@ -60,7 +60,7 @@ void add_cut_flags(CLI::App& app, VolumeFlags& flags) {
 }
 
 void add_view_flags(CLI::App& app, VolumeFlags& flags) {
-  const char* group = "View (volume meshes)";
+  const char* group = "View (meshes in space)";
   app.add_option("--view", flags.view,
                  "Seen from: " + join(names_of_views()) + " [onto the cuts, turned aside a little]")
       ->check(one_of(names_of_views()))
@@ -151,15 +151,17 @@ std::optional<gui::ViewDirection> direction_of(const VolumeFlags& flags,
   return view;
 }
 
-gui::VolumePictureOptions volume_options(const RenderFlags& flags) {
+gui::VolumePictureOptions volume_options(const RenderFlags& flags, MeshKind kind) {
   const VolumeFlags& volume = flags.volume;
   gui::VolumePictureOptions options;
   options.width = flags.size[0];
   options.height = flags.size[1];
   if (flags.color == no_color)
     options.color.reset();
-  else if (!flags.color.empty())
-    options.color = parse_field(flags.color, 3);
+  else if (flags.color.empty())
+    options.color = ElementField(Metric::normalized_jacobian, cell_dimension_of(kind));
+  else
+    options.color = parse_field(flags.color, kind);
   options.colors = color_choice(flags);
   std::vector<Plane> cuts;
   for (const auto& c : volume.cuts)
@@ -190,8 +192,9 @@ gui::VolumePictureOptions volume_options(const RenderFlags& flags) {
 /// last, the range of colours spans the first and the last, and all of every one is seen.
 gui::VolumePictureOptions alike_options(const RenderFlags& flags,
                                         std::span<const Mesh* const> states) {
-  gui::VolumePictureOptions options = volume_options(flags);
   const Mesh &first = *states.front(), &last = *states.back();
+  gui::VolumePictureOptions options = volume_options(flags, kind_of(*first.topology));
+  if (is_surface(*first.topology)) options.given = std::make_shared<const Mesh>(first);
   if (!options.cuts && !options.isolate) options.cuts = gui::cuts_of_picture(last, options);
   Box<3> all = Box<3>::empty();
   for (const Mesh* state : states) all.add(gui::volume_picture_extent(*state, options));
@@ -214,16 +217,19 @@ void add_volume_flags(CLI::App& app, VolumeFlags& flags) {
 }
 
 void check_volume_flags(const CLI::App& app, const RenderFlags& flags, const Topology& topology) {
-  const bool volume = topology.cell_dimension() == 3;
-  const auto refuse = [&](std::span<const char* const> names, const char* kind) {
+  const MeshKind kind = kind_of(topology);
+  const auto refuse = [&](std::span<const char* const> names, const char* whose) {
     for (const char* name : names) {
       if (app.count(name) > 0)
-        throw UsageError(std::string(name) + ": only for a " + kind + " mesh, and this is a " +
+        throw UsageError(std::string(name) + ": only for a " + whose + ", and this is a " +
                          std::string(mesh_kind(topology)));
     }
   };
-  if (!volume) return refuse(volume_only, "volume");
-  refuse(plane_only, "plane");
+  if (kind != MeshKind::volume) refuse(volume_only, "volume mesh");
+  if (kind == MeshKind::plane) return refuse(space_only, "mesh in space");
+  refuse(plane_only, "plane mesh");
+  if (kind == MeshKind::surface && !flags.vcvs.empty())
+    throw UsageError("--vcv: not for a surface mesh, whose control volumes lie in no picture");
   const VolumeFlags& v = flags.volume;
   if (v.isolate && flags.color == no_color)
     throw UsageError("--isolate goes by the values of a metric, and --color none shows none");
@@ -236,16 +242,18 @@ void check_volume_flags(const CLI::App& app, const RenderFlags& flags, const Top
 #ifdef WINSLOW_HAS_GUI
 std::string draw_volume(const RenderFlags& flags, const Mesh& mesh) {
   if (!gui::is_vector_format(flags.output)) {
-    gui::write_png(flags.output, gui::draw_volume_picture(mesh, volume_options(flags)));
+    gui::write_png(flags.output,
+                   gui::draw_volume_picture(mesh, volume_options(flags, kind_of(*mesh.topology))));
     return {};
   }
-  const gui::VectorFigure figure = gui::volume_picture_figure(mesh, volume_options(flags));
+  const gui::VectorFigure figure =
+      gui::volume_picture_figure(mesh, volume_options(flags, kind_of(*mesh.topology)));
   gui::write_figure(flags.output, figure);
   return figure.scene->raster ? ", the mesh in it as pixels: too many faces are seen" : "";
 }
 
 std::string draw_turntable(const RenderFlags& flags, const Mesh& mesh) {
-  gui::VolumePictureOptions options = volume_options(flags);
+  gui::VolumePictureOptions options = volume_options(flags, kind_of(*mesh.topology));
   if (!options.view)
     options.view = gui::automatic_view(gui::cuts_of_picture(mesh, options), options.up);
   // From whatever side all of it has room, and has one size.

@@ -58,6 +58,18 @@ constexpr std::array layer_fields{
               .threshold = 0.01},
 };
 
+constexpr std::array surface_fields{
+    FieldInfo{.name = "deviation",
+              .label = "Deviation",
+              .help = "Largest distance of an element's nodes, the middles of its edges and its "
+                      "own from the surface as it was given, in units of the mesh. On a curved "
+                      "surface most of it is that between chords.",
+              .larger_is_better = false,
+              .colors = ColorRange::from_zero,
+              .threshold = 0,
+              .unit = "units of the mesh"},
+};
+
 double kappa_of(const NodalGradient& jacobian) {
   const auto s = singular_values(jacobian);
   return s[1] > 0 ? s[0] / s[1] : std::numeric_limits<double>::infinity();
@@ -163,27 +175,43 @@ std::vector<ElementField> plane_fields() {
 
 }  // namespace
 
-const std::vector<ElementField>& all_element_fields(int cell_dimension) {
+const std::vector<ElementField>& all_element_fields(MeshKind kind) {
   static const std::vector<ElementField> plane = plane_fields();
   static const std::vector<ElementField> volume = metric_fields(3);
-  return cell_dimension == 3 ? volume : plane;
+  static const std::vector<ElementField> surface = [] {
+    std::vector<ElementField> list = metric_fields(2);
+    list.emplace_back(SurfaceField::deviation);
+    return list;
+  }();
+  if (kind == MeshKind::surface) return surface;
+  return kind == MeshKind::volume ? volume : plane;
 }
 
 const FieldInfo& field_info(const ElementField& field) {
   if (field.layer()) return layer_fields[static_cast<std::size_t>(*field.layer())];
   if (field.wall()) return wall_field_info(*field.wall());
+  if (field.surface()) return surface_fields[static_cast<std::size_t>(*field.surface())];
   if (field.nodal()) return nodal_fields[static_cast<std::size_t>(*field.nodal())];
   return metric_info(*field.metric(), field.cell_dimension()).field;
 }
 
-ElementField parse_field(std::string_view name, int cell_dimension) {
+ElementField parse_field(std::string_view name, MeshKind kind) {
   std::string list;
-  for (const ElementField& field : all_element_fields(cell_dimension)) {
+  for (const ElementField& field : all_element_fields(kind)) {
     const std::string_view known = field_info(field).name;
     if (known == name) return field;
     list += (list.empty() ? "" : ", ") + std::string(known);
   }
   throw UsageError("found \"" + std::string(name) + "\", expected one of " + list);
+}
+
+std::vector<double> surface_values(const Mesh& mesh, const ElementField& field,
+                                   std::span<const Vec3> normals, const SurfaceDistance& given,
+                                   int threads) {
+  if (field.surface()) return element_distances(mesh, given, threads);
+  if (field.metric() && field.cell_dimension() == 2)
+    return element_values(mesh, *field.metric(), normals);
+  return {};
 }
 
 std::vector<double> element_values(const VirtualControlVolumes& vcv, const Coordinates& x,
@@ -194,6 +222,7 @@ std::vector<double> element_values(const VirtualControlVolumes& vcv, const Coord
   if (field.metric()) return element_values(Mesh{vcv.shared_topology(), x}, *field.metric());
   if (field.wall())
     return element_values(Mesh{vcv.shared_topology(), x}, *field.wall(), context.before);
+  if (field.surface()) return std::vector<double>(at(topology.element_count()), none);
   const NodalField nodal = *field.nodal();
   const std::vector<double> at_nodes = node_values(vcv, x, nodal, threads);
   std::vector<double> values(static_cast<std::size_t>(topology.element_count()), none);

@@ -1,5 +1,6 @@
 #include "core/inspect/nodal_view.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +13,58 @@ namespace winslow {
 namespace {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Neighbours of a node of a surface mesh, relative to it, its star laid flat.
+std::vector<Vec2> flat_star(const Coordinates& coordinates, Index node,
+                            std::span<const Index> neighbours) {
+  const SpacePoints x(coordinates);
+  const std::size_t n = neighbours.size();
+  std::vector<Vec3> edges;
+  for (const Index k : neighbours) edges.emplace_back(x[k] - x[node]);
+  std::vector<double> directions{0};
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec3 &a = edges[k], &b = edges[(k + 1) % n];
+    directions.push_back(directions.back() + std::atan2(a.cross(b).norm(), a.dot(b)));
+  }
+  const double scale = directions.back() > 0 ? 2 * pi / directions.back() : 1;
+  std::vector<Vec2> points;
+  for (std::size_t k = 0; k < n; ++k)
+    points.push_back(edges[k].norm() *
+                     Vec2(std::cos(scale * directions[k]), std::sin(scale * directions[k])));
+  return points;
+}
+
+/// A node with its neighbours as a mesh of their own: the node first.
+struct LocalStar {
+  Coordinates x;
+  std::vector<Index> neighbours;
+
+  explicit LocalStar(const std::vector<Vec2>& around)
+      : x(2, static_cast<Index>(around.size()) + 1) {
+    x.set_xy(0, Vec2(0, 0));
+    for (std::size_t k = 0; k < around.size(); ++k) {
+      neighbours.push_back(static_cast<Index>(k) + 1);
+      x.set_xy(neighbours.back(), around[k]);
+    }
+  }
+};
+
+/// What the operator makes of a star. node and neighbours: as x has them.
+void evaluate(const Coordinates& x, Index node, std::span<const Index> neighbours,
+              NodalView& view) {
+  std::vector<NeighbourFunctionals> functionals(neighbours.size());
+  compute_functionals(view.vcv.points, functionals);
+  view.gradient = nodal_gradient(x, node, neighbours, functionals);
+  view.singular_values = singular_values(view.gradient);
+  view.kappa = view.singular_values[1] > 0 ? view.singular_values[0] / view.singular_values[1]
+                                           : std::numeric_limits<double>::infinity();
+  view.coefficients = winslow_coefficients(view.gradient);
+  for (const auto& f : functionals) view.weights.push_back(winslow_weight(view.coefficients, f));
+  const NodalRow row = evaluate_row(x, node, neighbours, view.weights);
+  view.smallest_weight = row.smallest_weight(view.weights);
+  view.residual = row.residual;
+  view.scaled_residual = row.scaled();
+}
 
 }  // namespace
 
@@ -63,9 +116,14 @@ NodalView inspect_node(const VirtualControlVolumes& vcv, const Coordinates& x, I
   view.node = node;
   const auto neighbours = topology.neighbours(node);
   view.neighbours.assign(neighbours.begin(), neighbours.end());
-  view.position = x.xy(node);
+  const bool surface = is_surface(topology);
   std::vector<Vec2> around;
-  for (const Index k : neighbours) around.push_back(x.xy(k) - view.position);
+  if (surface) {
+    around = flat_star(x, node, neighbours);
+  } else {
+    view.position = x.xy(node);
+    for (const Index k : neighbours) around.push_back(x.xy(k) - view.position);
+  }
   view.physical = make_star(std::move(around));
   view.vcv = make_star(vcv_points(vcv.angles(node), vcv.lengths(node)));
   // The numbers as they were set, rather than worked out from points.
@@ -73,18 +131,12 @@ NodalView inspect_node(const VirtualControlVolumes& vcv, const Coordinates& x, I
   view.vcv.lengths.assign(vcv.lengths(node).begin(), vcv.lengths(node).end());
   view.edited = vcv.edited(node);
 
-  std::vector<NeighbourFunctionals> functionals(neighbours.size());
-  compute_functionals(view.vcv.points, functionals);
-  view.gradient = nodal_gradient(x, node, neighbours, functionals);
-  view.singular_values = singular_values(view.gradient);
-  view.kappa = view.singular_values[1] > 0 ? view.singular_values[0] / view.singular_values[1]
-                                           : std::numeric_limits<double>::infinity();
-  view.coefficients = winslow_coefficients(view.gradient);
-  for (const auto& f : functionals) view.weights.push_back(winslow_weight(view.coefficients, f));
-  const NodalRow row = evaluate_row(x, node, neighbours, view.weights);
-  view.smallest_weight = row.smallest_weight(view.weights);
-  view.residual = row.residual;
-  view.scaled_residual = row.scaled();
+  if (surface) {
+    const LocalStar flat(view.physical.points);
+    evaluate(flat.x, 0, flat.neighbours, view);
+  } else {
+    evaluate(x, node, neighbours, view);
+  }
   return view;
 }
 

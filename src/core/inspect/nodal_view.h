@@ -45,7 +45,9 @@ struct NodalView {
 /// that no element uses, or that does not exist.
 void require_inspectable(const Topology& topology, Index node);
 
-/// Throws as require_inspectable() does.
+/// Of a surface mesh the star is laid flat: its angles, each measured in its own triangle, are
+/// scaled to 360 degrees together, edge 0 lies on the positive x axis, and the node is at the
+/// origin. Throws as require_inspectable() does.
 NodalView inspect_node(const VirtualControlVolumes& vcv, const Coordinates& x, Index node);
 
 /// Angle (radians, counter-clockwise) by which a VCV is turned to lie over its physical star: that

@@ -7,7 +7,9 @@
 #include <optional>
 
 #include "core/error.h"
+#include "core/mesh/surface_faces.h"
 #include "core/problem/node_classes.h"
+#include "core/strategy/surface_shape.h"
 
 namespace winslow {
 
@@ -100,7 +102,47 @@ std::vector<unsigned char> marked(const Mesh& mesh, const std::vector<std::strin
   return flags;
 }
 
+/// Nodes of a surface mesh: all slide but for those on feature lines, or at corners of these.
+NodeRoles surface_roles(const MeshState& state, const SlideOptions& slide) {
+  const Topology& topology = *state.mesh.topology;
+  NodeRoles out;
+  NodeClasses classes(state.mesh.topology);
+  // A node that is held though it could slide, so that a sphere has one place to go to, is no
+  // corner.
+  std::vector<unsigned char> could_slide(at(topology.node_count()), 0);
+  try {
+    const auto shape = surface_shape(state, slide);
+    slide_on_surface(*shape, state.mesh.coordinates, classes);
+    for (const SlidingPart& part : shape->boundary.parts) {
+      out.found.push_back(part.description);
+      for (const Index node : part.nodes) could_slide[at(node)] = 1;
+    }
+  } catch (const Error& error) {
+    out.fault = error.what();
+    classes.set_fixed(topology.interior_nodes());
+  }
+  for (Index node = 0; node < topology.node_count(); ++node) {
+    out.roles.push_back(topology.used(node)
+                            ? role_of(classes[node], false, could_slide[at(node)] == 0)
+                            : NodeRole::fixed);
+    ++out.counts[static_cast<std::size_t>(out.roles.back())];
+  }
+  const std::vector<SurfaceFace> faces = boundary_faces(topology);
+  const SurfaceEdges edges = surface_edges(faces);
+  const SpacePoints x(state.mesh.coordinates);
+  const std::vector<unsigned char> sharp = feature_edges(x, faces, edges, slide.feature_angle);
+  for (std::size_t k = 0; k < sharp.size(); ++k)
+    if (sharp[k] != 0) out.features.push_back(edges.nodes[k]);
+  return out;
+}
+
 }  // namespace
+
+NodeRoles node_roles(const MeshState& state, const SlideOptions& slide,
+                     const std::vector<std::string>& moving) {
+  if (is_surface(*state.mesh.topology)) return surface_roles(state, slide);
+  return node_roles(state.mesh, slide, moving);
+}
 
 NodeRoles node_roles(const Mesh& mesh, const SlideOptions& slide,
                      const std::vector<std::string>& moving) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/mesh/mesh.h"
+#include "core/strategy/mesh_state.h"
 #include "core/strategy/slide_options.h"
 
 namespace winslow {
@@ -25,8 +26,8 @@ inline constexpr std::size_t node_role_count = 7;
 struct NodeRoles {
   std::vector<NodeRole> roles;  ///< #nodes; those of no element are fixed
   std::array<Index, node_role_count> counts{};
-  /// Edges of sliding markers of a volume mesh at which they turn by more than the feature angle,
-  /// end, or meet one another.
+  /// Edges of sliding markers of a volume mesh, or of a surface mesh, at which they turn by more
+  /// than the feature angle, end, or meet one another.
   std::vector<std::array<Index, 2>> features;
   /// What was recognised: "far: circle of radius 10", "lower and upper: translation by (0, 1)".
   std::vector<std::string> found;
@@ -34,6 +35,9 @@ struct NodeRoles {
   std::string fault;
 };
 
+/// The same of a state of any mesh; nodes of a surface mesh stay on the shape that it was given.
+NodeRoles node_roles(const MeshState& state, const SlideOptions& slide,
+                     const std::vector<std::string>& moving);
 /// moving: markers that a motion takes. Of a plane mesh or a volume mesh.
 NodeRoles node_roles(const Mesh& mesh, const SlideOptions& slide,
                      const std::vector<std::string>& moving);

@@ -45,6 +45,11 @@ std::vector<SurfaceFace> boundary_faces(const Topology& topology) {
 
 std::vector<SurfaceFace> outer_faces(const Topology& topology,
                                      std::span<const unsigned char> chosen) {
+  if (is_surface(topology)) {
+    std::vector<SurfaceFace> elements = boundary_faces(topology);
+    std::erase_if(elements, [&](const SurfaceFace& face) { return chosen[at(face.element)] == 0; });
+    return elements;
+  }
   require_volume(topology);
   const auto has = [&](Index e) { return e >= 0 && chosen[at(e)] != 0; };
   std::vector<SurfaceFace> faces;

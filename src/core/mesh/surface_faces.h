@@ -21,6 +21,7 @@ struct SurfaceFace {
 std::vector<SurfaceFace> boundary_faces(const Topology& topology);
 
 /// What bounds some elements of a volume mesh: their faces beyond which none of them lies. Closed.
+/// Of a surface mesh those elements themselves.
 /// chosen: not 0 for each of them (#elements). Markers are not looked up.
 std::vector<SurfaceFace> outer_faces(const Topology& topology,
                                      std::span<const unsigned char> chosen);

@@ -223,8 +223,9 @@ Index worst_element(const Mesh& mesh, Metric metric) {
   return static_cast<Index>(worst - values.begin());
 }
 
-double element_value(const Mesh& mesh, Index element, Metric metric) {
-  return value_of(mesh, {}, element, metric);
+double element_value(const Mesh& mesh, Index element, Metric metric,
+                     std::span<const Vec3> normals) {
+  return value_of(mesh, normals, element, metric);
 }
 
 namespace {

@@ -72,8 +72,9 @@ std::vector<double> element_values(const Mesh& mesh, Metric metric,
                                    std::span<const Vec3> normals = {});
 /// The element that is worst by a metric; the first of several. mesh: plane, with elements.
 Index worst_element(const Mesh& mesh, Metric metric);
-/// The value of one element.
-double element_value(const Mesh& mesh, Index element, Metric metric);
+/// The value of one element. normals: as in QualityOptions.
+double element_value(const Mesh& mesh, Index element, Metric metric,
+                     std::span<const Vec3> normals = {});
 
 /// Cheaper than a report. threads: 0 for all cores; the result does not depend on it.
 /// normals: of a surface mesh, as in QualityOptions.

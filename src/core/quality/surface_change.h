@@ -1,8 +1,10 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "core/mesh/mesh.h"
+#include "core/quality/surface_distance.h"
 
 namespace winslow {
 
@@ -24,6 +26,12 @@ struct SurfaceChange {
 /// threads: 0 for all cores; no result depends on it. Throws UsageError unless both are surface
 /// meshes.
 SurfaceChange compare_surfaces(const Mesh& before, const Mesh& after, int threads = 0);
+
+/// The same of a surface whose distances are known already. after_to_before: what
+/// element_distances() says of the mesh after.
+SurfaceChange compare_surfaces(const Mesh& before, const SurfaceDistance& to_before,
+                               const Mesh& after, std::span<const double> after_to_before,
+                               int threads = 0);
 
 /// The volume that a closed surface mesh encloses, positive if its elements face outwards.
 double enclosed_volume(const Mesh& mesh);

@@ -32,6 +32,15 @@ std::shared_ptr<const SurfaceShape> surface_shape(const MeshState& state,
   return shape;
 }
 
+std::shared_ptr<const SurfaceShape> own_shape(const Mesh& mesh) {
+  if (!is_surface(*mesh.topology)) return nullptr;
+  try {
+    return surface_shape(MeshState{mesh, nullptr}, {});
+  } catch (const UsageError&) {
+    return nullptr;
+  }
+}
+
 std::vector<Vec3> reference_normals(const MeshState& state, const Coordinates& x) {
   return state.surface ? state.surface->normals->at(x, 0) : std::vector<Vec3>();
 }

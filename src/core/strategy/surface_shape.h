@@ -27,6 +27,9 @@ struct SurfaceShape {
 std::shared_ptr<const SurfaceShape> surface_shape(const MeshState& state,
                                                   const SlideOptions& options);
 
+/// The shape that a surface mesh has as it is; null where none is found, and of other meshes.
+std::shared_ptr<const SurfaceShape> own_shape(const Mesh& mesh);
+
 /// Reference normals of the elements where x has them; empty if the state has no surface yet, or is
 /// of another kind of mesh.
 std::vector<Vec3> reference_normals(const MeshState& state, const Coordinates& x);

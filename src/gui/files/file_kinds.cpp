@@ -12,13 +12,17 @@ namespace winslow::gui {
 
 namespace {
 
-/// Formats that are there; those that can be written, of a mesh of that dimension, or all.
-std::vector<FileKind> mesh_kinds(std::optional<int> to_write) {
+bool writes(const io::MeshFormat& format, MeshKind kind) {
+  if (kind == MeshKind::surface) return format.writes_surfaces;
+  return kind == MeshKind::volume ? format.writes_volumes : format.writes_planes;
+}
+
+/// Formats that are there; those that can be written, of such a mesh, or all.
+std::vector<FileKind> mesh_kinds(std::optional<MeshKind> to_write) {
   std::vector<FileKind> kinds{{"All meshes", {}}};
   for (const io::MeshFormat* format : io::mesh_formats()) {
     if (!format->missing.empty()) continue;
-    const bool written = to_write == 3 ? format->writes_volumes : format->writes_planes;
-    if (to_write && !written) continue;
+    if (to_write && !writes(*format, *to_write)) continue;
     const std::string extension = '.' + std::string(format->name);
     kinds.front().extensions.push_back(extension);
     kinds.push_back({std::string(format->title), {extension}});
@@ -32,7 +36,7 @@ DialogKind single(const char* title, const char* label, const char* extension) {
 
 }  // namespace
 
-DialogKind dialog_of(FilePurpose purpose, int cell_dimension) {
+DialogKind dialog_of(FilePurpose purpose, MeshKind kind) {
   switch (purpose) {
     case FilePurpose::open_mesh: {
       DialogKind open{"Open a mesh", "Open", false, mesh_kinds({}), ""};
@@ -40,9 +44,9 @@ DialogKind dialog_of(FilePurpose purpose, int cell_dimension) {
       return open;
     }
     case FilePurpose::save_mesh:
-      return {"Save the mesh as", "Save", true, mesh_kinds(cell_dimension), ""};
+      return {"Save the mesh as", "Save", true, mesh_kinds(kind), ""};
     case FilePurpose::export_mesh:
-      return {"Export a copy of the mesh", "Export", true, mesh_kinds(cell_dimension), ""};
+      return {"Export a copy of the mesh", "Export", true, mesh_kinds(kind), ""};
     case FilePurpose::export_markers:
       return {"Export markers as curves",
               "Export",

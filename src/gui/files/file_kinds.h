@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "core/mesh/mesh_kind.h"
+
 namespace winslow::gui {
 
 /// Files that belong together in a dialog's filter: "Gmsh" has ".msh".
@@ -36,8 +38,8 @@ struct DialogKind {
   std::string default_extension;  ///< added to a name without one; empty: none is
   bool folders = false;           ///< a name without an extension stands for a folder to be made
 };
-/// cell_dimension: of the mesh that is to be written.
-DialogKind dialog_of(FilePurpose purpose, int cell_dimension = 2);
+/// kind: of the mesh that is to be written.
+DialogKind dialog_of(FilePurpose purpose, MeshKind kind = MeshKind::plane);
 
 /// The name is of this kind.
 bool matches(const FileKind& kind, const std::string& name);

@@ -16,10 +16,7 @@ std::optional<Mesh> mesh_in(const std::filesystem::path& file) {
       std::filesystem::file_size(file, failed) > MeshPreview::largest)
     return std::nullopt;
   try {
-    Mesh mesh = io::read_mesh(file).mesh;
-    // A surface in space has no picture yet.
-    const bool flat = mesh.topology->cell_dimension() == 2 && mesh.coordinates.dimension() == 3;
-    return flat ? std::nullopt : std::optional(std::move(mesh));
+    return io::read_mesh(file).mesh;
   } catch (const std::exception&) {
     return std::nullopt;  // opening it will say what is wrong
   }

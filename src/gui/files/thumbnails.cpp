@@ -87,7 +87,7 @@ std::vector<Thumbnails::Loaded> Thumbnails::read() {
 }
 
 Image Thumbnails::draw(const Mesh& mesh) {
-  if (mesh.topology->cell_dimension() == 3) return draw_volume(mesh);
+  if (mesh.topology->space_dimension() == 3) return draw_volume(mesh);
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   FrameBuffer buffer(width, height, 4);

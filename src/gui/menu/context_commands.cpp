@@ -18,8 +18,6 @@ namespace winslow::gui {
 
 namespace {
 
-constexpr const char* in_space_not_yet = "Not for volume meshes yet.";
-
 /// As many digits as tell places apart on a mesh far from the origin.
 std::string coordinates_text(const Vec2& point, const char* between) {
   std::array<char, 80> text{};
@@ -98,15 +96,17 @@ std::function<void(const PanelContext&)> change_looks(std::vector<Index> markers
   };
 }
 
-/// Asks first whether the mesh is a plane one.
-UserCommand::Text in_plane(UserCommand::Text blocked) {
-  return [blocked = std::move(blocked)](const PanelContext& c) -> std::string {
-    return c.session.in_space() ? in_space_not_yet : blocked(c);
+/// Asks first whether the mesh is of such a kind.
+UserCommand::Text for_meshes(MeshKinds kinds, UserCommand::Text blocked) {
+  return [kinds, blocked = std::move(blocked)](const PanelContext& c) -> std::string {
+    std::string reason = why_not_served(kinds, c);
+    return reason.empty() ? blocked(c) : reason;
   };
 }
 
 std::vector<UserCommand> moving(const std::vector<Index>& markers) {
   const auto blocked = blocked_by_lock(markers);
+  const auto moves = for_meshes(movable_meshes, blocked);
   return {
       {.id = "body/select",
        .label = "Select",
@@ -119,7 +119,7 @@ std::vector<UserCommand> moving(const std::vector<Index>& markers) {
       {.id = "body/move",
        .label = "Move...",
        .tooltip = "Type how far it moves, and press Enter.",
-       .blocked = blocked,
+       .blocked = moves,
        .run =
            [markers](const PanelContext& c) {
              c.emit(action::SelectMarkers{markers, false});
@@ -128,24 +128,25 @@ std::vector<UserCommand> moving(const std::vector<Index>& markers) {
       {.id = "body/rotate",
        .label = "Rotate...",
        .tooltip = "Type by how many degrees it turns, and press Enter.",
-       .blocked = blocked,
+       .blocked = moves,
        .run = select_and_edit(markers, "motion/rotate")},
       {.id = "body/deform",
        .label = "Deform by a sine...",
        .tooltip = "Type a sine that bends it.",
-       .blocked = blocked,
+       .blocked = moves,
        .run = select_and_edit(markers, "shape/amplitude")},
       {.id = "body/layers",
        .label = "Insert layers...",
        .tooltip = "Say how many layers it gets, and how high they are.",
-       .blocked = in_plane(while_busy),
+       .blocked = for_meshes(plane_meshes, while_busy),
        .run = select_and_edit(markers, "layers/count"),
        .starts_section = true},
       {.id = "body/hold_layers",
        .label = "Hold layers",
        .tooltip = "Keep the heights that its layers have, whatever moves.",
        .blocked =
-           in_plane([markers](const PanelContext& c) { return cannot_hold_layers(c, markers); }),
+           for_meshes(plane_meshes,
+                      [markers](const PanelContext& c) { return cannot_hold_layers(c, markers); }),
        .run = [markers](const PanelContext& c) { hold_layers(c, markers); }},
   };
 }
@@ -199,6 +200,7 @@ std::vector<UserCommand> looking(const PanelContext& context, const std::vector<
        .tooltip = "The marker whose nodes are the images of its own, shifted or turned: they then "
                   "move together. Where they do not match, it is said which do not.",
        .blocked = [markers](const PanelContext& c) -> std::string {
+         if (std::string reason = why_not_served(movable_meshes, c); !reason.empty()) return reason;
          if (std::string busy = while_busy(c); !busy.empty()) return busy;
          if (markers.size() > 1) return "Of one marker at a time.";
          return c.topology()->markers().size() < 2 ? "There is no other marker." : "";
@@ -208,7 +210,7 @@ std::vector<UserCommand> looking(const PanelContext& context, const std::vector<
       {.id = "body/export",
        .label = "Export as curve...",
        .tooltip = "Write its nodes as a table, points or VTK lines.",
-       .blocked = in_plane(without_mesh),
+       .blocked = for_meshes(plane_meshes, without_mesh),
        .run =
            [markers](const PanelContext& c) {
              c.emit(action::SelectMarkers{markers, false});
@@ -238,7 +240,14 @@ ContextPart of_node(const PanelContext& context, Index node) {
                    {.id = "node/pin",
                     .label = "Pin its control volume",
                     .tooltip = "Keep it drawn over the mesh, in pictures, too.",
-                    .blocked = boundary,
+                    .blocked =
+                        [boundary](const PanelContext& c) {
+                          return c.session.kind() == MeshKind::surface
+                                     ? std::string(
+                                           "Not for surface meshes: control volumes are "
+                                           "drawn in the tab VCV alone.")
+                                     : boundary(c);
+                        },
                     .checked = [pinned](const PanelContext&) { return pinned; },
                     .run =
                         [node, pinned](const PanelContext& c) {
@@ -258,7 +267,7 @@ ContextPart of_element(const PanelContext& context, Index element) {
   const MeshItem item{MeshItem::Kind::element, element};
   const Metric* coloured = context.view.color ? context.view.color->metric() : nullptr;
   const Metric metric = coloured ? *coloured : Metric::normalized_jacobian;
-  const int dimension = context.session.in_space() ? 3 : 2;
+  const int dimension = cell_dimension_of(context.session.kind());
   const auto shared = context.session.mesh().shared();
   const Mesh& mesh = *shared;
   const double value = element_value(mesh, element, metric);
@@ -290,7 +299,7 @@ ContextPart of_element(const PanelContext& context, Index element) {
                           });
                         }},
                    copying("element/copy_id", "Copy element number", std::to_string(element))};
-  if (dimension == 3) part.commands.push_back(describing("element/describe", item));
+  if (context.session.in_space()) part.commands.push_back(describing("element/describe", item));
   return part;
 }
 
@@ -308,10 +317,11 @@ ContextPart of_face(const PanelContext& context, Index face) {
   return part;
 }
 
-/// What the place of a volume mesh is good for.
+/// What a place of a mesh in space is good for.
 std::vector<UserCommand> in_space(const std::array<Vec3, 2>& place) {
   const Vec3 &point = place[0], &normal = place[1];
   const auto full = [](const PanelContext& c) -> std::string {
+    if (std::string reason = why_not_served(volume_meshes, c); !reason.empty()) return reason;
     return c.view.space.cuts.size() < most_cuts ? "" : "There are six cuts already.";
   };
   return {{.id = "place/cut_along",

@@ -83,7 +83,7 @@ std::vector<UserCommand> bundled(const PanelContext&) {
 std::vector<UserCommand> export_formats(const PanelContext& context) {
   std::vector<UserCommand> items;
   const auto add = [&](FilePurpose purpose, const char* what) {
-    for (const FileKind& kind : dialog_of(purpose, context.session.in_space() ? 3 : 2).kinds) {
+    for (const FileKind& kind : dialog_of(purpose, context.session.kind()).kinds) {
       if (kind.extensions.size() != 1) continue;
       const std::string& extension = kind.extensions[0];
       items.push_back({.id = what + extension,

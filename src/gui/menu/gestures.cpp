@@ -5,8 +5,9 @@
 namespace winslow::gui {
 
 std::span<const Gesture> mouse_gestures() {
-  constexpr MeshScope plane = MeshScope::plane, space = MeshScope::space;
-  static constexpr std::array<Gesture, 40> gestures{
+  constexpr MeshKinds plane = plane_meshes, volume = volume_meshes, space = meshes_in_space;
+  constexpr MeshKinds surface{MeshKind::surface};
+  static constexpr std::array<Gesture, 41> gestures{
       {{"Click a body", "select it", plane},
        {"Ctrl or Shift + click", "add to the selection"},
        {"Double click a body", "zoom to it, also in the list", plane},
@@ -27,23 +28,24 @@ std::span<const Gesture> mouse_gestures() {
        {"Alt + click a node", "inspect it; in tab VCV a click"},
        {"Wheel", "zoom at the cursor"},
        {"Ctrl + right drag", "zoom to a box"},
-       {"Click a surface", "select its marker", space},
-       {"Click a cut", "its element", space},
-       {"Double click a surface", "zoom to it", space},
+       {"Click a surface", "select its marker", volume},
+       {"Click a cut", "its element", volume},
+       {"Click the surface", "the element there", surface},
+       {"Double click a surface", "zoom to it", volume},
        {"Left drag", "turn about what is there (T: freely)", space},
        {"Alt + click", "the node there", space},
        {"Middle, right, Shift + left", "pan", space},
-       {"Drag an arrow", "move along it", space},
-       {"Drag a small square", "move in its plane", space},
-       {"Drag a ring", "turn about its axis", space},
-       {"Drag the disc", "move across the view", space},
-       {"... with Ctrl, Shift", "in steps, slowly", space},
-       {"X, Y, Z in a drag", "that axis alone, or back", space},
-       {"30 Enter in a drag", "by just 30; Tab: the next", space},
-       {"Drag a node (E)", "change the shape", space},
-       {"Shift + click a node or face (E)", "hold it as well", space},
-       {"Drag a cut's arrow", "move the cut", space},
-       {"Drag the arrow's ball", "turn the cut", space},
+       {"Drag an arrow", "move along it", volume},
+       {"Drag a small square", "move in its plane", volume},
+       {"Drag a ring", "turn about its axis", volume},
+       {"Drag the disc", "move across the view", volume},
+       {"... with Ctrl, Shift", "in steps, slowly", volume},
+       {"X, Y, Z in a drag", "that axis alone, or back", volume},
+       {"30 Enter in a drag", "by just 30; Tab: the next", volume},
+       {"Drag a node (E)", "change the shape", volume},
+       {"Shift + click a node or face (E)", "hold it as well", volume},
+       {"Drag a cut's arrow", "move the cut", volume},
+       {"Drag the arrow's ball", "turn the cut", volume},
        {"Esc in a drag", "as it was before", space},
        {"Drag the legend", "to another side or corner"},
        {"Line in the legend", "threshold of what is isolated"}}};

@@ -10,7 +10,7 @@ namespace winslow::gui {
 struct Gesture {
   const char* how;
   const char* what;
-  MeshScope scope = MeshScope::any;
+  MeshKinds serves = all_meshes;
 };
 std::span<const Gesture> mouse_gestures();
 

@@ -126,7 +126,7 @@ std::vector<UserCommand> moving_commands() {
          return c.session.selection().space().pick() ? "" : "No pivot is being picked.";
        },
        .run = [](const PanelContext& c) { c.emit(action::PickPivot{}); },
-       .scope = MeshScope::space},
+       .serves = volume_meshes},
       {.id = "move_body",
        .label = "Move",
        .group = motion_group,

@@ -107,7 +107,11 @@ std::vector<UserCommand> space_commands() {
        .label = "Worst elements through the mesh",
        .tooltip = "Draw the elements of the list of worst ones through what hides them.",
        .words = "bad quality"}));
-  for (UserCommand& command : all) command.scope = MeshScope::space;
+  for (UserCommand& command : all) {
+    const bool cuts =
+        command.id == "add_cut" || command.id == "remove_cuts" || command.id == "crinkle";
+    command.serves = cuts ? volume_meshes : meshes_in_space;
+  }
   return all;
 }
 

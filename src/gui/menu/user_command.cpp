@@ -17,6 +17,10 @@ constexpr std::array<std::string_view, 11> of_planes{
     "directions",   "insert_layers", "respace_layers", "hold_layers",
     "layers_panel", "color_layers",  "color_spacing"};
 
+/// What moves or bends a boundary: a surface keeps its shape.
+constexpr std::array<std::string_view, 8> of_motions{
+    "move", "rotate", "pivot", "move_body", "rotate_body", "shape_edit", "shape_done", "deform"};
+
 }  // namespace
 
 const std::vector<UserCommand>& user_commands() {
@@ -26,9 +30,12 @@ const std::vector<UserCommand>& user_commands() {
          {file_commands, edit_commands, motion_commands, layer_commands, solver_commands,
           view_commands, space_commands, help_commands, demo_commands}) {
       auto group = make();
-      for (UserCommand& command : group)
+      for (UserCommand& command : group) {
         if (std::ranges::find(of_planes, command.id) != of_planes.end())
-          command.scope = MeshScope::plane;
+          command.serves = plane_meshes;
+        if (std::ranges::find(of_motions, command.id) != of_motions.end())
+          command.serves = movable_meshes;
+      }
       std::move(group.begin(), group.end(), std::back_inserter(commands));
     }
     return commands;
@@ -63,11 +70,22 @@ std::string_view group_label(CommandGroup group) {
   return "";
 }
 
+std::string why_not_served(MeshKinds serves, const PanelContext& context) {
+  const MeshKind kind = context.session.kind();
+  if (!context.session.document() || serves.contains(kind)) return {};
+  const bool of_surfaces = serves.contains(MeshKind::surface);
+  const bool of_volumes = serves.contains(MeshKind::volume);
+  if (kind == MeshKind::plane)
+    return of_surfaces ? "Only for surface and volume meshes." : "Only for volume meshes.";
+  if (kind == MeshKind::volume) return "Not for volume meshes yet.";
+  if (!of_volumes) return "Not for surface meshes.";
+  return serves.contains(MeshKind::plane)
+             ? "Not for surface meshes: the surface keeps its shape, and nodes move on it."
+             : "Only for volume meshes: a surface mesh has nothing inside.";
+}
+
 std::string why_blocked(const UserCommand& command, const PanelContext& context) {
-  const bool in_space = context.session.in_space();
-  if (command.scope == MeshScope::plane && in_space) return "Not for volume meshes yet.";
-  if (command.scope == MeshScope::space && context.session.document() && !in_space)
-    return "Only for volume meshes.";
+  if (std::string reason = why_not_served(command.serves, context); !reason.empty()) return reason;
   return command.blocked ? command.blocked(context) : std::string();
 }
 

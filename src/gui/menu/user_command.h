@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gui/base/mesh_kinds.h"
 #include "gui/menu/chord.h"
 #include "gui/menu/panel_context.h"
 
@@ -25,9 +26,6 @@ inline constexpr std::array<CommandGroup, 7> command_groups{
     CommandGroup::file,   CommandGroup::edit, CommandGroup::motion, CommandGroup::layers,
     CommandGroup::solver, CommandGroup::view, CommandGroup::help};
 
-/// The meshes that a command or a gesture is for.
-enum class MeshScope { any, plane, space };
-
 struct UserCommand {
   using Test = std::function<bool(const PanelContext&)>;
   using Text = std::function<std::string(const PanelContext&)>;
@@ -46,7 +44,7 @@ struct UserCommand {
   /// Emits what is to happen. Called only when it is not blocked.
   std::function<void(const PanelContext&)> run = {};
   /// Of other meshes it is blocked, before `blocked` is asked.
-  MeshScope scope = MeshScope::any;
+  MeshKinds serves = all_meshes;
   Text label_now = {};  ///< label that says what would happen ("Undo: Smooth"); null: `label`
   bool starts_section = false;  ///< a line above it in the menu
   /// A submenu: what it holds now, in place of `run`. The palette lists them one by one.
@@ -59,6 +57,9 @@ const std::vector<UserCommand>& user_commands();
 const UserCommand& user_command(std::string_view id);
 
 std::string_view group_label(CommandGroup group);
+/// Why something that is for such meshes cannot be done to the one that is open, as a sentence;
+/// empty: it can, or none is open.
+std::string why_not_served(MeshKinds serves, const PanelContext& context);
 /// Empty if it can be done now.
 std::string why_blocked(const UserCommand& command, const PanelContext& context);
 std::string label_of(const UserCommand& command, const PanelContext& context);

@@ -6,6 +6,16 @@
 
 namespace winslow::gui {
 
+namespace {
+
+const char* hint_of(MeshKind kind) {
+  if (kind == MeshKind::plane) return "n123, e45, 0.5, 0.1 ...";
+  return kind == MeshKind::volume ? "n123, e45, f12, 0.5, 0.1, 2 ..."
+                                  : "n123, e45, 0.5, 0.1, 2 ...";
+}
+
+}  // namespace
+
 void GoToPanel::draw(const PanelContext& context) {
   if (!context.session.document()) return;
   // Asked for by its key, the field must not be folded away.
@@ -32,9 +42,7 @@ void GoToPanel::draw_field(const PanelContext& context) {
                           ImGui::GetStyle().ItemInnerSpacing.x);
   // What is typed next is another place, not more of the last one.
   bool wanted = ImGui::InputTextWithHint(
-      "##go_to",
-      context.session.in_space() ? "n123, e45, f12, 0.5, 0.1, 2 ..." : "n123, e45, 0.5, 0.1 ...",
-      text_.data(), text_.size(),
+      "##go_to", hint_of(context.session.kind()), text_.data(), text_.size(),
       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   ui::note("go_to/field");
   ui::tooltip(tip);

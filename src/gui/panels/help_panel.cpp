@@ -23,23 +23,19 @@ struct Block {
   std::vector<Line> lines;
 };
 
-/// What is for meshes of the other kind is left out.
-bool concerns(MeshScope scope, bool in_space) {
-  return scope == MeshScope::any || (scope == MeshScope::space) == in_space;
-}
-
-std::vector<Block> blocks(bool in_space) {
+/// What is for meshes of another kind is left out.
+std::vector<Block> blocks(MeshKind kind) {
   std::vector<Block> all;
   for (const CommandGroup group : command_groups) {
     Block block{std::string(group_label(group)), {}};
     for (const UserCommand& command : user_commands())
-      if (command.group == group && !command.keys.empty() && concerns(command.scope, in_space))
+      if (command.group == group && !command.keys.empty() && command.serves.contains(kind))
         block.lines.push_back({chords_text(command.keys), command.label});
     if (!block.lines.empty()) all.push_back(std::move(block));
   }
   Block mouse{"Mouse", {}};
   for (const Gesture& gesture : mouse_gestures())
-    if (concerns(gesture.scope, in_space)) mouse.lines.push_back({gesture.how, gesture.what});
+    if (gesture.serves.contains(kind)) mouse.lines.push_back({gesture.how, gesture.what});
   all.push_back(std::move(mouse));
   return all;
 }
@@ -106,7 +102,7 @@ void HelpPanel::draw(const PanelContext& context) {
     const float width =
         std::min(theme.px(340), (0.96f * screen.x - 2 * theme.px(20) - (n - 1) * gap) / n);
     ImGui::PushFont(theme.small);
-    for (const auto& column : columns_of(blocks(context.session.in_space()), count)) {
+    for (const auto& column : columns_of(blocks(context.session.kind()), count)) {
       ImGui::BeginGroup();
       for (const Block& block : column) {
         ImGui::BeginGroup();

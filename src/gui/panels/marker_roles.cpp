@@ -97,26 +97,48 @@ void MarkerRoles::draw_word(const PanelContext& context, Index marker, const Pla
   draw_pill(context.theme, role, over, place);
 }
 
+void MarkerRoles::draw_angle(const PanelContext& context, SlideOptions slide) {
+  const MeshKind kind = context.session.kind();
+  const bool surface = kind == MeshKind::surface;
+  const char* tip =
+      surface
+          ? "Edges at which the surface turns by more than this are feature lines: their nodes "
+            "stay, or slide along them. They are drawn thick in the picture."
+          : "Where a sliding marker turns by more than this is a corner or an edge, whose nodes "
+            "stay. While it is edited, these are drawn.";
+  ui::row("Feature angle", tip);
+  if (ui::number("markers/feature_angle", slide.feature_angle, tip, "%.6g\xC2\xB0") &&
+      slide.feature_angle >= 0 && slide.feature_angle <= 180)
+    edit_slide(context, slide);
+  // Of a surface feature lines are always drawn.
+  const bool editing = !surface && ImGui::IsItemActive();
+  if (kind != MeshKind::plane &&
+      ui::checkbox("markers/features", surface ? "Slide along feature lines" : "Slide along edges",
+                   slide.features,
+                   surface ? "Nodes of feature lines and of the border slide along the curve "
+                             "through them; off: they stay."
+                           : "Nodes slide along the edges in which sliding surfaces meet; off: "
+                             "they stay."))
+    edit_slide(context, slide);
+  show_preview(context, editing);
+}
+
+void MarkerRoles::show_preview(const PanelContext& context, bool on) {
+  if (on != previewed_) context.emit(action::PreviewRoles{on});
+  previewed_ = on;
+}
+
 void MarkerRoles::draw_settings(const PanelContext& context) {
-  SlideOptions slide = context.session.jobs().smooth_options().slide;
-  bool editing = false;
-  if (!slide.markers.empty()) {
-    constexpr const char* tip =
-        "Where a sliding marker turns by more than this is a corner or an edge, whose nodes stay. "
-        "While it is edited, these are drawn.";
-    ui::row("Feature angle", tip);
-    if (ui::number("markers/feature_angle", slide.feature_angle, tip, "%.6g\xC2\xB0") &&
-        slide.feature_angle >= 0 && slide.feature_angle <= 180)
-      edit_slide(context, slide);
-    editing = ImGui::IsItemActive();
-    if (context.session.in_space() &&
-        ui::checkbox("markers/features", "Slide along edges", slide.features,
-                     "Nodes slide along the edges in which sliding surfaces meet; off: they stay."))
-      edit_slide(context, slide);
-  }
-  if (editing != previewed_) context.emit(action::PreviewRoles{editing});
-  previewed_ = editing;
-  if (!slide.given()) return;
+  const SlideOptions& slide = context.session.jobs().smooth_options().slide;
+  const bool surface = context.session.kind() == MeshKind::surface;
+  if (surface || !slide.markers.empty())
+    draw_angle(context, slide);
+  else
+    show_preview(context, false);
+  if (surface || slide.given()) draw_found(context);
+}
+
+void MarkerRoles::draw_found(const PanelContext& context) {
   const auto roles = boundary_roles(context.session).find();
   if (roles && !roles->fault.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette().danger);
@@ -126,8 +148,11 @@ void MarkerRoles::draw_settings(const PanelContext& context) {
   }
   bool shown = context.view.roles;
   std::string tip = "Nodes in colours by what they do while the mesh is smoothed.";
+  constexpr std::size_t most = 12;
   if (roles)
-    for (const std::string& found : roles->found) tip += "\n" + found;
+    for (std::size_t k = 0; k < roles->found.size() && k < most; ++k) tip += "\n" + roles->found[k];
+  if (roles && roles->found.size() > most)
+    tip += "\nand " + std::to_string(roles->found.size() - most) + " more";
   if (ui::checkbox("markers/roles", "Show what nodes do", shown, tip))
     context.edit_view([&](ViewOptions& view) { view.roles = shown; });
 }

@@ -23,6 +23,10 @@ class MarkerRoles {
   void draw_settings(const PanelContext& context);
 
  private:
+  void draw_angle(const PanelContext& context, SlideOptions slide);
+  void draw_found(const PanelContext& context);
+  void show_preview(const PanelContext& context, bool on);
+
   bool previewed_ = false;
 };
 

@@ -103,16 +103,38 @@ void draw_name(const std::string& name, bool hidden, const Theme& theme, const R
                                       hidden ? palette().text_faint : palette().text, text.c_str());
 }
 
+std::string tip_of_row(const PanelContext& context, const Marker& marker, bool locked) {
+  const MeshKind kind = context.session.kind();
+  std::string tip = "Click to select " + marker.name;
+  if (locked)
+    tip = marker.name + " is locked: unlock it to select it.";
+  else if (kind == MeshKind::surface)
+    tip += ". A double click looks at it, a right click offers more.";
+  else
+    tip +=
+        ": selected bodies move, the others stay. Ctrl+click adds or removes, a double click "
+        "looks at it, a right click offers more.";
+  return tip + "\n" + counted(marker.faces.size(), kind == MeshKind::volume ? "face" : "edge") +
+         ", tag " + std::to_string(marker.tag);
+}
+
 }  // namespace
 
 void MarkersPanel::draw(const PanelContext& context) {
-  if (!ui::section("section/markers", "Bodies and markers")) return;
+  const bool surface = context.session.kind() == MeshKind::surface;
+  if (!ui::section("section/markers", surface ? "Borders and features" : "Bodies and markers"))
+    return;
   const Topology* topology = context.topology();
   if (!topology) {
     ui::text_dim("No mesh is open.");
     return;
   }
   const auto count = static_cast<Index>(topology->markers().size());
+  if (count == 0 && surface) {
+    ui::text_wrapped("The surface is closed: it has no border.");
+    ui::note("markers/closed");
+    return roles_.draw_settings(context);
+  }
   if (!topology->markers().from_file())
     ui::text_wrapped("The file names no markers; each boundary loop is listed as one.");
   const float row = ImGui::GetTextLineHeight() + 2 * context.theme.px(6);
@@ -163,19 +185,16 @@ void MarkersPanel::draw_row(const PanelContext& context, Index marker) {
                      context.theme.px(3));
 
   const float tools = draw_row_buttons(context, marker, start, end);
-  const float role = tools - MarkerRoles::width(context.theme);
-  MarkerRoles::draw_word(context, marker, {ImVec2(role, start.y), ImVec2(tools, end.y)});
+  // The border of a surface has no role: features tell what its nodes do.
+  const bool surface = context.session.kind() == MeshKind::surface;
+  const float role = surface ? tools : tools - MarkerRoles::width(context.theme);
+  if (!surface)
+    MarkerRoles::draw_word(context, marker, {ImVec2(role, start.y), ImVec2(tools, end.y)});
   ImGui::SetCursorScreenPos(ImVec2(start.x + side, start.y));
   const bool pressed = ImGui::InvisibleButton("row", ImVec2(role - start.x - side, side));
   ui::note("marker/" + data.name);
   const bool over = ImGui::IsItemHovered();
-  ui::tooltip((look.locked ? data.name + " is locked: unlock it to select it.\n"
-                           : "Click to select " + data.name +
-                                 ": selected bodies move, the others stay. Ctrl+click adds or "
-                                 "removes, a double click looks at it, a right click offers "
-                                 "more.\n") +
-              counted(data.faces.size(), context.session.in_space() ? "face" : "edge") + ", tag " +
-              std::to_string(data.tag));
+  ui::tooltip(tip_of_row(context, data, look.locked));
   const bool asked = ImGui::IsItemClicked(ImGuiMouseButton_Right);
   ImGui::PopID();
   if (asked) context.emit(action::ShowContextMenu{PickedPlace{{}, {marker}, {}, {}}});
@@ -250,7 +269,7 @@ bool MarkersPanel::draw_colors(const PanelContext& context) {
           "marker_color/automatic", "Automatic colour",
           {"The colour that it has by its place in the list.", ui::ButtonStyle::normal, true, -1}))
     paint({});
-  if (context.session.in_space()) draw_surface(context, *marker);
+  if (context.session.kind() == MeshKind::volume) draw_surface(context, *marker);
   ImGui::EndPopup();
   return other;
 }

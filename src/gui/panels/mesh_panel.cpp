@@ -119,7 +119,8 @@ void MeshPanel::draw_sizes(const PanelContext& context) const {
   const Topology& topology = *context.topology();
   line("Nodes", grouped(topology.node_count()), "All nodes of the mesh.");
   line("  on the boundary", grouped(counts_.boundary_nodes),
-       in_space ? "Nodes of boundary faces." : "Nodes of boundary edges.");
+       context.session.kind() == MeshKind::volume ? "Nodes of boundary faces."
+                                                  : "Nodes of boundary edges.");
   if (counts_.unused_nodes > 0)
     line("  unused", grouped(counts_.unused_nodes), "Nodes that no element has.");
   line("Elements", grouped(topology.element_count()), "All elements of the mesh.");
@@ -135,19 +136,20 @@ void MeshPanel::draw_sizes(const PanelContext& context) const {
 void MeshPanel::draw_markers(const PanelContext& context) {
   const Topology& topology = *context.topology();
   const auto& markers = topology.markers();
-  const bool in_space = context.session.in_space();
+  if (markers.empty()) return;
+  const bool faces = context.session.kind() == MeshKind::volume;
   std::size_t edges = 0;
   ImGui::BeginGroup();
   for (std::size_t m = 0; m < markers.size(); ++m) edges += markers[m].faces.size();
-  line(in_space ? "Faces of markers" : "Edges of markers", grouped(static_cast<long long>(edges)),
-       in_space ? "Boundary faces that a marker names, in all."
-                : "Boundary edges that a marker names, in all.");
+  line(faces ? "Faces of markers" : "Edges of markers", grouped(static_cast<long long>(edges)),
+       faces ? "Boundary faces that a marker names, in all."
+             : "Boundary edges that a marker names, in all.");
   for (std::size_t m = 0; m < markers.size(); ++m) {
     const std::string count = grouped(static_cast<long long>(markers[m].faces.size()));
     const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(count.c_str()).x -
                        2 * ImGui::GetFontSize();
     line("  " + ui::elided(markers[m].name, room), count,
-         in_space ? "Faces of this marker." : "Edges of this marker.");
+         faces ? "Faces of this marker." : "Edges of this marker.");
   }
   ImGui::EndGroup();
   ui::note("mesh/markers");

@@ -119,4 +119,13 @@ void WallPanel::draw(const PanelContext& context) {
   draw_rows(context, wall_table(before ? &before->walls : nullptr, now.walls), "quality/walls");
 }
 
+void DeviationPanel::draw(const PanelContext& context) {
+  if (context.session.kind() != MeshKind::surface) return;
+  if (!ui::section("section/deviation", "Deviation")) return;
+  const auto& measured = context.session.quality().latest();
+  const bool known = measured && measured->deviation;
+  draw_rows(context, deviation_table(known ? &measured->deviation->change : nullptr),
+            "quality/deviation");
+}
+
 }  // namespace winslow::gui

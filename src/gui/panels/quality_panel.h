@@ -21,4 +21,11 @@ class WallPanel : public Panel {
   void draw(const PanelContext& context) override;
 };
 
+/// How far a surface mesh is from what it was when it was opened, and the volume that it encloses.
+/// Nothing for other meshes.
+class DeviationPanel : public Panel {
+ public:
+  void draw(const PanelContext& context) override;
+};
+
 }  // namespace winslow::gui

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "core/quality/mesh_change.h"
 #include "gui/base/text.h"
@@ -150,6 +151,43 @@ std::vector<QualityRow> quality_table(const QualityReport* before, const Quality
     rows.push_back(row_of("max", b ? &b->max : nullptr, n.max, better(info)));
   }
   rows.push_back(inverted_row(before, shown ? shown->inverted : now.inverted));
+  return rows;
+}
+
+std::vector<QualityRow> deviation_table(const SurfaceChange* change) {
+  const SurfaceChange c = change ? *change : SurfaceChange();
+  const auto distance = [&](std::string name, std::string tip, double value) {
+    QualityRow row{std::move(name), std::move(tip), false, {}, {}, {}, 0, false};
+    // What rounding leaves of nothing.
+    row.now = change ? wall_number(value < 1e-14 * c.extent ? 0 : value) : "-";
+    return row;
+  };
+  std::vector<QualityRow> rows{
+      distance(
+          "Largest, of the mesh now",
+          "Largest distance of nodes and of the middles of edges and elements from the mesh as "
+          "it was opened, in units of the mesh. On a curved surface most of it is that between "
+          "chords.",
+          c.from_after),
+      distance("Largest, as opened", "The same of the mesh as opened, from the mesh now.",
+               c.from_before),
+      distance("Hausdorff distance", "The larger of these two.", c.hausdorff())};
+  QualityRow relative = distance("Over the diagonal",
+                                 "The Hausdorff distance over the diagonal of the mesh's box.", 0);
+  const double share = c.extent > 0 ? c.hausdorff() / c.extent : 0;
+  if (change) relative.now = wall_number(share < 1e-14 ? 0 : share);
+  rows.push_back(relative);
+  if (!c.volume_before || !c.volume_after) return rows;
+  QualityRow volume =
+      row_of("Enclosed volume", &*c.volume_before, *c.volume_after, Better::neither, wall_number);
+  volume.tip =
+      "Volume inside the closed surface, in cubed units of the mesh: as opened, now, and by "
+      "how much it has changed.";
+  const double percent = 100 * (*c.volume_after / *c.volume_before - 1);
+  volume.change = std::abs(percent) < 1e-9 ? ""
+                                           : (percent > 0 ? "+" : "\xE2\x88\x92") +
+                                                 wall_number(std::abs(percent)) + " %";
+  rows.push_back(volume);
   return rows;
 }
 

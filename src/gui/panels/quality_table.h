@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/quality/quality.h"
+#include "core/quality/surface_change.h"
 
 namespace winslow::gui {
 
@@ -25,5 +26,7 @@ std::vector<QualityRow> quality_table(const QualityReport* before, const Quality
                                       const Validity* shown = nullptr);
 /// What is measured of the cells at walls, and how first heights have changed. before: as above.
 std::vector<QualityRow> wall_table(const WallReport* before, const WallReport& now);
+/// How far a surface mesh is from the mesh as opened. change: null while it is being measured.
+std::vector<QualityRow> deviation_table(const SurfaceChange* change);
 
 }  // namespace winslow::gui

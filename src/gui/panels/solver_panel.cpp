@@ -22,8 +22,11 @@ constexpr float solver_label_share = 0.3f;
 
 void SolverPanel::draw(const PanelContext& context) {
   if (!ui::section("section/solver", "Solver")) return;
-  draw_method(context);
-  draw_pace(context);
+  // How boundaries move: those of a surface do not.
+  if (context.session.kind() != MeshKind::surface) {
+    draw_method(context);
+    draw_pace(context);
+  }
   draw_state(context);
   draw_steps(context);
   draw_resets(context);
@@ -100,10 +103,12 @@ void SolverPanel::draw_steps(const PanelContext& context) {
 void SolverPanel::draw_resets(const PanelContext& context) {
   const Document* document = context.session.document();
   const bool active = context.session.job().active();
+  const bool surface = context.session.kind() == MeshKind::surface;
   if (ui::button(
-          "solver/reset_motion", "Before motion",
-          {"Back to the mesh before this motion: cancels the command under way, or takes "
-           "back the last one. Redo brings that back.",
+          "solver/reset_motion", surface ? "Before last command" : "Before motion",
+          {"Back to the mesh before this command: cancels the one under way, or takes back the "
+           "last "
+           "one. Redo brings that back.",
            ui::ButtonStyle::normal, document && (active || document->history().can_undo()), -1}))
     context.emit(action::Undo{});
   if (ui::button("solver/reset_loaded", "Revert to opened mesh",

@@ -96,10 +96,11 @@ void draw_mesh(const PanelContext& context) {
   separator();
   if (!context.shown) return;
   const Validity& validity = context.shown->validity;
-  const bool in_space = context.session.in_space();
-  ui::text_dim((in_space ? "min scaled Jacobian " : "min sine ") + table_number(validity.min_sine));
-  ui::tooltip(in_space ? "Smallest scaled Jacobian of the elements that can move."
-                       : "Smallest sine of any corner angle. Positive: every element is valid.");
+  const bool in_volume = context.session.kind() == MeshKind::volume;
+  ui::text_dim((in_volume ? "min scaled Jacobian " : "min sine ") +
+               table_number(validity.min_sine));
+  ui::tooltip(in_volume ? "Smallest scaled Jacobian of the elements that can move."
+                        : "Smallest sine of any corner angle. Positive: every element is valid.");
   separator();
   if (validity.inverted > 0)
     ui::text_colored(palette().danger, grouped(validity.inverted) + " inverted");

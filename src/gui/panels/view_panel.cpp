@@ -68,7 +68,7 @@ bool ViewPanel::draw_color(const PanelContext& context, ViewOptions& view) {
   std::vector<std::string> names{"None"};
   std::vector<ElementField> fields;
   std::size_t chosen = 0;
-  for (const ElementField& field : all_element_fields(context.session.in_space() ? 3 : 2)) {
+  for (const ElementField& field : all_element_fields(context.session.kind())) {
     // Of layers there is nothing to see where there are none.
     if (field.layer() && !context.session.mesh().layers() && view.color != field) continue;
     fields.push_back(field);

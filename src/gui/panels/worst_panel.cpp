@@ -27,7 +27,7 @@ void WorstPanel::draw_choices(const PanelContext& context) {
   ViewOptions view = context.view;
   bool changed = false;
   const bool in_space = context.session.in_space();
-  const std::vector<ElementField> fields = rankings(in_space ? 3 : 2);
+  const std::vector<ElementField> fields = rankings(context.session.kind());
   std::vector<std::string> names{"As coloured"};
   std::size_t chosen = 0;
   for (std::size_t k = 0; k < fields.size(); ++k) {
@@ -71,11 +71,12 @@ void WorstPanel::draw_steps(const PanelContext& context) {
 void WorstPanel::draw_list(const PanelContext& context) {
   // A row must not become another while the mouse is about to click it.
   const auto latest = worst_elements(context.session, context.view);
+  const ElementField field = worst_field(context.view, context.session.kind());
   const bool held = hovered_ && list_generation_ == context.session.generation() &&
-                    list_field_ == worst_field(context.view) && !list_.empty();
+                    list_field_ == field && !list_.empty();
   if (!held) list_.assign(latest.begin(), latest.end());
   list_generation_ = context.session.generation();
-  list_field_ = worst_field(context.view);
+  list_field_ = field;
   const std::vector<WorstElement>& worst = list_;
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const auto lines = static_cast<float>(std::clamp<std::size_t>(worst.size(), 1, 8));
@@ -98,10 +99,13 @@ void WorstPanel::draw_list(const PanelContext& context) {
     ImGui::SameLine(context.theme.px(44));
     ImGui::TextUnformatted(("e" + std::to_string(worst[i].element)).c_str());
     ImGui::SameLine();
-    ui::text_right(table_number(worst[i].value), palette().text);
+    // Deviations are small numbers in units of the mesh.
+    ui::text_right(field.surface() ? short_number(worst[i].value) : table_number(worst[i].value),
+                   palette().text);
   }
-  if (worst.empty())
-    ui::text_dim(context.session.quality().latest() ? "No element has it." : "Measuring ...");
+  const auto& measured = context.session.quality().latest();
+  const bool waits = !measured || (field.surface() && !measured->deviation);
+  if (worst.empty()) ui::text_dim(waits ? "Measuring ..." : "No element has it.");
   // Also while a row is held down: it is the click's end that counts.
   hovered_ = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   ImGui::EndChild();

@@ -150,10 +150,14 @@ struct Reader {
     const json* found = find(key);
     if (found && found->is_null()) value.reset();
     if (!found || !found->is_string()) return;
-    try {
-      value = parse_field(found->get<std::string>());
-    } catch (const UsageError&) {
-      // A field of another version: the one that a new studio shows is as good as any.
+    // A field of another version: the one that a new studio shows is as good as any.
+    for (const MeshKind kind : {MeshKind::plane, MeshKind::surface}) {
+      const std::vector<ElementField>& all = all_element_fields(kind);
+      const auto same = std::ranges::find_if(all, [&](const ElementField& f) {
+        return field_info(f).name == found->get<std::string>();
+      });
+      if (same == all.end()) continue;
+      value = *same;
       return;
     }
   }

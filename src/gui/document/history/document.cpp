@@ -3,7 +3,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/error.h"
+#include "core/strategy/surface_shape.h"
 
 namespace winslow::gui {
 
@@ -22,10 +22,6 @@ Document::Loaded Document::load(const std::filesystem::path& path, int zone) {
   loaded.path = path;
   loaded.stamp = stamp_of(path);
   loaded.file = io::read_mesh(path, {.zone = zone});
-  if (is_surface(*loaded.file.mesh.topology))
-    throw UsageError(path.filename().string() +
-                     ": a surface mesh; the studio shows plane and volume meshes so far, winslow "
-                     "smooth takes surface meshes");
   loaded.state = make_state(loaded.file.mesh);
   examine(loaded);
   if (stamp_of(path) != loaded.stamp) loaded.stamp.reset();
@@ -34,8 +30,17 @@ Document::Loaded Document::load(const std::filesystem::path& path, int zone) {
 
 void examine(Document::Loaded& loaded) {
   const Mesh& mesh = loaded.state.mesh;
-  loaded.quality = measure_quality(mesh);
-  if (mesh.topology->cell_dimension() == 3)
+  if (is_surface(*mesh.topology)) {
+    // What smoothing would find anyway, and says why where it cannot: which elements face the right
+    // way is told by it.
+    loaded.state.surface = own_shape(mesh);
+    if (loaded.state.surface) loaded.given = std::make_shared<const SurfaceDistance>(mesh);
+  }
+  const std::vector<Vec3> normals = reference_normals(loaded.state, mesh.coordinates);
+  QualityOptions options;
+  options.normals = normals;
+  loaded.quality = measure_quality(mesh, options);
+  if (mesh.topology->space_dimension() == 3)
     loaded.boundary = std::make_shared<const VolumeBoundary>(find_boundary(mesh));
 }
 
@@ -47,6 +52,7 @@ Document::Document(Loaded loaded)
       warnings_(std::move(loaded.file.warnings)),
       loaded_quality_(std::move(loaded.quality)),
       boundary_(std::move(loaded.boundary)),
+      given_(std::move(loaded.given)),
       edits_(std::move(loaded.state)) {}
 
 std::span<const int> Document::zones() const {

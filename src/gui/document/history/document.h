@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/quality/quality.h"
+#include "core/quality/surface_distance.h"
 #include "gui/document/history/edit_history.h"
 #include "gui/files/file_stamp.h"
 #include "gui/render/space/volume_scene.h"
@@ -28,7 +29,9 @@ class Document {
     MeshState state;
     QualityReport quality;
     std::optional<FileStamp> stamp;  ///< of the file that was read; empty: it changed meanwhile
-    std::shared_ptr<const VolumeBoundary> boundary;  ///< of a volume mesh; null: of a plane one
+    /// Of a mesh in space; null: of a plane one.
+    std::shared_ptr<const VolumeBoundary> boundary;
+    std::shared_ptr<const SurfaceDistance> given;  ///< of a surface mesh as opened; else null
   };
   /// Reads and prepares a mesh, of a file of several zones that one; 0: the first. Throws what
   /// io::read_mesh throws.
@@ -56,8 +59,10 @@ class Document {
   std::string zone_text() const;
   const std::vector<std::string>& warnings() const { return warnings_; }
   const QualityReport& loaded_quality() const { return loaded_quality_; }
-  /// Of a volume mesh, whose faces no command changes; null: it is a plane mesh.
+  /// Of a mesh in space, whose faces no command changes; null: it is a plane mesh.
   const std::shared_ptr<const VolumeBoundary>& boundary() const { return boundary_; }
+  /// Distances to a surface mesh as it was opened; null: it is another kind of mesh.
+  const std::shared_ptr<const SurfaceDistance>& given() const { return given_; }
 
   /// What was done to the mesh.
   const EditHistory& edits() const { return edits_; }
@@ -83,6 +88,7 @@ class Document {
   std::vector<std::string> warnings_;
   QualityReport loaded_quality_;
   std::shared_ptr<const VolumeBoundary> boundary_;
+  std::shared_ptr<const SurfaceDistance> given_;
   EditHistory edits_;
   std::uint64_t saved_revision_ = 0;
   std::set<std::uint64_t> shown_only_;  // revisions that a demo made

@@ -9,6 +9,7 @@
 #include "core/command/command.h"
 #include "core/inspect/element_field.h"
 #include "core/quality/quality.h"
+#include "core/quality/surface_change.h"
 #include "gui/base/background.h"
 
 namespace winslow::gui {
@@ -19,6 +20,11 @@ inline constexpr int most_worst = 100;
 /// Quality of the mesh on screen, measured behind the frame loop's back.
 class QualityMonitor {
  public:
+  /// Of a surface mesh: how far it is from the mesh as it was opened.
+  struct Deviation {
+    SurfaceChange change;
+    std::vector<WorstElement> worst;  ///< those furthest away
+  };
   struct Measured {
     std::uint64_t shape = 0;  ///< LiveMesh::shape() that was measured
     std::shared_ptr<const Topology> topology;
@@ -26,18 +32,23 @@ class QualityMonitor {
     std::optional<ElementField> field;
     std::vector<double> values;    ///< of field, one per element
     const void* before = nullptr;  ///< numbers of Wish::before, to know it again
+    /// Of a surface mesh; none while a solver changes it, unless it is coloured by the deviation.
+    std::optional<Deviation> deviation;
   };
   /// A mesh, and what fields may need beside it.
   struct Subject {
     std::shared_ptr<const Mesh> mesh;
     std::shared_ptr<const VirtualControlVolumes> vcv;
     std::shared_ptr<const LayerStack> layers;
+    std::shared_ptr<const SurfaceShape> surface;  ///< of a surface mesh
   };
   /// What is to be measured beside the report.
   struct Wish {
     std::optional<ElementField> field;  ///< its value of every element
     /// The same nodes as they were before, that first heights are compared with; null: none.
     const Coordinates* before = nullptr;
+    /// Distances to a surface mesh as it was opened; null: another kind of mesh.
+    std::shared_ptr<const SurfaceDistance> given = nullptr;
 
     const void* before_numbers() const { return before ? before->values().data() : nullptr; }
     /// Whether that is what was measured.

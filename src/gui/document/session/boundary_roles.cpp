@@ -20,11 +20,11 @@ std::shared_ptr<const NodeRoles> BoundaryRoles::find() const {
   if (!mesh_.document()) return nullptr;
   asked_ = question();
   if (answer_.question != asked_ && !worker_.busy())
-    worker_.start([mesh = mesh_.document()->state().mesh, question = asked_] {
+    worker_.start([state = mesh_.document()->state(), question = asked_] {
       Answer answer{question, nullptr};
       try {
         answer.roles =
-            std::make_shared<const NodeRoles>(node_roles(mesh, question.slide, question.moving));
+            std::make_shared<const NodeRoles>(node_roles(state, question.slide, question.moving));
       } catch (const std::exception& error) {
         NodeRoles none;
         none.fault = error.what();

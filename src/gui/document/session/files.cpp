@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/strategy/surface_shape.h"
 #include "gui/base/file_work.h"
 #include "gui/base/text.h"
 #include "gui/document/actions/actions.h"
@@ -152,7 +153,8 @@ void Files::on(const action::SaveMesh& a) {
   const std::filesystem::path path = a.path.empty() ? document.path() : a.path;
   if (!may_write(path)) return;
   const Mesh& mesh = document.state().mesh;
-  const Validity validity = check_validity(*mesh.topology, mesh.coordinates);
+  const Validity validity = check_validity(*mesh.topology, mesh.coordinates, 0,
+                                           reference_normals(document.state(), mesh.coordinates));
   if (validity.inverted > 0 && !a.allow_inverted) {
     messages_.ask(
         {Prompt::Kind::question,

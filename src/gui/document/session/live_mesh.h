@@ -102,7 +102,7 @@ class LiveMesh {
   mutable std::uint64_t shared_shape_ = 0;
 };
 
-/// A volume mesh is open.
+/// A volume mesh or a surface mesh is open.
 inline bool in_space(const LiveMesh& mesh) {
   return mesh.document() && mesh.document()->boundary();
 }

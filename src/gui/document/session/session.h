@@ -38,11 +38,6 @@ class Session {
   const Jobs& jobs() const { return jobs_; }
   const Files& files() const { return files_; }
   Files& files() { return files_; }
-  /// Shows other coordinates of the mesh on screen, for a picture; none: no more.
-  void show_between(std::optional<Coordinates> coordinates) {
-    mesh_.instead().coordinates = std::move(coordinates);
-    mesh_.changed();
-  }
   const QualityWatch& quality() const { return quality_; }
   QualityWatch& quality() { return quality_; }
   const MessageBoard& messages() const { return messages_; }
@@ -56,13 +51,19 @@ class Session {
   const std::shared_ptr<const Topology>& topology() const { return mesh_.topology(); }
   std::shared_ptr<const VirtualControlVolumes> vcv() const { return mesh_.vcv(); }
   const JobRunner& job() const { return mesh_.job(); }
-  /// A volume mesh is open.
+  /// A mesh in space is open, a volume mesh or a surface mesh.
   bool in_space() const { return winslow::gui::in_space(mesh_); }
+  /// Of the open mesh; of what could be opened, where there is none, a plane one.
+  MeshKind kind() const { return topology() ? kind_of(*topology()) : MeshKind::plane; }
   bool in_motion() const { return mesh_.in_motion(); }
   bool dragging() const { return mesh_.held().body; }
   const NodeSelection& nodes() const { return selection_.nodes(); }
 
  private:
+  friend void show_between(Session& session, std::optional<Coordinates> coordinates) {
+    session.mesh_.instead().coordinates = std::move(coordinates);
+    session.mesh_.changed();
+  }
   friend const SphereInspector& spheres(const Session& session) { return session.spheres_; }
   friend const StarMatches& star_matches(const Session& session) { return session.stars_; }
   friend const BoundaryRoles& boundary_roles(const Session& session) { return session.roles_; }
@@ -88,6 +89,8 @@ class Session {
   Files files_{mesh_, messages_, selection_, jobs_};
 };
 
+/// Shows other coordinates of the mesh on screen, for a picture; none: no more.
+void show_between(Session& session, std::optional<Coordinates> coordinates);
 /// Nodes of a volume mesh with their VCVs.
 const SphereInspector& spheres(const Session& session);
 /// Nodes that can take the VCV of another.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/mesh/mesh_kind.h"
 #include "core/vcv/sphere/sphere_edit.h"
 
 namespace winslow::gui {
@@ -13,7 +14,7 @@ void VcvEditor::on(const action::EditVcvs& a) {
   const MeshState& state = mesh_.document()->state();
   LiveMesh::Instead edited;
   try {
-    if (in_space(mesh_))
+    if (kind_of(*state.mesh.topology) == MeshKind::volume)
       edited.sphere_vcvs = edit_vcvs(*state.mesh.topology, state.sphere_vcvs.get(), a.edits);
     else
       edited.vcv = edit_vcvs(*state.vcv, a.edits);

@@ -15,10 +15,10 @@ namespace winslow::gui {
 namespace fs = std::filesystem;
 
 void FileDialog::open(FilePurpose purpose, const fs::path& suggested,
-                      std::optional<std::size_t> step, int cell_dimension) {
+                      std::optional<std::size_t> step, MeshKind mesh) {
   purpose_ = purpose;
   step_ = step;
-  kind_ = dialog_of(purpose, cell_dimension);
+  kind_ = dialog_of(purpose, mesh);
   set_filter(0);
   fs::path folder = choice_.folder.listing().folder().empty() ? choice_.folder.wanted()
                                                               : choice_.folder.listing().folder();

@@ -20,9 +20,9 @@ class FileDialog : public Panel {
   FileDialog(const FileDialog&) = delete;  // its parts know its choice
   FileDialog& operator=(const FileDialog&) = delete;
   /// Shows the dialog from the next frame on. `suggested`: folder and name to start with. `step`:
-  /// of the history, that a recording is to be made of. cell_dimension: of the open mesh.
+  /// of the history, that a recording is to be made of. mesh: what is open.
   void open(FilePurpose purpose, const std::filesystem::path& suggested,
-            std::optional<std::size_t> step = std::nullopt, int cell_dimension = 2);
+            std::optional<std::size_t> step = std::nullopt, MeshKind mesh = MeshKind::plane);
   bool is_open() const { return open_; }
   /// A mesh that is saved is saved to go on with what asked for that: see action::SaveMesh.
   void set_proceed(bool proceed) { proceed_ = proceed; }

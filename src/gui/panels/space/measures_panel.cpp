@@ -43,7 +43,11 @@ void MeasuresPanel::measure(const Session& session) {
   if (same && selected_ == selected) return;
   const VolumeBoundary& boundary = *session.document()->boundary();
   const SpacePoints x(session.coordinates());
-  if (!same) {
+  if (!same && session.kind() == MeshKind::surface) {
+    const SurfaceMeasures whole = measure_surface(x, boundary.faces);
+    area_ = whole.area;
+    encloses_ = whole.volume;
+  } else if (!same) {
     volume_ = mesh_volume(x, boundary.faces);
     areas_.assign(session.topology()->markers().size(), 0);
     for (const SurfaceFace& face : boundary.faces)
@@ -60,19 +64,37 @@ void MeasuresPanel::draw(const PanelContext& context) {
   if (!context.session.in_space() || !ui::section("section/measures", "Areas and volumes")) return;
   measure(context.session);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(8), context.theme.px(4)));
-  measure_line("Volume of the mesh", number_text(volume_),
-               "Of all elements, in cubed units of the mesh.");
-  ui::note("measures/volume");
+  const bool surface = context.session.kind() == MeshKind::surface;
+  if (surface) {
+    draw_surface();
+  } else {
+    measure_line("Volume of the mesh", number_text(volume_),
+                 "Of all elements, in cubed units of the mesh.");
+    ui::note("measures/volume");
+  }
   if (context.shown && context.shown->alone) {
     const ShownAlone& alone = *context.shown->alone;
     measure_line("Shown alone", counted(alone.count, "element"),
                  "Elements that are isolated, or of the layers at a marker that are shown.");
-    measure_line("  their volume", number_text(alone.volume), "In cubed units of the mesh.");
+    measure_line(surface ? "  their area" : "  their volume", number_text(alone.size),
+                 surface ? "In squared units of the mesh." : "In cubed units of the mesh.");
     ui::note("measures/alone");
   }
-  draw_selection(context);
-  draw_markers(context);
+  if (!surface) {
+    draw_selection(context);
+    draw_markers(context);
+  }
   ImGui::PopStyleVar();
+}
+
+void MeasuresPanel::draw_surface() const {
+  measure_line("Area", number_text(area_), "Of all elements, in squared units of the mesh.");
+  ui::note("measures/area");
+  if (!encloses_) return ui::text_dim("The surface is open: it encloses no volume.");
+  measure_line("Encloses", number_text(*encloses_),
+               "Volume inside the surface, in cubed units of the mesh; negative where its elements "
+               "face inwards.");
+  ui::note("measures/encloses");
 }
 
 void MeasuresPanel::draw_selection(const PanelContext& context) const {

@@ -16,6 +16,7 @@ class MeasuresPanel : public Panel {
 
  private:
   void measure(const Session& session);
+  void draw_surface() const;
   void draw_selection(const PanelContext& context) const;
   void draw_markers(const PanelContext& context) const;
 
@@ -23,6 +24,8 @@ class MeasuresPanel : public Panel {
   std::uint64_t generation_ = 0, shape_ = 0;
   std::vector<Index> selected_;
   bool known_ = false;
+  double area_ = 0;  // of a surface mesh
+  std::optional<double> encloses_;
   double volume_ = 0;
   std::vector<double> areas_;  // of markers
   SurfaceMeasures selection_;

@@ -32,7 +32,8 @@ void VcvPanel::draw(const PanelContext& context) {
     draw_neighbours(context, view);
     draw_edge_fields(context, view);
     draw_reset(context, view);
-    draw_spread(context, view);
+    // Stars of a surface that are laid flat have no common direction to be turned to.
+    if (context.session.kind() == MeshKind::plane) draw_spread(context, view);
   } catch (const UsageError& error) {
     draw_no_vcv(error.what());
   }
@@ -55,6 +56,8 @@ void VcvPanel::draw_plot(const PanelContext& context, const NodalView& view) {
   ImGui::PushTextWrapPos(0);
   ui::text_dim("Drag an end: Shift its angle only, Ctrl its length.");
   ImGui::PopTextWrapPos();
+  if (context.session.kind() == MeshKind::surface)
+    ui::text_dim("The star is laid flat, its angles scaled to 360\xC2\xB0.");
   ui::tooltip(
       "Dragging an end of the virtual control volume changes the two angles beside the edge and "
       "its length; the mesh answers at once. Elements around a node whose control volume was "

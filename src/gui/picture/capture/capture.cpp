@@ -76,7 +76,7 @@ void Capture::on(const action::StartRecording& a) {
   }
   if (recording_.when == RecordingSpec::When::turntable && !a.step && !session_.in_space()) {
     session_.messages().tell(Notice::Kind::warning,
-                             "A turn around the mesh is for volume meshes: choose another way to "
+                             "A turn around the mesh is for meshes in space: choose another way to "
                              "take frames.");
     return;
   }

@@ -14,6 +14,7 @@
 #include "core/parallel/parallel_for.h"
 #include "core/quality/quality.h"
 #include "core/quality/volume_element.h"
+#include "core/strategy/surface_shape.h"
 #include "gui/picture/figure/write_figure.h"
 #include "gui/picture/frame/picture_frame.h"
 #include "gui/picture/frame/picture_parts.h"
@@ -29,9 +30,20 @@ namespace {
 
 constexpr double opening = 30;  // degrees, of a perspective view
 
-std::vector<unsigned char> inverted_elements(const Mesh& mesh) {
+/// Which side elements of a surface mesh should face; empty: another kind of mesh.
+std::vector<Vec3> normals_of(const Mesh& mesh, const VolumePictureOptions& options) {
+  const auto shape = own_shape(options.given ? *options.given : mesh);
+  return shape ? shape->normals->at(mesh.coordinates, 0) : std::vector<Vec3>();
+}
+
+std::vector<unsigned char> inverted_elements(const Mesh& mesh, std::span<const Vec3> normals) {
   const Topology& topology = *mesh.topology;
   std::vector<unsigned char> inverted(at(topology.element_count()));
+  if (is_surface(topology)) {
+    const auto sines = element_values(mesh, Metric::normalized_jacobian, normals);
+    for (std::size_t e = 0; e < sines.size(); ++e) inverted[e] = sines[e] > 0 ? 0 : 1;
+    return inverted;
+  }
   parallel_for(0, topology.element_count(), [&](Index begin, Index end) {
     for (Index e = begin; e < end; ++e) {
       const VolumeElement element(mesh.coordinates, topology.element_type(e), topology.element(e));
@@ -39,6 +51,14 @@ std::vector<unsigned char> inverted_elements(const Mesh& mesh) {
     }
   });
   return inverted;
+}
+
+std::vector<double> values_of(const Mesh& mesh, const VolumePictureOptions& options,
+                              std::span<const Vec3> normals) {
+  const ElementField& field = *options.color;
+  if (!is_surface(*mesh.topology)) return element_values(mesh, *field.metric());
+  return surface_values(mesh, field, normals,
+                        SurfaceDistance(options.given ? *options.given : mesh));
 }
 
 std::vector<unsigned char> worse_than(double threshold, const ElementField& field,
@@ -124,9 +144,16 @@ void check_cuts(const Mesh& mesh, const std::vector<Plane>& cuts) {
 }
 
 void check(const Mesh& mesh, const VolumePictureOptions& options) {
-  if (mesh.topology->cell_dimension() != 3)
-    throw UsageError("a picture of a volume mesh: this is a " +
-                     std::string(mesh_kind(*mesh.topology)));
+  const MeshKind kind = kind_of(*mesh.topology);
+  if (kind == MeshKind::plane)
+    throw UsageError("a picture of a volume mesh or a surface mesh: this is a plane mesh");
+  const std::vector<ElementField>& fields = all_element_fields(kind);
+  if (options.color && std::ranges::find(fields, *options.color) == fields.end())
+    throw UsageError("a picture of a " + std::string(mesh_kind(*mesh.topology)) +
+                     ": its elements have no " + std::string(field_info(*options.color).name));
+  const bool inside = (options.cuts && !options.cuts->empty()) || options.peel;
+  if (kind == MeshKind::surface && (inside || !options.vcvs.empty()))
+    throw UsageError("a picture of a surface mesh has no cuts, layers and VCVs");
   check_colors(options.color, options.colors);
   if (options.isolate && !options.color)
     throw UsageError("elements are isolated by what they are coloured by: give a metric");
@@ -160,6 +187,7 @@ std::vector<Vec3> points_of(const SpaceScene& scene) {
 std::vector<Plane> chosen_cuts(const Mesh& mesh, const VolumeBoundary& boundary,
                                const VolumePictureOptions& options) {
   if (options.cuts) return *options.cuts;
+  if (is_surface(*mesh.topology)) return {};
   if (options.peel) return {};  // what encloses them is left out already
   return automatic_cuts(mesh, boundary, options.view.value_or(automatic_view({}, options.up)));
 }
@@ -180,7 +208,8 @@ class VolumePicture {
         options_(options),
         theme_(picture_theme(options.dark)),
         boundary_(find_boundary(mesh)),
-        inverted_(inverted_elements(mesh)) {
+        normals_(normals_of(mesh, options)),
+        inverted_(inverted_elements(mesh, normals_)) {
     look_.markers = marker_shows(*mesh.topology, options);
     look_.edges = options.wireframe;
     look_.crinkle = options.crinkle;
@@ -191,6 +220,8 @@ class VolumePicture {
     const auto markers = static_cast<Index>(mesh.topology->markers().size());
     for (Index m = 0; m < markers; ++m)
       look_.marker_colors.push_back(surface_color(m, theme_, options.dark));
+    for (Index m = 0; is_surface(*mesh.topology) && m < markers; ++m)
+      look_.border_colors.push_back(marker_color(m, options.dark));
     for (const Index node : options.vcvs) {
       require_inspectable(*mesh.topology, node);
       vcvs_.push_back(
@@ -311,7 +342,7 @@ class VolumePicture {
   }
 
   void choose_colors() {
-    values_ = element_values(mesh_, *options_.color->metric());
+    values_ = values_of(mesh_, options_, normals_);
     scale_ = picture_colors(*options_.color, options_.colors, options_.dark, values_);
     colors_ = element_colors(values_, scale_);
     look_.colors = colors_;
@@ -385,6 +416,7 @@ class VolumePicture {
   const PictureTheme& theme_;
   VolumeBoundary boundary_;
   std::vector<VolumeNodalView> vcvs_;
+  std::vector<Vec3> normals_;
   std::vector<unsigned char> inverted_, isolated_;
   std::vector<double> values_;
   ColorScale scale_;
@@ -400,7 +432,7 @@ std::vector<Plane> cuts_of_picture(const Mesh& mesh, const VolumePictureOptions&
 
 ColorScale volume_picture_scale(const Mesh& mesh, const VolumePictureOptions& options) {
   return picture_colors(*options.color, options.colors, options.dark,
-                        element_values(mesh, *options.color->metric()));
+                        values_of(mesh, options, normals_of(mesh, options)));
 }
 
 VectorFigure volume_picture_figure(const Mesh& mesh, const VolumePictureOptions& options) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,11 +18,15 @@
 
 namespace winslow::gui {
 
-/// A picture of a volume mesh, drawn without a display.
+/// A picture of a volume mesh or of a surface mesh, drawn without a display.
 struct VolumePictureOptions {
   int width = 1200, height = 900;  ///< pixels
-  /// Colour elements by this; none: plain. A metric of volume elements.
+  /// Colour elements by this; none: plain. Of what such elements have, which has to be given for a
+  /// surface mesh.
   std::optional<ElementField> color = ElementField(Metric::normalized_jacobian, 3);
+  /// The surface mesh as it was given, which deviations are from and which tells the side to which
+  /// elements face; null: the mesh itself.
+  std::shared_ptr<const Mesh> given;
   ColorChoice colors;  ///< of what is coloured; on_dark follows dark
 
   /// Planes that cut; what lies in front of any is taken away. None given: where something encloses
@@ -56,8 +61,9 @@ struct VolumePictureOptions {
 };
 
 /// Inverted elements are red, seen through what hides them, and counted in a caption. Throws Error
-/// where no OpenGL can be had, and UsageError for a plane or a surface mesh, an unknown colour map
-/// or marker, a cut that meets no element, a node without a VCV, a size or a number out of range.
+/// where no OpenGL can be had, and UsageError for a plane mesh, cuts and VCVs of a surface mesh, an
+/// unknown colour map or marker, a cut that meets no element, a node without a VCV, a size or a
+/// number out of range.
 Image draw_volume_picture(const Mesh& mesh, const VolumePictureOptions& options);
 
 /// The same as vector graphics, hidden surfaces and lines left out; width and height are points.

@@ -172,6 +172,10 @@ void SceneLists::add_sides(const EdgeLists& lists, const PlaneSection& section) 
   }
 }
 
+void SceneLists::add_lines(SpaceLines& lines, std::span<const Face> edges) const {
+  for (const Face& edge : edges) add_line(lines, x_[edge[0]], x_[edge[1]], -1);
+}
+
 void SceneLists::add_cut(SpaceLines& lines, std::span<const SurfaceFace> faces,
                          const Plane& plane) const {
   std::vector<Vec3> crossings;

@@ -30,6 +30,8 @@ class SceneLists {
                  double feature_angle) const;
   /// Sides of polygons: the outline of the section, and the others.
   void add_sides(const EdgeLists& lists, const PlaneSection& section) const;
+  /// Edges of the mesh, by their nodes.
+  void add_lines(SpaceLines& lines, std::span<const Face> edges) const;
   /// Where a plane goes through faces.
   void add_cut(SpaceLines& lines, std::span<const SurfaceFace> faces, const Plane& plane) const;
 

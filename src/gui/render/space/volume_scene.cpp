@@ -185,6 +185,19 @@ class SceneBuilder {
     SpaceLines lines{{}, style_.enclosure, style_.feature_width, 0};
     lists_->add_edges({&lines, nullptr}, drawn.outline, look_.feature_angle);
     scene_.lines.push_back(std::move(lines));
+    add_borders();
+  }
+
+  /// Markers of a surface mesh are lines.
+  void add_borders() {
+    const Markers& markers = mesh_.topology->markers();
+    for (std::size_t m = 0; m < look_.border_colors.size(); ++m) {
+      if (m < look_.markers.size() && look_.markers[m] == MarkerShow::hidden) continue;
+      const Rgb& c = look_.border_colors[m];
+      SpaceLines lines{{}, {c[0], c[1], c[2], 1}, 1.5f * style_.feature_width, by_all_planes};
+      lists_->add_lines(lines, markers[m].faces);
+      scene_.lines.push_back(std::move(lines));
+    }
   }
 
   SceneLists::Color boundary_color(const std::vector<SurfaceFace>& faces, bool values) const {
@@ -223,7 +236,10 @@ class SceneBuilder {
 VolumeBoundary find_boundary(const Mesh& mesh) {
   VolumeBoundary boundary;
   boundary.faces = boundary_faces(*mesh.topology);
-  boundary.enclosing = enclosing_faces(mesh, boundary.faces);
+  if (is_surface(*mesh.topology))
+    boundary.enclosing.assign(boundary.faces.size(), 0);
+  else
+    boundary.enclosing = enclosing_faces(mesh, boundary.faces);
   boundary.encloses =
       std::ranges::any_of(boundary.enclosing, [](unsigned char e) { return e != 0; });
   return boundary;

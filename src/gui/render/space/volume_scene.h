@@ -13,8 +13,8 @@
 
 namespace winslow::gui {
 
-/// The boundary of a volume mesh, which is looked for once: it depends neither on cuts nor on
-/// colours.
+/// The boundary of a volume mesh, or all of a surface mesh, which is looked for once: it depends
+/// neither on cuts nor on colours.
 struct VolumeBoundary {
   std::vector<SurfaceFace> faces;
   std::vector<unsigned char> enclosing;  ///< per face; see enclosing_faces()
@@ -26,7 +26,7 @@ VolumeBoundary find_boundary(const Mesh& mesh);
 /// mesh as a surface.
 enum class MarkerShow { automatic, surface, outline, see_through, hidden };
 
-/// What is shown of a volume mesh. Spans and pointers may be empty: nothing of the kind.
+/// What is shown of a mesh in space. Spans and pointers may be empty: nothing of the kind.
 struct VolumeLook {
   /// What lies in front of any of these planes is taken away; bodies stay whole where something
   /// encloses them.
@@ -49,6 +49,7 @@ struct VolumeLook {
   std::vector<MarkerShow> markers;    ///< per marker; those left out are automatic
   std::vector<float> marker_opacity;  ///< per marker, of see-through ones; else the style's
   std::vector<Rgb> marker_colors;     ///< per marker, of surfaces without other colours
+  std::vector<Rgb> border_colors;     ///< per marker of a surface mesh, of its line
   bool edges = true;                  ///< of elements
   double feature_angle = 40;          ///< degrees by which a surface turns at an edge that is drawn
 };

@@ -68,7 +68,7 @@ void Dialogs::on(const action::ShowFileDialog& a) {
   if (!reads && bundled(suggested))
     suggested = std::filesystem::current_path(ignored) / suggested.filename();
   if (!a.extension.empty()) suggested.replace_extension(a.extension);
-  windows_->file.open(a.purpose, suggested, recorded_step_, session_.in_space() ? 3 : 2);
+  windows_->file.open(a.purpose, suggested, recorded_step_, session_.kind());
   windows_->file.set_proceed(a.proceed);
 }
 

@@ -29,15 +29,12 @@ namespace winslow::gui {
 
 namespace {
 
-constexpr MeshKinds plane{MeshKind::plane};
-constexpr MeshKinds plane_or_volume{MeshKind::plane, MeshKind::volume};
-
-/// One panel of the user's, which is another where the mesh is in space.
+/// One panel of the user's, which is another for a volume mesh.
 template <class InPlane, class InSpace>
 class OfEither : public Panel {
  public:
   void draw(const PanelContext& context) override {
-    if (context.session.in_space())
+    if (context.session.kind() == MeshKind::volume)
       in_space_.draw(context);
     else
       in_plane_.draw(context);
@@ -62,6 +59,14 @@ RegisteredPanel in_tab(SideTab tab, const char* id, const char* title, MeshKinds
       }};
 }
 
+/// Of a surface mesh, which keeps its shape, nothing is said: the menus say why.
+RegisteredPanel of_movable(RegisteredPanel panel) {
+  panel.shown = [](const PanelContext& context) {
+    return movable_meshes.contains(context.session.kind());
+  };
+  return panel;
+}
+
 }  // namespace
 
 PanelRegistry make_panels() {
@@ -70,26 +75,27 @@ PanelRegistry make_panels() {
   r.add(entry<Toolbar>("toolbar", "Toolbar", Region::toolbar, all_meshes));
   r.add(entry<StatusBar>("status", "Status", Region::status, all_meshes));
   r.add(entry<ZonePanel>("zone", "Zone", Region::left, all_meshes));
-  r.add(entry<MarkersPanel>("markers", "Markers", Region::left, plane_or_volume));
-  r.add({"cuts", "Cuts", Region::left, plane_or_volume, std::make_unique<CutsPanel>(),
-         [](const PanelContext& context) { return context.session.in_space(); }});
-  r.add(entry<OfEither<MotionPanel, SpaceMotionPanel>>("motion", "Move the selection", Region::left,
-                                                       plane_or_volume));
-  r.add(entry<ShapePanel>("shape", "Shape", Region::left, plane_or_volume));
-  r.add(entry<LayersPanel>("layers", "Layers", Region::left, plane));
-  r.add(entry<SolverPanel>("solver", "Solver", Region::left, plane_or_volume));
-  r.add(entry<MeshPanel>("mesh", "Mesh", Region::left, plane_or_volume));
-  r.add({"measures", "Areas and volumes", Region::left, plane_or_volume,
+  r.add(entry<MarkersPanel>("markers", "Markers", Region::left, all_meshes));
+  r.add({"cuts", "Cuts", Region::left, all_meshes, std::make_unique<CutsPanel>(),
+         [](const PanelContext& context) { return context.session.kind() == MeshKind::volume; }});
+  r.add(of_movable(entry<OfEither<MotionPanel, SpaceMotionPanel>>("motion", "Move the selection",
+                                                                  Region::left, movable_meshes)));
+  r.add(of_movable(entry<ShapePanel>("shape", "Shape", Region::left, movable_meshes)));
+  r.add(of_movable(entry<LayersPanel>("layers", "Layers", Region::left, plane_meshes)));
+  r.add(entry<SolverPanel>("solver", "Solver", Region::left, all_meshes));
+  r.add(entry<MeshPanel>("mesh", "Mesh", Region::left, all_meshes));
+  r.add({"measures", "Areas and volumes", Region::left, all_meshes,
          std::make_unique<MeasuresPanel>(),
          [](const PanelContext& context) { return context.session.in_space(); }});
-  r.add(in_tab<QualityPanel>(SideTab::quality, "quality", "Quality", plane_or_volume));
-  r.add(in_tab<WallPanel>(SideTab::quality, "walls", "Walls", plane_or_volume));
-  r.add(in_tab<GoToPanel>(SideTab::quality, "go_to", "Go to", plane_or_volume));
-  r.add(in_tab<WorstPanel>(SideTab::quality, "worst", "Worst elements", plane_or_volume));
-  r.add(in_tab<IsolatePanel>(SideTab::quality, "isolate", "Isolate", plane_or_volume));
-  r.add(in_tab<ViewPanel>(SideTab::view, "view", "View", plane_or_volume));
+  r.add(in_tab<QualityPanel>(SideTab::quality, "quality", "Quality", all_meshes));
+  r.add(in_tab<DeviationPanel>(SideTab::quality, "deviation", "Shape", all_meshes));
+  r.add(in_tab<WallPanel>(SideTab::quality, "walls", "Walls", all_meshes));
+  r.add(in_tab<GoToPanel>(SideTab::quality, "go_to", "Go to", all_meshes));
+  r.add(in_tab<WorstPanel>(SideTab::quality, "worst", "Worst elements", all_meshes));
+  r.add(in_tab<IsolatePanel>(SideTab::quality, "isolate", "Isolate", all_meshes));
+  r.add(in_tab<ViewPanel>(SideTab::view, "view", "View", all_meshes));
   r.add(in_tab<OfEither<VcvPanel, SpherePanel>>(SideTab::vcv, "vcv", "Virtual control volume",
-                                                plane_or_volume));
+                                                all_meshes));
   r.add(in_tab<HistoryPanel>(SideTab::history, "history", "History", all_meshes));
   r.add(entry<ConvergencePanel>("convergence", "Convergence", Region::plot, all_meshes));
   r.add(entry<BannerPanel>("banner", "Banner", Region::banner, all_meshes));

@@ -2,34 +2,17 @@
 
 #include <cstddef>
 #include <functional>
-#include <initializer_list>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "gui/base/mesh_kinds.h"
 #include "gui/panels/panel.h"
 
 namespace winslow::gui {
 
 /// Where panels stand in the studio's window.
 enum class Region { menu, toolbar, status, left, right, plot, banner, demo, recording };
-
-/// What a mesh is made of: faces in the plane, faces in space, cells in space.
-enum class MeshKind { plane, surface, volume };
-
-class MeshKinds {
- public:
-  constexpr MeshKinds(std::initializer_list<MeshKind> kinds) {
-    for (const MeshKind kind : kinds) bits_ |= bit(kind);
-  }
-  constexpr bool contains(MeshKind kind) const { return (bits_ & bit(kind)) != 0; }
-
- private:
-  static constexpr unsigned bit(MeshKind kind) { return 1U << static_cast<unsigned>(kind); }
-  unsigned bits_ = 0;
-};
-
-inline constexpr MeshKinds all_meshes{MeshKind::plane, MeshKind::surface, MeshKind::volume};
 
 struct RegisteredPanel {
   std::string id;     ///< no other panel has it

@@ -146,13 +146,13 @@ ScreenVector PicturePainter::picture_extent(const PictureSpec& spec) const {
 
 Image PicturePainter::picture_of(const Coordinates& nodes, const PictureSpec& spec) {
   if (nodes == shown_.session.coordinates()) return picture(spec);
-  shown_.session.show_between(nodes);
+  show_between(shown_.session, nodes);
   try {
     Image image = picture(spec);
-    shown_.session.show_between({});
+    show_between(shown_.session, {});
     return image;
   } catch (...) {
-    shown_.session.show_between({});
+    show_between(shown_.session, {});
     throw;
   }
 }

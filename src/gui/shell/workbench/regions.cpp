@@ -90,7 +90,7 @@ void Regions::draw(const PanelContext& context, const Layout& layout) const {
 }
 
 void Regions::draw_panels(const PanelContext& context, Region region) const {
-  panels_.draw(region, context, context.session.in_space() ? MeshKind::volume : MeshKind::plane);
+  panels_.draw(region, context, context.session.kind());
 }
 
 void Regions::draw_tabs(const PanelContext& context) const {

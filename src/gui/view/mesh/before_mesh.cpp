@@ -29,10 +29,11 @@ void BeforeMesh::update(const Session& session, const ViewOptions& view) {
   const bool values = view.comparison == Comparison::split && view.color;
   if (loaded_ && !values) return;
   // Compared with itself: nothing has changed yet.
-  const QualityMonitor::Wish wish{values ? view.color : std::nullopt, &now};
+  const QualityMonitor::Wish wish{values ? view.color : std::nullopt, &now, document_->given()};
   if (!monitor_.wants(shape_, wish, false)) return;
-  monitor_.request(shape_, {std::make_shared<const Mesh>(state.mesh), state.vcv, state.layers},
-                   wish, false);
+  monitor_.request(
+      shape_, {std::make_shared<const Mesh>(state.mesh), state.vcv, state.layers, state.surface},
+      wish, false);
 }
 
 const QualityReport* BeforeMesh::report() const {

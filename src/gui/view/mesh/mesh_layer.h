@@ -17,14 +17,14 @@ namespace winslow::gui {
 /// Elements of a volume mesh that are shown without the others.
 struct ShownAlone {
   Index count = 0;
-  double volume = 0;  ///< cubed units of the mesh
+  double size = 0;  ///< volume, in cubed units of the mesh; of a surface its area
 };
 
 /// The mesh whose picture is on screen, which may be one behind the mesh of the session.
 struct ShownMesh {
   std::uint64_t shape = 0;  ///< LiveMesh::shape()
   Validity validity;
-  std::optional<ShownAlone> alone = {};  ///< of a volume mesh; none: all are shown
+  std::optional<ShownAlone> alone = {};  ///< of a mesh in space; none: all are shown
 };
 
 /// One mesh on screen with its colours. What takes long for a large mesh is done in the background:

@@ -6,6 +6,7 @@
 
 #include "core/inspect/space/element_layers.h"
 #include "core/inspect/space/plane_section.h"
+#include "core/inspect/space/surface_measures.h"
 #include "core/parallel/parallel_for.h"
 #include "core/quality/quality.h"
 #include "core/quality/volume_element.h"
@@ -77,8 +78,26 @@ bool boundary_stays(const VolumeWish& a, const VolumeWish& b) {
   return true;
 }
 
-std::shared_ptr<const Flags> find_inverted(const Mesh& mesh) {
+std::vector<Vec3> normals_of(const VolumeWish& wish) {
+  return wish.surface ? wish.surface->normals->at(wish.mesh->coordinates, 0) : std::vector<Vec3>();
+}
+
+double size_of(const Mesh& mesh, Index e) {
   const Topology& topology = *mesh.topology;
+  if (is_surface(topology))
+    return face_area(SpacePoints(mesh.coordinates), Face(topology.element(e)));
+  return VolumeElement(mesh.coordinates, topology.element_type(e), topology.element(e)).volume();
+}
+
+/// normals: reference normals of a surface mesh.
+std::shared_ptr<const Flags> find_inverted(const Mesh& mesh, std::span<const Vec3> normals) {
+  const Topology& topology = *mesh.topology;
+  if (is_surface(topology)) {
+    auto inverted = std::make_shared<Flags>();
+    for (const double sine : element_values(mesh, Metric::normalized_jacobian, normals))
+      inverted->push_back(sine > 0 ? 0 : 1);
+    return inverted;
+  }
   auto inverted = std::make_shared<Flags>(at(topology.element_count()));
   parallel_for(0, topology.element_count(), [&](Index begin, Index end) {
     for (Index e = begin; e < end; ++e) {
@@ -154,13 +173,14 @@ class SceneMaker {
     const Mesh& mesh = *wish_.mesh;
     const bool same = before_ && last_->of.mesh == wish_.mesh;
     scenes.shown.shape = wish_.shape;
+    const std::vector<Vec3> normals = same ? std::vector<Vec3>() : normals_of(wish_);
     scenes.shown.validity =
-        same ? last_->shown.validity : check_validity(*mesh.topology, mesh.coordinates);
+        same ? last_->shown.validity : check_validity(*mesh.topology, mesh.coordinates, 0, normals);
     any_inverted_ = scenes.shown.validity.inverted > 0;
     if (same)
       memory_->inverted = before_->inverted;
     else if (any_inverted_)
-      memory_->inverted = find_inverted(mesh);
+      memory_->inverted = find_inverted(mesh, normals);
     else
       memory_->inverted = std::make_shared<const Flags>(at(mesh.topology->element_count()), 0);
     const bool boundary_same = before_ && boundary_stays(last_->of, wish_);
@@ -181,9 +201,7 @@ class SceneMaker {
     for (Index e = 0; e < topology.element_count(); ++e) {
       if (look_.isolated[at(e)] == 0) continue;
       ++alone.count;
-      alone.volume +=
-          VolumeElement(wish_.mesh->coordinates, topology.element_type(e), topology.element(e))
-              .volume();
+      alone.size += size_of(*wish_.mesh, e);
     }
     scenes.shown.alone = alone;
   }
@@ -206,6 +224,7 @@ class SceneMaker {
   /// An index pays where a mesh is cut again: it is made when a mesh is opened and, when nodes have
   /// moved, with the second picture of where they are.
   void choose_sections() {
+    if (is_surface(*wish_.mesh->topology)) return;
     if (wish_.mesh->topology->element_count() < large_volume) return;
     const bool same_topology = before_ && last_->of.mesh->topology == wish_.mesh->topology;
     const auto known = same_topology ? before_->sections : nullptr;
@@ -229,6 +248,8 @@ class SceneMaker {
     look_.markers = wish_.markers;
     look_.marker_opacity = wish_.opacity;
     look_.marker_colors = wish_.marker_colors;
+    look_.border_colors = wish_.border_colors;
+    look_.feature_angle = wish_.feature_angle;
     look_.edges = wish_.edges;
   }
 
@@ -290,7 +311,8 @@ class SceneMaker {
   bool look_stays() const {
     const VolumeWish& was = last_->of;
     return was.markers == wish_.markers && was.opacity == wish_.opacity &&
-           was.marker_colors == wish_.marker_colors && was.edges == wish_.edges &&
+           was.marker_colors == wish_.marker_colors && was.border_colors == wish_.border_colors &&
+           was.feature_angle == wish_.feature_angle && was.edges == wish_.edges &&
            was.style == wish_.style;
   }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/inspect/space/plane.h"
+#include "core/strategy/surface_shape.h"
 #include "gui/base/background.h"
 #include "gui/document/jobs/quality_monitor.h"
 #include "gui/document/session/session.h"
@@ -15,7 +16,7 @@
 
 namespace winslow::gui {
 
-/// What is wanted of a picture of a volume mesh: all that its scene depends on.
+/// What is wanted of a picture of a mesh in space: all that its scene depends on.
 struct VolumeWish {
   std::uint64_t generation = 0, shape = 0;
   std::shared_ptr<const Mesh> mesh;
@@ -33,6 +34,9 @@ struct VolumeWish {
   std::vector<MarkerShow> markers;
   std::vector<float> opacity;
   std::vector<Rgb> marker_colors;
+  std::vector<Rgb> border_colors;               ///< of the markers of a surface mesh
+  double feature_angle = 40;                    ///< degrees; see VolumeLook
+  std::shared_ptr<const SurfaceShape> surface;  ///< of a surface mesh: which side is right
   VolumeStyle style;
   bool ghost = false;  ///< the bodies alone, as lines
 

@@ -85,10 +85,11 @@ VolumeWish VolumeView::wish_of(const Session& session, const ViewOptions& view, 
   wish.measured = measured_;
   wish.colors = color_choice(view);
   wish.isolation = view.isolation;
+  const bool volume = session.kind() == MeshKind::volume;
   for (const CutPlane& cut : view.space.cuts)
-    if (usable(cut) && wish.cuts.size() < most_clip_planes) wish.cuts.push_back(cut);
+    if (volume && usable(cut) && wish.cuts.size() < most_clip_planes) wish.cuts.push_back(cut);
   wish.crinkle = view.space.crinkle;
-  if (view.space.peel.on && session.topology()->markers().find(view.space.peel.marker))
+  if (volume && view.space.peel.on && session.topology()->markers().find(view.space.peel.marker))
     wish.peel = view.space.peel;
   wish.mark_inverted = view.mark_inverted;
   wish.worst = worst_;
@@ -102,7 +103,13 @@ VolumeWish VolumeView::wish_of(const Session& session, const ViewOptions& view, 
     wish.opacity.push_back(static_cast<float>(look.opacity));
     wish.marker_colors.push_back(
         surface_color(view, wish.style, markers[m].name, static_cast<Index>(m)));
+    if (!volume)
+      wish.border_colors.push_back(
+          color_of_marker(view, markers[m].name, static_cast<Index>(m), mesh_colors(view).dark));
   }
+  if (volume) return wish;
+  wish.surface = session.document()->state().surface;
+  wish.feature_angle = session.jobs().smooth_options().slide.feature_angle;
   return wish;
 }
 

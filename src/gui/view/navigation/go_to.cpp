@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/inspect/space/surface_measures.h"
 #include "core/mesh/element_type.h"
+#include "core/strategy/surface_shape.h"
 #include "gui/base/text.h"
 #include "gui/view/navigation/worst_list.h"
 
@@ -20,9 +21,17 @@ namespace {
 constexpr const char* expected =
     "Expected a node (n123), an element (e45), a point (0.5, 0.1), \"worst 3\" or a marker.";
 
-constexpr const char* expected_in_space =
+constexpr const char* expected_on_surface =
+    "Expected a node (n123), an element (e45), a point (0.5, 0.1, 2), \"worst 3\" or a marker.";
+
+constexpr const char* expected_in_volume =
     "Expected a node (n123), an element (e45), a face (f12, wing 12), a point (0.5, 0.1, 2), "
     "\"worst 3\" or a marker.";
+
+const char* expected_of(MeshKind kind) {
+  if (kind == MeshKind::plane) return expected;
+  return kind == MeshKind::volume ? expected_in_volume : expected_on_surface;
+}
 
 std::string trimmed(const std::string& text) {
   const auto first = text.find_first_not_of(" \t");
@@ -158,12 +167,24 @@ Vec3 middle_of(const SpacePoints& x, std::span<const Index> nodes) {
   return sum / static_cast<double>(nodes.size());
 }
 
-/// Of a volume element: where it is, and what lies beyond its faces.
+/// What separates an element from its neighbours: faces of a volume element, edges of another.
+std::vector<Face> sides_of(const Topology& topology, Index e) {
+  const auto nodes = topology.element(e);
+  std::vector<Face> sides;
+  if (topology.cell_dimension() == 3)
+    for (const Face& face : shape_of(topology.element_type(e)).faces)
+      sides.push_back(by_nodes(face, nodes));
+  else
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      sides.emplace_back(nodes[k], nodes[(k + 1) % nodes.size()]);
+  return sides;
+}
+
+/// Of an element in space: where it is, and what lies beyond its sides.
 void add_surroundings(Lines& lines, Index e, const Mesh& mesh) {
   const Topology& topology = *mesh.topology;
   std::string neighbours, markers;
-  for (const Face& face : shape_of(topology.element_type(e)).faces) {
-    const Face nodes = by_nodes(face, topology.element(e));
+  for (const Face& nodes : sides_of(topology, e)) {
     const auto f = topology.find_face(nodes);
     if (!f) continue;
     const std::array<Index, 2> elements = topology.face(*f).elements;
@@ -175,7 +196,8 @@ void add_surroundings(Lines& lines, Index e, const Mesh& mesh) {
   lines.emplace_back("Middle",
                      place_text(middle_of(SpacePoints(mesh.coordinates), topology.element(e))));
   lines.emplace_back("Neighbours", neighbours.empty() ? "none" : neighbours);
-  if (!markers.empty()) lines.emplace_back("Faces on", markers);
+  if (!markers.empty())
+    lines.emplace_back(topology.cell_dimension() == 3 ? "Faces on" : "Edges on", markers);
 }
 
 Lines describe_face(Index f, const Session& session) {
@@ -201,17 +223,22 @@ Lines describe_face(Index f, const Session& session) {
 void add_worst_around(Lines& lines, Index i, const Session& session) {
   const auto shared = session.mesh().shared();
   const Mesh& mesh = *shared;
+  const std::vector<Vec3> normals =
+      reference_normals(session.document()->state(), mesh.coordinates);
   double least = std::numeric_limits<double>::infinity();
   Index worst = -1;
   for (const Index e : mesh.topology->star(i)) {
-    const double value = element_value(mesh, e, Metric::normalized_jacobian);
+    const double value = element_value(mesh, e, Metric::normalized_jacobian, normals);
     if (value >= least) continue;
     least = value;
     worst = e;
   }
   if (worst >= 0)
-    lines.emplace_back("Worst of them",
-                       std::to_string(worst) + ", scaled Jacobian " + short_number(least));
+    lines.emplace_back(
+        "Worst of them",
+        std::to_string(worst) +
+            (mesh.topology->cell_dimension() == 3 ? ", scaled Jacobian " : ", sine ") +
+            short_number(least));
 }
 
 std::vector<std::pair<std::string, std::string>> describe_element(Index e, const Session& session) {
@@ -222,11 +249,15 @@ std::vector<std::pair<std::string, std::string>> describe_element(Index e, const
       {"Element " + std::to_string(e), std::string(shape_of(topology.element_type(e)).name)},
       {"Nodes", list_of(topology.element(e))}};
   if (session.in_space()) add_surroundings(lines, e, mesh);
+  const std::vector<Vec3> normals =
+      reference_normals(session.document()->state(), mesh.coordinates);
   for (const Metric metric : all_metrics(topology.cell_dimension())) {
-    const double value = element_value(mesh, e, metric);
+    const double value = element_value(mesh, e, metric, normals);
     lines.emplace_back(metric_label(metric),
                        std::isfinite(value) ? short_number(value) : "inverted");
   }
+  if (const auto& given = session.document()->given())
+    lines.emplace_back("Deviation", short_number(element_distance(mesh, e, *given)));
   return lines;
 }
 
@@ -250,6 +281,8 @@ std::vector<std::pair<std::string, std::string>> describe_node(Index i, const Se
   if (session.in_space()) lines.emplace_back("Neighbours", list_of(topology.neighbours(i)));
   lines.emplace_back("Elements", list_of(topology.star(i)));
   if (session.in_space()) add_worst_around(lines, i, session);
+  if (const auto& given = session.document()->given())
+    lines.emplace_back("Deviation", short_number(given->to(p)));
   return lines;
 }
 
@@ -257,7 +290,7 @@ std::vector<std::pair<std::string, std::string>> describe_node(Index i, const Se
 
 MeshItem parse_item(const std::string& text, const Session& session, const ViewOptions& view) {
   const std::string wanted = trimmed(text);
-  if (wanted.empty()) throw UsageError(session.in_space() ? expected_in_space : expected);
+  if (wanted.empty()) throw UsageError(expected_of(session.kind()));
   const Topology& topology = *session.topology();
   // A marker may be called "n1" or "worst": a name that exists wins.
   if (const auto marker = topology.markers().find(wanted); marker)
@@ -269,16 +302,16 @@ MeshItem parse_item(const std::string& text, const Session& session, const ViewO
   if (const auto number = whole_number(rest)) {
     const char letter = wanted.front();
     if (letter == 'n' || letter == 'N') return checked(MeshItem::Kind::node, *number, topology);
-    if (session.in_space() && (letter == 'f' || letter == 'F'))
+    if (session.kind() == MeshKind::volume && (letter == 'f' || letter == 'F'))
       return checked(MeshItem::Kind::face, *number, topology);
     if (letter == 'e' || letter == 'E' || letter == '#')
       return checked(MeshItem::Kind::element, *number, topology);
   }
   if (wanted.starts_with("worst")) return worst_item(trimmed(wanted.substr(5)), session, view);
-  if (session.in_space())
+  if (session.kind() == MeshKind::volume)
     if (const auto face = marker_face(wanted, topology)) return *face;
   if (const auto point = point_of(wanted, session.in_space())) return nearest_node(*point, session);
-  throw UsageError(session.in_space() ? expected_in_space : expected);
+  throw UsageError(expected_of(session.kind()));
 }
 
 std::string item_name(const MeshItem& item) {

@@ -94,6 +94,7 @@ void SpaceControl::begin(ViewOptions& options) {
 std::vector<CutPlane> SpaceControl::first_cuts() const {
   const Document& document = *session_.document();
   std::vector<CutPlane> cuts;
+  if (session_.kind() == MeshKind::surface) return cuts;
   for (const Plane& plane :
        automatic_cuts(document.state().mesh, *document.boundary(), automatic_view({}))) {
     CutPlane& cut = cuts.emplace_back();

@@ -35,19 +35,20 @@ void look_above(SpaceCamera& camera, const ScreenBox& card) {
   camera.look_at(camera.centre() - (size.y() - free) / 2 * unit * camera.up(), unit);
 }
 
-/// The same metric of elements of that dimension, or the one that all have.
-void suit_field(std::optional<ElementField>& field, int cell_dimension) {
-  if (!field || field->cell_dimension() == cell_dimension) return;
-  const std::vector<ElementField>& all = all_element_fields(cell_dimension);
+/// The same metric of elements of such a mesh, or the one that all have.
+void suit_field(std::optional<ElementField>& field, MeshKind kind) {
+  const std::vector<ElementField>& all = all_element_fields(kind);
+  if (!field || std::ranges::find(all, *field) != all.end()) return;
   const auto same = std::ranges::find_if(
       all, [&](const ElementField& f) { return field_info(f).name == field_info(*field).name; });
-  field = same != all.end() ? *same : ElementField(Metric::normalized_jacobian, cell_dimension);
+  field = same != all.end() ? *same
+                            : ElementField(Metric::normalized_jacobian, cell_dimension_of(kind));
 }
 
-void suit_fields(ViewOptions& options, int cell_dimension) {
+void suit_fields(ViewOptions& options, MeshKind kind) {
   const std::optional<ElementField> before = options.color;
-  suit_field(options.color, cell_dimension);
-  suit_field(options.worst_by, cell_dimension);
+  suit_field(options.color, kind);
+  suit_field(options.worst_by, kind);
   if (!options.color || options.color == before) return;
   // What was chosen for the values of the other.
   options.range.reset();
@@ -64,7 +65,7 @@ bool ViewControl::begin_frame(double x, double y, double width, double height) {
                                       space.size().y());
   const bool another = follow_mesh();
   if (session_.in_space()) space_.follow(options_.space);
-  if (session_.in_space()) suit_peel();
+  if (session_.kind() == MeshKind::volume) suit_peel();
   state_.can_go_back = history_.can_go_back(looked_at_now());
   state_.can_go_forward = history_.can_go_forward();
   return another;
@@ -83,7 +84,7 @@ bool ViewControl::follow_mesh() {
   if (const Document* document = session_.document()) {
     const std::string file = document->source().string();
     if (options_.markers.mesh != file) options_.markers = {file, {}};
-    suit_fields(options_, session_.in_space() ? 3 : 2);
+    suit_fields(options_, session_.kind());
   }
   look_at_start();
   return true;
@@ -281,7 +282,7 @@ void ViewControl::on(const action::LookFrom& a) {
 }
 
 void ViewControl::on(const action::AddCut& a) {
-  if (!session_.in_space() || options_.space.cuts.size() >= most_cuts) return;
+  if (session_.kind() != MeshKind::volume || options_.space.cuts.size() >= most_cuts) return;
   CutPlane cut;
   for (Index k = 0; k < 3; ++k) {
     cut.point[at(k)] = a.point[k];
@@ -292,7 +293,7 @@ void ViewControl::on(const action::AddCut& a) {
 }
 
 void ViewControl::on(const action::AddCutAcrossView&) {
-  if (!session_.in_space()) return;
+  if (session_.kind() != MeshKind::volume) return;
   const SpaceCamera& camera = space_.camera();
   Index axis = 0;
   camera.back().cwiseAbs().maxCoeff(&axis);

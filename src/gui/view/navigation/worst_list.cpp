@@ -4,32 +4,39 @@
 
 namespace winslow::gui {
 
-std::vector<ElementField> rankings(int cell_dimension) {
+std::vector<ElementField> rankings(MeshKind kind) {
+  const int dimension = cell_dimension_of(kind);
   std::vector<ElementField> fields;
-  for (const Metric metric : reported_metrics(cell_dimension))
-    fields.emplace_back(metric, cell_dimension);
-  if (cell_dimension == 2)
+  for (const Metric metric : reported_metrics(dimension)) fields.emplace_back(metric, dimension);
+  if (kind == MeshKind::plane)
     fields.insert(fields.end(), all_wall_fields().begin(), all_wall_fields().end());
+  if (kind == MeshKind::surface) fields.emplace_back(SurfaceField::deviation);
   return fields;
 }
 
-ElementField worst_field(const ViewOptions& view) {
-  // The view suits the mesh: what it is coloured or ranked by says which kind of elements it has.
-  const bool in_space = (view.worst_by && view.worst_by->cell_dimension() == 3) ||
-                        (view.color && view.color->cell_dimension() == 3);
-  const std::vector<ElementField> fields = rankings(in_space ? 3 : 2);
+ElementField worst_field(const ViewOptions& view, MeshKind kind) {
+  const std::vector<ElementField> fields = rankings(kind);
   for (const std::optional<ElementField>& field : {view.worst_by, view.color})
     if (field && std::ranges::find(fields, *field) != fields.end()) return *field;
   return fields.front();
 }
 
+namespace {
+
+std::span<const WorstElement> worst_by(const QualityMonitor::Measured& measured,
+                                       const ElementField& field) {
+  if (field.wall()) return measured.report.worst_by(*field.wall());
+  if (field.metric()) return measured.report.of(*field.metric()).worst;
+  if (!measured.deviation) return {};
+  return measured.deviation->worst;
+}
+
+}  // namespace
+
 std::span<const WorstElement> worst_elements(const Session& session, const ViewOptions& view) {
   const auto& measured = session.quality().latest();
-  if (!measured) return {};
-  const ElementField field = worst_field(view);
-  const std::span<const WorstElement> all = field.wall()
-                                                ? measured->report.worst_by(*field.wall())
-                                                : measured->report.of(*field.metric()).worst;
+  if (!measured || !session.document()) return {};
+  const std::span<const WorstElement> all = worst_by(*measured, worst_field(view, session.kind()));
   return all.first(std::min(all.size(), static_cast<std::size_t>(std::max(view.worst_count, 0))));
 }
 

@@ -11,11 +11,12 @@
 /// The elements that a metric finds worst, of the mesh last measured.
 namespace winslow::gui {
 
-/// What elements can be ranked by: metrics of the report and what is measured at walls.
-std::vector<ElementField> rankings(int cell_dimension);
+/// What elements can be ranked by: metrics of the report, what is measured at walls, the deviation
+/// of a surface.
+std::vector<ElementField> rankings(MeshKind kind);
 /// What the list goes by: as chosen, or as coloured; what has no such list (the area, the fields of
 /// the virtual control volumes and of layers) gives way to the normalized Jacobian.
-ElementField worst_field(const ViewOptions& view);
+ElementField worst_field(const ViewOptions& view, MeshKind kind);
 /// Worst first, as many as the view wants.
 std::span<const WorstElement> worst_elements(const Session& session, const ViewOptions& view);
 /// The element `by` places further down the list than the one in focus; the first if none is.

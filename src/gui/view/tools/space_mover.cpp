@@ -14,7 +14,7 @@ struct Place {
 };
 
 std::optional<Place> place_of(const Session& session) {
-  if (!session.in_space()) return std::nullopt;
+  if (session.kind() != MeshKind::volume) return std::nullopt;
   const Selection& selection = session.selection();
   if (selection.shape_edit().active) {
     const auto* held = selection.space().held(selection.shape_edit());

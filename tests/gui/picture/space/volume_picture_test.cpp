@@ -147,12 +147,12 @@ TEST_CASE("Every metric of volume elements colours a picture, and only those") {
   const Mesh mesh = body_in_box();
   VolumePictureOptions options = small_volume();
   options.legend = true;
-  for (const ElementField& field : all_element_fields(3)) {
+  for (const ElementField& field : all_element_fields(MeshKind::volume)) {
     options.color = field;
     CHECK(inked(draw_volume_picture(mesh, options), 100, 60, 300, 300) > 5000);
   }
-  CHECK_THROWS_AS(parse_field("area", 3), UsageError);
-  CHECK(parse_field("smallest_solid_angle", 3).cell_dimension() == 3);
+  CHECK_THROWS_AS(parse_field("area", MeshKind::volume), UsageError);
+  CHECK(parse_field("smallest_solid_angle", MeshKind::volume).cell_dimension() == 3);
 }
 
 TEST_CASE("What makes no picture of a volume mesh is refused") {

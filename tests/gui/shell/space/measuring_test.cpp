@@ -136,7 +136,7 @@ TEST_CASE("elements that are shown alone are counted, and their volume is known"
   });
   REQUIRE(rig.scenes().shown.alone.has_value());
   CHECK(rig.scenes().shown.alone->count == rig.mesh().topology->element_count());
-  CHECK(rig.scenes().shown.alone->volume == doctest::Approx(26.0 / 27));
+  CHECK(rig.scenes().shown.alone->size == doctest::Approx(26.0 / 27));
 }
 
 TEST_CASE("go to finds faces by number, and by a marker and a number") {

@@ -75,7 +75,7 @@ TEST_CASE("two panels of one id are refused") {
 TEST_CASE("every panel of the studio serves plane meshes and has a title") {
   Rig rig;
   const auto& panels = rig.bench->regions().panels().panels();
-  CHECK(panels.size() == 24);
+  CHECK(panels.size() == 25);
   std::set<Region> regions;
   for (const RegisteredPanel& panel : panels) {
     INFO(panel.id);

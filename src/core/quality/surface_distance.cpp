@@ -1,0 +1,137 @@
+#include "core/quality/surface_distance.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "core/error.h"
+#include "core/parallel/parallel_for.h"
+
+namespace winslow {
+
+namespace {
+
+double squared_distance(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 along = b - a;
+  const double length2 = along.squaredNorm();
+  const double t = length2 > 0 ? std::clamp(along.dot(p - a) / length2, 0.0, 1.0) : 0;
+  return (p - a - t * along).squaredNorm();
+}
+
+/// To the triangle: to its plane where the foot lies within, else to the nearest edge.
+double distance(const Vec3& p, const std::array<Vec3, 3>& t) {
+  const Vec3 area = (t[1] - t[0]).cross(t[2] - t[0]);
+  const double size2 = area.squaredNorm();
+  bool within = size2 > 0;
+  for (std::size_t k = 0; k < 3 && within; ++k)
+    within = area.dot((t[(k + 1) % 3] - t[k]).cross(p - t[k])) >= 0;
+  if (within) return std::abs(area.dot(p - t[0])) / std::sqrt(size2);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 3; ++k)
+    least = std::min(least, squared_distance(p, t[k], t[(k + 1) % 3]));
+  return std::sqrt(least);
+}
+
+/// value(i) of each of n places.
+template <typename Value>
+std::vector<double> values_of(Index n, int threads, const Value& value) {
+  constexpr Index block = 512;
+  std::vector<double> values(at(n), 0.0);
+  const auto measure = [&](Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) values[at(i)] = value(i);
+  };
+  parallel_for(threads, n, measure, block);
+  return values;
+}
+
+/// The largest distance of the middles of an element's triangles.
+double middle_distance(const SpacePoints& x, std::span<const Index> nodes,
+                       const SurfaceDistance& from) {
+  if (nodes.size() == 3) return from.to((x[nodes[0]] + x[nodes[1]] + x[nodes[2]]) / 3);
+  double largest = 0;
+  for (const auto& [a, b, c] : halves_of(x, nodes))
+    largest = std::max(largest, from.to((x[nodes[a]] + x[nodes[b]] + x[nodes[c]]) / 3));
+  return largest;
+}
+
+}  // namespace
+
+std::array<std::array<std::size_t, 3>, 2> halves_of(const SpacePoints& x,
+                                                    std::span<const Index> q) {
+  const bool first = (x[q[2]] - x[q[0]]).squaredNorm() <= (x[q[3]] - x[q[1]]).squaredNorm();
+  if (first) return {{{0, 1, 2}, {0, 2, 3}}};
+  return {{{0, 1, 3}, {1, 2, 3}}};
+}
+
+SurfaceDistance::SurfaceDistance(const Mesh& mesh) {
+  if (!is_surface(*mesh.topology))
+    throw UsageError("deviation: only for a surface mesh, and this is a " +
+                     std::string(mesh_kind(*mesh.topology)));
+  const SpacePoints x(mesh.coordinates);
+  std::vector<Box<3>> boxes;
+  const auto add = [&](const Triangle& triangle) {
+    triangles_.push_back(triangle);
+    Box<3> box = Box<3>::empty();
+    for (const Vec3& corner : triangle) box.add(corner);
+    boxes.push_back(box);
+    around_.add(box);
+  };
+  for (Index e = 0; e < mesh.topology->element_count(); ++e) {
+    const auto nodes = mesh.topology->element(e);
+    if (nodes.size() == 3) {
+      add({x[nodes[0]], x[nodes[1]], x[nodes[2]]});
+      continue;
+    }
+    for (const auto& [a, b, c] : halves_of(x, nodes)) add({x[nodes[a]], x[nodes[b]], x[nodes[c]]});
+  }
+  tree_ = BoxTree<3>(boxes);
+}
+
+double SurfaceDistance::to(const Vec3& place) const {
+  constexpr double near = 0.01;  // of the extent: mostly larger than the distance
+  const auto to_triangle = [&](Index t) { return distance(place, triangles_[at(t)]); };
+  auto found = tree_.nearest(place, near * extent(), to_triangle);
+  if (!found) found = tree_.nearest(place, std::numeric_limits<double>::infinity(), to_triangle);
+  return found ? found->distance : 0;
+}
+
+std::vector<double> node_distances(const Mesh& mesh, const SurfaceDistance& from, int threads) {
+  const SpacePoints x(mesh.coordinates);
+  return values_of(mesh.topology->node_count(), threads,
+                   [&](Index node) { return mesh.topology->used(node) ? from.to(x[node]) : 0.0; });
+}
+
+double element_distance(const Mesh& mesh, Index element, const SurfaceDistance& from) {
+  const SpacePoints x(mesh.coordinates);
+  const auto nodes = mesh.topology->element(element);
+  double largest = middle_distance(x, nodes, from);
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const Vec3 a = x[nodes[k]], b = x[nodes[(k + 1) % nodes.size()]];
+    largest = std::max({largest, from.to(a), from.to(0.5 * (a + b))});
+  }
+  return largest;
+}
+
+std::vector<double> element_distances(const Mesh& mesh, const SurfaceDistance& from, int threads) {
+  const Topology& topology = *mesh.topology;
+  const SpacePoints x(mesh.coordinates);
+  const std::vector<double> of_nodes = node_distances(mesh, from, threads);
+  const auto edges = topology.edges();
+  const std::vector<double> of_edges =
+      values_of(static_cast<Index>(edges.size()), threads, [&](Index k) {
+        return from.to(0.5 * (x[edges[at(k)].nodes[0]] + x[edges[at(k)].nodes[1]]));
+      });
+  std::vector<double> values = values_of(topology.element_count(), threads, [&](Index e) {
+    double largest = middle_distance(x, topology.element(e), from);
+    for (const Index node : topology.element(e)) largest = std::max(largest, of_nodes[at(node)]);
+    return largest;
+  });
+  for (std::size_t k = 0; k < edges.size(); ++k)
+    for (const Index e : edges[k].elements)
+      if (e >= 0) values[at(e)] = std::max(values[at(e)], of_edges[k]);
+  return values;
+}
+
+}  // namespace winslow
