@@ -112,6 +112,11 @@ class SolverThread::Impl final : public SolverMonitor {
     wake_.notify_all();
   }
 
+  void prepare(std::function<void(Command&)> with) {
+    const std::lock_guard lock(mutex_);
+    prepare_ = std::move(with);
+  }
+
   void follow(std::optional<std::uint64_t> seen) {
     {
       const std::lock_guard lock(mutex_);
@@ -233,6 +238,7 @@ class SolverThread::Impl final : public SolverMonitor {
     fresh_target_ = true;
     first_iteration_ = iterations_;
     try {
+      if (prepare_) prepare_(current_.command);
       const RunOptions options{this, current_.start ? &*current_.start : nullptr, &workspace_};
       result = execute(current_.command, *current_.state, options);
       reached_ = result->state.mesh.coordinates;
@@ -264,6 +270,7 @@ class SolverThread::Impl final : public SolverMonitor {
   }
 
   SmoothingWorkspace workspace_;
+  std::function<void(Command&)> prepare_;  // set before the first job; null: nothing
   Request current_;
   std::shared_ptr<const Topology> topology_;  // that reached_ is of
   Coordinates reached_;
@@ -305,6 +312,9 @@ void SolverThread::step(int n) {
 }
 void SolverThread::cancel() { impl_->cancel(); }
 void SolverThread::set_pace(double rate) { impl_->set_pace(rate); }
+void SolverThread::prepare(std::function<void(Command&)> with) {
+  impl_->prepare(std::move(with));
+}
 void SolverThread::follow(std::optional<std::uint64_t> seen) { impl_->follow(seen); }
 bool SolverThread::busy() const { return impl_->busy(); }
 std::shared_ptr<const Snapshot> SolverThread::latest() const { return impl_->latest(); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,6 +59,9 @@ class SolverThread {
   /// one named here, or an older one. None, as at first: it waits for nobody. Pause, step, cancel
   /// and another target act at once all the same.
   void follow(std::optional<std::uint64_t> seen);
+  /// Called on the solver's thread with each command before it is carried out, for what a command
+  /// needs from elsewhere (files); what it throws ends the job. Set it before the first job.
+  void prepare(std::function<void(Command&)> with);
   /// True while a job is running or paused.
   bool busy() const;
 

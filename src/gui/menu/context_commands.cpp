@@ -268,7 +268,7 @@ ContextPart of_element(const PanelContext& context, Index element) {
   const Metric* coloured = context.view.color ? context.view.color->metric() : nullptr;
   const Metric metric = coloured ? *coloured : Metric::normalized_jacobian;
   const int dimension = cell_dimension_of(context.session.kind());
-  const auto shared = context.session.mesh().shared();
+  const auto shared = shared_mesh(context.session.mesh());
   const Mesh& mesh = *shared;
   const double value = element_value(mesh, element, metric);
   const bool high_is_bad = !metric_info(metric, dimension).field.larger_is_better;

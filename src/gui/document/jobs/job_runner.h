@@ -23,6 +23,8 @@ class JobRunner {
     bool paused = false;  ///< the user had it wait after some steps
   };
 
+  JobRunner();
+
   bool active() const { return active_; }
   /// A drag holds the job: it may converge, but does not end.
   bool held() const { return held_; }

@@ -53,18 +53,22 @@ const std::shared_ptr<const Topology>& LiveMesh::topology() const {
   return job_.active() ? job_.topology() : document_->topology();
 }
 
-std::shared_ptr<const Mesh> LiveMesh::shared() const {
-  if (!document_) return nullptr;
-  if (shared_ && shared_shape_ == shape_ && shared_->topology == topology()) return shared_;
-  shared_shape_ = shape_;
-  const bool of_job = job_.active() && !drag_.active() && !instead_.coordinates;
-  if (auto mesh = of_job ? job_.snapshot_mesh() : nullptr; mesh && mesh == shared_) return shared_;
+std::shared_ptr<const Mesh> shared_mesh(const LiveMesh& live) {
+  if (!live.document_) return nullptr;
+  const auto& topology = live.topology();
+  auto& shared = live.shared_;
+  if (shared && live.shared_shape_ == live.shape_ && shared->topology == topology) return shared;
+  live.shared_shape_ = live.shape_;
+  const bool of_job =
+      live.job_.active() && !live.drag_.active() && !live.instead_.coordinates;
+  const auto of_snapshot = of_job ? live.job_.snapshot_mesh() : nullptr;
+  if (of_snapshot && of_snapshot == shared) return shared;
   // The shape grows with each look at a job, too: the same nodes are the same mesh.
-  if (shared_ && shared_->topology == topology() && shared_->coordinates == coordinates())
-    return shared_;
-  shared_ = of_job ? job_.snapshot_mesh() : nullptr;
-  if (!shared_) shared_ = std::make_shared<const Mesh>(Mesh{topology(), coordinates()});
-  return shared_;
+  if (shared && shared->topology == topology && shared->coordinates == live.coordinates())
+    return shared;
+  shared = of_snapshot;
+  if (!shared) shared = std::make_shared<const Mesh>(Mesh{topology, live.coordinates()});
+  return shared;
 }
 
 std::shared_ptr<const LayerStack> LiveMesh::layers() const {

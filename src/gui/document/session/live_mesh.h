@@ -47,9 +47,6 @@ class LiveMesh {
   const Coordinates& coordinates() const;
   /// That coordinates() are of: a job may change it on its way. Null without a mesh.
   const std::shared_ptr<const Topology>& topology() const;
-  /// Both as one mesh that stays as it is, for threads and for what keeps it: none is made while
-  /// nodes stay where they are. Null without a mesh.
-  std::shared_ptr<const Mesh> shared() const;
   /// Layers of the mesh on screen; null where there are none, or not all of them yet.
   std::shared_ptr<const LayerStack> layers() const;
   /// Virtual control volumes of the mesh on screen; null without a mesh.
@@ -85,6 +82,7 @@ class LiveMesh {
 
  private:
   friend std::shared_ptr<const SphereStencils> sphere_vcvs(const LiveMesh& mesh);
+  friend std::shared_ptr<const Mesh> shared_mesh(const LiveMesh& live);
   void follow_topology();
 
   std::unique_ptr<Document> document_;
@@ -106,6 +104,9 @@ class LiveMesh {
 inline bool in_space(const LiveMesh& mesh) {
   return mesh.document() && mesh.document()->boundary();
 }
+/// The mesh on screen as one that stays as it is, for threads and for what keeps it: none is made
+/// while nodes stay where they are. Null without a mesh.
+std::shared_ptr<const Mesh> shared_mesh(const LiveMesh& live);
 /// VCVs of a volume mesh on screen that were given by hand; null: none.
 std::shared_ptr<const SphereStencils> sphere_vcvs(const LiveMesh& mesh);
 /// As LiveMesh::live_motion(), of either mesh; it names its pivot.

@@ -42,7 +42,7 @@ QualityMonitor::Wish QualityWatch::wish(const std::optional<ElementField>& field
 }
 
 QualityMonitor::Subject QualityWatch::on_screen() const {
-  return {mesh_.shared(), mesh_.vcv(), mesh_.layers(), mesh_.document()->state().surface};
+  return {shared_mesh(mesh_), mesh_.vcv(), mesh_.layers(), mesh_.document()->state().surface};
 }
 
 }  // namespace winslow::gui

@@ -58,7 +58,7 @@ std::vector<std::array<Vec3, 2>> sides_of(const Mesh& mesh, Index face) {
 void draw_space_focus(ImDrawList& list, const SpaceOverlay& o) {
   const auto& focus = o.state.focus;
   if (!focus || !exists(*focus, o.session)) return;
-  const auto shared = o.session.mesh().shared();
+  const auto shared = shared_mesh(o.session.mesh());
   const Mesh& mesh = *shared;
   if (focus->kind == MeshItem::Kind::element) {
     draw_lines_with_halo(list, o, edges_of(mesh, focus->id), palette().accent, o.theme.px(2));

@@ -76,31 +76,31 @@ TEST_CASE("layers that are inserted make a mesh of another connectivity, which i
 }
 
 TEST_CASE("a mesh that is shared stays as it is, and is made anew only when nodes have moved") {
-  CHECK(LiveMesh().shared() == nullptr);
+  CHECK(shared_mesh(LiveMesh()) == nullptr);
   SessionParts parts(ring_mesh());
-  const auto given = parts.mesh.shared();
+  const auto given = shared_mesh(parts.mesh);
   CHECK(given->topology == parts.mesh.topology());
   CHECK(given->coordinates == parts.mesh.coordinates());
   parts.mesh.changed();  // to the same nodes
-  CHECK(parts.mesh.shared() == given);
+  CHECK(shared_mesh(parts.mesh) == given);
   const Coordinates before = given->coordinates;
   parts.selection.apply(action::SelectMarkers{{parts.marker("flap")}});
   REQUIRE(parts.jobs.start(parts.jobs.move_command({10, Vec2(0, 0), Vec2(0, 0)}), false));
   std::set<std::shared_ptr<const Mesh>> of_solver;
   while (parts.mesh.in_motion()) {
     if (const auto& snapshot = parts.mesh.job().snapshot()) of_solver.insert(snapshot->mesh);
-    const auto shared = parts.mesh.shared();
+    const auto shared = shared_mesh(parts.mesh);
     CHECK(shared->coordinates == parts.mesh.coordinates());
     // None of the solver's meshes is copied.
     CHECK((shared == given || of_solver.contains(shared)));
     parts.jobs.poll();
   }
   CHECK(of_solver.size() > 1);
-  CHECK(parts.mesh.shared()->coordinates == parts.mesh.coordinates());
-  CHECK(parts.mesh.shared() != given);
+  CHECK(shared_mesh(parts.mesh)->coordinates == parts.mesh.coordinates());
+  CHECK(shared_mesh(parts.mesh) != given);
   CHECK(given->coordinates == before);
   parts.mesh.close();
-  CHECK(parts.mesh.shared() == nullptr);
+  CHECK(shared_mesh(parts.mesh) == nullptr);
 }
 
 }  // namespace winslow::gui::test
