@@ -59,8 +59,7 @@ std::shared_ptr<const Mesh> shared_mesh(const LiveMesh& live) {
   auto& shared = live.shared_;
   if (shared && live.shared_shape_ == live.shape_ && shared->topology == topology) return shared;
   live.shared_shape_ = live.shape_;
-  const bool of_job =
-      live.job_.active() && !live.drag_.active() && !live.instead_.coordinates;
+  const bool of_job = live.job_.active() && !live.drag_.active() && !live.instead_.coordinates;
   const auto of_snapshot = of_job ? live.job_.snapshot_mesh() : nullptr;
   if (of_snapshot && of_snapshot == shared) return shared;
   // The shape grows with each look at a job, too: the same nodes are the same mesh.
