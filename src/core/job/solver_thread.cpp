@@ -312,9 +312,7 @@ void SolverThread::step(int n) {
 }
 void SolverThread::cancel() { impl_->cancel(); }
 void SolverThread::set_pace(double rate) { impl_->set_pace(rate); }
-void SolverThread::prepare(std::function<void(Command&)> with) {
-  impl_->prepare(std::move(with));
-}
+void SolverThread::prepare(std::function<void(Command&)> with) { impl_->prepare(std::move(with)); }
 void SolverThread::follow(std::optional<std::uint64_t> seen) { impl_->follow(seen); }
 bool SolverThread::busy() const { return impl_->busy(); }
 std::shared_ptr<const Snapshot> SolverThread::latest() const { return impl_->latest(); }
