@@ -20,7 +20,6 @@ class FeatureFinder {
         faces_(faces),
         edges_(surface_edges(faces)),
         sharp_(feature_edges(x_, faces, edges_, angle)),
-        angle_(angle),
         least_cosine_(std::cos(radians(angle))) {}
 
   SurfaceFeatures find() {
@@ -71,17 +70,19 @@ class FeatureFinder {
 
   /// Nodes around which no edge is sharp, and the faces lean away from their mean all the same.
   void find_tips() {
-    const std::vector<Vec3> of_faces = face_normals(x_, faces_, edges_, angle_);
     std::vector<Vec3> normals(at(node_count_), Vec3(0, 0, 0));
-    for (std::size_t f = 0; f < faces_.size(); ++f)
-      if (of_faces[f].norm() > 0)
-        for (const Index node : faces_[f].nodes) normals[at(node)] += of_faces[f].normalized();
-    for (std::size_t f = 0; f < faces_.size(); ++f)
-      for (const Index node : faces_[f].nodes)
+    for (const SurfaceFace& face : faces_) {
+      const Vec3 area = area_vector(x_, face.nodes);
+      if (area.norm() > 0)
+        for (const Index node : face.nodes) normals[at(node)] += area.normalized();
+    }
+    for (const SurfaceFace& face : faces_) {
+      const Vec3 area = area_vector(x_, face.nodes);
+      for (const Index node : face.nodes)
         if (out_.nodes[at(node)] == SurfaceNode::inside &&
-            of_faces[f].dot(normals[at(node)]) <
-                least_cosine_ * of_faces[f].norm() * normals[at(node)].norm())
+            area.dot(normals[at(node)]) < least_cosine_ * area.norm() * normals[at(node)].norm())
           out_.nodes[at(node)] = SurfaceNode::corner;
+    }
   }
 
   SpacePoints x_;
@@ -89,7 +90,6 @@ class FeatureFinder {
   std::span<const SurfaceFace> faces_;
   SurfaceEdges edges_;
   std::vector<unsigned char> sharp_;
-  double angle_;  // degrees
   double least_cosine_;
   EdgeEnds ends_;
   SurfaceFeatures out_;

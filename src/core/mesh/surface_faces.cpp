@@ -2,9 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
-#include <functional>
-#include <optional>
 
 #include "core/error.h"
 
@@ -105,90 +102,11 @@ bool runs_along(const Face& face, const std::array<Index, 2>& edge) {
   return false;
 }
 
-/// 1 if two faces are seen from one side, -1 if one is seen from behind: those of one side run
-/// along their edge in opposite directions.
-double sides(const SurfaceFace& a, const SurfaceFace& b, const std::array<Index, 2>& edge) {
-  return runs_along(a.nodes, edge) != runs_along(b.nodes, edge) ? 1 : -1;
-}
-
-/// A triangle less than a tenth as high as it is long. area: its area vector.
-bool is_sliver(const SpacePoints& x, const Face& face, const Vec3& area) {
-  if (face.size() != 3) return false;
-  double longest2 = 0;
-  for (std::size_t k = 0; k < 3; ++k)
-    longest2 = std::max(longest2, (x[face[(k + 1) % 3]] - x[face[k]]).squaredNorm());
-  constexpr double flat = 0.1;
-  return 2 * area.norm() < flat * longest2;
-}
-
-/// Where slivers face by chance.
-class Slivers {
- public:
-  Slivers(const SpacePoints& x, std::span<const SurfaceFace> faces, const SurfaceEdges& edges,
-          double least_cosine, std::span<const Vec3> areas)
-      : faces_(faces), edges_(edges), least_cosine_(least_cosine), areas_(areas) {
-    edges_of_.resize(faces.size());
-    for (std::size_t k = 0; k < edges.nodes.size(); ++k) {
-      const auto [a, b] = edges.nodes[k];
-      lengths_.push_back((x[b] - x[a]).norm());
-      for (const Index f : edges.faces[static_cast<Index>(k)])
-        edges_of_[at(f)].push_back(static_cast<Index>(k));
-    }
-  }
-
-  /// The normal that a sliver has by its neighbours; none if its own is not chance.
-  std::optional<Vec3> normal_around(std::size_t f) const {
-    std::vector<Index> edges = edges_of_[f];
-    std::ranges::sort(edges, std::greater<>(), [&](Index k) { return lengths_[at(k)]; });
-    const auto first = beyond(f, edges[0]), second = beyond(f, edges[1]);
-    if (!first || !second || turns(*first, *second)) return std::nullopt;
-    if (!turns(areas_[f], *first) || !turns(areas_[f], *second)) return std::nullopt;
-    return first->normalized() + second->normalized();
-  }
-
- private:
-  /// The area vector of the face beyond an edge, seen from this face's side.
-  std::optional<Vec3> beyond(std::size_t f, Index edge) const {
-    const auto around = edges_.faces[edge];
-    if (around.size() != 2) return std::nullopt;
-    const std::size_t other = at(around[0]) == f ? at(around[1]) : at(around[0]);
-    if (faces_[other].marker != faces_[f].marker || areas_[other].norm() == 0) return std::nullopt;
-    return sides(faces_[f], faces_[other], edges_.nodes[at(edge)]) * areas_[other];
-  }
-  bool turns(const Vec3& a, const Vec3& b) const {
-    return a.dot(b) < least_cosine_ * a.norm() * b.norm();
-  }
-
-  std::span<const SurfaceFace> faces_;
-  const SurfaceEdges& edges_;
-  double least_cosine_;
-  std::span<const Vec3> areas_;
-  std::vector<double> lengths_;               // #edges
-  std::vector<std::vector<Index>> edges_of_;  // #faces
-};
-
 }  // namespace
-
-std::vector<Vec3> face_normals(const SpacePoints& x, std::span<const SurfaceFace> faces,
-                               const SurfaceEdges& edges, double angle) {
-  std::vector<Vec3> areas;
-  areas.reserve(faces.size());
-  for (const SurfaceFace& face : faces) areas.push_back(area_vector(x, face.nodes));
-  std::vector<std::size_t> found;
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    if (is_sliver(x, faces[f].nodes, areas[f])) found.push_back(f);
-  if (found.empty()) return areas;
-  std::vector<Vec3> normals = areas;
-  const Slivers slivers(x, faces, edges, std::cos(radians(angle)), areas);
-  for (const std::size_t f : found)
-    if (const auto around = slivers.normal_around(f)) normals[f] = *around;
-  return normals;
-}
 
 std::vector<unsigned char> feature_edges(const SpacePoints& x, std::span<const SurfaceFace> faces,
                                          const SurfaceEdges& edges, double angle) {
   const double least_cosine = std::cos(radians(angle));
-  const std::vector<Vec3> normals = face_normals(x, faces, edges, angle);
   std::vector<unsigned char> sharp(edges.nodes.size(), 1);
   for (std::size_t k = 0; k < sharp.size(); ++k) {
     const auto around = edges.faces[static_cast<Index>(k)];
@@ -196,8 +114,11 @@ std::vector<unsigned char> feature_edges(const SpacePoints& x, std::span<const S
     const SurfaceFace& a = faces[at(around[0])];
     const SurfaceFace& b = faces[at(around[1])];
     if (a.marker != b.marker) continue;
-    const Vec3 &p = normals[at(around[0])], &q = normals[at(around[1])];
-    const double cosine = sides(a, b, edges.nodes[k]) * p.dot(q);
+    const Vec3 p = area_vector(x, a.nodes), q = area_vector(x, b.nodes);
+    // Faces that are seen from one side run along their edge in opposite directions.
+    const bool one_side =
+        runs_along(a.nodes, edges.nodes[k]) != runs_along(b.nodes, edges.nodes[k]);
+    const double cosine = (one_side ? 1 : -1) * p.dot(q);
     sharp[k] = cosine < least_cosine * p.norm() * q.norm() ? 1 : 0;
   }
   return sharp;

@@ -38,16 +38,9 @@ SurfaceEdges surface_edges(std::span<const SurfaceFace> faces);
 Vec3 area_vector(const SpacePoints& x, const Face& face);
 Vec3 centre_of(const SpacePoints& x, const Face& face);  ///< mean of the corners
 
-/// At right angles to each face, of any length, on the side of its area vector (#faces). Of a
-/// sliver, a triangle less than a tenth as high as it is long, whose two neighbours at its longer
-/// edges agree with one another and not with it (by more than `angle` degrees), the mean of theirs:
-/// which way it faces is chance, as in scans.
-std::vector<Vec3> face_normals(const SpacePoints& x, std::span<const SurfaceFace> faces,
-                               const SurfaceEdges& edges, double angle);
-
 /// Which edges show the form of a surface (#edges, 1 or 0): those of one face alone or of more than
-/// two, those at which two faces turn by more than this angle (degrees), by face_normals(), and
-/// those between two markers.
+/// two, those at which two faces turn by more than this angle (degrees), and those between two
+/// markers.
 std::vector<unsigned char> feature_edges(const SpacePoints& x, std::span<const SurfaceFace> faces,
                                          const SurfaceEdges& edges, double angle);
 
