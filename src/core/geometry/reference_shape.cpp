@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/search/segment_distance.h"
 
 namespace winslow {
 
@@ -16,13 +17,6 @@ std::shared_ptr<const ReferenceSurface> moved_to(const ReferenceSurface& surface
 }
 
 namespace {
-
-double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 along = b - a;
-  const double length2 = along.squaredNorm();
-  const double t = length2 > 0 ? std::clamp(along.dot(p - a) / length2, 0.0, 1.0) : 0;
-  return (p - a - t * along).norm();
-}
 
 /// Several surfaces as one: at each place the one whose triangles are nearest there. Planes,
 /// cylinders and spheres end at their faces.
@@ -99,7 +93,7 @@ void ReferenceShape::add_line(Index line, const Chain& chain, const SpacePoints&
 std::optional<ReferenceShape::LinePlace> ReferenceShape::nearest_line(const Vec3& point,
                                                                       double reach) const {
   const auto distance = [&](Index k) {
-    return distance_to_segment(point, segments_[at(k)].a, segments_[at(k)].b);
+    return segment_distance<3>(point, segments_[at(k)].a, segments_[at(k)].b);
   };
   const auto found = segment_tree_.nearest(point, reach, distance);
   if (!found) return std::nullopt;
@@ -110,7 +104,7 @@ std::optional<ReferenceShape::LinePlace> ReferenceShape::nearest_line(const Vec3
 double ReferenceShape::distance_to_line(Index line, const Vec3& point) const {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = first_segment_[at(line)]; k < first_segment_[at(line) + 1]; ++k)
-    least = std::min(least, distance_to_segment(point, segments_[k].a, segments_[k].b));
+    least = std::min(least, segment_distance<3>(point, segments_[k].a, segments_[k].b));
   return least;
 }
 

@@ -6,27 +6,6 @@
 
 namespace winslow {
 
-namespace {
-
-void add_triangles(std::span<const Index> corners, Triangulation& surface) {
-  const Index a = corners[0], b = corners[1], c = corners[2];
-  if (corners.size() == 3) {
-    surface.triangles.push_back({a, b, c});
-    return;
-  }
-  const Index d = corners[3];
-  const auto& p = surface.points;
-  if ((p[at(c)] - p[at(a)]).squaredNorm() <= (p[at(d)] - p[at(b)]).squaredNorm()) {
-    surface.triangles.push_back({a, b, c});
-    surface.triangles.push_back({a, c, d});
-  } else {
-    surface.triangles.push_back({a, b, d});
-    surface.triangles.push_back({b, c, d});
-  }
-}
-
-}  // namespace
-
 FeatureCurves curves_along(const SpacePoints& x, const SurfaceFeatures& features) {
   FeatureCurves out;
   out.tangents.assign(features.nodes.size(), Vec3(0, 0, 0));
@@ -68,10 +47,16 @@ Triangulation triangulated(const SpacePoints& x, std::span<const SurfaceFace> fa
   Triangulation surface;
   for (const Index node : nodes) surface.points.push_back(x[node]);
   for (const Index f : chosen) {
-    std::vector<Index> corners;
-    for (const Index node : faces[at(f)].nodes)
-      corners.push_back(static_cast<Index>(std::ranges::lower_bound(nodes, node) - nodes.begin()));
-    add_triangles(corners, surface);
+    const Face& face = faces[at(f)].nodes;
+    const auto corner = [&](std::size_t k) {
+      return static_cast<Index>(std::ranges::lower_bound(nodes, face[k]) - nodes.begin());
+    };
+    if (face.size() == 3) {
+      surface.triangles.push_back({corner(0), corner(1), corner(2)});
+      continue;
+    }
+    for (const auto& [a, b, c] : halves_of(x, std::span(face.begin(), face.end())))
+      surface.triangles.push_back({corner(a), corner(b), corner(c)});
   }
   return surface;
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/geometry/surface/triangulation.h"
+
 namespace winslow {
 
 namespace {

@@ -7,18 +7,13 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/geometry/surface/triangulation.h"
 #include "core/parallel/parallel_for.h"
+#include "core/search/segment_distance.h"
 
 namespace winslow {
 
 namespace {
-
-double squared_distance(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 along = b - a;
-  const double length2 = along.squaredNorm();
-  const double t = length2 > 0 ? std::clamp(along.dot(p - a) / length2, 0.0, 1.0) : 0;
-  return (p - a - t * along).squaredNorm();
-}
 
 /// To the triangle: to its plane where the foot lies within, else to the nearest edge.
 double distance(const Vec3& p, const std::array<Vec3, 3>& t) {
@@ -30,8 +25,8 @@ double distance(const Vec3& p, const std::array<Vec3, 3>& t) {
   if (within) return std::abs(area.dot(p - t[0])) / std::sqrt(size2);
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < 3; ++k)
-    least = std::min(least, squared_distance(p, t[k], t[(k + 1) % 3]));
-  return std::sqrt(least);
+    least = std::min(least, segment_distance<3>(p, t[k], t[(k + 1) % 3]));
+  return least;
 }
 
 /// value(i) of each of n places.
@@ -57,13 +52,6 @@ double middle_distance(const SpacePoints& x, std::span<const Index> nodes,
 }
 
 }  // namespace
-
-std::array<std::array<std::size_t, 3>, 2> halves_of(const SpacePoints& x,
-                                                    std::span<const Index> q) {
-  const bool first = (x[q[2]] - x[q[0]]).squaredNorm() <= (x[q[3]] - x[q[1]]).squaredNorm();
-  if (first) return {{{0, 1, 2}, {0, 2, 3}}};
-  return {{{0, 1, 3}, {1, 2, 3}}};
-}
 
 SurfaceDistance::SurfaceDistance(const Mesh& mesh) {
   if (!is_surface(*mesh.topology))

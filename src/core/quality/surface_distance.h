@@ -37,8 +37,4 @@ double element_distance(const Mesh& mesh, Index element, const SurfaceDistance& 
 /// The same of its nodes (#nodes); 0 of those that no element has.
 std::vector<double> node_distances(const Mesh& mesh, const SurfaceDistance& from, int threads = 0);
 
-/// Triangles of a quadrilateral of a surface, as numbers of its corners.
-std::array<std::array<std::size_t, 3>, 2> halves_of(const SpacePoints& x,
-                                                    std::span<const Index> quadrilateral);
-
 }  // namespace winslow

@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include "core/search/segment_distance.h"
+
 namespace winslow {
 
 namespace {
@@ -14,13 +16,6 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// Signed area of the parallelogram between two vectors.
 double spanned(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 along = b - a;
-  const double length2 = along.squaredNorm();
-  const double t = length2 > 0 ? std::clamp((p - a).dot(along) / length2, 0.0, 1.0) : 0.0;
-  return (p - (a + t * along)).norm();
-}
 
 /// Edge k of a wall, from node k to the next, with the wall's nodes before and after it.
 struct WallEdge {
@@ -36,7 +31,7 @@ struct WallEdge {
   double distance(const PlanePoints& x, Index node) const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
-      least = std::min(least, distance_to_segment(x[node], x[nodes[i]], x[nodes[i + 1]]));
+      least = std::min(least, segment_distance<2>(x[node], x[nodes[i]], x[nodes[i + 1]]));
     return least;
   }
 

@@ -221,9 +221,10 @@ Command command_from_json(const json& value, const std::filesystem::path& folder
   Command command = read_command(reader, folder);
   reader.finish();
   if (SmoothOptions* options = smooth_options(command)) {
-    // A file is meant beside the recipe, as tables of displacements are.
+    // A file is meant beside the recipe, as tables of displacements are; wherever the command is
+    // written down next, it is that file.
     std::string& reference = options->slide.reference.name;
-    if (!reference.empty()) reference = (folder / reference).string();
+    if (!reference.empty()) reference = std::filesystem::absolute(folder / reference).string();
     try {
       validate(*options);
     } catch (const UsageError& error) {

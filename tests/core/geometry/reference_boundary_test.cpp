@@ -7,7 +7,6 @@
 #include "core/command/command.h"
 #include "core/error.h"
 #include "core/geometry/sliding_boundary.h"
-#include "core/mesh/surface_faces.h"
 #include "core/quality/quality.h"
 #include "support/random.h"
 #include "support/surface_meshes.h"
@@ -47,22 +46,7 @@ MeshData torus_of(Index n, Index m) {
 }
 
 /// The surface of a unit cube, n by n quadrilaterals on each side.
-MeshData cube_surface(Index n) {
-  const Mesh volume = make_mesh(cube(n, Volumes::hexahedra));
-  MeshData data;
-  data.coordinates = Coordinates(3, 0);
-  std::map<Index, Index> numbers;
-  for (const SurfaceFace& face : boundary_faces(*volume.topology)) {
-    std::vector<Index> corners;
-    for (const Index node : face.nodes) {
-      const auto [place, is_new] = numbers.try_emplace(node, data.node_count());
-      if (is_new) data.coordinates.push_xyz(volume.coordinates.xyz(node));
-      corners.push_back(place->second);
-    }
-    data.add_element(ElementType::quadrilateral, corners);
-  }
-  return data;
-}
+MeshData cube_surface(Index n) { return skin(cube(n, Volumes::hexahedra)); }
 
 }  // namespace
 
@@ -146,6 +130,36 @@ TEST_CASE("reference surface: the boundary of a volume mesh slides on its faces 
   std::size_t sliding = 0;
   for (const SlidingPart& part : result.smooth.boundary.sliding) sliding += part.nodes.size();
   CHECK(sliding == 6 * 25 + 12 * 5);
+}
+
+TEST_CASE("reference surface: a body moves in a mesh whose boundary is on it, if that is valid") {
+  const Mesh mesh = make_mesh(cube_with_cavity(12, Volumes::tetrahedra));
+  const auto box = [](double size) {
+    MeshData data = cube_surface(4);
+    for (double& value : data.coordinates.values()) value = 0.5 + size * (value - 0.5);
+    return data;
+  };
+  MoveCommand command;
+  command.markers = {"cavity"};
+  command.motion.translate = Vec2(0.05, 0);
+  command.smooth.slide = smooth_on(box(1.02)).smooth.slide;
+  command.smooth.slide.markers = {"outer"};
+  const CommandResult result = execute(command, make_state(mesh));
+  CHECK(result.smooth.converged);
+  CHECK(result.smooth.inverted == 0);
+  CHECK(result.smooth.fraction_reached == 1);
+  std::size_t sliding = 0;
+  for (const SlidingPart& part : result.smooth.boundary.sliding)
+    for (const Index node : part.nodes) {
+      ++sliding;
+      const Vec3 p = result.state.mesh.coordinates.xyz(node) - Vec3::Constant(0.5);
+      CHECK(p.cwiseAbs().maxCoeff() == doctest::Approx(0.51).epsilon(1e-12));
+    }
+  CHECK(sliding == 6 * 121);
+  command.smooth.slide.reference.surface =
+      std::make_shared<ReferenceSurface>(reference_of(box(0.8)));
+  CHECK_THROWS_WITH_AS(execute(command, make_state(mesh)),
+                       doctest::Contains("smooth the mesh on it first"), UsageError);
 }
 
 TEST_CASE("reference surface: what does not fit is refused by name") {

@@ -3,17 +3,15 @@
 #include <string>
 #include <string_view>
 
-#include "gui/menu/user_command.h"
-#include "gui/support/keys.h"
-#include "gui/support/rig.h"
+#include "gui/support/space_rig.h"
 #include "support/surface_meshes.h"
 
 namespace winslow::gui::test {
 
 /// A studio with a surface mesh, at first a ball of 288 triangles.
-struct SurfaceRig : Rig {
+struct SurfaceRig : SpaceRig {
   explicit SurfaceRig(const Mesh& surface = ball(), int width = 1400, int height = 1300)
-      : Rig(width, height) {
+      : SpaceRig(width, height) {
     open(surface, "surface.obj");
   }
   static Mesh ball() { return make_mesh(winslow::test::octasphere(6)); }
@@ -30,20 +28,7 @@ struct SurfaceRig : Rig {
         [](const Vec2& p) { return Vec3(p.x(), p.y(), (p.x() - 0.5) * (p.y() - 0.5)); }));
   }
 
-  const ViewOptions& options() const { return bench->view_control().options(); }
-  const ViewState& state() const { return bench->view_control().state(); }
-  const VolumeView& picture() const { return bench->pane().mesh_view().volume(); }
-  const VolumeScenes& scenes() const { return *picture().scenes(); }
-  const SpaceControl& space() const { return bench->view_control().space(); }
-  ScreenPoint at(const Vec3& point) const { return space().view().project(point).at; }
   Validity shown() const { return scenes().shown.validity; }
-  std::string blocked(std::string_view id) {
-    ActionQueue actions;
-    const PanelContext context{session(), options(),        state(),         bench->theme(),
-                               actions,   bench->capture(), bench->recent(), bench->demo(),
-                               nullptr,   nullptr};
-    return why_blocked(user_command(id), context);
-  }
   void scramble() {
     click("menu/Edit");
     click("menu/scramble");

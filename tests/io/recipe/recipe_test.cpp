@@ -241,6 +241,23 @@ TEST_CASE("recipe: displacements of a file are looked for beside the recipe") {
   CHECK(table.entries[0].displacement == Vec2(0.5, -0.5));
 }
 
+TEST_CASE(
+    "recipe: a reference surface is looked for beside the recipe, and is that file from then on") {
+  const TemporaryFolder folder;
+  const auto path = folder.write("r.json", with_command(R"({"command": "smooth",
+                                 "smooth": {"slide": {"reference": "fine.obj"}}})"));
+  // Read by a relative path, as a user may name it.
+  const auto from_here = std::filesystem::relative(path);
+  const Command command = io::read_recipe(from_here).commands.at(0);
+  const std::filesystem::path name = std::get<SmoothCommand>(command).smooth.slide.reference.name;
+  CHECK(name.is_absolute());
+  CHECK(name.lexically_normal() ==
+        std::filesystem::absolute(from_here.parent_path() / "fine.obj").lexically_normal());
+  // As steps of a session are kept, in another folder.
+  const Command kept = io::command_from_json(io::to_json(command), "elsewhere", "step");
+  CHECK(std::get<SmoothCommand>(kept).smooth.slide.reference.name == name);
+}
+
 TEST_CASE("recipe: what is left out has its default") {
   const TemporaryFolder folder;
   const auto path =

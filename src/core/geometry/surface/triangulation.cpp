@@ -78,6 +78,13 @@ Vec3 paraboloid_normal(const Triangulation& surface, const CompressedRows& star,
 
 }  // namespace
 
+std::array<std::array<std::size_t, 3>, 2> halves_of(const SpacePoints& x,
+                                                    std::span<const Index> q) {
+  const bool first = (x[q[2]] - x[q[0]]).squaredNorm() <= (x[q[3]] - x[q[1]]).squaredNorm();
+  if (first) return {{{0, 1, 2}, {0, 2, 3}}};
+  return {{{0, 1, 3}, {1, 2, 3}}};
+}
+
 std::vector<std::array<Index, 3>> triangle_neighbours(const Triangulation& surface) {
   std::vector<TriangleSide> sides;
   sides.reserve(3 * surface.triangles.size());

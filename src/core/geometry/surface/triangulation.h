@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "core/index.h"
+#include "core/mesh/coordinates.h"
 #include "core/types.h"
 
 namespace winslow {
@@ -14,6 +16,11 @@ struct Triangulation {
   std::vector<Vec3> points;
   std::vector<std::array<Index, 3>> triangles;  ///< of points
 };
+
+/// The triangles of a quadrilateral of a surface, cut along its shorter diagonal, as numbers of its
+/// corners.
+std::array<std::array<std::size_t, 3>, 2> halves_of(const SpacePoints& x,
+                                                    std::span<const Index> quadrilateral);
 
 /// Neighbour k of a triangle lies across the edge from its corner k to the next; -1: none, or more
 /// than one.

@@ -11,13 +11,11 @@
 #include "core/inspect/space/element_layers.h"
 #include "core/inspect/space/plane_section.h"
 #include "core/inspect/space/volume_nodal_view.h"
-#include "core/parallel/parallel_for.h"
 #include "core/quality/quality.h"
-#include "core/quality/volume_element.h"
-#include "core/strategy/surface_shape.h"
 #include "gui/picture/figure/write_figure.h"
 #include "gui/picture/frame/picture_frame.h"
 #include "gui/picture/frame/picture_parts.h"
+#include "gui/picture/space/element_values.h"
 #include "gui/picture/space/scene_figure.h"
 #include "gui/render/gl_context.h"
 #include "gui/render/space/space_renderer.h"
@@ -29,52 +27,6 @@ namespace winslow::gui {
 namespace {
 
 constexpr double opening = 30;  // degrees, of a perspective view
-
-/// Which side elements of a surface mesh should face; empty: another kind of mesh.
-std::vector<Vec3> normals_of(const Mesh& mesh, const VolumePictureOptions& options) {
-  const auto shape = own_shape(options.given ? *options.given : mesh);
-  return shape ? shape->normals->at(mesh.coordinates, 0) : std::vector<Vec3>();
-}
-
-std::vector<unsigned char> inverted_elements(const Mesh& mesh, std::span<const Vec3> normals) {
-  const Topology& topology = *mesh.topology;
-  std::vector<unsigned char> inverted(at(topology.element_count()));
-  if (is_surface(topology)) {
-    const auto sines = element_values(mesh, Metric::normalized_jacobian, normals);
-    for (std::size_t e = 0; e < sines.size(); ++e) inverted[e] = sines[e] > 0 ? 0 : 1;
-    return inverted;
-  }
-  parallel_for(0, topology.element_count(), [&](Index begin, Index end) {
-    for (Index e = begin; e < end; ++e) {
-      const VolumeElement element(mesh.coordinates, topology.element_type(e), topology.element(e));
-      inverted[at(e)] = element.inverted() ? 1 : 0;
-    }
-  });
-  return inverted;
-}
-
-std::vector<double> values_of(const Mesh& mesh, const VolumePictureOptions& options,
-                              std::span<const Vec3> normals) {
-  const ElementField& field = *options.color;
-  if (!is_surface(*mesh.topology)) return element_values(mesh, *field.metric());
-  return surface_values(mesh, field, normals,
-                        SurfaceDistance(options.given ? *options.given : mesh));
-}
-
-std::vector<unsigned char> worse_than(double threshold, const ElementField& field,
-                                      std::span<const double> values) {
-  const bool larger = field_info(field).larger_is_better;
-  std::vector<unsigned char> chosen;
-  chosen.reserve(values.size());
-  // What is not a number is no good element either.
-  for (const double v : values)
-    chosen.push_back((larger ? v >= threshold : v <= threshold) ? 0 : 1);
-  return chosen;
-}
-
-Index count_of(std::span<const unsigned char> flags) {
-  return static_cast<Index>(std::ranges::count(flags, 1));
-}
 
 std::vector<MarkerShow> marker_shows(const Topology& topology,
                                      const VolumePictureOptions& options) {
@@ -208,7 +160,7 @@ class VolumePicture {
         options_(options),
         theme_(picture_theme(options.dark)),
         boundary_(find_boundary(mesh)),
-        normals_(normals_of(mesh, options)),
+        normals_(normals_of(mesh, options.given)),
         inverted_(inverted_elements(mesh, normals_)) {
     look_.markers = marker_shows(*mesh.topology, options);
     look_.edges = options.wireframe;
@@ -342,7 +294,7 @@ class VolumePicture {
   }
 
   void choose_colors() {
-    values_ = values_of(mesh_, options_, normals_);
+    values_ = values_of(mesh_, *options_.color, options_.given, normals_);
     scale_ = picture_colors(*options_.color, options_.colors, options_.dark, values_);
     colors_ = element_colors(values_, scale_);
     look_.colors = colors_;
@@ -431,8 +383,9 @@ std::vector<Plane> cuts_of_picture(const Mesh& mesh, const VolumePictureOptions&
 }
 
 ColorScale volume_picture_scale(const Mesh& mesh, const VolumePictureOptions& options) {
-  return picture_colors(*options.color, options.colors, options.dark,
-                        values_of(mesh, options, normals_of(mesh, options)));
+  return picture_colors(
+      *options.color, options.colors, options.dark,
+      values_of(mesh, *options.color, options.given, normals_of(mesh, options.given)));
 }
 
 VectorFigure volume_picture_figure(const Mesh& mesh, const VolumePictureOptions& options) {

@@ -7,10 +7,8 @@
 #include <utility>
 
 #include "gui/files/file_kinds.h"
-#include "gui/menu/user_command.h"
-#include "gui/support/keys.h"
 #include "gui/support/pixels.h"
-#include "gui/support/rig.h"
+#include "gui/support/space_rig.h"
 #include "support/space_meshes.h"
 
 namespace winslow::gui::test {
@@ -24,22 +22,10 @@ Mesh cavity(Volumes volumes = Volumes::tetrahedra) {
 }
 
 /// A studio with a volume mesh.
-struct SpaceStudio : Rig {
+struct SpaceStudio : SpaceRig {
   explicit SpaceStudio(const Mesh& mesh = cavity()) { open(mesh); }
 
-  const SpaceControl& space() const { return bench->view_control().space(); }
-  const ViewOptions& options() const { return bench->view_control().options(); }
-  const ViewState& state() const { return bench->view_control().state(); }
-  ScreenPoint at(const Vec3& point) const { return space().view().project(point).at; }
   ScreenPoint middle() const { return space().view().viewport().centre(); }
-  const VolumeScenes& scenes() const { return *bench->pane().mesh_view().volume().scenes(); }
-  std::string blocked(std::string_view id) {
-    ActionQueue actions;
-    const PanelContext context{session(), options(),        state(),         bench->theme(),
-                               actions,   bench->capture(), bench->recent(), bench->demo(),
-                               nullptr,   nullptr};
-    return why_blocked(user_command(id), context);
-  }
 };
 
 }  // namespace
