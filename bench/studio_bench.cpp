@@ -4,8 +4,8 @@
 //   until nothing is under way any more. By the clock, until the driver is done drawing. What the
 //   parser alone takes (text to arrays, the file in memory's cache) is measured before: less that,
 //   the times count from the end of parsing;
-// - frames at rest, while the solver runs, and with the inspector of VCVs and a node under the
-//   mouse.
+// - frames at rest, while the solver runs, with the inspector of VCVs and a node under the mouse;
+//   of a scrambled mesh, and of one with its inverted elements isolated.
 //
 //   bench/studio_bench [nodes ...]      default: 15000 200000 500000
 #include <unistd.h>
@@ -110,6 +110,7 @@ class Bench {
     std::printf(
         "%10s | longest frame: update %.1f, upload %.1f ms; longest update by the clock %.1f ms\n",
         "", worst.update, worst.upload, wall);
+    tangled();
   }
 
  private:
@@ -202,6 +203,19 @@ class Bench {
     std::printf("%10s | node %d picked; longest update by the clock %.1f ms\n", "",
                 bench_.session().nodes().inspected().value_or(-1), longest);
     bench_.apply(action::EditView{whole(before)});
+  }
+
+  /// A mesh that lies over itself thousands of times; with elements isolated, the others are faint.
+  void tangled() {
+    bench_.apply(action::Scramble{});
+    frames(4000, [this] { return !bench_.settled(); });
+    report("scrambled", frames(20, [] { return true; }));
+    ViewOptions view = bench_.view_control().options();
+    view.mark_inverted = false;
+    view.isolation.on = true;
+    bench_.apply(action::EditView{whole(view)});
+    frames(4000, [this] { return !bench_.settled(); });
+    report("isolated", frames(20, [] { return true; }));
   }
 
   static void report(const char* what, const std::vector<FrameTimes>& times) {

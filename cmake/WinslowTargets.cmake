@@ -30,6 +30,10 @@ function(winslow_compile_options target)
     # warning stays on in the other builds.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     target_link_options(${target} PUBLIC -fsanitize=${WINSLOW_SANITIZE})
+    get_target_property(type ${target} TYPE)
+    if(WINSLOW_SANITIZE MATCHES "address" AND type STREQUAL "EXECUTABLE")
+      target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/sanitizer_options.cpp)
+    endif()
   endif()
 endfunction()
 

@@ -1,4 +1,3 @@
-import resource
 import unittest
 
 import support
@@ -60,18 +59,11 @@ class Render(ProgramTest):
                       ("--percentiles", "1", "99", "--range", "0", "1"), ("--axis", "square")):
             self.render(*base, *wrong, code=USAGE)
 
-    def test_a_scrambled_mesh_takes_little_longer_than_a_good_one(self):
-        good = ASSETS / "three_element.su2"
-        self.winslow("scramble", good, "-o", "s.su2", "--seed", "1", "--allow-inverted",
-                     code=INVERTED)
+    def test_a_scrambled_mesh_is_red_where_it_lies_over_itself(self):
+        self.winslow("scramble", ASSETS / "three_element.su2", "-o", "s.su2", "--seed", "1",
+                     "--allow-inverted", code=INVERTED)
         for color in ((), ("--color", "normalized_jacobian")):
-            seconds = []
-            for mesh in (good, "s.su2"):
-                before = resource.getrusage(resource.RUSAGE_CHILDREN)
-                self.render(mesh, "-o", "p.png", *color)
-                after = resource.getrusage(resource.RUSAGE_CHILDREN)
-                seconds.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
-            self.assertLess(seconds[1], 3 * seconds[0])
+            self.render("s.su2", "-o", "p.png", *color)
             _, _, rows = read_png(self.path("p.png"))
             inside = [rows[y][x] for y in range(250, 700, 10) for x in range(300, 700, 10)]
             self.assertTrue(all(r > 120 and g < 120 and b < 120 for r, g, b in inside))

@@ -18,8 +18,9 @@
 /// stacks that have allocated: the system's libraries keep no frame pointers, so that most stacks
 /// look new, 75 MB of them in six minutes. A report names the caller; to see more of the stack, run
 /// the seed again with ASAN_OPTIONS=malloc_context_size=30.
+/// What else is there: cmake/sanitizer_options.cpp.
 extern "C" const char* __asan_default_options() {
-  return "quarantine_size_mb=4:malloc_context_size=2";
+  return "quarantine_size_mb=4:malloc_context_size=2:intercept_tls_get_addr=0";
 }
 #endif
 
