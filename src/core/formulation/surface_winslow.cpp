@@ -1,5 +1,6 @@
 #include "core/formulation/surface_winslow.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -29,6 +30,26 @@ std::size_t block_count(Index n) { return at((n + parallel_block - 1) / parallel
 
 /// Number of a pair of a cell's nodes, a < b: 01, 02, 12.
 constexpr std::size_t pair_of(std::size_t a, std::size_t b) { return a + b - 1; }
+
+/// Numbers z of a cell's pairs (01, 02, 12) stand for the quadratic form -sum z_ij (h_i - h_j)^2 of
+/// heights over its plane. This leaves the part of it that is not negative: with h = a b1 + b b2,
+/// b1 = (1, -1, 0) / sqrt 2 and b2 = (1, 1, -2) / sqrt 6, it is that of a matrix of two rows.
+void keep_convex(double* z) {
+  if (z[0] <= 0 && z[1] <= 0 && z[2] <= 0) return;
+  const double half_root_3 = 0.5 * std::sqrt(3.0);
+  Eigen::Matrix2d m;
+  m(0, 0) = -2 * z[0] - 0.5 * (z[1] + z[2]);
+  m(0, 1) = m(1, 0) = half_root_3 * (z[2] - z[1]);
+  m(1, 1) = -1.5 * (z[1] + z[2]);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(m);
+  if (eigen.eigenvalues()[0] >= 0) return;
+  m = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
+      eigen.eigenvectors().transpose();
+  const double sum = -m(1, 1) / 1.5, difference = m(0, 1) / half_root_3;  // z1 + z2, z2 - z1
+  z[0] = -0.5 * (m(0, 0) + 0.5 * sum);
+  z[1] = 0.5 * (sum - difference);
+  z[2] = 0.5 * (sum + difference);
+}
 
 }  // namespace
 
@@ -227,7 +248,8 @@ SurfaceWinslow::CellSums SurfaceWinslow::sum_cells(const FlatCells& cells,
   constexpr std::size_t lanes = 4;  // the kernel writes full packs
   CellSums out;
   out.sums.resize((at(n) + lanes) * Layout::sum);
-  if (second == Second::exact) out.z.resize(3 * at(n));
+  const bool bends = second == Second::exact || second == Second::projected;
+  if (bends) out.z.resize(3 * at(n));
   std::vector<double> energies(block_count(n), 0.0);
   static_assert(parallel_block % lanes == 0);
   parallel_for(threads(), n, [&](Index begin, Index end) {
@@ -235,8 +257,9 @@ SurfaceWinslow::CellSums SurfaceWinslow::sum_cells(const FlatCells& cells,
         kernel_.sum(of_cells, structure_->numbers.data() + begin, end - begin, 0,
                     out.sums.data() + Layout::sum * begin);
     for (auto t = at(begin); t < at(end); ++t) {
-      if (second == Second::exact) bend_out(cells, t, out.z.data() + 3 * t);
+      if (bends) bend_out(cells, t, out.z.data() + 3 * t);
       if (second != Second::projected) continue;
+      keep_convex(out.z.data() + 3 * t);
       double* sums = out.sums.data() + Layout::sum * static_cast<std::ptrdiff_t>(t);
       std::fill(sums, sums + Layout::corners, 0.0);
       const double* p = cells.x.data() + 6 * t;

@@ -88,17 +88,14 @@ void QualityMonitor::request(std::uint64_t shape, const Subject& subject, const 
                              bool live) {
   if (!wants(shape, wish, live)) return;
   last_start_ = std::chrono::steady_clock::now();
-  // A copy: the history may drop that state before the measurement has ended. Volume meshes, the
+  // A copy: the history may drop that state before the measurement has begun. Volume meshes, the
   // largest ones, have no first heights to compare.
   const bool compared = wish.before && subject.mesh->topology->cell_dimension() == 2;
   auto before = compared ? std::make_shared<const Coordinates>(*wish.before) : nullptr;
   // Beside a solver one core is enough; else the colours wait for it.
-  const int threads = live ? 1 : 0;
-  worker_.start([shape, subject, wish, before, live, threads] {
-    Order order{wish, wish.before_numbers(), live, threads};
-    order.wish.before = before.get();
-    return measure(shape, subject, order);
-  });
+  Order order{wish, wish.before_numbers(), live, live ? 1 : 0};
+  order.wish.before = before.get();
+  worker_.start([shape, subject, order, before] { return measure(shape, subject, order); });
 }
 
 void QualityMonitor::measure_now(std::uint64_t shape, const Subject& subject, const Wish& wish) {
