@@ -212,6 +212,8 @@ void print_commands(const RunReport& run) {
       std::cout << ", " << pairs.pairs.size() << " periodic pairs by " << pairs.description;
     if (c.result.kept_outside > 0)
       std::cout << ", " << c.result.kept_outside << " interior nodes kept outside";
+    if (c.result.stuck_nodes > 0)
+      std::cout << ", " << c.result.stuck_nodes << " nodes held where the surface folds";
     if (c.result.increments > 1) std::cout << ", in " << c.result.increments << " steps";
     if (c.pivot && c.pivot_z) {
       std::cout << ", turned about " << place_text(Vec3(c.pivot->x(), c.pivot->y(), *c.pivot_z));

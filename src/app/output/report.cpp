@@ -98,6 +98,7 @@ json describe_result(const CommandRecord& record) {
                  {"gap", describe_gap(r.gap)},
                  {"stretched_elements", r.stretched ? json(*r.stretched) : json()},
                  {"kept_outside", r.kept_outside},
+                 {"stuck_nodes", r.stuck_nodes},
                  {"sliding", describe_sliding(r.boundary.sliding)},
                  {"periodic", describe_periodic(r.boundary.periodic)},
                  {"increments", r.increments},

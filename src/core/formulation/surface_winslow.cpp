@@ -213,6 +213,7 @@ std::vector<Foot> SurfaceWinslow::feet(const Coordinates& coordinates) const {
     for (auto i = at(begin); i < at(end); ++i) {
       const Index node = nodes.nodes()[i];
       feet[i] = nodes.classes().foot(node, x[node]);
+      if (!stuck_.empty() && stuck_[i]) feet[i].frame = {};
     }
   };
   parallel_for(threads(), static_cast<Index>(feet.size()), find, block);
@@ -354,7 +355,7 @@ Linearisation SurfaceWinslow::assemble(const FlatCells& cells, const Regularisat
       const double scale = sum.scale.trace / 2;
       diagonal.topLeftCorner(count, count) +=
           bending(foot, sum.gradient, second != Second::exact).topLeftCorner(count, count);
-      if (count < 2) diagonal(1, 1) = scale;
+      for (int k = count; k < 2; ++k) diagonal(k, k) = scale;
       if (structure_->loose[at(row)]) diagonal += hold * scale * Block::Identity();
       diagonal = (0.5 * (diagonal + diagonal.transpose())).eval();
     }

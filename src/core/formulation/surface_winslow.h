@@ -66,6 +66,10 @@ class SurfaceWinslow final : public VariationalForm {
   Linearisation linearise_regularised(const Coordinates& x, const Regularisation& regularisation,
                                       SparseMatrix& hessian,
                                       std::span<double> residual) const override;
+  std::shared_ptr<const EnergyProblem> holding_stuck_nodes(const Coordinates& x,
+                                                           std::span<const double> direction,
+                                                           double step) const override;
+  Index stuck_nodes() const override;
   double worst_distortion(const Coordinates& x) const override;
   std::unique_ptr<const TargetPath> target_path(const Coordinates& from) const override;
   std::optional<double> stretched() const override { return shapes_->stretched; }
@@ -83,6 +87,8 @@ class SurfaceWinslow final : public VariationalForm {
   double energy_of(const FlatCells& cells, const Regularisation* regularisation) const;
   std::vector<double> determinants(const FlatCells& cells) const;
   std::vector<Foot> feet(const Coordinates& x) const;
+  /// For each cell, whether it shows the wrong side.
+  std::vector<bool> turned_over(const Coordinates& x) const;
 
   CellSums sum_cells(const FlatCells& cells, const Regularisation* regularisation,
                      Second second) const;
@@ -96,6 +102,7 @@ class SurfaceWinslow final : public VariationalForm {
 
   std::shared_ptr<const SurfaceStructure> structure_;
   std::shared_ptr<const Targets> shapes_;
+  std::vector<bool> stuck_;  // #rows; empty: none
   const distortion::TriangleKernel& kernel_ = distortion::triangle_kernel();
 };
 

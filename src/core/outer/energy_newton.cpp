@@ -11,6 +11,9 @@ namespace winslow {
 
 namespace {
 
+/// Below it a step is looked into: see search_without_stuck_nodes().
+constexpr double shortest_step = 0.15;
+
 double dot(std::span<const double> a, std::span<const double> b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
@@ -141,12 +144,12 @@ void EnergyNewton::lengthen(const Coordinates& x, double slope, Trial& trial) co
   if (longer.t > 1 && longer.energy < trial.energy) trial = std::move(longer);
 }
 
-bool EnergyNewton::search(Coordinates& x, double slope) {
+bool EnergyNewton::search(Coordinates& x, double slope, double shortest) {
   constexpr double armijo = 1e-4;
   constexpr double flat = 1e-11;  // relative change of the energy that round-off can make
   constexpr int most_trials = 30;
   double t = first_valid_step(*problem_, direction_, 1, x);
-  for (int i = 0; i < most_trials; ++i) {
+  for (int i = 0; i < most_trials && t >= shortest; ++i) {
     Trial trial = attempt(x, t);
     lengthen(x, slope, trial);
     bool good = trial.energy <= energy_ - armijo * trial.t * slope;
@@ -169,13 +172,27 @@ bool EnergyNewton::search(Coordinates& x, double slope) {
   return false;
 }
 
+/// Where only steps that are hardly any lead down, the nodes that do not let the others go further
+/// are held from now on.
+bool EnergyNewton::search_without_stuck_nodes(Coordinates& x, double slope) {
+  constexpr int most_times = 10;
+  for (int i = 0; i < most_times; ++i) {
+    auto other = problem_->holding_stuck_nodes(x, direction_, shortest_step);
+    if (!other) break;
+    problem_ = std::move(other);
+    slope = solve_for_direction(x);
+    if (slope > 0 && search(x, slope, shortest_step)) return true;
+  }
+  return search(x, slope, 0);
+}
+
 IterationRecord EnergyNewton::step(Coordinates& x) {
   ++record_.iteration;
   if (problem_->unknowns() == 0) return record_;
   linear_.set_tolerance(forcing());
   const double slope = solve_for_direction(x);
   linear_.set_tolerance(tight_);  // over a long way, what else is left exceeds small elements
-  stalled_ = !search(x, slope);
+  stalled_ = !search(x, slope, shortest_step) && !search_without_stuck_nodes(x, slope);
   if (stalled_) record_.damping = record_.largest_move = 0;
   assess(x);
   return record_;

@@ -38,6 +38,7 @@ class EnergyNewton final : public SteadySolver {
   bool converged() const override;
   /// True if the last step found no way down although the tolerance is not met.
   bool stalled() const override { return stalled_; }
+  Index stuck_nodes() const override { return problem_->stuck_nodes(); }
 
   void predict(const Coordinates& x, const Coordinates& displacement,
                std::span<double> out) override;
@@ -67,7 +68,9 @@ class EnergyNewton final : public SteadySolver {
   };
   Trial attempt(const Coordinates& x, double t) const;
   void lengthen(const Coordinates& x, double slope, Trial& trial) const;
-  bool search(Coordinates& x, double slope);
+  /// False if no step of `shortest` or more leads down.
+  bool search(Coordinates& x, double slope, double shortest);
+  bool search_without_stuck_nodes(Coordinates& x, double slope);
   void assess(const Coordinates& x);
 
   std::shared_ptr<const EnergyProblem> problem_;

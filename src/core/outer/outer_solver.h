@@ -43,6 +43,8 @@ class OuterSolver {
   virtual bool converged() const = 0;
   /// True if the last step made no headway and further ones would not either.
   virtual bool stalled() const { return false; }
+  /// Nodes that it holds where what they slide on folds (EnergyProblem::holding_stuck_nodes()).
+  virtual Index stuck_nodes() const { return 0; }
   /// Linear systems solved since the solver was made.
   virtual int linear_solves() const = 0;
 };

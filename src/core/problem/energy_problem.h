@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,15 @@ class EnergyProblem : public SmoothingProblem {
   /// R = -dE (#unknowns) and -dR as a symmetric matrix.
   virtual Linearisation linearise(const Coordinates& x, Curvature curvature, SparseMatrix& hessian,
                                   std::span<double> residual) const = 0;
+  /// The same problem with more nodes held: those of which `step` times the direction (#unknowns),
+  /// a short way, leads from x over a place where what they slide on jumps or folds, so that the
+  /// energy has no derivative there. Null if there are none.
+  virtual std::shared_ptr<const EnergyProblem> holding_stuck_nodes(
+      const Coordinates& /*x*/, std::span<const double> /*direction*/, double /*step*/) const {
+    return nullptr;
+  }
+  /// How many nodes are held so.
+  virtual Index stuck_nodes() const { return 0; }
 };
 
 /// Replaces the barrier on meshes with inverted elements: the determinant D of a cell (twice the

@@ -34,6 +34,7 @@ IterationRecord RunRecorder::iterate(OuterSolver& solver, Coordinates& x, Stage 
     report(record, x, stage, fraction, true);
   }
   result_.converged = solver.converged();
+  result_.stuck_nodes = solver.stuck_nodes();
   if (result_.converged) result_.out_of_iterations = false;
   return record;
 }
@@ -49,6 +50,7 @@ void RunRecorder::restore_outcome(const SmoothResult& earlier) {
   result_.increments = earlier.increments;
   result_.linear_solver = earlier.linear_solver;
   result_.inverted = earlier.inverted;
+  result_.stuck_nodes = earlier.stuck_nodes;
 }
 
 }  // namespace winslow

@@ -16,7 +16,7 @@ namespace winslow::gui {
 namespace {
 
 /// Also tells a machine with another order of bytes.
-constexpr std::uint64_t magic = 0x0006504554534e57;  // "WNSTEP", version 6
+constexpr std::uint64_t magic = 0x0007504554534e57;  // "WNSTEP", version 7
 
 /// Every field of a record, named once for reading and writing.
 template <class Archive, class Record>
@@ -44,6 +44,7 @@ void result_fields(Archive& archive, Result& r) {
   archive.number(r.increments);
   archive.text(r.linear_solver);
   archive.number(r.inverted);
+  archive.number(r.stuck_nodes);
 }
 
 /// Connectivity as the arrays that it is built from.
