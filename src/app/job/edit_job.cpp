@@ -259,7 +259,7 @@ void warn_of_damage(const EditJob& job, const ZoneRun& zone, RunReport& run) {
   const std::string name = zone.name();
   const std::string text =
       (name.empty() ? "" : name + ": ") + damage +
-      "; --targets that keep the elements' own shapes, such as rest, avoid that";
+      "; --hold-layers keeps heights at a wall, --targets rest the elements' own shapes";
   warn(job.files, {text});
   run.warnings.push_back(text);
 }

@@ -148,6 +148,7 @@ class Field {
     field.share.assign(stretch_.size(), 0.0);
     field.longest.assign(stretch_.size(), 0.0);
     field.weight.assign(stretch_.size(), 1.0);
+    field.stiffness.assign(stretch_.size(), 1.0);
     if (tangled()) return field;
     std::vector<double>& around = field.longest;
     const std::vector<Index> stretched_at = count_stretched();
@@ -235,8 +236,17 @@ class Field {
       share = longest = 0;
       field.weight[at(e)] = 1;
     } else {
+      if (longest != unknown)
+        field.stiffness[at(e)] = stiffness(share * std::min(stretch_[at(e)], longest));
       longest = longest == unknown ? 0 : longest + tolerance(e, longest);
     }
+  }
+
+  /// Where there is less room than before, what is stretched is to keep its height and what is not
+  /// to give way. More than some hundreds gains nothing, and along wakes it costs iterations.
+  static double stiffness(double kept_stretch) {
+    constexpr double from_aspect = 4, most = 300;
+    return std::clamp(std::exp(2 * kept_stretch) / from_aspect, 1.0, most);
   }
 
   /// Of the corners of stretched quadrilaterals some are sharp by the shape of the boundary, as at

@@ -26,6 +26,10 @@ namespace winslow {
 ///   happen to cross, and to leave them square would bend the lines beside them.
 /// - A triangle at the boundary keeps at least 1 - step(s; 0, 0.2), and counts twice as much if
 ///   that is 1: what is well shaped there keeps its height over the wall.
+/// - An element that keeps a stretch s, with the aspect ratio exp(2 s), counts exp(2 s) / 4 times
+/// as
+///   much as others, at least once, at most 300 times. Where a passage becomes narrower, layers at
+///   walls keep their heights so, and the elements between them give way.
 /// - No target is stretched by more than m + 0.35 (triangle) or m + 0.7 (corner of a
 /// quadrilateral):
 ///   slivers take on the stretch of their neighbours.
@@ -41,7 +45,8 @@ struct StretchField {
   std::vector<double> share;  ///< #elements, 0 (regular) to 1 (its own shape)
   std::vector<double>
       longest;  ///< #elements: largest stretch that a target may have, where share is not 0
-  std::vector<double> weight;  ///< #elements: how much more than others it counts
+  std::vector<double> weight;  ///< #elements: how much more than others it counts at the boundary
+  std::vector<double> stiffness;  ///< #elements: and how much more as one that is stretched
   /// Part of all elements (0 to 1) that are twice as long as wide, or more, and keep most of it.
   double stretched = 0;
 };

@@ -102,11 +102,13 @@ class Builder {
     return stretch_.share[at(e)] * limit;
   }
 
+  /// Known layers are held by their roles, against which all else is to be soft.
   double element_weight(Index e) const {
-    const double held = blend_.automatic > 0 ? stretch_.weight[at(e)] : 1;
+    double held = 1;
+    if (blend_.automatic > 0)
+      held = stretch_.weight[at(e)] * (vcv_.roles() ? 1 : stretch_.stiffness[at(e)]);
     return vcv_.role(e).weight * (blend_.automatic * held + 1 - blend_.automatic);
   }
-
   /// Metric of a corner of a regular element, and of one that keeps its stretch as the field says,
   /// times their shares.
   void add_regular(TargetMetric& metric, const TargetBlend& blend,

@@ -156,7 +156,8 @@ class Builder {
   }
 
   double weight_of(Index e) const {
-    const double held = blend_.automatic > 0 ? stretch_.weight[at(e)] : 1;
+    const double held =
+        blend_.automatic > 0 ? stretch_.weight[at(e)] * stretch_.stiffness[at(e)] : 1;
     return blend_.automatic * held + 1 - blend_.automatic;
   }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/command/command.h"
 #include "core/formulation/target_metric.h"
 #include "core/formulation/variational_winslow.h"
 #include "core/mesh/mesh.h"
@@ -141,4 +142,42 @@ TEST_CASE("the field does not depend on the number of threads") {
   CHECK(one.share == four.share);
   CHECK(one.longest == four.longest);
   CHECK(one.weight == four.weight);
+  CHECK(one.stiffness == four.stiffness);
+}
+
+TEST_CASE("elements that keep a stretch are as stiff as they are stretched, within bounds") {
+  for (const auto& [aspect, stiffness] :
+       {std::pair{1.0, 1.0}, {3.0, 1.0}, {20.0, 5.0}, {400.0, 100.0}, {1e4, 300.0}}) {
+    CAPTURE(aspect);
+    const Mesh quads = drawn_out(square(6, Cells::quads), aspect);
+    for (const double value : stretch_field(*quads.topology, quads.coordinates, 1).stiffness)
+      CHECK(value == doctest::Approx(stiffness));
+  }
+}
+
+TEST_CASE("layers at a wall keep their heights where the passage before it becomes narrow") {
+  constexpr Index sectors = 60, rings = 16;
+  constexpr double first = 1e-4, growth = 1.5;
+  MeshData data = annulus(sectors, rings, 1.1, Cells::quads);
+  double height = 0;  // of a ring over the wall
+  for (Index i = 0; i <= rings; ++i) {
+    for (Index j = 0; j < sectors; ++j) {
+      const Vec2 p = data.coordinates.xy(i * sectors + j);
+      data.coordinates.set_xy(i * sectors + j, (1 + height) * p.normalized());
+    }
+    height += first * std::pow(growth, i);
+  }
+  MoveCommand command;
+  command.markers = {"inner"};
+  command.motion.translate = {0.1, 0};  // the gap was 0.13
+  command.smooth.threads = 1;
+  const CommandResult moved = execute(command, make_state(make_mesh(data)));
+  REQUIRE(moved.smooth.converged);
+  CHECK(moved.smooth.fraction_reached == 1);
+  CHECK(moved.smooth.inverted == 0);
+  const Coordinates& x = moved.state.mesh.coordinates;
+  double least = 1;  // first height over the one before
+  for (Index j = 0; j < sectors; ++j)
+    least = std::min(least, (x.xy(sectors + j) - x.xy(j)).norm() / first);
+  CHECK(least > 0.98);  // 0.61 if all elements counted the same
 }
