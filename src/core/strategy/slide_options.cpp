@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "core/error.h"
 
 namespace winslow {
 
-OptionTable option_table(SlideOptions& slide) {
+namespace {
+
+OptionTable sliding_rows(SlideOptions& slide) {
   return {
       {.key = "markers",
        .value = NamesOption{&slide.markers},
@@ -54,6 +57,11 @@ OptionTable option_table(SlideOptions& slide) {
        .object = "slide",
        .flag = "reference",
        .applies = !slide.reference.name.empty()},
+  };
+}
+
+OptionTable pair_rows(SlideOptions& slide) {
+  return {
       {.key = "periodic",
        .value = NamesOption{&slide.periodic, true},
        .label = "Periodic pairs",
@@ -75,6 +83,14 @@ OptionTable option_table(SlideOptions& slide) {
        .flag = "periodic-from-file",
        .applies = slide.file_pairs.wanted},
   };
+}
+
+}  // namespace
+
+OptionTable option_table(SlideOptions& slide) {
+  OptionTable table = sliding_rows(slide);
+  for (Option& row : pair_rows(slide)) table.push_back(std::move(row));
+  return table;
 }
 
 const ReferenceSurface* reference_of(const SlideOptions& slide) {
