@@ -1,6 +1,7 @@
 #include <array>
 
 #include "io/support/samples.h"
+#include "support/space_meshes.h"
 
 namespace winslow::test {
 namespace {
@@ -123,6 +124,38 @@ TEST_CASE("MSH: pairs from another format are written as links of entities") {
         "$Periodic\n1\n1 2 1\n16 1 0 0 0 0 1 0 1 0 0 1 0 0 0 0 1\n3\n4 1\n3 2\n6 5\n"
         "$EndPeriodic\n");
   CHECK(pairs_text(io::read_mesh(folder / "a.msh")) == "lower upper: 0-3 1-2 4-5");
+}
+
+TEST_CASE("MSH: surfaces of volume meshes are paired, in every encoding and version") {
+  MeshData data = cube(3, Volumes::tetrahedra);
+  data.markers.clear();
+  mark_volume(data, [](const Vec3& p) {
+    return p.x() < 1e-9 ? "first" : p.x() > 1 - 1e-9 ? "second" : "rest";
+  });
+  const TemporaryFolder folder;
+  io::write_mesh(folder / "a.su2", make_mesh(data), nullptr);
+  write_text(folder / "b.su2", read_text(folder / "a.su2") +
+                                   "NPERIODIC= 2\nPERIODIC_INDEX= 0\n0 0 0\n0 0 0\n0 0 0\n"
+                                   "PERIODIC_INDEX= 1\n0 0 0\n0 0 0\n1 0 0\n");
+  const io::MeshFile su2 = io::read_mesh(folder / "b.su2");
+  REQUIRE(su2.details->periodic->pairs.size() == 1);
+  CHECK(su2.details->periodic->pairs[0].pairs.size() == 16);
+  for (const char* version : {"2.2", "4.1"}) {
+    for (const bool binary : {false, true}) {
+      CAPTURE(version);
+      CAPTURE(binary);
+      io::WriteOptions options;
+      options.gmsh_version = version;
+      options.binary = binary;
+      CHECK(io::write_mesh(folder / "a.msh", su2.mesh, su2.details.get(), options).empty());
+      const io::MeshFile msh = io::read_mesh(folder / "a.msh");
+      CHECK(pairs_text(msh) == pairs_text(su2));
+      const PeriodicPairs pairs = PeriodicPairs::of(*msh.mesh.topology, msh.mesh.coordinates,
+                                                    msh.details->periodic->pairs[0]);
+      CHECK(pairs.description == "translation by (1, 0, 0)");
+      CHECK(pairs.pairs.size() == 4);
+    }
+  }
 }
 
 TEST_CASE("MSH: formats without periodic sides say that they are lost, SU2 how to say them there") {
