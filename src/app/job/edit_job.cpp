@@ -209,7 +209,8 @@ void print_commands(const RunReport& run) {
       std::cout << ", " << sliding << (c.on_surface ? " nodes" : " nodes of the boundary")
                 << " slide";
     for (const PeriodicPairs& pairs : c.result.boundary.periodic)
-      std::cout << ", " << pairs.pairs.size() << " periodic pairs by " << pairs.description;
+      std::cout << ", " << pairs.pairs.size() << (pairs.halo ? " halo nodes" : " periodic pairs")
+                << " by " << pairs.description;
     if (c.result.kept_outside > 0)
       std::cout << ", " << c.result.kept_outside << " interior nodes kept outside";
     if (c.result.stuck_nodes > 0)
@@ -355,6 +356,7 @@ ExitCode run_edit_job(EditJob job) {
   RunReport run{job.name, job.files.input, job.files.output, false, {}, {}, {}};
 
   std::vector<ZoneRun> zones = load(job, run);
+  give_pairs(zones);
   run.seconds.load = lap.lap();
   InterruptGuard::check();
 

@@ -7,6 +7,7 @@
 
 #include "app/job/markers.h"
 #include "core/error.h"
+#include "io/tables/file_pairs.h"
 
 namespace winslow::app {
 namespace {
@@ -111,6 +112,22 @@ std::vector<ZoneRun> share_out(std::vector<io::MeshFile> zones,
   }
   refuse_ambiguous(runs, file);
   return runs;
+}
+
+void give_pairs(std::vector<ZoneRun>& zones) {
+  const auto named = [](const ZoneRun& zone) {
+    const auto& details = zone.source.details;
+    return details && details->periodic && !details->periodic->pairs.empty();
+  };
+  const bool any = std::ranges::any_of(zones, named);
+  for (ZoneRun& zone : zones) {
+    for (std::optional<Command>& command : zone.commands) {
+      if (!command) continue;
+      io::give_pairs(*command, zone.source.details.get());
+      SmoothOptions* smooth = smooth_options(*command);
+      if (smooth && any && !named(zone)) smooth->slide.file_pairs.wanted = false;
+    }
+  }
 }
 
 }  // namespace winslow::app

@@ -38,4 +38,8 @@ std::vector<std::string> warnings_of(const std::vector<io::MeshFile>& files);
 std::vector<ZoneRun> share_out(std::vector<io::MeshFile> zones,
                                const std::vector<Command>& commands, const std::string& file);
 
+/// Tells the commands what the file says of periodic sides. Of a file of several zones those that
+/// have none go without, as long as others have some.
+void give_pairs(std::vector<ZoneRun>& zones);
+
 }  // namespace winslow::app

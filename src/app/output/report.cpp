@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "app/output/pair_table.h"
 #include "app/output/wall_table.h"
 #include "core/layers/layer_measures.h"
 #include "io/file/atomic_file.h"
@@ -79,7 +80,8 @@ json describe_periodic(const std::vector<PeriodicPairs>& list) {
   for (const PeriodicPairs& pairs : list)
     report.push_back({{"markers", {pairs.first, pairs.second}},
                       {"by", pairs.description},
-                      {"pairs", pairs.pairs.size()}});
+                      {"pairs", pairs.pairs.size()},
+                      {"halo", pairs.halo}});
   return report;
 }
 
@@ -248,6 +250,8 @@ json describe_zones(const std::vector<ZoneResult>& zones) {
     json block = describe_mesh(*z.mesh, *z.quality, z.before);
     if (z.layers != nullptr) block["layers"] = describe_layers(*z.layers, z.mesh->coordinates);
     if (z.surface != nullptr) block["surface"] = describe_surface(*z.surface);
+    if (z.periodic != nullptr && !z.periodic->pairs.empty())
+      block["periodic_in_file"] = describe_pairs(*z.periodic, *z.mesh);
     if (z.zone != 0) block["zone"] = z.zone;
     list.push_back(std::move(block));
     nodes += z.mesh->topology->node_count();

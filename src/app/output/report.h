@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/output/stopwatch.h"
+#include "core/geometry/periodic_pairs.h"
 #include "core/layers/layer_stack.h"
 #include "core/mesh/mesh.h"
 #include "core/quality/quality.h"
@@ -58,6 +59,8 @@ struct ZoneResult {
   const QualityReport* before;             ///< of what was read; null: nothing was done to it
   const LayerStack* layers;                ///< null: none
   const SurfaceChange* surface = nullptr;  ///< of a surface mesh, against what was read; else null
+  /// What the file says of periodic sides of this very mesh; null: not asked.
+  const GivenPeriodicity* periodic = nullptr;
 };
 
 /// What is said of meshes: of one mesh itself; of several "nodes", "elements" and "inverted"

@@ -5,6 +5,7 @@
 
 #include "app/job/zone_runs.h"
 #include "app/options/file_flags.h"
+#include "app/output/pair_table.h"
 #include "app/output/quality_table.h"
 #include "app/output/report.h"
 #include "app/output/stopwatch.h"
@@ -68,7 +69,7 @@ class QualitySubcommand : public Subcommand {
     std::vector<ZoneResult> results;
     for (const ZoneRun& z : zones) {
       results.push_back({z.name().empty() ? 0 : z.source.details->zone, &z.source.mesh, &z.quality,
-                         nullptr, nullptr});
+                         nullptr, nullptr, nullptr, z.source.details->periodic.get()});
     }
     nlohmann::json report = describe_zones(results);
     report["command"] = "quality";
@@ -93,6 +94,7 @@ class QualitySubcommand : public Subcommand {
         std::cout << '\n';
         print_walls(std::cout, nullptr, zone.quality.walls);
       }
+      print_pairs(std::cout, *zone.source.details->periodic, mesh);
       print_inverted_elements(std::cout, mesh, zone.quality, inverted_elements_shown);
       if (options_.worst > 0) print_worst_elements(std::cout, zone.quality);
       if (histogram_) print_histograms(std::cout, zone.quality);

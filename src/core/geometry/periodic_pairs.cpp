@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -27,6 +28,9 @@ Vec3 mean_of(const std::vector<Vec3>& points) {
   return sum / static_cast<double>(points.size());
 }
 
+/// Of the shortest edge. Files round coordinates; nodes that are no partners lie an edge apart.
+constexpr double tolerance = 0.05;
+
 struct Side {
   std::string name;
   std::vector<Index> nodes;
@@ -34,15 +38,41 @@ struct Side {
   std::vector<bool> shared;  // with another marker: an end of the side
 };
 
+/// Boundary faces in no marker: their nodes stay.
+void add_unmarked(const Topology& topology, std::vector<bool>& nodes) {
+  if (topology.markers().unmarked_faces() == 0) return;
+  std::vector<bool> marked(static_cast<std::size_t>(topology.face_count()), false);
+  for (const Marker& marker : topology.markers())
+    for (const Face& face : marker.faces)
+      marked[static_cast<std::size_t>(*topology.find_face(face))] = true;
+  for (Index f = 0; f < topology.face_count(); ++f) {
+    const auto face = topology.face(f);
+    if (face.elements[1] >= 0 || marked[static_cast<std::size_t>(f)]) continue;
+    for (const Index node : face.nodes) nodes[static_cast<std::size_t>(node)] = true;
+  }
+}
+
+/// By node: whether it is on another marker than these.
+std::vector<bool> on_markers(const Topology& topology, const std::vector<std::string>& names) {
+  std::vector<bool> elsewhere(static_cast<std::size_t>(topology.node_count()), false);
+  const auto& markers = topology.markers();
+  for (Index m = 0; m < static_cast<Index>(markers.size()); ++m)
+    if (std::ranges::find(names, markers[static_cast<std::size_t>(m)].name) == names.end())
+      for (const Index node : markers.nodes(m)) elsewhere[static_cast<std::size_t>(node)] = true;
+  return elsewhere;
+}
+
+/// The same, and on parts of the boundary in no marker.
+std::vector<bool> on_others(const Topology& topology, const std::vector<std::string>& names) {
+  std::vector<bool> elsewhere = on_markers(topology, names);
+  add_unmarked(topology, elsewhere);
+  return elsewhere;
+}
+
 Side side_of(const Topology& topology, const Coordinates& x, const std::string& name) {
   const std::vector<std::string> names{name};
   Side side{name, topology.markers().nodes_of(names), {}, {}};
-  const Index own = *topology.markers().find(name);
-  std::vector<bool> elsewhere(static_cast<std::size_t>(topology.node_count()), false);
-  for (Index m = 0; m < static_cast<Index>(topology.markers().size()); ++m)
-    if (m != own)
-      for (const Index node : topology.markers().nodes(m))
-        elsewhere[static_cast<std::size_t>(node)] = true;
+  const std::vector<bool> elsewhere = on_others(topology, names);
   for (const Index node : side.nodes) {
     side.places.push_back(place_of(x, node));
     side.shared.push_back(elsewhere[static_cast<std::size_t>(node)]);
@@ -144,6 +174,21 @@ RigidImage fitted(const Side& first, const Side& second, const Match& pairs, boo
   return about(rotation, a, b);
 }
 
+/// The pair that an image fits worst.
+Match worst_pair(const RigidImage& image, const Side& first, const Side& second,
+                 const Match& pairs) {
+  Match found{pairs.partner, 0, 0};
+  for (std::size_t i = 0; i < first.nodes.size(); ++i) {
+    const Vec3& to = second.places[static_cast<std::size_t>(pairs.partner[i])];
+    const double distance = (image.of(first.places[i]) - to).norm();
+    if (distance > found.distance) {
+      found.distance = distance;
+      found.worst = i;
+    }
+  }
+  return found;
+}
+
 bool one_to_one(const Match& found) {
   std::vector<Index> partners = found.partner;
   std::ranges::sort(partners);
@@ -151,21 +196,55 @@ bool one_to_one(const Match& found) {
 }
 
 std::string text_of(const RigidImage& image, int dimension) {
+  constexpr double noise = 1e-9;  // of a component that is 0 but for the rounding of files
+  Vec3 offset = image.offset;
+  for (double& component : offset)
+    if (std::abs(component) < noise * image.offset.norm()) component = 0;
   if (image.rotation.isIdentity(0))
     return "translation by " +
-           (dimension == 2 ? place_text(Vec2(image.offset.head<2>())) : place_text(image.offset));
+           (dimension == 2 ? place_text(Vec2(offset.head<2>())) : place_text(offset));
   return "rotation by " + number_text(degrees(Eigen::AngleAxisd(image.rotation).angle())) +
          " degrees";
 }
 
+std::string place_of_node(const Side& side, std::size_t i, int dimension) {
+  const Vec3& p = side.places[i];
+  return "node " + std::to_string(side.nodes[i]) + " at " +
+         (dimension == 2 ? place_text(Vec2(p.head<2>())) : place_text(p));
+}
+
+std::string not_periodic(const std::string& first, const std::string& second) {
+  return (first == second
+              ? "the marker \"" + first + "\" is not periodic: "
+              : "the markers \"" + first + "\" and \"" + second + "\" are not periodic: ");
+}
+
 [[noreturn]] void refuse(const Side& first, const Side& second, const Match& best, int dimension) {
-  const std::size_t i = best.worst;
-  const Vec3& p = first.places[i];
-  throw UsageError("the markers \"" + first.name + "\" and \"" + second.name +
-                   "\" are not periodic: node " + std::to_string(first.nodes[i]) + " at " +
-                   (dimension == 2 ? place_text(Vec2(p.head<2>())) : place_text(p)) +
-                   " has no partner, the nearest node to its image is " +
-                   number_text(best.distance) + " away");
+  throw UsageError(
+      not_periodic(first.name, second.name) + place_of_node(first, best.worst, dimension) +
+      " has no partner, the nearest node to its image is " + number_text(best.distance) + " away");
+}
+
+/// Nodes that a file pairs, as two sides.
+std::array<Side, 2> sides_of(const Topology& topology, const Coordinates& x,
+                             const GivenPairs& given) {
+  std::array<Side, 2> sides{Side{given.first, {}, {}, {}}, Side{given.second, {}, {}, {}}};
+  // Halo elements end at a boundary in no marker.
+  const std::vector<bool> elsewhere = given.halo ? on_markers(topology, {given.first, given.second})
+                                                 : on_others(topology, {given.first, given.second});
+  for (const PeriodicPair& pair : given.pairs) {
+    for (const std::size_t k : {0U, 1U}) {
+      const Index node = k == 0 ? pair.node : pair.image;
+      if (node < 0 || node >= topology.node_count())
+        throw UsageError(not_periodic(given.first, given.second) + "there is no node " +
+                         std::to_string(node));
+      sides[k].nodes.push_back(node);
+      sides[k].places.push_back(place_of(x, node));
+      sides[k].shared.push_back(elsewhere[static_cast<std::size_t>(node)] ||
+                                std::ranges::binary_search(given.held, node));
+    }
+  }
+  return sides;
 }
 
 }  // namespace
@@ -176,9 +255,8 @@ PeriodicPairs PeriodicPairs::find(const Topology& topology, const Coordinates& x
   if (first == second)
     throw UsageError("periodic: found marker \"" + first + "\" twice, expected two sides");
   if (a.nodes.size() != b.nodes.size())
-    throw UsageError("the markers \"" + first + "\" and \"" + second +
-                     "\" are not periodic: they have " + std::to_string(a.nodes.size()) + " and " +
-                     std::to_string(b.nodes.size()) + " nodes");
+    throw UsageError(not_periodic(first, second) + "they have " + std::to_string(a.nodes.size()) +
+                     " and " + std::to_string(b.nodes.size()) + " nodes");
   const BoxTree<3> tree{std::span<const Vec3>(b.places)};
   const int dimension = x.dimension();
   std::vector<RigidImage> candidates{
@@ -187,9 +265,7 @@ PeriodicPairs PeriodicPairs::find(const Topology& topology, const Coordinates& x
     candidates.push_back(image);
   std::optional<Match> best;
   RigidImage chosen;
-  // Files round coordinates; nodes that are no partners lie an edge apart.
-  constexpr double share = 0.05;
-  const double near = share * shortest_edge(topology, x, a);
+  const double near = tolerance * shortest_edge(topology, x, a);
   for (const RigidImage& candidate : candidates) {
     if (best && best->distance <= near) break;  // a translation, if it is one
     const Match found = match(candidate, a, tree);
@@ -198,13 +274,50 @@ PeriodicPairs PeriodicPairs::find(const Topology& topology, const Coordinates& x
     chosen = candidate;
   }
   if (!(best->distance <= near) || !one_to_one(*best)) refuse(a, b, *best, dimension);
-  PeriodicPairs out{first, second, {}, {}, {}};
+  PeriodicPairs out;
+  out.first = first;
+  out.second = second;
   out.image = fitted(a, b, *best, !chosen.rotation.isIdentity(0));
   out.description = text_of(out.image, dimension);
+  out.deviation = worst_pair(out.image, a, b, *best).distance;
   for (std::size_t i = 0; i < a.nodes.size(); ++i) {
     const auto j = static_cast<std::size_t>(best->partner[i]);
     if (!a.shared[i] && !b.shared[j]) out.pairs.push_back({a.nodes[i], b.nodes[j]});
   }
+  return out;
+}
+
+PeriodicPairs PeriodicPairs::of(const Topology& topology, const Coordinates& x,
+                                const GivenPairs& given) {
+  if (!given.fault.empty()) throw UsageError(given.fault);
+  const auto [a, b] = sides_of(topology, x, given);
+  const int dimension = x.dimension();
+  double near = std::numeric_limits<double>::infinity();
+  for (const std::string& name : {given.first, given.second})
+    near = std::min(near, tolerance * shortest_edge(topology, x, side_of(topology, x, name)));
+  Match listed;
+  for (std::size_t i = 0; i < a.nodes.size(); ++i) listed.partner.push_back(static_cast<Index>(i));
+  PeriodicPairs out;
+  out.first = given.first;
+  out.second = given.second;
+  out.halo = given.halo;
+  if (a.nodes.empty()) return out;
+  Match worst;
+  for (const bool rotates : {false, true}) {
+    out.image = fitted(a, b, listed, rotates);
+    worst = worst_pair(out.image, a, b, listed);
+    if (worst.distance <= near) break;
+  }
+  if (!(worst.distance <= near))
+    throw UsageError(not_periodic(given.first, given.second) +
+                     place_of_node(a, worst.worst, dimension) + " is paired with " +
+                     place_of_node(b, worst.worst, dimension) + ", which its image is " +
+                     number_text(worst.distance) + " away from");
+  out.deviation = worst.distance;
+  out.description = text_of(out.image, dimension);
+  for (std::size_t i = 0; i < a.nodes.size(); ++i)
+    if (!a.shared[i] && !b.shared[i]) out.pairs.push_back({a.nodes[i], b.nodes[i]});
+  std::ranges::sort(out.pairs, {}, &PeriodicPair::node);
   return out;
 }
 

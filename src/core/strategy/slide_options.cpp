@@ -1,12 +1,16 @@
 #include "core/strategy/slide_options.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "core/error.h"
 
 namespace winslow {
 
-OptionTable option_table(SlideOptions& slide) {
+namespace {
+
+OptionTable sliding_rows(SlideOptions& slide) {
   return {
       {.key = "markers",
        .value = NamesOption{&slide.markers},
@@ -53,6 +57,11 @@ OptionTable option_table(SlideOptions& slide) {
        .object = "slide",
        .flag = "reference",
        .applies = !slide.reference.name.empty()},
+  };
+}
+
+OptionTable pair_rows(SlideOptions& slide) {
+  return {
       {.key = "periodic",
        .value = NamesOption{&slide.periodic, true},
        .label = "Periodic pairs",
@@ -62,7 +71,26 @@ OptionTable option_table(SlideOptions& slide) {
        .object = "slide",
        .flag = "periodic",
        .applies = !slide.periodic.empty()},
+      {.key = "periodic_from_file",
+       .value = SwitchOption{&slide.file_pairs.wanted},
+       .label = "Periodic pairs of the file",
+       .help =
+           "Take all periodic pairs that the mesh file names: $Periodic of Gmsh, NPERIODIC= and "
+           "SEND_RECEIVE of SU2; winslow quality lists them",
+       .advice = "SU2 of today names them in its configuration file (MARKER_PERIODIC=) and not in "
+                 "the mesh: choose these two markers as a pair instead.",
+       .object = "slide",
+       .flag = "periodic-from-file",
+       .applies = slide.file_pairs.wanted},
   };
+}
+
+}  // namespace
+
+OptionTable option_table(SlideOptions& slide) {
+  OptionTable table = sliding_rows(slide);
+  for (Option& row : pair_rows(slide)) table.push_back(std::move(row));
+  return table;
 }
 
 const ReferenceSurface* reference_of(const SlideOptions& slide) {
@@ -72,7 +100,37 @@ const ReferenceSurface* reference_of(const SlideOptions& slide) {
   return slide.reference.surface.get();
 }
 
+std::vector<GivenPairs> wanted_pairs(const SlideOptions& slide) {
+  std::vector<GivenPairs> wanted;
+  if (!slide.file_pairs.wanted) return wanted;
+  if (!slide.file_pairs.found)
+    throw UsageError("slide.periodic_from_file: the file of the mesh was not read");
+  const GivenPeriodicity& file = *slide.file_pairs.found;
+  if (file.pairs.empty())
+    throw UsageError(file.source +
+                     ": found no periodic pairs in the file, expected $Periodic (Gmsh) or "
+                     "PERIODIC_INDEX= (SU2) for its markers; name the two markers instead");
+  for (const GivenPairs& pair : file.pairs) {
+    bool named = false;
+    for (std::size_t k = 0; k + 1 < slide.periodic.size(); k += 2)
+      named = named || (slide.periodic[k] == pair.first && slide.periodic[k + 1] == pair.second) ||
+              (slide.periodic[k] == pair.second && slide.periodic[k + 1] == pair.first);
+    if (!named || pair.halo) wanted.push_back(pair);
+  }
+  return wanted;
+}
+
 namespace {
+
+/// The pairs of a file on a mesh that has come of the file's, with layers perhaps: then by place.
+std::optional<PeriodicPairs> pairs_on(const Mesh& mesh, const GivenPeriodicity& file,
+                                      const GivenPairs& given) {
+  const Topology& topology = *mesh.topology;
+  if (file.fits(topology)) return PeriodicPairs::of(topology, mesh.coordinates, given);
+  if (given.halo) return std::nullopt;  // new meshes are written without
+  if (!given.fault.empty()) throw UsageError(given.fault);
+  return PeriodicPairs::find(topology, mesh.coordinates, given.first, given.second);
+}
 
 void require_at_rest(const std::string& marker, std::span<const Index> nodes,
                      std::span<const Index> moving) {
@@ -99,19 +157,22 @@ MovingBoundary make_boundary_move(const SlideOptions& slide, const Mesh& mesh,
     }
     out.sliding = std::move(boundary.parts);
   }
-  for (std::size_t k = 0; k + 1 < slide.periodic.size(); k += 2) {
-    const std::string &first = slide.periodic[k], &second = slide.periodic[k + 1];
-    for (const std::string& name : {first, second})
+  const auto join = [&](PeriodicPairs pairs) {
+    for (const std::string& name : {pairs.first, pairs.second})
       if (std::ranges::find(slide.markers, name) != slide.markers.end())
         throw UsageError("marker \"" + name + "\" is to slide and to be periodic: expected one");
-    PeriodicPairs pairs = PeriodicPairs::find(*mesh.topology, mesh.coordinates, first, second);
     for (const auto& [node, image] : pairs.pairs) {
-      require_at_rest(first, {&node, 1}, taken);
-      require_at_rest(second, {&image, 1}, taken);
+      require_at_rest(pairs.first, {&node, 1}, taken);
+      require_at_rest(pairs.second, {&image, 1}, taken);
     }
     classes.set_periodic(pairs);
     out.periodic.push_back(std::move(pairs));
-  }
+  };
+  for (std::size_t k = 0; k + 1 < slide.periodic.size(); k += 2)
+    join(PeriodicPairs::find(*mesh.topology, mesh.coordinates, slide.periodic[k],
+                             slide.periodic[k + 1]));
+  for (const GivenPairs& given : wanted_pairs(slide))
+    if (auto pairs = pairs_on(mesh, *slide.file_pairs.found, given)) join(std::move(*pairs));
   return out;
 }
 

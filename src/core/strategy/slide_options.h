@@ -20,6 +20,15 @@ struct ReferenceFile {
   bool operator==(const ReferenceFile& other) const { return name == other.name; }
 };
 
+/// Periodic sides that the file of the mesh names. Which those are is known when somebody who can
+/// read files has read it.
+struct FilePairs {
+  bool wanted = false;
+  std::shared_ptr<const GivenPeriodicity> found;
+
+  bool operator==(const FilePairs& other) const { return wanted == other.wanted; }
+};
+
 /// Nodes of the boundary that move while the mesh is smoothed: those of some markers slide on what
 /// they lie on in the mesh that the command is given, those of periodic pairs move together.
 struct SlideOptions {
@@ -29,8 +38,10 @@ struct SlideOptions {
   bool surface_first = false;  ///< of a volume mesh, the sliding boundary before the interior
   ReferenceFile reference;     ///< in space: the surface to slide on instead of the mesh's own
   std::vector<std::string> periodic;  ///< names of markers, pair after pair
+  FilePairs file_pairs;               ///< besides these
 
-  bool given() const { return !markers.empty() || !periodic.empty(); }
+  bool has_pairs() const { return !periodic.empty() || file_pairs.wanted; }
+  bool given() const { return !markers.empty() || has_pairs(); }
   bool operator==(const SlideOptions&) const = default;
 };
 
@@ -39,6 +50,10 @@ OptionTable option_table(SlideOptions& slide);
 /// The reference surface; null: none. Throws UsageError for one that was not read.
 const ReferenceSurface* reference_of(const SlideOptions& slide);
 
+/// The pairs of the file, if they are wanted, but for those that are also named. Throws UsageError
+/// if it names none, or was not read.
+std::vector<GivenPairs> wanted_pairs(const SlideOptions& slide);
+
 /// What the nodes of the boundary that move were found to do.
 struct MovingBoundary {
   std::vector<SlidingPart> sliding;
@@ -46,8 +61,8 @@ struct MovingBoundary {
 };
 
 /// Has the nodes of the markers slide and those of the pairs move together. Throws UsageError as
-/// SlidingBoundary::find() and PeriodicPairs::find() do, and for a node of them that `moving`, the
-/// nodes of a motion, has.
+/// SlidingBoundary::find(), PeriodicPairs::find() and PeriodicPairs::of() do, and for a node of
+/// them that `moving`, the nodes of a motion, has.
 MovingBoundary make_boundary_move(const SlideOptions& slide, const Mesh& mesh,
                                   std::span<const Index> moving, NodeClasses& classes);
 

@@ -257,7 +257,7 @@ void validate(const SmoothOptions& options) {
       "the linear solver " + options.linear.solver +
           " takes symmetric systems only: choose automatic, direct or gmres, or the formulation "
           "variational");
-  require(options.slide.reference.name.empty() || options.slide.periodic.empty(),
+  require(options.slide.reference.name.empty() || !options.slide.has_pairs(),
           "slide: a reference surface and periodic pairs do not go together");
   require(!options.slide.given() || is_variational(options),
           "slide: the pointwise form knows no geometry of the boundary: choose the formulation "

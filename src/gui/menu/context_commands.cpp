@@ -155,22 +155,24 @@ std::vector<UserCommand> moving(const std::vector<Index>& markers) {
 std::vector<UserCommand> partners_of(const PanelContext& context, Index marker) {
   const auto& markers = context.topology()->markers();
   const std::string& own = markers[at(marker)].name;
-  const auto now = partner_of(context.session.jobs().smooth_options().slide, own);
+  const SlideOptions& slide = context.session.jobs().smooth_options().slide;
+  const auto now = partner_of(slide, own), in_file = partner_in_file(slide, own);
   std::vector<std::optional<std::string>> others{std::nullopt};
+  if (in_file && in_file != own) others.push_back(in_file);
   for (const Marker& other : markers)
-    if (other.name != own) others.emplace_back(other.name);
+    if (other.name != own && other.name != in_file) others.emplace_back(other.name);
   std::vector<UserCommand> commands;
   for (const auto& other : others)
-    commands.push_back({.id = "periodic/" + other.value_or("none"),
-                        .label = other.value_or("None"),
-                        .tooltip = other
-                                       ? "Nodes of " + own + " and of " + *other + " move together."
-                                       : own + " stays, or slides.",
-                        .checked = [on = now == other](const PanelContext&) { return on; },
-                        .run =
-                            [own, other](const PanelContext& c) {
-                              c.emit(action::PairMarkers{own, other});
-                            }});
+    commands.push_back(
+        {.id = "periodic/" + other.value_or("none"),
+         .label = other.value_or("None") + (other && other == in_file ? " (as the file says)" : ""),
+         .tooltip = other ? "Nodes of " + own + " and of " + *other + " move together."
+                          : own + " stays, or slides.",
+         .checked = [on = now == other](const PanelContext&) { return on; },
+         .run =
+             [own, other](const PanelContext& c) {
+               c.emit(action::PairMarkers{own, other});
+             }});
   return commands;
 }
 

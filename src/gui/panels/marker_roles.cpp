@@ -131,11 +131,27 @@ void MarkerRoles::show_preview(const PanelContext& context, bool on) {
 void MarkerRoles::draw_settings(const PanelContext& context) {
   const SlideOptions& slide = context.session.jobs().smooth_options().slide;
   const bool surface = context.session.kind() == MeshKind::surface;
+  if (!surface) draw_file_pairs(context, slide);
   if (surface || !slide.markers.empty())
     draw_angle(context, slide);
   else
     show_preview(context, false);
   if (surface || slide.given()) draw_found(context);
+}
+
+void MarkerRoles::draw_file_pairs(const PanelContext& context, SlideOptions slide) {
+  const auto& found = slide.file_pairs.found;
+  if (!found || found->pairs.empty()) return;
+  std::string tip =
+      "The file of the mesh names periodic sides: while the mesh is smoothed their "
+      "nodes move together.";
+  for (const GivenPairs& given : found->pairs)
+    if (!given.halo)
+      tip += "\n" + given.first + " and " + given.second +
+             (given.fault.empty() ? "" : ", which cannot be used: " + given.fault);
+  if (ui::checkbox("markers/file_pairs", "Periodic pairs of the file", slide.file_pairs.wanted,
+                   tip))
+    edit_slide(context, slide);
 }
 
 void MarkerRoles::draw_found(const PanelContext& context) {

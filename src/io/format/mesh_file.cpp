@@ -6,6 +6,7 @@
 #include "io/file/atomic_file.h"
 #include "io/format/marker_overlap.h"
 #include "io/format/mesh_format.h"
+#include "io/format/periodicity.h"
 #include "io/format/plane_placement.h"
 
 namespace winslow::io {
@@ -101,6 +102,7 @@ MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options
   for (std::string& text : marker_overlaps(*file.mesh.topology))
     file.warnings.push_back(std::move(text));
   parsed.details->format = file.format;
+  settle_periodicity(*parsed.details, file.mesh, source.name());
   file.details = std::move(parsed.details);
   const std::string zone =
       file.details->zones.empty() ? "" : "zone " + std::to_string(file.details->zone) + ": ";
@@ -171,6 +173,11 @@ std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,
   if (details != nullptr && details->zones.size() > 1 && !all_zones && !options.zone_alone) {
     warnings.push_back("only zone " + std::to_string(details->zone) + " of " +
                        std::to_string(details->zones.size()) + " is written");
+  }
+  for (const MeshZone& zone : zones) {
+    if (zone.details == nullptr || !zone.details->periodic || format->keeps_periodic) continue;
+    if (const std::string names = named_pairs(*zone.details->periodic); !names.empty())
+      warnings.push_back("the periodic pairs of the source (" + names + ") are not written");
   }
   if (details != nullptr && details->plane && format->plane_only) {
     warnings.push_back("a " + std::string(format->title) + " file has two coordinates: those in " +

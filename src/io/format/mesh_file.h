@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/periodic_pairs.h"
 #include "core/mesh/mesh.h"
 
 /// Reading and writing meshes: the one header that the rest of the program needs.
@@ -26,6 +27,8 @@ struct FormatDetails {
   std::shared_ptr<PlanePlacement> plane;
   std::vector<int> zones;  ///< numbers of all zones of the file; empty: it has none
   int zone = 0;            ///< the one that was read
+  /// What the file says of periodic sides; null for details that came from no file.
+  std::shared_ptr<GivenPeriodicity> periodic;
 };
 
 /// A mesh read from a file.

@@ -73,6 +73,15 @@ struct Item {
   Shape shape;
 };
 
+/// One entry of $Periodic: an entity that is the image of another, its master.
+struct PeriodicLink {
+  int dimension = 0;
+  int entity = 0, master = 0;
+  std::vector<double> affine;  ///< 4 by 4, row by row, from the master to the entity; may be empty
+  std::vector<std::array<std::int64_t, 2>> nodes;  ///< tags: of the entity, of its master
+  std::size_t offset = 0;                          ///< in the file
+};
+
 /// What an MSH file says beyond a mesh.
 struct Details : BoundaryDetails {
   int dimension = 2;  ///< of the elements of the mesh
@@ -87,6 +96,7 @@ struct Details : BoundaryDetails {
   std::vector<NodeBlock> node_blocks;           ///< 4.1 only
   std::vector<std::int64_t> node_tags;          ///< empty: 1, 2, 3, ...
   std::vector<Item> items;
+  std::vector<PeriodicLink> links;  ///< what the raw text of $Periodic says
 };
 
 /// Boxes around the nodes of each entity (those in its node blocks and its elements), by dimension

@@ -38,6 +38,7 @@ const MeshFormat format{
     .writes_surfaces = true,
     .writes_volumes = true,
     .keeps_markers = true,
+    .keeps_periodic = true,
     .has_binary = true,
     .recognise =
         [](const Content& content) {

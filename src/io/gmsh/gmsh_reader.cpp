@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "io/gmsh/gmsh_groups.h"
+#include "io/gmsh/gmsh_periodic.h"
 #include "io/text/numbers.h"
 
 namespace winslow::io::gmsh {
@@ -69,8 +70,8 @@ void Reader::read_section() {
     source_.fail(begin, in_quotes(line), "the start of a section, such as $Nodes");
   }
   const std::string name(line.substr(1));
-  const bool known =
-      name == "PhysicalNames" || name == "Entities" || name == "Nodes" || name == "Elements";
+  const bool known = name == "PhysicalNames" || name == "Entities" || name == "Nodes" ||
+                     name == "Elements" || name == "Periodic";
   if (known && seen(name)) source_.fail(begin, "a second section $" + name, "one only");
   if (name == "PartitionedEntities") {
     source_.fail(begin, "$PartitionedEntities", "a mesh that is not partitioned");
@@ -86,6 +87,13 @@ void Reader::read_section() {
   if (name == "Elements") {
     if (!seen("Nodes")) source_.fail(scan_.offset(), "$Elements before $Nodes", "$Nodes first");
     elements_.read();
+  }
+  if (name == "Periodic") {
+    details_->links = read_links(scan_, details_->version_4, details_->binary);
+    end_section(name);
+    // For the way back byte by byte.
+    details_->sections.back().raw = source_.text().substr(begin, scan_.offset() - begin);
+    return;
   }
   end_section(name);
 }
@@ -181,6 +189,8 @@ void Reader::finish() {
   if (!seen("Elements")) source_.fail(end, "no section $Elements", "the elements of the mesh");
   set_nodes(source_, nodes_.xyz(), mesh_);
   collect_groups(elements_.offsets(), *details_, mesh_);
+  details_->periodic = std::make_shared<GivenPeriodicity>();
+  details_->periodic->pairs = pairs_of(source_, *details_, nodes_.tags(), mesh_.data);
   if (nodes_.parametric()) {
     mesh_.warnings.emplace_back("parametric coordinates of nodes are not kept");
   }

@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <iterator>
 
 #include "io/format/mesh_in_space.h"
+#include "io/format/periodicity.h"
 #include "io/gmsh/gmsh.h"
 #include "io/gmsh/gmsh_details.h"
+#include "io/gmsh/gmsh_periodic.h"
 #include "io/text/text_writer.h"
 
 namespace winslow::io::gmsh {
@@ -71,6 +74,7 @@ class Writer {
       if (section.name == "Entities") write_entities();
       if (section.name == "Nodes") details_.version_4 ? write_nodes_4() : write_nodes_2();
       if (section.name == "Elements") details_.version_4 ? write_elements_4() : write_elements_2();
+      if (section.name == "Periodic") write_links();
       out_ << "$End" << section.name << '\n';
     }
   }
@@ -226,6 +230,26 @@ class Writer {
     values_.end_section();
   }
 
+  void write_links() {
+    ValueWriter values(out_, binary_ && details_.version_4);  // text in MSH 2
+    values.size(count(details_.links)).end();
+    for (const PeriodicLink& link : details_.links) {
+      values.integer(link.dimension).integer(link.entity).integer(link.master).end();
+      if (details_.version_4) {
+        values.size(count(link.affine));
+        for (const double value : link.affine) values.real(value);
+        values.end();
+      } else if (!link.affine.empty()) {
+        out_ << "Affine";
+        for (const double value : link.affine) out_ << ' ' << value;
+        out_ << '\n';
+      }
+      values.size(count(link.nodes)).end();
+      for (const auto& [node, master] : link.nodes) values.size(node).size(master).end();
+    }
+    values.end_section();
+  }
+
   TextWriter out_;
   ValueWriter values_;
   bool binary_;
@@ -250,9 +274,12 @@ std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const Format
                                 "unknown sections are "
                                 "not written");
   }
+  if (kept) warnings = stale_pairs(*details, mesh);
   if (kept && details->binary != options.binary) {
     // Unknown sections are bytes in one encoding and cannot be turned into the other.
     Details converted = *details;
+    for (auto& section : converted.sections)
+      if (section.name == "Periodic") section.raw.clear();
     const auto removed = std::erase_if(
         converted.sections, [](const auto& s) { return !s.raw.empty() && s.name != "Comments"; });
     if (removed > 0) warnings.emplace_back("unknown sections are not converted and not written");
@@ -266,6 +293,14 @@ std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const Format
     if (source != nullptr) {
       made.plane_z = source->plane_z;
       made.plane = source->plane;
+      made.links = links_of(*source, mesh);
+      if (!made.links.empty()) made.sections.push_back({"Periodic", {}});
+      const auto side = [](const GivenPairs& given) { return !given.halo; };
+      if (source->periodic &&
+          std::ranges::count_if(source->periodic->pairs, side) > std::ssize(made.links))
+        warnings.push_back("periodic pairs of the source (" + named_pairs(*source->periodic) +
+                           ") are not written" +
+                           (made.links.empty() ? "" : " where nodes do not match"));
     }
     Writer(out, mesh, made, options.binary).write();
   }

@@ -53,7 +53,8 @@ ParsedMesh read_zone(Source& source, int zone);
 /// Points are written as they were read: what follows the coordinates, be it a third one of a plane
 /// mesh or a second number, goes back as it came, a number that counts from 0 is written anew. Of a
 /// file of several zones the one of the details is written, as a file of its own.
-std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const Details* details);
+/// source: details of the file that the mesh came from, of this format or of another; may be null.
+std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* source);
 /// Zones of one file; those that are not among them are written as they were.
 std::vector<std::string> write_zones(std::ostream& out, std::span<const MeshZone> zones);
 

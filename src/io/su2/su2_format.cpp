@@ -25,14 +25,13 @@ const MeshFormat format{
     .volumes = "yes",
     .writes_volumes = true,
     .keeps_markers = true,
+    .keeps_periodic = true,
     .plane_only = true,
     .recognise = [](const Content& content) { return keyword_on_line(content, is_keyword); },
     .read = [](Source& source) { return read_zone(source, 0); },
     .read_zone = read_zone,
-    .write =
-        [](std::ostream& out, const Mesh& mesh, const FormatDetails* details, const WriteOptions&) {
-          return write(out, mesh, dynamic_cast<const Details*>(details));
-        },
+    .write = [](std::ostream& out, const Mesh& mesh, const FormatDetails* details,
+                const WriteOptions&) { return write(out, mesh, details); },
     .write_zones = [](std::ostream& out, std::span<const MeshZone> zones,
                       const WriteOptions&) { return write_zones(out, zones); }};
 

@@ -9,6 +9,7 @@
 #include "io/su2/su2.h"
 #include "io/su2/su2_box.h"
 #include "io/su2/su2_lines.h"
+#include "io/su2/su2_periodic.h"
 #include "io/su2/su2_points.h"
 #include "io/su2/su2_types.h"
 #include "io/su2/su2_zones.h"
@@ -59,15 +60,24 @@ class Reader {
     if (l.key == "MARKER_ELEMS") {
       source_.fail(l.offset, "MARKER_ELEMS=", "MARKER_TAG= before it");
     }
+    if (l.key == "NPERIODIC") return read_periodic(l);
     keep_unknown(l);
   }
 
-  void keep(const Line& l) {
+  /// Keeps what was read from an offset on.
+  void keep_from(std::size_t begin) {
     auto& items = details_->items;
     if (items.empty() || items.back().part != Details::Part::text) {
       items.push_back({Details::Part::text, {}});
     }
-    items.back().text.append(l.bytes);
+    items.back().text.append(source_.text().substr(begin, lines_.offset() - begin));
+  }
+  /// The line that was read last.
+  void keep(const Line& l) { keep_from(l.offset); }
+
+  void read_periodic(const Line& l) {
+    periodic_.read_transformations(lines_, l);
+    keep_from(l.offset);
   }
 
   void keep_unknown(const Line& l) {
@@ -170,8 +180,10 @@ class Reader {
     const Index n = count(l.value.substr(0, space), "the number of points", 4);
     const auto owned = trimmed(l.value.substr(space));
     if (!owned.empty() && parse_integer(owned) != n) {
-      mesh_.warnings.push_back("only " + std::string(owned) + " of " + std::to_string(n) +
-                               " points are the file's own: it is one part of a partitioned mesh");
+      mesh_.warnings.push_back(
+          "only " + std::string(owned) + " of " + std::to_string(n) +
+          " points are the file's own: the others are copies, across a periodic "
+          "boundary or of other parts of a partitioned mesh");
     }
     details_->items.back().text = owned;
     renumbered_ |= read_points(lines_, n, dimension_, mesh_, *details_);
@@ -228,19 +240,14 @@ class Reader {
   }
 
   void keep_send_receive(const Line& tag) {
-    keep(tag);
     ++details_->raw_markers;
     if (details_->raw_markers == 1) {
       mesh_.warnings.push_back(
           "marker SEND_RECEIVE is bookkeeping of the solver: it is kept as it is, no boundary");
     }
-    while (!lines_.at_end()) {
-      const Line l = lines_.next();
-      const bool own =
-          l.key.empty() || l.key == "MARKER_ELEMS" || l.key == "SEND_TO" || l.key == "SEND_RECEIVE";
-      if (!own) return lines_.back_to(l);
-      keep(l);
-    }
+    lines_.back_to(tag);
+    periodic_.read_list(lines_);
+    keep_from(tag.offset);
   }
 
   void finish(bool dimension_known) {
@@ -263,6 +270,8 @@ class Reader {
     details_->elements = mesh_.data.element_count();
     details_->markers = mesh_.data.markers.size();
     check_finite(source_, mesh_);
+    details_->periodic = std::make_shared<GivenPeriodicity>();
+    details_->periodic->pairs = periodic_.pairs_of(source_, mesh_.data);
   }
 
   void add_warnings() {
@@ -292,6 +301,7 @@ class Reader {
   std::optional<Index> marker_count_;
   std::size_t marker_count_offset_ = 0;
   std::set<std::string> names_;
+  PeriodicSections periodic_;
   std::set<std::string> unknown_;
   std::string unknown_list_;
   bool renumbered_ = false;

@@ -1,11 +1,15 @@
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <span>
 #include <string_view>
 
+#include "core/error.h"
+#include "io/format/periodicity.h"
 #include "io/format/vtk_wedge.h"
 #include "io/su2/su2.h"
 #include "io/su2/su2_box.h"
+#include "io/su2/su2_periodic.h"
 #include "io/su2/su2_types.h"
 #include "io/text/scanner.h"
 #include "io/text/text_writer.h"
@@ -173,8 +177,32 @@ bool says_more(const Details& details) {
   return false;
 }
 
-void write_zone(std::ostream& out, const Mesh& mesh, const Details* details,
+/// Pairs of a source that is not written as it was: SU2 of today keeps them elsewhere.
+void name_pairs(const FormatDetails* source, const Mesh& mesh, std::vector<std::string>& warnings) {
+  if (source == nullptr || !source->periodic || source->periodic->pairs.empty()) return;
+  const GivenPeriodicity& periodic = *source->periodic;
+  std::string lines;
+  for (const GivenPairs& given : periodic.pairs) {
+    if (given.halo || given.first == given.second || !given.fault.empty()) continue;
+    try {
+      const Topology& topology = *mesh.topology;
+      const PeriodicPairs pairs =
+          periodic.fits(topology)
+              ? PeriodicPairs::of(topology, mesh.coordinates, given)
+              : PeriodicPairs::find(topology, mesh.coordinates, given.first, given.second);
+      lines += (lines.empty() ? "" : "; ") + configuration_line(pairs);
+    } catch (const UsageError&) {
+      continue;  // they no longer match
+    }
+  }
+  warnings.push_back(
+      "the periodic pairs of the source (" + named_pairs(periodic) + ") are not written" +
+      (lines.empty() ? "" : ": SU2 reads them from its configuration file, as " + lines));
+}
+
+void write_zone(std::ostream& out, const Mesh& mesh, const FormatDetails* source,
                 std::vector<std::string>& warnings) {
+  const auto* details = dynamic_cast<const Details*>(source);
   const Topology& topology = *mesh.topology;
   const std::span<const Marker> markers = topology.markers().from_file()
                                               ? std::span<const Marker>(topology.markers().list())
@@ -199,6 +227,11 @@ void write_zone(std::ostream& out, const Mesh& mesh, const Details* details,
         "the free-form deformation box (FFD_SURFACE_POINTS) still holds where its points lay "
         "before "
         "they moved: have SU2_DEF set it up anew (DV_KIND= FFD_SETTING)");
+  }
+  if (!fits) {
+    name_pairs(source, mesh, warnings);
+  } else {
+    std::ranges::move(stale_pairs(*details, mesh), std::back_inserter(warnings));
   }
   if (!topology.regions().empty()) {
     warnings.emplace_back("SU2 has no regions: the names of element sets are not written");
@@ -228,7 +261,7 @@ std::vector<std::string> write_zones(std::ostream& out, std::span<const MeshZone
   };
   const Details* first = details_of(zones.front());
   if (first == nullptr || !first->blocks) {
-    write_zone(out, *zones.front().mesh, first, warnings);
+    write_zone(out, *zones.front().mesh, zones.front().details, warnings);
     return warnings;
   }
   const auto& blocks = *first->blocks;
@@ -245,10 +278,11 @@ std::vector<std::string> write_zones(std::ostream& out, std::span<const MeshZone
   return warnings;
 }
 
-std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const Details* details) {
+std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* source) {
   std::vector<std::string> warnings;
+  const auto* details = dynamic_cast<const Details*>(source);
   if (details == nullptr || !details->blocks) {
-    write_zone(out, mesh, details, warnings);
+    write_zone(out, mesh, source, warnings);
     return warnings;
   }
   const Details alone = without_zones(*details);

@@ -8,7 +8,27 @@ std::optional<std::string> partner_of(const SlideOptions& slide, const std::stri
     if (pairs[k] == marker) return pairs[k + 1];
     if (pairs[k + 1] == marker) return pairs[k];
   }
+  return slide.file_pairs.wanted ? partner_in_file(slide, marker) : std::nullopt;
+}
+
+std::optional<std::string> partner_in_file(const SlideOptions& slide, const std::string& marker) {
+  if (!slide.file_pairs.found) return std::nullopt;
+  for (const GivenPairs& given : slide.file_pairs.found->pairs) {
+    if (given.halo || !given.fault.empty()) continue;
+    if (given.first == marker) return given.second;
+    if (given.second == marker) return given.first;
+  }
   return std::nullopt;
+}
+
+void take_out(SlideOptions& slide, const std::string& marker) {
+  slide.periodic = pairs_without(slide.periodic, marker);
+  if (!slide.file_pairs.wanted || !partner_in_file(slide, marker)) return;
+  slide.file_pairs.wanted = false;
+  for (const GivenPairs& given : slide.file_pairs.found->pairs)
+    if (!given.halo && given.first != given.second && given.first != marker &&
+        given.second != marker && !partner_of(slide, given.first))
+      slide.periodic.insert(slide.periodic.end(), {given.first, given.second});
 }
 
 std::vector<std::string> pairs_without(const std::vector<std::string>& pairs,

@@ -8,8 +8,14 @@
 
 namespace winslow::gui {
 
-/// The other side of the periodic pair that a marker is in; none: it is in no pair.
+/// The other side of the periodic pair that a marker is in, be it named or, if those are wanted,
+/// one of the file; none: it is in no pair.
 std::optional<std::string> partner_of(const SlideOptions& slide, const std::string& marker);
+/// The other side of the pair of the file that a marker is in, wanted or not.
+std::optional<std::string> partner_in_file(const SlideOptions& slide, const std::string& marker);
+
+/// Takes a marker out of all pairs. The other pairs of a file that had it are named from then on.
+void take_out(SlideOptions& slide, const std::string& marker);
 
 /// Periodic pairs, name after name, that a marker is not in.
 std::vector<std::string> pairs_without(const std::vector<std::string>& pairs,

@@ -9,6 +9,7 @@
 #include "gui/document/jobs/end_text.h"
 #include "gui/document/jobs/periodic_sides.h"
 #include "gui/document/session/settled_command.h"
+#include "io/tables/file_pairs.h"
 
 namespace winslow::gui {
 
@@ -31,6 +32,8 @@ const QualityFloor& floor_of(const Command& command) {
 
 bool Jobs::poll() {
   const Document* document = mesh_.document();
+  smooth_.slide.file_pairs.found =
+      document && document->details() ? document->details()->periodic : nullptr;
   bool changed =
       layer_preview_.update(document && !mesh_.in_motion() ? &document->state().mesh : nullptr);
   changed |= found_layers_.update(document && !mesh_.in_motion() ? &document->state() : nullptr);
@@ -74,6 +77,7 @@ bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start,
                                               "\". Wait until it is done, or cancel it.");
     return false;
   }
+  io::give_pairs(command, mesh_.document()->details().get());
   if (const SmoothOptions* smooth = winslow::smooth_options(command)) {
     try {
       validate(*smooth);
@@ -114,7 +118,7 @@ SmoothOptions Jobs::smooth_for_motion(const std::vector<std::string>& markers) c
   SmoothOptions smooth = smooth_;
   for (const std::string& name : markers) {
     std::erase(smooth.slide.markers, name);
-    smooth.slide.periodic = pairs_without(smooth.slide.periodic, name);
+    take_out(smooth.slide, name);
   }
   return smooth;
 }
@@ -150,8 +154,8 @@ void Jobs::on(const action::StepSolver& a) {
 void Jobs::on(const action::PairMarkers& a) {
   if (!mesh_.document()) return;
   SlideOptions slide = smooth_.slide;
-  slide.periodic = pairs_without(slide.periodic, a.first);
-  if (a.second) slide.periodic = pairs_without(slide.periodic, *a.second);
+  take_out(slide, a.first);
+  if (a.second) take_out(slide, *a.second);
   if (!a.second) {
     smooth_.slide = std::move(slide);
     return messages_.tell(Notice::Kind::information, a.first + " stays where it is.");

@@ -110,7 +110,7 @@ TEST_CASE("warnings of a file need no answer: they are in the banner") {
   std::stringstream text;
   text << in.rdbuf();
   in.close();
-  std::ofstream(path) << text.str() << "NPERIODIC= 1\nSOMETHING_ELSE= 3\n";
+  std::ofstream(path) << text.str() << "SOMETHING= 1\nSOMETHING_ELSE= 3\n";
   rig.bench->apply(action::OpenMesh{path});
   REQUIRE(rig.settle());
   REQUIRE(!rig.document().warnings().empty());

@@ -1,0 +1,12 @@
+L=1; h=0.5;
+Point(1)={0,0,0,h};Point(2)={1,0,0,h};Point(3)={1,1,0,h};Point(4)={0,1,0,h};Point(5)={0.5,0,0,h};Point(6)={0.5,1,0,h};
+Line(1)={1,5};Line(7)={5,2};Line(2)={2,3};Line(3)={3,6};Line(8)={6,4};Line(4)={4,1};
+Curve Loop(1)={1,7,2,3,8,4};
+Plane Surface(1)={1};
+Periodic Curve {8} = {-1} Translate {0,1,0};
+Periodic Curve {3} = {-7} Translate {0,1,0};
+Physical Curve("lower",11)={1,7};
+Physical Curve("upper",12)={3,8};
+Physical Curve("in",13)={4};
+Physical Curve("out",14)={2};
+Physical Surface("dom",15)={1};
