@@ -20,6 +20,9 @@ struct ReferenceFile {
   bool operator==(const ReferenceFile& other) const { return name == other.name; }
 };
 
+/// The very same surface, however often it was read.
+bool same_surface(const ReferenceFile& a, const ReferenceFile& b);
+
 /// Nodes of the boundary that move while the mesh is smoothed: those of some markers slide on what
 /// they lie on in the mesh that the command is given, those of periodic pairs move together.
 struct SlideOptions {
