@@ -58,7 +58,7 @@ struct TubeRig : SurfaceRig {
 
 }  // namespace
 
-TEST_CASE("a border line lights up under the mouse, on it and beside it, and a click selects it") {
+TEST_CASE("a border line is what the mouse is over, on it and beside it, and a click selects it") {
   TubeRig rig;
   const ScreenPoint on = rig.at(rig.lower(true));
   // Below the lower border there is nothing but the line to be meant.
