@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
+#include "core/strategy/reference_start.h"
 #include "core/strategy/smooth_run.h"
 #include "core/strategy/surface_first.h"
 #include "core/strategy/surface_shape.h"
@@ -121,39 +122,33 @@ void require_surface_command(const Command& command, const SmoothOptions* smooth
   if (smooth->keep_outside.given()) refuse("keep-outside");
 }
 
-/// A state of a surface mesh with the shape that its nodes stay on, put there if that is another
-/// surface than its own.
+/// A surface mesh whose nodes were put onto another surface than its own.
+bool is_on_reference(const MeshState& state) {
+  return state.surface && !state.surface->reference.name.empty();
+}
+
+/// A state of a surface mesh with the shape that its nodes stay on, put there if that is, or was,
+/// another surface than its own.
 MeshState with_shape(const MeshState& state, const SlideOptions& slide) {
   MeshState copy = state;
   if (!is_surface(*state.mesh.topology)) return copy;
   copy.surface = surface_shape(state, slide);
-  if (!slide.reference.name.empty())
+  if (is_on_reference(state) || !slide.reference.name.empty())
     copy.mesh.coordinates = put_on(copy.surface->boundary, std::move(copy.mesh.coordinates));
   return copy;
 }
 
-/// A state of a volume mesh, its sliding nodes put onto the reference surface that they are to
-/// slide on. Before a motion, which leads through valid meshes, that must not invert elements.
-MeshState on_reference(const Command& command, const MeshState& state) {
+/// What a command begins from: sliding nodes of a volume mesh are put onto the reference surface
+/// that they are to slide on. Before a motion, which leads through valid meshes, that must not
+/// invert elements. None: there is no such surface.
+std::optional<ReferenceStart> on_reference(const Command& command, const MeshState& state,
+                                           const RunOptions& options) {
   Command copy = command;
   const SmoothOptions* smooth = smooth_options(copy);
-  if (!smooth || smooth->slide.reference.name.empty()) return state;
-  const SlideOptions& slide = smooth->slide;
-  if (slide.markers.empty())
-    throw UsageError(slide.reference.name +
-                     ": a reference surface is for nodes that slide: name their markers");
-  const Mesh& mesh = state.mesh;
-  MeshState placed = state;
-  placed.mesh.coordinates =
-      put_on(SlidingBoundary::find(*mesh.topology, mesh.coordinates, slide.markers,
-                                   slide.feature_angle, slide.features, reference_of(slide)),
-             mesh.coordinates);
-  if (std::holds_alternative<SmoothCommand>(command)) return placed;
-  const Index before = check_validity(*mesh.topology, mesh.coordinates).inverted;
-  const Index after = check_validity(*mesh.topology, placed.mesh.coordinates).inverted;
-  if (after > before)
-    throw UsageError(slide.reference.name + ": with their nodes put onto this surface " +
-                     std::to_string(after) + " elements are inverted: smooth the mesh on it first");
+  if (!smooth || smooth->slide.reference.name.empty()) return std::nullopt;
+  ReferenceStart placed = put_on_reference(smooth->slide, state, options.start);
+  if (!std::holds_alternative<SmoothCommand>(command))
+    require_no_more_inverted(smooth->slide, state.mesh, placed.state.mesh);
   return placed;
 }
 
@@ -263,7 +258,7 @@ CommandResult scrambled(const MeshState& state, Coordinates x) {
 /// Nodes stay on the surface and, so that the mesh still covers it once, near their places.
 CommandResult scramble_surface(const MeshState& state, std::mt19937_64& generator) {
   constexpr double reach = 6;  // mean edges at the node
-  const MeshState shaped = with_shape(state, {});
+  const MeshState shaped = is_on_reference(state) ? state : with_shape(state, {});
   const auto classes = std::make_shared<NodeClasses>(state.mesh.topology);
   slide_on_surface(*shaped.surface, state.mesh.coordinates, *classes);
   const NodeUnknowns unknowns(classes, 1);
@@ -418,9 +413,12 @@ CommandResult execute(const Command& command, const MeshState& state, const RunO
     return result;
   }
   const LocalFrame frame(state.mesh);
-  const MeshState placed = on_reference(command, state);
-  CommandResult result = frame.shifts() ? run_in_frame(frame, command, placed, options, carry_out)
-                                        : carry_out(command, placed, options);
+  const std::optional<ReferenceStart> placed = on_reference(command, state, options);
+  const MeshState& from = placed ? placed->state : state;
+  RunOptions how = options;
+  if (placed) how.start = placed->start ? &*placed->start : nullptr;
+  CommandResult result = frame.shifts() ? run_in_frame(frame, command, from, how, carry_out)
+                                        : carry_out(command, from, how);
   // Whatever way it went: the count is that of the mesh that is handed over.
   const Mesh& mesh = result.state.mesh;
   result.smooth.inverted = check_validity(*mesh.topology, mesh.coordinates).inverted;

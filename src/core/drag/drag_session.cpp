@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/motion/space_motion.h"
 #include "core/quality/quality.h"
+#include "core/strategy/reference_start.h"
 #include "core/strategy/smooth_run.h"
 #include "core/strategy/workspace.h"
 
@@ -71,8 +72,14 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
   };
 
  public:
-  Impl(MeshState state, DragGrip grip, const SmoothOptions& options, std::optional<Start> start)
-      : state_(std::move(state)), grip_(std::move(grip)), options_(options) {
+  /// origin: of the coordinates of the state, in those of files.
+  Impl(MeshState state, DragGrip grip, const SmoothOptions& options, std::optional<Start> start,
+       ReadReference read, const Vec3& origin)
+      : state_(std::move(state)),
+        grip_(std::move(grip)),
+        options_(options),
+        read_(std::move(read)),
+        origin_(origin) {
     validate(options_);
     const auto motion = make_motion(*state_.mesh.topology, state_.mesh.coordinates, grip_, Pose{});
     if (grip_.rigid())
@@ -203,6 +210,7 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
 
   void work() {
     try {
+      prepare();
       while (const auto wanted = next_target()) {
         from_ = pose();
         target_ = grip_.rigid() ? next_part(from_, *wanted) : *wanted;
@@ -223,6 +231,21 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
       const std::lock_guard lock(mutex_);
       error_ = e.what();
     }
+  }
+
+  /// Nodes that slide on a reference surface are put there, as they are when the command that ends
+  /// the drag is carried out.
+  void prepare() {
+    ReferenceFile& reference = options_.slide.reference;
+    if (reference.name.empty()) return;
+    if (!reference.surface && read_) reference.surface = read_(reference.name);
+    if (reference.surface && origin_ != Vec3(0, 0, 0))
+      reference.surface = moved_to(*reference.surface, origin_);
+    ReferenceStart placed = put_on_reference(options_.slide, state_, &solved_);
+    require_no_more_inverted(options_.slide, state_.mesh, placed.state.mesh);
+    // Where the body is does not change: it does not slide.
+    state_.mesh.coordinates = std::move(placed.state.mesh.coordinates);
+    solved_ = placed.start ? std::move(*placed.start) : state_.mesh.coordinates;
   }
 
   /// From the mesh solved for last along the path to where the body is wanted. False if the path
@@ -288,9 +311,11 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
     return pose;
   }
 
-  MeshState state_;
+  MeshState state_;  // its coordinates are the worker's
   DragGrip grip_;
-  SmoothOptions options_;
+  SmoothOptions options_;  // their reference surface is the worker's
+  ReadReference read_;
+  Vec3 origin_;
   std::vector<Index> nodes_;
   SmoothingWorkspace workspace_;     // the worker's
   Coordinates solved_;               // the worker's: the mesh solved for last
@@ -343,7 +368,7 @@ std::optional<Start> in_frame(std::optional<Start> start, const LocalFrame& fram
 
 template <int D>
 DragSessionIn<D>::DragSessionIn(MeshState state, DragGrip grip, const SmoothOptions& options,
-                                std::optional<Start> start)
+                                std::optional<Start> start, ReadReference read)
     : frame_(mesh_of<D>(state)) {
   if (frame_.shifts()) {
     rest_ = state.mesh.coordinates;
@@ -351,8 +376,9 @@ DragSessionIn<D>::DragSessionIn(MeshState state, DragGrip grip, const SmoothOpti
   }
   SmoothOptions local = options;
   local.keep_outside = to_local(std::move(local.keep_outside), frame_);
-  impl_ = std::make_unique<Impl>(std::move(state), std::move(grip), local,
-                                 in_frame(std::move(start), frame_));
+  impl_ =
+      std::make_unique<Impl>(std::move(state), std::move(grip), local,
+                             in_frame(std::move(start), frame_), std::move(read), frame_.origin());
 }
 template <int D>
 DragSessionIn<D>::~DragSessionIn() = default;

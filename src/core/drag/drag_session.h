@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,11 +39,14 @@ class DragSessionIn {
     Coordinates coordinates;
     Pose motion;
   };
+  /// Reads the reference surface that options name, for one that was not read: the session calls
+  /// it once, on its own thread. What it throws is error().
+  using ReadReference = std::function<std::shared_ptr<const ReferenceSurface>(const std::string&)>;
   /// state: a valid mesh, which the motions refer to. grip: what is held. start: where the drag
   /// goes on from, if not from the state itself. Throws UsageError for unknown markers,
   /// out-of-range options, a tangled mesh or one of another dimension.
   DragSessionIn(MeshState state, DragGrip grip, const SmoothOptions& options,
-                std::optional<Start> start = {});
+                std::optional<Start> start = {}, ReadReference read = {});
   ~DragSessionIn();
   DragSessionIn(const DragSessionIn&) = delete;
   DragSessionIn& operator=(const DragSessionIn&) = delete;

@@ -8,6 +8,12 @@
 
 namespace winslow {
 
+bool same_surface(const ReferenceFile& a, const ReferenceFile& b) {
+  if (a.name != b.name || !a.surface != !b.surface) return false;
+  return a.surface == b.surface ||
+         (a.surface->points == b.surface->points && a.surface->faces == b.surface->faces);
+}
+
 namespace {
 
 OptionTable sliding_rows(SlideOptions& slide) {

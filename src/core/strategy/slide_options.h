@@ -20,6 +20,9 @@ struct ReferenceFile {
   bool operator==(const ReferenceFile& other) const { return name == other.name; }
 };
 
+/// The very same surface, however often it was read.
+bool same_surface(const ReferenceFile& a, const ReferenceFile& b);
+
 /// Periodic sides that the file of the mesh names. Which those are is known when somebody who can
 /// read files has read it.
 struct FilePairs {

@@ -17,7 +17,7 @@ std::shared_ptr<const SurfaceShape> surface_shape(const MeshState& state,
         "sliding markers and periodic pairs: not for a surface mesh, all nodes of which slide");
   const SurfaceShape* known = state.surface.get();
   if (known && known->feature_angle == options.feature_angle &&
-      known->features == options.features && known->reference == options.reference)
+      known->features == options.features && same_surface(known->reference, options.reference))
     return state.surface;
   auto shape = std::make_shared<SurfaceShape>();
   shape->given = known ? known->given : state.mesh.coordinates;

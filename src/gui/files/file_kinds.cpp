@@ -82,6 +82,11 @@ DialogKind dialog_of(FilePurpose purpose, MeshKind kind) {
               {{"All films", {".mp4", ".gif"}}, {"MP4", {".mp4"}}, {"GIF", {".gif"}}},
               "",
               true};
+    case FilePurpose::reference: {
+      DialogKind surface{"A surface for nodes to slide on", "Use", false, mesh_kinds({}), ""};
+      surface.kinds.push_back({"All files", {}});
+      return surface;
+    }
   }
   return {};
 }

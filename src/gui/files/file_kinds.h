@@ -23,7 +23,8 @@ enum class FilePurpose {
   replay_recipe,
   export_convergence,
   picture,
-  recording
+  recording,
+  reference
 };
 
 /// What a file dialog says and accepts. TO ADD A PURPOSE, add it to dialog_of in file_kinds.cpp and

@@ -26,6 +26,7 @@ class MarkerRoles {
  private:
   void draw_angle(const PanelContext& context, SlideOptions slide);
   static void draw_file_pairs(const PanelContext& context, SlideOptions slide);
+  static void draw_reference(const PanelContext& context);
   void draw_found(const PanelContext& context);
   void show_preview(const PanelContext& context, bool on);
 

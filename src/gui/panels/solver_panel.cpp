@@ -119,13 +119,18 @@ void SolverPanel::draw_resets(const PanelContext& context) {
 }
 
 void SolverPanel::draw_options(const PanelContext& context) {
-  if (!ui::fold("solver/advanced", "Advanced",
-                "Equations, damping, clipping, linear solver, tolerance. The defaults need no "
+  if (!ui::fold(
+          "solver/advanced", "Advanced",
+          context.session.kind() == MeshKind::surface
+              ? "Targets, penalty, linear solver, tolerance. The defaults need no touch. The "
+                "pointwise form, the fixed point and regions that are kept are not for "
+                "surface meshes."
+              : "Equations, damping, clipping, linear solver, tolerance. The defaults need no "
                 "touch."))
     return;
   ImGui::BeginDisabled(context.session.job().active());
   SmoothOptions options = context.session.jobs().smooth_options();
-  if (ui::smooth_options_form("solver", options))
+  if (ui::smooth_options_form("solver", options, context.session.kind()))
     context.emit(
         action::EditSmoothOptions{difference(context.session.jobs().smooth_options(), options)});
   if (ui::button("solver/defaults", "Reset to defaults",

@@ -62,7 +62,7 @@ void StepEditor::draw(const PanelContext& context) {
     ui::note("edit/title");
     const float footer = 2 * ImGui::GetFrameHeightWithSpacing() + context.theme.px(8);
     ImGui::BeginChild("fields", ImVec2(0, -footer));
-    ui::command_form("edit", command_, context.session.in_space() ? 3 : 2);
+    ui::command_form("edit", command_, context.session.kind());
     ImGui::EndChild();
     draw_footer(context);
     // A file was dropped on the window meanwhile.

@@ -162,6 +162,23 @@ TEST_CASE("reference surface: a body moves in a mesh whose boundary is on it, if
                        doctest::Contains("smooth the mesh on it first"), UsageError);
 }
 
+TEST_CASE("reference surface: without it a surface mesh goes back to the shape that it was given") {
+  const MeshState state = make_state(make_mesh(octasphere(6)));
+  MeshData larger = octasphere(12);
+  for (double& value : larger.coordinates.values()) value *= 1.05;
+  const auto check_radius = [](const MeshState& now, double radius) {
+    for (Index i = 0; i < now.mesh.coordinates.size(); ++i)
+      CHECK(now.mesh.coordinates.xyz(i).norm() == doctest::Approx(radius).epsilon(1e-12));
+  };
+  const CommandResult there = execute(smooth_on(larger), state);
+  check_radius(there.state, 1.05);
+  check_radius(execute(ScrambleCommand{3}, there.state).state, 1.05);
+  // Another file of the same name is another surface.
+  for (double& value : larger.coordinates.values()) value *= 1.1 / 1.05;
+  check_radius(execute(smooth_on(larger), there.state).state, 1.1);
+  check_radius(execute(SmoothCommand{}, there.state).state, 1);
+}
+
 TEST_CASE("reference surface: what does not fit is refused by name") {
   const MeshState state = make_state(make_mesh(torus_of(24, 12)));
   MeshData far = torus_of(48, 24);

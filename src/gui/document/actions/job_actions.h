@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
@@ -34,6 +35,11 @@ struct PairMarkers {
   std::string first;
   std::optional<std::string> second;
 };
+/// The surface in a file, for nodes to slide on in every run from here on instead of the mesh's
+/// own. It is read first; a file that cannot be read changes nothing.
+struct ChooseReference {
+  std::filesystem::path file;  ///< empty: none, the mesh's own
+};
 /// How fast the outer iterations of the direct method go by.
 struct SetPace {
   double iterations_per_second = 0;  ///< 0: as fast as they come
@@ -64,10 +70,11 @@ struct PreviewLayers {
 
 namespace winslow::gui {
 
-using JobAction = std::variant<action::RunSmooth, action::Scramble, action::PauseSolver,
-                               action::ResumeSolver, action::StepSolver, action::CancelSolver,
-                               action::EditSmoothOptions, action::EditMotionOptions,
-                               action::PairMarkers, action::SetPace, action::FollowSolver,
-                               action::RunCommand, action::RerunStep, action::PreviewLayers>;
+using JobAction =
+    std::variant<action::RunSmooth, action::Scramble, action::PauseSolver, action::ResumeSolver,
+                 action::StepSolver, action::CancelSolver, action::EditSmoothOptions,
+                 action::EditMotionOptions, action::PairMarkers, action::ChooseReference,
+                 action::SetPace, action::FollowSolver, action::RunCommand, action::RerunStep,
+                 action::PreviewLayers>;
 
 }  // namespace winslow::gui

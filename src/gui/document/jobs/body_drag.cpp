@@ -26,8 +26,9 @@ class BodyDrag::SessionIn final : public Session {
   using Core = DragSessionIn<D>;
 
   SessionIn(const MeshState& state, DragGrip grip, const SmoothOptions& options,
-            std::optional<Start> start)
-      : core_(state, std::move(grip), options, core_start(std::move(start))) {}
+            std::optional<Start> start, const std::shared_ptr<ReferenceFiles>& files)
+      : core_(state, std::move(grip), options, core_start(std::move(start)),
+              [files](const std::string& name) { return files->read(name); }) {}
 
   Frame to(const RigidMotionRequest& motion) override {
     shown_ = &core_.to(named_motion<D>(motion));
@@ -56,9 +57,9 @@ void BodyDrag::begin(const MeshState& state, DragGrip grip, const SmoothOptions&
   if (start) from = start->motion;
   std::unique_ptr<Session> session;
   if (in_space)
-    session = std::make_unique<SessionIn<3>>(state, grip, options, std::move(start));
+    session = std::make_unique<SessionIn<3>>(state, grip, options, std::move(start), references_);
   else
-    session = std::make_unique<SessionIn<2>>(state, grip, options, std::move(start));
+    session = std::make_unique<SessionIn<2>>(state, grip, options, std::move(start), references_);
   end();
   session_ = std::move(session);
   grip_ = std::move(grip);

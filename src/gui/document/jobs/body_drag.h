@@ -4,9 +4,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/drag/drag_session.h"
+#include "gui/document/jobs/reference_files.h"
 
 namespace winslow::gui {
 
@@ -36,6 +38,10 @@ class BodyDrag {
     RigidMotionRequest motion;
   };
 
+  /// references: of options that name some.
+  explicit BodyDrag(std::shared_ptr<ReferenceFiles> references)
+      : references_(std::move(references)) {}
+
   /// Throws what DragSession throws; nothing has begun then.
   void begin(const MeshState& state, DragGrip grip, const SmoothOptions& options,
              std::optional<Start> start = {});
@@ -51,6 +57,8 @@ class BodyDrag {
   const DragGrip& grip() const { return grip_; }
   const RigidMotionRequest& wanted() const { return wanted_; }
   Reach reach() const;
+  /// Why the mesh follows no further, wherever the mouse goes; empty as long as it does.
+  std::string error() const { return session_->error(); }
   /// The frame is the solution for the position asked for.
   bool settled() const { return session_->settled(); }
 
@@ -69,6 +77,7 @@ class BodyDrag {
   template <int D>
   class SessionIn;
 
+  std::shared_ptr<ReferenceFiles> references_;
   std::unique_ptr<Session> session_;
   Frame frame_;
   DragGrip grip_;

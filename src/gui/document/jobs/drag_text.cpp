@@ -11,6 +11,7 @@ std::string blocked_text(const EdgePair& contact) {
 }
 
 std::string blocked_text(const BodyDrag& drag) {
+  if (!drag.error().empty()) return "The mesh cannot follow any further";
   const auto& contact = drag.frame().contact;
   return contact ? blocked_text(*contact) : "No valid mesh was found";
 }

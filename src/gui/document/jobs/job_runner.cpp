@@ -3,20 +3,11 @@
 #include <utility>
 
 #include "core/motion/rigid_motion.h"
-#include "io/tables/reference_file.h"
 
 namespace winslow::gui {
 
-JobRunner::JobRunner() {
-  // A drag names the same surface many times over.
-  solver_.prepare([read = ReferenceFile()](Command& command) mutable {
-    SmoothOptions* smooth = smooth_options(command);
-    if (!smooth) return;
-    ReferenceFile& wanted = smooth->slide.reference;
-    if (wanted.name == read.name) wanted.surface = read.surface;
-    io::load_reference(command);
-    read = wanted;
-  });
+JobRunner::JobRunner(std::shared_ptr<ReferenceFiles> references) {
+  solver_.prepare([files = std::move(references)](Command& command) { files->load(command); });
 }
 
 bool JobRunner::paused() const { return active_ && pause_requested_; }

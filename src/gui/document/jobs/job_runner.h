@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/job/solver_thread.h"
+#include "gui/document/jobs/reference_files.h"
 
 namespace winslow::gui {
 
@@ -23,7 +24,8 @@ class JobRunner {
     bool paused = false;  ///< the user had it wait after some steps
   };
 
-  JobRunner();
+  /// references: of commands that name some.
+  explicit JobRunner(std::shared_ptr<ReferenceFiles> references);
 
   bool active() const { return active_; }
   /// A drag holds the job: it may converge, but does not end.

@@ -20,11 +20,13 @@ std::shared_ptr<const NodeRoles> BoundaryRoles::find() const {
   if (!mesh_.document()) return nullptr;
   asked_ = question();
   if (answer_.question != asked_ && !worker_.busy())
-    worker_.start([state = mesh_.document()->state(), question = asked_] {
+    worker_.start([state = mesh_.document()->state(), question = asked_,
+                   files = reference_files(mesh_)] {
       Answer answer{question, nullptr};
       try {
-        answer.roles =
-            std::make_shared<const NodeRoles>(node_roles(state, question.slide, question.moving));
+        SlideOptions slide = question.slide;
+        files->load(slide);
+        answer.roles = std::make_shared<const NodeRoles>(node_roles(state, slide, question.moving));
       } catch (const std::exception& error) {
         NodeRoles none;
         none.fault = error.what();

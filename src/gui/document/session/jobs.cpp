@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/geometry/periodic_pairs.h"
+#include "core/strategy/surface_options.h"
 #include "gui/base/text.h"
 #include "gui/document/jobs/end_text.h"
 #include "gui/document/jobs/periodic_sides.h"
@@ -37,6 +38,7 @@ bool Jobs::poll() {
   bool changed =
       layer_preview_.update(document && !mesh_.in_motion() ? &document->state().mesh : nullptr);
   changed |= found_layers_.update(document && !mesh_.in_motion() ? &document->state() : nullptr);
+  changed |= poll_reference();
   if (mesh_.job().poll()) {
     mesh_.changed();
     changed = true;
@@ -59,8 +61,8 @@ bool Jobs::working() const {
       job.active() && !(job.held() && snapshot && snapshot->state == JobState::done);
   const bool paused = job.paused() && snapshot && snapshot->state == JobState::paused;
   const BodyDrag* drag = mesh_.body_drag();
-  return (drag && !drag->settled()) || layer_preview_.busy() || found_layers_.busy() ||
-         (solving && !paused);
+  return (drag && !drag->settled() && drag->error().empty()) || reference_.busy() ||
+         layer_preview_.busy() || found_layers_.busy() || (solving && !paused);
 }
 
 bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start,
@@ -120,7 +122,19 @@ SmoothOptions Jobs::smooth_for_motion(const std::vector<std::string>& markers) c
     std::erase(smooth.slide.markers, name);
     take_out(smooth.slide, name);
   }
+  // It is kept for when a marker slides again.
+  const Document* document = mesh_.document();
+  const bool surface = document && is_surface(*document->state().mesh.topology);
+  if (smooth.slide.markers.empty() && !surface) smooth.slide.reference = {};
   return smooth;
+}
+
+void Jobs::forget_mesh() {
+  smooth_.keep_outside = {};
+  smooth_.slide = {};
+  reference_.drop();
+  const Document* document = mesh_.document();
+  if (document && is_surface(*document->state().mesh.topology)) settle_for_surface(smooth_);
 }
 
 MoveCommand Jobs::move_command(const RigidMotionRequest& motion) const {
@@ -142,12 +156,12 @@ void Jobs::show_position() {
 
 void Jobs::on(const action::RunSmooth&) {
   if (mesh_.job().paused()) return mesh_.job().resume();
-  start(SmoothCommand{smooth_}, false);
+  start(SmoothCommand{smooth_in_place()}, false);
 }
 
 void Jobs::on(const action::StepSolver& a) {
   if (mesh_.held().body) return;
-  if (!mesh_.job().active() && !start(SmoothCommand{smooth_}, true)) return;
+  if (!mesh_.job().active() && !start(SmoothCommand{smooth_in_place()}, true)) return;
   mesh_.job().step(a.count);
 }
 
@@ -173,6 +187,29 @@ void Jobs::on(const action::PairMarkers& a) {
   } catch (const UsageError& error) {
     messages_.report_error("These markers are not periodic", error.what());
   }
+}
+
+void Jobs::on(const action::ChooseReference& a) {
+  reference_.drop();
+  if (a.file.empty()) {
+    smooth_.slide.reference = {};
+    return;
+  }
+  if (mesh_.document() && in_space(mesh_))
+    reference_.choose(a.file, shared_mesh(mesh_), smooth_.slide.markers, reference_files(mesh_));
+}
+
+bool Jobs::poll_reference() {
+  const auto read = reference_.poll();
+  if (!read || !mesh_.document()) return false;
+  if (!read->error.empty()) {
+    messages_.report_error(
+        read->file.filename().string() + " cannot be used as a reference surface", read->error);
+    return true;
+  }
+  smooth_.slide.reference = {read->file.string(), nullptr};
+  messages_.tell(is_coarse(*read) ? Notice::Kind::warning : Notice::Kind::success, describe(*read));
+  return true;
 }
 
 void Jobs::on(const action::SetPace& a) {

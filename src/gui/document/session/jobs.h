@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -9,6 +10,7 @@
 #include "gui/document/jobs/found_layers.h"
 #include "gui/document/jobs/layer_preview.h"
 #include "gui/document/jobs/method.h"
+#include "gui/document/jobs/reference_choice.h"
 #include "gui/document/session/live_mesh.h"
 #include "gui/document/session/message_board.h"
 #include "gui/document/session/selection.h"
@@ -32,6 +34,8 @@ class Jobs {
   const MotionOptions& motion_options() const { return motion_; }
   /// Iterations a second of the direct method; 0: as fast as they come.
   double pace() const { return pace_; }
+  /// The file of a reference surface that is being read; empty: none.
+  std::filesystem::path reading_reference() const { return reference_.pending(); }
   /// The command under way is no work of the user's, as action::RunCommand.
   bool shown_only() const { return mesh_.job().active() && shown_only_; }
   /// Commands that wait for the one under way.
@@ -51,6 +55,8 @@ class Jobs {
   /// Ends what is under way at once; the mesh is as it was before.
   void stop();
   void cancel();
+  /// The solver's settings for a run that moves no markers.
+  SmoothOptions smooth_in_place() const { return smooth_for_motion({}); }
   /// The solver's settings for a motion of nodes of these markers, which neither slide nor
   /// are periodic then.
   SmoothOptions smooth_for_motion(const std::vector<std::string>& markers) const;
@@ -58,11 +64,9 @@ class Jobs {
   MoveCommand move_command(const RigidMotionRequest& motion) const;
   /// A job under way moves just these markers: it can be sent elsewhere.
   bool can_join(const std::vector<std::string>& markers) const;
-  /// What is set for one mesh means nothing for another: a region, markers that slide.
-  void forget_mesh() {
-    smooth_.keep_outside = {};
-    smooth_.slide = {};
-  }
+  /// What is set for one mesh means nothing for another: a region, markers that slide. A surface
+  /// mesh leaves nothing set that it refuses.
+  void forget_mesh();
   /// The document has come to another mesh: all that refers to the one on screen follows.
   void show_position();
 
@@ -77,6 +81,7 @@ class Jobs {
   void on(const action::EditSmoothOptions& a) { a.edit.apply_to(smooth_); }
   void on(const action::EditMotionOptions& a) { a.edit.apply_to(motion_); }
   void on(const action::PairMarkers& a);
+  void on(const action::ChooseReference& a);
   void on(const action::SetPace& a);
   void on(const action::FollowSolver& a);
   void on(const action::RunCommand& a);
@@ -89,6 +94,7 @@ class Jobs {
   void run_queue(bool paused);
   void stop_queue_at(const std::string& error);
   void abandon_queue();
+  bool poll_reference();
   std::string cancelled_text() const;
   double pace_of(Command command) const;
   void tell_finished(const std::string& what, const SmoothResult& smooth);
@@ -102,6 +108,7 @@ class Jobs {
   CommandQueue queue_;
   LayerPreview layer_preview_;
   FoundLayers found_layers_;
+  ReferenceChoice reference_;
   std::string cut_short_;             // see start()
   bool shown_only_ = false;           // of the command under way
   std::optional<std::size_t> rerun_;  // position of the history that the job leads to again

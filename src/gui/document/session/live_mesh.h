@@ -83,13 +83,18 @@ class LiveMesh {
  private:
   friend std::shared_ptr<const SphereStencils> sphere_vcvs(const LiveMesh& mesh);
   friend std::shared_ptr<const Mesh> shared_mesh(const LiveMesh& live);
+  /// Reference surfaces that commands and drags name.
+  friend const std::shared_ptr<ReferenceFiles>& reference_files(const LiveMesh& mesh) {
+    return mesh.references_;
+  }
   void follow_topology();
 
   std::unique_ptr<Document> document_;
   std::unique_ptr<BoundaryIndex> boundary_;
   std::uint64_t generation_ = 0, shape_ = 0;
-  JobRunner job_;
-  BodyDrag drag_;
+  std::shared_ptr<ReferenceFiles> references_ = std::make_shared<ReferenceFiles>();
+  JobRunner job_{references_};
+  BodyDrag drag_{references_};
   MeshState drag_base_;  // that the drag's motions are seen from
   Held held_;
   Instead instead_;

@@ -149,6 +149,7 @@ void Motions::end_body_drag() {
   const bool limit = drag.reach() == BodyDrag::Reach::limit;
   const RigidMotionRequest motion = limit ? drag.frame().motion : drag.wanted();
   const DragGrip grip = drag.grip();
+  const std::string error = drag.error();
   std::optional<Coordinates> start = drag.coordinates();
   std::string cut_short;
   if (limit) cut_short = end_of_drag(drag);
@@ -157,7 +158,11 @@ void Motions::end_body_drag() {
   start_.reset();
   mesh_.changed();
   // Nothing was done, and what was to be said of the mesh is to be said still.
-  if (stays(motion)) return messages_.set_banner_of_position();
+  if (stays(motion)) {
+    messages_.set_banner_of_position();
+    if (!error.empty()) messages_.report_error("The mesh cannot follow this motion", error);
+    return;
+  }
   const MotionOptions& how = jobs_.motion_options();
   if (how.increments > 1) start.reset();
   const SmoothOptions smooth = jobs_.smooth_for_motion(grip.markers);

@@ -189,6 +189,9 @@ void FileDialog::choose(const PanelContext& context, const fs::path& path) {
     case FilePurpose::recording:
       context.emit(action::StartRecording{path, step_});
       break;
+    case FilePurpose::reference:
+      context.emit(action::ChooseReference{path});
+      break;
   }
   close();
 }

@@ -17,8 +17,7 @@ namespace {
 
 class CommandFields {
  public:
-  CommandFields(const std::string& prefix, int cell_dimension)
-      : prefix_(prefix), cell_dimension_(cell_dimension) {}
+  CommandFields(const std::string& prefix, MeshKind kind) : prefix_(prefix), kind_(kind) {}
   bool changed() const { return changed_; }
 
   /// Of a command that its table describes.
@@ -79,23 +78,24 @@ class CommandFields {
     OptionTable table = option_table(how);
     std::erase_if(table, [](const Option& option) { return option.object == "min_quality"; });
     rows(table);
-    changed_ |= quality_limits_form(prefix_, how.floor, cell_dimension_, follows_path(how, smooth));
+    changed_ |= quality_limits_form(prefix_, how.floor, cell_dimension_of(kind_),
+                                    follows_path(how, smooth));
     if (how.smooth_after) smoothing(smooth);
   }
 
   void rows(const OptionTable& table) { changed_ |= option_form(prefix_, table); }
 
-  void smoothing(SmoothOptions& smooth) { changed_ |= smooth_options_form(prefix_, smooth); }
+  void smoothing(SmoothOptions& smooth) { changed_ |= smooth_options_form(prefix_, smooth, kind_); }
 
   const std::string& prefix_;
-  int cell_dimension_;
+  MeshKind kind_;
   bool changed_ = false;
 };
 
 }  // namespace
 
-bool command_form(const std::string& prefix, Command& command, int cell_dimension) {
-  CommandFields form(prefix, cell_dimension);
+bool command_form(const std::string& prefix, Command& command, MeshKind kind) {
+  CommandFields form(prefix, kind);
   std::visit(form, command);
   return form.changed();
 }

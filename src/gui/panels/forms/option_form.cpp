@@ -85,7 +85,7 @@ class Field {
     return true;
   }
 
-  /// Named by the recipe or on the command line; here it can be let go of.
+  /// Chosen below the list of markers, or named by a recipe; here it can be let go of.
   bool operator()(const FileOption& file) const {
     if (!button(id_, elided(value_text(option_), ImGui::GetContentRegionAvail().x * 0.7F),
                 {.tooltip = tip_ + " Click: none."}))

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/strategy/surface_options.h"
 #include "gui/document/jobs/method.h"
 #include "gui/panels/forms/option_form.h"
 #include "gui/widgets/controls.h"
@@ -24,10 +25,13 @@ bool method_choice(const std::string& prefix, SmoothOptions& smooth, MotionOptio
   return true;
 }
 
-bool smooth_options_form(const std::string& prefix, SmoothOptions& options) {
-  if (!option_form(prefix, option_table(options))) return false;
+bool smooth_options_form(const std::string& prefix, SmoothOptions& options, MeshKind kind) {
+  const auto table = [&] {
+    return kind == MeshKind::surface ? surface_option_table(options) : option_table(options);
+  };
+  if (!option_form(prefix, table())) return false;
   // What was chosen may not go with the other choices; the rows of a new table know.
-  settle(option_table(options));
+  settle(table());
   return true;
 }
 

@@ -64,7 +64,10 @@ void Dialogs::on(const action::ShowFileDialog& a) {
     suggested.replace_filename(suggested.stem().string() + "_markers.csv");
   // What is written does not belong among the meshes that come with the program.
   std::error_code ignored;
-  const bool reads = a.purpose == FilePurpose::open_mesh || a.purpose == FilePurpose::replay_recipe;
+  const std::string& reference = session_.jobs().smooth_options().slide.reference.name;
+  if (a.purpose == FilePurpose::reference && !reference.empty()) suggested = reference;
+  const bool reads = a.purpose == FilePurpose::open_mesh ||
+                     a.purpose == FilePurpose::replay_recipe || a.purpose == FilePurpose::reference;
   if (!reads && bundled(suggested))
     suggested = std::filesystem::current_path(ignored) / suggested.filename();
   if (!a.extension.empty()) suggested.replace_extension(a.extension);

@@ -203,7 +203,7 @@ void ViewportPane::drive_space(PointerState pointer, const PanelContext& context
       place.in_space = {there->point, there->normal};
       if (there->marker >= 0) {
         place.markers = {there->marker};
-        place.face = face_at(session_, *there);
+        if (session_.kind() == MeshKind::volume) place.face = face_at(session_, *there);
       }
       place.node = there->node;
       place.element = there->element;

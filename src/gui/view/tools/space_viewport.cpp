@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/view/tools/border_picker.h"
+
 namespace winslow::gui {
 
 namespace {
@@ -41,8 +43,13 @@ std::optional<SeenPlace> SpaceViewport::seen_at(const ScreenPoint& at,
                                                 const SpaceSurroundings& around,
                                                 const SpaceView& view) {
   const auto hit = around.picture.pick(view, at);
-  if (!hit) return std::nullopt;
-  SeenPlace seen{hit->point, hit->normal, hit->element, hit->marker, {}};
+  // One aims at a line from beside it, too.
+  const auto border =
+      seen_border(at, near_surface * around.scale, around.picture, view, around.options.markers);
+  if (!hit && !border) return std::nullopt;
+  SeenPlace seen =
+      hit ? SeenPlace{hit->point, hit->normal, hit->element, hit->marker, {}} : *border;
+  if (border) seen.marker = border->marker;
   const Mesh& mesh = *around.picture.mesh();
   double nearest = near_node * around.scale;
   for (const Index node : mesh.topology->element(hit->element)) {
