@@ -159,6 +159,7 @@ void Soak::move_selection() {
 void Soak::select_something() {
   if (!rig_->session().document()) return;
   const auto count = static_cast<int>(rig_->mesh().topology->markers().size());
+  if (count == 0) return;  // files of some formats keep no markers
   rig_->bench->apply(action::SelectMarkers{{static_cast<Index>(pick(count))}, chance(25)});
   rig_->frames(1);
 }
