@@ -55,7 +55,7 @@ std::shared_ptr<const EnergyProblem> SurfaceWinslow::holding_stuck_nodes(
       if (row < 0 || (!stuck_.empty() && stuck_[at(row)])) continue;
       moved.push_back(row);
       std::vector<double> alone(direction.size(), 0.0);
-      std::copy_n(direction.data() + 2 * row, 2, alone.data() + 2 * row);
+      for (const std::size_t k : {2 * at(row), 2 * at(row) + 1}) alone[k] = direction[k];
       Coordinates y = x;
       advance(alone, step, y);
       if (!turned_over(y)[t]) continue;
