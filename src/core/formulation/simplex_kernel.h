@@ -11,10 +11,12 @@
 namespace winslow::distortion {
 
 /// psi(f) = linear f + scale f^exponent; integer: the exponent minus 2 if that is a small natural
-/// number, else -1.
+/// number, else -1. Or, with an inverse_bound, psi(f) = f / (1 - inverse_bound f), infinite from
+/// there on.
 struct PenaltyConstants {
   double exponent = 1, linear = 0, scale = 1;
   int integer = -1;
+  double inverse_bound = 0;  ///< 0: none
 };
 
 /// What the loops read. Arrays are owned by others.

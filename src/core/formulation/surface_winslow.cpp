@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "core/error.h"
+#include "core/formulation/corner_lengths.h"
 #include "core/formulation/distortion.h"
 #include "core/formulation/regularised_sizes.h"
 #include "core/formulation/row_sums.h"
@@ -131,7 +132,7 @@ SimplexData SurfaceWinslow::data(const FlatCells& cells,
   data.offsets = shapes_->offsets.data();
   // The first member of the first term: a term is nothing but numbers.
   data.terms = reinterpret_cast<const double*>(shapes_->terms.data());
-  data.penalty = PenaltyFunction(penalty().exponent, penalty().knee).constants();
+  data.penalty = PenaltyFunction(penalty()).constants();
   if (regularisation) {
     data.size = regularisation->size.data();
     data.epsilon = 1;
@@ -189,6 +190,11 @@ Regularisation SurfaceWinslow::full_regularisation(const Coordinates& x) const {
   return out;
 }
 
+std::shared_ptr<const VariationalForm> SurfaceWinslow::with_corner_lengths(
+    const Coordinates& x) const {
+  return with_shapes(std::make_shared<const Targets>(winslow::with_corner_lengths(*shapes_, x)));
+}
+
 double SurfaceWinslow::worst_distortion(const Coordinates& x) const {
   const FlatCells cells = own_planes(x);
   double worst = 0;
@@ -222,7 +228,7 @@ std::vector<Foot> SurfaceWinslow::feet(const Coordinates& coordinates) const {
 
 /// The numbers z of a cell, for each pair of its nodes.
 void SurfaceWinslow::bend_out(const FlatCells& cells, std::size_t cell, double* z) const {
-  const PenaltyFunction psi(penalty().exponent, penalty().knee);
+  const PenaltyFunction psi(penalty());
   const double* p = cells.x.data() + 6 * cell;
   const distortion::Corner2 corner(p, p + 2, p + 4);
   const Vec2 u(corner.ux, corner.uy), v(corner.vx, corner.vy);
@@ -244,7 +250,7 @@ SurfaceWinslow::CellSums SurfaceWinslow::sum_cells(const FlatCells& cells,
                                                    const Regularisation* regularisation,
                                                    Second second) const {
   const SimplexData of_cells = data(cells, regularisation);
-  const PenaltyFunction psi(penalty().exponent, penalty().knee);
+  const PenaltyFunction psi(penalty());
   const auto n = static_cast<Index>(cells.planes.size());
   constexpr std::size_t lanes = 4;  // the kernel writes full packs
   CellSums out;

@@ -70,6 +70,7 @@ class SurfaceWinslow final : public VariationalForm {
                                                            std::span<const double> direction,
                                                            double step) const override;
   Index stuck_nodes() const override;
+  std::shared_ptr<const VariationalForm> with_corner_lengths(const Coordinates& x) const override;
   double worst_distortion(const Coordinates& x) const override;
   std::unique_ptr<const TargetPath> target_path(const Coordinates& from) const override;
   std::optional<double> stretched() const override { return shapes_->stretched; }

@@ -3,18 +3,11 @@
 #include <memory>
 #include <optional>
 
+#include "core/formulation/penalty_function.h"
 #include "core/problem/energy_problem.h"
 #include "core/problem/node_problem.h"
 
 namespace winslow {
-
-/// Shape of psi.
-struct PenaltyOptions {
-  double exponent = 8;  ///< p >= 1
-  double knee = 1.78;   ///< distortion f from which the power counts, > 1; 0: psi(f) = f^p
-
-  bool operator==(const PenaltyOptions&) const = default;
-};
 
 class TargetPath;
 
@@ -25,6 +18,15 @@ class VariationalForm : public NodeProblem<UntanglingProblem> {
   /// The same with another penalty. What depends on the connectivity is shared; so are the targets.
   virtual std::shared_ptr<const VariationalForm> with_penalty(
       const PenaltyOptions& penalty) const = 0;
+  /// The same with targets for which only angles count at corners of quadrilaterals and hexahedra,
+  /// and of prisms only the height to their triangles' size does not: their edges are as long as
+  /// those at x.
+  ///
+  /// Of a right-angled corner f is then 1 / sin in the plane, and in space the -2/3rd power of the
+  /// scaled Jacobian, at x itself; and no less than that anywhere else (the mean of squares and
+  /// that of logarithms). So what lowers the largest f from x on raises the smallest of these.
+  virtual std::shared_ptr<const VariationalForm> with_corner_lengths(
+      const Coordinates& x) const = 0;
   /// Largest f of any cell; infinite if one is inverted.
   virtual double worst_distortion(const Coordinates& x) const = 0;
   /// Targets on the way from the shapes of a valid mesh to the form's own.

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/formulation/corner_lengths.h"
 #include "core/formulation/distortion.h"
 #include "core/formulation/row_sums.h"
 #include "core/formulation/simplex_structure.h"
@@ -113,7 +114,7 @@ SimplexData SimplexWinslow<D>::data(const Coordinates& x,
   data.offsets = shapes.offsets.data();
   // The first member of the first term: a term is nothing but numbers.
   data.terms = reinterpret_cast<const double*>(shapes.terms.data());
-  data.penalty = PenaltyFunction(penalty().exponent, penalty().knee).constants();
+  data.penalty = PenaltyFunction(penalty()).constants();
   if (regularisation) {
     data.size = regularisation->size.data();
     data.epsilon = 1;
@@ -154,7 +155,7 @@ std::array<Vec<D>, D + 1> points_of(const double* x, const std::array<Index, D +
 template <>
 void SimplexWinslow<2>::project(const SimplexData& data, std::span<const Index> cells,
                                 double* sums) const {
-  const PenaltyFunction psi(penalty().exponent, penalty().knee);
+  const PenaltyFunction psi(penalty());
   const Targets& shapes = *shapes_;
   for (const Index t : cells) {
     std::fill(sums, sums + Layout<2>::corners, 0.0);
@@ -216,6 +217,14 @@ template <int D>
 double SimplexWinslow<D>::regularised_energy(const Coordinates& x,
                                              const Regularisation& regularisation) const {
   return energy_of(data(x, &regularisation));
+}
+
+template <int D>
+std::shared_ptr<const VariationalForm> SimplexWinslow<D>::with_corner_lengths(
+    const Coordinates& x) const {
+  x.require_dimension(D);
+  return with_ordered_shapes(
+      std::make_shared<const Targets>(winslow::with_corner_lengths(*shapes_, x)));
 }
 
 template <int D>

@@ -64,6 +64,7 @@ class SimplexWinslow final : public VariationalForm {
   Linearisation linearise_regularised(const Coordinates& x, const Regularisation& regularisation,
                                       SparseMatrix& hessian,
                                       std::span<double> residual) const override;
+  std::shared_ptr<const VariationalForm> with_corner_lengths(const Coordinates& x) const override;
   double worst_distortion(const Coordinates& x) const override;
   std::unique_ptr<const TargetPath> target_path(const Coordinates& from) const override;
   std::optional<double> stretched() const override { return shapes_->stretched; }

@@ -13,7 +13,8 @@ enum class Stage {
   untangle,  ///< towards a mesh without inverted elements
   relax,     ///< getting near a solution before the path or the last steps
   path,      ///< following the boundary's motion
-  newton     ///< Newton's method towards the tolerance
+  newton,    ///< Newton's method towards the tolerance
+  worst      ///< raising the worst element of a solution
 };
 std::string_view stage_name(Stage stage);  ///< "picard", "untangle", ...
 

@@ -119,6 +119,14 @@ OptionTable equations(SmoothOptions& o) {
        .help = "Variational: distortion (1 is perfect) from which the power counts; 0: everywhere",
        .advice = "Raise it to let well-shaped elements alone.",
        .applies = variational},
+      {.key = "raise_worst",
+       .value = SwitchOption{&o.raise_worst},
+       .label = "Raise the worst element",
+       .help = "Variational: after the solution, make the worst element as good as it can be, at "
+               "the expense of the others",
+       .advice = "Of quadrilaterals and hexahedra this is the smallest scaled Jacobian. Takes many "
+                 "more iterations.",
+       .applies = variational},
       {.key = "outer",
        .value = ChoiceOption(
            o.outer,
@@ -257,6 +265,8 @@ void validate(const SmoothOptions& options) {
       "the linear solver " + options.linear.solver +
           " takes symmetric systems only: choose automatic, direct or gmres, or the formulation "
           "variational");
+  require(is_variational(options) || !options.raise_worst,
+          "raise_worst: the pointwise form minimises nothing: choose the formulation variational");
   require(options.slide.reference.name.empty() || !options.slide.has_pairs(),
           "slide: a reference surface and periodic pairs do not go together");
   require(!options.slide.given() || is_variational(options),

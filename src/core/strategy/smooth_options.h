@@ -56,6 +56,7 @@ struct SmoothOptions {
   double tolerance = 1e-10;       ///< of ResidualNorms::max
   KeepOutside keep_outside = {};  ///< all nodes in it are free: none given
   SlideOptions slide = {};        ///< no node of the boundary slides
+  bool raise_worst = false;       ///< then the worst element as good as it can be
   int threads = 0;
 };
 

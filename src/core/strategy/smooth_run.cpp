@@ -19,6 +19,7 @@
 #include "core/strategy/variational_run.h"
 #include "core/strategy/vcv_updates.h"
 #include "core/strategy/workspace.h"
+#include "core/strategy/worst_element.h"
 
 namespace winslow {
 
@@ -196,6 +197,7 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& option
   follow_with_vcvs(state, workspace, recorder, x);
   if (by_fixed_point(options)) return result;
   if (result.converged && run.never_worse) keep_above_worst(state, workspace, recorder, x);
+  if (options.raise_worst) raise_worst_element(workspace, recorder, 1, x);
   result.stretched = stretched(workspace);
   return result;
 }
@@ -236,6 +238,7 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const M
     steps->follow(motion, state.mesh.coordinates, x);
   }
   if (!how.floor.given()) follow_with_vcvs(state, workspace, recorder, x);
+  if (options.raise_worst) raise_worst_element(workspace, recorder, result.fraction_reached, x);
   result.stretched = stretched(workspace);
   return result;
 }

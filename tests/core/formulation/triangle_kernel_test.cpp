@@ -49,7 +49,7 @@ struct Sample {
     data.nodes = nodes.data();
     data.offsets = offsets.data();
     data.terms = terms.data();
-    data.penalty = distortion::PenaltyFunction(penalty.exponent, penalty.knee).constants();
+    data.penalty = distortion::PenaltyFunction(penalty).constants();
     if (regularised) {
       data.size = size.data();
       data.epsilon = 0.3;
@@ -68,7 +68,7 @@ std::vector<double> sums_of(const TriangleKernel& kernel, const Sample& sample,
   return sums;
 }
 
-const std::vector<PenaltyOptions> penalties{{8, 1.78}, {1, 0}, {2, 0}, {2.5, 1.5}};
+const std::vector<PenaltyOptions> penalties{{8, 1.78}, {1, 0}, {2, 0}, {2.5, 1.5}, {1, 0, 1e3}};
 
 }  // namespace
 

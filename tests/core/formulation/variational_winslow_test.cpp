@@ -81,8 +81,9 @@ double norm(const std::vector<double>& v) {
 
 const std::array<TargetBlend, 4> blends{TargetBlend{0, 1, 0, 0}, TargetBlend{0, 0, 1, 0},
                                         TargetBlend{0, 0, 0, 1}, TargetBlend{0, 0.5, 0.3, 0.2}};
-const std::array<PenaltyOptions, 4> penalties{PenaltyOptions{8, 1.78}, PenaltyOptions{1, 0},
-                                              PenaltyOptions{4, 0}, PenaltyOptions{2.5, 0}};
+const std::array<PenaltyOptions, 5> penalties{PenaltyOptions{8, 1.78}, PenaltyOptions{1, 0},
+                                              PenaltyOptions{4, 0}, PenaltyOptions{2.5, 0},
+                                              PenaltyOptions{1, 0, 30}};
 
 /// What a kernel makes of one triangle.
 std::array<double, 4 * distortion::TriangleSum::size> hessian_of(
@@ -192,8 +193,8 @@ TEST_CASE("a triangle's projected Hessian is its Hessian without the negative ei
     }};
     const distortion::Corner2 q(corner[0].data(), corner[1].data(), corner[2].data());
     if (q.d < 0.05) continue;
-    const PenaltyOptions options = penalties[random.index(4)];
-    const distortion::PenaltyFunction psi(options.exponent, options.knee);
+    const PenaltyOptions options = penalties[random.index(5)];
+    const distortion::PenaltyFunction psi(options);
     // The projection belongs to J = [u v] root, so it is compared there: in a target whose edges
     // are orthonormal, J is the pair of edges itself.
     const ShapeTerm unit{1, 1, 0, 1};

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/formulation/cell_targets.h"
+#include "core/mesh/coordinates.h"
+
+namespace winslow {
+
+/// The targets with the edge lengths that their cells have in a mesh, where a target stands for a
+/// corner by itself and not for a whole simplex: both edges of a right-angled corner of a
+/// quadrilateral, all three of a hexahedron's; at a corner of a prism the height takes its own
+/// length and the two edges of the triangle their mean. All other targets stay. x: coordinates of
+/// the nodes, in space also for D = 2 (surface meshes).
+template <int D>
+CellTargets<D> with_corner_lengths(CellTargets<D> targets, const Coordinates& x);
+
+}  // namespace winslow
