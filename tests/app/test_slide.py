@@ -23,6 +23,39 @@ class Slide(ProgramTest):
         self.winslow("replay", "p.json", "-o", "again.su2")
         self.assertEqual(self.path("again.su2").read_bytes(), self.path("out.su2").read_bytes())
 
+    def test_single_nodes_are_held_or_slide_though_they_are_corners(self):
+        self.ring()
+        before, _, markers = support.read_su2(self.path("ring.su2"))
+        rim = sorted({n for edge in markers["farfield"] for n in edge})
+        held, kink = rim[2], rim[-3]
+        common = ["--slide", "farfield", "--feature-angle", "5", "--targets", "element"]
+        self.winslow("smooth", "ring.su2", "-o", "out.su2", *common, code=USAGE)  # corners all
+        names = [word for node in rim[4:9] + [kink] for word in ("--smooth-node", str(node))]
+        run = self.winslow("smooth", "ring.su2", "-o", "out.su2", *common, *names, "--report",
+                           "r.json", "--save-recipe", "p.json")
+        self.assertIn("6 nodes of the boundary slide", run.stdout)
+        slide = self.json("p.json")["commands"][0]["smooth"]["slide"]
+        self.assertEqual(slide["smooth_nodes"], rim[4:9] + [kink])
+        self.assertNotIn("hold_nodes", slide)
+        self.winslow("replay", "p.json", "-o", "again.su2")
+        self.assertEqual(self.path("again.su2").read_bytes(), self.path("out.su2").read_bytes())
+
+        run = self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--rotate", "20",
+                           "--slide", "farfield", "--hold-node", str(held), "--hold-node",
+                           str(kink), "--report", "r.json")
+        self.assertIn("2 named nodes held", run.stdout)
+        self.assertEqual(self.json("r.json")["commands"][0]["held_nodes"], 2)
+        after, _, _ = support.read_su2(self.path("out.su2"))
+        moved = [n for n in rim if after[n] != before[n]]
+        self.assertEqual(moved, [n for n in rim if n not in (held, kink)])
+        for arguments, words in ((["--hold-node", "9999"], "9999"),
+                                 (["--hold-node", "-1"], "0 or more"),
+                                 (["--smooth-node", "9999"], "9999"),
+                                 (["--smooth-node", str(rim[0])], "no marker slides")):
+            run = self.winslow("smooth", "ring.su2", "-o", "none.su2", *arguments, code=USAGE)
+            self.assertIn(words, run.stderr)
+            self.assertFalse(self.path("none.su2").exists())
+
     def test_what_cannot_slide_or_be_paired_is_a_usage_error_that_names_it(self):
         self.ring()
         for arguments, words in ((["--slide", "lid"], "lid"),

@@ -109,7 +109,7 @@ class Surface(ProgramTest):
         nodes, elements = surfaces.sphere(4)
         write_obj(self.path("a.obj"), nodes, elements)
         results = {}
-        for name in ("off", "ply", "vtk", "vtu", "msh", "mesh"):
+        for name in ("off", "ply", "vtk", "vtu", "msh", "mesh", "su2"):
             self.winslow("convert", "a.obj", f"a.{name}")
             self.winslow("smooth", f"a.{name}", "-o", f"out.{name}")
             self.winslow("convert", f"out.{name}", f"{name}.obj")
@@ -173,7 +173,7 @@ class Surface(ProgramTest):
                                  (["--slide", "surface"], "sliding markers")):
             run = self.winslow("smooth", "in.obj", "-o", "out.obj", *arguments, code=USAGE)
             self.assertIn(words, run.stderr)
-        run = self.winslow("smooth", "in.obj", "-o", "out.su2", code=USAGE)
+        run = self.winslow("smooth", "in.obj", "-o", "out.ugrid", code=USAGE)
         self.assertIn("cannot hold a surface mesh", run.stderr)
 
     def test_surfaces_that_are_none_are_refused_with_a_reason(self):

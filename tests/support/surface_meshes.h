@@ -135,7 +135,7 @@ inline MeshState on_shape(const Mesh& mesh, const Shape& shape) {
   MeshState state = make_state(mesh);
   auto surface = std::make_shared<SurfaceShape>();
   surface->given = mesh.coordinates;
-  surface->feature_angle = SlideOptions{}.feature_angle;
+  surface->rules = feature_rules({});
   SlidingPart part{"surface", "shape", {}};
   const auto inner = mesh.topology->interior_nodes();
   part.nodes.assign(inner.begin(), inner.end());

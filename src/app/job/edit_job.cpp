@@ -208,6 +208,8 @@ void print_commands(const RunReport& run) {
     if (sliding > 0)
       std::cout << ", " << sliding << (c.on_surface ? " nodes" : " nodes of the boundary")
                 << " slide";
+    if (c.result.boundary.held > 0)
+      std::cout << ", " << c.result.boundary.held << " named nodes held";
     for (const PeriodicPairs& pairs : c.result.boundary.periodic)
       std::cout << ", " << pairs.pairs.size() << (pairs.halo ? " halo nodes" : " periodic pairs")
                 << " by " << pairs.description;

@@ -137,6 +137,13 @@ CLI::Option* declare(CLI::App& app, const Option& option, const NamesOption& nam
       ->allow_extra_args(false);
 }
 
+/// The flag once for each node.
+CLI::Option* declare(CLI::App& app, const Option& option, const NodesOption& nodes) {
+  using Numbers = std::vector<Index>;
+  return add_value<Numbers>(app, option, [nodes](const Numbers& given) { *nodes.value = given; })
+      ->allow_extra_args(false);
+}
+
 CLI::Option* declare(CLI::App& app, const Option& option, const FileOption& file) {
   return add_value<std::string>(app, option,
                                 [file](const std::string& name) { *file.value = name; });
@@ -177,6 +184,7 @@ std::string metavariable(const Option& option) {
   if (std::holds_alternative<SpaceVectorOption>(option.value)) return "X Y Z";
   if (const auto* names = std::get_if<NamesOption>(&option.value))
     return names->pairs ? "NAME NAME" : "NAME";
+  if (std::holds_alternative<NodesOption>(option.value)) return "ID";
   if (std::holds_alternative<FileOption>(option.value)) return "FILE";
   if (std::holds_alternative<SharesOption>(option.value)) return "NAME[=SHARE]...";
   if (const auto* choice = std::get_if<ChoiceOption>(&option.value)) {

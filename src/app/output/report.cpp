@@ -101,6 +101,7 @@ json describe_result(const CommandRecord& record) {
                  {"stretched_elements", r.stretched ? json(*r.stretched) : json()},
                  {"kept_outside", r.kept_outside},
                  {"stuck_nodes", r.stuck_nodes},
+                 {"held_nodes", r.boundary.held},
                  {"sliding", describe_sliding(r.boundary.sliding)},
                  {"periodic", describe_periodic(r.boundary.periodic)},
                  {"increments", r.increments},

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/geometry/sliding_boundary.h"
+#include "core/geometry/surface_features.h"
 
 /// The parts of SlidingBoundary::find().
 namespace winslow {
@@ -26,17 +27,23 @@ class NodeParts {
   std::map<Index, Index> part_of_;
 };
 
-/// Of a plane mesh. markers: indices; feature_angle: in degrees.
+// Each has the nodes slide that the rules hold, too, and throws UsageError for smooth ones that
+// cannot slide.
+
+/// Of a plane mesh. markers: indices.
 SlidingBoundary sliding_on_curves(const Topology& topology, const Coordinates& x,
-                                  std::span<const Index> markers, double feature_angle);
+                                  std::span<const Index> markers, const FeatureRules& rules);
 /// Of a volume mesh; of a surface mesh, whose elements all take part, markers is empty.
 SlidingBoundary sliding_on_surfaces(const Topology& topology, const Coordinates& x,
-                                    std::span<const Index> markers, double feature_angle,
-                                    bool features);
-
+                                    std::span<const Index> markers, const FeatureRules& rules);
 /// The same on another surface: see SlidingBoundary::find().
 SlidingBoundary sliding_on_reference(const Topology& topology, const Coordinates& x,
-                                     std::span<const Index> markers, double feature_angle,
-                                     bool features, const ReferenceSurface& reference);
+                                     std::span<const Index> markers, const FeatureRules& rules,
+                                     const ReferenceSurface& reference);
+
+/// Throws UsageError for the first smooth node of the rules that does not slide in space: `nodes`
+/// is what each is, `stays` 1 for those that meet the boundary that does not slide.
+void require_smooth(const FeatureRules& rules, std::span<const SurfaceNode> nodes,
+                    std::span<const unsigned char> stays);
 
 }  // namespace winslow

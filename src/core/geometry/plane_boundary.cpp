@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "core/geometry/boundary_kinds.h"
@@ -36,8 +38,11 @@ class CurveGeometry final : public SlidingGeometry {
 /// The edges of one marker as rows of nodes between features.
 class ChainFinder {
  public:
-  ChainFinder(const Topology& topology, const Coordinates& x, Index marker, double feature_angle)
-      : x_(x), feature_angle_(radians(feature_angle)) {
+  ChainFinder(const Topology& topology, const Coordinates& x, Index marker,
+              const FeatureRules& rules)
+      : x_(x),
+        feature_angle_(radians(rules.angle)),
+        smooth_(rules.smooth.begin(), rules.smooth.end()) {
     const auto& markers = topology.markers();
     for (const Face& face : markers[static_cast<std::size_t>(marker)].faces) {
       const auto [a, b] = face.edge();
@@ -56,12 +61,18 @@ class ChainFinder {
     return find_chains(next_, [this](Index node) { return passes(node); });
   }
 
+  bool has(Index node) const { return next_.contains(node); }
+  /// Whether the marker alone goes through a node, turning or not.
+  bool runs_on(Index node) const {
+    if (next_.at(node).size() != 2 || others_.contains(node)) return false;
+    const auto edges = edges_at_.find(node);  // none of a marker inside the mesh
+    return edges == edges_at_.end() || edges->second == 2;
+  }
   /// Whether the marker runs on through a node, without a feature.
   bool passes(Index node) const {
+    if (!runs_on(node)) return false;
+    if (smooth_.contains(node)) return true;
     const auto& neighbours = next_.at(node);
-    if (neighbours.size() != 2 || others_.contains(node)) return false;
-    const auto edges = edges_at_.find(node);  // none of a marker inside the mesh
-    if (edges != edges_at_.end() && edges->second != 2) return false;
     const Vec2 in = x_.xy(node) - x_.xy(neighbours[0]), out = x_.xy(neighbours[1]) - x_.xy(node);
     const double turn = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
     return std::abs(turn) <= feature_angle_;
@@ -70,22 +81,55 @@ class ChainFinder {
  private:
   const Coordinates& x_;
   double feature_angle_;
+  std::set<Index> smooth_;
   EdgeEnds next_;
   std::map<Index, int> others_, edges_at_;
+};
+
+/// Smooth nodes of the rules: found by the markers that slide.
+class SmoothNodes {
+ public:
+  explicit SmoothNodes(const FeatureRules& rules)
+      : left_(rules.smooth.begin(), rules.smooth.end()) {}
+
+  /// Throws UsageError for one at which the marker does not run on.
+  void look_at(const ChainFinder& finder, const std::string& marker) {
+    std::erase_if(left_, [&](Index node) {
+      if (!finder.has(node)) return false;
+      if (!finder.runs_on(node))
+        throw UsageError("node " + std::to_string(node) + " cannot be smooth: marker \"" + marker +
+                         "\" ends or branches there, or meets another marker");
+      return true;
+    });
+  }
+  /// Throws UsageError for one that none of the markers has.
+  void require_none_left() const {
+    if (!left_.empty())
+      throw UsageError("node " + std::to_string(*left_.begin()) +
+                       " cannot be smooth: no marker that slides has it");
+  }
+
+ private:
+  std::set<Index> left_;
 };
 
 }  // namespace
 
 SlidingBoundary sliding_on_curves(const Topology& topology, const Coordinates& x,
-                                  std::span<const Index> markers, double feature_angle) {
+                                  std::span<const Index> markers, const FeatureRules& rules) {
+  SmoothNodes smooth(rules);
   SlidingBoundary boundary;
   auto geometry = std::make_shared<CurveGeometry>();
   for (const Index marker : markers) {
-    ChainFinder finder(topology, x, marker, feature_angle);
+    ChainFinder finder(topology, x, marker, rules);
+    smooth.look_at(finder, topology.markers()[static_cast<std::size_t>(marker)].name);
     for (const Chain& chain : finder.find()) {
       SlidingPart part{topology.markers()[static_cast<std::size_t>(marker)].name, {}, {}};
       for (const Index node : chain.nodes)
-        if (chain.closed || finder.passes(node)) part.nodes.push_back(node);
+        if (chain.closed || finder.passes(node))
+          part.nodes.push_back(node);
+        else if (finder.runs_on(node))
+          boundary.bends.push_back(node);
       if (part.nodes.empty()) continue;
       std::vector<Vec2> points;
       for (const Index node : chain.nodes) points.push_back(x.xy(node));
@@ -97,6 +141,10 @@ SlidingBoundary sliding_on_curves(const Topology& topology, const Coordinates& x
       boundary.parts.push_back(std::move(part));
     }
   }
+  smooth.require_none_left();
+  std::ranges::sort(boundary.bends);  // the ends of two chains each
+  boundary.bends.erase(std::unique(boundary.bends.begin(), boundary.bends.end()),
+                       boundary.bends.end());
   boundary.geometry = std::move(geometry);
   return boundary;
 }

@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "core/error.h"
@@ -83,13 +84,14 @@ class LineMatch {
 class ReferenceFinder {
  public:
   ReferenceFinder(const Topology& topology, const Coordinates& x, std::span<const Index> markers,
-                  double feature_angle, const ReferenceSurface& reference)
+                  const FeatureRules& rules, const ReferenceSurface& reference)
       : topology_(topology),
         x_(x),
         sliding_(sliding_faces(topology, markers)),
         edges_(surface_edges(sliding_.faces)),
-        shape_(reference, feature_angle) {
-    const auto sharp = feature_edges(x_, sliding_.faces, edges_, feature_angle);
+        shape_(reference, rules.angle),
+        smooth_(rules.smooth.begin(), rules.smooth.end()) {
+    const auto sharp = feature_edges(x_, sliding_.faces, edges_, rules.angle);
     // Borders, edges between markers and those of several faces alone.
     const auto kept = feature_edges(x_, sliding_.faces, edges_, 180);
     const LineMatch match(x_, edges_, sharp, topology.node_count(), shape_);
@@ -98,8 +100,9 @@ class ReferenceFinder {
     cut_.resize(kept.size());
     for (std::size_t k = 0; k < kept.size(); ++k)
       cut_[k] = kept[k] != 0 || line_of_edge_[k] >= 0 ? 1 : 0;
-    classify(std::cos(radians(feature_angle)));
+    classify(std::cos(radians(rules.angle)));
     hold_corners();
+    require_smooth(rules, nodes_, sliding_.stays);
     Box<3> box = Box<3>::empty();
     for (const SurfaceFace& face : sliding_.faces)
       for (const Index corner : face.nodes) box.add(x_[corner]);
@@ -109,6 +112,7 @@ class ReferenceFinder {
   SlidingBoundary boundary(bool features) {
     for (const std::vector<Index>& region : regions()) add_region(region);
     if (features) add_curves();
+    if (features) out_.bends = bends_;
     out_.geometry = geometry_;
     return std::move(out_);
   }
@@ -139,9 +143,10 @@ class ReferenceFinder {
     line_of_node_.assign(nodes_.size(), -1);
     for (const auto& [node, of] : around) {
       bool runs_on = of.one_line && of.line >= 0 && of.others.size() == 2;
-      if (runs_on) {
+      if (runs_on && !smooth_.contains(node)) {
         const Vec3 in = x_[node] - x_[of.others[0]], out = x_[of.others[1]] - x_[node];
         runs_on = in.dot(out) >= least_cosine * in.norm() * out.norm();
+        if (!runs_on && sliding_.stays[at(node)] == 0) bends_.push_back(node);
       }
       nodes_[at(node)] = runs_on ? SurfaceNode::line : SurfaceNode::corner;
       if (runs_on) line_of_node_[at(node)] = of.line;
@@ -163,7 +168,8 @@ class ReferenceFinder {
       const auto found = tree.nearest(corner, std::numeric_limits<double>::infinity());
       const Index node = nodes[at(found->item)];
       constexpr double near = 0.7;
-      if (found->distance <= near * shortest_[at(node)]) nodes_[at(node)] = SurfaceNode::corner;
+      if (found->distance <= near * shortest_[at(node)] && !smooth_.contains(node))
+        nodes_[at(node)] = SurfaceNode::corner;
     }
   }
 
@@ -256,11 +262,13 @@ class ReferenceFinder {
   SlidingFaces sliding_;
   SurfaceEdges edges_;
   ReferenceShape shape_;
+  std::set<Index> smooth_;
   std::vector<Index> line_of_edge_;  // #edges; -1: of none
   std::vector<unsigned char> cut_;   // #edges
   std::vector<double> shortest_;     // #nodes, length of the shortest edge
   std::vector<SurfaceNode> nodes_;   // #nodes
   std::vector<Index> line_of_node_;  // #nodes
+  std::vector<Index> bends_;         // at which a line turns
   std::map<std::vector<Index>, std::shared_ptr<const Surface>> surfaces_;  // by regions under
   double extent_ = 0;                                                      // of the sliding faces
   std::shared_ptr<SpaceGeometry> geometry_ = std::make_shared<SpaceGeometry>();
@@ -270,9 +278,9 @@ class ReferenceFinder {
 }  // namespace
 
 SlidingBoundary sliding_on_reference(const Topology& topology, const Coordinates& x,
-                                     std::span<const Index> markers, double feature_angle,
-                                     bool features, const ReferenceSurface& reference) {
-  return ReferenceFinder(topology, x, markers, feature_angle, reference).boundary(features);
+                                     std::span<const Index> markers, const FeatureRules& rules,
+                                     const ReferenceSurface& reference) {
+  return ReferenceFinder(topology, x, markers, rules, reference).boundary(rules.slide_along);
 }
 
 }  // namespace winslow

@@ -1,5 +1,7 @@
 #include "core/geometry/sliding_boundary.h"
 
+#include <algorithm>
+
 #include "core/error.h"
 #include "core/geometry/boundary_kinds.h"
 
@@ -14,11 +16,29 @@ std::vector<Index> indices_of(const Topology& topology, std::span<const std::str
   return indices;
 }
 
+void require_nodes(const Topology& topology, std::span<const Index> nodes) {
+  for (const Index node : nodes)
+    if (node < 0 || node >= topology.node_count())
+      throw UsageError("found node " + std::to_string(node) + " to hold or to make smooth, " +
+                       "expected 0 to " + std::to_string(topology.node_count() - 1));
+}
+
+/// Nodes that are held are taken out of what slides; the curves and surfaces still run through
+/// them.
+void take_out(SlidingBoundary& boundary, std::vector<Index> nodes) {
+  std::ranges::sort(nodes);
+  for (SlidingPart& part : boundary.parts)
+    std::erase_if(part.nodes, [&](Index node) { return std::ranges::binary_search(nodes, node); });
+  std::erase_if(boundary.parts, [](const SlidingPart& part) { return part.nodes.empty(); });
+}
+
 }  // namespace
 
 SlidingBoundary SlidingBoundary::find(const Topology& topology, const Coordinates& x,
-                                      std::span<const std::string> names, double feature_angle,
-                                      bool features, const ReferenceSurface* reference) {
+                                      std::span<const std::string> names, const FeatureRules& rules,
+                                      const ReferenceSurface* reference) {
+  require_nodes(topology, rules.hold);
+  require_nodes(topology, rules.smooth);
   const bool surface = topology.cell_dimension() != topology.space_dimension();
   if (surface && !names.empty())
     throw UsageError("all nodes of a surface mesh slide: expected no marker, found \"" +
@@ -28,10 +48,10 @@ SlidingBoundary SlidingBoundary::find(const Topology& topology, const Coordinate
   if (plane && reference)
     throw UsageError(reference->source + ": a reference surface is for meshes in space, and this " +
                      "is a plane mesh");
-  SlidingBoundary boundary =
-      plane       ? sliding_on_curves(topology, x, markers, feature_angle)
-      : reference ? sliding_on_reference(topology, x, markers, feature_angle, features, *reference)
-                  : sliding_on_surfaces(topology, x, markers, feature_angle, features);
+  SlidingBoundary boundary = plane ? sliding_on_curves(topology, x, markers, rules)
+                             : reference
+                                 ? sliding_on_reference(topology, x, markers, rules, *reference)
+                                 : sliding_on_surfaces(topology, x, markers, rules);
   for (const std::string& name : names) {
     bool slides = false;
     for (const SlidingPart& part : boundary.parts) slides |= part.marker == name;
@@ -39,6 +59,7 @@ SlidingBoundary SlidingBoundary::find(const Topology& topology, const Coordinate
       throw UsageError("no node of marker \"" + name +
                        "\" can slide: each lies at a corner or meets another marker");
   }
+  take_out(boundary, rules.hold);
   return boundary;
 }
 

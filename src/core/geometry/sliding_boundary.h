@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/feature_rules.h"
 #include "core/geometry/reference_surface.h"
 #include "core/geometry/sliding_geometry.h"
 #include "core/mesh/coordinates.h"
@@ -34,18 +35,24 @@ struct SlidingPart {
 /// mesh that run along one of its feature lines are what the faces of the markers are cut by;
 /// borders and edges between markers cut them, too, and stay where they run along none. The nodes
 /// between slide on those regions of it to which their part of the mesh is nearest.
+///
+/// Single nodes can be told from what the feature angle makes of them: FeatureRules::hold, smooth.
 struct SlidingBoundary {
   std::vector<SlidingPart> parts;
   std::shared_ptr<const SlidingGeometry> geometry;
+  /// Nodes that stay because of the feature angle alone, ascending: FeatureRules::smooth would have
+  /// them slide.
+  std::vector<Index> bends;
 
-  /// markers: names; none of a surface mesh, all of whose nodes take part. feature_angle: in
-  /// degrees, 0 to 180. features: in space nodes slide along feature lines. reference: a surface to
+  /// markers: names; none of a surface mesh, all of whose nodes take part. reference: a surface to
   /// slide on instead of the mesh's own, which the nodes need not lie on (put_on()). Throws
-  /// UsageError for markers that the mesh does not have and those of which no node can slide, and
-  /// for a reference surface of a plane mesh, or one that is not where the nodes are.
+  /// UsageError for markers that the mesh does not have and those of which no node can slide, for
+  /// nodes of the rules that it does not have, or that cannot be smooth since feature lines end or
+  /// meet there, and for a reference surface of a plane mesh, or one that is not where the nodes
+  /// are.
   static SlidingBoundary find(const Topology& topology, const Coordinates& x,
-                              std::span<const std::string> markers, double feature_angle,
-                              bool features = false, const ReferenceSurface* reference = nullptr);
+                              std::span<const std::string> markers, const FeatureRules& rules,
+                              const ReferenceSurface* reference = nullptr);
 };
 
 /// The nodes that slide put where they lie nearest to on what they slide on.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -14,21 +15,31 @@ namespace {
 class SurfaceFinder {
  public:
   SurfaceFinder(const Topology& topology, const Coordinates& x, std::span<const Index> markers,
-                double feature_angle)
+                const FeatureRules& rules)
       : topology_(topology),
         x_(x),
         sliding_(sliding_faces(topology, markers)),
-        features_(find_features(x, sliding_.faces, feature_angle)) {}
+        features_(find_features(x, sliding_.faces, rules.angle, rules.smooth)) {
+    require_smooth(rules, features_.nodes, sliding_.stays);
+  }
 
   SlidingBoundary boundary(bool features) {
     curves_ = curves_along(x_, features_);
     for (const std::vector<Index>& region : faces_of_regions(features_)) add_region(region);
     if (features) add_curves();
     out_.geometry = geometry_;
+    add_bends(features_.tips);
+    if (features) add_bends(features_.bends);
+    std::ranges::sort(out_.bends);
     return std::move(out_);
   }
 
  private:
+  void add_bends(std::span<const Index> nodes) {
+    for (const Index node : nodes)
+      if (sliding_.stays[at(node)] == 0) out_.bends.push_back(node);
+  }
+
   void add_curves() {
     const std::map<Index, Index> marker_at = markers_at(sliding_.faces);
     for (std::size_t k = 0; k < curves_.curves.size(); ++k) {
@@ -69,10 +80,23 @@ class SurfaceFinder {
 
 }  // namespace
 
+void require_smooth(const FeatureRules& rules, std::span<const SurfaceNode> nodes,
+                    std::span<const unsigned char> stays) {
+  for (const Index node : rules.smooth) {
+    const SurfaceNode what = nodes[at(node)];
+    const char* fault = what == SurfaceNode::none     ? "it is no node of what slides"
+                        : stays[at(node)] != 0        ? "it meets the boundary that does not slide"
+                        : what == SurfaceNode::corner ? "feature lines end or meet there"
+                        : what == SurfaceNode::line && !rules.slide_along
+                            ? "it lies on a feature line, and nodes are not to slide along these"
+                            : nullptr;
+    if (fault) throw UsageError("node " + std::to_string(node) + " cannot be smooth: " + fault);
+  }
+}
+
 SlidingBoundary sliding_on_surfaces(const Topology& topology, const Coordinates& x,
-                                    std::span<const Index> markers, double feature_angle,
-                                    bool features) {
-  return SurfaceFinder(topology, x, markers, feature_angle).boundary(features);
+                                    std::span<const Index> markers, const FeatureRules& rules) {
+  return SurfaceFinder(topology, x, markers, rules).boundary(rules.slide_along);
 }
 
 }  // namespace winslow

@@ -1,8 +1,10 @@
 #include "core/geometry/surface_features.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "core/mesh/joined_sets.h"
@@ -14,13 +16,15 @@ namespace {
 /// The edges of a surface that are features, and what they make of its nodes.
 class FeatureFinder {
  public:
-  FeatureFinder(const Coordinates& x, std::span<const SurfaceFace> faces, double angle)
+  FeatureFinder(const Coordinates& x, std::span<const SurfaceFace> faces, double angle,
+                std::span<const Index> smooth)
       : x_(x),
         node_count_(x.size()),
         faces_(faces),
         edges_(surface_edges(faces)),
         sharp_(feature_edges(x_, faces, edges_, angle)),
-        least_cosine_(std::cos(radians(angle))) {}
+        least_cosine_(std::cos(radians(angle))),
+        smooth_(smooth.begin(), smooth.end()) {}
 
   SurfaceFeatures find() {
     find_regions();
@@ -57,13 +61,17 @@ class FeatureFinder {
     out_.nodes.assign(at(node_count_), SurfaceNode::none);
     for (const SurfaceFace& face : faces_)
       for (const Index node : face.nodes) out_.nodes[at(node)] = SurfaceNode::inside;
-    for (const auto& [node, others] : ends_)
-      out_.nodes[at(node)] = runs_on(node, others) ? SurfaceNode::line : SurfaceNode::corner;
+    for (const auto& [node, others] : ends_) {
+      const bool on = runs_on(node, others);
+      out_.nodes[at(node)] = on ? SurfaceNode::line : SurfaceNode::corner;
+      if (!on && others.size() == 2) out_.bends.push_back(node);
+    }
     find_tips();
   }
 
   bool runs_on(Index node, const std::vector<Index>& others) const {
     if (others.size() != 2) return false;
+    if (smooth_.contains(node)) return true;
     const Vec3 in = x_[node] - x_[others[0]], out = x_[others[1]] - x_[node];
     return in.dot(out) >= least_cosine_ * in.norm() * out.norm();
   }
@@ -79,10 +87,13 @@ class FeatureFinder {
     for (const SurfaceFace& face : faces_) {
       const Vec3 area = area_vector(x_, face.nodes);
       for (const Index node : face.nodes)
-        if (out_.nodes[at(node)] == SurfaceNode::inside &&
-            area.dot(normals[at(node)]) < least_cosine_ * area.norm() * normals[at(node)].norm())
+        if (out_.nodes[at(node)] == SurfaceNode::inside && !smooth_.contains(node) &&
+            area.dot(normals[at(node)]) < least_cosine_ * area.norm() * normals[at(node)].norm()) {
           out_.nodes[at(node)] = SurfaceNode::corner;
+          out_.tips.push_back(node);
+        }
     }
+    std::ranges::sort(out_.tips);
   }
 
   SpacePoints x_;
@@ -91,6 +102,7 @@ class FeatureFinder {
   SurfaceEdges edges_;
   std::vector<unsigned char> sharp_;
   double least_cosine_;
+  std::set<Index> smooth_;
   EdgeEnds ends_;
   SurfaceFeatures out_;
 };
@@ -98,8 +110,8 @@ class FeatureFinder {
 }  // namespace
 
 SurfaceFeatures find_features(const Coordinates& x, std::span<const SurfaceFace> faces,
-                              double angle) {
-  return FeatureFinder(x, faces, angle).find();
+                              double angle, std::span<const Index> smooth) {
+  return FeatureFinder(x, faces, angle, smooth).find();
 }
 
 }  // namespace winslow

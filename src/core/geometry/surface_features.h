@@ -24,10 +24,13 @@ struct SurfaceFeatures {
   std::vector<Chain> lines;        ///< along feature edges, from corner to corner or closed
   std::vector<Index> region;  ///< #faces: faces of one region hang together, no feature between
   Index regions = 0;
+  /// Corners by the angle alone, ascending: one feature line turns there; tips.
+  std::vector<Index> bends, tips;
 };
 
-/// angle: in degrees. x: of all nodes of the mesh.
+/// angle: in degrees. x: of all nodes of the mesh. smooth: nodes that are no corners although a
+/// feature line turns there, or the surface has a tip.
 SurfaceFeatures find_features(const Coordinates& x, std::span<const SurfaceFace> faces,
-                              double angle);
+                              double angle, std::span<const Index> smooth = {});
 
 }  // namespace winslow

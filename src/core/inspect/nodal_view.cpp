@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/mesh/surface_faces.h"
 
 namespace winslow {
 
@@ -138,6 +139,21 @@ NodalView inspect_node(const VirtualControlVolumes& vcv, const Coordinates& x, I
     evaluate(x, node, neighbours, view);
   }
   return view;
+}
+
+StarPlane plane_of_star(const Topology& topology, const Coordinates& x, const NodalView& view) {
+  const SpacePoints points(x);
+  Vec3 normal = star_normal(topology, points, view.node);
+  if (normal.isZero()) normal = Vec3::UnitZ();
+  const Vec3 first = normal.unitOrthogonal(), second = normal.cross(first);
+  std::vector<Vec2> over;
+  for (const Index k : view.neighbours) {
+    const Vec3 arm = points[k] - points[view.node];
+    over.emplace_back(first.dot(arm), second.dot(arm));
+  }
+  const double turn = fitted_turn(view.physical, make_star(std::move(over)));
+  const double c = std::cos(turn), s = std::sin(turn);
+  return {points[view.node], c * first + s * second, c * second - s * first};
 }
 
 double fitted_turn(const Star& vcv_star, const Star& physical) {

@@ -50,6 +50,15 @@ void require_inspectable(const Topology& topology, Index node);
 /// origin. Throws as require_inspectable() does.
 NodalView inspect_node(const VirtualControlVolumes& vcv, const Coordinates& x, Index node);
 
+/// The plane in which what is flat is drawn over a node of a surface mesh.
+struct StarPlane {
+  Vec3 origin, u, v;  ///< u, v: unit vectors at right angles
+  Vec3 at(const Vec2& p) const { return origin + p.x() * u + p.y() * v; }
+};
+/// The tangent plane of a surface mesh at the node of a view of it, in which the star that was laid
+/// flat lies as nearly as can be over the star in space.
+StarPlane plane_of_star(const Topology& topology, const Coordinates& x, const NodalView& view);
+
 /// Angle (radians, counter-clockwise) by which a VCV is turned to lie over its physical star: that
 /// which brings the directions of its edges nearest to those of the star.
 double fitted_turn(const Star& vcv_star, const Star& physical);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <iterator>
 #include <map>
 #include <optional>
 
@@ -65,6 +66,7 @@ std::optional<NodeClasses> classes_of(const Mesh& mesh, const SlideOptions& slid
     const MovingBoundary boundary = make_boundary_move(slide, mesh, {}, classes);
     for (const SlidingPart& part : boundary.sliding)
       out.found.push_back(part.marker + ": " + part.description);
+    out.bends = boundary.bends;
     for (const PeriodicPairs& pairs : boundary.periodic)
       out.found.push_back(pairs.first + " and " + pairs.second + ": " + pairs.description);
     return classes;
@@ -102,6 +104,22 @@ std::vector<unsigned char> marked(const Mesh& mesh, const std::vector<std::strin
   return flags;
 }
 
+/// Nodes that were named do as they were told; others are left as they were found.
+void set_overridden(const SlideOptions& slide, NodeRoles& out) {
+  const auto known = [&](Index node) { return node >= 0 && at(node) < out.roles.size(); };
+  for (const std::vector<Index>* nodes : {&slide.hold_nodes, &slide.smooth_nodes})
+    std::ranges::copy_if(*nodes, std::back_inserter(out.overridden), known);
+  std::ranges::sort(out.overridden);
+  out.overridden.erase(std::unique(out.overridden.begin(), out.overridden.end()),
+                       out.overridden.end());
+  for (const Index node : slide.hold_nodes) {
+    if (!known(node) || out.roles[at(node)] == NodeRole::moves) continue;
+    --out.counts[static_cast<std::size_t>(out.roles[at(node)])];
+    out.roles[at(node)] = NodeRole::held;
+    ++out.counts[static_cast<std::size_t>(NodeRole::held)];
+  }
+}
+
 /// Nodes of a surface mesh: all slide but for those on feature lines, or at corners of these.
 NodeRoles surface_roles(const MeshState& state, const SlideOptions& slide) {
   const Topology& topology = *state.mesh.topology;
@@ -113,6 +131,7 @@ NodeRoles surface_roles(const MeshState& state, const SlideOptions& slide) {
   try {
     const auto shape = surface_shape(state, slide);
     slide_on_surface(*shape, state.mesh.coordinates, classes);
+    out.bends = shape->boundary.bends;
     for (const SlidingPart& part : shape->boundary.parts) {
       out.found.push_back(part.description);
       for (const Index node : part.nodes) could_slide[at(node)] = 1;
@@ -127,6 +146,7 @@ NodeRoles surface_roles(const MeshState& state, const SlideOptions& slide) {
                             : NodeRole::fixed);
     ++out.counts[static_cast<std::size_t>(out.roles.back())];
   }
+  set_overridden(slide, out);
   const std::vector<SurfaceFace> faces = boundary_faces(topology);
   const SurfaceEdges edges = surface_edges(faces);
   const SpacePoints x(state.mesh.coordinates);
@@ -159,6 +179,7 @@ NodeRoles node_roles(const Mesh& mesh, const SlideOptions& slide,
                                  : role_of(classes[node], classes.has_image(node), sliding[i] != 0);
     ++out.counts[static_cast<std::size_t>(out.roles[i])];
   }
+  set_overridden(slide, out);
   if (mesh.coordinates.dimension() == 3) out.features = features_of(mesh, slide);
   return out;
 }

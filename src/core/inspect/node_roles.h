@@ -19,13 +19,17 @@ enum class NodeRole : std::uint8_t {
   on_curve,    ///< slides along a curve
   on_surface,  ///< slides on a surface
   periodic,    ///< moves together with its partner across a periodic boundary
-  moves        ///< goes where a motion takes it
+  moves,       ///< goes where a motion takes it
+  held         ///< stays because it was named to
 };
-inline constexpr std::size_t node_role_count = 7;
+inline constexpr std::size_t node_role_count = 8;
 
 struct NodeRoles {
   std::vector<NodeRole> roles;  ///< #nodes; those of no element are fixed
   std::array<Index, node_role_count> counts{};
+  std::vector<Index> overridden;  ///< nodes that were named to stay, or to be no corners; ascending
+  /// Nodes that stay because of the feature angle alone, and could slide; ascending.
+  std::vector<Index> bends;
   /// Edges of sliding markers of a volume mesh, or of a surface mesh, at which they turn by more
   /// than the feature angle, end, or meet one another.
   std::vector<std::array<Index, 2>> features;

@@ -87,6 +87,13 @@ Vec3 area_vector(const SpacePoints& x, const Face& face) {
   return 0.5 * (x[face[1]] - x[face[0]]).cross(x[face[2]] - x[face[0]]);
 }
 
+Vec3 star_normal(const Topology& topology, const SpacePoints& x, Index node) {
+  Vec3 sum = Vec3::Zero();
+  for (const Index e : topology.star(node)) sum += area_vector(x, Face(topology.element(e)));
+  const double length = sum.norm();
+  return length > 0 ? Vec3(sum / length) : sum;
+}
+
 Vec3 centre_of(const SpacePoints& x, const Face& face) {
   Vec3 sum = Vec3::Zero();
   for (const Index node : face) sum += x[node];

@@ -37,6 +37,9 @@ SurfaceEdges surface_edges(std::span<const SurfaceFace> faces);
 /// quadrilateral half the cross product of its diagonals.
 Vec3 area_vector(const SpacePoints& x, const Face& face);
 Vec3 centre_of(const SpacePoints& x, const Face& face);  ///< mean of the corners
+/// Unit normal of a surface mesh at a node: the sum of the areas of the elements around, as
+/// vectors; zero where they have none.
+Vec3 star_normal(const Topology& topology, const SpacePoints& x, Index node);
 
 /// Which edges show the form of a surface (#edges, 1 or 0): those of one face alone or of more than
 /// two, those at which two faces turn by more than this angle (degrees), and those between two

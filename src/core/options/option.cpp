@@ -34,6 +34,11 @@ std::string text_of(const NamesOption& names) {
   for (const std::string& name : *names.value) text += (text.empty() ? "" : ", ") + name;
   return text;
 }
+std::string text_of(const NodesOption& nodes) {
+  std::string text;
+  for (const Index node : *nodes.value) text += (text.empty() ? "" : ", ") + std::to_string(node);
+  return text;
+}
 std::string text_of(const FileOption& file) { return *file.value; }
 std::string text_of(const SpaceVectorOption& vector) {
   if (!*vector.value) return "";
@@ -61,6 +66,7 @@ std::string expected_of(const VectorOption&) { return ""; }
 std::string expected_of(const OptionalVectorOption&) { return ""; }
 std::string expected_of(const SpaceVectorOption&) { return ""; }
 std::string expected_of(const NamesOption&) { return ""; }
+std::string expected_of(const NodesOption&) { return at_least(0).text(); }
 std::string expected_of(const FileOption&) { return ""; }
 std::string expected_of(const SwitchOption&) { return ""; }
 std::string expected_of(const ChoiceOption& choice) { return choice.names(); }
@@ -105,6 +111,11 @@ std::string wrong_with(const SpaceVectorOption& vector) {
 std::string wrong_with(const NamesOption& names) {
   if (!names.pairs || names.value->size() % 2 == 0) return "";
   return "found " + std::to_string(names.value->size()) + " names, expected pairs of them";
+}
+std::string wrong_with(const NodesOption& nodes) {
+  for (const Index node : *nodes.value)
+    if (std::string fault = out_of(at_least(0), node); !fault.empty()) return fault;
+  return "";
 }
 std::string wrong_with(const FileOption&) { return ""; }
 std::string wrong_with(const SwitchOption&) { return ""; }

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/index.h"
 #include "core/types.h"
 
 /// Options as tables. A struct of options has a function option_table(Struct&) that returns one row
@@ -78,6 +79,11 @@ struct NamesOption {
   bool pairs = false;
 };
 
+/// Numbers of nodes, from 0 on, any number of them.
+struct NodesOption {
+  std::vector<Index>* value;
+};
+
 /// The name of a file; empty: none.
 struct FileOption {
   std::string* value;
@@ -137,7 +143,7 @@ struct SharesOption {
 
 using OptionValue = std::variant<RealOption, OptionalRealOption, IntegerOption, SeedOption,
                                  VectorOption, OptionalVectorOption, SpaceVectorOption, NamesOption,
-                                 FileOption, SwitchOption, ChoiceOption, SharesOption>;
+                                 NodesOption, FileOption, SwitchOption, ChoiceOption, SharesOption>;
 
 /// Whether an option is given by a flag of its own.
 enum class OnCommandLine { yes, no };

@@ -11,9 +11,8 @@ ReferenceStart put_on_reference(const SlideOptions& slide, const MeshState& stat
     throw UsageError(slide.reference.name +
                      ": a reference surface is for nodes that slide: name their markers");
   const Topology& topology = *state.mesh.topology;
-  const SlidingBoundary boundary =
-      SlidingBoundary::find(topology, state.mesh.coordinates, slide.markers, slide.feature_angle,
-                            slide.features, reference_of(slide));
+  const SlidingBoundary boundary = SlidingBoundary::find(
+      topology, state.mesh.coordinates, slide.markers, feature_rules(slide), reference_of(slide));
   ReferenceStart out{state, std::nullopt};
   out.state.mesh.coordinates = put_on(boundary, std::move(out.state.mesh.coordinates));
   if (start == nullptr) return out;

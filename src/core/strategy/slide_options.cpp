@@ -66,6 +66,29 @@ OptionTable sliding_rows(SlideOptions& slide) {
   };
 }
 
+OptionTable node_rows(SlideOptions& slide) {
+  return {
+      {.key = "hold_nodes",
+       .value = NodesOption{&slide.hold_nodes},
+       .label = "Held nodes",
+       .help = "Nodes that stay where they are, of the boundary or inside; counted from 0 in the "
+               "order of the mesh file",
+       .advice = "Where a node would slide that belongs to a place: a trailing edge, a probe.",
+       .object = "slide",
+       .flag = "hold-node",
+       .applies = !slide.hold_nodes.empty()},
+      {.key = "smooth_nodes",
+       .value = NodesOption{&slide.smooth_nodes},
+       .label = "Smooth nodes",
+       .help = "Nodes of sliding markers and of surface meshes that are no corners, however much "
+               "the boundary turns there: they slide on what runs through them",
+       .advice = "For a kink of a coarse mesh that the shape does not have.",
+       .object = "slide",
+       .flag = "smooth-node",
+       .applies = !slide.smooth_nodes.empty()},
+  };
+}
+
 OptionTable pair_rows(SlideOptions& slide) {
   return {
       {.key = "periodic",
@@ -82,7 +105,7 @@ OptionTable pair_rows(SlideOptions& slide) {
        .label = "Periodic pairs of the file",
        .help =
            "Take all periodic pairs that the mesh file names: $Periodic of Gmsh, NPERIODIC= and "
-           "SEND_RECEIVE of SU2; winslow quality lists them",
+           "SEND_RECEIVE of SU2, Periodic_t of CGNS; winslow quality lists them",
        .advice = "SU2 of today names them in its configuration file (MARKER_PERIODIC=) and not in "
                  "the mesh: choose these two markers as a pair instead.",
        .object = "slide",
@@ -95,8 +118,13 @@ OptionTable pair_rows(SlideOptions& slide) {
 
 OptionTable option_table(SlideOptions& slide) {
   OptionTable table = sliding_rows(slide);
-  for (Option& row : pair_rows(slide)) table.push_back(std::move(row));
+  for (auto* rows : {node_rows, pair_rows})
+    for (Option& row : rows(slide)) table.push_back(std::move(row));
   return table;
+}
+
+FeatureRules feature_rules(const SlideOptions& slide) {
+  return {slide.feature_angle, slide.features, slide.hold_nodes, slide.smooth_nodes};
 }
 
 const ReferenceSurface* reference_of(const SlideOptions& slide) {
@@ -114,8 +142,9 @@ std::vector<GivenPairs> wanted_pairs(const SlideOptions& slide) {
   const GivenPeriodicity& file = *slide.file_pairs.found;
   if (file.pairs.empty())
     throw UsageError(file.source +
-                     ": found no periodic pairs in the file, expected $Periodic (Gmsh) or "
-                     "PERIODIC_INDEX= (SU2) for its markers; name the two markers instead");
+                     ": found no periodic pairs in the file, expected $Periodic (Gmsh), "
+                     "PERIODIC_INDEX= (SU2) or Periodic_t (CGNS) for its markers; name the two "
+                     "markers instead");
   for (const GivenPairs& pair : file.pairs) {
     bool named = false;
     for (std::size_t k = 0; k + 1 < slide.periodic.size(); k += 2)
@@ -146,6 +175,22 @@ void require_at_rest(const std::string& marker, std::span<const Index> nodes,
                        "\" is to slide or to be periodic, and the motion takes its nodes");
 }
 
+/// Nodes that a motion or a pair has cannot stay.
+void hold(const SlideOptions& slide, std::span<const Index> moving, const MovingBoundary& boundary,
+          NodeClasses& classes) {
+  classes.set_fixed(slide.hold_nodes);
+  for (const Index node : slide.hold_nodes) {
+    if (std::ranges::binary_search(moving, node))
+      throw UsageError("node " + std::to_string(node) + " is to be held, and the motion takes it");
+    for (const PeriodicPairs& pairs : boundary.periodic)
+      for (const PeriodicPair& pair : pairs.pairs)
+        if (pair.node == node || pair.image == node)
+          throw UsageError("node " + std::to_string(node) +
+                           " is to be held and moves with one of " + "the periodic pair " +
+                           pairs.first + ", " + pairs.second + ": expected one");
+  }
+}
+
 }  // namespace
 
 MovingBoundary make_boundary_move(const SlideOptions& slide, const Mesh& mesh,
@@ -153,15 +198,18 @@ MovingBoundary make_boundary_move(const SlideOptions& slide, const Mesh& mesh,
   MovingBoundary out;
   std::vector<Index> taken(moving.begin(), moving.end());
   std::ranges::sort(taken);
+  if (slide.markers.empty() && !slide.smooth_nodes.empty())
+    throw UsageError("smooth_nodes: no marker slides: name the marker of node " +
+                     std::to_string(slide.smooth_nodes.front()));
   if (!slide.markers.empty()) {
-    SlidingBoundary boundary =
-        SlidingBoundary::find(*mesh.topology, mesh.coordinates, slide.markers, slide.feature_angle,
-                              slide.features, reference_of(slide));
+    SlidingBoundary boundary = SlidingBoundary::find(
+        *mesh.topology, mesh.coordinates, slide.markers, feature_rules(slide), reference_of(slide));
     for (const SlidingPart& part : boundary.parts) {
       require_at_rest(part.marker, part.nodes, taken);
       classes.set_sliding(part.nodes, boundary.geometry, mesh.coordinates);
     }
     out.sliding = std::move(boundary.parts);
+    out.bends = std::move(boundary.bends);
   }
   const auto join = [&](PeriodicPairs pairs) {
     for (const std::string& name : {pairs.first, pairs.second})
@@ -179,6 +227,8 @@ MovingBoundary make_boundary_move(const SlideOptions& slide, const Mesh& mesh,
                              slide.periodic[k + 1]));
   for (const GivenPairs& given : wanted_pairs(slide))
     if (auto pairs = pairs_on(mesh, *slide.file_pairs.found, given)) join(std::move(*pairs));
+  hold(slide, taken, out, classes);
+  out.held = static_cast<Index>(slide.hold_nodes.size());
   return out;
 }
 

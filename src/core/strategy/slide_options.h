@@ -40,6 +40,9 @@ struct SlideOptions {
   bool features = false;       ///< in space nodes slide along the edges of the markers, too
   bool surface_first = false;  ///< of a volume mesh, the sliding boundary before the interior
   ReferenceFile reference;     ///< in space: the surface to slide on instead of the mesh's own
+  /// Nodes of the mesh that the command is given, counted from 0.
+  std::vector<Index> hold_nodes;      ///< stay, inside the mesh as well
+  std::vector<Index> smooth_nodes;    ///< of what slides: no corners, however much it turns there
   std::vector<std::string> periodic;  ///< names of markers, pair after pair
   FilePairs file_pairs;               ///< besides these
 
@@ -49,6 +52,8 @@ struct SlideOptions {
 };
 
 OptionTable option_table(SlideOptions& slide);
+
+FeatureRules feature_rules(const SlideOptions& slide);
 
 /// The reference surface; null: none. Throws UsageError for one that was not read.
 const ReferenceSurface* reference_of(const SlideOptions& slide);
@@ -61,11 +66,13 @@ std::vector<GivenPairs> wanted_pairs(const SlideOptions& slide);
 struct MovingBoundary {
   std::vector<SlidingPart> sliding;
   std::vector<PeriodicPairs> periodic;
+  std::vector<Index> bends;  ///< as SlidingBoundary has them
+  Index held = 0;            ///< number of nodes that were named to stay
 };
 
-/// Has the nodes of the markers slide and those of the pairs move together. Throws UsageError as
-/// SlidingBoundary::find(), PeriodicPairs::find() and PeriodicPairs::of() do, and for a node of
-/// them that `moving`, the nodes of a motion, has.
+/// Has the nodes of the markers slide and those of the pairs move together, and holds the nodes
+/// that are to stay. Throws UsageError as SlidingBoundary::find(), PeriodicPairs::find() and
+/// PeriodicPairs::of() do, and for a node of them that `moving`, the nodes of a motion, has.
 MovingBoundary make_boundary_move(const SlideOptions& slide, const Mesh& mesh,
                                   std::span<const Index> moving, NodeClasses& classes);
 

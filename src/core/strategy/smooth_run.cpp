@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "core/error.h"
 #include "core/motion/contact.h"
@@ -53,6 +54,7 @@ std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Moti
   if (state.surface) {
     slide_on_surface(*state.surface, state.mesh.coordinates, *classes);
     result.boundary.sliding = state.surface->boundary.parts;
+    result.boundary.held = static_cast<Index>(state.surface->rules.hold.size());
     for (SlidingPart& part : result.boundary.sliding)
       std::erase_if(part.nodes, [&](Index node) { return !classes->slides(node); });
     return classes;
@@ -67,14 +69,18 @@ std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Moti
   return classes;
 }
 
-/// Puts the interior nodes that are not free where the mesh has them; how many of these were asked
-/// to stay.
-Index keep_fixed(const MeshState& state, const NodeClasses& classes, Coordinates& x) {
+/// Puts the interior nodes that are not free where the mesh has them; how many of these lie outside
+/// a region that is kept.
+Index keep_fixed(const MeshState& state, const NodeClasses& classes, const std::vector<Index>& held,
+                 Coordinates& x) {
   const auto interior = classes.topology().interior_nodes();
   const auto kept = std::ranges::count_if(
       interior, [&](Index node) { return classes[node] == NodeClass::fixed; });
   if (kept > 0) x = unknowns_within(classes, x, state.mesh.coordinates);
-  return state.surface ? 0 : static_cast<Index>(kept);
+  const std::set<Index> alone(held.begin(), held.end());
+  const auto held_inside = std::ranges::count_if(
+      alone, [&](Index node) { return !classes.topology().on_boundary(node); });
+  return state.surface ? 0 : static_cast<Index>(kept - held_inside);
 }
 
 /// A motion that is begun from a mesh near its end: along the path from there where that mesh is
@@ -191,7 +197,7 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& option
   SmoothingWorkspace& workspace = run.workspace ? *run.workspace : own;
   workspace.prepare(state.vcv, classes_of(state, nullptr, options, run, result), options,
                     state.mesh.coordinates, state.sphere_vcvs);
-  result.kept_outside = keep_fixed(state, workspace.classes(), x);
+  result.kept_outside = keep_fixed(state, workspace.classes(), options.slide.hold_nodes, x);
   RunRecorder recorder(run.monitor, result, budget(options));
   smooth_at_end(state, workspace, recorder, x);
   follow_with_vcvs(state, workspace, recorder, x);
@@ -215,7 +221,7 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const M
   SmoothingWorkspace& workspace = run.workspace ? *run.workspace : own;
   workspace.prepare(state.vcv, classes_of(state, &motion, options, run, result), options,
                     state.mesh.coordinates, state.sphere_vcvs);
-  result.kept_outside = keep_fixed(state, workspace.classes(), x);
+  result.kept_outside = keep_fixed(state, workspace.classes(), options.slide.hold_nodes, x);
   RunRecorder recorder(run.monitor, result, budget(options));
   if (by_fixed_point(options)) {
     move_by_fixed_point(state.mesh.coordinates, motion, how.increments, options.max_iterations,

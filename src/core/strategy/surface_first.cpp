@@ -102,8 +102,7 @@ SurfaceOfMesh surface_of(const Mesh& volume, const SlidingBoundary& boundary,
   out.state = make_state(make_mesh(data));
   auto shape = std::make_shared<SurfaceShape>();
   shape->given = data.coordinates;
-  shape->feature_angle = slide.feature_angle;
-  shape->features = slide.features;
+  shape->rules = feature_rules(slide);
   shape->reference = slide.reference;
   for (const SlidingPart& part : boundary.parts) {
     SlidingPart renumbered{part.marker, part.description, {}};
@@ -124,6 +123,9 @@ Coordinates smooth_surface(const Mesh& volume, const SlidingBoundary& boundary,
   const SurfaceOfMesh surface = surface_of(volume, boundary, options.slide);
   SmoothOptions of_surface = options;
   of_surface.slide.markers.clear();
+  // Numbers of nodes of the volume mesh; its boundary is without those that are held.
+  of_surface.slide.hold_nodes.clear();
+  of_surface.slide.smooth_nodes.clear();
   of_surface.vcv = VcvKind::automatic;  // kinds of volume meshes
   StillMonitor monitor(run.monitor, volume.coordinates);
   RunOptions own = run;
@@ -151,14 +153,14 @@ SmoothResult smooth_surface_first(const MeshState& state, const SmoothOptions& o
     throw UsageError("surface_first: no marker slides: name those whose surface is to be smoothed");
   if (!slide.periodic.empty())
     throw UsageError("surface_first: periodic pairs are smoothed together with the interior");
-  const SlidingBoundary boundary =
-      SlidingBoundary::find(*mesh.topology, mesh.coordinates, slide.markers, slide.feature_angle,
-                            slide.features, reference_of(slide));
+  const SlidingBoundary boundary = SlidingBoundary::find(
+      *mesh.topology, mesh.coordinates, slide.markers, feature_rules(slide), reference_of(slide));
   SmoothResult result;
   const Coordinates there = smooth_surface(mesh, boundary, options, run, result);
   const bool surface_converged = result.converged;
   SmoothOptions held = options;
   held.slide = {};
+  held.slide.hold_nodes = slide.hold_nodes;
   const AlongBoundary motion(boundary, mesh.coordinates, there);
   const bool valid = check_validity(*mesh.topology, x, options.threads).inverted == 0;
   RunSequence sequence(run, result);
@@ -166,6 +168,7 @@ SmoothResult smooth_surface_first(const MeshState& state, const SmoothOptions& o
   sequence.move(state, motion, {.increments = valid ? 0 : 1}, held, nullptr, x);
   result.converged = result.converged && surface_converged;
   result.boundary.sliding = boundary.parts;
+  result.boundary.held = static_cast<Index>(slide.hold_nodes.size());
   return result;
 }
 

@@ -16,17 +16,15 @@ std::shared_ptr<const SurfaceShape> surface_shape(const MeshState& state,
     throw UsageError(
         "sliding markers and periodic pairs: not for a surface mesh, all nodes of which slide");
   const SurfaceShape* known = state.surface.get();
-  if (known && known->feature_angle == options.feature_angle &&
-      known->features == options.features && same_surface(known->reference, options.reference))
+  const FeatureRules rules = feature_rules(options);
+  if (known && known->rules == rules && same_surface(known->reference, options.reference))
     return state.surface;
   auto shape = std::make_shared<SurfaceShape>();
   shape->given = known ? known->given : state.mesh.coordinates;
-  shape->feature_angle = options.feature_angle;
-  shape->features = options.features;
+  shape->rules = rules;
   shape->reference = options.reference;
   shape->boundary =
-      SlidingBoundary::find(*state.mesh.topology, shape->given, {}, options.feature_angle,
-                            options.features, reference_of(options));
+      SlidingBoundary::find(*state.mesh.topology, shape->given, {}, rules, reference_of(options));
   shape->normals =
       std::make_shared<const ElementNormals>(state.mesh.topology, shape->given, shape->boundary);
   return shape;

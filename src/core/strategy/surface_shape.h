@@ -15,9 +15,8 @@ namespace winslow {
 /// often it is smoothed since.
 struct SurfaceShape {
   Coordinates given;
-  double feature_angle = 0;  ///< that features were found by
-  bool features = false;     ///< nodes slide along feature lines
-  ReferenceFile reference;   ///< the surface that it is of; none: the mesh as given
+  FeatureRules rules;
+  ReferenceFile reference;  ///< the surface that it is of; none: the mesh as given
   SlidingBoundary boundary;
   std::shared_ptr<const ElementNormals> normals;
 };

@@ -1,11 +1,13 @@
 #include "core/vcv/vcv_edit.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
 
 #include "core/error.h"
+#include "core/mesh/surface_faces.h"
 
 namespace winslow {
 
@@ -84,11 +86,33 @@ VcvEdit edit_of(const VirtualControlVolumes& vcv, Index node) {
   return edit;
 }
 
+namespace {
+
+/// The neighbours of a node of a surface, its tangent plane turned into the one with this normal.
+std::vector<Vec2> around_in_plane_of(const Topology& topology, const Coordinates& x, Index node,
+                                     const Vec3& normal) {
+  const SpacePoints points(x);
+  const Eigen::Quaterniond turn =
+      Eigen::Quaterniond::FromTwoVectors(star_normal(topology, points, node), normal);
+  const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
+  std::vector<Vec2> flat;
+  for (const Index k : topology.neighbours(node)) {
+    const Vec3 arm = turn * (points[k] - points[node]);
+    flat.emplace_back(u.dot(arm), v.dot(arm));
+  }
+  return flat;
+}
+
+}  // namespace
+
 std::vector<VcvEdit> spread_vcv(const VirtualControlVolumes& vcv, const Coordinates& x,
                                 Index source, std::span<const Index> targets) {
   const Topology& topology = vcv.topology();
+  const Vec3 normal =
+      is_surface(topology) ? star_normal(topology, SpacePoints(x), source) : Vec3(Vec3::UnitZ());
   const auto around = [&](Index node) {
     std::vector<Vec2> points;
+    if (is_surface(topology)) return around_in_plane_of(topology, x, node, normal);
     for (const Index k : topology.neighbours(node)) points.push_back(x.xy(k) - x.xy(node));
     return points;
   };

@@ -41,8 +41,10 @@ VcvEdit edit_of(const VirtualControlVolumes& vcv, Index node);
 std::size_t matching_shift(std::span<const Vec2> from, std::span<const Vec2> to);
 
 /// Edits that give the VCV of one node to others with as many neighbours, each turned so that its
-/// edges belong to neighbours in nearly the same directions in the mesh x (#nodes by 2). Throws
-/// UsageError for a target with another number of neighbours, or without a VCV.
+/// edges belong to neighbours in nearly the same directions in the mesh x (#nodes by 2). Of a
+/// surface mesh (x: #nodes by 3) directions are those in the tangent planes, that of the target
+/// turned into the source's by the smallest rotation. Throws UsageError for a target with another
+/// number of neighbours, or without a VCV.
 std::vector<VcvEdit> spread_vcv(const VirtualControlVolumes& vcv, const Coordinates& x,
                                 Index source, std::span<const Index> targets);
 

@@ -82,7 +82,8 @@ DialogKind dialog_of(FilePurpose purpose, MeshKind kind) {
               {{"All films", {".mp4", ".gif"}}, {"MP4", {".mp4"}}, {"GIF", {".gif"}}},
               "",
               true};
-    case FilePurpose::reference: {
+    case FilePurpose::reference:
+    case FilePurpose::step_reference: {
       DialogKind surface{"A surface for nodes to slide on", "Use", false, mesh_kinds({}), ""};
       surface.kinds.push_back({"All files", {}});
       return surface;

@@ -24,7 +24,8 @@ enum class FilePurpose {
   export_convergence,
   picture,
   recording,
-  reference
+  reference,
+  step_reference  ///< of a step that is being edited
 };
 
 /// What a file dialog says and accepts. TO ADD A PURPOSE, add it to dialog_of in file_kinds.cpp and

@@ -227,6 +227,58 @@ ContextPart of_body(const PanelContext& context, const std::vector<Index>& marke
   return part;
 }
 
+/// One of what a node of the boundary can be told to do.
+UserCommand override_to(const PanelContext& context, Index node, NodeOverride to,
+                        UserCommand command) {
+  const NodeOverride now = override_of(context.session.jobs().smooth_options().slide, node);
+  command.checked = [on = now == to](const PanelContext&) { return on; };
+  command.run = [node, to](const PanelContext& c) { c.emit(action::OverrideNode{node, to}); };
+  return command;
+}
+
+/// What a node is told to do instead of what was found of it, where that is shown.
+std::vector<UserCommand> overrides_of(const PanelContext& context, Index node) {
+  // All nodes of a surface mesh slide.
+  const bool boundary =
+      context.session.kind() == MeshKind::surface || context.topology()->on_boundary(node);
+  if (!context.view.roles || !boundary) return {};
+  const auto roles = boundary_roles(context.session).find();
+  const bool known = roles && at(node) < roles->roles.size();
+  const NodeOverride now = override_of(context.session.jobs().smooth_options().slide, node);
+  const bool periodic = known && roles->roles[at(node)] == NodeRole::periodic;
+  const bool bends = known && std::ranges::binary_search(roles->bends, node);
+  const bool turns = bends || now == NodeOverride::slide;
+  UserCommand hold{.id = "node/hold",
+                   .label = "Hold this node",
+                   .tooltip =
+                       "It stays where it is while the mesh is smoothed, though it would "
+                       "slide. Undo takes it back.",
+                   .blocked = [periodic](const PanelContext& c) -> std::string {
+                     if (std::string busy = while_busy(c); !busy.empty()) return busy;
+                     return periodic ? "It moves together with its partner of a periodic pair."
+                                     : "";
+                   },
+                   .starts_section = true};
+  UserCommand slide{.id = "node/slide",
+                    .label = "Let it slide",
+                    .tooltip =
+                        "It is no corner, however much the boundary turns there: it slides "
+                        "on the curve or the surface through it. Undo takes it back.",
+                    .blocked = [turns](const PanelContext& c) -> std::string {
+                      if (std::string busy = while_busy(c); !busy.empty()) return busy;
+                      return turns ? ""
+                                   : "Only for a node that the feature angle alone makes a corner "
+                                     "of what slides.";
+                    }};
+  UserCommand none{.id = "node/as_found",
+                   .label = "As found",
+                   .tooltip = "It does what the feature angle says.",
+                   .blocked = while_busy};
+  return {override_to(context, node, NodeOverride::hold, std::move(hold)),
+          override_to(context, node, NodeOverride::slide, std::move(slide)),
+          override_to(context, node, NodeOverride::none, std::move(none))};
+}
+
 ContextPart of_node(const PanelContext& context, Index node) {
   const bool pinned = std::ranges::binary_search(context.session.nodes().pinned(), node);
   const auto boundary = [node](const PanelContext& c) -> std::string {
@@ -242,14 +294,7 @@ ContextPart of_node(const PanelContext& context, Index node) {
                    {.id = "node/pin",
                     .label = "Pin its control volume",
                     .tooltip = "Keep it drawn over the mesh, in pictures, too.",
-                    .blocked =
-                        [boundary](const PanelContext& c) {
-                          return c.session.kind() == MeshKind::surface
-                                     ? std::string(
-                                           "Not for surface meshes: control volumes are "
-                                           "drawn in the tab VCV alone.")
-                                     : boundary(c);
-                        },
+                    .blocked = boundary,
                     .checked = [pinned](const PanelContext&) { return pinned; },
                     .run =
                         [node, pinned](const PanelContext& c) {
@@ -262,6 +307,8 @@ ContextPart of_node(const PanelContext& context, Index node) {
                    copying("node/copy_place", "Copy coordinates", node_place(context, node)),
                    copying("node/copy_id", "Copy node number", std::to_string(node))};
   if (context.session.in_space()) part.commands.push_back(describing("node/describe", item));
+  for (UserCommand& command : overrides_of(context, node))
+    part.commands.push_back(std::move(command));
   return part;
 }
 

@@ -14,6 +14,19 @@ const History* history(const PanelContext& context) {
 
 bool busy(const PanelContext& context) { return context.session.in_motion(); }
 
+/// What was told to a node last, at this mesh.
+std::string undoable_override(const PanelContext& context) {
+  const Document* document = context.session.document();
+  return document && !busy(context)
+             ? context.session.jobs().overrides().undoable(document->edits().revision())
+             : std::string();
+}
+std::string redoable_override(const PanelContext& context) {
+  const Document* document = context.session.document();
+  return document ? context.session.jobs().overrides().redoable(document->edits().revision())
+                  : std::string();
+}
+
 UserCommand undo() {
   return {.id = "undo",
           .label = "Undo",
@@ -22,10 +35,13 @@ UserCommand undo() {
           .tooltip = "Undo the last command.",
           .blocked = [](const PanelContext& c) -> std::string {
             if (!history(c)) return without_mesh(c);
-            return busy(c) || history(c)->can_undo() ? "" : "There is nothing to undo.";
+            return busy(c) || history(c)->can_undo() || !undoable_override(c).empty()
+                       ? ""
+                       : "There is nothing to undo.";
           },
           .run = [](const PanelContext& c) { c.emit(action::Undo{}); },
           .label_now = [](const PanelContext& c) -> std::string {
+            if (const auto what = undoable_override(c); !what.empty()) return "Undo: " + what;
             if (!history(c) || !history(c)->can_undo()) return "Undo";
             return "Undo: " + describe(history(c)->command(history(c)->position()));
           }};
@@ -39,10 +55,13 @@ UserCommand redo() {
           .tooltip = "Do again what was undone.",
           .blocked = [](const PanelContext& c) -> std::string {
             if (!while_busy(c).empty()) return while_busy(c);
-            return history(c)->can_redo() ? "" : "There is nothing to redo.";
+            return history(c)->can_redo() || !redoable_override(c).empty()
+                       ? ""
+                       : "There is nothing to redo.";
           },
           .run = [](const PanelContext& c) { c.emit(action::Redo{}); },
           .label_now = [](const PanelContext& c) -> std::string {
+            if (const auto what = redoable_override(c); !what.empty()) return "Redo: " + what;
             if (!history(c) || !history(c)->can_redo()) return "Redo";
             return "Redo: " + describe(history(c)->command(history(c)->position() + 1));
           }};

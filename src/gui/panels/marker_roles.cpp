@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <vector>
 
 #include "gui/document/jobs/periodic_sides.h"
+#include "gui/panels/reference_row.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -125,35 +125,17 @@ void MarkerRoles::draw_angle(const PanelContext& context, SlideOptions slide) {
   show_preview(context, editing);
 }
 
-/// The file whose surface nodes slide on, with a button that lets go of it.
 void MarkerRoles::draw_reference(const PanelContext& context) {
   const Jobs& jobs = context.session.jobs();
-  const std::string& name = jobs.smooth_options().slide.reference.name;
-  const std::filesystem::path reading = jobs.reading_reference();
-  std::string tip =
-      "The surface that nodes slide on: that of the mesh as it is, or that of a file, from CAD or "
-      "a scan, onto which they are put first. It must be in the unit of the mesh and lie where the "
-      "mesh is, and be at least as fine: between its nodes its shape is a guess. Click to choose a "
-      "file.";
-  if (!name.empty()) tip = name + "\n" + tip;
-  ui::row("Reference surface", tip);
-  const std::string given = std::filesystem::path(name).filename().string();
-  const std::string label = !reading.empty() ? "Reading " + reading.filename().string() + " ..."
-                            : name.empty()   ? "The mesh's own"
-                                             : given;
-  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  const bool clears = !name.empty() || !reading.empty();
-  const float side = clears ? ImGui::GetFrameHeight() + gap : 0;
-  const float room = std::max(ImGui::GetContentRegionAvail().x - side, context.theme.px(40));
-  const float within = room - 2 * ImGui::GetStyle().FramePadding.x;
-  if (ui::button("markers/reference", ui::elided(label, within), {.tooltip = tip, .width = room}))
-    context.emit(action::ShowFileDialog{FilePurpose::reference});
-  if (!clears) return;
-  ImGui::SameLine(0, gap);
-  if (ui::button("markers/reference_none", "x",
-                 {.tooltip = "Nodes slide on the mesh's own surface again.",
-                  .width = ImGui::GetFrameHeight()}))
-    context.emit(action::ChooseReference{});
+  switch (reference_row(context.theme, "markers/reference",
+                        jobs.smooth_options().slide.reference.name, jobs.reading_reference())) {
+    case ReferenceAsk::choose:
+      return context.emit(action::ShowFileDialog{FilePurpose::reference});
+    case ReferenceAsk::clear:
+      return context.emit(action::ChooseReference{});
+    case ReferenceAsk::nothing:
+      break;
+  }
 }
 
 void MarkerRoles::show_preview(const PanelContext& context, bool on) {

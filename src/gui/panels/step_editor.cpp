@@ -4,13 +4,13 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
+#include <system_error>
 
 #include "core/command/option_tables.h"
 #include "core/error.h"
 #include "gui/base/text.h"
 #include "gui/panels/forms/command_form.h"
+#include "gui/panels/reference_row.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -38,10 +38,51 @@ void StepEditor::open(std::size_t position, Command command) {
   title_ = "Step " + std::to_string(position) + ": " + describe(command_);
   generation_ = 0;
   open_ = wanted_ = true;
+  aside_ = false;
+}
+
+std::string StepEditor::reference() {
+  const SmoothOptions* options = smooth_options(command_);
+  return options ? options->slide.reference.name : std::string();
+}
+
+void StepEditor::set_reference(const std::filesystem::path& file) {
+  SmoothOptions* options = smooth_options(command_);
+  if (!open_ || !options) return;
+  // Recipes and sessions are read elsewhere.
+  std::error_code failed;
+  const std::filesystem::path whole = std::filesystem::absolute(file, failed);
+  options->slide.reference = {(failed ? file : whole.lexically_normal()).string(), nullptr};
+}
+
+void StepEditor::draw_fields(const PanelContext& context) {
+  SmoothOptions* options = smooth_options(command_);
+  const MeshKind kind = context.session.kind();
+  const bool slides = options && (kind == MeshKind::surface ||
+                                  (kind == MeshKind::volume && !options->slide.markers.empty()));
+  if (!slides) {
+    ui::command_form("edit", command_, kind);
+    return;
+  }
+  // It has a row of its own, which can choose a file.
+  const std::string name = std::exchange(options->slide.reference.name, {});
+  ui::command_form("edit", command_, kind);
+  options = smooth_options(command_);
+  options->slide.reference.name = name;
+  switch (reference_row(context.theme, "edit/reference", name)) {
+    case ReferenceAsk::choose:
+      aside_ = true;
+      return context.emit(action::ShowFileDialog{FilePurpose::step_reference});
+    case ReferenceAsk::clear:
+      options->slide.reference = {};
+      break;
+    case ReferenceAsk::nothing:
+      break;
+  }
 }
 
 void StepEditor::draw(const PanelContext& context) {
-  if (!open_) return;
+  if (!open_ || aside_) return;
   if (wanted_) ImGui::OpenPopup(step_popup);
   if (generation_ == 0) generation_ = context.session.generation();
   wanted_ = false;
@@ -62,9 +103,10 @@ void StepEditor::draw(const PanelContext& context) {
     ui::note("edit/title");
     const float footer = 2 * ImGui::GetFrameHeightWithSpacing() + context.theme.px(8);
     ImGui::BeginChild("fields", ImVec2(0, -footer));
-    ui::command_form("edit", command_, context.session.kind());
+    draw_fields(context);
     ImGui::EndChild();
     draw_footer(context);
+    if (aside_) ImGui::CloseCurrentPopup();
     // A file was dropped on the window meanwhile.
     if (generation_ != context.session.generation()) close();
     ImGui::EndPopup();
@@ -100,7 +142,7 @@ void StepEditor::draw_footer(const PanelContext& context) {
 }
 
 void StepEditor::close() {
-  open_ = false;
+  open_ = aside_ = false;
   ImGui::CloseCurrentPopup();
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
+#include <utility>
 
 #include "gui/panels/panel.h"
 
@@ -15,11 +17,19 @@ class StepEditor : public Panel {
   bool is_open() const { return open_; }
   void draw(const PanelContext& context) override;
 
+  /// The file whose surface the nodes of the command slide on; empty: none.
+  std::string reference();
+  void set_reference(const std::filesystem::path& file);
+  /// Comes up again if it made room for a dialog of files, which is closed by now.
+  void show_again() { wanted_ = wanted_ || std::exchange(aside_, false); }
+
  private:
+  void draw_fields(const PanelContext& context);
   void draw_footer(const PanelContext& context);
   void close();
 
   bool open_ = false, wanted_ = false;
+  bool aside_ = false;  // while a file is chosen
   std::size_t position_ = 0;
   std::uint64_t generation_ = 0;  // of the mesh whose command it is; 0: not known yet
   std::string title_;

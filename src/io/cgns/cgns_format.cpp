@@ -12,6 +12,7 @@ const MeshFormat format{
     .volumes = "yes, unstructured zones",
     .writes_volumes = true,
     .keeps_markers = true,
+    .keeps_periodic = true,
     .missing = no_library,
     .recognise =
         [](const Content& content) {

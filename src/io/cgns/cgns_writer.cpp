@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "io/cgns/cgns.h"
 #include "io/cgns/zone_writer.h"
+#include "io/format/periodicity.h"
 
 namespace winslow::io::cgns {
 namespace {
@@ -25,11 +27,20 @@ bool has_start_offsets(const Node& root) {
   return version == 3400 || version >= 4000;
 }
 
+/// Connections go back with the tree that they were read from, and are not made anew.
+void warn_of_pairs(const FormatDetails* details, std::vector<std::string>& warnings) {
+  if (details == nullptr || !details->periodic) return;
+  if (const std::string names = named_pairs(*details->periodic); !names.empty())
+    warnings.push_back("the periodic pairs of the source (" + names + ") are not written");
+}
+
 NodePtr with_zone(const NodePtr& root, const Mesh& mesh, const Details& details,
                   std::vector<std::string>& warnings) {
   const NodePtr base = child_named(*root, details.base_name);
   const NodePtr zone = child_named(base->content(), details.zone_name);
+  if (!details.fits(mesh)) warn_of_pairs(&details, warnings);
   if (details.fits(mesh)) {
+    std::ranges::move(stale_pairs(details, mesh), std::back_inserter(warnings));
     const NodePtr moved = moved_zone(zone, mesh, details, warnings);
     return with_child(*root, *base, with_child(*base, *zone, moved));
   }
@@ -119,6 +130,7 @@ std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const Format
   std::vector<std::string> warnings;
   const auto* own = dynamic_cast<const Details*>(details);
   if (own == nullptr) {
+    warn_of_pairs(details, warnings);
     put(out, *new_tree(mesh, details, warnings), container_for(options, Container::hdf5));
     return warnings;
   }

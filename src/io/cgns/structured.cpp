@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "io/cgns/zone_periodic.h"
+
 namespace winslow::io::cgns {
 namespace {
 
@@ -79,12 +81,6 @@ double extent(const std::vector<double>& values) {
   return *high - *low;
 }
 
-/// The zone that a connection leads to: "Zone" or "Base/Zone".
-bool leads_to(const NodeView& connection, const std::string& zone) {
-  const std::string donor = connection.text();
-  return donor == zone || donor.ends_with("/" + zone);
-}
-
 class CutJoiner {
  public:
   CutJoiner(const Lattice& lattice, const std::vector<double>& x, const std::vector<double>& y)
@@ -132,11 +128,6 @@ class CutJoiner {
   Joined joined_;
 };
 
-bool is_periodic(const NodeView& connection) {
-  const auto property = connection.first("GridConnectivityProperty_t");
-  return property && property->first("Periodic_t");
-}
-
 }  // namespace
 
 Lattice make_lattice(const NodeView& zone, const ZoneHead& head, const std::vector<double>& x,
@@ -161,6 +152,27 @@ Lattice make_lattice(const NodeView& zone, const ZoneHead& head, const std::vect
   }
   joiner.number(lattice);
   return lattice;
+}
+
+std::vector<PeriodicPair> lattice_pairs(const NodeView& connection, const Lattice& lattice) {
+  const auto pairs = read_pairs(connection);
+  if (!pairs) return {};
+  std::vector<PeriodicPair> out;
+  const auto steps = pairs->steps();
+  const auto inside = [&](const Point& p) {
+    if (!lattice.has(p[0], p[1]))
+      connection.fail("vertex " + shown(p) + " of a periodic side", "one of the zone");
+  };
+  inside(pairs->begin);
+  inside(pairs->end);
+  for (std::int64_t b = 0; b <= steps[1]; ++b) {
+    for (std::int64_t a = 0; a <= steps[0]; ++a) {
+      const Point p = pairs->vertex(a, b), q = pairs->donor_of(p);
+      inside(q);
+      out.push_back({lattice.node(p[0], p[1]), lattice.node(q[0], q[1])});
+    }
+  }
+  return out;
 }
 
 void add_cells(const Lattice& lattice, const std::vector<double>& x, const std::vector<double>& y,

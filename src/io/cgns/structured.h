@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/periodic_pairs.h"
 #include "core/mesh/mesh_data.h"
 #include "io/cgns/point_set.h"
 #include "io/cgns/zones.h"
@@ -31,6 +32,9 @@ struct Lattice {
 Lattice make_lattice(const NodeView& zone, const ZoneHead& head, const std::vector<double>& x,
                      const std::vector<double>& y, std::vector<std::string>& joined,
                      std::vector<std::string>& warnings);
+
+/// The pairs of nodes of a one-to-one connection of the zone to itself.
+std::vector<PeriodicPair> lattice_pairs(const NodeView& connection, const Lattice& lattice);
 
 /// Adds the cells as quadrilaterals, i running fastest, all turned if (i, j) is left-handed.
 void add_cells(const Lattice& lattice, const std::vector<double>& x, const std::vector<double>& y,

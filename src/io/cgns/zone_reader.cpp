@@ -5,6 +5,7 @@
 #include "io/cgns/structured.h"
 #include "io/cgns/unstructured.h"
 #include "io/cgns/zone_markers.h"
+#include "io/cgns/zone_periodic.h"
 #include "io/cgns/zone_regions.h"
 
 namespace winslow::io::cgns {
@@ -36,6 +37,9 @@ class ZoneReader {
       place_nodes(grid, places, {});
       const UnstructuredBoundary boundary(mesh_.data, sides, head_);
       make_markers(zone_, head_, boundary, sides, {}, mesh_, *details_);
+      read_periodic(boundary, [&](const NodeView& connection) {
+        return listed_pairs(connection, head_.vertex_count);
+      });
       read_regions(zone_, sides.numbers, mesh_.data, mesh_.warnings);
     }
     warn_of_other_grids();
@@ -56,6 +60,14 @@ class ZoneReader {
     if (!joined.empty()) details_->node_of_vertex = lattice.node_of_vertex;
     const StructuredBoundary boundary(lattice, mesh_.data);
     make_markers(zone_, head_, boundary, {}, joined, mesh_, *details_);
+    read_periodic(boundary,
+                  [&](const NodeView& connection) { return lattice_pairs(connection, lattice); });
+  }
+
+  void read_periodic(const ZoneBoundary& boundary, const VertexPairs& pairs_of) {
+    details_->periodic = std::make_shared<GivenPeriodicity>();
+    details_->periodic->pairs =
+        cgns::periodic_pairs(zone_, head_, boundary, pairs_of, mesh_.data, mesh_.warnings);
   }
 
   /// vertices: of each node; empty: the nodes are the vertices.

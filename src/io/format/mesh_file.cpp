@@ -7,7 +7,6 @@
 #include "io/format/marker_overlap.h"
 #include "io/format/mesh_format.h"
 #include "io/format/periodicity.h"
-#include "io/format/plane_placement.h"
 
 namespace winslow::io {
 namespace {
@@ -178,11 +177,6 @@ std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,
     if (zone.details == nullptr || !zone.details->periodic || format->keeps_periodic) continue;
     if (const std::string names = named_pairs(*zone.details->periodic); !names.empty())
       warnings.push_back("the periodic pairs of the source (" + names + ") are not written");
-  }
-  if (details != nullptr && details->plane && format->plane_only) {
-    warnings.push_back("a " + std::string(format->title) + " file has two coordinates: those in " +
-                       details->plane->plane_text() + ", " + details->plane->axes_text() +
-                       ", are written, and where the plane lies is lost");
   }
   for (std::string& warning : warnings) warning = path.string() + ": " + warning;
   return warnings;

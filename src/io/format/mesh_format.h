@@ -53,7 +53,6 @@ struct MeshFormat {
   bool keeps_markers = false;
   bool keeps_periodic = false;  ///< what it says of periodic sides is its writer's affair
   bool has_binary = false;
-  bool plane_only = false;  ///< two coordinates: a plane in space cannot be put back
   /// Why this build of the program can neither read nor write it; empty: it can.
   std::string_view missing = {};
 

@@ -79,7 +79,8 @@ json write_value(const OptionValue& option) {
           return json::array({v.x(), v.y(), v.z()});
         } else if constexpr (std::is_same_v<Kind, OptionalRealOption>) {
           return *of.value ? json(ObjectWriter::write(**of.value)) : json();
-        } else if constexpr (std::is_same_v<Kind, FileOption>) {
+        } else if constexpr (std::is_same_v<Kind, FileOption> ||
+                             std::is_same_v<Kind, NodesOption>) {
           return of.value->empty() ? json() : json(*of.value);
         } else {
           return ObjectWriter::write(*of.value);

@@ -10,7 +10,8 @@
 #include "io/format/mesh_format.h"
 
 /// SU2 native format, https://su2code.github.io/docs_v7/Mesh-File/, of two and of three
-/// dimensions.
+/// dimensions; and, what SU2 itself has no use for, surfaces: NDIME= 3 with triangles,
+/// quadrilaterals and markers of lines.
 namespace winslow::io::su2 {
 
 /// A node that a free-form deformation box lists, and where it lay in the file.
@@ -28,6 +29,7 @@ struct Details : FormatDetails {
     std::string text;  ///< Part::text: bytes as they are. Part::points: what follows the count.
   };
   std::vector<Item> items;
+  int dimension = 2;            ///< NDIME=
   std::string line_end = "\n";  ///< or "\r\n", as in the source
   bool element_numbers = false;
   bool point_numbers = false;
@@ -51,8 +53,9 @@ extern const MeshFormat format;
 ParsedMesh read_zone(Source& source, int zone);
 
 /// Points are written as they were read: what follows the coordinates, be it a third one of a plane
-/// mesh or a second number, goes back as it came, a number that counts from 0 is written anew. Of a
-/// file of several zones the one of the details is written, as a file of its own.
+/// mesh or a second number, goes back as it came, a number that counts from 0 is written anew. A
+/// plane mesh has NDIME= 2, unless it came from an SU2 file with NDIME= 3. Of a file of several
+/// zones the one of the details is written, as a file of its own.
 /// source: details of the file that the mesh came from, of this format or of another; may be null.
 std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* source);
 /// Zones of one file; those that are not among them are written as they were.

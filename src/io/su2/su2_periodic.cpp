@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
 
 #include "core/options/option.h"
-#include "core/search/box_tree.h"
+#include "io/format/matched_sides.h"
 #include "io/text/numbers.h"
 
 namespace winslow::io::su2 {
@@ -34,30 +33,10 @@ Vec3 read_vector(LineReader& lines, std::string_view key, const Expected& expect
   return vector;
 }
 
-/// Angles in radians about x, then y, then z, about a centre, then a translation.
-RigidImage image_of(const Vec3& centre, const Vec3& angles, const Vec3& translation) {
-  const Eigen::Matrix3d rotation =
-      (Eigen::AngleAxisd(angles.z(), Vec3::UnitZ()) * Eigen::AngleAxisd(angles.y(), Vec3::UnitY()) *
-       Eigen::AngleAxisd(angles.x(), Vec3::UnitX()))
-          .toRotationMatrix();
-  return {rotation, centre + translation - rotation * centre};
-}
-
 std::int64_t integer(LineReader& lines, std::string_view word, const std::string& expected) {
   const auto value = parse_integer(word);
   if (!value) lines.fail(word, expected);
   return *value;
-}
-
-Vec3 place_of(const Coordinates& x, Index node) {
-  if (x.dimension() == 3) return x.xyz(node);
-  return {x.xy(node).x(), x.xy(node).y(), 0};
-}
-
-std::vector<Index> nodes_of(const Marker& marker) {
-  std::set<Index> nodes;
-  for (const Face& face : marker.faces) nodes.insert(face.begin(), face.end());
-  return {nodes.begin(), nodes.end()};
 }
 
 bool all_in(const std::vector<Index>& nodes, const std::set<Index>& set) {
@@ -96,34 +75,6 @@ void add_group(const Group& group, const MeshData& data,
     given->second = data.markers[*group.second].name;
     if (!given->pairs.empty()) out.push_back(std::move(*given));
   }
-}
-
-/// Nodes of the second marker that an image takes those of the first to; empty: it does not.
-std::vector<PeriodicPair> matched(const RigidImage& image, const std::vector<Index>& first,
-                                  const std::vector<Index>& second, const Coordinates& x,
-                                  double near) {
-  std::vector<Vec3> places;
-  for (const Index node : second) places.push_back(place_of(x, node));
-  const BoxTree<3> tree{std::span<const Vec3>(places)};
-  std::vector<PeriodicPair> pairs;
-  std::set<Index> taken;
-  for (const Index node : first) {
-    const auto nearest = tree.nearest(image.of(place_of(x, node)), near);
-    if (!nearest || nearest->distance > near) return {};
-    const Index partner = second[static_cast<std::size_t>(nearest->item)];
-    if (!taken.insert(partner).second) return {};
-    pairs.push_back({node, partner});
-  }
-  return pairs;
-}
-
-double shortest_edge(const Marker& marker, const Coordinates& x) {
-  double shortest = std::numeric_limits<double>::infinity();
-  for (const Face& face : marker.faces)
-    for (std::size_t k = 0; k < face.size(); ++k)
-      shortest = std::min(shortest,
-                          (place_of(x, face[k]) - place_of(x, face[(k + 1) % face.size()])).norm());
-  return shortest;
 }
 
 }  // namespace
@@ -206,7 +157,7 @@ std::vector<GivenPairs> PeriodicSections::pairs_of(const Source& source,
   if (lists_.empty() && transformations_.empty()) return {};
   const auto points = points_by_transformation(source, data.node_count());
   std::vector<std::vector<Index>> markers;
-  for (const Marker& marker : data.markers) markers.push_back(nodes_of(marker));
+  for (const Marker& marker : data.markers) markers.push_back(nodes_of(marker.faces));
   if (points.empty()) return by_place(data, markers);
   std::vector<GivenPairs> out;
   std::vector<Group> halos;
@@ -243,7 +194,7 @@ std::vector<GivenPairs> PeriodicSections::by_place(
         if (taken.contains(a) || taken.contains(b)) continue;
         GivenPairs given{data.markers[a].name, data.markers[b].name, {}, {}};
         given.pairs = matched(one.image, markers[a], markers[b], data.coordinates,
-                              share * shortest_edge(data.markers[a], data.coordinates));
+                              share * shortest_edge(data.markers[a].faces, data.coordinates));
         if (given.pairs.empty()) continue;
         taken.insert({a, b});
         out.push_back(std::move(given));

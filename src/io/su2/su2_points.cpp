@@ -59,18 +59,17 @@ class Tails {
 
 }  // namespace
 
-bool read_points(LineReader& lines, Index count, int dimension, ParsedMesh& mesh,
-                 Details& details) {
+bool read_points(LineReader& lines, int dimension, std::span<double> values,
+                 std::vector<std::size_t>& places, Details& details) {
   static constexpr std::array<const char*, 3> names{"point", "y of point", "z of point"};
-  mesh.data.coordinates = Coordinates(dimension, count);
-  const auto values = mesh.data.coordinates.values();
+  const auto count = static_cast<Index>(values.size() / static_cast<std::size_t>(dimension));
   std::size_t at = 0;
-  mesh.where.nodes.reserve(static_cast<std::size_t>(count));
+  places.reserve(static_cast<std::size_t>(count));
   Tails tails(count);
   for (Index i = 0; i < count; ++i) {
     const Expected expected{"point", i, count};
     const Line line = lines.next_data(expected);
-    mesh.where.nodes.push_back(lines.source().offset_of(line.text));
+    places.push_back(lines.source().offset_of(line.text));
     LineWords words(line.text);
     std::string_view word;
     for (int k = 0; k < dimension; ++k) {

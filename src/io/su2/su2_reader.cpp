@@ -23,13 +23,13 @@ constexpr std::string_view keywords =
 
 class Reader {
  public:
-  /// dimension: that of the zone, if the file says it anywhere; else 0.
-  Reader(const Source& source, const ZoneList::Zone& zone, int dimension)
+  Reader(const Source& source, const ZoneList::Zone& zone, const Dimensions& dimensions)
       : source_(source),
         lines_(source, zone.begin, zone.end),
         end_(zone.end),
-        dimension_(dimension == 0 ? 2 : dimension) {
+        dimensions_(dimensions) {
     mesh_.details = details_;
+    details_->dimension = dimensions.space;
     details_->line_end = first_line_end();
   }
 
@@ -148,7 +148,8 @@ class Reader {
     const Index n = count(l.value, "the number of elements", 8);
     mesh_.data.types.reserve(static_cast<std::size_t>(n));
     mesh_.data.element_offsets.reserve(static_cast<std::size_t>(n) + 1);
-    mesh_.data.element_nodes.reserve(static_cast<std::size_t>(n) * (dimension_ == 2 ? 3 : 4));
+    mesh_.data.element_nodes.reserve(static_cast<std::size_t>(n) *
+                                     (dimensions_.cells == 2 ? 3 : 4));
     mesh_.where.elements.reserve(static_cast<std::size_t>(n));
     for (Index e = 0; e < n; ++e) {
       const Expected expected{"element", e, n};
@@ -168,10 +169,10 @@ class Reader {
   ElementType element_type(std::string_view word, const Expected& expected) const {
     const auto type = parse_integer(word);
     if (!type) lines_.fail(word, expected.text());
-    if (const auto element = element_of(*type, dimension_)) return *element;
+    if (const auto element = element_of(*type, dimensions_.cells)) return *element;
     source_.fail(source_.offset_of(word),
-                 "element type " + std::string(word) + type_hint(*type, dimension_, false),
-                 element_list(dimension_));
+                 "element type " + std::string(word) + type_hint(*type, dimensions_, false),
+                 element_list(dimensions_.cells));
   }
 
   void read_point_section(const Line& l) {
@@ -186,8 +187,21 @@ class Reader {
           "boundary or of other parts of a partitioned mesh");
     }
     details_->items.back().text = owned;
-    renumbered_ |= read_points(lines_, n, dimension_, mesh_, *details_);
+    renumbered_ |=
+        read_points(lines_, dimensions_.space, room_for(n), mesh_.where.nodes, *details_);
   }
+
+  /// Where the coordinates of the points go. Those of surfaces, which may lie in a plane, are
+  /// settled at the end.
+  std::span<double> room_for(Index points) {
+    if (of_surface()) {
+      xyz_.resize(3 * static_cast<std::size_t>(points));
+      return xyz_;
+    }
+    mesh_.data.coordinates = Coordinates(dimensions_.space, points);
+    return mesh_.data.coordinates.values();
+  }
+  bool of_surface() const { return dimensions_.cells < dimensions_.space; }
 
   void read_marker_count(const Line& l) {
     once(l, Details::Part::marker_count);
@@ -212,7 +226,7 @@ class Reader {
     std::vector<std::size_t> offsets;
     offsets.reserve(static_cast<std::size_t>(n));
     for (Index e = 0; e < n; ++e) {
-      const Expected expected{dimension_ == 2 ? "marker edge" : "marker face", e, n};
+      const Expected expected{dimensions_.cells == 2 ? "marker edge" : "marker face", e, n};
       const Line data = lines_.next_data(expected);
       offsets.push_back(source_.offset_of(data.text));
       LineWords words(data.text);
@@ -227,11 +241,11 @@ class Reader {
     const auto word = words.next();
     const auto type = parse_integer(word);
     if (!type) lines_.fail(word, expected.text());
-    const std::size_t size = face_corners(*type, dimension_);
+    const std::size_t size = face_corners(*type, dimensions_.cells);
     if (size == 0) {
       source_.fail(source_.offset_of(word),
-                   "marker element type " + std::string(word) + type_hint(*type, dimension_, true),
-                   dimension_ == 2 ? "3 (line)" : element_list(2));
+                   "marker element type " + std::string(word) + type_hint(*type, dimensions_, true),
+                   dimensions_.cells == 2 ? "3 (line)" : element_list(2));
     }
     std::array<Index, 4> corners{};
     const std::span<Index> used(corners.data(), size);
@@ -266,6 +280,7 @@ class Reader {
                    std::to_string(*marker_count_) + " as NMARK= says");
     }
     add_warnings();
+    if (of_surface()) set_nodes(source_, xyz_, mesh_);
     details_->nodes = mesh_.data.node_count();
     details_->elements = mesh_.data.element_count();
     details_->markers = mesh_.data.markers.size();
@@ -295,8 +310,9 @@ class Reader {
   const Source& source_;
   LineReader lines_;
   std::size_t end_;
-  int dimension_;
+  Dimensions dimensions_;
   ParsedMesh mesh_;
+  std::vector<double> xyz_;  // of the points of a surface mesh
   std::shared_ptr<Details> details_ = std::make_shared<Details>();
   std::optional<Index> marker_count_;
   std::size_t marker_count_offset_ = 0;
@@ -307,18 +323,46 @@ class Reader {
   bool renumbered_ = false;
 };
 
-/// What the first line NDIME= of a part of the file says; 0: it has none. Points may come before
-/// it, and cannot be read without.
-int stated_dimension(const Source& source, std::size_t begin, std::size_t end) {
+/// The first line "KEY=" of a part of the file.
+std::optional<Line> find_line(const Source& source, std::size_t begin, std::size_t end,
+                              std::string_view key) {
   const auto text = source.text().substr(0, end);
-  for (auto at = text.find("NDIME", begin); at != std::string_view::npos;
-       at = text.find("NDIME", at + 1)) {
+  for (auto at = text.find(key, begin); at != std::string_view::npos; at = text.find(key, at + 1)) {
     const auto newline = text.rfind('\n', at);
     const std::size_t line_begin = newline == std::string_view::npos ? 0 : newline + 1;
     const Line l = LineReader(source, line_begin, end).next();
-    if (l.key == "NDIME") return l.value == "2" ? 2 : l.value == "3" ? 3 : 0;
+    if (l.key == key) return l;
   }
-  return 0;
+  return std::nullopt;
+}
+
+/// What the first line NDIME= of a part of the file says; 0: it has none. Points may come before
+/// it, and cannot be read without.
+int stated_dimension(const Source& source, std::size_t begin, std::size_t end) {
+  const auto l = find_line(source, begin, end, "NDIME");
+  return !l ? 0 : l->value == "2" ? 2 : l->value == "3" ? 3 : 0;
+}
+
+/// Elements in space are those of a surface if the first of them is. Markers, which may come before
+/// them, are lines then, and points may lie in a plane.
+bool has_surface_elements(const Source& source, const ZoneList::Zone& zone) {
+  const auto head = find_line(source, zone.begin, zone.end, "NELEM");
+  if (!head) return false;
+  LineReader lines(source, head->offset, zone.end);
+  lines.next();
+  while (!lines.at_end()) {
+    const Line line = lines.next();
+    if (line.blank()) continue;
+    const auto type = parse_integer(LineWords(line.text).next());
+    return type && element_of(*type, 2);
+  }
+  return false;
+}
+
+/// space: as the file says anywhere; 0: nowhere.
+Dimensions dimensions_of(const Source& source, const ZoneList::Zone& zone, int space) {
+  if (space != 3) return {2, 2};
+  return {3, has_surface_elements(source, zone) ? 2 : 3};
 }
 
 }  // namespace
@@ -330,7 +374,7 @@ ParsedMesh read_zone(Source& source, int number) {
   const int own = stated_dimension(source, zone.begin, zone.end);
   // What stands before the first zone may say it for all of them.
   const int common = list.several ? stated_dimension(source, 0, list.zones[0].begin) : 0;
-  Reader reader(source, zone, own != 0 ? own : common);
+  Reader reader(source, zone, dimensions_of(source, zone, own != 0 ? own : common));
   Details& details = reader.details();
   ParsedMesh mesh = reader.read(common != 0);
   details.zone = zone.number;

@@ -41,12 +41,17 @@ std::string element_list(int dimension) {
                         : "10 (tetrahedron), 12 (hexahedron), 13 (prism) or 14 (pyramid)";
 }
 
-std::string type_hint(std::int64_t number, int dimension, bool of_marker) {
+std::string type_hint(std::int64_t number, const Dimensions& of, bool of_marker) {
   // SU2 adds 100 for each order above the first of elements with Lagrange nodes.
   if (number > 100 && number < 2000) return " (order " + std::to_string(number / 100 + 1) + ")";
   if (const auto type = any_element_of(number)) {
-    if (dimension_of(*type) == dimension - (of_marker ? 1 : 0)) return {};
-    return dimension == 2 ? " (a 3D mesh)" : of_marker ? " (a 3D element)" : " (a 2D element)";
+    if (dimension_of(*type) == of.cells - (of_marker ? 1 : 0)) return {};
+    if (of.space == 2) return " (a 3D mesh)";
+    if (of_marker) {
+      return of.cells == 2 ? " (in a surface mesh, whose markers are lines)" : " (a 3D element)";
+    }
+    return of.cells == 2 ? " (a volume element in a surface mesh, as the first element is of one)"
+                         : " (a surface element in a volume mesh, as the first element is of one)";
   }
   if (number >= 21 && number <= 37) return " (second order)";
   return {};

@@ -5,7 +5,9 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "io/format/mesh_in_space.h"
 #include "io/format/periodicity.h"
+#include "io/format/plane_placement.h"
 #include "io/format/vtk_wedge.h"
 #include "io/su2/su2.h"
 #include "io/su2/su2_box.h"
@@ -43,9 +45,14 @@ std::vector<std::string> safe_names(std::span<const Marker> markers,
 
 class Writer {
  public:
-  Writer(std::ostream& out, const Mesh& mesh, const Details& details,
+  /// place: of a plane mesh that is written with NDIME= 3, details that say where it lies.
+  Writer(std::ostream& out, const Mesh& mesh, const Details& details, const FormatDetails* place,
          std::vector<std::string> names)
-      : out_(out), mesh_(mesh), details_(details), names_(std::move(names)) {}
+      : out_(out),
+        mesh_(mesh),
+        details_(details),
+        space_(mesh, details.dimension == 3 ? place : nullptr),
+        names_(std::move(names)) {}
 
   void write() {
     for (const auto& item : details_.items) write(item);
@@ -60,7 +67,7 @@ class Writer {
         out_ << item.text;
         break;
       case Details::Part::dimension:
-        out_ << "NDIME= " << topology().cell_dimension() << details_.line_end;
+        out_ << "NDIME= " << details_.dimension << details_.line_end;
         break;
       case Details::Part::elements:
         write_elements();
@@ -86,7 +93,7 @@ class Writer {
       if (type == ElementType::prism) {
         write_prism(e);
       } else {
-        for (const Index node : topology().element(e)) out_ << ' ' << node;
+        for (const Index node : space_.element(e)) out_ << ' ' << node;
       }
       end_line(details_.element_numbers, e);
     }
@@ -103,14 +110,11 @@ class Writer {
     out_ << "NPOIN= " << mesh_.coordinates.size();
     if (!after_count.empty()) out_ << ' ' << after_count;
     out_ << details_.line_end;
-    const auto values = mesh_.coordinates.values();
-    const auto dimension = static_cast<std::size_t>(mesh_.coordinates.dimension());
-    for (std::size_t i = 0; i < values.size(); i += dimension) {
-      for (std::size_t k = 0; k < dimension; ++k) {
-        if (k > 0) out_ << ' ';
-        out_ << values[i + k];
-      }
-      end_point(static_cast<Index>(i / dimension));
+    for (Index i = 0; i < mesh_.coordinates.size(); ++i) {
+      const Vec3 p = space_.node(i);
+      out_ << p.x() << ' ' << p.y();
+      if (details_.dimension == 3) out_ << ' ' << p.z();
+      end_point(i);
     }
   }
 
@@ -140,14 +144,17 @@ class Writer {
   TextWriter out_;
   const Mesh& mesh_;
   const Details& details_;
+  MeshInSpace space_;
   std::vector<std::string> names_;
   std::size_t next_marker_ = 0;
 };
 
 /// What is written for a mesh that has no details, or none that fit it.
-Details default_details(std::size_t markers, const Details* source) {
+Details default_details(const Topology& topology, std::size_t markers, const Details* source) {
   using Part = Details::Part;
   Details details;
+  details.dimension =
+      std::max(topology.space_dimension(), source == nullptr ? 0 : source->dimension);
   details.items = {
       {Part::dimension, {}}, {Part::elements, {}}, {Part::points, {}}, {Part::marker_count, {}}};
   details.items.resize(details.items.size() + markers, {Part::marker, {}});
@@ -217,7 +224,12 @@ void write_zone(std::ostream& out, const Mesh& mesh, const FormatDetails* source
   } else {
     names = safe_names(markers, warnings);
   }
-  const Details plain = fits ? Details{} : default_details(markers.size(), details);
+  const Details plain = fits ? Details{} : default_details(topology, markers.size(), details);
+  if (source != nullptr && source->plane && (fits ? *details : plain).dimension == 2) {
+    warnings.push_back("with NDIME= 2 an SU2 file has two coordinates: those in " +
+                       source->plane->plane_text() + ", " + source->plane->axes_text() +
+                       ", are written, and where the plane lies is lost");
+  }
   if (details != nullptr && !fits && says_more(*details)) {
     warnings.emplace_back(
         "the mesh has changed: comments and unknown keywords of the source are not written");
@@ -236,7 +248,7 @@ void write_zone(std::ostream& out, const Mesh& mesh, const FormatDetails* source
   if (!topology.regions().empty()) {
     warnings.emplace_back("SU2 has no regions: the names of element sets are not written");
   }
-  Writer(out, mesh, fits ? *details : plain, std::move(names)).write();
+  Writer(out, mesh, fits ? *details : plain, source, std::move(names)).write();
 }
 
 /// The details of a zone for a file that has no other.

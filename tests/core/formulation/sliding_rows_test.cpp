@@ -19,7 +19,8 @@ namespace {
 
 std::shared_ptr<const NodeClasses> sliding(const Mesh& mesh, std::vector<std::string> markers) {
   auto classes = std::make_shared<NodeClasses>(mesh.topology);
-  const auto boundary = SlidingBoundary::find(*mesh.topology, mesh.coordinates, markers, 40);
+  const auto boundary =
+      SlidingBoundary::find(*mesh.topology, mesh.coordinates, markers, {.angle = 40});
   for (const SlidingPart& part : boundary.parts)
     classes->set_sliding(part.nodes, boundary.geometry, mesh.coordinates);
   return classes;

@@ -101,8 +101,8 @@ TEST_CASE(
   }
   const Mesh mesh = make_mesh(data);
   const ReferenceSurface reference = reference_of(cube_surface(3));
-  const SlidingBoundary boundary =
-      SlidingBoundary::find(*mesh.topology, mesh.coordinates, {}, 40, true, &reference);
+  const SlidingBoundary boundary = SlidingBoundary::find(
+      *mesh.topology, mesh.coordinates, {}, {.angle = 40, .slide_along = true}, &reference);
   std::map<std::string, std::size_t> nodes;
   for (const SlidingPart& part : boundary.parts) nodes[part.description] += part.nodes.size();
   CHECK(nodes.size() == 2);

@@ -16,7 +16,7 @@ namespace winslow::test {
 namespace {
 
 SlidingBoundary find(const Mesh& mesh, std::vector<std::string> markers, double angle = 40) {
-  return SlidingBoundary::find(*mesh.topology, mesh.coordinates, markers, angle);
+  return SlidingBoundary::find(*mesh.topology, mesh.coordinates, markers, {.angle = angle});
 }
 
 }  // namespace
@@ -101,8 +101,8 @@ TEST_CASE(
     "asked for, nodes slide along the edges of a box, between markers as well; corners stay") {
   const Mesh mesh = make_mesh(cube(4, Volumes::hexahedra));
   const std::vector<std::string> all{"floor", "lid", "walls"};
-  const SlidingBoundary boundary =
-      SlidingBoundary::find(*mesh.topology, mesh.coordinates, all, 40, true);
+  const SlidingBoundary boundary = SlidingBoundary::find(*mesh.topology, mesh.coordinates, all,
+                                                         {.angle = 40, .slide_along = true});
   std::size_t edges = 0, faces = 0;
   for (const SlidingPart& part : boundary.parts) {
     const bool edge = part.description == "straight edge";
@@ -121,8 +121,9 @@ TEST_CASE(
   // Where a marker beside stays, so do the nodes on its border.
   const std::vector<std::string> some{"walls"};
   edges = 0;
-  for (const SlidingPart& part :
-       SlidingBoundary::find(*mesh.topology, mesh.coordinates, some, 40, true).parts)
+  for (const SlidingPart& part : SlidingBoundary::find(*mesh.topology, mesh.coordinates, some,
+                                                       {.angle = 40, .slide_along = true})
+                                     .parts)
     if (part.description == "straight edge") edges += part.nodes.size();
   CHECK(edges == 4 * 3);
 }
@@ -138,8 +139,8 @@ TEST_CASE("a cylinder with caps is cut at their rims") {
     mesh.coordinates.set_xyz(node, Vec3(3 * share * p.x(), 3 * share * p.y(), p.z()));
   }
   const std::vector<std::string> all{"floor", "lid", "walls"};
-  const SlidingBoundary boundary =
-      SlidingBoundary::find(*mesh.topology, mesh.coordinates, all, 40, true);
+  const SlidingBoundary boundary = SlidingBoundary::find(*mesh.topology, mesh.coordinates, all,
+                                                         {.angle = 40, .slide_along = true});
   std::map<std::string, std::size_t> found;
   for (const SlidingPart& part : boundary.parts) found[part.description] += part.nodes.size();
   CHECK(found == std::map<std::string, std::size_t>{{"cylinder of radius 3", 32 * 7},
@@ -185,7 +186,8 @@ TEST_CASE("the tip of a cone stays, and so does what turns by more than the angl
                          std::array<Index, 4>{inner + k, here + k, here + next, inner + next});
     }
   const Mesh mesh = make_mesh(data);
-  const SlidingBoundary boundary = SlidingBoundary::find(*mesh.topology, mesh.coordinates, {}, 40);
+  const SlidingBoundary boundary =
+      SlidingBoundary::find(*mesh.topology, mesh.coordinates, {}, {.angle = 40});
   std::set<Index> sliding;
   for (const SlidingPart& part : boundary.parts)
     sliding.insert(part.nodes.begin(), part.nodes.end());

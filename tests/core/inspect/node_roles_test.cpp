@@ -83,6 +83,45 @@ TEST_CASE("roles in space: faces slide, their edges stay, and are listed") {
   CHECK(node_roles(mesh, slide, {}).features.size() == 16 + 16);
 }
 
+TEST_CASE("roles of nodes that were told what to do") {
+  MeshData data = square(6, Cells::quads);
+  Marker all;
+  all.name = "all";
+  for (const Marker& marker : data.markers)
+    all.faces.insert(all.faces.end(), marker.faces.begin(), marker.faces.end());
+  data.markers = {all};
+  const Mesh mesh = make_mesh(data);
+  SlideOptions slide;
+  slide.markers = {"all"};
+  const auto node_at = [&](const Vec2& p) {
+    Index node = 0;
+    while (mesh.coordinates.xy(node) != p) ++node;
+    return node;
+  };
+  const auto sorted = [](std::vector<Index> nodes) {
+    std::ranges::sort(nodes);
+    return nodes;
+  };
+  const Index corner = node_at({1, 0}), inside = node_at({0.5, 0.5}), on_side = node_at({0.5, 0});
+  const std::vector<Index> others{node_at({0, 0}), node_at({0, 1}), node_at({1, 1})};
+  const NodeRoles found = node_roles(mesh, slide, {});
+  CHECK(found.bends == sorted({corner, others[0], others[1], others[2]}));
+  CHECK(found.overridden.empty());
+  slide.smooth_nodes = {corner};
+  slide.hold_nodes = {inside, on_side};
+  const NodeRoles told = node_roles(mesh, slide, {});
+  CHECK(told.fault.empty());
+  CHECK(told.overridden == sorted({corner, inside, on_side}));
+  CHECK(told.bends == sorted(others));
+  CHECK(count_of(told, NodeRole::held) == 2);
+  CHECK(told.roles[at(corner)] == NodeRole::on_curve);
+  CHECK(count_of(told, NodeRole::corner) == 3);
+  CHECK(count_of(told, NodeRole::on_curve) == count_of(found, NodeRole::on_curve));
+  slide.smooth_nodes = {inside};
+  const std::string fault = node_roles(mesh, slide, {}).fault;
+  CHECK(fault.find("node " + std::to_string(inside) + " cannot be smooth") == 0);
+}
+
 TEST_CASE("what cannot slide or pair is said, and the boundary stays") {
   const Mesh mesh = make_mesh(square(6, Cells::triangles));
   SlideOptions slide;

@@ -147,6 +147,110 @@ TEST_CASE("what nodes do is shown in colours with a key, and follows roles and f
   CHECK_FALSE(rig.visible("roles/key"));
 }
 
+TEST_CASE("a node is held, let slide and left as found by a right click, which undo takes back") {
+  Rig rig(1280, 900);
+  MeshData data = winslow::test::square(8, winslow::test::Cells::triangles);
+  Marker all;
+  all.name = "all";
+  for (const Marker& marker : data.markers)
+    all.faces.insert(all.faces.end(), marker.faces.begin(), marker.faces.end());
+  data.markers = {all};
+  rig.open(make_mesh(data));
+  rig.click("marker_role/all");
+  REQUIRE(rig.settle());
+  const auto right_click = [&](const Vec2& p) {
+    rig.move(rig.pixel(p));
+    rig.press(MouseButton::right);
+    rig.release(MouseButton::right);
+    rig.frames(3);
+  };
+  right_click({0.5, 0});
+  CHECK(rig.visible("menu/node/go_to"));
+  CHECK_FALSE(rig.visible("menu/node/hold"));  // only while it is shown what nodes do
+  rig.key(keys::escape);
+  rig.frames(2);
+  rig.click("markers/roles");
+  REQUIRE(rig.settle());
+  rig.frames(2);
+
+  right_click({0.5, 0});
+  REQUIRE(rig.visible("menu/node/hold"));
+  rig.click("menu/node/slide");  // it slides anyway: grey
+  rig.frames(2);
+  CHECK(slide_of(rig).smooth_nodes.empty());
+  rig.click("menu/node/hold");
+  REQUIRE(rig.settle());
+  rig.frames(3);
+  REQUIRE(slide_of(rig).hold_nodes.size() == 1);
+  const Index held = slide_of(rig).hold_nodes.front();
+  CHECK(rig.mesh().coordinates.xy(held) == Vec2(0.5, 0));
+  CHECK(in_key(rig, NodeRole::held));
+  CHECK(rig.visible("roles/key/overridden"));
+  rig.move(ScreenPoint(5, 5));
+  rig.frames(2);
+  CHECK(coloured(rig.bench->pictures().picture(), rig.pixel(Vec2(0.5, 0)),
+                 color_of(NodeRole::held)) > 8);
+
+  right_click({0, 0});
+  rig.click("menu/node/slide");
+  REQUIRE(rig.settle());
+  rig.frames(3);
+  REQUIRE(slide_of(rig).smooth_nodes.size() == 1);
+  const Index corner = slide_of(rig).smooth_nodes.front();
+  rig.move(ScreenPoint(5, 5));
+  rig.frames(2);
+  CHECK(coloured(rig.bench->pictures().picture(), rig.pixel(Vec2(0, 0)),
+                 color_of(NodeRole::on_curve)) > 8);
+
+  // Undone and redone one after the other, among the commands of the history.
+  rig.bench->apply(action::RunSmooth{});
+  REQUIRE(rig.settle());
+  REQUIRE(rig.document().history().size() == 2);
+  const auto& done = std::get<SmoothCommand>(rig.document().history().command(1));
+  CHECK(done.smooth.slide.hold_nodes == std::vector<Index>{held});
+  CHECK(done.smooth.slide.smooth_nodes == std::vector<Index>{corner});
+  CHECK(rig.mesh().coordinates.xy(held) == Vec2(0.5, 0));
+  const auto undo = [&] {
+    rig.key(keys::z, {keys::control});
+    REQUIRE(rig.settle());
+    rig.frames(2);
+  };
+  const auto redo = [&] {
+    rig.key(keys::z, {keys::control, keys::shift});
+    REQUIRE(rig.settle());
+    rig.frames(2);
+  };
+  undo();  // the command
+  CHECK(rig.document().history().position() == 0);
+  CHECK(slide_of(rig).smooth_nodes.size() == 1);
+  undo();
+  CHECK(slide_of(rig).smooth_nodes.empty());
+  CHECK(slide_of(rig).hold_nodes.size() == 1);
+  undo();
+  CHECK(slide_of(rig).hold_nodes.empty());
+  CHECK_FALSE(rig.visible("roles/key/overridden"));
+  redo();
+  redo();
+  CHECK(slide_of(rig).hold_nodes.size() == 1);
+  CHECK(slide_of(rig).smooth_nodes.size() == 1);
+  CHECK(rig.document().history().position() == 0);
+  redo();
+  CHECK(rig.document().history().position() == 1);
+
+  right_click({0.5, 0});
+  rig.click("menu/node/as_found");
+  REQUIRE(rig.settle());
+  CHECK(slide_of(rig).hold_nodes.empty());
+  // Of a marker that does not slide they mean nothing, and are there when it slides again.
+  rig.click("marker_role/all");
+  REQUIRE(rig.settle());
+  rig.frames(3);
+  CHECK_FALSE(rig.visible("markers/fault"));
+  CHECK(rig.session().jobs().smooth_in_place().slide.smooth_nodes.empty());
+  rig.click("marker_role/all");
+  CHECK(rig.session().jobs().smooth_in_place().slide.smooth_nodes == std::vector<Index>{corner});
+}
+
 TEST_CASE("roles in space: seen nodes of a sliding face have dots, and along its edges if asked") {
   Rig rig(1280, 900);
   rig.open(make_mesh(winslow::test::cube(4, winslow::test::Volumes::tetrahedra)));

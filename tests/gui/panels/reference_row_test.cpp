@@ -186,6 +186,51 @@ TEST_CASE("in a volume mesh the row is there while a marker slides, and runs wit
   CHECK(chosen_slide(rig).reference.name == (rig.folder / "box.obj").string());
 }
 
+TEST_CASE("a step of the history is given a reference surface in its editor, and loses it there") {
+  SurfaceRig rig;
+  const auto file = write_ball(rig, "fine.obj", 1.1);
+  run_smooth(rig);
+  check_radius(rig, 1);
+  const auto edit = [&] {
+    rig.bench->apply(action::ShowStepEditor{1});
+    rig.frames(3);
+    REQUIRE(rig.visible("edit/reference"));
+  };
+  const auto dialog_is_up = [&] {
+    const FileDialog& dialog = rig.bench->dialogs().file_dialog();
+    return dialog.is_open() && !dialog.busy();
+  };
+  edit();
+  CHECK_FALSE(rig.visible("edit/reference_none"));
+  // Esc in the dialog of files leads back to the step, as it was.
+  rig.click("edit/reference");
+  REQUIRE(rig.wait(dialog_is_up));
+  CHECK_FALSE(rig.visible("edit/run"));
+  rig.key(keys::escape);
+  rig.frames(4);
+  REQUIRE(rig.visible("edit/run"));
+  CHECK_FALSE(rig.visible("edit/reference_none"));
+  rig.click("edit/reference");
+  REQUIRE(rig.wait(dialog_is_up));
+  rig.type("fine.obj");
+  rig.key(keys::enter);
+  REQUIRE(rig.settle());
+  rig.frames(4);
+  REQUIRE(rig.visible("edit/reference_none"));
+  CHECK(chosen_slide(rig).reference.name.empty());  // of the step alone
+  rig.click("edit/run");
+  REQUIRE(rig.settle());
+  check_radius(rig, 1.1);
+  CHECK(std::get<SmoothCommand>(rig.document().history().command(1)).smooth.slide.reference.name ==
+        file.string());
+  edit();
+  rig.click("edit/reference_none");
+  rig.frames(2);
+  rig.click("edit/run");
+  REQUIRE(rig.settle());
+  check_radius(rig, 1);
+}
+
 TEST_CASE("a plane mesh has no reference surface, and another mesh starts without") {
   SurfaceRig rig;
   write_ball(rig, "fine.obj", 1.1);

@@ -171,7 +171,8 @@ TEST_CASE("SU2 takes the in-plane coordinates, and says so") {
   const auto warnings = io::write_mesh(folder / "b.su2", file.mesh, file.details.get());
   REQUIRE_FALSE(warnings.empty());
   CHECK_CONTAINS(warnings.back(),
-                 "a SU2 file has two coordinates: those in the plane y = -2, (x, z), are written");
+                 "with NDIME= 2 an SU2 file has two coordinates: those in the plane y = -2, (x, "
+                 "z), are written");
   const io::MeshFile back = io::read_mesh(folder / "b.su2");
   CHECK(back.mesh.coordinates == file.mesh.coordinates);
   CHECK(check_validity(*back.mesh.topology, back.mesh.coordinates).inverted == 0);

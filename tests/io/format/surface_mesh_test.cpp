@@ -7,6 +7,7 @@
 #include "io/format/mesh_file.h"
 #include "io/format/mesh_format.h"
 #include "io/support/files.h"
+#include "io/support/samples.h"
 #include "support/space_meshes.h"
 
 /// Surface meshes through every format that holds them.
@@ -52,13 +53,39 @@ TEST_CASE("surface meshes come back from every format that holds them") {
       }
     }
   }
-  CHECK(formats == 6 * 8);
+  CHECK(formats == 6 * 9);
+}
+
+TEST_CASE("surface meshes keep markers on the way through every pair of formats that have them") {
+  const TemporaryFolder folder;
+  const Mesh mesh = make_mesh(lifted(square(4, Cells::quads), bowl));
+  REQUIRE(mesh.topology->markers().size() == 4);
+  int pairs = 0;
+  for (const io::MeshFormat* first : io::mesh_formats()) {
+    if (!first->writes_surfaces) continue;
+    const auto one = folder / ("one." + std::string(first->name));
+    io::write_mesh(one, mesh, nullptr);
+    const io::MeshFile read = io::read_mesh(one);
+    for (const io::MeshFormat* second : io::mesh_formats()) {
+      if (!second->writes_surfaces || first->name == "stl" || second->name == "stl") continue;
+      CAPTURE(first->name);
+      CAPTURE(second->name);
+      ++pairs;
+      const auto two = folder / ("two." + std::string(second->name));
+      io::write_mesh(two, read.mesh, read.details.get());
+      const io::MeshFile back = io::read_mesh(two);
+      CHECK(back.mesh.coordinates == mesh.coordinates);
+      if (first->keeps_markers && second->keeps_markers)
+        check_same_mesh(back.mesh, mesh, {.tags = false, .regions = false});
+    }
+  }
+  CHECK(pairs == 8 * 8);
 }
 
 TEST_CASE("surface meshes: a format that cannot hold them says so") {
   const TemporaryFolder folder;
   const Mesh mesh = make_mesh(lifted(square(3, Cells::quads), bowl));
-  for (const char* name : {"a.su2", "a.ugrid"})
+  for (const char* name : {"a.foam", "a.ugrid"})
     CHECK_THROWS_AS(io::write_mesh(folder / name, mesh, nullptr), UsageError);
 }
 

@@ -225,8 +225,9 @@ TEST_CASE("SU2: bad input is refused with file and line") {
   CHECK_CONTAINS(error("3 8 7", "303 8 7 6 5"), "marker element type 303 (order 4)");
   CHECK_CONTAINS(error("3 8 7", "5 8 7 6"),
                  "a.su2:27: found marker element type 5 (a 3D mesh), expected 3 (line)");
-  CHECK_CONTAINS(error("NDIME= 2", "NDIME= 3"),
-                 "a.su2:4: found element type 9 (a 2D element), expected 10 (tetrahedron)");
+  CHECK(error("NDIME= 2", "NDIME= 3") ==
+        "a.su2:11: found the end of the line, expected three coordinates before the number of the "
+        "point");
   CHECK_CONTAINS(error("NDIME= 2", "NDIME= 1"), "found NDIME= 1, expected NDIME= 2 or NDIME= 3");
   CHECK_CONTAINS(error("NDIME= 2\n", ""), "found no NDIME=");
   CHECK_CONTAINS(error("NMARK= 2", "NELEM= 2"), "a.su2:20: found a second NELEM=");

@@ -46,7 +46,9 @@ TEST_CASE("SU2 with NDIME= 3: bad input is refused with file and line") {
     return input_error("a.su2", replaced(two_solids, part, by));
   };
   CHECK(error("14 1 2", "5 1 2") ==
-        "a.su2:5: found element type 5 (a 2D element), expected 10 (tetrahedron), 12 (hexahedron), "
+        "a.su2:5: found element type 5 (a surface element in a volume mesh, as the first element "
+        "is of one), "
+        "expected 10 (tetrahedron), 12 (hexahedron), "
         "13 (prism) or 14 (pyramid)");
   CHECK(error("5 0 1 2 0", "3 0 1 0") ==
         "a.su2:17: found marker element type 3, expected 5 (triangle) or 9 (quadrilateral)");

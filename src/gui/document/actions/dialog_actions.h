@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
@@ -23,6 +24,10 @@ struct ShowRecordDialog {
 struct ShowStepEditor {
   std::size_t position = 0;
 };
+/// The surface in a file, for nodes to slide on in the step that is being edited.
+struct ChooseStepReference {
+  std::filesystem::path file;
+};
 /// The menu of a right click, beside the mouse.
 struct ShowContextMenu {
   PickedPlace place;
@@ -37,7 +42,7 @@ namespace winslow::gui {
 
 using DialogAction =
     std::variant<action::ShowFileDialog, action::ShowPictureDialog, action::ShowRecordDialog,
-                 action::ShowStepEditor, action::ShowContextMenu, action::ShowHelp,
-                 action::ShowPalette, action::ShowAbout>;
+                 action::ShowStepEditor, action::ChooseStepReference, action::ShowContextMenu,
+                 action::ShowHelp, action::ShowPalette, action::ShowAbout>;
 
 }  // namespace winslow::gui

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "core/command/command.h"
+#include "gui/document/selection/node_overrides.h"
 #include "gui/settings/option_edits.h"
 
 /// The solver: what it carries out, and how. Carried out by Jobs.
@@ -34,6 +35,16 @@ struct EditMotionOptions {
 struct PairMarkers {
   std::string first;
   std::optional<std::string> second;
+};
+/// Has a node of the boundary stay, or slide, in every run from here on, whatever was found of it.
+/// Undo takes it back.
+struct OverrideNode {
+  Index node = 0;
+  NodeOverride to = NodeOverride::none;
+};
+/// Takes back what was last told to a node at this mesh, or tells it again.
+struct StepOverride {
+  bool again = false;
 };
 /// The surface in a file, for nodes to slide on in every run from here on instead of the mesh's
 /// own. It is read first; a file that cannot be read changes nothing.
@@ -70,11 +81,11 @@ struct PreviewLayers {
 
 namespace winslow::gui {
 
-using JobAction =
-    std::variant<action::RunSmooth, action::Scramble, action::PauseSolver, action::ResumeSolver,
-                 action::StepSolver, action::CancelSolver, action::EditSmoothOptions,
-                 action::EditMotionOptions, action::PairMarkers, action::ChooseReference,
-                 action::SetPace, action::FollowSolver, action::RunCommand, action::RerunStep,
-                 action::PreviewLayers>;
+using JobAction = std::variant<action::RunSmooth, action::Scramble, action::PauseSolver,
+                               action::ResumeSolver, action::StepSolver, action::CancelSolver,
+                               action::EditSmoothOptions, action::EditMotionOptions,
+                               action::PairMarkers, action::OverrideNode, action::StepOverride,
+                               action::ChooseReference, action::SetPace, action::FollowSolver,
+                               action::RunCommand, action::RerunStep, action::PreviewLayers>;
 
 }  // namespace winslow::gui

@@ -76,6 +76,17 @@ std::string fault_of(const MeshData& data) {
   return {};
 }
 
+std::string fault_of_surface(const std::vector<Vec3>& points, const std::vector<Face>& faces) {
+  if (!std::ranges::all_of(points, [](const Vec3& point) { return point.allFinite(); }))
+    return "a point of a surface that is no place";
+  const auto count = static_cast<Index>(points.size());
+  for (const Face& face : faces)
+    if (face.size() < 3 || face.size() > 4 ||
+        !std::ranges::all_of(face, [&](Index point) { return within(point, count); }))
+      return "a face of a surface between no points of it";
+  return {};
+}
+
 std::string fault_of(const LayerStack& stack, const Topology& topology) {
   if (stack.columns.empty()) return "layers without columns";
   std::size_t most = 0;

@@ -16,5 +16,7 @@ namespace winslow::gui {
 std::string fault_of(const MeshData& data);
 std::string fault_of(const LayerStack& stack, const Topology& topology);
 std::string fault_of(const std::vector<VirtualControlVolumes::Role>& roles);
+/// Of a reference surface.
+std::string fault_of_surface(const std::vector<Vec3>& points, const std::vector<Face>& faces);
 
 }  // namespace winslow::gui

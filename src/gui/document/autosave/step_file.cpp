@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/strategy/surface_shape.h"
 #include "gui/document/autosave/archive.h"
 #include "gui/document/autosave/step_checks.h"
 #include "io/file/atomic_file.h"
@@ -16,7 +17,7 @@ namespace winslow::gui {
 namespace {
 
 /// Also tells a machine with another order of bytes.
-constexpr std::uint64_t magic = 0x0007504554534e57;  // "WNSTEP", version 7
+constexpr std::uint64_t magic = 0x0008504554534e57;  // "WNSTEP", version 8
 
 /// Every field of a record, named once for reading and writing.
 template <class Archive, class Record>
@@ -158,6 +159,59 @@ std::shared_ptr<const SphereStencils> made_of(ArchiveReader& reader,
   return stencils.empty() ? nullptr : std::make_shared<const SphereStencils>(std::move(stencils));
 }
 
+/// What the shape of a surface mesh is found by again, in the mesh as it was given. A reference
+/// surface is kept whole: its file may have gone or changed.
+struct ShapeData {
+  FeatureRules rules;
+  std::string name;  // of the reference surface as the command has it; empty: none
+  std::string source;
+  std::vector<Vec3> points;
+  std::vector<Face> faces;
+};
+
+template <class Archive, class Data>
+void shape_fields(Archive& archive, Data& data) {
+  archive.number(data.rules.angle);
+  archive.number(data.rules.slide_along);
+  archive.numbers(data.rules.hold);
+  archive.numbers(data.rules.smooth);
+  archive.text(data.name);
+  archive.text(data.source);
+  archive.list(data.points, [](auto& a, auto& point) {
+    a.number(point.x());
+    a.number(point.y());
+    a.number(point.z());
+  });
+  archive.numbers(data.faces);
+}
+
+ShapeData data_of(const SurfaceShape& shape) {
+  ShapeData data{shape.rules, shape.reference.name, {}, {}, {}};
+  if (const ReferenceSurface* surface = shape.reference.surface.get()) {
+    data.source = surface->source;
+    data.points = surface->points;
+    data.faces = surface->faces;
+  }
+  return data;
+}
+
+/// before: the state of which the step was made.
+std::shared_ptr<const SurfaceShape> made_of(ShapeData data, const MeshState& before) {
+  SlideOptions slide;
+  slide.feature_angle = data.rules.angle;
+  slide.features = data.rules.slide_along;
+  slide.hold_nodes = std::move(data.rules.hold);
+  slide.smooth_nodes = std::move(data.rules.smooth);
+  if (!data.name.empty()) {
+    auto surface = std::make_shared<ReferenceSurface>();
+    surface->source = std::move(data.source);
+    surface->points = std::move(data.points);
+    surface->faces = std::move(data.faces);
+    slide.reference = {std::move(data.name), std::move(surface)};
+  }
+  return surface_shape(before, slide);
+}
+
 /// Without coordinates.
 MeshData data_of(const Topology& topology) {
   MeshData data;
@@ -189,7 +243,8 @@ std::shared_ptr<const VirtualControlVolumes> made_of(
 
 /// Which parts of a state follow.
 struct Parts {
-  bool topology = false, vcv = false, layers = false, any_layers = false, spheres = false;
+  bool topology = false, vcv = false, layers = false, any_layers = false, spheres = false,
+       shape = false;
 };
 
 template <class Archive, class AnyParts>
@@ -199,12 +254,15 @@ void part_fields(Archive& archive, AnyParts& parts) {
   archive.number(parts.layers);
   archive.number(parts.any_layers);
   archive.number(parts.spheres);
+  archive.number(parts.shape);
 }
 
 Parts changed_parts(const MeshState& state, const MeshState& before) {
   return {state.mesh.topology != before.mesh.topology, state.vcv != before.vcv,
           state.layers != before.layers, state.layers != nullptr,
-          state.sphere_vcvs != before.sphere_vcvs};
+          state.sphere_vcvs != before.sphere_vcvs,
+          // That of the mesh as opened is found anew.
+          state.surface && before.mesh.topology && state.surface != before.surface};
 }
 
 void read_coordinates(ArchiveReader& reader, Coordinates& x) {
@@ -262,6 +320,13 @@ MeshState read_state(ArchiveReader& reader, const MeshState& before) {
     sphere_fields(reader, list);
     state.sphere_vcvs = made_of(reader, list, topology);
   }
+  if (parts.shape) {
+    ShapeData data;
+    shape_fields(reader, data);
+    refuse(reader, fault_of_surface(data.points, data.faces));
+    if (!is_surface(topology)) reader.fail("the shape of a surface that the mesh is not");
+    state.surface = made_of(std::move(data), before);
+  }
   if (parts.layers) {
     state.layers.reset();
     if (parts.any_layers) {
@@ -296,6 +361,10 @@ void write_step(const std::filesystem::path& path, const MeshState& state, const
     if (parts.spheres) {
       const std::vector<SphereData> list = data_of(state.sphere_vcvs.get());
       sphere_fields(writer, list);
+    }
+    if (parts.shape) {
+      const ShapeData data = data_of(*state.surface);
+      shape_fields(writer, data);
     }
     if (parts.layers && parts.any_layers) layer_fields(writer, *state.layers);
     result_fields(writer, smooth);

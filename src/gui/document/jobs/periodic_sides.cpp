@@ -1,5 +1,8 @@
 #include "gui/document/jobs/periodic_sides.h"
 
+#include "gui/base/text.h"
+#include "gui/document/selection/node_overrides.h"
+
 namespace winslow::gui {
 
 std::optional<std::string> partner_of(const SlideOptions& slide, const std::string& marker) {
@@ -29,6 +32,29 @@ void take_out(SlideOptions& slide, const std::string& marker) {
     if (!given.halo && given.first != given.second && given.first != marker &&
         given.second != marker && !partner_of(slide, given.first))
       slide.periodic.insert(slide.periodic.end(), {given.first, given.second});
+}
+
+std::string pair_sides(SlideOptions& slide, const Mesh& mesh, const std::string& first,
+                       const std::optional<std::string>& second) {
+  take_out(slide, first);
+  if (!second) return first + " stays where it is.";
+  take_out(slide, *second);
+  const PeriodicPairs pairs = PeriodicPairs::find(*mesh.topology, mesh.coordinates, first, *second);
+  slide.periodic.insert(slide.periodic.end(), {first, *second});
+  for (const std::string& name : {first, *second}) std::erase(slide.markers, name);
+  return first + " and " + *second + " are periodic: " + pairs.description + ", " +
+         counted(pairs.pairs.size(), "pair") + " of nodes.";
+}
+
+void leave_to_motion(SlideOptions& slide, const Topology& topology,
+                     const std::vector<std::string>& markers) {
+  for (const std::string& name : markers) {
+    std::erase(slide.markers, name);
+    take_out(slide, name);
+  }
+  // All of it is kept for when a marker slides again.
+  if (slide.markers.empty() && !is_surface(topology)) slide.reference = {};
+  drop_stale_overrides(slide, topology, markers);
 }
 
 std::vector<std::string> pairs_without(const std::vector<std::string>& pairs,

@@ -12,6 +12,7 @@ BoundaryRoles::Question BoundaryRoles::question() const {
   now.shape = mesh_.in_motion() ? asked_.shape : mesh_.shape();
   now.slide = jobs_.smooth_options().slide;
   const Topology& topology = *mesh_.document()->state().mesh.topology;
+  drop_stale_overrides(now.slide, topology);  // kept for when their markers slide again
   for (const Index m : selection_.markers()) now.moving.push_back(topology.markers()[at(m)].name);
   return now;
 }

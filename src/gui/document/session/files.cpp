@@ -107,6 +107,19 @@ void Files::adopt(Document::Loaded loaded) {
   }
 }
 
+namespace {
+
+/// What slides, as the last command that could have it slide said; none: there was no such command.
+std::optional<SlideOptions> last_slide(const History& history) {
+  for (std::size_t k = history.position(); k > 0; --k) {
+    Command command = history.command(k);
+    if (const SmoothOptions* options = smooth_options(command)) return options->slide;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 void Files::restore(RestoredSession restored) {
   restored.loaded.file.warnings.clear();  // they were read when the mesh was opened
   adopt(std::move(restored.loaded));
@@ -116,6 +129,11 @@ void Files::restore(RestoredSession restored) {
     document.edits().push(std::move(step.command), std::move(step.result), step.seconds);
   document.edits().go_to(restored.position);
   document.set_path(restored.path);
+  if (const auto slide = last_slide(document.history())) {
+    SmoothOptions after = jobs_.smooth_options();
+    after.slide = *slide;
+    jobs_.apply(action::EditSmoothOptions{difference(jobs_.smooth_options(), after)});
+  }
   jobs_.show_position();
   messages_.tell(Notice::Kind::success, "The session of " + document.name() +
                                             " is restored, with " + counted(count, "command"));

@@ -12,6 +12,8 @@ void HistoryEditor::on(const action::Undo&) {
   if (!mesh_.document()) return;
   if (mesh_.held().body) return motions_.cancel_drag();
   if (mesh_.job().active()) return jobs_.cancel();
+  if (!jobs_.overrides().undoable(mesh_.document()->edits().revision()).empty())
+    return jobs_.apply(action::StepOverride{false});
   const History& history = mesh_.document()->history();
   if (!history.can_undo()) return;
   const std::string undone = describe(history.command(history.position()));
@@ -21,9 +23,10 @@ void HistoryEditor::on(const action::Undo&) {
 }
 
 void HistoryEditor::on(const action::Redo&) {
-  if (!mesh_.document() || mesh_.job().active() || mesh_.held().body ||
-      !mesh_.document()->history().can_redo())
-    return;
+  if (!mesh_.document() || mesh_.job().active() || mesh_.held().body) return;
+  if (!jobs_.overrides().redoable(mesh_.document()->edits().revision()).empty())
+    return jobs_.apply(action::StepOverride{true});
+  if (!mesh_.document()->history().can_redo()) return;
   mesh_.document()->edits().redo();
   jobs_.show_position();
   const History& history = mesh_.document()->history();

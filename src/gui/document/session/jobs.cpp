@@ -97,6 +97,7 @@ bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start,
       return false;
     }
   }
+  overrides_.forget_undone();
   cut_short_ = std::move(cut_short);
   shown_only_ = false;
   messages_.clear_banner();
@@ -118,20 +119,27 @@ double Jobs::pace_of(Command command) const {
 
 SmoothOptions Jobs::smooth_for_motion(const std::vector<std::string>& markers) const {
   SmoothOptions smooth = smooth_;
-  for (const std::string& name : markers) {
-    std::erase(smooth.slide.markers, name);
-    take_out(smooth.slide, name);
-  }
-  // It is kept for when a marker slides again.
-  const Document* document = mesh_.document();
-  const bool surface = document && is_surface(*document->state().mesh.topology);
-  if (smooth.slide.markers.empty() && !surface) smooth.slide.reference = {};
+  if (const Document* document = mesh_.document())
+    leave_to_motion(smooth.slide, *document->state().mesh.topology, markers);
   return smooth;
+}
+
+void Jobs::on(const action::OverrideNode& a) {
+  const Document* document = mesh_.document();
+  if (document && a.node >= 0 && a.node < document->state().mesh.topology->node_count())
+    overrides_.set(smooth_.slide, a.node, a.to, document->edits().revision());
+}
+
+void Jobs::on(const action::StepOverride& a) {
+  const std::string what =
+      a.again ? overrides_.redo(smooth_.slide) : overrides_.undo(smooth_.slide);
+  messages_.tell(Notice::Kind::information, (a.again ? "Done again: " : "Undone: ") + what);
 }
 
 void Jobs::forget_mesh() {
   smooth_.keep_outside = {};
   smooth_.slide = {};
+  overrides_.clear();
   reference_.drop();
   const Document* document = mesh_.document();
   if (document && is_surface(*document->state().mesh.topology)) settle_for_surface(smooth_);
@@ -167,23 +175,12 @@ void Jobs::on(const action::StepSolver& a) {
 
 void Jobs::on(const action::PairMarkers& a) {
   if (!mesh_.document()) return;
-  SlideOptions slide = smooth_.slide;
-  take_out(slide, a.first);
-  if (a.second) take_out(slide, *a.second);
-  if (!a.second) {
-    smooth_.slide = std::move(slide);
-    return messages_.tell(Notice::Kind::information, a.first + " stays where it is.");
-  }
   try {
     const Mesh& mesh = mesh_.document()->state().mesh;
-    const PeriodicPairs pairs =
-        PeriodicPairs::find(*mesh.topology, mesh.coordinates, a.first, *a.second);
-    slide.periodic.insert(slide.periodic.end(), {a.first, *a.second});
-    for (const std::string& name : {a.first, *a.second}) std::erase(slide.markers, name);
+    SlideOptions slide = smooth_.slide;
+    const std::string done = pair_sides(slide, mesh, a.first, a.second);
     smooth_.slide = std::move(slide);
-    messages_.tell(Notice::Kind::information,
-                   a.first + " and " + *a.second + " are periodic: " + pairs.description + ", " +
-                       counted(pairs.pairs.size(), "pair") + " of nodes.");
+    messages_.tell(Notice::Kind::information, done);
   } catch (const UsageError& error) {
     messages_.report_error("These markers are not periodic", error.what());
   }

@@ -11,6 +11,7 @@
 #include "gui/document/jobs/layer_preview.h"
 #include "gui/document/jobs/method.h"
 #include "gui/document/jobs/reference_choice.h"
+#include "gui/document/selection/node_overrides.h"
 #include "gui/document/session/live_mesh.h"
 #include "gui/document/session/message_board.h"
 #include "gui/document/session/selection.h"
@@ -32,6 +33,8 @@ class Jobs {
 
   const SmoothOptions& smooth_options() const { return smooth_; }
   const MotionOptions& motion_options() const { return motion_; }
+  /// What single nodes were told to do, as of the mesh of the history.
+  const NodeOverrides& overrides() const { return overrides_; }
   /// Iterations a second of the direct method; 0: as fast as they come.
   double pace() const { return pace_; }
   /// The file of a reference surface that is being read; empty: none.
@@ -81,6 +84,8 @@ class Jobs {
   void on(const action::EditSmoothOptions& a) { a.edit.apply_to(smooth_); }
   void on(const action::EditMotionOptions& a) { a.edit.apply_to(motion_); }
   void on(const action::PairMarkers& a);
+  void on(const action::OverrideNode& a);
+  void on(const action::StepOverride& a);
   void on(const action::ChooseReference& a);
   void on(const action::SetPace& a);
   void on(const action::FollowSolver& a);
@@ -104,6 +109,7 @@ class Jobs {
   Selection& selection_;
   SmoothOptions smooth_;
   MotionOptions motion_;
+  NodeOverrides overrides_;
   double pace_ = default_pace;
   CommandQueue queue_;
   LayerPreview layer_preview_;

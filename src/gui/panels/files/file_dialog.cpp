@@ -192,6 +192,9 @@ void FileDialog::choose(const PanelContext& context, const fs::path& path) {
     case FilePurpose::reference:
       context.emit(action::ChooseReference{path});
       break;
+    case FilePurpose::step_reference:
+      context.emit(action::ChooseStepReference{path});
+      break;
   }
   close();
 }

@@ -85,6 +85,15 @@ class Field {
     return true;
   }
 
+  /// Chosen in the picture; here they are named, and can be let go of.
+  bool operator()(const NodesOption& nodes) const {
+    if (!button(id_, elided(value_text(option_), ImGui::GetContentRegionAvail().x * 0.7F),
+                {.tooltip = tip_ + " Click: none of them."}))
+      return false;
+    nodes.value->clear();
+    return true;
+  }
+
   /// Chosen below the list of markers, or named by a recipe; here it can be let go of.
   bool operator()(const FileOption& file) const {
     if (!button(id_, elided(value_text(option_), ImGui::GetContentRegionAvail().x * 0.7F),

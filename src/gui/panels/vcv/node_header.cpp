@@ -57,11 +57,9 @@ void draw_node_header(const PanelContext& context, int& typed) {
   const auto& node = nodes.inspected();
   ImGui::SameLine();
   const bool pinned = node && nodes.pinned(*node);
-  const bool surface = context.session.kind() == MeshKind::surface;
   if (ui::button("vcv/pin", pinned ? "Unpin" : "Pin",
-                 {surface ? "Not for surface meshes: control volumes are drawn in this tab alone."
-                          : "Keep this node's virtual control volume drawn over the mesh.",
-                  ui::ButtonStyle::normal, node.has_value() && !surface, 0}))
+                 {"Keep this node's virtual control volume drawn over the mesh.",
+                  ui::ButtonStyle::normal, node.has_value(), 0}))
     context.emit(action::PinNodes{{*node}, !pinned});
   ImGui::SameLine();
   if (ui::button("vcv/clear_pins", "Clear pins",

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/mesh/surface_faces.h"
 #include "gui/base/text.h"
 #include "gui/panels/vcv/node_header.h"
 #include "gui/widgets/controls.h"
@@ -32,8 +33,7 @@ void VcvPanel::draw(const PanelContext& context) {
     draw_neighbours(context, view);
     draw_edge_fields(context, view);
     draw_reset(context, view);
-    // Stars of a surface that are laid flat have no common direction to be turned to.
-    if (context.session.kind() == MeshKind::plane) draw_spread(context, view);
+    draw_spread(context, view);
   } catch (const UsageError& error) {
     draw_no_vcv(error.what());
   }
@@ -184,6 +184,22 @@ void VcvPanel::draw_reset(const PanelContext& context, const NodalView& view) {
                              : grouped(static_cast<long long>(edits.size())) + " edited");
 }
 
+/// Whether a node lies within the radius of another; of a surface on the same side of it.
+std::function<bool(Index)> VcvPanel::within(const PanelContext& context, Index middle) const {
+  const Coordinates& x = context.session.coordinates();
+  if (context.session.kind() == MeshKind::plane)
+    return [&x, from = x.xy(middle), radius = radius_](Index node) {
+      return (x.xy(node) - from).norm() <= radius;
+    };
+  const Topology& topology = *context.topology();
+  const SpacePoints points(x);
+  return [&topology, points, from = points[middle], radius = radius_,
+          normal = star_normal(topology, points, middle)](Index node) {
+    return (points[node] - from).norm() <= radius &&
+           star_normal(topology, points, node).dot(normal) > 0;
+  };
+}
+
 const std::vector<Index>& VcvPanel::spread_targets(const PanelContext& context,
                                                    const NodalView& view) {
   const Session& session = context.session;
@@ -199,17 +215,17 @@ const std::vector<Index>& VcvPanel::spread_targets(const PanelContext& context,
     std::ranges::copy_if(spread_.pinned, std::back_inserter(targets_), fits);
     return targets_;
   }
-  for (const Index node : topology.interior_nodes()) {
-    const Vec2 away = session.coordinates().xy(node) - view.position;
-    if (away.norm() <= radius_ && fits(node)) targets_.push_back(node);
-  }
+  const auto near = within(context, view.node);
+  for (const Index node : topology.interior_nodes())
+    if (near(node) && fits(node)) targets_.push_back(node);
   return targets_;
 }
 
 void VcvPanel::draw_spread(const PanelContext& context, const NodalView& view) {
   ui::row("Apply to",
           "Gives this control volume to other nodes with as many neighbours, turned so that edges "
-          "which point the same way in the mesh have the same numbers.");
+          "which point the same way in the mesh have the same numbers; on a surface, in the "
+          "tangent planes.");
   ui::combo("vcv/spread", {"Pinned nodes", "Nodes within a radius"}, spread_to_);
   if (spread_to_ == 1) {
     ui::row("Radius", "Units of the mesh.");

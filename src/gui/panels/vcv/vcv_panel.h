@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/inspect/nodal_view.h"
@@ -22,6 +23,7 @@ class VcvPanel : public Panel {
   void draw_edge_fields(const PanelContext& context, const NodalView& view);
   void draw_reset(const PanelContext& context, const NodalView& view);
   void draw_spread(const PanelContext& context, const NodalView& view);
+  std::function<bool(Index)> within(const PanelContext& context, Index middle) const;
   const std::vector<Index>& spread_targets(const PanelContext& context, const NodalView& view);
 
   /// What the nodes depend on that a VCV is applied to.

@@ -19,6 +19,8 @@ constexpr float hidden_opacity = 0.22f;
 /// How far faces are set back behind their edges, in what they recede over a pixel: a line reaches
 /// as far as that to either side of its axis.
 constexpr float set_back = 1.5f;
+/// Times as thick are border lines that are tinted.
+constexpr float lit_width = 1.9f;
 
 Rgba as_float(const Vec3& v, double w) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()),
@@ -90,7 +92,7 @@ class SpaceRenderer::Impl {
       Lines& made = *part->lines.emplace_back(std::make_unique<Lines>());
       made.rows.upload(lines.ends, {{3, GL_FLOAT, GL_FALSE, offsetof(SpaceLines::End, position)},
                                     {1, GL_FLOAT, GL_FALSE, offsetof(SpaceLines::End, spacing)}});
-      made.style = {{}, lines.color, lines.width, lines.clipped_by};
+      made.style = {{}, lines.color, lines.width, lines.clipped_by, lines.marker};
     }
     return part;
   }
@@ -176,6 +178,13 @@ class SpaceRenderer::Impl {
     fill.rows.draw(GL_TRIANGLES);
   }
 
+  /// Border lines whose marker is tinted are thicker, as those of plane meshes.
+  float width_of(const SpaceLines& lines) const {
+    const auto marker = static_cast<std::size_t>(lines.marker);
+    const bool lit = lines.marker >= 0 && marker < tints_.size() && tints_[marker][3] > 0;
+    return (lit ? lit_width : 1.0f) * lines.width;
+  }
+
   void draw_lines(const SpaceCamera& camera) const {
     glDepthMask(GL_FALSE);
     const ScreenVector size = camera.viewport().size();
@@ -186,9 +195,10 @@ class SpaceRenderer::Impl {
     for (const auto& part : parts_)
       for (const auto& lines : part->lines) {
         set_common(line_shader_, camera, part->of->origin, lines->style.clipped_by);
-        line_shader_.set("width", lines->style.width);
+        const float width = width_of(lines->style);
+        line_shader_.set("width", width);
         line_shader_.set("color", lines->style.color);
-        line_shader_.set("fade_below", fade_distance * lines->style.width);
+        line_shader_.set("fade_below", fade_distance * width);
         lines->rows.draw(GL_LINES);
       }
     glDepthMask(GL_TRUE);

@@ -23,6 +23,7 @@ class SpaceRenderer {
   void set_parts(const std::vector<std::shared_ptr<const SpaceScene>>& parts,
                  const std::vector<Plane>& planes);
   void set_scene(const SpaceScene& scene);
+  /// Border lines of markers with a tint are thick.
   /// Colours towards which the surfaces of markers are tinted, as far as their alpha says
   /// (#markers; those left out are not).
   void set_tints(std::vector<Rgba> tints);

@@ -49,6 +49,7 @@ struct SpaceLines {
   Rgba color{0, 0, 0, 1};
   float width = 1;  ///< pixels
   unsigned clipped_by = 0;
+  Index marker = -1;  ///< that they are the border line of; -1: of none
 };
 
 /// What is to be seen in space, in the order in which it is drawn: fills, then lines; what lies

@@ -194,7 +194,11 @@ class SceneBuilder {
     for (std::size_t m = 0; m < look_.border_colors.size(); ++m) {
       if (m < look_.markers.size() && look_.markers[m] == MarkerShow::hidden) continue;
       const Rgb& c = look_.border_colors[m];
-      SpaceLines lines{{}, {c[0], c[1], c[2], 1}, 1.5f * style_.feature_width, by_all_planes};
+      SpaceLines lines{{},
+                       {c[0], c[1], c[2], 1},
+                       1.5f * style_.feature_width,
+                       by_all_planes,
+                       static_cast<Index>(m)};
       lists_->add_lines(lines, markers[m].faces);
       scene_.lines.push_back(std::move(lines));
     }

@@ -43,6 +43,9 @@ void Dialogs::draw(const PanelContext& context, const ScreenVector& window,
   w.record.set_extents(window, mesh);
   w.picture.draw(context);
   w.record.draw(context);
+  // It makes room for the dialog in which a file is chosen for it, and does not take the key that
+  // closed that one.
+  if (!w.file.is_open()) w.step.show_again();
   w.file.draw(context);
   w.step.draw(context);
   // One dialog at a time: what there is to say waits until a file is chosen.
@@ -66,8 +69,11 @@ void Dialogs::on(const action::ShowFileDialog& a) {
   std::error_code ignored;
   const std::string& reference = session_.jobs().smooth_options().slide.reference.name;
   if (a.purpose == FilePurpose::reference && !reference.empty()) suggested = reference;
-  const bool reads = a.purpose == FilePurpose::open_mesh ||
-                     a.purpose == FilePurpose::replay_recipe || a.purpose == FilePurpose::reference;
+  const std::string of_step = windows_->step.reference();
+  if (a.purpose == FilePurpose::step_reference && !of_step.empty()) suggested = of_step;
+  const bool reads =
+      a.purpose == FilePurpose::open_mesh || a.purpose == FilePurpose::replay_recipe ||
+      a.purpose == FilePurpose::reference || a.purpose == FilePurpose::step_reference;
   if (!reads && bundled(suggested))
     suggested = std::filesystem::current_path(ignored) / suggested.filename();
   if (!a.extension.empty()) suggested.replace_extension(a.extension);
@@ -81,6 +87,8 @@ void Dialogs::on(const action::ShowStepEditor& a) {
   if (a.position > 0 && a.position < history.size())
     windows_->step.open(a.position, history.command(a.position));
 }
+
+void Dialogs::on(const action::ChooseStepReference& a) { windows_->step.set_reference(a.file); }
 
 void Dialogs::on(const action::ShowRecordDialog& a) {
   recorded_step_ = a.step;

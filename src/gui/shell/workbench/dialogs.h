@@ -32,6 +32,7 @@ class Dialogs {
   void on(const action::ShowPictureDialog&);
   void on(const action::ShowRecordDialog& a);
   void on(const action::ShowStepEditor& a);
+  void on(const action::ChooseStepReference& a);
   void on(const action::ShowContextMenu& a);
   void on(const action::ShowHelp&);
   void on(const action::ShowPalette&);

@@ -312,7 +312,7 @@ void ViewportPane::draw_space_overlays(ImDrawList& list, const MeshFrame& frame)
   list.PushClipRect(static_cast<ImVec2>(now.min), static_cast<ImVec2>(now.max), true);
   roles_.draw(list, overlay, mesh_view_.volume(), box_of(room_under_banner(frame)));
   space_id_labels_.draw(list, overlay, mesh_view_.volume());
-  draw_space_marks(list, overlay);
+  draw_space_marks(list, overlay, mesh_view_.volume());
   if (!frame.mesh_alone) draw_space_handles(list, overlay, space_viewport_);
   // What is measured lies over what is said of the ruler.
   if (!frame.mesh_alone) draw_space_mode(list, overlay);

@@ -14,8 +14,8 @@ namespace {
 
 // In the order of the key; those that matter most are drawn last.
 constexpr std::array<NodeRole, node_role_count> in_order{
-    NodeRole::free,     NodeRole::fixed,    NodeRole::moves, NodeRole::on_surface,
-    NodeRole::on_curve, NodeRole::periodic, NodeRole::corner};
+    NodeRole::free,     NodeRole::fixed,    NodeRole::moves,  NodeRole::on_surface,
+    NodeRole::on_curve, NodeRole::periodic, NodeRole::corner, NodeRole::held};
 /// Pixels at 100 % to the nearest neighbour that an inner node of a plane mesh needs for its dot:
 /// closer together they would hide the mesh.
 constexpr float free_room = 9;
@@ -32,7 +32,27 @@ bool has_room(const ViewOverlay& o, Index node) {
                              [&](Index other) { return (x.xy(other) - p).norm() >= least; });
 }
 
-void draw_dot(ImDrawList& list, const Theme& theme, const ScreenPoint& at, NodeRole role) {
+void draw_square(ImDrawList& list, const Theme& theme, const ScreenPoint& at) {
+  const auto place = static_cast<ImVec2>(at);
+  const auto around = [&](float half, ImU32 color) {
+    list.AddRectFilled(ImVec2(place.x - half, place.y - half),
+                       ImVec2(place.x + half, place.y + half), color);
+  };
+  around(theme.px(4.7f), palette().card);
+  around(theme.px(3.5f), color_of(NodeRole::held));
+}
+
+void draw_ring(ImDrawList& list, const Theme& theme, const ScreenPoint& at, float radius) {
+  const auto place = static_cast<ImVec2>(at);
+  list.AddCircle(place, radius, palette().card, 24, theme.px(3.5f));
+  list.AddCircle(place, radius, palette().text, 24, theme.px(1.5f));
+}
+
+/// overridden: it was told to do so.
+void draw_dot(ImDrawList& list, const Theme& theme, const ScreenPoint& at, NodeRole role,
+              bool overridden = false) {
+  if (overridden) draw_ring(list, theme, at, theme.px(7.5f));
+  if (role == NodeRole::held) return draw_square(list, theme, at);
   const bool quiet = role == NodeRole::free || role == NodeRole::fixed;
   const float radius = theme.px(quiet ? 2.2f : role == NodeRole::corner ? 4.0f : 3.0f);
   const auto place = static_cast<ImVec2>(at);
@@ -54,6 +74,7 @@ void draw_key(ImDrawList& list, const Theme& theme, const ScreenBox& room, const
   struct Row {
     NodeRole role;
     std::string text;
+    bool ring = false;
   };
   std::vector<Row> rows;
   float wide = 0;
@@ -61,8 +82,12 @@ void draw_key(ImDrawList& list, const Theme& theme, const ScreenBox& room, const
     const Index count = roles.counts[static_cast<std::size_t>(role)];
     if (count == 0) continue;
     rows.push_back({role, std::string(name_of(role)) + ": " + grouped(count)});
-    wide = std::max(wide, font.CalcTextSizeA(font.FontSize, 1e6f, 0, rows.back().text.c_str()).x);
   }
+  if (!roles.overridden.empty())
+    rows.push_back({NodeRole::free,
+                    "Told by hand: " + grouped(static_cast<Index>(roles.overridden.size())), true});
+  for (const Row& row : rows)
+    wide = std::max(wide, font.CalcTextSizeA(font.FontSize, 1e6f, 0, row.text.c_str()).x);
   const float pad = theme.px(8), line = font.FontSize + theme.px(4), dot = theme.px(14);
   const ImVec2 min(static_cast<float>(room.min.x()) + theme.px(12),
                    static_cast<float>(room.min.y()) + theme.px(12));
@@ -74,11 +99,16 @@ void draw_key(ImDrawList& list, const Theme& theme, const ScreenBox& room, const
   list.AddRect(min, max, palette().border, theme.px(5));
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const float y = min.y + pad + static_cast<float>(k) * line;
-    draw_dot(list, theme, {min.x + pad + theme.px(4), y + font.FontSize / 2}, rows[k].role);
+    const ScreenPoint centre(min.x + pad + theme.px(4), y + font.FontSize / 2);
+    if (rows[k].ring)
+      draw_ring(list, theme, centre, theme.px(4));
+    else
+      draw_dot(list, theme, centre, rows[k].role);
     list.AddText(&font, font.FontSize, ImVec2(min.x + pad + dot, y), palette().text,
                  rows[k].text.c_str());
-    ui::note("roles/key/" + std::to_string(static_cast<int>(rows[k].role)), ImVec2(min.x, y),
-             ImVec2(max.x, y + line));
+    ui::note("roles/key/" + (rows[k].ring ? std::string("overridden")
+                                          : std::to_string(static_cast<int>(rows[k].role))),
+             ImVec2(min.x, y), ImVec2(max.x, y + line));
   }
   ui::note("roles/key", min, max);
 }
@@ -101,6 +131,8 @@ ImU32 color_of(NodeRole role) {
       return dark ? IM_COL32(210, 130, 250, 255) : IM_COL32(140, 50, 190, 255);
     case NodeRole::corner:
       return dark ? IM_COL32(255, 110, 90, 255) : IM_COL32(210, 40, 30, 255);
+    case NodeRole::held:
+      return dark ? IM_COL32(110, 190, 255, 255) : IM_COL32(0, 95, 185, 255);
   }
   return palette().text;
 }
@@ -121,6 +153,8 @@ const char* name_of(NodeRole role) {
       return "Periodic";
     case NodeRole::corner:
       return "Corner or edge, stays";
+    case NodeRole::held:
+      return "Held";
   }
   return "";
 }
@@ -131,17 +165,18 @@ void RoleOverlay::draw(ImDrawList& list, const ViewOverlay& o, const ScreenBox& 
   const Coordinates& x = o.session.coordinates();
   if (!roles || roles->roles.size() != at(x.size())) return;
   const Bounds seen = o.view.visible();
-  std::array<std::vector<ScreenPoint>, node_role_count> places;
+  std::array<std::vector<std::pair<ScreenPoint, bool>>, node_role_count> places;
   for (Index i = 0; i < x.size(); ++i) {
     const Vec2 p = x.xy(i);
     if ((p.array() < seen.min.array()).any() || (p.array() > seen.max.array()).any()) continue;
     const NodeRole role = roles->roles[at(i)];
-    if (role == NodeRole::free && !has_room(o, i)) continue;
-    places[static_cast<std::size_t>(role)].push_back(o.view.to_screen(p));
+    const bool told = std::ranges::binary_search(roles->overridden, i);
+    if (role == NodeRole::free && !told && !has_room(o, i)) continue;
+    places[static_cast<std::size_t>(role)].emplace_back(o.view.to_screen(p), told);
   }
   for (const NodeRole role : in_order)
-    for (const ScreenPoint& at : places[static_cast<std::size_t>(role)])
-      draw_dot(list, o.theme, at, role);
+    for (const auto& [at, told] : places[static_cast<std::size_t>(role)])
+      draw_dot(list, o.theme, at, role, told);
   draw_key(list, o.theme, key_room(room, o.options, o.theme), *roles);
 }
 
@@ -174,7 +209,9 @@ void RoleOverlay::find(const SpaceOverlay& o, const VolumeScenes& scenes, const 
   }
   hide_behind(o.view, scenes, places);
   for (std::size_t k = 0; k < nodes.size(); ++k)
-    if (!places[k].hidden) dots_.push_back({places[k].at, roles.roles[at(nodes[k])]});
+    if (!places[k].hidden)
+      dots_.push_back({places[k].at, roles.roles[at(nodes[k])],
+                       std::ranges::binary_search(roles.overridden, nodes[k])});
   std::ranges::stable_sort(dots_, {}, [](const Dot& dot) {
     return std::ranges::find(in_order, dot.role) - in_order.begin();
   });
@@ -199,7 +236,7 @@ void RoleOverlay::draw(ImDrawList& list, const SpaceOverlay& o, const VolumeView
     list.AddLine(static_cast<ImVec2>(o.view.project(x.xyz(a)).at),
                  static_cast<ImVec2>(o.view.project(x.xyz(b)).at),
                  faded(color_of(NodeRole::corner), 0.7f), o.theme.px(1.6f));
-  for (const Dot& dot : dots_) draw_dot(list, o.theme, dot.at, dot.role);
+  for (const Dot& dot : dots_) draw_dot(list, o.theme, dot.at, dot.role, dot.overridden);
   draw_key(list, o.theme, key_room(room, o.options, o.theme), *roles);
 }
 

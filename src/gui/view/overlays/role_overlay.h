@@ -14,7 +14,8 @@ namespace winslow::gui {
 
 /// What nodes do while the mesh is smoothed, as dots in colours, with a key: of a plane mesh all
 /// nodes in view, as far as there is room, of a volume mesh those of the boundary that are seen.
-/// Edges at which sliding markers turn are lines. While the feature angle is edited it is shown
+/// Nodes that were told what to do have a ring, held ones are squares. Edges at which sliding
+/// markers turn are lines. While the feature angle is edited it is shown
 /// whatever the view's options are.
 class RoleOverlay {
  public:
@@ -27,6 +28,7 @@ class RoleOverlay {
   struct Dot {
     ScreenPoint at;
     NodeRole role;
+    bool overridden;
   };
   /// What the dots of a volume mesh depend on.
   struct Key {

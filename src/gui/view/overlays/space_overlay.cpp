@@ -73,20 +73,40 @@ void draw_space_focus(ImDrawList& list, const SpaceOverlay& o) {
            static_cast<ImVec2>(o.view.viewport().max));
 }
 
-/// The VCVs of pinned nodes, the furthest first.
-void draw_pins(ImDrawList& list, const SpaceOverlay& o) {
+/// Nothing of the picture lies before the node of a surface mesh.
+bool is_seen(const SpaceOverlay& o, const VolumeView& picture, const Vec3& point) {
+  constexpr double slack = 4;  // pixels
+  const View::Projection there = o.view.project(point);
+  const auto hit = picture.pick(o.view, there.at);
+  return !hit || o.view.project(hit->point).depth > there.depth - slack * o.view.pixel_size(point);
+}
+
+/// The VCV of a node, as it is drawn at meshes of its kind.
+void draw_pin(ImDrawList& list, const SpaceOverlay& o, Index node) {
+  if (o.session.kind() != MeshKind::surface)
+    return draw_sphere_vcv(list, o.view.camera(), spheres(o.session).at(node), o.theme.px(1),
+                           o.theme.small);
+  const Coordinates& x = o.session.coordinates();
+  const NodalView view = inspect_node(*o.session.vcv(), x, node);
+  draw_vcv(list, o.view, view, plane_of_star(*o.session.topology(), x, view), o.theme.px(1),
+           o.theme.small);
+}
+
+/// The VCVs of pinned nodes, the furthest first; those of a surface that it hides are left out.
+void draw_pins(ImDrawList& list, const SpaceOverlay& o, const VolumeView& picture) {
   std::vector<std::pair<double, Index>> by_depth;
   for (const Index node : o.session.nodes().pinned())
     by_depth.emplace_back(-o.view.project(o.session.coordinates().xyz(node)).depth, node);
   std::sort(by_depth.begin(), by_depth.end());
   for (const auto& [depth, node] : by_depth) {
+    const Vec3 place = o.session.coordinates().xyz(node);
+    if (o.session.kind() == MeshKind::surface && !is_seen(o, picture, place)) continue;
     try {
-      draw_sphere_vcv(list, o.view.camera(), spheres(o.session).at(node), o.theme.px(1),
-                      o.theme.small);
+      draw_pin(list, o, node);
     } catch (const Error&) {
       continue;  // a star without a VCV: the tab says why
     }
-    const ImVec2 at = seen_at(o, o.session.coordinates().xyz(node));
+    const ImVec2 at = seen_at(o, place);
     ui::note("pin/" + std::to_string(node), {at.x - 4, at.y - 4}, {at.x + 4, at.y + 4});
   }
 }
@@ -124,8 +144,8 @@ void draw_cut_handle(ImDrawList& list, const SpaceOverlay& o, CutPart hot) {
 
 }  // namespace
 
-void draw_space_marks(ImDrawList& list, const SpaceOverlay& o) {
-  draw_pins(list, o);
+void draw_space_marks(ImDrawList& list, const SpaceOverlay& o, const VolumeView& picture) {
+  draw_pins(list, o, picture);
   draw_space_focus(list, o);
   const BackdropColors ground = backdrop_colors(o.options);
   const Rgba ink = ground.dark() ? Rgba{0.86f, 0.88f, 0.92f, 1} : Rgba{0.13f, 0.15f, 0.18f, 1};

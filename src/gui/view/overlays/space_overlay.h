@@ -15,8 +15,9 @@ struct SpaceOverlay {
   const Theme& theme;
 };
 
-/// What belongs to the mesh, in pictures of it, too: the item that was gone to, axes and scale.
-void draw_space_marks(ImDrawList& list, const SpaceOverlay& o);
+/// What belongs to the mesh, in pictures of it, too: pinned control volumes, the item that was gone
+/// to, axes and scale.
+void draw_space_marks(ImDrawList& list, const SpaceOverlay& o, const VolumeView& picture);
 /// The lowest pixel that is free above the marks at the left of the view's foot.
 double space_marks_top(const SpaceOverlay& o);
 /// For the mouse's sake: handles, what is about to be moved, the point about which the view turns.

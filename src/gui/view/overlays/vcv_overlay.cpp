@@ -13,9 +13,10 @@ ImU32 color(const Rgb& c, float alpha = 1) {
   return ImGui::ColorConvertFloat4ToU32(ImVec4(c[0], c[1], c[2], alpha));
 }
 
-ImVec2 pixel(const View& view, const Vec2& world) {
-  return static_cast<ImVec2>(view.to_screen(world));
-}
+struct Pen {
+  float unit;  ///< width of a hair line, pixels
+  ImFont* font;
+};
 
 void draw_number(ImDrawList& list, const ImVec2& centre, Index node, float room, ImFont* font) {
   const std::string text = std::to_string(node);
@@ -27,12 +28,12 @@ void draw_number(ImDrawList& list, const ImVec2& centre, Index node, float room,
   list.AddText(font, font->FontSize, at, color(VcvColors().line), text.c_str());
 }
 
-void draw_one(ImDrawList& list, const View& view, const NodalView& node, float unit, ImFont* font) {
-  const ImVec2 centre = pixel(view, node.position);
+/// ends: of the VCV's edges, on screen. reach: length of the star's edges, pixels.
+void draw_one(ImDrawList& list, const NodalView& node, const ImVec2& centre,
+              const std::vector<ImVec2>& ends, float reach, const Pen& pen) {
   const VcvColors colors;
   const ImU32 line = color(colors.line);
-  std::vector<ImVec2> ends;
-  for (const Vec2& p : vcv_over_star(node)) ends.push_back(pixel(view, p));
+  const float unit = pen.unit;
   const std::size_t n = ends.size();
   for (std::size_t k = 0; k < n; ++k)
     list.AddTriangleFilled(centre, ends[k], ends[(k + 1) % n],
@@ -43,9 +44,7 @@ void draw_one(ImDrawList& list, const View& view, const NodalView& node, float u
   for (std::size_t k = 0; k < n; ++k)
     list.AddLine(centre, ends[k], node.weights[k] < 0 ? color(colors.negative) : line, 1.3f * unit);
   list.AddPolyline(ends.data(), count, line, ImDrawFlags_Closed, 2 * unit);
-  const auto reach =
-      static_cast<float>(node.physical.mean_length() / view.pixel_size(node.position));
-  draw_number(list, centre, node.node, reach, font);
+  draw_number(list, centre, node.node, reach, pen.font);
 }
 
 }  // namespace
@@ -53,8 +52,25 @@ void draw_one(ImDrawList& list, const View& view, const NodalView& node, float u
 void draw_vcvs(ImDrawList& list, const View& view, std::span<const NodalView> nodes, float unit,
                ImFont* font) {
   const Bounds seen = view.visible();
-  for (const NodalView& node : nodes)
-    if (vcv_in_sight(node, seen)) draw_one(list, view, node, unit, font);
+  const auto pixel = [&](const Vec2& p) { return static_cast<ImVec2>(view.to_screen(p)); };
+  for (const NodalView& node : nodes) {
+    if (!vcv_in_sight(node, seen)) continue;
+    std::vector<ImVec2> ends;
+    for (const Vec2& p : vcv_over_star(node)) ends.push_back(pixel(p));
+    const double reach = node.physical.mean_length() / view.pixel_size(node.position);
+    draw_one(list, node, pixel(node.position), ends, static_cast<float>(reach), {unit, font});
+  }
+}
+
+void draw_vcv(ImDrawList& list, const View& view, const NodalView& node, const StarPlane& plane,
+              float unit, ImFont* font) {
+  const auto pixel = [&](const Vec2& p) {
+    return static_cast<ImVec2>(view.project(plane.at(p)).at);
+  };
+  std::vector<ImVec2> ends;
+  for (const Vec2& p : vcv_over_star(node)) ends.push_back(pixel(p));
+  const double reach = node.physical.mean_length() / view.pixel_size(plane.origin);
+  draw_one(list, node, pixel({0, 0}), ends, static_cast<float>(reach), {unit, font});
 }
 
 void draw_node_ring(ImDrawList& list, const ImVec2& at, float radius, float width, ImU32 ink) {

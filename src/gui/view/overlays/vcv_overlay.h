@@ -15,6 +15,10 @@ namespace winslow::gui {
 void draw_vcvs(ImDrawList& list, const View& view, std::span<const NodalView> nodes, float unit,
                ImFont* font);
 
+/// The same of one node of a surface mesh, in its tangent plane.
+void draw_vcv(ImDrawList& list, const View& view, const NodalView& node, const StarPlane& plane,
+              float unit, ImFont* font);
+
 /// A ring around a node.
 void draw_node_ring(ImDrawList& list, const ImVec2& at, float radius, float width, ImU32 ink);
 

@@ -8,6 +8,7 @@
 #include "gui/support/pixels.h"
 #include "gui/support/solver_probes.h"
 #include "gui/support/surface_rig.h"
+#include "gui/view/mesh/mesh_colors.h"
 #include "gui/view/navigation/go_to.h"
 #include "gui/view/navigation/worst_list.h"
 #include "io/format/mesh_file.h"
@@ -36,7 +37,7 @@ TEST_CASE("A surface mesh opens in the view of space, with colours, legend and p
 
 TEST_CASE("Every format of surfaces opens, and can be saved") {
   for (const char* name :
-       {"a.obj", "a.off", "a.ply", "a.stl", "a.vtk", "a.vtu", "a.msh", "a.mesh"}) {
+       {"a.obj", "a.off", "a.ply", "a.stl", "a.vtk", "a.vtu", "a.msh", "a.mesh", "a.su2"}) {
     CAPTURE(name);
     Rig rig(900, 600);
     rig.open(SurfaceRig::ball(), name);
@@ -44,7 +45,7 @@ TEST_CASE("Every format of surfaces opens, and can be saved") {
     CHECK(rig.mesh().topology->element_count() == 288);
     const auto kinds = dialog_of(FilePurpose::save_mesh, rig.session().kind()).kinds;
     CHECK(matches(kinds.front(), name));
-    CHECK_FALSE(matches(kinds.front(), "a.su2"));
+    CHECK_FALSE(matches(kinds.front(), "a.ugrid"));
   }
 }
 
@@ -292,7 +293,6 @@ TEST_CASE("A node of a surface shows its star laid flat, and an angle that is ty
   REQUIRE(rig.session().nodes().inspected() == node);
   CHECK(rig.visible("vcv/kappa"));
   CHECK(rig.visible("vcv/angle"));
-  CHECK_FALSE(rig.visible("vcv/spread"));
   const Vec3 before = rig.mesh().coordinates.xyz(node);
   rig.fill("vcv/angle", "100");
   rig.settle();
@@ -301,6 +301,97 @@ TEST_CASE("A node of a surface shows its star laid flat, and an angle that is ty
   const Vec3 after = rig.mesh().coordinates.xyz(node);
   CHECK((after - before).norm() > 1e-4);
   CHECK(after.norm() == doctest::Approx(1));
+}
+
+TEST_CASE("The border line under the mouse is thick, as markers of plane meshes are") {
+  SurfaceRig rig(SurfaceRig::saddle());
+  const auto dark_pixels = [&] {  // of the line's colour, along a cut across it
+    rig.frames(3);
+    const Image picture = rig.bench->pictures().picture();
+    const Vec3 middle(0.5, 0, 0), inside(0.5, 0.1, -0);
+    const ScreenPoint from = rig.at(middle);
+    const ScreenVector way = (rig.at(inside) - from) / (rig.at(inside) - from).norm();
+    const Rgb c = color_of_marker(rig.options(), rig.mesh().topology->markers()[0].name, 0, false);
+    int count = 0;
+    for (double t = -8; t <= 8; t += 0.25) {
+      const ScreenPoint p = from + t * way;
+      const auto* rgb = picture.pixel(static_cast<int>(p.x()), static_cast<int>(p.y()));
+      bool same = true;
+      for (std::size_t k = 0; k < 3; ++k) same = same && std::abs(rgb[k] - 255 * c[k]) < 40;
+      count += same;
+    }
+    return count;
+  };
+  rig.move(ScreenPoint(5, 5));
+  const int calm = dark_pixels();
+  CHECK(calm > 0);
+  rig.move(rig.at({0.45, 0, 0.025}));
+  rig.frames(3);
+  REQUIRE(rig.session().selection().hovered() == std::vector<Index>{0});
+  CHECK(dark_pixels() > calm + 2);
+  rig.move(ScreenPoint(5, 5));
+  CHECK(dark_pixels() == calm);
+}
+
+TEST_CASE("VCVs of a surface are pinned over it where they are seen, and applied to other nodes") {
+  SurfaceRig rig;
+  const Index node = rig.nearest_node();
+  rig.click("tab/vcv");
+  rig.frames();
+  rig.click(rig.at(rig.mesh().coordinates.xyz(node)));
+  rig.settle();
+  REQUIRE(rig.session().nodes().inspected() == node);
+  rig.move(ScreenPoint(5, 5));
+  rig.frames(3);
+  const ScreenPoint at = rig.at(rig.mesh().coordinates.xyz(node));
+  const ScreenVector around(40, 40);
+  const Image bare = rig.bench->pictures().picture();
+  rig.click("vcv/pin");
+  rig.move(ScreenPoint(5, 5));
+  rig.frames(3);
+  CHECK(rig.visible("pin/" + std::to_string(node)));
+  CHECK(differing(bare, rig.bench->pictures().picture(), at - around, at + around) > 200);
+  // From the other side it is hidden.
+  const Vec3 back = -rig.space().camera().back();
+  rig.bench->apply(action::PinNodes{{node}, false});
+  Index behind = node;
+  const Coordinates& x = rig.mesh().coordinates;
+  for (Index i = 0; i < x.size(); ++i)
+    if (x.xyz(i).dot(back) > x.xyz(behind).dot(back)) behind = i;
+  rig.bench->apply(action::PinNodes{{behind}, true});
+  rig.frames(3);
+  CHECK_FALSE(rig.visible("pin/" + std::to_string(behind)));
+
+  // Applied within a radius: to nodes of as many neighbours on this side.
+  rig.fill("vcv/angle", "80");
+  rig.settle();
+  REQUIRE(rig.session().vcv()->edited(node));
+  rig.click("vcv/spread");
+  rig.click("vcv/spread/Nodes within a radius");
+  rig.frames();
+  rig.fill("vcv/radius", "0.5");
+  rig.frames();
+  const std::vector<double> given(rig.session().vcv()->angles(node).begin(),
+                                  rig.session().vcv()->angles(node).end());
+  const Mesh before = rig.mesh();
+  rig.click("vcv/apply");
+  rig.settle();
+  CHECK(rig.session().messages().prompt() == nullptr);
+  int others = 0;
+  for (Index i = 0; i < before.coordinates.size(); ++i) {
+    const double away = (before.coordinates.xyz(i) - before.coordinates.xyz(node)).norm();
+    const bool alike = before.topology->neighbours(i).size() == given.size();
+    CHECK(rig.session().vcv()->edited(i) == (away <= 0.5 && alike));
+    if (i == node || !rig.session().vcv()->edited(i)) continue;
+    ++others;
+    std::vector<double> angles(rig.session().vcv()->angles(i).begin(),
+                               rig.session().vcv()->angles(i).end());
+    std::vector<double> mine = given;
+    std::ranges::sort(angles);
+    std::ranges::sort(mine);
+    for (std::size_t k = 0; k < mine.size(); ++k) CHECK(std::abs(angles[k] - mine[k]) < 1e-12);
+  }
+  CHECK(others >= 4);
 }
 
 TEST_CASE("A smoothed surface is saved, a tangled one is asked about") {
