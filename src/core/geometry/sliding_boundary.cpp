@@ -16,9 +16,24 @@ std::vector<Index> indices_of(const Topology& topology, std::span<const std::str
 
 }  // namespace
 
+std::string text_of(Spacing spacing) {
+  switch (spacing) {
+    case Spacing::turns:
+      return ", spacing held: turns as a whole";
+    case Spacing::ends:
+      return ", spacing held: follows its ends";
+    case Spacing::stays:
+      return ", spacing held: stays between its ends";
+    case Spacing::free:
+      break;
+  }
+  return {};
+}
+
 SlidingBoundary SlidingBoundary::find(const Topology& topology, const Coordinates& x,
                                       std::span<const std::string> names, double feature_angle,
-                                      bool features, const ReferenceSurface* reference) {
+                                      bool features, const ReferenceSurface* reference,
+                                      std::span<const PeriodicPairs> periodic) {
   const bool surface = topology.cell_dimension() != topology.space_dimension();
   if (surface && !names.empty())
     throw UsageError("all nodes of a surface mesh slide: expected no marker, found \"" +
@@ -29,9 +44,9 @@ SlidingBoundary SlidingBoundary::find(const Topology& topology, const Coordinate
     throw UsageError(reference->source + ": a reference surface is for meshes in space, and this " +
                      "is a plane mesh");
   SlidingBoundary boundary =
-      plane       ? sliding_on_curves(topology, x, markers, feature_angle)
+      plane       ? sliding_on_curves(topology, x, markers, feature_angle, periodic)
       : reference ? sliding_on_reference(topology, x, markers, feature_angle, features, *reference)
-                  : sliding_on_surfaces(topology, x, markers, feature_angle, features);
+                  : sliding_on_surfaces(topology, x, markers, feature_angle, features, periodic);
   for (const std::string& name : names) {
     bool slides = false;
     for (const SlidingPart& part : boundary.parts) slides |= part.marker == name;

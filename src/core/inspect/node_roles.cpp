@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/mesh/surface_faces.h"
 #include "core/problem/node_classes.h"
+#include "core/strategy/held_spacing.h"
 #include "core/strategy/surface_shape.h"
 
 namespace winslow {
@@ -62,9 +63,10 @@ std::vector<std::array<Index, 2>> features_of(const Mesh& mesh, const SlideOptio
 std::optional<NodeClasses> classes_of(const Mesh& mesh, const SlideOptions& slide, NodeRoles& out) {
   NodeClasses classes(mesh.topology);
   try {
-    const MovingBoundary boundary = make_boundary_move(slide, mesh, {}, classes);
+    MovingBoundary boundary = make_boundary_move(slide, mesh, {}, classes);
+    hold_spacing(slide, mesh, boundary, classes);
     for (const SlidingPart& part : boundary.sliding)
-      out.found.push_back(part.marker + ": " + part.description);
+      out.found.push_back(part.marker + ": " + part.description + text_of(part.spacing));
     for (const PeriodicPairs& pairs : boundary.periodic)
       out.found.push_back(pairs.first + " and " + pairs.second + ": " + pairs.description);
     return classes;
@@ -80,6 +82,7 @@ NodeRole role_of(NodeClass which, bool paired, bool on_sliding_marker) {
   switch (which) {
     case NodeClass::free:
       return NodeRole::free;
+    case NodeClass::follows:
     case NodeClass::on_curve:
       return NodeRole::on_curve;
     case NodeClass::on_surface:

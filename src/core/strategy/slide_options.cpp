@@ -38,6 +38,27 @@ OptionTable sliding_rows(SlideOptions& slide) {
        .object = "slide",
        .flag = "feature-angle",
        .applies = !slide.markers.empty()},
+      {.key = "spacing",
+       .value = ChoiceOption{slide.spacing,
+                             {{"auto", "Auto",
+                               "Held for walls: markers around a body, and those whose elements "
+                               "are flat, three times as long as high or more"},
+                              {"held", "Held", "For all sliding markers"},
+                              {"free", "Free", "For none"}}},
+       .label = "Spacing along curves",
+       .help = "Whether the edges of a sliding curve keep their shares of its length: a closed "
+               "curve then turns as a whole, others follow their ends",
+       .advice = "Held where nodes are clustered, as at leading edges and walls; free where they "
+                 "may go where the mesh draws them.",
+       .object = "slide",
+       .applies = !slide.markers.empty()},
+      {.key = "hold_spacing",
+       .value = NamesOption{&slide.held_markers},
+       .label = "Markers with held spacing",
+       .help = "Sliding markers whose spacing is held whatever is chosen for the others",
+       .object = "slide",
+       .flag = "hold-spacing",
+       .applies = !slide.held_markers.empty()},
       {.key = "features",
        .value = SwitchOption{&slide.features},
        .label = "Slide along edges",
@@ -99,6 +120,11 @@ OptionTable option_table(SlideOptions& slide) {
   return table;
 }
 
+bool stop_sliding(SlideOptions& slide, const std::string& marker) {
+  std::erase(slide.held_markers, marker);
+  return std::erase(slide.markers, marker) > 0;
+}
+
 const ReferenceSurface* reference_of(const SlideOptions& slide) {
   if (slide.reference.name.empty()) return nullptr;
   if (!slide.reference.surface)
@@ -146,6 +172,33 @@ void require_at_rest(const std::string& marker, std::span<const Index> nodes,
                        "\" is to slide or to be periodic, and the motion takes its nodes");
 }
 
+/// The pairs of the sides that are to be periodic, those of halo nodes last.
+std::vector<PeriodicPairs> find_pairs(const SlideOptions& slide, const Mesh& mesh) {
+  std::vector<PeriodicPairs> list;
+  for (std::size_t k = 0; k + 1 < slide.periodic.size(); k += 2)
+    list.push_back(PeriodicPairs::find(*mesh.topology, mesh.coordinates, slide.periodic[k],
+                                       slide.periodic[k + 1]));
+  for (const GivenPairs& given : wanted_pairs(slide))
+    if (auto pairs = pairs_on(mesh, *slide.file_pairs.found, given))
+      list.push_back(std::move(*pairs));
+  for (const PeriodicPairs& pairs : list)
+    for (const std::string& name : {pairs.first, pairs.second})
+      if (std::ranges::find(slide.markers, name) != slide.markers.end())
+        throw UsageError("marker \"" + name + "\" is to slide and to be periodic: expected one");
+  std::ranges::stable_partition(list, [](const PeriodicPairs& pairs) { return !pairs.halo; });
+  return list;
+}
+
+/// Leaves the corners that move: those that were found to slide, and copies beyond them.
+void keep_sliding_corners(const std::vector<PeriodicPair>& sliding, const NodeClasses& classes,
+                          PeriodicPairs& pairs) {
+  std::erase_if(pairs.corners, [&](const PeriodicPair& pair) {
+    if (!pairs.halo) return std::ranges::find(sliding, pair) == sliding.end();
+    return !classes.slides(pair.node) || classes.has_image(pair.node) ||
+           classes[pair.image] == NodeClass::image;
+  });
+}
+
 }  // namespace
 
 MovingBoundary make_boundary_move(const SlideOptions& slide, const Mesh& mesh,
@@ -153,32 +206,28 @@ MovingBoundary make_boundary_move(const SlideOptions& slide, const Mesh& mesh,
   MovingBoundary out;
   std::vector<Index> taken(moving.begin(), moving.end());
   std::ranges::sort(taken);
+  out.periodic = find_pairs(slide, mesh);
+  std::vector<PeriodicPair> corners;
   if (!slide.markers.empty()) {
     SlidingBoundary boundary =
         SlidingBoundary::find(*mesh.topology, mesh.coordinates, slide.markers, slide.feature_angle,
-                              slide.features, reference_of(slide));
+                              slide.features, reference_of(slide), out.periodic);
     for (const SlidingPart& part : boundary.parts) {
       require_at_rest(part.marker, part.nodes, taken);
       classes.set_sliding(part.nodes, boundary.geometry, mesh.coordinates);
     }
     out.sliding = std::move(boundary.parts);
+    corners = std::move(boundary.corners);
   }
-  const auto join = [&](PeriodicPairs pairs) {
-    for (const std::string& name : {pairs.first, pairs.second})
-      if (std::ranges::find(slide.markers, name) != slide.markers.end())
-        throw UsageError("marker \"" + name + "\" is to slide and to be periodic: expected one");
-    for (const auto& [node, image] : pairs.pairs) {
-      require_at_rest(pairs.first, {&node, 1}, taken);
-      require_at_rest(pairs.second, {&image, 1}, taken);
-    }
+  for (PeriodicPairs& pairs : out.periodic) {
+    keep_sliding_corners(corners, classes, pairs);
+    for (const auto* list : {&pairs.pairs, &pairs.corners})
+      for (const auto& [node, image] : *list) {
+        require_at_rest(pairs.first, {&node, 1}, taken);
+        require_at_rest(pairs.second, {&image, 1}, taken);
+      }
     classes.set_periodic(pairs);
-    out.periodic.push_back(std::move(pairs));
-  };
-  for (std::size_t k = 0; k + 1 < slide.periodic.size(); k += 2)
-    join(PeriodicPairs::find(*mesh.topology, mesh.coordinates, slide.periodic[k],
-                             slide.periodic[k + 1]));
-  for (const GivenPairs& given : wanted_pairs(slide))
-    if (auto pairs = pairs_on(mesh, *slide.file_pairs.found, given)) join(std::move(*pairs));
+  }
   return out;
 }
 

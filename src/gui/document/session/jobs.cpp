@@ -119,7 +119,7 @@ double Jobs::pace_of(Command command) const {
 SmoothOptions Jobs::smooth_for_motion(const std::vector<std::string>& markers) const {
   SmoothOptions smooth = smooth_;
   for (const std::string& name : markers) {
-    std::erase(smooth.slide.markers, name);
+    stop_sliding(smooth.slide, name);
     take_out(smooth.slide, name);
   }
   // It is kept for when a marker slides again.
@@ -179,7 +179,7 @@ void Jobs::on(const action::PairMarkers& a) {
     const PeriodicPairs pairs =
         PeriodicPairs::find(*mesh.topology, mesh.coordinates, a.first, *a.second);
     slide.periodic.insert(slide.periodic.end(), {a.first, *a.second});
-    for (const std::string& name : {a.first, *a.second}) std::erase(slide.markers, name);
+    for (const std::string& name : {a.first, *a.second}) stop_sliding(slide, name);
     smooth_.slide = std::move(slide);
     messages_.tell(Notice::Kind::information,
                    a.first + " and " + *a.second + " are periodic: " + pairs.description + ", " +
