@@ -133,12 +133,12 @@ void MarkerRoles::draw_spacing(const PanelContext& context, SlideOptions slide) 
   const char* tip =
       "Whether nodes keep their relative spacing along the curves that they slide on, as clusters "
       "at leading edges and walls need it: a closed curve then turns as a whole, other stretches "
-      "follow their ends.
-      "
+      "follow their ends.\n"
       "Auto: held for walls, that is markers around a body and those with flat elements, and free "
-      "for far fields.
-      Held : of all sliding markers.Free : nodes go where the mesh draws them.";
-                                           ui::row("Spacing", tip);
+      "for far fields.\n"
+      "Held: of all sliding markers.\n"
+      "Free: nodes go where the mesh draws them.";
+  ui::row("Spacing", tip);
   auto chosen = static_cast<std::size_t>(slide.spacing);
   if (!ui::combo("markers/spacing", {"Auto", "Held", "Free"}, chosen, tip)) return;
   slide.spacing = static_cast<SlideSpacing>(chosen);
