@@ -38,27 +38,6 @@ OptionTable sliding_rows(SlideOptions& slide) {
        .object = "slide",
        .flag = "feature-angle",
        .applies = !slide.markers.empty()},
-      {.key = "spacing",
-       .value = ChoiceOption{slide.spacing,
-                             {{"auto", "Auto",
-                               "Held for walls: markers around a body, and those whose elements "
-                               "are flat, three times as long as high or more"},
-                              {"held", "Held", "For all sliding markers"},
-                              {"free", "Free", "For none"}}},
-       .label = "Spacing along curves",
-       .help = "Whether the edges of a sliding curve keep their shares of its length: a closed "
-               "curve then turns as a whole, others follow their ends",
-       .advice = "Held where nodes are clustered, as at leading edges and walls; free where they "
-                 "may go where the mesh draws them.",
-       .object = "slide",
-       .applies = !slide.markers.empty()},
-      {.key = "hold_spacing",
-       .value = NamesOption{&slide.held_markers},
-       .label = "Markers with held spacing",
-       .help = "Sliding markers whose spacing is held whatever is chosen for the others",
-       .object = "slide",
-       .flag = "hold-spacing",
-       .applies = !slide.held_markers.empty()},
       {.key = "features",
        .value = SwitchOption{&slide.features},
        .label = "Slide along edges",
@@ -84,6 +63,32 @@ OptionTable sliding_rows(SlideOptions& slide) {
        .object = "slide",
        .flag = "reference",
        .applies = !slide.reference.name.empty()},
+  };
+}
+
+OptionTable spacing_rows(SlideOptions& slide) {
+  return {
+      {.key = "spacing",
+       .value = ChoiceOption{slide.spacing,
+                             {{"auto", "Auto",
+                               "Held for walls: markers around a body, and those whose elements "
+                               "are flat, three times as long as high or more"},
+                              {"held", "Held", "For all sliding markers"},
+                              {"free", "Free", "For none"}}},
+       .label = "Spacing along curves",
+       .help = "Whether the edges of a sliding curve keep their shares of its length: a closed "
+               "curve then turns as a whole, others follow their ends",
+       .advice = "Held where nodes are clustered, as at leading edges and walls; free where they "
+                 "may go where the mesh draws them.",
+       .object = "slide",
+       .applies = !slide.markers.empty()},
+      {.key = "hold_spacing",
+       .value = NamesOption{&slide.held_markers},
+       .label = "Markers with held spacing",
+       .help = "Sliding markers whose spacing is held whatever is chosen for the others",
+       .object = "slide",
+       .flag = "hold-spacing",
+       .applies = !slide.held_markers.empty()},
   };
 }
 
@@ -116,7 +121,8 @@ OptionTable pair_rows(SlideOptions& slide) {
 
 OptionTable option_table(SlideOptions& slide) {
   OptionTable table = sliding_rows(slide);
-  for (Option& row : pair_rows(slide)) table.push_back(std::move(row));
+  for (auto* rows : {spacing_rows, pair_rows})
+    for (Option& row : rows(slide)) table.push_back(std::move(row));
   return table;
 }
 

@@ -44,6 +44,20 @@ TEST_CASE("roles in the plane: corners stay, stretches slide, pairs move togethe
     if (roles.roles[at(i)] == NodeRole::on_curve) CHECK(mesh.coordinates.xy(i).y() == 1);
 }
 
+TEST_CASE("held stretches stay, or move with a body that moves an end of them") {
+  const Mesh mesh = make_mesh(square(6, Cells::triangles));
+  SlideOptions slide;
+  slide.markers = {"top"};
+  slide.spacing = SlideSpacing::held;
+  const NodeRoles stays = node_roles(mesh, slide, {});
+  CHECK(count_of(stays, NodeRole::on_curve) == 0);
+  CHECK(count_of(stays, NodeRole::corner) == 7);
+  CHECK(stays.found[0] == "top: straight line, spacing held: stays between its ends");
+  const NodeRoles moves = node_roles(mesh, slide, {"left"});
+  CHECK(count_of(moves, NodeRole::moves) == 7 + 5);
+  CHECK(moves.found[0] == "top: straight line, spacing held: follows its ends");
+}
+
 TEST_CASE("roles follow the feature angle") {
   // All four sides as one marker: its corners turn by 90 degrees.
   MeshData data = square(6, Cells::quads);
