@@ -191,7 +191,8 @@ std::vector<PeriodicPairs> find_pairs(const SlideOptions& slide, const Mesh& mes
     for (const std::string& name : {pairs.first, pairs.second})
       if (std::ranges::find(slide.markers, name) != slide.markers.end())
         throw UsageError("marker \"" + name + "\" is to slide and to be periodic: expected one");
-  std::ranges::stable_partition(list, [](const PeriodicPairs& pairs) { return !pairs.halo; });
+  std::stable_partition(list.begin(), list.end(),
+                        [](const PeriodicPairs& pairs) { return !pairs.halo; });
   return list;
 }
 
