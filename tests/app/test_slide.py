@@ -17,7 +17,8 @@ class Slide(ProgramTest):
             self.assertAlmostEqual(math.hypot(*after[node]), 4, delta=1e-12)
             self.assertGreater(math.dist(after[node], before[node]), 1)
         sliding = self.json("r.json")["commands"][0]["sliding"]
-        self.assertEqual(sliding, [{"marker": "farfield", "on": "circle of radius 4", "nodes": 24}])
+        self.assertEqual(sliding, [{"marker": "farfield", "on": "circle of radius 4", "nodes": 24,
+                                    "spacing": "free"}])
         self.assertEqual(self.json("p.json")["commands"][0]["smooth"]["slide"]["markers"],
                          ["farfield"])
         self.winslow("replay", "p.json", "-o", "again.su2")
@@ -66,6 +67,47 @@ class Slide(ProgramTest):
                                "5", *arguments, code=USAGE)
             self.assertIn(words, run.stderr)
             self.assertFalse(self.path("out.su2").exists())
+
+    def test_spacing_is_held_as_asked_and_a_recipe_does_the_same(self):
+        self.ring()
+        slid = {}
+        for spacing in ("free", "held"):
+            run = self.winslow("move", "ring.su2", "-o", spacing + ".su2", "--marker", "body",
+                               "--translate", "0.3", "0.2", "--slide", "farfield",
+                               "--slide-spacing", spacing, "--report", "r.json",
+                               "--save-recipe", "p.json")
+            self.assertEqual("spacing of 24 held" in run.stdout, spacing == "held")
+            part = self.json("r.json")["commands"][0]["sliding"][0]
+            self.assertEqual((part["nodes"], part["spacing"]), (24, spacing))
+            nodes, _, markers = support.read_su2(self.path(spacing + ".su2"))
+            angles = [abs(math.remainder(math.atan2(*nodes[a]) - math.atan2(*nodes[b]), math.tau))
+                      for a, b in markers["farfield"]]
+            slid[spacing] = max(angles) / min(angles)
+        self.assertAlmostEqual(slid["held"], 1, delta=1e-11)
+        self.assertGreater(slid["free"], 1.02)
+        self.assertEqual(self.json("p.json")["commands"][0]["smooth"]["slide"]["spacing"], "held")
+        self.winslow("replay", "p.json", "-o", "again.su2")
+        self.assertEqual(self.path("again.su2").read_bytes(), self.path("held.su2").read_bytes())
+        run = self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--rotate", "5",
+                           "--slide", "farfield", "--hold-spacing", "lid", code=USAGE)
+        self.assertIn("does not slide", run.stderr)
+
+    def test_corners_of_a_passage_slide_along_its_inlet_and_outlet(self):
+        nodes, elements, markers = passage()
+        support.write_su2(self.path("passage.su2"), nodes, elements, markers)
+        arguments = ["move", "passage.su2", "-o", "out.su2", "--marker", "blade", "--translate",
+                     "0", "0.5", "--periodic", "lower", "upper", "--slide", "inflow"]
+        run = self.winslow(*arguments, "--slide", "outflow", "--report", "r.json")
+        self.assertIn("2 corners of theirs slide", run.stdout)
+        self.assertEqual(self.json("r.json")["commands"][0]["periodic"][0]["corners"], 2)
+        after, _, _ = support.read_su2(self.path("out.su2"))
+        for x, y in ((0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)):
+            node = nodes.index((x, y))
+            self.assertEqual(after[node][0], x)
+            self.assertGreater(after[node][1], y + 0.1)
+        for x in (0.0, 1.0):
+            self.assertAlmostEqual(after[nodes.index((x, 1.0))][1],
+                                   after[nodes.index((x, 0.0))][1] + 1, delta=1e-13)
 
     def test_sides_of_a_passage_move_together_until_the_blade_is_where_it_is_to_be(self):
         nodes, elements, markers = passage()

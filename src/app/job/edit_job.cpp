@@ -202,17 +202,23 @@ void print_commands(const RunReport& run) {
     if (c.result.stretched)
       std::cout << ", " << std::lround(100 * *c.result.stretched)
                 << " % of the elements kept stretched";
-    Index sliding = 0;
-    for (const SlidingPart& part : c.result.boundary.sliding)
-      sliding += static_cast<Index>(part.nodes.size());
+    std::size_t sliding = 0, held = 0;
+    for (const SlidingPart& part : c.result.boundary.sliding) {
+      sliding += part.sliding_nodes();
+      if (part.spacing != Spacing::free) held += part.nodes.size();
+    }
     if (sliding > 0)
       std::cout << ", " << sliding << (c.on_surface ? " nodes" : " nodes of the boundary")
                 << " slide";
     if (c.result.boundary.held > 0)
       std::cout << ", " << c.result.boundary.held << " named nodes held";
+    if (held > 0) std::cout << ", spacing of " << held << " held";
     for (const PeriodicPairs& pairs : c.result.boundary.periodic)
       std::cout << ", " << pairs.pairs.size() << (pairs.halo ? " halo nodes" : " periodic pairs")
                 << " by " << pairs.description;
+    for (const PeriodicPairs& pairs : c.result.boundary.periodic)
+      if (!pairs.corners.empty() && !pairs.halo)
+        std::cout << ", " << pairs.corners.size() << " corners of theirs slide";
     if (c.result.kept_outside > 0)
       std::cout << ", " << c.result.kept_outside << " interior nodes kept outside";
     if (c.result.stuck_nodes > 0)

@@ -69,19 +69,23 @@ json describe_gap(const std::optional<Gap>& gap) {
 
 json describe_sliding(const std::vector<SlidingPart>& parts) {
   json report = json::array();
-  for (const SlidingPart& part : parts)
+  for (const SlidingPart& part : parts) {
     report.push_back(
-        {{"marker", part.marker}, {"on", part.description}, {"nodes", part.nodes.size()}});
+        {{"marker", part.marker}, {"on", part.description}, {"nodes", part.sliding_nodes()}});
+    if (part.row) report.back()["spacing"] = part.spacing == Spacing::free ? "free" : "held";
+  }
   return report;
 }
 
 json describe_periodic(const std::vector<PeriodicPairs>& list) {
   json report = json::array();
-  for (const PeriodicPairs& pairs : list)
+  for (const PeriodicPairs& pairs : list) {
     report.push_back({{"markers", {pairs.first, pairs.second}},
                       {"by", pairs.description},
                       {"pairs", pairs.pairs.size()},
                       {"halo", pairs.halo}});
+    if (!pairs.corners.empty()) report.back()["corners"] = pairs.corners.size();
+  }
   return report;
 }
 

@@ -247,27 +247,20 @@ template <int D>
 ResidualNorms SimplexWinslow<D>::residual(const Coordinates& x, std::span<double> out) const {
   const SimplexData cells = data(x, nullptr);
   const RowBlocks<D>& rows = structure_->rows;
-  const PeriodicRows<D>& periodic = structure_->periodic;
-  const std::vector<Foot> feet = structure_->sliding.feet(node_unknowns(), x);
   std::vector<NormSum> norms(block_count(rows.rows()));
-  PairedRows<D> paired(*structure_);
-  const std::span<double> full = paired.residual(out);
+  RowReduction<D> reduction(*structure_, node_unknowns(), x);
+  const std::span<double> full = reduction.all_rows(out);
   for_each_block([&](std::size_t part, Index block, Index first, Index last, BlockMemory& memory) {
     sum_block(cells, false, false, block, memory);
     for (Index p = first; p < last; ++p) {
       const RowSum<D> sum = memory.row(p - first);
       const std::size_t row = at(rows.row(p));
-      const Index count = structure_->cells_at_row[row];
-      if (periodic.is_part(row))
-        paired.scales[row] = sum.scale_of(count);
-      else
-        norms[part].add(sum.scaled(count, structure_->foot(feet, row)));
+      reduction.add_norm(row, sum, norms[part]);
       if (full.empty()) continue;
       for (std::size_t k = 0; k < D; ++k) full[D * row + k] = -sum.gradient()[k];
     }
   });
-  if (!full.empty()) structure_->sliding.restrict(feet, full);
-  paired.reduce(full, out, norms);
+  reduction.reduce(full, out, &norms);
   return NormSum::total(norms);
 }
 
@@ -290,14 +283,12 @@ template <int D>
 Linearisation SimplexWinslow<D>::assemble(const SimplexData& cells, const Coordinates& x,
                                           bool project, bool convex, SparseMatrix& hessian,
                                           std::span<double> residual) const {
-  const std::vector<Foot> feet = structure_->sliding.feet(node_unknowns(), x);
   const RowBlocks<D>& rows = structure_->rows;
-  const PeriodicRows<D>& periodic = structure_->periodic;
   const SparsityPattern& pattern = *rows.pattern();
-  PairedRows<D> paired(*structure_);
-  const std::span<double> full = paired.residual(residual);
+  RowReduction<D> reduction(*structure_, node_unknowns(), x);
+  const std::span<double> full = reduction.all_rows(residual);
   SparseMatrix unreduced;
-  SparseMatrix& out = periodic.empty() ? hessian : unreduced;
+  SparseMatrix& out = structure_->joins() ? unreduced : hessian;
   out.pattern = rows.pattern();
   out.block = D;
   out.symmetric = true;
@@ -320,27 +311,20 @@ Linearisation SimplexWinslow<D>::assemble(const SimplexData& cells, const Coordi
           diagonal[D * i + j] =
               i == j ? sum.v[(D + 1) * i] : 0.5 * (sum.v[D * i + j] + sum.v[D * j + i]);
       }
-      const Index count = structure_->cells_at_row[row];
-      if (periodic.is_part(row))
-        paired.scales[row] = sum.scale_of(count);
-      else
-        norms[part].add(sum.scaled(count, structure_->foot(feet, row)));
+      reduction.add_norm(row, sum, norms[part]);
       for (std::size_t k = 0; k < D; ++k) full[D * row + k] = -sum.gradient()[k];
     }
   });
-  structure_->sliding.restrict(feet, full, project || convex, out);
-  structure_->sliding.restrict(feet, full);
-  if (!periodic.empty()) periodic.reduce(out, hessian);
-  paired.reduce(full, residual, norms);
+  reduction.reduce(full, project || convex, out, hessian);
+  reduction.reduce(full, residual, &norms);
   return {NormSum::total(norms), std::accumulate(energies.begin(), energies.end(), 0.0)};
 }
 
 template <int D>
 void SimplexWinslow<D>::boundary_response(const Coordinates& x, const Coordinates& displacement,
                                           std::span<double> out) const {
-  std::vector<double> all;  // rows, those of images too
-  if (!structure_->periodic.empty()) all.resize(D * structure_->cells_at_row.size());
-  const std::span<double> full = all.empty() ? out : std::span<double>(all);
+  RowReduction<D> reduction(*structure_, node_unknowns(), x);
+  const std::span<double> full = reduction.all_rows(out);
   const SimplexData cells = data(x, nullptr);
   const std::vector<Index>& half_free = structure_->half_free;
   const std::vector<Index>& row_of_node = structure_->row_of_node;
@@ -374,8 +358,7 @@ void SimplexWinslow<D>::boundary_response(const Coordinates& x, const Coordinate
       }
     }
   }
-  structure_->sliding.restrict(structure_->sliding.feet(node_unknowns(), x), full);
-  if (!all.empty()) structure_->periodic.reduce(full, out);
+  reduction.reduce(full, out, nullptr);
 }
 
 template class SimplexWinslow<2>;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/error.h"
 #include "core/geometry/sliding_boundary.h"
@@ -27,15 +29,39 @@ class NodeParts {
   std::map<Index, Index> part_of_;
 };
 
+/// What of the boundary each node of a periodic pair lies on, besides its own side.
+class CornerMarkers {
+ public:
+  CornerMarkers(const Topology& topology, std::span<const Index> sliding);
+  /// The sliding marker at a node of a pair, if there is one and no marker besides but the sides.
+  std::optional<Index> sliding_at(Index node, const PeriodicPairs& pairs) const;
+  /// Whether a sliding marker is there at all.
+  bool meets_sliding(Index node) const;
+  /// Throws UsageError where one node of a pair meets a sliding marker and the other does not.
+  void require_both(const Coordinates& x, const PeriodicPair& pair) const;
+
+ private:
+  const Topology& topology_;
+  std::vector<Index> sliding_;
+  std::map<Index, std::vector<Index>> markers_at_;  // of nodes of more than one
+};
+
+/// Throws UsageError: a node of a pair is on a marker that slides, but for its partner `what`.
+[[noreturn]] void refuse_corner(const Coordinates& x, Index on_sliding, Index partner,
+                                const std::string& marker, const std::string& what);
+
 // Each has the nodes slide that the rules hold, too, and throws UsageError for smooth ones that
 // cannot slide.
 
 /// Of a plane mesh. markers: indices.
 SlidingBoundary sliding_on_curves(const Topology& topology, const Coordinates& x,
-                                  std::span<const Index> markers, const FeatureRules& rules);
+                                  std::span<const Index> markers, const FeatureRules& rules,
+                                  std::span<const PeriodicPairs> periodic);
 /// Of a volume mesh; of a surface mesh, whose elements all take part, markers is empty.
 SlidingBoundary sliding_on_surfaces(const Topology& topology, const Coordinates& x,
-                                    std::span<const Index> markers, const FeatureRules& rules);
+                                    std::span<const Index> markers, const FeatureRules& rules,
+                                    std::span<const PeriodicPairs> periodic);
+
 /// The same on another surface: see SlidingBoundary::find().
 SlidingBoundary sliding_on_reference(const Topology& topology, const Coordinates& x,
                                      std::span<const Index> markers, const FeatureRules& rules,

@@ -15,9 +15,12 @@ template <int D>
 class Line final : public Curve<D> {
  public:
   Line(const Vec<D>& origin, const Vec<D>& direction) : origin_(origin), direction_(direction) {}
-  CurvePoint<D> nearest(const Vec<D>& p) const override {
-    return {origin_ + direction_.dot(p - origin_) * direction_, direction_, Vec<D>::Zero()};
+  CurvePoint<D> nearest(const Vec<D>& p) const override { return at_arc(arc_of(p)); }
+  double arc_of(const Vec<D>& p) const override { return direction_.dot(p - origin_); }
+  CurvePoint<D> at_arc(double arc) const override {
+    return {origin_ + arc * direction_, direction_, Vec<D>::Zero()};
   }
+  double period() const override { return 0; }
   std::string description() const override { return "straight line"; }
 
  private:
@@ -33,13 +36,24 @@ class Circle final : public Curve<D> {
   CurvePoint<D> nearest(const Vec<D>& p) const override {
     const Vec2 arm(first_.dot(p - centre_), second_.dot(p - centre_));
     const double length = arm.norm();
-    const Vec2 out = length > 0 ? Vec2(arm / length) : Vec2(1, 0);
-    const Vec<D> normal = out.x() * first_ + out.y() * second_;
-    return {centre_ + radius_ * normal, out.x() * second_ - out.y() * first_, -normal / radius_};
+    return at_direction(length > 0 ? Vec2(arm / length) : Vec2(1, 0));
   }
+  double arc_of(const Vec<D>& p) const override {
+    const double angle = std::atan2(second_.dot(p - centre_), first_.dot(p - centre_));
+    return radius_ * (angle < 0 ? angle + 2 * pi : angle);
+  }
+  CurvePoint<D> at_arc(double arc) const override {
+    return at_direction(Vec2(std::cos(arc / radius_), std::sin(arc / radius_)));
+  }
+  double period() const override { return 2 * pi * radius_; }
   std::string description() const override { return "circle of radius " + number_text(radius_); }
 
  private:
+  CurvePoint<D> at_direction(const Vec2& out) const {
+    const Vec<D> normal = out.x() * first_ + out.y() * second_;
+    return {centre_ + radius_ * normal, out.x() * second_ - out.y() * first_, -normal / radius_};
+  }
+
   Vec<D> centre_, first_, second_;
   double radius_;
 };

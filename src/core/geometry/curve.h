@@ -24,6 +24,14 @@ class Curve {
   virtual ~Curve() = default;
   /// The place nearest to a point. A straight line goes on beyond its ends.
   virtual CurvePoint<D> nearest(const Vec<D>& point) const = 0;
+  /// Length of arc from where the curve begins to the place nearest to a point, in units of the
+  /// mesh; of a closed curve from 0 on, less than its period.
+  virtual double arc_of(const Vec<D>& point) const = 0;
+  /// The place at a length of arc. A straight line goes on beyond its ends, a closed curve round
+  /// and round; others end.
+  virtual CurvePoint<D> at_arc(double arc) const = 0;
+  /// Length of a closed curve; 0 of an open one.
+  virtual double period() const = 0;
   /// "straight line", "circle of radius 10", "smooth curve through 200 nodes": for reports.
   virtual std::string description() const = 0;
 };

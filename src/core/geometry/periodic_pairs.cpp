@@ -282,7 +282,7 @@ PeriodicPairs PeriodicPairs::find(const Topology& topology, const Coordinates& x
   out.deviation = worst_pair(out.image, a, b, *best).distance;
   for (std::size_t i = 0; i < a.nodes.size(); ++i) {
     const auto j = static_cast<std::size_t>(best->partner[i]);
-    if (!a.shared[i] && !b.shared[j]) out.pairs.push_back({a.nodes[i], b.nodes[j]});
+    (a.shared[i] || b.shared[j] ? out.corners : out.pairs).push_back({a.nodes[i], b.nodes[j]});
   }
   return out;
 }
@@ -316,8 +316,8 @@ PeriodicPairs PeriodicPairs::of(const Topology& topology, const Coordinates& x,
   out.deviation = worst.distance;
   out.description = text_of(out.image, dimension);
   for (std::size_t i = 0; i < a.nodes.size(); ++i)
-    if (!a.shared[i] && !b.shared[i]) out.pairs.push_back({a.nodes[i], b.nodes[i]});
-  std::ranges::sort(out.pairs, {}, &PeriodicPair::node);
+    (a.shared[i] || b.shared[i] ? out.corners : out.pairs).push_back({a.nodes[i], b.nodes[i]});
+  for (auto* list : {&out.pairs, &out.corners}) std::ranges::sort(*list, {}, &PeriodicPair::node);
   return out;
 }
 

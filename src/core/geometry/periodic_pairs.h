@@ -56,6 +56,9 @@ struct PeriodicPairs {
   RigidImage image;           ///< takes the first side to the second
   /// Ascending by node, of the nodes that move together: those on no other marker.
   std::vector<Pair> pairs;
+  /// The same of nodes on other markers, too: ends and edges of the sides. They stay, but for those
+  /// that SlidingBoundary::find() has slide.
+  std::vector<Pair> corners;
   bool halo = false;     ///< as GivenPairs::halo
   double deviation = 0;  ///< largest distance of a node from the image of its partner
 

@@ -14,6 +14,10 @@ namespace {
 
 Vec3 lifted(const Vec2& v) { return {v.x(), v.y(), 0}; }
 
+double turn_between(const Vec2& in, const Vec2& out) {
+  return std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+}
+
 class CurveGeometry final : public SlidingGeometry {
  public:
   Foot foot(Index node, const Vec3& point) const override {
@@ -25,13 +29,13 @@ class CurveGeometry final : public SlidingGeometry {
     foot.bend[0] = lifted(place.curvature);
     return foot;
   }
-  void add(std::unique_ptr<const PlaneCurve> curve, std::span<const Index> nodes) {
+  void add(std::shared_ptr<const PlaneCurve> curve, std::span<const Index> nodes) {
     for (const Index node : nodes) parts_.set(node, static_cast<Index>(curves_.size()));
     curves_.push_back(std::move(curve));
   }
 
  private:
-  std::vector<std::unique_ptr<const PlaneCurve>> curves_;
+  std::vector<std::shared_ptr<const PlaneCurve>> curves_;
   NodeParts parts_;
 };
 
@@ -74,8 +78,7 @@ class ChainFinder {
     if (smooth_.contains(node)) return true;
     const auto& neighbours = next_.at(node);
     const Vec2 in = x_.xy(node) - x_.xy(neighbours[0]), out = x_.xy(neighbours[1]) - x_.xy(node);
-    const double turn = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
-    return std::abs(turn) <= feature_angle_;
+    return std::abs(turn_between(in, out)) <= feature_angle_;
   }
 
  private:
@@ -113,38 +116,139 @@ class SmoothNodes {
   std::set<Index> left_;
 };
 
+/// A stretch of a sliding marker, and what it goes on as where periodic corners end it.
+struct Stretch {
+  Index marker;
+  Chain chain;
+  std::vector<Index> passing;  // nodes that it runs on through
+  std::vector<Vec2> before = {}, after = {};
+};
+
+class StretchFinder {
+ public:
+  StretchFinder(const Topology& topology, const Coordinates& x, std::span<const Index> markers,
+                const FeatureRules& rules)
+      : x_(x), feature_angle_(radians(rules.angle)), at_corners_(topology, markers) {
+    SmoothNodes smooth(rules);
+    for (const Index marker : markers) {
+      const ChainFinder finder(topology, x, marker, rules);
+      smooth.look_at(finder, topology.markers()[at(marker)].name);
+      for (Chain& chain : finder.find()) {
+        std::vector<Index> passing;
+        for (const Index node : chain.nodes)
+          if (chain.closed || finder.passes(node))
+            passing.push_back(node);
+          else if (finder.runs_on(node))
+            bends_.push_back(node);
+        // A row from a feature round to itself repeats its first place.
+        if (chain.loop() && chain.nodes.size() < 4) continue;
+        if (!chain.closed && !chain.loop()) {
+          ends_[chain.nodes.front()].push_back({stretches_.size(), true});
+          ends_[chain.nodes.back()].push_back({stretches_.size(), false});
+        }
+        stretches_.push_back({marker, std::move(chain), std::move(passing)});
+      }
+    }
+    smooth.require_none_left();
+    std::ranges::sort(bends_);  // the ends of two chains each
+    bends_.erase(std::unique(bends_.begin(), bends_.end()), bends_.end());
+  }
+
+  /// Has the stretches go on beyond the corners that slide, which it returns.
+  std::vector<PeriodicPair> join(std::span<const PeriodicPairs> periodic) {
+    std::vector<PeriodicPair> sliding;
+    for (const PeriodicPairs& pairs : periodic) {
+      if (pairs.halo) continue;
+      for (const PeriodicPair& pair : pairs.corners)
+        if (joins(pair, pairs)) sliding.push_back(pair);
+    }
+    return sliding;
+  }
+
+  std::vector<Stretch>& stretches() { return stretches_; }
+  /// Nodes that end a stretch because of the feature angle alone, ascending.
+  const std::vector<Index>& bends() const { return bends_; }
+
+ private:
+  struct End {
+    std::size_t stretch;
+    bool front;
+  };
+
+  bool joins(const PeriodicPair& pair, const PeriodicPairs& pairs) {
+    at_corners_.require_both(x_, pair);
+    if (!at_corners_.sliding_at(pair.node, pairs) || !at_corners_.sliding_at(pair.image, pairs))
+      return false;
+    const auto first = ends_.find(pair.node), second = ends_.find(pair.image);
+    if (first == ends_.end() || second == ends_.end() || first->second.size() != 1 ||
+        second->second.size() != 1)
+      return false;
+    const End here = first->second.front(), there = second->second.front();
+    const Eigen::Matrix2d r = pairs.image.rotation.topLeftCorner<2, 2>();
+    const Vec2 c = pairs.image.offset.head<2>();
+    const std::vector<Vec2> from_node = inward(here), from_image = inward(there);
+    // The way that comes to the node from inside the mesh, and goes on behind its image.
+    const Vec2 in = from_node[0] - from_node[1];
+    const Vec2 out = r.transpose() * (from_image[1] - from_image[0]);
+    if (std::abs(turn_between(in, out)) > feature_angle_) return false;
+    for (std::size_t k = 1; k < from_image.size(); ++k)
+      beyond(here).push_back(r.transpose() * (from_image[k] - c));
+    for (std::size_t k = 1; k < from_node.size(); ++k)
+      beyond(there).push_back(r * from_node[k] + c);
+    return true;
+  }
+
+  std::vector<Vec2>& beyond(const End& end) {
+    return end.front ? stretches_[end.stretch].before : stretches_[end.stretch].after;
+  }
+
+  /// The places of a stretch from one of its ends on.
+  std::vector<Vec2> inward(const End& end) const {
+    std::vector<Vec2> places;
+    for (const Index node : stretches_[end.stretch].chain.nodes) places.push_back(x_.xy(node));
+    if (!end.front) std::ranges::reverse(places);
+    return places;
+  }
+
+  const Coordinates& x_;
+  double feature_angle_;
+  CornerMarkers at_corners_;
+  std::vector<Stretch> stretches_;
+  std::vector<Index> bends_;
+  std::map<Index, std::vector<End>> ends_;
+};
+
 }  // namespace
 
 SlidingBoundary sliding_on_curves(const Topology& topology, const Coordinates& x,
-                                  std::span<const Index> markers, const FeatureRules& rules) {
-  SmoothNodes smooth(rules);
+                                  std::span<const Index> markers, const FeatureRules& rules,
+                                  std::span<const PeriodicPairs> periodic) {
   SlidingBoundary boundary;
   auto geometry = std::make_shared<CurveGeometry>();
-  for (const Index marker : markers) {
-    ChainFinder finder(topology, x, marker, rules);
-    smooth.look_at(finder, topology.markers()[static_cast<std::size_t>(marker)].name);
-    for (const Chain& chain : finder.find()) {
-      SlidingPart part{topology.markers()[static_cast<std::size_t>(marker)].name, {}, {}};
-      for (const Index node : chain.nodes)
-        if (chain.closed || finder.passes(node))
-          part.nodes.push_back(node);
-        else if (finder.runs_on(node))
-          boundary.bends.push_back(node);
-      if (part.nodes.empty()) continue;
-      std::vector<Vec2> points;
-      for (const Index node : chain.nodes) points.push_back(x.xy(node));
-      // A row from a feature round to itself repeats its first place.
-      if (chain.loop() && points.size() < 4) continue;
-      auto curve = curve_through(points, chain.closed);
-      part.description = curve->description();
-      geometry->add(std::move(curve), part.nodes);
-      boundary.parts.push_back(std::move(part));
+  StretchFinder finder(topology, x, markers, rules);
+  boundary.corners = finder.join(periodic);
+  boundary.bends = finder.bends();
+  for (const Stretch& stretch : finder.stretches()) {
+    const Chain& chain = stretch.chain;
+    SlidingPart part{topology.markers()[at(stretch.marker)].name, {}, stretch.passing};
+    for (const PeriodicPair& corner : boundary.corners)
+      if (!chain.closed &&
+          (corner.node == chain.nodes.front() || corner.node == chain.nodes.back()))
+        part.nodes.push_back(corner.node);
+    if (part.nodes.empty()) continue;
+    std::vector<Vec2> points(stretch.before.rbegin(), stretch.before.rend());
+    std::vector<Vec3> places;
+    for (const Index node : chain.nodes) {
+      points.push_back(x.xy(node));
+      places.push_back(lifted(x.xy(node)));
     }
+    points.insert(points.end(), stretch.after.begin(), stretch.after.end());
+    const std::shared_ptr<const PlaneCurve> curve = curve_through(points, chain.closed);
+    part.description = curve->description();
+    part.row = std::make_shared<const CurveRow>(chain.nodes, chain.closed, by_arc(curve), places);
+    geometry->add(curve, part.nodes);
+    boundary.parts.push_back(std::move(part));
   }
-  smooth.require_none_left();
-  std::ranges::sort(boundary.bends);  // the ends of two chains each
-  boundary.bends.erase(std::unique(boundary.bends.begin(), boundary.bends.end()),
-                       boundary.bends.end());
   boundary.geometry = std::move(geometry);
   return boundary;
 }

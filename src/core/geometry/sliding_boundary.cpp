@@ -34,9 +34,24 @@ void take_out(SlidingBoundary& boundary, std::vector<Index> nodes) {
 
 }  // namespace
 
+std::string text_of(Spacing spacing) {
+  switch (spacing) {
+    case Spacing::turns:
+      return ", spacing held: turns as a whole";
+    case Spacing::ends:
+      return ", spacing held: follows its ends";
+    case Spacing::stays:
+      return ", spacing held: stays between its ends";
+    case Spacing::free:
+      break;
+  }
+  return {};
+}
+
 SlidingBoundary SlidingBoundary::find(const Topology& topology, const Coordinates& x,
                                       std::span<const std::string> names, const FeatureRules& rules,
-                                      const ReferenceSurface* reference) {
+                                      const ReferenceSurface* reference,
+                                      std::span<const PeriodicPairs> periodic) {
   require_nodes(topology, rules.hold);
   require_nodes(topology, rules.smooth);
   const bool surface = topology.cell_dimension() != topology.space_dimension();
@@ -48,10 +63,10 @@ SlidingBoundary SlidingBoundary::find(const Topology& topology, const Coordinate
   if (plane && reference)
     throw UsageError(reference->source + ": a reference surface is for meshes in space, and this " +
                      "is a plane mesh");
-  SlidingBoundary boundary = plane ? sliding_on_curves(topology, x, markers, rules)
+  SlidingBoundary boundary = plane ? sliding_on_curves(topology, x, markers, rules, periodic)
                              : reference
                                  ? sliding_on_reference(topology, x, markers, rules, *reference)
-                                 : sliding_on_surfaces(topology, x, markers, rules);
+                                 : sliding_on_surfaces(topology, x, markers, rules, periodic);
   for (const std::string& name : names) {
     bool slides = false;
     for (const SlidingPart& part : boundary.parts) slides |= part.marker == name;

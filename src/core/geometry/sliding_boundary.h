@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/curve_row.h"
 #include "core/geometry/feature_rules.h"
+#include "core/geometry/periodic_pairs.h"
 #include "core/geometry/reference_surface.h"
 #include "core/geometry/sliding_geometry.h"
 #include "core/mesh/coordinates.h"
@@ -13,11 +15,29 @@
 
 namespace winslow {
 
+/// What becomes of the spacing of nodes along a curve: of the shares that the edges have of the
+/// length of their stretch.
+enum class Spacing {
+  free,   ///< nodes slide one by one
+  turns,  ///< held: a closed curve, which turns as a whole
+  ends,   ///< held, between ends of which one at least moves
+  stays   ///< held, between ends that stay: so do all nodes
+};
+
+/// What is said of it behind the description of a curve: ", spacing held", ...; nothing of `free`.
+std::string text_of(Spacing spacing);
+
 /// A stretch of a marker's boundary without features, as it was recognised.
 struct SlidingPart {
   std::string marker;
   std::string description;   ///< "straight line", "circle of radius 10", "plane", "straight edge"
   std::vector<Index> nodes;  ///< those that slide on it
+  /// Of a curve all its nodes, its ends too; null of a surface, and of curves of a reference
+  /// surface.
+  std::shared_ptr<const CurveRow> row = {};
+  Spacing spacing = Spacing::free;  ///< as a run found it (hold_spacing())
+
+  std::size_t sliding_nodes() const { return spacing == Spacing::stays ? 0 : nodes.size(); }
 };
 
 /// What the nodes of some markers slide on, from the mesh as given, and which of them do.
@@ -37,22 +57,32 @@ struct SlidingPart {
 /// between slide on those regions of it to which their part of the mesh is nearest.
 ///
 /// Single nodes can be told from what the feature angle makes of them: FeatureRules::hold, smooth.
+///
+/// Where a periodic side meets the boundary that slides, and nothing else, its node slides, too, if
+/// that boundary goes on beyond as the periodic image of where it comes back: in the plane on the
+/// curve through its stretch and the image of that on which its partner lies, in space on a plane,
+/// a cylinder or a sphere. If it turns there by more than the feature angle, or is another surface,
+/// the node stays.
 struct SlidingBoundary {
   std::vector<SlidingPart> parts;
+  /// Of the corners of the periodic sides those that slide: the first of each in parts.
+  std::vector<PeriodicPair> corners = {};
   std::shared_ptr<const SlidingGeometry> geometry;
   /// Nodes that stay because of the feature angle alone, ascending: FeatureRules::smooth would have
   /// them slide.
   std::vector<Index> bends;
 
   /// markers: names; none of a surface mesh, all of whose nodes take part. reference: a surface to
-  /// slide on instead of the mesh's own, which the nodes need not lie on (put_on()). Throws
-  /// UsageError for markers that the mesh does not have and those of which no node can slide, for
-  /// nodes of the rules that it does not have, or that cannot be smooth since feature lines end or
-  /// meet there, and for a reference surface of a plane mesh, or one that is not where the nodes
-  /// are.
+  /// slide on instead of the mesh's own, which the nodes need not lie on (put_on()). periodic: the
+  /// sides whose corners may slide. Throws UsageError for markers that the mesh does not have and
+  /// those of which no node can slide, for nodes of the rules that it does not have, or that cannot
+  /// be smooth since feature lines end or meet there, for a reference surface of a plane mesh, or
+  /// one that is not where the nodes are, and, naming the two nodes, for a corner whose image is on
+  /// a marker that does not slide or in space not on the image of its surface.
   static SlidingBoundary find(const Topology& topology, const Coordinates& x,
                               std::span<const std::string> markers, const FeatureRules& rules,
-                              const ReferenceSurface* reference = nullptr);
+                              const ReferenceSurface* reference = nullptr,
+                              std::span<const PeriodicPairs> periodic = {});
 };
 
 /// The nodes that slide put where they lie nearest to on what they slide on.

@@ -1,11 +1,16 @@
 #include <algorithm>
+#include <array>
 #include <map>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "core/geometry/boundary_kinds.h"
 #include "core/geometry/sliding_faces.h"
 #include "core/geometry/space_geometry.h"
 #include "core/geometry/surface_shapes.h"
+#include "core/options/option.h"
+#include "core/search/box.h"
 
 namespace winslow {
 
@@ -17,16 +22,21 @@ class SurfaceFinder {
   SurfaceFinder(const Topology& topology, const Coordinates& x, std::span<const Index> markers,
                 const FeatureRules& rules)
       : topology_(topology),
+        coordinates_(x),
         x_(x),
         sliding_(sliding_faces(topology, markers)),
-        features_(find_features(x, sliding_.faces, rules.angle, rules.smooth)) {
+        features_(find_features(x, sliding_.faces, rules.angle, rules.smooth)),
+        at_corners_(topology, markers) {
     require_smooth(rules, features_.nodes, sliding_.stays);
   }
 
-  SlidingBoundary boundary(bool features) {
+  SlidingBoundary boundary(bool features, std::span<const PeriodicPairs> periodic) {
     curves_ = curves_along(x_, features_);
-    for (const std::vector<Index>& region : faces_of_regions(features_)) add_region(region);
+    regions_ = faces_of_regions(features_);
+    for (const std::vector<Index>& region : regions_) add_region(region);
     if (features) add_curves();
+    for (const PeriodicPairs& pairs : periodic)
+      if (!pairs.halo) add_corners(pairs);
     out_.geometry = geometry_;
     add_bends(features_.tips);
     if (features) add_bends(features_.bends);
@@ -53,7 +63,12 @@ class SurfaceFinder {
       std::string what = curve->description();
       what = what == "straight line" ? "straight edge" : "edge, " + what;
       geometry_->add(curve, nodes);
-      out_.parts.push_back({part_name(topology_, marker_at.at(nodes.front())), what, nodes});
+      const Chain& line = features_.lines[k];
+      std::vector<Vec3> places;
+      for (const Index node : line.nodes) places.push_back(x_[node]);
+      out_.parts.push_back(
+          {part_name(topology_, marker_at.at(nodes.front())), what, nodes,
+           std::make_shared<const CurveRow>(line.nodes, line.closed, by_arc(curve), places)});
     }
   }
 
@@ -62,18 +77,103 @@ class SurfaceFinder {
     for (const Index node : nodes_of_faces(sliding_.faces, region))
       if (features_.nodes[at(node)] == SurfaceNode::inside && sliding_.stays[at(node)] == 0)
         inside.push_back(node);
+    surfaces_.push_back({nullptr, {}});
     if (inside.empty()) return;
-    auto through = surface_over(x_, sliding_.faces, region, curves_);
-    out_.parts.push_back({part_name(topology_, sliding_.faces[at(region.front())].marker),
-                          through->description(), inside});
-    geometry_->add(std::move(through), inside, x_);
+    add_part(surfaces_.size() - 1, inside);
   }
 
+  const Surface& surface_of(std::size_t region) {
+    auto& surface = surfaces_[region].surface;
+    if (!surface) surface = surface_over(x_, sliding_.faces, regions_[region], curves_);
+    return *surface;
+  }
+
+  void add_part(std::size_t region, const std::vector<Index>& nodes) {
+    surface_of(region);
+    RegionSurface& of = surfaces_[region];
+    geometry_->add(of.surface, nodes, x_);
+    if (!of.part) {
+      of.part = out_.parts.size();
+      out_.parts.push_back(
+          {part_name(topology_, sliding_.faces[at(regions_[region].front())].marker),
+           of.surface->description(),
+           {}});
+    }
+    auto& all = out_.parts[*of.part].nodes;
+    all.insert(all.end(), nodes.begin(), nodes.end());
+  }
+
+  /// Corners of periodic sides, each with what it meets there.
+  void add_corners(const PeriodicPairs& pairs) {
+    if (pairs.corners.empty()) return;
+    const std::map<Index, std::size_t> regions = only_regions();
+    std::map<std::array<std::size_t, 2>, std::vector<PeriodicPair>> corners;
+    for (const PeriodicPair& pair : pairs.corners) {
+      at_corners_.require_both(coordinates_, pair);
+      const auto first = regions.find(pair.node), second = regions.find(pair.image);
+      if (first != regions.end() && second != regions.end() &&
+          at_corners_.sliding_at(pair.node, pairs) && at_corners_.sliding_at(pair.image, pairs))
+        corners[{first->second, second->second}].push_back(pair);
+    }
+    for (const auto& [between, list] : corners) {
+      const auto [from, to] = between;
+      if (!surface_of(from).goes_on() || !surface_of(to).goes_on()) continue;
+      require_image(pairs.image, from, to, list.front());
+      std::vector<Index> nodes;
+      for (const PeriodicPair& pair : list) nodes.push_back(pair.node);
+      add_part(from, nodes);
+      out_.corners.insert(out_.corners.end(), list.begin(), list.end());
+    }
+  }
+
+  /// The region of each node of sliding faces that has but one.
+  std::map<Index, std::size_t> only_regions() const {
+    std::map<Index, std::size_t> region_of;
+    std::set<Index> several;
+    for (std::size_t f = 0; f < sliding_.faces.size(); ++f)
+      for (const Index node : sliding_.faces[f].nodes) {
+        const auto region = at(features_.region[f]);
+        const auto [place, is_new] = region_of.try_emplace(node, region);
+        if (!is_new && place->second != region) several.insert(node);
+      }
+    for (const Index node : several) region_of.erase(node);
+    return region_of;
+  }
+
+  /// The image of all of one region lies on the surface of another.
+  void require_image(const RigidImage& image, std::size_t from, std::size_t to,
+                     const PeriodicPair& pair) {
+    constexpr double share =
+        1e-4;  // of the extent: files round, and the fit is no better than they
+    const std::vector<Index> nodes = nodes_of_faces(sliding_.faces, regions_[from]);
+    Box<3> box = Box<3>::empty();
+    for (const Index node : nodes) box.add(x_[node]);
+    double off = 0;
+    for (const Index node : nodes) {
+      const Vec3 place = image.of(x_[node]);
+      off = std::max(off, (surface_of(to).nearest(place).point - place).norm());
+    }
+    if (off <= share * box.size().norm()) return;
+    refuse_corner(coordinates_, pair.node, pair.image,
+                  part_name(topology_, sliding_.faces[at(regions_[from].front())].marker),
+                  "is on a " + surface_of(to).description() +
+                      ", which the image of that one is off by " + number_text(off));
+  }
+
+  struct RegionSurface {
+    std::shared_ptr<const Surface> surface;  // null: nothing has slid on it yet
+    std::optional<std::size_t> part;
+  };
+
   const Topology& topology_;
+  const Coordinates& coordinates_;
   SpacePoints x_;
   SlidingFaces sliding_;
   SurfaceFeatures features_;
+  CornerMarkers at_corners_;
   FeatureCurves curves_;
+  std::vector<std::vector<Index>> regions_;
+  std::vector<RegionSurface> surfaces_;  // #regions
   std::shared_ptr<SpaceGeometry> geometry_ = std::make_shared<SpaceGeometry>();
   SlidingBoundary out_;
 };
@@ -95,8 +195,9 @@ void require_smooth(const FeatureRules& rules, std::span<const SurfaceNode> node
 }
 
 SlidingBoundary sliding_on_surfaces(const Topology& topology, const Coordinates& x,
-                                    std::span<const Index> markers, const FeatureRules& rules) {
-  return SurfaceFinder(topology, x, markers, rules).boundary(rules.slide_along);
+                                    std::span<const Index> markers, const FeatureRules& rules,
+                                    std::span<const PeriodicPairs> periodic) {
+  return SurfaceFinder(topology, x, markers, rules).boundary(rules.slide_along, periodic);
 }
 
 }  // namespace winslow

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -25,9 +26,38 @@ class SplineCurve final : public Curve<D> {
       chord_.push_back((knots_[k + 1] - knots_[k]).norm());
     bends_ = closed ? periodic_bends() : natural_bends();
     tree_ = BoxTree<D>(std::span<const Vec<D>>(knots_));
+    for (std::size_t k = 0; k < chord_.size(); ++k)
+      arcs_.push_back(arcs_.back() + arc_in_piece(k, chord_[k]));
   }
 
-  CurvePoint<D> nearest(const Vec<D>& p) const override {
+  CurvePoint<D> nearest(const Vec<D>& p) const override { return at_place(nearest_place(p)); }
+
+  double arc_of(const Vec<D>& p) const override {
+    const Place place = nearest_place(p);
+    return wrapped(arcs_[place.piece] + arc_in_piece(place.piece, place.t));
+  }
+
+  CurvePoint<D> at_arc(double arc) const override {
+    const double along = closed() ? wrapped(arc) : std::clamp(arc, 0.0, arcs_.back());
+    const auto after = std::upper_bound(arcs_.begin() + 1, arcs_.end() - 1, along);
+    const auto piece = static_cast<std::size_t>(after - arcs_.begin() - 1);
+    return at_place({piece, parameter_at(piece, along - arcs_[piece]), 0});
+  }
+
+  double period() const override { return closed() ? arcs_.back() : 0; }
+
+  std::string description() const override {
+    return "smooth curve through " + std::to_string(count_) + " nodes";
+  }
+
+ private:
+  struct Place {
+    std::size_t piece = 0;
+    double t = 0;  // 0 to the chord
+    double distance = 0;
+  };
+
+  Place nearest_place(const Vec<D>& p) const {
     const auto knot = static_cast<std::ptrdiff_t>(
         tree_.nearest(p, std::numeric_limits<double>::infinity())->item);
     const auto pieces = static_cast<std::ptrdiff_t>(chord_.size());
@@ -41,19 +71,42 @@ class SplineCurve final : public Curve<D> {
       const Place place = on_piece(static_cast<std::size_t>((k + 2 * pieces) % pieces), p);
       if (!best || place.distance < best->distance) best = place;
     }
-    return at_place(*best);
+    return *best;
   }
 
-  std::string description() const override {
-    return "smooth curve through " + std::to_string(count_) + " nodes";
+  double wrapped(double arc) const {
+    if (!closed()) return arc;
+    const double rest = std::fmod(arc, arcs_.back());
+    return rest < 0 ? rest + arcs_.back() : rest;
   }
 
- private:
-  struct Place {
-    std::size_t piece = 0;
-    double t = 0;  // 0 to the chord
-    double distance = 0;
-  };
+  /// Length of arc of a piece up to t: Gauss's rule with 8 points, exact to round-off for pieces
+  /// that do not bend by much more than their chord.
+  double arc_in_piece(std::size_t k, double t) const {
+    constexpr std::array<double, 4> places{0.18343464249564980494, 0.52553240991632898582,
+                                           0.79666647741362673959, 0.96028985649753623168};
+    constexpr std::array<double, 4> weights{0.36268378337836198297, 0.31370664587788728734,
+                                            0.22238103445337447054, 0.10122853629037625915};
+    double sum = 0;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      for (const double side : {-1.0, 1.0})
+        sum += weights[i] * derivatives(k, 0.5 * t * (1 + side * places[i])).first.norm();
+    return 0.5 * t * sum;
+  }
+
+  /// The t of a piece at a length of arc, by Newton's method.
+  double parameter_at(std::size_t k, double arc) const {
+    constexpr int iterations = 20;
+    const double h = chord_[k];
+    double t = h * arc / (arcs_[k + 1] - arcs_[k]);
+    for (int i = 0; i < iterations; ++i) {
+      const double change = (arc_in_piece(k, t) - arc) / derivatives(k, t).first.norm();
+      t = std::clamp(t - change, 0.0, h);
+      if (std::abs(change) <= 2 * std::numeric_limits<double>::epsilon() * h) break;
+    }
+    return t;
+  }
+
   struct Derivatives {
     Vec<D> r, first, second;
   };
@@ -169,7 +222,8 @@ class SplineCurve final : public Curve<D> {
   Index count_ = 0;
   std::vector<Vec<D>> knots_;
   std::vector<double> chord_;
-  std::vector<Vec<D>> bends_;  // second derivatives at the knots
+  std::vector<double> arcs_{0};  // up to each knot
+  std::vector<Vec<D>> bends_;    // second derivatives at the knots
   BoxTree<D> tree_;
 };
 

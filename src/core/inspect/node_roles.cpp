@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/mesh/surface_faces.h"
 #include "core/problem/node_classes.h"
+#include "core/strategy/held_spacing.h"
 #include "core/strategy/surface_shape.h"
 
 namespace winslow {
@@ -60,12 +61,17 @@ std::vector<std::array<Index, 2>> features_of(const Mesh& mesh, const SlideOptio
 }
 
 /// The classes of a boundary that moves so; none where it cannot.
-std::optional<NodeClasses> classes_of(const Mesh& mesh, const SlideOptions& slide, NodeRoles& out) {
+std::optional<NodeClasses> classes_of(const Mesh& mesh, const SlideOptions& slide,
+                                      const std::vector<std::string>& moving, NodeRoles& out) {
   NodeClasses classes(mesh.topology);
   try {
-    const MovingBoundary boundary = make_boundary_move(slide, mesh, {}, classes);
+    MovingBoundary boundary = make_boundary_move(slide, mesh, {}, classes);
+    const Markers& markers = mesh.topology->markers();
+    for (const std::string& name : moving)
+      if (const auto m = markers.find(name)) classes.set_prescribed(markers.nodes(*m));
+    hold_spacing(slide, mesh, boundary, classes);
     for (const SlidingPart& part : boundary.sliding)
-      out.found.push_back(part.marker + ": " + part.description);
+      out.found.push_back(part.marker + ": " + part.description + text_of(part.spacing));
     out.bends = boundary.bends;
     for (const PeriodicPairs& pairs : boundary.periodic)
       out.found.push_back(pairs.first + " and " + pairs.second + ": " + pairs.description);
@@ -82,6 +88,7 @@ NodeRole role_of(NodeClass which, bool paired, bool on_sliding_marker) {
   switch (which) {
     case NodeClass::free:
       return NodeRole::free;
+    case NodeClass::follows:
     case NodeClass::on_curve:
       return NodeRole::on_curve;
     case NodeClass::on_surface:
@@ -167,7 +174,7 @@ NodeRoles node_roles(const MeshState& state, const SlideOptions& slide,
 NodeRoles node_roles(const Mesh& mesh, const SlideOptions& slide,
                      const std::vector<std::string>& moving) {
   NodeRoles out;
-  const auto found = classes_of(mesh, slide, out);
+  const auto found = classes_of(mesh, slide, moving, out);
   const NodeClasses classes = found ? *found : NodeClasses(mesh.topology);
   const std::vector<unsigned char> sliding =
       marked(mesh, found ? slide.markers : std::vector<std::string>());

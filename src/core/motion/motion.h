@@ -19,6 +19,8 @@ class Motion {
   /// Writes the positions of nodes() when `fraction` (0 to 1) of the motion is done. `rest`: all
   /// nodes before the motion. Rotations are followed as rotations.
   virtual void apply(const Coordinates& rest, double fraction, Coordinates& out) const = 0;
+  /// The same without what goes along with the bodies because it lies between them.
+  virtual const Motion& of_bodies() const { return *this; }
 };
 
 /// x -> pivot + R(angle) (x - pivot) + translate.

@@ -34,6 +34,7 @@ int NodeClasses::unknowns(Index node) const {
     case NodeClass::fixed:
     case NodeClass::prescribed:
     case NodeClass::image:
+    case NodeClass::follows:
       return 0;
     case NodeClass::on_curve:
       return 1;
@@ -114,17 +115,28 @@ void NodeClasses::set_sliding(std::span<const Index> nodes,
 
 void NodeClasses::set_periodic(const PeriodicPairs& pairs) {
   const auto transform = std::make_shared<const RigidImage>(pairs.image);
-  for (const auto& [node, image] : pairs.pairs) {
+  const auto join = [&](const PeriodicPair& pair) {
+    const auto [node, image] = pair;
     for (const Index either : {node, image}) {
       require(either);
       if (images_.contains(either) || masters_.contains(either))
         throw UsageError("node " + std::to_string(either) + " is in two periodic pairs");
     }
-    classes_[static_cast<std::size_t>(node)] = NodeClass::free;
     classes_[static_cast<std::size_t>(image)] = NodeClass::image;
     images_[image] = {image, node, transform};
     masters_[node] = image;
+  };
+  for (const PeriodicPair& pair : pairs.pairs) {
+    join(pair);
+    classes_[static_cast<std::size_t>(pair.node)] = NodeClass::free;
   }
+  for (const PeriodicPair& pair : pairs.corners)
+    if (slides(pair.node)) join(pair);
+}
+
+void NodeClasses::set_following(std::shared_ptr<const CurveRow> row) {
+  set(row->between(), NodeClass::follows);
+  rows_.push_back(std::move(row));
 }
 
 std::vector<NodeClasses::Image> NodeClasses::images() const {
@@ -153,7 +165,8 @@ bool NodeClasses::same_unknowns(const NodeClasses& other) const {
     const NodeClass a = classes_[i], b = other.classes_[i];
     if (a != b && !(held(a) && held(b))) return false;
   }
-  return frames_ == other.frames_ && geometry_ == other.geometry_ && images_ == other.images_;
+  return frames_ == other.frames_ && geometry_ == other.geometry_ && images_ == other.images_ &&
+         rows_ == other.rows_;
 }
 
 void NodeClasses::require(Index node) const {
@@ -165,10 +178,24 @@ void NodeClasses::require(Index node) const {
 void NodeClasses::set(std::span<const Index> nodes, NodeClass value) {
   for (const Index node : nodes) {
     require(node);
-    if (slides(node)) frames_.erase(node);
-    if (!geometry_.empty()) geometry_[at(node)] = nullptr;
-    classes_[static_cast<std::size_t>(node)] = value;
+    const auto as_image = images_.find(node);
+    const auto as_master = masters_.find(node);
+    const Index partner = as_image != images_.end()     ? as_image->second.node
+                          : as_master != masters_.end() ? as_master->second
+                                                        : -1;
+    if (held(value) && partner >= 0) {
+      images_.erase(as_image != images_.end() ? node : partner);
+      masters_.erase(as_image != images_.end() ? partner : node);
+      set_one(partner, value);
+    }
+    set_one(node, value);
   }
+}
+
+void NodeClasses::set_one(Index node, NodeClass value) {
+  if (slides(node)) frames_.erase(node);
+  if (!geometry_.empty()) geometry_[at(node)] = nullptr;
+  classes_[static_cast<std::size_t>(node)] = value;
 }
 
 }  // namespace winslow

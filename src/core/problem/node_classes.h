@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry/curve_row.h"
 #include "core/geometry/element_normals.h"
 #include "core/geometry/periodic_pairs.h"
 #include "core/geometry/sliding_geometry.h"
@@ -22,6 +23,7 @@ enum class NodeClass : std::uint8_t {
   fixed,       ///< stays where it is: no unknown
   prescribed,  ///< goes where a motion takes it: no unknown
   image,       ///< goes where its partner across a periodic boundary goes: no unknown of its own
+  follows,     ///< goes along a curve where the ends of its row take it: no unknown of its own
   on_curve,    ///< slides along a curve: one unknown
   on_surface,  ///< slides on a surface in space: two
   free         ///< moves as it likes: as many as the space has dimensions
@@ -44,8 +46,11 @@ class NodeClasses {
     const NodeClass c = (*this)[node];
     return c == NodeClass::on_curve || c == NodeClass::on_surface;
   }
-  /// True for nodes that move while a mesh is smoothed: by their own unknowns or as an image.
-  bool moves(Index node) const { return (*this)[node] == NodeClass::image || unknowns(node) > 0; }
+  /// True for nodes that move while a mesh is smoothed: by their own unknowns or others'.
+  bool moves(Index node) const {
+    const NodeClass c = (*this)[node];
+    return c == NodeClass::image || c == NodeClass::follows || unknowns(node) > 0;
+  }
   /// Number of directions in which a node may move: 0 to 3.
   int unknowns(Index node) const;
   /// As many directions as the node has unknowns: of a free node the axes.
@@ -56,6 +61,7 @@ class NodeClasses {
 
   // Each throws UsageError for a node that the mesh does not have.
 
+  /// Of a periodic pair both nodes.
   void set_fixed(std::span<const Index> nodes) { set(nodes, NodeClass::fixed); }
   void set_prescribed(std::span<const Index> nodes) { set(nodes, NodeClass::prescribed); }
   /// Throws UsageError for a node that no element uses: nothing says where it is to go.
@@ -75,7 +81,8 @@ class NodeClasses {
   const std::shared_ptr<const ElementNormals>& element_normals() const { return element_normals_; }
 
   /// Pairs of nodes that move as one: those of the first side are free, those of the second their
-  /// images. Throws UsageError for nodes that are in a pair already.
+  /// images; so are those of corners of which the first slides. Throws UsageError for nodes that
+  /// are in a pair already.
   void set_periodic(const PeriodicPairs& pairs);
   /// An image, the node that it is of, and what takes that to it.
   struct Image {
@@ -93,6 +100,10 @@ class NodeClasses {
   void set_yielding(std::span<const Index> nodes);
   /// Whether a node has an image.
   bool has_image(Index node) const { return masters_.contains(node); }
+  /// The nodes between the ends of a row that can follow do so; one of its ends at least moves.
+  void set_following(std::shared_ptr<const CurveRow> row);
+  /// In the order in which they were set.
+  std::span<const std::shared_ptr<const CurveRow>> rows() const { return rows_; }
 
   /// Whether the same nodes may move in the same directions. What is fixed in one and prescribed in
   /// the other counts as the same.
@@ -101,6 +112,7 @@ class NodeClasses {
  private:
   void require(Index node) const;
   void set(std::span<const Index> nodes, NodeClass value);
+  void set_one(Index node, NodeClass value);
 
   std::shared_ptr<const Topology> topology_;
   std::vector<NodeClass> classes_;
@@ -109,7 +121,8 @@ class NodeClasses {
   std::map<Index, Index> masters_;        // nodes that have images, and these
   // #nodes, of those that follow one; empty if none does.
   std::vector<std::shared_ptr<const SlidingGeometry>> geometry_;
-  std::vector<Index> yielding_;  // as set_yielding() was told
+  std::vector<std::shared_ptr<const CurveRow>> rows_;  // whose nodes follow
+  std::vector<Index> yielding_;                        // as set_yielding() was told
   std::shared_ptr<const ElementNormals> element_normals_;
 };
 

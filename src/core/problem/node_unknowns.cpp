@@ -126,6 +126,18 @@ void NodeUnknowns::lengths(const Coordinates& x, std::span<double> out) const {
   });
 }
 
+template <int D>
+void NodeUnknowns::place_others(Coordinates& x) const {
+  for (const auto& [image, node, transform] : images())
+    x.template set<D>(image, transform->of(in_space(x.template get<D>(node))).template head<D>());
+  for (const auto& row : rows()) {
+    const auto places = row->places(in_space(x.template get<D>(row->first())),
+                                    in_space(x.template get<D>(row->last())));
+    for (std::size_t k = 0; k < places.between.size(); ++k)
+      x.template set<D>(row->between()[k], places.between[k].point.template head<D>());
+  }
+}
+
 double NodeUnknowns::advance(std::span<const double> direction, double step, Coordinates& x) const {
   constexpr Index block = 512;  // the way back to a curved surface takes a search
   const auto count = static_cast<Index>(nodes().size());
@@ -146,8 +158,7 @@ double NodeUnknowns::advance(std::span<const double> direction, double step, Coo
       }
     };
     parallel_for(threads_, count, move_nodes, block);
-    for (const auto& [image, node, transform] : images())
-      x.template set<D>(image, transform->of(in_space(x.template get<D>(node))).template head<D>());
+    place_others<D>(x);
   });
   return std::sqrt(largest2.empty() ? 0 : *std::ranges::max_element(largest2));
 }
@@ -162,6 +173,20 @@ void NodeUnknowns::velocities(const Coordinates& x, std::span<const double> rate
     for (const auto& [image, node, transform] : images()) {
       const Vec3 rate = transform->rotation * in_space(out.template get<D>(node));
       out.template set<D>(image, rate.template head<D>());
+    }
+    for (const auto& row : rows()) {
+      const auto places =
+          row->places(in_space(points[row->first()]), in_space(points[row->last()]));
+      const auto speed = [&](Index node, const CurvePoint<3>& place) {
+        return classes_->moves(node) ? place.tangent.dot(in_space(out.template get<D>(node))) : 0;
+      };
+      const double first = speed(row->first(), places.first);
+      const double last = speed(row->last(), places.last);
+      for (std::size_t k = 0; k < places.between.size(); ++k) {
+        const double along = first + row->part_of_last(k) * (last - first);
+        out.template set<D>(row->between()[k],
+                            along * places.between[k].tangent.template head<D>());
+      }
     }
   });
 }

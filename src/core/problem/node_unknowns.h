@@ -35,6 +35,8 @@ class NodeUnknowns {
   std::span<const Index> nodes() const { return layout_->nodes; }
   /// The nodes that are images of others, ascending.
   std::span<const NodeClasses::Image> images() const { return layout_->images; }
+  /// The rows whose nodes follow.
+  std::span<const std::shared_ptr<const CurveRow>> rows() const { return classes_->rows(); }
   /// Number of the first unknown of nodes()[i].
   std::size_t first(std::size_t i) const { return layout_->first[i]; }
   /// Number of unknowns of nodes()[i].
@@ -69,6 +71,9 @@ class NodeUnknowns {
     std::vector<std::size_t> first;  // one more than nodes
     std::vector<NodeClasses::Image> images;
   };
+  /// Puts the nodes that have no unknowns of their own where those of the others take them.
+  template <int D>
+  void place_others(Coordinates& x) const;
   template <int D>
   Vec<D> move_of(std::size_t i, const Vec<D>& from, std::span<const double> rates) const;
 

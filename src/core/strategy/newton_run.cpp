@@ -129,7 +129,8 @@ void NewtonRun::follow(const Motion& motion, const Coordinates& rest, Coordinate
   const Topology& topology = *state_.mesh.topology;
   SmoothResult& result = recorder_.result();
   if (!way_is_clear_)
-    result.contact = find_contact(topology, rest, motion, workspace_.classes().yielding_nodes());
+    result.contact =
+        find_contact(topology, rest, motion.of_bodies(), workspace_.classes().yielding_nodes());
   if (result.contact && end_at_contact_) {
     recorder_.iterate(newton(), x, Stage::newton, 0, 0);
     result.converged = false;
@@ -150,7 +151,8 @@ void NewtonRun::follow(const Motion& motion, const Coordinates& rest, Coordinate
   follow_path(path, least_sine, x);
   result.linear_solver = linear().description();
   if (result.fraction_reached < 1 && !result.contact && result.limited_by.empty())
-    result.gap = smallest_gap(topology, x, motion.nodes(), workspace_.classes().yielding_nodes());
+    result.gap = smallest_gap(topology, x, motion.of_bodies().nodes(),
+                              workspace_.classes().yielding_nodes());
 }
 
 /// least_sine: smallest normalized Jacobian that a motion is blocked with, where it is blocked.

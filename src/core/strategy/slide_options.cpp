@@ -89,6 +89,32 @@ OptionTable node_rows(SlideOptions& slide) {
   };
 }
 
+OptionTable spacing_rows(SlideOptions& slide) {
+  return {
+      {.key = "spacing",
+       .value = ChoiceOption{slide.spacing,
+                             {{"auto", "Auto",
+                               "Held for walls: markers around a body, and those whose elements "
+                               "are flat, three times as long as high or more"},
+                              {"held", "Held", "For all sliding markers"},
+                              {"free", "Free", "For none"}}},
+       .label = "Spacing along curves",
+       .help = "Whether the edges of a sliding curve keep their shares of its length: a closed "
+               "curve then turns as a whole, others follow their ends",
+       .advice = "Held where nodes are clustered, as at leading edges and walls; free where they "
+                 "may go where the mesh draws them.",
+       .object = "slide",
+       .applies = !slide.markers.empty()},
+      {.key = "hold_spacing",
+       .value = NamesOption{&slide.held_markers},
+       .label = "Markers with held spacing",
+       .help = "Sliding markers whose spacing is held whatever is chosen for the others",
+       .object = "slide",
+       .flag = "hold-spacing",
+       .applies = !slide.held_markers.empty()},
+  };
+}
+
 OptionTable pair_rows(SlideOptions& slide) {
   return {
       {.key = "periodic",
@@ -118,13 +144,18 @@ OptionTable pair_rows(SlideOptions& slide) {
 
 OptionTable option_table(SlideOptions& slide) {
   OptionTable table = sliding_rows(slide);
-  for (auto* rows : {node_rows, pair_rows})
+  for (auto* rows : {spacing_rows, node_rows, pair_rows})
     for (Option& row : rows(slide)) table.push_back(std::move(row));
   return table;
 }
 
 FeatureRules feature_rules(const SlideOptions& slide) {
   return {slide.feature_angle, slide.features, slide.hold_nodes, slide.smooth_nodes};
+}
+
+bool stop_sliding(SlideOptions& slide, const std::string& marker) {
+  std::erase(slide.held_markers, marker);
+  return std::erase(slide.markers, marker) > 0;
 }
 
 const ReferenceSurface* reference_of(const SlideOptions& slide) {
@@ -176,19 +207,49 @@ void require_at_rest(const std::string& marker, std::span<const Index> nodes,
 }
 
 /// Nodes that a motion or a pair has cannot stay.
-void hold(const SlideOptions& slide, std::span<const Index> moving, const MovingBoundary& boundary,
-          NodeClasses& classes) {
-  classes.set_fixed(slide.hold_nodes);
-  for (const Index node : slide.hold_nodes) {
-    if (std::ranges::binary_search(moving, node))
-      throw UsageError("node " + std::to_string(node) + " is to be held, and the motion takes it");
-    for (const PeriodicPairs& pairs : boundary.periodic)
-      for (const PeriodicPair& pair : pairs.pairs)
+void require_not_held(const SlideOptions& slide, const PeriodicPairs& pairs) {
+  for (const auto* list : {&pairs.pairs, &pairs.corners})
+    for (const PeriodicPair& pair : *list)
+      for (const Index node : slide.hold_nodes)
         if (pair.node == node || pair.image == node)
           throw UsageError("node " + std::to_string(node) +
-                           " is to be held and moves with one of " + "the periodic pair " +
-                           pairs.first + ", " + pairs.second + ": expected one");
-  }
+                           " is to be held and moves with one of the periodic pair " + pairs.first +
+                           ", " + pairs.second + ": expected one");
+}
+
+void hold(const SlideOptions& slide, std::span<const Index> moving, NodeClasses& classes) {
+  classes.set_fixed(slide.hold_nodes);
+  for (const Index node : slide.hold_nodes)
+    if (std::ranges::binary_search(moving, node))
+      throw UsageError("node " + std::to_string(node) + " is to be held, and the motion takes it");
+}
+
+/// The pairs of the sides that are to be periodic, those of halo nodes last.
+std::vector<PeriodicPairs> find_pairs(const SlideOptions& slide, const Mesh& mesh) {
+  std::vector<PeriodicPairs> list;
+  for (std::size_t k = 0; k + 1 < slide.periodic.size(); k += 2)
+    list.push_back(PeriodicPairs::find(*mesh.topology, mesh.coordinates, slide.periodic[k],
+                                       slide.periodic[k + 1]));
+  for (const GivenPairs& given : wanted_pairs(slide))
+    if (auto pairs = pairs_on(mesh, *slide.file_pairs.found, given))
+      list.push_back(std::move(*pairs));
+  for (const PeriodicPairs& pairs : list)
+    for (const std::string& name : {pairs.first, pairs.second})
+      if (std::ranges::find(slide.markers, name) != slide.markers.end())
+        throw UsageError("marker \"" + name + "\" is to slide and to be periodic: expected one");
+  std::stable_partition(list.begin(), list.end(),
+                        [](const PeriodicPairs& pairs) { return !pairs.halo; });
+  return list;
+}
+
+/// Leaves the corners that move: those that were found to slide, and copies beyond them.
+void keep_sliding_corners(const std::vector<PeriodicPair>& sliding, const NodeClasses& classes,
+                          PeriodicPairs& pairs) {
+  std::erase_if(pairs.corners, [&](const PeriodicPair& pair) {
+    if (!pairs.halo) return std::ranges::find(sliding, pair) == sliding.end();
+    return !classes.slides(pair.node) || classes.has_image(pair.node) ||
+           classes[pair.image] == NodeClass::image;
+  });
 }
 
 }  // namespace
@@ -201,33 +262,31 @@ MovingBoundary make_boundary_move(const SlideOptions& slide, const Mesh& mesh,
   if (slide.markers.empty() && !slide.smooth_nodes.empty())
     throw UsageError("smooth_nodes: no marker slides: name the marker of node " +
                      std::to_string(slide.smooth_nodes.front()));
+  out.periodic = find_pairs(slide, mesh);
+  std::vector<PeriodicPair> corners;
   if (!slide.markers.empty()) {
-    SlidingBoundary boundary = SlidingBoundary::find(
-        *mesh.topology, mesh.coordinates, slide.markers, feature_rules(slide), reference_of(slide));
+    SlidingBoundary boundary =
+        SlidingBoundary::find(*mesh.topology, mesh.coordinates, slide.markers, feature_rules(slide),
+                              reference_of(slide), out.periodic);
     for (const SlidingPart& part : boundary.parts) {
       require_at_rest(part.marker, part.nodes, taken);
       classes.set_sliding(part.nodes, boundary.geometry, mesh.coordinates);
     }
     out.sliding = std::move(boundary.parts);
     out.bends = std::move(boundary.bends);
+    corners = std::move(boundary.corners);
   }
-  const auto join = [&](PeriodicPairs pairs) {
-    for (const std::string& name : {pairs.first, pairs.second})
-      if (std::ranges::find(slide.markers, name) != slide.markers.end())
-        throw UsageError("marker \"" + name + "\" is to slide and to be periodic: expected one");
-    for (const auto& [node, image] : pairs.pairs) {
-      require_at_rest(pairs.first, {&node, 1}, taken);
-      require_at_rest(pairs.second, {&image, 1}, taken);
-    }
+  for (PeriodicPairs& pairs : out.periodic) {
+    keep_sliding_corners(corners, classes, pairs);
+    require_not_held(slide, pairs);
+    for (const auto* list : {&pairs.pairs, &pairs.corners})
+      for (const auto& [node, image] : *list) {
+        require_at_rest(pairs.first, {&node, 1}, taken);
+        require_at_rest(pairs.second, {&image, 1}, taken);
+      }
     classes.set_periodic(pairs);
-    out.periodic.push_back(std::move(pairs));
-  };
-  for (std::size_t k = 0; k + 1 < slide.periodic.size(); k += 2)
-    join(PeriodicPairs::find(*mesh.topology, mesh.coordinates, slide.periodic[k],
-                             slide.periodic[k + 1]));
-  for (const GivenPairs& given : wanted_pairs(slide))
-    if (auto pairs = pairs_on(mesh, *slide.file_pairs.found, given)) join(std::move(*pairs));
-  hold(slide, taken, out, classes);
+  }
+  hold(slide, taken, classes);
   out.held = static_cast<Index>(slide.hold_nodes.size());
   return out;
 }

@@ -32,11 +32,20 @@ struct FilePairs {
   bool operator==(const FilePairs& other) const { return wanted == other.wanted; }
 };
 
+/// Whether the spacing of nodes along curves that they slide on is held.
+enum class SlideSpacing {
+  automatic,  ///< of walls (is_wall())
+  held,
+  free
+};
+
 /// Nodes of the boundary that move while the mesh is smoothed: those of some markers slide on what
 /// they lie on in the mesh that the command is given, those of periodic pairs move together.
 struct SlideOptions {
   std::vector<std::string> markers;
-  double feature_angle = 40;   ///< degrees by which a marker turns at a corner, which stays
+  double feature_angle = 40;  ///< degrees by which a marker turns at a corner, which stays
+  SlideSpacing spacing = SlideSpacing::automatic;
+  std::vector<std::string> held_markers;  ///< whose spacing is held whatever `spacing` says
   bool features = false;       ///< in space nodes slide along the edges of the markers, too
   bool surface_first = false;  ///< of a volume mesh, the sliding boundary before the interior
   ReferenceFile reference;     ///< in space: the surface to slide on instead of the mesh's own
@@ -47,6 +56,8 @@ struct SlideOptions {
   FilePairs file_pairs;               ///< besides these
 
   bool has_pairs() const { return !periodic.empty() || file_pairs.wanted; }
+  /// Asked for; `automatic` may do so as well.
+  bool holds_spacing() const { return spacing == SlideSpacing::held || !held_markers.empty(); }
   bool given() const { return !markers.empty() || has_pairs(); }
   bool operator==(const SlideOptions&) const = default;
 };
@@ -54,6 +65,8 @@ struct SlideOptions {
 OptionTable option_table(SlideOptions& slide);
 
 FeatureRules feature_rules(const SlideOptions& slide);
+/// Takes a marker out of those that slide. Returns whether it was one.
+bool stop_sliding(SlideOptions& slide, const std::string& marker);
 
 /// The reference surface; null: none. Throws UsageError for one that was not read.
 const ReferenceSurface* reference_of(const SlideOptions& slide);

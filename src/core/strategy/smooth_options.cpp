@@ -1,5 +1,6 @@
 #include "core/strategy/smooth_options.h"
 
+#include <algorithm>
 #include "core/error.h"
 
 namespace winslow {
@@ -269,6 +270,12 @@ void validate(const SmoothOptions& options) {
           "raise_worst: the pointwise form minimises nothing: choose the formulation variational");
   require(options.slide.reference.name.empty() || !options.slide.has_pairs(),
           "slide: a reference surface and periodic pairs do not go together");
+  require(options.slide.reference.name.empty() || !options.slide.holds_spacing(),
+          "slide: spacing is held along the curves of the mesh itself, not along those of a "
+          "reference surface");
+  for (const std::string& name : options.slide.held_markers)
+    require(std::ranges::find(options.slide.markers, name) != options.slide.markers.end(),
+            "slide.hold_spacing: marker \"" + name + "\" does not slide");
   require(!options.slide.given() || is_variational(options),
           "slide: the pointwise form knows no geometry of the boundary: choose the formulation "
           "variational");

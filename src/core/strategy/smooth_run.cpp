@@ -11,6 +11,7 @@
 #include "core/motion/transfer.h"
 #include "core/problem/run_validity.h"
 #include "core/quality/quality.h"
+#include "core/strategy/held_spacing.h"
 #include "core/strategy/keep_outside.h"
 #include "core/strategy/picard_run.h"
 #include "core/strategy/pointwise_run.h"
@@ -46,10 +47,11 @@ Coordinates unknowns_within(const NodeClasses& classes, const Coordinates& unkno
 }
 
 /// The classes of a run in which the boundary stays or, but for the nodes of a motion, does, and
-/// all that lies outside a region that the options name.
+/// all that lies outside a region that the options name. with_motion: gets what goes with a motion
+/// besides its own nodes.
 std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Motion* motion,
                                               const SmoothOptions& options, const RunOptions& run,
-                                              SmoothResult& result) {
+                                              SmoothResult& result, CurveRows& with_motion) {
   auto classes = std::make_shared<NodeClasses>(state.mesh.topology);
   if (state.surface) {
     slide_on_surface(*state.surface, state.mesh.coordinates, *classes);
@@ -66,6 +68,7 @@ std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Moti
                               : nodes_kept_outside(options.keep_outside, *state.mesh.topology,
                                                    state.mesh.coordinates, moving));
   classes->set_prescribed(moving);
+  with_motion = hold_spacing(options.slide, state.mesh, result.boundary, *classes);
   return classes;
 }
 
@@ -195,7 +198,8 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& option
   SmoothResult result;
   SmoothingWorkspace own;
   SmoothingWorkspace& workspace = run.workspace ? *run.workspace : own;
-  workspace.prepare(state.vcv, classes_of(state, nullptr, options, run, result), options,
+  CurveRows none;
+  workspace.prepare(state.vcv, classes_of(state, nullptr, options, run, result, none), options,
                     state.mesh.coordinates, state.sphere_vcvs);
   result.kept_outside = keep_fixed(state, workspace.classes(), options.slide.hold_nodes, x);
   RunRecorder recorder(run.monitor, result, budget(options));
@@ -208,19 +212,22 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& option
   return result;
 }
 
-SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const MotionOptions& how,
+SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const MotionOptions& how,
                            const SmoothOptions& options, Coordinates& x, const RunOptions& run) {
   SmoothResult result;
   if (!how.smooth_after) {
-    motion.apply(state.mesh.coordinates, 1, x);
+    bodies.apply(state.mesh.coordinates, 1, x);
     result.converged = true;
     result.inverted = check_validity(*state.mesh.topology, x, options.threads).inverted;
     return result;
   }
   SmoothingWorkspace own;
   SmoothingWorkspace& workspace = run.workspace ? *run.workspace : own;
-  workspace.prepare(state.vcv, classes_of(state, &motion, options, run, result), options,
+  CurveRows rows;
+  workspace.prepare(state.vcv, classes_of(state, &bodies, options, run, result, rows), options,
                     state.mesh.coordinates, state.sphere_vcvs);
+  const auto with_held_rows = rows.empty() ? nullptr : with_rows(bodies, rows);
+  const Motion& motion = with_held_rows ? *with_held_rows : bodies;
   result.kept_outside = keep_fixed(state, workspace.classes(), options.slide.hold_nodes, x);
   RunRecorder recorder(run.monitor, result, budget(options));
   if (by_fixed_point(options)) {
@@ -232,7 +239,7 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const M
   }
   const bool near_start = run.start && !how.floor.given();  // limits hold all the way
   const bool known = run.all_or_nothing && how.increments == 0 && !near_start;
-  if (known && is_blocked(state, motion, workspace.classes(), options, x, result)) return result;
+  if (known && is_blocked(state, bodies, workspace.classes(), options, x, result)) return result;
   const auto steps = make_newton_run(state, workspace, recorder);
   steps->keep_within(how.floor);
   steps->end_at_contact(run.all_or_nothing);

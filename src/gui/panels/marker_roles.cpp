@@ -31,7 +31,7 @@ void edit_slide(const PanelContext& context, const SlideOptions& slide) {
 
 void toggle_sliding(const PanelContext& context, const std::string& name) {
   SlideOptions slide = context.session.jobs().smooth_options().slide;
-  if (std::erase(slide.markers, name) == 0) slide.markers.push_back(name);
+  if (!stop_sliding(slide, name)) slide.markers.push_back(name);
   edit_slide(context, slide);
 }
 
@@ -122,7 +122,27 @@ void MarkerRoles::draw_angle(const PanelContext& context, SlideOptions slide) {
                              "they stay."))
     edit_slide(context, slide);
   if (kind != MeshKind::plane) draw_reference(context);
+  if (!surface) draw_spacing(context, slide);
   show_preview(context, editing);
+}
+
+/// Where nodes slide along curves of the mesh: in space along its edges alone.
+void MarkerRoles::draw_spacing(const PanelContext& context, SlideOptions slide) {
+  const bool along_curves = context.session.kind() == MeshKind::plane || slide.features;
+  if (!along_curves || !slide.reference.name.empty()) return;
+  const char* tip =
+      "Whether nodes keep their relative spacing along the curves that they slide on, as clusters "
+      "at leading edges and walls need it: a closed curve then turns as a whole, other stretches "
+      "follow their ends.\n"
+      "Auto: held for walls, that is markers around a body and those with flat elements, and free "
+      "for far fields.\n"
+      "Held: of all sliding markers.\n"
+      "Free: nodes go where the mesh draws them.";
+  ui::row("Spacing", tip);
+  auto chosen = static_cast<std::size_t>(slide.spacing);
+  if (!ui::combo("markers/spacing", {"Auto", "Held", "Free"}, chosen, tip)) return;
+  slide.spacing = static_cast<SlideSpacing>(chosen);
+  edit_slide(context, slide);
 }
 
 void MarkerRoles::draw_reference(const PanelContext& context) {

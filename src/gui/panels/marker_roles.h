@@ -19,13 +19,14 @@ class MarkerRoles {
   /// The list of markers that one can be periodic with, while it is open. Where the words are
   /// drawn.
   void draw_partners(const PanelContext& context);
-  /// Pairs of the file, feature angle, what slides along edges, and why the boundary cannot move
-  /// so: below the list.
+  /// Pairs of the file, feature angle, spacing, what slides along edges, and why the boundary
+  /// cannot move so: below the list.
   void draw_settings(const PanelContext& context);
 
  private:
   void draw_angle(const PanelContext& context, SlideOptions slide);
   static void draw_file_pairs(const PanelContext& context, SlideOptions slide);
+  static void draw_spacing(const PanelContext& context, SlideOptions slide);
   static void draw_reference(const PanelContext& context);
   void draw_found(const PanelContext& context);
   void show_preview(const PanelContext& context, bool on);

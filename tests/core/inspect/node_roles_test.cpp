@@ -33,8 +33,8 @@ TEST_CASE("roles in the plane: corners stay, stretches slide, pairs move togethe
   const NodeRoles roles = node_roles(mesh, slide, {"bottom"});
   CHECK(roles.fault.empty());
   CHECK(count_of(roles, NodeRole::on_curve) == 5);
-  CHECK(count_of(roles, NodeRole::corner) == 2);
-  CHECK(count_of(roles, NodeRole::periodic) == 10);
+  CHECK(count_of(roles, NodeRole::corner) == 0);  // those of the top slide with their images
+  CHECK(count_of(roles, NodeRole::periodic) == 12);
   CHECK(count_of(roles, NodeRole::moves) == 7);
   CHECK(count_of(roles, NodeRole::free) == 25);
   REQUIRE(roles.found.size() == 2);
@@ -42,6 +42,20 @@ TEST_CASE("roles in the plane: corners stay, stretches slide, pairs move togethe
   CHECK(roles.found[1] == "left and right: translation by (1, 0)");
   for (Index i = 0; i < mesh.coordinates.size(); ++i)
     if (roles.roles[at(i)] == NodeRole::on_curve) CHECK(mesh.coordinates.xy(i).y() == 1);
+}
+
+TEST_CASE("held stretches stay, or move with a body that moves an end of them") {
+  const Mesh mesh = make_mesh(square(6, Cells::triangles));
+  SlideOptions slide;
+  slide.markers = {"top"};
+  slide.spacing = SlideSpacing::held;
+  const NodeRoles stays = node_roles(mesh, slide, {});
+  CHECK(count_of(stays, NodeRole::on_curve) == 0);
+  CHECK(count_of(stays, NodeRole::corner) == 7);
+  CHECK(stays.found[0] == "top: straight line, spacing held: stays between its ends");
+  const NodeRoles moves = node_roles(mesh, slide, {"left"});
+  CHECK(count_of(moves, NodeRole::moves) == 7 + 5);
+  CHECK(moves.found[0] == "top: straight line, spacing held: follows its ends");
 }
 
 TEST_CASE("roles follow the feature angle") {

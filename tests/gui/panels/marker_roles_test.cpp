@@ -284,4 +284,34 @@ TEST_CASE("roles in space: seen nodes of a sliding face have dots, and along its
   CHECK(in_key(rig, NodeRole::on_curve));
 }
 
+TEST_CASE("spacing is held by the form, and what then stays is shown to") {
+  Rig rig(1280, 900);
+  rig.open(plane_square());
+  CHECK_FALSE(rig.visible("markers/spacing"));
+  rig.click("marker_role/top");
+  rig.frames(2);
+  rig.click("markers/roles");
+  REQUIRE(rig.settle());
+  rig.frames(2);
+  REQUIRE(rig.visible("markers/spacing"));
+  CHECK(slide_of(rig).spacing == SlideSpacing::automatic);
+  CHECK(in_key(rig, NodeRole::on_curve));
+  rig.click("markers/spacing");
+  rig.click("markers/spacing/Held");
+  REQUIRE(rig.settle());
+  rig.frames(3);
+  CHECK(slide_of(rig).spacing == SlideSpacing::held);
+  CHECK_FALSE(in_key(rig, NodeRole::on_curve));
+  CHECK(in_key(rig, NodeRole::corner));
+  // In space it is of edges, and there where nodes slide along these.
+  Rig space(1280, 900);
+  space.open(make_mesh(winslow::test::cube(4, winslow::test::Volumes::tetrahedra)));
+  space.click("marker_role/lid");
+  space.frames(2);
+  CHECK_FALSE(space.visible("markers/spacing"));
+  space.click("markers/features");
+  space.frames(2);
+  CHECK(space.visible("markers/spacing"));
+}
+
 }  // namespace winslow::gui::test

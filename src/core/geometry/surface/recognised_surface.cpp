@@ -24,6 +24,7 @@ class Plane final : public Surface {
     out.normal = normal_;
     return out;
   }
+  bool goes_on() const override { return true; }
   std::string description() const override { return "plane"; }
 
  private:
@@ -42,6 +43,7 @@ class Sphere final : public Surface {
     out.form = -(Eigen::Matrix3d::Identity() - out.normal * out.normal.transpose()) / radius_;
     return out;
   }
+  bool goes_on() const override { return true; }
   std::string description() const override { return "sphere of radius " + number_text(radius_); }
 
  private:
@@ -64,6 +66,7 @@ class Cylinder final : public Surface {
     out.form = -(around * around.transpose()) / radius_;
     return out;
   }
+  bool goes_on() const override { return true; }
   std::string description() const override { return "cylinder of radius " + number_text(radius_); }
 
  private:

@@ -23,6 +23,8 @@ class Surface {
   virtual ~Surface() = default;
   /// The place nearest to a point. Planes, cylinders and spheres go on beyond their faces.
   virtual SurfacePoint nearest(const Vec3& point) const = 0;
+  /// Whether it goes on beyond its faces.
+  virtual bool goes_on() const { return false; }
   /// "plane", "cylinder of radius 2", "sphere of radius 1", "smooth surface through 200 nodes": for
   /// reports.
   virtual std::string description() const = 0;

@@ -41,7 +41,7 @@ std::string pair_sides(SlideOptions& slide, const Mesh& mesh, const std::string&
   take_out(slide, *second);
   const PeriodicPairs pairs = PeriodicPairs::find(*mesh.topology, mesh.coordinates, first, *second);
   slide.periodic.insert(slide.periodic.end(), {first, *second});
-  for (const std::string& name : {first, *second}) std::erase(slide.markers, name);
+  for (const std::string& name : {first, *second}) stop_sliding(slide, name);
   return first + " and " + *second + " are periodic: " + pairs.description + ", " +
          counted(pairs.pairs.size(), "pair") + " of nodes.";
 }
@@ -49,7 +49,7 @@ std::string pair_sides(SlideOptions& slide, const Mesh& mesh, const std::string&
 void leave_to_motion(SlideOptions& slide, const Topology& topology,
                      const std::vector<std::string>& markers) {
   for (const std::string& name : markers) {
-    std::erase(slide.markers, name);
+    stop_sliding(slide, name);
     take_out(slide, name);
   }
   // All of it is kept for when a marker slides again.

@@ -1,0 +1,155 @@
+#include "core/formulation/follower_rows.h"
+
+#include <algorithm>
+
+namespace winslow {
+
+namespace {
+
+Vec3 place_of(const Coordinates& x, Index node) {
+  if (x.dimension() == 3) return x.xyz(node);
+  const Vec2 p = x.xy(node);
+  return {p.x(), p.y(), 0};
+}
+
+}  // namespace
+
+template <int D>
+FollowerRows<D>::FollowerRows(const NodeUnknowns& nodes, std::span<const Index> row_of_node,
+                              std::shared_ptr<const SparsityPattern> full)
+    : own_(nodes.nodes().size() + nodes.images().size()), full_(std::move(full)), pattern_(full_) {
+  for (const auto& row : nodes.rows()) {
+    std::array<Index, 2> ends{row_of_node[at(row->first())], row_of_node[at(row->last())]};
+    if (row->closed()) ends[1] = -1;
+    ends_.insert(ends_.end(), row->between().size(), ends);
+  }
+  if (empty()) return;
+  const std::size_t all = own_ + ends_.size();
+  part_.assign(all, 0);
+  for (std::size_t k = 0; k < ends_.size(); ++k) {
+    part_[own_ + k] = 1;
+    for (const Index end : ends_[k])
+      if (end >= 0) part_[at(end)] = 1;
+  }
+  std::vector<std::vector<Index>> columns(own_);
+  for (std::size_t i = 0; i < all; ++i)
+    for (auto e = at(full_->offsets[i]); e < at(full_->offsets[i + 1]); ++e)
+      for (const Index row : rows(i))
+        for (const Index column : rows(at(full_->columns[e])))
+          if (row >= 0 && column >= 0) columns[at(row)].push_back(column);
+  auto reduced = std::make_shared<SparsityPattern>();
+  for (std::size_t i = 0; i < own_; ++i) {
+    std::ranges::sort(columns[i]);
+    columns[i].erase(std::unique(columns[i].begin(), columns[i].end()), columns[i].end());
+    const auto diagonal = std::ranges::lower_bound(columns[i], static_cast<Index>(i));
+    reduced->diagonal.push_back(reduced->offsets.back() +
+                                static_cast<Index>(diagonal - columns[i].begin()));
+    reduced->columns.insert(reduced->columns.end(), columns[i].begin(), columns[i].end());
+    reduced->offsets.push_back(static_cast<Index>(reduced->columns.size()));
+  }
+  pattern_ = std::move(reduced);
+}
+
+template <int D>
+std::vector<typename FollowerRows<D>::Lever> FollowerRows<D>::levers(const NodeUnknowns& nodes,
+                                                                     const Coordinates& x) const {
+  std::vector<Lever> out;
+  out.reserve(ends_.size());
+  for (const auto& row : nodes.rows()) {
+    const auto places = row->places(place_of(x, row->first()), place_of(x, row->last()));
+    for (std::size_t k = 0; k < places.between.size(); ++k) {
+      const double last = row->part_of_last(k);
+      const CurvePoint<3>& place = places.between[k];
+      out.push_back({place.tangent.template head<D>(),
+                     place.curvature.template head<D>(),
+                     {(1 - last) * places.first.tangent.template head<D>(),
+                      last * places.last.tangent.template head<D>()}});
+    }
+  }
+  return out;
+}
+
+template <int D>
+typename FollowerRows<D>::Parts FollowerRows<D>::parts_of(std::span<const Lever> levers,
+                                                          std::size_t full_row) const {
+  Parts out;
+  if (full_row < own_) {
+    out.parts[0] = {static_cast<Index>(full_row), Block::Identity()};
+    out.count = 1;
+    return out;
+  }
+  const Lever& lever = levers[full_row - own_];
+  for (std::size_t m = 0; m < 2; ++m) {
+    const Index end = ends_[full_row - own_][m];
+    if (end >= 0)
+      out.parts[static_cast<std::size_t>(out.count++)] = {
+          end, Block(lever.tangent * lever.ends[m].transpose())};
+  }
+  return out;
+}
+
+template <int D>
+Index FollowerRows<D>::entry(Index row, Index column) const {
+  const auto first = pattern_->columns.begin() + pattern_->offsets[at(row)];
+  const auto last = pattern_->columns.begin() + pattern_->offsets[at(row) + 1];
+  return static_cast<Index>(std::lower_bound(first, last, column) - pattern_->columns.begin());
+}
+
+template <int D>
+void FollowerRows<D>::reduce(std::span<const Lever> levers, std::span<const double> full,
+                             std::span<double> out) const {
+  std::copy_n(full.begin(), out.size(), out.begin());
+  for (std::size_t k = 0; k < ends_.size(); ++k) {
+    const double along =
+        levers[k].tangent.dot(Eigen::Map<const Vec<D>>(full.data() + D * (own_ + k)));
+    for (std::size_t m = 0; m < 2; ++m) {
+      if (ends_[k][m] < 0) continue;
+      Eigen::Map<Vec<D>> own(out.data() + D * at(ends_[k][m]));
+      own += along * levers[k].ends[m];
+    }
+  }
+}
+
+template <int D>
+void FollowerRows<D>::reduce(std::span<const Lever> levers, std::span<const double> residual,
+                             bool convex, const SparseMatrix& full, SparseMatrix& out) const {
+  out.pattern = pattern_;
+  out.block = D;
+  out.symmetric = full.symmetric;
+  out.in_space = full.in_space;
+  constexpr std::size_t size = std::size_t{D} * D;  // of a block
+  out.values.assign(size * pattern_->columns.size(), 0.0);
+  const auto to = [&](Index row, Index column) {
+    return Eigen::Map<Block>(&out.values[at(entry(row, column)) * size]);
+  };
+  for (std::size_t i = 0; i < own_ + ends_.size(); ++i) {
+    const Parts left = parts_of(levers, i);
+    for (auto e = at(full_->offsets[i]); e < at(full_->offsets[i + 1]); ++e) {
+      const Eigen::Map<const Block> from(&full.values[e * size]);
+      const auto column = at(full_->columns[e]);
+      if (i < own_ && column < own_) {
+        to(static_cast<Index>(i), static_cast<Index>(column)) += from;
+        continue;
+      }
+      const Parts right = parts_of(levers, column);
+      for (std::size_t a = 0; a < static_cast<std::size_t>(left.count); ++a)
+        for (std::size_t b = 0; b < static_cast<std::size_t>(right.count); ++b)
+          to(left.parts[a].row, right.parts[b].row) +=
+              left.parts[a].block.transpose() * from * right.parts[b].block;
+    }
+  }
+  for (std::size_t k = 0; k < ends_.size(); ++k) {
+    const Eigen::Map<const Vec<D>> r(residual.data() + D * (own_ + k));
+    const double bend = -r.dot(levers[k].curvature);
+    if (bend == 0 || (convex && bend < 0)) continue;
+    for (std::size_t a = 0; a < 2; ++a)
+      for (std::size_t b = 0; b < 2; ++b)
+        if (ends_[k][a] >= 0 && ends_[k][b] >= 0)
+          to(ends_[k][a], ends_[k][b]) += bend * levers[k].ends[a] * levers[k].ends[b].transpose();
+  }
+}
+
+template class FollowerRows<2>;
+template class FollowerRows<3>;
+
+}  // namespace winslow

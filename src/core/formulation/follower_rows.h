@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/linear/sparse_system.h"
+#include "core/problem/node_unknowns.h"
+
+namespace winslow {
+
+/// The rows of nodes that follow the ends of their rows along curves (CurveRow), in a system of D
+/// by D blocks that was assembled as if they had unknowns of their own, after all other rows. A
+/// follower k at arc s_k, with the tangent t_k and the curvature vector c_k of its curve there,
+/// moves with the ends m of its row, which have the tangents t_m and of whose moves it makes the
+/// parts p_km, by
+///
+///   ds_k = sum_m v_km . dx_m,   v_km = p_km t_m,
+///
+/// to second order of what slides, so that by the chain rule, with C_km = t_k v_km^T,
+///
+///   R_m += C_km^T R_k,   H_ij -> H_ij + C_ki^T H_kl C_lj over all (k, l) that follow (i, j),
+///   H_ij += (dE/dx_k . c_k) v_ki v_kj^T.
+///
+/// Ends that stay have no part in it.
+template <int D>
+class FollowerRows {
+ public:
+  /// row_of_node: -1 for nodes that do not move. full: pattern of all rows, those of followers
+  /// last.
+  FollowerRows(const NodeUnknowns& nodes, std::span<const Index> row_of_node,
+               std::shared_ptr<const SparsityPattern> full);
+
+  bool empty() const { return ends_.empty(); }
+  /// Of the other rows: the full one where nothing follows.
+  const std::shared_ptr<const SparsityPattern>& pattern() const { return pattern_; }
+  /// The rows that a row's gradient becomes part of: its own, or those of the ends; -1 for none.
+  std::array<Index, 2> rows(std::size_t full_row) const {
+    if (full_row < own_) return {static_cast<Index>(full_row), -1};
+    return ends_[full_row - own_];
+  }
+  /// Whether a row follows, or is followed.
+  bool is_part(std::size_t full_row) const { return !empty() && part_[full_row] != 0; }
+
+  /// Of one follower.
+  struct Lever {
+    Vec<D> tangent = Vec<D>::Zero(), curvature = Vec<D>::Zero();
+    std::array<Vec<D>, 2> ends{Vec<D>::Zero(), Vec<D>::Zero()};  ///< v_km
+  };
+  /// At x, one after the other.
+  std::vector<Lever> levers(const NodeUnknowns& nodes, const Coordinates& x) const;
+
+  /// full: over all rows; out: over the others.
+  void reduce(std::span<const Lever> levers, std::span<const double> full,
+              std::span<double> out) const;
+  /// residual: over all rows, -dE/dx. convex: only what the curvature adds, so that a positive
+  /// semidefinite matrix stays so.
+  void reduce(std::span<const Lever> levers, std::span<const double> residual, bool convex,
+              const SparseMatrix& full, SparseMatrix& out) const;
+
+ private:
+  using Block = Eigen::Matrix<double, D, D, Eigen::RowMajor>;
+  struct Part {
+    Index row;
+    Block block;  // C, the identity for the row itself
+  };
+  struct Parts {
+    std::array<Part, 2> parts;
+    int count = 0;
+  };
+  Parts parts_of(std::span<const Lever> levers, std::size_t full_row) const;
+  Index entry(Index row, Index column) const;
+
+  std::size_t own_ = 0;                     // rows that do not follow
+  std::vector<std::array<Index, 2>> ends_;  // of each follower, rows
+  std::vector<unsigned char> part_;         // #all rows
+  std::shared_ptr<const SparsityPattern> full_, pattern_;
+};
+
+extern template class FollowerRows<2>;
+extern template class FollowerRows<3>;
+
+}  // namespace winslow
