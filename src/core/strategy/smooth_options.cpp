@@ -122,7 +122,7 @@ OptionTable equations(SmoothOptions& o) {
        .applies = variational},
       {.key = "raise_worst",
        .value = SwitchOption{&o.raise_worst},
-       .label = "Raise the worst element",
+       .label = "Raise worst",
        .help = "Variational: after the solution, make the worst element as good as it can be, at "
                "the expense of the others",
        .advice = "Of quadrilaterals and hexahedra this is the smallest scaled Jacobian. Takes many "

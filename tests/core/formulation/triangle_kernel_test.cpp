@@ -68,7 +68,7 @@ std::vector<double> sums_of(const TriangleKernel& kernel, const Sample& sample,
   return sums;
 }
 
-const std::vector<PenaltyOptions> penalties{{8, 1.78}, {1, 0}, {2, 0}, {2.5, 1.5}, {1, 0, 1e3}};
+const std::vector<PenaltyOptions> penalties{{8, 1.78}, {1, 0}, {2, 0}, {2.5, 1.5}, {1, 0, 1e7}};
 
 }  // namespace
 
@@ -85,8 +85,9 @@ TEST_CASE("the energy of triangles is the sum of what their distortions cost") {
              k < sample.offsets[static_cast<std::size_t>(t) + 1]; ++k) {
           const double* c = &sample.terms[4 * static_cast<std::size_t>(k)];
           const double f = q.distortion({c[0], c[1], c[2], c[3]});
-          expected += c[3] * (penalty.knee > 0 ? f + std::pow(f / penalty.knee, penalty.exponent)
-                                               : std::pow(f, penalty.exponent));
+          expected += c[3] * (penalty.bound > 0  ? f / (1 - f / penalty.bound)
+                              : penalty.knee > 0 ? f + std::pow(f / penalty.knee, penalty.exponent)
+                                                 : std::pow(f, penalty.exponent));
         }
       }
       const distortion::SimplexData data = sample.data(penalty, false);
