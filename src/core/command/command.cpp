@@ -192,6 +192,10 @@ CommandResult run_motion(const MeshState& state, const Motion& motion, const Mot
     throw UsageError(
         "surface_first: a motion smooths the boundary together with the interior; it "
         "is for the command smooth");
+  if (smooth.raise_worst && how.floor.given())
+    throw UsageError(
+        "raise_worst: limits of the quality end a motion before they are broken and know nothing "
+        "of what comes after it: expected one of the two");
   if (state.layers && state.layers->held && how.smooth_after) {
     CommandResult result{state, {}};
     result.smooth = move_with_layers(result.state, motion, how, smooth, options);

@@ -2,17 +2,10 @@
 
 #include <algorithm>
 
+#include "core/linear/pattern_builder.h"
+#include "core/mesh/place.h"
+
 namespace winslow {
-
-namespace {
-
-Vec3 place_of(const Coordinates& x, Index node) {
-  if (x.dimension() == 3) return x.xyz(node);
-  const Vec2 p = x.xy(node);
-  return {p.x(), p.y(), 0};
-}
-
-}  // namespace
 
 template <int D>
 FollowerRows<D>::FollowerRows(const NodeUnknowns& nodes, std::span<const Index> row_of_node,
@@ -37,17 +30,7 @@ FollowerRows<D>::FollowerRows(const NodeUnknowns& nodes, std::span<const Index> 
       for (const Index row : rows(i))
         for (const Index column : rows(at(full_->columns[e])))
           if (row >= 0 && column >= 0) columns[at(row)].push_back(column);
-  auto reduced = std::make_shared<SparsityPattern>();
-  for (std::size_t i = 0; i < own_; ++i) {
-    std::ranges::sort(columns[i]);
-    columns[i].erase(std::unique(columns[i].begin(), columns[i].end()), columns[i].end());
-    const auto diagonal = std::ranges::lower_bound(columns[i], static_cast<Index>(i));
-    reduced->diagonal.push_back(reduced->offsets.back() +
-                                static_cast<Index>(diagonal - columns[i].begin()));
-    reduced->columns.insert(reduced->columns.end(), columns[i].begin(), columns[i].end());
-    reduced->offsets.push_back(static_cast<Index>(reduced->columns.size()));
-  }
-  pattern_ = std::move(reduced);
+  pattern_ = pattern_of(std::move(columns));
 }
 
 template <int D>

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/linear/pattern_builder.h"
+
 namespace winslow {
 
 template <int D>
@@ -21,20 +23,11 @@ PeriodicRows<D>::PeriodicRows(const NodeUnknowns& nodes,
     part_[own_ + k] = part_[static_cast<std::size_t>(master)] = 1;
     rotation_.push_back(images[k].transform->rotation.template topLeftCorner<D, D>());
   }
-  auto reduced = std::make_shared<SparsityPattern>();
   std::vector<std::vector<Index>> columns(own_);
   for (std::size_t i = 0; i < all; ++i)
     for (auto e = at(full_->offsets[i]); e < at(full_->offsets[i + 1]); ++e)
       columns[at(row_[i])].push_back(row_[at(full_->columns[e])]);
-  for (std::size_t i = 0; i < own_; ++i) {
-    std::ranges::sort(columns[i]);
-    columns[i].erase(std::unique(columns[i].begin(), columns[i].end()), columns[i].end());
-    const auto diagonal = std::ranges::lower_bound(columns[i], static_cast<Index>(i));
-    reduced->diagonal.push_back(reduced->offsets.back() +
-                                static_cast<Index>(diagonal - columns[i].begin()));
-    reduced->columns.insert(reduced->columns.end(), columns[i].begin(), columns[i].end());
-    reduced->offsets.push_back(static_cast<Index>(reduced->columns.size()));
-  }
+  auto reduced = pattern_of(std::move(columns));
   for (std::size_t i = 0; i < all; ++i) {
     const auto first = reduced->columns.begin() + reduced->offsets[at(row_[i])];
     const auto last = reduced->columns.begin() + reduced->offsets[at(row_[i]) + 1];

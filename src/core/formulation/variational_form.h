@@ -18,9 +18,9 @@ class VariationalForm : public NodeProblem<UntanglingProblem> {
   /// The same with another penalty. What depends on the connectivity is shared; so are the targets.
   virtual std::shared_ptr<const VariationalForm> with_penalty(
       const PenaltyOptions& penalty) const = 0;
-  /// The same with targets for which only angles count at corners of quadrilaterals and hexahedra,
-  /// and of prisms only the height to their triangles' size does not: their edges are as long as
-  /// those at x.
+  /// The same with targets for which only angles count at right-angled corners of quadrilaterals
+  /// and hexahedra, and at those of prisms all but the ratio of height to triangle: their edges are
+  /// as long as those at x.
   ///
   /// Of a right-angled corner f is then 1 / sin in the plane, and in space the -2/3rd power of the
   /// scaled Jacobian, at x itself; and no less than that anywhere else (the mean of squares and

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "core/mesh/place.h"
 #include "core/mesh/place_text.h"
 #include "core/options/option.h"
 #include "core/search/box_tree.h"
@@ -15,12 +16,6 @@
 namespace winslow {
 
 namespace {
-
-Vec3 place_of(const Coordinates& x, Index node) {
-  if (x.dimension() == 3) return x.xyz(node);
-  const Vec2 p = x.xy(node);
-  return {p.x(), p.y(), 0};
-}
 
 Vec3 mean_of(const std::vector<Vec3>& points) {
   Vec3 sum(0, 0, 0);

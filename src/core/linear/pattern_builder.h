@@ -52,4 +52,16 @@ std::shared_ptr<SparsityPattern> build_pattern(Index rows, Index block, int thre
   return pattern;
 }
 
+/// A pattern by the columns of each row, in any order and any number of times, the row itself among
+/// them.
+inline std::shared_ptr<SparsityPattern> pattern_of(std::vector<std::vector<Index>> columns) {
+  const auto list = [&](Index row, std::vector<Index>& out) {
+    out.swap(columns[at(row)]);
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+  };
+  const auto rows = static_cast<Index>(columns.size());
+  return build_pattern(rows, std::max<Index>(rows, 1), 1, [&] { return list; });
+}
+
 }  // namespace winslow

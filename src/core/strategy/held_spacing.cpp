@@ -6,18 +6,13 @@
 #include <utility>
 
 #include "core/mesh/element_measure.h"
+#include "core/mesh/place.h"
 #include "core/mesh/surface_faces.h"
 #include "core/quality/walls.h"
 
 namespace winslow {
 
 namespace {
-
-Vec3 place_of(const Coordinates& x, Index node) {
-  if (x.dimension() == 3) return x.xyz(node);
-  const Vec2 p = x.xy(node);
-  return {p.x(), p.y(), 0};
-}
 
 /// The length of an element along a face of it over its height there.
 double flatness(const Mesh& mesh, const Face& face, Index element) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/mesh/place.h"
 #include "core/mesh/place_text.h"
 #include "core/options/option.h"
 #include "core/search/box.h"
@@ -14,12 +15,6 @@
 namespace winslow {
 
 namespace {
-
-Vec3 place_of(const Coordinates& x, Index node) {
-  if (x.dimension() == 3) return x.xyz(node);
-  const Vec2 p = x.xy(node);
-  return {p.x(), p.y(), 0};
-}
 
 std::string text_of(const Vec3& p, int dimension) {
   return dimension == 2 ? place_text(Vec2(p.head<2>())) : place_text(p);

@@ -125,8 +125,9 @@ OptionTable equations(SmoothOptions& o) {
        .label = "Raise worst",
        .help = "Variational: after the solution, make the worst element as good as it can be, at "
                "the expense of the others",
-       .advice = "Of quadrilaterals and hexahedra this is the smallest scaled Jacobian. Takes many "
-                 "more iterations.",
+       .advice = "Of quadrilaterals and hexahedra with regular targets this is the smallest scaled "
+                 "Jacobian; where targets keep elements stretched there may be nothing to gain. "
+                 "Takes many more iterations, in drags too.",
        .applies = variational},
       {.key = "outer",
        .value = ChoiceOption(

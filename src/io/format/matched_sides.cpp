@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "core/mesh/place.h"
 #include "core/search/box_tree.h"
 
 namespace winslow::io {
@@ -19,11 +20,6 @@ RigidImage image_of(const Vec3& centre, const Vec3& angles, const Vec3& translat
 
 RigidImage inverse_of(const RigidImage& image) {
   return {image.rotation.transpose(), -(image.rotation.transpose() * image.offset)};
-}
-
-Vec3 place_of(const Coordinates& x, Index node) {
-  if (x.dimension() == 3) return x.xyz(node);
-  return {x.xy(node).x(), x.xy(node).y(), 0};
 }
 
 std::vector<Index> nodes_of(std::span<const Face> faces) {

@@ -15,8 +15,6 @@ RigidImage image_of(const Vec3& centre, const Vec3& angles, const Vec3& translat
 /// What takes the image back.
 RigidImage inverse_of(const RigidImage& image);
 
-/// Place of a node; z is 0 in the plane.
-Vec3 place_of(const Coordinates& x, Index node);
 /// The nodes of some faces, ascending.
 std::vector<Index> nodes_of(std::span<const Face> faces);
 double shortest_edge(std::span<const Face> faces, const Coordinates& x);

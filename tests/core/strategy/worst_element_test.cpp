@@ -124,3 +124,13 @@ TEST_CASE("the pointwise form has no worst element to raise") {
   command.smooth.formulation = "pointwise";
   CHECK_THROWS_AS(execute(command, state), UsageError);
 }
+
+TEST_CASE("limits of the quality and raising the worst element do not go together") {
+  const MeshState state = make_state(make_mesh(square_with_hole(6, Cells::quads)));
+  MoveCommand command;
+  command.markers = {state.mesh.topology->markers()[0].name};
+  command.motion.translate = Vec2(0.01, 0);
+  command.smooth.raise_worst = true;
+  command.how.floor.set(Metric::normalized_jacobian, 0.1);
+  CHECK_THROWS_AS(execute(command, state), UsageError);
+}

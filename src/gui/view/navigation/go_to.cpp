@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/inspect/space/surface_measures.h"
 #include "core/mesh/element_type.h"
+#include "core/mesh/place.h"
 #include "core/strategy/surface_shape.h"
 #include "gui/base/text.h"
 #include "gui/view/navigation/worst_list.h"
@@ -55,11 +56,6 @@ std::optional<Vec3> point_of(const std::string& text, bool in_space) {
                        : std::sscanf(text.c_str(), "%lf , %lf %c", &p[0], &p[1], &rest);
   if (read != (in_space ? 3 : 2) || !p.allFinite()) return std::nullopt;
   return p;
-}
-
-Vec3 place_of(const Coordinates& x, Index node) {
-  if (x.dimension() == 3) return x.xyz(node);
-  return {x.xy(node).x(), x.xy(node).y(), 0};
 }
 
 Index count_of(MeshItem::Kind kind, const Topology& topology) {
