@@ -97,11 +97,14 @@ struct SimplexStructure {
 template <int D>
 class RowReduction {
  public:
+  /// stuck: nodes (#those with unknowns, or empty) that are held where they slide.
   RowReduction(const SimplexStructure<D>& structure, const NodeUnknowns& nodes,
-               const Coordinates& x)
+               const Coordinates& x, const std::vector<bool>& stuck)
       : structure_(structure),
         levers_(structure.followers.levers(nodes, x)),
         feet_(structure.sliding.feet(nodes, x)) {
+    for (std::size_t row = 0; row < stuck.size(); ++row)
+      if (stuck[row]) feet_[at(structure.sliding.slot(row))].frame = {};
     if (!structure.joins()) return;
     scales_.resize(structure.cells_at_row.size());
     full_.resize(D * scales_.size());

@@ -1,40 +1,9 @@
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 
+#include "core/formulation/folds.h"
 #include "core/formulation/surface_winslow.h"
 
 namespace winslow {
-
-namespace {
-
-/// The surface turns between two feet by more than a fold at least does.
-bool turns(const Foot& from, const Foot& to) {
-  const double cos_fold = std::cos(10 * M_PI / 180);
-  const int count = std::min(from.frame.count(), to.frame.count());
-  if (count == 0) return false;
-  if (count == 1) return std::abs(from.frame[0].dot(to.frame[0])) < cos_fold;
-  const Vec3 before = from.frame[0].cross(from.frame[1]);
-  return std::abs(before.dot(to.frame[0].cross(to.frame[1]))) < cos_fold;
-}
-
-}  // namespace
-
-/// A short way between two feet leads to another place of the surface, or over a fold: there it
-/// turns at once, and not little by little as where it is only curved.
-bool SurfaceWinslow::leads_astray(Index row, const Foot& from, const Foot& to, double way) const {
-  constexpr double far = 4;
-  constexpr int halvings = 6;
-  if ((to.point - from.point).norm() > far * way) return true;
-  const NodeUnknowns& nodes = node_unknowns();
-  Foot first = from, last = to;
-  for (int i = 0; i < halvings && turns(first, last); ++i) {
-    const Foot middle =
-        nodes.classes().foot(nodes.nodes()[at(row)], 0.5 * (first.point + last.point));
-    (turns(first, middle) ? last : first) = middle;
-  }
-  return turns(first, last);
-}
 
 std::vector<bool> SurfaceWinslow::turned_over(const Coordinates& x) const {
   const FlatCells cells = own_planes(x);
@@ -53,12 +22,7 @@ std::shared_ptr<const EnergyProblem> SurfaceWinslow::holding_stuck_nodes(
   Coordinates there = x;
   advance(direction, step, there);
   std::vector<bool> stuck = stuck_.empty() ? std::vector<bool>(rows, false) : stuck_;
-  const std::vector<Foot> from = feet(x), to = feet(there);
-  for (std::size_t row = 0; row < rows; ++row) {
-    const double way = step * Vec2(direction[2 * row], direction[2 * row + 1]).norm();
-    if (way > 0 && leads_astray(static_cast<Index>(row), from[row], to[row], way))
-      stuck[row] = true;
-  }
+  add_nodes_led_astray(node_unknowns(), x, there, direction, 2, step, stuck);
   // Of the nodes of elements that turn over on the way, those that turn one on their own.
   const std::vector<bool> before = turned_over(x), after = turned_over(there);
   for (std::size_t t = 0; t < after.size(); ++t) {

@@ -88,7 +88,6 @@ class SurfaceWinslow final : public VariationalForm {
   double energy_of(const FlatCells& cells, const Regularisation* regularisation) const;
   std::vector<double> determinants(const FlatCells& cells) const;
   std::vector<Foot> feet(const Coordinates& x) const;
-  bool leads_astray(Index row, const Foot& from, const Foot& to, double way) const;
   /// For each cell, whether it shows the wrong side.
   std::vector<bool> turned_over(const Coordinates& x) const;
 

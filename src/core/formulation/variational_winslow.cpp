@@ -248,7 +248,7 @@ ResidualNorms SimplexWinslow<D>::residual(const Coordinates& x, std::span<double
   const SimplexData cells = data(x, nullptr);
   const RowBlocks<D>& rows = structure_->rows;
   std::vector<NormSum> norms(block_count(rows.rows()));
-  RowReduction<D> reduction(*structure_, node_unknowns(), x);
+  RowReduction<D> reduction(*structure_, node_unknowns(), x, stuck_);
   const std::span<double> full = reduction.all_rows(out);
   for_each_block([&](std::size_t part, Index block, Index first, Index last, BlockMemory& memory) {
     sum_block(cells, false, false, block, memory);
@@ -285,7 +285,7 @@ Linearisation SimplexWinslow<D>::assemble(const SimplexData& cells, const Coordi
                                           std::span<double> residual) const {
   const RowBlocks<D>& rows = structure_->rows;
   const SparsityPattern& pattern = *rows.pattern();
-  RowReduction<D> reduction(*structure_, node_unknowns(), x);
+  RowReduction<D> reduction(*structure_, node_unknowns(), x, stuck_);
   const std::span<double> full = reduction.all_rows(residual);
   SparseMatrix unreduced;
   SparseMatrix& out = structure_->joins() ? unreduced : hessian;
@@ -323,7 +323,7 @@ Linearisation SimplexWinslow<D>::assemble(const SimplexData& cells, const Coordi
 template <int D>
 void SimplexWinslow<D>::boundary_response(const Coordinates& x, const Coordinates& displacement,
                                           std::span<double> out) const {
-  RowReduction<D> reduction(*structure_, node_unknowns(), x);
+  RowReduction<D> reduction(*structure_, node_unknowns(), x, stuck_);
   const std::span<double> full = reduction.all_rows(out);
   const SimplexData cells = data(x, nullptr);
   const std::vector<Index>& half_free = structure_->half_free;

@@ -66,6 +66,10 @@ class SimplexWinslow final : public VariationalForm {
                                       std::span<double> residual) const override;
   std::shared_ptr<const VariationalForm> with_corner_lengths(const Coordinates& x) const override;
   double worst_distortion(const Coordinates& x) const override;
+  std::shared_ptr<const EnergyProblem> holding_stuck_nodes(const Coordinates& x,
+                                                           std::span<const double> direction,
+                                                           double step) const override;
+  Index stuck_nodes() const override;
   std::unique_ptr<const TargetPath> target_path(const Coordinates& from) const override;
   std::optional<double> stretched() const override { return shapes_->stretched; }
 
@@ -88,8 +92,18 @@ class SimplexWinslow final : public VariationalForm {
 
   std::shared_ptr<const SimplexStructure<D>> structure_;
   std::shared_ptr<const Targets> shapes_;
+  std::vector<bool> stuck_;  // #nodes with unknowns; empty: none
   const distortion::SimplexKernel<D>& kernel_ = distortion::fastest_kernel<D>();
 };
+
+template <>
+std::shared_ptr<const EnergyProblem> SimplexWinslow<2>::holding_stuck_nodes(
+    const Coordinates& x, std::span<const double> direction, double step) const;
+template <>
+std::shared_ptr<const EnergyProblem> SimplexWinslow<3>::holding_stuck_nodes(
+    const Coordinates& x, std::span<const double> direction, double step) const;
+extern template Index SimplexWinslow<2>::stuck_nodes() const;
+extern template Index SimplexWinslow<3>::stuck_nodes() const;
 
 /// Of plane meshes, and of volume meshes.
 using VariationalWinslow = SimplexWinslow<2>;

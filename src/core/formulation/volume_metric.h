@@ -53,6 +53,8 @@ inline Eigen::Matrix3d metric_of(const VolumeTerm& t) {
 
 /// Metrics of the corners of the regular element, in the order of corner_tetrahedra().
 const std::vector<Eigen::Matrix3d>& regular_metrics(ElementType type);
+/// The same of edge_tetrahedra().
+const std::vector<Eigen::Matrix3d>& regular_edge_metrics(ElementType type);
 
 /// How one metric lies in another's eyes: a = L L^T, and L^-1 b L^-T = V diag(values) V^T.
 struct RelativeMetric {

@@ -27,7 +27,8 @@ class Builder {
         stencils_(nodes.stencils),
         blend_(normalized(blend)),
         threads_(threads),
-        classes_(nodes.classes) {
+        classes_(nodes.classes),
+        guarded_(nodes.guarded) {
     if (topology.cell_dimension() != 3)
       throw UsageError("targets of volume elements: the mesh is a " +
                        std::string(mesh_kind(topology)));
@@ -55,7 +56,7 @@ class Builder {
   /// Where a cell comes from.
   struct Origin {
     Index element;
-    int corner;     ///< of corner_tetrahedra()
+    int corner;     ///< of corner_tetrahedra(); beyond these, of edge_tetrahedra()
     double weight;  ///< of all its terms together
   };
 
@@ -98,9 +99,24 @@ class Builder {
       targets_.offsets.push_back(targets_.offsets.back() + std::max(vcv_terms(e, nodes), 1));
       origins_.push_back({e, static_cast<int>(k), 0});
     }
+    if (std::ranges::binary_search(guarded_, e)) list_edges(e);
     const auto live = static_cast<double>(targets_.cells.size() - first);
     for (std::size_t cell = first; cell < origins_.size(); ++cell)
       origins_[cell].weight = weight_of(e) / live;
+  }
+
+  void list_edges(Index e) {
+    const ElementType type = topology_.element_type(e);
+    const auto corners = corner_tetrahedra(type).size();
+    const auto edges = edge_tetrahedra(type);
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const auto nodes = by_nodes(edges[k], topology_.element(e));
+      if (free_nodes(nodes) == 0 && !moves(nodes)) continue;
+      if (blend_.rest > 0 && !own_metric(nodes)) continue;
+      targets_.cells.push_back(nodes);
+      targets_.offsets.push_back(targets_.offsets.back() + 1);
+      origins_.push_back({e, static_cast<int>(corners + k), 0});
+    }
   }
 
   void require_valid(Index e, const std::array<Index, 4>& nodes) const {
@@ -115,7 +131,11 @@ class Builder {
     const auto& nodes = targets_.cells[at(cell)];
     const auto [e, corner, weight] = origins_[at(cell)];
     VolumeTerm* term = targets_.terms.data() + targets_.offsets[at(cell)];
-    const Eigen::Matrix3d& regular = regular_metrics(topology_.element_type(e))[at(corner)];
+    const ElementType type = topology_.element_type(e);
+    const std::size_t corners = corner_tetrahedra(type).size();
+    const bool at_edge = at(corner) >= corners;
+    const Eigen::Matrix3d& regular = at_edge ? regular_edge_metrics(type)[at(corner) - corners]
+                                             : regular_metrics(type)[at(corner)];
     const Eigen::Matrix3d common = common_part(e, regular, nodes);
     const auto at_node = [&](std::size_t k, double share) {
       const double vcv = vcv_share(nodes[k]);
@@ -127,8 +147,8 @@ class Builder {
         if (vcv_share(nodes[k]) > 0) *term++ = at_node(k, weight / static_cast<double>(terms));
       return;
     }
-    const bool tetrahedron = topology_.element_type(e) == ElementType::tetrahedron;
-    if (!tetrahedron && vcv_share(nodes[0]) > 0) {
+    const bool tetrahedron = type == ElementType::tetrahedron;
+    if (!tetrahedron && !at_edge && vcv_share(nodes[0]) > 0) {
       *term = at_node(0, weight);
       return;
     }
@@ -206,7 +226,8 @@ class Builder {
   const SphereStencils* stencils_;  // null: none
   TargetBlend blend_;
   int threads_;
-  const NodeClasses* classes_;        // null: nothing slides
+  const NodeClasses* classes_;  // null: nothing slides
+  std::span<const Index> guarded_;
   std::vector<Origin> origins_;       // of each cell
   std::optional<SpacePoints> given_;  // where the blend refers to it
   StretchField stretch_;              // where the blend has a share for it

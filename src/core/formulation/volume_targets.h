@@ -13,11 +13,16 @@ namespace winslow {
 struct VolumeTargetNodes {
   const NodeClasses* classes = nullptr;      ///< nodes of the boundary may move; null: none does
   const SphereStencils* stencils = nullptr;  ///< VCVs given by hand; null: none
+  /// Elements, ascending, that have targets for their edge_tetrahedra() besides, so that they do
+  /// not turn over between their corners.
+  std::span<const Index> guarded = {};
 };
 
 /// Targets of a volume mesh as the blend says: one for each tetrahedron, one for each corner of the
 /// other elements (corner_tetrahedra()). The weights of an element sum to 1; tetrahedra none of
-/// whose nodes can move are left out: they cannot change.
+/// whose nodes can move are left out: they cannot change. A target at an edge of a guarded element
+/// is the one that the regular element, or the mesh as given, has there; there is none with `rest`
+/// where the mesh as given has it inverted.
 ///
 /// `element`: the corners of the regular element of the type. `rest`: the element's own corners in
 /// the mesh as given. `automatic`: on the way between these as StretchField says. `vcv`: of a

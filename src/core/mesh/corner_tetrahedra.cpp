@@ -1,5 +1,6 @@
 #include "core/mesh/corner_tetrahedra.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -18,7 +19,43 @@ std::vector<std::array<Index, 4>> make(ElementType type) {
   return list;
 }
 
+bool are_linked(const ElementShape& shape, Index a, Index b) {
+  const Face& link = shape.links[at(a)];
+  return std::find(link.begin(), link.end(), b) != link.end();
+}
+
+/// The end of an edge at b in the face with (a, b) and (a, y); -1 if the face has three corners.
+Index across(const ElementShape& shape, Index a, Index b, Index y) {
+  for (const Index corner : shape.links[at(b)])
+    if (corner != a && corner != y && are_linked(shape, corner, y)) return corner;
+  return -1;
+}
+
+std::vector<std::array<Index, 4>> make_at_edges(ElementType type) {
+  std::vector<std::array<Index, 4>> list;
+  const ElementShape& shape = shape_of(type);
+  if (type != ElementType::hexahedron && type != ElementType::prism) return list;
+  for (const auto& [a, b] : shape.edges) {
+    const Face& link = shape.links[at(a)];
+    const auto place =
+        static_cast<std::size_t>(std::find(link.begin(), link.end(), b) - link.begin());
+    const Index y = link[(place + 1) % 3], z = link[(place + 2) % 3];
+    if (are_linked(shape, b, y) || are_linked(shape, b, z)) continue;  // of a triangle
+    list.push_back({a, b, y, across(shape, a, b, z)});
+    list.push_back({a, b, across(shape, a, b, y), z});
+  }
+  return list;
+}
+
 }  // namespace
+
+std::span<const std::array<Index, 4>> edge_tetrahedra(ElementType type) {
+  static const auto hexahedron = make_at_edges(ElementType::hexahedron);
+  static const auto prism = make_at_edges(ElementType::prism);
+  if (type == ElementType::hexahedron) return hexahedron;
+  if (type == ElementType::prism) return prism;
+  return {};
+}
 
 std::span<const std::array<Index, 4>> corner_tetrahedra(ElementType type) {
   static const std::array<std::vector<std::array<Index, 4>>, 6> lists{

@@ -16,6 +16,17 @@ namespace winslow {
 /// four corners of its base: they are the four that its apex and three of its neighbours make up.
 std::span<const std::array<Index, 4>> corner_tetrahedra(ElementType type);
 
+/// The tetrahedra that an edge (a, b) of a hexahedron, or one between the triangles of a prism,
+/// makes up with an edge at a and one of the other face at b, a the first node and b the second:
+/// two of each such edge. Six times their volumes together are twice the coefficient of the
+/// Jacobian along the edge in Bernstein's basis that is not its value at an end (A. Johnen, J.-F.
+/// Remacle, C. Geuzaine, J. Comput. Phys. 233, 2013): where all of them and all corner tetrahedra
+/// are positively oriented, the Jacobian is positive along all edges, and hardly ever negative
+/// inside.
+///
+/// 24 of a hexahedron, six of a prism, none of the others, whose corners decide.
+std::span<const std::array<Index, 4>> edge_tetrahedra(ElementType type);
+
 /// Places of the corners of the regular element: unit edges, equilateral triangles, square faces
 /// (#corners).
 std::span<const std::array<double, 3>> regular_corners(ElementType type);

@@ -11,9 +11,6 @@ namespace winslow {
 
 namespace {
 
-/// Below it a step is looked into: see search_without_stuck_nodes().
-constexpr double shortest_step = 0.15;
-
 double dot(std::span<const double> a, std::span<const double> b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/outer/line_search.h"
 #include "core/outer/shifted_matrix.h"
 
 namespace winslow {
@@ -74,29 +75,28 @@ IterationRecord EnergyUntangler::start(const Coordinates& x) {
   return record_;
 }
 
-IterationRecord EnergyUntangler::step(Coordinates& x) {
-  ++record_.iteration;
-  if (interior_ == Interior::harmonic && record_.iteration == 2) {
-    measure_sizes(x);
-    least_inverted_ = record_.inverted;
-    last_progress_ = 1;
-  }
-  choose_regularisation(x);
-  std::vector<double> residual(problem_->unknowns()), direction(residual.size(), 0.0);
+/// Returns the slope of the energy along the direction, downhill.
+double EnergyUntangler::solve_for_direction(const Coordinates& x) {
+  std::vector<double> residual(problem_->unknowns());
+  direction_.assign(residual.size(), 0.0);
   record_.residual =
       problem_->linearise_regularised(x, regularisation_, hessian_, residual).norms.max;
   linear_.set_tolerance(forcing());
-  record_.linear_iterations = solve_shifted(linear_, hessian_, residual, direction).iterations;
+  record_.linear_iterations = solve_shifted(linear_, hessian_, residual, direction_).iterations;
   ++linear_solves_;
   double slope = 0;
-  for (std::size_t i = 0; i < residual.size(); ++i) slope += residual[i] * direction[i];
-  const double energy = problem_->regularised_energy(x, regularisation_);
-  double t = 1;
+  for (std::size_t i = 0; i < residual.size(); ++i) slope += residual[i] * direction_[i];
+  return slope;
+}
+
+bool EnergyUntangler::search(Coordinates& x, double slope, double shortest) {
   constexpr double armijo = 1e-4;
   constexpr int most_trials = 20;
-  for (int trial = 0; trial < most_trials; ++trial, t *= 0.5) {
+  const double energy = problem_->regularised_energy(x, regularisation_);
+  double t = 1;
+  for (int trial = 0; trial < most_trials && t >= shortest; ++trial, t *= 0.5) {
     Coordinates candidate = x;
-    const double move = problem_->advance(direction, t, candidate);
+    const double move = problem_->advance(direction_, t, candidate);
     // To the minimum of a quadratic form needs no search, which round-off would end if x is there.
     if (!harmonic_step() &&
         problem_->regularised_energy(candidate, regularisation_) > energy - armijo * t * slope) {
@@ -105,11 +105,39 @@ IterationRecord EnergyUntangler::step(Coordinates& x) {
     x = std::move(candidate);
     record_.damping = t;
     record_.largest_move = move;
-    assess(x);
-    return record_;
+    return true;
   }
-  record_.damping = 0;
-  record_.largest_move = 0;
+  return false;
+}
+
+/// As EnergyNewton does: see there.
+bool EnergyUntangler::search_without_stuck_nodes(Coordinates& x, double slope) {
+  constexpr int most_times = 10;
+  for (int i = 0; i < most_times; ++i) {
+    auto other = std::dynamic_pointer_cast<const UntanglingProblem>(
+        problem_->holding_stuck_nodes(x, direction_, shortest_step));
+    if (!other) break;
+    problem_ = std::move(other);
+    slope = solve_for_direction(x);
+    if (slope > 0 && search(x, slope, shortest_step)) return true;
+  }
+  return search(x, slope, 0);
+}
+
+IterationRecord EnergyUntangler::step(Coordinates& x) {
+  ++record_.iteration;
+  if (interior_ == Interior::harmonic && record_.iteration == 2) {
+    measure_sizes(x);
+    least_inverted_ = record_.inverted;
+    last_progress_ = 1;
+  }
+  choose_regularisation(x);
+  const double slope = solve_for_direction(x);
+  if (search(x, slope, shortest_step) || search_without_stuck_nodes(x, slope)) {
+    assess(x);
+  } else {
+    record_.damping = record_.largest_move = 0;
+  }
   return record_;
 }
 

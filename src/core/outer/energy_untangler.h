@@ -43,6 +43,9 @@ class EnergyUntangler final : public OuterSolver {
   bool harmonic_step() const { return interior_ == Interior::harmonic && record_.iteration <= 1; }
   void choose_regularisation(const Coordinates& x);
   void assess(const Coordinates& x);
+  double solve_for_direction(const Coordinates& x);
+  bool search(Coordinates& x, double slope, double shortest);
+  bool search_without_stuck_nodes(Coordinates& x, double slope);
 
   std::shared_ptr<const UntanglingProblem> problem_;
   LinearSolver& linear_;
@@ -56,6 +59,7 @@ class EnergyUntangler final : public OuterSolver {
   Index least_inverted_ = 0;
   int last_progress_ = 0;  // iteration
   SparseMatrix hessian_;
+  std::vector<double> direction_;
   int linear_solves_ = 0;
 };
 

@@ -6,6 +6,10 @@
 
 namespace winslow {
 
+/// Share of a step along a direction below which it is looked for nodes that do not let the others
+/// go further: EnergyProblem::holding_stuck_nodes().
+inline constexpr double shortest_step = 0.15;
+
 /// Step that a line search from the valid mesh x begins with: `longest`, or 0.9 of the exact
 /// largest valid one where that is shorter.
 double first_valid_step(const SmoothingProblem& problem, std::span<const double> direction,

@@ -3,6 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/quality/volume_element.h"
+
 namespace winslow {
 
 namespace {
@@ -38,12 +40,29 @@ bool Untangling::by_energy(Coordinates& x, double fraction, const Coordinates* r
                            Interior interior, const RunRecorder::Enough& enough) {
   constexpr int limit = 200;
   tried_energy_ = true;
-  // Winslow's own functional: without a barrier, a steep penalty would only stiffen the system.
-  EnergyUntangler untangler(workspace_.energy()->with_penalty({1, 0}),
-                            workspace_.symmetric_linear(), workspace_.options().linear.tolerance,
-                            reference, interior);
-  recorder_.iterate(untangler, x, Stage::untangle, fraction, limit, enough);
-  return untangler.converged();
+  for (;; interior = Interior::as_given) {
+    // Winslow's own functional: without a barrier, a steep penalty would only stiffen the system.
+    EnergyUntangler untangler(workspace_.energy()->with_penalty({1, 0}),
+                              workspace_.symmetric_linear(), workspace_.options().linear.tolerance,
+                              reference, interior);
+    const RunRecorder::Enough from_here = enough;  // it may remember what came before
+    recorder_.iterate(untangler, x, Stage::untangle, fraction, limit, from_here);
+    if (untangler.converged()) return true;
+    if (!guard_inside(x)) return false;
+  }
+}
+
+/// An energy of corners does not see elements that are inverted between them only. Returns whether
+/// there are such that it did not guard yet.
+bool Untangling::guard_inside(const Coordinates& x) {
+  const Topology& topology = *state_.mesh.topology;
+  if (topology.cell_dimension() < 3) return false;
+  std::vector<Index> inside;
+  for (Index e = 0; e < topology.element_count(); ++e) {
+    const VolumeElement element(x, topology.element_type(e), topology.element(e));
+    if (element.scaled_jacobian() > 0 && element.inverted()) inside.push_back(e);
+  }
+  return workspace_.guard(inside);
 }
 
 /// From the harmonic interior if that has fewer inverted elements: nothing of a scramble is worth

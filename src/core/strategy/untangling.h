@@ -24,6 +24,7 @@ class Untangling {
   bool by_picard(Coordinates& x, double fraction);
   bool by_energy(Coordinates& x, double fraction, const Coordinates* reference, Interior interior,
                  const RunRecorder::Enough& enough = {});
+  bool guard_inside(const Coordinates& x);
   bool by_harmonic_start(Coordinates& x, double fraction);
   bool by_energy_from_either(Coordinates& x, double fraction, const Coordinates* reference);
 

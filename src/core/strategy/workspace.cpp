@@ -1,9 +1,11 @@
 #include "core/strategy/workspace.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/formulation/surface_winslow.h"
 #include "core/problem/run_validity.h"
+#include "core/quality/volume_corner.h"
 #include "core/strategy/solver_options.h"
 
 namespace winslow {
@@ -45,10 +47,9 @@ void SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualControlVolum
   pointwise_stale_ |= !same_vcv || !same_stencils;
   energy_stale_ |= !same_targets || !urgent_.empty();
   urgent_.clear();
-  if (!same_unknowns) {
-    pointwise_ = {};
-    energy_.reset();
-  }
+  if (!same_unknowns) pointwise_ = {};
+  if (!same_unknowns || !guarded_.empty()) energy_.reset();
+  guarded_.clear();
   if (!same_unknowns || !(options.linear == options_.linear)) {
     linear_.reset();
     symmetric_linear_.reset();
@@ -194,12 +195,37 @@ void SmoothingWorkspace::count_more(std::vector<Index> elements) {
   newton_.reset();
 }
 
+bool SmoothingWorkspace::guard(std::span<const Index> elements) {
+  const std::size_t before = guarded_.size();
+  guarded_.insert(guarded_.end(), elements.begin(), elements.end());
+  std::ranges::sort(guarded_);
+  guarded_.erase(std::ranges::unique(guarded_).begin(), guarded_.end());
+  if (guarded_.size() == before) return false;
+  energy_.reset();  // it has other cells
+  newton_.reset();
+  return true;
+}
+
+void SmoothingWorkspace::drop_guards_broken_at(const Coordinates& x) {
+  const Topology& topology = classes_->topology();
+  const auto broken = [&](Index e) {
+    const SpacePoints points(x);
+    return std::ranges::any_of(edge_tetrahedra(topology.element_type(e)), [&](const auto& corners) {
+      return VolumeCorner(points, by_nodes(corners, topology.element(e))).inverted();
+    });
+  };
+  if (std::erase_if(guarded_, broken) == 0) return;
+  energy_.reset();
+  newton_.reset();
+}
+
 std::shared_ptr<const VariationalForm> SmoothingWorkspace::energy() {
   if (!energy_ || energy_stale_) {
     if (in_space()) {
       const VolumeVcvs* vcvs = options_.targets.vcv > 0 ? &volume_vcvs() : nullptr;
       make_energy(volume_targets(classes_->topology(), vcvs, options_.targets, given(),
-                                 options_.threads, urgent_, {classes_.get(), stencils_.get()}));
+                                 options_.threads, urgent_,
+                                 {classes_.get(), stencils_.get(), guarded_}));
     } else if (on_surface()) {
       energy_ = surface_energy();
     } else {

@@ -33,6 +33,13 @@ class SmoothingWorkspace {
   /// From here to the next prepare() these elements count four times as much with `auto` targets,
   /// once more for each time they are listed.
   void count_more(std::vector<Index> elements);
+  /// From here to the next prepare() the energy keeps the Jacobian of these elements positive
+  /// between their corners, too (VolumeTargetNodes::guarded). Returns whether any of them was not
+  /// among them.
+  bool guard(std::span<const Index> elements);
+  /// Guards only those of them on that are sound at x, a valid mesh, so that its energy is finite:
+  /// a Jacobian may be positive where some edge_tetrahedra() are inverted.
+  void drop_guards_broken_at(const Coordinates& x);
 
   /// Adjusted VCVs of a volume mesh take the angles of the mesh as it is now; those of all other
   /// kinds stay. What was made over the earlier ones is made anew. Returns how many changed.
@@ -84,6 +91,7 @@ class SmoothingWorkspace {
   SmoothOptions options_;
   std::optional<Coordinates> given_;         // only where something refers to it
   std::vector<Index> urgent_;                // see count_more()
+  std::vector<Index> guarded_;               // see guard(); ascending
   ClipVariants<EquationProblem> pointwise_;  // null: not made yet
   std::shared_ptr<const VariationalForm> energy_;
   bool pointwise_stale_ = false, energy_stale_ = false;  // they are of other VCVs or targets

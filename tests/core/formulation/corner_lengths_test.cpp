@@ -9,6 +9,7 @@
 #include "core/formulation/variational_winslow.h"
 #include "core/formulation/volume_metric.h"
 #include "core/formulation/volume_targets.h"
+#include "core/mesh/corner_tetrahedra.h"
 #include "support/meshes.h"
 #include "support/random.h"
 #include "support/space_meshes.h"
@@ -59,6 +60,29 @@ TEST_CASE(
     CHECK(std::abs(distortion_at(targets, x) - here) <= 1e-10 * here);
     const double there = std::pow(scaled_jacobian(y), -2.0 / 3);
     CHECK(distortion_at(targets, y) >= there * (1 - 1e-10));
+  }
+}
+
+TEST_CASE("the same of a hexahedron's tetrahedra at an edge, by the three edges that meet there") {
+  Random random(8);
+  const auto list = edge_tetrahedra(ElementType::hexahedron);
+  const auto& metrics = regular_edge_metrics(ElementType::hexahedron);
+  for (int sample = 0; sample < 100; ++sample) {
+    const Coordinates x = random_corner(random), y = random_corner(random);
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      // Even ones have their third edge at the second node, odd ones their second.
+      const auto sine = [k](const Coordinates& at_place) {
+        Edges3 edges;
+        const Index third = k % 2 == 0 ? 1 : 0, second = 1 - third;
+        edges << at_place.xyz(1) - at_place.xyz(0), at_place.xyz(2) - at_place.xyz(second),
+            at_place.xyz(3) - at_place.xyz(third);
+        return edges.colwise().normalized().eval().determinant();
+      };
+      const auto targets = with_corner_lengths(corner_with(metrics[k]), x);
+      const double here = std::pow(sine(x), -2.0 / 3), there = std::pow(sine(y), -2.0 / 3);
+      CHECK(std::abs(distortion_at(targets, x) - here) <= 1e-9 * here);
+      CHECK(distortion_at(targets, y) >= there * (1 - 1e-9));
+    }
   }
 }
 

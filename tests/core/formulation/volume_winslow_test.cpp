@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -11,6 +13,8 @@
 #include "core/formulation/variational_winslow.h"
 #include "core/formulation/volume_targets.h"
 #include "core/quality/quality.h"
+#include "core/quality/volume_corner.h"
+#include "core/quality/volume_element.h"
 #include "support/formulations.h"
 #include "support/space_meshes.h"
 
@@ -309,5 +313,74 @@ TEST_CASE("a volume mesh is the minimum for its own shapes, and its boundary mov
       error += difference * difference;
     }
     CHECK(std::sqrt(error) < 1e-5 * std::sqrt(dot(response, response)));
+  }
+}
+
+TEST_CASE("some target of a guarded element is inverted wherever its Jacobian is negative inside") {
+  // The upper face of the middle cube is turned by half a turn and stretched on the way: the
+  // Jacobian is a quadratic in z, that at the corners stays what it was.
+  const Mesh mesh = make_mesh(cube(3, Volumes::hexahedra));
+  const std::vector<Index> guarded{13};
+  const auto element = mesh.topology->element(13);
+  const auto turned_by = [&](double share) {
+    const double a = M_PI * share, longer = std::exp(share);
+    Coordinates x = mesh.coordinates;
+    for (std::size_t k = 0; k < 8; ++k) {
+      const Vec3 p(shape_of(ElementType::hexahedron).corners[k].data());
+      Vec2 q = p.head<2>() - Vec2(0.5, 0.5);
+      if (p.z() > 0.5) {
+        const Vec2 u(longer * q.x(), q.y() / longer);
+        q = Vec2(std::cos(a) * u.x() - std::sin(a) * u.y(),
+                 std::sin(a) * u.x() + std::cos(a) * u.y());
+      }
+      x.set_xyz(element[k], {q.x(), q.y(), 2 * p.z()});
+    }
+    return x;
+  };
+  const auto targets = volume_targets(*mesh.topology, nullptr, TargetBlend::regular(), nullptr, 1,
+                                      {}, {nullptr, nullptr, guarded});
+  std::vector<std::array<Index, 4>> own;
+  double weight = 0;
+  for (std::size_t cell = 0; cell < targets.cells.size(); ++cell) {
+    const auto& nodes = targets.cells[cell];
+    const bool inside = std::ranges::all_of(
+        nodes, [&](Index node) { return std::ranges::find(element, node) != element.end(); });
+    if (!inside) continue;
+    own.push_back(nodes);
+    weight += targets.terms[at(targets.offsets[cell])].weight;
+  }
+  CHECK(own.size() == 32);
+  CHECK(weight == doctest::Approx(1));
+  int inverted = 0;
+  for (int step = 0; step <= 40; ++step) {
+    const Coordinates x = turned_by(step / 40.0);
+    CAPTURE(step);
+    double corners = 1, all = 1;
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      const double d = VolumeCorner(SpacePoints(x), own[k]).determinant;
+      all = std::min(all, d);
+      if (k < 8) corners = std::min(corners, d);
+    }
+    CHECK(corners > 0);
+    if (step <= 10) CHECK(all > 0);
+    const VolumeElement shape(x, ElementType::hexahedron, element);
+    if (!shape.inverted()) continue;
+    ++inverted;
+    CHECK(all <= 0);
+  }
+  CHECK(inverted > 3);
+}
+
+TEST_CASE("derivatives with guarded elements") {
+  for (const Volumes volumes : {Volumes::hexahedra, Volumes::prisms}) {
+    CAPTURE(name_of(volumes));
+    const Mesh mesh = shaken_cube(volumes);
+    std::vector<Index> guarded;
+    for (Index e = 0; e < mesh.topology->element_count(); e += 2) guarded.push_back(e);
+    const VolumeWinslow form(free_interior(mesh.topology),
+                             volume_targets(*mesh.topology, nullptr, TargetBlend::regular(),
+                                            nullptr, 1, {}, {nullptr, nullptr, guarded}),
+                             {8, 1.78}, 1);
+    check_derivatives(form, mesh.coordinates);
   }
 }
