@@ -92,7 +92,9 @@ class ReferenceFinder {
     for (const auto& [node, of] : around) {
       bool runs_on = of.one_line && of.line >= 0 && of.others.size() == 2;
       if (runs_on && !smooth_.contains(node)) {
-        const auto on_line = [&](Index i) { return shape_.foot_on_line(of.line, x_[i]).point; };
+        const auto on_line = [&, line = of.line](Index i) {
+          return shape_.foot_on_line(line, x_[i]).point;
+        };
         const Vec3 in = on_line(node) - on_line(of.others[0]);
         const Vec3 out = on_line(of.others[1]) - on_line(node);
         runs_on = in.dot(out) >= least_cosine * in.norm() * out.norm();

@@ -35,8 +35,9 @@ class ReferenceLines {
   const std::vector<Index>& lines() const { return lines_; }
   /// Length of the shortest edge at each node (#nodes).
   const std::vector<double>& shortest() const { return shortest_; }
-  /// The corners of the reference surface for nodes in which the edges along a line that comes from
-  /// one end: each is the nearest of them to it, no farther away than its shortest edge.
+  /// The corners of the reference surface that faces of the mesh would cut off, and the nodes for
+  /// them: of the nodes in which the edges along a line that comes from a corner end, the nearest
+  /// one, if between half and one mean length of the edges at it away.
   const std::map<Index, Vec3>& corners() const { return corners_; }
   /// Nodes in which the edges along a line end where it fades out: the reference surface turns by
   /// less than the feature angle beyond. Not those that are at its end (.3).

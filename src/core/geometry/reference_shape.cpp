@@ -171,8 +171,7 @@ std::vector<Index> ReferenceShape::lines_about(const Vec3& point, double reach) 
   segment_tree_.overlapping({point - around, point + around},
                             [&](Index k) { lines.push_back(segments_[at(k)].line); });
   std::ranges::sort(lines);
-  const auto repeated = std::ranges::unique(lines);
-  lines.erase(repeated.begin(), repeated.end());
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
   return lines;
 }
 
