@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/geometry/boundary_kinds.h"
+#include "core/geometry/reference_lines.h"
 #include "core/geometry/reference_shape.h"
 #include "core/geometry/sliding_faces.h"
 #include "core/geometry/space_geometry.h"
@@ -19,66 +20,6 @@
 namespace winslow {
 
 namespace {
-
-/// Which edges of a mesh run along the feature lines of a reference surface.
-///
-/// An edge does if its ends and its middle lie near one line, and it points along it. Near is
-/// measured by the shortest edges at its ends, so that rows of thin elements beside the line are
-/// told from it. Where a line is not found so along most of its length, the edges at which the mesh
-/// turns by the feature angle may lie farther away.
-class LineMatch {
- public:
-  LineMatch(const SpacePoints& x, const SurfaceEdges& edges, std::span<const unsigned char> sharp,
-            Index node_count, const ReferenceShape& shape)
-      : x_(x), edges_(edges), shape_(shape), shortest_(at(node_count), infinity) {
-    for (const auto& [a, b] : edges.nodes)
-      for (const Index node : {a, b})
-        shortest_[at(node)] = std::min(shortest_[at(node)], (x_[b] - x_[a]).norm());
-    lines_.assign(edges.nodes.size(), -1);
-    constexpr double near = 0.3, less_near = 0.7;
-    std::vector<double> found(at(shape.line_count()), 0.0);
-    for (std::size_t k = 0; k < lines_.size(); ++k) {
-      lines_[k] = line_along(k, near);
-      if (lines_[k] >= 0) found[at(lines_[k])] += length(k);
-    }
-    for (std::size_t k = 0; k < lines_.size(); ++k) {
-      if (lines_[k] >= 0 || sharp[k] == 0) continue;
-      const Index line = line_along(k, less_near);
-      constexpr double most = 0.5;
-      if (line >= 0 && found[at(line)] < most * shape.length(line)) lines_[k] = line;
-    }
-  }
-
-  /// #edges; -1: along none.
-  const std::vector<Index>& lines() const { return lines_; }
-  /// Length of the shortest edge at each node (#nodes).
-  const std::vector<double>& shortest() const { return shortest_; }
-
- private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-
-  double length(std::size_t edge) const {
-    const auto [a, b] = edges_.nodes[edge];
-    return (x_[b] - x_[a]).norm();
-  }
-
-  Index line_along(std::size_t edge, double share) const {
-    const auto [a, b] = edges_.nodes[edge];
-    const double reach = share * std::min(shortest_[at(a)], shortest_[at(b)]);
-    const auto place = shape_.nearest_line(0.5 * (x_[a] + x_[b]), reach);
-    constexpr double along = 0.8;
-    if (!place || std::abs(place->tangent.dot((x_[b] - x_[a]).normalized())) < along) return -1;
-    for (const Index node : {a, b})
-      if (shape_.distance_to_line(place->line, x_[node]) > reach) return -1;
-    return place->line;
-  }
-
-  const SpacePoints& x_;
-  const SurfaceEdges& edges_;
-  const ReferenceShape& shape_;
-  std::vector<double> shortest_;
-  std::vector<Index> lines_;
-};
 
 /// What the nodes of sliding faces slide on, on a reference surface.
 class ReferenceFinder {
@@ -91,12 +32,14 @@ class ReferenceFinder {
         edges_(surface_edges(sliding_.faces)),
         shape_(reference, rules.angle),
         smooth_(rules.smooth.begin(), rules.smooth.end()) {
-    const auto sharp = feature_edges(x_, sliding_.faces, edges_, rules.angle);
     // Borders, edges between markers and those of several faces alone.
     const auto kept = feature_edges(x_, sliding_.faces, edges_, 180);
-    const LineMatch match(x_, edges_, sharp, topology.node_count(), shape_);
+    const ReferenceLines match(x_, sliding_.faces, edges_, topology.node_count(), shape_,
+                               rules.angle);
     line_of_edge_ = match.lines();
     shortest_ = match.shortest();
+    corners_ = match.corners();
+    if (rules.slide_along) fading_ = match.fading();
     cut_.resize(kept.size());
     for (std::size_t k = 0; k < kept.size(); ++k)
       cut_[k] = kept[k] != 0 || line_of_edge_[k] >= 0 ? 1 : 0;
@@ -111,8 +54,13 @@ class ReferenceFinder {
 
   SlidingBoundary boundary(bool features) {
     for (const std::vector<Index>& region : regions()) add_region(region);
-    if (features) add_curves();
-    if (features) out_.bends = bends_;
+    if (features) {
+      add_curves();
+      out_.bends = bends_;
+      for (const auto& [node, place] : corners_)
+        if (nodes_[at(node)] == SurfaceNode::corner && sliding_.stays[at(node)] == 0)
+          out_.places.emplace(node, place);
+    }
     out_.geometry = geometry_;
     return std::move(out_);
   }
@@ -144,16 +92,24 @@ class ReferenceFinder {
     for (const auto& [node, of] : around) {
       bool runs_on = of.one_line && of.line >= 0 && of.others.size() == 2;
       if (runs_on && !smooth_.contains(node)) {
-        const Vec3 in = x_[node] - x_[of.others[0]], out = x_[of.others[1]] - x_[node];
+        const auto on_line = [&, line = of.line](Index i) {
+          return shape_.foot_on_line(line, x_[i]).point;
+        };
+        const Vec3 in = on_line(node) - on_line(of.others[0]);
+        const Vec3 out = on_line(of.others[1]) - on_line(node);
         runs_on = in.dot(out) >= least_cosine * in.norm() * out.norm();
         if (!runs_on && sliding_.stays[at(node)] == 0) bends_.push_back(node);
       }
-      nodes_[at(node)] = runs_on ? SurfaceNode::line : SurfaceNode::corner;
+      const bool fades = of.others.size() == 1 && fading_.contains(node);
+      nodes_[at(node)] = runs_on ? SurfaceNode::line
+                         : fades ? SurfaceNode::inside
+                                 : SurfaceNode::corner;
       if (runs_on) line_of_node_[at(node)] = of.line;
     }
   }
 
-  /// The node nearest to each corner of the reference surface, if it is near, is one.
+  /// The node nearest to each corner of the reference surface that has none yet, if it is near, is
+  /// one.
   void hold_corners() {
     std::vector<Index> nodes;
     std::vector<Vec3> places;
@@ -164,7 +120,10 @@ class ReferenceFinder {
     }
     if (nodes.empty()) return;
     const BoxTree<3> tree{std::span<const Vec3>(places)};
+    std::vector<Vec3> taken;
+    for (const auto& [node, place] : corners_) taken.push_back(place);
     for (const Vec3& corner : shape_.corners()) {
+      if (std::ranges::find(taken, corner) != taken.end()) continue;
       const auto found = tree.nearest(corner, std::numeric_limits<double>::infinity());
       const Index node = nodes[at(found->item)];
       constexpr double near = 0.7;
@@ -266,6 +225,8 @@ class ReferenceFinder {
   std::vector<Index> line_of_edge_;  // #edges; -1: of none
   std::vector<unsigned char> cut_;   // #edges
   std::vector<double> shortest_;     // #nodes, length of the shortest edge
+  std::map<Index, Vec3> corners_;    // of the reference surface, for these nodes
+  std::set<Index> fading_;           // nodes behind which a line fades out
   std::vector<SurfaceNode> nodes_;   // #nodes
   std::vector<Index> line_of_node_;  // #nodes
   std::vector<Index> bends_;         // at which a line turns

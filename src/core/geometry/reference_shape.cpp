@@ -41,6 +41,55 @@ class JoinedSurface final : public Surface {
   std::string description_;
 };
 
+/// A curve that goes on straight where the line through which it was laid fades out.
+class FadingCurve final : public SpaceCurve {
+ public:
+  FadingCurve(std::shared_ptr<const SpaceCurve> curve,
+              const std::array<ReferenceShape::LineEnd, 2>& ends)
+      : curve_(std::move(curve)),
+        begin_(curve_->nearest(ends[0].point)),
+        end_(curve_->nearest(ends[1].point)),
+        length_(curve_->arc_of(ends[1].point)),
+        goes_on_{ends[0].fades_out, ends[1].fades_out} {}
+
+  CurvePoint<3> nearest(const Vec3& point) const override {
+    const double arc = beyond(point);
+    return arc == 0 ? curve_->nearest(point) : at_arc(arc < 0 ? arc : length_ + arc);
+  }
+  double arc_of(const Vec3& point) const override {
+    const double arc = beyond(point);
+    return arc < 0 ? arc : arc > 0 ? length_ + arc : curve_->arc_of(point);
+  }
+  CurvePoint<3> at_arc(double arc) const override {
+    if (arc < 0 && goes_on_[0])
+      return {begin_.point + arc * begin_.tangent, begin_.tangent, Vec3::Zero()};
+    if (arc > length_ && goes_on_[1])
+      return {end_.point + (arc - length_) * end_.tangent, end_.tangent, Vec3::Zero()};
+    return curve_->at_arc(arc);
+  }
+  double period() const override { return 0; }
+  std::string description() const override { return curve_->description(); }
+
+ private:
+  /// How far a point is before the beginning (negative) or behind the end; 0: neither.
+  double beyond(const Vec3& point) const {
+    const double before = (point - begin_.point).dot(begin_.tangent);
+    const double behind = (point - end_.point).dot(end_.tangent);
+    const double on_curve = (curve_->nearest(point).point - point).squaredNorm();
+    const auto nearer = [&](const CurvePoint<3>& from, double arc) {
+      return (from.point + arc * from.tangent - point).squaredNorm() < on_curve;
+    };
+    if (goes_on_[0] && before < 0 && nearer(begin_, before)) return before;
+    if (goes_on_[1] && behind > 0 && nearer(end_, behind)) return behind;
+    return 0;
+  }
+
+  std::shared_ptr<const SpaceCurve> curve_;
+  CurvePoint<3> begin_, end_;
+  double length_;
+  std::array<bool, 2> goes_on_;
+};
+
 }  // namespace
 
 ReferenceShape::ReferenceShape(const ReferenceSurface& given, double angle)
@@ -62,9 +111,17 @@ ReferenceShape::ReferenceShape(const ReferenceSurface& given, double angle)
     boxes.push_back(box);
   }
   segment_tree_ = BoxTree<3>(boxes);
-  for (std::size_t i = 0; i < features_.nodes.size(); ++i)
-    if (features_.nodes[i] == SurfaceNode::corner) corners_.push_back(given.points[i]);
+  for (const Chain& line : features_.lines)
+    if (!line.closed)
+      for (const Index end : {line.nodes.front(), line.nodes.back()}) ++lines_at_[end];
+  for (std::size_t i = 0; i < features_.nodes.size(); ++i) {
+    const auto lines = lines_at_.find(static_cast<Index>(i));
+    const bool fades_out = lines != lines_at_.end() && lines->second == 1;
+    if (features_.nodes[i] == SurfaceNode::corner && !fades_out)
+      corners_.push_back(given.points[i]);
+  }
   triangles_.points = given.points;
+  for (Index k = 0; k < line_count(); ++k) let_fade(k);
   const auto regions = faces_of_regions(features_);
   for (std::size_t r = 0; r < regions.size(); ++r) {
     surfaces_.push_back(surface_over(x, faces_, regions[r], curves_));
@@ -90,6 +147,13 @@ void ReferenceShape::add_line(Index line, const Chain& chain, const SpacePoints&
   lengths_.push_back(length);
 }
 
+void ReferenceShape::let_fade(Index line) {
+  auto& curve = curves_.curves[at(line)];
+  if (!curve || closed(line)) return;
+  const std::array<LineEnd, 2> ends = this->ends(line);
+  if (ends[0].fades_out || ends[1].fades_out) curve = std::make_shared<FadingCurve>(curve, ends);
+}
+
 std::optional<ReferenceShape::LinePlace> ReferenceShape::nearest_line(const Vec3& point,
                                                                       double reach) const {
   const auto distance = [&](Index k) {
@@ -101,11 +165,38 @@ std::optional<ReferenceShape::LinePlace> ReferenceShape::nearest_line(const Vec3
   return LinePlace{segment.line, found->distance, (segment.b - segment.a).normalized()};
 }
 
-double ReferenceShape::distance_to_line(Index line, const Vec3& point) const {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = first_segment_[at(line)]; k < first_segment_[at(line) + 1]; ++k)
-    least = std::min(least, segment_distance<3>(point, segments_[k].a, segments_[k].b));
-  return least;
+std::vector<Index> ReferenceShape::lines_about(const Vec3& point, double reach) const {
+  std::vector<Index> lines;
+  const Vec3 around = Vec3::Constant(reach);
+  segment_tree_.overlapping({point - around, point + around},
+                            [&](Index k) { lines.push_back(segments_[at(k)].line); });
+  std::ranges::sort(lines);
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  return lines;
+}
+
+ReferenceShape::LineFoot ReferenceShape::foot_on_line(Index line, const Vec3& point) const {
+  LineFoot nearest{point, std::numeric_limits<double>::infinity(), 0};
+  double arc = 0;
+  for (std::size_t k = first_segment_[at(line)]; k < first_segment_[at(line) + 1]; ++k) {
+    const Vec3 along = segments_[k].b - segments_[k].a;
+    const double length = along.norm();
+    const double t =
+        length > 0 ? std::clamp((point - segments_[k].a).dot(along) / length, 0.0, length) : 0.0;
+    const Vec3 foot = length > 0 ? Vec3(segments_[k].a + t / length * along) : segments_[k].a;
+    const double distance = (point - foot).norm();
+    if (distance < nearest.distance) nearest = {foot, distance, arc + t};
+    arc += length;
+  }
+  return nearest;
+}
+
+std::array<ReferenceShape::LineEnd, 2> ReferenceShape::ends(Index line) const {
+  const Chain& chain = features_.lines[at(line)];
+  const auto end = [&](Index node) {
+    return LineEnd{triangles_.points[at(node)], lines_at_.at(node) == 1};
+  };
+  return {end(chain.nodes.front()), end(chain.nodes.back())};
 }
 
 ReferenceShape::SurfacePlace ReferenceShape::nearest_region(const Vec3& point) const {

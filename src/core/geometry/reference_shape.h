@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <map>
 #include <optional>
 
 #include "core/geometry/reference_surface.h"
@@ -17,6 +19,7 @@ class ReferenceShape {
   const std::string& source() const { return source_; }
 
   Index line_count() const { return static_cast<Index>(features_.lines.size()); }
+  /// Goes on straight where the line fades out.
   const std::shared_ptr<const SpaceCurve>& curve(Index line) const {
     return curves_.curves[at(line)];
   }
@@ -30,11 +33,27 @@ class ReferenceShape {
   };
   /// The nearest feature line no farther away than `reach`.
   std::optional<LinePlace> nearest_line(const Vec3& point, double reach) const;
-  /// Distance to one of the lines.
-  double distance_to_line(Index line, const Vec3& point) const;
+  /// The lines of which boxes around their segments come within `reach`, ascending: all that are
+  /// so near, and some more.
+  std::vector<Index> lines_about(const Vec3& point, double reach) const;
 
-  /// Where feature lines end, meet or turn, and tips of cones.
+  /// The place of a line that is nearest to a point.
+  struct LineFoot {
+    Vec3 point;
+    double distance;
+    double arc;  ///< from the line's beginning
+  };
+  LineFoot foot_on_line(Index line, const Vec3& point) const;
+  bool closed(Index line) const { return features_.lines[at(line)].closed; }
+
+  /// Where feature lines meet or turn, and tips of cones; not where a line fades out.
   const std::vector<Vec3>& corners() const { return corners_; }
+  /// Where a line that does not close begins or ends.
+  struct LineEnd {
+    Vec3 point;
+    bool fades_out;  ///< no other line comes there: it is no corner
+  };
+  std::array<LineEnd, 2> ends(Index line) const;
 
   struct SurfacePlace {
     Index region;
@@ -52,6 +71,7 @@ class ReferenceShape {
     Index line;
   };
   void add_line(Index line, const Chain& chain, const SpacePoints& x);
+  void let_fade(Index line);
 
   std::string source_;
   std::vector<SurfaceFace> faces_;
@@ -62,6 +82,7 @@ class ReferenceShape {
   std::vector<double> lengths_;
   BoxTree<3> segment_tree_;
   std::vector<Vec3> corners_;
+  std::map<Index, int> lines_at_;                         // ends of lines, at their nodes
   std::vector<std::shared_ptr<const Surface>> surfaces_;  // #regions
   std::vector<Triangulation> regions_;                    // #regions
   std::vector<TriangleTree> region_trees_;                // #regions

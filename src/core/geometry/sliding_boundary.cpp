@@ -30,6 +30,7 @@ void take_out(SlidingBoundary& boundary, std::vector<Index> nodes) {
   for (SlidingPart& part : boundary.parts)
     std::erase_if(part.nodes, [&](Index node) { return std::ranges::binary_search(nodes, node); });
   std::erase_if(boundary.parts, [](const SlidingPart& part) { return part.nodes.empty(); });
+  for (const Index node : nodes) boundary.places.erase(node);
 }
 
 }  // namespace
@@ -88,6 +89,7 @@ Coordinates put_on(const SlidingBoundary& boundary, Coordinates x) {
         x.set_xy(node, boundary.geometry->foot(node, Vec3(p.x(), p.y(), 0)).point.head<2>());
       }
     }
+  for (const auto& [node, place] : boundary.places) x.set_xyz(node, place);
   return x;
 }
 

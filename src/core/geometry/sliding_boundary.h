@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -52,9 +53,9 @@ struct SlidingPart {
 /// and corners stay, as do nodes that meet the rest of the boundary.
 ///
 /// On a reference surface features, curves and surfaces are those of that surface. Edges of the
-/// mesh that run along one of its feature lines are what the faces of the markers are cut by;
-/// borders and edges between markers cut them, too, and stay where they run along none. The nodes
-/// between slide on those regions of it to which their part of the mesh is nearest.
+/// mesh that run along one of its feature lines are what the faces of the markers are cut by
+/// (ReferenceLines); borders and edges between markers cut them, too, and stay where they run along
+/// none. The nodes between slide on those regions of it to which their part of the mesh is nearest.
 ///
 /// Single nodes can be told from what the feature angle makes of them: FeatureRules::hold, smooth.
 ///
@@ -71,6 +72,8 @@ struct SlidingBoundary {
   /// Nodes that stay because of the feature angle alone, ascending: FeatureRules::smooth would have
   /// them slide.
   std::vector<Index> bends;
+  /// Nodes that stay, but not where they are: the ends of feature lines of a reference surface.
+  std::map<Index, Vec3> places = {};
 
   /// markers: names; none of a surface mesh, all of whose nodes take part. reference: a surface to
   /// slide on instead of the mesh's own, which the nodes need not lie on (put_on()). periodic: the
@@ -85,7 +88,8 @@ struct SlidingBoundary {
                               std::span<const PeriodicPairs> periodic = {});
 };
 
-/// The nodes that slide put where they lie nearest to on what they slide on.
+/// The nodes that slide put where they lie nearest to on what they slide on, and those that have a
+/// place there.
 Coordinates put_on(const SlidingBoundary& boundary, Coordinates x);
 
 }  // namespace winslow

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 #include "core/command/command.h"
@@ -47,6 +48,35 @@ MeshData torus_of(Index n, Index m) {
 
 /// The surface of a unit cube, n by n quadrilaterals on each side.
 MeshData cube_surface(Index n) { return skin(cube(n, Volumes::hexahedra)); }
+
+/// n by n quadrilaterals over the unit square.
+MeshData sheet(Index n, const std::function<Vec3(const Vec2&)>& place) {
+  MeshData data;
+  data.coordinates = Coordinates(3, 0);
+  for (Index j = 0; j <= n; ++j)
+    for (Index i = 0; i <= n; ++i) data.coordinates.push_xyz(place(Vec2(1.0 * i / n, 1.0 * j / n)));
+  const auto id = [&](Index i, Index j) { return j * (n + 1) + i; };
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i)
+      add_cell(data, Cells::quads, i, j, {id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)});
+  return data;
+}
+
+/// Two slopes that meet in the crease x = 1/2, z = 0.
+Vec3 on_roof(const Vec2& p, double slope) { return {p.x(), p.y(), -slope * std::abs(p.x() - 0.5)}; }
+
+SlidingBoundary along_features(const Mesh& mesh, const ReferenceSurface& reference) {
+  return SlidingBoundary::find(*mesh.topology, mesh.coordinates, {},
+                               {.angle = 40, .slide_along = true}, &reference);
+}
+
+/// How many nodes slide on straight edges.
+std::size_t on_edges(const SlidingBoundary& boundary) {
+  std::size_t count = 0;
+  for (const SlidingPart& part : boundary.parts)
+    if (part.description.starts_with("straight edge")) count += part.nodes.size();
+  return count;
+}
 
 }  // namespace
 
@@ -115,6 +145,82 @@ TEST_CASE(
     for (const double c : p) nearest = std::min({nearest, std::abs(c), std::abs(1 - c)});
     CHECK(nearest < 1e-15);
   }
+}
+
+TEST_CASE("reference surface: nodes that a mesh has beside an edge or a corner are put onto it") {
+  constexpr Index n = 6;
+  constexpr double h = 1.0 / n;
+  const Coordinates exact = cube_surface(n).coordinates;
+  const auto check_put_back = [&](double beside, const std::function<bool(const Vec3&)>& moves) {
+    MeshData data = cube_surface(n);
+    std::size_t moved = 0;
+    for (Index i = 0; i < exact.size(); ++i) {
+      const Vec3 p = exact.xyz(i);
+      if (!moves(p)) continue;
+      ++moved;
+      // At right angles to the edge, or along the diagonal of the cube from its corner.
+      Vec3 to = p;
+      for (double& c : to)
+        if (c == 0) c = beside * h;
+      data.coordinates.set_xyz(i, to);
+    }
+    CHECK(moved > 0);
+    const Mesh mesh = make_mesh(data);
+    const SlidingBoundary boundary = along_features(mesh, reference_of(cube_surface(4)));
+    CHECK(on_edges(boundary) == 12 * (n - 1));
+    const Coordinates put = put_on(boundary, mesh.coordinates);
+    for (Index i = 0; i < put.size(); ++i) CHECK((put.xyz(i) - exact.xyz(i)).norm() < 1e-14);
+  };
+  // A chamfer of .36 edges: the mesh turns there by 2 atan(.64 / .36) - 90 = 31 degrees only.
+  check_put_back(0.36,
+                 [](const Vec3& p) { return p.x() == 0 && p.y() == 0 && p.z() > 0 && p.z() < 1; });
+  check_put_back(0.35, [](const Vec3& p) { return p.isZero(0); });
+}
+
+TEST_CASE("reference surface: a corner that the mesh has near enough stays where it is") {
+  MeshData data = cube_surface(6);
+  const auto corner = [&] {
+    for (Index i = 0; i < data.node_count(); ++i)
+      if (data.coordinates.xyz(i).isZero(0)) return i;
+    return Index{-1};
+  }();
+  const Vec3 given = Vec3::Constant(0.2 / 6);
+  data.coordinates.set_xyz(corner, given);
+  const Mesh mesh = make_mesh(data);
+  const SlidingBoundary boundary = along_features(mesh, reference_of(cube_surface(4)));
+  CHECK(boundary.places.empty());
+  CHECK(put_on(boundary, mesh.coordinates).xyz(corner) == given);
+}
+
+TEST_CASE("reference surface: a crease that no row of edges follows cuts no faces") {
+  // The rows of the mesh run at 45 degrees to it.
+  const auto turned = [](const Vec2& p) {
+    const Vec2 q = p - Vec2(0.5, 0.5);
+    return Vec2(0.5 + (q.x() - q.y()) / 2, 0.5 + (q.x() + q.y()) / 2);
+  };
+  const ReferenceSurface roof =
+      reference_of(sheet(24, [](const Vec2& p) { return on_roof(p, 0.6); }));
+  const Mesh along = make_mesh(sheet(8, [](const Vec2& p) { return on_roof(p, 0.6); }));
+  const Mesh across = make_mesh(sheet(8, [&](const Vec2& p) { return on_roof(turned(p), 0.6); }));
+  // The crease, and both slopes of the borders.
+  CHECK(on_edges(along_features(along, roof)) == 7 + 2 * 7 + 4 * 3);
+  CHECK(on_edges(along_features(across, roof)) == 0);
+}
+
+TEST_CASE("reference surface: a node behind which a crease fades out slides on the surface") {
+  // It turns by 2 atan(slope): 40 degrees at y = .45.
+  const auto fading = [](const Vec2& p) {
+    return on_roof(p, std::tan(radians(20)) + 0.4 * (0.45 - p.y()));
+  };
+  const Mesh mesh = make_mesh(sheet(8, fading));
+  const SlidingBoundary boundary = along_features(mesh, reference_of(sheet(80, fading)));
+  std::map<Index, std::string> slides_on;
+  for (const SlidingPart& part : boundary.parts)
+    for (const Index node : part.nodes) slides_on[node] = part.description;
+  const auto on_crease = [](Index j) { return 9 * j + 4; };
+  for (const Index j : {1, 2}) CHECK(slides_on[on_crease(j)].starts_with("straight edge"));
+  for (const Index j : {3, 4, 5, 6, 7})
+    CHECK(slides_on[on_crease(j)].starts_with("smooth surface"));
 }
 
 TEST_CASE("reference surface: the boundary of a volume mesh slides on its faces and edges") {
