@@ -58,27 +58,28 @@ void keep_convex(double* z) {
 /// What the kernel sums up for all cells, the numbers z of each pair of nodes (01, 02, 12), and of
 /// each pair the block of the Hessian by the unknowns, the rows those of the first node.
 struct SurfaceWinslow::CellSums {
-  std::vector<double> sums;    // Layout::sum for each cell
-  std::vector<double> z;       // 3 for each cell; empty: none
-  std::vector<double> blocks;  // 12 for each cell; empty: none
+  // Of memory that the threads fill.
+  std::unique_ptr<double[]> sums;    // Layout::sum for each cell
+  std::unique_ptr<double[]> z;       // 3 for each cell; null: none
+  std::unique_ptr<double[]> blocks;  // 12 for each cell; null: none
   double energy = 0;
 
   const double* corner(Index t, std::size_t c) const {
-    return sums.data() + Layout::sum * t + Layout::corners +
+    return sums.get() + Layout::sum * t + Layout::corners +
            Layout::corner * static_cast<std::ptrdiff_t>(c);
   }
   /// Of the row of one node of a cell at another.
   Block block(Index t, std::size_t c, std::size_t j) const {
-    const double* first = sums.data() + Layout::sum * t;
+    const double* first = sums.get() + Layout::sum * t;
     if (c < j) return Eigen::Map<const Block>(first + 4 * pair_of(c, j));
     return Eigen::Map<const Block>(first + 4 * pair_of(j, c)).transpose();
   }
   double z_of(Index t, std::size_t c, std::size_t j) const {
-    return z.empty() ? 0 : z[3 * at(t) + pair_of(std::min(c, j), std::max(c, j))];
+    return !z ? 0 : z[3 * at(t) + pair_of(std::min(c, j), std::max(c, j))];
   }
   /// As block(), by the unknowns.
   Block unknowns_block(Index t, std::size_t c, std::size_t j) const {
-    const double* first = blocks.data() + 12 * at(t);
+    const double* first = blocks.get() + 12 * at(t);
     if (c < j) return Eigen::Map<const Block>(first + 4 * pair_of(c, j));
     return Eigen::Map<const Block>(first + 4 * pair_of(j, c)).transpose();
   }
@@ -263,20 +264,20 @@ SurfaceWinslow::CellSums SurfaceWinslow::sum_cells(const FlatCells& cells,
   const auto n = static_cast<Index>(cells.planes.size());
   constexpr std::size_t lanes = 4;  // the kernel writes full packs
   CellSums out;
-  out.sums.resize((at(n) + lanes) * Layout::sum);
+  out.sums = std::make_unique_for_overwrite<double[]>((at(n) + lanes) * Layout::sum);
   const bool bends = second == Second::exact || second == Second::projected;
-  if (bends) out.z.resize(3 * at(n));
+  if (bends) out.z = std::make_unique_for_overwrite<double[]>(3 * at(n));
   std::vector<double> energies(block_count(n), 0.0);
   static_assert(parallel_block % lanes == 0);
   parallel_for(threads(), n, [&](Index begin, Index end) {
     energies[at(begin / parallel_block)] =
         kernel_.sum(of_cells, structure_->numbers.data() + begin, end - begin, 0,
-                    out.sums.data() + Layout::sum * begin);
+                    out.sums.get() + Layout::sum * begin);
     for (auto t = at(begin); t < at(end); ++t) {
-      if (bends) bend_out(cells, t, out.z.data() + 3 * t);
+      if (bends) bend_out(cells, t, out.z.get() + 3 * t);
       if (second != Second::projected) continue;
-      keep_convex(out.z.data() + 3 * t);
-      double* sums = out.sums.data() + Layout::sum * static_cast<std::ptrdiff_t>(t);
+      keep_convex(out.z.get() + 3 * t);
+      double* sums = out.sums.get() + Layout::sum * static_cast<std::ptrdiff_t>(t);
       std::fill(sums, sums + Layout::corners, 0.0);
       const double* p = cells.x.data() + 6 * t;
       const distortion::Corner2 corner(p, p + 2, p + 4);
@@ -308,7 +309,7 @@ struct SeenDirections {
 void SurfaceWinslow::find_blocks(const FlatCells& cells, std::span<const Foot> feet,
                                  CellSums& sums) const {
   const auto n = static_cast<Index>(cells.planes.size());
-  sums.blocks.resize(12 * at(n));
+  sums.blocks = std::make_unique_for_overwrite<double[]>(12 * at(n));
   parallel_for(threads(), n, [&](Index begin, Index end) {
     for (Index t = begin; t < end; ++t) {
       const auto& nodes = structure_->cells[at(t)];
@@ -320,7 +321,7 @@ void SurfaceWinslow::find_blocks(const FlatCells& cells, std::span<const Foot> f
         for (std::size_t b = a + 1; b < 3; ++b) {
           if (!seen[a] || !seen[b]) continue;
           const SeenDirections &p = *seen[a], &q = *seen[b];
-          Eigen::Map<Block> block(sums.blocks.data() + 12 * at(t) + 4 * pair_of(a, b));
+          Eigen::Map<Block> block(sums.blocks.get() + 12 * at(t) + 4 * pair_of(a, b));
           block = p.within.transpose() * sums.block(t, a, b) * q.within;
           block += sums.z_of(t, a, b) * p.outward * q.outward.transpose();
         }
@@ -371,10 +372,13 @@ Linearisation SurfaceWinslow::assemble(const FlatCells& cells, const Regularisat
     hessian->pattern = structure_->pattern;
     hessian->block = 2;
     hessian->symmetric = true;
-    hessian->values.assign(4 * pattern.columns.size(), 0.0);
+    hessian->values.resize(4 * pattern.columns.size());
   }
   std::vector<NormSum> norms(block_count(pattern.rows()));
   parallel_for(threads(), pattern.rows(), [&](Index begin, Index end) {
+    if (hessian)
+      std::fill(hessian->values.begin() + std::ptrdiff_t{4} * pattern.offsets[at(begin)],
+                hessian->values.begin() + std::ptrdiff_t{4} * pattern.offsets[at(end)], 0.0);
     for (Index row = begin; row < end; ++row) {
       const Foot& foot = at_nodes[at(row)];
       const RowSums sum =
