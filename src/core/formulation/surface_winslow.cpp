@@ -352,8 +352,8 @@ SurfaceWinslow::RowSums SurfaceWinslow::sum_row(const FlatCells& cells, const Ce
     const SeenDirections own(plane, foot);
     Eigen::Map<Block> block(entries + std::ptrdiff_t{4} * places[c]);
     block += own.within.transpose() * diagonal * own.within;
-    block -= (sums.z_of(t, c, next) + sums.z_of(t, c, last)) * own.outward *
-             own.outward.transpose();
+    block -=
+        (sums.z_of(t, c, next) + sums.z_of(t, c, last)) * own.outward * own.outward.transpose();
   }
   return out;
 }

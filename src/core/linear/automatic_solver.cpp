@@ -74,8 +74,8 @@ class AutomaticSolver final : public LinearSolver {
   void remember_if_hard(const LinearResult& result) {
     constexpr double many_in_space = 50, many_of_hundred_thousand = 100;
     const Index limit = is_in_space() ? 15'000 : 300'000;
-    const double many = is_in_space() ? many_in_space
-                                      : many_of_hundred_thousand * std::sqrt(matrix_->rows() / 1e5);
+    const double many =
+        is_in_space() ? many_in_space : many_of_hundred_thousand * std::sqrt(matrix_->rows() / 1e5);
     if (result.iterations > many && matrix_->symmetric && matrix_->rows() <= limit)
       hard_ = matrix_->pattern;
   }

@@ -122,7 +122,8 @@ class Descent {
 
 SmoothSurface::SmoothSurface(Triangulation surface, std::span<const Vec3> normals)
     : surface_(std::move(surface)), neighbours_(triangle_neighbours(surface_)), tree_(surface_) {
-  patches_.resize(surface_.triangles.size(), SurfacePatch({Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}));
+  patches_.resize(surface_.triangles.size(),
+                  SurfacePatch({Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}));
   parallel_for(0, static_cast<Index>(patches_.size()), [&](Index begin, Index end) {
     for (std::size_t t = at(begin); t < at(end); ++t) {
       const auto& [a, b, c] = surface_.triangles[t];

@@ -34,10 +34,10 @@ struct PointJet {
   }
 };
 
-/// What vertex k has a part in and the vertices before it have none: with l, m and n the barycentric
-/// coordinates of k and of the two after it, l^4, the inner points of the edge from k to the next
-/// (4 l^3 m, 6 l^2 m^2, 4 l m^3), and those of the inner point at k, 12 l^2 m n / (m + n) times m
-/// and n. The latter are zero, with their first derivatives, where the divisor is.
+/// What vertex k has a part in and the vertices before it have none: with l, m and n the
+/// barycentric coordinates of k and of the two after it, l^4, the inner points of the edge from k
+/// to the next (4 l^3 m, 6 l^2 m^2, 4 l m^3), and those of the inner point at k, 12 l^2 m n / (m +
+/// n) times m and n. The latter are zero, with their first derivatives, where the divisor is.
 PointJet part_of_vertex(const std::array<Vec3, 18>& points, std::size_t k, double l, double m,
                         double n) {
   const double ll = l * l, lm = l * m, mm = m * m;
@@ -53,12 +53,12 @@ PointJet part_of_vertex(const std::array<Vec3, 18>& points, std::size_t k, doubl
   const double q = 12 * ll / s, q1 = 12 * l * (1 + s) / (s * s), q2 = 24 / (s * s * s);
   const Vec3* inner = &points[inner_place(k)];
   const double mn = m * n, nn = n * n;
-  sum.add({q * (m * mn), q1 * (m * mn) - q * mm, q * (2 * mn - mm),
-           q2 * (m * mn) - 2 * (q1 * mm), q1 * (2 * mn - mm) - 2 * (q * m), q * (2 * n - 4 * m)},
+  sum.add({q * (m * mn), q1 * (m * mn) - q * mm, q * (2 * mn - mm), q2 * (m * mn) - 2 * (q1 * mm),
+           q1 * (2 * mn - mm) - 2 * (q * m), q * (2 * n - 4 * m)},
           inner[0]);
   sum.add({q * (n * mn), q1 * (n * mn) - 2 * (q * mn), q * (nn - 2 * mn),
-           q2 * (n * mn) - 4 * (q1 * mn) + 2 * (q * m),
-           q1 * (nn - 2 * mn) + 2 * (q * (m - n)), q * (2 * m - 4 * n)},
+           q2 * (n * mn) - 4 * (q1 * mn) + 2 * (q * m), q1 * (nn - 2 * mn) + 2 * (q * (m - n)),
+           q * (2 * m - 4 * n)},
           inner[1]);
   return sum;
 }
