@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "core/error.h"
 #include "core/formulation/corner_lengths.h"
@@ -58,28 +59,45 @@ void keep_convex(double* z) {
 /// What the kernel sums up for all cells, the numbers z of each pair of nodes (01, 02, 12), and of
 /// each pair the block of the Hessian by the unknowns, the rows those of the first node.
 struct SurfaceWinslow::CellSums {
-  // Of memory that the threads fill.
-  std::unique_ptr<double[]> sums;    // Layout::sum for each cell
-  std::unique_ptr<double[]> z;       // 3 for each cell; null: none
-  std::unique_ptr<double[]> blocks;  // 12 for each cell; null: none
+  static constexpr std::size_t lanes = 4;  // the kernel writes full packs
+  static std::size_t size(std::size_t cells) {
+    return (cells + lanes) * Layout::sum + (3 + 12) * cells;
+  }
+
+  CellSums(KeptMemory& lender, std::size_t cells)
+      : memory(lender),
+        numbers(lender.take()),
+        sums(numbers.get()),
+        z(sums + (cells + lanes) * Layout::sum),
+        blocks(z + 3 * cells) {}
+  ~CellSums() { memory.give_back(std::move(numbers)); }
+  CellSums(const CellSums&) = delete;
+  CellSums& operator=(const CellSums&) = delete;
+
+  KeptMemory& memory;
+  std::unique_ptr<double[]> numbers;
+  double* sums;        // Layout::sum for each cell
+  double* z;           // 3 for each cell, if `bends`
+  double* blocks;      // 12 for each cell: see find_blocks()
+  bool bends = false;  // z is not zero
   double energy = 0;
 
   const double* corner(Index t, std::size_t c) const {
-    return sums.get() + Layout::sum * t + Layout::corners +
+    return sums + Layout::sum * t + Layout::corners +
            Layout::corner * static_cast<std::ptrdiff_t>(c);
   }
   /// Of the row of one node of a cell at another.
   Block block(Index t, std::size_t c, std::size_t j) const {
-    const double* first = sums.get() + Layout::sum * t;
+    const double* first = sums + Layout::sum * t;
     if (c < j) return Eigen::Map<const Block>(first + 4 * pair_of(c, j));
     return Eigen::Map<const Block>(first + 4 * pair_of(j, c)).transpose();
   }
   double z_of(Index t, std::size_t c, std::size_t j) const {
-    return !z ? 0 : z[3 * at(t) + pair_of(std::min(c, j), std::max(c, j))];
+    return !bends ? 0 : z[3 * at(t) + pair_of(std::min(c, j), std::max(c, j))];
   }
   /// As block(), by the unknowns.
   Block unknowns_block(Index t, std::size_t c, std::size_t j) const {
-    const double* first = blocks.get() + 12 * at(t);
+    const double* first = blocks + 12 * at(t);
     if (c < j) return Eigen::Map<const Block>(first + 4 * pair_of(c, j));
     return Eigen::Map<const Block>(first + 4 * pair_of(j, c)).transpose();
   }
@@ -104,7 +122,9 @@ SurfaceWinslow::SurfaceWinslow(std::shared_ptr<const NodeClasses> classes,
         throw UsageError("motions: only for plane and volume meshes, and this is a surface mesh");
   if (!node_unknowns().classes().element_normals())
     throw UsageError("the variational form of a surface mesh needs the normals of its elements");
-  structure_ = std::make_shared<const SurfaceStructure>(node_unknowns(), shapes_->cells);
+  auto structure = std::make_shared<SurfaceStructure>(node_unknowns(), shapes_->cells);
+  structure->memory = std::make_shared<KeptMemory>(CellSums::size(shapes_->cells.size()));
+  structure_ = std::move(structure);
 }
 
 std::shared_ptr<const VariationalForm> SurfaceWinslow::with_penalty(
@@ -256,28 +276,23 @@ void SurfaceWinslow::bend_out(const FlatCells& cells, std::size_t cell, double* 
   }
 }
 
-SurfaceWinslow::CellSums SurfaceWinslow::sum_cells(const FlatCells& cells,
-                                                   const Regularisation* regularisation,
-                                                   Second second) const {
+void SurfaceWinslow::sum_cells(const FlatCells& cells, const Regularisation* regularisation,
+                               Second second, CellSums& out) const {
   const SimplexData of_cells = data(cells, regularisation);
   const PenaltyFunction psi(penalty());
   const auto n = static_cast<Index>(cells.planes.size());
-  constexpr std::size_t lanes = 4;  // the kernel writes full packs
-  CellSums out;
-  out.sums = std::make_unique_for_overwrite<double[]>((at(n) + lanes) * Layout::sum);
-  const bool bends = second == Second::exact || second == Second::projected;
-  if (bends) out.z = std::make_unique_for_overwrite<double[]>(3 * at(n));
+  out.bends = second == Second::exact || second == Second::projected;
   std::vector<double> energies(block_count(n), 0.0);
-  static_assert(parallel_block % lanes == 0);
+  static_assert(parallel_block % CellSums::lanes == 0);
   parallel_for(threads(), n, [&](Index begin, Index end) {
     energies[at(begin / parallel_block)] =
         kernel_.sum(of_cells, structure_->numbers.data() + begin, end - begin, 0,
-                    out.sums.get() + Layout::sum * begin);
+                    out.sums + Layout::sum * begin);
     for (auto t = at(begin); t < at(end); ++t) {
-      if (bends) bend_out(cells, t, out.z.get() + 3 * t);
+      if (out.bends) bend_out(cells, t, out.z + 3 * t);
       if (second != Second::projected) continue;
-      keep_convex(out.z.get() + 3 * t);
-      double* sums = out.sums.get() + Layout::sum * static_cast<std::ptrdiff_t>(t);
+      keep_convex(out.z + 3 * t);
+      double* sums = out.sums + Layout::sum * static_cast<std::ptrdiff_t>(t);
       std::fill(sums, sums + Layout::corners, 0.0);
       const double* p = cells.x.data() + 6 * t;
       const distortion::Corner2 corner(p, p + 2, p + 4);
@@ -286,7 +301,6 @@ SurfaceWinslow::CellSums SurfaceWinslow::sum_cells(const FlatCells& cells,
     }
   });
   out.energy = std::accumulate(energies.begin(), energies.end(), 0.0);
-  return out;
 }
 
 namespace {
@@ -309,7 +323,6 @@ struct SeenDirections {
 void SurfaceWinslow::find_blocks(const FlatCells& cells, std::span<const Foot> feet,
                                  CellSums& sums) const {
   const auto n = static_cast<Index>(cells.planes.size());
-  sums.blocks = std::make_unique_for_overwrite<double[]>(12 * at(n));
   parallel_for(threads(), n, [&](Index begin, Index end) {
     for (Index t = begin; t < end; ++t) {
       const auto& nodes = structure_->cells[at(t)];
@@ -321,7 +334,7 @@ void SurfaceWinslow::find_blocks(const FlatCells& cells, std::span<const Foot> f
         for (std::size_t b = a + 1; b < 3; ++b) {
           if (!seen[a] || !seen[b]) continue;
           const SeenDirections &p = *seen[a], &q = *seen[b];
-          Eigen::Map<Block> block(sums.blocks.get() + 12 * at(t) + 4 * pair_of(a, b));
+          Eigen::Map<Block> block(sums.blocks + 12 * at(t) + 4 * pair_of(a, b));
           block = p.within.transpose() * sums.block(t, a, b) * q.within;
           block += sums.z_of(t, a, b) * p.outward * q.outward.transpose();
         }
@@ -364,7 +377,8 @@ Linearisation SurfaceWinslow::assemble(const FlatCells& cells, const Regularisat
   // What a surface without a held node may do for nothing, a sphere turn say, is held by so much of
   // the diagonal: far less than any other change of shape costs.
   constexpr double hold = 1e-8;
-  CellSums sums = sum_cells(cells, regularisation, second);
+  CellSums sums(*structure_->memory, structure_->cells.size());
+  sum_cells(cells, regularisation, second, sums);
   const std::vector<Foot> at_nodes = feet(x);
   const SparsityPattern& pattern = *structure_->pattern;
   if (hessian) {
