@@ -200,7 +200,7 @@ double NodeUnknowns::largest_valid_step(const Coordinates& from, const Coordinat
 }
 
 Validity NodeUnknowns::validity(const Coordinates& x) const {
-  return validity_of_moving(*classes_, x, threads_);
+  return check_validity(*classes_, x, threads_);
 }
 
 double NodeUnknowns::residual_round_off(const Coordinates& x) const {

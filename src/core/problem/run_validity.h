@@ -13,9 +13,4 @@ std::vector<Vec3> element_normals(const NodeClasses& classes, const Coordinates&
 /// check_validity() of the mesh of a run: elements of a surface mesh by the reference normals.
 Validity check_validity(const NodeClasses& classes, const Coordinates& x, int threads);
 
-/// The same, but the smallest sine of a surface mesh is that of the elements with a node that
-/// moves: what is to be known of how near a step comes to inverting one. (That of a volume mesh
-/// leaves out elements without interior nodes anyway.)
-Validity validity_of_moving(const NodeClasses& classes, const Coordinates& x, int threads);
-
 }  // namespace winslow
