@@ -22,8 +22,7 @@ class Descent {
 
   TrianglePlace run(TrianglePlace place) {
     constexpr int most_steps = 50, most_turns = 12;
-    // Steps of Newton's method square what is left: after one as small as `square` it is round-off.
-    constexpr double small = 1e-14, square = 1e-8;
+    constexpr double small = 1e-14;
     int turns = 0;  // from triangle to triangle without a step
     for (int i = 0; i < most_steps && turns < most_turns; ++i) {
       Vec3 step = newton_step(place, -1);
@@ -37,8 +36,8 @@ class Descent {
         if (blocked_by(place, step) >= 0) break;
       }
       const double length = step.lpNorm<Eigen::Infinity>();
-      const bool whole = advance(place, step);
-      if (length <= (whole && exact_ ? square : small)) break;
+      advance(place, step);
+      if (length <= small) break;
       turns = 0;
     }
     return place;
@@ -46,7 +45,7 @@ class Descent {
 
  private:
   /// Of the barycentric coordinates. fixed: one of them that stays; -1: none.
-  Vec3 newton_step(const TrianglePlace& place, int fixed) {
+  Vec3 newton_step(const TrianglePlace& place, int fixed) const {
     const auto d = patches_[at(place.triangle)].at(place.at[0], place.at[1]);
     const Vec3 off = d.r - target_;
     const Vec2 gradient(d.u.dot(off), d.v.dot(off));
@@ -55,8 +54,8 @@ class Descent {
     hessian << d.uu.dot(off), d.uv.dot(off), d.uv.dot(off), d.vv.dot(off);
     hessian += metric;
     // Away from the surface there may be nothing to go down to: the metric alone always leads down.
-    exact_ = hessian.determinant() > 0.1 * metric.determinant() && hessian.trace() > 0;
-    if (!exact_) hessian = metric;
+    if (!(hessian.determinant() > 0.1 * metric.determinant() && hessian.trace() > 0))
+      hessian = metric;
     if (fixed < 0) {
       const Vec2 s = -hessian.inverse() * gradient;
       return s.allFinite() ? Vec3(s[0], s[1], -s[0] - s[1]) : Vec3(0, 0, 0);
@@ -77,8 +76,8 @@ class Descent {
     return blocked;
   }
 
-  /// As far as the triangle goes; whether that is the whole step.
-  static bool advance(TrianglePlace& place, const Vec3& step) {
+  /// As far as the triangle goes.
+  static void advance(TrianglePlace& place, const Vec3& step) {
     double share = 1;
     int hit = -1;
     for (int k = 0; k < 3; ++k)
@@ -90,7 +89,6 @@ class Descent {
     if (hit >= 0) place.at[hit] = 0;
     for (int k = 0; k < 3; ++k) place.at[k] = std::max(0.0, place.at[k]);
     place.at /= place.at.sum();
-    return hit < 0;
   }
 
   /// To the triangle on the other side of the edge on which a coordinate is zero, if there is one.
@@ -115,7 +113,6 @@ class Descent {
   std::span<const std::array<Index, 3>> neighbours_;
   std::span<const SurfacePatch> patches_;
   Vec3 target_;
-  bool exact_ = false;  // the last step was by the Hessian itself
 };
 
 }  // namespace
