@@ -18,6 +18,7 @@
 #include "core/error.h"
 #include "core/mesh/place_text.h"
 #include "core/quality/mesh_change.h"
+#include "core/strategy/run_end.h"
 #include "core/strategy/surface_shape.h"
 #include "io/recipe/recipe.h"
 #include "io/tables/convergence_csv.h"
@@ -314,7 +315,12 @@ void print_verdict(const EditJob& job, const std::vector<ZoneRun>& zones, const 
       print_inverted_elements(std::cerr, zone.result.mesh, zone.quality, inverted_elements_shown);
     }
   } else if (code == ExitCode::not_converged) {
-    std::cerr << "winslow: not converged within the limit; the mesh is valid and was written\n";
+    const bool at_limit = std::ranges::none_of(
+        run.commands, [](const CommandRecord& command) { return gains_no_more(command.result); });
+    std::cerr << "winslow: not converged"
+              << (at_limit ? " within the limit"
+                           : ": neither the energy nor the residual gains any more")
+              << "; the mesh is valid and was written\n";
   }
 }
 

@@ -11,7 +11,7 @@ enum class ExitCode {
   usage = 2,          ///< options or arguments that make no sense
   input = 3,          ///< a file that cannot be read, is wrong, or cannot be written
   inverted = 4,       ///< the result has inverted elements, or the motion was not completed
-  not_converged = 5,  ///< not converged within the limit
+  not_converged = 5,  ///< not converged: the limit of iterations, or no gain any more
   interrupted = 130,  ///< stopped by Ctrl-C or SIGTERM
 };
 

@@ -173,7 +173,7 @@ class StudioSubcommand : public Subcommand {
       return ExitCode::inverted;
     }
     if (!result.converged) {
-      std::cerr << "winslow: not converged within the limit; the mesh is valid\n";
+      std::cerr << "winslow: not converged; the mesh is valid\n";
       return ExitCode::not_converged;
     }
     return ExitCode::done;

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "core/linear/pattern_builder.h"
 #include "core/mesh/joined_sets.h"
@@ -59,6 +60,19 @@ std::vector<bool> loose_rows(const NodeUnknowns& nodes,
 }
 
 }  // namespace
+
+std::unique_ptr<double[]> KeptMemory::take() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (kept_) return std::move(kept_);
+  }
+  return std::make_unique_for_overwrite<double[]>(numbers_);
+}
+
+void KeptMemory::give_back(std::unique_ptr<double[]> memory) {
+  const std::lock_guard lock(mutex_);
+  kept_ = std::move(memory);
+}
 
 SurfaceStructure::SurfaceStructure(const NodeUnknowns& nodes,
                                    const std::vector<std::array<Index, 3>>& triangles)

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,22 @@
 
 /// The triangles of a surface mesh laid flat, for the loops over triangles of the plane.
 namespace winslow {
+
+/// Memory for what an assembly sums up, kept from one to the next: to get it anew takes about as
+/// long as the sums.
+class KeptMemory {
+ public:
+  explicit KeptMemory(std::size_t numbers) : numbers_(numbers) {}
+
+  /// Not initialised.
+  std::unique_ptr<double[]> take();
+  void give_back(std::unique_ptr<double[]> memory);
+
+ private:
+  std::size_t numbers_;
+  std::mutex mutex_;
+  std::unique_ptr<double[]> kept_;
+};
 
 /// What depends on the connectivity alone, and on which nodes move.
 struct SurfaceStructure {
@@ -28,7 +45,8 @@ struct SurfaceStructure {
   /// Rows of parts of the surface no node of which is held: of a sphere, say, which may turn as a
   /// whole.
   std::vector<bool> loose;
-  std::vector<Index> numbers;  ///< 0, 1, ...: all cells; three for each, its corners
+  std::vector<Index> numbers;          ///< 0, 1, ...: all cells; three for each, its corners
+  std::shared_ptr<KeptMemory> memory;  ///< for the sums of all cells: see SurfaceWinslow::CellSums
 };
 
 /// Two directions of the plane that a triangle is laid into, and the normal.

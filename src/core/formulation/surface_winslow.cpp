@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include "core/error.h"
 #include "core/formulation/corner_lengths.h"
@@ -54,24 +56,50 @@ void keep_convex(double* z) {
 
 }  // namespace
 
-/// What the kernel sums up for all cells, and the numbers z of each pair of nodes (01, 02, 12).
+/// What the kernel sums up for all cells, the numbers z of each pair of nodes (01, 02, 12), and of
+/// each pair the block of the Hessian by the unknowns, the rows those of the first node.
 struct SurfaceWinslow::CellSums {
-  std::vector<double> sums;  // Layout::sum for each cell
-  std::vector<double> z;     // 3 for each cell; empty: none
+  static constexpr std::size_t lanes = 4;  // the kernel writes full packs
+  static std::size_t size(std::size_t cells) {
+    return (cells + lanes) * Layout::sum + (3 + 12) * cells;
+  }
+
+  CellSums(KeptMemory& lender, std::size_t cells)
+      : memory(lender),
+        numbers(lender.take()),
+        sums(numbers.get()),
+        z(sums + (cells + lanes) * Layout::sum),
+        blocks(z + 3 * cells) {}
+  ~CellSums() { memory.give_back(std::move(numbers)); }
+  CellSums(const CellSums&) = delete;
+  CellSums& operator=(const CellSums&) = delete;
+
+  KeptMemory& memory;
+  std::unique_ptr<double[]> numbers;
+  double* sums;        // Layout::sum for each cell
+  double* z;           // 3 for each cell, if `bends`
+  double* blocks;      // 12 for each cell: see find_blocks()
+  bool bends = false;  // z is not zero
   double energy = 0;
 
   const double* corner(Index t, std::size_t c) const {
-    return sums.data() + Layout::sum * t + Layout::corners +
+    return sums + Layout::sum * t + Layout::corners +
            Layout::corner * static_cast<std::ptrdiff_t>(c);
   }
   /// Of the row of one node of a cell at another.
   Block block(Index t, std::size_t c, std::size_t j) const {
-    const double* first = sums.data() + Layout::sum * t;
+    const double* first = sums + Layout::sum * t;
     if (c < j) return Eigen::Map<const Block>(first + 4 * pair_of(c, j));
     return Eigen::Map<const Block>(first + 4 * pair_of(j, c)).transpose();
   }
   double z_of(Index t, std::size_t c, std::size_t j) const {
-    return z.empty() ? 0 : z[3 * at(t) + pair_of(std::min(c, j), std::max(c, j))];
+    return !bends ? 0 : z[3 * at(t) + pair_of(std::min(c, j), std::max(c, j))];
+  }
+  /// As block(), by the unknowns.
+  Block unknowns_block(Index t, std::size_t c, std::size_t j) const {
+    const double* first = blocks + 12 * at(t);
+    if (c < j) return Eigen::Map<const Block>(first + 4 * pair_of(c, j));
+    return Eigen::Map<const Block>(first + 4 * pair_of(j, c)).transpose();
   }
 };
 
@@ -94,7 +122,9 @@ SurfaceWinslow::SurfaceWinslow(std::shared_ptr<const NodeClasses> classes,
         throw UsageError("motions: only for plane and volume meshes, and this is a surface mesh");
   if (!node_unknowns().classes().element_normals())
     throw UsageError("the variational form of a surface mesh needs the normals of its elements");
-  structure_ = std::make_shared<const SurfaceStructure>(node_unknowns(), shapes_->cells);
+  auto structure = std::make_shared<SurfaceStructure>(node_unknowns(), shapes_->cells);
+  structure->memory = std::make_shared<KeptMemory>(CellSums::size(shapes_->cells.size()));
+  structure_ = std::move(structure);
 }
 
 std::shared_ptr<const VariationalForm> SurfaceWinslow::with_penalty(
@@ -246,28 +276,23 @@ void SurfaceWinslow::bend_out(const FlatCells& cells, std::size_t cell, double* 
   }
 }
 
-SurfaceWinslow::CellSums SurfaceWinslow::sum_cells(const FlatCells& cells,
-                                                   const Regularisation* regularisation,
-                                                   Second second) const {
+void SurfaceWinslow::sum_cells(const FlatCells& cells, const Regularisation* regularisation,
+                               Second second, CellSums& out) const {
   const SimplexData of_cells = data(cells, regularisation);
   const PenaltyFunction psi(penalty());
   const auto n = static_cast<Index>(cells.planes.size());
-  constexpr std::size_t lanes = 4;  // the kernel writes full packs
-  CellSums out;
-  out.sums.resize((at(n) + lanes) * Layout::sum);
-  const bool bends = second == Second::exact || second == Second::projected;
-  if (bends) out.z.resize(3 * at(n));
+  out.bends = second == Second::exact || second == Second::projected;
   std::vector<double> energies(block_count(n), 0.0);
-  static_assert(parallel_block % lanes == 0);
+  static_assert(parallel_block % CellSums::lanes == 0);
   parallel_for(threads(), n, [&](Index begin, Index end) {
     energies[at(begin / parallel_block)] =
         kernel_.sum(of_cells, structure_->numbers.data() + begin, end - begin, 0,
-                    out.sums.data() + Layout::sum * begin);
+                    out.sums + Layout::sum * begin);
     for (auto t = at(begin); t < at(end); ++t) {
-      if (bends) bend_out(cells, t, out.z.data() + 3 * t);
+      if (out.bends) bend_out(cells, t, out.z + 3 * t);
       if (second != Second::projected) continue;
-      keep_convex(out.z.data() + 3 * t);
-      double* sums = out.sums.data() + Layout::sum * static_cast<std::ptrdiff_t>(t);
+      keep_convex(out.z + 3 * t);
+      double* sums = out.sums + Layout::sum * static_cast<std::ptrdiff_t>(t);
       std::fill(sums, sums + Layout::corners, 0.0);
       const double* p = cells.x.data() + 6 * t;
       const distortion::Corner2 corner(p, p + 2, p + 4);
@@ -276,55 +301,72 @@ SurfaceWinslow::CellSums SurfaceWinslow::sum_cells(const FlatCells& cells,
     }
   });
   out.energy = std::accumulate(energies.begin(), energies.end(), 0.0);
-  return out;
+}
+
+namespace {
+
+/// How the unknowns of a node move it as a cell sees it: within its plane, and out of that.
+struct SeenDirections {
+  SeenDirections(const CellPlane& plane, const Foot& foot) {
+    for (int k = 0; k < foot.frame.count(); ++k) {
+      within.col(k) = plane.of(foot.frame[k]);
+      outward[k] = plane.normal.dot(foot.frame[k]);
+    }
+  }
+  Block within = Block::Zero();
+  Vec2 outward{0, 0};
+};
+
+}  // namespace
+
+/// The blocks of the pairs of each cell by the unknowns. feet: of the rows.
+void SurfaceWinslow::find_blocks(const FlatCells& cells, std::span<const Foot> feet,
+                                 CellSums& sums) const {
+  const auto n = static_cast<Index>(cells.planes.size());
+  parallel_for(threads(), n, [&](Index begin, Index end) {
+    for (Index t = begin; t < end; ++t) {
+      const auto& nodes = structure_->cells[at(t)];
+      std::array<std::optional<SeenDirections>, 3> seen;
+      for (std::size_t c = 0; c < 3; ++c)
+        if (const Index row = structure_->row_of_node[at(nodes[c])]; row >= 0)
+          seen[c].emplace(cells.planes[at(t)], feet[at(row)]);
+      for (std::size_t a = 0; a < 3; ++a)
+        for (std::size_t b = a + 1; b < 3; ++b) {
+          if (!seen[a] || !seen[b]) continue;
+          const SeenDirections &p = *seen[a], &q = *seen[b];
+          Eigen::Map<Block> block(sums.blocks + 12 * at(t) + 4 * pair_of(a, b));
+          block = p.within.transpose() * sums.block(t, a, b) * q.within;
+          block += sums.z_of(t, a, b) * p.outward * q.outward.transpose();
+        }
+    }
+  });
 }
 
 /// entries: values of the matrix; null where none is wanted.
 SurfaceWinslow::RowSums SurfaceWinslow::sum_row(const FlatCells& cells, const CellSums& sums,
-                                                std::span<const Foot> feet, Index row,
+                                                const Foot& foot, Index row,
                                                 double* entries) const {
-  const auto directions = [&](const CellPlane& plane, const Foot& foot) {
-    Block p = Block::Zero();
-    for (int k = 0; k < foot.frame.count(); ++k) p.col(k) = plane.of(foot.frame[k]);
-    return p;
-  };
-  const auto outward = [&](const CellPlane& plane, const Foot& foot) {
-    Vec2 r(0, 0);
-    for (int k = 0; k < foot.frame.count(); ++k) r[k] = plane.normal.dot(foot.frame[k]);
-    return r;
-  };
-  const Foot& own = feet[at(row)];
   RowSums out;
   for (const Index corner : structure_->corners[row]) {
     const Index t = corner / 3;
-    const std::size_t c = at(corner % 3);
+    const std::size_t c = at(corner % 3), next = (c + 1) % 3, last = (c + 2) % 3;
     const CellPlane& plane = cells.planes[at(t)];
     const double* of_corner = sums.corner(t, c);
     out.gradient += of_corner[0] * plane.e1 + of_corner[1] * plane.e2;
     out.scale.edges += of_corner[2];
     ++out.scale.cells;
-    Block diagonal = Block::Zero();
-    double z_diagonal = 0;
-    const Block p = directions(plane, own);
-    const Vec2 r = outward(plane, own);
-    for (std::size_t j = 0; j < 3; ++j) {
-      if (j == c) continue;
-      const Block h = sums.block(t, c, j);
-      const double z = sums.z_of(t, c, j);
-      diagonal -= h;
-      z_diagonal -= z;
-      const Index entry = structure_->entries[at(corner)][j];
-      if (entry < 0 || entries == nullptr) continue;
-      const Foot& other = feet[at(structure_->row_of_node[at(structure_->cells[at(t)][j])])];
-      Eigen::Map<Block> block(entries + std::ptrdiff_t{4} * entry);
-      block += p.transpose() * h * directions(plane, other);
-      block += z * r * outward(plane, other).transpose();
-    }
+    const Block diagonal = -(sums.block(t, c, next) + sums.block(t, c, last));
     out.scale.trace += diagonal.trace();
     if (entries == nullptr) continue;
-    Eigen::Map<Block> block(entries + std::ptrdiff_t{4} * structure_->entries[at(corner)][c]);
-    block += p.transpose() * diagonal * p;
-    block += z_diagonal * r * r.transpose();
+    const auto& places = structure_->entries[at(corner)];
+    for (const std::size_t j : {next, last})
+      if (places[j] >= 0)
+        Eigen::Map<Block>(entries + std::ptrdiff_t{4} * places[j]) += sums.unknowns_block(t, c, j);
+    const SeenDirections own(plane, foot);
+    Eigen::Map<Block> block(entries + std::ptrdiff_t{4} * places[c]);
+    block += own.within.transpose() * diagonal * own.within;
+    block -=
+        (sums.z_of(t, c, next) + sums.z_of(t, c, last)) * own.outward * own.outward.transpose();
   }
   return out;
 }
@@ -335,21 +377,26 @@ Linearisation SurfaceWinslow::assemble(const FlatCells& cells, const Regularisat
   // What a surface without a held node may do for nothing, a sphere turn say, is held by so much of
   // the diagonal: far less than any other change of shape costs.
   constexpr double hold = 1e-8;
-  const CellSums sums = sum_cells(cells, regularisation, second);
+  CellSums sums(*structure_->memory, structure_->cells.size());
+  sum_cells(cells, regularisation, second, sums);
   const std::vector<Foot> at_nodes = feet(x);
   const SparsityPattern& pattern = *structure_->pattern;
   if (hessian) {
+    find_blocks(cells, at_nodes, sums);
     hessian->pattern = structure_->pattern;
     hessian->block = 2;
     hessian->symmetric = true;
-    hessian->values.assign(4 * pattern.columns.size(), 0.0);
+    hessian->values.resize(4 * pattern.columns.size());
   }
   std::vector<NormSum> norms(block_count(pattern.rows()));
   parallel_for(threads(), pattern.rows(), [&](Index begin, Index end) {
+    if (hessian)
+      std::fill(hessian->values.begin() + std::ptrdiff_t{4} * pattern.offsets[at(begin)],
+                hessian->values.begin() + std::ptrdiff_t{4} * pattern.offsets[at(end)], 0.0);
     for (Index row = begin; row < end; ++row) {
       const Foot& foot = at_nodes[at(row)];
       const RowSums sum =
-          sum_row(cells, sums, at_nodes, row, hessian ? hessian->values.data() : nullptr);
+          sum_row(cells, sums, foot, row, hessian ? hessian->values.data() : nullptr);
       Vec2 along(0, 0);
       for (int k = 0; k < foot.frame.count(); ++k) along[k] = foot.frame[k].dot(sum.gradient);
       norms[at(begin / parallel_block)].add(sum.scale.scaled(along.norm()));

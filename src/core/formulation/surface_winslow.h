@@ -91,11 +91,12 @@ class SurfaceWinslow final : public VariationalForm {
   /// For each cell, whether it shows the wrong side.
   std::vector<bool> turned_over(const Coordinates& x) const;
 
-  CellSums sum_cells(const FlatCells& cells, const Regularisation* regularisation,
-                     Second second) const;
+  void sum_cells(const FlatCells& cells, const Regularisation* regularisation, Second second,
+                 CellSums& out) const;
   void bend_out(const FlatCells& cells, std::size_t cell, double* z) const;
-  RowSums sum_row(const FlatCells& cells, const CellSums& sums, std::span<const Foot> feet,
-                  Index row, double* entries) const;
+  void find_blocks(const FlatCells& cells, std::span<const Foot> feet, CellSums& sums) const;
+  RowSums sum_row(const FlatCells& cells, const CellSums& sums, const Foot& foot, Index row,
+                  double* entries) const;
   /// hessian: null where none is wanted; residual may be empty.
   Linearisation assemble(const FlatCells& cells, const Regularisation* regularisation,
                          const Coordinates& x, Second second, SparseMatrix* hessian,

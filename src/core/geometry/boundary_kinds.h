@@ -16,17 +16,19 @@ namespace winslow {
 /// Which part of a boundary each node that slides is on.
 class NodeParts {
  public:
-  void set(Index node, Index part) { part_of_[node] = part; }
+  void set(Index node, Index part) {
+    if (at(node) >= part_of_.size()) part_of_.resize(at(node) + 1, -1);
+    part_of_[at(node)] = part;
+  }
   /// Throws UsageError for a node that does not slide.
   Index of(Index node) const {
-    const auto found = part_of_.find(node);
-    if (found == part_of_.end())
+    if (node < 0 || at(node) >= part_of_.size() || part_of_[at(node)] < 0)
       throw UsageError("node " + std::to_string(node) + " has nothing to slide on");
-    return found->second;
+    return part_of_[at(node)];
   }
 
  private:
-  std::map<Index, Index> part_of_;
+  std::vector<Index> part_of_;  // -1: none
 };
 
 /// What of the boundary each node of a periodic pair lies on, besides its own side.

@@ -6,6 +6,13 @@
 
 namespace winslow {
 
+namespace {
+
+/// Nodes at a time of a loop over feet, each of which may take a search.
+constexpr Index search_block = 512;
+
+}  // namespace
+
 Vec3 area_vector(const Points<3>& x, std::span<const Index> element) {
   const Vec3 a = x[element[0]], b = x[element[1]], c = x[element[2]];
   if (element.size() == 3) return (b - a).cross(c - a);
@@ -32,15 +39,21 @@ ElementNormals::ElementNormals(std::shared_ptr<const Topology> topology, const C
   }
   sides_ = sides;
   for (const SlidingPart& part : boundary.parts) {
+    std::vector<Foot> feet(part.nodes.size());
+    const auto find = [&](Index begin, Index end) {
+      for (std::size_t i = winslow::at(begin); i < winslow::at(end); ++i)
+        feet[i] = geometry_->foot(part.nodes[i], x[part.nodes[i]]);
+    };
+    parallel_for(0, static_cast<Index>(feet.size()), find, search_block);
     // Of a mesh with elements turned over most area still faces the right way.
     double area = 0;
     std::vector<Index> on_surface;
-    for (const Index node : part.nodes) {
-      const Foot foot = geometry_->foot(node, x[node]);
+    for (std::size_t i = 0; i < feet.size(); ++i) {
+      const Foot& foot = feet[i];
       if (foot.frame.count() != 2) continue;
-      on_surface.push_back(node);
+      on_surface.push_back(part.nodes[i]);
       const Vec3 normal = foot.frame[0].cross(foot.frame[1]);
-      for (const Index e : topology_->star(node))
+      for (const Index e : topology_->star(part.nodes[i]))
         area += normal.dot(area_vector(x, topology_->element(e)));
     }
     for (const Index node : on_surface) sides->of_node[winslow::at(node)] = area < 0 ? -1 : 1;
@@ -62,7 +75,6 @@ Vec3 ElementNormals::node_normal(Index node, const Vec3& point) const {
 
 std::vector<Vec3> ElementNormals::at(const Coordinates& coordinates, int threads) const {
   const SpacePoints x(coordinates);
-  constexpr Index block = 512;  // a foot may take a search
   std::vector<Vec3> of_nodes(winslow::at(topology_->node_count()));
   parallel_for(
       threads, topology_->node_count(),
@@ -70,7 +82,7 @@ std::vector<Vec3> ElementNormals::at(const Coordinates& coordinates, int threads
         for (Index node = begin; node < end; ++node)
           of_nodes[winslow::at(node)] = node_normal(node, x[node]);
       },
-      block);
+      search_block);
   std::vector<Vec3> normals(winslow::at(topology_->element_count()));
   parallel_for(threads, topology_->element_count(), [&](Index begin, Index end) {
     constexpr double cancelled = 0.1;  // normals of opposite sides of a body say nothing

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <utility>
 
+#include "core/parallel/parallel_for.h"
+
 namespace winslow {
 
 namespace {
@@ -37,22 +39,32 @@ Foot on_surface(const Surface& surface, const Vec3& direction, const Vec3& point
 }  // namespace
 
 Foot SpaceGeometry::foot(Index node, const Vec3& point) const {
-  const Piece& piece = pieces_[at(parts_.of(node))];
-  return piece.surface ? on_surface(*piece.surface, directions_.at(node), point)
+  const Slider& slider = sliders_[at(numbers_.of(node))];
+  const Piece& piece = pieces_[at(slider.piece)];
+  return piece.surface ? on_surface(*piece.surface, slider.direction, point)
                        : on_curve(*piece.curve, point);
 }
 
 void SpaceGeometry::add(std::shared_ptr<const Surface> surface, std::span<const Index> nodes,
                         const SpacePoints& x) {
-  for (const Index node : nodes) {
-    parts_.set(node, static_cast<Index>(pieces_.size()));
-    directions_[node] = surface->nearest(x[node]).normal.unitOrthogonal();
-  }
+  constexpr Index block = 512;  // a search in a triangulation each
+  const std::size_t first = sliders_.size();
+  sliders_.resize(first + nodes.size(), {static_cast<Index>(pieces_.size()), Vec3::Zero()});
+  const auto find = [&](Index begin, Index end) {
+    for (std::size_t i = at(begin); i < at(end); ++i)
+      sliders_[first + i].direction = surface->nearest(x[nodes[i]]).normal.unitOrthogonal();
+  };
+  parallel_for(0, static_cast<Index>(nodes.size()), find, block);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    numbers_.set(nodes[i], static_cast<Index>(first + i));
   pieces_.push_back({std::move(surface), nullptr});
 }
 
 void SpaceGeometry::add(std::shared_ptr<const SpaceCurve> curve, std::span<const Index> nodes) {
-  for (const Index node : nodes) parts_.set(node, static_cast<Index>(pieces_.size()));
+  for (const Index node : nodes) {
+    numbers_.set(node, static_cast<Index>(sliders_.size()));
+    sliders_.push_back({static_cast<Index>(pieces_.size()), Vec3::Zero()});
+  }
   pieces_.push_back({nullptr, std::move(curve)});
 }
 

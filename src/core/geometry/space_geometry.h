@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <span>
 #include <vector>
@@ -27,9 +26,14 @@ class SpaceGeometry final : public SlidingGeometry {
     std::shared_ptr<const SpaceCurve> curve;
   };
 
+  struct Slider {
+    Index piece;
+    Vec3 direction;  // that the first of its frame is to be near to
+  };
+
   std::vector<Piece> pieces_;
-  NodeParts parts_;
-  std::map<Index, Vec3> directions_;
+  std::vector<Slider> sliders_;
+  NodeParts numbers_;  // of the sliders
 };
 
 }  // namespace winslow

@@ -1,5 +1,7 @@
 #include "core/linear/automatic_solver.h"
 
+#include <cmath>
+
 #include "core/error.h"
 
 namespace winslow {
@@ -67,10 +69,13 @@ class AutomaticSolver final : public LinearSolver {
   bool is_in_space() const { return matrix_->block == 3 || matrix_->in_space; }
 
   /// On stretched meshes multigrid takes many iterations, and a factorisation is the faster up to
-  /// much larger ones; beyond that its memory stands against it.
+  /// much larger ones; beyond that its memory stands against it. In the plane and on surfaces its
+  /// work grows with the power 3/2 of the size, that of an iteration in proportion.
   void remember_if_hard(const LinearResult& result) {
-    constexpr int many = 50;
+    constexpr double many_in_space = 50, many_of_hundred_thousand = 100;
     const Index limit = is_in_space() ? 15'000 : 300'000;
+    const double many =
+        is_in_space() ? many_in_space : many_of_hundred_thousand * std::sqrt(matrix_->rows() / 1e5);
     if (result.iterations > many && matrix_->symmetric && matrix_->rows() <= limit)
       hard_ = matrix_->pattern;
   }

@@ -53,6 +53,7 @@ IterationRecord EnergyNewton::start(const Coordinates& x) {
   record_ = {};
   record_.damping = 1;
   stalled_ = false;
+  reached_.clear();
   energy_ = problem_->energy(x);
   if (!std::isfinite(energy_)) {
     throw UsageError("Newton's method on the energy starts from a mesh without inverted elements");
@@ -183,6 +184,23 @@ bool EnergyNewton::search_without_stuck_nodes(Coordinates& x, double slope) {
   return search(x, slope, 0);
 }
 
+/// A step of a share t lowers the energy by about t of the slope where the model holds. Where the
+/// energy has kinks that no held node takes away (folds of a surface between slivers, thousands at
+/// once) a line search goes on for ever, by ever less. So: the steps of a window together have
+/// gained less than a tenth of what the model promises of the next one alone, and the residual is
+/// no lower by a tenth either.
+bool EnergyNewton::stagnates(double slope) const {
+  constexpr std::ptrdiff_t window = 40;
+  constexpr double worthwhile = 0.1;
+  if (std::ssize(reached_) <= window) return false;
+  const auto first = reached_.end() - window;  // of the window
+  if ((first - 1)->energy - reached_.back().energy >= worthwhile * slope) return false;
+  const auto lowest = [](auto begin, auto end) {
+    return std::ranges::min_element(begin, end, {}, &Reached::residual)->residual;
+  };
+  return lowest(first, reached_.end()) > (1 - worthwhile) * lowest(reached_.begin(), first);
+}
+
 IterationRecord EnergyNewton::step(Coordinates& x) {
   ++record_.iteration;
   if (problem_->unknowns() == 0) return record_;
@@ -192,6 +210,8 @@ IterationRecord EnergyNewton::step(Coordinates& x) {
   stalled_ = !search(x, slope, shortest_step) && !search_without_stuck_nodes(x, slope);
   if (stalled_) record_.damping = record_.largest_move = 0;
   assess(x);
+  reached_.push_back({energy_, record_.residual});
+  stalled_ = stalled_ || stagnates(slope);
   return record_;
 }
 

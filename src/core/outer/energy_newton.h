@@ -36,7 +36,8 @@ class EnergyNewton final : public SteadySolver {
   IterationRecord start(const Coordinates& x) override;
   IterationRecord step(Coordinates& x) override;
   bool converged() const override;
-  /// True if the last step found no way down although the tolerance is not met.
+  /// True if the last step found no way down although the tolerance is not met, or the last 40 of
+  /// them have gained next to nothing: see stagnates().
   bool stalled() const override { return stalled_; }
   Index stuck_nodes() const override { return problem_->stuck_nodes(); }
 
@@ -71,6 +72,7 @@ class EnergyNewton final : public SteadySolver {
   /// False if no step of `shortest` or more leads down.
   bool search(Coordinates& x, double slope, double shortest);
   bool search_without_stuck_nodes(Coordinates& x, double slope);
+  bool stagnates(double slope) const;
   void assess(const Coordinates& x);
 
   std::shared_ptr<const EnergyProblem> problem_;
@@ -83,6 +85,11 @@ class EnergyNewton final : public SteadySolver {
   double tight_;  // tolerance of the linear solver where a looser one would not do
   double energy_ = 0;
   double round_off_ = 0;
+  /// Where a step has led.
+  struct Reached {
+    double energy, residual;
+  };
+  std::vector<Reached> reached_;  // by each step since start()
   // What the linear solver has the factors of, if it has any: that keeps the object alive, so that
   // no other problem can pass for it.
   std::shared_ptr<const EnergyProblem> linearised_;

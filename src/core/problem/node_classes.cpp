@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/parallel/parallel_for.h"
 
 namespace winslow {
 
@@ -98,14 +99,23 @@ void NodeClasses::set_sliding(std::span<const Index> nodes,
                               std::shared_ptr<const SlidingGeometry> geometry,
                               const Coordinates& x) {
   if (geometry_.empty()) geometry_.resize(classes_.size());
-  for (const Index node : nodes) {
-    require(node);
-    Vec3 point(0, 0, 0);
-    if (x.dimension() == 2)
-      point.head<2>() = x.xy(node);
-    else
-      point = x.xyz(node);
-    const TangentFrame frame = geometry->foot(node, point).frame;
+  for (const Index node : nodes) require(node);
+  constexpr Index block = 512;  // a foot may take a search
+  std::vector<TangentFrame> frames(nodes.size());
+  const auto find = [&](Index begin, Index end) {
+    for (std::size_t i = at(begin); i < at(end); ++i) {
+      Vec3 point(0, 0, 0);
+      if (x.dimension() == 2)
+        point.head<2>() = x.xy(nodes[i]);
+      else
+        point = x.xyz(nodes[i]);
+      frames[i] = geometry->foot(nodes[i], point).frame;
+    }
+  };
+  parallel_for(0, static_cast<Index>(nodes.size()), find, block);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Index node = nodes[i];
+    const TangentFrame& frame = frames[i];
     classes_[static_cast<std::size_t>(node)] =
         frame.count() == 1 ? NodeClass::on_curve : NodeClass::on_surface;
     frames_[node] = frame;

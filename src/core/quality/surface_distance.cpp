@@ -59,6 +59,8 @@ SurfaceDistance::SurfaceDistance(const Mesh& mesh) {
                      std::string(mesh_kind(*mesh.topology)));
   const SpacePoints x(mesh.coordinates);
   std::vector<Box<3>> boxes;
+  boxes.reserve(at(mesh.topology->element_count()));
+  triangles_.reserve(boxes.capacity());
   const auto add = [&](const Triangle& triangle) {
     triangles_.push_back(triangle);
     Box<3> box = Box<3>::empty();

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "core/parallel/parallel_for.h"
+
 namespace winslow {
 
 namespace {
@@ -117,12 +119,16 @@ class Descent {
 
 SmoothSurface::SmoothSurface(Triangulation surface, std::span<const Vec3> normals)
     : surface_(std::move(surface)), neighbours_(triangle_neighbours(surface_)), tree_(surface_) {
-  for (const auto& [a, b, c] : surface_.triangles) {
-    const std::array<Vec3, 3> corners{surface_.points[at(a)], surface_.points[at(b)],
-                                      surface_.points[at(c)]};
-    patches_.emplace_back(corners,
-                          std::array<Vec3, 3>{normals[at(a)], normals[at(b)], normals[at(c)]});
-  }
+  patches_.resize(surface_.triangles.size(),
+                  SurfacePatch({Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}));
+  parallel_for(0, static_cast<Index>(patches_.size()), [&](Index begin, Index end) {
+    for (std::size_t t = at(begin); t < at(end); ++t) {
+      const auto& [a, b, c] = surface_.triangles[t];
+      const std::array<Vec3, 3> corners{surface_.points[at(a)], surface_.points[at(b)],
+                                        surface_.points[at(c)]};
+      patches_[t] = {corners, {normals[at(a)], normals[at(b)], normals[at(c)]}};
+    }
+  });
 }
 
 TrianglePlace SmoothSurface::nearest_place(const Vec3& point) const {

@@ -8,49 +8,10 @@ namespace winslow {
 
 namespace {
 
-/// A function of u and v with its derivatives.
+/// A point, and a function with its derivatives by two of the barycentric coordinates, l and m.
 struct Jet {
-  double f = 0, u = 0, v = 0, uu = 0, uv = 0, vv = 0;
+  double f = 0, l = 0, m = 0, ll = 0, lm = 0, mm = 0;
 };
-
-Jet operator*(const Jet& a, const Jet& b) {
-  return {a.f * b.f,
-          a.u * b.f + a.f * b.u,
-          a.v * b.f + a.f * b.v,
-          a.uu * b.f + 2 * a.u * b.u + a.f * b.uu,
-          a.uv * b.f + a.u * b.v + a.v * b.u + a.f * b.uv,
-          a.vv * b.f + 2 * a.v * b.v + a.f * b.vv};
-}
-
-Jet operator*(double c, const Jet& a) {
-  return {c * a.f, c * a.u, c * a.v, c * a.uu, c * a.uv, c * a.vv};
-}
-
-Jet operator+(const Jet& a, const Jet& b) {
-  return {a.f + b.f, a.u + b.u, a.v + b.v, a.uu + b.uu, a.uv + b.uv, a.vv + b.vv};
-}
-
-Jet inverse(const Jet& a) {
-  const double f = 1 / a.f, g = -f * f, h = 2 * f * f * f;
-  return {f,
-          g * a.u,
-          g * a.v,
-          h * a.u * a.u + g * a.uu,
-          h * a.u * a.v + g * a.uv,
-          h * a.v * a.v + g * a.vv};
-}
-
-/// The coordinates of the three vertices as functions of u and v.
-std::array<Jet, 3> barycentric(double u, double v) {
-  return {Jet{u, 1, 0}, Jet{v, 0, 1}, Jet{1 - u - v, -1, -1}};
-}
-
-/// b_l^2 b_m^2 b_n / (b_m + b_n): zero, with its first derivatives, where the divisor is.
-Jet blend(const Jet& l, const Jet& m, const Jet& n) {
-  const Jet sum = m + n;
-  if (sum.f < 1e-12) return {};
-  return (l * l) * (m * m) * n * inverse(sum);
-}
 
 /// Places in the list of points: 0 to 2 vertices; 3 + 3 e the three inner points of edge e, which
 /// leads from vertex e to the next; 12 + 2 k the two of the inner point at vertex k, by the edge
@@ -58,21 +19,48 @@ Jet blend(const Jet& l, const Jet& m, const Jet& n) {
 constexpr std::size_t edge_place(std::size_t edge) { return 3 + 3 * edge; }
 constexpr std::size_t inner_place(std::size_t vertex) { return 12 + 2 * vertex; }
 
-std::array<Jet, 18> basis(double u, double v) {
-  const std::array<Jet, 3> b = barycentric(u, v);
-  std::array<Jet, 18> out;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Jet &l = b[k], &m = b[(k + 1) % 3], &n = b[(k + 2) % 3];
-    const Jet ll = l * l, mm = m * m;
-    out[k] = ll * ll;
-    out[edge_place(k)] = 4 * (ll * l * m);
-    out[edge_place(k) + 1] = 6 * (ll * mm);
-    out[edge_place(k) + 2] = 4 * (l * m * mm);
-    // The edge that leaves k has n = 0 and counts all there.
-    out[inner_place(k)] = 12 * blend(l, m, n);
-    out[inner_place(k) + 1] = 12 * blend(l, n, m);
+/// A sum of points times functions, and its derivatives.
+struct PointJet {
+  Vec3 f = Vec3::Zero(), l = Vec3::Zero(), m = Vec3::Zero();
+  Vec3 ll = Vec3::Zero(), lm = Vec3::Zero(), mm = Vec3::Zero();
+
+  void add(const Jet& weight, const Vec3& p) {
+    f += weight.f * p;
+    l += weight.l * p;
+    m += weight.m * p;
+    ll += weight.ll * p;
+    lm += weight.lm * p;
+    mm += weight.mm * p;
   }
-  return out;
+};
+
+/// What vertex k has a part in and the vertices before it have none: with l, m and n the
+/// barycentric coordinates of k and of the two after it, l^4, the inner points of the edge from k
+/// to the next (4 l^3 m, 6 l^2 m^2, 4 l m^3), and those of the inner point at k, 12 l^2 m n / (m +
+/// n) times m and n. The latter are zero, with their first derivatives, where the divisor is.
+PointJet part_of_vertex(const std::array<Vec3, 18>& points, std::size_t k, double l, double m,
+                        double n) {
+  const double ll = l * l, lm = l * m, mm = m * m;
+  PointJet sum;
+  sum.add({ll * ll, 4 * ll * l, 0, 12 * ll, 0, 0}, points[k]);
+  const Vec3* edge = &points[edge_place(k)];
+  sum.add({4 * ll * lm, 12 * l * lm, 4 * ll * l, 24 * lm, 12 * ll, 0}, edge[0]);
+  sum.add({6 * lm * lm, 12 * lm * m, 12 * lm * l, 12 * mm, 24 * lm, 12 * ll}, edge[1]);
+  sum.add({4 * lm * mm, 4 * mm * m, 12 * lm * m, 0, 12 * mm, 24 * lm}, edge[2]);
+  const double s = m + n;
+  if (s < 1e-12) return sum;
+  // q = 12 l^2 / (1 - l) by l alone, times m^2 n and m n^2, where n = 1 - l - m.
+  const double q = 12 * ll / s, q1 = 12 * l * (1 + s) / (s * s), q2 = 24 / (s * s * s);
+  const Vec3* inner = &points[inner_place(k)];
+  const double mn = m * n, nn = n * n;
+  sum.add({q * (m * mn), q1 * (m * mn) - q * mm, q * (2 * mn - mm), q2 * (m * mn) - 2 * (q1 * mm),
+           q1 * (2 * mn - mm) - 2 * (q * m), q * (2 * n - 4 * m)},
+          inner[0]);
+  sum.add({q * (n * mn), q1 * (n * mn) - 2 * (q * mn), q * (nn - 2 * mn),
+           q2 * (n * mn) - 4 * (q1 * mn) + 2 * (q * m), q1 * (nn - 2 * mn) + 2 * (q * (m - n)),
+           q * (2 * m - 4 * n)},
+          inner[1]);
+  return sum;
 }
 
 struct QuarticEdge {
@@ -150,20 +138,17 @@ SurfacePatch::Derivatives SurfacePatch::at(double u, double v) const {
             zero,
             zero};
   }
-  const std::array<Jet, 18> weights = basis(u, v);
-  Derivatives out{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
-                  Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  for (std::size_t k = 0; k < weights.size(); ++k) {
-    const Jet& w = weights[k];
-    const Vec3& p = points_[k];
-    out.r += w.f * p;
-    out.u += w.u * p;
-    out.v += w.v * p;
-    out.uu += w.uu * p;
-    out.uv += w.uv * p;
-    out.vv += w.vv * p;
-  }
-  return out;
+  const double w = 1 - u - v;
+  // By (u, v), (v, w) and (w, u).
+  const PointJet a = part_of_vertex(points_, 0, u, v, w);
+  const PointJet b = part_of_vertex(points_, 1, v, w, u);
+  const PointJet c = part_of_vertex(points_, 2, w, u, v);
+  return {a.f + b.f + c.f,
+          a.l - b.m + (c.m - c.l),
+          a.m + (b.l - b.m) - c.l,
+          a.ll + b.mm + (c.ll - 2 * c.lm + c.mm),
+          a.lm + (b.mm - b.lm) + (c.ll - c.lm),
+          a.mm + (b.ll - 2 * b.lm + b.mm) + c.ll};
 }
 
 }  // namespace winslow
