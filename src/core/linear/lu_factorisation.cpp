@@ -20,8 +20,11 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 
 #if defined(WINSLOW_HAS_KLU)
+/// The analysis, which does not fail on square matrices for any other reason, leaves nothing that
+/// the factorisation takes for valid.
 bool ran_out_of_memory(Eigen::KLU<Matrix>& lu) {
-  return lu.kluCommon().status == KLU_OUT_OF_MEMORY || lu.kluCommon().status == KLU_TOO_LARGE;
+  const int status = lu.kluCommon().status;
+  return status == KLU_OUT_OF_MEMORY || status == KLU_TOO_LARGE || status == KLU_INVALID;
 }
 #endif
 #if defined(WINSLOW_HAS_UMFPACK)
