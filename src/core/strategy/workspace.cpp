@@ -199,7 +199,7 @@ bool SmoothingWorkspace::guard(std::span<const Index> elements) {
   const std::size_t before = guarded_.size();
   guarded_.insert(guarded_.end(), elements.begin(), elements.end());
   std::ranges::sort(guarded_);
-  guarded_.erase(std::ranges::unique(guarded_).begin(), guarded_.end());
+  guarded_.erase(std::unique(guarded_.begin(), guarded_.end()), guarded_.end());
   if (guarded_.size() == before) return false;
   energy_.reset();  // it has other cells
   newton_.reset();
