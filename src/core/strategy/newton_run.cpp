@@ -18,9 +18,9 @@ bool creeps(const IterationRecord& record) {
 bool NewtonRun::untangle(Coordinates& x, double fraction, const Coordinates* reference) {
   Untangling untangling(state_, workspace_, recorder_);
   const bool valid = untangling.run(x, fraction, reference);
-  if (valid) workspace_.drop_guards_broken_at(x);
+  const bool other_cells = valid && workspace_.drop_guards_broken_at(x);
   const bool other_vcvs = valid && workspace_.adjust_tangled_vcvs(x);
-  if (untangling.tried_energy() || other_vcvs) begin_anew();
+  if (untangling.tried_energy() || other_cells || other_vcvs) begin_anew();
   if (valid) return true;
   recorder_.result().converged = false;
   return false;

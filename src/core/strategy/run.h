@@ -62,7 +62,7 @@ struct SmoothResult {
   std::optional<double> stretched;
   MovingBoundary boundary;    ///< what nodes of the boundary slid on, or were paired by
   Index kept_outside = 0;     ///< interior nodes that SmoothOptions::keep_outside fixed
-  Index stuck_nodes = 0;      ///< OuterSolver::stuck_nodes(), of surface meshes
+  Index stuck_nodes = 0;      ///< OuterSolver::stuck_nodes()
   std::string linear_solver;  ///< what solved the linear systems, e.g. "CHOLMOD ..."
   Index inverted = 0;
   std::vector<IterationRecord> history;

@@ -206,7 +206,7 @@ bool SmoothingWorkspace::guard(std::span<const Index> elements) {
   return true;
 }
 
-void SmoothingWorkspace::drop_guards_broken_at(const Coordinates& x) {
+bool SmoothingWorkspace::drop_guards_broken_at(const Coordinates& x) {
   const Topology& topology = classes_->topology();
   const auto broken = [&](Index e) {
     const SpacePoints points(x);
@@ -214,9 +214,10 @@ void SmoothingWorkspace::drop_guards_broken_at(const Coordinates& x) {
       return VolumeCorner(points, by_nodes(corners, topology.element(e))).inverted();
     });
   };
-  if (std::erase_if(guarded_, broken) == 0) return;
+  if (std::erase_if(guarded_, broken) == 0) return false;
   energy_.reset();
   newton_.reset();
+  return true;
 }
 
 std::shared_ptr<const VariationalForm> SmoothingWorkspace::energy() {

@@ -37,9 +37,10 @@ class SmoothingWorkspace {
   /// between their corners, too (VolumeTargetNodes::guarded). Returns whether any of them was not
   /// among them.
   bool guard(std::span<const Index> elements);
-  /// Guards only those of them on that are sound at x, a valid mesh, so that its energy is finite:
-  /// a Jacobian may be positive where some edge_tetrahedra() are inverted.
-  void drop_guards_broken_at(const Coordinates& x);
+  /// No longer guards elements of which some edge_tetrahedra() are inverted at x, a mesh that is
+  /// valid all the same: its energy is to be finite. Returns whether there were any; the energy and
+  /// newton() are others then.
+  bool drop_guards_broken_at(const Coordinates& x);
 
   /// Adjusted VCVs of a volume mesh take the angles of the mesh as it is now; those of all other
   /// kinds stay. What was made over the earlier ones is made anew. Returns how many changed.

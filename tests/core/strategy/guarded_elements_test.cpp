@@ -48,9 +48,9 @@ TEST_CASE("a guarded element has 24 targets more, until it is dropped or the nex
     x.set_xyz(element[k], {0.5 + std::cos(a) * q.x() - std::sin(a) * q.y(),
                            0.5 + std::sin(a) * q.x() + std::cos(a) * q.y(), p.z()});
   }
-  workspace.drop_guards_broken_at(mesh.coordinates);
+  CHECK(!workspace.drop_guards_broken_at(mesh.coordinates));
   CHECK(cells(workspace) == with_both);
-  workspace.drop_guards_broken_at(x);
+  CHECK(workspace.drop_guards_broken_at(x));
   CHECK(cells(workspace) == plain + with_both - (plain + 24));
   prepare();
   CHECK(cells(workspace) == plain);
