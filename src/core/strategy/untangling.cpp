@@ -79,13 +79,20 @@ bool Untangling::by_harmonic_start(Coordinates& x, double fraction) {
   return true;
 }
 
-/// Both ways to begin, each to the end.
+/// Both ways to begin, each to the end. If both end in vain, the mesh with fewer inverted elements.
 bool Untangling::by_energy_from_either(Coordinates& x, double fraction,
                                        const Coordinates* reference) {
   const Coordinates start = x;
   if (by_energy(x, fraction, reference, Interior::as_given, Stagnation())) return true;
-  x = start;
-  return by_energy(x, fraction, reference, Interior::harmonic);
+  Coordinates other = start;
+  if (by_energy(other, fraction, reference, Interior::harmonic)) {
+    x = std::move(other);
+    return true;
+  }
+  const auto inverted = [&](const Coordinates& mesh) { return workspace_.validity(mesh).inverted; };
+  if (inverted(other) < inverted(x)) x = std::move(other);
+  recorder_.result().inverted = inverted(x);
+  return false;
 }
 
 bool Untangling::run(Coordinates& x, double fraction, const Coordinates* reference) {
