@@ -21,6 +21,7 @@ inline constexpr std::string_view exit_code_help =
     "written; 4 the result has inverted elements (nothing is written unless --allow-inverted), or\n"
     "the motion could not be completed (nothing is written unless --accept-partial); 5 not "
     "converged\n"
-    "within the limit (written if valid); 130 interrupted (nothing written).";
+    "within the limit, or nothing gained any more (written if valid); 130 interrupted (nothing\n"
+    "written).";
 
 }  // namespace winslow::app
