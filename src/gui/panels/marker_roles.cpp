@@ -35,6 +35,24 @@ void toggle_sliding(const PanelContext& context, const std::string& name) {
   edit_slide(context, slide);
 }
 
+/// The same lines, each once: "plane", found ten times, as "plane (10)".
+std::vector<std::string> told_once(const std::vector<std::string>& lines) {
+  std::vector<std::string> out;
+  std::vector<std::size_t> times;
+  for (const std::string& line : lines) {
+    const auto before = std::ranges::find(out, line);
+    if (before != out.end()) {
+      ++times[static_cast<std::size_t>(before - out.begin())];
+      continue;
+    }
+    out.push_back(line);
+    times.push_back(1);
+  }
+  for (std::size_t k = 0; k < out.size(); ++k)
+    if (times[k] > 1) out[k] += " (" + std::to_string(times[k]) + ")";
+  return out;
+}
+
 std::string tip_of(const PanelContext& context, Role role, const std::string& name) {
   switch (role) {
     case Role::moves:
@@ -200,10 +218,10 @@ void MarkerRoles::draw_found(const PanelContext& context) {
   bool shown = context.view.roles;
   std::string tip = "Nodes in colours by what they do while the mesh is smoothed.";
   constexpr std::size_t most = 12;
-  if (roles)
-    for (std::size_t k = 0; k < roles->found.size() && k < most; ++k) tip += "\n" + roles->found[k];
-  if (roles && roles->found.size() > most)
-    tip += "\nand " + std::to_string(roles->found.size() - most) + " more";
+  const std::vector<std::string> lines =
+      roles ? told_once(roles->found) : std::vector<std::string>{};
+  for (std::size_t k = 0; k < lines.size() && k < most; ++k) tip += "\n" + lines[k];
+  if (lines.size() > most) tip += "\nand " + std::to_string(lines.size() - most) + " more";
   if (ui::checkbox("markers/roles", "Show what nodes do", shown, tip))
     context.edit_view([&](ViewOptions& view) { view.roles = shown; });
 }
