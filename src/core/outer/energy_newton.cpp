@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "core/outer/line_search.h"
 #include "core/outer/shifted_matrix.h"
+#include "core/outer/stuck_nodes.h"
 
 namespace winslow {
 
@@ -170,18 +171,12 @@ bool EnergyNewton::search(Coordinates& x, double slope, double shortest) {
   return false;
 }
 
-/// Where only steps that are hardly any lead down, the nodes that do not let the others go further
-/// are held from now on.
-bool EnergyNewton::search_without_stuck_nodes(Coordinates& x, double slope) {
-  constexpr int most_times = 10;
-  for (int i = 0; i < most_times; ++i) {
-    auto other = problem_->holding_stuck_nodes(x, direction_, shortest_step);
-    if (!other) break;
-    problem_ = std::move(other);
-    slope = solve_for_direction(x);
-    if (slope > 0 && search(x, slope, shortest_step)) return true;
-  }
-  return search(x, slope, 0);
+/// False if no step leads down.
+bool EnergyNewton::search_down(Coordinates& x, double slope) {
+  const auto from_x = [&](double down, double shortest) { return search(x, down, shortest); };
+  return from_x(slope, shortest_step) ||
+         search_without_stuck_nodes(
+             problem_, x, direction_, slope, [&] { return solve_for_direction(x); }, from_x);
 }
 
 /// A step of a share t lowers the energy by about t of the slope where the model holds. Where the
@@ -207,7 +202,7 @@ IterationRecord EnergyNewton::step(Coordinates& x) {
   linear_.set_tolerance(forcing());
   const double slope = solve_for_direction(x);
   linear_.set_tolerance(tight_);  // over a long way, what else is left exceeds small elements
-  stalled_ = !search(x, slope, shortest_step) && !search_without_stuck_nodes(x, slope);
+  stalled_ = !search_down(x, slope);
   if (stalled_) record_.damping = record_.largest_move = 0;
   assess(x);
   reached_.push_back({energy_, record_.residual});

@@ -71,7 +71,7 @@ class EnergyNewton final : public SteadySolver {
   void lengthen(const Coordinates& x, double slope, Trial& trial) const;
   /// False if no step of `shortest` or more leads down.
   bool search(Coordinates& x, double slope, double shortest);
-  bool search_without_stuck_nodes(Coordinates& x, double slope);
+  bool search_down(Coordinates& x, double slope);
   bool stagnates(double slope) const;
   void assess(const Coordinates& x);
 

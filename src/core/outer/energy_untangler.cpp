@@ -5,6 +5,7 @@
 
 #include "core/outer/line_search.h"
 #include "core/outer/shifted_matrix.h"
+#include "core/outer/stuck_nodes.h"
 
 namespace winslow {
 
@@ -110,18 +111,12 @@ bool EnergyUntangler::search(Coordinates& x, double slope, double shortest) {
   return false;
 }
 
-/// As EnergyNewton does: see there.
-bool EnergyUntangler::search_without_stuck_nodes(Coordinates& x, double slope) {
-  constexpr int most_times = 10;
-  for (int i = 0; i < most_times; ++i) {
-    auto other = std::dynamic_pointer_cast<const UntanglingProblem>(
-        problem_->holding_stuck_nodes(x, direction_, shortest_step));
-    if (!other) break;
-    problem_ = std::move(other);
-    slope = solve_for_direction(x);
-    if (slope > 0 && search(x, slope, shortest_step)) return true;
-  }
-  return search(x, slope, 0);
+/// False if no step leads down.
+bool EnergyUntangler::search_down(Coordinates& x, double slope) {
+  const auto from_x = [&](double down, double shortest) { return search(x, down, shortest); };
+  return from_x(slope, shortest_step) ||
+         search_without_stuck_nodes(
+             problem_, x, direction_, slope, [&] { return solve_for_direction(x); }, from_x);
 }
 
 IterationRecord EnergyUntangler::step(Coordinates& x) {
@@ -133,7 +128,7 @@ IterationRecord EnergyUntangler::step(Coordinates& x) {
   }
   choose_regularisation(x);
   const double slope = solve_for_direction(x);
-  if (search(x, slope, shortest_step) || search_without_stuck_nodes(x, slope)) {
+  if (search_down(x, slope)) {
     assess(x);
   } else {
     record_.damping = record_.largest_move = 0;

@@ -45,7 +45,7 @@ class EnergyUntangler final : public OuterSolver {
   void assess(const Coordinates& x);
   double solve_for_direction(const Coordinates& x);
   bool search(Coordinates& x, double slope, double shortest);
-  bool search_without_stuck_nodes(Coordinates& x, double slope);
+  bool search_down(Coordinates& x, double slope);
 
   std::shared_ptr<const UntanglingProblem> problem_;
   LinearSolver& linear_;
