@@ -52,7 +52,7 @@ std::optional<SeenPlace> SpaceViewport::seen_at(const ScreenPoint& at,
   if (border) seen.marker = border->marker;
   const Mesh& mesh = *around.picture.mesh();
   double nearest = near_node * around.scale;
-  for (const Index node : mesh.topology->element(hit->element)) {
+  for (const Index node : mesh.topology->element(seen.element)) {
     const double distance = (view.project(mesh.coordinates.xyz(node)).at - at).norm();
     if (distance > nearest) continue;
     nearest = distance;
