@@ -48,7 +48,8 @@ std::vector<VolumeSeed> volume_seeds() {
 TEST_CASE("volumes: no damaged file does anything but give a mesh or an InputError") {
   const TemporaryFolder folder;
   int meshes = 0, refused = 0;
-  for (const auto& [name, original] : volume_seeds()) {
+  for (const VolumeSeed& given : volume_seeds()) {
+    const std::string &name = given.name, &original = given.text;
     const auto path = folder / name;
     for (std::uint64_t seed = 0; seed < mutation_count(200); ++seed) {
       CAPTURE(name);
@@ -118,7 +119,8 @@ TEST_CASE("volumes: no damage to one file of several does more than to give an I
 
 TEST_CASE("volumes: every beginning of a file is refused, or a mesh") {
   const TemporaryFolder folder;
-  for (const auto& [name, original] : volume_seeds()) {
+  for (const VolumeSeed& given : volume_seeds()) {
+    const std::string &name = given.name, &original = given.text;
     const auto path = folder / name;
     int meshes = 0, all = 0;
     for (std::size_t size = 0; size < original.size(); size += 29, ++all) {

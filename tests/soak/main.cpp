@@ -12,8 +12,9 @@
 #include <utility>
 
 #include "soak.h"
+#include "support/sanitizers.h"
 
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef WINSLOW_ADDRESS_SANITIZER
 /// Freed memory held back for detection would look like growth, and so would the record of the call
 /// stacks that have allocated: the system's libraries keep no frame pointers, so that most stacks
 /// look new, 75 MB of them in six minutes. A report names the caller; to see more of the stack, run

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <fstream>
 
-#if defined(__SANITIZE_ADDRESS__)
+#include "support/sanitizers.h"
+
+#ifdef WINSLOW_ADDRESS_SANITIZER
 /// Declared here: not every compiler brings the header.
 extern "C" std::size_t __sanitizer_get_current_allocated_bytes();
 extern "C" void __sanitizer_purge_allocator();
@@ -17,7 +19,7 @@ namespace winslow::gui::test {
 namespace {
 
 std::size_t allocated() {
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef WINSLOW_ADDRESS_SANITIZER
   return __sanitizer_get_current_allocated_bytes();
 #else
   const auto info = mallinfo2();
@@ -27,7 +29,7 @@ std::size_t allocated() {
 
 /// What is free goes back from the allocator's reserve to the system.
 void purge() {
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef WINSLOW_ADDRESS_SANITIZER
   __sanitizer_purge_allocator();
 #else
   malloc_trim(0);

@@ -146,8 +146,9 @@ TEST_CASE("the field does not depend on the number of threads") {
 }
 
 TEST_CASE("elements that keep a stretch are as stiff as they are stretched, within bounds") {
-  for (const auto& [aspect, stiffness] :
+  for (const auto& expected :
        {std::pair{1.0, 1.0}, {3.0, 1.0}, {20.0, 5.0}, {400.0, 100.0}, {1e4, 300.0}}) {
+    const double aspect = expected.first, stiffness = expected.second;
     CAPTURE(aspect);
     const Mesh quads = drawn_out(square(6, Cells::quads), aspect);
     for (const double value : stretch_field(*quads.topology, quads.coordinates, 1).stiffness)

@@ -87,7 +87,7 @@ TEST_CASE("surface form: gradient and Hessian are the energy's along the surface
     CHECK(again == residual);
     for (int run = 0; run < 4; ++run) {
       const auto u = direction(*form, random, 0.1);
-      const auto energy = [&](double t) {
+      const auto energy = [&, &form = form](double t) {
         Coordinates y = x;
         form->advance(u, t, y);
         return form->energy(y);
@@ -125,7 +125,7 @@ TEST_CASE("surface form: the projected Hessian is never concave, the regularised
     for (int run = 0; run < 10; ++run) {
       const auto u = direction(*form, random, 0.1);
       CHECK(product(hessian, u, u) >= 0);
-      const auto energy = [&](double t) {
+      const auto energy = [&, &form = form](double t) {
         Coordinates y = x;
         form->advance(u, t, y);
         return form->regularised_energy(y, regularisation);

@@ -193,7 +193,7 @@ TEST_CASE("a triangle's projected Hessian is its Hessian without the negative ei
     }};
     const distortion::Corner2 q(corner[0].data(), corner[1].data(), corner[2].data());
     if (q.d < 0.05) continue;
-    const PenaltyOptions options = penalties[random.index(5)];
+    const PenaltyOptions options = penalties[at(random.index(5))];
     const distortion::PenaltyFunction psi(options);
     // The projection belongs to J = [u v] root, so it is compared there: in a target whose edges
     // are orthonormal, J is the pair of edges itself.

@@ -96,8 +96,9 @@ int sides(const Vec3& p) {
 }  // namespace
 
 TEST_CASE("good volume meshes pass without a warning and keep their arrays") {
-  for (const auto& [name, data] : samples()) {
-    CAPTURE(name);
+  for (const Sample& sample : samples()) {
+    CAPTURE(sample.name);
+    const MeshData& data = sample.data;
     std::vector<std::string> warnings;
     const Mesh mesh = make_mesh(data, &warnings);
     CHECK(warnings.empty());
@@ -113,7 +114,7 @@ TEST_CASE("good volume meshes pass without a warning and keep their arrays") {
       CHECK(t.element_type(e) == data.types[at(e)]);
       total += volume(data, t.element_type(e), t.element(e));
     }
-    const bool cavity = name.starts_with("cavity");
+    const bool cavity = sample.name.starts_with("cavity");
     CHECK(total == doctest::Approx(cavity ? 26 / 27.0 : 1).epsilon(1e-12));
   }
 }
@@ -129,8 +130,9 @@ TEST_CASE("elements that the file holds mirrored are turned, and keep their firs
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     CAPTURE(seed);
     Random random(seed);
-    for (const auto& [name, original] : samples()) {
-      CAPTURE(name);
+    for (const Sample& sample : samples()) {
+      CAPTURE(sample.name);
+      const MeshData& original = sample.data;
       const MeshData data = shuffled_volume(original, random, true);
       std::vector<std::string> warnings;
       const Mesh mesh = make_mesh(data, &warnings);
@@ -152,8 +154,9 @@ TEST_CASE("elements that the file holds mirrored are turned, and keep their firs
 TEST_CASE("a tangled volume mesh is oriented as its boundary says") {
   for (const std::uint64_t seed : {11u, 12u}) {
     CAPTURE(seed);
-    for (const auto& [name, original] : samples()) {
-      CAPTURE(name);
+    for (const Sample& sample : samples()) {
+      CAPTURE(sample.name);
+      const MeshData& original = sample.data;
       const Mesh mesh = make_mesh(original);
       MeshData tangled = original;
       Random random(seed);
@@ -190,8 +193,9 @@ TEST_CASE("every face is there once, with the elements beside it, seen from outs
   for (const std::uint64_t seed : {21u, 22u}) {
     CAPTURE(seed);
     Random random(seed);
-    for (const auto& [name, original] : samples()) {
-      CAPTURE(name);
+    for (const Sample& sample : samples()) {
+      CAPTURE(sample.name);
+      const MeshData& original = sample.data;
       const MeshData data = shuffled_volume(original, random, true);
       const auto topology = Topology::build(data);
       auto expected = faces_by_brute_force(data);
@@ -230,8 +234,9 @@ TEST_CASE("every face is there once, with the elements beside it, seen from outs
 
 TEST_CASE("stars and neighbours are those of a search through all elements, ascending") {
   Random random(31);
-  for (const auto& [name, original] : samples()) {
-    CAPTURE(name);
+  for (const Sample& sample : samples()) {
+    CAPTURE(sample.name);
+    const MeshData& original = sample.data;
     const MeshData data = shuffled_volume(original, random, true);
     const auto topology = Topology::build(data);
     for (Index i = 0; i < topology->node_count(); ++i) {
@@ -243,8 +248,9 @@ TEST_CASE("stars and neighbours are those of a search through all elements, asce
 
 TEST_CASE("links close around interior nodes and are discs on the boundary") {
   Random random(41);
-  for (const auto& [name, original] : samples()) {
-    CAPTURE(name);
+  for (const Sample& sample : samples()) {
+    CAPTURE(sample.name);
+    const MeshData& original = sample.data;
     const MeshData data = shuffled_volume(original, random, true);
     const auto topology = Topology::build(data);
     for (Index i = 0; i < topology->node_count(); ++i) {

@@ -250,7 +250,7 @@ TEST_CASE("the regularised energy undoes a scramble, starting from a harmonic in
   };
   for (const Cells cells : {Cells::triangles, Cells::quads, Cells::mixed}) {
     for (const MeshData& data : meshes(cells)) {
-      for (const std::uint64_t seed : {1, 2, 3}) {
+      for (const std::uint64_t seed : {1U, 2U, 3U}) {
         CAPTURE(name_of(cells));
         CAPTURE(data.node_count());
         CAPTURE(seed);
@@ -276,7 +276,7 @@ TEST_CASE("the harmonic interior is the same whatever the interior was") {
   linear_options.solver = "direct";
   const auto linear = make_linear_solver(linear_options);
   std::vector<Coordinates> interiors;
-  for (const std::uint64_t seed : {1, 2}) {
+  for (const std::uint64_t seed : {1U, 2U}) {
     Random random(seed);
     tangle(mesh, random);
     Coordinates x = mesh.coordinates;

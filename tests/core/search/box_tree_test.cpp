@@ -102,7 +102,7 @@ TEST_CASE_TEMPLATE("what a box tree finds is what looking at every box finds", B
   constexpr int D = decltype(Boxes::min)::RowsAtCompileTime;
   for (const Kind kind : {Kind::boxes, Kind::flat, Kind::points, Kind::coincident})
     for (const int count : {1, 8, 9, 17, 700})
-      for (const std::uint64_t seed : {1, 2, 3}) {
+      for (const std::uint64_t seed : {1U, 2U, 3U}) {
         CAPTURE(static_cast<int>(kind));
         CAPTURE(count);
         CAPTURE(seed);

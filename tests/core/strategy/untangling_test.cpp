@@ -31,7 +31,7 @@ TEST_CASE("the energy alone undoes a scramble: the same mesh as from a valid sta
     MeshState state = make_state(make_mesh(annulus(32, 26, 1.2, cells)));
     const CommandResult straight = execute(SmoothCommand{by_energy()}, state);
     REQUIRE(straight.smooth.converged);
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
       CAPTURE(name_of(cells));
       CAPTURE(seed);
       Random random(seed);

@@ -50,9 +50,10 @@ void check_chords(const Rig& rig, const char* state) {
   for (const UserCommand& command : user_commands()) {
     if (!why_blocked(command, view.context).empty()) continue;
     for (const Chord& chord : command.keys) {
-      const auto [it, fresh] = owner.try_emplace(chord_text(chord), command.id);
-      INFO(state, ": ", it->first, " belongs to ", it->second, " and ", command.id);
-      CHECK(fresh);
+      const auto placed = owner.try_emplace(chord_text(chord), command.id);
+      const auto& before = *placed.first;
+      INFO(state, ": ", before.first, " belongs to ", before.second, " and ", command.id);
+      CHECK(placed.second);
     }
   }
 }

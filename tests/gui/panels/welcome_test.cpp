@@ -137,10 +137,10 @@ TEST_CASE("About names versions and graphics, and copies them") {
   rig.click("about/copy");
   const std::string copied = ImGui::GetClipboardText();
   CHECK(copied.find(std::string("Dear ImGui: ") + ImGui::GetVersion()) != std::string::npos);
-  for (const auto& [part, version] : AboutPanel::facts()) {
-    INFO(part);
-    CHECK_FALSE(version.empty());
-    CHECK(copied.find(version) != std::string::npos);
+  for (const auto& fact : AboutPanel::facts()) {
+    INFO(fact.first);
+    CHECK_FALSE(fact.second.empty());
+    CHECK(copied.find(fact.second) != std::string::npos);
   }
   rig.key(keys::escape);
   CHECK_FALSE(rig.visible("about/copy"));

@@ -12,7 +12,8 @@ TEST_CASE("Ticks are round, evenly spaced and inside the range") {
   REQUIRE(ticks.size() == 6);
   for (std::size_t k = 0; k < 6; ++k) CHECK(ticks[k] == doctest::Approx(0.2 * double(k)));
 
-  for (const auto& [low, high] : {std::pair{-3.7, 12.1}, {1e-9, 7e-9}, {1e6, 1.00003e6}}) {
+  for (const auto& range : {std::pair{-3.7, 12.1}, {1e-9, 7e-9}, {1e6, 1.00003e6}}) {
+    const double low = range.first, high = range.second;
     CAPTURE(low);
     const auto some = nice_ticks(low, high, 6);
     REQUIRE(some.size() >= 3);

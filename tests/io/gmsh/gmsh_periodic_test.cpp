@@ -231,7 +231,7 @@ TEST_CASE("MSH: a bad $Periodic is refused with file and line") {
     return replaced(passage_2, part, by);
   };
   const std::string tail = passage_4.substr(passage_4.find("$Periodic"));
-  for (const auto& [text, error] : std::vector<Bad>{
+  for (const Bad& bad : std::vector<Bad>{
            {changed_4("$Periodic\n5\n", "$Periodic\nfive\n"),
             "a.msh:101: found 'five', expected the number of periodic entities"},
            {changed_4("$Periodic\n5\n", "$Periodic\n900000\n"), "a.msh:101: found 900000"},
@@ -251,8 +251,8 @@ TEST_CASE("MSH: a bad $Periodic is refused with file and line") {
            {changed_2("Affine 1 0", "Affine one 0"), "expected value of an affine transform 1 of"},
            {changed_2("Affine 1 0", "Affine 1"), "expected value of an affine transform 16 of"},
        }) {
-    CAPTURE(text.substr(text.find("$Periodic")));
-    CHECK_CONTAINS(input_error("a.msh", text), error);
+    CAPTURE(bad.text.substr(bad.text.find("$Periodic")));
+    CHECK_CONTAINS(input_error("a.msh", bad.text), bad.error);
   }
 }
 

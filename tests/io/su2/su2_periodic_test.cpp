@@ -153,7 +153,7 @@ TEST_CASE("SU2: bad periodic sections are refused with file and line") {
   struct Bad {
     const char *part, *by, *error;
   };
-  for (const auto& [part, by, error] : std::vector<Bad>{
+  for (const Bad& bad : std::vector<Bad>{
            {"NPERIODIC= 3", "NPERIODIC= many",
             "a.su2:96: found 'many', expected the number of periodic transformations"},
            {"NPERIODIC= 3", "NPERIODIC= -1", "a.su2:96: found NPERIODIC= -1, expected 0 or more"},
@@ -172,8 +172,8 @@ TEST_CASE("SU2: bad periodic sections are refused with file and line") {
             "a.su2:74: found 4 points sent by transformation 1 and 5 received, expected as many"},
            {"MARKER_ELEMS= 10\nSEND_TO= 1", "MARKER_ELEMS= 9\nSEND_TO= 1", "a.su2:82: found '1"},
        }) {
-    CAPTURE(by);
-    CHECK_CONTAINS(input_error("a.su2", replaced(text, part, by)), error);
+    CAPTURE(bad.by);
+    CHECK_CONTAINS(input_error("a.su2", replaced(text, bad.part, bad.by)), bad.error);
   }
 }
 

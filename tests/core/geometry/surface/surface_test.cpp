@@ -89,8 +89,8 @@ TEST_CASE("derivatives of a patch are those of its points") {
   constexpr double h = 1e-5;
   for (const auto& [u, v] : {std::pair{0.2, 0.3}, {0.6, 0.1}, {0.05, 0.9}, {0.33, 0.33}}) {
     const auto d = patch.at(u, v);
-    const auto du = [&](double s) { return patch.at(u + s, v); };
-    const auto dv = [&](double s) { return patch.at(u, v + s); };
+    const auto du = [&, u = u, v = v](double s) { return patch.at(u + s, v); };
+    const auto dv = [&, u = u, v = v](double s) { return patch.at(u, v + s); };
     CHECK(((du(h).r - du(-h).r) / (2 * h) - d.u).norm() < 1e-8);
     CHECK(((dv(h).r - dv(-h).r) / (2 * h) - d.v).norm() < 1e-8);
     CHECK(((du(h).u - du(-h).u) / (2 * h) - d.uu).norm() < 1e-7);
@@ -113,11 +113,12 @@ TEST_CASE("planes, cylinders and spheres are recognised wherever they lie") {
   };
   const Triangulation flat =
       mapped_grid(4, 3, false, false, [](double u, double v) { return Vec3(3 * u, v, 0); });
-  for (const auto& [surface, description] :
+  for (const Expected& expected :
        {Expected{flat, "plane"}, Expected{cylinder(2), "cylinder of radius 2"},
         Expected{half_sphere(5), "sphere of radius 5"}}) {
+    const char* const description = expected.description;
     CAPTURE(description);
-    const Triangulation there = placed(surface);
+    const Triangulation there = placed(expected.surface);
     const auto found = recognised_surface(there);
     REQUIRE(found);
     CHECK(found->description() == description);

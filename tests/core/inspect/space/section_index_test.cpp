@@ -26,7 +26,8 @@ std::vector<Polygon> polygons_of(const PlaneSection& section) {
       const Vec3& p = section.points[at(point)];
       polygon.second.push_back({p.x(), p.y(), p.z()});
     }
-    std::ranges::rotate(polygon.second, std::ranges::min_element(polygon.second));
+    std::rotate(polygon.second.begin(), std::ranges::min_element(polygon.second),
+                polygon.second.end());
     all.push_back(std::move(polygon));
   }
   std::ranges::sort(all);

@@ -10,9 +10,9 @@ namespace {
 
 /// Labels that do not fit into their button, list or panel.
 void check_space_labels(const Rig& rig) {
-  for (const auto& [id, rect] : rig.bench->widgets().all()) {
-    INFO("widget ", id);
-    CHECK_FALSE(rect.cut);
+  for (const auto& widget : rig.bench->widgets().all()) {
+    INFO("widget ", widget.first);
+    CHECK_FALSE(widget.second.cut);
   }
 }
 

@@ -19,8 +19,9 @@ TEST_CASE("the columns take at most 45 % of the width, whatever the window and t
   rig.open(ring_mesh());
   for (const double scale : {1.0, 1.25, 1.5, 2.0}) {
     set_view(rig, [&](ViewOptions& view) { view.scale = scale; });
-    for (const auto& [width, height] :
+    for (const auto& size :
          {std::pair{760, 480}, {1024, 768}, {1280, 800}, {1440, 900}, {2560, 1440}}) {
+      const int width = size.first, height = size.second;
       INFO("scale ", scale, ", width ", width);
       rig.resize(width, height);
       rig.frames();
@@ -129,8 +130,14 @@ TEST_CASE("folded columns and the place of the legend are remembered") {
 }
 
 TEST_CASE("the legend stands beside the mesh, and Fit spares it") {
-  for (const auto& [width, height, scale] :
-       {std::tuple{1024, 768, 1.0}, {1440, 900, 1.5}, {760, 480, 1.0}, {2560, 1440, 2.0}}) {
+  struct Window {
+    int width, height;
+    double scale;
+  };
+  for (const Window& window :
+       {Window{1024, 768, 1.0}, {1440, 900, 1.5}, {760, 480, 1.0}, {2560, 1440, 2.0}}) {
+    const int width = window.width, height = window.height;
+    const double scale = window.scale;
     INFO("width ", width, ", scale ", scale);
     Rig rig(width, height);
     rig.open(two_body_mesh());

@@ -29,11 +29,12 @@ TEST_CASE(
        {"ring/y", {Kind::ring, 1}},
        {"ring/z", {Kind::ring, 2}},
        {"screen_ring", {Kind::screen_ring, 0}}}};
-  for (const auto& [id, handle] : parts) {
+  for (const auto& part : parts) {
+    const char* const id = part.first;
     CAPTURE(id);
     studio.move(studio.handle(id));
     studio.frames();
-    CHECK(studio.mover().handle() == handle);
+    CHECK(studio.mover().handle() == part.second);
     CHECK(studio.bench->pane().cursor() == ImGuiMouseCursor_Hand);
     CHECK(studio.session().selection().hovered().empty());  // it is the handle that is meant
   }
