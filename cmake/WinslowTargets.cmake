@@ -28,7 +28,7 @@ function(winslow_compile_options target)
                            -fno-sanitize-recover=all)
     # Checks of pointers that AddressSanitizer makes where these are used; a third of the time that
     # sanitized sources take to compile.
-    if(WINSLOW_SANITIZE MATCHES "undefined")
+    if(WINSLOW_SANITIZE MATCHES "undefined" AND WINSLOW_SANITIZE MATCHES "address")
       target_compile_options(${target} PUBLIC -fno-sanitize=null,object-size,pointer-overflow)
     endif()
     # With its checks in the code, GCC 12 no longer sees that an empty std::optional is not read: the

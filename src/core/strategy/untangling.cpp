@@ -1,5 +1,6 @@
 #include "core/strategy/untangling.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -90,8 +91,9 @@ bool Untangling::by_energy_from_either(Coordinates& x, double fraction,
     return true;
   }
   const auto inverted = [&](const Coordinates& mesh) { return workspace_.validity(mesh).inverted; };
-  if (inverted(other) < inverted(x)) x = std::move(other);
-  recorder_.result().inverted = inverted(x);
+  const Index from_given = inverted(x), from_harmonic = inverted(other);
+  if (from_harmonic < from_given) x = std::move(other);
+  recorder_.result().inverted = std::min(from_given, from_harmonic);
   return false;
 }
 
