@@ -1,10 +1,14 @@
 #include "app/program.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "app/options/suggestion.h"
 #include "app/output/terminal.h"
@@ -51,10 +55,29 @@ ExitCode run_subcommand(const SubcommandList& subcommands, const CLI::App& progr
   return ExitCode::usage;
 }
 
+/// "-.2" as "-0.2". CLI11 tells a negative number from an option by the digit after the minus sign,
+/// so that it would end a list such as --pivot .3 -.2 after its first number.
+std::string with_leading_zero(std::string word) {
+  if (!word.starts_with("-.")) return word;
+  const std::string_view digits = std::string_view(word).substr(1);
+  double value = 0;
+  const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  const bool number = fault == std::errc() && end == digits.data() + digits.size();
+  return number ? word.insert(1, "0") : word;
+}
+
+/// The words of the command line in the order in which CLI11 wants them: the last one first.
+std::vector<std::string> reversed_words(int argc, char** argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  std::ranges::transform(words, words.begin(), with_leading_zero);
+  std::ranges::reverse(words);
+  return words;
+}
+
 ExitCode parse_and_run(CLI::App& program, const SubcommandList& subcommands, int argc,
                        char** argv) {
   try {
-    program.parse(argc, argv);
+    program.parse(reversed_words(argc, argv));
   } catch (const CLI::Success& success) {  // --help, --version
     program.exit(success);
     return ExitCode::done;

@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+"""Checks that docs/architecture.md names what exists: python3 check_architecture.py
+
+Every name in backquotes is a file or a folder of the repository, or stands in the code of src:
+`Name::member` in a file that has both words. Comments do not count.
+"""
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+SRC = ROOT / "src"
+PAGE = ROOT / "docs" / "architecture.md"
+# Where a path of the page may begin.
+BASES = [ROOT, SRC, *(SRC / library for library in ("core", "io", "gui", "app")), ROOT / "docs"]
+WORD = re.compile(r"[A-Za-z_]\w*")
+
+
+def code_of(path):
+    text = path.read_text()
+    return "\n".join(line if line.lstrip().startswith("#") else line.split("//")[0] for line in text.splitlines())
+
+
+class Code:
+    """The words of every file of src, and its files and folders."""
+
+    def __init__(self):
+        self.texts = {path: code_of(path) for path in SRC.rglob("*") if path.suffix in (".h", ".cpp")}
+        self.words = [set(WORD.findall(text)) for text in self.texts.values()]
+        self.names = {part for path in self.texts for part in (path.name, path.stem, *path.relative_to(SRC).parts)}
+
+    def has_words(self, words):
+        """Whether one file has all of these words."""
+        return any(words <= found for found in self.words)
+
+    def has_path(self, name):
+        return any(any(base.glob(name)) for base in BASES) or name in self.names
+
+    def has_text(self, name):
+        return any(name in text for text in self.texts.values())
+
+
+def alternatives(name):
+    """`a.{h,cpp}` as a.h and a.cpp."""
+    found = re.fullmatch(r"(.*)\{([^}]*)\}(.*)", name)
+    return [found[1] + one + found[3] for one in found[2].split(",")] if found else [name]
+
+
+def exists(code, name):
+    if code.has_path(name) or any(code.has_path(f"{name}{suffix}") for suffix in (".h", ".cpp")):
+        return True
+    if "/" in name or re.fullmatch(r"\w*\.\w+", name):
+        return code.has_text(name)  # a header of a library, an extension of files
+    return code.has_words(set(WORD.findall(name)))
+
+
+def faults(code, text):
+    for number, line in enumerate(text.splitlines(), 1):
+        for quoted in re.findall(r"`([^`]+)`", line):
+            # Of a command, the files that it names.
+            names = [word for word in quoted.split() if "/" in word] if quoted.startswith("python3 ") else [quoted]
+            for name in (one for whole in names for one in alternatives(whole)):
+                if not exists(code, name):
+                    yield f"{PAGE.name}:{number}: {name}: found neither in src nor among its files"
+
+
+def main():
+    code, text = Code(), PAGE.read_text()
+    found = list(faults(code, text))
+    # The check itself must be able to fail.
+    for wrong in ("NoSuchClass", "Topology::no_such_member()", "core/mesh/no_such_file.h", "no_such_file.cpp"):
+        if exists(code, wrong):
+            found.append(f"{wrong} is taken for something that exists")
+    names = len(re.findall(r"`[^`]+`", text))
+    print("\n".join([*found, f"{names} names in {PAGE.name}: {len(found)} faults"]))
+    return 1 if found or names < 50 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
