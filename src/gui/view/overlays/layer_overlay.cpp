@@ -11,8 +11,6 @@ namespace winslow::gui {
 
 namespace {
 
-ImVec2 pixel(const ScreenPoint& p) { return static_cast<ImVec2>(p); }
-
 /// Nodes of a planned column, the wall's first.
 std::vector<ScreenPoint> points_of(const LayerColumn& column, const Coordinates& x,
                                    const View& view) {
@@ -36,7 +34,7 @@ void draw_outlines(ImDrawList& list, const Overlay& o, const std::vector<ScreenP
     const ScreenPoint to = b[std::min(k, b.size() - 1)];
     if (k + 1 < top && (from - last).norm() < apart) continue;
     last = from;
-    list.AddLine(pixel(from), pixel(to), faded(palette().accent, 0.7f), o.theme.px(1));
+    list.AddLine(ImVec2(from), ImVec2(to), faded(palette().accent, 0.7f), o.theme.px(1));
   }
 }
 
@@ -73,10 +71,10 @@ void draw_layer_preview(ImDrawList& list, const Overlay& o) {
     columns.push_back(points_of(column, x, o.view));
     const auto& points = columns.back();
     const bool cut = cut_short(column);
-    list.AddLine(pixel(points.front()), pixel(points.back()),
+    list.AddLine(ImVec2(points.front()), ImVec2(points.back()),
                  cut ? palette().warning : palette().accent, o.theme.px(cut ? 2.0f : 1.0f));
     if (cut && points.size() == 1)
-      list.AddCircleFilled(pixel(points.front()), o.theme.px(3), palette().warning);
+      list.AddCircleFilled(ImVec2(points.front()), o.theme.px(3), palette().warning);
     const double away = distance(pointer, points.front(), points.back());
     if (!cut || away > nearest) continue;
     nearest = away;
@@ -84,7 +82,7 @@ void draw_layer_preview(ImDrawList& list, const Overlay& o) {
   }
   // Under the outlines, which are too close together to have halos of their own.
   for (const ColumnPair& pair : plan->pairs)
-    list.AddLine(pixel(columns[pair.left].back()), pixel(columns[pair.right].back()),
+    list.AddLine(ImVec2(columns[pair.left].back()), ImVec2(columns[pair.right].back()),
                  faded(palette().card, 0.85f), o.theme.px(4));
   for (const ColumnPair& pair : plan->pairs)
     draw_outlines(list, o, columns[pair.left], columns[pair.right]);

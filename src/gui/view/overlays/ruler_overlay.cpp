@@ -11,8 +11,6 @@ namespace winslow::gui {
 
 namespace {
 
-ImVec2 pixel(const ScreenPoint& p) { return static_cast<ImVec2>(p); }
-
 std::string text_of(const char* format, double a, double b = 0) {
   std::array<char, 80> buffer{};
   std::snprintf(buffer.data(), buffer.size(), format, a, b);
@@ -20,7 +18,7 @@ std::string text_of(const char* format, double a, double b = 0) {
 }
 
 void draw_leg(ImDrawList& list, const ViewOverlay& o, const Vec2& a, const Vec2& b) {
-  const ImVec2 from = pixel(o.view.to_screen(a)), to = pixel(o.view.to_screen(b));
+  const ImVec2 from(o.view.to_screen(a)), to(o.view.to_screen(b));
   list.AddLine(from, to, faded(palette().card, 0.85f), o.theme.px(5));
   list.AddLine(from, to, palette().accent, o.theme.px(2));
 }
@@ -36,13 +34,13 @@ void draw_arc(ImDrawList& list, const ViewOverlay& o, const std::vector<Ruler::P
   if (turn < -pi) turn += 2 * pi;
   const double radius =
       std::min({static_cast<double>(o.theme.px(34)), 0.6 * a.norm(), 0.6 * b.norm()});
-  list.PathArcTo(pixel(corner), static_cast<float>(radius), static_cast<float>(from),
+  list.PathArcTo(ImVec2(corner), static_cast<float>(radius), static_cast<float>(from),
                  static_cast<float>(from + turn), 48);
   list.PathStroke(palette().accent, 0, o.theme.px(2));
 }
 
 void draw_point(ImDrawList& list, const ViewOverlay& o, const Ruler::Point& point) {
-  const ImVec2 at = pixel(o.view.to_screen(point.at));
+  const ImVec2 at(o.view.to_screen(point.at));
   list.AddCircleFilled(at, o.theme.px(5), palette().card);
   list.AddCircleFilled(at, o.theme.px(3.2f), palette().accent);
   // On a node, it is ringed.
@@ -59,7 +57,7 @@ void draw_measurement_card(ImDrawList& list, const Theme& theme, const ScreenBox
   for (const std::string& line : lines)
     width = std::max(width, font.CalcTextSizeA(font.FontSize, FLT_MAX, 0, line.c_str()).x);
   const ImVec2 size(width + 2 * pad, static_cast<float>(lines.size()) * step + pad);
-  const ImVec2 low = pixel(viewport.min), high = pixel(viewport.max);
+  const ImVec2 low(viewport.min), high(viewport.max);
   ImVec2 at(static_cast<float>(beside.x()) + theme.px(16),
             static_cast<float>(beside.y()) + theme.px(16));
   at.x = std::max(low.x, std::min(at.x, high.x - size.x - pad));

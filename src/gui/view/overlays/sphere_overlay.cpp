@@ -10,15 +10,13 @@ namespace winslow::gui {
 
 namespace {
 
-ImU32 color(const Rgb& c, float alpha = 1, float light = 1) {
+ImU32 shaded(const Rgb& c, float alpha = 1, float light = 1) {
   return ImGui::ColorConvertFloat4ToU32(ImVec4(light * c[0], light * c[1], light * c[2], alpha));
 }
 
-ImVec2 pixel(const ScreenPoint& p) { return static_cast<ImVec2>(p); }
-
-class Drawing {
+class SphereSketch {
  public:
-  Drawing(ImDrawList& list, const SpaceCamera& camera, const VolumeNodalView& node, float unit)
+  SphereSketch(ImDrawList& list, const SpaceCamera& camera, const VolumeNodalView& node, float unit)
       : list_(list),
         node_(node),
         unit_(unit),
@@ -38,8 +36,8 @@ class Drawing {
       if (face.front != front) continue;
       const auto light = 0.55f + 0.45f * static_cast<float>(face.light);
       list_.AddTriangleFilled(
-          pixel(face.at[0]), pixel(face.at[1]), pixel(face.at[2]),
-          color(colors_.fill, (front ? 1.3f : 0.9f) * colors_.fill_alpha, light));
+          ImVec2(face.at[0]), ImVec2(face.at[1]), ImVec2(face.at[2]),
+          shaded(colors_.fill, (front ? 1.3f : 0.9f) * colors_.fill_alpha, light));
     }
   }
 
@@ -47,9 +45,9 @@ class Drawing {
     for (const StarSketch::Piece& piece : sketch_.cut(a, b)) {
       if (piece.hidden != hidden) continue;
       if (!hidden)
-        list_.AddLine(pixel(piece.a), pixel(piece.b), color(colors_.casing, colors_.casing_alpha),
-                      (width + 1.8f) * unit_);
-      list_.AddLine(pixel(piece.a), pixel(piece.b), color(ink, hidden ? 0.45f : 1.0f),
+        list_.AddLine(ImVec2(piece.a), ImVec2(piece.b),
+                      shaded(colors_.casing, colors_.casing_alpha), (width + 1.8f) * unit_);
+      list_.AddLine(ImVec2(piece.a), ImVec2(piece.b), shaded(ink, hidden ? 0.45f : 1.0f),
                     width * unit_);
     }
   }
@@ -78,11 +76,11 @@ void draw_number(ImDrawList& list, const SpaceCamera& camera, const VolumeNodalV
   const double reach = node.physical.mean_length() / camera.pixel_size(node.position);
   if (static_cast<double>(size.x) > 1.1 * reach) return;
   // Below the node, around which there may be a ring.
-  const ImVec2 centre = pixel(camera.project(node.position).at);
+  const ImVec2 centre(camera.project(node.position).at);
   const ImVec2 at(centre.x - size.x / 2, centre.y + 0.8f * size.y);
   list.AddRectFilled(ImVec2(at.x - 3, at.y - 1), ImVec2(at.x + size.x + 3, at.y + size.y + 1),
-                     color(VcvColors().casing, VcvColors().label_alpha), 3);
-  list.AddText(font, font->FontSize, at, color(VcvColors().line), text.c_str());
+                     shaded(VcvColors().casing, VcvColors().label_alpha), 3);
+  list.AddText(font, font->FontSize, at, shaded(VcvColors().line), text.c_str());
 }
 
 }  // namespace
@@ -96,7 +94,7 @@ std::vector<Vec3> sphere_over_star(const VolumeNodalView& node) {
 
 void draw_sphere_vcv(ImDrawList& list, const SpaceCamera& camera, const VolumeNodalView& node,
                      float unit, ImFont* font) {
-  Drawing(list, camera, node, unit).draw();
+  SphereSketch(list, camera, node, unit).draw();
   draw_number(list, camera, node, font);
 }
 

@@ -12,8 +12,6 @@ namespace winslow::gui {
 
 namespace {
 
-ImVec2 pixel(const ScreenPoint& p) { return static_cast<ImVec2>(p); }
-
 ImU32 color_of(const Rgba& c) {
   return ImGui::ColorConvertFloat4ToU32(ImVec4(c[0], c[1], c[2], c[3]));
 }
@@ -32,7 +30,7 @@ void draw_arrow(ImDrawList& list, const ViewOverlay& o, const ScreenPoint& at,
   const ScreenPoint tip = at + size * along;
   const ScreenPoint left = at - 0.5 * size * along + 0.7 * size * across;
   const ScreenPoint right = at - 0.5 * size * along - 0.7 * size * across;
-  list.AddTriangleFilled(pixel(tip), pixel(left), pixel(right), color);
+  list.AddTriangleFilled(ImVec2(tip), ImVec2(left), ImVec2(right), color);
 }
 
 /// One closed loop of the boundary, the mesh on its left.
@@ -57,8 +55,8 @@ void draw_loop(ImDrawList& list, const ViewOverlay& o, const std::vector<Index>&
     if (o.options.rim_nodes && (to - last_dot).norm() >= node_gap &&
         inside(o.view.viewport(), to, 4)) {
       last_dot = to;
-      list.AddCircleFilled(pixel(to), o.theme.px(3.4f), palette().card, 12);
-      list.AddCircleFilled(pixel(to), o.theme.px(2.4f), color, 12);
+      list.AddCircleFilled(ImVec2(to), o.theme.px(3.4f), palette().card, 12);
+      list.AddCircleFilled(ImVec2(to), o.theme.px(2.4f), color, 12);
     }
     from = to;
   }
@@ -82,7 +80,7 @@ void draw_focus(ImDrawList& list, const ViewOverlay& o) {
   if (!focus || !exists(*focus, o.session)) return;
   const Coordinates& x = o.session.coordinates();
   if (focus->kind == MeshItem::Kind::node) {
-    const ImVec2 c = pixel(o.view.to_screen(x.xy(focus->id)));
+    const ImVec2 c(o.view.to_screen(x.xy(focus->id)));
     list.AddCircle(c, o.theme.px(9), palette().card, 32, o.theme.px(5));
     list.AddCircle(c, o.theme.px(9), palette().accent, 32, o.theme.px(2.5f));
     list.AddCircleFilled(c, o.theme.px(2.5f), palette().accent);
@@ -91,7 +89,7 @@ void draw_focus(ImDrawList& list, const ViewOverlay& o) {
   std::array<ImVec2, 4> corners;
   const auto nodes = o.session.topology()->element(focus->id);
   for (std::size_t k = 0; k < nodes.size(); ++k)
-    corners[k] = pixel(o.view.to_screen(x.xy(nodes[k])));
+    corners[k] = ImVec2(o.view.to_screen(x.xy(nodes[k])));
   const auto count = static_cast<int>(nodes.size());
   list.AddPolyline(corners.data(), count, palette().card, ImDrawFlags_Closed, o.theme.px(6));
   list.AddPolyline(corners.data(), count, palette().accent, ImDrawFlags_Closed, o.theme.px(3));
@@ -156,25 +154,25 @@ void draw_comparison(ImDrawList& list, const ViewOptions& options, const Theme& 
 }
 
 void draw_zoom_box(ImDrawList& list, const Theme& theme, const ScreenBox& box) {
-  list.AddRectFilled(pixel(box.min), pixel(box.max), palette().accent_soft);
-  list.AddRect(pixel(box.min), pixel(box.max), palette().accent, 0, 0, theme.px(1.5f));
+  list.AddRectFilled(ImVec2(box.min), ImVec2(box.max), palette().accent_soft);
+  list.AddRect(ImVec2(box.min), ImVec2(box.max), palette().accent, 0, 0, theme.px(1.5f));
 }
 
 void draw_inset_source(ImDrawList& list, const Theme& theme, const Inset& inset) {
   if (!inset.pinned) return;
-  const ImVec2 from = pixel(inset.source.min);
-  const ImVec2 to = pixel(inset.source.max);
+  const ImVec2 from(inset.source.min);
+  const ImVec2 to(inset.source.max);
   const ScreenBox frame = inset.frame();
   list.AddRect(from, to, palette().card, 0, 0, theme.px(4));
   list.AddRect(from, to, palette().accent, 0, 0, theme.px(1.5f));
-  list.AddLine(pixel(frame.centre()), pixel(inset.source.centre()), faded(palette().accent, 0.7f),
+  list.AddLine(ImVec2(frame.centre()), ImVec2(inset.source.centre()), faded(palette().accent, 0.7f),
                theme.px(1.2f));
 }
 
 void draw_inset_frame(ImDrawList& list, const ViewOverlay& o, const Inset& inset) {
   const ScreenBox frame = inset.frame();
-  const ImVec2 min = pixel(frame.min);
-  const ImVec2 max = pixel(frame.max);
+  const ImVec2 min(frame.min);
+  const ImVec2 max(frame.max);
   list.AddRect(min, max, palette().card, 0, 0, o.theme.px(5));
   list.AddRect(min, max, palette().accent, 0, 0, o.theme.px(2));
   const std::string factor = "\xC3\x97 " + std::to_string(std::lround(o.options.magnifier.factor));
