@@ -11,9 +11,9 @@ namespace winslow::gui::test {
 
 /// Space drawn into an off-screen picture on white; seen from -y, x to the right, z up, [-1, 1] by
 /// [-1, 1] unless the test looks elsewhere.
-class SpaceRig {
+class SpaceSceneRig {
  public:
-  explicit SpaceRig(int side = 200)
+  explicit SpaceSceneRig(int side = 200)
       : context_(make_headless_context()), target_(side, side, 4), side_(side) {
     camera.set_viewport(0, 0, side, side);
     camera.look_from({-90, 0});

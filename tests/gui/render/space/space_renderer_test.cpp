@@ -49,7 +49,7 @@ SpaceScene scene_of(std::vector<SpaceFill> fills, std::vector<SpaceLines> lines 
 }  // namespace
 
 TEST_CASE("What lies nearer hides what is behind it, whichever comes first, also in perspective") {
-  SpaceRig rig;
+  SpaceSceneRig rig;
   for (const double angle : {0.0, 40.0}) {
     rig.camera.set_perspective(angle);
     const SpaceFill near = sheet(-0.5, 0.3, red), far = sheet(0.5, 0.8, green);
@@ -62,14 +62,14 @@ TEST_CASE("What lies nearer hides what is behind it, whichever comes first, also
 }
 
 TEST_CASE("Surfaces that pass through each other meet where they do in space") {
-  SpaceRig rig;
+  SpaceSceneRig rig;
   const Image image = rig.draw(scene_of({sheet(0, 0.8, red), sheet(0, 0.8, blue, 0.5)}));
   CHECK(distance(rig.color(image, {0, 0, -0.3}), blue) < 0.01);  // its lower half comes nearer
   CHECK(distance(rig.color(image, {0, 0, 0.3}), red) < 0.01);
 }
 
 TEST_CASE("A line on a face is drawn along all of it, whatever the face's slope") {
-  SpaceRig rig;
+  SpaceSceneRig rig;
   for (const double angle : {0.0, 40.0}) {
     for (const double tilt : {0.0, 0.7, 3.0}) {
       CAPTURE(tilt);
@@ -98,7 +98,7 @@ TEST_CASE("A line on a face is drawn along all of it, whatever the face's slope"
 }
 
 TEST_CASE("Lines behind a surface are hidden, those before it are not") {
-  SpaceRig rig;
+  SpaceSceneRig rig;
   for (const double angle : {0.0, 40.0}) {
     rig.camera.set_perspective(angle);
     const Image image = rig.draw(
@@ -110,7 +110,7 @@ TEST_CASE("Lines behind a surface are hidden, those before it are not") {
 }
 
 TEST_CASE("Lines that end behind the viewer are drawn as far as he sees them") {
-  SpaceRig rig;
+  SpaceSceneRig rig;
   rig.camera.set_perspective(60);  // he is less than two units away
   SpaceScene scene = scene_of({}, {segment({0, 0.5, -0.5}, {0, -9, -0.5}, 3)});
   scene.extent = {Vec3(-1, -9, -1), Vec3(1, 1, 1)};
@@ -121,7 +121,7 @@ TEST_CASE("Lines that end behind the viewer are drawn as far as he sees them") {
 }
 
 TEST_CASE("What lies in front of a plane is left out where it is asked for") {
-  SpaceRig rig;
+  SpaceSceneRig rig;
   SpaceScene scene = scene_of({sheet(0, 0.8, red), sheet(0.2, 0.8, green)},
                               {segment({-0.7, -0.1, 0.1}, {0.7, -0.1, 0.1})});
   scene.planes = {Plane({0, 0, 0}, {0, 0, 1}), Plane({0.3, 0, 0}, {1, 0, 0})};
@@ -136,7 +136,7 @@ TEST_CASE("What lies in front of a plane is left out where it is asked for") {
 }
 
 TEST_CASE("Of what is see-through one layer is seen, over what lies behind") {
-  SpaceRig rig;
+  SpaceSceneRig rig;
   SpaceFill both = sheet(-0.2, 0.5, red);
   const SpaceFill second = sheet(-0.4, 0.5, red);
   both.corners.insert(both.corners.end(), second.corners.begin(), second.corners.end());
@@ -148,7 +148,7 @@ TEST_CASE("Of what is see-through one layer is seen, over what lies behind") {
 
 TEST_CASE(
     "What is emphasised is seen through what hides it, and wins over what lies in its place") {
-  SpaceRig rig;
+  SpaceSceneRig rig;
   SpaceFill worst = sheet(0.2, 0.2, red);
   worst.emphasised = true;
   const Image hidden = rig.draw(scene_of({sheet(0, 0.6, white), worst}));
@@ -166,7 +166,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Light shows how a surface lies, where it is asked to, from either side") {
-  SpaceRig rig;
+  SpaceSceneRig rig;
   const auto brightness = [&](double tilt, float shading, bool turned) {
     SpaceFill fill = sheet(0, 0.6, white, tilt);
     fill.shading = shading;
@@ -182,7 +182,7 @@ TEST_CASE("Light shows how a surface lies, where it is asked to, from either sid
 }
 
 TEST_CASE("Lines closer together than can be told apart fade") {
-  SpaceRig rig;
+  SpaceSceneRig rig;
   SpaceLines lines = segment({-0.5, 0, 0}, {0.5, 0, 0});
   const auto ink = [&](float spacing) {
     for (auto& end : lines.ends) end.spacing = spacing;

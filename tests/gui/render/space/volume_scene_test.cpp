@@ -50,7 +50,7 @@ struct Shown {
     return rig.draw(scene);
   }
 
-  SpaceRig rig;
+  SpaceSceneRig rig;
   Mesh mesh;
   VolumeBoundary boundary;
   std::vector<std::uint32_t> colors;
