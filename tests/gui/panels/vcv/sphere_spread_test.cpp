@@ -6,7 +6,7 @@ namespace winslow::gui::test {
 
 namespace {
 
-void choose(Rig& rig, const std::string& nodes) {
+void choose_nodes(Rig& rig, const std::string& nodes) {
   rig.click("vcv/spread");
   rig.frames(3);
   rig.click("vcv/spread/" + nodes);
@@ -40,7 +40,7 @@ TEST_CASE("a control volume on the sphere goes to all nodes with the same link, 
   edit(studio, node);
   const std::size_t steps = studio.document().history().size();
   const std::size_t inner = studio.mesh().topology->interior_nodes().size();
-  choose(studio, "All nodes");
+  choose_nodes(studio, "All nodes");
   REQUIRE(can_apply(studio));
   studio.click("vcv/apply");
   REQUIRE(studio.settle());
@@ -64,7 +64,7 @@ TEST_CASE("a control volume on the sphere goes to pinned nodes and within a radi
   const Index node = studio.inner();
   edit(studio, node);
   // None is pinned, and the button says what to do.
-  choose(studio, "Pinned nodes");
+  choose_nodes(studio, "Pinned nodes");
   CHECK_FALSE(can_apply(studio));
   const Index pinned = studio.mesh().topology->interior_nodes()[2];
   studio.bench->apply(action::PinNodes{{pinned}});
@@ -76,7 +76,7 @@ TEST_CASE("a control volume on the sphere goes to pinned nodes and within a radi
   CHECK(edited_count(studio) == 2);
   CHECK(studio.view(pinned).edited);
 
-  choose(studio, "Nodes within a radius");
+  choose_nodes(studio, "Nodes within a radius");
   studio.fill("vcv/radius", "1e-9");
   REQUIRE(studio.settle());
   studio.frames(2);
