@@ -5,7 +5,7 @@
 namespace winslow {
 
 /// What a mesh is made of: faces in the plane, faces in space, cells in space. In words:
-/// mesh_kind() of topology.h.
+/// mesh_kind().
 enum class MeshKind { plane, surface, volume };
 
 inline MeshKind kind_of(const Topology& topology) {
