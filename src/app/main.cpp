@@ -20,10 +20,6 @@
 
 namespace winslow::app {
 
-/// The whole program: parses the command line, runs the subcommand, and turns every error into one
-/// line on the standard error and an exit code. Throws nothing.
-ExitCode run_program(int argc, char** argv);
-
 namespace {
 
 ExitCode fail(ExitCode code, const std::string& message) {
@@ -99,8 +95,8 @@ ExitCode parse_and_run(CLI::App& program, const SubcommandList& subcommands, int
   return run_subcommand(subcommands, program);
 }
 
-}  // namespace
-
+/// The whole program: parses the command line, runs the subcommand, and turns every error into one
+/// line on the standard error and an exit code. Throws nothing.
 ExitCode run_program(int argc, char** argv) {
   try {
     CLI::App program(
@@ -128,6 +124,8 @@ ExitCode run_program(int argc, char** argv) {
     return fail(ExitCode::internal, error.what());
   }
 }
+
+}  // namespace
 
 }  // namespace winslow::app
 

@@ -24,17 +24,6 @@
 
 namespace winslow {
 
-/// The paper's way with adjusted VCVs (AIAA 2009-1362, section V): from the mesh x that a run has
-/// led to they are worked out anew, and the mesh is solved for again; as often as
-/// SmoothOptions::vcv_updates says, or until no VCV changes any more. VCVs of a mesh that came
-/// tangled say little: they are worked out anew in any case. Does nothing for VCVs of other kinds,
-/// and for equations that are not over VCVs.
-///
-/// solve: the run, from a mesh with the boundary where it is to be. given: the mesh that the VCVs
-/// are of. Ends with the last solution if there is none for the next VCVs.
-void update_vcvs(const Coordinates& given, SmoothingWorkspace& workspace, RunRecorder& recorder,
-                 const std::function<void(Coordinates&)>& solve, Coordinates& x);
-
 namespace {
 
 /// How often, at most.
@@ -48,8 +37,14 @@ int most_updates(const Coordinates& given, const SmoothingWorkspace& workspace) 
   return tangled ? std::max(after_tangle, options.vcv_updates) : options.vcv_updates;
 }
 
-}  // namespace
-
+/// The paper's way with adjusted VCVs (AIAA 2009-1362, section V): from the mesh x that a run has
+/// led to they are worked out anew, and the mesh is solved for again; as often as
+/// SmoothOptions::vcv_updates says, or until no VCV changes any more. VCVs of a mesh that came
+/// tangled say little: they are worked out anew in any case. Does nothing for VCVs of other kinds,
+/// and for equations that are not over VCVs.
+///
+/// solve: the run, from a mesh with the boundary where it is to be. given: the mesh that the VCVs
+/// are of. Ends with the last solution if there is none for the next VCVs.
 void update_vcvs(const Coordinates& given, SmoothingWorkspace& workspace, RunRecorder& recorder,
                  const std::function<void(Coordinates&)>& solve, Coordinates& x) {
   const SmoothResult& result = recorder.result();
@@ -67,8 +62,6 @@ void update_vcvs(const Coordinates& given, SmoothingWorkspace& workspace, RunRec
     return;
   }
 }
-
-namespace {
 
 bool by_fixed_point(const SmoothOptions& options) { return options.outer == OuterMethod::picard; }
 

@@ -13,10 +13,6 @@
 
 namespace winslow::io {
 
-/// Sentences about edges that a marker names twice, or that two markers share: no error, but
-/// solvers take only one boundary condition for an edge.
-std::vector<std::string> marker_overlaps(const Topology& topology);
-
 namespace {
 
 struct Named {
@@ -28,8 +24,8 @@ std::string counted(std::size_t n, const char* what) {
   return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s");
 }
 
-}  // namespace
-
+/// Sentences about edges that a marker names twice, or that two markers share: no error, but
+/// solvers take only one boundary condition for an edge.
 std::vector<std::string> marker_overlaps(const Topology& topology) {
   if (!topology.markers().from_file()) return {};
   std::vector<Named> all;
@@ -57,8 +53,6 @@ std::vector<std::string> marker_overlaps(const Topology& topology) {
   }
   return warnings;
 }
-
-namespace {
 
 /// Content wins over the extension; the extension decides only where the content says nothing.
 const MeshFormat* detect(const Source& source, const std::filesystem::path& path,

@@ -19,11 +19,6 @@ struct Cell {
   std::vector<Index> corners;
 };
 
-/// The element that a cell is whose faces these are, seen from outside counter-clockwise. Nothing
-/// if it is no tetrahedron, pyramid, prism or hexahedron. Corner 0 is the first node of its first
-/// triangle, of a pyramid of its quadrilateral, of a hexahedron of its first face.
-std::optional<Cell> build_cell(std::span<const Face> faces);
-
 namespace {
 
 std::optional<ElementType> type_of(std::span<const Face> faces) {
@@ -66,8 +61,9 @@ bool same_faces(const Cell& cell, std::span<const Face> faces) {
   return own == given;
 }
 
-}  // namespace
-
+/// The element that a cell is whose faces these are, seen from outside counter-clockwise. Nothing
+/// if it is no tetrahedron, pyramid, prism or hexahedron. Corner 0 is the first node of its first
+/// triangle, of a pyramid of its quadrilateral, of a hexahedron of its first face.
 std::optional<Cell> build_cell(std::span<const Face> faces) {
   const auto type = type_of(faces);
   if (!type) return std::nullopt;
@@ -86,8 +82,6 @@ std::optional<Cell> build_cell(std::span<const Face> faces) {
   if (!same_faces(cell, faces)) return std::nullopt;
   return cell;
 }
-
-namespace {
 
 namespace fs = std::filesystem;
 

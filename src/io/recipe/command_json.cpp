@@ -15,11 +15,6 @@
 
 namespace winslow::io {
 
-/// Walls and overrides of layers. Reading checks all the options, of which the table has been read
-/// before. Throws JsonValueError.
-void read_layer_lists(ObjectReader& reader, LayerOptions& layers);
-void write_layer_lists(ObjectWriter& writer, const LayerOptions& layers);
-
 namespace {
 
 using nlohmann::json;
@@ -100,8 +95,8 @@ json write_overrides(const std::vector<ColumnOverride>& overrides) {
   return list;
 }
 
-}  // namespace
-
+/// Walls and overrides of layers. Reading checks all the options, of which the table has been read
+/// before. Throws JsonValueError.
 void read_layer_lists(ObjectReader& reader, LayerOptions& layers) {
   layers.walls = read_list<LayerWall>(reader.at("walls"), reader.path_of("walls"), read_wall);
   if (layers.walls.empty()) {
@@ -122,8 +117,6 @@ void write_layer_lists(ObjectWriter& writer, const LayerOptions& layers) {
   writer.required("walls", write_walls(layers.walls));
   if (!layers.overrides.empty()) writer.field("overrides", write_overrides(layers.overrides));
 }
-
-namespace {
 
 // Tables of options name the fields; what is here are lists, and what commands are made of.
 
