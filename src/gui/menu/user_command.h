@@ -41,11 +41,11 @@ Chord typed(char32_t character);
 /// Everything that a user can do by name. The menus, the keys, the palette, the list of keys and
 /// the toolbar's tooltips all read this one table: what is not in it has no key and no menu entry.
 ///
-/// TO ADD A COMMAND, add an entry to the table of its group: file_commands.cpp, file_commands.cpp,
-/// motion_commands.cpp, solver_commands.cpp, solver_commands.cpp, view_commands.cpp,
-/// view_commands.cpp, help_commands.cpp or help_commands.cpp. Its order there is its order in the
-/// menu. What a right click offers stands in context_commands.cpp, what the mouse does, for the
-/// list of keys, in gui/panels/help_panel.cpp.
+/// TO ADD A COMMAND, add an entry to the table of its group: file_commands.cpp (files, edits),
+/// motion_commands.cpp, solver_commands.cpp (layers, solver), view_commands.cpp (the view, also of
+/// space) or help_commands.cpp (demos, help). Its order there is its order in the menu. What a
+/// right click offers stands in context_commands.cpp, what the mouse does, for the list of keys, in
+/// gui/panels/help_panel.cpp.
 
 enum class CommandGroup { file, edit, motion, layers, solver, view, help };
 /// In the order of the menus.

@@ -18,6 +18,11 @@
 #include "gui/settings/picture_spec.h"
 #include "gui/settings/view_state.h"
 
+/// What a user can ask for. Panels and the viewport emit actions; those who are named above each
+/// group carry them out. Nothing else changes the state of the studio.
+///
+/// TO ADD AN ACTION, add it to its group, which stands here or, if it is of the open mesh alone, in
+/// document_actions.h. It compiles once its handler has a function on() for it (see Dispatch).
 namespace winslow::gui {
 
 /// What lies at a place of the mesh on screen, as a click there means it.
@@ -259,12 +264,6 @@ namespace winslow::gui {
 
 using DemoAction =
     std::variant<action::StartDemo, action::StepDemo, action::PlayDemo, action::EndDemo>;
-
-/// What a user can ask for. Panels and the viewport emit actions; those who are named in the
-/// actions' headers carry them out. Nothing else changes the state of the studio.
-///
-/// TO ADD AN ACTION, add it to the header of its group. It compiles once its handler has a function
-/// on() for it (see Dispatch).
 
 /// Actions on the open mesh; they need no window.
 using DocumentAction = std::variant<FileAction, SelectionAction, MotionAction, VcvAction, JobAction,
