@@ -6,12 +6,10 @@ namespace winslow::gui {
 
 namespace {
 
-ImVec2 pixel(const ScreenPoint& p) { return static_cast<ImVec2>(p); }
-
 ImU32 halo() { return faded(palette().card, 0.9f); }
 
 void draw_ring(ImDrawList& list, const Gizmo& g, bool hot, bool turning, const Theme& theme) {
-  const ImVec2 centre = pixel(g.pivot);
+  const ImVec2 centre(g.pivot);
   const auto radius = static_cast<float>(g.radius);
   const float width = theme.px(hot ? 3.0f : 1.8f);
   list.AddCircle(centre, radius, halo(), 96, width + theme.px(3));
@@ -21,15 +19,15 @@ void draw_ring(ImDrawList& list, const Gizmo& g, bool hot, bool turning, const T
     list.PathArcTo(centre, radius, static_cast<float>(-pi / 4), static_cast<float>(-g.angle), 64);
     list.PathFillConvex(faded(palette().accent, 0.1f));
   }
-  const ImVec2 knob = pixel(g.knob());
+  const ImVec2 knob(g.knob());
   list.AddCircleFilled(knob, theme.px(hot ? 8.0f : 6.5f), palette().card);
   list.AddCircleFilled(knob, theme.px(hot ? 6.5f : 5.0f), palette().accent);
 }
 
 void draw_arrow(ImDrawList& list, const Gizmo& g, int axis, bool hot, const Theme& theme) {
   const ImU32 paint = axis == 0 ? palette().axis_x : palette().axis_y;
-  const ImVec2 from = pixel(g.shaft(axis));
-  const ImVec2 to = pixel(g.tip(axis));
+  const ImVec2 from(g.shaft(axis));
+  const ImVec2 to(g.tip(axis));
   const ScreenVector shaft = g.tip(axis) - g.shaft(axis);
   const ScreenVector along = shaft / shaft.norm();
   const ScreenVector across(-along.y(), along.x());
@@ -39,13 +37,13 @@ void draw_arrow(ImDrawList& list, const Gizmo& g, int axis, bool hot, const Them
   const ScreenPoint right = end - head * along - 0.42 * head * across;
   const float width = theme.px(hot ? 3.2f : 2.2f);
   list.AddLine(from, to, halo(), width + theme.px(3));
-  list.AddTriangle(pixel(end), pixel(left), pixel(right), halo(), theme.px(3));
+  list.AddTriangle(ImVec2(end), ImVec2(left), ImVec2(right), halo(), theme.px(3));
   list.AddLine(from, to, paint, width);
-  list.AddTriangleFilled(pixel(end), pixel(left), pixel(right), paint);
+  list.AddTriangleFilled(ImVec2(end), ImVec2(left), ImVec2(right), paint);
 }
 
 void draw_centre(ImDrawList& list, const Gizmo& g, bool hot, const Theme& theme) {
-  const ImVec2 c = pixel(g.pivot);
+  const ImVec2 c(g.pivot);
   list.AddCircleFilled(c, theme.px(hot ? 8.0f : 6.5f), palette().card);
   list.AddCircleFilled(c, theme.px(hot ? 6.5f : 5.0f), palette().accent);
   list.AddCircleFilled(c, theme.px(1.8f), palette().card);
@@ -53,7 +51,7 @@ void draw_centre(ImDrawList& list, const Gizmo& g, bool hot, const Theme& theme)
 
 /// A crosshair beside the centre, tied to it by a line.
 void draw_pin(ImDrawList& list, const Gizmo& g, bool hot, const Theme& theme) {
-  const ImVec2 c = pixel(g.pin());
+  const ImVec2 c(g.pin());
   const float r = theme.px(hot ? 6.0f : 4.6f);
   const float arm = r + theme.px(2.5f);
   for (const auto& [paint, width] :

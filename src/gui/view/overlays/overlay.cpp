@@ -21,15 +21,13 @@ namespace winslow::gui {
 
 namespace {
 
-ImVec2 pixel(const ScreenPoint& p) { return static_cast<ImVec2>(p); }
-
 /// Lines that are to be: with a halo, so that they are legible over any colour.
 void draw_planned(ImDrawList& list, const Overlay& o,
                   const std::vector<std::array<Vec2, 2>>& edges) {
   for (const auto& [color, width] : {std::pair{faded(palette().card, 0.85f), o.theme.px(4.5f)},
                                      std::pair{palette().accent, o.theme.px(1.8f)}})
     for (const auto& [a, b] : edges)
-      list.AddLine(pixel(o.view.to_screen(a)), pixel(o.view.to_screen(b)), color, width);
+      list.AddLine(ImVec2(o.view.to_screen(a)), ImVec2(o.view.to_screen(b)), color, width);
 }
 
 /// Boundary edges moved by whatever `place` says of their nodes.
@@ -55,7 +53,7 @@ void draw_wanted(ImDrawList& list, const Overlay& o) {
   const auto& nodes = drag->grip().nodes;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Vec2 at = rest.xy(nodes[i]) + drag->grip().shares[i] * drag->wanted().translate;
-    const ImVec2 dot = pixel(o.view.to_screen(at));
+    const ImVec2 dot(o.view.to_screen(at));
     list.AddCircleFilled(dot, o.theme.px(4.0f), faded(palette().card, 0.85f));
     list.AddCircleFilled(dot, o.theme.px(2.5f), palette().accent);
   }
@@ -90,11 +88,11 @@ void draw_boundary_nodes(ImDrawList& list, const Overlay& o) {
   }
   const auto& shown = all.size() <= few ? all : near;
   for (const ScreenPoint& at : shown) {
-    list.AddCircleFilled(pixel(at), o.theme.px(3.4f), palette().card, 12);
-    list.AddCircleFilled(pixel(at), o.theme.px(2.4f), palette().accent, 12);
+    list.AddCircleFilled(ImVec2(at), o.theme.px(3.4f), palette().card, 12);
+    list.AddCircleFilled(ImVec2(at), o.theme.px(2.4f), palette().accent, 12);
   }
   if (!shown.empty())
-    ui::note("shape/nodes/" + std::to_string(shown.size()), pixel(seen.min), pixel(seen.max));
+    ui::note("shape/nodes/" + std::to_string(shown.size()), ImVec2(seen.min), ImVec2(seen.max));
 }
 
 /// While shapes are edited: the held arc, how far a drag of it fades, the node under the mouse.
@@ -105,7 +103,7 @@ void draw_shape(ImDrawList& list, const Overlay& o) {
     const DragGrip grip =
         grip_of(*edit.arc, edit.radius, *o.scene.boundary, *o.session.topology(), x);
     for (std::size_t i = 0; i < grip.nodes.size(); ++i) {
-      const ImVec2 at = pixel(o.view.to_screen(x.xy(grip.nodes[i])));
+      const ImVec2 at(o.view.to_screen(x.xy(grip.nodes[i])));
       const auto share = static_cast<float>(grip.shares[i]);
       list.AddCircleFilled(at, o.theme.px(2.0f + 3.0f * share), palette().card);
       list.AddCircleFilled(at, o.theme.px(1.0f + 3.0f * share),
@@ -113,7 +111,7 @@ void draw_shape(ImDrawList& list, const Overlay& o) {
     }
   }
   if (const auto& node = o.viewport.hovered_node(); node && node->node < x.size()) {
-    const ImVec2 at = pixel(o.view.to_screen(x.xy(node->node)));
+    const ImVec2 at(o.view.to_screen(x.xy(node->node)));
     list.AddCircle(at, o.theme.px(7), palette().card, 24, o.theme.px(4));
     list.AddCircle(at, o.theme.px(7), palette().accent, 24, o.theme.px(2));
   }
@@ -173,10 +171,10 @@ void draw_rings(ImDrawList& list, const Overlay& o) {
   if (!o.session.document()) return;
   const Coordinates& x = o.session.coordinates();
   if (nodes.inspected())
-    draw_node_ring(list, pixel(o.view.to_screen(x.xy(*nodes.inspected()))), o.theme.px(6),
+    draw_node_ring(list, ImVec2(o.view.to_screen(x.xy(*nodes.inspected()))), o.theme.px(6),
                    o.theme.px(2), palette().accent);
   if (nodes.hovered())
-    draw_node_ring(list, pixel(o.view.to_screen(x.xy(*nodes.hovered()))), o.theme.px(8),
+    draw_node_ring(list, ImVec2(o.view.to_screen(x.xy(*nodes.hovered()))), o.theme.px(8),
                    o.theme.px(1.5f), palette().accent);
 }
 

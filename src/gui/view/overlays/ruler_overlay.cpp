@@ -105,12 +105,6 @@ ImVec2 pixel(const SpaceOverlay& o, const Vec3& p) {
   return static_cast<ImVec2>(o.view.project(p).at);
 }
 
-std::string number_text(const char* format, double value) {
-  std::array<char, 48> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, value);
-  return buffer.data();
-}
-
 /// The angle that is measured, as an arc in the plane of both legs.
 void draw_arc(ImDrawList& list, const SpaceOverlay& o,
               const std::vector<SpaceRuler::Point>& points) {
@@ -143,14 +137,14 @@ std::vector<std::string> measurement_lines(const SpaceMeasurement& m) {
   // Rounding errors of the nodes are no distance.
   const auto part = [&](Index k) {
     const double value = m.along[k];
-    return number_text("%+.6g", std::abs(value) < 1e-9 * m.length ? 0.0 : value);
+    return text_of("%+.6g", std::abs(value) < 1e-9 * m.length ? 0.0 : value);
   };
   std::vector<std::string> lines;
-  lines.push_back("Length " + number_text("%.6g", m.length));
+  lines.push_back("Length " + text_of("%.6g", m.length));
   lines.push_back("x " + part(0) + "   y " + part(1) + "   z " + part(2));
-  if (m.faces) lines.push_back("Between the faces " + number_text("%.2f\xC2\xB0", *m.faces));
-  if (m.second) lines.push_back("Second length " + number_text("%.6g", *m.second));
-  if (m.angle) lines.push_back("Angle " + number_text("%.2f\xC2\xB0", *m.angle));
+  if (m.faces) lines.push_back("Between the faces " + text_of("%.2f\xC2\xB0", *m.faces));
+  if (m.second) lines.push_back("Second length " + text_of("%.6g", *m.second));
+  if (m.angle) lines.push_back("Angle " + text_of("%.2f\xC2\xB0", *m.angle));
   return lines;
 }
 

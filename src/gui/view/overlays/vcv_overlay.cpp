@@ -9,8 +9,9 @@ namespace winslow::gui {
 
 namespace {
 
-ImU32 color(const Rgb& c, float alpha = 1) {
-  return ImGui::ColorConvertFloat4ToU32(ImVec4(c[0], c[1], c[2], alpha));
+/// light: 0 to 1: how much of it falls there.
+ImU32 color(const Rgb& c, float alpha = 1, float light = 1) {
+  return ImGui::ColorConvertFloat4ToU32(ImVec4(light * c[0], light * c[1], light * c[2], alpha));
 }
 
 struct Pen {
@@ -96,10 +97,6 @@ bool vcv_in_sight(const NodalView& node, const Bounds& seen) {
 
 namespace {
 
-ImU32 shaded(const Rgb& c, float alpha = 1, float light = 1) {
-  return ImGui::ColorConvertFloat4ToU32(ImVec4(light * c[0], light * c[1], light * c[2], alpha));
-}
-
 class SphereSketch {
  public:
   SphereSketch(ImDrawList& list, const SpaceCamera& camera, const VolumeNodalView& node, float unit)
@@ -123,7 +120,7 @@ class SphereSketch {
       const auto light = 0.55f + 0.45f * static_cast<float>(face.light);
       list_.AddTriangleFilled(
           ImVec2(face.at[0]), ImVec2(face.at[1]), ImVec2(face.at[2]),
-          shaded(colors_.fill, (front ? 1.3f : 0.9f) * colors_.fill_alpha, light));
+          color(colors_.fill, (front ? 1.3f : 0.9f) * colors_.fill_alpha, light));
     }
   }
 
@@ -131,9 +128,9 @@ class SphereSketch {
     for (const StarSketch::Piece& piece : sketch_.cut(a, b)) {
       if (piece.hidden != hidden) continue;
       if (!hidden)
-        list_.AddLine(ImVec2(piece.a), ImVec2(piece.b),
-                      shaded(colors_.casing, colors_.casing_alpha), (width + 1.8f) * unit_);
-      list_.AddLine(ImVec2(piece.a), ImVec2(piece.b), shaded(ink, hidden ? 0.45f : 1.0f),
+        list_.AddLine(ImVec2(piece.a), ImVec2(piece.b), color(colors_.casing, colors_.casing_alpha),
+                      (width + 1.8f) * unit_);
+      list_.AddLine(ImVec2(piece.a), ImVec2(piece.b), color(ink, hidden ? 0.45f : 1.0f),
                     width * unit_);
     }
   }
@@ -165,8 +162,8 @@ void draw_number(ImDrawList& list, const SpaceCamera& camera, const VolumeNodalV
   const ImVec2 centre(camera.project(node.position).at);
   const ImVec2 at(centre.x - size.x / 2, centre.y + 0.8f * size.y);
   list.AddRectFilled(ImVec2(at.x - 3, at.y - 1), ImVec2(at.x + size.x + 3, at.y + size.y + 1),
-                     shaded(VcvColors().casing, VcvColors().label_alpha), 3);
-  list.AddText(font, font->FontSize, at, shaded(VcvColors().line), text.c_str());
+                     color(VcvColors().casing, VcvColors().label_alpha), 3);
+  list.AddText(font, font->FontSize, at, color(VcvColors().line), text.c_str());
 }
 
 }  // namespace
