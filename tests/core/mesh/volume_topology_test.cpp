@@ -79,7 +79,7 @@ std::set<Index> neighbours_by_brute_force(const MeshData& data, Index node) {
 
 /// Solid angle of a triangle seen from the origin (A. van Oosterom and J. Strackee, The Solid Angle
 /// of a Plane Triangle, IEEE Trans. Biomed. Eng. 30, 1983).
-double solid_angle(Vec3 a, Vec3 b, Vec3 c) {
+double seen_angle(Vec3 a, Vec3 b, Vec3 c) {
   a.normalize();
   b.normalize();
   c.normalize();
@@ -292,8 +292,8 @@ TEST_CASE("the polygons of a link fill the solid angle that the node sees of the
       double angle = 0;
       for (const Face& face : node_link(*topology, i)) {
         for (std::size_t k = 1; k + 1 < face.size(); ++k) {
-          angle += solid_angle(data.coordinates.xyz(face[0]) - p, data.coordinates.xyz(face[k]) - p,
-                               data.coordinates.xyz(face[k + 1]) - p);
+          angle += seen_angle(data.coordinates.xyz(face[0]) - p, data.coordinates.xyz(face[k]) - p,
+                              data.coordinates.xyz(face[k + 1]) - p);
         }
       }
       CHECK(angle == doctest::Approx(4 * pi / (1 << sides(p))));
