@@ -19,11 +19,11 @@ namespace {
 
 constexpr double h = 1e-6;
 
-struct Linearisation {
+struct LinearSystem {
   SparseMatrix jacobian;
   std::vector<double> residual, scales;
 
-  Linearisation(const PointwiseWinslow& winslow, const Coordinates& x, bool clip, std::size_t rows)
+  LinearSystem(const PointwiseWinslow& winslow, const Coordinates& x, bool clip, std::size_t rows)
       : residual(2 * rows), scales(rows) {
     winslow.clipped(clip).linearise(x, jacobian, residual);
     winslow.clipped(clip).row_scales(x, scales);
@@ -86,7 +86,7 @@ TEST_CASE("the Jacobian of the pointwise form agrees with central differences") 
         const Coordinates& x = s.mesh.coordinates;
         REQUIRE(check_validity(topology, x).inverted == 0);
         const PointwiseWinslow winslow = pointwise(s.vcv);
-        const Linearisation exact(winslow, x, clip, free.size());
+        const LinearSystem exact(winslow, x, clip, free.size());
         CHECK(exact.jacobian.block == 2);
         CHECK(!exact.jacobian.symmetric);
         const double size = largest_entry(exact.jacobian);
@@ -124,7 +124,7 @@ TEST_CASE("the response to a moved boundary agrees with central differences") {
         const auto free = topology.interior_nodes();
         const Coordinates& x = s.mesh.coordinates;
         const PointwiseWinslow winslow = pointwise(s.vcv);
-        const Linearisation exact(winslow, x, clip, free.size());
+        const LinearSystem exact(winslow, x, clip, free.size());
         Random random(seed);
         Coordinates direction(2, x.size());
         for (Index i = 0; i < x.size(); ++i) {
@@ -160,7 +160,7 @@ TEST_CASE("moves of all nodes that only shift, turn or stretch the mesh are answ
     const auto free = topology.interior_nodes();
     const Coordinates& x = s.mesh.coordinates;
     const PointwiseWinslow winslow = pointwise(s.vcv);
-    const Linearisation exact(winslow, x, false, free.size());
+    const LinearSystem exact(winslow, x, false, free.size());
     Eigen::Matrix2d similarity;
     similarity << 0.3, -0.8, 0.8, 0.3;
     Coordinates move(2, x.size());
@@ -189,7 +189,7 @@ TEST_CASE("a linearised system carries the residual, its norms and the scales of
     const auto free = topology.interior_nodes();
     const Coordinates& x = s.mesh.coordinates;
     const PointwiseWinslow winslow = pointwise(s.vcv);
-    const Linearisation system(winslow, x, clip, free.size());
+    const LinearSystem system(winslow, x, clip, free.size());
     std::vector<double> raw(2 * free.size());
     const ResidualNorms expected = winslow.clipped(clip).residual(x, raw);
     SparseMatrix matrix;
@@ -214,7 +214,7 @@ TEST_CASE("a neighbourhood collapsed into one point has the Laplacian's Jacobian
   for (Index i = 0; i < mesh.coordinates.size(); ++i) mesh.coordinates.set_xy(i, {0.25, 0.5});
   const PointwiseWinslow winslow = pointwise(VirtualControlVolumes(mesh.topology));
   const std::size_t rows = mesh.topology->interior_nodes().size();
-  const Linearisation system(winslow, mesh.coordinates, true, rows);
+  const LinearSystem system(winslow, mesh.coordinates, true, rows);
   SparseSystem frozen;
   winslow.clipped(true).freeze(mesh.coordinates, frozen);
   for (std::size_t e = 0; e < frozen.matrix.values.size(); ++e) {
@@ -239,13 +239,13 @@ TEST_CASE("the Jacobian and the response are bitwise the same at any number of t
   Coordinates move(2, mesh.coordinates.size());
   for (double& v : move.values()) v = random.uniform(-1, 1);
   const PointwiseWinslow single = pointwise(vcv);
-  const Linearisation first(single, mesh.coordinates, true, rows);
+  const LinearSystem first(single, mesh.coordinates, true, rows);
   std::vector<double> response(2 * rows), again(2 * rows);
   single.clipped(true).boundary_response(mesh.coordinates, move, response);
   for (const int threads : {2, 5, 0}) {
     CAPTURE(threads);
     const PointwiseWinslow several = pointwise(vcv, threads);
-    const Linearisation other(several, mesh.coordinates, true, rows);
+    const LinearSystem other(several, mesh.coordinates, true, rows);
     CHECK(other.jacobian.values == first.jacobian.values);
     CHECK(other.residual == first.residual);
     CHECK(other.scales == first.scales);
