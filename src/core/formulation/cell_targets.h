@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "core/types.h"
+#include "core/index.h"
 
 namespace winslow {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/types.h"
+#include "core/index.h"
 
 /// The loop behind check_validity, four corners at a time, in machine code for the processor at
 /// hand. Every version gives the same bits as Corner.
