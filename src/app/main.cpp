@@ -17,6 +17,7 @@
 #include "app/output/terminal.h"
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"
+#include "core/version.h"
 
 namespace winslow::app {
 

@@ -14,6 +14,7 @@
 #include "core/inspect/element_field.h"
 #include "core/layers/layer_plan.h"
 #include "core/motion/motion.h"
+#include "core/version.h"
 #include "io/format/mesh_format.h"
 
 namespace winslow::app {

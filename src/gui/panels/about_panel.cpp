@@ -9,6 +9,7 @@
 #endif
 
 #include "core/linear/linear_solver.h"
+#include "core/version.h"
 #include "gui/render/gl.h"
 #include "gui/widgets/controls.h"
 #include "gui/widgets/dialog.h"
