@@ -15,20 +15,16 @@
 #include "core/command/motion_frames.h"
 #include "core/error.h"
 #include "core/inspect/element_field.h"
-#include "io/format/mesh_file.h"
-#include "io/recipe/recipe.h"
-#ifdef WINSLOW_HAS_GUI
 #include "gui/picture/figure/write_figure.h"
 #include "gui/picture/picture.h"
 #include "gui/render/color_scale.h"
-#endif
+#include "io/format/mesh_file.h"
+#include "io/recipe/recipe.h"
 
 namespace winslow::app {
 namespace {
 
 constexpr int largest_picture = 16384;
-
-#ifdef WINSLOW_HAS_GUI
 
 std::vector<std::string> color_maps() { return gui::color_map_choices(); }
 
@@ -105,24 +101,6 @@ std::string draw_frames(const RenderFlags& flags, const std::vector<Mesh>& meshe
   return record_frames(flags, meshes,
                        [&](const Mesh& mesh) { return gui::draw_picture(mesh, options); });
 }
-
-#else
-
-void check_picture(const std::string&) {}
-bool is_vector_format(const std::string&) { return false; }
-bool is_film(const std::string&) { return false; }
-
-[[noreturn]] void refuse() {
-  throw Error("this winslow was built without graphics (WINSLOW_BUILD_GUI=OFF): it cannot render");
-}
-void draw_both(const RenderFlags&, const Mesh&, const Mesh&) { refuse(); }
-std::string draw_frames(const RenderFlags&, const std::vector<Mesh>&) { refuse(); }
-
-std::vector<std::string> color_maps() { return {"automatic"}; }
-
-void draw(const RenderFlags&, const Mesh&) { refuse(); }
-
-#endif
 
 class RenderSubcommand : public Subcommand {
  public:

@@ -58,8 +58,7 @@ void add_volume_flags(CLI::App& app, VolumeFlags& flags);
 void check_volume_flags(const CLI::App& app, const RenderFlags& flags, const Topology& topology);
 
 /// Draws a volume mesh into flags.output, a PNG, SVG or PDF file; returns what to tell the user
-/// beside its name. Throws UsageError for another format, and
-/// Error where winslow was built without graphics.
+/// beside its name. Throws UsageError for another format.
 std::string draw_volume(const RenderFlags& flags, const Mesh& mesh);
 /// The same of two states side by side, seen alike, in one range of colours.
 void draw_volumes(const RenderFlags& flags, const Mesh& before, const Mesh& after);
@@ -70,7 +69,7 @@ std::string draw_turntable(const RenderFlags& flags, const Mesh& mesh);
 /// user.
 std::string draw_volume_frames(const RenderFlags& flags, const std::vector<Mesh>& meshes);
 
-/// What the flags say of the colours of values. Of programs with graphics.
+/// What the flags say of the colours of values.
 inline gui::ColorChoice color_choice(const RenderFlags& flags) {
   gui::ColorChoice choice;
   choice.map = flags.map;

@@ -7,11 +7,9 @@
 #include "app/subcommands/render_flags.h"
 #include "core/error.h"
 #include "core/inspect/element_field.h"
-#ifdef WINSLOW_HAS_GUI
 #include "gui/picture/figure/write_figure.h"
 #include "gui/picture/picture.h"
 #include "gui/picture/space/volume_picture.h"
-#endif
 
 namespace winslow::app {
 
@@ -27,11 +25,7 @@ constexpr std::array volume_only{"--cut",  "--no-cut",      "--crinkle",  "--sho
 
 const std::vector<std::string> vcv_kinds{"equal", "existing", "adjusted"};
 
-#ifdef WINSLOW_HAS_GUI
 std::vector<std::string> names_of_views() { return gui::view_names(); }
-#else
-std::vector<std::string> names_of_views() { return {"iso"}; }
-#endif
 
 void add_cut_flags(CLI::App& app, VolumeFlags& flags) {
   const char* group = "Cuts (volume meshes)";
@@ -115,8 +109,6 @@ void add_vcv_flag(CLI::App& app, VolumeFlags& flags) {
       ->option_text("equal|existing|adjusted [adjusted]")
       ->group("Control volumes (volume meshes)");
 }
-
-#ifdef WINSLOW_HAS_GUI
 
 int axis_of(const std::string& name) { return name.front() - 'x'; }
 
@@ -204,8 +196,6 @@ gui::VolumePictureOptions alike_options(const RenderFlags& flags,
   return options;
 }
 
-#endif
-
 }  // namespace
 
 void add_volume_flags(CLI::App& app, VolumeFlags& flags) {
@@ -238,7 +228,6 @@ void check_volume_flags(const CLI::App& app, const RenderFlags& flags, const Top
     throw UsageError("--elevation: expected -90 to 90 degrees");
 }
 
-#ifdef WINSLOW_HAS_GUI
 std::string draw_volume(const RenderFlags& flags, const Mesh& mesh) {
   if (!gui::is_vector_format(flags.output)) {
     gui::write_png(flags.output,
@@ -285,20 +274,5 @@ std::string draw_volume_frames(const RenderFlags& flags, const std::vector<Mesh>
   return record_frames(flags, meshes,
                        [&](const Mesh& mesh) { return gui::draw_volume_picture(mesh, options); });
 }
-#else
-void draw_volumes(const RenderFlags& flags, const Mesh&, const Mesh& after) {
-  draw_volume(flags, after);
-}
-std::string draw_volume_frames(const RenderFlags& flags, const std::vector<Mesh>& meshes) {
-  draw_volume(flags, meshes.front());
-  return {};
-}
-std::string draw_turntable(const RenderFlags& flags, const Mesh& mesh) {
-  return draw_volume(flags, mesh);
-}
-std::string draw_volume(const RenderFlags&, const Mesh&) {
-  throw Error("this winslow was built without graphics (WINSLOW_BUILD_GUI=OFF): it cannot render");
-}
-#endif
 
 }  // namespace winslow::app

@@ -7,12 +7,10 @@
 #include "app/output/terminal.h"
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"
-#ifdef WINSLOW_HAS_GUI
 #include "gui/picture/capture/film.h"
 #include "gui/picture/figure/write_figure.h"
 #include "gui/shell/headless/headless_studio.h"
 #include "gui/shell/studio.h"
-#endif
 
 namespace winslow::app {
 namespace {
@@ -91,9 +89,7 @@ class StudioSubcommand : public Subcommand {
 
   void check_flags() const {
     check_output(screenshot_);
-#ifdef WINSLOW_HAS_GUI
     if (!screenshot_.empty()) gui::check_picture_name(screenshot_);
-#endif
     for (const int pixels : size_) {
       if (pixels < 320 || pixels > largest_window) {
         throw UsageError("--size: found " + std::to_string(pixels) + ", expected 320 to " +
@@ -119,7 +115,6 @@ class StudioSubcommand : public Subcommand {
     check_distinct({screenshot_, input_, recipe_, script_});
   }
 
-#ifdef WINSLOW_HAS_GUI
   ExitCode open() const {
     if (headless()) return run_headless();
     gui::StudioOptions options;
@@ -178,11 +173,6 @@ class StudioSubcommand : public Subcommand {
     }
     return ExitCode::done;
   }
-#else
-  ExitCode open() const {
-    throw Error("this winslow was built without graphics (WINSLOW_BUILD_GUI=OFF): no studio");
-  }
-#endif
 
   std::string input_, screenshot_, recipe_, frames_, script_;
   std::string panels_ = "all";

@@ -1,7 +1,9 @@
 #ifndef WINSLOW_HAS_OSMESA
 
+#define EGL_EGL_PROTOTYPES 0  // all calls go through Egl
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <dlfcn.h>
 
 #include <array>
 #include <mutex>
@@ -24,20 +26,72 @@ bool has_extension(const char* list, std::string_view name) {
   return list != nullptr && std::string_view(list).find(name) != std::string_view::npos;
 }
 
+/// The functions of EGL that are needed. The library is loaded with the first picture, so that the
+/// program starts, and does all that draws nothing, on machines without it.
+struct Egl {
+  PFNEGLBINDAPIPROC bind_api;
+  PFNEGLCHOOSECONFIGPROC choose_config;
+  PFNEGLCREATECONTEXTPROC create_context;
+  PFNEGLDESTROYCONTEXTPROC destroy_context;
+  PFNEGLGETCURRENTCONTEXTPROC get_current_context;
+  PFNEGLGETCURRENTDISPLAYPROC get_current_display;
+  PFNEGLGETCURRENTSURFACEPROC get_current_surface;
+  PFNEGLGETDISPLAYPROC get_display;
+  PFNEGLGETPROCADDRESSPROC get_proc_address;
+  PFNEGLINITIALIZEPROC initialize;
+  PFNEGLMAKECURRENTPROC make_current;
+  PFNEGLQUERYSTRINGPROC query_string;
+};
+
+template <class Function>
+void find_function(void* library, const char* name, Function& function) {
+  function = reinterpret_cast<Function>(::dlsym(library, name));
+  if (function == nullptr) fail(std::string("libEGL.so.1 has no ") + name);
+}
+
+Egl load_egl() {
+  // Never closed: drivers leave threads and handlers behind.
+  void* const library = ::dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) {
+    const char* why = ::dlerror();
+    fail(why != nullptr ? why : "libEGL.so.1 cannot be loaded");
+  }
+  Egl egl;
+  find_function(library, "eglBindAPI", egl.bind_api);
+  find_function(library, "eglChooseConfig", egl.choose_config);
+  find_function(library, "eglCreateContext", egl.create_context);
+  find_function(library, "eglDestroyContext", egl.destroy_context);
+  find_function(library, "eglGetCurrentContext", egl.get_current_context);
+  find_function(library, "eglGetCurrentDisplay", egl.get_current_display);
+  find_function(library, "eglGetCurrentSurface", egl.get_current_surface);
+  find_function(library, "eglGetDisplay", egl.get_display);
+  find_function(library, "eglGetProcAddress", egl.get_proc_address);
+  find_function(library, "eglInitialize", egl.initialize);
+  find_function(library, "eglMakeCurrent", egl.make_current);
+  find_function(library, "eglQueryString", egl.query_string);
+  return egl;
+}
+
+/// Throws Error as long as EGL is not there.
+const Egl& egl() {
+  static const Egl loaded = load_egl();
+  return loaded;
+}
+
 /// The surfaceless platform works with no display at all; the default display is the fallback for
 /// drivers that do not know it.
 EGLDisplay find_display() {
-  const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+  const char* extensions = egl().query_string(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   if (has_extension(extensions, "EGL_MESA_platform_surfaceless")) {
     const auto get_platform_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
-        eglGetProcAddress("eglGetPlatformDisplayEXT"));
+        egl().get_proc_address("eglGetPlatformDisplayEXT"));
     if (get_platform_display != nullptr) {
       const EGLDisplay display = get_platform_display(
           EGL_PLATFORM_SURFACELESS_MESA, reinterpret_cast<void*>(EGL_DEFAULT_DISPLAY), nullptr);
       if (display != EGL_NO_DISPLAY) return display;
     }
   }
-  return eglGetDisplay(EGL_DEFAULT_DISPLAY);
+  return egl().get_display(EGL_DEFAULT_DISPLAY);
 }
 
 /// The display is the process's: EGL gives every caller the same one, and Mesa, closed and opened
@@ -49,7 +103,7 @@ EGLDisplay open_display() {
   if (display != EGL_NO_DISPLAY) return display;
   const EGLDisplay found = find_display();
   if (found == EGL_NO_DISPLAY) fail("no EGL display");
-  if (eglInitialize(found, nullptr, nullptr) == EGL_FALSE) fail("EGL does not start");
+  if (egl().initialize(found, nullptr, nullptr) == EGL_FALSE) fail("EGL does not start");
   display = found;
   return display;
 }
@@ -57,14 +111,15 @@ EGLDisplay open_display() {
 class EglContext : public HeadlessContext {
  public:
   EglContext()
-      : previous_display_(eglGetCurrentDisplay()),
-        previous_context_(eglGetCurrentContext()),
-        previous_draw_(eglGetCurrentSurface(EGL_DRAW)),
-        previous_read_(eglGetCurrentSurface(EGL_READ)) {
-    if (!has_extension(eglQueryString(display_, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
+      : previous_display_(egl().get_current_display()),
+        previous_context_(egl().get_current_context()),
+        previous_draw_(egl().get_current_surface(EGL_DRAW)),
+        previous_read_(egl().get_current_surface(EGL_READ)) {
+    if (!has_extension(egl().query_string(display_, EGL_EXTENSIONS),
+                       "EGL_KHR_surfaceless_context")) {
       fail("EGL cannot draw without a surface");
     }
-    if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) fail("EGL offers no desktop OpenGL");
+    if (egl().bind_api(EGL_OPENGL_API) == EGL_FALSE) fail("EGL offers no desktop OpenGL");
     const EGLConfig config = choose_config();
     constexpr std::array<EGLint, 7> attributes{EGL_CONTEXT_MAJOR_VERSION,
                                                3,
@@ -73,13 +128,13 @@ class EglContext : public HeadlessContext {
                                                EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                                EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                                EGL_NONE};
-    context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, attributes.data());
+    context_ = egl().create_context(display_, config, EGL_NO_CONTEXT, attributes.data());
     if (context_ == EGL_NO_CONTEXT) fail("EGL has no OpenGL 3.3 core context");
     try {
-      if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) {
+      if (egl().make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) {
         fail("EGL cannot make its context current");
       }
-      load_gl(eglGetProcAddress);
+      load_gl(egl().get_proc_address);
     } catch (...) {
       release();
       throw;
@@ -102,7 +157,7 @@ class EglContext : public HeadlessContext {
                                            EGL_PBUFFER_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint found = 0;
-    if (eglChooseConfig(display_, wanted.data(), &config, 1, &found) == EGL_TRUE && found > 0) {
+    if (egl().choose_config(display_, wanted.data(), &config, 1, &found) == EGL_TRUE && found > 0) {
       return config;
     }
     return EGL_NO_CONFIG_KHR;
@@ -110,11 +165,11 @@ class EglContext : public HeadlessContext {
 
   void release() {
     if (previous_context_ != EGL_NO_CONTEXT) {
-      eglMakeCurrent(previous_display_, previous_draw_, previous_read_, previous_context_);
+      egl().make_current(previous_display_, previous_draw_, previous_read_, previous_context_);
     } else {
-      eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+      egl().make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     }
-    eglDestroyContext(display_, context_);
+    egl().destroy_context(display_, context_);
   }
 
   EGLDisplay display_ = open_display();
