@@ -19,6 +19,8 @@
 #include "core/problem/smoothing_problem.h"
 #include "core/quality/metric.h"
 #include "core/quality/quality.h"
+#include "core/strategy/solver_cache.h"
+#include "core/version.h"
 
 #if __has_include("io/format/mesh_file.h")
 #include "io/format/mesh_file.h"

@@ -256,7 +256,7 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
     RunOptions run;
     run.monitor = this;
     run.start = &start;
-    run.workspace = &workspace_;
+    run.cache = &cache_;
     const SmoothResult result = smooth_motion(state_, *motion, {}, options_, x, run);
     if (result.contact) contact_ = result.contact->edges;
     if (validity_of(x).inverted > 0) x = start;
@@ -268,7 +268,7 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
     const auto motion = make_motion(*state_.mesh.topology, state_.mesh.coordinates, grip_, target);
     RunOptions run;
     run.monitor = this;
-    run.workspace = &workspace_;
+    run.cache = &cache_;
     run.all_or_nothing = true;
     Coordinates other = state_.mesh.coordinates;
     smooth_motion(state_, *motion, {}, options_, other, run);
@@ -277,9 +277,10 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
 
   /// answered: the position asked for that this mesh is the answer to.
   void publish(const Pose& pose, const Pose& answered, const Coordinates& x) {
-    auto prepared = std::make_shared<const Prepared>(Prepared{
-        DragPredictorIn<D>(workspace_.steady_solver(), x, nodes_, grip_.shares, options_.threads),
-        pose, answered, contact_});
+    auto prepared = std::make_shared<const Prepared>(
+        Prepared{DragPredictorIn<D>(cache_.workspace().steady_solver(), x, nodes_, grip_.shares,
+                                    options_.threads),
+                 pose, answered, contact_});
     const std::lock_guard lock(mutex_);
     prepared_ = std::move(prepared);
     ++corrections_;
@@ -317,7 +318,7 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
   ReadReference read_;
   Vec3 origin_;
   std::vector<Index> nodes_;
-  SmoothingWorkspace workspace_;     // the worker's
+  SolverCache cache_;                // the worker's
   Coordinates solved_;               // the worker's: the mesh solved for last
   Pose from_, target_;               // the worker's: what it is solving for
   std::optional<EdgePair> contact_;  // the worker's: met on the way there

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/error.h"
-#include "core/strategy/workspace.h"
 
 namespace winslow {
 
@@ -239,7 +238,7 @@ class SolverThread::Impl final : public SolverMonitor {
     first_iteration_ = iterations_;
     try {
       if (prepare_) prepare_(current_.command);
-      const RunOptions options{this, current_.start ? &*current_.start : nullptr, &workspace_};
+      const RunOptions options{this, current_.start ? &*current_.start : nullptr, &cache_};
       result = execute(current_.command, *current_.state, options);
       reached_ = result->state.mesh.coordinates;
       topology_ = result->state.mesh.topology;
@@ -269,7 +268,7 @@ class SolverThread::Impl final : public SolverMonitor {
     return false;
   }
 
-  SmoothingWorkspace workspace_;
+  SolverCache cache_;
   std::function<void(Command&)> prepare_;  // set before the first job; null: nothing
   Request current_;
   std::shared_ptr<const Topology> topology_;  // that reached_ is of

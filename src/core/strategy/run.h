@@ -12,6 +12,7 @@
 #include "core/outer/outer_solver.h"
 #include "core/quality/mesh_change.h"
 #include "core/strategy/slide_options.h"
+#include "core/strategy/solver_cache.h"
 
 namespace winslow {
 
@@ -25,15 +26,14 @@ class SolverMonitor {
   virtual bool on_iteration(const IterationRecord& record, const Coordinates& coordinates) = 0;
 };
 
-class SmoothingWorkspace;  // prepared solvers, kept between runs on one topology
-
 /// What a run is given besides what it is to do.
 struct RunOptions {
   SolverMonitor* monitor = nullptr;
   /// A mesh to start from instead of the state's own (all nodes). For dragging: the solution is the
   /// same, only nearer. Paths begin at its boundary where it is valid; all else uses the interior.
   const Coordinates* start = nullptr;
-  SmoothingWorkspace* workspace = nullptr;  ///< null: a new one for this call
+  /// Prepared solvers, kept from call to call. Null: everything is made for this call.
+  SolverCache* cache = nullptr;
   /// A motion along a path that contact is certain to block is not begun: the mesh stays as it is.
   /// Otherwise it goes as far as good meshes lead.
   bool all_or_nothing = false;

@@ -77,7 +77,7 @@ double RunSequence::open(const MeshState& outside, const LayerStack& stack, cons
                          const SmoothOptions& smooth, Coordinates& x) {
   relay_.begin(result_.outer_iterations, &stack);
   RunOptions own = options_;
-  own.workspace = nullptr;  // another connectivity, for once
+  own.cache = nullptr;  // another connectivity, for once
   SmoothResult result = smooth_motion(outside, motion, {}, smooth, x, own);
   const double reached = result.fraction_reached;
   append(result_, std::move(result));

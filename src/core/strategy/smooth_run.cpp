@@ -232,8 +232,8 @@ std::optional<double> stretched(SmoothingWorkspace& workspace) {
 SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& options, Coordinates& x,
                              const RunOptions& run) {
   SmoothResult result;
-  SmoothingWorkspace own;
-  SmoothingWorkspace& workspace = run.workspace ? *run.workspace : own;
+  SolverCache own;
+  SmoothingWorkspace& workspace = (run.cache ? *run.cache : own).workspace();
   CurveRows none;
   workspace.prepare(state.vcv, classes_of(state, nullptr, options, run, result, none), options,
                     state.mesh.coordinates, state.sphere_vcvs);
@@ -257,8 +257,8 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const M
     result.inverted = check_validity(*state.mesh.topology, x, options.threads).inverted;
     return result;
   }
-  SmoothingWorkspace own;
-  SmoothingWorkspace& workspace = run.workspace ? *run.workspace : own;
+  SolverCache own;
+  SmoothingWorkspace& workspace = (run.cache ? *run.cache : own).workspace();
   CurveRows rows;
   workspace.prepare(state.vcv, classes_of(state, &bodies, options, run, result, rows), options,
                     state.mesh.coordinates, state.sphere_vcvs);

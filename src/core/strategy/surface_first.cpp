@@ -131,7 +131,7 @@ Coordinates smooth_surface(const Mesh& volume, const SlidingBoundary& boundary,
   RunOptions own = run;
   own.monitor = &monitor;
   own.start = nullptr;
-  own.workspace = nullptr;
+  own.cache = nullptr;
   Coordinates y = surface.state.mesh.coordinates;
   append(result, smooth_interior(surface.state, of_surface, y, own));
   Coordinates x = volume.coordinates;

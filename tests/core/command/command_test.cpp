@@ -7,7 +7,6 @@
 #include <set>
 
 #include "core/error.h"
-#include "core/strategy/workspace.h"
 #include "support/meshes.h"
 #include "support/systems.h"
 
@@ -224,8 +223,8 @@ TEST_CASE("a warm start changes the way, not the result") {
   CHECK_THROWS_AS(execute(small_move(), state, options), UsageError);
 }
 
-TEST_CASE("a workspace kept over commands, meshes and options changes no bit of the result") {
-  SmoothingWorkspace workspace;
+TEST_CASE("a cache kept over commands, meshes and options changes no bit of the result") {
+  SolverCache cache;
   const MeshState states[] = {hole_state(), annulus_state(), hole_state(Cells::quads)};
   for (int round = 0; round < 2; ++round) {
     for (const MeshState& state : states) {
@@ -239,7 +238,7 @@ TEST_CASE("a workspace kept over commands, meshes and options changes no bit of 
         tangle(start.mesh, random);
         command.smooth.max_iterations = 12;
         RunOptions options;
-        options.workspace = &workspace;
+        options.cache = &cache;
         const CommandResult kept = execute(command, start, options);
         const CommandResult fresh = execute(command, start);
         CHECK(kept.state.mesh.coordinates == fresh.state.mesh.coordinates);

@@ -89,14 +89,15 @@ TEST_CASE("solvers kept from edit to edit give the mesh that new ones give, and 
     CAPTURE(formulation);
     EditVcvCommand command{{wide_angle(topology, node)}, {}};
     command.smooth.formulation = formulation;
-    SmoothingWorkspace workspace;
+    SolverCache cache;
     RunOptions kept;
-    kept.workspace = &workspace;
+    kept.cache = &cache;
     execute(SmoothCommand{command.smooth}, start, kept);
     const auto pattern_now = [&] {
       SparseMatrix matrix;
       std::vector<double> residual(2 * topology.interior_nodes().size());
-      workspace.energy()->linearise(start.mesh.coordinates, Curvature::exact, matrix, residual);
+      cache.workspace().energy()->linearise(start.mesh.coordinates, Curvature::exact, matrix,
+                                            residual);
       return matrix.pattern;
     };
     const auto pattern = pattern_now();
@@ -360,9 +361,9 @@ TEST_CASE("a solver that is kept takes edited VCVs as a fresh one does") {
     CAPTURE(formulation);
     SmoothOptions options = by(formulation);
     options.targets = {.automatic = 0.5, .vcv = 0.5};
-    SmoothingWorkspace kept;
+    SolverCache kept;
     RunOptions run;
-    run.workspace = &kept;
+    run.cache = &kept;
     for (const double off : {0.0, 0.02, 0.04, 0.0}) {
       EditVcvCommand command{{}, options};
       for (const Index node : {interior[3], interior[8]})

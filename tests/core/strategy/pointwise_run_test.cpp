@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/command/command.h"
-#include "core/strategy/workspace.h"
 #include "support/samples.h"
 
 using namespace winslow;
@@ -198,13 +197,13 @@ TEST_CASE("pointwise Newton keeps the limit of iterations over all of its stages
   }
 }
 
-TEST_CASE("a workspace kept over outer methods and formulations changes no bit of the result") {
-  SmoothingWorkspace workspace;
+TEST_CASE("a cache kept over outer methods and formulations changes no bit of the result") {
+  SolverCache cache;
   const MeshState state = annulus_state();
   for (int round = 0; round < 2; ++round) {
     for (const OuterMethod outer : {OuterMethod::newton, OuterMethod::picard}) {
       RunOptions options;
-      options.workspace = &workspace;
+      options.cache = &cache;
       const MoveCommand command = turn(40, outer);
       CHECK(execute(command, state, options).state.mesh.coordinates ==
             execute(command, state).state.mesh.coordinates);

@@ -6,7 +6,6 @@
 #include "core/command/command.h"
 #include "core/error.h"
 #include "core/quality/quality.h"
-#include "core/strategy/workspace.h"
 #include "support/space_meshes.h"
 
 using namespace winslow;
@@ -217,7 +216,7 @@ TEST_CASE("runs over VCVs give the same bits at any number of threads") {
   }
 }
 
-TEST_CASE("runs over VCVs give the same bits in a used workspace") {
+TEST_CASE("runs over VCVs give the same bits with a used cache") {
   const MeshState state = make_state(coarse_ball_in_box());
   for (const std::string form : {"pointwise", "variational"}) {
     CAPTURE(form);
@@ -225,9 +224,9 @@ TEST_CASE("runs over VCVs give the same bits in a used workspace") {
     command.smooth.vcv_updates = 2;
     command.smooth.threads = 1;
     const Coordinates one = execute(command, state).state.mesh.coordinates;
-    SmoothingWorkspace workspace;
+    SolverCache cache;
     RunOptions options;
-    options.workspace = &workspace;
+    options.cache = &cache;
     CHECK(execute(command, state, options).state.mesh.coordinates == one);
     CHECK(execute(command, state, options).state.mesh.coordinates == one);
     // Another kind in between.
