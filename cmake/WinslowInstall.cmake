@@ -1,8 +1,10 @@
 # Installs the program and the libraries so that another project can
 #   find_package(winslow COMPONENTS core io)
-# and link winslow::core without OpenGL.
+# and link winslow::core without OpenGL. In two components, which are two Debian packages: `program` and
+# `library`.
 include(CMakePackageConfigHelpers)
 set(WINSLOW_CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/winslow)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME library)
 
 # winslow_api_headers(OUT FOLDER HEADER ...): those headers of FOLDER and all that they include there.
 function(winslow_api_headers out folder)
@@ -22,6 +24,7 @@ function(winslow_api_headers out folder)
   set(${out} ${found} PARENT_SCOPE)
 endfunction()
 
+# The library.
 set(installed_components core)
 if(WINSLOW_BUILD_IO)
   list(APPEND installed_components io)
@@ -41,23 +44,6 @@ foreach(header ${api})
   install(FILES ${PROJECT_SOURCE_DIR}/src/${header}
           DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/winslow/${folder})
 endforeach()
-if(WINSLOW_BUILD_APP)
-  install(TARGETS winslow)
-  # The studio looks for its bundled meshes in ../share/winslow from where the program is.
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/ DESTINATION ${CMAKE_INSTALL_DATADIR}/winslow
-          FILES_MATCHING PATTERN "*.su2" PATTERN "*.su2.gz" PATTERN meshgen EXCLUDE PATTERN volumes EXCLUDE)
-  # Manual page and completions are what the program says of itself, so it has to run here.
-  if(NOT CMAKE_CROSSCOMPILING)
-    install(FILES ${WINSLOW_PAGES}/winslow.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-    install(FILES ${WINSLOW_PAGES}/winslow.bash RENAME winslow
-            DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-    install(FILES ${WINSLOW_PAGES}/winslow.zsh RENAME _winslow
-            DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
-    install(FILES ${WINSLOW_PAGES}/winslow.fish
-            DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
-  endif()
-endif()
-
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/winslowConfig.cmake.in
                               ${PROJECT_BINARY_DIR}/winslowConfig.cmake
                               INSTALL_DESTINATION ${WINSLOW_CONFIG_DIR})
@@ -68,3 +54,39 @@ install(FILES ${PROJECT_BINARY_DIR}/winslowConfig.cmake
               ${CMAKE_CURRENT_LIST_DIR}/FindCGNS.cmake
               ${CMAKE_CURRENT_LIST_DIR}/FindSuiteSparse.cmake
         DESTINATION ${WINSLOW_CONFIG_DIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/winslow)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libwinslow-dev)
+
+# The program.
+if(WINSLOW_BUILD_APP)
+  install(TARGETS winslow COMPONENT program)
+  # The studio looks for its bundled meshes and the pictures of its demos in ../share/winslow from where
+  # the program is.
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/ DESTINATION ${CMAKE_INSTALL_DATADIR}/winslow
+          COMPONENT program
+          FILES_MATCHING PATTERN "*.su2" PATTERN "*.gz" PATTERN "*.png" PATTERN meshgen EXCLUDE
+                         PATTERN volumes EXCLUDE)
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/winslow COMPONENT program)
+  # Pages link to one another, to their pictures and to the README as they do in the repository.
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/winslow
+          COMPONENT program
+          FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.svg" PATTERN "*.gif")
+  # Manual page and completions are what the program says of itself, so it has to run here.
+  if(NOT CMAKE_CROSSCOMPILING)
+    install(FILES ${WINSLOW_PAGES}/winslow.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+            COMPONENT program)
+    install(FILES ${WINSLOW_PAGES}/winslow.bash RENAME winslow COMPONENT program
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+    install(FILES ${WINSLOW_PAGES}/winslow.zsh RENAME _winslow COMPONENT program
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+    install(FILES ${WINSLOW_PAGES}/winslow.fish COMPONENT program
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+  endif()
+endif()
+
+if(PROJECT_IS_TOP_LEVEL)
+  include(WinslowPackage)
+endif()

@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# Makes the Debian packages of a build and looks into them. Usage: packages.sh BUILD_FOLDER
+set -euo pipefail
+build=$(cd "$1" && pwd)
+work=$build/tests/install/packages
+rm -rf "$work"
+mkdir -p "$work"
+# The build is as it is: nothing is built for the packages.
+(cd "$work" && cpack --config "$build/CPackConfig.cmake" -G DEB -B "$work" \
+  -D CPACK_CMAKE_GENERATOR= >cpack.log 2>&1) || { cat "$work/cpack.log"; exit 1; }
+
+# holds PACKAGE PATH...: the package brings these files.
+holds() {
+  local list
+  list=$(dpkg-deb --contents "$work"/"$1"_*.deb | awk '{ print $6 }')
+  shift
+  for path in "$@"; do
+    grep -qx "\./usr/$path" <<<"$list" || { echo "missing: /usr/$path"; exit 1; }
+  done
+}
+# asks PACKAGE FIELD PATTERN: what the package says of itself.
+asks() {
+  dpkg-deb --field "$work"/"$1"_*.deb "$2" | grep -qE "$3" || {
+    dpkg-deb --info "$work"/"$1"_*.deb
+    echo "$1: $2 has no $3"
+    exit 1
+  }
+}
+
+asks libwinslow-dev Depends 'libeigen3-dev'
+holds libwinslow-dev include/winslow/winslow.h include/winslow/core/version.h \
+  share/winslow/examples/CMakeLists.txt share/winslow/examples/time_loop.cpp \
+  share/doc/libwinslow-dev/copyright
+dpkg-deb --contents "$work"/libwinslow-dev_*.deb | grep -q 'winslowConfig.cmake'
+if compgen -G "$work/winslow_*.deb" >/dev/null; then
+  # What dpkg-shlibdeps found.
+  asks winslow Depends 'libc6 \(>= [0-9.]+\)'
+  asks winslow Depends 'libstdc\+\+6'
+  holds winslow bin/winslow share/man/man1/winslow.1 share/winslow/naca0012.su2 \
+    share/doc/winslow/copyright share/doc/winslow/docs/library.md
+  # It can be unpacked and started where it is.
+  dpkg-deb --extract "$work"/winslow_*.deb "$work/root"
+  "$work/root/usr/bin/winslow" --version
+fi
+ls "$work"/*.deb
