@@ -30,4 +30,5 @@
 #include "io/tables/boundary_file.h"
 #include "io/tables/convergence_csv.h"
 #include "io/tables/displacement_file.h"
+#include "io/tables/slide_files.h"
 #endif

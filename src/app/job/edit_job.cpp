@@ -19,7 +19,7 @@
 #include "core/strategy/surface_shape.h"
 #include "io/recipe/recipe.h"
 #include "io/tables/convergence_csv.h"
-#include "io/tables/reference_file.h"
+#include "io/tables/slide_files.h"
 
 namespace winslow::app {
 namespace {
@@ -361,7 +361,8 @@ nlohmann::json describe(const std::vector<ZoneRun>& zones, const RunReport& run)
 ExitCode run_edit_job(EditJob job) {
   check_files(job.files);
   check_options(job.commands);
-  for (Command& command : job.commands) io::load_reference(command);
+  for (Command& command : job.commands)
+    if (SmoothOptions* smooth = smooth_options(command)) io::resolve_reference(smooth->slide);
   const InterruptGuard interrupts;
   Stopwatch total, lap;
   RunReport run{job.name, job.files.input, job.files.output, false, {}, {}, {}};

@@ -7,7 +7,7 @@
 
 #include "app/job/markers.h"
 #include "core/error.h"
-#include "io/tables/reference_file.h"
+#include "io/tables/slide_files.h"
 
 namespace winslow::app {
 namespace {
@@ -127,9 +127,10 @@ void give_pairs(std::vector<ZoneRun>& zones) {
   for (ZoneRun& zone : zones) {
     for (std::optional<Command>& command : zone.commands) {
       if (!command) continue;
-      io::give_pairs(*command, zone.source.details.get());
       SmoothOptions* smooth = smooth_options(*command);
-      if (smooth && any && !named(zone)) smooth->slide.file_pairs.wanted = false;
+      if (!smooth) continue;
+      io::resolve_pairs(smooth->slide, zone.source.details.get());
+      if (any && !named(zone)) smooth->slide.file_pairs.wanted = false;
     }
   }
 }

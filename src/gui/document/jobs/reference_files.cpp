@@ -7,7 +7,7 @@
 #include "core/mesh/surface_faces.h"
 #include "gui/base/text.h"
 #include "io/format/mesh_format.h"
-#include "io/tables/reference_file.h"
+#include "io/tables/slide_files.h"
 
 namespace winslow::gui {
 
@@ -38,7 +38,7 @@ std::shared_ptr<const ReferenceSurface> ReferenceFiles::read(const std::filesyst
 }
 
 void ReferenceFiles::load(SlideOptions& slide) {
-  slide.reference.surface = slide.reference.name.empty() ? nullptr : read(slide.reference.name);
+  io::resolve_reference(slide, [this](const std::filesystem::path& file) { return read(file); });
 }
 
 void ReferenceFiles::load(Command& command) {

@@ -10,7 +10,7 @@
 #include "gui/document/jobs/body_drag.h"
 #include "gui/document/jobs/job_runner.h"
 #include "gui/document/jobs/run_settings.h"
-#include "io/tables/reference_file.h"
+#include "io/tables/slide_files.h"
 
 namespace winslow::gui {
 
@@ -33,8 +33,7 @@ const QualityFloor& floor_of(const Command& command) {
 
 bool Jobs::poll() {
   const Document* document = mesh_.document();
-  smooth_.slide.file_pairs.found =
-      document && document->details() ? document->details()->periodic : nullptr;
+  io::resolve_pairs(smooth_.slide, document ? document->details().get() : nullptr);
   bool changed =
       layer_preview_.update(document && !mesh_.in_motion() ? &document->state().mesh : nullptr);
   changed |= found_layers_.update(document && !mesh_.in_motion() ? &document->state() : nullptr);
@@ -79,8 +78,8 @@ bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start,
                                               "\". Wait until it is done, or cancel it.");
     return false;
   }
-  io::give_pairs(command, mesh_.document()->details().get());
-  if (const SmoothOptions* smooth = winslow::smooth_options(command)) {
+  if (SmoothOptions* smooth = winslow::smooth_options(command)) {
+    io::resolve_pairs(smooth->slide, mesh_.document()->details().get());
     try {
       validate(*smooth);
     } catch (const Error& error) {

@@ -1,4 +1,4 @@
-#include "io/tables/reference_file.h"
+#include "io/tables/slide_files.h"
 
 #include "io/surface/surface.h"
 
@@ -15,19 +15,19 @@ std::shared_ptr<const ReferenceSurface> read_reference(const std::filesystem::pa
   return out;
 }
 
-void load_reference(Command& command) {
-  SmoothOptions* smooth = smooth_options(command);
-  if (!smooth) return;
-  ReferenceFile& reference = smooth->slide.reference;
-  if (reference.name.empty())
-    reference.surface = nullptr;
-  else if (!reference.surface)
-    reference.surface = read_reference(reference.name);
+void resolve_reference(SlideOptions& slide, const ReferenceReader& read) {
+  slide.reference.surface = slide.reference.name.empty() ? nullptr : read(slide.reference.name);
 }
 
-void give_pairs(Command& command, const FormatDetails* details) {
-  if (SmoothOptions* smooth = smooth_options(command))
-    smooth->slide.file_pairs.found = details ? details->periodic : nullptr;
+void resolve_pairs(SlideOptions& slide, const FormatDetails* details) {
+  slide.file_pairs.found = details ? details->periodic : nullptr;
+}
+
+void resolve_files(Command& command, const FormatDetails* details, const ReferenceReader& read) {
+  SmoothOptions* smooth = smooth_options(command);
+  if (!smooth) return;
+  resolve_pairs(smooth->slide, details);
+  resolve_reference(smooth->slide, read);
 }
 
 }  // namespace winslow::io
