@@ -3,6 +3,6 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 clang_format=$(command -v clang-format-14 || command -v clang-format)
-find src tests bench -name '*.cpp' -o -name '*.h' | sort |
+find src tests bench examples -name '*.cpp' -o -name '*.h' | sort |
   xargs "$clang_format" --dry-run -Werror --ferror-limit=5
 echo "All sources are formatted."
