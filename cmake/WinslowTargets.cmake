@@ -12,6 +12,10 @@ if(WINSLOW_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${WINSLOW_CCACHE})
 endif()
 
+# Debian's Python has the modules that Debian installs, whatever python3 comes first in the PATH.
+find_program(WINSLOW_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
+find_program(WINSLOW_PYTHON python3)
+
 function(winslow_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion)
@@ -42,31 +46,42 @@ function(winslow_compile_options target)
   endif()
 endfunction()
 
-# winslow_unity(TARGET ROOT SOURCES ... [APART FOLDER ...]): with WINSLOW_UNITY the sources of a folder of
-# ROOT and the folders in it are compiled together, ten at a time: headers are then read, and templates
-# instantiated, once for all of them. Apart stay sources with options of their own and those of
-# FOLDERS, where files have helpers of the same name.
-function(winslow_unity target root)
-  if(NOT WINSLOW_UNITY)
-    return()
+# winslow_unity(TARGET FOLDER ...): with WINSLOW_UNITY the sources of a target in these folders of headers are
+# compiled in groups, at the end of this directory: headers are then read, and templates instantiated, once
+# for all of a group. Apart stay sources with options of their own.
+function(winslow_unity target)
+  if(WINSLOW_UNITY)
+    cmake_language(EVAL CODE "cmake_language(DEFER CALL winslow_make_groups [[${target}]] [[${ARGN}]])")
   endif()
-  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "APART;SOURCES")
-  list(TRANSFORM arg_APART REPLACE "(.+)" "^\\1/" OUTPUT_VARIABLE apart)
-  list(JOIN apart "|" apart)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  foreach(source ${arg_SOURCES})
-    cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${root} OUTPUT_VARIABLE path)
-    if(NOT path MATCHES "\\.cpp$" OR (apart AND path MATCHES "${apart}"))
-      continue()
-    endif()
-    string(REGEX REPLACE "/.*|[^/]*\\.cpp$" "" folder "${path}")
-    math(EXPR part "0${count_${folder}} / 10")
-    math(EXPR count_${folder} "0${count_${folder}} + 1")
-    set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${folder}_${part}")
-  endforeach()
 endfunction()
 
-# winslow_library(NAME [APART FOLDER ...]): library winslow_NAME, alias winslow::NAME, from all sources
+function(winslow_make_groups target folders)
+  list(JOIN folders "|" inside)
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  foreach(source ${sources})
+    get_source_file_property(options ${source} COMPILE_OPTIONS)
+    get_source_file_property(definitions ${source} COMPILE_DEFINITIONS)
+    get_source_file_property(generated ${source} GENERATED)
+    if(source MATCHES "^(${inside})/" AND NOT options AND NOT definitions AND NOT generated)
+      list(APPEND grouped ${source})
+    endif()
+  endforeach()
+  list(SORT grouped)
+  set(script ${PROJECT_SOURCE_DIR}/cmake/unity_groups.py)
+  set(out ${CMAKE_CURRENT_BINARY_DIR}/${target}_unity)
+  list(JOIN grouped "\n" lines)
+  file(WRITE ${out}/sources.txt "${lines}\n")
+  list(JOIN folders "," folders)
+  execute_process(COMMAND ${WINSLOW_PYTHON} -B ${script} ${out} ${WINSLOW_UNITY_BYTES} ${folders}
+                  INPUT_FILE ${out}/sources.txt OUTPUT_VARIABLE units COMMAND_ERROR_IS_FATAL ANY)
+  set_source_files_properties(${grouped} PROPERTIES HEADER_FILE_ONLY ON)
+  target_sources(${target} PRIVATE ${units})
+  # A new helper may be called as one of another source of its group: the groups are made anew then.
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${script} ${grouped})
+endfunction()
+
+# winslow_library(NAME): library winslow_NAME, alias winslow::NAME, from all sources
 # below this folder.
 function(winslow_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp
@@ -81,13 +96,13 @@ function(winslow_library name)
            $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
            $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/winslow>)
   winslow_compile_options(winslow_${name})
-  winslow_unity(winslow_${name} ${CMAKE_CURRENT_SOURCE_DIR} SOURCES ${sources} ${ARGN})
+  winslow_unity(winslow_${name} ${PROJECT_SOURCE_DIR}/src)
 endfunction()
 
-# winslow_tests(NAME LIBRARIES ... [APART FOLDER ...]): one doctest program from all sources below tests/NAME, run as a
+# winslow_tests(NAME LIBRARIES ...): one doctest program from all sources below tests/NAME, run as a
 # test NAME.FOLDER for each folder there and a test NAME for the sources beside those folders.
 function(winslow_tests name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES;APART")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES")
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
   add_executable(${name}_tests ${sources} ${CMAKE_CURRENT_SOURCE_DIR}/support/main.cpp)
   target_include_directories(${name}_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
@@ -107,7 +122,7 @@ function(winslow_tests name)
   if(CMAKE_BUILD_TYPE STREQUAL "Release")
     target_compile_options(${name}_tests PRIVATE -O1)
   endif()
-  winslow_unity(${name}_tests ${CMAKE_CURRENT_SOURCE_DIR}/${name} SOURCES ${sources} APART ${arg_APART})
+  winslow_unity(${name}_tests ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src)
   list(TRANSFORM sources REPLACE ".*/tests/${name}/" "")
   list(FILTER sources INCLUDE REGEX "_test\\.cpp$")
   set(beside ${sources})

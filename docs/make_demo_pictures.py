@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Draws the small pictures of the guided demos: make_demo_pictures.py WINSLOW
 
 Each case is run on its coarse mesh, and the place that its demo looks at is drawn as the welcome page

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Runs the paper's cases, draws them, and prints the README's table: make_gallery.py WINSLOW
 
 The column "pointwise" counts the linear solves of the same case with the paper's operator.

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Writes the tables of the reference pages, which the program's own tables say: make_reference.py WINSLOW
 
 Each stands between "<!-- reference NAME -->" and "<!-- end of reference -->". With --check nothing is

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Draws the pictures of docs/studio.md, and the README's of the studio, from the program itself:
 make_tour.py WINSLOW [NAME ...]
 

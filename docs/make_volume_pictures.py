@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Makes the pictures of volume meshes in README.md and three-dimensions.md: make_volume_pictures.py WINSLOW
 
 Meshes are bundled or come from Gmsh, on the spot. Needs no display.

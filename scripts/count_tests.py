@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Prints "PASSED FAILED" for a ctest log, counting the test cases inside doctest and unittest runs.
 
 A test of ctest that reports no cases of its own counts as one.

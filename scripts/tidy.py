@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Runs clang-tidy over src. Usage: tidy.py BUILD_FOLDER [SOURCE...]
 
 What passed is remembered, in the user's cache, by the hash of everything it depends on but for where the

@@ -19,7 +19,11 @@ import sys
 import tempfile
 from pathlib import Path
 
-import numpy as np
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "meshes"))
+import debian_python  # noqa: E402
+
+debian_python.take_over()
+import numpy as np  # noqa: E402
 
 
 def read_su2(path):

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Layers around many bodies: python3 layers.py PATH/TO/winslow [--seed S] [--only NAME] [--keep DIR]
 
 Every insertion must end valid, with the first height within 5 % over 98 % of the columns, or be
@@ -15,7 +15,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from winslow_cases import ROOT, count_inverted, read_elements, read_nodes, run
+from winslow_cases import PYTHON, ROOT, count_inverted, read_elements, read_nodes, run
 
 SPACING = ["--count", 20, "--first", 5e-5, "--ratio", 1.25, "--growth", 1]
 
@@ -121,7 +121,7 @@ def main():
     valid, refused, wrong = 0, [], []
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        subprocess.run([sys.executable, ROOT / "tests/meshes/make_bodies.py", folder, "--seed",
+        subprocess.run([PYTHON, ROOT / "tests/meshes/make_bodies.py", folder, "--seed",
                         str(options.seed)], check=True)
         bodies = json.loads((folder / "bodies.json").read_text())["bodies"]
         bodies = [b for b in bodies if options.only in b["name"]]

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """The paper's cases on the bundled meshes: python3 paper_cases.py PATH/TO/winslow"""
 import sys
 import tempfile

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Foreign meshes, random motions: python3 random_meshes.py PATH/TO/winslow [--count N] [--seed S]
                                      [--max-rotation DEGREES] [--formulation NAME]
 
@@ -14,7 +14,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from winslow_cases import ROOT, count_inverted, run
+from winslow_cases import PYTHON, ROOT, count_inverted, run
 
 
 def run_motion(winslow, folder, mesh, motion, name, formulation):
@@ -81,7 +81,7 @@ def main():
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        subprocess.run([sys.executable, ROOT / "tests/meshes/make_random.py", folder, "--count",
+        subprocess.run([PYTHON, ROOT / "tests/meshes/make_random.py", folder, "--count",
                         str(options.count), "--seed", str(options.seed),
                         "--max-rotation", str(options.max_rotation)], check=True)
         meshes = json.loads((folder / "meshes.json").read_text())["meshes"]

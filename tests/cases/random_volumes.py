@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Foreign volume meshes, random motions: python3 random_volumes.py PATH/TO/winslow [--count N]
                                           [--seed S] [--max-rotation DEGREES] [--keep FOLDER]
 
@@ -14,7 +14,11 @@ import sys
 import tempfile
 from pathlib import Path
 
-import numpy as np
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "meshes"))
+import debian_python  # noqa: E402
+
+debian_python.take_over()
+import numpy as np  # noqa: E402
 from random_meshes import Tally, verdict
 from volume_checks import count_inverted, marker_nodes, read_volume, rotated, same_elements
 from winslow_cases import ROOT, run
@@ -68,7 +72,7 @@ def main():
     tally = Tally()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(options.keep or name)
-        subprocess.run([sys.executable, "-B", ROOT / "tests/meshes/make_random_volumes.py", folder, "--count",
+        subprocess.run([debian_python.PYTHON, "-B", ROOT / "tests/meshes/make_random_volumes.py", folder, "--count",
                         str(options.count), "--seed", str(options.seed),
                         "--max-rotation", str(options.max_rotation)], check=True)
         for mesh in json.loads((folder / "meshes.json").read_text())["meshes"]:

@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 from robustness import cases_of, read_markers
-from winslow_cases import CASES, ROOT, read_nodes, run
+from winslow_cases import CASES, PYTHON, ROOT, read_nodes, run
 
 sys.path.insert(0, str(ROOT / "tests" / "meshes"))
 from make_bodies import bodies, mesh_bodies  # noqa: E402
@@ -302,7 +302,7 @@ def body_layers(folder):
 
 
 def random_meshes(folder, count, seed, *more):
-    subprocess.run([sys.executable, ROOT / "tests/meshes/make_random.py", folder, "--count", str(count),
+    subprocess.run([PYTHON, ROOT / "tests/meshes/make_random.py", folder, "--count", str(count),
                     "--seed", str(seed), *more], check=True, stdout=subprocess.DEVNULL)
     return json.loads((folder / "meshes.json").read_text())["meshes"]
 

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """The robustness figure of docs/performance.md: python3 robustness.py PATH/TO/winslow [--meshes N]
                                      [--seed S] [--failures OUT.json] [--again IN.json]
 
@@ -17,7 +17,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from winslow_cases import ROOT, count_inverted, read_nodes, run
+from winslow_cases import PYTHON, ROOT, count_inverted, read_nodes, run
 
 
 def read_markers(path):
@@ -86,7 +86,7 @@ def main():
     listed = json.loads(options.again.read_text()) if options.again else None
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        subprocess.run([sys.executable, ROOT / "tests/meshes/make_random.py", folder, "--count",
+        subprocess.run([PYTHON, ROOT / "tests/meshes/make_random.py", folder, "--count",
                         str(options.meshes), "--seed", str(options.seed), "--max-rotation", "180",
                         "--max-holes", "4"],
                        check=True)

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Compares everything that two builds of the program write, byte for byte:
 
     python3 same_results.py BASE_PROGRAM NEW_PROGRAM [--quick] [--only PATTERN] [--ignore PATTERN]

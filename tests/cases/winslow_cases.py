@@ -1,9 +1,12 @@
 """What the case tests and the gallery of the README share: running cases and reading results."""
 import json
 import subprocess
+import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "meshes"))
+from debian_python import PYTHON  # noqa: E402, F401
 CASES = json.loads((Path(__file__).parent / "cases.json").read_text())["cases"]
 
 

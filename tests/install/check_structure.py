@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Checks how src is built: python3 check_structure.py
 
 - Folders: what a file may include says structure.txt; folders that are missing there are a fault.

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Meshes around many bodies for layers: make_bodies.py FOLDER [--seed S]
 
 Aerofoils with sharp and blunt trailing edges, ellipses, polygons, stars, gears, smooth random

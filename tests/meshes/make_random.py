@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Makes random test meshes.
 
 python3 make_random.py OUT_FOLDER [--count N] [--seed S] [--max-rotation DEG]
@@ -21,7 +21,10 @@ import json
 import subprocess
 from pathlib import Path
 
-import numpy as np
+import debian_python
+
+debian_python.take_over()
+import numpy as np  # noqa: E402
 
 KINDS = ("triangles", "quads", "mixed")
 FORMATS = ((".su2", "su2"), (".msh", "msh41"), (".msh", "msh22"))

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Makes random volume meshes.
 
 python3 make_random_volumes.py OUT_FOLDER [--count N] [--seed S] [--max-rotation DEG] [--max-bodies B]
@@ -26,8 +26,11 @@ import argparse
 import json
 from pathlib import Path
 
-import numpy as np
-from extrusion import extruded, split_about_centres, write_su2
+import debian_python
+
+debian_python.take_over()
+import numpy as np  # noqa: E402
+from extrusion import extruded, split_about_centres, write_su2  # noqa: E402
 from make_random import (FORMATS, clearance, convex_polygon, count_nodes, distance_to_loop, draw_holes, loop_lines,
                          mesh_it, star_polygon)
 

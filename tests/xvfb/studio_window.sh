@@ -42,7 +42,7 @@ wait "$studio" || fail "the studio ends with exit code $?"
 studio=''
 
 "$winslow" quality moved.su2 > quality.txt || fail "the saved mesh is not valid"
-/usr/bin/env python3 - mesh.su2 moved.su2 << 'EOF' || fail "the saved mesh is not the dragged one"
+/usr/bin/python3 - mesh.su2 moved.su2 << 'EOF' || fail "the saved mesh is not the dragged one"
 import sys
 
 
