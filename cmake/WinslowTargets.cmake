@@ -77,6 +77,8 @@ function(winslow_make_groups target folders)
                   INPUT_FILE ${out}/sources.txt OUTPUT_VARIABLE units COMMAND_ERROR_IS_FATAL ANY)
   set_source_files_properties(${grouped} PROPERTIES HEADER_FILE_ONLY ON)
   target_sources(${target} PRIVATE ${units})
+  # Of a type of a source's own, GCC warns where that source is included: it takes it for a header.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   # A new helper may be called as one of another source of its group: the groups are made anew then.
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${script} ${grouped})
 endfunction()
@@ -107,9 +109,15 @@ function(winslow_tests name)
   add_executable(${name}_tests ${sources} ${CMAKE_CURRENT_SOURCE_DIR}/support/main.cpp)
   target_include_directories(${name}_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   target_link_libraries(${name}_tests PRIVATE ${arg_LIBRARIES} doctest::doctest)
-  target_compile_definitions(
-    ${name}_tests PRIVATE WINSLOW_ASSETS="${PROJECT_SOURCE_DIR}/assets"
-                          WINSLOW_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data")
+  # The one place that knows where the sources lie; a path in the definitions would keep ccache from
+  # finding in one clone what another one has compiled.
+  file(CONFIGURE OUTPUT sources_folder.cpp CONTENT [[
+namespace winslow::test {
+const char* sources();
+const char* sources() { return "@PROJECT_SOURCE_DIR@"; }
+}  // namespace winslow::test
+]] @ONLY)
+  target_sources(${name}_tests PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/sources_folder.cpp)
   winslow_compile_options(${name}_tests)
   # A third of the time that checks take to compile; what they check is the same.
   target_compile_definitions(${name}_tests PRIVATE DOCTEST_CONFIG_SUPER_FAST_ASSERTS)

@@ -4,6 +4,7 @@
 #include "io/support/mutations.h"
 #include "io/support/samples.h"
 #include "io/support/volume_samples.h"
+#include "support/paths.h"
 
 namespace winslow::test {
 namespace {
@@ -23,7 +24,7 @@ TEST_CASE("no damaged file does anything but give a mesh or an InputError") {
   int meshes = 0;
   int refused = 0;
   for (const std::string& name : seeds()) {
-    const std::string original = read_text(std::string(WINSLOW_TEST_DATA "/") + name);
+    const std::string original = read_text(test::test_data(name));
     const auto path = folder / name;
     for (std::uint64_t seed = 0; seed < mutation_count(400); ++seed) {
       CAPTURE(name);
@@ -55,7 +56,7 @@ TEST_CASE("no damaged file does anything but give a mesh or an InputError") {
 TEST_CASE("every beginning of a file is refused, or a mesh") {
   const TemporaryFolder folder;
   for (const std::string& name : seeds()) {
-    const std::string original = read_text(std::string(WINSLOW_TEST_DATA "/") + name);
+    const std::string original = read_text(test::test_data(name));
     const auto path = folder / name;
     int meshes = 0;
     for (std::size_t size = 0; size < original.size(); size += 3) {

@@ -4,6 +4,7 @@
 #include "io/format/mesh_format.h"
 #include "io/support/samples.h"
 #include "io/support/volume_samples.h"
+#include "support/paths.h"
 
 namespace winslow::test {
 namespace {
@@ -94,7 +95,7 @@ TEST_CASE("coordinates with every bit pattern of a finite number come back") {
 }
 
 TEST_CASE("a plane z = constant is kept, also across formats") {
-  const std::string source = read_text(WINSLOW_TEST_DATA "/square.obj");
+  const std::string source = read_text(test::test_data("square.obj"));
   std::string raised;
   for (std::size_t at = 0; at < source.size();) {
     const auto end = source.find('\n', at);
@@ -137,7 +138,7 @@ TEST_CASE("STL: the same triangles come back, corners at one place become one no
 }
 
 TEST_CASE("a changed mesh does not get the details of its source") {
-  const io::MeshFile square = io::read_mesh(WINSLOW_TEST_DATA "/square_41.msh");
+  const io::MeshFile square = io::read_mesh(test::test_data("square_41.msh"));
   MeshData data = grid_with_holes(3, Cells::mixed, [](Index, Index) { return false; });
   const Mesh other = make_mesh(data);
   const TemporaryFolder folder;

@@ -7,11 +7,13 @@ namespace winslow::gui {
 
 namespace fs = std::filesystem;
 
+const char* source_assets();  // in a source that CMake writes
+
 fs::path assets_folder(const fs::path& program) {
   std::error_code ignored;
   fs::path installed = program.parent_path().parent_path() / "share" / "winslow";
   if (fs::is_regular_file(installed / "naca0012.su2", ignored)) return installed;
-  const fs::path source = WINSLOW_SOURCE_ASSETS;
+  const fs::path source = source_assets();
   return fs::is_directory(source, ignored) ? source : fs::path();
 }
 

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "gui/support/rig.h"
+#include "support/paths.h"
 
 namespace winslow::gui::test {
 
@@ -16,7 +17,7 @@ namespace {
 struct DemoRig : Rig {
   DemoRig() {
     WorkbenchOptions options;
-    options.demo_meshes = std::string(WINSLOW_ASSETS) + "/coarse";
+    options.demo_meshes = winslow::test::assets("coarse");
     bench = std::make_unique<Workbench>(options);
     frames();
   }
@@ -207,7 +208,7 @@ namespace {
 struct PaintedRig : Rig {
   PaintedRig() : Rig(900, 640) {
     WorkbenchOptions options;
-    options.demo_meshes = WINSLOW_ASSETS;
+    options.demo_meshes = winslow::test::assets();
     bench = std::make_unique<Workbench>(options);
     frames();
   }

@@ -7,6 +7,7 @@
 #include "gui/support/rig.h"
 #include "gui/view/overlays/role_overlay.h"
 #include "support/meshes.h"
+#include "support/paths.h"
 #include "support/space_meshes.h"
 
 namespace winslow::gui::test {
@@ -318,7 +319,7 @@ namespace {
 const SlideOptions& taken_of(const Rig& rig) { return rig.session().jobs().smooth_options().slide; }
 
 void open_passage(Rig& rig) {
-  rig.bench->apply(action::OpenMesh{WINSLOW_TEST_DATA "/periodic_41.msh"});
+  rig.bench->apply(action::OpenMesh{winslow::test::test_data("periodic_41.msh")});
   REQUIRE(rig.settle());
   rig.frames(3);
 }
@@ -373,7 +374,7 @@ TEST_CASE("the partner that the file names comes first, after none") {
 
 TEST_CASE("a file that names no pairs offers none") {
   Rig rig(1280, 900);
-  rig.bench->apply(action::OpenMesh{WINSLOW_TEST_DATA "/square_41.msh"});
+  rig.bench->apply(action::OpenMesh{winslow::test::test_data("square_41.msh")});
   REQUIRE(rig.settle());
   rig.frames(3);
   CHECK_FALSE(rig.visible("markers/file_pairs"));

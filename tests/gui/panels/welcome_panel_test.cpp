@@ -8,6 +8,7 @@
 #include "gui/panels/about_panel.h"
 #include "gui/shell/headless/headless_studio.h"
 #include "gui/support/rig.h"
+#include "support/paths.h"
 
 namespace winslow::gui::test {
 
@@ -148,7 +149,7 @@ TEST_CASE("About names versions and graphics, and copies them") {
 TEST_CASE("assets are found beside an installed program, else in the source tree") {
   TemporaryFolder folder;
   fs::create_directories(folder / "share" / "winslow");
-  CHECK(assets_folder(folder / "bin" / "winslow") == fs::path(WINSLOW_ASSETS));
+  CHECK(assets_folder(folder / "bin" / "winslow") == fs::path(winslow::test::assets()));
   std::ofstream(folder / "share" / "winslow" / "naca0012.su2") << "\n";
   CHECK(assets_folder(folder / "bin" / "winslow") == folder / "share" / "winslow");
 }

@@ -2,6 +2,7 @@
 
 #include "io/format/mesh_format.h"
 #include "io/support/samples.h"
+#include "support/paths.h"
 
 namespace winslow::test {
 namespace {
@@ -35,7 +36,7 @@ TEST_CASE("the content decides the format, whatever the name") {
        {"square.su2", "square_22.msh", "square_41b.msh", "square.vtk", "square_b.vtk", "square.vtu",
         "square_b.vtu", "square.obj", "square.off", "square_b.ply", "square.stl", "square_b.stl"}) {
     CAPTURE(name);
-    const std::string original = std::string(WINSLOW_TEST_DATA "/") + name;
+    const std::string original = test::test_data(name);
     const io::MeshFile expected = io::read_mesh(original);
     CHECK_FALSE(any_contains(expected.warnings, "the content is that of"));
     const TemporaryFolder folder;
@@ -56,7 +57,7 @@ TEST_CASE("a byte order mark is left out in every text format; UTF-16 is refused
   for (const char* name : {"square.su2", "square_22.msh", "square_41.msh", "square.vtk",
                            "square.vtu", "square.obj", "square.off", "square.ply", "square.stl"}) {
     CAPTURE(name);
-    const std::string original = std::string(WINSLOW_TEST_DATA "/") + name;
+    const std::string original = test::test_data(name);
     const io::MeshFile file = read_from_text(name, "\xEF\xBB\xBF" + read_text(original));
     check_same_mesh(file.mesh, io::read_mesh(original).mesh);
   }
@@ -66,7 +67,7 @@ TEST_CASE("a byte order mark is left out in every text format; UTF-16 is refused
 }
 
 TEST_CASE("coordinates may have Fortran's exponents") {
-  const std::string text = read_text(WINSLOW_TEST_DATA "/square.su2");
+  const std::string text = read_text(test::test_data("square.su2"));
   const io::MeshFile file =
       read_from_text("a.su2", replaced(text, "0.5 0.5 4", "5.0D-01 .05d+1 4"));
   CHECK(file.mesh.coordinates.xy(4) == Vec2(0.5, 0.5));
@@ -76,7 +77,7 @@ TEST_CASE("lines that end in CR LF are accepted in every text format") {
   for (const char* name : {"square.su2", "square_22.msh", "square_41.msh", "square.vtk",
                            "square.vtu", "square.obj", "square.off", "square.ply", "square.stl"}) {
     CAPTURE(name);
-    const std::string original = std::string(WINSLOW_TEST_DATA "/") + name;
+    const std::string original = test::test_data(name);
     std::string crlf;
     for (const char c : read_text(original)) crlf += c == '\n' ? "\r\n" : std::string(1, c);
     const io::MeshFile file = read_from_text(name, crlf);
@@ -87,7 +88,7 @@ TEST_CASE("lines that end in CR LF are accepted in every text format") {
 }
 
 TEST_CASE("errors that only the mesh shows name the line all the same") {
-  const std::string square = read_text(WINSLOW_TEST_DATA "/square.su2");
+  const std::string square = read_text(test::test_data("square.su2"));
   const auto error = [&](const std::string& part, const std::string& by) {
     return input_error("a.su2", replaced(square, part, by));
   };
@@ -123,7 +124,7 @@ TEST_CASE("errors that only the mesh shows name the line all the same") {
 }
 
 TEST_CASE("writing: unknown extensions are refused, targets are replaced whole") {
-  const io::MeshFile square = io::read_mesh(WINSLOW_TEST_DATA "/square.su2");
+  const io::MeshFile square = io::read_mesh(test::test_data("square.su2"));
   const TemporaryFolder folder;
   CHECK_THROWS_AS(io::write_mesh(folder / "a.xyz", square.mesh, nullptr), UsageError);
   CHECK_THROWS_AS(io::write_mesh(folder / "no/such/a.su2", square.mesh, nullptr), OutputError);
@@ -131,7 +132,7 @@ TEST_CASE("writing: unknown extensions are refused, targets are replaced whole")
                                  {.format = io::format_of_extension("a.su2"), .gmsh_version = ""}),
                   OutputError);
   io::write_mesh(folder / "a.su2", square.mesh, square.details.get());
-  CHECK(read_text(folder / "a.su2") == read_text(WINSLOW_TEST_DATA "/square.su2"));
+  CHECK(read_text(folder / "a.su2") == read_text(test::test_data("square.su2")));
 }
 
 }  // namespace winslow::test

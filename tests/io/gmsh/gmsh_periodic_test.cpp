@@ -1,13 +1,14 @@
 #include <array>
 
 #include "io/support/samples.h"
+#include "support/paths.h"
 #include "support/space_meshes.h"
 
 namespace winslow::test {
 namespace {
 
-const std::string passage_2 = read_text(WINSLOW_TEST_DATA "/periodic_22.msh");
-const std::string passage_4 = read_text(WINSLOW_TEST_DATA "/periodic_41.msh");
+const std::string passage_2 = read_text(test::test_data("periodic_22.msh"));
+const std::string passage_4 = read_text(test::test_data("periodic_41.msh"));
 
 /// Pairs of a file as "lower upper: 0-3 4-5", with " held ..." and the fault of each.
 std::string pairs_text(const io::MeshFile& file) {
@@ -47,8 +48,7 @@ void move_node(io::MeshFile& file, Index node, const Vec2& by) {
 TEST_CASE("MSH: entities that Gmsh made periodic are pairs of the markers they are in") {
   for (const char* name : {"22", "22b", "41", "41b"}) {
     CAPTURE(name);
-    const io::MeshFile file =
-        io::read_mesh(std::string(WINSLOW_TEST_DATA) + "/periodic_" + name + ".msh");
+    const io::MeshFile file = io::read_mesh(test::test_data("periodic_") + name + ".msh");
     CHECK(file.warnings.empty());
     // Two curves of each marker, whose common node both list.
     CHECK(pairs_text(file) == "lower upper: 0-3 1-2 4-5");
@@ -60,7 +60,7 @@ TEST_CASE("MSH: entities that Gmsh made periodic are pairs of the markers they a
 }
 
 TEST_CASE("MSH: one marker may hold both sides, turned by any angle") {
-  const io::MeshFile file = io::read_mesh(WINSLOW_TEST_DATA "/periodic_sides.msh");
+  const io::MeshFile file = io::read_mesh(test::test_data("periodic_sides.msh"));
   CHECK(pairs_text(file) == "sides sides: 0-3 1-2 4-7");
   const PeriodicPairs pairs = PeriodicPairs::of(*file.mesh.topology, file.mesh.coordinates,
                                                 file.details->periodic->pairs[0]);
@@ -91,7 +91,7 @@ TEST_CASE("MSH: $Periodic comes back byte by byte, and as numbers in another enc
   const TemporaryFolder folder;
   for (const char* name : {"22", "22b", "41", "41b"}) {
     CAPTURE(name);
-    const std::string path = std::string(WINSLOW_TEST_DATA) + "/periodic_" + name + ".msh";
+    const std::string path = test::test_data("periodic_") + name + ".msh";
     const io::MeshFile file = io::read_mesh(path);
     CHECK(io::write_mesh(folder / "same.msh", file.mesh, file.details.get()).empty());
     CHECK(section(read_text(folder / "same.msh")) == section(read_text(path)));
@@ -115,7 +115,7 @@ TEST_CASE("MSH: $Periodic comes back byte by byte, and as numbers in another enc
 }
 
 TEST_CASE("MSH: pairs from another format are written as links of entities") {
-  io::MeshFile file = io::read_mesh(WINSLOW_TEST_DATA "/periodic_41.msh");
+  io::MeshFile file = io::read_mesh(test::test_data("periodic_41.msh"));
   io::FormatDetails foreign;
   foreign.periodic = file.details->periodic;
   const TemporaryFolder folder;
@@ -159,7 +159,7 @@ TEST_CASE("MSH: surfaces of volume meshes are paired, in every encoding and vers
 }
 
 TEST_CASE("MSH: formats without periodic sides say that they are lost, SU2 how to say them there") {
-  const io::MeshFile file = io::read_mesh(WINSLOW_TEST_DATA "/periodic_41.msh");
+  const io::MeshFile file = io::read_mesh(test::test_data("periodic_41.msh"));
   const TemporaryFolder folder;
   CHECK(any_contains(io::write_mesh(folder / "a.vtk", file.mesh, file.details.get()),
                      "the periodic pairs of the source (\"lower\" and \"upper\") are not written"));
@@ -168,7 +168,7 @@ TEST_CASE("MSH: formats without periodic sides say that they are lost, SU2 how t
 }
 
 TEST_CASE("MSH: a side that moved away from its image is told when the file is written") {
-  io::MeshFile file = io::read_mesh(WINSLOW_TEST_DATA "/periodic_41.msh");
+  io::MeshFile file = io::read_mesh(test::test_data("periodic_41.msh"));
   const TemporaryFolder folder;
   const auto warnings_now = [&] {
     return io::write_mesh(folder / "a.msh", file.mesh, file.details.get());

@@ -3,14 +3,15 @@
 
 #include "io/support/samples.h"
 #include "io/support/volume_samples.h"
+#include "support/paths.h"
 
 namespace winslow::test {
 namespace {
 
-const std::string square_2 = read_text(WINSLOW_TEST_DATA "/square_22.msh");
-const std::string square_4 = read_text(WINSLOW_TEST_DATA "/square_41.msh");
-const std::string binary_2 = read_text(WINSLOW_TEST_DATA "/square_22b.msh");
-const std::string binary_4 = read_text(WINSLOW_TEST_DATA "/square_41b.msh");
+const std::string square_2 = read_text(test::test_data("square_22.msh"));
+const std::string square_4 = read_text(test::test_data("square_41.msh"));
+const std::string binary_2 = read_text(test::test_data("square_22b.msh"));
+const std::string binary_4 = read_text(test::test_data("square_41b.msh"));
 
 /// A file by hand: points, node tags with gaps and out of order, a line in no group, a curve in
 /// two groups of which one is reversed, groups without a name.
@@ -84,12 +85,12 @@ std::string set_int(std::string bytes, std::size_t at, std::int32_t value) {
 }  // namespace
 
 TEST_CASE("MSH: the four kinds of file hold the same mesh") {
-  const io::MeshFile su2 = io::read_mesh(WINSLOW_TEST_DATA "/square.su2");
+  const io::MeshFile su2 = io::read_mesh(test::test_data("square.su2"));
   Comparison what;
   what.regions = false;
   for (const char* name : {"square_22.msh", "square_22b.msh", "square_41.msh", "square_41b.msh"}) {
     CAPTURE(name);
-    const io::MeshFile file = io::read_mesh(std::string(WINSLOW_TEST_DATA "/") + name);
+    const io::MeshFile file = io::read_mesh(test::test_data(name));
     check_same_mesh(file.mesh, su2.mesh, what);
     REQUIRE(file.mesh.topology->regions().size() == 1);
     CHECK(file.mesh.topology->regions()[0].name == "domain");
@@ -155,7 +156,7 @@ TEST_CASE("MSH 2.2: an element in two groups is there twice in the file, once in
 }
 
 TEST_CASE("MSH: the version asked for is written") {
-  const io::MeshFile file = io::read_mesh(WINSLOW_TEST_DATA "/square_22.msh");
+  const io::MeshFile file = io::read_mesh(test::test_data("square_22.msh"));
   const TemporaryFolder folder;
   io::WriteOptions options;
   options.gmsh_version = "4.1";

@@ -2,16 +2,17 @@
 
 #include "io/format/mesh_format.h"
 #include "io/support/samples.h"
+#include "support/paths.h"
 
 namespace winslow::test {
 namespace {
 
-const std::string sample = read_text(WINSLOW_TEST_DATA "/square.su2");
+const std::string sample = read_text(test::test_data("square.su2"));
 
 }  // namespace
 
 TEST_CASE("SU2: what the file says is what the mesh holds") {
-  const io::MeshFile file = io::read_mesh(WINSLOW_TEST_DATA "/square.su2");
+  const io::MeshFile file = io::read_mesh(test::test_data("square.su2"));
   CHECK(file.format->name == "su2");
   const Topology& t = *file.mesh.topology;
   CHECK(file.mesh.coordinates.size() == 9);
@@ -39,7 +40,7 @@ TEST_CASE("SU2: comments, order of sections and columns survive") {
 }
 
 TEST_CASE("SU2: sections in any order, no numbers, blanks, comments, CRLF give the same mesh") {
-  const io::MeshFile expected = io::read_mesh(WINSLOW_TEST_DATA "/square.su2");
+  const io::MeshFile expected = io::read_mesh(test::test_data("square.su2"));
   const auto at = [](const char* key) { return sample.find(key); };
   const std::string head = sample.substr(0, at("NELEM"));
   const std::string elements = sample.substr(at("NELEM"), at("NPOIN") - at("NELEM"));
@@ -111,7 +112,7 @@ TEST_CASE("SU2: what follows the coordinates of a point means nothing, and goes 
   wide.replace(begin, wide.find("NMARK") - begin, points);
   write_text(folder / "a.su2", wide);
   const io::MeshFile file = io::read_mesh(folder / "a.su2");
-  check_same_mesh(file.mesh, io::read_mesh(WINSLOW_TEST_DATA "/square.su2").mesh);
+  check_same_mesh(file.mesh, io::read_mesh(test::test_data("square.su2")).mesh);
   io::write_mesh(folder / "b.su2", file.mesh, file.details.get());
   CHECK(read_text(folder / "b.su2") == wide);
 }
@@ -190,7 +191,7 @@ TEST_CASE("SU2: edges in two markers, or twice in one, are a warning") {
                         "3 7 6\n3 7 8\n3 1 0\n"));
   CHECK(any_contains(file.warnings, "marker \"upper\" names 1 edge again"));
   CHECK(any_contains(file.warnings, "markers \"lower\" and \"upper\" share 1 edge"));
-  CHECK_FALSE(any_contains(io::read_mesh(WINSLOW_TEST_DATA "/square.su2").warnings, "share"));
+  CHECK_FALSE(any_contains(io::read_mesh(test::test_data("square.su2")).warnings, "share"));
 }
 
 TEST_CASE("SU2: bad input is refused with file and line") {

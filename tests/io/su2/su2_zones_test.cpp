@@ -1,5 +1,6 @@
 #include "io/format/mesh_format.h"
 #include "io/support/samples.h"
+#include "support/paths.h"
 
 namespace winslow::test {
 namespace {
@@ -99,7 +100,7 @@ TEST_CASE("SU2 zones: what does not fit is refused") {
   CHECK_THROWS_WITH_AS(read(folder, both, 2), doctest::Contains("no zone 2"), UsageError);
   CHECK_THROWS_WITH_AS(read(folder, near, 2), doctest::Contains("no zone 2"), UsageError);
   CHECK(read(folder, near, 1).details->zones.empty());
-  CHECK_THROWS_AS(io::read_mesh(WINSLOW_TEST_DATA "/square.obj", {.zone = 1}), Error);
+  CHECK_THROWS_AS(io::read_mesh(test::test_data("square.obj"), {.zone = 1}), Error);
   const auto error = [](const std::string& part, const std::string& by) {
     return input_error("a.su2", replaced(both, part, by));
   };

@@ -9,35 +9,36 @@
 #include "io/format/mesh_format.h"
 #include "io/support/samples.h"
 #include "io/support/volume_samples.h"
+#include "support/paths.h"
 
 namespace winslow::test {
 namespace {
 
 using OpenMeshPolygons = OpenMesh::PolyMesh_ArrayKernelT<>;
 
-std::string data(const char* name) { return read_text(std::string(WINSLOW_TEST_DATA "/") + name); }
+std::string data(const char* name) { return read_text(test::test_data(name)); }
 
 }  // namespace
 
 TEST_CASE("OBJ, OFF, PLY: the elements of the SU2 file; STL: its triangles") {
-  const io::MeshFile expected = io::read_mesh(WINSLOW_TEST_DATA "/square.su2");
+  const io::MeshFile expected = io::read_mesh(test::test_data("square.su2"));
   Comparison plain;
   plain.markers = false;
   for (const char* name : {"square.obj", "square.off", "square.ply", "square_b.ply"}) {
     CAPTURE(name);
-    const io::MeshFile file = io::read_mesh(std::string(WINSLOW_TEST_DATA "/") + name);
+    const io::MeshFile file = io::read_mesh(test::test_data(name));
     check_same_mesh(file.mesh, expected.mesh, plain);
     CHECK_FALSE(file.mesh.topology->markers().from_file());
   }
   for (const char* name : {"square.stl", "square_b.stl"}) {
-    const io::MeshFile file = io::read_mesh(std::string(WINSLOW_TEST_DATA "/") + name);
+    const io::MeshFile file = io::read_mesh(test::test_data(name));
     CHECK(file.mesh.topology->element_count() == 8);
     CHECK(file.mesh.coordinates.size() == 9);
   }
 }
 
 TEST_CASE("OpenMesh reads what we write, and we read what OpenMesh writes") {
-  const io::MeshFile square = io::read_mesh(WINSLOW_TEST_DATA "/square.su2");
+  const io::MeshFile square = io::read_mesh(test::test_data("square.su2"));
   const TemporaryFolder folder;
   for (const Kind& kind : kinds()) {
     if (io::format_of_extension("x." + std::string(kind.extension))->keeps_markers) continue;

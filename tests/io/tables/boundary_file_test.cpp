@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "io/support/files.h"
+#include "support/paths.h"
 
 namespace winslow::test {
 
@@ -17,7 +18,7 @@ using io::write_boundary;
 
 namespace {
 
-Mesh square() { return read_mesh(std::string(WINSLOW_TEST_DATA) + "/square.su2").mesh; }
+Mesh square() { return read_mesh(test::test_data("square.su2")).mesh; }
 
 std::vector<std::string> names_of(const Mesh& mesh) {
   std::vector<std::string> names;

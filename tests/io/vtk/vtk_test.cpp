@@ -4,17 +4,18 @@
 #include "io/support/samples.h"
 #include "io/support/volume_samples.h"
 #include "io/vtk/vtu_arrays.h"
+#include "support/paths.h"
 
 namespace winslow::test {
 namespace {
 
-const std::string legacy = read_text(WINSLOW_TEST_DATA "/square.vtk");
-const std::string legacy_binary = read_text(WINSLOW_TEST_DATA "/square_b.vtk");
-const std::string xml = read_text(WINSLOW_TEST_DATA "/square.vtu");
-const std::string xml_binary = read_text(WINSLOW_TEST_DATA "/square_b.vtu");
+const std::string legacy = read_text(test::test_data("square.vtk"));
+const std::string legacy_binary = read_text(test::test_data("square_b.vtk"));
+const std::string xml = read_text(test::test_data("square.vtu"));
+const std::string xml_binary = read_text(test::test_data("square_b.vtu"));
 
 const io::MeshFile& expected() {
-  static const io::MeshFile file = io::read_mesh(WINSLOW_TEST_DATA "/square.su2");
+  static const io::MeshFile file = io::read_mesh(test::test_data("square.su2"));
   return file;
 }
 
@@ -26,7 +27,7 @@ const std::string points =
 TEST_CASE("VTK and VTU hold the mesh of the SU2 file, markers included") {
   for (const char* name : {"square.vtk", "square_b.vtk", "square.vtu", "square_b.vtu"}) {
     CAPTURE(name);
-    const io::MeshFile file = io::read_mesh(std::string(WINSLOW_TEST_DATA "/") + name);
+    const io::MeshFile file = io::read_mesh(test::test_data(name));
     check_same_mesh(file.mesh, expected().mesh);
     CHECK(file.details->binary == contains(name, "_b."));
   }

@@ -11,6 +11,7 @@
 #include "gui/support/rig.h"
 #include "gui/support/session_parts.h"
 #include "io/format/mesh_file.h"
+#include "support/paths.h"
 
 namespace winslow::gui::test {
 
@@ -172,7 +173,7 @@ TEST_CASE("a mesh that is still being solved is saved once that is done") {
 
 TEST_CASE("a bundled mesh is saved elsewhere: the question leads to the dialog of files") {
   Rig rig;
-  rig.bench->apply(action::OpenMesh{std::string(WINSLOW_ASSETS) + "/coarse/circle.su2"});
+  rig.bench->apply(action::OpenMesh{winslow::test::assets("coarse/circle.su2")});
   REQUIRE(rig.settle());
   rig.bench->apply(action::Scramble{1});
   REQUIRE(rig.settle());

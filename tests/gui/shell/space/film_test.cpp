@@ -12,6 +12,7 @@
 #include "gui/support/pixels.h"
 #include "gui/support/space_rig.h"
 #include "io/format/mesh_file.h"
+#include "support/paths.h"
 
 namespace winslow::gui::test {
 
@@ -196,7 +197,7 @@ TEST_CASE(
 TEST_CASE("a step of a demo shows a volume mesh as it says") {
   WorkbenchOptions options;
   Rig rig(1100, 700);
-  options.demo_meshes = std::string(WINSLOW_ASSETS) + "/coarse";
+  options.demo_meshes = winslow::test::assets("coarse");
   rig.bench = std::make_unique<Workbench>(options);
   rig.bench->apply(action::StartDemo{"J"});
   REQUIRE(rig.wait([&] { return rig.bench->demo().ready(rig.session()); }));
