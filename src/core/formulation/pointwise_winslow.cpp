@@ -40,29 +40,24 @@ class BlockNorms {
   std::vector<double> max_, squares_;
 };
 
-template <int D>
-PointwiseForm<D>::PointwiseForm(const Vcvs& vcvs, std::shared_ptr<const NodeClasses> classes,
-                                int threads, bool clipped)
-    : NodeProblem(NodeUnknowns(std::move(classes), threads)),
-      functionals_(std::make_shared<const typename Operator::Functionals>(
-          Operator::functionals(vcvs, threads))),
-      pattern_(std::make_shared<const NodePattern>(topology(), node_unknowns().nodes())),
-      clip_(clipped) {
-  node_unknowns().require_free_interior("the pointwise form");
+PointwisePattern::PointwisePattern(std::shared_ptr<const NodeClasses> classes, int threads)
+    : nodes(std::move(classes), threads),
+      rows(std::make_shared<const NodePattern>(nodes.topology(), nodes.nodes())) {
+  nodes.require_free_interior("the pointwise form");
 }
+
+template <int D>
+PointwiseForm<D>::PointwiseForm(const Vcvs& vcvs, const PointwisePattern& pattern, bool clipped)
+    : NodeProblem(pattern.nodes),
+      functionals_(std::make_shared<const typename Operator::Functionals>(
+          Operator::functionals(vcvs, threads()))),
+      pattern_(pattern.rows),
+      clip_(clipped) {}
 
 template <int D>
 PointwiseForm<D> PointwiseForm<D>::clipped(bool clip) const {
   PointwiseForm other = *this;
   other.clip_ = clip;
-  return other;
-}
-
-template <int D>
-PointwiseForm<D> PointwiseForm<D>::with_vcvs(const Vcvs& vcvs) const {
-  PointwiseForm other = *this;
-  other.functionals_ = std::make_shared<const typename Operator::Functionals>(
-      Operator::functionals(vcvs, threads()));
   return other;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/formulation/nodal_operator.h"
@@ -9,6 +10,17 @@
 #include "core/problem/smoothing_problem.h"
 
 namespace winslow {
+
+/// What the pointwise form has from the connectivity and from which nodes move. Forms over other
+/// VCVs share it, and with it what a linear solver has worked out for the pattern.
+struct PointwisePattern {
+  /// classes: which nodes move. threads: 0 for all cores; no result depends on it. Throws
+  /// UsageError for nodes that slide.
+  PointwisePattern(std::shared_ptr<const NodeClasses> classes, int threads);
+
+  NodeUnknowns nodes;
+  std::shared_ptr<const NodePattern> rows;
+};
 
 /// The paper's operator (AIAA 2009-1362, equation 2 and sections IV and V, in integral form over
 /// each VCV). In the plane
@@ -29,15 +41,14 @@ class PointwiseForm final : public NodeProblem<EquationProblem> {
   using Operator = StencilOperator<D>;
   using Vcvs = typename Operator::Vcvs;
 
-  /// classes: which nodes move. threads: 0 for all cores; no result depends on it. Throws
-  /// UsageError for nodes that slide.
+  /// As of PointwisePattern.
   PointwiseForm(const Vcvs& vcvs, std::shared_ptr<const NodeClasses> classes, int threads,
-                bool clipped = false);
+                bool clipped = false)
+      : PointwiseForm(vcvs, PointwisePattern(std::move(classes), threads), clipped) {}
+  PointwiseForm(const Vcvs& vcvs, const PointwisePattern& pattern, bool clipped = false);
 
   /// The same with negative weights set to zero, or with all weights as they are.
   PointwiseForm clipped(bool clip) const;
-  /// The same over other VCVs of the same topology; the pattern stays the same object.
-  PointwiseForm with_vcvs(const Vcvs& vcvs) const;
 
   std::string_view name() const override { return "pointwise"; }
   ResidualNorms residual(const Coordinates& x, std::span<double> out) const override;

@@ -109,23 +109,26 @@ struct SurfaceWinslow::RowSums {
   RowSum<2>::Scale scale;
 };
 
-SurfaceWinslow::SurfaceWinslow(std::shared_ptr<const NodeClasses> classes,
-                               std::shared_ptr<const Targets> shapes, const PenaltyOptions& penalty,
-                               int threads)
-    : VariationalForm(NodeUnknowns(std::move(classes), threads, NodeUnknowns::Layout::blocks),
-                      penalty),
-      shapes_(std::move(shapes)) {
-  node_unknowns().require_sliding("the variational form");
-  for (const auto& cell : shapes_->cells)
+SurfaceWinslow::Pattern::Pattern(std::shared_ptr<const NodeClasses> classes, const Targets& targets,
+                                 int threads)
+    : nodes(std::move(classes), threads, NodeUnknowns::Layout::blocks) {
+  nodes.require_sliding("the variational form");
+  for (const auto& cell : targets.cells)
     for (const Index node : cell)
-      if (node_unknowns().classes()[node] == NodeClass::prescribed)
+      if (nodes.classes()[node] == NodeClass::prescribed)
         throw UsageError("motions: only for plane and volume meshes, and this is a surface mesh");
-  if (!node_unknowns().classes().element_normals())
+  if (!nodes.classes().element_normals())
     throw UsageError("the variational form of a surface mesh needs the normals of its elements");
-  auto structure = std::make_shared<SurfaceStructure>(node_unknowns(), shapes_->cells);
-  structure->memory = std::make_shared<KeptMemory>(CellSums::size(shapes_->cells.size()));
-  structure_ = std::move(structure);
+  auto made = std::make_shared<SurfaceStructure>(nodes, targets.cells);
+  made->memory = std::make_shared<KeptMemory>(CellSums::size(targets.cells.size()));
+  structure = std::move(made);
 }
+
+SurfaceWinslow::SurfaceWinslow(const Pattern& pattern, std::shared_ptr<const Targets> shapes,
+                               const PenaltyOptions& penalty)
+    : VariationalForm(pattern.nodes, penalty),
+      structure_(pattern.structure),
+      shapes_(std::move(shapes)) {}
 
 std::shared_ptr<const VariationalForm> SurfaceWinslow::with_penalty(
     const PenaltyOptions& penalty) const {

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/formulation/cell_targets.h"
@@ -40,11 +41,25 @@ class SurfaceWinslow final : public VariationalForm {
  public:
   using Targets = CellTargets<2>;
 
+  /// See SimplexWinslow::Pattern.
+  struct Pattern {
+    /// classes: with element normals; every node that moves slides. targets: their cells count, and
+    /// the order of these. Throws UsageError for nodes that are free or prescribed.
+    Pattern(std::shared_ptr<const NodeClasses> classes, const Targets& targets, int threads);
+
+    NodeUnknowns nodes;
+    std::shared_ptr<const SurfaceStructure> structure;
+  };
+
   /// classes: with element normals; every node that moves slides. targets: of all cells with a node
   /// that moves. threads: 0 for all cores; no result depends on it. Throws UsageError for nodes
   /// that are free or prescribed.
   SurfaceWinslow(std::shared_ptr<const NodeClasses> classes, std::shared_ptr<const Targets> targets,
-                 const PenaltyOptions& penalty, int threads);
+                 const PenaltyOptions& penalty, int threads)
+      : SurfaceWinslow(Pattern(std::move(classes), *targets, threads), targets, penalty) {}
+  /// targets: of the cells that the pattern was made of, in their order.
+  SurfaceWinslow(const Pattern& pattern, std::shared_ptr<const Targets> targets,
+                 const PenaltyOptions& penalty);
   std::shared_ptr<const VariationalForm> with_penalty(const PenaltyOptions& penalty) const override;
   /// The same with other targets of the same cells, in the same order.
   std::shared_ptr<const SurfaceWinslow> with_shapes(std::shared_ptr<const Targets> targets) const;

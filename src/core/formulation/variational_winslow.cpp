@@ -62,11 +62,16 @@ struct SimplexWinslow<D>::BlockMemory {
 };
 
 template <int D>
-SimplexWinslow<D>::SimplexWinslow(std::shared_ptr<const NodeClasses> classes, const Targets& shapes,
-                                  const PenaltyOptions& penalty, int threads)
-    : VariationalForm(NodeUnknowns(std::move(classes), threads, NodeUnknowns::Layout::blocks),
-                      penalty),
-      structure_(std::make_shared<const SimplexStructure<D>>(node_unknowns(), shapes)),
+SimplexWinslow<D>::Pattern::Pattern(std::shared_ptr<const NodeClasses> classes,
+                                    const Targets& targets, int threads)
+    : nodes(std::move(classes), threads, NodeUnknowns::Layout::blocks),
+      structure(std::make_shared<const SimplexStructure<D>>(nodes, targets)) {}
+
+template <int D>
+SimplexWinslow<D>::SimplexWinslow(const Pattern& pattern, const Targets& shapes,
+                                  const PenaltyOptions& penalty)
+    : VariationalForm(pattern.nodes, penalty),
+      structure_(pattern.structure),
       shapes_(std::make_shared<const Targets>(reordered(shapes, structure_->shape_order))) {
   node_unknowns().require_held_boundary("the variational form");
 }
@@ -77,13 +82,6 @@ std::shared_ptr<const VariationalForm> SimplexWinslow<D>::with_penalty(
   auto other = std::make_shared<SimplexWinslow>(*this);
   other->set_penalty(penalty);
   return other;
-}
-
-template <int D>
-std::shared_ptr<const SimplexWinslow<D>> SimplexWinslow<D>::with_shapes(
-    const Targets& shapes) const {
-  return with_ordered_shapes(
-      std::make_shared<const Targets>(reordered(shapes, structure_->shape_order)));
 }
 
 template <int D>

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/formulation/cell_targets.h"
@@ -12,7 +13,7 @@
 namespace winslow {
 
 template <int D>
-struct SimplexStructure;  // what depends on the connectivity, and on which nodes move
+struct SimplexStructure;
 
 /// Winslow smoothing as a minimisation: the harmonic energy of the inverse map, summed over
 /// targets,
@@ -34,15 +35,26 @@ class SimplexWinslow final : public VariationalForm {
  public:
   using Targets = CellTargets<D>;
 
+  /// What comes from the connectivity and from which nodes move: the numbers of the unknowns, the
+  /// pattern of the matrices, the order of the cells. Forms with other targets of the same cells
+  /// share it, and with it what a linear solver has worked out for the pattern.
+  struct Pattern {
+    /// targets: their cells count, and the order of these.
+    Pattern(std::shared_ptr<const NodeClasses> classes, const Targets& targets, int threads);
+
+    NodeUnknowns nodes;
+    std::shared_ptr<const SimplexStructure<D>> structure;
+  };
+
   /// classes: which nodes move; those that slide have the geometry of their classes. targets: of
   /// all cells with a node that moves. threads: 0 for all cores; no result depends on it. Throws
   /// UsageError for nodes of the boundary that are free.
   SimplexWinslow(std::shared_ptr<const NodeClasses> classes, const Targets& targets,
-                 const PenaltyOptions& penalty, int threads);
+                 const PenaltyOptions& penalty, int threads)
+      : SimplexWinslow(Pattern(std::move(classes), targets, threads), targets, penalty) {}
+  /// targets: of the cells that the pattern was made of, in their order.
+  SimplexWinslow(const Pattern& pattern, const Targets& targets, const PenaltyOptions& penalty);
   std::shared_ptr<const VariationalForm> with_penalty(const PenaltyOptions& penalty) const override;
-  /// The same with other targets of the same cells, in the order they were given in to the
-  /// constructor: the pattern stays the same object.
-  std::shared_ptr<const SimplexWinslow> with_shapes(const Targets& targets) const;
   /// The same with other terms, in the order of shapes().
   std::shared_ptr<const SimplexWinslow> with_ordered_shapes(
       std::shared_ptr<const Targets> targets) const;

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/formulation/surface_winslow.h"
+#include "core/formulation/target_shapes.h"
+#include "core/formulation/volume_targets.h"
 #include "core/problem/node_unknowns.h"
 #include "core/quality/volume_element.h"
 
@@ -22,13 +23,14 @@ VolumeVcvOptions volume_vcv_options(const SmoothOptions& options) {
 
 namespace {
 
-bool same_vcv_options(const SmoothOptions& a, const SmoothOptions& b) {
-  return a.vcv == b.vcv && a.vcv_lengths == b.vcv_lengths;
+/// Whether VCVs of a volume mesh depend on the mesh as given.
+bool vcvs_refer_to_given(const SmoothOptions& options) {
+  return options.vcv != VcvKind::equal || options.vcv_lengths != 0;
 }
 
-/// Whether VCVs of a volume mesh depend on the mesh as given.
-bool refers_to_mesh(const SmoothOptions& options) {
-  return options.vcv != VcvKind::equal || options.vcv_lengths != 0;
+/// Whether what is prepared for one run can do for another with these classes.
+bool same_unknowns(const std::shared_ptr<const NodeClasses>& a, const NodeClasses& b) {
+  return a && a->same_unknowns(b) && a->element_normals() == b.element_normals();
 }
 
 }  // namespace
@@ -37,183 +39,28 @@ void SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualControlVolum
                                  const std::shared_ptr<const NodeClasses>& classes,
                                  const SmoothOptions& options, const Coordinates& given,
                                  std::shared_ptr<const SphereStencils> stencils) {
-  const bool same_unknowns =
-      classes_ && classes_->same_unknowns(*classes) && options_.threads == options.threads;
-  const bool space = classes->topology().cell_dimension() == 3;
-  const bool needs_given = space || refers_to_given(options.targets);
-  const bool same_given = !needs_given || (given_ && *given_ == given);
-  const bool same_vcv =
-      same_unknowns && !adjusted_ &&
-      (space ? same_vcv_options(options_, options) && (same_given || !refers_to_mesh(options))
-             : vcv == vcv_);
-  // Targets of a plane mesh have to do with its VCVs in any case: some of them may be edited.
-  const bool same_stencils = stencils == stencils_;
-  const bool same_targets = same_unknowns && same_stencils && options_.targets == options.targets &&
-                            (same_given || !refers_to_given(options.targets)) &&
-                            (same_vcv || (space && options.targets.vcv == 0));
-  picard_.reset();
-  newton_.reset();
-  pointwise_newton_.reset();
-  pointwise_stale_ |= !same_vcv || !same_stencils;
-  energy_stale_ |= !same_targets || !urgent_.empty();
-  urgent_.clear();
-  if (!same_unknowns) pointwise_ = {};
-  if (!same_unknowns || !guarded_.empty()) energy_.reset();
-  guarded_.clear();
-  if (!same_unknowns || !(options.linear == options_.linear)) {
-    linear_.reset();
-    symmetric_linear_.reset();
-    newton_linear_.reset();
-  }
-  if (!needs_given) given_.reset();
-  if (needs_given && !same_given) given_ = given;
-  if (!same_vcv) volume_vcvs_.reset();
-  if (!same_stencils) take_stencils(std::move(stencils));
-  adjusted_ = false;
-  vcv_ = vcv;
+  run_ = {};
+  if (!classes_ || classes_->shared_topology() != classes->shared_topology())
+    made_ = {};  // for the sake of memory: the keys are others
   classes_ = classes;
+  if (!same_unknowns(unknowns_, *classes)) unknowns_ = classes;
   options_ = options;
-  if (energy_ && !(energy_->penalty() == options.penalty))
-    energy_ = energy_->with_penalty(options.penalty);
-}
-
-std::unique_ptr<LinearSolver> SmoothingWorkspace::make_general_solver() const {
-  // One that takes symmetric matrices only still serves the variational form; the pointwise form's
-  // systems, needed for untangling, then go to the automatic choice.
-  LinearOptions chosen = options_.linear;
-  if (linear_solver_needs_symmetry(chosen.solver)) chosen.solver = "automatic";
-  return make_linear_solver(chosen, options_.threads);
-}
-
-LinearSolver& SmoothingWorkspace::linear() {
-  if (!linear_) linear_ = make_general_solver();
-  return *linear_;
-}
-
-LinearSolver& SmoothingWorkspace::newton_linear() {
-  if (!newton_linear_) newton_linear_ = make_general_solver();
-  return *newton_linear_;
-}
-
-LinearSolver& SmoothingWorkspace::symmetric_linear() {
-  if (!symmetric_linear_) {
-    symmetric_linear_ = make_linear_solver(options_.linear, options_.threads);
-  }
-  return *symmetric_linear_;
-}
-
-const VolumeVcvs& SmoothingWorkspace::volume_vcvs() {
-  if (!volume_vcvs_) make_volume_vcvs(*given_);
-  return *volume_vcvs_;
-}
-
-void SmoothingWorkspace::make_volume_vcvs(const Coordinates& x) {
-  volume_vcvs_ =
-      std::make_unique<VolumeVcvs>(classes_->shared_topology(), x, volume_vcv_options(options_));
-  tangled_vcvs_ = follows_mesh(options_.vcv) && tangled(x);
-  if (!stencils_) return;
-  for (const auto& [node, stencil] : *stencils_)
-    volume_vcvs_->set(node, stencil.directions, stencil.lengths);
-}
-
-/// All other VCVs stay as they are: under the mouse one changes many times a second.
-void SmoothingWorkspace::take_stencils(std::shared_ptr<const SphereStencils> stencils) {
-  static const SphereStencils none;
-  const SphereStencils& before = stencils_ ? *stencils_ : none;
-  const SphereStencils& after = stencils ? *stencils : none;
-  if (volume_vcvs_) {
-    for (const auto& [node, stencil] : before)
-      if (!after.contains(node)) volume_vcvs_->reset(node);
-    for (const auto& [node, stencil] : after) {
-      const auto found = before.find(node);
-      if (found == before.end() || found->second != stencil)
-        volume_vcvs_->set(node, stencil.directions, stencil.lengths);
-    }
-  }
+  vcv_ = vcv;
   stencils_ = std::move(stencils);
-}
-
-Index SmoothingWorkspace::adjust_vcvs(const Coordinates& x) {
-  if (!in_space() || !follows_mesh(options_.vcv)) return 0;
-  volume_vcvs();
-  Index changed = classes_->topology().node_count();
-  if (tangled_vcvs_ && !tangled(x))
-    make_volume_vcvs(x);  // neither angles nor lengths of a tangle are worth keeping
-  else
-    changed = volume_vcvs_->adjust(x);
-  if (changed == 0) return 0;
-  adjusted_ = pointwise_stale_ = true;
-  energy_stale_ |= options_.targets.vcv > 0;
-  picard_.reset();
-  newton_.reset();
-  pointwise_newton_.reset();
-  return changed;
-}
-
-bool SmoothingWorkspace::adjust_tangled_vcvs(const Coordinates& x) {
-  if (!in_space() || !refers_to_vcvs(options_)) return false;
-  volume_vcvs();
-  return tangled_vcvs_ && adjust_vcvs(x) > 0;
-}
-
-bool SmoothingWorkspace::tangled(const Coordinates& x) const { return validity(x).inverted > 0; }
-
-Validity SmoothingWorkspace::validity(const Coordinates& x) const {
-  return check_validity(*classes_, x, options_.threads);
-}
-
-template <int D>
-void SmoothingWorkspace::make_pointwise(const typename PointwiseForm<D>::Vcvs& vcvs) {
-  pointwise_ = clip_variants(
-      pointwise_.plain ? static_cast<const PointwiseForm<D>&>(*pointwise_.plain).with_vcvs(vcvs)
-                       : PointwiseForm<D>(vcvs, classes_, options_.threads));
-}
-
-const ClipVariants<EquationProblem>& SmoothingWorkspace::pointwise() {
-  if (!pointwise_.plain || pointwise_stale_) {
-    if (in_space())
-      make_pointwise<3>(volume_vcvs());
-    else
-      make_pointwise<2>(*vcv_);
-  }
-  pointwise_stale_ = false;
-  return pointwise_;
-}
-
-PicardSolver& SmoothingWorkspace::picard() {
-  if (!picard_) {
-    const auto& [plain, clipped] = pointwise();
-    picard_ = std::make_unique<PicardSolver>(ClipVariants<FixedPointProblem>{plain, clipped},
-                                             linear(), equation_options(options_));
-  }
-  return *picard_;
-}
-
-template <int D>
-void SmoothingWorkspace::make_energy(const CellTargets<D>& targets) {
-  if (!energy_) {
-    energy_ = std::make_shared<const SimplexWinslow<D>>(classes_, targets, options_.penalty,
-                                                        options_.threads);
-  } else {
-    energy_ = static_cast<const SimplexWinslow<D>&>(*energy_).with_shapes(targets);
-  }
-}
-
-void SmoothingWorkspace::count_more(std::vector<Index> elements) {
-  urgent_ = std::move(elements);
-  energy_stale_ = true;
-  newton_.reset();
+  const bool needs_given = in_space() || refers_to_given(options.targets);
+  if (!needs_given)
+    given_ = nullptr;
+  else if (!given_ || !(*given_ == given))
+    given_ = std::make_shared<const Coordinates>(given);
 }
 
 bool SmoothingWorkspace::guard(std::span<const Index> elements) {
-  const std::size_t before = guarded_.size();
-  guarded_.insert(guarded_.end(), elements.begin(), elements.end());
-  std::ranges::sort(guarded_);
-  guarded_.erase(std::unique(guarded_.begin(), guarded_.end()), guarded_.end());
-  if (guarded_.size() == before) return false;
-  energy_.reset();  // it has other cells
-  newton_.reset();
-  return true;
+  std::vector<Index>& guarded = run_.guarded;
+  const std::size_t before = guarded.size();
+  guarded.insert(guarded.end(), elements.begin(), elements.end());
+  std::ranges::sort(guarded);
+  guarded.erase(std::unique(guarded.begin(), guarded.end()), guarded.end());
+  return guarded.size() > before;
 }
 
 bool SmoothingWorkspace::drop_guards_broken_at(const Coordinates& x) {
@@ -224,46 +71,165 @@ bool SmoothingWorkspace::drop_guards_broken_at(const Coordinates& x) {
       return VolumeCorner(points, by_nodes(corners, topology.element(e))).inverted();
     });
   };
-  if (std::erase_if(guarded_, broken) == 0) return false;
-  energy_.reset();
-  newton_.reset();
-  return true;
+  return std::erase_if(run_.guarded, broken) > 0;
+}
+
+Validity SmoothingWorkspace::validity(const Coordinates& x) const {
+  return check_validity(*classes_, x, options_.threads);
+}
+
+SmoothingWorkspace::ComputedVcvs SmoothingWorkspace::make_vcvs(const Coordinates& x) const {
+  return {std::make_shared<const VolumeVcvs>(classes_->shared_topology(), x,
+                                             volume_vcv_options(options_)),
+          follows_mesh(options_.vcv) && tangled(x)};
+}
+
+const SmoothingWorkspace::ComputedVcvs& SmoothingWorkspace::computed_vcvs() {
+  if (run_.adjusted.vcvs) return run_.adjusted;
+  const ComputedVcvsKey key{classes_->shared_topology(), options_.vcv, options_.vcv_lengths,
+                            options_.threads, vcvs_refer_to_given(options_) ? given_ : nullptr};
+  return made_.computed_vcvs.of(key, [&] { return make_vcvs(*given_); });
+}
+
+std::shared_ptr<const VolumeVcvs> SmoothingWorkspace::volume_vcvs() {
+  const SpaceVcvs computed = computed_vcvs().vcvs;
+  if (!stencils_) return computed;
+  return made_.space_vcvs.of({computed, stencils_}, [&]() -> SpaceVcvs {
+    auto vcvs = std::make_shared<VolumeVcvs>(*computed);
+    for (const auto& [node, stencil] : *stencils_)
+      vcvs->set(node, stencil.directions, stencil.lengths);
+    return vcvs;
+  });
+}
+
+Index SmoothingWorkspace::adjust_vcvs(const Coordinates& x) {
+  if (!in_space() || !follows_mesh(options_.vcv)) return 0;
+  const ComputedVcvs before = computed_vcvs();
+  if (before.of_tangle && !tangled(x)) {
+    // Neither angles nor lengths of a tangle are worth keeping.
+    run_.adjusted = make_vcvs(x);
+    return classes_->topology().node_count();
+  }
+  auto vcvs = std::make_shared<VolumeVcvs>(*before.vcvs);
+  const Index changed = vcvs->adjust(x);
+  if (changed > 0) run_.adjusted = {std::move(vcvs), before.of_tangle};
+  return changed;
+}
+
+bool SmoothingWorkspace::adjust_tangled_vcvs(const Coordinates& x) {
+  if (!in_space() || !refers_to_vcvs(options_)) return false;
+  return computed_vcvs().of_tangle && adjust_vcvs(x) > 0;
+}
+
+const std::shared_ptr<LinearSolver>& SmoothingWorkspace::general_solver(KeyedSolver& solver) {
+  return solver.of({unknowns_, options_.threads, options_.linear}, [&] {
+    // One that takes symmetric matrices only still serves the variational form; the pointwise
+    // form's systems, needed for untangling, then go to the automatic choice.
+    LinearOptions chosen = options_.linear;
+    if (linear_solver_needs_symmetry(chosen.solver)) chosen.solver = "automatic";
+    return std::shared_ptr<LinearSolver>(make_linear_solver(chosen, options_.threads));
+  });
+}
+
+const std::shared_ptr<LinearSolver>& SmoothingWorkspace::shared_symmetric_linear() {
+  return made_.symmetric_linear.of({unknowns_, options_.threads, options_.linear}, [&] {
+    return std::shared_ptr<LinearSolver>(make_linear_solver(options_.linear, options_.threads));
+  });
+}
+
+template <int D>
+ClipVariants<EquationProblem> SmoothingWorkspace::make_pointwise(const PointwiseKey& key) const {
+  if constexpr (D == 2)
+    return clip_variants(PointwiseForm<2>(*key.plane_vcvs, *key.pattern));
+  else
+    return clip_variants(PointwiseForm<3>(*key.space_vcvs, *key.pattern));
+}
+
+ClipVariants<EquationProblem> SmoothingWorkspace::pointwise() {
+  const auto& pattern = made_.pointwise_pattern.of({unknowns_, options_.threads}, [&] {
+    return std::make_shared<const PointwisePattern>(unknowns_, options_.threads);
+  });
+  const PointwiseKey key{pattern, vcv_, in_space() ? volume_vcvs() : nullptr};
+  return made_.pointwise.of(
+      key, [&] { return in_space() ? make_pointwise<3>(key) : make_pointwise<2>(key); });
+}
+
+SmoothingWorkspace::FormKey SmoothingWorkspace::form_key() {
+  const TargetBlend& targets = options_.targets;
+  EnergyPatternKey pattern{unknowns_, options_.threads, run_.guarded, nullptr};
+  if (!run_.guarded.empty() && targets.rest > 0) pattern.given = given_;
+  return {std::move(pattern),
+          targets,
+          refers_to_given(targets) ? given_ : nullptr,
+          vcv_,
+          in_space() && targets.vcv > 0 ? volume_vcvs() : nullptr,
+          stencils_,
+          run_.urgent};
+}
+
+template <typename Form>
+const typename Form::Pattern& SmoothingWorkspace::energy_pattern(
+    const EnergyPatternKey& key, const typename Form::Targets& targets) {
+  using Pattern = std::shared_ptr<const typename Form::Pattern>;
+  return *std::get<Pattern>(made_.energy_pattern.of(key, [&]() -> EnergyPattern {
+    return std::make_shared<const typename Form::Pattern>(key.unknowns, targets, key.threads);
+  }));
+}
+
+std::shared_ptr<const VariationalForm> SmoothingWorkspace::make_form(const FormKey& key) {
+  const NodeClasses* classes = key.pattern.unknowns.get();
+  const int threads = key.pattern.threads;
+  if (in_space()) {
+    const CellTargets<3> targets =
+        volume_targets(classes->topology(), key.space_vcvs.get(), key.targets, key.given.get(),
+                       threads, key.urgent, {classes, key.stencils.get(), key.pattern.guarded});
+    return std::make_shared<const VolumeWinslow>(
+        energy_pattern<VolumeWinslow>(key.pattern, targets), targets, options_.penalty);
+  }
+  const auto normals =
+      key.given ? element_normals(*classes, *key.given, threads) : std::vector<Vec3>();
+  TargetShapes targets = TargetShapes::build(*key.plane_vcvs, key.targets, key.given.get(), threads,
+                                             key.urgent, classes, normals);
+  if (!is_surface(classes->topology()))
+    return std::make_shared<const VariationalWinslow>(
+        energy_pattern<VariationalWinslow>(key.pattern, targets), targets, options_.penalty);
+  const auto shared = std::make_shared<const CellTargets<2>>(std::move(targets));
+  return std::make_shared<const SurfaceWinslow>(
+      energy_pattern<SurfaceWinslow>(key.pattern, *shared), shared, options_.penalty);
 }
 
 std::shared_ptr<const VariationalForm> SmoothingWorkspace::energy() {
-  if (!energy_ || energy_stale_) {
-    if (in_space()) {
-      const VolumeVcvs* vcvs = options_.targets.vcv > 0 ? &volume_vcvs() : nullptr;
-      make_energy(volume_targets(classes_->topology(), vcvs, options_.targets, given(),
-                                 options_.threads, urgent_,
-                                 {classes_.get(), stencils_.get(), guarded_}));
-    } else if (on_surface()) {
-      energy_ = surface_energy();
-    } else {
-      make_energy<2>(TargetShapes::build(*vcv_, options_.targets, given(), options_.threads,
-                                         urgent_, classes_.get()));
-    }
-  }
-  energy_stale_ = false;
-  return energy_;
+  const FormKey key = form_key();
+  const auto& form = made_.form.of(key, [&] { return make_form(key); });
+  return made_.energy.of({form, options_.penalty}, [&] {
+    return form->penalty() == options_.penalty ? form : form->with_penalty(options_.penalty);
+  });
 }
 
-std::shared_ptr<const VariationalForm> SmoothingWorkspace::surface_energy() {
-  const auto normals =
-      given_ ? element_normals(*classes_, *given_, options_.threads) : std::vector<Vec3>();
-  auto targets = std::make_shared<const TargetShapes>(TargetShapes::build(
-      *vcv_, options_.targets, given(), options_.threads, urgent_, classes_.get(), normals));
-  if (energy_) return static_cast<const SurfaceWinslow&>(*energy_).with_shapes(std::move(targets));
-  return std::make_shared<const SurfaceWinslow>(classes_, std::move(targets), options_.penalty,
-                                                options_.threads);
+PicardSolver& SmoothingWorkspace::picard() {
+  const ClipVariants<EquationProblem> problems = pointwise();
+  const auto& linear = general_solver(made_.linear);
+  return *run_.picard.of({problems.plain, linear}, [&] {
+    return std::make_unique<PicardSolver>(
+        ClipVariants<FixedPointProblem>{problems.plain, problems.clipped}, *linear,
+        equation_options(options_));
+  });
+}
+
+EquationNewton& SmoothingWorkspace::pointwise_newton() {
+  const ClipVariants<EquationProblem> problems = pointwise();
+  const auto& linear = general_solver(made_.newton_linear);
+  return *run_.pointwise_newton.of({problems.plain, linear}, [&] {
+    return std::make_unique<EquationNewton>(problems, *linear, equation_options(options_));
+  });
 }
 
 EnergyNewton& SmoothingWorkspace::newton() {
-  if (!newton_) {
-    newton_ =
-        std::make_unique<EnergyNewton>(energy(), symmetric_linear(), newton_options(options_));
-  }
-  return *newton_;
+  const auto problem = energy();
+  const auto& linear = shared_symmetric_linear();
+  return *run_.newton.of({problem, linear}, [&] {
+    return std::make_unique<EnergyNewton>(problem, *linear, newton_options(options_));
+  });
 }
 
 SteadySolver& SmoothingWorkspace::steady_solver() {
@@ -271,13 +237,11 @@ SteadySolver& SmoothingWorkspace::steady_solver() {
   return pointwise_newton();
 }
 
-EquationNewton& SmoothingWorkspace::pointwise_newton() {
-  if (!pointwise_newton_) {
-    const auto& [plain, clipped] = pointwise();
-    pointwise_newton_ = std::make_unique<EquationNewton>(
-        ClipVariants<EquationProblem>{plain, clipped}, newton_linear(), equation_options(options_));
-  }
-  return *pointwise_newton_;
+SmoothingWorkspace::TimesMade SmoothingWorkspace::times_made() const {
+  return {made_.energy_pattern.times_made(), made_.pointwise_pattern.times_made(),
+          made_.form.times_made(), made_.computed_vcvs.times_made(),
+          made_.linear.times_made() + made_.symmetric_linear.times_made() +
+              made_.newton_linear.times_made()};
 }
 
 }  // namespace winslow

@@ -1,18 +1,19 @@
 #pragma once
 
 #include <memory>
-#include <optional>
+#include <span>
+#include <variant>
 #include <vector>
 
 #include "core/formulation/pointwise_winslow.h"
-#include "core/formulation/target_shapes.h"
+#include "core/formulation/surface_winslow.h"
 #include "core/formulation/variational_winslow.h"
-#include "core/formulation/volume_targets.h"
 #include "core/linear/linear_solver.h"
 #include "core/outer/energy_newton.h"
 #include "core/outer/equation_newton.h"
 #include "core/outer/outer_solver.h"
 #include "core/outer/picard_solver.h"
+#include "core/strategy/keyed.h"
 #include "core/strategy/smooth_options.h"
 #include "core/vcv/sphere/star_builder.h"
 
@@ -29,23 +30,34 @@ inline EquationOptions equation_options(const SmoothOptions& options) {
 
 VolumeVcvOptions volume_vcv_options(const SmoothOptions& options);
 
-/// Prepared solvers for one topology and the nodes that move: what depends on the connectivity
-/// alone (matrix patterns, orderings, symbolic factorisations) outlives a command, so that a drag
-/// does not pay for it at every move of the mouse, be it of a body or of a VCV. Stencil functionals
-/// and target shapes are those of one set of VCVs and follow when it changes.
+/// Prepared solvers of a run, kept from one run to the next, so that a drag does not pay for them
+/// at every move of the mouse, be it of a body or of a VCV.
+///
+/// Each product is a function of its inputs, and is made when it is first asked for with these
+/// inputs (Keyed):
+///
+///   pattern         which nodes move, guarded elements
+///   VCVs            of volume meshes: kind, mesh as given, stencils by hand, adjustments
+///   energy          pattern, targets, mesh as given, VCVs, elements that count more, penalty
+///   pointwise form  pattern, VCVs
+///   linear solvers  which nodes move, options
+///   outer solvers   form, linear solver; new ones for each run
+///
+/// So the patterns, and with them orderings and symbolic factorisations, outlive everything but a
+/// change of the nodes that move.
 class SmoothingWorkspace {
  public:
-  /// Says what is to be solved; parts that are still good are kept. classes: which nodes move.
-  /// vcv: of a plane mesh; null for volume meshes, whose VCVs are made here, of the kind that the
-  /// options say, but for those given by hand (stencils; null: none). given: the mesh that targets
-  /// `auto` and `rest` and those VCVs refer to; kept by value where they do.
+  /// Begins a run: says what is to be solved. classes: which nodes move. vcv: of a plane mesh; null
+  /// for volume meshes, whose VCVs are made here, of the kind that the options say, but for those
+  /// given by hand (stencils; null: none). given: the mesh that targets `auto` and `rest` and those
+  /// VCVs refer to; kept by value where they do.
   void prepare(const std::shared_ptr<const VirtualControlVolumes>& vcv,
                const std::shared_ptr<const NodeClasses>& classes, const SmoothOptions& options,
                const Coordinates& given, std::shared_ptr<const SphereStencils> stencils = nullptr);
 
   /// From here to the next prepare() these elements count four times as much with `auto` targets,
   /// once more for each time they are listed.
-  void count_more(std::vector<Index> elements);
+  void count_more(std::vector<Index> elements) { run_.urgent = std::move(elements); }
   /// From here to the next prepare() the energy keeps the Jacobian of these elements positive
   /// between their corners, too (VolumeTargetNodes::guarded). Returns whether any of them was not
   /// among them.
@@ -55,14 +67,14 @@ class SmoothingWorkspace {
   /// newton() are others then.
   bool drop_guards_broken_at(const Coordinates& x);
 
-  /// Adjusted VCVs of a volume mesh take the angles of the mesh as it is now; those of all other
-  /// kinds stay. What was made over the earlier ones is made anew. Returns how many changed.
+  /// Adjusted VCVs of a volume mesh take the angles of the mesh as it is now, up to the next
+  /// prepare(); those of all other kinds stay. Returns how many changed.
   Index adjust_vcvs(const Coordinates& x);
   /// The same where they are those of a mesh that came tangled, and x is valid: what a tangle has
   /// for angles says little. Returns whether any changed.
   bool adjust_tangled_vcvs(const Coordinates& x);
 
-  // Each is made at its first use after prepare, and valid until the next prepare.
+  // Valid until one of their inputs changes, and no longer than to the next prepare().
   PicardSolver& picard();
   /// With the penalty of the options.
   std::shared_ptr<const VariationalForm> energy();
@@ -71,50 +83,150 @@ class SmoothingWorkspace {
   SteadySolver& steady_solver();
   EquationNewton& pointwise_newton();
   /// For the variational form's symmetric systems.
-  LinearSolver& symmetric_linear();
+  LinearSolver& symmetric_linear() { return *shared_symmetric_linear(); }
   /// For the pointwise form's systems with frozen coefficients.
-  LinearSolver& linear();
+  LinearSolver& linear() { return *general_solver(made_.linear); }
   /// For the pointwise form's Jacobians.
-  LinearSolver& newton_linear();
+  LinearSolver& newton_linear() { return *general_solver(made_.newton_linear); }
+  /// Of a volume mesh, as the options, prepare() and adjust_vcvs() have them.
+  std::shared_ptr<const VolumeVcvs> volume_vcvs();
+  ClipVariants<EquationProblem> pointwise();
 
   const NodeClasses& classes() const { return *classes_; }
   /// Of the mesh of the run at x.
   Validity validity(const Coordinates& x) const;
   const SmoothOptions& options() const { return options_; }
 
- private:
-  bool in_space() const { return classes_->topology().cell_dimension() == 3; }
-  bool on_surface() const { return is_surface(classes_->topology()); }
-  bool tangled(const Coordinates& x) const;
-  const VolumeVcvs& volume_vcvs();
-  void make_volume_vcvs(const Coordinates& x);
-  void take_stencils(std::shared_ptr<const SphereStencils> stencils);
-  const ClipVariants<EquationProblem>& pointwise();
-  template <int D>
-  void make_pointwise(const typename PointwiseForm<D>::Vcvs& vcvs);
-  template <int D>
-  void make_energy(const CellTargets<D>& targets);
-  std::shared_ptr<const VariationalForm> surface_energy();
-  const Coordinates* given() const { return given_ ? &*given_ : nullptr; }
-  std::unique_ptr<LinearSolver> make_general_solver() const;
+  /// How often each product was made, by all runs on the present topology together.
+  struct TimesMade {
+    std::size_t energy_patterns, pointwise_patterns, targets, vcvs, linear_solvers;
+  };
+  TimesMade times_made() const;
 
-  std::shared_ptr<const VirtualControlVolumes> vcv_;  // of a plane mesh
-  std::unique_ptr<VolumeVcvs> volume_vcvs_;           // null: not made yet
-  std::shared_ptr<const SphereStencils> stencils_;    // of a volume mesh, by hand
-  std::shared_ptr<const NodeClasses> classes_;
+ private:
+  using Classes = std::shared_ptr<const NodeClasses>;
+  using GivenMesh = std::shared_ptr<const Coordinates>;
+  using PlaneVcvs = std::shared_ptr<const VirtualControlVolumes>;
+  using SpaceVcvs = std::shared_ptr<const VolumeVcvs>;
+  using Stencils = std::shared_ptr<const SphereStencils>;
+
+  struct SolverKey {
+    Classes unknowns;
+    int threads;
+    LinearOptions options;
+    bool operator==(const SolverKey&) const = default;
+  };
+  using KeyedSolver = Keyed<SolverKey, std::shared_ptr<LinearSolver>>;
+
+  /// VCVs of a volume mesh without those given by hand.
+  struct ComputedVcvs {
+    SpaceVcvs vcvs;
+    bool of_tangle = false;  ///< adjusted to a mesh with inverted elements
+  };
+  struct ComputedVcvsKey {
+    std::shared_ptr<const Topology> topology;
+    VcvKind kind;
+    double lengths;
+    int threads;
+    GivenMesh given;  ///< null: they do not refer to it
+    bool operator==(const ComputedVcvsKey&) const = default;
+  };
+  struct SpaceVcvsKey {
+    SpaceVcvs computed;
+    Stencils stencils;
+    bool operator==(const SpaceVcvsKey&) const = default;
+  };
+
+  struct PointwisePatternKey {
+    Classes unknowns;
+    int threads;
+    bool operator==(const PointwisePatternKey&) const = default;
+  };
+  struct PointwiseKey {
+    std::shared_ptr<const PointwisePattern> pattern;
+    PlaneVcvs plane_vcvs;
+    SpaceVcvs space_vcvs;
+    bool operator==(const PointwiseKey&) const = default;
+  };
+
+  using EnergyPattern = std::variant<std::shared_ptr<const VariationalWinslow::Pattern>,
+                                     std::shared_ptr<const VolumeWinslow::Pattern>,
+                                     std::shared_ptr<const SurfaceWinslow::Pattern>>;
+  struct EnergyPatternKey {
+    Classes unknowns;
+    int threads;
+    std::vector<Index> guarded;
+    /// Which edges of guarded elements are cells depends on it with `rest` targets. Null: not so.
+    GivenMesh given;
+    bool operator==(const EnergyPatternKey&) const = default;
+  };
+  struct FormKey {
+    EnergyPatternKey pattern;
+    TargetBlend targets;
+    GivenMesh given;  ///< null: the targets do not refer to it
+    PlaneVcvs plane_vcvs;
+    SpaceVcvs space_vcvs;  ///< null: the targets have no share for them
+    Stencils stencils;
+    std::vector<Index> urgent;
+    bool operator==(const FormKey&) const = default;
+  };
+  struct EnergyKey {
+    std::shared_ptr<const VariationalForm> form;
+    PenaltyOptions penalty;
+    bool operator==(const EnergyKey&) const = default;
+  };
+
+  template <typename Problem>
+  struct OuterKey {
+    std::shared_ptr<const Problem> problem;
+    std::shared_ptr<LinearSolver> linear;
+    bool operator==(const OuterKey&) const = default;
+  };
+  /// What one run finds out, and the solvers that remember how it went.
+  struct Run {
+    std::vector<Index> urgent;   ///< see count_more()
+    std::vector<Index> guarded;  ///< see guard(); ascending
+    ComputedVcvs adjusted;       ///< VCVs; null: those of the mesh as given
+    Keyed<OuterKey<EquationProblem>, std::unique_ptr<PicardSolver>> picard;
+    Keyed<OuterKey<EquationProblem>, std::unique_ptr<EquationNewton>> pointwise_newton;
+    Keyed<OuterKey<VariationalForm>, std::unique_ptr<EnergyNewton>> newton;
+  };
+
+  struct Products {
+    KeyedSolver linear, symmetric_linear, newton_linear;
+    Keyed<ComputedVcvsKey, ComputedVcvs> computed_vcvs;
+    Keyed<SpaceVcvsKey, SpaceVcvs> space_vcvs;
+    Keyed<PointwisePatternKey, std::shared_ptr<const PointwisePattern>> pointwise_pattern;
+    Keyed<PointwiseKey, ClipVariants<EquationProblem>> pointwise;
+    Keyed<EnergyPatternKey, EnergyPattern> energy_pattern;
+    Keyed<FormKey, std::shared_ptr<const VariationalForm>> form;
+    Keyed<EnergyKey, std::shared_ptr<const VariationalForm>> energy;
+  };
+
+  bool in_space() const { return classes_->topology().cell_dimension() == 3; }
+  bool tangled(const Coordinates& x) const { return validity(x).inverted > 0; }
+  ComputedVcvs make_vcvs(const Coordinates& x) const;
+  const ComputedVcvs& computed_vcvs();
+  const std::shared_ptr<LinearSolver>& general_solver(KeyedSolver& solver);
+  const std::shared_ptr<LinearSolver>& shared_symmetric_linear();
+  template <int D>
+  ClipVariants<EquationProblem> make_pointwise(const PointwiseKey& key) const;
+  FormKey form_key();
+  std::shared_ptr<const VariationalForm> make_form(const FormKey& key);
+  template <typename Form>
+  const typename Form::Pattern& energy_pattern(const EnergyPatternKey& key,
+                                               const typename Form::Targets& targets);
+
+  // What prepare() was told. If the first and the last of these are equal to what the run before
+  // had, they are the same objects.
+  Classes unknowns_;  // whose nodes move as those of classes_ do
+  Classes classes_;
   SmoothOptions options_;
-  std::optional<Coordinates> given_;         // only where something refers to it
-  std::vector<Index> urgent_;                // see count_more()
-  std::vector<Index> guarded_;               // see guard(); ascending
-  ClipVariants<EquationProblem> pointwise_;  // null: not made yet
-  std::shared_ptr<const VariationalForm> energy_;
-  bool pointwise_stale_ = false, energy_stale_ = false;  // they are of other VCVs or targets
-  bool tangled_vcvs_ = false;                            // adjusted to a tangled mesh
-  bool adjusted_ = false;  // the VCVs are no longer those of the mesh as given
-  std::unique_ptr<LinearSolver> linear_, symmetric_linear_, newton_linear_;
-  std::unique_ptr<PicardSolver> picard_;
-  std::unique_ptr<EnergyNewton> newton_;
-  std::unique_ptr<EquationNewton> pointwise_newton_;
+  PlaneVcvs vcv_;      // of a plane mesh
+  Stencils stencils_;  // of a volume mesh, by hand
+  GivenMesh given_;    // null: nothing refers to it
+  Run run_;
+  Products made_;
 };
 
 }  // namespace winslow

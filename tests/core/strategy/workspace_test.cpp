@@ -1,0 +1,357 @@
+#include "core/strategy/workspace.h"
+
+#include <doctest/doctest.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/command/command.h"
+#include "core/motion/rigid_motion.h"
+#include "core/strategy/smooth_run.h"
+#include "core/vcv/vcv_edit.h"
+#include "support/formulations.h"
+#include "support/meshes.h"
+#include "support/space_meshes.h"
+
+/// What a workspace keeps from one run to the next, and what it makes anew.
+namespace winslow::test {
+namespace {
+
+/// What prepare() is told.
+struct Inputs {
+  std::shared_ptr<const VirtualControlVolumes> vcv;
+  std::shared_ptr<const NodeClasses> classes;
+  SmoothOptions options;
+  Coordinates given;
+  std::shared_ptr<const SphereStencils> stencils;
+
+  void prepare(SmoothingWorkspace& workspace) const {
+    workspace.prepare(vcv, classes, options, given, stencils);
+  }
+};
+
+Inputs inputs_of(const MeshState& state) {
+  Inputs inputs{state.vcv, free_interior(state.mesh.topology), {}, state.mesh.coordinates, {}};
+  inputs.options.threads = 1;
+  return inputs;
+}
+Inputs plane_inputs() { return inputs_of(make_state(make_mesh(square(6, Cells::triangles)))); }
+Inputs space_inputs() { return inputs_of(make_state(make_mesh(cube(3, Volumes::hexahedra)))); }
+
+/// A change of one input.
+struct Change {
+  std::string what;
+  std::function<void(Inputs&)> apply;
+};
+
+/// One node less moves.
+void hold_a_node(Inputs& inputs) {
+  auto classes = std::make_shared<NodeClasses>(inputs.classes->shared_topology());
+  const Index node = classes->topology().interior_nodes().front();
+  classes->set_fixed({&node, 1});
+  inputs.classes = classes;
+}
+/// Equal classes, as the next run makes them.
+void make_classes_anew(Inputs& inputs) {
+  inputs.classes = free_interior(inputs.classes->shared_topology());
+}
+void move_a_node(Inputs& inputs) {
+  const Index node = inputs.classes->topology().interior_nodes().front();
+  if (inputs.given.dimension() == 2)
+    inputs.given.set_xy(node, inputs.given.xy(node) + Vec2(1e-3, 0));
+  else
+    inputs.given.set_xyz(node, inputs.given.xyz(node) + Vec3(1e-3, 0, 0));
+}
+/// The VCV of a node as it is, given by hand.
+void give_a_stencil(Inputs& inputs) {
+  const Topology& topology = inputs.classes->topology();
+  const Index node = topology.interior_nodes().front();
+  SphereStencil stencil;
+  for (const Index k : topology.neighbours(node)) {
+    stencil.directions.push_back((inputs.given.xyz(k) - inputs.given.xyz(node)).normalized());
+    stencil.lengths.push_back(1);
+  }
+  auto stencils = std::make_shared<SphereStencils>();
+  stencils->emplace(node, std::move(stencil));
+  inputs.stencils = stencils;
+}
+
+std::shared_ptr<const SparsityPattern> energy_pattern(SmoothingWorkspace& workspace,
+                                                      const Coordinates& x) {
+  const auto energy = workspace.energy();
+  SparseMatrix matrix;
+  std::vector<double> residual(energy->unknowns());
+  energy->linearise(x, Curvature::projected, matrix, residual);
+  return matrix.pattern;
+}
+std::shared_ptr<const SparsityPattern> pointwise_pattern(SmoothingWorkspace& workspace,
+                                                         const Coordinates& x) {
+  const auto form = workspace.pointwise().plain;
+  SparseMatrix matrix;
+  std::vector<double> residual(form->unknowns());
+  form->linearise(x, matrix, residual);
+  return matrix.pattern;
+}
+
+/// Which products are other objects after a change.
+struct Changed {
+  bool energy_pattern, energy, pointwise_pattern, pointwise, linear, symmetric_linear,
+      newton_linear;
+  bool operator==(const Changed&) const = default;
+};
+
+Changed changed_by(const Inputs& before, const Change& change) {
+  SmoothingWorkspace workspace;
+  before.prepare(workspace);
+  const Coordinates x = before.given;
+  const auto energy = workspace.energy();
+  const auto pointwise = workspace.pointwise().plain;
+  const auto of_energy = energy_pattern(workspace, x),
+             of_pointwise = pointwise_pattern(workspace, x);
+  const LinearSolver* linear = &workspace.linear();
+  const LinearSolver* symmetric = &workspace.symmetric_linear();
+  const LinearSolver* newton = &workspace.newton_linear();
+  const auto made = workspace.times_made().linear_solvers;
+  Inputs after = before;
+  change.apply(after);
+  after.prepare(workspace);
+  Changed changed{energy_pattern(workspace, x) != of_energy,
+                  workspace.energy() != energy,
+                  pointwise_pattern(workspace, x) != of_pointwise,
+                  workspace.pointwise().plain != pointwise,
+                  &workspace.linear() != linear,
+                  &workspace.symmetric_linear() != symmetric,
+                  &workspace.newton_linear() != newton};
+  // Another solver can lie where the one before lay.
+  if (workspace.times_made().linear_solvers == made + 3)
+    changed.linear = changed.symmetric_linear = changed.newton_linear = true;
+  return changed;
+}
+
+constexpr Changed nothing{};
+constexpr Changed everything{true, true, true, true, true, true, true};
+constexpr Changed energy_alone{.energy = true};
+constexpr Changed both_forms{.energy = true, .pointwise = true};
+constexpr Changed pointwise_alone{.pointwise = true};
+constexpr Changed solvers{.linear = true, .symmetric_linear = true, .newton_linear = true};
+
+}  // namespace
+
+TEST_CASE("a kept product is made anew when its key changes, and not before") {
+  Keyed<int, std::string> kept;
+  int made = 0;
+  const auto of = [&](int key) {
+    return kept.of(key, [&] {
+      if (key < 0) throw std::runtime_error("none");
+      ++made;
+      return std::to_string(key);
+    });
+  };
+  CHECK(of(1) == "1");
+  CHECK(of(1) == "1");
+  CHECK(made == 1);
+  CHECK(of(2) == "2");
+  CHECK(of(1) == "1");
+  CHECK(made == 3);
+  CHECK_THROWS(of(-1));
+  CHECK(of(1) == "1");  // none was kept
+  CHECK(made == 4);
+  CHECK(kept.times_made() == 4);
+}
+
+TEST_CASE("of a plane mesh each product is the same object until one of its inputs changes") {
+  const auto in_options = [](void (*edit)(SmoothOptions&)) {
+    return [edit](Inputs& inputs) { edit(inputs.options); };
+  };
+  const std::vector<std::pair<Change, Changed>> cases{
+      {{"nothing", [](Inputs&) {}}, nothing},
+      {{"equal classes", make_classes_anew}, nothing},
+      {{"nodes that move", hold_a_node}, everything},
+      {{"threads", in_options([](SmoothOptions& o) { o.threads = 2; })}, everything},
+      {{"mesh as given", move_a_node}, energy_alone},
+      {{"targets", in_options([](SmoothOptions& o) {
+          o.targets = {0, 0, 1, 1};
+        })},
+       energy_alone},
+      {{"penalty", in_options([](SmoothOptions& o) { o.penalty.exponent += 1; })}, energy_alone},
+      {{"VCVs",
+        [](Inputs& inputs) { inputs.vcv = std::make_shared<VirtualControlVolumes>(*inputs.vcv); }},
+       both_forms},
+      {{"linear solver", in_options([](SmoothOptions& o) { o.linear.solver = "direct"; })},
+       solvers},
+      {{"linear tolerance", in_options([](SmoothOptions& o) { o.linear.tolerance = 1e-5; })},
+       solvers},
+      {{"tolerance", in_options([](SmoothOptions& o) { o.tolerance = 1e-3; })}, nothing},
+      {{"damping", in_options([](SmoothOptions& o) { o.damping = 0.1; })}, nothing}};
+  for (const auto& of : cases) {
+    CAPTURE(of.first.what);
+    CHECK((changed_by(plane_inputs(), of.first) == of.second));
+  }
+}
+
+TEST_CASE("regular targets of a plane mesh do not depend on the mesh as given") {
+  Inputs inputs = plane_inputs();
+  inputs.options.targets = TargetBlend::regular();
+  CHECK((changed_by(inputs, {"mesh as given", move_a_node}) == nothing));
+}
+
+TEST_CASE("of a volume mesh each product is the same object until one of its inputs changes") {
+  const auto kind = [](VcvKind of) { return [of](Inputs& inputs) { inputs.options.vcv = of; }; };
+  const std::vector<std::pair<Change, Changed>> cases{
+      {{"nothing", [](Inputs&) {}}, nothing},
+      {{"equal classes", make_classes_anew}, nothing},
+      {{"nodes that move", hold_a_node}, everything},
+      {{"mesh as given", move_a_node}, both_forms},
+      {{"kind of VCVs", kind(VcvKind::equal)}, pointwise_alone},
+      {{"lengths of VCVs", [](Inputs& inputs) { inputs.options.vcv_lengths = 0.5; }},
+       pointwise_alone},
+      {{"stencil by hand", give_a_stencil}, both_forms}};
+  for (const auto& of : cases) {
+    CAPTURE(of.first.what);
+    CHECK((changed_by(space_inputs(), of.first) == of.second));
+  }
+  // Targets with a share for VCVs are others with other VCVs.
+  Inputs over_vcvs = space_inputs();
+  over_vcvs.options.targets = {0, 0, 1, 0};
+  CHECK((changed_by(over_vcvs, {"kind of VCVs", kind(VcvKind::equal)}) == both_forms));
+  // Equal VCVs and regular targets know nothing of the mesh as given.
+  Inputs equal = space_inputs();
+  equal.options.targets = TargetBlend::regular();
+  equal.options.vcv = VcvKind::equal;
+  CHECK((changed_by(equal, {"mesh as given", move_a_node}) == nothing));
+}
+
+TEST_CASE("elements that count more, or are guarded, make another energy up to the next run") {
+  const Inputs inputs = space_inputs();
+  SmoothingWorkspace workspace;
+  inputs.prepare(workspace);
+  const auto plain = workspace.energy();
+  const auto pattern = energy_pattern(workspace, inputs.given);
+  workspace.count_more({0});
+  const auto weighed = workspace.energy();
+  CHECK(weighed != plain);
+  CHECK(workspace.energy() == weighed);
+  CHECK(energy_pattern(workspace, inputs.given) == pattern);
+  workspace.count_more({0, 0});
+  CHECK(workspace.energy() != weighed);
+  const std::vector<Index> middle{13};
+  workspace.guard(middle);
+  CHECK(energy_pattern(workspace, inputs.given) != pattern);
+  const auto guarded = energy_pattern(workspace, inputs.given);
+  workspace.count_more({1});
+  CHECK(energy_pattern(workspace, inputs.given) == guarded);
+  inputs.prepare(workspace);
+  CHECK(energy_pattern(workspace, inputs.given) != guarded);
+}
+
+TEST_CASE("adjusted VCVs hold for one run, and those of the mesh as given are not made again") {
+  const Inputs inputs = space_inputs();
+  Inputs moved = inputs;
+  move_a_node(moved);
+  SmoothingWorkspace workspace;
+  inputs.prepare(workspace);
+  const auto of_given = workspace.volume_vcvs();
+  const auto form = workspace.pointwise().plain;
+  CHECK(workspace.adjust_vcvs(inputs.given) == 0);
+  CHECK(workspace.volume_vcvs() == of_given);
+  CHECK(workspace.adjust_vcvs(moved.given) > 0);
+  CHECK(workspace.volume_vcvs() != of_given);
+  CHECK(workspace.pointwise().plain != form);
+  inputs.prepare(workspace);
+  CHECK(workspace.volume_vcvs() == of_given);
+  CHECK(workspace.times_made().vcvs == 1);
+}
+
+TEST_CASE("stencils given by hand are in the VCVs, and are taken out again") {
+  Inputs inputs = space_inputs();
+  SmoothingWorkspace workspace;
+  inputs.prepare(workspace);
+  const Index node = inputs.classes->topology().interior_nodes().front();
+  const auto computed = workspace.volume_vcvs();
+  CHECK(!computed->edited(node));
+  give_a_stencil(inputs);
+  inputs.prepare(workspace);
+  CHECK(workspace.volume_vcvs()->edited(node));
+  CHECK(workspace.volume_vcvs() == workspace.volume_vcvs());
+  inputs.stencils = nullptr;
+  inputs.prepare(workspace);
+  CHECK(workspace.volume_vcvs() == computed);
+  CHECK(workspace.times_made().vcvs == 1);
+}
+
+TEST_CASE("outer solvers are those of one run, and of one problem") {
+  const Inputs inputs = plane_inputs();
+  SmoothingWorkspace workspace;
+  inputs.prepare(workspace);
+  Coordinates x = inputs.given;
+  EnergyNewton& newton = workspace.newton();
+  newton.start(x);
+  newton.step(x);
+  CHECK(&workspace.newton() == &newton);
+  CHECK(workspace.newton().linear_solves() > 0);
+  CHECK(&workspace.steady_solver() == &newton);
+  workspace.picard().start(x);
+  workspace.picard().step(x);
+  workspace.pointwise_newton().start(x);
+  workspace.pointwise_newton().step(x);
+  CHECK(workspace.picard().linear_solves() > 0);
+  CHECK(workspace.pointwise_newton().linear_solves() > 0);
+  workspace.count_more({0});
+  CHECK(&workspace.newton().problem() == workspace.energy().get());
+  CHECK(workspace.newton().linear_solves() == 0);
+  CHECK(workspace.picard().linear_solves() > 0);  // it is not on the energy
+  inputs.prepare(workspace);
+  CHECK(workspace.picard().linear_solves() == 0);
+  CHECK(workspace.pointwise_newton().linear_solves() == 0);
+}
+
+TEST_CASE("runs that follow one another make patterns, targets and linear solvers once") {
+  SmoothingWorkspace workspace;
+  RunOptions run;
+  run.workspace = &workspace;
+  const MeshState state = make_state(make_mesh(annulus(24, 6, 1.2, Cells::mixed)));
+  SmoothOptions options;
+  options.threads = 1;
+  SmoothCommand smooth;
+  smooth.smooth = options;
+  execute(smooth, state, run);
+  const auto first = workspace.times_made();
+  CHECK(first.energy_patterns == 1);
+  CHECK(first.targets == 1);
+  execute(smooth, state, run);
+  SUBCASE("another run") {}
+  SUBCASE("a drag") {
+    Coordinates x = state.mesh.coordinates;
+    for (const double turn : {2.0, 4.0, 6.0}) {
+      const auto motion = make_motion(*state.mesh.topology, state.mesh.coordinates, {"inner"},
+                                      RigidMotion{turn, Vec2(0, 0), Vec2(0, 0)});
+      const Coordinates start = x;
+      run.start = &start;
+      smooth_motion(state, *motion, {}, options, x, run);
+    }
+  }
+  const auto last = workspace.times_made();
+  CHECK(last.energy_patterns == 1);
+  CHECK(last.targets == 1);
+  CHECK(last.pointwise_patterns == 0);
+  CHECK(last.linear_solvers == first.linear_solvers);
+}
+
+TEST_CASE("a mesh that runs lead on has other targets and the same pattern") {
+  SmoothingWorkspace workspace;
+  RunOptions run;
+  run.workspace = &workspace;
+  MeshState state = make_state(make_mesh(annulus(24, 6, 1.2, Cells::mixed)));
+  Random random(3);
+  perturb(state.mesh, random);
+  SmoothCommand smooth;
+  smooth.smooth.threads = 1;
+  for (int turn = 0; turn < 3; ++turn) state = execute(smooth, state, run).state;
+  CHECK(workspace.times_made().energy_patterns == 1);
+  CHECK(workspace.times_made().targets == 3);
+}
+
+}  // namespace winslow::test
