@@ -73,6 +73,40 @@ std::vector<bool> SurfaceWinslow::turned_over(const Coordinates& x) const {
   return turned;
 }
 
+bool SurfaceWinslow::turned_over(std::size_t cell, const Coordinates& coordinates) const {
+  const SpacePoints x(coordinates);
+  const auto& nodes = structure_->cells[cell];
+  const Vec3 u = x[nodes[1]] - x[nodes[0]], v = x[nodes[2]] - x[nodes[0]];
+  const Vec3 reference = node_unknowns().classes().element_normals()->of_element(
+      structure_->element[cell], coordinates);
+  return !(determinant_in(own_plane(u, v, reference), u, v) > 0);
+}
+
+/// Adds to `stuck` (#rows) those nodes of a cell which turn it over when they alone go from x to
+/// `there`; all of its nodes that move if none does so alone. y: x, changed and put back.
+void SurfaceWinslow::add_nodes_that_turn(std::size_t cell, const Coordinates& x,
+                                         const Coordinates& there, Coordinates& y,
+                                         std::vector<bool>& stuck) const {
+  const NodeClasses& classes = node_unknowns().classes();
+  const auto around = topology().element(structure_->element[cell]);
+  for (const Index node : around)
+    if (classes.slides(node)) y.set_xyz(node, classes.foot(node, x.xyz(node)).point);
+  std::vector<Index> moved;
+  bool found = false;
+  for (const Index node : structure_->cells[cell]) {
+    const Index row = structure_->row_of_node[at(node)];
+    if (row < 0 || (!stuck_.empty() && stuck_[at(row)])) continue;
+    moved.push_back(row);
+    const Vec3 stays = y.xyz(node);
+    y.copy_node(node, there);
+    if (turned_over(cell, y)) stuck[at(row)] = found = true;
+    y.set_xyz(node, stays);
+  }
+  if (!found)
+    for (const Index row : moved) stuck[at(row)] = true;
+  for (const Index node : around) y.copy_node(node, x);
+}
+
 Index SurfaceWinslow::stuck_nodes() const {
   return static_cast<Index>(std::ranges::count(stuck_, true));
 }
@@ -86,24 +120,9 @@ std::shared_ptr<const EnergyProblem> SurfaceWinslow::holding_stuck_nodes(
   add_nodes_led_astray(node_unknowns(), x, there, direction, 2, step, stuck);
   // Of the nodes of elements that turn over on the way, those that turn one on their own.
   const std::vector<bool> before = turned_over(x), after = turned_over(there);
-  for (std::size_t t = 0; t < after.size(); ++t) {
-    if (!after[t] || before[t]) continue;
-    std::vector<Index> moved;
-    bool found = false;
-    for (const Index node : structure_->cells[t]) {
-      const Index row = structure_->row_of_node[at(node)];
-      if (row < 0 || (!stuck_.empty() && stuck_[at(row)])) continue;
-      moved.push_back(row);
-      std::vector<double> alone(direction.size(), 0.0);
-      for (const std::size_t k : {2 * at(row), 2 * at(row) + 1}) alone[k] = direction[k];
-      Coordinates y = x;
-      advance(alone, step, y);
-      if (!turned_over(y)[t]) continue;
-      stuck[at(row)] = found = true;
-    }
-    if (found) continue;
-    for (const Index row : moved) stuck[at(row)] = true;
-  }
+  Coordinates y = x;
+  for (std::size_t t = 0; t < after.size(); ++t)
+    if (after[t] && !before[t]) add_nodes_that_turn(t, x, there, y, stuck);
   if (std::ranges::count(stuck, true) == stuck_nodes()) return nullptr;
   auto other = std::make_shared<SurfaceWinslow>(*this);
   other->stuck_ = std::move(stuck);

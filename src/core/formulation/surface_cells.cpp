@@ -109,6 +109,26 @@ SurfaceStructure::SurfaceStructure(const NodeUnknowns& nodes,
   std::iota(numbers.begin(), numbers.end(), 0);
 }
 
+CellPlane own_plane(const Vec3& u, const Vec3& v, const Vec3& reference) {
+  CellPlane plane;
+  const Vec3 area = u.cross(v);
+  const double size = area.norm(), length = u.norm();
+  if (!(size > 0)) {
+    plane.normal = reference;
+    plane.e1 = reference.unitOrthogonal();
+  } else {
+    plane.normal = is_turned_over(area, reference) ? Vec3(-area / size) : Vec3(area / size);
+    plane.e1 = u / length;
+  }
+  plane.e2 = plane.normal.cross(plane.e1);
+  return plane;
+}
+
+double determinant_in(const CellPlane& plane, const Vec3& u, const Vec3& v) {
+  const Vec2 b = plane.of(u), c = plane.of(v);
+  return b.x() * c.y() - b.y() * c.x();
+}
+
 namespace {
 
 /// plane(edges at the first corner, reference normal) for each cell.
@@ -138,21 +158,7 @@ FlatCells lay_flat(const SurfaceStructure& structure, const Coordinates& coordin
 
 FlatCells FlatCells::in_own_planes(const SurfaceStructure& structure, const Coordinates& x,
                                    std::span<const Vec3> normals, int threads) {
-  return lay_flat(
-      structure, x, normals, threads, [](const Vec3& u, const Vec3& v, const Vec3& reference) {
-        CellPlane plane;
-        const Vec3 area = u.cross(v);
-        const double size = area.norm(), length = u.norm();
-        if (!(size > 0)) {
-          plane.normal = reference;
-          plane.e1 = reference.unitOrthogonal();
-        } else {
-          plane.normal = is_turned_over(area, reference) ? Vec3(-area / size) : Vec3(area / size);
-          plane.e1 = u / length;
-        }
-        plane.e2 = plane.normal.cross(plane.e1);
-        return plane;
-      });
+  return lay_flat(structure, x, normals, threads, own_plane);
 }
 
 FlatCells FlatCells::against(const SurfaceStructure& structure, const Coordinates& x,

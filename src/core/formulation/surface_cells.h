@@ -56,6 +56,12 @@ struct CellPlane {
   Vec2 of(const Vec3& v) const { return {e1.dot(v), e2.dot(v)}; }
 };
 
+/// The plane of a triangle with these edges from its first corner, on the side of a reference
+/// normal.
+CellPlane own_plane(const Vec3& u, const Vec3& v, const Vec3& reference);
+/// Twice the area of the triangle, as it lies in a plane: negative if it shows the other side.
+double determinant_in(const CellPlane& plane, const Vec3& u, const Vec3& v);
+
 /// All cells of a mesh laid flat.
 struct FlatCells {
   /// Each into its own plane, on the side of the reference normal (#elements) of its element.

@@ -105,6 +105,9 @@ class SurfaceWinslow final : public VariationalForm {
   std::vector<Foot> feet(const Coordinates& x) const;
   /// For each cell, whether it shows the wrong side.
   std::vector<bool> turned_over(const Coordinates& x) const;
+  bool turned_over(std::size_t cell, const Coordinates& x) const;
+  void add_nodes_that_turn(std::size_t cell, const Coordinates& x, const Coordinates& there,
+                           Coordinates& y, std::vector<bool>& stuck) const;
 
   void sum_cells(const FlatCells& cells, const Regularisation* regularisation, Second second,
                  CellSums& out) const;

@@ -85,16 +85,28 @@ std::vector<Vec3> ElementNormals::at(const Coordinates& coordinates, int threads
       search_block);
   std::vector<Vec3> normals(winslow::at(topology_->element_count()));
   parallel_for(threads, topology_->element_count(), [&](Index begin, Index end) {
-    constexpr double cancelled = 0.1;  // normals of opposite sides of a body say nothing
     for (Index e = begin; e < end; ++e) {
       Vec3 sum = Vec3::Zero();
       for (const Index node : topology_->element(e)) sum += of_nodes[winslow::at(node)];
-      const double length = sum.norm();
-      const bool as_given = !(length > cancelled);
-      normals[winslow::at(e)] = as_given ? sides_->given[winslow::at(e)] : Vec3(sum / length);
+      normals[winslow::at(e)] = from_nodes(e, sum);
     }
   });
   return normals;
+}
+
+Vec3 ElementNormals::of_element(Index element, const Coordinates& coordinates) const {
+  const SpacePoints x(coordinates);
+  Vec3 sum = Vec3::Zero();
+  for (const Index node : topology_->element(element)) sum += node_normal(node, x[node]);
+  return from_nodes(element, sum);
+}
+
+/// The normal of an element whose nodes have normals with this sum.
+Vec3 ElementNormals::from_nodes(Index element, const Vec3& sum) const {
+  constexpr double cancelled = 0.1;  // normals of opposite sides of a body say nothing
+  const double length = sum.norm();
+  if (!(length > cancelled)) return sides_->given[winslow::at(element)];
+  return sum / length;
 }
 
 }  // namespace winslow

@@ -27,10 +27,13 @@ class ElementNormals {
 
   /// #elements, unit vectors. threads: 0 for all cores.
   std::vector<Vec3> at(const Coordinates& x, int threads) const;
+  /// Of one element.
+  Vec3 of_element(Index element, const Coordinates& x) const;
 
  private:
   struct Sides;
   Vec3 node_normal(Index node, const Vec3& point) const;
+  Vec3 from_nodes(Index element, const Vec3& sum) const;
 
   std::shared_ptr<const Topology> topology_;
   std::shared_ptr<const SlidingGeometry> geometry_;
