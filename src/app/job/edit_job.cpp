@@ -37,14 +37,14 @@ void check_files(const JobFiles& files) {
   check_distinct({files.output, files.report, files.history, files.save_recipe});
 }
 
-void check_options(std::vector<Command> commands) {
-  for (Command& command : commands) {
+void check_options(const std::vector<Command>& commands) {
+  for (const Command& command : commands) {
     if (const SmoothOptions* options = smooth_options(command)) validate(*options);
   }
 }
 
-int thread_count(std::vector<Command> commands) {
-  for (Command& command : commands) {
+int thread_count(const std::vector<Command>& commands) {
+  for (const Command& command : commands) {
     if (const SmoothOptions* options = smooth_options(command)) return options->threads;
   }
   return 0;
@@ -58,14 +58,14 @@ void record_pivot(const Command& command, CommandRecord& record) {
   record.pivot_z = move->motion.pivot_z;
 }
 
-CommandRecord make_record(Command command, SmoothResult result) {
+CommandRecord make_record(const Command& command, SmoothResult result) {
   CommandRecord record;
   record.name = command_name(command);
   record.description = describe(command);
   record.result = std::move(result);
   record_pivot(command, record);
   if (const SmoothOptions* options = smooth_options(command)) {
-    record.formulation = options->formulation;
+    record.formulation = formulation_name(options->formulation);
   }
   return record;
 }

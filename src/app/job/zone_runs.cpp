@@ -43,8 +43,7 @@ std::string about_nodes(const Command& command) {
   if (const auto* layers = std::get_if<LayersCommand>(&command)) {
     if (!layers->layers.overrides.empty()) return "says what columns of single nodes are like";
   }
-  Command copy = command;
-  const SmoothOptions* smooth = smooth_options(copy);
+  const SmoothOptions* smooth = smooth_options(command);
   if (smooth && !(smooth->slide.hold_nodes.empty() && smooth->slide.smooth_nodes.empty()))
     return "holds single nodes, or makes them smooth";
   return {};

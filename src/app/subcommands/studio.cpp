@@ -140,9 +140,9 @@ class StudioSubcommand : public Subcommand {
     options.recording.picture.panels = panels_ == "all";
     options.recording.picture.scale = scale_;
     options.recording.picture.transparent = transparent_;
-    options.check = [](std::vector<Command> commands, const Topology& topology,
+    options.check = [](const std::vector<Command>& commands, const Topology& topology,
                        const std::string& file) {
-      for (Command& command : commands) {
+      for (const Command& command : commands) {
         if (const SmoothOptions* smooth = smooth_options(command)) validate(*smooth);
       }
       check_markers(commands, topology, file);

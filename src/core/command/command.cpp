@@ -116,7 +116,7 @@ void require_surface_command(const Command& command, const SmoothOptions* smooth
       !std::holds_alternative<EditVcvCommand>(command))
     refuse(command_name(command));
   if (smooth == nullptr) return;
-  if (smooth->formulation != "variational") refuse("the pointwise form");
+  if (smooth->formulation != Formulation::variational) refuse("the pointwise form");
   if (smooth->outer == OuterMethod::picard) refuse("the fixed-point iteration");
   if (smooth->untangle == Untangle::picard) refuse("untangling by the fixed-point iteration");
   if (smooth->keep_outside.given()) refuse("keep-outside");
@@ -143,8 +143,7 @@ MeshState with_shape(const MeshState& state, const SlideOptions& slide) {
 /// invert elements. None: there is no such surface.
 std::optional<ReferenceStart> on_reference(const Command& command, const MeshState& state,
                                            const RunOptions& options) {
-  Command copy = command;
-  const SmoothOptions* smooth = smooth_options(copy);
+  const SmoothOptions* smooth = smooth_options(command);
   if (!smooth || smooth->slide.reference.name.empty()) return std::nullopt;
   ReferenceStart placed = put_on_reference(smooth->slide, state, options.start);
   if (!std::holds_alternative<SmoothCommand>(command))
@@ -154,8 +153,7 @@ std::optional<ReferenceStart> on_reference(const Command& command, const MeshSta
 
 /// What volume meshes cannot do yet is refused by name.
 void require_dimension(const Command& command, const MeshState& state) {
-  Command copy = command;
-  const SmoothOptions* smooth = smooth_options(copy);
+  const SmoothOptions* smooth = smooth_options(command);
   if (is_surface(*state.mesh.topology)) {
     require_surface_command(command, smooth, *state.mesh.topology);
     if (smooth) validate_vcvs(*smooth, state.mesh.topology->cell_dimension());
@@ -334,6 +332,18 @@ std::vector<Command> all_commands() {
 
 std::string describe(const Command& command) {
   return std::visit([](const auto& c) { return describe_one(c); }, command);
+}
+
+const SmoothOptions* smooth_options(const Command& command) {
+  return std::visit(
+      [](const auto& c) -> const SmoothOptions* {
+        if constexpr (requires { c.smooth; }) {
+          return &c.smooth;
+        } else {
+          return nullptr;
+        }
+      },
+      command);
 }
 
 SmoothOptions* smooth_options(Command& command) {

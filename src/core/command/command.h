@@ -99,6 +99,7 @@ std::vector<Command> all_commands();
 std::string describe(const Command& command);
 /// Smoothing options of a command, null if it has none.
 SmoothOptions* smooth_options(Command& command);
+const SmoothOptions* smooth_options(const Command& command);
 /// A motion leads through valid meshes from its start to its end, so that limits of the quality can
 /// be kept on the way: no steps are asked for, the mesh is smoothed, and not by a fixed point.
 bool follows_path(const MotionOptions& how, const SmoothOptions& smooth);

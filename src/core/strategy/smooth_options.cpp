@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <string>
 #include <utility>
 
 #include "core/error.h"
@@ -15,7 +16,7 @@ void require(bool good, const std::string& message) {
   if (!good) throw UsageError(message);
 }
 
-bool is_variational(const SmoothOptions& o) { return o.formulation == "variational"; }
+bool is_variational(const SmoothOptions& o) { return o.formulation == Formulation::variational; }
 
 /// Also where Newton's method has the fixed point untangle for it, or stand in for it.
 bool uses_fixed_point(const SmoothOptions& o) {
@@ -104,11 +105,11 @@ OptionTable equations(SmoothOptions& o) {
   return {
       {.key = "formulation",
        .value = ChoiceOption(
-           o.formulation,
-           {{"variational", "variational",
-             "an energy with a barrier against inversion, minimised by Newton's "
-             "method through valid meshes only"},
-            {"pointwise", "pointwise", "the paper's operator, node by node, for comparison"}}),
+           o.formulation, {{std::string(formulation_name(Formulation::variational)), "variational",
+                            "an energy with a barrier against inversion, minimised by Newton's "
+                            "method through valid meshes only"},
+                           {std::string(formulation_name(Formulation::pointwise)), "pointwise",
+                            "the paper's operator, node by node, for comparison"}}),
        .label = "Formulation",
        .help = "Equations solved over the virtual control volumes"},
       targets_option(o),
@@ -248,6 +249,10 @@ OptionTable limits(SmoothOptions& o) {
 }
 
 }  // namespace
+
+std::string_view formulation_name(Formulation formulation) {
+  return formulation == Formulation::variational ? "variational" : "pointwise";
+}
 
 OptionTable option_table(SmoothOptions& options) {
   OptionTable table = equations(options);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include <string_view>
 
 #include "core/formulation/cell_targets.h"
 #include "core/formulation/variational_form.h"
@@ -11,6 +11,14 @@
 #include "core/strategy/slide_options.h"
 
 namespace winslow {
+
+/// Which equations a mesh is smoothed by.
+enum class Formulation {
+  variational,  ///< an energy with a barrier against inversion (VariationalForm)
+  pointwise     ///< the paper's operator, node by node (PointwiseForm)
+};
+/// "variational", "pointwise".
+std::string_view formulation_name(Formulation formulation);
 
 /// How the outer iteration goes.
 enum class OuterMethod {
@@ -39,7 +47,7 @@ enum class VcvKind {
 /// How a mesh is smoothed. The defaults need no touch. What each member means, its range and its
 /// names stand in option_table().
 struct SmoothOptions {
-  std::string formulation = "variational";
+  Formulation formulation = Formulation::variational;
   TargetBlend targets;
   VcvKind vcv = VcvKind::automatic;
   double vcv_lengths = 0;  ///< VolumeVcvOptions::length_power

@@ -67,7 +67,7 @@ bool by_fixed_point(const SmoothOptions& options) { return options.outer == Oute
 
 std::unique_ptr<NewtonRun> make_newton_run(const MeshState& state, SmoothingWorkspace& workspace,
                                            RunRecorder& recorder) {
-  if (workspace.options().formulation == "variational") {
+  if (workspace.options().formulation == Formulation::variational) {
     return std::make_unique<VariationalRun>(state, workspace, recorder);
   }
   return std::make_unique<PointwiseRun>(state, workspace, recorder);
@@ -152,7 +152,7 @@ void keep_above_worst(const MeshState& state, SmoothingWorkspace& workspace, Run
   constexpr int rounds = 5;
   constexpr double rounding = 1e-6;
   const SmoothOptions& options = workspace.options();
-  if (options.formulation != "variational" || options.targets.automatic == 0) return;
+  if (options.formulation != Formulation::variational || options.targets.automatic == 0) return;
   const Topology& topology = *state.mesh.topology;
   const auto worst_of = [&](const Coordinates& mesh) {
     const Validity found = workspace.validity(mesh);
@@ -223,7 +223,7 @@ void follow_with_vcvs(const MeshState& state, SmoothingWorkspace& workspace, Run
 
 /// Of the targets that a run by Newton's method went for.
 std::optional<double> stretched(SmoothingWorkspace& workspace) {
-  if (workspace.options().formulation != "variational") return std::nullopt;
+  if (workspace.options().formulation != Formulation::variational) return std::nullopt;
   return workspace.energy()->stretched();
 }
 

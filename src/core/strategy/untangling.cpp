@@ -110,7 +110,7 @@ bool Untangling::run(Coordinates& x, double fraction, const Coordinates* referen
   // The pointwise form has the fixed point for its own, which leads nearer to its solution.
   const bool energy_first =
       how == Untangle::energy ||
-      (how == Untangle::automatic && workspace_.options().formulation == "variational");
+      (how == Untangle::automatic && workspace_.options().formulation == Formulation::variational);
   if (energy_first && !reference && by_harmonic_start(x, fraction)) return true;
   if (how == Untangle::energy) return by_energy_from_either(x, fraction, reference);
   const Coordinates start = x;

@@ -233,7 +233,7 @@ EnergyNewton& SmoothingWorkspace::newton() {
 }
 
 SteadySolver& SmoothingWorkspace::steady_solver() {
-  if (options_.formulation == "variational") return newton();
+  if (options_.formulation == Formulation::variational) return newton();
   return pointwise_newton();
 }
 

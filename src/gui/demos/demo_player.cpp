@@ -67,7 +67,7 @@ void DemoPlayer::begin_step(const Session& session, ActionQueue& actions) {
     *smooth = session.jobs().smooth_options();
     if (step.regular) smooth->targets = TargetBlend::regular();
     if (step.pointwise_over) {
-      smooth->formulation = "pointwise";
+      smooth->formulation = Formulation::pointwise;
       smooth->outer = OuterMethod::picard;
       smooth->vcv = *step.pointwise_over;
       smooth->vcv_updates = 0;

@@ -304,7 +304,7 @@ TEST_CASE("explicit increments reach the mesh that one step reaches") {
 TEST_CASE("a winding that cannot be done at once is done in steps, automatically") {
   const MeshState state = annulus_state();
   MoveCommand direct = turn(200);
-  direct.smooth.formulation = "pointwise";
+  direct.smooth.formulation = Formulation::pointwise;
   direct.smooth.outer = OuterMethod::picard;
   direct.how.increments = 1;
   const CommandResult at_once = execute(direct, state);
@@ -346,12 +346,12 @@ TEST_CASE("a winding that cannot be done at once is done in steps, automatically
 
 TEST_CASE("the limit of iterations is kept, and said") {
   const MeshState state = hole_state();
-  for (const std::string& formulation : {std::string("variational"), std::string("pointwise")}) {
+  for (const Formulation formulation : {Formulation::variational, Formulation::pointwise}) {
     for (const int increments : {0, 1}) {
-      CAPTURE(formulation);
+      CAPTURE(formulation_name(formulation));
       CAPTURE(increments);
       // The fixed point may begin anew with more steps, each time with the whole limit.
-      if (formulation == "pointwise" && increments == 0) continue;
+      if (formulation == Formulation::pointwise && increments == 0) continue;
       MoveCommand command = small_move();
       command.smooth.formulation = formulation;
       command.smooth.max_iterations = 3;
@@ -372,7 +372,7 @@ TEST_CASE("commands with options out of range are refused") {
   SUBCASE("no marker") { command.markers = {}; }
   SUBCASE("negative increments") { command.how.increments = -1; }
   SUBCASE("damping") { command.smooth.damping = 0; }
-  SUBCASE("formulation") { command.smooth.formulation = "magic"; }
+  SUBCASE("formulation") { command.smooth.formulation = static_cast<Formulation>(2); }
   SUBCASE("linear solver") { command.smooth.linear.solver = "magic"; }
   CHECK_THROWS_AS(execute(command, state), UsageError);
   DeformCommand deform;

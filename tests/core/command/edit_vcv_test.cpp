@@ -55,8 +55,8 @@ TEST_CASE("a wider angle of a VCV opens the angle of the mesh, in either formula
   const MeshState before = triangles();
   const Topology& topology = *before.mesh.topology;
   const Index node = inner_node(topology);
-  for (const char* formulation : {"variational", "pointwise"}) {
-    CAPTURE(formulation);
+  for (const Formulation formulation : {Formulation::variational, Formulation::pointwise}) {
+    CAPTURE(formulation_name(formulation));
     SmoothOptions options;
     options.formulation = formulation;
     const MeshState start = smoothed(before, options);
@@ -85,8 +85,8 @@ TEST_CASE("solvers kept from edit to edit give the mesh that new ones give, and 
   const MeshState start = triangles();
   const Topology& topology = *start.mesh.topology;
   const Index node = inner_node(topology);
-  for (const char* formulation : {"variational", "pointwise"}) {
-    CAPTURE(formulation);
+  for (const Formulation formulation : {Formulation::variational, Formulation::pointwise}) {
+    CAPTURE(formulation_name(formulation));
     EditVcvCommand command{{wide_angle(topology, node)}, {}};
     command.smooth.formulation = formulation;
     SolverCache cache;
@@ -275,7 +275,7 @@ TEST_CASE("stars are matched by the directions of their edges") {
 
 namespace {
 
-SmoothOptions by(const std::string& formulation) {
+SmoothOptions by(Formulation formulation) {
   SmoothOptions options;
   options.formulation = formulation;
   return options;
@@ -309,15 +309,15 @@ TEST_CASE("a node goes to where its star looks like the VCV that it was given, i
     const MeshState start = make_state(make_mesh(cube(2, volumes)));
     const Index node = start.mesh.topology->interior_nodes().front();
     const Vec3 place(0.6, 0.45, 0.55);
-    for (const char* formulation : {"variational", "pointwise"}) {
-      CAPTURE(formulation);
+    for (const Formulation formulation : {Formulation::variational, Formulation::pointwise}) {
+      CAPTURE(formulation_name(formulation));
       const EditVcvCommand command{{star_from(start.mesh, node, place)}, by(formulation)};
       const CommandResult result = execute(command, start);
       CHECK(result.smooth.converged);
       REQUIRE(result.state.sphere_vcvs);
       CHECK(start.sphere_vcvs == nullptr);
       // A hexahedron has other corners, which have a say in the energy.
-      const bool alone = volumes == Volumes::tetrahedra || formulation == std::string("pointwise");
+      const bool alone = volumes == Volumes::tetrahedra || formulation == Formulation::pointwise;
       const Vec3 reached = result.state.mesh.coordinates.xyz(node);
       if (alone) CHECK((reached - place).norm() < 1e-7);
       CHECK((reached - place).norm() < (start.mesh.coordinates.xyz(node) - place).norm() / 2);
@@ -345,8 +345,8 @@ TEST_CASE("VCVs of all nodes by hand lead to the mesh whose stars they are") {
   const MeshState start =
       make_state({wanted.topology, make_mesh(cube(4, Volumes::tetrahedra)).coordinates});
   REQUIRE(furthest(start.mesh, wanted) > 0.02);
-  for (const char* formulation : {"variational", "pointwise"}) {
-    CAPTURE(formulation);
+  for (const Formulation formulation : {Formulation::variational, Formulation::pointwise}) {
+    CAPTURE(formulation_name(formulation));
     command.smooth = by(formulation);
     const CommandResult result = execute(command, start);
     CHECK(result.smooth.converged);
@@ -357,8 +357,8 @@ TEST_CASE("VCVs of all nodes by hand lead to the mesh whose stars they are") {
 TEST_CASE("a solver that is kept takes edited VCVs as a fresh one does") {
   const MeshState start = make_state(shaken_box(4, 0.2, 22));
   const auto interior = start.mesh.topology->interior_nodes();
-  for (const char* formulation : {"variational", "pointwise"}) {
-    CAPTURE(formulation);
+  for (const Formulation formulation : {Formulation::variational, Formulation::pointwise}) {
+    CAPTURE(formulation_name(formulation));
     SmoothOptions options = by(formulation);
     options.targets = {.automatic = 0.5, .vcv = 0.5};
     SolverCache kept;

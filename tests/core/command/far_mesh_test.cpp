@@ -72,7 +72,7 @@ void check_same(const Command& command, MeshData data) {
 TEST_CASE("far away: smoothing, by either formulation") {
   SmoothCommand command;
   check_same(command, holes());
-  command.smooth.formulation = "pointwise";
+  command.smooth.formulation = Formulation::pointwise;
   command.smooth.outer = OuterMethod::picard;
   check_same(command, holes());
 }
@@ -240,7 +240,7 @@ TEST_CASE("far away in space: every form and its virtual control volumes") {
   command.smooth.vcv_updates = 2;
   check_same_far(command, command, pair);
   command = {};
-  command.smooth.formulation = "pointwise";
+  command.smooth.formulation = Formulation::pointwise;
   command.smooth.outer = OuterMethod::picard;
   check_same_far(command, command, pair);
 }

@@ -321,7 +321,7 @@ TEST_CASE("what smooths a surface mesh is refused by its name where it is for ot
       require_plane(*mesh.topology, who);
     });
   };
-  refused("the pointwise form", [](SmoothOptions& o) { o.formulation = "pointwise"; });
+  refused("the pointwise form", [](SmoothOptions& o) { o.formulation = Formulation::pointwise; });
   refused("the fixed-point iteration", [](SmoothOptions& o) { o.outer = OuterMethod::picard; });
   refused("untangling by the fixed-point iteration",
           [](SmoothOptions& o) { o.untangle = Untangle::picard; });

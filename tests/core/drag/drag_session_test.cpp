@@ -98,7 +98,7 @@ TEST_CASE("by the paper's operator a drag ends at that operator's mesh") {
   MoveCommand command;
   command.markers = {"inner"};
   command.motion = {30, Vec2(0, 0), Vec2(0.2, 0)};
-  command.smooth.formulation = "pointwise";
+  command.smooth.formulation = Formulation::pointwise;
   DragSession drag(state, DragGrip{{"inner"}, {}, {}}, command.smooth);
   REQUIRE(wait_until([&] {
     const DragFrame& frame = drag.to(command.motion.about({0, 0}));

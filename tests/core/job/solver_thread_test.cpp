@@ -33,7 +33,7 @@ MoveCommand shift(double by) {
 /// A job that goes on for minutes if it is let.
 SmoothCommand endless() {
   SmoothCommand command;
-  command.smooth.formulation = "pointwise";
+  command.smooth.formulation = Formulation::pointwise;
   command.smooth.outer = OuterMethod::picard;
   command.smooth.threads = 1;
   command.smooth.damping = 1e-6;

@@ -163,11 +163,11 @@ TEST_CASE("choices that do not go with the others are put to one that does") {
 TEST_CASE("choosing other equations leaves no solver or iteration that they do not take") {
   SmoothOptions options;
   options.linear.solver = "cg";
-  options.formulation = "pointwise";
+  options.formulation = Formulation::pointwise;
   settle(option_table(options));
   CHECK(options.linear.solver == "automatic");
   options.outer = OuterMethod::picard;
-  options.formulation = "variational";
+  options.formulation = Formulation::variational;
   settle(option_table(options));
   CHECK(options.outer == OuterMethod::automatic);
 }

@@ -77,8 +77,8 @@ void check_kept(const Counted& counted, const SmoothResult& result) {
 
 TEST_CASE("outside a circle about the body nothing moves") {
   const MeshState state = holes();
-  for (const char* formulation : {"variational", "pointwise"}) {
-    CAPTURE(formulation);
+  for (const Formulation formulation : {Formulation::variational, Formulation::pointwise}) {
+    CAPTURE(formulation_name(formulation));
     MoveCommand move = turn(state, 20);
     move.smooth.formulation = formulation;
     const Bounds body = bounds(state.mesh.coordinates, nodes_of(state, move.markers[0]));

@@ -90,7 +90,7 @@ TEST_CASE("a held node does not move by a bit, on a side that slides and inside"
 
   // With the pointwise form, which knows no sliding, too.
   command.smooth = {};
-  command.smooth.formulation = "pointwise";
+  command.smooth.formulation = Formulation::pointwise;
   command.smooth.slide.hold_nodes = {inside};
   const CommandResult pointwise = execute(command, make_state(mesh));
   CHECK(pointwise.smooth.converged);

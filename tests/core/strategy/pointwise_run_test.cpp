@@ -22,7 +22,7 @@ MeshState fine_annulus_state() {
 
 SmoothOptions pointwise(OuterMethod outer) {
   SmoothOptions options;
-  options.formulation = "pointwise";
+  options.formulation = Formulation::pointwise;
   options.outer = outer;
   options.threads = 1;
   return options;
@@ -208,7 +208,7 @@ TEST_CASE("a cache kept over outer methods and formulations changes no bit of th
       CHECK(execute(command, state, options).state.mesh.coordinates ==
             execute(command, state).state.mesh.coordinates);
       MoveCommand variational = command;
-      variational.smooth.formulation = "variational";
+      variational.smooth.formulation = Formulation::variational;
       variational.smooth.outer = OuterMethod::automatic;
       CHECK(execute(variational, state, options).state.mesh.coordinates ==
             execute(variational, state).state.mesh.coordinates);

@@ -276,9 +276,9 @@ TEST_CASE("what does not go with sliding is refused by name") {
   smooth.smooth.slide.markers = {"lid"};
   CHECK_THROWS_WITH_AS(execute(smooth, state), doctest::Contains("lid"), UsageError);
   smooth.smooth.slide.markers = {"outer"};
-  smooth.smooth.formulation = "pointwise";
+  smooth.smooth.formulation = Formulation::pointwise;
   CHECK_THROWS_WITH_AS(execute(smooth, state), doctest::Contains("slide:"), UsageError);
-  smooth.smooth.formulation = "variational";
+  smooth.smooth.formulation = Formulation::variational;
   smooth.smooth.untangle = Untangle::picard;
   CHECK_THROWS_WITH_AS(execute(smooth, state), doctest::Contains("slide:"), UsageError);
   smooth.smooth.untangle = Untangle::automatic;

@@ -29,8 +29,8 @@ TEST_CASE("options out of range are refused, naming the option") {
   SmoothOptions options;
   std::string word;
   SUBCASE("formulation") {
-    options.formulation = "magic";
-    word = "formulation: found \"magic\", expected one of variational, pointwise";
+    options.formulation = static_cast<Formulation>(2);
+    word = "formulation: found \"2\", expected one of variational, pointwise";
   }
   SUBCASE("linear solver") {
     options.linear.solver = "magic";
@@ -130,7 +130,7 @@ TEST_CASE("options of a surface mesh: choices that do not apply are those that i
 
 TEST_CASE("options of a surface mesh: what is left of those of another mesh is settled") {
   SmoothOptions options;
-  options.formulation = "pointwise";
+  options.formulation = Formulation::pointwise;
   options.outer = OuterMethod::picard;
   options.untangle = Untangle::picard;
   options.vcv = VcvKind::existing;
@@ -146,7 +146,7 @@ TEST_CASE("options of a surface mesh: what is left of those of another mesh is s
   settle_for_surface(options);
   CHECK_FALSE(is_refused(options));
   CHECK_NOTHROW(validate(options));
-  CHECK(options.formulation == "variational");
+  CHECK(options.formulation == Formulation::variational);
   // What surface meshes take stays.
   CHECK(options.tolerance == 1e-6);
   CHECK(options.slide.feature_angle == 30);

@@ -32,17 +32,17 @@ class Shift final : public Motion {
 };
 
 struct Way {
-  const char* formulation;
+  Formulation formulation;
   OuterMethod outer;
 };
 
 }  // namespace
 
 TEST_CASE("a motion may take interior nodes: they go where it says and the others make room") {
-  for (const Way& way :
-       {Way{"variational", OuterMethod::newton}, Way{"pointwise", OuterMethod::newton},
-        Way{"pointwise", OuterMethod::picard}}) {
-    CAPTURE(way.formulation);
+  for (const Way& way : {Way{Formulation::variational, OuterMethod::newton},
+                         Way{Formulation::pointwise, OuterMethod::newton},
+                         Way{Formulation::pointwise, OuterMethod::picard}}) {
+    CAPTURE(formulation_name(way.formulation));
     const MeshState state = make_state(make_mesh(square(12, Cells::triangles)));
     const Topology& topology = *state.mesh.topology;
     SmoothOptions options;
@@ -136,7 +136,7 @@ TEST_CASE("a path ends at the last mesh within the limits, however the limit is 
 TEST_CASE("the fixed point does not take over where a limit has ended the path") {
   const MeshState state = make_state(make_mesh(annulus(24, 8, 1.25, Cells::triangles)));
   SmoothOptions options;
-  options.formulation = "pointwise";
+  options.formulation = Formulation::pointwise;
   options.threads = 1;
   const auto motion =
       make_motion(*state.mesh.topology, state.mesh.coordinates, std::vector<std::string>{"inner"},

@@ -176,7 +176,7 @@ TEST_CASE("the worst element of a mesh is better than without, and no worse with
 TEST_CASE("the pointwise form has no worst element to raise") {
   const MeshState state = make_state(make_mesh(square(3, Cells::quads)));
   SmoothCommand command = raising();
-  command.smooth.formulation = "pointwise";
+  command.smooth.formulation = Formulation::pointwise;
   CHECK_THROWS_AS(execute(command, state), UsageError);
 }
 

@@ -41,7 +41,7 @@ const Mesh& coarse_ball_in_box() {
   return made;
 }
 
-SmoothCommand smooth_by(const std::string& formulation, VcvKind vcv,
+SmoothCommand smooth_by(Formulation formulation, VcvKind vcv,
                         OuterMethod outer = OuterMethod::automatic) {
   SmoothCommand command;
   command.smooth.formulation = formulation;
@@ -76,8 +76,8 @@ class Watch final : public SolverMonitor {
 TEST_CASE("adjusted VCVs improve a volume mesh, in either form") {
   const Mesh& mesh = ball_in_box();
   REQUIRE(check_validity(*mesh.topology, mesh.coordinates).inverted == 0);
-  for (const std::string form : {"pointwise", "variational"}) {
-    CAPTURE(form);
+  for (const Formulation form : {Formulation::pointwise, Formulation::variational}) {
+    CAPTURE(formulation_name(form));
     const CommandResult result = execute(smooth_by(form, VcvKind::adjusted), make_state(mesh));
     CHECK(result.smooth.converged);
     CHECK(result.smooth.inverted == 0);
@@ -89,9 +89,9 @@ TEST_CASE("adjusted VCVs improve a volume mesh, in either form") {
 TEST_CASE("in space Newton's method and the fixed point lead to the same mesh") {
   const MeshState state = make_state(ball_in_box());
   const CommandResult newton =
-      execute(smooth_by("pointwise", VcvKind::adjusted, OuterMethod::newton), state);
+      execute(smooth_by(Formulation::pointwise, VcvKind::adjusted, OuterMethod::newton), state);
   const CommandResult picard =
-      execute(smooth_by("pointwise", VcvKind::adjusted, OuterMethod::picard), state);
+      execute(smooth_by(Formulation::pointwise, VcvKind::adjusted, OuterMethod::picard), state);
   CHECK(newton.smooth.converged);
   CHECK(picard.smooth.converged);
   CHECK(newton.smooth.linear_solves < picard.smooth.linear_solves);
@@ -101,8 +101,8 @@ TEST_CASE("in space Newton's method and the fixed point lead to the same mesh") 
 
 TEST_CASE("adjusted VCVs follow the mesh until they settle") {
   const MeshState state = make_state(coarse_ball_in_box());
-  for (const std::string form : {"pointwise", "variational"}) {
-    CAPTURE(form);
+  for (const Formulation form : {Formulation::pointwise, Formulation::variational}) {
+    CAPTURE(formulation_name(form));
     SmoothCommand command = smooth_by(form, VcvKind::adjusted);
     const CommandResult once = execute(command, state);
     command.smooth.vcv_updates = 3;
@@ -129,7 +129,7 @@ TEST_CASE("adjusted VCVs follow the mesh until they settle") {
 TEST_CASE("VCVs of the other kinds do not follow the mesh, and updates of them are refused") {
   const MeshState state = make_state(ball_in_box());
   for (const VcvKind kind : {VcvKind::equal, VcvKind::existing}) {
-    SmoothCommand command = smooth_by("variational", kind);
+    SmoothCommand command = smooth_by(Formulation::variational, kind);
     command.smooth.vcv_updates = 1;
     CHECK_THROWS_WITH_AS(
         execute(command, state),
@@ -141,8 +141,8 @@ TEST_CASE("VCVs of the other kinds do not follow the mesh, and updates of them a
 TEST_CASE("VCVs with the edges and angles of the mesh keep it nearer to what it was") {
   const MeshState state = make_state(ball_in_box());
   const Coordinates& given = state.mesh.coordinates;
-  for (const std::string form : {"pointwise", "variational"}) {
-    CAPTURE(form);
+  for (const Formulation form : {Formulation::pointwise, Formulation::variational}) {
+    CAPTURE(formulation_name(form));
     SmoothCommand command = smooth_by(form, VcvKind::existing);
     double last = 1e300;
     for (const double power : {0.0, 0.5, 1.0}) {
@@ -166,8 +166,8 @@ TEST_CASE("a scrambled volume mesh comes back over VCVs, in either form") {
   scramble.seed = 5;
   const CommandResult tangled = execute(scramble, make_state(mesh));
   REQUIRE(tangled.smooth.inverted > 0);
-  for (const std::string form : {"pointwise", "variational"}) {
-    CAPTURE(form);
+  for (const Formulation form : {Formulation::pointwise, Formulation::variational}) {
+    CAPTURE(formulation_name(form));
     const CommandResult result = execute(smooth_by(form, VcvKind::adjusted), tangled.state);
     CHECK(result.smooth.converged);
     CHECK(result.smooth.inverted == 0);
@@ -177,8 +177,8 @@ TEST_CASE("a scrambled volume mesh comes back over VCVs, in either form") {
 
 TEST_CASE("a body moves in a volume mesh over its VCVs, through valid meshes") {
   const MeshState state = make_state(ball_in_box());
-  for (const std::string form : {"pointwise", "variational"}) {
-    CAPTURE(form);
+  for (const Formulation form : {Formulation::pointwise, Formulation::variational}) {
+    CAPTURE(formulation_name(form));
     MoveCommand move;
     move.markers = {"cavity"};
     move.motion.translate = Vec2(0.06, 0.03);
@@ -195,7 +195,7 @@ TEST_CASE("a body moves in a volume mesh over its VCVs, through valid meshes") {
     CHECK(std::all_of(watch.records.begin(), watch.records.end(),
                       [](const IterationRecord& record) { return record.inverted == 0; }));
     // By the fixed point, at once: the same equations, the same mesh.
-    if (form == "variational") continue;
+    if (form == Formulation::variational) continue;
     move.smooth.outer = OuterMethod::picard;
     const CommandResult direct = execute(move, state);
     CHECK(direct.smooth.converged);
@@ -205,8 +205,8 @@ TEST_CASE("a body moves in a volume mesh over its VCVs, through valid meshes") {
 
 TEST_CASE("runs over VCVs give the same bits at any number of threads") {
   const MeshState state = make_state(ball_in_box());  // so large that threads share the work
-  for (const std::string form : {"pointwise", "variational"}) {
-    CAPTURE(form);
+  for (const Formulation form : {Formulation::pointwise, Formulation::variational}) {
+    CAPTURE(formulation_name(form));
     SmoothCommand command = smooth_by(form, VcvKind::adjusted);
     command.smooth.vcv_updates = 1;
     command.smooth.threads = 1;
@@ -218,8 +218,8 @@ TEST_CASE("runs over VCVs give the same bits at any number of threads") {
 
 TEST_CASE("runs over VCVs give the same bits with a used cache") {
   const MeshState state = make_state(coarse_ball_in_box());
-  for (const std::string form : {"pointwise", "variational"}) {
-    CAPTURE(form);
+  for (const Formulation form : {Formulation::pointwise, Formulation::variational}) {
+    CAPTURE(formulation_name(form));
     SmoothCommand command = smooth_by(form, VcvKind::adjusted);
     command.smooth.vcv_updates = 2;
     command.smooth.threads = 1;
@@ -241,7 +241,7 @@ TEST_CASE("runs over VCVs give the same bits with a used cache") {
 
 TEST_CASE("a fixed point in space reports every iteration, is cancelled, and may not converge") {
   const MeshState state = make_state(ball_in_box());
-  SmoothCommand command = smooth_by("pointwise", VcvKind::adjusted, OuterMethod::picard);
+  SmoothCommand command = smooth_by(Formulation::pointwise, VcvKind::adjusted, OuterMethod::picard);
   command.smooth.max_iterations = 3;
   Watch watch(100);
   RunOptions options;
@@ -260,9 +260,11 @@ TEST_CASE("a fixed point in space reports every iteration, is cancelled, and may
 
 TEST_CASE("the paper's perturbation serves in the place of the fit") {
   const MeshState state = make_state(make_mesh(cube_with_cavity(6, Volumes::tetrahedra)));
-  const CommandResult result = execute(smooth_by("variational", VcvKind::perturbation), state);
+  const CommandResult result =
+      execute(smooth_by(Formulation::variational, VcvKind::perturbation), state);
   CHECK(result.smooth.converged);
   CHECK(result.smooth.inverted == 0);
-  const CommandResult fitted = execute(smooth_by("variational", VcvKind::adjusted), state);
+  const CommandResult fitted =
+      execute(smooth_by(Formulation::variational, VcvKind::adjusted), state);
   CHECK(result.state.mesh.coordinates != fitted.state.mesh.coordinates);
 }

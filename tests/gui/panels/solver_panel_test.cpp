@@ -37,14 +37,14 @@ TEST_CASE("the method is one choice that sets formulation, iteration and steps")
         Method::path);
   CHECK_FALSE(rig.visible("solver/pace"));
   choose_direct(rig);
-  CHECK(rig.session().jobs().smooth_options().formulation == "pointwise");
+  CHECK(rig.session().jobs().smooth_options().formulation == Formulation::pointwise);
   CHECK(rig.session().jobs().smooth_options().outer == OuterMethod::picard);
   CHECK(rig.session().jobs().motion_options().increments == 1);
   CHECK(rig.visible("solver/pace"));
   choose(rig, "solver/method", "Path following");
   CHECK(method_of(rig.session().jobs().smooth_options(), rig.session().jobs().motion_options()) ==
         Method::path);
-  CHECK(rig.session().jobs().smooth_options().formulation == "variational");
+  CHECK(rig.session().jobs().smooth_options().formulation == Formulation::variational);
   CHECK_FALSE(rig.visible("solver/pace"));
 }
 
@@ -117,7 +117,7 @@ TEST_CASE("Step N runs as many iterations as its field says") {
   Rig rig(1280, 1000);
   rig.open(ring_mesh());
   SmoothOptions slow;
-  slow.formulation = "pointwise";
+  slow.formulation = Formulation::pointwise;
   slow.outer = OuterMethod::picard;
   slow.damping = 0.01;
   rig.bench->apply(action::EditSmoothOptions{whole(slow)});
@@ -213,9 +213,9 @@ TEST_CASE("a surface mesh that is opened after the paper's method is smoothed al
   rig.open(ring_mesh(), "plane.su2");
   rig.click("solver/method");
   rig.click("solver/method/Direct (the paper's)");
-  CHECK(rig.session().jobs().smooth_options().formulation == "pointwise");
+  CHECK(rig.session().jobs().smooth_options().formulation == Formulation::pointwise);
   rig.open(SurfaceRig::ball(), "ball.obj");
-  CHECK(rig.session().jobs().smooth_options().formulation == "variational");
+  CHECK(rig.session().jobs().smooth_options().formulation == Formulation::variational);
   rig.scramble();
   rig.click("tool/run");
   REQUIRE(rig.settle());

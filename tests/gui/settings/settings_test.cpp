@@ -164,7 +164,7 @@ TEST_CASE("an edit back to the default is an edit; an edit of nothing is empty")
 
 TEST_CASE("an edit of everything leaves nothing as it was") {
   SmoothOptions start;
-  start.formulation = "pointwise";
+  start.formulation = Formulation::pointwise;
   start.linear.restart = 7;
   start.threads = 3;
   whole(SmoothOptions()).apply_to(start);

@@ -93,7 +93,7 @@ TEST_CASE("cancel puts the mesh back as it was") {
   Rig rig;
   rig.open(ring_mesh());
   SmoothOptions slow;
-  slow.formulation = "pointwise";
+  slow.formulation = Formulation::pointwise;
   slow.outer = OuterMethod::picard;
   slow.damping = 0.01;
   rig.bench->apply(action::EditSmoothOptions{whole(slow)});

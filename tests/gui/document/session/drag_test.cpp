@@ -277,7 +277,7 @@ TEST_CASE("a second drag before the first has converged adds to it") {
   Rig rig;
   rig.open(ring_mesh());
   SmoothOptions slow;
-  slow.formulation = "pointwise";
+  slow.formulation = Formulation::pointwise;
   slow.outer = OuterMethod::picard;
   slow.damping = 0.01;
   slow.max_iterations = 4000;

@@ -231,7 +231,7 @@ TEST_CASE("a cancelled edit leaves the history as it was") {
   Command endless = rig.document().history().command(2);
   auto& move = std::get<MoveCommand>(endless);
   move.how.increments = 1;
-  move.smooth.formulation = "pointwise";
+  move.smooth.formulation = Formulation::pointwise;
   move.smooth.outer = OuterMethod::picard;
   move.smooth.damping = 1e-6;
   move.smooth.adapt_damping = false;
