@@ -64,6 +64,8 @@ std::size_t columns() {
 
 }  // namespace
 
+bool ProgressMonitor::cancelled() { return InterruptGuard::requested(); }
+
 bool ProgressMonitor::on_iteration(const IterationRecord& record, const Coordinates&) {
   if (visible_ && (!drawn_ || since_drawn_.seconds() > seconds_between_lines)) {
     std::array<char, 160> numbers;
@@ -83,7 +85,7 @@ bool ProgressMonitor::on_iteration(const IterationRecord& record, const Coordina
     drawn_ = true;
     since_drawn_.lap();
   }
-  return !InterruptGuard::requested();
+  return !cancelled();
 }
 
 void ProgressMonitor::clear() {

@@ -46,6 +46,7 @@ class ProgressMonitor : public SolverMonitor {
   ~ProgressMonitor() override { clear(); }
 
   bool on_iteration(const IterationRecord& record, const Coordinates& coordinates) override;
+  bool cancelled() override;
   /// What the line begins with, e.g. "Rotate flap by -40 deg".
   void set_label(std::string label) { label_ = std::move(label); }
   /// Removes the line.

@@ -71,6 +71,7 @@ class MonitorInFrame final : public SolverMonitor {
   bool on_iteration(const IterationRecord& record, const Coordinates& x) override {
     return !monitor_ || monitor_->on_iteration(record, frame_.to_mesh(x, rest_));
   }
+  bool cancelled() override { return monitor_ && monitor_->cancelled(); }
 
  private:
   SolverMonitor* monitor_;

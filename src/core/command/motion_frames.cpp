@@ -27,8 +27,9 @@ class MeshCollector : public SolverMonitor {
       meshes_.resize((meshes_.size() + 1) / 2);
       stride_ *= 2;
     }
-    return !cancelled_ || !cancelled_();
+    return !cancelled();
   }
+  bool cancelled() override { return cancelled_ && cancelled_(); }
 
   std::vector<Mesh> take() { return std::move(meshes_); }
 

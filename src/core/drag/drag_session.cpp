@@ -168,6 +168,10 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
     }
     return !quit_;
   }
+  bool cancelled() override {
+    const std::lock_guard lock(mutex_);
+    return quit_;
+  }
 
  private:
   /// The frame by the tangent fields; false, and no new frame, where that is no valid mesh.

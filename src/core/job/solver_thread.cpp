@@ -163,6 +163,10 @@ class SolverThread::Impl final : public SolverMonitor {
     }
     return !interrupted(opening);
   }
+  bool cancelled() override {
+    const std::lock_guard lock(mutex_);
+    return interrupted(fresh_target_);
+  }
 
  private:
   struct Request {

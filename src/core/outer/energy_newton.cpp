@@ -174,7 +174,8 @@ bool EnergyNewton::search_down(Coordinates& x, double slope) {
   const auto from_x = [&](double down, double shortest) { return search(x, down, shortest); };
   return from_x(slope, shortest_step) ||
          search_without_stuck_nodes(
-             problem_, x, direction_, slope, [&] { return solve_for_direction(x); }, from_x);
+             problem_, x, direction_, slope, [&] { pass_checkpoint(); },
+             [&] { return solve_for_direction(x); }, from_x);
 }
 
 /// A step of a share t lowers the energy by about t of the slope where the model holds. Where the

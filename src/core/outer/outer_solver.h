@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "core/mesh/coordinates.h"
 #include "core/problem/smoothing_problem.h"
@@ -50,6 +52,18 @@ class OuterSolver {
   virtual Index stuck_nodes() const { return 0; }
   /// Linear systems solved since the solver was made.
   virtual int linear_solves() const = 0;
+
+  /// To be called within a step that solves many systems, between these. What it throws ends the
+  /// step, and the iteration. Empty: nothing.
+  void set_checkpoint(std::function<void()> checkpoint) { checkpoint_ = std::move(checkpoint); }
+
+ protected:
+  void pass_checkpoint() const {
+    if (checkpoint_) checkpoint_();
+  }
+
+ private:
+  std::function<void()> checkpoint_;
 };
 
 /// Whether negative weights of the operator are set to zero.

@@ -38,8 +38,30 @@ void RunRecorder::report(IterationRecord record, const Coordinates& x, Stage sta
   if (monitor_ && !monitor_->on_iteration(record, x)) throw Cancelled();
 }
 
+namespace {
+
+/// Asks the monitor within long steps of a solver whether to go on.
+class Checkpoints {
+ public:
+  Checkpoints(OuterSolver& solver, SolverMonitor* monitor) : solver_(solver) {
+    if (!monitor) return;
+    solver_.set_checkpoint([monitor] {
+      if (monitor->cancelled()) throw Cancelled();
+    });
+  }
+  ~Checkpoints() { solver_.set_checkpoint({}); }
+  Checkpoints(const Checkpoints&) = delete;
+  Checkpoints& operator=(const Checkpoints&) = delete;
+
+ private:
+  OuterSolver& solver_;
+};
+
+}  // namespace
+
 IterationRecord RunRecorder::iterate(OuterSolver& solver, Coordinates& x, Stage stage,
                                      double fraction, int limit, const Enough& enough) {
+  const Checkpoints checkpoints(solver, monitor_);
   int counted = solver.linear_solves();
   IterationRecord record = solver.start(x);
   report(record, x, stage, fraction, false);

@@ -24,6 +24,8 @@ class SolverMonitor {
   virtual void on_topology(const std::shared_ptr<const Topology>& /*topology*/) {}
   /// May block (pause). Returns false to cancel: the solver then throws Cancelled.
   virtual bool on_iteration(const IterationRecord& record, const Coordinates& coordinates) = 0;
+  /// Asked within outer iterations that take long: true to cancel.
+  virtual bool cancelled() { return false; }
 };
 
 /// What a run is given besides what it is to do.

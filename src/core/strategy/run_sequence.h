@@ -26,6 +26,7 @@ class RelayMonitor final : public SolverMonitor {
   void begin(int first, const LayerStack* fill);
   void on_topology(const std::shared_ptr<const Topology>& topology) override;
   bool on_iteration(const IterationRecord& record, const Coordinates& x) override;
+  bool cancelled() override { return monitor_ && monitor_->cancelled(); }
 
  private:
   SolverMonitor* monitor_;

@@ -64,6 +64,7 @@ class StillMonitor final : public SolverMonitor {
   bool on_iteration(const IterationRecord& record, const Coordinates&) override {
     return !monitor_ || monitor_->on_iteration(record, x_);
   }
+  bool cancelled() override { return monitor_ && monitor_->cancelled(); }
 
  private:
   SolverMonitor* monitor_;
