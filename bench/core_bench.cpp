@@ -91,14 +91,14 @@ void insert_thirty_layers(benchmark::State& run) {
 
 void build_functionals(benchmark::State& run) {
   const MeshState state = perturbed_square(run.range(0));
-  for (auto _ : run) benchmark::DoNotOptimize(StencilFunctionals(*state.vcv));
+  for (auto _ : run) benchmark::DoNotOptimize(StencilFunctionals(*state.vcvs.plane()));
   set_nodes(run, state);
 }
 
 void freeze(benchmark::State& run) {
   const MeshState state = perturbed_square(run.range(0));
   const auto formulation = std::make_unique<PointwiseWinslow>(
-      test::pointwise(*state.vcv, static_cast<int>(run.range(1))));
+      test::pointwise(*state.vcvs.plane(), static_cast<int>(run.range(1))));
   SparseSystem system;
   for (auto _ : run) {
     benchmark::DoNotOptimize(formulation->clipped(true).freeze(state.mesh.coordinates, system));
@@ -109,7 +109,7 @@ void freeze(benchmark::State& run) {
 void residual(benchmark::State& run) {
   const MeshState state = perturbed_square(run.range(0));
   const auto formulation = std::make_unique<PointwiseWinslow>(
-      test::pointwise(*state.vcv, static_cast<int>(run.range(1))));
+      test::pointwise(*state.vcvs.plane(), static_cast<int>(run.range(1))));
   for (auto _ : run) {
     benchmark::DoNotOptimize(formulation->clipped(true).residual(state.mesh.coordinates, {}));
   }
@@ -127,7 +127,8 @@ void validity(benchmark::State& run) {
 
 void solve(benchmark::State& run, const char* name) {
   const MeshState state = perturbed_square(run.range(0));
-  const auto formulation = std::make_unique<PointwiseWinslow>(test::pointwise(*state.vcv, 0));
+  const auto formulation =
+      std::make_unique<PointwiseWinslow>(test::pointwise(*state.vcvs.plane(), 0));
   SparseSystem system;
   formulation->clipped(true).freeze(state.mesh.coordinates, system);
   LinearOptions options;

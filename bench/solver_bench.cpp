@@ -55,8 +55,7 @@ void assembly_against_triad(benchmark::State& run) {
   SmoothOptions options;
   options.threads = threads;
   SmoothingWorkspace workspace;
-  workspace.prepare(state.vcv, std::make_shared<NodeClasses>(state.mesh.topology), options,
-                    state.mesh.coordinates);
+  workspace.prepare(state, std::make_shared<NodeClasses>(state.mesh.topology), options);
   const auto form = std::dynamic_pointer_cast<const VariationalWinslow>(workspace.energy());
   const VariationalWinslow& energy = *form;
   SparseMatrix hessian;
@@ -96,8 +95,7 @@ void time_frames(benchmark::State& run, MeshState state, const std::string& body
                  const std::function<RigidMotionIn<D>(double)>& motion) {
   state = execute(SmoothCommand{}, state).state;
   SmoothingWorkspace workspace;
-  workspace.prepare(state.vcv, std::make_shared<NodeClasses>(state.mesh.topology), {},
-                    state.mesh.coordinates);
+  workspace.prepare(state, std::make_shared<NodeClasses>(state.mesh.topology), {});
   const Topology& topology = *state.mesh.topology;
   workspace.newton().start(state.mesh.coordinates);
   const DragPredictorIn<D> predictor(workspace.newton(), state.mesh.coordinates,

@@ -211,7 +211,8 @@ CommandResult execute_one(const SmoothCommand& command, const MeshState& given,
   Coordinates x = starting_point(state, options);
   RunOptions run = options;
   // Edits say what is wanted instead.
-  run.never_worse = !state.sphere_vcvs && (!state.vcv || state.vcv->edits().empty());
+  const auto plane_vcvs = state.vcvs.plane();
+  run.never_worse = !state.vcvs.by_hand() && (!plane_vcvs || plane_vcvs->edits().empty());
   SmoothResult result = command.smooth.slide.surface_first
                             ? smooth_surface_first(state, command.smooth, x, run)
                             : smooth_interior(state, command.smooth, x, run);
@@ -301,9 +302,9 @@ CommandResult execute_one(const EditVcvCommand& command, const MeshState& state,
   if (command.edits.empty()) throw UsageError("no VCV is given to edit");
   MeshState edited = with_shape(state, command.smooth.slide);
   if (is_volume(state))
-    edited.sphere_vcvs = edit_vcvs(*state.mesh.topology, state.sphere_vcvs.get(), command.edits);
+    edited.vcvs = edit_vcvs(*state.mesh.topology, state.vcvs.by_hand().get(), command.edits);
   else
-    edited.vcv = edit_vcvs(*state.vcv, command.edits);
+    edited.vcvs = edit_vcvs(*state.vcvs.plane(), command.edits);
   Coordinates x = starting_point(edited, options);
   SmoothResult result = smooth_interior(edited, command.smooth, x, options);
   return finish(edited, std::move(x), std::move(result));

@@ -94,7 +94,7 @@ Command in_frame(Command command, const LocalFrame& frame) {
 CommandResult run_in_frame(const LocalFrame& frame, const Command& command, const MeshState& state,
                            const RunOptions& options, const CarryOut& carry_out) {
   check_places(command, state);
-  const MeshState local{frame.to_local(state.mesh), state.vcv, state.layers, state.sphere_vcvs};
+  const MeshState local{frame.to_local(state.mesh), state.vcvs, state.roles, state.layers};
   MonitorInFrame monitor(options.monitor, frame, state.mesh.coordinates);
   RunOptions local_options = options;
   local_options.monitor = &monitor;

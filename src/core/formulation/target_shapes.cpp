@@ -19,13 +19,15 @@ class Builder {
  public:
   Builder(const VirtualControlVolumes& vcv, const TargetBlend& blend, const Coordinates* given,
           int threads, std::span<const Index> urgent, const NodeClasses* classes,
-          std::span<const Vec3> normals)
+          std::span<const Vec3> normals, const ElementRoles* roles)
       : vcv_(vcv),
         topology_(vcv.topology()),
         classes_(classes),
         blend_(normalized(blend)),
         given_(given),
-        normals_(normals) {
+        normals_(normals),
+        roles_(roles) {
+    require_role_of_each(roles, topology_);
     if (refers_to_given(blend) && !given) throw UsageError("targets that refer to no mesh");
     if (blend.automatic > 0) {
       stretch_ = stretch_field(topology_, *given, threads, normals);
@@ -102,13 +104,7 @@ class Builder {
     return stretch_.share[at(e)] * limit;
   }
 
-  /// Known layers are held by their roles, against which all else is to be soft.
-  double element_weight(Index e) const {
-    double held = 1;
-    if (blend_.automatic > 0)
-      held = stretch_.weight[at(e)] * (vcv_.roles() ? 1 : stretch_.stiffness[at(e)]);
-    return vcv_.role(e).weight * (blend_.automatic * held + 1 - blend_.automatic);
-  }
+  double weight_of(Index e) const { return element_weight(e, blend_, stretch_, roles_); }
   /// Metric of a corner of a regular element, and of one that keeps its stretch as the field says,
   /// times their shares.
   void add_regular(TargetMetric& metric, const TargetBlend& blend,
@@ -176,10 +172,10 @@ class Builder {
     const auto first = corner_nodes(element, 0);
     if (!movable(first)) return;
     shapes_.cells.push_back(first);
-    if (blend_.vcv > 0 || (any_edited(element) && !vcv_.role(e).own_shape)) {
+    if (blend_.vcv > 0 || (any_edited(element) && !ignores_vcvs(role_of(roles_, e)))) {
       add_vcv_terms(e);
     } else {
-      shapes_.terms.push_back(common_metric(blend_, first, e).normalized().term(element_weight(e)));
+      shapes_.terms.push_back(common_metric(blend_, first, e).normalized().term(weight_of(e)));
     }
     shapes_.offsets.push_back(static_cast<Index>(shapes_.terms.size()));
   }
@@ -204,10 +200,10 @@ class Builder {
       TargetBlend regular = blend_;
       regular.element += std::exchange(regular.vcv, 0);
       shapes_.terms.push_back(
-          common_metric(regular, corner_nodes(element, 0), e).normalized().term(element_weight(e)));
+          common_metric(regular, corner_nodes(element, 0), e).normalized().term(weight_of(e)));
       return;
     }
-    const double weight = element_weight(e) / static_cast<double>(corners);
+    const double weight = weight_of(e) / static_cast<double>(corners);
     for (std::size_t k = 0; k < 3; ++k) {
       if (!counts(element[k])) continue;
       // The VCV's metric belongs to the edges at corner k: express the common part there too.
@@ -242,7 +238,7 @@ class Builder {
     for (std::size_t k = 0; k < 4; ++k) {
       if (!live[k]) continue;
       const auto nodes = corner_nodes(element, k);
-      const bool own = vcv_.role(e).own_shape;
+      const bool own = ignores_vcvs(role_of(roles_, e));
       const bool follows = !own && topology_.on_boundary(nodes[0]) && any_edited(element);
       const TargetBlend& blend = own ? blend_ : follows ? edited_blend_ : blend_at(nodes[0]);
       TargetMetric metric;
@@ -258,7 +254,7 @@ class Builder {
       }
       add_rest(metric, nodes, e);
       shapes_.cells.push_back(nodes);
-      shapes_.terms.push_back(metric.normalized().term(element_weight(e) / count));
+      shapes_.terms.push_back(metric.normalized().term(weight_of(e) / count));
       shapes_.offsets.push_back(static_cast<Index>(shapes_.terms.size()));
     }
   }
@@ -270,6 +266,7 @@ class Builder {
   TargetBlend edited_blend_;  // at nodes whose VCVs were edited
   const Coordinates* given_;
   std::span<const Vec3> normals_;  // of the elements of a surface mesh
+  const ElementRoles* roles_;      // null: nothing is known of elements
   StretchField stretch_;           // where the blend has a share for it
   TargetShapes shapes_;
 };
@@ -279,8 +276,8 @@ class Builder {
 TargetShapes TargetShapes::build(const VirtualControlVolumes& vcv, const TargetBlend& blend,
                                  const Coordinates* given, int threads,
                                  std::span<const Index> urgent, const NodeClasses* classes,
-                                 std::span<const Vec3> normals) {
-  return Builder(vcv, blend, given, threads, urgent, classes, normals).build();
+                                 std::span<const Vec3> normals, const ElementRoles* roles) {
+  return Builder(vcv, blend, given, threads, urgent, classes, normals, roles).build();
 }
 
 }  // namespace winslow

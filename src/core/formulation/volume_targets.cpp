@@ -21,17 +21,19 @@ class Builder {
  public:
   Builder(const Topology& topology, const VolumeVcvs* vcvs, const TargetBlend& blend,
           const Coordinates* given, int threads, std::span<const Index> urgent,
-          const VolumeTargetNodes& nodes)
+          const VolumeTargetDetails& details)
       : topology_(topology),
         vcvs_(vcvs),
-        stencils_(nodes.stencils),
+        stencils_(details.stencils),
         blend_(normalized(blend)),
         threads_(threads),
-        classes_(nodes.classes),
-        guarded_(nodes.guarded) {
+        classes_(details.classes),
+        guarded_(details.guarded),
+        roles_(details.roles) {
     if (topology.cell_dimension() != 3)
       throw UsageError("targets of volume elements: the mesh is a " +
                        std::string(mesh_kind(topology)));
+    require_role_of_each(roles_, topology);
     if (blend_.vcv > 0 && !vcvs) throw UsageError("targets that refer to no VCVs");
     if (refers_to_given(blend) && !given) throw UsageError("targets that refer to no mesh");
     if (refers_to_given(blend)) given_.emplace(*given);
@@ -69,22 +71,23 @@ class Builder {
     return classes_ && std::any_of(nodes.begin(), nodes.end(),
                                    [&](Index node) { return classes_->moves(node); });
   }
-  const SphereStencil* by_hand(Index node) const {
-    if (!stencils_) return nullptr;
+  /// The VCV that a node was given, as far as an element heeds it; null: none.
+  const SphereStencil* by_hand(Index e, Index node) const {
+    if (!stencils_ || ignores_vcvs(role_of(roles_, e))) return nullptr;
     const auto found = stencils_->find(node);
     return found != stencils_->end() ? &found->second : nullptr;
   }
-  /// The share of VCVs in a target at a node.
-  double vcv_share(Index node) const {
+  /// The share of VCVs in a target of an element at a node.
+  double vcv_share(Index e, Index node) const {
     if (!free(node)) return 0;
-    return by_hand(node) ? 1 - blend_.rest : blend_.vcv;
+    return by_hand(e, node) ? 1 - blend_.rest : blend_.vcv;
   }
   /// How many nodes of a tetrahedron have a target with a VCV in it; 0: one target for all.
   Index vcv_terms(Index e, const std::array<Index, 4>& nodes) const {
     if (topology_.element_type(e) != ElementType::tetrahedron) return 0;
     if (blend_.vcv == 0 && !stencils_) return 0;
-    return static_cast<Index>(
-        std::count_if(nodes.begin(), nodes.end(), [&](Index node) { return vcv_share(node) > 0; }));
+    return static_cast<Index>(std::count_if(nodes.begin(), nodes.end(),
+                                            [&](Index node) { return vcv_share(e, node) > 0; }));
   }
 
   /// The cells of an element, and how many terms each is to have.
@@ -102,7 +105,7 @@ class Builder {
     if (std::ranges::binary_search(guarded_, e)) list_edges(e);
     const auto live = static_cast<double>(targets_.cells.size() - first);
     for (std::size_t cell = first; cell < origins_.size(); ++cell)
-      origins_[cell].weight = weight_of(e) / live;
+      origins_[cell].weight = element_weight(e, blend_, stretch_, roles_) / live;
   }
 
   void list_edges(Index e) {
@@ -129,7 +132,9 @@ class Builder {
 
   void fill(Index cell) {
     const auto& nodes = targets_.cells[at(cell)];
-    const auto [e, corner, weight] = origins_[at(cell)];
+    const Index e = origins_[at(cell)].element;
+    const int corner = origins_[at(cell)].corner;
+    const double weight = origins_[at(cell)].weight;
     VolumeTerm* term = targets_.terms.data() + targets_.offsets[at(cell)];
     const ElementType type = topology_.element_type(e);
     const std::size_t corners = corner_tetrahedra(type).size();
@@ -138,17 +143,17 @@ class Builder {
                                              : regular_metrics(type)[at(corner)];
     const Eigen::Matrix3d common = common_part(e, regular, nodes);
     const auto at_node = [&](std::size_t k, double share) {
-      const double vcv = vcv_share(nodes[k]);
-      const Eigen::Matrix3d others = by_hand(nodes[k]) ? rest_part(nodes) : common;
-      return volume_term(normalized_metric(others + vcv * vcv_metric(nodes, k)), share);
+      const double vcv = vcv_share(e, nodes[k]);
+      const Eigen::Matrix3d others = by_hand(e, nodes[k]) ? rest_part(nodes) : common;
+      return volume_term(normalized_metric(others + vcv * vcv_metric(e, nodes, k)), share);
     };
     if (const Index terms = vcv_terms(e, nodes); terms > 0) {
       for (std::size_t k = 0; k < 4; ++k)
-        if (vcv_share(nodes[k]) > 0) *term++ = at_node(k, weight / static_cast<double>(terms));
+        if (vcv_share(e, nodes[k]) > 0) *term++ = at_node(k, weight / static_cast<double>(terms));
       return;
     }
     const bool tetrahedron = type == ElementType::tetrahedron;
-    if (!tetrahedron && !at_edge && vcv_share(nodes[0]) > 0) {
+    if (!tetrahedron && !at_edge && vcv_share(e, nodes[0]) > 0) {
       *term = at_node(0, weight);
       return;
     }
@@ -159,13 +164,13 @@ class Builder {
 
   /// Metric, over the edges from the first node, of the tetrahedron that the VCV of node `centre`
   /// of these has in the place of theirs.
-  Eigen::Matrix3d vcv_metric(const std::array<Index, 4>& nodes, std::size_t centre) const {
+  Eigen::Matrix3d vcv_metric(Index e, const std::array<Index, 4>& nodes, std::size_t centre) const {
     const auto neighbours = topology_.neighbours(nodes[centre]);
     const auto place = [&](std::size_t k) -> Vec3 {
       if (k == centre) return {0, 0, 0};
       const auto found = std::find(neighbours.begin(), neighbours.end(), nodes[k]);
       const auto at_ring = static_cast<std::size_t>(found - neighbours.begin());
-      if (const SphereStencil* given = by_hand(nodes[centre]))
+      if (const SphereStencil* given = by_hand(e, nodes[centre]))
         return given->lengths[at_ring] * given->directions[at_ring];
       return vcvs_->point(nodes[centre], static_cast<Index>(at_ring));
     };
@@ -173,12 +178,6 @@ class Builder {
     Edges3 edges;
     for (int k = 0; k < 3; ++k) edges.col(k) = place(at(k + 1)) - origin;
     return volume_metric(edges);
-  }
-
-  double weight_of(Index e) const {
-    const double held =
-        blend_.automatic > 0 ? stretch_.weight[at(e)] * stretch_.stiffness[at(e)] : 1;
-    return blend_.automatic * held + 1 - blend_.automatic;
   }
 
   /// What a target has besides VCVs: metrics times their shares.
@@ -228,6 +227,7 @@ class Builder {
   int threads_;
   const NodeClasses* classes_;  // null: nothing slides
   std::span<const Index> guarded_;
+  const ElementRoles* roles_;         // null: nothing is known of elements
   std::vector<Origin> origins_;       // of each cell
   std::optional<SpacePoints> given_;  // where the blend refers to it
   StretchField stretch_;              // where the blend has a share for it
@@ -238,8 +238,8 @@ class Builder {
 
 CellTargets<3> volume_targets(const Topology& topology, const VolumeVcvs* vcvs,
                               const TargetBlend& blend, const Coordinates* given, int threads,
-                              std::span<const Index> urgent, const VolumeTargetNodes& nodes) {
-  return Builder(topology, vcvs, blend, given, threads, urgent, nodes).build();
+                              std::span<const Index> urgent, const VolumeTargetDetails& details) {
+  return Builder(topology, vcvs, blend, given, threads, urgent, details).build();
 }
 
 }  // namespace winslow

@@ -112,45 +112,6 @@ class Stencils {
   Coordinates straight_;
 };
 
-/// How much more the shape of an element of layers counts than that of one outside. All count
-/// relative to their size, so the elements outside, pressed together to make room, would otherwise
-/// press the layers by about as much and turn the columns of fans; this leaves a ten-thousandth of
-/// it to the corrections.
-constexpr double stiffness = 1e4;
-/// The same where layers were found: they keep the shapes that they have, which costs less, and the
-/// linear systems are easier to solve.
-constexpr double stiffness_of_found = 1e3;
-
-/// Elements of layers are stiff; those outside that touch the rim (or steps of it) keep their own
-/// shape, which the rim's VCVs, made for the layers, would take from them.
-std::shared_ptr<const std::vector<VirtualControlVolumes::Role>> roles(const Topology& topology,
-                                                                      const LayerStack& stack) {
-  auto roles =
-      std::make_shared<std::vector<VirtualControlVolumes::Role>>(at(topology.element_count()));
-  std::vector<bool> found(at(topology.node_count()), false);
-  for (const LayerColumn& column : stack.columns) {
-    if (column.bends.empty()) continue;
-    for (std::size_t k = 1; k < column.nodes.size(); ++k) found[at(column.nodes[k])] = true;
-  }
-  for (std::size_t e = 0; e < roles->size(); ++e) {
-    if (stack.layer_of_element[e] < 0) continue;
-    const auto nodes = topology.element(static_cast<Index>(e));
-    const bool any = std::ranges::any_of(nodes, [&](Index node) { return found[at(node)]; });
-    (*roles)[e].weight = any ? stiffness_of_found : stiffness;
-  }
-  const auto keep_outside = [&](Index node) {
-    for (const Index e : topology.star(node)) {
-      if (stack.layer_of_element[at(e)] < 0) (*roles)[at(e)].own_shape = true;
-    }
-  };
-  for (const LayerColumn& column : stack.columns) {
-    keep_outside(column.rim());
-    // Neighbours of a column that was found may end lower.
-    if (!column.bends.empty()) std::ranges::for_each(column.nodes, keep_outside);
-  }
-  return roles;
-}
-
 }  // namespace
 
 std::shared_ptr<const VirtualControlVolumes> layer_vcvs(
@@ -171,8 +132,32 @@ std::shared_ptr<const VirtualControlVolumes> layer_vcvs(
       vcv.set(node, stencils.angles(node, !column.bends.empty()), stencils.lengths(column, k));
     }
   }
-  vcv.set_roles(roles(*topology, stack));
   return std::make_shared<const VirtualControlVolumes>(std::move(vcv));
+}
+
+std::shared_ptr<const ElementRoles> layer_roles(const Topology& topology, const LayerStack& stack) {
+  auto roles = std::make_shared<ElementRoles>(at(topology.element_count()), ElementRole::ordinary);
+  std::vector<bool> found(at(topology.node_count()), false);
+  for (const LayerColumn& column : stack.columns) {
+    if (column.bends.empty()) continue;
+    for (std::size_t k = 1; k < column.nodes.size(); ++k) found[at(column.nodes[k])] = true;
+  }
+  for (std::size_t e = 0; e < roles->size(); ++e) {
+    if (stack.layer_of_element[e] < 0) continue;
+    const auto nodes = topology.element(static_cast<Index>(e));
+    const bool any = std::ranges::any_of(nodes, [&](Index node) { return found[at(node)]; });
+    (*roles)[e] = any ? ElementRole::found_layer : ElementRole::layer;
+  }
+  const auto keep_outside = [&](Index node) {
+    for (const Index e : topology.star(node))
+      if (stack.layer_of_element[at(e)] < 0) (*roles)[at(e)] = ElementRole::beside_layers;
+  };
+  for (const LayerColumn& column : stack.columns) {
+    keep_outside(column.rim());
+    // Neighbours of a column that was found may end lower.
+    if (!column.bends.empty()) std::ranges::for_each(column.nodes, keep_outside);
+  }
+  return roles;
 }
 
 void correct_layers(LayerStack& stack, const Coordinates& x) {

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "core/formulation/element_roles.h"
 #include "core/layers/layer_stack.h"
 #include "core/vcv/virtual_control_volumes.h"
 
@@ -16,14 +17,16 @@ namespace winslow {
 /// further than 10 degrees from that (where the wall turns, in fans), and in triangles, the angles
 /// are those of straight columns. Columns that were found keep the angles and the lengths that they
 /// have on their own course. At the rim the elements outside share what is left of the circle.
-/// Elements of layers have a weight of ten thousand; those outside that touch the rim keep their
-/// own shape.
 ///
 /// base: of this topology, or of the one before the layers were inserted; nodes outside the layers
 /// keep its VCVs. x (#nodes by 2): gives the walls on which the columns stand.
 std::shared_ptr<const VirtualControlVolumes> layer_vcvs(
     const std::shared_ptr<const Topology>& topology, const LayerStack& stack,
     const VirtualControlVolumes& base, const Coordinates& x);
+
+/// What the elements of a mesh are to layers in it: those of layers are stiff; those outside that
+/// touch the rim, or a step of layers that were found, keep their own targets.
+std::shared_ptr<const ElementRoles> layer_roles(const Topology& topology, const LayerStack& stack);
 
 /// Multiplies the corrections of all layers by their wanted height over the one that they have.
 void correct_layers(LayerStack& stack, const Coordinates& x);

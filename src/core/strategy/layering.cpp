@@ -94,25 +94,34 @@ LayerInsertion make_room(const LayerRequest& request, const MeshState& state, Ru
   throw NumericError("the elements outside cannot be pushed away to make room for the layers");
 }
 
+/// From here on the VCVs and the roles of elements are those of these layers.
+void control_by(const LayerStack& stack, MeshState& state) {
+  state.vcvs = layer_vcvs(state.mesh.topology, stack, *state.vcvs.plane(), state.mesh.coordinates);
+  state.roles = layer_roles(*state.mesh.topology, stack);
+}
+
 /// Smooths towards the wanted heights and corrects the VCVs until they are met. On return the state
 /// is the best one; a correction that takes the smallest sine below `least_sine` is not taken.
 void control_spacing(MeshState& state, const SmoothOptions& smooth, double tolerance, int most,
                      RunSequence& runs, double least_sine = 0) {
   LayerStack stack = *state.layers;
   Coordinates x = state.mesh.coordinates;
-  const std::shared_ptr<const VirtualControlVolumes> base = state.vcv;
-  SmoothResult outcome;  // of the last run
+  const auto base = state.vcvs.plane();
+  const auto roles = layer_roles(*state.mesh.topology, stack);  // corrections do not change them
+  SmoothResult outcome;                                         // of the last run
   const auto smooth_towards = [&] {
-    MeshState target{{state.mesh.topology, x}, layer_vcvs(state.mesh.topology, stack, *base, x)};
+    const MeshState target{
+        {state.mesh.topology, x}, layer_vcvs(state.mesh.topology, stack, *base, x), roles};
     outcome = runs.smooth(target, smooth, x);
-    return target.vcv;
+    return target.vcvs;
   };
   const auto good = [&] {
     return outcome.converged && outcome.inverted == 0 &&
            (least_sine <= 0 || check_validity(*state.mesh.topology, x).min_sine >= least_sine);
   };
-  const auto keep = [&](const std::shared_ptr<const VirtualControlVolumes>& vcv) {
-    state.vcv = vcv;
+  const auto keep = [&](const Vcvs& vcvs) {
+    state.vcvs = vcvs;
+    state.roles = roles;
     state.mesh.coordinates = x;
     state.layers = std::make_shared<const LayerStack>(stack);
   };
@@ -124,7 +133,7 @@ void control_spacing(MeshState& state, const SmoothOptions& smooth, double toler
     const LayerStack uncorrected = stack;
     correct_layers(stack, x);
     restore_kept_columns(stack, uncorrected, runs.kept());
-    const auto vcv = smooth_towards();
+    const Vcvs vcvs = smooth_towards();
     LayerMeasures now = measure_movable_layers(stack, x, runs.kept());
     // Where the elements outside press a fan from the side, longer edges would turn its columns.
     const bool turned = now.orthogonality.max > std::max(3.0, 1.2 * best.orthogonality.max);
@@ -132,7 +141,7 @@ void control_spacing(MeshState& state, const SmoothOptions& smooth, double toler
       runs.fall_back_to(before);
       return;
     }
-    keep(vcv);
+    keep(vcvs);
     const bool worthwhile = now.spacing_error.max < 0.9 * best.spacing_error.max;
     best = std::move(now);
     if (!worthwhile) return;
@@ -198,7 +207,7 @@ void hold_existing(const LayerRequest& request, MeshState& state) {
   stack.held = true;
   // Layers that are held as they are need no smoothing.
   if (request.task == LayerTask::hold) {
-    state.vcv = layer_vcvs(state.mesh.topology, stack, *state.vcv, state.mesh.coordinates);
+    control_by(stack, state);
   }
   state.layers = std::make_shared<const LayerStack>(std::move(stack));
 }
@@ -221,7 +230,7 @@ bool fit_layers(MeshState& state, const Motion& motion, std::span<const Index> k
     fitted.columns[c].direction = before.columns[c].direction;
     fitted.columns[c].slant = before.columns[c].slant;
   }
-  state.vcv = layer_vcvs(state.mesh.topology, fitted, *state.vcv, x);
+  control_by(fitted, state);
   state.layers = std::make_shared<const LayerStack>(std::move(fitted));
   return true;
 }
@@ -303,7 +312,8 @@ SmoothResult run_layers(const LayerRequest& request, MeshState& state, const Run
   if (request.control) {
     control_spacing(state, request.smooth, request.tolerance, request.most_corrections, runs);
   } else {
-    state.vcv = std::make_shared<const VirtualControlVolumes>(state.mesh.topology);
+    state.vcvs = std::make_shared<const VirtualControlVolumes>(state.mesh.topology);
+    state.roles = nullptr;
     runs.smooth(state, request.smooth, state.mesh.coordinates);
   }
   return result;

@@ -235,8 +235,7 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& option
   SolverCache own;
   SmoothingWorkspace& workspace = (run.cache ? *run.cache : own).workspace();
   CurveRows none;
-  workspace.prepare(state.vcv, classes_of(state, nullptr, options, run, result, none), options,
-                    state.mesh.coordinates, state.sphere_vcvs);
+  workspace.prepare(state, classes_of(state, nullptr, options, run, result, none), options);
   result.kept_outside = keep_fixed(state, workspace.classes(), options.slide.hold_nodes, x);
   RunRecorder recorder(run.monitor, result, budget(options));
   smooth_at_end(state, workspace, recorder, x);
@@ -260,8 +259,7 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const M
   SolverCache own;
   SmoothingWorkspace& workspace = (run.cache ? *run.cache : own).workspace();
   CurveRows rows;
-  workspace.prepare(state.vcv, classes_of(state, &bodies, options, run, result, rows), options,
-                    state.mesh.coordinates, state.sphere_vcvs);
+  workspace.prepare(state, classes_of(state, &bodies, options, run, result, rows), options);
   const auto with_held_rows = rows.empty() ? nullptr : with_rows(bodies, rows);
   const Motion& motion = with_held_rows ? *with_held_rows : bodies;
   result.kept_outside = keep_fixed(state, workspace.classes(), options.slide.hold_nodes, x);

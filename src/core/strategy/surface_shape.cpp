@@ -33,7 +33,7 @@ std::shared_ptr<const SurfaceShape> surface_shape(const MeshState& state,
 std::shared_ptr<const SurfaceShape> own_shape(const Mesh& mesh) {
   if (!is_surface(*mesh.topology)) return nullptr;
   try {
-    return surface_shape(MeshState{mesh, nullptr}, {});
+    return surface_shape(MeshState{mesh}, {});
   } catch (const UsageError&) {
     return nullptr;
   }

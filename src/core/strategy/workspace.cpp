@@ -35,18 +35,18 @@ bool same_unknowns(const std::shared_ptr<const NodeClasses>& a, const NodeClasse
 
 }  // namespace
 
-void SmoothingWorkspace::prepare(const std::shared_ptr<const VirtualControlVolumes>& vcv,
+void SmoothingWorkspace::prepare(const MeshState& state,
                                  const std::shared_ptr<const NodeClasses>& classes,
-                                 const SmoothOptions& options, const Coordinates& given,
-                                 std::shared_ptr<const SphereStencils> stencils) {
+                                 const SmoothOptions& options) {
   run_ = {};
   if (!classes_ || classes_->shared_topology() != classes->shared_topology())
     made_ = {};  // for the sake of memory: the keys are others
   classes_ = classes;
   if (!same_unknowns(unknowns_, *classes)) unknowns_ = classes;
   options_ = options;
-  vcv_ = vcv;
-  stencils_ = std::move(stencils);
+  vcvs_ = state.vcvs;
+  roles_ = state.roles;
+  const Coordinates& given = state.mesh.coordinates;
   const bool needs_given = in_space() || refers_to_given(options.targets);
   if (!needs_given)
     given_ = nullptr;
@@ -93,10 +93,11 @@ const SmoothingWorkspace::ComputedVcvs& SmoothingWorkspace::computed_vcvs() {
 
 std::shared_ptr<const VolumeVcvs> SmoothingWorkspace::volume_vcvs() {
   const SpaceVcvs computed = computed_vcvs().vcvs;
-  if (!stencils_) return computed;
-  return made_.space_vcvs.of({computed, stencils_}, [&]() -> SpaceVcvs {
+  const Stencils stencils = vcvs_.by_hand();
+  if (!stencils) return computed;
+  return made_.space_vcvs.of({computed, stencils}, [&]() -> SpaceVcvs {
     auto vcvs = std::make_shared<VolumeVcvs>(*computed);
-    for (const auto& [node, stencil] : *stencils_)
+    for (const auto& [node, stencil] : *stencils)
       vcvs->set(node, stencil.directions, stencil.lengths);
     return vcvs;
   });
@@ -149,7 +150,7 @@ ClipVariants<EquationProblem> SmoothingWorkspace::pointwise() {
   const auto& pattern = made_.pointwise_pattern.of({unknowns_, options_.threads}, [&] {
     return std::make_shared<const PointwisePattern>(unknowns_, options_.threads);
   });
-  const PointwiseKey key{pattern, vcv_, in_space() ? volume_vcvs() : nullptr};
+  const PointwiseKey key{pattern, vcvs_.plane(), in_space() ? volume_vcvs() : nullptr};
   return made_.pointwise.of(
       key, [&] { return in_space() ? make_pointwise<3>(key) : make_pointwise<2>(key); });
 }
@@ -161,9 +162,10 @@ SmoothingWorkspace::FormKey SmoothingWorkspace::form_key() {
   return {std::move(pattern),
           targets,
           refers_to_given(targets) ? given_ : nullptr,
-          vcv_,
+          vcvs_.plane(),
           in_space() && targets.vcv > 0 ? volume_vcvs() : nullptr,
-          stencils_,
+          vcvs_.by_hand(),
+          roles_,
           run_.urgent};
 }
 
@@ -180,16 +182,16 @@ std::shared_ptr<const VariationalForm> SmoothingWorkspace::make_form(const FormK
   const NodeClasses* classes = key.pattern.unknowns.get();
   const int threads = key.pattern.threads;
   if (in_space()) {
-    const CellTargets<3> targets =
-        volume_targets(classes->topology(), key.space_vcvs.get(), key.targets, key.given.get(),
-                       threads, key.urgent, {classes, key.stencils.get(), key.pattern.guarded});
+    const CellTargets<3> targets = volume_targets(
+        classes->topology(), key.space_vcvs.get(), key.targets, key.given.get(), threads,
+        key.urgent, {classes, key.stencils.get(), key.pattern.guarded, key.roles.get()});
     return std::make_shared<const VolumeWinslow>(
         energy_pattern<VolumeWinslow>(key.pattern, targets), targets, options_.penalty);
   }
   const auto normals =
       key.given ? element_normals(*classes, *key.given, threads) : std::vector<Vec3>();
   TargetShapes targets = TargetShapes::build(*key.plane_vcvs, key.targets, key.given.get(), threads,
-                                             key.urgent, classes, normals);
+                                             key.urgent, classes, normals, key.roles.get());
   if (!is_surface(classes->topology()))
     return std::make_shared<const VariationalWinslow>(
         energy_pattern<VariationalWinslow>(key.pattern, targets), targets, options_.penalty);

@@ -14,6 +14,7 @@
 #include "core/outer/outer_solver.h"
 #include "core/outer/picard_solver.h"
 #include "core/strategy/keyed.h"
+#include "core/strategy/mesh_state.h"
 #include "core/strategy/smooth_options.h"
 #include "core/vcv/sphere/star_builder.h"
 
@@ -38,7 +39,8 @@ VolumeVcvOptions volume_vcv_options(const SmoothOptions& options);
 ///
 ///   pattern         which nodes move, guarded elements
 ///   VCVs            of volume meshes: kind, mesh as given, stencils by hand, adjustments
-///   energy          pattern, targets, mesh as given, VCVs, elements that count more, penalty
+///   energy          pattern, targets, mesh as given, VCVs, roles of elements, elements that
+///                   count more, penalty
 ///   pointwise form  pattern, VCVs
 ///   linear solvers  which nodes move, options
 ///   outer solvers   form, linear solver; new ones for each run
@@ -47,19 +49,18 @@ VolumeVcvOptions volume_vcv_options(const SmoothOptions& options);
 /// change of the nodes that move.
 class SmoothingWorkspace {
  public:
-  /// Begins a run: says what is to be solved. classes: which nodes move. vcv: of a plane mesh; null
-  /// for volume meshes, whose VCVs are made here, of the kind that the options say, but for those
-  /// given by hand (stencils; null: none). given: the mesh that targets `auto` and `rest` and those
-  /// VCVs refer to; kept by value where they do.
-  void prepare(const std::shared_ptr<const VirtualControlVolumes>& vcv,
-               const std::shared_ptr<const NodeClasses>& classes, const SmoothOptions& options,
-               const Coordinates& given, std::shared_ptr<const SphereStencils> stencils = nullptr);
+  /// Begins a run: says what is to be solved. state: its mesh is the one that targets `auto` and
+  /// `rest` and the VCVs of a volume mesh refer to, kept by value where they do. Those VCVs are
+  /// made here, of the kind that the options say, but for those given by hand. classes: which nodes
+  /// move.
+  void prepare(const MeshState& state, const std::shared_ptr<const NodeClasses>& classes,
+               const SmoothOptions& options);
 
   /// From here to the next prepare() these elements count four times as much with `auto` targets,
   /// once more for each time they are listed.
   void count_more(std::vector<Index> elements) { run_.urgent = std::move(elements); }
   /// From here to the next prepare() the energy keeps the Jacobian of these elements positive
-  /// between their corners, too (VolumeTargetNodes::guarded). Returns whether any of them was not
+  /// between their corners, too (VolumeTargetDetails::guarded). Returns whether any of them was not
   /// among them.
   bool guard(std::span<const Index> elements);
   /// No longer guards elements of which some edge_tetrahedra() are inverted at x, a mesh that is
@@ -106,9 +107,9 @@ class SmoothingWorkspace {
  private:
   using Classes = std::shared_ptr<const NodeClasses>;
   using GivenMesh = std::shared_ptr<const Coordinates>;
-  using PlaneVcvs = std::shared_ptr<const VirtualControlVolumes>;
+  using PlaneVcvs = Vcvs::Plane;
   using SpaceVcvs = std::shared_ptr<const VolumeVcvs>;
-  using Stencils = std::shared_ptr<const SphereStencils>;
+  using Stencils = Vcvs::ByHand;
 
   struct SolverKey {
     Classes unknowns;
@@ -167,6 +168,7 @@ class SmoothingWorkspace {
     PlaneVcvs plane_vcvs;
     SpaceVcvs space_vcvs;  ///< null: the targets have no share for them
     Stencils stencils;
+    std::shared_ptr<const ElementRoles> roles;
     std::vector<Index> urgent;
     bool operator==(const FormKey&) const = default;
   };
@@ -222,9 +224,9 @@ class SmoothingWorkspace {
   Classes unknowns_;  // whose nodes move as those of classes_ do
   Classes classes_;
   SmoothOptions options_;
-  PlaneVcvs vcv_;      // of a plane mesh
-  Stencils stencils_;  // of a volume mesh, by hand
-  GivenMesh given_;    // null: nothing refers to it
+  Vcvs vcvs_;
+  std::shared_ptr<const ElementRoles> roles_;
+  GivenMesh given_;  // null: nothing refers to it
   Run run_;
   Products made_;
 };

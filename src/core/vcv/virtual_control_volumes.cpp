@@ -95,18 +95,4 @@ void VirtualControlVolumes::reset(Index node) {
   edited_.erase(node);
 }
 
-void VirtualControlVolumes::set_roles(std::shared_ptr<const std::vector<Role>> roles) {
-  if (roles) {
-    if (static_cast<Index>(roles->size()) != topology_->element_count()) {
-      throw UsageError("the roles are not one for each element");
-    }
-    for (const Role& role : *roles) {
-      if (!(role.weight > 0) || !std::isfinite(role.weight)) {
-        throw UsageError("weights must be positive");
-      }
-    }
-  }
-  roles_ = std::move(roles);
-}
-
 }  // namespace winslow

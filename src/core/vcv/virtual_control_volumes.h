@@ -61,26 +61,12 @@ class VirtualControlVolumes {
   /// What was set, by node.
   const std::map<Index, Stencil>& edits() const { return edited_; }
 
-  /// What an element is in a sum over VCVs (the variational form).
-  struct Role {
-    double weight = 1;       ///< how much more than others it counts
-    bool own_shape = false;  ///< it strives for its own shape, whatever VCVs its nodes were given
-  };
-  /// roles: #elements, with positive weights; null: the default for all. Throws UsageError
-  /// otherwise.
-  void set_roles(std::shared_ptr<const std::vector<Role>> roles);
-  Role role(Index element) const {
-    return roles_ ? (*roles_)[static_cast<std::size_t>(element)] : Role{};
-  }
-  const std::shared_ptr<const std::vector<Role>>& roles() const { return roles_; }
-
  private:
   const Stencil* stencil(Index node) const;
 
   std::shared_ptr<const Topology> topology_;
   std::vector<Stencil> equal_;  // by number of neighbours
   std::map<Index, Stencil> edited_;
-  std::shared_ptr<const std::vector<Role>> roles_;
 };
 
 }  // namespace winslow

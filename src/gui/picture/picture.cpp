@@ -50,7 +50,7 @@ MeshStyle mesh_style(const PictureOptions& options, const PictureTheme& theme, f
 
 Image draw_picture(const Mesh& mesh, const PictureOptions& options) {
   check(options);
-  const std::shared_ptr<const VirtualControlVolumes> vcv = make_state(mesh).vcv;
+  const std::shared_ptr<const VirtualControlVolumes> vcv = make_state(mesh).vcvs.plane();
   const std::vector<NodalView> nodes = inspect_nodes(*vcv, mesh.coordinates, options.vcvs);
   const std::unique_ptr<HeadlessContext> context = make_headless_context();
   const FrameBuffer target(options.width, options.height, options.samples);
@@ -109,7 +109,7 @@ VectorFigure picture_figure(const Mesh& mesh, const PictureOptions& options) {
   figure.font_size = std::clamp(0.02 * std::min(options.width, options.height), 8.0, 40.0);
   figure.edge_width = 0.05 * figure.font_size;
   figure.boundary_width = 0.13 * figure.font_size;
-  const std::shared_ptr<const VirtualControlVolumes> vcv = make_state(mesh).vcv;
+  const std::shared_ptr<const VirtualControlVolumes> vcv = make_state(mesh).vcvs.plane();
   figure.vcvs = inspect_nodes(*vcv, mesh.coordinates, options.vcvs);
   if (options.color) {
     figure.values = field_values(*vcv, mesh, options);
@@ -133,7 +133,7 @@ VectorFigure picture_figure(const Mesh& mesh, const PictureOptions& options) {
 
 ColorScale picture_scale(const Mesh& mesh, const PictureOptions& options) {
   return picture_colors(*options.color, options.colors, options.dark,
-                        field_values(*make_state(mesh).vcv, mesh, options));
+                        field_values(*make_state(mesh).vcvs.plane(), mesh, options));
 }
 
 Image side_by_side(const Image& left, const Image& right) {

@@ -46,7 +46,8 @@ VcvEdit wide_angle(const Topology& topology, Index node) {
 
 /// Angle between edges k and k + 1 in the mesh, degrees.
 double angle_at(const MeshState& state, Index node, std::size_t k) {
-  return degrees(inspect_node(*state.vcv, state.mesh.coordinates, node).physical.angles[k]);
+  return degrees(
+      inspect_node(*state.vcvs.plane(), state.mesh.coordinates, node).physical.angles[k]);
 }
 
 }  // namespace
@@ -65,16 +66,16 @@ TEST_CASE("a wider angle of a VCV opens the angle of the mesh, in either formula
     CHECK(result.smooth.converged);
     CHECK(result.smooth.inverted == 0);
     CHECK(angle_at(result.state, node, 0) > angle_at(start, node, 0) + 5);
-    CHECK(result.state.vcv->edited(node));
-    CHECK(result.state.vcv->edits().size() == 1);
-    CHECK_FALSE(start.vcv->edited(node));
+    CHECK(result.state.vcvs.plane()->edited(node));
+    CHECK(result.state.vcvs.plane()->edits().size() == 1);
+    CHECK_FALSE(start.vcvs.plane()->edited(node));
     // The edit stays: smoothing again changes nothing.
     const CommandResult again = execute(SmoothCommand{options}, result.state);
     CHECK(std::abs(angle_at(again.state, node, 0) - angle_at(result.state, node, 0)) < 1e-6);
     // Resetting it brings the mesh back.
     const CommandResult reset =
         execute(EditVcvCommand{{{node, {}, {}, {}}}, options}, result.state);
-    CHECK_FALSE(reset.state.vcv->edited(node));
+    CHECK_FALSE(reset.state.vcvs.plane()->edited(node));
     for (Index i = 0; i < topology.node_count(); ++i) {
       CHECK((reset.state.mesh.coordinates.xy(i) - start.mesh.coordinates.xy(i)).norm() < 1e-7);
     }
@@ -118,7 +119,7 @@ TEST_CASE("a longer edge of a VCV moves the node away from that neighbour") {
   const VcvEdit edit{node, {}, {}, {2, 1, 1, 1, 1, 1}};
   const CommandResult result = execute(EditVcvCommand{{edit}, {}}, before);
   const auto share = [&](const MeshState& state) {
-    const NodalView view = inspect_node(*state.vcv, state.mesh.coordinates, node);
+    const NodalView view = inspect_node(*state.vcvs.plane(), state.mesh.coordinates, node);
     return view.physical.lengths[0] / view.physical.mean_length();
   };
   CHECK(result.smooth.inverted == 0);
@@ -148,7 +149,7 @@ TEST_CASE("numbers belong to the neighbours named, from whichever the list start
       turned.angles.push_back(plain.angles[(first + k) % 6]);
       turned.lengths.push_back(plain.lengths[(first + k) % 6]);
     }
-    const auto vcv = edit_vcvs(*before.vcv, std::vector{turned});
+    const auto vcv = edit_vcvs(*before.vcvs.plane(), std::vector{turned});
     for (std::size_t k = 0; k < 6; ++k) {
       CHECK(vcv->angles(node)[k] == doctest::Approx(radians(plain.angles[k])));
       CHECK(vcv->lengths(node)[k] == plain.lengths[k]);
@@ -157,7 +158,7 @@ TEST_CASE("numbers belong to the neighbours named, from whichever the list start
     CHECK(back.angles[0] == doctest::Approx(90));
     CHECK(back.lengths == plain.lengths);
   }
-  CHECK(edit_of(*before.vcv, node).resets());
+  CHECK(edit_of(*before.vcvs.plane(), node).resets());
 }
 
 TEST_CASE("edits that are no VCV are refused, with the node named") {
@@ -217,10 +218,10 @@ TEST_CASE("undo of an edit gives back mesh and VCVs, to the bit; its description
   History history(before);
   const EditVcvCommand command{{wide_angle(*before.mesh.topology, node)}, {}};
   history.push(command, execute(command, before));
-  CHECK(history.state().vcv->edited(node));
+  CHECK(history.state().vcvs.plane()->edited(node));
   history.undo();
   CHECK(history.state().mesh.coordinates == before.mesh.coordinates);
-  CHECK(history.state().vcv == before.vcv);
+  CHECK(history.state().vcvs.plane() == before.vcvs.plane());
   CHECK(describe(command) == "Edit the VCV of node " + std::to_string(node));
   CHECK(describe(EditVcvCommand{{{3, {}, {}, {}}, {4, {}, {}, {}}}, {}}) ==
         "Reset the VCVs of 2 nodes");
@@ -231,8 +232,9 @@ TEST_CASE("an edited VCV counts although the blend has no share for VCVs, only a
   const MeshState before = triangles();
   const Topology& topology = *before.mesh.topology;
   const Index node = inner_node(topology);
-  const auto vcv = edit_vcvs(*before.vcv, std::vector{wide_angle(topology, node)});
-  const TargetShapes plain = TargetShapes::build(*before.vcv, TargetBlend::regular(), nullptr);
+  const auto vcv = edit_vcvs(*before.vcvs.plane(), std::vector{wide_angle(topology, node)});
+  const TargetShapes plain =
+      TargetShapes::build(*before.vcvs.plane(), TargetBlend::regular(), nullptr);
   const TargetShapes edited = TargetShapes::build(*vcv, TargetBlend::regular(), nullptr);
   const TargetShapes of_vcv = TargetShapes::build(*vcv, {0, 0, 1, 0}, nullptr);
   REQUIRE(plain.cells == edited.cells);
@@ -314,8 +316,8 @@ TEST_CASE("a node goes to where its star looks like the VCV that it was given, i
       const EditVcvCommand command{{star_from(start.mesh, node, place)}, by(formulation)};
       const CommandResult result = execute(command, start);
       CHECK(result.smooth.converged);
-      REQUIRE(result.state.sphere_vcvs);
-      CHECK(start.sphere_vcvs == nullptr);
+      REQUIRE(result.state.vcvs.by_hand());
+      CHECK(start.vcvs.by_hand() == nullptr);
       // A hexahedron has other corners, which have a say in the energy.
       const bool alone = volumes == Volumes::tetrahedra || formulation == Formulation::pointwise;
       const Vec3 reached = result.state.mesh.coordinates.xyz(node);
@@ -325,11 +327,11 @@ TEST_CASE("a node goes to where its star looks like the VCV that it was given, i
       const CommandResult again = execute(SmoothCommand{by(formulation)}, result.state);
       // The targets of a hexahedron's other corners are made of the mesh as given.
       if (alone) CHECK(furthest(again.state.mesh, result.state.mesh) < 1e-7);
-      CHECK(again.state.sphere_vcvs == result.state.sphere_vcvs);
+      CHECK(again.state.vcvs.by_hand() == result.state.vcvs.by_hand());
       // Reset, it goes back to the middle.
       const CommandResult reset =
           execute(EditVcvCommand{{{node, {}, {}, {}}}, by(formulation)}, result.state);
-      CHECK(reset.state.sphere_vcvs == nullptr);
+      CHECK(reset.state.vcvs.by_hand() == nullptr);
       const CommandResult plain =
           execute(SmoothCommand{by(formulation)}, make_state(result.state.mesh));
       CHECK(furthest(reset.state.mesh, plain.state.mesh) < 1e-7);
@@ -389,11 +391,11 @@ TEST_CASE("edited VCVs of a volume mesh stay through motions; what is no VCV is 
   move.markers = {"cavity"};
   move.motion.translate = Vec2(0.02, 0);
   history.push(move, execute(move, history.state()));
-  REQUIRE(history.state().sphere_vcvs);
-  CHECK(history.state().sphere_vcvs->contains(node));
+  REQUIRE(history.state().vcvs.by_hand());
+  CHECK(history.state().vcvs.by_hand()->contains(node));
   history.undo();
   history.undo();
-  CHECK(history.state().sphere_vcvs == nullptr);
+  CHECK(history.state().vcvs.by_hand() == nullptr);
   CHECK_THROWS_AS(execute(EditVcvCommand{{{node, {}, {}, {1, 1}}}, {}}, start), UsageError);
   CHECK_THROWS_AS(execute(EditVcvCommand{{{0, {}, {}, {}}}, {}}, start), UsageError);
   CHECK_THROWS_AS(execute(EditVcvCommand{}, start), UsageError);
@@ -409,8 +411,8 @@ TEST_CASE("far from the origin edited VCVs do what they do near it") {
   const EditVcvCommand edit{
       {star_from(near.mesh, node, near.mesh.coordinates.xyz(node) + Vec3(0.05, 0, 0.05))}, {}};
   const CommandResult a = execute(edit, near), b = execute(edit, far);
-  REQUIRE(b.state.sphere_vcvs);
-  CHECK(*a.state.sphere_vcvs == *b.state.sphere_vcvs);
+  REQUIRE(b.state.vcvs.by_hand());
+  CHECK(*a.state.vcvs.by_hand() == *b.state.vcvs.by_hand());
   for (Index i = 0; i < near.mesh.coordinates.size(); ++i)
     CHECK((b.state.mesh.coordinates.xyz(i) - away - a.state.mesh.coordinates.xyz(i)).norm() < 1e-6);
 }

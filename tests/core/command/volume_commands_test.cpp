@@ -245,7 +245,7 @@ void check_refused(const std::string& who, const std::function<void(const Mesh&)
 
 /// A state whose VCVs say nothing against its mesh.
 MeshState state_of(const Mesh& mesh) {
-  return {mesh, make_state(make_mesh(square(3, Cells::quads))).vcv};
+  return {mesh, make_state(make_mesh(square(3, Cells::quads))).vcvs.plane()};
 }
 
 std::vector<std::string> a_marker(const Mesh& mesh) { return {mesh.topology->markers()[0].name}; }
@@ -386,13 +386,13 @@ TEST_CASE("layers are those of plane meshes") {
     respace_layers(stack, mesh, options);
   });
   check_refused("virtual control volumes", [](const Mesh& mesh) {
-    layer_vcvs(mesh.topology, {}, *state_of(mesh).vcv, mesh.coordinates);
+    layer_vcvs(mesh.topology, {}, *state_of(mesh).vcvs.plane(), mesh.coordinates);
   });
 }
 
 TEST_CASE("coordinates in space are refused where those of a plane mesh are expected") {
   const MeshState state = make_state(make_mesh(square(3, Cells::triangles)));
-  const VirtualControlVolumes& vcv = *state.vcv;
+  const VirtualControlVolumes& vcv = *state.vcvs.plane();
   const Coordinates space(3, state.mesh.coordinates.size());
   const char* message = "found points of space, expected points of the plane";
   const Index node = state.mesh.topology->interior_nodes().front();

@@ -22,8 +22,7 @@ struct SolvedBox {
   explicit SolvedBox(Volumes volumes) : state(make_state(box_with_body(5, volumes))) {
     SmoothOptions options;
     options.targets = TargetBlend::regular();
-    workspace.prepare(state.vcv, std::make_shared<NodeClasses>(state.mesh.topology), options,
-                      state.mesh.coordinates);
+    workspace.prepare(state, std::make_shared<NodeClasses>(state.mesh.topology), options);
     state.mesh.coordinates = solution_after({}, state.mesh.coordinates);
     nodes = state.mesh.topology->markers().nodes_of(std::vector<std::string>{"body"});
   }

@@ -112,9 +112,9 @@ struct Surface {
   Surface(const Mesh& of, const Shape& shape)
       : state(on_shape(of, shape)),
         classes(classes_on(state)),
-        targets(std::make_shared<const CellTargets<2>>(
-            TargetShapes::build(*state.vcv, TargetBlend::regular(), nullptr, 1, {}, classes.get(),
-                                element_normals(*classes, state.mesh.coordinates, 1)))),
+        targets(std::make_shared<const CellTargets<2>>(TargetShapes::build(
+            *state.vcvs.plane(), TargetBlend::regular(), nullptr, 1, {}, classes.get(),
+            element_normals(*classes, state.mesh.coordinates, 1)))),
         form(std::make_shared<const SurfaceWinslow>(classes, targets, PenaltyOptions{}, 1)),
         nodes(classes, 1, NodeUnknowns::Layout::blocks),
         structure(nodes, targets->cells) {}

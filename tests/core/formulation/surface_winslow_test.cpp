@@ -30,7 +30,7 @@ OnShape form_on(const Mesh& mesh, const Shape& shape, const TargetBlend& blend) 
   out.form = std::make_shared<SurfaceWinslow>(
       out.classes,
       std::make_shared<const TargetShapes>(TargetShapes::build(
-          *out.state.vcv, blend, &mesh.coordinates, 1, {}, out.classes.get(), normals)),
+          *out.state.vcvs.plane(), blend, &mesh.coordinates, 1, {}, out.classes.get(), normals)),
       PenaltyOptions{}, 1);
   return out;
 }
@@ -183,7 +183,7 @@ TEST_CASE("surface form: nodes that leave the surface are refused") {
   const Mesh mesh = make_mesh(octasphere(2));
   const MeshState state = on_shape(mesh, sphere_shape(1));
   const auto targets = std::make_shared<const TargetShapes>(
-      TargetShapes::build(*state.vcv, TargetBlend::regular(), nullptr));
+      TargetShapes::build(*state.vcvs.plane(), TargetBlend::regular(), nullptr));
   auto classes = std::make_shared<NodeClasses>(mesh.topology);
   classes->set_element_normals(state.surface->normals);
   CHECK_THROWS_WITH_AS(SurfaceWinslow(classes, targets, {}, 1),

@@ -104,13 +104,17 @@ TEST_CASE("the role of an element: its weight, and whether it follows edited VCV
   std::vector<double> lengths(count, 1.0);
   lengths[0] = 3;
   vcv.set(node, std::vector<double>(count, 2 * pi / static_cast<double>(count)), lengths);
-  auto roles = std::make_shared<std::vector<VirtualControlVolumes::Role>>(
-      static_cast<std::size_t>(topology->element_count()));
+  ElementRoles roles(static_cast<std::size_t>(topology->element_count()));
   const Index follows = topology->star(node)[0], keeps = topology->star(node)[1];
-  (*roles)[static_cast<std::size_t>(follows)].weight = 50;
-  (*roles)[static_cast<std::size_t>(keeps)].own_shape = true;
-  vcv.set_roles(roles);
-  const TargetShapes shapes = TargetShapes::build(vcv, TargetBlend::regular(), nullptr);
+  SUBCASE("inserted") { roles[static_cast<std::size_t>(follows)] = ElementRole::layer; }
+  SUBCASE("found") { roles[static_cast<std::size_t>(follows)] = ElementRole::found_layer; }
+  const double expected = role_weight(roles[static_cast<std::size_t>(follows)]);
+  CHECK(expected >= 1e3);
+  roles[static_cast<std::size_t>(keeps)] = ElementRole::beside_layers;
+  const auto build = [&] {
+    return TargetShapes::build(vcv, TargetBlend::regular(), nullptr, 1, {}, nullptr, {}, &roles);
+  };
+  const TargetShapes shapes = build();
   for (std::size_t t = 0; t < shapes.cells.size(); ++t) {
     double weight = 0;
     bool equilateral = true;
@@ -123,13 +127,10 @@ TEST_CASE("the role of an element: its weight, and whether it follows edited VCV
       const auto corners = topology->element(element);
       return std::is_permutation(corners.begin(), corners.end(), shapes.cells[t].begin());
     };
-    CHECK(weight == doctest::Approx(is(follows) ? 50 : 1));
+    CHECK(weight == doctest::Approx(is(follows) ? expected : 1));
     if (is(follows)) CHECK_FALSE(equilateral);
     if (is(keeps)) CHECK(equilateral);
   }
-  auto bad = std::make_shared<std::vector<VirtualControlVolumes::Role>>(*roles);
-  (*bad)[0].weight = 0;
-  CHECK_THROWS_AS(vcv.set_roles(bad), UsageError);
-  bad->pop_back();
-  CHECK_THROWS_AS(vcv.set_roles(bad), UsageError);
+  roles.pop_back();
+  CHECK_THROWS_AS(build(), UsageError);
 }

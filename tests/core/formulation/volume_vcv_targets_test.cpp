@@ -208,3 +208,47 @@ TEST_CASE("several terms of a tetrahedron count as so many tetrahedra, projected
     CHECK(difference(ha.values, hb.values) < 1e-12);
   }
 }
+
+TEST_CASE("the role of a volume element: its weight, and whether it heeds VCVs given by hand") {
+  const Mesh mesh = make_mesh(cube(3, Volumes::tetrahedra));
+  const Topology& topology = *mesh.topology;
+  const Index node = topology.interior_nodes().front();
+  const VolumeVcvs equal(mesh.topology);
+  SphereStencil stencil;
+  for (std::size_t k = 0; k < topology.neighbours(node).size(); ++k) {
+    stencil.directions.push_back(equal.direction(node, static_cast<Index>(k)));
+    stencil.lengths.push_back(k == 0 ? 3 : 1);
+  }
+  const SphereStencils stencils{{node, stencil}};
+  const Index stiff = topology.star(node)[0], keeps = topology.star(node)[1];
+  ElementRoles roles(at(topology.element_count()), ElementRole::ordinary);
+  roles[at(stiff)] = ElementRole::layer;
+  roles[at(keeps)] = ElementRole::beside_layers;
+  const auto build = [&](const ElementRoles* of, const SphereStencils* by_hand) {
+    return volume_targets(topology, nullptr, TargetBlend::regular(), nullptr, 1, {},
+                          {.stencils = by_hand, .roles = of});
+  };
+  const CellTargets<3> plain = build(nullptr, nullptr), edited = build(nullptr, &stencils),
+                       with_roles = build(&roles, &stencils);
+  REQUIRE(plain.cells == with_roles.cells);
+  const auto is = [&](std::size_t cell, Index element) {
+    const auto corners = topology.element(element);
+    return std::is_permutation(corners.begin(), corners.end(), plain.cells[cell].begin());
+  };
+  const auto first = [](const CellTargets<3>& targets, std::size_t cell) {
+    return targets.terms[at(targets.offsets[cell])];
+  };
+  int seen = 0;
+  for (std::size_t cell = 0; cell < plain.cells.size(); ++cell) {
+    const double weight = first(with_roles, cell).weight;
+    CHECK(weight == doctest::Approx(is(cell, stiff) ? role_weight(ElementRole::layer) : 1));
+    if (!is(cell, keeps)) continue;
+    ++seen;
+    CHECK(first(edited, cell).a11 != first(plain, cell).a11);
+    CHECK(first(with_roles, cell).a11 == first(plain, cell).a11);
+    CHECK(first(with_roles, cell).a23 == first(plain, cell).a23);
+  }
+  CHECK(seen == 1);
+  roles.pop_back();
+  CHECK_THROWS_AS(build(&roles, nullptr), UsageError);
+}

@@ -19,13 +19,14 @@ std::size_t cells(SmoothingWorkspace& workspace) {
 }  // namespace
 
 TEST_CASE("a guarded element has 24 targets more, until it is dropped or the next run begins") {
-  const Mesh mesh = make_mesh(cube(3, Volumes::hexahedra));
+  const MeshState state = make_state(make_mesh(cube(3, Volumes::hexahedra)));
+  const Mesh& mesh = state.mesh;
   const auto classes = free_interior(mesh.topology);
   SmoothOptions options;
   options.targets = TargetBlend::regular();
   options.threads = 1;
   SmoothingWorkspace workspace;
-  const auto prepare = [&] { workspace.prepare(nullptr, classes, options, mesh.coordinates); };
+  const auto prepare = [&] { workspace.prepare(state, classes, options); };
   prepare();
   const std::size_t plain = cells(workspace);
   const std::vector<Index> middle{13}, both{0, 13};

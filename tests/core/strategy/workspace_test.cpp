@@ -22,19 +22,16 @@ namespace {
 
 /// What prepare() is told.
 struct Inputs {
-  std::shared_ptr<const VirtualControlVolumes> vcv;
+  MeshState state;
   std::shared_ptr<const NodeClasses> classes;
   SmoothOptions options;
-  Coordinates given;
-  std::shared_ptr<const SphereStencils> stencils;
 
-  void prepare(SmoothingWorkspace& workspace) const {
-    workspace.prepare(vcv, classes, options, given, stencils);
-  }
+  void prepare(SmoothingWorkspace& workspace) const { workspace.prepare(state, classes, options); }
+  const Coordinates& given() const { return state.mesh.coordinates; }
 };
 
 Inputs inputs_of(const MeshState& state) {
-  Inputs inputs{state.vcv, free_interior(state.mesh.topology), {}, state.mesh.coordinates, {}};
+  Inputs inputs{state, free_interior(state.mesh.topology), {}};
   inputs.options.threads = 1;
   return inputs;
 }
@@ -60,10 +57,11 @@ void make_classes_anew(Inputs& inputs) {
 }
 void move_a_node(Inputs& inputs) {
   const Index node = inputs.classes->topology().interior_nodes().front();
-  if (inputs.given.dimension() == 2)
-    inputs.given.set_xy(node, inputs.given.xy(node) + Vec2(1e-3, 0));
+  Coordinates& given = inputs.state.mesh.coordinates;
+  if (given.dimension() == 2)
+    given.set_xy(node, given.xy(node) + Vec2(1e-3, 0));
   else
-    inputs.given.set_xyz(node, inputs.given.xyz(node) + Vec3(1e-3, 0, 0));
+    given.set_xyz(node, given.xyz(node) + Vec3(1e-3, 0, 0));
 }
 /// The VCV of a node as it is, given by hand.
 void give_a_stencil(Inputs& inputs) {
@@ -71,12 +69,16 @@ void give_a_stencil(Inputs& inputs) {
   const Index node = topology.interior_nodes().front();
   SphereStencil stencil;
   for (const Index k : topology.neighbours(node)) {
-    stencil.directions.push_back((inputs.given.xyz(k) - inputs.given.xyz(node)).normalized());
+    stencil.directions.push_back((inputs.given().xyz(k) - inputs.given().xyz(node)).normalized());
     stencil.lengths.push_back(1);
   }
   auto stencils = std::make_shared<SphereStencils>();
   stencils->emplace(node, std::move(stencil));
-  inputs.stencils = stencils;
+  inputs.state.vcvs = std::shared_ptr<const SphereStencils>(stencils);
+}
+void give_roles(Inputs& inputs) {
+  const auto count = at(inputs.classes->topology().element_count());
+  inputs.state.roles = std::make_shared<const ElementRoles>(count, ElementRole::ordinary);
 }
 
 std::shared_ptr<const SparsityPattern> energy_pattern(SmoothingWorkspace& workspace,
@@ -106,7 +108,7 @@ struct Changed {
 Changed changed_by(const Inputs& before, const Change& change) {
   SmoothingWorkspace workspace;
   before.prepare(workspace);
-  const Coordinates x = before.given;
+  const Coordinates x = before.given();
   const auto energy = workspace.energy();
   const auto pointwise = workspace.pointwise().plain;
   const auto of_energy = energy_pattern(workspace, x),
@@ -178,8 +180,12 @@ TEST_CASE("of a plane mesh each product is the same object until one of its inpu
        energy_alone},
       {{"penalty", in_options([](SmoothOptions& o) { o.penalty.exponent += 1; })}, energy_alone},
       {{"VCVs",
-        [](Inputs& inputs) { inputs.vcv = std::make_shared<VirtualControlVolumes>(*inputs.vcv); }},
+        [](Inputs& inputs) {
+          inputs.state.vcvs =
+              std::make_shared<const VirtualControlVolumes>(*inputs.state.vcvs.plane());
+        }},
        both_forms},
+      {{"roles of elements", give_roles}, energy_alone},
       {{"linear solver", in_options([](SmoothOptions& o) { o.linear.solver = "direct"; })},
        solvers},
       {{"linear tolerance", in_options([](SmoothOptions& o) { o.linear.tolerance = 1e-5; })},
@@ -208,6 +214,7 @@ TEST_CASE("of a volume mesh each product is the same object until one of its inp
       {{"kind of VCVs", kind(VcvKind::equal)}, pointwise_alone},
       {{"lengths of VCVs", [](Inputs& inputs) { inputs.options.vcv_lengths = 0.5; }},
        pointwise_alone},
+      {{"roles of elements", give_roles}, energy_alone},
       {{"stencil by hand", give_a_stencil}, both_forms}};
   for (const auto& of : cases) {
     CAPTURE(of.first.what);
@@ -229,22 +236,22 @@ TEST_CASE("elements that count more, or are guarded, make another energy up to t
   SmoothingWorkspace workspace;
   inputs.prepare(workspace);
   const auto plain = workspace.energy();
-  const auto pattern = energy_pattern(workspace, inputs.given);
+  const auto pattern = energy_pattern(workspace, inputs.given());
   workspace.count_more({0});
   const auto weighed = workspace.energy();
   CHECK(weighed != plain);
   CHECK(workspace.energy() == weighed);
-  CHECK(energy_pattern(workspace, inputs.given) == pattern);
+  CHECK(energy_pattern(workspace, inputs.given()) == pattern);
   workspace.count_more({0, 0});
   CHECK(workspace.energy() != weighed);
   const std::vector<Index> middle{13};
   workspace.guard(middle);
-  CHECK(energy_pattern(workspace, inputs.given) != pattern);
-  const auto guarded = energy_pattern(workspace, inputs.given);
+  CHECK(energy_pattern(workspace, inputs.given()) != pattern);
+  const auto guarded = energy_pattern(workspace, inputs.given());
   workspace.count_more({1});
-  CHECK(energy_pattern(workspace, inputs.given) == guarded);
+  CHECK(energy_pattern(workspace, inputs.given()) == guarded);
   inputs.prepare(workspace);
-  CHECK(energy_pattern(workspace, inputs.given) != guarded);
+  CHECK(energy_pattern(workspace, inputs.given()) != guarded);
 }
 
 TEST_CASE("adjusted VCVs hold for one run, and those of the mesh as given are not made again") {
@@ -255,9 +262,9 @@ TEST_CASE("adjusted VCVs hold for one run, and those of the mesh as given are no
   inputs.prepare(workspace);
   const auto of_given = workspace.volume_vcvs();
   const auto form = workspace.pointwise().plain;
-  CHECK(workspace.adjust_vcvs(inputs.given) == 0);
+  CHECK(workspace.adjust_vcvs(inputs.given()) == 0);
   CHECK(workspace.volume_vcvs() == of_given);
-  CHECK(workspace.adjust_vcvs(moved.given) > 0);
+  CHECK(workspace.adjust_vcvs(moved.given()) > 0);
   CHECK(workspace.volume_vcvs() != of_given);
   CHECK(workspace.pointwise().plain != form);
   inputs.prepare(workspace);
@@ -276,7 +283,7 @@ TEST_CASE("stencils given by hand are in the VCVs, and are taken out again") {
   inputs.prepare(workspace);
   CHECK(workspace.volume_vcvs()->edited(node));
   CHECK(workspace.volume_vcvs() == workspace.volume_vcvs());
-  inputs.stencils = nullptr;
+  inputs.state.vcvs = {};
   inputs.prepare(workspace);
   CHECK(workspace.volume_vcvs() == computed);
   CHECK(workspace.times_made().vcvs == 1);
@@ -286,7 +293,7 @@ TEST_CASE("outer solvers are those of one run, and of one problem") {
   const Inputs inputs = plane_inputs();
   SmoothingWorkspace workspace;
   inputs.prepare(workspace);
-  Coordinates x = inputs.given;
+  Coordinates x = inputs.given();
   EnergyNewton& newton = workspace.newton();
   newton.start(x);
   newton.step(x);

@@ -27,10 +27,10 @@ TEST_CASE("on a plane put anywhere into space VCVs are spread as in the plane") 
     if (plane.topology->neighbours(node).size() == 6) six.push_back(node);
   REQUIRE(six.size() > 10);
   const Index source = six.front();
-  VcvEdit edit = edit_of(*a.vcv, source);
+  VcvEdit edit = edit_of(*a.vcvs.plane(), source);
   edit.angles = {40, 80, 60, 60, 50, 70};
-  const auto in_plane = edit_vcvs(*a.vcv, std::span(&edit, 1));
-  const auto in_space = edit_vcvs(*b.vcv, std::span(&edit, 1));
+  const auto in_plane = edit_vcvs(*a.vcvs.plane(), std::span(&edit, 1));
+  const auto in_space = edit_vcvs(*b.vcvs.plane(), std::span(&edit, 1));
   const std::vector<Index> targets(six.begin() + 1, six.end());
   const auto first = spread_vcv(*in_plane, plane.coordinates, source, targets);
   const auto second = spread_vcv(*in_space, surface.coordinates, source, targets);
@@ -64,7 +64,7 @@ TEST_CASE("on a cylinder edges that run along its axis keep their numbers all th
     if (i != round / 2) targets.push_back(id(i, 3));  // opposite is as far round either way
   const auto ring = mesh.topology->neighbours(source);
   const auto up = std::ranges::find(ring, id(0, 3)) - ring.begin();
-  for (const VcvEdit& edit : spread_vcv(*state.vcv, mesh.coordinates, source, targets)) {
+  for (const VcvEdit& edit : spread_vcv(*state.vcvs.plane(), mesh.coordinates, source, targets)) {
     CAPTURE(edit.node);
     CHECK(edit.neighbours[static_cast<std::size_t>(up)] == edit.node + round);
   }
@@ -75,7 +75,7 @@ TEST_CASE("the plane of a star is tangent, and the flat star lies over the one i
   const MeshState state = make_state(mesh);
   const SpacePoints x(mesh.coordinates);
   for (const Index node : mesh.topology->interior_nodes()) {
-    const NodalView view = inspect_node(*state.vcv, mesh.coordinates, node);
+    const NodalView view = inspect_node(*state.vcvs.plane(), mesh.coordinates, node);
     const StarPlane plane = plane_of_star(*mesh.topology, mesh.coordinates, view);
     CHECK(std::abs(plane.u.dot(plane.v)) < 1e-14);
     CHECK(std::abs(plane.u.norm() - 1) < 1e-14);

@@ -17,7 +17,7 @@ namespace winslow::gui {
 namespace {
 
 /// Also tells a machine with another order of bytes.
-constexpr std::uint64_t magic = 0x0008504554534e57;  // "WNSTEP", version 8
+constexpr std::uint64_t magic = 0x0009504554534e57;  // "WNSTEP", version 9
 
 /// Every field of a record, named once for reading and writing.
 template <class Archive, class Record>
@@ -100,8 +100,6 @@ struct VcvData {
     VirtualControlVolumes::Stencil stencil;
   };
   std::vector<Edit> edits;
-  bool with_roles = false;
-  std::vector<VirtualControlVolumes::Role> roles;  // #elements
 };
 
 template <class Archive, class Data>
@@ -111,8 +109,6 @@ void vcv_fields(Archive& archive, Data& data) {
     a.numbers(edit.stencil.angles);
     a.numbers(edit.stencil.lengths);
   });
-  archive.number(data.with_roles);
-  archive.numbers(data.roles);
 }
 
 /// A VCV of a volume mesh that was given by hand.
@@ -227,8 +223,6 @@ MeshData data_of(const Topology& topology) {
 VcvData data_of(const VirtualControlVolumes& vcv) {
   VcvData data;
   for (const auto& [node, stencil] : vcv.edits()) data.edits.push_back({node, stencil});
-  data.with_roles = vcv.roles() != nullptr;
-  if (data.with_roles) data.roles = *vcv.roles();
   return data;
 }
 
@@ -236,15 +230,13 @@ std::shared_ptr<const VirtualControlVolumes> made_of(
     const VcvData& data, const std::shared_ptr<const Topology>& topology) {
   auto vcv = std::make_shared<VirtualControlVolumes>(topology);
   for (const auto& [node, stencil] : data.edits) vcv->set(node, stencil.angles, stencil.lengths);
-  if (data.with_roles)
-    vcv->set_roles(std::make_shared<const std::vector<VirtualControlVolumes::Role>>(data.roles));
   return vcv;
 }
 
 /// Which parts of a state follow.
 struct Parts {
   bool topology = false, vcv = false, layers = false, any_layers = false, spheres = false,
-       shape = false;
+       shape = false, roles = false, any_roles = false;
 };
 
 template <class Archive, class AnyParts>
@@ -255,14 +247,17 @@ void part_fields(Archive& archive, AnyParts& parts) {
   archive.number(parts.any_layers);
   archive.number(parts.spheres);
   archive.number(parts.shape);
+  archive.number(parts.roles);
+  archive.number(parts.any_roles);
 }
 
 Parts changed_parts(const MeshState& state, const MeshState& before) {
-  return {state.mesh.topology != before.mesh.topology, state.vcv != before.vcv,
+  return {state.mesh.topology != before.mesh.topology, state.vcvs.plane() != before.vcvs.plane(),
           state.layers != before.layers, state.layers != nullptr,
-          state.sphere_vcvs != before.sphere_vcvs,
+          state.vcvs.by_hand() != before.vcvs.by_hand(),
           // That of the mesh as opened is found anew.
-          state.surface && before.mesh.topology && state.surface != before.surface};
+          state.surface && before.mesh.topology && state.surface != before.surface,
+          state.roles != before.roles, state.roles != nullptr};
 }
 
 void read_coordinates(ArchiveReader& reader, Coordinates& x) {
@@ -307,18 +302,19 @@ MeshState read_state(ArchiveReader& reader, const MeshState& before) {
   // What belongs to other elements than there are now cannot have stayed as it was.
   // Volume meshes have no control volumes of their own.
   const bool without_vcv = topology.cell_dimension() == 2 && !parts.vcv;
-  if (parts.topology && (without_vcv || (state.layers && !parts.layers)))
-    reader.fail("other elements without their control volumes or layers");
+  if (parts.topology &&
+      (without_vcv || (state.layers && !parts.layers) || (state.roles && !parts.roles)))
+    reader.fail("other elements without their control volumes, layers or roles");
   if (parts.vcv) {
     VcvData data;
     vcv_fields(reader, data);
-    refuse(reader, fault_of(data.roles));
-    state.vcv = made_of(data, state.mesh.topology);
+    state.vcvs = made_of(data, state.mesh.topology);
   }
   if (parts.spheres) {
     std::vector<SphereData> list;
     sphere_fields(reader, list);
-    state.sphere_vcvs = made_of(reader, list, topology);
+    if (topology.cell_dimension() != 3) reader.fail("solid angles of a mesh that has none");
+    state.vcvs = made_of(reader, list, topology);
   }
   if (parts.shape) {
     ShapeData data;
@@ -326,6 +322,15 @@ MeshState read_state(ArchiveReader& reader, const MeshState& before) {
     refuse(reader, fault_of_surface(data.points, data.faces));
     if (!is_surface(topology)) reader.fail("the shape of a surface that the mesh is not");
     state.surface = made_of(std::move(data), before);
+  }
+  if (parts.roles) {
+    state.roles.reset();
+    if (parts.any_roles) {
+      ElementRoles roles;
+      reader.numbers(roles);
+      refuse(reader, fault_of(roles, topology));
+      state.roles = std::make_shared<const ElementRoles>(std::move(roles));
+    }
   }
   if (parts.layers) {
     state.layers.reset();
@@ -355,17 +360,18 @@ void write_step(const std::filesystem::path& path, const MeshState& state, const
       topology_fields(writer, data);
     }
     if (parts.vcv) {
-      const VcvData data = data_of(*state.vcv);
+      const VcvData data = data_of(*state.vcvs.plane());
       vcv_fields(writer, data);
     }
     if (parts.spheres) {
-      const std::vector<SphereData> list = data_of(state.sphere_vcvs.get());
+      const std::vector<SphereData> list = data_of(state.vcvs.by_hand().get());
       sphere_fields(writer, list);
     }
     if (parts.shape) {
       const ShapeData data = data_of(*state.surface);
       shape_fields(writer, data);
     }
+    if (parts.roles && parts.any_roles) writer.numbers(*state.roles);
     if (parts.layers && parts.any_layers) layer_fields(writer, *state.layers);
     result_fields(writer, smooth);
     writer.list(smooth.history, [](auto& a, auto& record) { record_fields(a, record); });
@@ -493,13 +499,13 @@ std::string fault_of(const LayerStack& stack, const Topology& topology) {
   return {};
 }
 
-std::string fault_of(const std::vector<VirtualControlVolumes::Role>& roles) {
-  for (const auto& role : roles) {
-    unsigned char byte = 0;
-    std::memcpy(&byte, &role.own_shape, 1);
-    if (byte > 1) return "a role that does not exist";
-  }
-  return {};
+std::string fault_of(const ElementRoles& roles, const Topology& topology) {
+  if (std::ssize(roles) != topology.element_count())
+    return std::to_string(roles.size()) + " roles of " + std::to_string(topology.element_count()) +
+           " elements";
+  const bool known = std::ranges::all_of(
+      roles, [](ElementRole role) { return role <= ElementRole::beside_layers; });
+  return known ? "" : "a role that does not exist";
 }
 
 }  // namespace winslow::gui

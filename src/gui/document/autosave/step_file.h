@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "core/command/command.h"
+#include "core/formulation/element_roles.h"
 #include "core/layers/layer_stack.h"
 #include "core/mesh/mesh_data.h"
 #include "core/mesh/topology.h"
-#include "core/vcv/virtual_control_volumes.h"
 
 namespace winslow::gui {
 
@@ -29,7 +29,7 @@ CommandResult read_step(const std::filesystem::path& path, const MeshState& befo
 /// Before connectivity is built, which checks the rest.
 std::string fault_of(const MeshData& data);
 std::string fault_of(const LayerStack& stack, const Topology& topology);
-std::string fault_of(const std::vector<VirtualControlVolumes::Role>& roles);
+std::string fault_of(const ElementRoles& roles, const Topology& topology);
 /// Of a reference surface.
 std::string fault_of_surface(const std::vector<Vec3>& points, const std::vector<Face>& faces);
 

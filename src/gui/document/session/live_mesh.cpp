@@ -79,7 +79,7 @@ std::shared_ptr<const VirtualControlVolumes> LiveMesh::vcv() const {
   if (!document_) return nullptr;
   if (passing_) return passing_;
   const bool editing = job_.active() && std::holds_alternative<EditVcvCommand>(job_.command());
-  return editing && instead_.vcv ? instead_.vcv : document_->state().vcv;
+  return editing && instead_.vcv ? instead_.vcv : document_->state().vcvs.plane();
 }
 
 std::shared_ptr<const SphereStencils> sphere_vcvs(const LiveMesh& mesh) {
@@ -87,7 +87,7 @@ std::shared_ptr<const SphereStencils> sphere_vcvs(const LiveMesh& mesh) {
   const auto& edited = mesh.instead_.sphere_vcvs;
   const bool editing =
       mesh.job_.active() && std::holds_alternative<EditVcvCommand>(mesh.job_.command());
-  return editing && edited ? *edited : mesh.document_->state().sphere_vcvs;
+  return editing && edited ? *edited : mesh.document_->state().vcvs.by_hand();
 }
 
 const MeshState& LiveMesh::motion_base() const {

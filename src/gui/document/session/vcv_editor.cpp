@@ -15,9 +15,9 @@ void VcvEditor::on(const action::EditVcvs& a) {
   LiveMesh::Instead edited;
   try {
     if (kind_of(*state.mesh.topology) == MeshKind::volume)
-      edited.sphere_vcvs = edit_vcvs(*state.mesh.topology, state.sphere_vcvs.get(), a.edits);
+      edited.sphere_vcvs = edit_vcvs(*state.mesh.topology, state.vcvs.by_hand().get(), a.edits);
     else
-      edited.vcv = edit_vcvs(*state.vcv, a.edits);
+      edited.vcv = edit_vcvs(*state.vcvs.plane(), a.edits);
   } catch (const UsageError& error) {
     return messages_.report_error("This is no virtual control volume", error.what());
   }

@@ -137,7 +137,8 @@ void BeforeMesh::update(const Session& session, const ViewOptions& view) {
   const QualityMonitor::Wish wish{values ? view.color : std::nullopt, &now, document_->given()};
   if (!monitor_.wants(shape_, wish, false)) return;
   monitor_.request(
-      shape_, {std::make_shared<const Mesh>(state.mesh), state.vcv, state.layers, state.surface},
+      shape_,
+      {std::make_shared<const Mesh>(state.mesh), state.vcvs.plane(), state.layers, state.surface},
       wish, false);
 }
 

@@ -84,9 +84,18 @@ TEST_CASE("a step whose layers make no sense is refused") {
     write_step(path, damaged(result.state, all[k]), before, result.smooth);
     CHECK_THROWS_AS(read_step(path, before), InputError);
   }
+  REQUIRE(result.state.roles);
+  write_step(path, result.state, before, result.smooth);
+  CHECK(*read_step(path, before).state.roles == *result.state.roles);
+  ElementRoles roles = *result.state.roles;
+  roles.front() = static_cast<ElementRole>(4);
+  MeshState unknown = result.state;
+  unknown.roles = std::make_shared<const ElementRoles>(roles);
+  write_step(path, unknown, before, result.smooth);
+  CHECK_THROWS_AS(read_step(path, before), InputError);
   // Layers and control volumes of other elements than those that the step has.
   MeshState mixed = result.state;
-  mixed.vcv = before.vcv;
+  mixed.vcvs = before.vcvs.plane();
   write_step(path, mixed, before, result.smooth);
   CHECK_THROWS_AS(read_step(path, before), InputError);
 }
@@ -173,7 +182,7 @@ TEST_CASE("a step of a surface mesh comes back, with the shape that its nodes st
   const MeshState next = read_step(folder / "second.bin", loaded.state).state;
   CHECK(next.mesh.coordinates == second.mesh.coordinates);
   CHECK(next.surface == loaded.state.surface);
-  CHECK(next.vcv == loaded.state.vcv);
+  CHECK(next.vcvs.plane() == loaded.state.vcvs.plane());
 }
 
 TEST_CASE("a step on a reference surface comes back with it, though its file has gone") {
@@ -265,7 +274,7 @@ TEST_CASE("a step of a volume mesh comes back, alone and after another") {
   CHECK(read.mesh.coordinates == first.mesh.coordinates);
   CHECK(read.mesh.topology->element_count() == first.mesh.topology->element_count());
   CHECK(read.mesh.topology->markers().size() == first.mesh.topology->markers().size());
-  CHECK(read.vcv == nullptr);
+  CHECK(read.vcvs.plane() == nullptr);
 
   MeshState second = first;
   const Index node = first.mesh.topology->interior_nodes().front();
@@ -285,21 +294,21 @@ TEST_CASE("VCVs of a volume mesh by hand come back with a step to the bit, and g
   stencil.lengths[1] = 0.1 + 0.2;
   const VcvEdit edit = edit_of(topology, node, stencil);
   MeshState second = first;
-  second.sphere_vcvs = edit_vcvs(topology, nullptr, std::span(&edit, 1));
+  second.vcvs = edit_vcvs(topology, nullptr, std::span(&edit, 1));
   write_step(folder / "first.bin", first, MeshState{}, {});
   write_step(folder / "second.bin", second, first, {});
   const MeshState read = read_step(folder / "first.bin", MeshState{}).state;
-  CHECK(read.sphere_vcvs == nullptr);
+  CHECK(read.vcvs.by_hand() == nullptr);
   const MeshState edited = read_step(folder / "second.bin", read).state;
-  REQUIRE(edited.sphere_vcvs);
-  CHECK(*edited.sphere_vcvs == *second.sphere_vcvs);
+  REQUIRE(edited.vcvs.by_hand());
+  CHECK(*edited.vcvs.by_hand() == *second.vcvs.by_hand());
   // What did not change is that of the state before, and what was reset is gone.
   MeshState third = second;
   write_step(folder / "third.bin", third, second, {});
-  CHECK(read_step(folder / "third.bin", edited).state.sphere_vcvs == edited.sphere_vcvs);
-  third.sphere_vcvs = nullptr;
+  CHECK(read_step(folder / "third.bin", edited).state.vcvs.by_hand() == edited.vcvs.by_hand());
+  third.vcvs = {};
   write_step(folder / "fourth.bin", third, second, {});
-  CHECK(read_step(folder / "fourth.bin", edited).state.sphere_vcvs == nullptr);
+  CHECK(read_step(folder / "fourth.bin", edited).state.vcvs.by_hand() == nullptr);
 }
 
 }  // namespace winslow::gui::test

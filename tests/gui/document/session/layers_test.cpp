@@ -48,11 +48,11 @@ void check_same_mesh(const MeshState& a, const MeshState& b) {
   CHECK(s.elements().values == t.elements().values);
   CHECK(s.neighbour_rows().values == t.neighbour_rows().values);
   CHECK(s.boundary_loops() == t.boundary_loops());
-  REQUIRE(a.vcv->edits().size() == b.vcv->edits().size());
-  for (const auto& [node, stencil] : a.vcv->edits()) {
-    REQUIRE(b.vcv->edited(node));
-    CHECK(std::ranges::equal(b.vcv->angles(node), stencil.angles));
-    CHECK(std::ranges::equal(b.vcv->lengths(node), stencil.lengths));
+  REQUIRE(a.vcvs.plane()->edits().size() == b.vcvs.plane()->edits().size());
+  for (const auto& [node, stencil] : a.vcvs.plane()->edits()) {
+    REQUIRE(b.vcvs.plane()->edited(node));
+    CHECK(std::ranges::equal(b.vcvs.plane()->angles(node), stencil.angles));
+    CHECK(std::ranges::equal(b.vcvs.plane()->lengths(node), stencil.lengths));
   }
   REQUIRE((a.layers == nullptr) == (b.layers == nullptr));
   if (!a.layers) return;
@@ -165,7 +165,7 @@ TEST_CASE("Esc while layers are being inserted leaves the mesh as it was, pins a
   CHECK(rig.document().history().size() == 1);
   CHECK(rig.session().topology() == before.mesh.topology);
   CHECK(rig.session().coordinates() == before.mesh.coordinates);
-  CHECK(rig.session().vcv() == before.vcv);
+  CHECK(rig.session().vcv() == before.vcvs.plane());
   CHECK(rig.session().mesh().boundary()->topology() == before.mesh.topology);
   CHECK(rig.session().nodes().pinned() == std::vector<Index>{near, far});
   CHECK(rig.session().nodes().inspected() == near);

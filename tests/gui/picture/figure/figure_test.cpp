@@ -148,7 +148,7 @@ TEST_CASE("VCVs of a figure are vectors: outline and edges in their colour, nega
   const Topology& topology = *figure.mesh.topology;
   for (const Index node : topology.interior_nodes())
     if (topology.neighbours(node).size() == 6 && figure.vcvs.size() < 2)
-      figure.vcvs.push_back(inspect_node(*state.vcv, figure.mesh.coordinates, node));
+      figure.vcvs.push_back(inspect_node(*state.vcvs.plane(), figure.mesh.coordinates, node));
   REQUIRE(figure.vcvs.size() == 2);
   figure.vcvs[0].weights.assign(6, 1);
   figure.vcvs[1].weights = {1, 1, -1, 1, 1, 1};
@@ -176,7 +176,7 @@ TEST_CASE("a VCV larger than the page is cut off at it") {
   VectorFigure figure = ring_figure();
   const MeshState state = make_state(figure.mesh);
   const Index node = figure.mesh.topology->interior_nodes()[0];
-  figure.vcvs.push_back(inspect_node(*state.vcv, figure.mesh.coordinates, node));
+  figure.vcvs.push_back(inspect_node(*state.vcvs.plane(), figure.mesh.coordinates, node));
   figure.camera.look_at(figure.vcvs[0].position, 1e-9);
   write_figure(folder / "deep.svg", figure);
   pugi::xml_document svg;
