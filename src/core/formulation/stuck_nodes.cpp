@@ -77,7 +77,7 @@ bool SurfaceWinslow::turned_over(std::size_t cell, const Coordinates& coordinate
   const SpacePoints x(coordinates);
   const auto& nodes = structure_->cells[cell];
   const Vec3 u = x[nodes[1]] - x[nodes[0]], v = x[nodes[2]] - x[nodes[0]];
-  const Vec3 reference = node_unknowns().classes().element_normals()->of_element(
+  const Vec3 reference = node_unknowns().classes().sliding().element_normals()->of_element(
       structure_->element[cell], coordinates);
   return !(determinant_in(own_plane(u, v, reference), u, v) > 0);
 }

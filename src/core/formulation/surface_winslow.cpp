@@ -117,7 +117,7 @@ SurfaceWinslow::Pattern::Pattern(std::shared_ptr<const NodeClasses> classes, con
     for (const Index node : cell)
       if (nodes.classes()[node] == NodeClass::prescribed)
         throw UsageError("motions: only for plane and volume meshes, and this is a surface mesh");
-  if (!nodes.classes().element_normals())
+  if (!nodes.classes().sliding().element_normals())
     throw UsageError("the variational form of a surface mesh needs the normals of its elements");
   auto made = std::make_shared<SurfaceStructure>(nodes, targets.cells);
   made->memory = std::make_shared<KeptMemory>(CellSums::size(targets.cells.size()));

@@ -182,8 +182,9 @@ NodeRoles node_roles(const Mesh& mesh, const SlideOptions& slide,
   out.roles.resize(sliding.size());
   for (std::size_t i = 0; i < sliding.size(); ++i) {
     const auto node = static_cast<Index>(i);
-    out.roles[i] = moved[i] != 0 ? NodeRole::moves
-                                 : role_of(classes[node], classes.has_image(node), sliding[i] != 0);
+    out.roles[i] = moved[i] != 0
+                       ? NodeRole::moves
+                       : role_of(classes[node], classes.tied().has_image(node), sliding[i] != 0);
     ++out.counts[static_cast<std::size_t>(out.roles[i])];
   }
   set_overridden(slide, out);

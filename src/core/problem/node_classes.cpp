@@ -5,7 +5,6 @@
 #include <string>
 
 #include "core/error.h"
-#include "core/parallel/parallel_for.h"
 
 namespace winslow {
 
@@ -48,12 +47,12 @@ int NodeClasses::unknowns(Index node) const {
 }
 
 TangentFrame NodeClasses::frame(Index node) const {
-  const auto found = frames_.find(node);
-  return found != frames_.end() ? found->second : TangentFrame::axes(unknowns(node));
+  const TangentFrame* frame = sliding_.frame(node);
+  return frame ? *frame : TangentFrame::axes(unknowns(node));
 }
 
 Foot NodeClasses::foot(Index node, const Vec3& point) const {
-  if (!geometry_.empty() && geometry_[at(node)]) return geometry_[at(node)]->foot(node, point);
+  if (const SlidingGeometry* geometry = sliding_.geometry(node)) return geometry->foot(node, point);
   Foot foot;
   foot.point = point;
   foot.frame = frame(node);
@@ -77,8 +76,9 @@ void NodeClasses::set_on_curve(Index node, const Vec3& tangent) {
   }
   const Vec3 direction = unit(tangent, "tangent", node);
   classes_[static_cast<std::size_t>(node)] = NodeClass::on_curve;
-  frames_[node] = TangentFrame();
-  frames_[node].add(direction);
+  TangentFrame frame;
+  frame.add(direction);
+  sliding_.set(node, frame);
 }
 
 void NodeClasses::set_on_surface(Index node, const Vec3& normal) {
@@ -92,49 +92,24 @@ void NodeClasses::set_on_surface(Index node, const Vec3& normal) {
   frame.add(first);
   frame.add(direction.cross(first));
   classes_[static_cast<std::size_t>(node)] = NodeClass::on_surface;
-  frames_[node] = frame;
+  sliding_.set(node, frame);
 }
 
 void NodeClasses::set_sliding(std::span<const Index> nodes,
                               std::shared_ptr<const SlidingGeometry> geometry,
                               const Coordinates& x) {
-  if (geometry_.empty()) geometry_.resize(classes_.size());
   for (const Index node : nodes) require(node);
-  constexpr Index block = 512;  // a foot may take a search
-  std::vector<TangentFrame> frames(nodes.size());
-  const auto find = [&](Index begin, Index end) {
-    for (std::size_t i = at(begin); i < at(end); ++i) {
-      Vec3 point(0, 0, 0);
-      if (x.dimension() == 2)
-        point.head<2>() = x.xy(nodes[i]);
-      else
-        point = x.xyz(nodes[i]);
-      frames[i] = geometry->foot(nodes[i], point).frame;
-    }
-  };
-  parallel_for(0, static_cast<Index>(nodes.size()), find, block);
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const Index node = nodes[i];
-    const TangentFrame& frame = frames[i];
-    classes_[static_cast<std::size_t>(node)] =
-        frame.count() == 1 ? NodeClass::on_curve : NodeClass::on_surface;
-    frames_[node] = frame;
-    geometry_[at(node)] = geometry;
-  }
+  const std::vector<TangentFrame> frames = sliding_.set(nodes, std::move(geometry), x);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    classes_[at(nodes[i])] = frames[i].count() == 1 ? NodeClass::on_curve : NodeClass::on_surface;
 }
 
 void NodeClasses::set_periodic(const PeriodicPairs& pairs) {
   const auto transform = std::make_shared<const RigidImage>(pairs.image);
   const auto join = [&](const PeriodicPair& pair) {
-    const auto [node, image] = pair;
-    for (const Index either : {node, image}) {
-      require(either);
-      if (images_.contains(either) || masters_.contains(either))
-        throw UsageError("node " + std::to_string(either) + " is in two periodic pairs");
-    }
-    classes_[static_cast<std::size_t>(image)] = NodeClass::image;
-    images_[image] = {image, node, transform};
-    masters_[node] = image;
+    for (const Index either : {pair.node, pair.image}) require(either);
+    tied_.add(NodeImage{pair.image, pair.node, transform});
+    classes_[at(pair.image)] = NodeClass::image;
   };
   for (const PeriodicPair& pair : pairs.pairs) {
     join(pair);
@@ -146,26 +121,7 @@ void NodeClasses::set_periodic(const PeriodicPairs& pairs) {
 
 void NodeClasses::set_following(std::shared_ptr<const CurveRow> row) {
   set(row->between(), NodeClass::follows);
-  rows_.push_back(std::move(row));
-}
-
-std::vector<NodeClasses::Image> NodeClasses::images() const {
-  std::vector<Image> list;
-  for (const auto& [node, image] : images_) list.push_back(image);
-  return list;
-}
-
-std::vector<Index> NodeClasses::yielding_nodes() const {
-  std::vector<Index> nodes = yielding_;
-  for (const auto& [node, image] : masters_) nodes.insert(nodes.end(), {node, image});
-  std::ranges::sort(nodes);
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  return nodes;
-}
-
-void NodeClasses::set_yielding(std::span<const Index> nodes) {
-  for (const Index node : nodes) require(node);
-  yielding_.insert(yielding_.end(), nodes.begin(), nodes.end());
+  tied_.add(std::move(row));
 }
 
 bool NodeClasses::same_unknowns(const NodeClasses& other) const {
@@ -175,8 +131,7 @@ bool NodeClasses::same_unknowns(const NodeClasses& other) const {
     const NodeClass a = classes_[i], b = other.classes_[i];
     if (a != b && !(held(a) && held(b))) return false;
   }
-  return frames_ == other.frames_ && geometry_ == other.geometry_ && images_ == other.images_ &&
-         rows_ == other.rows_;
+  return sliding_.same_ways(other.sliding_) && tied_ == other.tied_;
 }
 
 void NodeClasses::require(Index node) const {
@@ -188,23 +143,14 @@ void NodeClasses::require(Index node) const {
 void NodeClasses::set(std::span<const Index> nodes, NodeClass value) {
   for (const Index node : nodes) {
     require(node);
-    const auto as_image = images_.find(node);
-    const auto as_master = masters_.find(node);
-    const Index partner = as_image != images_.end()     ? as_image->second.node
-                          : as_master != masters_.end() ? as_master->second
-                                                        : -1;
-    if (held(value) && partner >= 0) {
-      images_.erase(as_image != images_.end() ? node : partner);
-      masters_.erase(as_image != images_.end() ? partner : node);
-      set_one(partner, value);
-    }
+    if (held(value))
+      if (const auto partner = tied_.separate(node)) set_one(*partner, value);
     set_one(node, value);
   }
 }
 
 void NodeClasses::set_one(Index node, NodeClass value) {
-  if (slides(node)) frames_.erase(node);
-  if (!geometry_.empty()) geometry_[at(node)] = nullptr;
+  sliding_.erase(node);
   classes_[static_cast<std::size_t>(node)] = value;
 }
 

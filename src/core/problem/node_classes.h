@@ -1,19 +1,16 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "core/geometry/curve_row.h"
-#include "core/geometry/element_normals.h"
-#include "core/geometry/periodic_pairs.h"
-#include "core/geometry/sliding_geometry.h"
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"
+#include "core/problem/sliding_nodes.h"
+#include "core/problem/tied_nodes.h"
 #include "core/types.h"
 
 namespace winslow {
@@ -30,8 +27,9 @@ enum class NodeClass : std::uint8_t {
 };
 
 /// The class of every node of a mesh. What smooths a mesh asks it which nodes have unknowns, how
-/// many and in which directions; Topology::on_boundary() says
-/// what the mesh is, not what may move.
+/// many and in which directions; Topology::on_boundary() says what the mesh is, not what may move.
+/// SlidingNodes knows what nodes slide on, TiedNodes which ones others take along, NodeUnknowns the
+/// numbers of unknowns.
 class NodeClasses {
  public:
   /// The interior nodes are free, all others fixed.
@@ -74,36 +72,21 @@ class NodeClasses {
   void set_sliding(std::span<const Index> nodes, std::shared_ptr<const SlidingGeometry> geometry,
                    const Coordinates& x);
 
-  /// Of a surface mesh, what tells elements that are turned over (null: nothing does).
-  void set_element_normals(std::shared_ptr<const ElementNormals> normals) {
-    element_normals_ = std::move(normals);
-  }
-  const std::shared_ptr<const ElementNormals>& element_normals() const { return element_normals_; }
-
   /// Pairs of nodes that move as one: those of the first side are free, those of the second their
   /// images; so are those of corners of which the first slides. Throws UsageError for nodes that
   /// are in a pair already.
   void set_periodic(const PeriodicPairs& pairs);
-  /// An image, the node that it is of, and what takes that to it.
-  struct Image {
-    Index image, node;
-    std::shared_ptr<const RigidImage> transform;
-    bool operator==(const Image& other) const {
-      return image == other.image && node == other.node && *transform == *other.transform;
-    }
-  };
-  /// Ascending by the image.
-  std::vector<Image> images() const;
-  /// Nodes of the boundary that give way to a body that moves, so that nothing touches their edges
-  /// and faces: those of periodic pairs, and those that were set. Ascending.
-  std::vector<Index> yielding_nodes() const;
-  void set_yielding(std::span<const Index> nodes);
-  /// Whether a node has an image.
-  bool has_image(Index node) const { return masters_.contains(node); }
   /// The nodes between the ends of a row that can follow do so; one of its ends at least moves.
   void set_following(std::shared_ptr<const CurveRow> row);
-  /// In the order in which they were set.
-  std::span<const std::shared_ptr<const CurveRow>> rows() const { return rows_; }
+  /// Of a surface mesh: see SlidingNodes::set_element_normals().
+  void set_element_normals(std::shared_ptr<const ElementNormals> normals) {
+    sliding_.set_element_normals(std::move(normals));
+  }
+
+  /// What nodes slide on.
+  const SlidingNodes& sliding() const { return sliding_; }
+  /// Nodes that others take along.
+  const TiedNodes& tied() const { return tied_; }
 
   /// Whether the same nodes may move in the same directions. What is fixed in one and prescribed in
   /// the other counts as the same.
@@ -116,14 +99,8 @@ class NodeClasses {
 
   std::shared_ptr<const Topology> topology_;
   std::vector<NodeClass> classes_;
-  std::map<Index, TangentFrame> frames_;  // of nodes on curves and surfaces
-  std::map<Index, Image> images_;         // by the image
-  std::map<Index, Index> masters_;        // nodes that have images, and these
-  // #nodes, of those that follow one; empty if none does.
-  std::vector<std::shared_ptr<const SlidingGeometry>> geometry_;
-  std::vector<std::shared_ptr<const CurveRow>> rows_;  // whose nodes follow
-  std::vector<Index> yielding_;                        // as set_yielding() was told
-  std::shared_ptr<const ElementNormals> element_normals_;
+  SlidingNodes sliding_;
+  TiedNodes tied_;
 };
 
 }  // namespace winslow

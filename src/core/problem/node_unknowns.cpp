@@ -13,8 +13,8 @@
 namespace winslow {
 
 std::vector<Vec3> element_normals(const NodeClasses& classes, const Coordinates& x, int threads) {
-  if (!classes.element_normals()) return {};
-  return classes.element_normals()->at(x, threads);
+  const auto& normals = classes.sliding().element_normals();
+  return normals ? normals->at(x, threads) : std::vector<Vec3>();
 }
 
 Validity check_validity(const NodeClasses& classes, const Coordinates& x, int threads) {
@@ -59,7 +59,7 @@ NodeUnknowns::NodeUnknowns(std::shared_ptr<const NodeClasses> classes, int threa
     next += static_cast<std::size_t>(count);
   }
   layout->first.push_back(next);
-  layout->images = classes_->images();
+  layout->images = classes_->tied().images();
   layout_ = std::move(layout);
 }
 
@@ -74,7 +74,7 @@ void NodeUnknowns::require_free_interior(const char* what) const {
 void NodeUnknowns::require_held_boundary(const char* what) const {
   for (const Index node : nodes()) {
     if ((*classes_)[node] != NodeClass::free || !topology().on_boundary(node)) continue;
-    if (classes_->has_image(node)) continue;
+    if (classes_->tied().has_image(node)) continue;
     throw UsageError(std::string(what) + ": node " + std::to_string(node) +
                      " of the boundary is to be free, and the boundary has no equations");
   }

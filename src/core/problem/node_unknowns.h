@@ -41,9 +41,9 @@ class NodeUnknowns {
   /// The nodes that have unknowns, ascending.
   std::span<const Index> nodes() const { return layout_->nodes; }
   /// The nodes that are images of others, ascending.
-  std::span<const NodeClasses::Image> images() const { return layout_->images; }
+  std::span<const NodeImage> images() const { return layout_->images; }
   /// The rows whose nodes follow.
-  std::span<const std::shared_ptr<const CurveRow>> rows() const { return classes_->rows(); }
+  std::span<const std::shared_ptr<const CurveRow>> rows() const { return classes_->tied().rows(); }
   /// Number of the first unknown of nodes()[i].
   std::size_t first(std::size_t i) const { return layout_->first[i]; }
   /// Number of unknowns of nodes()[i].
@@ -76,7 +76,7 @@ class NodeUnknowns {
   struct Numbers {
     std::vector<Index> nodes;
     std::vector<std::size_t> first;  // one more than nodes
-    std::vector<NodeClasses::Image> images;
+    std::vector<NodeImage> images;
   };
   /// Puts the nodes that have no unknowns of their own where those of the others take them.
   template <int D>

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/strategy/sliding_bodies.h"
+
 namespace winslow {
 
 namespace {
@@ -110,6 +112,10 @@ std::string NewtonRun::fault(const Coordinates& x) const {
                         : std::string();
 }
 
+std::vector<Index> NewtonRun::yielding_nodes() const {
+  return winslow::yielding_nodes(recorder_.result().boundary, workspace_.classes());
+}
+
 double NewtonRun::smallest_sine(const Coordinates& x) const {
   return workspace_.validity(x).min_sine;
 }
@@ -130,8 +136,7 @@ void NewtonRun::follow(const Motion& motion, const Coordinates& rest, Coordinate
   const Topology& topology = *state_.mesh.topology;
   SmoothResult& result = recorder_.result();
   if (!way_is_clear_)
-    result.contact =
-        find_contact(topology, rest, motion.of_bodies(), workspace_.classes().yielding_nodes());
+    result.contact = find_contact(topology, rest, motion.of_bodies(), yielding_nodes());
   if (result.contact && end_at_contact_) {
     recorder_.iterate(newton(), x, Stage::newton, 0, 0);
     result.converged = false;
@@ -152,8 +157,7 @@ void NewtonRun::follow(const Motion& motion, const Coordinates& rest, Coordinate
   follow_path(path, least_sine, x);
   result.linear_solver = linear().description();
   if (result.fraction_reached < 1 && !result.contact && result.limited_by.empty())
-    result.gap = smallest_gap(topology, x, motion.of_bodies().nodes(),
-                              workspace_.classes().yielding_nodes());
+    result.gap = smallest_gap(topology, x, motion.of_bodies().nodes(), yielding_nodes());
 }
 
 /// least_sine: smallest normalized Jacobian that a motion is blocked with, where it is blocked.

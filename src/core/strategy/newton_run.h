@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/formulation/target_path.h"
 #include "core/motion/motion.h"
@@ -87,6 +88,7 @@ class NewtonRun {
   bool converge(Coordinates& x, double fraction, bool at_any_pace = true);
   std::string fault(const Coordinates& x) const;
   double smallest_sine(const Coordinates& x) const;
+  std::vector<Index> yielding_nodes() const;
   void end_path(Coordinates& x, double reached);
 
   const MeshState& state_;

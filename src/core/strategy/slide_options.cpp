@@ -247,7 +247,7 @@ void keep_sliding_corners(const std::vector<PeriodicPair>& sliding, const NodeCl
                           PeriodicPairs& pairs) {
   std::erase_if(pairs.corners, [&](const PeriodicPair& pair) {
     if (!pairs.halo) return std::ranges::find(sliding, pair) == sliding.end();
-    return !classes.slides(pair.node) || classes.has_image(pair.node) ||
+    return !classes.slides(pair.node) || classes.tied().has_image(pair.node) ||
            classes[pair.image] == NodeClass::image;
   });
 }

@@ -80,6 +80,8 @@ struct MovingBoundary {
   std::vector<PeriodicPairs> periodic;
   std::vector<Index> bends;  ///< as SlidingBoundary has them
   Index held = 0;            ///< number of nodes that were named to stay
+  /// Nodes that slide and give way to a body that stands among them: see let_bodies_slide().
+  std::vector<Index> yielding;
 };
 
 /// Has the nodes of the markers slide and those of the pairs move together, and holds the nodes

@@ -1,5 +1,6 @@
 #include "core/strategy/sliding_bodies.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <span>
@@ -76,8 +77,8 @@ void require_along(const Mesh& mesh, const Motion& motion, const std::vector<Sli
 
 }  // namespace
 
-void let_bodies_slide(const Mesh& mesh, const Motion& motion, const MovingBoundary& boundary,
-                      NodeClasses& classes) {
+void let_bodies_slide(const Mesh& mesh, const Motion& motion, const NodeClasses& classes,
+                      MovingBoundary& boundary) {
   if (boundary.sliding.empty()) return;
   const std::vector<Junction> junctions =
       find_junctions(*mesh.topology, motion.nodes(), boundary.sliding);
@@ -85,7 +86,19 @@ void let_bodies_slide(const Mesh& mesh, const Motion& motion, const MovingBounda
   require_along(mesh, motion, boundary.sliding, junctions, classes);
   std::set<std::size_t> attached;
   for (const Junction& junction : junctions) attached.insert(junction.part);
-  for (const std::size_t part : attached) classes.set_yielding(boundary.sliding[part].nodes);
+  for (const std::size_t part : attached) {
+    const std::vector<Index>& nodes = boundary.sliding[part].nodes;
+    boundary.yielding.insert(boundary.yielding.end(), nodes.begin(), nodes.end());
+  }
+}
+
+std::vector<Index> yielding_nodes(const MovingBoundary& boundary, const NodeClasses& classes) {
+  std::vector<Index> nodes = boundary.yielding;
+  for (const NodeImage& pair : classes.tied().images())
+    nodes.insert(nodes.end(), {pair.node, pair.image});
+  std::ranges::sort(nodes);
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
 }
 
 }  // namespace winslow

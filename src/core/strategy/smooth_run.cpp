@@ -99,7 +99,7 @@ std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Moti
   }
   const auto moving = motion ? motion->nodes() : std::span<const Index>();
   result.boundary = make_boundary_move(options.slide, state.mesh, moving, *classes);
-  if (motion) let_bodies_slide(state.mesh, *motion, result.boundary, *classes);
+  if (motion) let_bodies_slide(state.mesh, *motion, *classes, result.boundary);
   classes->set_fixed(run.kept ? *run.kept
                               : nodes_kept_outside(options.keep_outside, *state.mesh.topology,
                                                    state.mesh.coordinates, moving));
@@ -189,8 +189,8 @@ void keep_above_worst(const MeshState& state, SmoothingWorkspace& workspace, Run
 /// result says so before targets and matrices are made, which take longer than the search.
 bool is_blocked(const MeshState& state, const Motion& motion, const NodeClasses& classes,
                 const SmoothOptions& options, const Coordinates& x, SmoothResult& result) {
-  result.contact =
-      find_contact(*state.mesh.topology, state.mesh.coordinates, motion, classes.yielding_nodes());
+  result.contact = find_contact(*state.mesh.topology, state.mesh.coordinates, motion,
+                                yielding_nodes(result.boundary, classes));
   if (!result.contact) return false;
   result.fraction_reached = 0;
   result.converged = false;

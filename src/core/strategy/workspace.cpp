@@ -30,7 +30,8 @@ bool vcvs_refer_to_given(const SmoothOptions& options) {
 
 /// Whether what is prepared for one run can do for another with these classes.
 bool same_unknowns(const std::shared_ptr<const NodeClasses>& a, const NodeClasses& b) {
-  return a && a->same_unknowns(b) && a->element_normals() == b.element_normals();
+  return a && a->same_unknowns(b) &&
+         a->sliding().element_normals() == b.sliding().element_normals();
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ void check_plane(Mesh mesh, const SlideOptions& slide, std::size_t lost, double 
   Coordinates x = mesh.coordinates;
   form.advance(direction(form, *of.classes, x, random, 0.5 * edge), 1, x);
   check_derivatives(form, *of.classes, x, edge);
-  if (of.classes->rows().empty()) return;
+  if (of.classes->tied().rows().empty()) return;
   CHECK(largest_change(shares(of, x), shares(of, mesh.coordinates)) < 1e-11);
 }
 
@@ -182,7 +182,7 @@ TEST_CASE("held rows between corners that slide: exact derivatives") {
   slide.markers = {"first", "second"};
   const Mesh mesh = make_mesh(data);
   const Moving of = moving(mesh, slide);
-  CHECK(of.classes->rows().size() == 2);
+  CHECK(of.classes->tied().rows().size() == 2);
   // Images: 5 inside the side, 1 corner; following: 2 in each half.
   check_plane(mesh, slide, 6 + 4, 0.05);
 }
@@ -194,7 +194,7 @@ TEST_CASE("in space: closed edges of sliding faces turn as a whole, exact deriva
   slide.features = true;
   slide.spacing = SlideSpacing::held;
   const Moving of = moving(mesh, slide);
-  CHECK(of.classes->rows().size() == 4);
+  CHECK(of.classes->tied().rows().size() == 4);
   const VolumeWinslow form = space_form(mesh, of);
   // Four circles of 10 nodes have one unknown each.
   CHECK(form.unknowns() == 3 * (static_cast<std::size_t>(mesh.coordinates.size()) - 4 * 9));
