@@ -90,16 +90,15 @@ void assembly_against_triad(benchmark::State& run) {
 
 /// One frame under the mouse: combination of the tangent fields, boundary, exact validity.
 /// motion: of the body named, as a function of the phase.
-template <int D>
 void time_frames(benchmark::State& run, MeshState state, const std::string& body,
-                 const std::function<RigidMotionIn<D>(double)>& motion) {
+                 const std::function<RigidMotion(double)>& motion) {
   state = execute(SmoothCommand{}, state).state;
   SmoothingWorkspace workspace;
   workspace.prepare(state, std::make_shared<NodeClasses>(state.mesh.topology), {});
   const Topology& topology = *state.mesh.topology;
   workspace.newton().start(state.mesh.coordinates);
-  const DragPredictorIn<D> predictor(workspace.newton(), state.mesh.coordinates,
-                                     topology.markers().nodes_of(std::vector<std::string>{body}));
+  const DragPredictor predictor(workspace.newton(), state.mesh.coordinates,
+                                topology.markers().nodes_of(std::vector<std::string>{body}));
   Coordinates frame;
   std::vector<double> times;
   int k = 0;
@@ -116,7 +115,7 @@ void time_frames(benchmark::State& run, MeshState state, const std::string& body
 }
 
 void drag_frame(benchmark::State& run) {
-  time_frames<2>(run, perturbed(run.range(0)), "hole", [](double phase) {
+  time_frames(run, perturbed(run.range(0)), "hole", [](double phase) {
     return RigidMotion{3 * std::sin(phase), Vec2(0.5, 0.5), Vec2(0.02 * std::cos(phase), 0)};
   });
 }
@@ -125,11 +124,11 @@ void drag_frame(benchmark::State& run) {
 void drag_frame_in_space(benchmark::State& run) {
   const auto side = static_cast<Index>(run.range(0));
   const double size = 0.1 / static_cast<double>(side);
-  time_frames<3>(run, make_state(test::box_with_body(side, test::Volumes::tetrahedra)), "body",
-                 [&](double phase) {
-                   return SpaceMotion{3 * std::sin(phase), Vec3(1, 2, 3), Vec3(0.5, 0.5, 0.5),
-                                      size * Vec3(std::cos(phase), 0, std::sin(phase))};
-                 });
+  time_frames(run, make_state(test::box_with_body(side, test::Volumes::tetrahedra)), "body",
+              [&](double phase) {
+                return RigidMotion{3 * std::sin(phase), Vec3(0.5, 0.5, 0.5),
+                                   size * Vec3(std::cos(phase), 0, std::sin(phase)), Vec3(1, 2, 3)};
+              });
 }
 
 /// From a shaken, valid mesh to the solution.

@@ -201,10 +201,11 @@ class SpaceBench {
     if (!marker) return;
     bench_.apply(action::SelectMarkers{{*marker}});
     settle();
-    SpaceMotion motion;
+    RigidMotion motion;
     motion.rotate = 25;
     motion.pivot = bench_.session().selection().space_pivot();
     motion.translate = Vec3(0, 0, 0);
+    motion.axis = Vec3(0, 0, 1);
     const double before_start = spent_ms();
     bench_.apply(action::ApplyMotion{motion});
     const double start = spent_ms() - before_start;

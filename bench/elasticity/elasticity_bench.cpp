@@ -144,8 +144,8 @@ RigidMotion motion_of(const Body& body, double degrees) {
 Outcome by_winslow(const Mesh& mesh, const Body& body, double degrees) {
   Outcome outcome;
   MoveCommand move;
-  move.markers = body.markers;
-  move.motion = motion_of(body, degrees);
+  move.bodies[0].markers = body.markers;
+  move.bodies[0].motion = motion_of(body, degrees);
   MeshState state = make_state(mesh);
   const double begin = cpu_seconds();
   const CommandResult result = execute(move, state);

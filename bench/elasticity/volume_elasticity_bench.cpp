@@ -32,7 +32,7 @@ double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC
 struct Case {
   std::string mesh;
   std::string marker;
-  SpaceMotion motion;
+  RigidMotion motion{.pivot = Vec3(0, 0, 0), .axis = Vec3(0, 0, 1)};
   ElasticityOptions elasticity;
 };
 
@@ -109,13 +109,8 @@ void print(const char* method, const Mesh& mesh, const std::string& note, double
 
 double by_winslow(const Mesh& mesh, const Case& wanted) {
   MoveCommand move;
-  move.markers = {wanted.marker};
-  const SpaceMotion& motion = wanted.motion;
-  move.motion = RigidMotionRequest(motion.rotate, Vec2(motion.pivot.head<2>()),
-                                   Vec2(motion.translate.head<2>()));
-  move.motion.axis = motion.axis;
-  move.motion.pivot_z = motion.pivot.z();
-  move.motion.translate_z = motion.translate.z();
+  move.bodies[0].markers = {wanted.marker};
+  move.bodies[0].motion = wanted.motion;
   const MeshState state = make_state(mesh);
   const double begin = cpu_seconds();
   const CommandResult result = execute(move, state);

@@ -50,12 +50,14 @@ int thread_count(const std::vector<Command>& commands) {
   return 0;
 }
 
-/// Where a command turns bodies, if it does.
-void record_pivot(const Command& command, CommandRecord& record) {
-  const auto* move = std::get_if<MoveCommand>(&command);
-  if (!move || move->motion.rotate == 0) return;
-  record.pivot = move->motion.pivot;
-  record.pivot_z = move->motion.pivot_z;
+/// The bodies that a command turns.
+std::vector<MovingBody> turned_bodies(const Command& command) {
+  std::vector<MovingBody> turned;
+  if (const auto* move = std::get_if<MoveCommand>(&command))
+    std::ranges::copy_if(move->bodies, std::back_inserter(turned), [](const MovingBody& body) {
+      return body.motion.rotate != 0 && body.motion.pivot;
+    });
+  return turned;
 }
 
 CommandRecord make_record(const Command& command, SmoothResult result) {
@@ -63,7 +65,7 @@ CommandRecord make_record(const Command& command, SmoothResult result) {
   record.name = command_name(command);
   record.description = describe(command);
   record.result = std::move(result);
-  record_pivot(command, record);
+  record.turned = turned_bodies(command);
   if (const SmoothOptions* options = smooth_options(command)) {
     record.formulation = formulation_name(options->formulation);
   }
@@ -81,6 +83,7 @@ CommandRecord apply(const Command& command, ZoneRun& zone, bool all_or_nothing,
   CommandResult result = execute(command, zone.result, options);
   InterruptGuard::check();
   CommandRecord record = make_record(command, std::move(result.smooth));
+  record.dimension = result.state.mesh.coordinates.dimension();
   record.on_surface = is_surface(*result.state.mesh.topology);
   if (!name.empty()) {
     record.description.insert(0, name + ": ");
@@ -88,6 +91,19 @@ CommandRecord apply(const Command& command, ZoneRun& zone, bool all_or_nothing,
   }
   zone.result = std::move(result.state);
   return record;
+}
+
+/// Bodies of one zone turn about the pivots that they have in all zones together. `own` are those
+/// of `whole` that are in the zone, in their order, with the markers that are.
+void take_pivots(std::vector<MovingBody>& own, const std::vector<MovingBody>& whole) {
+  auto from = whole.begin();
+  for (MovingBody& body : own) {
+    from = std::find_if(from, whole.end(), [&](const MovingBody& candidate) {
+      return body.markers.empty() ||
+             std::ranges::find(candidate.markers, body.markers.front()) != candidate.markers.end();
+    });
+    body.motion.pivot = from->motion.pivot;
+  }
 }
 
 /// Applies the commands of all zones, one after the other: bodies that stand in several zones turn
@@ -105,11 +121,8 @@ void apply(const EditJob& job, std::vector<ZoneRun>& zones, RunReport& run) {
     for (std::size_t z = 0; z < zones.size(); ++z) {
       std::optional<Command>& own = zones[z].commands[k];
       if (!own) continue;
-      if (auto* move = std::get_if<MoveCommand>(&*own)) {
-        const RigidMotionRequest& motion = std::get<MoveCommand>(whole).motion;
-        move->motion.pivot = motion.pivot;
-        move->motion.pivot_z = motion.pivot_z;
-      }
+      if (auto* move = std::get_if<MoveCommand>(&*own))
+        take_pivots(move->bodies, std::get<MoveCommand>(whole).bodies);
       records[z].push_back(apply(*own, zones[z], !job.files.accept_partial, monitor));
     }
   }
@@ -187,6 +200,15 @@ void save(const EditJob& job, const std::vector<ZoneRun>& zones, RunReport& run)
   if (!job.files.save_recipe.empty()) write_recipe(job);
 }
 
+void print_pivots(const CommandRecord& record) {
+  for (const MovingBody& body : record.turned) {
+    const GivenVector& pivot = *body.motion.pivot;
+    std::cout << ", ";
+    if (record.turned.size() > 1) std::cout << printable(body.markers.front()) << ' ';
+    std::cout << "turned about " << place_text(pivot, pivot.numbers(record.dimension));
+  }
+}
+
 void print_commands(const RunReport& run) {
   for (const CommandRecord& c : run.commands) {
     std::cout << printable(c.description) << ": ";
@@ -222,11 +244,7 @@ void print_commands(const RunReport& run) {
     if (c.result.stuck_nodes > 0)
       std::cout << ", " << c.result.stuck_nodes << " nodes held where the surface folds";
     if (c.result.increments > 1) std::cout << ", in " << c.result.increments << " steps";
-    if (c.pivot && c.pivot_z) {
-      std::cout << ", turned about " << place_text(Vec3(c.pivot->x(), c.pivot->y(), *c.pivot_z));
-    } else if (c.pivot) {
-      std::cout << ", turned about " << place_text(*c.pivot);
-    }
+    print_pivots(c);
     std::cout << '\n';
   }
 }

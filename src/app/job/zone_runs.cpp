@@ -24,6 +24,9 @@ std::optional<Command> restricted(Command command, const Topology& topology) {
       [&](auto& c) {
         if constexpr (requires { c.markers; }) {
           keep_known(c.markers, topology);
+        } else if constexpr (requires { c.bodies; }) {
+          for (MovingBody& body : c.bodies) keep_known(body.markers, topology);
+          std::erase_if(c.bodies, [](const MovingBody& body) { return body.markers.empty(); });
         } else if constexpr (requires { c.layers.walls; }) {
           for (LayerWall& wall : c.layers.walls) keep_known(wall.markers, topology);
           std::erase_if(c.layers.walls, [](const LayerWall& wall) { return wall.markers.empty(); });

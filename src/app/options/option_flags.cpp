@@ -90,20 +90,16 @@ CLI::Option* declare(CLI::App& app, const Option& option, const SeedOption& seed
       });
 }
 
-/// Two numbers or, where there is a place for the third, two or three.
+/// Two numbers or three.
 template <class Vector>
 CLI::Option* declare_vector(CLI::App& app, const Option& option, const Vector& vector) {
-  if (!vector.third) {
-    using Pair = std::array<double, 2>;
-    return add_value<Pair>(app, option,
-                           [vector](const Pair& v) { *vector.value = Vec2(v[0], v[1]); });
-  }
   using Numbers = std::vector<double>;
-  return add_value<Numbers>(app, option,
-                            [vector](const Numbers& v) {
-                              *vector.value = Vec2(v[0], v[1]);
-                              if (v.size() > 2) *vector.third = v[2];
-                            })
+  return add_value<Numbers>(
+             app, option,
+             [vector](const Numbers& v) {
+               const bool third = v.size() > 2;
+               *vector.value = GivenVector::of(third ? 3 : 2, {v[0], v[1], third ? v[2] : 0});
+             })
       ->expected(2, 3);
 }
 
@@ -178,10 +174,9 @@ std::string item_help(const Item& item) {
 }
 
 std::string metavariable(const Option& option) {
-  const auto plane = [](bool third) { return third ? "X Y [Z]" : "X Y"; };
-  if (const auto* vector = std::get_if<VectorOption>(&option.value)) return plane(vector->third);
-  if (const auto* vector = std::get_if<OptionalVectorOption>(&option.value))
-    return plane(vector->third);
+  if (std::holds_alternative<VectorOption>(option.value) ||
+      std::holds_alternative<OptionalVectorOption>(option.value))
+    return "X Y [Z]";
   if (std::holds_alternative<SpaceVectorOption>(option.value)) return "X Y Z";
   if (const auto* names = std::get_if<NamesOption>(&option.value))
     return names->pairs ? "NAME NAME" : "NAME";

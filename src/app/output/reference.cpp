@@ -250,7 +250,7 @@ struct Reference {
 
 constexpr std::array references{Reference{"smoothing", print_table<SmoothOptions>},
                                 Reference{"motion", print_table<MotionOptions>},
-                                Reference{"rigid", print_table<RigidMotionRequest>},
+                                Reference{"rigid", print_table<RigidMotion>},
                                 Reference{"sine", print_table<SineDeformation>},
                                 Reference{"spacing", print_table<LayerSpacing>},
                                 Reference{"layers", print_table<LayersCommand>},

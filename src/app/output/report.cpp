@@ -55,22 +55,22 @@ json describe_metrics(const QualityReport& quality) {
   return metrics;
 }
 
-json describe_edges(const EdgePair& edges) {
-  json place{edges.place.x(), edges.place.y()};
-  if (edges.place_z) place.push_back(*edges.place_z);
-  return {{"moving", edges.moving}, {"other", edges.other}, {"place", std::move(place)}};
+json describe_edges(const EdgePair& edges, int dimension) {
+  return {{"moving", edges.moving},
+          {"other", edges.other},
+          {"place", describe_place(edges.place, dimension)}};
 }
 
-json describe_contact(const std::optional<Contact>& contact) {
+json describe_contact(const std::optional<Contact>& contact, int dimension) {
   if (!contact) return {};
-  json report = describe_edges(contact->edges);
+  json report = describe_edges(contact->edges, dimension);
   report["fraction"] = contact->fraction;
   return report;
 }
 
-json describe_gap(const std::optional<Gap>& gap) {
+json describe_gap(const std::optional<Gap>& gap, int dimension) {
   if (!gap) return {};
-  json report = describe_edges(gap->edges);
+  json report = describe_edges(gap->edges, dimension);
   report["width"] = gap->width;
   return report;
 }
@@ -108,8 +108,8 @@ json describe_result(const CommandRecord& record) {
                  {"residual", r.residual},
                  {"fraction_reached", r.fraction_reached},
                  {"limited_by", r.limited_by.empty() ? json() : json(r.limited_by)},
-                 {"contact", describe_contact(r.contact)},
-                 {"gap", describe_gap(r.gap)},
+                 {"contact", describe_contact(r.contact, record.dimension)},
+                 {"gap", describe_gap(r.gap, record.dimension)},
                  {"stretched_elements", r.stretched ? json(*r.stretched) : json()},
                  {"kept_outside", r.kept_outside},
                  {"stuck_nodes", r.stuck_nodes},
@@ -119,8 +119,14 @@ json describe_result(const CommandRecord& record) {
                  {"increments", r.increments},
                  {"linear_solver", r.linear_solver},
                  {"inverted", r.inverted}};
-  if (record.pivot) report["pivot"] = {record.pivot->x(), record.pivot->y()};
-  if (record.pivot && record.pivot_z) report["pivot"].push_back(*record.pivot_z);
+  json pivots = json::array();
+  for (const MovingBody& body : record.turned) {
+    const GivenVector& pivot = *body.motion.pivot;
+    pivots.push_back({{"markers", body.markers},
+                      {"pivot", describe_place(pivot, pivot.numbers(record.dimension))}});
+  }
+  if (pivots.size() == 1) report["pivot"] = pivots[0]["pivot"];
+  if (pivots.size() > 1) report["pivots"] = std::move(pivots);
   if (record.zone != 0) report["zone"] = record.zone;
   return report;
 }

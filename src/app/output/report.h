@@ -11,6 +11,7 @@
 #include "core/geometry/periodic_pairs.h"
 #include "core/layers/layer_stack.h"
 #include "core/mesh/mesh.h"
+#include "core/motion/motion.h"
 #include "core/quality/quality.h"
 #include "core/quality/surface_distance.h"
 #include "core/strategy/run.h"
@@ -46,10 +47,10 @@ std::int64_t peak_memory_bytes();
 struct CommandRecord {
   std::string name;                        ///< command_name()
   std::string description;                 ///< describe()
-  std::optional<Vec2> pivot;               ///< the point about which bodies turned
-  std::optional<double> pivot_z;           ///< its third component in space
+  std::vector<MovingBody> turned;          ///< bodies that turned; they name their pivots
   std::optional<std::string> formulation;  ///< of commands that smooth
   SmoothResult result;
+  int dimension = 2;        ///< of the mesh's coordinates
   bool on_surface = false;  ///< of a surface mesh
   int zone = 0;  ///< number of the zone that it was carried out on; 0: of a file that has none
 };

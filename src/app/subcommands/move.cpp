@@ -14,7 +14,7 @@ class MoveSubcommand : public Subcommand {
       : Subcommand(program.add_subcommand(std::string(MoveCommand::name),
                                           std::string(MoveCommand::summary))) {
     add_input(app(), files_.input);
-    add_marker_flag(app(), command_.markers);
+    add_marker_flag(app(), command_.bodies.front().markers);
     add_option_flags(app(), option_table(command_), "Motion");
     add_direct_flag(app(), command_.how);
     add_min_quality_flag(app(), command_.how.floor);

@@ -51,21 +51,35 @@ std::vector<std::string> markers_of(const std::vector<LayerWall>& walls) {
   return markers;
 }
 
+std::vector<std::string> markers_of(const std::vector<MovingBody>& bodies) {
+  std::vector<std::string> markers;
+  for (const MovingBody& body : bodies)
+    markers.insert(markers.end(), body.markers.begin(), body.markers.end());
+  return markers;
+}
+
 std::string describe_one(const SmoothCommand&) { return "Smooth"; }
 
-std::string describe_one(const MoveCommand& command) {
-  const bool turns = command.motion.rotate != 0;
-  const double up = command.motion.translate_z.value_or(0);
-  const bool shifts = command.motion.translate != Vec2(0, 0) || up != 0;
-  const std::string by = "(" + length(command.motion.translate.x()) + ", " +
-                         length(command.motion.translate.y()) +
-                         (command.motion.translate_z ? ", " + length(up) : "") + ")";
-  const std::string who = list(command.markers);
-  if (turns && shifts) {
-    return "Rotate " + who + " by " + angle(command.motion.rotate) + " deg and move it by " + by;
+std::string describe_body(const MovingBody& body, bool begins) {
+  const RigidMotion& motion = body.motion;
+  const bool turns = motion.rotate != 0, shifts = motion.translate != Vec3(0, 0, 0);
+  const Vec3& by = motion.translate;
+  const bool in_space = motion.translate.numbers(motion.axis ? 3 : 2) == 3;
+  const std::string way =
+      "(" + length(by.x()) + ", " + length(by.y()) + (in_space ? ", " + length(by.z()) : "") + ")";
+  const std::string who = list(body.markers);
+  if (turns) {
+    return (begins ? "Rotate " : "rotate ") + who + " by " + angle(motion.rotate) + " deg" +
+           (shifts ? " and move it by " + way : "");
   }
-  if (turns) return "Rotate " + who + " by " + angle(command.motion.rotate) + " deg";
-  return "Move " + who + " by " + by;
+  return (begins ? "Move " : "move ") + who + " by " + way;
+}
+
+std::string describe_one(const MoveCommand& command) {
+  std::string text;
+  for (const MovingBody& body : command.bodies)
+    text += (text.empty() ? "" : ", ") + describe_body(body, text.empty());
+  return text;
 }
 
 std::string describe_one(const DeformCommand& command) {
@@ -151,6 +165,15 @@ std::optional<ReferenceStart> on_reference(const Command& command, const MeshSta
   return placed;
 }
 
+/// The gate: what a command has too many or too few components of for its mesh. Entries of
+/// displacement tables are refused where they are matched to nodes, by their lines.
+void require_components(const Command& command, int dimension) {
+  const auto* move = std::get_if<MoveCommand>(&command);
+  if (move == nullptr) return;
+  for (const MovingBody& body : move->bodies)
+    static_cast<void>(resolve_motion(body.motion, dimension, Vec3(0, 0, 0)));
+}
+
 /// What volume meshes cannot do yet is refused by name.
 void require_dimension(const Command& command, const MeshState& state) {
   const SmoothOptions* smooth = smooth_options(command);
@@ -168,6 +191,7 @@ void require_dimension(const Command& command, const MeshState& state) {
           c.how.floor.require_dimension(state.mesh.topology->cell_dimension());
       },
       command);
+  require_components(command, state.mesh.topology->cell_dimension());
   if (!smooth) return;
   validate_vcvs(*smooth, state.mesh.topology->cell_dimension());
   validate(smooth->keep_outside, state.mesh.topology->cell_dimension());
@@ -221,18 +245,8 @@ CommandResult execute_one(const SmoothCommand& command, const MeshState& given,
 
 CommandResult execute_one(const MoveCommand& command, const MeshState& state,
                           const RunOptions& options) {
-  const auto nodes = state.mesh.topology->markers().nodes_of(command.markers);
-  if (is_volume(state)) {
-    const Vec3 middle =
-        nodes.empty() ? Vec3(0, 0, 0) : body_centre(space_bounds(state.mesh.coordinates, nodes));
-    const auto motion = make_motion(*state.mesh.topology, state.mesh.coordinates, command.markers,
-                                    command.motion.in_space(middle));
-    return run_motion(state, *motion, command.how, command.smooth, options);
-  }
-  const Vec2 centre =
-      nodes.empty() ? Vec2(0, 0) : body_centre(bounds(state.mesh.coordinates, nodes));
-  const auto motion = make_motion(*state.mesh.topology, state.mesh.coordinates, command.markers,
-                                  command.motion.about(centre));
+  const auto motion =
+      make_motion(*state.mesh.topology, state.mesh.coordinates, std::span(command.bodies));
   return run_motion(state, *motion, command.how, command.smooth, options);
 }
 
@@ -373,6 +387,8 @@ std::vector<std::string> markers_of(const Command& command) {
       [](const auto& c) {
         if constexpr (requires { c.markers; }) {
           return c.markers;
+        } else if constexpr (requires { c.bodies; }) {
+          return markers_of(c.bodies);
         } else if constexpr (requires { c.layers.walls; }) {
           return markers_of(c.layers.walls);
         } else {
@@ -384,32 +400,22 @@ std::vector<std::string> markers_of(const Command& command) {
 
 Command with_pivot(Command command, std::span<const MeshState* const> states) {
   auto* move = std::get_if<MoveCommand>(&command);
-  if (move == nullptr || move->motion.pivot) return command;
-  Bounds plane = Bounds::empty();
-  Box<3> space = Box<3>::empty();
-  bool found = false, in_space = false;
-  for (const MeshState* state : states) {
-    const Markers& markers = state->mesh.topology->markers();
-    for (const std::string& name : move->markers) {
-      if (!markers.find(name)) continue;
-      const std::vector<Index> nodes = markers.nodes_of(std::span(&name, 1));
-      if (nodes.empty()) continue;
-      found = true;
-      if (is_volume(*state)) {
-        in_space = true;
-        space.add(space_bounds(state->mesh.coordinates, nodes));
-      } else {
-        plane.add(bounds(state->mesh.coordinates, nodes));
+  if (move == nullptr) return command;
+  for (MovingBody& body : move->bodies) {
+    if (body.motion.pivot) continue;
+    Box<3> box = Box<3>::empty();
+    bool found = false;
+    for (const MeshState* state : states) {
+      const Markers& markers = state->mesh.topology->markers();
+      for (const std::string& name : body.markers) {
+        if (!markers.find(name)) continue;
+        const std::vector<Index> nodes = markers.nodes_of(std::span(&name, 1));
+        if (nodes.empty()) continue;
+        found = true;
+        box.add(body_box(state->mesh.coordinates, nodes));
       }
     }
-  }
-  if (!found) return command;
-  if (in_space) {
-    const Vec3 centre = body_centre(space);
-    move->motion.pivot = centre.head<2>();
-    move->motion.pivot_z = centre.z();
-  } else {
-    move->motion.pivot = body_centre(plane);
+    if (found) body.motion.pivot = body_centre(box);
   }
   return command;
 }

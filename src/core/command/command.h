@@ -33,14 +33,13 @@ struct SmoothCommand {
   SmoothOptions smooth;
 };
 
-/// Move bodies rigidly, then smooth.
+/// Move bodies rigidly and together, each by a motion of its own, then smooth.
 struct MoveCommand {
   static constexpr std::string_view name = "move";
   static constexpr std::string_view summary = "Move bodies rigidly, then smooth";
-  static constexpr bool beyond_table = false;
+  static constexpr bool beyond_table = true;
 
-  std::vector<std::string> markers;
-  RigidMotionRequest motion;
+  std::vector<MovingBody> bodies = std::vector<MovingBody>(1);
   MotionOptions how;
   SmoothOptions smooth;
 };
@@ -108,9 +107,9 @@ bool asks_for_heights(const Command& command);
 /// Markers that a command names.
 std::vector<std::string> markers_of(const Command& command);
 
-/// The command with the pivot that a rotation leaves to the bodies: body_centre() of all nodes of
-/// its markers. `states`: the meshes that it is about, several for the zones of a file, which then
-/// turn as one body. Markers that none has are for execute() to refuse.
+/// The command with the pivot that a rotation leaves to its body: body_centre() of all nodes of the
+/// body's markers. `states`: the meshes that it is about, several for the zones of a file, in which
+/// a body then turns as one. Markers that none has are for execute() to refuse.
 Command with_pivot(Command command, std::span<const MeshState* const> states);
 
 struct CommandResult {

@@ -7,27 +7,18 @@ namespace winslow {
 
 namespace {
 
-/// The third component of a place: what is left out is 0 where the mesh lies, in its frame not.
-void put_height_in_frame(std::optional<double>& z, const LocalFrame& frame) {
-  if (const double up = frame.origin().z(); up != 0) z = z.value_or(0) - up;
-}
-
+// A third component that is left out is 0 where the mesh lies, in its frame not. By how many
+// numbers a place was given stays as it is.
 void put_in_frame(MoveCommand& command, const LocalFrame& frame) {
-  RigidMotionRequest& motion = command.motion;
-  if (!motion.pivot) return;
-  motion.pivot = frame.to_local(*motion.pivot);
-  put_height_in_frame(motion.pivot_z, frame);
+  for (MovingBody& body : command.bodies)
+    if (body.motion.pivot) *body.motion.pivot -= frame.origin();
 }
 
 void put_in_frame(DeformCommand& command, const LocalFrame& frame) {
   auto* table = std::get_if<DisplacementTable>(&command.shape);
   if (table == nullptr) return;
-  for (DisplacementEntry& entry : table->entries) {
-    if (entry.node) continue;
-    entry.position = frame.to_local(entry.position);
-    // One that is missing stays so, to be refused.
-    if (entry.position_z) put_height_in_frame(entry.position_z, frame);
-  }
+  for (DisplacementEntry& entry : table->entries)
+    if (!entry.node) entry.position -= frame.origin();
 }
 
 void put_in_frame(LayersCommand& command, const LocalFrame& frame) {

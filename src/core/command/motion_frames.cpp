@@ -47,7 +47,7 @@ bool same_place(const Mesh& a, const Mesh& b) {
 
 /// The meshes that follow one another from `first` on, with those between them; without `first`.
 std::vector<Mesh> whole_way(const Mesh& first, std::vector<Mesh> meshes,
-                            std::span<const Index> moved) {
+                            std::span<const std::vector<Index>> moved) {
   std::vector<Mesh> way;
   Mesh last = first;
   for (Mesh& mesh : meshes) {
@@ -64,15 +64,18 @@ std::vector<Mesh> whole_way(const Mesh& first, std::vector<Mesh> meshes,
 
 }  // namespace
 
-std::vector<Index> moved_as_body(const Command& command, const Topology& topology) {
-  std::vector<Index> moved;
+std::vector<std::vector<Index>> moved_as_bodies(const Command& command, const Topology& topology) {
+  std::vector<std::vector<Index>> moved;
   const auto* move = std::get_if<MoveCommand>(&command);
   if (!move) return moved;
-  for (const std::string& name : move->markers) {
-    const auto marker = topology.markers().find(name);
-    if (!marker) continue;
-    const auto nodes = topology.markers().nodes(*marker);
-    moved.insert(moved.end(), nodes.begin(), nodes.end());
+  for (const MovingBody& body : move->bodies) {
+    std::vector<Index>& own = moved.emplace_back();
+    for (const std::string& name : body.markers) {
+      const auto marker = topology.markers().find(name);
+      if (!marker) continue;
+      const auto nodes = topology.markers().nodes(*marker);
+      own.insert(own.end(), nodes.begin(), nodes.end());
+    }
   }
   return moved;
 }
@@ -84,7 +87,7 @@ std::vector<Mesh> motion_frames(const std::vector<Command>& commands, MeshState 
     MeshCollector collector(state.mesh.topology, choice);
     RunOptions options;
     options.monitor = &collector;
-    const std::vector<Index> moved = moved_as_body(command, *state.mesh.topology);
+    const std::vector<std::vector<Index>> moved = moved_as_bodies(command, *state.mesh.topology);
     state = execute(command, state, options).state;
     std::vector<Mesh> meshes = collector.take();
     meshes.push_back(state.mesh);

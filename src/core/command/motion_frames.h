@@ -7,9 +7,9 @@
 
 namespace winslow {
 
-/// Nodes that a command moves as one rigid body: those of the markers that a MoveCommand names and
-/// the mesh has. Empty for other commands.
-std::vector<Index> moved_as_body(const Command& command, const Topology& topology);
+/// Nodes that a command moves as rigid bodies, of each body: those of the markers that a
+/// MoveCommand names and the mesh has. Empty for other commands.
+std::vector<std::vector<Index>> moved_as_bodies(const Command& command, const Topology& topology);
 
 /// Which meshes of the way of commands are drawn.
 struct FrameChoice {
@@ -19,8 +19,8 @@ struct FrameChoice {
 };
 
 /// Meshes on the way of commands: the one they start from, then of each command those of its
-/// iterations, of long solves after every second, fourth, ..., its result the last. Where a body
-/// moves, meshes are put in between as meshes_between() makes them. Throws what execute() throws.
+/// iterations, of long solves after every second, fourth, ..., its result the last. Where bodies
+/// move, meshes are put in between as meshes_between() makes them. Throws what execute() throws.
 std::vector<Mesh> motion_frames(const std::vector<Command>& commands, MeshState state,
                                 const FrameChoice& choice = {});
 

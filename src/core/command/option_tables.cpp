@@ -55,7 +55,9 @@ OptionTable option_table(MotionOptions& how) {
 OptionTable option_table(SmoothCommand&) { return {}; }
 
 OptionTable option_table(MoveCommand& command) {
-  return joined(option_table(command.motion), option_table(command.how));
+  OptionTable motion;
+  if (command.bodies.size() == 1) motion = option_table(command.bodies.front().motion);
+  return joined(std::move(motion), option_table(command.how));
 }
 
 OptionTable option_table(DeformCommand& command) { return option_table(command.how); }

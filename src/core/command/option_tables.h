@@ -9,7 +9,8 @@ OptionTable option_table(QualityFloor& floor);
 OptionTable option_table(MotionOptions& how);
 
 /// All that a user can set of a command, but for markers, lists (walls, VCVs, displacements) and
-/// how it is smoothed.
+/// how it is smoothed. Of a MoveCommand of one body its motion is in the table, too; each of
+/// several has a table of its own.
 OptionTable option_table(SmoothCommand& command);
 OptionTable option_table(MoveCommand& command);
 OptionTable option_table(DeformCommand& command);

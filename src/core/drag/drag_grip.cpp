@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <queue>
-#include <type_traits>
 #include <utility>
 
 #include "core/error.h"
@@ -14,17 +13,15 @@ namespace winslow {
 
 namespace {
 
-template <typename Vector>
-DisplacementTable displacements(const DragGrip& grip, const Vector& translate) {
+/// dimension: of the mesh.
+DisplacementTable displacements(const DragGrip& grip, const Vec3& translate, int dimension) {
   DisplacementTable table;
   table.source = "drag";
   table.entries.reserve(grip.nodes.size());
   for (std::size_t i = 0; i < grip.nodes.size(); ++i) {
-    const Vector by = grip.shares[i] * translate;
     DisplacementEntry& entry = table.entries.emplace_back();
     entry.node = grip.nodes[i];
-    entry.displacement = by.template head<2>();
-    if constexpr (std::is_same_v<Vector, Vec3>) entry.displacement_z = by.z();
+    entry.displacement = GivenVector::of(dimension, grip.shares[i] * translate);
   }
   return table;
 }
@@ -33,22 +30,6 @@ void check_shares(const DragGrip& grip, double rotate) {
   if (grip.shares.size() != grip.nodes.size())
     throw UsageError("a part of a boundary needs a share of the motion for each of its nodes");
   if (rotate != 0) throw UsageError("a part of a boundary can be moved, but not turned");
-}
-
-template <typename Pose>
-Command command_of(const DragGrip& grip, const Pose& motion, const MotionOptions& how,
-                   const SmoothOptions& smooth) {
-  if (grip.rigid()) return MoveCommand{grip.markers, motion, how, smooth};
-  check_shares(grip, motion.rotate);
-  return DeformCommand{grip.markers, displacements(grip, motion.translate), how, smooth};
-}
-
-template <typename Pose>
-Pose between(const DragGrip& grip, const Pose& from, const Pose& to) {
-  if (grip.rigid()) return compose(inverse(from), to);
-  Pose motion;
-  motion.translate = to.translate - from.translate;
-  return motion;
 }
 
 /// Distances along a loop from a position, in one direction, until they pass `radius`.
@@ -73,56 +54,48 @@ std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates&
                                     const DragGrip& grip, const RigidMotion& motion) {
   if (grip.rigid()) return make_motion(topology, rest, grip.markers, motion);
   check_shares(grip, motion.rotate);
-  return make_motion(topology, rest, grip.markers, displacements(grip, motion.translate));
-}
-
-std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
-                                    const DragGrip& grip, const SpaceMotion& motion) {
-  if (grip.rigid()) return make_motion(topology, rest, grip.markers, motion);
-  check_shares(grip, motion.rotate);
-  return make_motion(topology, rest, grip.markers, displacements(grip, motion.translate));
+  return make_motion(topology, rest, grip.markers,
+                     displacements(grip, motion.translate, rest.dimension()));
 }
 
 Command drag_command(const DragGrip& grip, const RigidMotion& motion, const MotionOptions& how,
                      const SmoothOptions& smooth) {
-  return command_of(grip, motion, how, smooth);
-}
-Command drag_command(const DragGrip& grip, const SpaceMotion& motion, const MotionOptions& how,
-                     const SmoothOptions& smooth) {
-  return command_of(grip, motion, how, smooth);
+  if (grip.rigid()) return MoveCommand{{{grip.markers, motion}}, how, smooth};
+  check_shares(grip, motion.rotate);
+  return DeformCommand{grip.markers, displacements(grip, motion.translate, motion.axis ? 3 : 2),
+                       how, smooth};
 }
 
 RigidMotion motion_between(const DragGrip& grip, const RigidMotion& from, const RigidMotion& to) {
-  return between(grip, from, to);
-}
-SpaceMotion motion_between(const DragGrip& grip, const SpaceMotion& from, const SpaceMotion& to) {
-  return between(grip, from, to);
+  if (grip.rigid()) return compose(inverse(from), to);
+  return {.translate = Vec3(to.translate - from.translate), .axis = to.axis};
 }
 
+namespace {
+
 template <int D>
-RigidMotionIn<D> fit_motion(std::span<const Index> nodes, std::span<const double> shares,
-                            const Coordinates& rest, const Coordinates& x) {
-  if (shares.empty()) {
-    if constexpr (D == 2)
-      return fit_rigid_motion(nodes, rest, x);
-    else
-      return fit_space_motion(nodes, rest, x);
-  }
-  const Points<D> before(rest), after(x);
+RigidMotion fit_part(std::span<const Index> nodes, std::span<const double> shares,
+                     const Points<D>& before, const Points<D>& after) {
   Vec<D> sum = Vec<D>::Zero();
   double weight = 0;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     sum += shares[i] * (after[nodes[i]] - before[nodes[i]]);
     weight += shares[i] * shares[i];
   }
-  RigidMotionIn<D> motion;
+  RigidMotion motion;
   if (weight > 0) motion.translate = sum / weight;
+  if (D == 3) motion.axis = Vec3::UnitZ();
   return motion;
 }
-template RigidMotion fit_motion<2>(std::span<const Index>, std::span<const double>,
-                                   const Coordinates&, const Coordinates&);
-template SpaceMotion fit_motion<3>(std::span<const Index>, std::span<const double>,
-                                   const Coordinates&, const Coordinates&);
+
+}  // namespace
+
+RigidMotion fit_motion(std::span<const Index> nodes, std::span<const double> shares,
+                       const Coordinates& rest, const Coordinates& x) {
+  if (shares.empty()) return fit_rigid_motion(nodes, rest, x);
+  if (rest.dimension() == 3) return fit_part<3>(nodes, shares, SpacePoints(rest), SpacePoints(x));
+  return fit_part<2>(nodes, shares, PlanePoints(rest), PlanePoints(x));
+}
 
 double faded_share(double distance, double radius) {
   if (!(distance < radius)) return 0;

@@ -8,7 +8,6 @@
 #include "core/command/command.h"
 #include "core/mesh/coordinates.h"
 #include "core/mesh/element_type.h"
-#include "core/motion/rigid_motion.h"
 
 namespace winslow {
 
@@ -23,28 +22,23 @@ struct DragGrip {
 };
 
 /// The motion of a grip from a state's rest coordinates. Throws UsageError: unknown markers, nodes
-/// of other markers, shares that do not fit, a rotation of what is not rigid.
+/// of other markers, shares that do not fit, a rotation of what is not rigid, a motion that the
+/// mesh does not have.
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
                                     const DragGrip& grip, const RigidMotion& motion);
-std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
-                                    const DragGrip& grip, const SpaceMotion& motion);
 
-/// The command that does for good what a drag has shown.
+/// The command that does for good what a drag has shown. motion: resolved.
 Command drag_command(const DragGrip& grip, const RigidMotion& motion, const MotionOptions& how,
-                     const SmoothOptions& smooth);
-Command drag_command(const DragGrip& grip, const SpaceMotion& motion, const MotionOptions& how,
                      const SmoothOptions& smooth);
 
 /// What remains from `from` to `to`: compose(inverse(from), to) of a body, the difference of the
 /// translations of a part.
 RigidMotion motion_between(const DragGrip& grip, const RigidMotion& from, const RigidMotion& to);
-SpaceMotion motion_between(const DragGrip& grip, const SpaceMotion& from, const SpaceMotion& to);
 
 /// The motion that brings `nodes` nearest to where they are in `x` (least squares).
 /// shares: as of the grip; empty: rigid.
-template <int D>
-RigidMotionIn<D> fit_motion(std::span<const Index> nodes, std::span<const double> shares,
-                            const Coordinates& rest, const Coordinates& x);
+RigidMotion fit_motion(std::span<const Index> nodes, std::span<const double> shares,
+                       const Coordinates& rest, const Coordinates& x);
 
 /// 1 - t^2 (3 - 2t) with t = distance / radius: from 1 to 0, with continuous slope; 0 beyond the
 /// radius.

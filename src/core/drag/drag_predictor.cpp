@@ -20,31 +20,34 @@ std::vector<Points<D>> points_of(const std::vector<Coordinates>& fields) {
 
 }  // namespace
 
-template <int D>
-DragPredictorIn<D>::DragPredictorIn(SteadySolver& solver, const Coordinates& x,
-                                    std::vector<Index> nodes, std::vector<double> shares,
-                                    int threads)
+DragPredictor::DragPredictor(SteadySolver& solver, const Coordinates& x, std::vector<Index> nodes,
+                             std::vector<double> shares, int threads)
     : base_(x), nodes_(std::move(nodes)), shares_(std::move(shares)), threads_(threads) {
+  base_.dimension() == 3 ? prepare<3>(solver) : prepare<2>(solver);
+}
+
+template <int D>
+void DragPredictor::prepare(SteadySolver& solver) {
   const Points<D> points(base_);
-  for (const Index node : nodes_) pivot_ += points[node];
-  if (!nodes_.empty()) pivot_ /= static_cast<double>(nodes_.size());
+  Vec<D> pivot = Vec<D>::Zero();
+  for (const Index node : nodes_) pivot += points[node];
+  if (!nodes_.empty()) pivot /= static_cast<double>(nodes_.size());
+  pivot_.head<D>() = pivot;
   for (int direction = 0; direction < D; ++direction) {
     translations_.push_back(
-        solve_for(solver, [&](Index) -> Vec<D> { return Vec<D>::Unit(direction); }));
+        solve_for<D>(solver, [&](Index) -> Vec<D> { return Vec<D>::Unit(direction); }));
   }
   if (!shares_.empty()) return;
   constexpr int axes = D == 2 ? 1 : 3;
   for (int axis = 0; axis < axes; ++axis) {
-    rotations_.push_back(solve_for(solver, [&](Index node) -> Vec<D> {
-      return turning(Vec<D>(points[node] - pivot_), axis);
-    }));
+    rotations_.push_back(solve_for<D>(
+        solver, [&](Index node) -> Vec<D> { return turning(Vec<D>(points[node] - pivot), axis); }));
   }
 }
 
 /// Velocities of all nodes where those held have the given ones, or their shares of them.
-template <int D>
-template <typename Velocity>
-Coordinates DragPredictorIn<D>::solve_for(SteadySolver& solver, const Velocity& velocity) const {
+template <int D, typename Velocity>
+Coordinates DragPredictor::solve_for(SteadySolver& solver, const Velocity& velocity) const {
   Coordinates field(D, base_.size());
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     Vec<D> v = velocity(nodes_[i]);
@@ -57,13 +60,16 @@ Coordinates DragPredictorIn<D>::solve_for(SteadySolver& solver, const Velocity& 
   return field;
 }
 
+void DragPredictor::evaluate(const RigidMotion& motion, Coordinates& out) const {
+  base_.dimension() == 3 ? evaluate_in<3>(motion, out) : evaluate_in<2>(motion, out);
+}
+
 template <int D>
-void DragPredictorIn<D>::evaluate(const Pose& motion, Coordinates& out) const {
+void DragPredictor::evaluate_in(const RigidMotion& motion, Coordinates& out) const {
   out = base_;
-  const Vec<D> move = transform(motion, pivot_) - pivot_;
+  const Vec3 move = transform(motion, pivot_) - pivot_;
   const double sine = std::sin(radians(motion.rotate)), rest = 1 - std::cos(radians(motion.rotate));
-  Vec3 axis = Vec3::UnitZ();
-  if constexpr (D == 3) axis = motion.axis.normalized();
+  const Vec3 axis = axis_of(motion).normalized();
   const auto translations = points_of<D>(translations_), rotations = points_of<D>(rotations_);
   const Points<D> base(base_);
   parallel_for(threads_, base_.size(), [&](Index begin, Index end) {
@@ -87,8 +93,5 @@ void DragPredictorIn<D>::evaluate(const Pose& motion, Coordinates& out) const {
   if (shares_.empty())
     for (const Index node : nodes_) out.set<D>(node, transform(motion, base[node]));
 }
-
-template class DragPredictorIn<2>;
-template class DragPredictorIn<3>;
 
 }  // namespace winslow

@@ -22,37 +22,35 @@ namespace winslow {
 ///
 /// (Rodrigues): exact on the body itself, where U_r = P (x - pivot) or n x (x - pivot), so that the
 /// nodes around it turn with it; of first order elsewhere. Immutable once made.
-template <int D>
-class DragPredictorIn {
+class DragPredictor {
  public:
-  using Pose = RigidMotionIn<D>;
-
   /// solver: at its solution x. nodes: the prescribed nodes that move together. shares: of a
   /// translation that each of them takes, if they are no rigid body; there is no rotation then.
   /// Throws NumericError where the equations at x have no regular derivative.
-  DragPredictorIn(SteadySolver& solver, const Coordinates& x, std::vector<Index> nodes,
-                  std::vector<double> shares = {}, int threads = 0);
+  DragPredictor(SteadySolver& solver, const Coordinates& x, std::vector<Index> nodes,
+                std::vector<double> shares = {}, int threads = 0);
 
   /// The mesh after `motion`, seen from the mesh that the predictor was made at. The boundary is
   /// exactly where the motion takes it; whether the mesh is valid is the caller's to check.
-  void evaluate(const Pose& motion, Coordinates& out) const;
+  void evaluate(const RigidMotion& motion, Coordinates& out) const;
 
   const Coordinates& base() const { return base_; }
 
  private:
-  template <typename Velocity>
+  template <int D>
+  void prepare(SteadySolver& solver);
+  template <int D, typename Velocity>
   Coordinates solve_for(SteadySolver& solver, const Velocity& velocity) const;
+  template <int D>
+  void evaluate_in(const RigidMotion& motion, Coordinates& out) const;
 
   Coordinates base_;
   std::vector<Index> nodes_;
   std::vector<double> shares_;             // empty: a rigid body
   std::vector<Coordinates> translations_;  // tangent field of each direction
   std::vector<Coordinates> rotations_;     // U_r, or U_rx, U_ry, U_rz; empty: not a rigid body
-  Vec<D> pivot_ = Vec<D>::Zero();
+  Vec3 pivot_{0, 0, 0};
   int threads_;
 };
-
-using DragPredictor = DragPredictorIn<2>;
-using SpaceDragPredictor = DragPredictorIn<3>;
 
 }  // namespace winslow

@@ -21,10 +21,9 @@ namespace {
 
 /// A motion from one pose to another in parts that turn by no more than a quarter: beyond half a
 /// turn the way back would be the shorter one.
-template <typename Pose>
-Pose next_part(const Pose& pose, const Pose& target) {
+RigidMotion next_part(const RigidMotion& pose, const RigidMotion& target) {
   constexpr double largest_turn = 90;
-  Pose way = compose(inverse(pose), target);
+  RigidMotion way = compose(inverse(pose), target);
   if (std::abs(way.rotate) <= largest_turn) return target;
   const double share = largest_turn / std::abs(way.rotate);
   way.rotate *= share;
@@ -32,42 +31,36 @@ Pose next_part(const Pose& pose, const Pose& target) {
   return compose(pose, way);
 }
 
-Bounds body_bounds(const Coordinates& x, const std::vector<Index>& nodes, const RigidMotion&) {
-  return bounds(x, nodes);
-}
-Box<3> body_bounds(const Coordinates& x, const std::vector<Index>& nodes, const SpaceMotion&) {
-  return space_bounds(x, nodes);
-}
-
 /// A fitted motion with the full turns of a drag from one pose to another, of which about that much
 /// is done: they do not show in the mesh.
 RigidMotion with_turns_of(const RigidMotion& from, const RigidMotion& to, double fraction,
                           const RigidMotion& fitted) {
-  return with_turns(fitted, from.rotate + fraction * (to.rotate - from.rotate));
+  const RigidMotion& turning = to.rotate != 0 ? to : from;
+  const double start = axis_of(from).dot(axis_of(turning)) < 0 ? -from.rotate : from.rotate;
+  return with_turns(fitted, turning, start + fraction * (to.rotate - start));
 }
-SpaceMotion with_turns_of(const SpaceMotion& from, const SpaceMotion& to, double fraction,
-                          const SpaceMotion& fitted) {
-  const Vec3 axis = to.rotate != 0 ? to.axis : from.axis;
-  const double start = from.axis.dot(axis) < 0 ? -from.rotate : from.rotate;
-  return with_turns(fitted, axis, start + fraction * (to.rotate - start));
+
+Vec3 place(const Coordinates& x, Index node) {
+  if (x.dimension() == 3) return x.xyz(node);
+  const Vec2 p = x.xy(node);
+  return {p.x(), p.y(), 0};
 }
 
 }  // namespace
 
 /// The thread and what it shares with its owner. What lies below `mutex_` is guarded by it.
-template <int D>
-class DragSessionIn<D>::Impl final : public SolverMonitor {
+class DragSession::Impl final : public SolverMonitor {
   /// A valid mesh on the way to one that is solved for.
   struct Passed {
     Coordinates coordinates;
-    Pose pose;  // from the state
+    RigidMotion pose;  // from the state
     double min_sine;
   };
   /// A solved mesh: its tangent fields and where the body is in it.
   struct Prepared {
-    DragPredictorIn<D> predictor;
-    Pose pose;                        // from the state
-    Pose answered;                    // what was asked for; the pose where it could be reached
+    DragPredictor predictor;
+    RigidMotion pose;                 // from the state
+    RigidMotion answered;             // what was asked for; the pose where it could be reached
     std::optional<EdgePair> contact;  // what was in the way
   };
 
@@ -79,22 +72,24 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
         grip_(std::move(grip)),
         options_(options),
         read_(std::move(read)),
-        origin_(origin) {
+        origin_(origin),
+        resting_(resolve_motion({}, state_.mesh.coordinates.dimension(), Vec3(0, 0, 0))) {
     validate(options_);
-    const auto motion = make_motion(*state_.mesh.topology, state_.mesh.coordinates, grip_, Pose{});
+    const auto motion =
+        make_motion(*state_.mesh.topology, state_.mesh.coordinates, grip_, resting_);
     if (grip_.rigid())
       nodes_.assign(motion->nodes().begin(), motion->nodes().end());
     else
       nodes_ = grip_.nodes;
     frame_.coordinates = start ? std::move(start->coordinates) : state_.mesh.coordinates;
-    frame_.motion = start ? start->motion : Pose{};
+    frame_.motion = start ? start->motion : resting_;
     const Validity validity = validity_of(frame_.coordinates);
     if (validity.inverted > 0)
       throw UsageError("a drag starts from a mesh without inverted elements");
     frame_.min_sine = validity.min_sine;
     wanted_ = frame_.motion;
-    const auto body = body_bounds(state_.mesh.coordinates, nodes_, Pose{});
-    centre_ = 0.5 * (body.min + body.max);
+    const Box<3> body = body_box(state_.mesh.coordinates, nodes_);
+    centre_ = body.centre();
     radius_ = 0.5 * body.size().norm();
     solved_ = frame_.coordinates;
     worker_ = std::thread([this] { work(); });
@@ -108,7 +103,7 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
     worker_.join();
   }
 
-  const Frame& to(const Pose& motion) {
+  const DragFrame& to(const RigidMotion& motion) {
     std::shared_ptr<const Prepared> prepared;
     std::shared_ptr<const Passed> passed;
     {
@@ -134,6 +129,7 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
     return frame_;
   }
 
+  const Vec3& body_centre() const { return centre_; }
   bool ready() const {
     const std::lock_guard lock(mutex_);
     return prepared_ != nullptr;
@@ -175,7 +171,7 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
 
  private:
   /// The frame by the tangent fields; false, and no new frame, where that is no valid mesh.
-  bool predict(const Prepared& prepared, const Pose& motion) {
+  bool predict(const Prepared& prepared, const RigidMotion& motion) {
     prepared.predictor.evaluate(motion_between(grip_, prepared.pose, motion), candidate_);
     const Validity validity = validity_of(candidate_);
     if (validity.inverted > 0) return false;
@@ -189,7 +185,7 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
   }
 
   /// How far nodes of the body have to go from one pose to another.
-  double distance(const Pose& from, const Pose& to) const {
+  double distance(const RigidMotion& from, const RigidMotion& to) const {
     return std::abs(radians(compose(inverse(from), to).rotate)) * radius_ +
            (transform(to, centre_) - transform(from, centre_)).norm();
   }
@@ -199,7 +195,7 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
   }
 
   /// Waits for a position that is not solved for yet; empty when the session ends.
-  std::optional<Pose> next_target() {
+  std::optional<RigidMotion> next_target() {
     std::unique_lock lock(mutex_);
     wake_.wait(lock,
                [&] { return quit_ || !prepared_ || !same_motion(wanted_, prepared_->answered); });
@@ -207,7 +203,7 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
     return wanted_;
   }
 
-  Pose pose() const {
+  RigidMotion pose() const {
     const std::lock_guard lock(mutex_);
     return prepared_ ? prepared_->pose : wanted_;
   }
@@ -218,7 +214,7 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
       while (const auto wanted = next_target()) {
         from_ = pose();
         target_ = grip_.rigid() ? next_part(from_, *wanted) : *wanted;
-        const Pose target = target_;
+        const RigidMotion target = target_;
         const Coordinates start = solved_;
         contact_.reset();
         const bool whole = solve(target, solved_);
@@ -226,7 +222,7 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
         const bool there = reached(target, solved_);
         // Where the path ended on the way, the next try waits for another position.
         const bool limit = !there && (!whole || solved_ == start);
-        const Pose pose = there ? target : fitted_pose(solved_, 0.5);
+        const RigidMotion pose = there ? target : fitted_pose(solved_, 0.5);
         publish(pose, limit ? *wanted : pose, solved_);
       }
     } catch (const Cancelled&) {
@@ -254,7 +250,7 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
 
   /// From the mesh solved for last along the path to where the body is wanted. False if the path
   /// could not be followed to its end.
-  bool solve(const Pose& target, Coordinates& x) {
+  bool solve(const RigidMotion& target, Coordinates& x) {
     const auto motion = make_motion(*state_.mesh.topology, state_.mesh.coordinates, grip_, target);
     const Coordinates start = x;
     RunOptions run;
@@ -268,7 +264,7 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
   }
 
   /// A mesh pressed against a wall may find no way back: the way from the state may be open.
-  void restart(const Pose& target, Coordinates& x) {
+  void restart(const RigidMotion& target, Coordinates& x) {
     const auto motion = make_motion(*state_.mesh.topology, state_.mesh.coordinates, grip_, target);
     RunOptions run;
     run.monitor = this;
@@ -280,10 +276,10 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
   }
 
   /// answered: the position asked for that this mesh is the answer to.
-  void publish(const Pose& pose, const Pose& answered, const Coordinates& x) {
+  void publish(const RigidMotion& pose, const RigidMotion& answered, const Coordinates& x) {
     auto prepared = std::make_shared<const Prepared>(
-        Prepared{DragPredictorIn<D>(cache_.workspace().steady_solver(), x, nodes_, grip_.shares,
-                                    options_.threads),
+        Prepared{DragPredictor(cache_.workspace().steady_solver(), x, nodes_, grip_.shares,
+                               options_.threads),
                  pose, answered, contact_});
     const std::lock_guard lock(mutex_);
     prepared_ = std::move(prepared);
@@ -291,25 +287,24 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
     ++revision_;
   }
 
-  bool reached(const Pose& target, const Coordinates& x) const {
+  bool reached(const RigidMotion& target, const Coordinates& x) const {
     constexpr double round_off = 1e-12;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      const Vec<D> rest = state_.mesh.coordinates.template get<D>(nodes_[i]);
-      const Vec<D> there = grip_.rigid() ? transform(target, rest)
-                                         : Vec<D>(rest + grip_.shares[i] * target.translate);
-      if ((there - x.template get<D>(nodes_[i])).norm() > round_off * (1 + there.norm()))
-        return false;
+      const Vec3 rest = place(state_.mesh.coordinates, nodes_[i]);
+      const Vec3 there =
+          grip_.rigid() ? transform(target, rest) : Vec3(rest + grip_.shares[i] * target.translate);
+      if ((there - place(x, nodes_[i])).norm() > round_off * (1 + there.norm())) return false;
     }
     return true;
   }
   /// Where the body is in a mesh about that far from from_ to target_.
-  Pose fitted_pose(const Coordinates& x, double fraction) const {
-    Pose pose = with_turns_of(from_, target_, fraction,
-                              fit_motion<D>(nodes_, grip_.shares, state_.mesh.coordinates, x));
+  RigidMotion fitted_pose(const Coordinates& x, double fraction) const {
+    RigidMotion pose = with_turns_of(from_, target_, fraction,
+                                     fit_motion(nodes_, grip_.shares, state_.mesh.coordinates, x));
     // The history would show the round-off of the fit.
     constexpr double round_off = 1e-10;  // degrees
     if (std::abs(pose.rotate) < round_off) {
-      const Vec<D> moved = transform(pose, centre_) - centre_;
+      const Vec3 moved = transform(pose, centre_) - centre_;
       pose.rotate = 0;
       pose.translate = moved;
     }
@@ -321,20 +316,21 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
   SmoothOptions options_;  // their reference surface is the worker's
   ReadReference read_;
   Vec3 origin_;
+  RigidMotion resting_;
   std::vector<Index> nodes_;
   SolverCache cache_;                // the worker's
   Coordinates solved_;               // the worker's: the mesh solved for last
-  Pose from_, target_;               // the worker's: what it is solving for
+  RigidMotion from_, target_;        // the worker's: what it is solving for
   std::optional<EdgePair> contact_;  // the worker's: met on the way there
-  Vec<D> centre_;                    // of the body in the state
+  Vec3 centre_;                      // of the body in the state
   double radius_ = 0;
-  Frame frame_;            // the owner's
+  DragFrame frame_;        // the owner's
   Coordinates candidate_;  // the owner's
 
   mutable std::mutex mutex_;
   std::condition_variable wake_;
   bool quit_ = false;
-  Pose wanted_;
+  RigidMotion wanted_;
   std::shared_ptr<const Prepared> prepared_;
   std::shared_ptr<const Passed> passed_;
   int corrections_ = 0, revision_ = 0;
@@ -346,82 +342,54 @@ class DragSessionIn<D>::Impl final : public SolverMonitor {
 namespace {
 
 /// The same motion, of points counted from elsewhere.
-template <typename Pose>
-Pose with_pivot_at(const decltype(Pose::pivot)& pivot, Pose motion) {
-  motion.pivot = pivot;
+RigidMotion in_frame(RigidMotion motion, const LocalFrame& frame) {
+  motion.pivot = frame.to_local(pivot_of(motion));
   return motion;
 }
 
-template <int D>
 const Mesh& mesh_of(const MeshState& state) {
-  const Topology& topology = *state.mesh.topology;
-  if (D == 2) require_plane(topology, "drags in the plane");
-  if (D == 3 && topology.cell_dimension() != 3)
-    throw UsageError("drags in space: the mesh is a " + std::string(mesh_kind(topology)));
+  if (state.mesh.topology->cell_dimension() != 3) require_plane(*state.mesh.topology, "drags");
   return state.mesh;
-}
-
-template <typename Start>
-std::optional<Start> in_frame(std::optional<Start> start, const LocalFrame& frame) {
-  if (!start || !frame.shifts()) return start;
-  start->coordinates = frame.to_local(std::move(start->coordinates));
-  start->motion = with_pivot_at(frame.to_local(start->motion.pivot), start->motion);
-  return start;
 }
 
 }  // namespace
 
-template <int D>
-DragSessionIn<D>::DragSessionIn(MeshState state, DragGrip grip, const SmoothOptions& options,
-                                std::optional<Start> start, ReadReference read)
-    : frame_(mesh_of<D>(state)) {
+DragSession::DragSession(MeshState state, DragGrip grip, const SmoothOptions& options,
+                         std::optional<Start> start, ReadReference read)
+    : frame_(mesh_of(state)), dimension_(state.mesh.coordinates.dimension()) {
   if (frame_.shifts()) {
     rest_ = state.mesh.coordinates;
     state.mesh.coordinates = frame_.to_local(rest_);
   }
+  if (start) {
+    start->coordinates = frame_.to_local(std::move(start->coordinates));
+    start->motion = in_frame(resolve_motion(start->motion, dimension_, Vec3(0, 0, 0)), frame_);
+  }
   SmoothOptions local = options;
   local.keep_outside = to_local(std::move(local.keep_outside), frame_);
-  impl_ =
-      std::make_unique<Impl>(std::move(state), std::move(grip), local,
-                             in_frame(std::move(start), frame_), std::move(read), frame_.origin());
+  impl_ = std::make_unique<Impl>(std::move(state), std::move(grip), local, std::move(start),
+                                 std::move(read), frame_.origin());
 }
-template <int D>
-DragSessionIn<D>::~DragSessionIn() = default;
+DragSession::~DragSession() = default;
 
-template <int D>
-const DragFrameIn<D>& DragSessionIn<D>::to(const Pose& motion) {
+const DragFrame& DragSession::to(const RigidMotion& asked) {
+  const RigidMotion motion =
+      resolve_motion(asked, dimension_, frame_.to_mesh(impl_->body_centre()));
   if (!frame_.shifts()) return impl_->to(motion);
-  const Pose local = with_pivot_at(frame_.to_local(motion.pivot), motion);
+  const RigidMotion local = in_frame(motion, frame_);
   shown_ = impl_->to(local);
   shown_.coordinates = frame_.to_mesh(std::move(shown_.coordinates), rest_);
-  shown_.motion = same_motion(shown_.motion, local)
-                      ? motion
-                      : with_pivot_at(frame_.to_mesh(shown_.motion.pivot), shown_.motion);
+  if (same_motion(shown_.motion, local))
+    shown_.motion = motion;
+  else
+    shown_.motion.pivot = frame_.to_mesh(pivot_of(shown_.motion));
   if (shown_.contact) put_in_mesh(*shown_.contact, frame_);
   return shown_;
 }
-template <int D>
-bool DragSessionIn<D>::ready() const {
-  return impl_->ready();
-}
-template <int D>
-bool DragSessionIn<D>::settled() const {
-  return impl_->settled();
-}
-template <int D>
-int DragSessionIn<D>::corrections() const {
-  return impl_->corrections();
-}
-template <int D>
-int DragSessionIn<D>::revision() const {
-  return impl_->revision();
-}
-template <int D>
-std::string DragSessionIn<D>::error() const {
-  return impl_->error();
-}
-
-template class DragSessionIn<2>;
-template class DragSessionIn<3>;
+bool DragSession::ready() const { return impl_->ready(); }
+bool DragSession::settled() const { return impl_->settled(); }
+int DragSession::corrections() const { return impl_->corrections(); }
+int DragSession::revision() const { return impl_->revision(); }
+std::string DragSession::error() const { return impl_->error(); }
 
 }  // namespace winslow

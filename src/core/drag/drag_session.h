@@ -12,10 +12,9 @@
 namespace winslow {
 
 /// What is shown under the mouse.
-template <int D>
-struct DragFrameIn {
+struct DragFrame {
   Coordinates coordinates;  ///< a valid mesh, always
-  RigidMotionIn<D> motion;  ///< where the body is in it, seen from the state
+  RigidMotion motion;       ///< where the body is in it, seen from the state
   bool held = false;        ///< the mesh cannot go where the mouse is (yet): the last valid one
   bool limit = false;       ///< held, and the path to where the mouse is ended on the way
   double share = 1;         ///< of the way from the state to where the mouse is
@@ -29,31 +28,29 @@ struct DragFrameIn {
 /// validity. Meanwhile a thread follows the path to the last position and prepares the fields anew
 /// there. Members are called from one thread and never wait, except the destructor, which cancels
 /// and joins.
-template <int D>
-class DragSessionIn {
+class DragSession {
  public:
-  using Pose = RigidMotionIn<D>;
-  using Frame = DragFrameIn<D>;
   /// A mesh to go on from: valid, the grip moved by `motion` from where it is in the state.
   struct Start {
     Coordinates coordinates;
-    Pose motion;
+    RigidMotion motion;
   };
   /// Reads the reference surface that options name, for one that was not read: the session calls
   /// it once, on its own thread. What it throws is error().
   using ReadReference = std::function<std::shared_ptr<const ReferenceSurface>(const std::string&)>;
   /// state: a valid mesh, which the motions refer to. grip: what is held. start: where the drag
   /// goes on from, if not from the state itself. Throws UsageError for unknown markers,
-  /// out-of-range options, a tangled mesh or one of another dimension.
-  DragSessionIn(MeshState state, DragGrip grip, const SmoothOptions& options,
-                std::optional<Start> start = {}, ReadReference read = {});
-  ~DragSessionIn();
-  DragSessionIn(const DragSessionIn&) = delete;
-  DragSessionIn& operator=(const DragSessionIn&) = delete;
+  /// out-of-range options, a tangled mesh or a surface mesh.
+  DragSession(MeshState state, DragGrip grip, const SmoothOptions& options,
+              std::optional<Start> start = {}, ReadReference read = {});
+  ~DragSession();
+  DragSession(const DragSession&) = delete;
+  DragSession& operator=(const DragSession&) = delete;
 
   /// The mesh with the body moved by `motion` from where it is in the state, or as near to it as
-  /// was valid so far.
-  const Frame& to(const Pose& motion);
+  /// was valid so far. A motion without a pivot turns about the middle of what is held. Throws
+  /// UsageError for a motion that the mesh does not have.
+  const DragFrame& to(const RigidMotion& motion);
   /// False until the first fields are prepared; to() holds the state until then.
   bool ready() const;
   /// True if the fields belong to the position last asked for: the next frame there is the solution
@@ -70,14 +67,10 @@ class DragSessionIn {
  private:
   class Impl;
   LocalFrame frame_;  // in which the mesh is solved for
+  int dimension_;
   Coordinates rest_;  // of the state
-  Frame shown_;
+  DragFrame shown_;
   std::unique_ptr<Impl> impl_;
 };
-
-using DragFrame = DragFrameIn<2>;
-using DragSession = DragSessionIn<2>;
-using SpaceDragFrame = DragFrameIn<3>;
-using SpaceDragSession = DragSessionIn<3>;
 
 }  // namespace winslow

@@ -18,8 +18,8 @@ namespace {
 
 template <int D>
 void set_place(EdgePair& pair, const Vec<D>& place) {
-  pair.place = place.template head<2>();
-  if constexpr (D == 3) pair.place_z = place.z();
+  pair.place.setZero();
+  pair.place.template head<D>() = place;
 }
 
 template <int D>
@@ -32,7 +32,8 @@ class ContactSearch {
         motion_(motion),
         outline_(topology, motion.nodes(), yielding),
         fixed_(tree_of(outline_.fixed.facets, rest)),
-        rigid_(keeps_distances()) {}
+        rigid_(keeps_distances()),
+        body_(bodies_of_facets()) {}
 
   std::optional<Contact> first() {
     if (outline_.moving.facets.empty() || !apart_at_rest()) return std::nullopt;
@@ -125,6 +126,40 @@ class ContactSearch {
     });
   }
 
+  /// Of each moving facet the number of its body, or `any` for one that is of two. Nothing where
+  /// there is one body.
+  std::vector<int> bodies_of_facets() const {
+    const auto bodies = motion_.bodies();
+    std::vector<int> of_facet;
+    if (bodies.empty()) return of_facet;
+    std::vector<int> of_node(at(rest_.size()), any);
+    std::vector<unsigned char> shared(at(rest_.size()), 0);
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      for (const Index node : bodies[b]->nodes()) {
+        shared[at(node)] = of_node[at(node)] != any;
+        of_node[at(node)] = static_cast<int>(b);
+      }
+    }
+    for (const FacetNodes<D>& nodes : outline_.moving.facets) {
+      int body = any;
+      bool mixed = false;
+      for (const Index node : nodes) {
+        // A node of two bodies goes with each of them.
+        if (of_node[at(node)] == any || shared[at(node)]) continue;
+        mixed = mixed || (body != any && body != of_node[at(node)]);
+        body = of_node[at(node)];
+      }
+      of_facet.push_back(mixed ? any : body);
+    }
+    return of_facet;
+  }
+
+  bool several_bodies() const { return !body_.empty(); }
+  /// Moving facets that can come nearer to each other: two of one body that keeps its shape cannot.
+  bool move_apart(std::size_t e, std::size_t f) const {
+    return !several_bodies() || body_[e] == any || body_[e] != body_[f];
+  }
+
   std::vector<std::size_t> all_moving() const {
     std::vector<std::size_t> all(outline_.moving.facets.size());
     for (std::size_t e = 0; e < all.size(); ++e) all[e] = e;
@@ -193,7 +228,8 @@ class ContactSearch {
     for (std::size_t e = 0; e < facets.size() && !found; ++e) {
       tree.overlapping(box_of<D>(facet(facets[e], x)), [&](Index f) {
         const auto k = static_cast<std::size_t>(f);
-        if (!found && k > e && eligible(facets[e], facets[k])) found = visit(e, k);
+        if (!found && k > e && move_apart(e, k) && eligible(facets[e], facets[k]))
+          found = visit(e, k);
       });
     }
   }
@@ -202,7 +238,7 @@ class ContactSearch {
                                           const FacetNodes<D>& other, Index marker) const {
     const Meeting<D> found = meeting(facet(outline_.moving.facets[e], x), facet(other, x));
     if (found.kind == Meeting<D>::Kind::none) return std::nullopt;
-    EdgePair pair{name(outline_.moving.markers[e]), name(marker), {}, {}};
+    EdgePair pair{name(outline_.moving.markers[e]), name(marker), {}};
     set_place<D>(pair, found.place);
     return pair;
   }
@@ -256,19 +292,38 @@ class ContactSearch {
     return box;
   }
 
+  /// sweeps: the boxes of `facets`.
+  bool near_other_body(std::size_t e, const Box<D>& box, const BoxTree<D>& sweeps,
+                       std::span<const std::size_t> facets) const {
+    if (!several_bodies()) return false;
+    bool near = false;
+    sweeps.overlapping(box, [&](Index item) {
+      const std::size_t f = facets[at(item)];
+      near = near || (f != e && move_apart(e, f) &&
+                      eligible(outline_.moving.facets[e], outline_.moving.facets[f]));
+    });
+    return near;
+  }
+
   std::optional<Contact> within(const Interval& interval, const Positions& from,
                                 const Positions& to, std::span<const std::size_t> facets) const {
     const Positions middle(*this, interval.middle());
+    std::vector<Box<D>> boxes;
+    boxes.reserve(facets.size());
+    for (const std::size_t e : facets) boxes.push_back(swept(e, from.x(), middle.x(), to.x()));
+    const BoxTree<D> sweeps = several_bodies() ? BoxTree<D>(boxes) : BoxTree<D>();
     std::vector<std::size_t> close;
-    for (const std::size_t e : facets) {
-      const Box<D> box = swept(e, from.x(), middle.x(), to.x());
-      if (any_near(e, box, middle, [](const FacetNodes<D>&, Index) { return true; }))
+    for (std::size_t k = 0; k < facets.size(); ++k) {
+      const std::size_t e = facets[k];
+      if (any_near(e, boxes[k], middle, [](const FacetNodes<D>&, Index) { return true; }) ||
+          near_other_body(e, boxes[k], sweeps, facets))
         close.push_back(e);
     }
     if (close.empty()) return std::nullopt;
     constexpr double shortest = 1.0 / 1024;
     if (interval.end - interval.begin <= shortest) {
-      if (!meeting_of(to, close)) return std::nullopt;
+      if (!meeting_of(to, close) && !(several_bodies() && meeting_of_itself(to.x())))
+        return std::nullopt;
       return refined(interval.begin, interval.end);
     }
     if (auto contact = within({interval.begin, interval.middle()}, from, middle, close))
@@ -303,6 +358,8 @@ class ContactSearch {
   Outline<D> outline_;
   BoxTree<D> fixed_;  // of outline_.fixed, at rest
   bool rigid_;
+  static constexpr int any = -1;
+  std::vector<int> body_;                                       // of each moving facet
   std::set<std::pair<FacetNodes<D>, FacetNodes<D>>> touching_;  // at rest
 };
 
@@ -349,7 +406,6 @@ std::optional<Gap> gap_of(const Topology& topology, const Coordinates& x,
     gap = Gap{width,
               {name(outline.moving.markers[e]),
                name(outline.fixed.markers[static_cast<std::size_t>(nearest->item)]),
-               {},
                {}}};
     set_place<D>(gap->edges, centre);
   }
@@ -373,9 +429,19 @@ std::optional<Gap> smallest_gap(const Topology& topology, const Coordinates& x,
   return gap_of<2>(topology, x, moving, yielding);
 }
 
+std::optional<Gap> smallest_gap(const Topology& topology, const Coordinates& x,
+                                const Motion& motion, std::span<const Index> yielding) {
+  if (motion.bodies().empty()) return smallest_gap(topology, x, motion.nodes(), yielding);
+  std::optional<Gap> smallest;
+  for (const auto& body : motion.bodies()) {
+    const auto gap = smallest_gap(topology, x, body->nodes(), yielding);
+    if (gap && (!smallest || gap->width < smallest->width)) smallest = gap;
+  }
+  return smallest;
+}
+
 void put_in_mesh(EdgePair& edges, const LocalFrame& frame) {
   edges.place = frame.to_mesh(edges.place);
-  if (edges.place_z) *edges.place_z += frame.origin().z();
 }
 
 std::string describe_touch(const EdgePair& edges) {

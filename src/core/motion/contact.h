@@ -12,9 +12,8 @@ namespace winslow {
 /// Two edges of the boundary of a plane mesh, or two faces of that of a volume mesh, by the markers
 /// that they belong to.
 struct EdgePair {
-  std::string moving, other;           ///< names; empty: of no marker
-  Vec2 place{0, 0};                    ///< where they meet or are nearest, in units of the mesh
-  std::optional<double> place_z = {};  ///< its third component, in space
+  std::string moving, other;  ///< names; empty: of no marker
+  Vec3 place{0, 0, 0};        ///< where they meet or are nearest, in units of the mesh
 
   bool operator==(const EdgePair&) const = default;
 };
@@ -37,6 +36,7 @@ struct Contact {
 /// halved down to 1/1024 of the motion and there judged by whether they meet, so a touch shorter
 /// than that may go unnoticed. None if edges or faces cross before the motion begins; those that
 /// touch then, as those of a crack do, are left out. rest: all nodes before the motion.
+/// Bodies of a motion of several are looked at together, each against the others as they move.
 /// yielding: nodes of the boundary that give way, whose edges and faces are in nothing's way.
 std::optional<Contact> find_contact(const Topology& topology, const Coordinates& rest,
                                     const Motion& motion, std::span<const Index> yielding = {});
@@ -54,6 +54,9 @@ struct Gap {
 std::optional<Gap> smallest_gap(const Topology& topology, const Coordinates& x,
                                 std::span<const Index> moving,
                                 std::span<const Index> yielding = {});
+/// That of what a motion moves; of several bodies, also between one and another.
+std::optional<Gap> smallest_gap(const Topology& topology, const Coordinates& x,
+                                const Motion& motion, std::span<const Index> yielding = {});
 
 /// "flap would touch main".
 std::string describe_touch(const EdgePair& edges);

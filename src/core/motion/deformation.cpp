@@ -116,9 +116,9 @@ class NodeFinder {
 };
 
 std::string place_text(const DisplacementEntry& entry) {
-  std::string text =
-      "position (" + std::to_string(entry.position.x()) + ", " + std::to_string(entry.position.y());
-  if (entry.position_z) text += ", " + std::to_string(*entry.position_z);
+  const GivenVector& p = entry.position;
+  std::string text = "position (" + std::to_string(p.x()) + ", " + std::to_string(p.y());
+  if (p.numbers(2) == 3) text += ", " + std::to_string(p.z());
   return text + ")";
 }
 
@@ -131,19 +131,15 @@ std::string place_text(const DisplacementEntry& entry) {
   throw UsageError(file + line + ": " + who + " " + why);
 }
 
-/// The two or three components of something of an entry. Throws UsageError for one too few.
+/// Something of an entry. Throws UsageError for a component too few.
 template <int D>
-Vec<D> components(const DisplacementTable& table, std::size_t k, const Vec2& plane,
-                  const std::optional<double>& third, const char* missing) {
-  if constexpr (D == 2) {
-    return plane;
-  } else {
-    if (!third)
-      refuse_entry(table, k,
-                   std::string("has no ") + missing + ": found a table for " +
-                       "plane meshes, expected node,dx,dy,dz or x,y,z,dx,dy,dz");
-    return {plane.x(), plane.y(), *third};
-  }
+Vec<D> components(const DisplacementTable& table, std::size_t k, const GivenVector& given,
+                  const char* missing) {
+  if (given.numbers(D) < D)
+    refuse_entry(table, k,
+                 std::string("has no ") + missing +
+                     ": found a table for plane meshes, expected node,dx,dy,dz or x,y,z,dx,dy,dz");
+  return given.head<D>();
 }
 
 template <int D>
@@ -154,13 +150,12 @@ std::unique_ptr<Motion> table_motion(std::vector<Index> nodes, const Coordinates
   std::vector<unsigned char> given(nodes.size(), 0);
   for (std::size_t k = 0; k < table.entries.size(); ++k) {
     const DisplacementEntry& entry = table.entries[k];
-    const Vec<D> displacement =
-        components<D>(table, k, entry.displacement, entry.displacement_z, "dz");
+    const Vec<D> displacement = components<D>(table, k, entry.displacement, "dz");
     if (!displacement.allFinite()) {
       refuse_entry(table, k, "has a displacement that is not finite");
     }
     std::optional<Index> node = entry.node;
-    if (!node) node = finder.find(components<D>(table, k, entry.position, entry.position_z, "z"));
+    if (!node) node = finder.find(components<D>(table, k, entry.position, "z"));
     if (!node) refuse_entry(table, k, "matches no node of the chosen markers");
     const auto it = std::lower_bound(nodes.begin(), nodes.end(), *node);
     if (it == nodes.end() || *it != *node) {
@@ -182,26 +177,22 @@ std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates&
   if (!is_volume(topology)) require_plane(topology, "sine deformations");
   require_finite(options.amplitude, "the amplitude");
   require_finite(options.waves, "the number of waves");
-  require_finite(options.direction.sum() + options.direction_z.value_or(0), "the direction");
-  if (options.direction.norm() == 0 && options.direction_z.value_or(0) == 0) {
-    throw UsageError("the direction of the sine is zero");
-  }
+  require_finite(options.direction.sum(), "the direction");
+  if (options.direction.norm() == 0) throw UsageError("the direction of the sine is zero");
   if (!(options.fade_length > 0 && options.fade_length <= 0.5)) {
     throw UsageError("the fade length is not in (0, 0.5]");
   }
   std::vector<Index> nodes = moving_nodes(topology, markers);
   if (is_volume(topology)) {
-    const Vec3 direction(options.direction.x(), options.direction.y(),
-                         options.direction_z.value_or(0));
-    return sine_motion<3>(std::move(nodes), rest, options, direction.normalized(),
-                          way_of(options, direction));
+    return sine_motion<3>(std::move(nodes), rest, options, options.direction.normalized(),
+                          way_of(options, options.direction));
   }
-  if (options.along || options.direction_z) {
+  if (options.along || options.direction.leaves_plane()) {
     throw UsageError(
         "a way along which a sine runs or a third component: only for a volume mesh, and this is a "
         "plane mesh");
   }
-  const Vec2 direction = options.direction.normalized();
+  const Vec2 direction = Vec2(options.direction.head<2>()).normalized();
   return sine_motion<2>(std::move(nodes), rest, options, direction,
                         Vec2(direction.y(), -direction.x()));
 }

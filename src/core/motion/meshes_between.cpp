@@ -14,63 +14,74 @@ constexpr double degrees_per_frame = 1;
 constexpr double moved_per_frame = 0.02;  // of the extent of the moved nodes
 constexpr int most_frames = 90;
 
+/// A body on its way from one mesh to another.
 template <int D>
-RigidMotionIn<D> fitted(std::span<const Index> moved, const Coordinates& from,
-                        const Coordinates& to) {
-  if constexpr (D == 2)
-    return fit_rigid_motion(moved, from, to);
-  else
-    return fit_space_motion(moved, from, to);
-}
+class Way {
+ public:
+  Way(std::span<const Index> nodes, const Coordinates& from, const Coordinates& to)
+      : whole_(fit_rigid_motion(nodes, from, to)) {
+    Box<D> box = Box<D>::empty();
+    for (const Index node : nodes) box.add(from.get<D>(node));
+    centre_ = box.centre();
+    extent_ = box.size().norm();
+    way_ = transform(whole_, centre_) - centre_;
+    part_ = whole_;
+  }
+
+  int frames() const {
+    const double by_way = extent_ > 0 ? way_.norm() / (moved_per_frame * extent_) : 0;
+    const double wanted = std::max(std::abs(whole_.rotate) / degrees_per_frame, by_way);
+    return static_cast<int>(std::ceil(std::min(wanted, static_cast<double>(most_frames)) - 1e-9));
+  }
+
+  /// Goes on to a share of the motion: of the angle and of the way of its centre.
+  void go_to(double share) {
+    part_ = whole_;
+    part_.rotate *= share;
+    part_.pivot = centre_;
+    part_.translate = Vec<D>(share * way_);
+  }
+  /// Whether, from 0 to 1, what goes from a to b goes with the body.
+  double follows(const Vec<D>& a, const Vec<D>& b) const {
+    const double stays = (b - a).norm(), goes = (b - transform(whole_, a)).norm();
+    return stays + goes > 0 ? stays / (stays + goes) : 0;
+  }
+  /// Where the body has that which goes from a to b.
+  Vec<D> carried(const Vec<D>& a, const Vec<D>& b, double share) const {
+    const Vec<D> back = transform_back(whole_, b);
+    return transform(part_, Vec<D>(a + share * (back - a)));
+  }
+
+ private:
+  RigidMotion whole_, part_;
+  Vec<D> centre_, way_;
+  double extent_ = 0;
+};
 
 template <int D>
-Box<D> box_of(const Coordinates& x, std::span<const Index> nodes) {
-  Box<D> box = Box<D>::empty();
-  for (const Index node : nodes) box.add(x.get<D>(node));
-  return box;
-}
-
-/// The share of a rigid motion: the angle and the way of its centre, each in proportion.
-template <int D>
-RigidMotionIn<D> share_of(RigidMotionIn<D> whole, const Vec<D>& centre, double share) {
-  const Vec<D> way = transform(whole, centre) - centre;
-  whole.rotate *= share;
-  whole.pivot = centre;
-  whole.translate = share * way;
-  return whole;
-}
-
-template <int D>
-int frames_for(const RigidMotionIn<D>& motion, const Box<D>& body) {
-  const Vec<D> centre = body.centre();
-  const double extent = body.size().norm();
-  const double way = (transform(motion, centre) - centre).norm();
-  const double by_way = extent > 0 ? way / (moved_per_frame * extent) : 0;
-  const double wanted = std::max(std::abs(motion.rotate) / degrees_per_frame, by_way);
-  return static_cast<int>(std::ceil(std::min(wanted, static_cast<double>(most_frames)) - 1e-9));
-}
-
-template <int D>
-std::vector<Coordinates> between(const Topology& topology, std::span<const Index> moved,
+std::vector<Coordinates> between(const Topology& topology,
+                                 std::span<const std::vector<Index>> bodies,
                                  const Coordinates& from, const Coordinates& to) {
-  const RigidMotionIn<D> whole = fitted<D>(moved, from, to);
-  const Box<D> body = box_of<D>(from, moved);
-  const int frames = frames_for<D>(whole, body);
+  std::vector<Way<D>> ways;
+  int frames = 0;
+  for (const std::vector<Index>& nodes : bodies) {
+    if (nodes.empty()) continue;
+    frames = std::max(frames, ways.emplace_back(nodes, from, to).frames());
+  }
   std::vector<Coordinates> meshes;
   for (int k = 1; k < frames; ++k) {
     const double t = static_cast<double>(k) / frames;
-    const RigidMotionIn<D> part = share_of<D>(whole, body.centre(), t);
+    for (Way<D>& way : ways) way.go_to(t);
     Coordinates x = from;
     for (Index i = 0; i < x.size(); ++i) {
       const Vec<D> a = from.get<D>(i), b = to.get<D>(i);
+      const auto leader =
+          std::ranges::max_element(ways, {}, [&](const Way<D>& way) { return way.follows(a, b); });
       // Straight for what stays, with the body for what goes along: thin layers at a body that
       // turns would be crushed by straight lines.
-      const double stays = (b - a).norm(), goes = (b - transform(whole, a)).norm();
-      const double along = stays + goes > 0 ? stays / (stays + goes) : 0;
       const Vec<D> straight = a + t * (b - a);
-      const Vec<D> back = transform_back(whole, b);
-      const Vec<D> carried = transform(part, Vec<D>(a + t * (back - a)));
-      x.set<D>(i, straight + along * (carried - straight));
+      const Vec<D> carried = leader->carried(a, b, t);
+      x.set<D>(i, straight + leader->follows(a, b) * (carried - straight));
     }
     if (check_validity(topology, x).inverted == 0) meshes.push_back(std::move(x));
   }
@@ -79,11 +90,12 @@ std::vector<Coordinates> between(const Topology& topology, std::span<const Index
 
 }  // namespace
 
-std::vector<Coordinates> meshes_between(const Topology& topology, std::span<const Index> moved,
+std::vector<Coordinates> meshes_between(const Topology& topology,
+                                        std::span<const std::vector<Index>> bodies,
                                         const Coordinates& from, const Coordinates& to) {
-  if (moved.empty() || from.size() != to.size()) return {};
-  return topology.cell_dimension() == 3 ? between<3>(topology, moved, from, to)
-                                        : between<2>(topology, moved, from, to);
+  if (from.size() != to.size()) return {};
+  return topology.cell_dimension() == 3 ? between<3>(topology, bodies, from, to)
+                                        : between<2>(topology, bodies, from, to);
 }
 
 }  // namespace winslow

@@ -7,11 +7,13 @@
 
 namespace winslow {
 
-/// Meshes between two of a path along which `moved` nodes go as a rigid body: one for every degree
-/// that they turn and for every 2 % of their extent that they move, without both ends. The moved
-/// nodes are where the motion takes them; the others go with it as far as they do from one end to
-/// the other. What would be invalid is left out; empty if the nodes do not move.
-std::vector<Coordinates> meshes_between(const Topology& topology, std::span<const Index> moved,
+/// Meshes between two of a path along which bodies go, each a rigid one: one for every degree that
+/// one of them turns and for every 2 % of its extent that it moves, without both ends. bodies: the
+/// nodes of each. These are where the motions take them; each other node goes with the body that
+/// takes it farthest on its own way, as far as it does from one end to the other. What would be
+/// invalid is left out; empty if nothing moves.
+std::vector<Coordinates> meshes_between(const Topology& topology,
+                                        std::span<const std::vector<Index>> bodies,
                                         const Coordinates& from, const Coordinates& to);
 
 }  // namespace winslow

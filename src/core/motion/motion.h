@@ -7,6 +7,7 @@
 
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"
+#include "core/motion/rigid_motion.h"
 #include "core/options/option.h"
 
 namespace winslow {
@@ -22,56 +23,17 @@ class Motion {
   virtual void apply(const Coordinates& rest, double fraction, Coordinates& out) const = 0;
   /// The same without what goes along with the bodies because it lies between them.
   virtual const Motion& of_bodies() const { return *this; }
+  /// The motions of single bodies that make up this one; empty: it is that of one body.
+  virtual std::span<const std::unique_ptr<Motion>> bodies() const { return {}; }
 };
 
-/// x -> pivot + R(angle) (x - pivot) + translate.
-struct RigidMotion {
-  double rotate = 0;     ///< degrees, counter-clockwise positive
-  Vec2 pivot{0, 0};      ///< in units of the mesh
-  Vec2 translate{0, 0};  ///< in units of the mesh
+/// What moves as one rigid body.
+struct MovingBody {
+  std::vector<std::string> markers;
+  RigidMotion motion;
+
+  bool operator==(const MovingBody&) const = default;
 };
-
-/// The same in space: R turns about `axis`, counter-clockwise seen from where it points to.
-struct SpaceMotion {
-  double rotate = 0;        ///< degrees
-  Vec3 axis{0, 0, 1};       ///< of any length but zero
-  Vec3 pivot{0, 0, 0};      ///< in units of the mesh
-  Vec3 translate{0, 0, 0};  ///< in units of the mesh
-};
-
-/// A rigid motion as it is asked for: where it turns may be left open.
-struct RigidMotionRequest {
-  double rotate = 0;          ///< as in RigidMotion
-  std::optional<Vec2> pivot;  ///< none: the centre of what moves, see body_centre()
-  Vec2 translate{0, 0};       ///< as in RigidMotion
-  // In space: the axis, and the third components.
-  std::optional<Vec3> axis;
-  std::optional<double> pivot_z, translate_z;
-
-  RigidMotionRequest() = default;
-  RigidMotionRequest(double degrees, std::optional<Vec2> about, const Vec2& by)
-      : rotate(degrees), pivot(std::move(about)), translate(by) {}
-  /// That very motion.
-  RigidMotionRequest(const RigidMotion& motion)
-      : rotate(motion.rotate), pivot(motion.pivot), translate(motion.translate) {}
-  RigidMotionRequest(const SpaceMotion& motion)
-      : rotate(motion.rotate),
-        pivot(motion.pivot.head<2>()),
-        translate(motion.translate.head<2>()),
-        axis(motion.axis),
-        pivot_z(motion.pivot.z()),
-        translate_z(motion.translate.z()) {}
-
-  bool operator==(const RigidMotionRequest&) const = default;
-  /// The motion of a plane mesh, about `centre` unless a pivot is named. Throws UsageError if it
-  /// leaves the plane.
-  RigidMotion about(const Vec2& centre) const;
-  /// The motion of a volume mesh. Throws UsageError for a rotation without an axis.
-  SpaceMotion in_space(const Vec3& centre) const;
-};
-
-/// Throws UsageError for a motion that meshes of this dimension (2 or 3) do not have.
-void require_fits(const RigidMotionRequest& motion, int dimension);
 
 enum class Fade { none, start, end, both };
 
@@ -84,27 +46,23 @@ enum class Fade { none, start, end, both };
 /// (0, 0, 1), which for a direction in the plane z = 0 is the way it runs in the plane; a direction
 /// along z leaves that open.
 struct SineDeformation {
-  double amplitude = 0;  ///< in units of the mesh
-  double waves = 1;      ///< full periods over the body
-  Vec2 direction{0, 1};  ///< of the displacement; need not be normalised
+  double amplitude = 0;         ///< in units of the mesh
+  double waves = 1;             ///< full periods over the body
+  GivenVector direction{0, 1};  ///< of the displacement; need not be normalised
   Fade fade = Fade::none;
-  double fade_length = 0.2;  ///< share of the body's length, (0, 0.5]
-  // In space.
-  std::optional<double> direction_z = {};
-  std::optional<Vec3> along = {};  ///< of any length but zero
+  double fade_length = 0.2;        ///< share of the body's length, (0, 0.5]
+  std::optional<Vec3> along = {};  ///< in space, of any length but zero
 
   bool operator==(const SineDeformation&) const = default;
 };
 
 /// One row of a displacement file: a node by its index (0-based, order of the file) or by where it
-/// is, and how far it moves.
+/// is, and how far it moves. A plane mesh takes no notice of third components.
 struct DisplacementEntry {
   std::optional<Index> node;
-  Vec2 position{0, 0};  ///< where node is empty
-  Vec2 displacement{0, 0};
+  GivenVector position;  ///< where node is empty
+  GivenVector displacement;
   int line = 0;  ///< of the file it came from, for messages; 0: unknown
-  // In space; a plane mesh takes no notice of them.
-  std::optional<double> position_z = {}, displacement_z = {};
 };
 
 /// Displacements of single nodes. Nodes of the markers that have no entry stay.
@@ -113,21 +71,26 @@ struct DisplacementTable {
   std::string source;  ///< the file it came from, for messages
 };
 
-/// RigidMotion is for plane meshes, SpaceMotion for volume meshes, the others for both. Each throws
-/// UsageError: no marker, an unknown one, an entry that matches no node of the markers or one
-/// twice, an amplitude that is not finite, a component too few or too many, ...
+/// The motions of plane meshes and of volume meshes. Each throws UsageError: no marker, an unknown
+/// one, an entry that matches no node of the markers or one twice, an amplitude that is not finite,
+/// a component too few or too many, ...
+///
+/// A rigid motion without a pivot turns about body_centre() of its markers.
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
                                     const std::vector<std::string>& markers,
                                     const RigidMotion& options);
-std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
-                                    const std::vector<std::string>& markers,
-                                    const SpaceMotion& options);
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
                                     const std::vector<std::string>& markers,
                                     const SineDeformation& options);
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
                                     const std::vector<std::string>& markers,
                                     const DisplacementTable& table);
+
+/// Bodies that move together: at each fraction every one has done that much of its own motion.
+/// Throws UsageError as above, for no body, for a marker that is given to two bodies, and, naming
+/// the markers, for a node that two bodies share and would take to different places.
+std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
+                                    std::span<const MovingBody> bodies);
 
 /// The nodes of the markers that are to move, ascending. Throws UsageError if there is no marker,
 /// an unknown one, or no node.
@@ -137,7 +100,7 @@ std::vector<Index> moving_nodes(const Topology& topology, const std::vector<std:
 void require_finite(double value, const char* what);
 
 /// All that a user can set of a motion, but for the markers that move.
-OptionTable option_table(RigidMotionRequest& motion);
+OptionTable option_table(RigidMotion& motion);
 OptionTable option_table(SineDeformation& sine);
 
 }  // namespace winslow

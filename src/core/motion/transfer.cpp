@@ -14,8 +14,8 @@ class Transfer final : public Motion {
       : nodes_(std::move(nodes)) {
     for (const Index node : nodes_) target_.push_back(to.xy(node));
     const RigidMotion fit = fit_rigid_motion(nodes_, from, to);
-    centre_ = fit.pivot;
-    target_centre_ = fit.pivot + fit.translate;
+    centre_ = pivot_of(fit).head<2>();
+    target_centre_ = centre_ + fit.translate.head<2>();
     angle_ = radians(fit.rotate);
   }
 

@@ -17,17 +17,15 @@ std::string text_of(const OptionalRealOption& real) {
 }
 std::string text_of(const IntegerOption& integer) { return std::to_string(*integer.value); }
 std::string text_of(const SeedOption& seed) { return std::to_string(*seed.value); }
-std::string text_of(const Vec2& vector) {
-  return number_text(vector.x()) + ' ' + number_text(vector.y());
-}
-std::string third_text(const std::optional<double>* third) {
-  return third && *third ? ' ' + number_text(**third) : "";
+std::string text_of(const Vec3& vector, int numbers) {
+  std::string text = number_text(vector.x()) + ' ' + number_text(vector.y());
+  return numbers == 3 ? text + ' ' + number_text(vector.z()) : text;
 }
 std::string text_of(const VectorOption& vector) {
-  return text_of(*vector.value) + third_text(vector.third);
+  return text_of(*vector.value, vector.value->numbers(vector.numbers));
 }
 std::string text_of(const OptionalVectorOption& vector) {
-  return *vector.value ? text_of(**vector.value) + third_text(vector.third) : "";
+  return *vector.value ? text_of(**vector.value, (*vector.value)->numbers(vector.numbers)) : "";
 }
 std::string text_of(const NamesOption& names) {
   std::string text;
@@ -41,9 +39,7 @@ std::string text_of(const NodesOption& nodes) {
 }
 std::string text_of(const FileOption& file) { return *file.value; }
 std::string text_of(const SpaceVectorOption& vector) {
-  if (!*vector.value) return "";
-  const Vec3& v = **vector.value;
-  return number_text(v.x()) + ' ' + number_text(v.y()) + ' ' + number_text(v.z());
+  return *vector.value ? text_of(**vector.value, 3) : "";
 }
 std::string text_of(const SwitchOption& on) { return *on.value ? "true" : "false"; }
 std::string text_of(const ChoiceOption& choice) { return choice.name(); }
@@ -88,25 +84,17 @@ std::string wrong_with(const IntegerOption& integer) {
   return out_of(integer.range, *integer.value);
 }
 std::string wrong_with(const SeedOption&) { return ""; }
-std::string wrong_with(const Vec2& vector) {
-  const std::string x = out_of({}, vector.x());
-  return x.empty() ? out_of({}, vector.y()) : x;
+std::string wrong_with(const Vec3& vector) {
+  for (const double component : vector)
+    if (std::string fault = out_of({}, component); !fault.empty()) return fault;
+  return "";
 }
-std::string wrong_with(const Vec2& vector, const std::optional<double>* third) {
-  const std::string wrong = wrong_with(vector);
-  return wrong.empty() && third && *third ? out_of({}, **third) : wrong;
-}
-std::string wrong_with(const VectorOption& vector) {
-  return wrong_with(*vector.value, vector.third);
-}
+std::string wrong_with(const VectorOption& vector) { return wrong_with(*vector.value); }
 std::string wrong_with(const OptionalVectorOption& vector) {
-  return *vector.value ? wrong_with(**vector.value, vector.third) : "";
+  return *vector.value ? wrong_with(**vector.value) : "";
 }
 std::string wrong_with(const SpaceVectorOption& vector) {
-  if (!*vector.value) return "";
-  const double z = (*vector.value)->z();
-  const std::string wrong = wrong_with(Vec2((*vector.value)->head<2>()));
-  return wrong.empty() ? out_of({}, z) : wrong;
+  return *vector.value ? wrong_with(**vector.value) : "";
 }
 std::string wrong_with(const NamesOption& names) {
   if (!names.pairs || names.value->size() % 2 == 0) return "";
@@ -259,9 +247,7 @@ bool same(const SharesOption& a, const SharesOption& b) {
 }
 template <class Simple>
 bool same(const Simple& a, const Simple& b) {
-  bool equal = *a.value == *b.value;
-  if constexpr (requires { a.third; }) equal = equal && (!a.third || *a.third == *b.third);
-  return equal;
+  return *a.value == *b.value;
 }
 
 void copy(const ChoiceOption& from, const ChoiceOption& to) { to.choose(from.name()); }
@@ -271,8 +257,6 @@ void copy(const SharesOption& from, const SharesOption& to) {
 template <class Simple>
 void copy(const Simple& from, const Simple& to) {
   *to.value = *from.value;
-  if constexpr (requires { from.third; })
-    if (from.third) *to.third = *from.third;
 }
 
 bool same_value(const Option& a, const Option& b) {

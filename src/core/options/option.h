@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/options/given_vector.h"
 #include "core/types.h"
 
 /// Options as tables. A struct of options has a function option_table(Struct&) that returns one row
@@ -55,16 +56,17 @@ struct SeedOption {
   std::uint64_t* value;
 };
 
-/// Components of a vector in the plane, and a third one in space where there is a place for it.
+/// A vector by two numbers, in space by three. `numbers`: as many as it is written by where the
+/// program found it.
 struct VectorOption {
-  Vec2* value;
-  std::optional<double>* third = nullptr;
+  GivenVector* value;
+  int numbers = 3;
 };
 
 /// The same that may be left unset.
 struct OptionalVectorOption {
-  std::optional<Vec2>* value;
-  std::optional<double>* third = nullptr;
+  std::optional<GivenVector>* value;
+  int numbers = 3;
 };
 
 /// A vector in space that may be left unset.

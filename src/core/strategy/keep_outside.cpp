@@ -22,7 +22,7 @@ OptionTable option_table(KeepOutside& keep) {
        .object = "keep_outside",
        .applies = keep.radius.has_value()},
       {.key = "centre",
-       .value = OptionalVectorOption{&keep.centre, &keep.centre_z},
+       .value = OptionalVectorOption{&keep.centre},
        .label = "Free centre",
        .help = "Of the circle, in space the sphere, outside which nodes stay; not given: the "
                "centre of the bounding box "
@@ -31,14 +31,14 @@ OptionTable option_table(KeepOutside& keep) {
        .object = "keep_outside",
        .applies = keep.centre.has_value()},
       {.key = "corner",
-       .value = OptionalVectorOption{&keep.corner, &keep.corner_z},
+       .value = OptionalVectorOption{&keep.corner},
        .label = "Free box",
        .help = "Nodes outside the box with this corner and the one opposite stay where they are",
        .unit = "units of the mesh",
        .object = "keep_outside",
        .applies = keep.corner.has_value()},
       {.key = "opposite",
-       .value = OptionalVectorOption{&keep.opposite, &keep.opposite_z},
+       .value = OptionalVectorOption{&keep.opposite},
        .label = "Opposite corner",
        .help = "Of the box outside which nodes stay",
        .unit = "units of the mesh",
@@ -58,32 +58,22 @@ void validate(const KeepOutside& keep) {
 
 void validate(const KeepOutside& keep, int dimension) {
   validate(keep);
-  const std::array<std::pair<const char*, bool>, 3> places{
-      {{"centre", keep.centre && keep.centre_z.has_value() != (dimension == 3)},
-       {"corner", keep.corner && keep.corner_z.has_value() != (dimension == 3)},
-       {"opposite", keep.opposite && keep.opposite_z.has_value() != (dimension == 3)}}};
-  for (const auto& [name, wrong] : places)
-    if (wrong)
+  const std::array<std::pair<const char*, const std::optional<GivenVector>*>, 3> places{
+      {{"centre", &keep.centre}, {"corner", &keep.corner}, {"opposite", &keep.opposite}}};
+  for (const auto& [name, place] : places)
+    if (*place && (*place)->numbers(dimension) != dimension)
       throw UsageError("keep-outside " + std::string(name) +
                        (dimension == 3 ? ": found two numbers, expected three for a volume mesh"
                                        : ": found three numbers, expected two for a plane mesh"));
 }
 
 KeepOutside to_local(KeepOutside keep, const LocalFrame& frame) {
-  for (std::optional<Vec2>* place : {&keep.centre, &keep.corner, &keep.opposite})
-    if (*place) *place = frame.to_local(**place);
-  for (std::optional<double>* height : {&keep.centre_z, &keep.corner_z, &keep.opposite_z})
-    if (*height) **height -= frame.origin().z();
+  for (std::optional<GivenVector>* place : {&keep.centre, &keep.corner, &keep.opposite})
+    if (*place) **place -= frame.origin();
   return keep;
 }
 
 namespace {
-
-Vec3 middle_of(const Coordinates& x, std::span<const Index> nodes) {
-  if (x.dimension() == 3) return body_centre(space_bounds(x, nodes));
-  const Vec2 middle = body_centre(bounds(x, nodes));
-  return {middle.x(), middle.y(), 0};
-}
 
 /// Calls holds() with the places of nodes.
 class NodesInside {
@@ -109,12 +99,12 @@ FreeRegion::FreeRegion(const KeepOutside& keep, const Coordinates& x,
           "keep-outside radius: nothing moves whose centre could be meant; give the centre of "
           "the " +
           std::string(x.dimension() == 3 ? "sphere" : "circle") + " (keep-outside centre)");
-    centre_ = keep.centre ? keep.centre_point() : middle_of(x, about);
+    centre_ = keep.centre ? Vec3(*keep.centre) : body_centre(body_box(x, about));
     radius_ = keep.radius;
   }
   if (keep.corner) {
-    low_ = keep.corner_point().cwiseMin(keep.opposite_point());
-    high_ = keep.corner_point().cwiseMax(keep.opposite_point());
+    low_ = keep.corner->cwiseMin(*keep.opposite);
+    high_ = keep.corner->cwiseMax(*keep.opposite);
     box_ = true;
   }
 }

@@ -18,18 +18,12 @@ struct KeepOutside {
   std::optional<double> radius = std::nullopt;
   /// Of the circle. None: the centre of the bounding box of all that moves, or of the walls that
   /// get layers.
-  std::optional<Vec2> centre = std::nullopt;
-  std::optional<double> centre_z = std::nullopt;
+  std::optional<GivenVector> centre = std::nullopt;
   /// Opposite corners of the box, in any order. Both or none.
-  std::optional<Vec2> corner = std::nullopt;
-  std::optional<Vec2> opposite = std::nullopt;
-  std::optional<double> corner_z = std::nullopt, opposite_z = std::nullopt;
+  std::optional<GivenVector> corner = std::nullopt;
+  std::optional<GivenVector> opposite = std::nullopt;
 
   bool given() const { return radius || corner || opposite; }
-  /// Their third component is 0 where it is not given, as in the plane.
-  Vec3 centre_point() const { return {centre->x(), centre->y(), centre_z.value_or(0)}; }
-  Vec3 corner_point() const { return {corner->x(), corner->y(), corner_z.value_or(0)}; }
-  Vec3 opposite_point() const { return {opposite->x(), opposite->y(), opposite_z.value_or(0)}; }
   bool operator==(const KeepOutside&) const = default;
 };
 

@@ -157,7 +157,7 @@ void NewtonRun::follow(const Motion& motion, const Coordinates& rest, Coordinate
   follow_path(path, least_sine, x);
   result.linear_solver = linear().description();
   if (result.fraction_reached < 1 && !result.contact && result.limited_by.empty())
-    result.gap = smallest_gap(topology, x, motion.of_bodies().nodes(), yielding_nodes());
+    result.gap = smallest_gap(topology, x, motion.of_bodies(), yielding_nodes());
 }
 
 /// least_sine: smallest normalized Jacobian that a motion is blocked with, where it is blocked.

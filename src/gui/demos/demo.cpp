@@ -10,7 +10,7 @@ namespace {
 const MotionOptions boundary_alone{0, false};
 
 MoveCommand move(const char* marker, const RigidMotion& motion, const MotionOptions& how = {}) {
-  return {{marker}, motion, how, {}};
+  return {{{{marker}, motion}}, how, {}};
 }
 
 DeformCommand wave(const char* marker, double amplitude, double waves,
@@ -236,8 +236,8 @@ CutPlane cut(const std::array<double, 3>& point, const std::array<double, 3>& no
   return {point, normal, true};
 }
 
-MoveCommand move(const char* marker, const SpaceMotion& motion, const MotionOptions& how = {}) {
-  return {{marker}, motion, how, {}};
+MoveCommand moved(const char* marker, const RigidMotion& motion, const MotionOptions& how = {}) {
+  return {{{{marker}, motion}}, how, {}};
 }
 
 const MotionOptions unsmoothed{0, false};
@@ -285,21 +285,18 @@ Demo sphere() {
 
 Demo cube() {
   const SpaceLook view{-66, 22, 2, {0.3, 0, 0.2}, 3.2, {cut({0, 0, 0}, {0, -1, 0})}};
-  SpaceMotion motion;
-  motion.rotate = 60;
-  motion.axis = Vec3(0, 1, 0);
-  motion.translate = Vec3(1, 0, 0.5);
+  const RigidMotion motion{60, Vec3(0, 0, 0), Vec3(1, 0, 0.5), Vec3(0, 1, 0)};
   DemoStep alone = seen("The boundary alone",
                         "The cube is turned by 60 degrees about the y axis and moved; the interior "
                         "stays where it was. Red elements are inverted.",
                         view, {"cube"});
-  alone.command = move("cube", motion, unsmoothed);
+  alone.command = moved("cube", motion, unsmoothed);
   alone.afresh = true;
   DemoStep follows = seen("The mesh follows",
                           "The same motion, smoothed, through valid meshes only. Shift+G shows the "
                           "mesh as opened beside it.",
                           view, {"cube"});
-  follows.command = move("cube", motion);
+  follows.command = moved("cube", motion);
   follows.afresh = true;
   return {"I",
           "A cube turned by 60 degrees and moved",
@@ -314,15 +311,12 @@ Demo cube() {
 Demo wing() {
   const SpaceLook whole{35, 20, 1, {0.5, 0, 0.35}, 0.8, {cut({0, 0, 0.5}, {0, 0, 1})}};
   const SpaceLook gap{12, 10, 1, {0.87, -0.05, 0.5}, 0.13, {cut({0, 0, 0.5}, {0, 0, 1})}};
-  SpaceMotion motion;
-  motion.rotate = -15;
-  motion.axis = Vec3(0.2755, 0.018, 1.5);
-  motion.pivot = Vec3(0.848, -0.036, 0);
+  const RigidMotion motion{-15, Vec3(0.848, -0.036, 0), Vec3(0, 0, 0), Vec3(0.2755, 0.018, 1.5)};
   DemoStep turned = seen("Turned about its hinge line",
                          "The flap turns by 15 degrees down about its hinge, which is swept as the "
                          "wing is. The mesh in the gap follows.",
                          whole, {"flap"});
-  turned.command = move("flap", motion);
+  turned.command = moved("flap", motion);
   return {"J",
           "A wing's flap turned, and a cut through its gap",
           "wing.su2.gz",

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "core/motion/rigid_motion.h"
@@ -131,35 +130,21 @@ std::vector<Index> selected_nodes(const Session& session) {
 
 /// A circle about a body, in space a sphere, or a box, to begin with: room for the body to turn,
 /// and as much again around it.
-template <class Box>
-KeepOutside around(Shape shape, const Box& body) {
+KeepOutside around(Shape shape, const Coordinates& x, const std::vector<Index>& nodes) {
   KeepOutside keep;
-  const auto centre = body_centre(body);
-  using Point = std::decay_t<decltype(centre)>;
+  const Box<3> body = body_box(x, nodes);
+  const Vec3 centre = body_centre(body);
   const double room = body.size().norm();
-  const Point low = centre - Point::Constant(room), high = centre + Point::Constant(room);
+  const auto place = [&](const Vec3& p) { return GivenVector::of(x.dimension(), p); };
   if (shape == circle) {
     keep.radius = room;
-    keep.centre = centre.template head<2>();  // smoothing in place has no body to ask for it
+    keep.centre = place(centre);  // smoothing in place has no body to ask for it
   }
   if (shape == box) {
-    keep.corner = low.template head<2>();
-    keep.opposite = high.template head<2>();
-  }
-  if constexpr (Point::SizeAtCompileTime == 3) {
-    if (shape == circle) keep.centre_z = centre.z();
-    if (shape == box) {
-      keep.corner_z = low.z();
-      keep.opposite_z = high.z();
-    }
+    keep.corner = place(centre - Vec3::Constant(room));
+    keep.opposite = place(centre + Vec3::Constant(room));
   }
   return keep;
-}
-
-KeepOutside first(Shape shape, const Session& session) {
-  const std::vector<Index> nodes = selected_nodes(session);
-  return session.in_space() ? around(shape, space_bounds(session.coordinates(), nodes))
-                            : around(shape, bounds(session.coordinates(), nodes));
 }
 
 }  // namespace
@@ -177,7 +162,8 @@ void draw_keep_outside(const PanelContext& context) {
   ui::row("Keep outside", tip, motion_label_share);
   bool changed = ui::combo("motion/keep_outside", {"Nothing", space ? "Sphere" : "Circle", "Box"},
                            chosen, tip);
-  if (changed) keep = first(static_cast<Shape>(chosen), session);
+  if (changed)
+    keep = around(static_cast<Shape>(chosen), session.coordinates(), selected_nodes(session));
   changed |= ui::option_form("motion/region", option_table(keep));
   if (changed)
     context.emit(action::EditSmoothOptions{difference(session.jobs().smooth_options(), options)});

@@ -14,19 +14,19 @@ constexpr float label_share = 0.38f;
 
 bool sensible(const SineDeformation& s) {
   return std::isfinite(s.amplitude) && s.amplitude != 0 && std::isfinite(s.waves) &&
-         s.direction.allFinite() && (s.direction.norm() > 0 || s.direction_z.value_or(0) != 0);
+         s.direction.allFinite() && s.direction.norm() > 0;
 }
 
 /// The axis that a direction is, 0 to 2.
 std::size_t axis_of(const SineDeformation& s) {
-  if (s.direction_z.value_or(0) != 0) return 2;
+  if (s.direction.z() != 0) return 2;
   return s.direction == Vec2(1, 0) ? 0 : 1;
 }
 
 /// A sine in space says along what it runs; without, it runs at right angles to its direction.
 void set_axes(SineDeformation& s, std::size_t direction, std::optional<std::size_t> along) {
-  s.direction = direction == 0 ? Vec2(1, 0) : Vec2(0, direction == 1 ? 1 : 0);
-  s.direction_z = direction == 2 ? std::optional(1.0) : std::nullopt;
+  const Vec3 unit = Vec3::Unit(static_cast<Index>(direction));
+  s.direction = GivenVector::of(direction == 2 ? 3 : 2, unit);
   s.along = along ? std::optional(Vec3(Vec3::Unit(static_cast<Index>(*along)))) : std::nullopt;
 }
 

@@ -138,9 +138,9 @@ json write_table(const DisplacementTable& table) {
     if (entry.node) {
       item["node"] = *entry.node;
     } else {
-      item["position"] = vector_json(entry.position, &entry.position_z);
+      item["position"] = vector_json(entry.position);
     }
-    item["displacement"] = vector_json(entry.displacement, &entry.displacement_z);
+    item["displacement"] = vector_json(entry.displacement);
     if (entry.line > 0) item["line"] = entry.line;
     entries.push_back(std::move(item));
   }
@@ -156,11 +156,9 @@ DisplacementEntry read_entry(const json& value, const std::string& path) {
   if (reader.has("node")) {
     reader.required("node", entry.node.emplace());
   } else {
-    read_vector(reader.at("position"), reader.path_of("position"), entry.position,
-                &entry.position_z);
+    entry.position = read_vector(reader.at("position"), reader.path_of("position"));
   }
-  read_vector(reader.at("displacement"), reader.path_of("displacement"), entry.displacement,
-              &entry.displacement_z);
+  entry.displacement = read_vector(reader.at("displacement"), reader.path_of("displacement"));
   reader.field("line", entry.line);
   reader.finish();
   return entry;
@@ -225,6 +223,33 @@ void read_beyond(ObjectReader& reader, EditVcvCommand& command, const std::files
   }
 }
 
+MovingBody read_body(const json& value, const std::string& path) {
+  ObjectReader reader(value, path);
+  MovingBody body;
+  reader.required("markers", body.markers);
+  option_fields(reader, body.motion);
+  reader.finish();
+  return body;
+}
+
+/// One body is written in the command's own keys, several are a list.
+void read_beyond(ObjectReader& reader, MoveCommand& command, const std::filesystem::path&) {
+  const json* list = reader.find("bodies");
+  if (!list) return reader.required("markers", command.bodies.front().markers);
+  RigidMotion motion;
+  std::vector<std::string> own{"markers"};
+  for (const Option& option : option_table(motion)) own.emplace_back(option.key);
+  for (const std::string& key : own)
+    if (reader.has(key.c_str()))
+      throw JsonValueError(reader.path_of(key.c_str()),
+                           "expected in the objects of \"bodies\", which say how each one moves");
+  const std::string path = reader.path_of("bodies");
+  if (!list->is_array() || list->empty()) throw JsonValueError(path, "expected a list of bodies");
+  command.bodies.clear();
+  for (std::size_t i = 0; i < list->size(); ++i)
+    command.bodies.push_back(read_body((*list)[i], path + '[' + std::to_string(i) + ']'));
+}
+
 void read_beyond(ObjectReader& reader, DeformCommand& command,
                  const std::filesystem::path& folder) {
   if (reader.has("sine") == reader.has("displacements")) {
@@ -242,6 +267,18 @@ void read_beyond(ObjectReader& reader, DeformCommand& command,
 
 void read_beyond(ObjectReader& reader, LayersCommand& command, const std::filesystem::path&) {
   read_layer_lists(reader, command.layers);
+}
+
+void write_beyond(ObjectWriter& writer, const MoveCommand& command) {
+  if (command.bodies.size() == 1) return writer.required("markers", command.bodies.front().markers);
+  json list = json::array();
+  for (const MovingBody& body : command.bodies) {
+    ObjectWriter item;
+    item.required("markers", body.markers);
+    option_fields(item, body.motion);
+    list.push_back(item.take());
+  }
+  writer.required("bodies", list);
 }
 
 void write_beyond(ObjectWriter& writer, const DeformCommand& command) {

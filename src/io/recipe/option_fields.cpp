@@ -35,9 +35,9 @@ void read_value(const json& value, const std::string& path, const OptionValue& o
         } else if constexpr (std::is_same_v<Kind, SharesOption>) {
           read_shares(value, path, of);
         } else if constexpr (std::is_same_v<Kind, VectorOption>) {
-          read_vector(value, path, *of.value, of.third);
+          *of.value = read_vector(value, path);
         } else if constexpr (std::is_same_v<Kind, OptionalVectorOption>) {
-          read_vector(value, path, of.value->emplace(), of.third);
+          *of.value = read_vector(value, path);
         } else if constexpr (std::is_same_v<Kind, SpaceVectorOption>) {
           Vec3& vector = of.value->emplace();
           read_components(value, path, {vector.data(), 3});
@@ -70,9 +70,9 @@ json write_value(const OptionValue& option) {
           for (const auto& part : of.parts) parts[std::string(part.name)] = *part.share;
           return parts;
         } else if constexpr (std::is_same_v<Kind, VectorOption>) {
-          return vector_json(*of.value, of.third);
+          return vector_json(*of.value, of.numbers);
         } else if constexpr (std::is_same_v<Kind, OptionalVectorOption>) {
-          return *of.value ? vector_json(**of.value, of.third) : json();
+          return *of.value ? vector_json(**of.value, of.numbers) : json();
         } else if constexpr (std::is_same_v<Kind, SpaceVectorOption>) {
           if (!*of.value) return json();
           const Vec3& v = **of.value;
@@ -110,21 +110,20 @@ void for_each_key(const OptionTable& table, const Own& own, const Inner& inner) 
 
 }  // namespace
 
-void read_vector(const json& value, const std::string& path, Vec2& plane,
-                 std::optional<double>* third) {
-  if (!third || !value.is_array() || value.size() != 3) {
+GivenVector read_vector(const json& value, const std::string& path) {
+  if (!value.is_array() || value.size() != 3) {
+    Vec2 plane;
     ObjectReader::read(value, path, plane);
-    return;
+    return plane;
   }
   Vec3 vector;
   read_components(value, path, {vector.data(), 3});
-  plane = vector.head<2>();
-  *third = vector.z();
+  return GivenVector::of_three(vector);
 }
 
-json vector_json(const Vec2& plane, const std::optional<double>* third) {
-  json value = ObjectWriter::write(plane);
-  if (third && *third) value.push_back(**third);
+json vector_json(const GivenVector& vector, int otherwise) {
+  json value{vector.x(), vector.y()};
+  if (vector.numbers(otherwise) == 3) value.push_back(vector.z());
   return value;
 }
 

@@ -5,11 +5,10 @@
 
 namespace winslow::io {
 
-/// A vector of two numbers, or of three where there is a place for the third (not null). Throws
-/// JsonValueError.
-void read_vector(const nlohmann::json& value, const std::string& path, Vec2& plane,
-                 std::optional<double>* third);
-nlohmann::json vector_json(const Vec2& plane, const std::optional<double>* third);
+/// A vector of two numbers or of three. Throws JsonValueError.
+GivenVector read_vector(const nlohmann::json& value, const std::string& path);
+/// As many numbers as it was given by; `otherwise` of them if the program found it.
+nlohmann::json vector_json(const GivenVector& vector, int otherwise = 3);
 
 /// Reads the options of a table from the keys that it says; what is not there stays as it is, but
 /// for what is required. Throws JsonValueError for values of the wrong type or out of range.

@@ -15,6 +15,11 @@ namespace {
 /// What a column holds; `none` is one that we do not use.
 enum class Column { none, node, x, y, z, dx, dy, dz };
 
+/// Of a column among those of a vector, the first of which is that of x.
+int component(Column column, Column of_x) {
+  return static_cast<int>(column) - static_cast<int>(of_x);
+}
+
 std::vector<std::string_view> split(std::string_view line) {
   line = line.substr(0, line.find('#'));
   const bool blanks_separate = line.find_first_of(",;") == std::string_view::npos;
@@ -114,6 +119,7 @@ class Reader {
     }
     DisplacementEntry entry;
     entry.line = line_number_;
+    Vec3 position(0, 0, 0), displacement(0, 0, 0);
     for (std::size_t i = 0; i < fields.size(); ++i) {
       switch (columns_[i]) {
         case Column::none:
@@ -122,25 +128,19 @@ class Reader {
           entry.node = node(fields[i]);
           break;
         case Column::x:
-          entry.position.x() = number(fields[i]);
-          break;
         case Column::y:
-          entry.position.y() = number(fields[i]);
-          break;
         case Column::z:
-          entry.position_z = number(fields[i]);
+          position[component(columns_[i], Column::x)] = number(fields[i]);
           break;
         case Column::dx:
-          entry.displacement.x() = number(fields[i]);
-          break;
         case Column::dy:
-          entry.displacement.y() = number(fields[i]);
-          break;
         case Column::dz:
-          entry.displacement_z = number(fields[i]);
+          displacement[component(columns_[i], Column::dx)] = number(fields[i]);
           break;
       }
     }
+    entry.position = GivenVector::of(count(Column::z) == 0 ? 2 : 3, position);
+    entry.displacement = GivenVector::of(count(Column::dz) == 0 ? 2 : 3, displacement);
     return entry;
   }
 

@@ -22,8 +22,8 @@ MeshState hole_state(Cells cells = Cells::triangles) {
 /// The hole turned and shifted a little: smoothing it at once succeeds.
 MoveCommand small_move() {
   MoveCommand command;
-  command.markers = {"hole"};
-  command.motion = {15, Vec2(0.5, 0.5), {0.05, -0.05}};
+  command.bodies[0].markers = {"hole"};
+  command.bodies[0].motion = {15, Vec2(0.5, 0.5), {0.05, -0.05}};
   command.smooth.threads = 1;
   return command;
 }
@@ -31,8 +31,8 @@ MoveCommand small_move() {
 /// An annulus whose inner ring is turned.
 MoveCommand turn(double degrees) {
   MoveCommand command;
-  command.markers = {"inner"};
-  command.motion.rotate = degrees;
+  command.bodies[0].markers = {"inner"};
+  command.bodies[0].motion.rotate = degrees;
   command.smooth.threads = 1;
   return command;
 }
@@ -62,8 +62,8 @@ Index inverted(const MeshState& state) {
 }
 
 Coordinates boundary_moved(const MeshState& state, const MoveCommand& command) {
-  const auto motion = make_motion(*state.mesh.topology, state.mesh.coordinates, command.markers,
-                                  command.motion.about({0, 0}));
+  const auto motion = make_motion(*state.mesh.topology, state.mesh.coordinates,
+                                  command.bodies[0].markers, command.bodies[0].motion);
   Coordinates x = state.mesh.coordinates;
   motion->apply(state.mesh.coordinates, 1, x);
   return x;
@@ -368,8 +368,8 @@ TEST_CASE("the limit of iterations is kept, and said") {
 TEST_CASE("commands with options out of range are refused") {
   const MeshState state = hole_state();
   MoveCommand command = small_move();
-  SUBCASE("unknown marker") { command.markers = {"wing"}; }
-  SUBCASE("no marker") { command.markers = {}; }
+  SUBCASE("unknown marker") { command.bodies[0].markers = {"wing"}; }
+  SUBCASE("no marker") { command.bodies[0].markers = {}; }
   SUBCASE("negative increments") { command.how.increments = -1; }
   SUBCASE("damping") { command.smooth.damping = 0; }
   SUBCASE("formulation") { command.smooth.formulation = static_cast<Formulation>(2); }
@@ -386,23 +386,30 @@ TEST_CASE("commands with options out of range are refused") {
 
 TEST_CASE("commands have names and one-line descriptions") {
   MoveCommand move;
-  move.markers = {"slat", "flap"};
-  move.motion.rotate = -40;
+  move.bodies[0].markers = {"slat", "flap"};
+  move.bodies[0].motion.rotate = -40;
   CHECK(describe(move) == "Rotate slat, flap by -40 deg");
-  move.motion.translate = {0.5, -2};
+  move.bodies[0].motion.translate = {0.5, -2};
   CHECK(describe(move) == "Rotate slat, flap by -40 deg and move it by (0.5, -2)");
-  move.motion.rotate = 0;
+  move.bodies[0].motion.rotate = 0;
   CHECK(describe(move) == "Move slat, flap by (0.5, -2)");
   CHECK(command_name(move) == "move");
   // What a drag gives has more digits than one reads.
-  move.motion = {30.000000012, Vec2(0, 0), Vec2(0, 0)};
+  move.bodies[0].motion = {30.000000012, Vec2(0, 0), Vec2(0, 0)};
   CHECK(describe(move) == "Rotate slat, flap by 30 deg");
-  move.motion.rotate = 12.3456789;
+  move.bodies[0].motion.rotate = 12.3456789;
   CHECK(describe(move) == "Rotate slat, flap by 12.35 deg");
-  move.motion.rotate = 0.00123456;
+  move.bodies[0].motion.rotate = 0.00123456;
   CHECK(describe(move) == "Rotate slat, flap by 0.00123456 deg");
-  move.motion = {0, Vec2(0, 0), Vec2(0.123456789, -1234.5678)};
+  move.bodies[0].motion = {0, Vec2(0, 0), Vec2(0.123456789, -1234.5678)};
   CHECK(describe(move) == "Move slat, flap by (0.1235, -1235)");
+  MoveCommand several;
+  several.bodies = {{{"slat"}, {.rotate = 20}},
+                    {{"flap", "vane"}, {.rotate = -40, .translate = Vec2(0.5, -2)}},
+                    {{"tab"}, {.translate = Vec3(0, 0, 1), .axis = Vec3(0, 0, 1)}}};
+  CHECK(describe(several) ==
+        "Rotate slat by 20 deg, rotate flap, vane by -40 deg and move it by (0.5, -2), "
+        "move tab by (0, 0, 1)");
   DeformCommand deform;
   deform.markers = {"main"};
   deform.shape = SineDeformation{0.05, 2, {0, 1}, Fade::none, 0.2};
@@ -417,7 +424,7 @@ TEST_CASE("commands have names and one-line descriptions") {
   std::set<std::string_view> names;
   for (const Command& each : all_commands()) CHECK(names.insert(command_name(each)).second);
   CHECK(names.size() == std::variant_size_v<Command>);
-  CHECK(markers_of(move) == move.markers);
+  CHECK(markers_of(move) == move.bodies[0].markers);
   CHECK(markers_of(SmoothCommand{}).empty());
   LayersCommand layers;
   layers.layers.walls = {{{"a", "b"}, {}}, {{"c"}, {}}};
@@ -433,4 +440,54 @@ TEST_CASE("the smoothing options of a command can be reached, where there are an
   CHECK(smooth_options(smooth) != nullptr);
   CHECK(smooth_options(deform) != nullptr);
   CHECK(smooth_options(scramble) == nullptr);
+}
+
+TEST_CASE("bodies that are moved together end where each motion takes them, in a valid mesh") {
+  const MeshState state = make_state(make_mesh(square_with_two_holes(20, Cells::triangles)));
+  MoveCommand command;
+  command.bodies = {{{"hole_a"}, {.rotate = 35, .translate = Vec2(0.05, 0.02)}},
+                    {{"hole_b"}, {.rotate = -20, .pivot = Vec2(0.6, 0.5)}}};
+  CHECK(markers_of(command) == std::vector<std::string>{"hole_a", "hole_b"});
+  const CommandResult result = execute(command, state);
+  CHECK(result.smooth.converged);
+  CHECK(result.smooth.fraction_reached == 1);
+  CHECK(result.smooth.inverted == 0);
+  const RigidMotion of_a{35, Vec2(0.3, 0.5), Vec2(0.05, 0.02)}, of_b{-20, Vec2(0.6, 0.5), {0, 0}};
+  const Topology& topology = *state.mesh.topology;
+  for (Index node = 0; node < topology.node_count(); ++node) {
+    const Vec2 from = state.mesh.coordinates.xy(node), to = result.state.mesh.coordinates.xy(node);
+    const bool outer = (from - Vec2(0.5, 0.5)).cwiseAbs().maxCoeff() > 0.5 - 1e-9;
+    if (!topology.on_boundary(node)) continue;
+    const Vec2 there = outer ? from : transform(from.x() < 0.5 ? of_a : of_b, from);
+    CHECK((to - there).norm() < 1e-12);
+  }
+  // Far away it is the same.
+  MeshState far = state;
+  const Vec2 away(3e6, -4e6);
+  for (Index node = 0; node < topology.node_count(); ++node)
+    far.mesh.coordinates.set_xy(node, far.mesh.coordinates.xy(node) + away);
+  command.bodies[1].motion.pivot = Vec2(away + Vec2(0.6, 0.5));
+  const CommandResult there = execute(command, make_state(far.mesh));
+  CHECK(there.smooth.converged);
+  for (Index node = 0; node < topology.node_count(); ++node)
+    CHECK((there.state.mesh.coordinates.xy(node) - away - result.state.mesh.coordinates.xy(node))
+              .norm() < 1e-6);
+}
+
+TEST_CASE("bodies that would run into each other on their way end before that") {
+  const MeshState state = make_state(make_mesh(square_with_two_holes(20, Cells::triangles)));
+  MoveCommand command;
+  command.bodies = {{{"hole_a"}, {.translate = Vec2(0.2, 0.01)}},
+                    {{"hole_b"}, {.translate = Vec2(-0.2, 0)}}};
+  RunOptions whole;
+  whole.all_or_nothing = true;
+  const CommandResult refused = execute(command, state, whole);
+  REQUIRE(refused.smooth.contact);
+  CHECK(refused.smooth.contact->fraction == doctest::Approx(0.5).epsilon(1e-5));
+  CHECK(describe_touch(refused.smooth.contact->edges) == "hole_a would touch hole_b");
+  CHECK(refused.state.mesh.coordinates == state.mesh.coordinates);
+  const CommandResult partial = execute(command, state);
+  CHECK(partial.smooth.inverted == 0);
+  CHECK(partial.smooth.fraction_reached > 0.2);
+  CHECK(partial.smooth.fraction_reached < 0.5);
 }

@@ -388,8 +388,8 @@ TEST_CASE("edited VCVs of a volume mesh stay through motions; what is no VCV is 
   History history(start);
   history.push(edit, execute(edit, history.state()));
   MoveCommand move;
-  move.markers = {"cavity"};
-  move.motion.translate = Vec2(0.02, 0);
+  move.bodies[0].markers = {"cavity"};
+  move.bodies[0].motion.translate = Vec2(0.02, 0);
   history.push(move, execute(move, history.state()));
   REQUIRE(history.state().vcvs.by_hand());
   CHECK(history.state().vcvs.by_hand()->contains(node));

@@ -79,13 +79,13 @@ TEST_CASE("far away: smoothing, by either formulation") {
 
 TEST_CASE("far away: motions, about the bodies' centre and about a named pivot") {
   MoveCommand near;
-  near.markers = {"hole_a"};
-  near.motion.rotate = 40;  // about the centre
-  near.motion.translate = Vec2(0.05, 0.1);
+  near.bodies[0].markers = {"hole_a"};
+  near.bodies[0].motion.rotate = 40;  // about the centre
+  near.bodies[0].motion.translate = Vec2(0.05, 0.1);
   check_same(near, holes());
   MoveCommand far = near;
-  near.motion.pivot = Vec2(0.5, 0.25);
-  far.motion.pivot = away + Vec2(0.5, 0.25);
+  near.bodies[0].motion.pivot = Vec2(0.5, 0.25);
+  far.bodies[0].motion.pivot = away + Vec2(0.5, 0.25);
   check_same(near, far, holes());
 }
 
@@ -140,8 +140,8 @@ TEST_CASE("far away: the meshes on the way are shown where the mesh is") {
   const Coordinates start = states.far.mesh.coordinates;
   options.start = &start;
   MoveCommand command;
-  command.markers = {"hole_a"};
-  command.motion.rotate = 20;
+  command.bodies[0].markers = {"hole_a"};
+  command.bodies[0].motion.rotate = 20;
   const CommandResult result = execute(command, states.far, options);
   CHECK(result.smooth.converged);
   CHECK(watch.seen > 0);
@@ -207,11 +207,10 @@ void check_same_far(const Command& near, const Command& far, const VolumePair& p
 
 MoveCommand turned_body() {
   MoveCommand move;
-  move.markers = {"body"};
-  move.motion.rotate = 25;
-  move.motion.axis = Vec3(1, 1, 0.5);
-  move.motion.translate = Vec2(0.03, -0.02);
-  move.motion.translate_z = 0.04;
+  move.bodies[0].markers = {"body"};
+  move.bodies[0].motion.rotate = 25;
+  move.bodies[0].motion.axis = Vec3(1, 1, 0.5);
+  move.bodies[0].motion.translate = Vec3(0.03, -0.02, 0.04);
   return move;
 }
 
@@ -267,10 +266,8 @@ TEST_CASE("far away in space: motions about the body's centre and about a named 
     check_same_far(near, near, pair);
     const Vec3 pivot(0.5, 0.25, 0.375);
     MoveCommand far = near;
-    near.motion.pivot = pivot.head<2>();
-    near.motion.pivot_z = pivot.z();
-    far.motion.pivot = Vec2((away_in_space + pivot).head<2>());
-    far.motion.pivot_z = away_in_space.z() + pivot.z();
+    near.bodies[0].motion.pivot = pivot;
+    far.bodies[0].motion.pivot = Vec3(away_in_space + pivot);
     check_same_far(near, far, pair);
   }
 }
@@ -278,11 +275,10 @@ TEST_CASE("far away in space: motions about the body's centre and about a named 
 TEST_CASE("far away in space: a pivot without a third component lies at z = 0") {
   const VolumePair pair(Volumes::tetrahedra, Vec3(0, 0, 64));
   MoveCommand near = turned_body();
-  near.motion.rotate = 0.05;
-  near.motion.pivot = Vec2(0.5, 0.5);
-  near.motion.pivot_z = -64;
+  near.bodies[0].motion.rotate = 0.05;
+  near.bodies[0].motion.pivot = Vec3(0.5, 0.5, -64);
   MoveCommand far = near;
-  far.motion.pivot_z.reset();
+  far.bodies[0].motion.pivot = Vec2(0.5, 0.5);
   check_same_far(near, far, pair);
 }
 
@@ -294,9 +290,7 @@ TEST_CASE("far away in space: deformations, of the whole body and of nodes by th
   check_same_far(sine, sine, pair);
   const Vec3 corner(0.4, 0.4, 0.6), far_corner = away_in_space + corner;
   const auto table_at = [](const Vec3& place) {
-    DisplacementEntry entry{std::nullopt, place.head<2>(), Vec2(0.02, -0.03), 7};
-    entry.position_z = place.z();
-    entry.displacement_z = 0.01;
+    const DisplacementEntry entry{std::nullopt, place, Vec3(0.02, -0.03, 0.01), 7};
     return DisplacementTable{{entry}, "d.csv"};
   };
   DeformCommand near = sine, far = sine;
@@ -315,28 +309,24 @@ TEST_CASE("far away in space: deformations, of the whole body and of nodes by th
     return std::string();
   };
   CHECK(refusal([](DisplacementEntry& e) {
-          e.position_z = 310;
+          e.position.z() = 310;
         }).find("d.csv:7: position (450000.4") == 0);
-  CHECK(refusal([](DisplacementEntry& e) { e.position_z.reset(); }).find("has no z") !=
-        std::string::npos);
+  CHECK(refusal([](DisplacementEntry& e) {
+          e.position = Vec2(e.position.head<2>());
+        }).find("has no z") != std::string::npos);
 }
 
 TEST_CASE("far away in space: a contact is named where it lies") {
   const VolumePair pair(Volumes::tetrahedra);
   MoveCommand move = turned_body();
-  move.motion.rotate = 0;
-  move.motion.translate = Vec2(0.9, 0);
-  move.motion.translate_z.reset();
+  move.bodies[0].motion.rotate = 0;
+  move.bodies[0].motion.translate = Vec2(0.9, 0);
   const CommandResult a = execute(move, pair.near), b = execute(move, pair.far);
   REQUIRE(a.smooth.contact);
   REQUIRE(b.smooth.contact);
   CHECK(b.smooth.contact->fraction == a.smooth.contact->fraction);
   const EdgePair &near = a.smooth.contact->edges, &far = b.smooth.contact->edges;
-  REQUIRE((near.place_z && far.place_z));
-  const Vec3 difference(far.place.x() - near.place.x() - away_in_space.x(),
-                        far.place.y() - near.place.y() - away_in_space.y(),
-                        *far.place_z - *near.place_z - away_in_space.z());
-  CHECK(difference.norm() < 1e-7);
+  CHECK((far.place - near.place - away_in_space).norm() < 1e-7);
 }
 
 TEST_CASE("far away in space: the meshes on the way are shown where the mesh is") {

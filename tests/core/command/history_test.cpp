@@ -16,8 +16,8 @@ void apply(History& history, const Command& command) {
 
 MoveCommand shift(double by) {
   MoveCommand command;
-  command.markers = {"hole"};
-  command.motion.translate = {by, 0};
+  command.bodies[0].markers = {"hole"};
+  command.bodies[0].motion.translate = {by, 0};
   command.smooth.threads = 1;
   return command;
 }

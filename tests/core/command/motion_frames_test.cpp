@@ -18,14 +18,14 @@ MeshState ring() { return make_state(make_mesh(annulus(48, 12, 1.15, Cells::tria
 
 MoveCommand turn(double degrees) {
   MoveCommand move;
-  move.markers = {"inner"};
-  move.motion.rotate = degrees;
+  move.bodies[0].markers = {"inner"};
+  move.bodies[0].motion.rotate = degrees;
   return move;
 }
 
 /// Degrees by which the body turns from one mesh to another.
 double turned(const Mesh& from, const Mesh& to) {
-  const auto nodes = moved_as_body(turn(0), *from.topology);
+  const auto nodes = moved_as_bodies(turn(0), *from.topology);
   return fit_rigid_motion(nodes, from.coordinates, to.coordinates).rotate;
 }
 

@@ -93,11 +93,10 @@ TEST_CASE("a body in a volume mesh is turned and moved through valid meshes only
     RunOptions options;
     options.monitor = &watch;
     MoveCommand move;
-    move.markers = {"body"};
-    move.motion.rotate = 30;
-    move.motion.axis = Vec3(1, 1, 0.5);
-    move.motion.translate = Vec2(0.03, -0.02);
-    move.motion.translate_z = 0.04;
+    move.bodies[0].markers = {"body"};
+    move.bodies[0].motion.rotate = 30;
+    move.bodies[0].motion.axis = Vec3(1, 1, 0.5);
+    move.bodies[0].motion.translate = Vec3(0.03, -0.02, 0.04);
     const CommandResult result = execute(move, make_state(mesh), options);
     CHECK(result.smooth.converged);
     CHECK(result.smooth.fraction_reached == 1);
@@ -174,15 +173,15 @@ TEST_CASE("without a pivot all markers turn about the centre of them all, wherev
     data.coordinates.set_xy(i, data.coordinates.xy(i) + away);
   const MeshState state = make_state(make_mesh(data));
   MoveCommand command;
-  command.markers = {"hole_a", "hole_b"};
-  command.motion.rotate = 20;
+  command.bodies[0].markers = {"hole_a", "hole_b"};
+  command.bodies[0].motion.rotate = 20;
   const CommandResult result = execute(command, state);
   CHECK(result.smooth.fraction_reached == 1);
   CHECK(result.smooth.inverted == 0);
   MoveCommand named = command;
-  named.motion.pivot = away + Vec2(0.5, 0.5);
+  named.bodies[0].motion.pivot = away + Vec2(0.5, 0.5);
   Coordinates expected = state.mesh.coordinates;
-  make_motion(*state.mesh.topology, expected, named.markers, named.motion.about({0, 0}))
+  make_motion(*state.mesh.topology, expected, named.bodies[0].markers, named.bodies[0].motion)
       ->apply(state.mesh.coordinates, 1, expected);
   for (Index i = 0; i < expected.size(); ++i) {
     if (!state.mesh.topology->on_boundary(i)) continue;
@@ -197,19 +196,32 @@ TEST_CASE("the pivot that is left open is that of all meshes that a command is a
     data.coordinates.set_xy(i, data.coordinates.xy(i) + Vec2(10, 4));
   const MeshState there = make_state(make_mesh(data));
   MoveCommand command;
-  command.markers = {"hole_a"};
+  command.bodies[0].markers = {"hole_a"};
   const std::array<const MeshState*, 2> both{&here, &there};
   const auto pivot = [&](std::span<const MeshState* const> states) {
-    return std::get<MoveCommand>(with_pivot(command, states)).motion.pivot;
+    return std::get<MoveCommand>(with_pivot(command, states)).bodies[0].motion.pivot;
   };
   REQUIRE(pivot(both).has_value());
-  CHECK(pivot(both)->isApprox(Vec2(5.3, 2.5)));
-  CHECK(pivot(std::span(both).first(1))->isApprox(Vec2(0.3, 0.5)));
-  command.motion.pivot = Vec2(0, 0);
+  CHECK(pivot(both)->isApprox(Vec3(5.3, 2.5, 0)));
+  CHECK(pivot(std::span(both).first(1))->isApprox(Vec3(0.3, 0.5, 0)));
+  command.bodies[0].motion.pivot = Vec2(0, 0);
   CHECK(pivot(both) == Vec2(0, 0));
-  command.motion.pivot.reset();
-  command.markers = {"nobody"};
+  command.bodies[0].motion.pivot.reset();
+  command.bodies[0].markers = {"nobody"};
   CHECK_FALSE(pivot(both).has_value());
+}
+
+TEST_CASE("each of several bodies turns about its own centre, in all meshes together") {
+  const MeshState here = make_state(make_mesh(square_with_two_holes(10, Cells::quads)));
+  MoveCommand command;
+  command.bodies = {{{"hole_a"}, {.rotate = 5}},
+                    {{"hole_b"}, {.rotate = 5, .pivot = Vec2(0, 1)}},
+                    {{"hole_b", "nowhere"}, {}}};
+  const std::array<const MeshState*, 1> states{&here};
+  const auto bodies = std::get<MoveCommand>(with_pivot(command, states)).bodies;
+  CHECK((*bodies[0].motion.pivot - Vec3(0.3, 0.5, 0)).norm() < 1e-15);
+  CHECK(*bodies[1].motion.pivot == Vec2(0, 1));
+  CHECK((*bodies[2].motion.pivot - Vec3(0.7, 0.5, 0)).norm() < 1e-15);
 }
 
 }  // namespace winslow::test
@@ -275,8 +287,8 @@ TEST_CASE("what volume meshes cannot do yet is refused by its name") {
   const MeshState state = make_state(make_mesh(cube(2, Volumes::tetrahedra)));
   SmoothCommand smooth;
   MoveCommand move;
-  move.markers = a_marker(state.mesh);
-  move.motion.rotate = 10;
+  move.bodies[0].markers = a_marker(state.mesh);
+  move.bodies[0].motion.rotate = 10;
   CHECK_THROWS_WITH_AS(execute(move, state), "a rotation in space needs an axis", UsageError);
   const MeshState plane = make_state(make_mesh(square(3, Cells::quads)));
   for (const VcvKind kind : {VcvKind::existing, VcvKind::adjusted, VcvKind::perturbation}) {
@@ -299,8 +311,8 @@ TEST_CASE("what volume meshes cannot do yet is refused by its name") {
   CHECK_THROWS_WITH_AS(
       execute(smooth, plane),
       "vcv_updates: for volume meshes only; the VCVs of a plane mesh do not change", UsageError);
-  move.markers = a_marker(plane.mesh);
-  move.motion.axis = Vec3(0, 0, 1);
+  move.bodies[0].markers = a_marker(plane.mesh);
+  move.bodies[0].motion.axis = Vec3(0, 0, 1);
   CHECK_THROWS_WITH_AS(
       execute(move, plane),
       "an axis or a third component: only for a volume mesh, and this is a plane mesh", UsageError);
@@ -347,22 +359,23 @@ TEST_CASE("virtual control volumes as data of a state are not those of volume me
   }
 }
 
-TEST_CASE("motions are those of plane meshes") {
+TEST_CASE("motions are those of plane meshes and volume meshes") {
   const auto move = [](const auto& motion) {
     return [motion](const Mesh& mesh) {
       make_motion(*mesh.topology, mesh.coordinates, a_marker(mesh), motion);
     };
   };
-  check_refused("motions of the plane", move(RigidMotion{}));
+  check_refused("rigid motions", move(RigidMotion{}), false);
   check_refused("sine deformations", move(SineDeformation{}), false);
   DisplacementTable table;
   table.entries.emplace_back().node = 0;
   check_refused("displacements", move(table), false);
-  check_refused("drags in the plane", [](const Mesh& mesh) {
+  const auto drag = [](const Mesh& mesh) {
     DragGrip grip;
     grip.markers = a_marker(mesh);
     DragSession session(state_of(mesh), grip, SmoothOptions{});
-  });
+  };
+  check_refused("drags", drag, false);
 }
 
 TEST_CASE("layers are those of plane meshes") {

@@ -36,20 +36,20 @@ TEST_CASE("a drag ends at the mesh that the command gives") {
     const MeshState state = annulus_state(cells);
     DragSession drag(state, DragGrip{{"inner"}, {}, {}}, {});
     MoveCommand command;
-    command.markers = {"inner"};
+    command.bodies[0].markers = {"inner"};
     for (int k = 1; k <= 20; ++k) {
-      command.motion = {4.0 * k, Vec2(0.1, 0), Vec2(0.02 * k, 0.01 * k)};
-      const DragFrame& frame = drag.to(command.motion.about({0, 0}));
+      command.bodies[0].motion = {4.0 * k, Vec2(0.1, 0), Vec2(0.02 * k, 0.01 * k)};
+      const DragFrame& frame = drag.to(command.bodies[0].motion);
       CHECK(inverted(state, frame.coordinates) == 0);
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     REQUIRE(wait_until([&] {
-      drag.to(command.motion.about({0, 0}));
+      drag.to(command.bodies[0].motion);
       return drag.settled();
     }));
-    const DragFrame& frame = drag.to(command.motion.about({0, 0}));
+    const DragFrame& frame = drag.to(command.bodies[0].motion);
     CHECK_FALSE(frame.held);
-    CHECK(same_motion(frame.motion, command.motion.about({0, 0})));
+    CHECK(same_motion(frame.motion, command.bodies[0].motion));
     CHECK(largest_difference(frame.coordinates, execute(command, state).state.mesh.coordinates) <
           1e-8);
     CHECK(drag.corrections() >= 2);
@@ -65,9 +65,9 @@ TEST_CASE(
     data.coordinates.set_xy(i, data.coordinates.xy(i) + away);
   const MeshState state = make_state(make_mesh(data));
   MoveCommand command;
-  command.markers = {"inner"};
-  command.motion = {30, away + Vec2(0.1, 0), Vec2(0.1, 0.05)};
-  const RigidMotion wanted = command.motion.about({0, 0});
+  command.bodies[0].markers = {"inner"};
+  command.bodies[0].motion = {30, away + Vec2(0.1, 0), Vec2(0.1, 0.05)};
+  const RigidMotion wanted = command.bodies[0].motion;
   const Coordinates there = execute(command, state).state.mesh.coordinates;
   constexpr double ulp = 0x1p-28;  // of coordinates around 3e7
   {
@@ -81,7 +81,7 @@ TEST_CASE(
     CHECK(same_motion(frame.motion, wanted));
     CHECK(largest_difference(frame.coordinates, there) < 2 * ulp);
     for (Index i = 0; i < there.size(); ++i) {
-      const auto inner = state.mesh.topology->markers().nodes_of(command.markers);
+      const auto inner = state.mesh.topology->markers().nodes_of(command.bodies[0].markers);
       const bool moved = std::ranges::binary_search(inner, i);
       if (state.mesh.topology->on_boundary(i) && !moved)
         CHECK(frame.coordinates.xy(i) == state.mesh.coordinates.xy(i));
@@ -96,21 +96,21 @@ TEST_CASE(
 TEST_CASE("by the paper's operator a drag ends at that operator's mesh") {
   const MeshState state = annulus_state();
   MoveCommand command;
-  command.markers = {"inner"};
-  command.motion = {30, Vec2(0, 0), Vec2(0.2, 0)};
+  command.bodies[0].markers = {"inner"};
+  command.bodies[0].motion = {30, Vec2(0, 0), Vec2(0.2, 0)};
   command.smooth.formulation = Formulation::pointwise;
   DragSession drag(state, DragGrip{{"inner"}, {}, {}}, command.smooth);
   REQUIRE(wait_until([&] {
-    const DragFrame& frame = drag.to(command.motion.about({0, 0}));
+    const DragFrame& frame = drag.to(command.bodies[0].motion);
     CHECK(inverted(state, frame.coordinates) == 0);
     return drag.settled() && !frame.held;
   }));
-  const Coordinates there = drag.to(command.motion.about({0, 0})).coordinates;
+  const Coordinates there = drag.to(command.bodies[0].motion).coordinates;
   CHECK(largest_difference(there, execute(command, state).state.mesh.coordinates) < 1e-7);
   // To first order the frames go on from there as the operator's own solution does.
   const double step = 1e-3;
-  command.motion.translate.x() += step;
-  const Coordinates next = drag.to(command.motion.about({0, 0})).coordinates;
+  command.bodies[0].motion.translate.x() += step;
+  const Coordinates next = drag.to(command.bodies[0].motion).coordinates;
   CHECK(largest_difference(next, execute(command, state).state.mesh.coordinates) < 0.02 * step);
 }
 
@@ -153,8 +153,8 @@ TEST_CASE("turning on and on winds the mesh up, and back") {
   REQUIRE(turn_to(200));  // at once, and still not the shorter way round
   const Coordinates wound = drag.to(RigidMotion{200, Vec2(0, 0), Vec2(0, 0)}).coordinates;
   MoveCommand command;
-  command.markers = {"inner"};
-  command.motion.rotate = 200;
+  command.bodies[0].markers = {"inner"};
+  command.bodies[0].motion.rotate = 200;
   CHECK(largest_difference(wound, execute(command, state).state.mesh.coordinates) < 1e-7);
   REQUIRE(turn_to(0));
   CHECK(largest_difference(drag.to({}).coordinates, flat) < 1e-7);
@@ -198,7 +198,8 @@ TEST_CASE("a part of a boundary is dragged by its shares and ends at the command
   CHECK(std::holds_alternative<DeformCommand>(command));
   CHECK(largest_difference(there, execute(command, state).state.mesh.coordinates) < 1e-8);
   for (std::size_t i = 0; i < arc.nodes.size(); ++i) {
-    const Vec2 wanted = mesh.coordinates.xy(arc.nodes[i]) + arc.shares[i] * motion.translate;
+    const Vec2 wanted =
+        mesh.coordinates.xy(arc.nodes[i]) + arc.shares[i] * motion.translate.head<2>();
     CHECK((there.xy(arc.nodes[i]) - wanted).norm() < 1e-14);
   }
   // From there the frames are exact to first order, whatever the shares.
@@ -215,18 +216,18 @@ TEST_CASE("a part of a boundary is dragged by its shares and ends at the command
 TEST_CASE("a drag goes on from a mesh on the way, not from the state") {
   const MeshState state = annulus_state();
   MoveCommand command;
-  command.markers = {"inner"};
-  command.motion = {25, Vec2(0, 0), Vec2(0.2, 0)};
+  command.bodies[0].markers = {"inner"};
+  command.bodies[0].motion = {25, Vec2(0, 0), Vec2(0.2, 0)};
   const Coordinates there = execute(command, state).state.mesh.coordinates;
   DragSession drag(state, DragGrip{{"inner"}, {}, {}}, {},
-                   DragSession::Start{there, command.motion.about({0, 0})});
-  const Coordinates first = drag.to(command.motion.about({0, 0})).coordinates;
+                   DragSession::Start{there, command.bodies[0].motion});
+  const Coordinates first = drag.to(command.bodies[0].motion).coordinates;
   // To the bit, unless the thread has solved there before the first question.
   if (!drag.ready()) CHECK(first == there);
   CHECK(largest_difference(first, there) < 1e-8);
-  CHECK(same_motion(drag.to(command.motion.about({0, 0})).motion, command.motion.about({0, 0})));
+  CHECK(same_motion(drag.to(command.bodies[0].motion).motion, command.bodies[0].motion));
   REQUIRE(wait_until([&] { return drag.ready(); }));
-  RigidMotion next = command.motion.about({0, 0});
+  RigidMotion next = command.bodies[0].motion;
   next.translate.y() += 0.01;
   const DragFrame& frame = drag.to(next);
   CHECK_FALSE(frame.held);
@@ -321,14 +322,14 @@ struct Cavity {
   }
   /// What the command makes of it that ends the drag.
   Coordinates moved(const ReferenceSurface& surface) const {
-    MoveCommand command{{"cavity"}, wanted, {}, options};
+    MoveCommand command{{{{"cavity"}, wanted}}, {}, options};
     command.smooth.slide.reference.surface = std::make_shared<ReferenceSurface>(surface);
     return execute(command, state).state.mesh.coordinates;
   }
 
   MeshState state;
   SmoothOptions options;
-  SpaceMotion wanted;
+  RigidMotion wanted;
 };
 
 /// Largest distance of the outer nodes from the box of that size.
@@ -351,19 +352,19 @@ TEST_CASE(
     const Cavity cavity(away);
     const ReferenceSurface surface = box_surface(1.02, away);
     int reads = 0;
-    SpaceDragSession drag(cavity.state, DragGrip{{"cavity"}, {}, {}}, cavity.options, {},
-                          [&](const std::string& name) {
-                            CHECK(name == "box.obj");
-                            ++reads;
-                            return std::make_shared<ReferenceSurface>(surface);
-                          });
+    DragSession drag(cavity.state, DragGrip{{"cavity"}, {}, {}}, cavity.options, {},
+                     [&](const std::string& name) {
+                       CHECK(name == "box.obj");
+                       ++reads;
+                       return std::make_shared<ReferenceSurface>(surface);
+                     });
     REQUIRE(wait_until([&] {
       drag.to(cavity.wanted);
       return drag.settled() || !drag.error().empty();
     }));
     REQUIRE(drag.error() == "");
     CHECK(reads == 1);
-    const SpaceDragFrame& frame = drag.to(cavity.wanted);
+    const DragFrame& frame = drag.to(cavity.wanted);
     CHECK_FALSE(frame.held);
     CHECK(check_validity(*cavity.state.mesh.topology, frame.coordinates, 1).inverted == 0);
     // Nodes on edges, which do not slide, stay where they were.
@@ -376,9 +377,9 @@ TEST_CASE(
 TEST_CASE("a drag that goes on from a mesh beside the reference surface comes to the same mesh") {
   const Cavity cavity;
   const ReferenceSurface surface = box_surface(1.02);
-  SpaceDragSession drag(cavity.state, DragGrip{{"cavity"}, {}, {}}, cavity.options,
-                        SpaceDragSession::Start{cavity.state.mesh.coordinates, {}},
-                        [&](const auto&) { return std::make_shared<ReferenceSurface>(surface); });
+  DragSession drag(cavity.state, DragGrip{{"cavity"}, {}, {}}, cavity.options,
+                   DragSession::Start{cavity.state.mesh.coordinates, {}},
+                   [&](const auto&) { return std::make_shared<ReferenceSurface>(surface); });
   REQUIRE(wait_until([&] {
     drag.to(cavity.wanted);
     return drag.settled() || !drag.error().empty();
@@ -389,14 +390,14 @@ TEST_CASE("a drag that goes on from a mesh beside the reference surface comes to
 
 TEST_CASE("a drag whose reference surface cannot be read, or does not fit, says why and stays") {
   const Cavity cavity(Vec3(0, 0, 0), 12);
-  const auto error_with = [&](SpaceDragSession::ReadReference read) {
-    SpaceDragSession drag(cavity.state, DragGrip{{"cavity"}, {}, {}}, cavity.options, {},
-                          std::move(read));
+  const auto error_with = [&](DragSession::ReadReference read) {
+    DragSession drag(cavity.state, DragGrip{{"cavity"}, {}, {}}, cavity.options, {},
+                     std::move(read));
     REQUIRE(wait_until([&] {
       drag.to(cavity.wanted);
       return !drag.error().empty();
     }));
-    const SpaceDragFrame& frame = drag.to(cavity.wanted);
+    const DragFrame& frame = drag.to(cavity.wanted);
     CHECK(frame.held);
     CHECK(frame.coordinates == cavity.state.mesh.coordinates);
     return drag.error();

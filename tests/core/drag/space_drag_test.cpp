@@ -27,7 +27,7 @@ struct SolvedBox {
     nodes = state.mesh.topology->markers().nodes_of(std::vector<std::string>{"body"});
   }
   /// The solution with the body moved, from a mesh near it.
-  Coordinates solution_after(const SpaceMotion& motion, Coordinates near) {
+  Coordinates solution_after(const RigidMotion& motion, Coordinates near) {
     make_motion(*state.mesh.topology, state.mesh.coordinates, {"body"}, motion)
         ->apply(state.mesh.coordinates, 1, near);
     EnergyNewton& newton = workspace.newton();
@@ -50,13 +50,13 @@ TEST_CASE("in space the prediction errs by the square of the motion, too") {
     SolvedBox solved(volumes);
     const Mesh& mesh = solved.state.mesh;
     solved.workspace.newton().reject();
-    const SpaceDragPredictor predictor(solved.workspace.newton(), mesh.coordinates, solved.nodes);
+    const DragPredictor predictor(solved.workspace.newton(), mesh.coordinates, solved.nodes);
     Coordinates still;
     predictor.evaluate({}, still);
     CHECK(still == mesh.coordinates);
     const auto error = [&](double size) {
-      const SpaceMotion motion{15 * size, Vec3(1, -2, 0.5), Vec3(0.5, 0.4, 0.6),
-                               size * Vec3(0.02, 0.01, -0.03)};
+      const RigidMotion motion{15 * size, Vec3(0.5, 0.4, 0.6), size * Vec3(0.02, 0.01, -0.03),
+                               Vec3(1, -2, 0.5)};
       Coordinates predicted;
       predictor.evaluate(motion, predicted);
       for (Index node = 0; node < mesh.topology->node_count(); ++node) {
@@ -78,13 +78,13 @@ TEST_CASE("a drag in space shows valid meshes only, and ends at the mesh that th
   for (const Volumes volumes : {Volumes::tetrahedra, Volumes::hexahedra, Volumes::mixed}) {
     CAPTURE(name_of(volumes));
     const MeshState state = make_state(box_with_body(5, volumes));
-    SpaceDragSession drag(state, DragGrip{{"body"}, {}, {}}, {});
+    DragSession drag(state, DragGrip{{"body"}, {}, {}}, {});
     MoveCommand command;
-    command.markers = {"body"};
-    SpaceMotion wanted;
+    command.bodies[0].markers = {"body"};
+    RigidMotion wanted;
     for (int k = 1; k <= 15; ++k) {
-      wanted = {2.0 * k, Vec3(1, 1, 2), Vec3(0.5, 0.5, 0.4), 0.004 * k * Vec3(1, -1, 0.5)};
-      const SpaceDragFrame& frame = drag.to(wanted);
+      wanted = {2.0 * k, Vec3(0.5, 0.5, 0.4), 0.004 * k * Vec3(1, -1, 0.5), Vec3(1, 1, 2)};
+      const DragFrame& frame = drag.to(wanted);
       CHECK(check_validity(*state.mesh.topology, frame.coordinates, 1).inverted == 0);
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
@@ -92,10 +92,10 @@ TEST_CASE("a drag in space shows valid meshes only, and ends at the mesh that th
       drag.to(wanted);
       return drag.settled();
     }));
-    const SpaceDragFrame& frame = drag.to(wanted);
+    const DragFrame& frame = drag.to(wanted);
     CHECK_FALSE(frame.held);
     CHECK(same_motion(frame.motion, wanted));
-    command.motion = wanted;
+    command.bodies[0].motion = wanted;
     CHECK(largest_difference(frame.coordinates, execute(command, state).state.mesh.coordinates) <
           1e-7);
     CHECK(drag.error().empty());
@@ -110,18 +110,18 @@ TEST_CASE("a drag in space far from the origin shows the mesh where it is") {
     mesh.coordinates.set_xyz(i, mesh.coordinates.xyz(i) + away);
   const MeshState state = make_state(mesh);
   MoveCommand command;
-  command.markers = {"body"};
-  const SpaceMotion wanted{20, Vec3(1, 1, 2), away + Vec3(0.5, 0.5, 0.4), Vec3(0.05, -0.04, 0.02)};
-  command.motion = wanted;
+  command.bodies[0].markers = {"body"};
+  const RigidMotion wanted{20, away + Vec3(0.5, 0.5, 0.4), Vec3(0.05, -0.04, 0.02), Vec3(1, 1, 2)};
+  command.bodies[0].motion = wanted;
   const Coordinates there = execute(command, state).state.mesh.coordinates;
-  const auto body = mesh.topology->markers().nodes_of(command.markers);
+  const auto body = mesh.topology->markers().nodes_of(command.bodies[0].markers);
   {
-    SpaceDragSession drag(state, DragGrip{{"body"}, {}, {}}, {});
+    DragSession drag(state, DragGrip{{"body"}, {}, {}}, {});
     REQUIRE(wait_until([&] {
       drag.to(wanted);
       return drag.settled();
     }));
-    const SpaceDragFrame& frame = drag.to(wanted);
+    const DragFrame& frame = drag.to(wanted);
     CHECK_FALSE(frame.held);
     CHECK(same_motion(frame.motion, wanted));
     CHECK(largest_difference(frame.coordinates, there) < 1e-7);
@@ -131,24 +131,23 @@ TEST_CASE("a drag in space far from the origin shows the mesh where it is") {
     }
   }
   // One that goes on from a mesh on the way says it in the same coordinates.
-  SpaceDragSession drag(state, DragGrip{{"body"}, {}, {}}, {},
-                        SpaceDragSession::Start{there, wanted});
+  DragSession drag(state, DragGrip{{"body"}, {}, {}}, {}, DragSession::Start{there, wanted});
   CHECK(largest_difference(drag.to(wanted).coordinates, there) < 2 * ulp);
   CHECK(same_motion(drag.to(wanted).motion, wanted));
 }
 
 TEST_CASE("a drag in space goes on beyond a full turn") {
   const MeshState state = make_state(box_with_body(5, Volumes::tetrahedra));
-  SpaceDragSession drag(state, DragGrip{{"body"}, {}, {}}, {});
+  DragSession drag(state, DragGrip{{"body"}, {}, {}}, {});
   const Vec3 centre(0.5, 0.5, 0.5);
-  SpaceMotion wanted;
+  RigidMotion wanted;
   for (const double angle : {60.0, 120.0, 180.0}) {
-    wanted = {angle, Vec3(0, 0, 1), centre, Vec3::Zero()};
+    wanted = {angle, centre, Vec3(0, 0, 0), Vec3(0, 0, 1)};
     REQUIRE(wait_until([&] {
       drag.to(wanted);
       return drag.settled();
     }));
-    const SpaceDragFrame& frame = drag.to(wanted);
+    const DragFrame& frame = drag.to(wanted);
     CHECK(check_validity(*state.mesh.topology, frame.coordinates, 1).inverted == 0);
     if (!frame.held) continue;
     // Where so coarse a mesh cannot be wound up further, it says how far it came.
@@ -164,14 +163,14 @@ TEST_CASE("a part of a body is dragged in space, each node by its share") {
   grip.nodes = state.mesh.topology->markers().nodes_of(std::vector<std::string>{"body"});
   for (std::size_t i = 0; i < grip.nodes.size(); ++i)
     grip.shares.push_back(static_cast<double>(i % 3) / 2);
-  SpaceMotion wanted;
+  RigidMotion wanted;
   wanted.translate = Vec3(0.02, -0.01, 0.03);
-  SpaceDragSession drag(state, grip, {});
+  DragSession drag(state, grip, {});
   REQUIRE(wait_until([&] {
     drag.to(wanted);
     return drag.settled();
   }));
-  const SpaceDragFrame& frame = drag.to(wanted);
+  const DragFrame& frame = drag.to(wanted);
   CHECK_FALSE(frame.held);
   CHECK(check_validity(*state.mesh.topology, frame.coordinates, 1).inverted == 0);
   for (std::size_t i = 0; i < grip.nodes.size(); ++i) {
@@ -179,18 +178,22 @@ TEST_CASE("a part of a body is dragged in space, each node by its share") {
         state.mesh.coordinates.xyz(grip.nodes[i]) + grip.shares[i] * wanted.translate;
     CHECK((frame.coordinates.xyz(grip.nodes[i]) - there).norm() < 1e-15);
   }
-  const CommandResult same = execute(drag_command(grip, wanted, {}, {}), state);
+  const CommandResult same = execute(drag_command(grip, frame.motion, {}, {}), state);
   CHECK(largest_difference(frame.coordinates, same.state.mesh.coordinates) < 1e-7);
   wanted.rotate = 5;
   CHECK_THROWS_AS(drag_command(grip, wanted, {}, {}), UsageError);
 }
 
-TEST_CASE("a drag in space and one in the plane want meshes of theirs") {
+TEST_CASE("a drag wants a motion that its mesh has") {
   const DragGrip grip{{"body"}, {}, {}};
   const MeshState space = make_state(box_with_body(3, Volumes::hexahedra));
   const MeshState plane = make_state(make_mesh(annulus(16, 4, 1.2, Cells::triangles)));
-  CHECK_THROWS_AS(DragSession(space, grip, {}), UsageError);
-  CHECK_THROWS_WITH_AS(SpaceDragSession(plane, DragGrip{{"inner"}, {}, {}}, {}),
-                       "drags in space: the mesh is a plane mesh", UsageError);
-  CHECK_THROWS_AS(SpaceDragSession(space, DragGrip{{"nobody"}, {}, {}}, {}), UsageError);
+  RigidMotion turned{.rotate = 10};
+  CHECK_THROWS_WITH_AS(DragSession(space, grip, {}).to(turned), "a rotation in space needs an axis",
+                       UsageError);
+  turned.axis = Vec3(0, 0, 1);
+  CHECK_THROWS_WITH_AS(
+      DragSession(plane, DragGrip{{"inner"}, {}, {}}, {}).to(turned),
+      "an axis or a third component: only for a volume mesh, and this is a plane mesh", UsageError);
+  CHECK_THROWS_AS(DragSession(space, DragGrip{{"nobody"}, {}, {}}, {}), UsageError);
 }

@@ -169,8 +169,8 @@ TEST_CASE("layers at a wall keep their heights where the passage before it becom
     height += first * std::pow(growth, i);
   }
   MoveCommand command;
-  command.markers = {"inner"};
-  command.motion.translate = {0.1, 0};  // the gap was 0.13
+  command.bodies[0].markers = {"inner"};
+  command.bodies[0].motion.translate = {0.1, 0};  // the gap was 0.13
   command.smooth.threads = 1;
   const CommandResult moved = execute(command, make_state(make_mesh(data)));
   REQUIRE(moved.smooth.converged);

@@ -246,8 +246,8 @@ TEST_CASE("reference surface: a body moves in a mesh whose boundary is on it, if
     return data;
   };
   MoveCommand command;
-  command.markers = {"cavity"};
-  command.motion.translate = Vec2(0.05, 0);
+  command.bodies[0].markers = {"cavity"};
+  command.bodies[0].motion.translate = Vec2(0.05, 0);
   command.smooth.slide = smooth_on(box(1.02)).smooth.slide;
   command.smooth.slide.markers = {"outer"};
   const CommandResult result = execute(command, make_state(mesh));

@@ -24,8 +24,8 @@ MeshState hole_state(Index n = 20) {
 
 MoveCommand shift(double by) {
   MoveCommand command;
-  command.markers = {"hole"};
-  command.motion.translate = {by, 0};
+  command.bodies[0].markers = {"hole"};
+  command.bodies[0].motion.translate = {by, 0};
   command.smooth.threads = 1;
   return command;
 }
@@ -350,7 +350,7 @@ TEST_CASE("the destructor ends running, paused, pending and finished jobs") {
 TEST_CASE("a job that fails says why, and the thread lives on") {
   SolverThread thread;
   MoveCommand bad = shift(0.1);
-  bad.markers = {"wing"};
+  bad.bodies[0].markers = {"wing"};
   const std::uint64_t job = thread.run(hole_state(), bad);
   const auto failed = wait_for(thread, job, JobState::failed);
   CHECK(failed->error == "no marker named 'wing'; the mesh has: outer, hole");

@@ -59,8 +59,8 @@ CommandResult turned(const Mesh& mesh, double degrees) {
   hold.task = LayerTask::hold;
   hold.layers = at_walls({"wall"});
   MoveCommand move;
-  move.markers = {"wall"};
-  move.motion.rotate = degrees;
+  move.bodies[0].markers = {"wall"};
+  move.bodies[0].motion.rotate = degrees;
   return execute(move, execute(hold, make_state(mesh)).state);
 }
 

@@ -28,8 +28,8 @@ MeshState two_bodies() {
 
 MeshState shifted(const MeshState& state, double by) {
   MoveCommand move;
-  move.markers = {"hole_b"};
-  move.motion.translate = Vec2(by, 0);
+  move.bodies[0].markers = {"hole_b"};
+  move.bodies[0].motion.translate = Vec2(by, 0);
   const CommandResult result = execute(move, state);
   CHECK(result.smooth.converged);
   CHECK(result.smooth.fraction_reached == 1);

@@ -267,9 +267,9 @@ TEST_CASE("two walls with layers of their own go over into one another") {
 TEST_CASE("layers are kept when the wall moves and when its shape changes") {
   const MeshState layered = execute(layers_at("inner", thin()), ring()).state;
   MoveCommand move;
-  move.markers = {"inner"};
-  move.motion.rotate = 40;
-  move.motion.translate = Vec2(0.5, 0.2);
+  move.bodies[0].markers = {"inner"};
+  move.bodies[0].motion.rotate = 40;
+  move.bodies[0].motion.translate = Vec2(0.5, 0.2);
   const CommandResult moved = execute(move, layered);
   CHECK(inverted(moved.state) == 0);
   CHECK(measure_layers(*moved.state.layers, moved.state.mesh.coordinates).spacing_error.max < 0.01);
@@ -287,8 +287,8 @@ TEST_CASE("layers are kept when the wall moves and when its shape changes") {
 TEST_CASE("a motion of held layers ends before a limit of the quality, too") {
   const MeshState layered = execute(layers_at("inner", thin()), ring()).state;
   MoveCommand move;
-  move.markers = {"inner"};
-  move.motion.rotate = 60;
+  move.bodies[0].markers = {"inner"};
+  move.bodies[0].motion.rotate = 60;
   const auto sine = [](const MeshState& state) {
     return check_validity(*state.mesh.topology, state.mesh.coordinates).min_sine;
   };
@@ -406,9 +406,9 @@ TEST_CASE("layers of a mesh get other heights, and keep them while the wall move
   hold.task = LayerTask::hold;
   const MeshState held = execute(hold, read).state;
   MoveCommand move;
-  move.markers = {"inner"};
-  move.motion.rotate = 60;
-  move.motion.translate = Vec2(0.5, 0);
+  move.bodies[0].markers = {"inner"};
+  move.bodies[0].motion.rotate = 60;
+  move.bodies[0].motion.translate = Vec2(0.5, 0);
   const CommandResult moved = execute(move, held);
   CHECK(inverted(moved.state) == 0);
   CHECK(measure_layers(*moved.state.layers, moved.state.mesh.coordinates).spacing_error.max < 0.01);

@@ -40,14 +40,14 @@ TEST_CASE("a body that moves straight on touches the next one where their outlin
   // Face to face, and shifted so that corners run into faces.
   for (const double shift : {0.0, 0.013, 0.1}) {
     CAPTURE(shift);
-    const auto contact = contact_of(mesh, {"hole_a"}, {0, {0, 0}, Vec2(0.5, shift)});
+    const auto contact = contact_of(mesh, {"hole_a"}, {0, Vec2(0, 0), Vec2(0.5, shift)});
     REQUIRE(contact);
     CHECK(contact->fraction == doctest::Approx(0.4).epsilon(1e-5));
     CHECK(contact->edges.moving == "hole_a");
     CHECK(contact->edges.other == "hole_b");
     CHECK(contact->edges.place.x() == doctest::Approx(0.6).epsilon(1e-3));
   }
-  const auto outer = contact_of(mesh, {"hole_a"}, {0, {0, 0}, Vec2(-0.8, 0)});
+  const auto outer = contact_of(mesh, {"hole_a"}, {0, Vec2(0, 0), Vec2(-0.8, 0)});
   REQUIRE(outer);
   CHECK(outer->fraction == doctest::Approx(0.25).epsilon(1e-5));
   CHECK(outer->edges.other == "outer");
@@ -56,10 +56,10 @@ TEST_CASE("a body that moves straight on touches the next one where their outlin
 
 TEST_CASE("a motion that keeps clear has no contact") {
   const Mesh mesh = plate_with_holes();
-  CHECK_FALSE(contact_of(mesh, {"hole_a"}, {0, {0, 0}, Vec2(0.199, 0)}));
-  CHECK_FALSE(contact_of(mesh, {"hole_a"}, {720, {0.3, 0.5}, Vec2(0, 0)}));
-  CHECK_FALSE(contact_of(mesh, {"hole_a"}, {0, {0, 0}, Vec2(0, 0)}));
-  CHECK_FALSE(contact_of(mesh, {"hole_a", "hole_b"}, {0, {0, 0}, Vec2(0.15, 0.3)}));
+  CHECK_FALSE(contact_of(mesh, {"hole_a"}, {0, Vec2(0, 0), Vec2(0.199, 0)}));
+  CHECK_FALSE(contact_of(mesh, {"hole_a"}, {720, Vec2(0.3, 0.5), Vec2(0, 0)}));
+  CHECK_FALSE(contact_of(mesh, {"hole_a"}, {0, Vec2(0, 0), Vec2(0, 0)}));
+  CHECK_FALSE(contact_of(mesh, {"hole_a", "hole_b"}, {0, Vec2(0, 0), Vec2(0.15, 0.3)}));
 }
 
 TEST_CASE("a turning corner touches at the angle at which it reaches the other outline") {
@@ -75,7 +75,7 @@ TEST_CASE("a turning corner touches at the angle at which it reaches the other o
 
 TEST_CASE("a body is not jumped over on a long way") {
   const Mesh mesh = plate_with_holes();
-  const auto contact = contact_of(mesh, {"hole_a"}, {0, {0, 0}, Vec2(50, 0)});
+  const auto contact = contact_of(mesh, {"hole_a"}, {0, Vec2(0, 0), Vec2(50, 0)});
   REQUIRE(contact);
   CHECK(contact->edges.other == "hole_b");
   CHECK(contact->fraction == doctest::Approx(0.2 / 50).epsilon(1e-3));
@@ -107,9 +107,9 @@ TEST_CASE("an outline that changes its shape touches the other outline, or itsel
 
 TEST_CASE("a part of an outline may move while its neighbours stay") {
   const Mesh mesh = make_mesh(square(10, Cells::quads));
-  CHECK_FALSE(contact_of(mesh, {"bottom"}, {0, {0, 0}, Vec2(0, 0.05)}));
+  CHECK_FALSE(contact_of(mesh, {"bottom"}, {0, Vec2(0, 0), Vec2(0, 0.05)}));
   // Its ends slide along the sides and meet their next nodes.
-  const auto contact = contact_of(mesh, {"bottom"}, {0, {0, 0}, Vec2(0, 0.5)});
+  const auto contact = contact_of(mesh, {"bottom"}, {0, Vec2(0, 0), Vec2(0, 0.5)});
   REQUIRE(contact);
   CHECK(contact->fraction == doctest::Approx(0.2).epsilon(1e-5));
 }
@@ -122,7 +122,7 @@ TEST_CASE("the smallest gap is that of the nearest edges") {
   CHECK(gap->width == doctest::Approx(0.2));
   CHECK(gap->edges.moving == "hole_a");
   Coordinates near = mesh.coordinates;
-  make_motion(*mesh.topology, near, {"hole_a"}, RigidMotion{0, {0, 0}, Vec2(0.15, 0.02)})
+  make_motion(*mesh.topology, near, {"hole_a"}, RigidMotion{0, Vec2(0, 0), Vec2(0.15, 0.02)})
       ->apply(mesh.coordinates, 1, near);
   const auto smaller = smallest_gap(*mesh.topology, near, nodes);
   REQUIRE(smaller);
@@ -137,8 +137,8 @@ TEST_CASE("the smallest gap is that of the nearest edges") {
 TEST_CASE("a motion into another body is not begun, or ends with a good mesh before it") {
   const MeshState state = make_state(plate_with_holes());
   MoveCommand command;
-  command.markers = {"hole_a"};
-  command.motion.translate = Vec2(0.5, 0.03);
+  command.bodies[0].markers = {"hole_a"};
+  command.bodies[0].motion.translate = Vec2(0.5, 0.03);
   RunOptions whole;
   whole.all_or_nothing = true;
   const CommandResult refused = execute(command, state, whole);
@@ -159,4 +159,52 @@ TEST_CASE("a motion into another body is not begun, or ends with a good mesh bef
     return check_validity(*mesh.topology, mesh.coordinates, 1).min_sine;
   };
   CHECK(sine(partial.state.mesh) > 0.05 * sine(state.mesh));
+}
+
+namespace {
+
+std::unique_ptr<Motion> motion_of(const Mesh& mesh, const std::vector<MovingBody>& bodies) {
+  return make_motion(*mesh.topology, mesh.coordinates, bodies);
+}
+
+}  // namespace
+
+TEST_CASE("bodies that move together touch each other where their arcs meet") {
+  const Mesh mesh = plate_with_holes();
+  const auto contact_between = [&](const RigidMotion& a, const RigidMotion& b) {
+    return find_contact(*mesh.topology, mesh.coordinates,
+                        *motion_of(mesh, {{{"hole_a"}, a}, {{"hole_b"}, b}}));
+  };
+  const auto by = [](double x, double y) { return RigidMotion{.translate = Vec2(x, y)}; };
+  const auto meeting = contact_between(by(0.3, 0.01), by(-0.3, 0));
+  REQUIRE(meeting);
+  CHECK(meeting->fraction == doctest::Approx(1.0 / 3).epsilon(1e-5));
+  CHECK(describe_touch(meeting->edges) == "hole_a would touch hole_b");
+  CHECK(meeting->edges.place.x() == doctest::Approx(0.5).epsilon(1e-3));
+  // One that would run into the other gives way to nothing, but the other goes on as well.
+  CHECK(contact_between(by(0.3, 0), by(0, 0)));
+  CHECK_FALSE(contact_between(by(0.3, 0), by(0.15, 0)));
+  CHECK_FALSE(contact_between(by(0.3, 0.3), by(-0.3, -0.3)));
+  // So fast that they have passed through each other long before the first look at all of them.
+  const auto fast = contact_between(by(60, 0.01), by(-60, 0));
+  REQUIRE(fast);
+  CHECK(fast->fraction == doctest::Approx(1.0 / 600).epsilon(1e-3));
+  CHECK(describe_touch(fast->edges) == "hole_a would touch hole_b");
+  // The rest of the boundary is in the way as it is of one body.
+  const auto outer = contact_between(by(-0.8, 0), by(0, 0.1));
+  REQUIRE(outer);
+  CHECK(outer->fraction == doctest::Approx(0.25).epsilon(1e-5));
+  CHECK(outer->edges.other == "outer");
+}
+
+TEST_CASE("the smallest gap of several bodies is also that between them") {
+  const Mesh mesh = make_mesh(square_with_two_holes(10, Cells::quads));
+  const auto motion = motion_of(mesh, {{{"hole_a"}, {.translate = Vec2(0.05, 0)}},
+                                       {{"hole_b"}, {.translate = Vec2(-0.05, 0)}}});
+  Coordinates x = mesh.coordinates;
+  motion->apply(mesh.coordinates, 1, x);
+  const auto gap = smallest_gap(*mesh.topology, x, *motion);
+  REQUIRE(gap);
+  CHECK(gap->width == doctest::Approx(0.1));
+  CHECK(describe(*gap) == "hole_a is 0.1 from hole_b there");
 }

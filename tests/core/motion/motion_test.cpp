@@ -43,7 +43,7 @@ Mesh two_holes() { return make_mesh(square_with_two_holes(20, Cells::quads)); }
 
 TEST_CASE("a rigid motion moves the nodes of its markers and no others") {
   const Mesh mesh = two_holes();
-  const RigidMotion options{-90, {0.5, 0}, {2, -2}};
+  const RigidMotion options{-90, Vec2(0.5, 0), {2, -2}};
   const auto motion = motion_of(mesh, {"hole_a", "hole_b"}, options);
   const Names names{"hole_a", "hole_b"};
   const auto expected = mesh.topology->markers().nodes_of(names);
@@ -61,7 +61,7 @@ TEST_CASE("a rigid motion moves the nodes of its markers and no others") {
 
 TEST_CASE("fractions follow the rotation, counter-clockwise positive, past a full turn too") {
   const Mesh mesh = two_holes();
-  const RigidMotion options{720, {0.3, 0.4}, {1, 3}};
+  const RigidMotion options{720, Vec2(0.3, 0.4), {1, 3}};
   const auto motion = motion_of(mesh, {"hole_a"}, options);
   for (const double fraction : {0.0, 0.125, 0.3, 0.5, 1.0}) {
     CAPTURE(fraction);
@@ -82,22 +82,23 @@ TEST_CASE("fractions follow the rotation, counter-clockwise positive, past a ful
 
 TEST_CASE("a pure translation is exact: no rounding through the pivot") {
   const Mesh mesh = two_holes();
-  const auto motion = motion_of(mesh, {"hole_b"}, RigidMotion{0, {1e9, -3e8}, {0.1, -0.7}});
+  const auto motion = motion_of(mesh, {"hole_b"}, RigidMotion{0, Vec2(1e9, -3e8), {0.1, -0.7}});
   const Coordinates out = applied(*motion, mesh.coordinates, 1);
   for (const Index i : motion->nodes()) {
     CHECK(out.xy(i) == Vec2(mesh.coordinates.xy(i) + Vec2(0.1, -0.7)));
   }
-  const auto none = motion_of(mesh, {"hole_b"}, RigidMotion{0, {1e9, -3e8}, {0, 0}});
+  const auto none = motion_of(mesh, {"hole_b"}, RigidMotion{0, Vec2(1e9, -3e8), {0, 0}});
   CHECK(applied(*none, mesh.coordinates, 1) == mesh.coordinates);
 }
 
 TEST_CASE("a rigid motion refuses numbers that are not finite and missing markers") {
   const Mesh mesh = two_holes();
   const Names hole{"hole_a"};
-  CHECK_THROWS_AS(motion_of(mesh, hole, RigidMotion{nan_value, {0, 0}, {0, 0}}), UsageError);
-  CHECK_THROWS_AS(motion_of(mesh, hole, RigidMotion{0, {infinity, 0}, {0, 0}}), UsageError);
-  CHECK_THROWS_AS(motion_of(mesh, hole, RigidMotion{0, {infinity, -infinity}, {0, 0}}), UsageError);
-  CHECK_THROWS_AS(motion_of(mesh, hole, RigidMotion{0, {0, 0}, {0, nan_value}}), UsageError);
+  CHECK_THROWS_AS(motion_of(mesh, hole, RigidMotion{nan_value, Vec2(0, 0), {0, 0}}), UsageError);
+  CHECK_THROWS_AS(motion_of(mesh, hole, RigidMotion{0, Vec2(infinity, 0), {0, 0}}), UsageError);
+  CHECK_THROWS_AS(motion_of(mesh, hole, RigidMotion{0, Vec2(infinity, -infinity), {0, 0}}),
+                  UsageError);
+  CHECK_THROWS_AS(motion_of(mesh, hole, RigidMotion{0, Vec2(0, 0), {0, nan_value}}), UsageError);
   CHECK_THROWS_AS(motion_of(mesh, {}, RigidMotion{}), UsageError);
   CHECK_THROWS_AS(motion_of(mesh, {"wing"}, RigidMotion{}), UsageError);
   MeshData data = square(3, Cells::quads);
@@ -268,4 +269,57 @@ TEST_CASE("a table's refusals name file and line") {
   } catch (const UsageError& error) {
     CHECK(std::string(error.what()).find(expected) != std::string::npos);
   }
+}
+
+namespace {
+
+std::string refusal_of(const Mesh& mesh, const std::vector<MovingBody>& bodies) {
+  try {
+    make_motion(*mesh.topology, mesh.coordinates, bodies);
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+}  // namespace
+
+TEST_CASE("bodies move together, each along its own arc") {
+  const Mesh mesh = two_holes();
+  const std::vector<MovingBody> bodies{
+      {{"hole_a"}, {30, std::nullopt, {0.05, 0.1}}},
+      {{"hole_b"}, {-80, Vec2(0.6, 0.4), {0, 0}}},
+  };
+  const auto motion = make_motion(*mesh.topology, mesh.coordinates, bodies);
+  const Names names{"hole_a", "hole_b"};
+  CHECK(std::ranges::equal(motion->nodes(), mesh.topology->markers().nodes_of(names)));
+  CHECK(motion->bodies().size() == 2);
+  for (const double fraction : {0.25, 1.0}) {
+    const Coordinates together = applied(*motion, mesh.coordinates, fraction);
+    Coordinates one_by_one = mesh.coordinates;
+    for (const MovingBody& body : bodies)
+      motion_of(mesh, body.markers, body.motion)->apply(mesh.coordinates, fraction, one_by_one);
+    CHECK(together == one_by_one);
+  }
+  const std::vector<MovingBody> alone{bodies[1]};
+  CHECK(make_motion(*mesh.topology, mesh.coordinates, alone)->bodies().empty());
+}
+
+TEST_CASE("nodes that two bodies share have to go the same way") {
+  const Mesh mesh = make_mesh(square(4, Cells::quads));  // bottom and left share the corner (0, 0)
+  const auto by = [](double x, double y) { return RigidMotion{.translate = Vec2(x, y)}; };
+  const std::string apart =
+      refusal_of(mesh, {{{"top"}, by(0, 0)}, {{"bottom"}, by(0, 0.1)}, {{"left"}, by(0.1, 0)}});
+  CHECK(apart.starts_with("the markers top and left share node "));
+  CHECK(apart.ends_with(", which their motions take to different places"));
+  CHECK(refusal_of(mesh, {{{"bottom"}, by(0, 0.1)}, {{"left"}, by(0, 0.1)}}) == "accepted");
+  // Both hang on the corner, which is their hinge.
+  const auto about = [](double degrees) { return RigidMotion{degrees, Vec2(0, 0), {0, 0}}; };
+  CHECK(refusal_of(mesh, {{{"bottom"}, about(20)}, {{"left"}, about(-10)}}) == "accepted");
+  // They end at one place and go there by different arcs.
+  CHECK(refusal_of(mesh, {{{"bottom"}, {360, Vec2(1, 1), {0, 0}}}, {{"left"}, by(0, 0)}})
+            .starts_with("the markers bottom and left share node "));
+  CHECK(refusal_of(mesh, {{{"bottom"}, by(0, 0)}, {{"left", "bottom"}, by(0, 0)}}) ==
+        "the marker bottom belongs to two of the bodies that are to move");
+  CHECK(refusal_of(mesh, {}) == "no body given: what is to move?");
 }

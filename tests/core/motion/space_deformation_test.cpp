@@ -50,11 +50,9 @@ TEST_CASE("a sine in space displaces by its formula, along the way that is asked
   };
   SineDeformation plane{0.03, 1.5, {0, 4}};  // as in the plane: along x
   SineDeformation sideways{0.03, 1, {1, 0}};
-  SineDeformation up{0.02, 1, {0, 0}};
-  up.direction_z = -2;
+  SineDeformation up{0.02, 1, {0, 0, -2}};
   up.along = Vec3(0, 3, 0);
-  SineDeformation slanted{-0.02, 0.75, {1, 1}};
-  slanted.direction_z = 1;
+  SineDeformation slanted{-0.02, 0.75, {1, 1, 1}};
   slanted.along = Vec3(1, -1, 2);
   const std::array<Case, 4> cases{
       Case{plane, Vec3(0, 1, 0), Vec3(1, 0, 0)}, Case{sideways, Vec3(1, 0, 0), Vec3(0, -1, 0)},
@@ -81,14 +79,13 @@ TEST_CASE("a sine in space displaces by its formula, along the way that is asked
 
 TEST_CASE("a sine in space needs a way to run along, and a plane one has none") {
   const Mesh space = cavity_mesh(), plane = make_mesh(square(3, Cells::quads));
-  SineDeformation up{0.1, 1, {0, 0}};
-  up.direction_z = 1;
+  SineDeformation up{0.1, 1, {0, 0, 1}};
   CHECK(refusal(space, up).find("needs a way along which it runs") != std::string::npos);
   up.along = Vec3(0, 0, 0);
   CHECK(refusal(space, up) == "the way along which the sine runs is zero");
   up.along = Vec3(0, std::numeric_limits<double>::quiet_NaN(), 1);
   CHECK(refusal(space, up).find("not a finite number") != std::string::npos);
-  up.direction_z = 0;
+  up.direction = Vec3(0, 0, 0);
   CHECK(refusal(space, up) == "the direction of the sine is zero");
   SineDeformation along{0.1, 1, {0, 1}};
   along.along = Vec3(1, 0, 0);
@@ -102,8 +99,8 @@ TEST_CASE("a table with three components moves nodes by number and by place, the
   const Vec3 near = mesh.coordinates.xyz(nodes[9]) + Vec3(1e-8, 0, -1e-8);
   DisplacementTable table;
   table.source = "d.csv";
-  table.entries.push_back({nodes[4], {0, 0}, {0.01, 0.02}, 2, {}, -0.03});
-  table.entries.push_back({std::nullopt, near.head<2>(), {-0.02, 0}, 3, near.z(), 0.01});
+  table.entries.push_back({nodes[4], {0, 0}, {0.01, 0.02, -0.03}, 2});
+  table.entries.push_back({std::nullopt, near, {-0.02, 0, 0.01}, 3});
   for (const double fraction : {0.5, 1.0}) {
     const Coordinates x = moved(mesh, body, table, fraction);
     for (Index node = 0; node < mesh.coordinates.size(); ++node) {
@@ -113,12 +110,12 @@ TEST_CASE("a table with three components moves nodes by number and by place, the
       CHECK((way(mesh, x, node) - expected).norm() < 1e-15);
     }
   }
-  table.entries[1].position_z = near.z() + 0.01;
+  table.entries[1].position.z() += 0.01;
   CHECK_THROWS_AS(moved(mesh, body, table, 1), UsageError);
-  table.entries[1].position_z = {};
+  table.entries[1].position = Vec2(near.head<2>());
   CHECK_THROWS_AS(moved(mesh, body, table, 1), UsageError);
   table.entries.pop_back();
-  table.entries[0].displacement_z = {};
+  table.entries[0].displacement = Vec2(0.01, 0.02);
   const std::string message = "d.csv:2: node " + std::to_string(nodes[4]) +
                               " has no dz: found a table for plane meshes, expected "
                               "node,dx,dy,dz or x,y,z,dx,dy,dz";
@@ -131,8 +128,7 @@ TEST_CASE("volume meshes stay valid under deformations") {
     const MeshState state = make_state(cavity_mesh(volumes));
     DeformCommand command;
     command.markers = {"cavity"};
-    SineDeformation sine{0.08, 1, {0, 0}, Fade::end, 0.3};
-    sine.direction_z = 1;
+    SineDeformation sine{0.08, 1, {0, 0, 1}, Fade::end, 0.3};
     sine.along = Vec3(1, 0, 0);
     command.shape = sine;
     const CommandResult result = execute(command, state);

@@ -73,7 +73,7 @@ template <class Visit>
 void for_each_table(const Visit& visit) {
   SmoothOptions smooth;
   MotionOptions how;
-  RigidMotionRequest rigid;
+  RigidMotion rigid;
   SineDeformation sine;
   LayerSpacing spacing;
   MoveCommand move;

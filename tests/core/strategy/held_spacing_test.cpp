@@ -90,8 +90,8 @@ TEST_CASE("walls are what lies around a body, and what has flat elements") {
 TEST_CASE("before a gate and behind it the nodes of a clustered floor keep their shares") {
   const Mesh mesh = channel_with_clusters();
   MoveCommand move;
-  move.markers = {"gate"};
-  move.motion.translate = Vec2(0.8, 0);
+  move.bodies[0].markers = {"gate"};
+  move.bodies[0].motion.translate = Vec2(0.8, 0);
   move.smooth.slide.markers = {"floor"};
   const auto before = [](const Vec2& p) { return p.x() < 1; };
   const auto behind = [](const Vec2& p) { return p.x() > 1.25; };
@@ -126,9 +126,9 @@ TEST_CASE("a closed wall turns as a whole and keeps its spacing, a far field doe
   }
   const Mesh mesh = make_mesh(data);
   MoveCommand move;
-  move.markers = {"farfield"};
-  move.motion.rotate = 50;
-  move.motion.pivot = Vec2(0, 0);
+  move.bodies[0].markers = {"farfield"};
+  move.bodies[0].motion.rotate = 50;
+  move.bodies[0].motion.pivot = Vec2(0, 0);
   move.smooth.targets = TargetBlend::regular();
   move.smooth.slide.markers = {"wall"};
   const CommandResult held = execute(move, make_state(mesh));
@@ -171,8 +171,8 @@ TEST_CASE("corners of a passage slide with the inlet, and the body takes the mes
   // sliding the mesh goes with it, and is what it was.
   const Mesh mesh = make_mesh(square_with_periodic_sides(10));
   MoveCommand move;
-  move.markers = {"hole"};
-  move.motion.translate = Vec2(1, 0);
+  move.bodies[0].markers = {"hole"};
+  move.bodies[0].motion.translate = Vec2(1, 0);
   move.smooth.targets = TargetBlend::regular();
   move.smooth.slide.periodic = {"left", "right"};
   move.smooth.slide.markers = {"walls"};

@@ -31,8 +31,8 @@ std::string some_hole(const MeshState& state) {
 
 MoveCommand turn(const MeshState& state, double degrees) {
   MoveCommand move;
-  move.markers = {some_hole(state)};
-  move.motion.rotate = degrees;
+  move.bodies[0].markers = {some_hole(state)};
+  move.bodies[0].motion.rotate = degrees;
   return move;
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("outside a circle about the body nothing moves") {
     CAPTURE(formulation_name(formulation));
     MoveCommand move = turn(state, 20);
     move.smooth.formulation = formulation;
-    const Bounds body = bounds(state.mesh.coordinates, nodes_of(state, move.markers[0]));
+    const Bounds body = bounds(state.mesh.coordinates, nodes_of(state, move.bodies[0].markers[0]));
     const Vec2 centre = 0.5 * (body.min + body.max);
     const double radius = 0.5 * body.size().norm() + 0.12;
     move.smooth.keep_outside.radius = radius;
@@ -206,9 +206,9 @@ Box<3> body_of(const MeshState& state) {
 
 MoveCommand turned_body(double degrees) {
   MoveCommand move;
-  move.markers = {"body"};
-  move.motion.rotate = degrees;
-  move.motion.axis = Vec3::UnitZ();
+  move.bodies[0].markers = {"body"};
+  move.bodies[0].motion.rotate = degrees;
+  move.bodies[0].motion.axis = Vec3::UnitZ();
   return move;
 }
 
@@ -246,10 +246,7 @@ TEST_CASE("outside a sphere about the body of a volume mesh nothing moves") {
       MoveCommand move = turned_body(20);
       KeepOutside& keep = move.smooth.keep_outside;
       keep.radius = radius;
-      if (named) {
-        keep.centre = centre.head<2>();
-        keep.centre_z = centre.z();
-      }
+      if (named) keep.centre = centre;
       const CommandResult result = execute(move, state);
       CHECK(result.smooth.inverted == 0);
       const SpaceCounts counted =
@@ -268,10 +265,8 @@ TEST_CASE("outside a box of space nothing moves, whichever corners are given") {
   smooth.smooth.targets = TargetBlend::regular();
   KeepOutside& keep = smooth.smooth.keep_outside;
   const double middle = all.centre().z();
-  keep.corner = Vec2(all.min.x(), all.max.y());
-  keep.corner_z = middle;
-  keep.opposite = Vec2(all.max.x(), all.min.y());
-  keep.opposite_z = all.min.z();
+  keep.corner = Vec3(all.min.x(), all.max.y(), middle);
+  keep.opposite = Vec3(all.max.x(), all.min.y(), all.min.z());
   const CommandResult result = execute(smooth, state);
   const SpaceCounts counted = count_in_space(state, result.state.mesh.coordinates,
                                              [&](const Vec3& at) { return at.z() <= middle; });
@@ -288,8 +283,8 @@ TEST_CASE("a drag in space keeps what lies outside, too") {
   options.keep_outside.radius = radius;
   DragGrip grip;
   grip.markers = {"body"};
-  SpaceDragSession drag(state, grip, options);
-  const SpaceMotion motion = turned_body(10).motion.in_space(centre);
+  DragSession drag(state, grip, options);
+  const RigidMotion motion = turned_body(10).bodies[0].motion;
   drag.to(motion);
   while (!drag.settled() && drag.error().empty()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -316,9 +311,9 @@ TEST_CASE("places of a region have as many coordinates as the mesh") {
   const MeshState plane = make_state(make_mesh(square(4, Cells::triangles)));
   CHECK(refused({.radius = 1, .centre = Vec2(0, 0)}, space) ==
         "keep-outside centre: found two numbers, expected three for a volume mesh");
-  CHECK(refused({.corner = Vec2(0, 0), .opposite = Vec2(1, 1), .corner_z = 0}, space) ==
+  CHECK(refused({.corner = GivenVector::of_three(Vec3(0, 0, 0)), .opposite = Vec2(1, 1)}, space) ==
         "keep-outside opposite: found two numbers, expected three for a volume mesh");
-  CHECK(refused({.radius = 1, .centre = Vec2(0, 0), .centre_z = 0}, plane) ==
+  CHECK(refused({.radius = 1, .centre = GivenVector::of_three(Vec3(0, 0, 0))}, plane) ==
         "keep-outside centre: found three numbers, expected two for a plane mesh");
   CHECK(refused({.radius = 1.0}, space).find("centre of the sphere") != std::string::npos);
 }

@@ -117,10 +117,10 @@ TEST_CASE("held layers go with their wall inside the region, those outside stay"
   both.layers.walls.push_back({{"hole_b"}, {3, 0.004, 1.2, 1.0, {}, false}});
   const MeshState layered = execute(both, before).state;
   MoveCommand move;
-  move.markers = {"hole_a"};
-  move.motion.rotate = 10;
-  const Bounds body =
-      bounds(layered.mesh.coordinates, layered.mesh.topology->markers().nodes_of(move.markers));
+  move.bodies[0].markers = {"hole_a"};
+  move.bodies[0].motion.rotate = 10;
+  const Bounds body = bounds(layered.mesh.coordinates,
+                             layered.mesh.topology->markers().nodes_of(move.bodies[0].markers));
   const Vec2 centre = 0.5 * (body.min + body.max);
   const double radius = 0.5 * body.size().norm() + 0.12;
   move.smooth.keep_outside.radius = radius;

@@ -169,10 +169,10 @@ TEST_CASE("volume meshes: a held node of a face stays while a body draws the oth
   MoveCommand move;
   std::vector<std::string> walls;
   for (const Marker& marker : mesh.topology->markers())
-    (marker.name == "cavity" ? move.markers : walls).push_back(marker.name);
-  REQUIRE(move.markers.size() == 1);
-  move.motion.rotate = 20;
-  move.motion.axis = Vec3(0, 0, 1);
+    (marker.name == "cavity" ? move.bodies[0].markers : walls).push_back(marker.name);
+  REQUIRE(move.bodies[0].markers.size() == 1);
+  move.bodies[0].motion.rotate = 20;
+  move.bodies[0].motion.axis = Vec3(0, 0, 1);
   move.smooth.slide.markers = walls;
   const CommandResult free = execute(move, make_state(mesh));
   Index farthest = -1;
@@ -234,8 +234,8 @@ TEST_CASE("nodes that the mesh has not, or that cannot do it, are refused by nam
         std::string::npos);
 
   MoveCommand move;
-  move.markers = {"hole"};
-  move.motion.rotate = 5;
+  move.bodies[0].markers = {"hole"};
+  move.bodies[0].motion.rotate = 5;
   const auto hole = *sides.mesh.topology->markers().find("hole");
   move.smooth.slide.hold_nodes = {sides.mesh.topology->markers().nodes(hole)[0]};
   CHECK_THROWS_WITH_AS(execute(move, sides), doctest::Contains("the motion takes it"), UsageError);

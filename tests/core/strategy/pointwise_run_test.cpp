@@ -30,8 +30,8 @@ SmoothOptions pointwise(OuterMethod outer) {
 
 MoveCommand turn(double degrees, OuterMethod outer) {
   MoveCommand command;
-  command.markers = {"inner"};
-  command.motion.rotate = degrees;
+  command.bodies[0].markers = {"inner"};
+  command.bodies[0].motion.rotate = degrees;
   command.smooth = pointwise(outer);
   return command;
 }

@@ -94,9 +94,9 @@ TEST_CASE("a body that turns takes a far field along that slides: the mesh turns
   for (const double angle : {90.0, 360.0}) {
     CAPTURE(angle);
     MoveCommand move;
-    move.markers = {"inner"};
-    move.motion.rotate = angle;
-    move.motion.pivot = Vec2(0, 0);
+    move.bodies[0].markers = {"inner"};
+    move.bodies[0].motion.rotate = angle;
+    move.bodies[0].motion.pivot = Vec2(0, 0);
     move.smooth.targets = TargetBlend::regular();
     move.smooth.slide.markers = {"outer"};
     const CommandResult result = execute(move, make_state(mesh));
@@ -118,8 +118,8 @@ TEST_CASE("a body that turns takes a far field along that slides: the mesh turns
 TEST_CASE("in space planes stay plane to round-off, and a body that moves draws nodes along them") {
   const Mesh mesh = make_mesh(cube_with_cavity(6, Volumes::tetrahedra));
   MoveCommand move;
-  move.markers = {"cavity"};
-  move.motion.translate = Vec2(0.12, 0);
+  move.bodies[0].markers = {"cavity"};
+  move.bodies[0].motion.translate = Vec2(0.12, 0);
   const CommandResult held = execute(move, make_state(mesh));
   move.smooth.slide.markers = {"outer"};
   const CommandResult result = execute(move, make_state(mesh));
@@ -150,8 +150,8 @@ TEST_CASE("a gate moves along a floor that slides, and not off it") {
   // A channel of square cells without those of the gate.
   const Mesh mesh = make_mesh(channel_with_gate(24, 8, 6, 9, 3));
   MoveCommand move;
-  move.markers = {"gate"};
-  move.motion.translate = Vec2(1, 0);
+  move.bodies[0].markers = {"gate"};
+  move.bodies[0].motion.translate = Vec2(1, 0);
   CHECK(execute(move, make_state(mesh)).smooth.contact);
   move.smooth.slide.markers = {"floor"};
   const CommandResult result = execute(move, make_state(mesh));
@@ -165,11 +165,11 @@ TEST_CASE("a gate moves along a floor that slides, and not off it") {
       ++on_floor;
     }
   CHECK(on_floor == 24 - 3 - 2);
-  move.motion.translate = Vec2(1, 0.05);
+  move.bodies[0].motion.translate = Vec2(1, 0.05);
   CHECK_THROWS_WITH_AS(execute(move, make_state(mesh)),
                        doctest::Contains("takes the node off it by 0.05"), UsageError);
   // What does not slide is still in the way.
-  move.motion.translate = Vec2(2.5, 0);
+  move.bodies[0].motion.translate = Vec2(2.5, 0);
   const CommandResult far = execute(move, make_state(mesh));
   CHECK(far.smooth.contact);
 }
@@ -185,8 +185,8 @@ TEST_CASE("a body moves along a sliding floor in space") {
   });
   const Mesh mesh = make_mesh(data);
   MoveCommand move;
-  move.markers = {"body"};
-  move.motion.translate = Vec2(0.3, 0);
+  move.bodies[0].markers = {"body"};
+  move.bodies[0].motion.translate = Vec2(0.3, 0);
   move.smooth.slide.markers = {"floor"};
   const CommandResult result = execute(move, make_state(mesh));
   REQUIRE(result.smooth.converged);
@@ -199,9 +199,9 @@ TEST_CASE("a body moves along a sliding floor in space") {
 TEST_CASE("with sliding nodes, too, the result is the same at one thread and at three") {
   const Mesh mesh = make_mesh(annulus(20, 6, 1.25, Cells::mixed));
   MoveCommand move;
-  move.markers = {"inner"};
-  move.motion.rotate = 40;
-  move.motion.translate = Vec2(0.2, 0.1);
+  move.bodies[0].markers = {"inner"};
+  move.bodies[0].motion.rotate = 40;
+  move.bodies[0].motion.translate = Vec2(0.2, 0.1);
   move.smooth.slide.markers = {"outer"};
   move.smooth.threads = 1;
   const CommandResult one = execute(move, make_state(mesh));
@@ -258,8 +258,9 @@ TEST_CASE("periodic sides keep matching, and a mesh that repeats itself is smoot
 TEST_CASE("a body in a periodic passage goes farther than one between sides that stay") {
   const Mesh mesh = make_mesh(square_with_periodic_sides(10));
   MoveCommand move;
-  move.markers = {"hole"};
-  move.motion.translate = Vec2(0.5, 0);  // beyond the right side, where it comes from the left
+  move.bodies[0].markers = {"hole"};
+  move.bodies[0].motion.translate =
+      Vec2(0.5, 0);  // beyond the right side, where it comes from the left
   const CommandResult held = execute(move, make_state(mesh));
   CHECK(held.smooth.fraction_reached < 1);
   CHECK(held.smooth.contact.has_value());
@@ -285,8 +286,8 @@ TEST_CASE("what does not go with sliding is refused by name") {
   smooth.smooth.slide.feature_angle = 200;
   CHECK_THROWS_WITH_AS(execute(smooth, state), doctest::Contains("feature_angle"), UsageError);
   MoveCommand move;
-  move.markers = {"hole"};
-  move.motion.rotate = 5;
+  move.bodies[0].markers = {"hole"};
+  move.bodies[0].motion.rotate = 5;
   move.smooth.slide.markers = {"hole"};
   CHECK_THROWS_WITH_AS(execute(move, state), doctest::Contains("the motion takes its nodes"),
                        UsageError);

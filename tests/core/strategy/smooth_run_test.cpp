@@ -155,8 +155,8 @@ TEST_CASE("the fixed point does not take over where a limit has ended the path")
 TEST_CASE("smoothing in place keeps the worst element of the mesh as given") {
   // What a steep penalty has given its worst elements, a gentle one takes away again.
   MoveCommand turn;
-  turn.markers = {"hole_a"};
-  turn.motion.rotate = 25;
+  turn.bodies[0].markers = {"hole_a"};
+  turn.bodies[0].motion.rotate = 25;
   turn.smooth.targets = TargetBlend::regular();
   turn.smooth.penalty.exponent = 16;
   const MeshState given =

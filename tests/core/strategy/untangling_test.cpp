@@ -59,8 +59,8 @@ TEST_CASE("where the energy is stuck with the interior as given, the harmonic in
     CAPTURE(name_of(cells));
     const MeshState state = make_state(make_mesh(annulus(32, 26, 1.2, cells)));
     MoveCommand command;
-    command.markers = {"inner"};
-    command.motion.rotate = 90;
+    command.bodies[0].markers = {"inner"};
+    command.bodies[0].motion.rotate = 90;
     command.how.increments = 1;
     command.smooth = by_energy();
     const CommandResult result = execute(command, state);
@@ -183,8 +183,8 @@ TEST_CASE("the pointwise form has no worst element to raise") {
 TEST_CASE("limits of the quality and raising the worst element do not go together") {
   const MeshState state = make_state(make_mesh(square_with_hole(6, Cells::quads)));
   MoveCommand command;
-  command.markers = {state.mesh.topology->markers()[0].name};
-  command.motion.translate = Vec2(0.01, 0);
+  command.bodies[0].markers = {state.mesh.topology->markers()[0].name};
+  command.bodies[0].motion.translate = Vec2(0.01, 0);
   command.smooth.raise_worst = true;
   command.how.floor.set(Metric::normalized_jacobian, 0.1);
   CHECK_THROWS_AS(execute(command, state), UsageError);

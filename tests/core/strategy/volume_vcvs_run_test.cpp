@@ -180,10 +180,10 @@ TEST_CASE("a body moves in a volume mesh over its VCVs, through valid meshes") {
   for (const Formulation form : {Formulation::pointwise, Formulation::variational}) {
     CAPTURE(formulation_name(form));
     MoveCommand move;
-    move.markers = {"cavity"};
-    move.motion.translate = Vec2(0.06, 0.03);
-    move.motion.rotate = 25;
-    move.motion.axis = Vec3(1, 0, 1);
+    move.bodies[0].markers = {"cavity"};
+    move.bodies[0].motion.translate = Vec2(0.06, 0.03);
+    move.bodies[0].motion.rotate = 25;
+    move.bodies[0].motion.axis = Vec3(1, 0, 1);
     move.smooth = smooth_by(form, VcvKind::automatic).smooth;
     Watch watch(10'000);
     RunOptions options;

@@ -116,26 +116,100 @@ TEST_CASE("recipe: a smooth command survives") {
 }
 
 TEST_CASE("recipe: a move command survives") {
-  const MoveCommand command{{"slat", "a \"quoted\" n\xc3\xa4me\n"},
-                            {-40.1, Vec2(0.1, -1e300), {5e-324, 2}},
-                            odd_motion(),
-                            odd_smoothing()};
+  const MoveCommand command{
+      {{{"slat", "a \"quoted\" n\xc3\xa4me\n"}, {-40.1, Vec2(0.1, -1e300), {5e-324, 2}}}},
+      odd_motion(),
+      odd_smoothing()};
   const MoveCommand read = round_trip(command);
-  CHECK(read.markers == command.markers);
-  CHECK(read.motion.rotate == command.motion.rotate);
-  CHECK(read.motion.pivot == command.motion.pivot);
-  CHECK(read.motion.translate == command.motion.translate);
+  CHECK(read.bodies[0].markers == command.bodies[0].markers);
+  CHECK(read.bodies[0].motion.rotate == command.bodies[0].motion.rotate);
+  CHECK(read.bodies[0].motion.pivot == command.bodies[0].motion.pivot);
+  CHECK(read.bodies[0].motion.translate == command.bodies[0].motion.translate);
   check_equal(read.how, command.how);
   check_equal(read.smooth, command.smooth);
 }
 
+TEST_CASE("recipe: several bodies are a list, one is the command itself") {
+  MoveCommand command;
+  command.bodies = {{{"slat"}, {.rotate = 20, .pivot = Vec2(0.1, 0.2)}},
+                    {{"flap", "vane"}, {.rotate = -40, .translate = Vec2(0, -0.05)}},
+                    {{"tab"},
+                     {10, GivenVector::of_three(Vec3(1, 2, 0)),
+                      GivenVector::of_three(Vec3(0, 0, 0)), Vec3(0, 1, 0)}}};
+  command.how = odd_motion();
+  const nlohmann::json json = io::to_json(command);
+  CHECK_FALSE(json.contains("markers"));
+  CHECK_FALSE(json.contains("rotate"));
+  REQUIRE(json.at("bodies").size() == 3);
+  CHECK(json.at("bodies")[0] == nlohmann::json{{"markers", {"slat"}},
+                                               {"rotate", 20.0},
+                                               {"pivot", {0.1, 0.2}},
+                                               {"translate", {0.0, 0.0}}});
+  CHECK(json.at("bodies")[2].at("pivot") == nlohmann::json({1.0, 2.0, 0.0}));
+  const MoveCommand read = round_trip(command);
+  CHECK(read.bodies == command.bodies);
+  check_equal(read.how, command.how);
+  CHECK(io::to_json(read) == json);
+
+  command.bodies.resize(1);
+  const nlohmann::json one = io::to_json(command);
+  CHECK_FALSE(one.contains("bodies"));
+  CHECK(one.at("markers") == nlohmann::json({"slat"}));
+  CHECK(one.at("rotate") == 20.0);
+  // A list of one is that very command.
+  nlohmann::json listed{{"command", "move"},
+                        {"bodies", {{{"markers", {"slat"}}, {"rotate", 20.0}}}}};
+  const Command same = io::command_from_json(listed, {});
+  CHECK(std::get<MoveCommand>(same).bodies == std::vector<MovingBody>{{{"slat"}, {.rotate = 20}}});
+}
+
+TEST_CASE("recipe: the number of components that a motion was given by survives") {
+  for (const char* text :
+       {R"({"markers": ["a"], "rotate": 1.0, "translate": [1.0, 2.0], "pivot": [0.5, 0.5]})",
+        R"({"markers": ["a"], "rotate": 1.0, "translate": [1.0, 2.0, 0.0], "pivot": [0.5, 0.5]})",
+        R"({"markers": ["a"], "axis": [0.0, 0.0, 1.0], "translate": [0.0, 0.0],
+            "pivot": [0.5, 0.5, 0.0]})"}) {
+    nlohmann::json given = nlohmann::json::parse(text);
+    given["command"] = "move";
+    const nlohmann::json written = io::to_json(io::command_from_json(given, {}));
+    for (const auto& [key, value] : given.items()) CHECK(written.at(key) == value);
+  }
+  // What the program found is of space where it has an axis.
+  MoveCommand found;
+  found.bodies[0] = {{"a"}, {5, Vec3(1, 2, 0), Vec3(3, 4, 0)}};
+  CHECK(io::to_json(found).at("pivot") == nlohmann::json({1.0, 2.0}));
+  CHECK(io::to_json(found).at("translate") == nlohmann::json({3.0, 4.0}));
+  found.bodies[0].motion.axis = Vec3(0, 0, 1);
+  CHECK(io::to_json(found).at("pivot") == nlohmann::json({1.0, 2.0, 0.0}));
+  CHECK(io::to_json(found).at("translate") == nlohmann::json({3.0, 4.0, 0.0}));
+}
+
+TEST_CASE("recipe: bodies that are written wrongly are refused by their place") {
+  const auto refusal = [](const char* command) {
+    try {
+      io::command_from_json(nlohmann::json::parse(command), {}, "commands[0]");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  CHECK(contains(refusal(R"({"command": "move", "bodies": []})"),
+                 "commands[0].bodies: expected a list of bodies"));
+  CHECK(contains(refusal(R"({"command": "move", "bodies": [{"rotate": 1}]})"),
+                 "commands[0].bodies[0]: the key \"markers\" is missing"));
+  CHECK(contains(refusal(R"({"command": "move", "rotate": 1, "bodies": [{"markers": ["a"]}]})"),
+                 "commands[0].rotate: expected in the objects of \"bodies\""));
+  CHECK(contains(refusal(R"({"command": "move", "bodies": [{"markers": ["a"], "smooth": {}}]})"),
+                 "commands[0].bodies[0].smooth: unknown key, expected one of markers, rotate"));
+}
+
 TEST_CASE("recipe: a pivot at the origin is another one than none") {
-  MoveCommand command{{"flap"}, {30, Vec2(0, 0), {0, 0}}, {}, {}};
+  MoveCommand command{{{{"flap"}, {30, Vec2(0, 0), {0, 0}}}}, {}, {}};
   CHECK(io::to_json(command).at("pivot") == nlohmann::json({0.0, 0.0}));
-  CHECK(round_trip(command).motion.pivot == Vec2(0, 0));
-  command.motion.pivot.reset();
+  CHECK(round_trip(command).bodies[0].motion.pivot == Vec2(0, 0));
+  command.bodies[0].motion.pivot.reset();
   CHECK_FALSE(io::to_json(command).contains("pivot"));
-  CHECK_FALSE(round_trip(command).motion.pivot.has_value());
+  CHECK_FALSE(round_trip(command).bodies[0].motion.pivot.has_value());
 }
 
 TEST_CASE("recipe: a sine deformation survives") {
@@ -159,7 +233,7 @@ TEST_CASE("recipe: a sine deformation survives") {
 TEST_CASE("recipe: displacements are embedded") {
   DisplacementTable table;
   table.source = "folder/d.csv";
-  table.entries.push_back({17, {0, 0}, {0.1, -0.2}, 2});
+  table.entries.push_back({17, Vec2(0, 0), {0.1, -0.2}, 2});
   table.entries.push_back({{}, {1.0 / 3.0, 2.0 / 7.0}, {1e-17, 0}, 0});
   const DeformCommand read = round_trip(DeformCommand{{"flap"}, table, {}, {}});
   REQUIRE(std::holds_alternative<DisplacementTable>(read.shape));
@@ -175,22 +249,20 @@ TEST_CASE("recipe: displacements are embedded") {
 }
 
 TEST_CASE("recipe: deformations in space survive, with their third components") {
-  SineDeformation sine{0.1, 1, {0.5, 0}};
-  sine.direction_z = -0.25;
+  SineDeformation sine{0.1, 1, {0.5, 0, -0.25}};
   sine.along = Vec3(1.0 / 3, 2, -3);
   const DeformCommand wave = round_trip(DeformCommand{{"main"}, sine, {}, {}});
   CHECK(std::get<SineDeformation>(wave.shape) == sine);
 
   DisplacementTable table;
-  table.entries.push_back({17, {0, 0}, {0.1, -0.2}, 0, {}, 1.0 / 3});
-  table.entries.push_back({{}, {1, 2}, {3, 4}, 0, 0.1, -5e-17});
+  table.entries.push_back({17, Vec2(0, 0), {0.1, -0.2, 1.0 / 3}, 0});
+  table.entries.push_back({{}, {1, 2, 0.1}, {3, 4, -5e-17}, 0});
   const DeformCommand read = round_trip(DeformCommand{{"flap"}, table, {}, {}});
   const auto& back = std::get<DisplacementTable>(read.shape);
   REQUIRE(back.entries.size() == 2);
   for (std::size_t i = 0; i < 2; ++i) {
-    CHECK(back.entries[i].position_z == table.entries[i].position_z);
+    CHECK(back.entries[i].position == table.entries[i].position);
     CHECK(back.entries[i].displacement == table.entries[i].displacement);
-    CHECK(back.entries[i].displacement_z == table.entries[i].displacement_z);
   }
 }
 
@@ -264,8 +336,8 @@ TEST_CASE("recipe: what is left out has its default") {
   const auto recipe = io::read_recipe(path);
   CHECK(recipe.input.empty());
   const auto& move = std::get<MoveCommand>(recipe.commands.at(0));
-  CHECK(move.motion.rotate == 0);
-  CHECK_FALSE(move.motion.pivot.has_value());
+  CHECK(move.bodies[0].motion.rotate == 0);
+  CHECK_FALSE(move.bodies[0].motion.pivot.has_value());
   check_equal(move.how, MotionOptions{});
   check_equal(move.smooth, SmoothOptions{});
 }
@@ -347,7 +419,7 @@ TEST_CASE("recipe: deep nesting and folders are refused") {
 TEST_CASE("recipe: a failed write leaves the old file") {
   const TemporaryFolder folder;
   const auto path = folder.write("r.json", "old");
-  const MoveCommand command{{"not utf-8: \xff"}, {}, {}, {}};
+  const MoveCommand command{{{{"not utf-8: \xff"}, {}}}, {}, {}};
   CHECK_THROWS_AS(io::write_recipe(path, {"", "", {command}}), OutputError);
   std::ifstream in(path);
   std::string text;
@@ -395,7 +467,7 @@ TEST_CASE("what is wrong with an edit of VCVs is named") {
 
 TEST_CASE("limits of the quality stand in an object of their own, if there are any") {
   MoveCommand command;
-  command.markers = {"a"};
+  command.bodies[0].markers = {"a"};
   CHECK_FALSE(io::to_json(command).contains("min_quality"));
   command.how.floor.set(Metric::normalized_jacobian, 0.25);
   command.how.floor.set(Metric::skewness, 0.875);

@@ -52,17 +52,17 @@ TEST_CASE("displacements: columns by name, by number, with any separator") {
 
 TEST_CASE("displacements: z and dz by name, and six columns without names") {
   const DisplacementTable named = read("dz,node,dx,dy\n3,7,1,2\n");
-  CHECK(named.entries[0].displacement == Vec2(1, 2));
-  CHECK(named.entries[0].displacement_z == 3.0);
-  CHECK_FALSE(named.entries[0].position_z);
+  CHECK(named.entries[0].displacement == Vec3(1, 2, 3));
+  CHECK(named.entries[0].displacement.numbers(0) == 3);
+  CHECK(named.entries[0].position.numbers(0) == 2);
   for (const char* text : {"x,y,z,dx,dy,dz\n1,2,3,4,5,6\n", "1 2 3 4 5 6\n"}) {
     const DisplacementEntry entry = read(text).entries[0];
-    CHECK(entry.position == Vec2(1, 2));
-    CHECK(entry.position_z == 3.0);
-    CHECK(entry.displacement == Vec2(4, 5));
-    CHECK(entry.displacement_z == 6.0);
+    CHECK(entry.position == Vec3(1, 2, 3));
+    CHECK(entry.position.numbers(0) == 3);
+    CHECK(entry.displacement == Vec3(4, 5, 6));
+    CHECK(entry.displacement.numbers(0) == 3);
   }
-  CHECK_FALSE(read("1,2,0.1,0.2\n").entries[0].displacement_z);
+  CHECK(read("1,2,0.1,0.2\n").entries[0].displacement.numbers(0) == 2);
   CHECK_CONTAINS(error("node,dx,dy,dz\n1,2,3,far\n"), "d.csv:2: found 'far'");
   CHECK_CONTAINS(error("node,dx,dy,dz,dz\n1,2,3,4,5\n"), "d.csv:1: found other columns");
   CHECK_CONTAINS(error("1,2,3,4,5\n"), "d.csv:1: found 5 columns");

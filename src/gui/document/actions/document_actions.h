@@ -207,7 +207,7 @@ namespace winslow::gui::action {
 
 /// In the plane or in space, as the open mesh is.
 struct ApplyMotion {
-  RigidMotionRequest motion;
+  RigidMotion motion;
 };
 struct ApplyDeformation {
   SineDeformation shape;
@@ -223,7 +223,7 @@ struct BeginDrag {
   bool shape = false;  ///< the arc or patch of the shape edit instead of the selected bodies
 };
 struct DragTo {
-  RigidMotionRequest motion;  ///< as the open mesh is; it names its pivot
+  RigidMotion motion;  ///< as the open mesh is; it names its pivot
 };
 struct EndDrag {};
 struct CancelDrag {};
@@ -283,7 +283,7 @@ struct PreviewDeformation {
 };
 /// A rigid motion of the selected bodies, shown as an outline only; none: no more.
 struct PreviewMotion {
-  std::optional<RigidMotionRequest> motion;
+  std::optional<RigidMotion> motion;
 };
 /// Selects the node of the inspector; none: no node.
 struct SelectNode {

@@ -3,64 +3,17 @@
 #include <chrono>
 #include <cmath>
 
-#include "core/motion/rigid_motion.h"
 #include "gui/base/text.h"
 
 namespace winslow::gui {
 
-namespace {
-
-/// The motion that a request says, which names its pivot.
-template <int D>
-RigidMotionIn<D> named_motion(const RigidMotionRequest& request) {
-  if constexpr (D == 2)
-    return request.about(Vec2(0, 0));
-  else
-    return request.in_space(Vec3(0, 0, 0));
-}
-
-}  // namespace
-
-template <int D>
-class BodyDrag::SessionIn final : public Session {
- public:
-  using Core = DragSessionIn<D>;
-
-  SessionIn(const MeshState& state, DragGrip grip, const SmoothOptions& options,
-            std::optional<Start> start, const std::shared_ptr<ReferenceFiles>& files)
-      : core_(state, std::move(grip), options, core_start(std::move(start)),
-              [files](const std::string& name) { return files->read(name); }) {}
-
-  Frame to(const RigidMotionRequest& motion) override {
-    shown_ = &core_.to(named_motion<D>(motion));
-    return {shown_->motion, shown_->held,     shown_->limit,
-            shown_->share,  shown_->min_sine, shown_->contact};
-  }
-  const Coordinates& coordinates() const override { return shown_->coordinates; }
-  int revision() const override { return core_.revision(); }
-  bool settled() const override { return core_.settled(); }
-  std::string error() const override { return core_.error(); }
-
- private:
-  static std::optional<typename Core::Start> core_start(std::optional<Start> start) {
-    if (!start) return std::nullopt;
-    return typename Core::Start{std::move(start->coordinates), named_motion<D>(start->motion)};
-  }
-
-  Core core_;
-  const DragFrameIn<D>* shown_ = nullptr;
-};
-
 void BodyDrag::begin(const MeshState& state, DragGrip grip, const SmoothOptions& options,
-                     std::optional<Start> start) {
-  const bool in_space = state.mesh.coordinates.dimension() == 3;
-  RigidMotionRequest from = in_space ? RigidMotionRequest(SpaceMotion()) : RigidMotion();
-  if (start) from = start->motion;
-  std::unique_ptr<Session> session;
-  if (in_space)
-    session = std::make_unique<SessionIn<3>>(state, grip, options, std::move(start), references_);
-  else
-    session = std::make_unique<SessionIn<2>>(state, grip, options, std::move(start), references_);
+                     std::optional<DragSession::Start> start) {
+  const RigidMotion from =
+      start ? start->motion : resolve_motion({}, state.mesh.coordinates.dimension(), Vec3(0, 0, 0));
+  auto session = std::make_unique<DragSession>(
+      state, grip, options, std::move(start),
+      [files = references_](const std::string& name) { return files->read(name); });
   end();
   session_ = std::move(session);
   grip_ = std::move(grip);
@@ -68,9 +21,9 @@ void BodyDrag::begin(const MeshState& state, DragGrip grip, const SmoothOptions&
   to(from);
 }
 
-void BodyDrag::to(const RigidMotionRequest& motion) {
+void BodyDrag::to(const RigidMotion& motion) {
   wanted_ = motion;
-  frame_ = session_->to(motion);
+  frame_ = &session_->to(motion);
 }
 
 bool BodyDrag::poll() {
@@ -92,15 +45,9 @@ void BodyDrag::end() {
 }
 
 BodyDrag::Reach BodyDrag::reach() const {
-  if (!frame_.held) return Reach::there;
+  if (!frame_->held) return Reach::there;
   // Of the frame, not of the session: that may be a mesh ahead of what is on screen.
-  return frame_.limit || !session_->error().empty() ? Reach::limit : Reach::catching_up;
-}
-
-RigidMotionRequest compose(const RigidMotionRequest& first, const RigidMotionRequest& second,
-                           bool in_space) {
-  if (in_space) return compose(named_motion<3>(first), named_motion<3>(second));
-  return compose(named_motion<2>(first), named_motion<2>(second));
+  return frame_->limit || !session_->error().empty() ? Reach::limit : Reach::catching_up;
 }
 
 std::string blocked_text(const EdgePair& contact) {

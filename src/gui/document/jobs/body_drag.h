@@ -16,8 +16,7 @@ namespace winslow::gui {
 
 /// What the mouse drags, seen from the frame loop, in a plane mesh or a volume mesh: every position
 /// is answered within the frame by a valid mesh, and solved for behind the frame loop's back.
-/// Nothing here waits for the solver. Motions are of the plane or of space, as the mesh is, and
-/// name their pivots.
+/// Nothing here waits for the solver.
 class BodyDrag {
  public:
   /// How far the mesh has followed.
@@ -26,19 +25,6 @@ class BodyDrag {
     catching_up,  ///< not yet: the solver is on its way
     limit         ///< as far as a valid mesh was found
   };
-  /// What is shown under the mouse, as DragFrameIn.
-  struct Frame {
-    RigidMotionRequest motion;
-    bool held = false, limit = false;
-    double share = 1;
-    double min_sine = 0;
-    std::optional<EdgePair> contact;
-  };
-  /// A mesh to go on from, as DragSessionIn::Start.
-  struct Start {
-    Coordinates coordinates;
-    RigidMotionRequest motion;
-  };
 
   /// references: of options that name some.
   explicit BodyDrag(std::shared_ptr<ReferenceFiles> references)
@@ -46,18 +32,18 @@ class BodyDrag {
 
   /// Throws what DragSession throws; nothing has begun then.
   void begin(const MeshState& state, DragGrip grip, const SmoothOptions& options,
-             std::optional<Start> start = {});
-  void to(const RigidMotionRequest& motion);
+             std::optional<DragSession::Start> start = {});
+  void to(const RigidMotion& motion);
   /// Takes what the solver has found since the last call. True if the mesh on screen changed.
   bool poll();
   void end();
 
   bool active() const { return session_ != nullptr; }
   // While active.
-  const Frame& frame() const { return frame_; }
-  const Coordinates& coordinates() const { return session_->coordinates(); }
+  const DragFrame& frame() const { return *frame_; }
+  const Coordinates& coordinates() const { return frame_->coordinates; }
   const DragGrip& grip() const { return grip_; }
-  const RigidMotionRequest& wanted() const { return wanted_; }
+  const RigidMotion& wanted() const { return wanted_; }
   Reach reach() const;
   /// Why the mesh follows no further, wherever the mouse goes; empty as long as it does.
   std::string error() const { return session_->error(); }
@@ -65,32 +51,14 @@ class BodyDrag {
   bool settled() const { return session_->settled(); }
 
  private:
-  /// The drag of one dimension.
-  class Session {
-   public:
-    virtual ~Session() = default;
-    virtual Frame to(const RigidMotionRequest& motion) = 0;
-    /// Of the last frame.
-    virtual const Coordinates& coordinates() const = 0;
-    virtual int revision() const = 0;
-    virtual bool settled() const = 0;
-    virtual std::string error() const = 0;
-  };
-  template <int D>
-  class SessionIn;
-
   std::shared_ptr<ReferenceFiles> references_;
-  std::unique_ptr<Session> session_;
-  Frame frame_;
+  std::unique_ptr<DragSession> session_;
+  const DragFrame* frame_ = nullptr;  // the session's
   DragGrip grip_;
-  RigidMotionRequest wanted_;
+  RigidMotion wanted_;
   int revision_ = 0;
   std::vector<std::future<void>> ending_;  // a session ends with its present iteration
 };
-
-/// The motion that is `first`, then `second`; both name their pivots.
-RigidMotionRequest compose(const RigidMotionRequest& first, const RigidMotionRequest& second,
-                           bool in_space);
 
 /// What is said of a drag while it goes on.
 

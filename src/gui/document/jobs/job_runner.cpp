@@ -110,7 +110,7 @@ bool JobRunner::meets_target(const Snapshot& snapshot) const {
   if (!target) return true;
   if (!snapshot.command) return false;
   const auto* reached = std::get_if<MoveCommand>(&*snapshot.command);
-  return reached && reached->motion == target->motion;
+  return reached && reached->bodies == target->bodies;
 }
 
 std::optional<JobRunner::Outcome> JobRunner::take_outcome() {
@@ -129,37 +129,17 @@ std::optional<JobRunner::Outcome> JobRunner::take_outcome() {
 
 namespace {
 
-/// Of what moves: in the plane and in space.
-Bounds body_bounds(const Coordinates& x, const std::vector<Index>& nodes, const RigidMotion&) {
-  return bounds(x, nodes);
-}
-Box<3> body_bounds(const Coordinates& x, const std::vector<Index>& nodes, const SpaceMotion&) {
-  return space_bounds(x, nodes);
-}
-
-/// Where the nodes are in `now`, with the full turns of what was asked for, of which about `share`
-/// is done: those do not show in where the body is.
-RigidMotion fitted(const RigidMotion& asked, double share, const std::vector<Index>& nodes,
-                   const Coordinates& rest, const Coordinates& now) {
-  return with_turns(fit_rigid_motion(nodes, rest, now), share * asked.rotate);
-}
-SpaceMotion fitted(const SpaceMotion& asked, double share, const std::vector<Index>& nodes,
-                   const Coordinates& rest, const Coordinates& now) {
-  return with_turns(fit_space_motion(nodes, rest, now), asked.axis, share * asked.rotate);
-}
-
 /// The same motion said as turning about `pivot`, without the rounding errors that a fit leaves:
 /// the history and recipes would show them. `size`: of the body.
-template <typename Pose, typename Point>
-Pose about(const Point& pivot, const Pose& motion, double size) {
-  Pose said = motion;
+RigidMotion about(const Vec3& pivot, const RigidMotion& motion, double size) {
+  RigidMotion said = motion;
   said.pivot = pivot;
-  said.translate = transform(motion, pivot) - pivot;
+  said.translate = Vec3(transform(motion, pivot) - pivot);
   constexpr double rounding = 1e-11;
   if (std::abs(said.rotate) < 360 * rounding) said.rotate = 0;
   // Of coordinates, and of what the fit and the way from its centre to the pivot make of them.
   const double round_off = 16 * std::numeric_limits<double>::epsilon() * pivot.norm();
-  const double arm = (pivot - motion.pivot).norm();
+  const double arm = (pivot - pivot_of(motion)).norm();
   const double least = rounding * (size + arm + said.translate.norm()) + round_off;
   for (auto& component : said.translate)
     if (std::abs(component) < least) component = 0;
@@ -167,11 +147,10 @@ Pose about(const Point& pivot, const Pose& motion, double size) {
 }
 
 /// How far a body came of a motion that was asked for: of the way of its nodes.
-template <typename Pose, typename Body>
-double share_of(const Pose& reached, const Pose& asked, const Body& body) {
-  const auto centre = body.centre();
+double share_of(const RigidMotion& reached, const RigidMotion& asked, const Box<3>& body) {
+  const Vec3 centre = body.centre();
   const double radius = 0.5 * body.size().norm();
-  const auto way = [&](const Pose& from, const Pose& to) {
+  const auto way = [&](const RigidMotion& from, const RigidMotion& to) {
     return std::abs(radians(compose(inverse(from), to).rotate)) * radius +
            (transform(to, centre) - transform(from, centre)).norm();
   };
@@ -179,27 +158,31 @@ double share_of(const Pose& reached, const Pose& asked, const Body& body) {
   return whole > 0 ? std::clamp(1 - way(reached, asked) / whole, 0.0, 1.0) : 1;
 }
 
-/// rest, now: positions before the motion and where it got to. Returns the share of the motion that
+/// base, now: the mesh before the motion and where it got to. Returns the share of the motion that
 /// was reached.
-template <typename Pose>
-double settle(MoveCommand& move, const Pose& asked, double fraction, const Mesh& base,
-              const Coordinates& now, bool started_elsewhere) {
+double settle(MovingBody& moving, double fraction, const Mesh& base, const Coordinates& now,
+              bool started_elsewhere) {
   const Coordinates& rest = base.coordinates;
-  const std::vector<Index> nodes = base.topology->markers().nodes_of(move.markers);
-  const Pose reached = fitted(asked, started_elsewhere ? 1 : fraction, nodes, rest, now);
-  const auto body = body_bounds(rest, nodes, asked);
+  const RigidMotion asked = resolve_motion(moving.motion, rest.dimension(), Vec3(0, 0, 0));
+  const std::vector<Index> nodes = base.topology->markers().nodes_of(moving.markers);
+  // Where the nodes are, with the full turns of what was asked for, of which about that share is
+  // done: those do not show in where the body is.
+  const double share = started_elsewhere ? 1 : fraction;
+  const RigidMotion reached =
+      with_turns(fit_rigid_motion(nodes, rest, now), asked, share * asked.rotate);
+  const Box<3> body = body_box(rest, nodes);
   // The fraction of a run that began on the way says nothing of the whole way.
   if (started_elsewhere) fraction = share_of(reached, asked, body);
-  move.motion = about(asked.pivot, reached, body.size().norm());
+  moving.motion = about(pivot_of(asked), reached, body.size().norm());
   return fraction;
 }
 
 double settle(MoveCommand& move, double fraction, const Mesh& base, const Coordinates& now,
               bool started_elsewhere) {
-  if (base.topology->cell_dimension() == 3)
-    return settle(move, move.motion.in_space(Vec3(0, 0, 0)), fraction, base, now,
-                  started_elsewhere);
-  return settle(move, move.motion.about(Vec2(0, 0)), fraction, base, now, started_elsewhere);
+  double reached = 1;
+  for (MovingBody& body : move.bodies)
+    reached = std::min(reached, settle(body, fraction, base, now, started_elsewhere));
+  return reached;
 }
 
 void settle(DeformCommand& deform, double fraction, const Coordinates& rest,
@@ -209,14 +192,11 @@ void settle(DeformCommand& deform, double fraction, const Coordinates& rest,
   if (!table) return;
   for (DisplacementEntry& entry : table->entries) {
     if (entry.node && now.dimension() == 3) {
-      const Vec3 by = now.xyz(*entry.node) - rest.xyz(*entry.node);
-      entry.displacement = by.head<2>();
-      entry.displacement_z = by.z();
+      entry.displacement = GivenVector::of_three(now.xyz(*entry.node) - rest.xyz(*entry.node));
     } else if (entry.node) {
-      entry.displacement = now.xy(*entry.node) - rest.xy(*entry.node);
+      entry.displacement = Vec2(now.xy(*entry.node) - rest.xy(*entry.node));
     } else {
       entry.displacement *= fraction;
-      if (entry.displacement_z) *entry.displacement_z *= fraction;
     }
   }
 }

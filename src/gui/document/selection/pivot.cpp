@@ -111,9 +111,9 @@ BodyAnchors find_anchors(const std::vector<std::vector<Index>>& loops,
     moment += std::abs(loop_area) * origin + (loop_area < 0 ? Vec2(-loop_moment) : loop_moment);
   }
   BodyAnchors anchors;
-  Bounds box = Bounds::empty();
-  for (const Vec2& p : points) box.add(p);
-  anchors.centre = body_centre(box);
+  Box<3> box = Box<3>::empty();
+  for (const Vec2& p : points) box.add(Vec3(p.x(), p.y(), 0));
+  anchors.centre = body_centre(box).head<2>();
   anchors.centroid = area > 0 ? Vec2(moment / area) : mean(points);
   const auto [a, b] = diameter(hull(points));
   const double sharp_a = sharpness(loops, x, a);

@@ -89,8 +89,10 @@ bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start,
   }
   // Of a recipe for a mesh of another kind; while it is under way its motion is asked for.
   if (const auto* move = std::get_if<MoveCommand>(&command)) {
+    const int dimension = mesh_.document()->state().mesh.topology->space_dimension();
     try {
-      require_fits(move->motion, mesh_.document()->state().mesh.topology->space_dimension());
+      for (const MovingBody& body : move->bodies)
+        resolve_motion(body.motion, dimension, Vec3(0, 0, 0));
     } catch (const Error& error) {
       messages_.report_error("This motion does not fit the mesh", error.what());
       return false;
@@ -144,15 +146,17 @@ void Jobs::forget_mesh() {
   if (document && is_surface(*document->state().mesh.topology)) settle_for_surface(smooth_);
 }
 
-MoveCommand Jobs::move_command(const RigidMotionRequest& motion) const {
+MoveCommand Jobs::move_command(RigidMotion motion) const {
+  // Recipes have as many numbers of what the studio found as the mesh has dimensions.
+  motion.translate = Vec3(motion.translate);
   const std::vector<std::string> markers = selection_.names();
-  return MoveCommand{markers, motion, motion_, smooth_for_motion(markers)};
+  return MoveCommand{{{markers, motion}}, motion_, smooth_for_motion(markers)};
 }
 
 bool Jobs::can_join(const std::vector<std::string>& markers) const {
   if (!mesh_.job().active() || rerun_) return false;
   const auto* move = std::get_if<MoveCommand>(&mesh_.job().command());
-  return move && move->markers == markers;
+  return move && move->bodies.size() == 1 && move->bodies.front().markers == markers;
 }
 
 void Jobs::show_position() {

@@ -63,7 +63,7 @@ class Jobs {
   /// are periodic then.
   SmoothOptions smooth_for_motion(const std::vector<std::string>& markers) const;
   /// Moves selected bodies.
-  MoveCommand move_command(const RigidMotionRequest& motion) const;
+  MoveCommand move_command(RigidMotion motion) const;
   /// A job under way moves just these markers: it can be sent elsewhere.
   bool can_join(const std::vector<std::string>& markers) const;
   /// What is set for one mesh means nothing for another: a region, markers that slide. A surface

@@ -32,7 +32,7 @@ void LiveMesh::close() {
 }
 
 void LiveMesh::begin_drag(DragGrip grip, const SmoothOptions& options,
-                          std::optional<BodyDrag::Start> start) {
+                          std::optional<DragSession::Start> start) {
   const MeshState base = motion_base();
   drag_.begin(base, std::move(grip), options, std::move(start));
   drag_base_ = base;
@@ -95,21 +95,15 @@ const MeshState& LiveMesh::motion_base() const {
   return job_.active() ? job_.base() : document_->state();
 }
 
-std::optional<RigidMotionRequest> live_request(const LiveMesh& mesh) {
-  if (const BodyDrag* drag = mesh.body_drag())
-    return drag->grip().rigid() ? std::optional(drag->wanted()) : std::nullopt;
-  const MoveCommand* move = move_of(mesh.job());
-  return move ? std::optional(move->motion) : std::nullopt;  // jobs name the pivot
-}
-
 std::optional<RigidMotion> LiveMesh::live_motion() const {
-  const auto motion = in_space(*this) ? std::nullopt : live_request(*this);
-  return motion ? std::optional(motion->about(Vec2(0, 0))) : std::nullopt;
-}
-
-std::optional<SpaceMotion> live_space_motion(const LiveMesh& mesh) {
-  const auto motion = in_space(mesh) ? live_request(mesh) : std::nullopt;
-  return motion ? std::optional(motion->in_space(Vec3(0, 0, 0))) : std::nullopt;
+  std::optional<RigidMotion> motion;
+  if (const BodyDrag* drag = body_drag()) {
+    if (drag->grip().rigid()) motion = drag->wanted();
+  } else if (const MoveCommand* move = move_of(job_); move && move->bodies.size() == 1) {
+    motion = move->bodies.front().motion;
+  }
+  if (!motion) return std::nullopt;
+  return resolve_motion(*motion, motion_base().mesh.coordinates.dimension(), Vec3(0, 0, 0));
 }
 
 std::span<const IterationRecord> LiveMesh::convergence() const {

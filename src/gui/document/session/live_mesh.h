@@ -33,7 +33,7 @@ class LiveMesh {
   const BodyDrag* body_drag() const { return drag_.active() ? &drag_ : nullptr; }
   /// Begins such a drag from the mesh on screen. Throws what BodyDrag::begin throws.
   void begin_drag(DragGrip grip, const SmoothOptions& options,
-                  std::optional<BodyDrag::Start> start);
+                  std::optional<DragSession::Start> start);
   /// What the mouse holds, and the mesh follows.
   struct Held {
     bool body = false, vcv = false;
@@ -65,7 +65,8 @@ class LiveMesh {
   const BoundaryIndex* boundary() const { return boundary_.get(); }
   /// State that live_motion() is seen from.
   const MeshState& motion_base() const;
-  /// Motion of the job or drag under way, from the state it started from; of a plane mesh.
+  /// Motion of the job or drag under way, of one body, from the state that it started from:
+  /// resolved.
   std::optional<RigidMotion> live_motion() const;
   /// Of the job under way, or else of the command that led to the present mesh.
   std::span<const IterationRecord> convergence() const;
@@ -114,9 +115,5 @@ inline bool in_space(const LiveMesh& mesh) {
 std::shared_ptr<const Mesh> shared_mesh(const LiveMesh& live);
 /// VCVs of a volume mesh on screen that were given by hand; null: none.
 std::shared_ptr<const SphereStencils> sphere_vcvs(const LiveMesh& mesh);
-/// As LiveMesh::live_motion(), of either mesh; it names its pivot.
-std::optional<RigidMotionRequest> live_request(const LiveMesh& mesh);
-/// The same of a volume mesh.
-std::optional<SpaceMotion> live_space_motion(const LiveMesh& mesh);
 
 }  // namespace winslow::gui

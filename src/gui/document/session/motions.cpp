@@ -14,10 +14,6 @@ namespace {
 constexpr const char* at_work =
     "The solver is at work on something else. Wait until it is done, or cancel it.";
 
-bool stays(const RigidMotionRequest& m) {
-  return m.rotate == 0 && m.translate == Vec2(0, 0) && m.translate_z.value_or(0) == 0;
-}
-
 }  // namespace
 
 void Motions::on(const action::ApplyMotion& a) {
@@ -25,12 +21,15 @@ void Motions::on(const action::ApplyMotion& a) {
   if (!jobs_.can_join(selection_.names())) {
     jobs_.start(jobs_.move_command(a.motion), false);
   } else {
-    const bool space = in_space(mesh_);
-    const RigidMotionRequest more =
-        space ? RigidMotionRequest(a.motion.in_space(selection_.space_pivot()))
-              : a.motion.about(selection_.pivot());
-    mesh_.job().retarget(jobs_.move_command(compose(*live_request(mesh_), more, space)));
+    mesh_.job().retarget(jobs_.move_command(compose(*mesh_.live_motion(), resolved(a.motion))));
   }
+}
+
+/// The motion as the open mesh makes it, about the pivot of the selection unless it names one.
+RigidMotion Motions::resolved(const RigidMotion& motion) const {
+  if (in_space(mesh_)) return resolve_motion(motion, 3, selection_.space_pivot());
+  const Vec2 pivot = selection_.pivot();
+  return resolve_motion(motion, 2, {pivot.x(), pivot.y(), 0});
 }
 
 void Motions::on(const action::ApplyDeformation& a) {
@@ -48,7 +47,7 @@ void Motions::on(const action::SetShapeEdit& a) {
   const BodyDrag* drag = mesh_.body_drag();
   if (!dragging || !drag || drag->grip().rigid() || !selection_.shape_edit().holds()) return;
   // The same pull on another part of the boundary.
-  const RigidMotionRequest pull = drag->wanted();
+  const RigidMotion pull = drag->wanted();
   begin_body_drag(shape_grip());
   mesh_.drag().to(pull);
   mesh_.changed();
@@ -70,7 +69,7 @@ void Motions::on(const action::BeginDrag& a) {
   if (mesh_.job().active()) {
     if (!rigid || !jobs_.can_join(selection_.names()))
       return messages_.tell(Notice::Kind::warning, at_work);
-    base_ = live_request(mesh_);
+    base_ = mesh_.live_motion();
   }
   // Where it was asked for, the boundary goes at once and the mesh may be tangled on the way.
   const bool direct = rigid && jobs_.motion_options().increments == 1;
@@ -89,8 +88,8 @@ void Motions::on(const action::BeginDrag& a) {
 /// False where the drag can show no valid mesh: the one it would begin from is tangled, or the
 /// settings make no sense (then the job says so).
 bool Motions::begin_body_drag(DragGrip grip) {
-  std::optional<BodyDrag::Start> start;
-  if (base_) start = BodyDrag::Start{mesh_.job().coordinates(), *base_};
+  std::optional<DragSession::Start> start;
+  if (base_) start = DragSession::Start{mesh_.job().coordinates(), *base_};
   try {
     const SmoothOptions smooth = jobs_.smooth_for_motion(grip.markers);
     mesh_.begin_drag(std::move(grip), smooth, start);
@@ -106,7 +105,7 @@ bool Motions::begin_body_drag(DragGrip grip) {
 
 void Motions::on(const action::DragTo& a) {
   if (!mesh_.held().body) return;
-  const RigidMotionRequest total = base_ ? compose(*base_, a.motion, in_space(mesh_)) : a.motion;
+  const RigidMotion motion = resolved(a.motion), total = base_ ? compose(*base_, motion) : motion;
   if (mesh_.body_drag()) {
     mesh_.drag().to(total);
     return mesh_.changed();
@@ -131,7 +130,7 @@ void Motions::on(const action::EndDrag&) {
   if (mesh_.body_drag()) return end_body_drag();
   base_.reset();
   mesh_.job().hold(false);
-  const auto motion = live_request(mesh_);
+  const auto motion = mesh_.live_motion();
   if (!motion) return;
   const MoveCommand wanted = jobs_.move_command(*motion);
   // What has converged under the mouse needs no second run, unless other steps were asked for.
@@ -147,7 +146,7 @@ void Motions::end_body_drag() {
   BodyDrag& drag = mesh_.drag();
   // What the handle said while it was held: this far and no further.
   const bool limit = drag.reach() == BodyDrag::Reach::limit;
-  const RigidMotionRequest motion = limit ? drag.frame().motion : drag.wanted();
+  const RigidMotion motion = limit ? drag.frame().motion : drag.wanted();
   const DragGrip grip = drag.grip();
   const std::string error = drag.error();
   std::optional<Coordinates> start = drag.coordinates();
@@ -158,7 +157,7 @@ void Motions::end_body_drag() {
   start_.reset();
   mesh_.changed();
   // Nothing was done, and what was to be said of the mesh is to be said still.
-  if (stays(motion)) {
+  if (!moves(motion)) {
     messages_.set_banner_of_position();
     if (!error.empty()) messages_.report_error("The mesh cannot follow this motion", error);
     return;
@@ -166,15 +165,13 @@ void Motions::end_body_drag() {
   const MotionOptions& how = jobs_.motion_options();
   if (how.increments > 1) start.reset();
   const SmoothOptions smooth = jobs_.smooth_for_motion(grip.markers);
-  Command command = in_space(mesh_)
-                        ? drag_command(grip, motion.in_space(Vec3(0, 0, 0)), how, smooth)
-                        : drag_command(grip, motion.about(Vec2(0, 0)), how, smooth);
-  jobs_.start(std::move(command), false, std::move(start), std::move(cut_short));
+  jobs_.start(drag_command(grip, motion, how, smooth), false, std::move(start),
+              std::move(cut_short));
 }
 
 void Motions::cancel_drag() {
   if (!std::exchange(mesh_.held().body, false)) return;
-  const std::optional<RigidMotionRequest> base = std::exchange(base_, std::nullopt);
+  const std::optional<RigidMotion> base = std::exchange(base_, std::nullopt);
   if (mesh_.body_drag()) {
     mesh_.drag().end();
     mesh_.changed();

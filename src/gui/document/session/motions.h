@@ -31,6 +31,7 @@ class Motions {
   void on(const action::EndDrag&);
   void on(const action::CancelDrag&) { cancel_drag(); }
 
+  RigidMotion resolved(const RigidMotion& motion) const;
   DragGrip shape_grip() const;
   bool begin_body_drag(DragGrip grip);
   void end_body_drag();
@@ -39,8 +40,8 @@ class Motions {
   MessageBoard& messages_;
   Selection& selection_;
   Jobs& jobs_;
-  std::optional<RigidMotionRequest> base_;  // motion of the job that the drag joined
-  std::optional<Coordinates> start_;        // mesh that the drag took over from that job
+  std::optional<RigidMotion> base_;   // motion of the job that the drag joined
+  std::optional<Coordinates> start_;  // mesh that the drag took over from that job
 };
 
 }  // namespace winslow::gui

@@ -49,8 +49,16 @@ Vec2 Selection::pivot() const {
 
 /// Motions that were carried out name their pivots.
 void Selection::moved(const MoveCommand& move) {
-  if (in_space(mesh_)) return space_.moved(move);
-  pivot_ = transform(move.motion.about(Vec2(0, 0)), pivot_);
+  const std::vector<std::string> selected = names();
+  for (const MovingBody& body : move.bodies) {
+    const bool goes = std::ranges::all_of(selected, [&](const std::string& name) {
+      return std::ranges::find(body.markers, name) != body.markers.end();
+    });
+    if (in_space(mesh_))
+      space_.moved(body);
+    else if (goes || move.bodies.size() == 1)
+      pivot_ = transform(resolve_motion(body.motion, 2, Vec3(0, 0, 0)), pivot_);
+  }
 }
 
 void Selection::refresh() {
@@ -142,7 +150,7 @@ void Selection::update_anchors() {
                       std::back_inserter(others));
   anchors_ = find_anchors(loops, others, mesh.coordinates);
   // Edges of a loop that have no marker do not move with it.
-  anchors_->centre = body_centre(bounds(mesh.coordinates, nodes));
+  anchors_->centre = body_centre(body_box(mesh.coordinates, nodes)).head<2>();
 }
 
 void Selection::edit_shape(bool active, double radius) {
@@ -199,13 +207,14 @@ void Selection::on(const action::PreviewMotion& a) {
   motion_preview_ = MotionPreview{*a.motion, {}};
   if (in_space(mesh_)) {
     const SpacePoints x(mesh_.coordinates());
-    const SpaceMotion motion = a.motion->in_space(space_pivot());
+    const RigidMotion motion = resolve_motion(*a.motion, 3, space_pivot());
     for (const auto& [from, to] : space_.outline())
       motion_preview_->outline.emplace_back(transform(motion, x[from]), transform(motion, x[to]));
     return;
   }
   const Coordinates& x = mesh_.coordinates();
-  const RigidMotion motion = a.motion->about(pivot());
+  const Vec2 centre = pivot();
+  const RigidMotion motion = resolve_motion(*a.motion, 2, {centre.x(), centre.y(), 0});
   const auto moved = [&](Index node) {
     const Vec2 p = transform(motion, x.xy(node));
     return Vec3(p.x(), p.y(), 0);

@@ -56,7 +56,7 @@ class Selection {
   const std::optional<DeformationPreview>& deformation_preview() const { return preview_; }
   /// A rigid motion of the selection that is typed but not yet carried out.
   struct MotionPreview {
-    RigidMotionRequest motion;
+    RigidMotion motion;
     std::vector<std::pair<Vec3, Vec3>> outline;  ///< edges where it would put them
   };
   const std::optional<MotionPreview>& motion_preview() const { return motion_preview_; }

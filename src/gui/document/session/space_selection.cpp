@@ -5,12 +5,13 @@
 
 #include "core/mesh/surface_faces.h"
 #include "core/motion/rigid_motion.h"
+
 namespace winslow::gui {
 
 namespace {
 
 /// Pivots of what a motion takes along go with it, but for those that stay with their nodes.
-void move_pivot(SpacePivot& pivot, const SpaceMotion& motion) {
+void move_pivot(SpacePivot& pivot, const RigidMotion& motion) {
   if (pivot.picked()) return;
   pivot.point = transform(motion, pivot.point);
   const Vec3 axis = rotated(motion, pivot.axis);
@@ -21,12 +22,12 @@ void move_pivot(SpacePivot& pivot, const SpaceMotion& motion) {
 }  // namespace
 
 Vec3 SpaceSelection::pivot() const {
-  const auto motion = live_space_motion(mesh_);
+  const auto motion = mesh_.live_motion();
   return motion ? transform(*motion, pivot_.point) : pivot_.point;
 }
 
 Vec3 SpaceSelection::axis() const {
-  const auto motion = live_space_motion(mesh_);
+  const auto motion = mesh_.live_motion();
   return motion ? rotated(*motion, pivot_.axis) : pivot_.axis;
 }
 
@@ -36,12 +37,12 @@ std::vector<std::string> SpaceSelection::names() const {
   return names;
 }
 
-void SpaceSelection::moved(const MoveCommand& move) {
-  const SpaceMotion motion = move.motion.in_space(Vec3(0, 0, 0));
+void SpaceSelection::moved(const MovingBody& body) {
+  const RigidMotion motion = resolve_motion(body.motion, 3, Vec3(0, 0, 0));
   const auto goes = [&](const std::vector<Index>& markers) {
     return std::ranges::all_of(markers, [&](Index m) {
-      return std::ranges::find(move.markers, mesh_.topology()->markers()[at(m)].name) !=
-             move.markers.end();
+      return std::ranges::find(body.markers, mesh_.topology()->markers()[at(m)].name) !=
+             body.markers.end();
     });
   };
   if (goes(markers_)) move_pivot(pivot_, motion);
@@ -67,7 +68,7 @@ void SpaceSelection::set_pivot(const std::optional<Vec3>& pivot) {
   pivot_.nodes.clear();
   pivot_.from = pivot ? PivotFrom::typed : PivotFrom::centre;
   if (!pivot) return place();
-  const auto motion = live_space_motion(mesh_);
+  const auto motion = mesh_.live_motion();
   pivot_.point = motion ? transform_back(*motion, *pivot) : *pivot;
 }
 
@@ -78,7 +79,7 @@ void SpaceSelection::set_axis(const Vec3& axis) {
     pivot_.nodes.clear();
     pivot_.from = PivotFrom::typed;
   }
-  const auto motion = live_space_motion(mesh_);
+  const auto motion = mesh_.live_motion();
   pivot_.axis = motion ? rotated(inverse(*motion), axis) : axis;
 }
 

@@ -45,8 +45,8 @@ class SpaceSelection {
   void set_axis(const Vec3& axis);
   void take(const PivotSource& source);
   void wait_for(const action::PickPivot& pick);
-  /// A command has moved bodies.
-  void moved(const MoveCommand& move);
+  /// A command has moved a body.
+  void moved(const MovingBody& body);
   /// The document has come to another mesh.
   void place();
   /// The same after a command: a picked pivot goes where its nodes are.

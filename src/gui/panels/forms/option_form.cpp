@@ -40,12 +40,21 @@ std::string tip_of(const Option& option) {
   return tip;
 }
 
+/// A vector of three components.
+bool is_long(const OptionValue& value) {
+  if (const auto* vector = std::get_if<VectorOption>(&value))
+    return vector->value->numbers(vector->numbers) == 3;
+  if (const auto* vector = std::get_if<OptionalVectorOption>(&value))
+    return *vector->value && (*vector->value)->numbers(vector->numbers) == 3;
+  return std::holds_alternative<SpaceVectorOption>(value);
+}
+
 /// One field: draws itself, and says whether its value changed.
 class Field {
  public:
   Field(const std::string& prefix, const Option& option)
       : option_(option), id_(id_of(prefix, option)), tip_(tip_of(option)) {
-    if (in_space(option)) {  // three fields want the whole row
+    if (is_long(option.value)) {  // three fields want the whole row
       text_dim(option.label);
       tooltip(tip_);
     } else {
@@ -71,11 +80,11 @@ class Field {
   }
 
   bool operator()(const VectorOption& vector) const {
-    return components(*vector.value, vector.third);
+    return components(*vector.value, vector.numbers);
   }
 
   bool operator()(const OptionalVectorOption& vector) const {
-    return *vector.value && components(**vector.value, vector.third);
+    return *vector.value && components(**vector.value, vector.numbers);
   }
 
   bool operator()(const SpaceVectorOption& vector) const {
@@ -150,28 +159,19 @@ class Field {
     return true;
   }
 
-  /// A vector of three components, all of which are given.
-  static bool in_space(const Option& option) {
-    const auto has = [](const std::optional<double>* third) {
-      return third != nullptr && third->has_value();
-    };
-    if (const auto* vector = std::get_if<VectorOption>(&option.value)) return has(vector->third);
-    if (const auto* vector = std::get_if<OptionalVectorOption>(&option.value))
-      return has(vector->third);
-    return std::holds_alternative<SpaceVectorOption>(option.value);
-  }
-
-  bool components(Vec2& vector, std::optional<double>* third) const {
-    if (in_space(option_)) {
-      Vec3 all(vector.x(), vector.y(), third->value());
+  bool components(GivenVector& vector, int otherwise) const {
+    if (vector.numbers(otherwise) == 3) {
+      Vec3 all = vector;
       if (!space_vector_field({id_, tip_}, all)) return false;
-      vector = all.head<2>();
-      *third = all.z();
+      vector = GivenVector::of_three(all);
       return true;
     }
     const std::string x = id_ + "_x";
     const std::string y = id_ + "_y";
-    return vector_field({x, y, tip_}, vector);
+    Vec2 plane = vector.head<2>();
+    if (!vector_field({x, y, tip_}, plane)) return false;
+    vector = plane;
+    return true;
   }
 
   bool real_number(double& value) const {
@@ -210,7 +210,7 @@ class CommandFields {
   }
 
   void operator()(MoveCommand& command) {
-    rows(option_table(command.motion));
+    for (std::size_t b = 0; b < command.bodies.size(); ++b) body(command, b);
     motion(command.how, command.smooth);
   }
 
@@ -247,11 +247,22 @@ class CommandFields {
   }
 
  private:
+  /// Of several, each is named.
+  void body(MoveCommand& command, std::size_t number) {
+    MovingBody& body = command.bodies[number];
+    if (command.bodies.size() == 1) return rows(option_table(body.motion));
+    text_wrapped("Motion of " + listed(body.markers));
+    changed_ |= option_form(prefix_ + "/body" + std::to_string(number), option_table(body.motion));
+  }
+
+  static std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
+  }
+
   void wall(LayerWall& wall, const std::string& prefix) {
-    std::string markers;
-    for (const std::string& marker : wall.markers)
-      markers += (markers.empty() ? "" : ", ") + marker;
-    text_wrapped("Layers at " + markers);
+    text_wrapped("Layers at " + listed(wall.markers));
     changed_ |= option_form(prefix, option_table(wall.spacing));
   }
 

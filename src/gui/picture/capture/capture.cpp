@@ -310,7 +310,7 @@ void FilmMeshes::follow_motion(const Session& session) {
   const JobRunner& job = session.job();
   if (!job.active()) return;
   moved_.clear();
-  if (!job.held()) moved_ = moved_as_body(job.command(), *session.topology());
+  if (!job.held()) moved_ = moved_as_bodies(job.command(), *session.topology());
 }
 
 std::vector<Coordinates> FilmMeshes::take(const Session& session, bool between) {

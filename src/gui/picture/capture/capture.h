@@ -37,7 +37,7 @@ class FilmMeshes {
   void follow_motion(const Session& session);
 
   Coordinates taken_;
-  std::vector<Index> moved_;  // nodes that the job under way moves as one body
+  std::vector<std::vector<Index>> moved_;  // nodes of each body that the job under way moves
 };
 
 /// What can be drawn as a picture.

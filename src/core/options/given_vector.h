@@ -1,0 +1,63 @@
+#pragma once
+
+#include "core/types.h"
+
+namespace winslow {
+
+/// A vector as somebody gives it: by two numbers for the plane, or by three for space.
+///
+///   GivenVector shift = Vec2(1, 2);                // by two numbers
+///   shift = GivenVector::of_three(Vec3(1, 2, 0));  // by three
+///   shift = Vec3(1, 2, 0);                         // by none: the program found it
+///
+/// It is a Vec3 like any other, whose third component is 0 where two numbers were given, and
+/// arithmetic takes it as one. By how many numbers it was given is the affair of what reads
+/// commands, of what writes them down, and of the checks where a command meets its mesh.
+class GivenVector : public Vec3 {
+ public:
+  GivenVector() : Vec3(Vec3::Zero()) {}
+  GivenVector(double x, double y) : GivenVector(Vec2(x, y)) {}
+  GivenVector(double x, double y, double z) : Vec3(x, y, z) {}
+  template <class Derived>
+  GivenVector(const Eigen::MatrixBase<Derived>& vector) : Vec3(Vec3::Zero()) {
+    constexpr int rows = Derived::RowsAtCompileTime;
+    static_assert(rows == 2 || rows == 3);
+    head<rows>() = vector;
+    if (rows == 2) numbers_ = 2;
+  }
+  static GivenVector of_three(const Vec3& vector) {
+    GivenVector given(vector);
+    given.numbers_ = 3;
+    return given;
+  }
+  /// That vector, by as many numbers as the mesh has dimensions.
+  static GivenVector of(int dimension, const Vec3& vector) {
+    return dimension == 3 ? of_three(vector) : GivenVector(vector.head<2>());
+  }
+
+  template <class Derived>
+  GivenVector& operator=(const Eigen::MatrixBase<Derived>& vector) {
+    return *this = GivenVector(vector);
+  }
+
+  /// 2 or 3; `otherwise` if the program found it.
+  int numbers(int otherwise) const { return numbers_ == 0 ? otherwise : numbers_; }
+  /// It was given by three numbers, whatever they are, or the program found one off the plane.
+  bool leaves_plane() const { return numbers_ == 3 || z() != 0; }
+
+  /// As vectors, by how many numbers they were given or not.
+  friend bool operator==(const GivenVector& a, const GivenVector& b) {
+    return a.vector() == b.vector();
+  }
+  template <class Derived>
+  friend bool operator==(const GivenVector& a, const Eigen::MatrixBase<Derived>& b) {
+    return a.vector() == GivenVector(b).vector();
+  }
+
+ private:
+  const Vec3& vector() const { return *this; }
+
+  int numbers_ = 0;
+};
+
+}  // namespace winslow
