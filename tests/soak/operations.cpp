@@ -146,12 +146,13 @@ void Soak::wheel_somewhere() { rig_->wheel(somewhere(), chance(50) ? 1 : -1); }
 
 void Soak::move_selection() {
   const double reach = rig_->session().in_space() ? 0.1 : 0.3;
-  RigidMotionRequest motion(chance(50) ? between(-40, 40) : 0, rig_->session().selection().pivot(),
-                            Vec2(between(-reach, reach), between(-reach, reach)));
+  const auto& selection = rig_->session().selection();
+  RigidMotion motion{chance(50) ? between(-40, 40) : 0, selection.pivot(),
+                     Vec2(between(-reach, reach), between(-reach, reach))};
   if (rig_->session().in_space())
-    motion = RigidMotionRequest(SpaceMotion{motion.rotate, Vec3(between(-1, 1), between(-1, 1), 1),
-                                            rig_->session().selection().space_pivot(),
-                                            reach * Vec3(between(-1, 1), between(-1, 1), 0)});
+    motion = {motion.rotate, selection.space_pivot(),
+              reach * Vec3(between(-1, 1), between(-1, 1), 0),
+              Vec3(between(-1, 1), between(-1, 1), 1)};
   rig_->bench->apply(action::ApplyMotion{motion});
   rig_->frames(pick(10));
 }
@@ -193,7 +194,8 @@ void Soak::change_history() {
         static_cast<std::size_t>(pick(static_cast<int>(rig_->document().edits().kept().size())))});
   } else {
     Command command = history.command(position);
-    if (auto* move = std::get_if<MoveCommand>(&command)) move->motion.rotate += between(-10, 10);
+    if (auto* move = std::get_if<MoveCommand>(&command))
+      move->bodies.front().motion.rotate += between(-10, 10);
     rig_->bench->apply(action::EditStep{position, command});
   }
   rig_->frames(pick(8));

@@ -20,10 +20,8 @@ void vector_row(const char* label, const char* tip) {
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() - ui::letter_width());
 }
 
-bool moves(const RigidMotion& m) { return m.rotate != 0 || m.translate != Vec2(0, 0); }
-
 bool finite(const RigidMotion& m) {
-  return std::isfinite(m.rotate) && m.translate.allFinite() && m.pivot.allFinite();
+  return std::isfinite(m.rotate) && m.translate.allFinite() && m.pivot->allFinite();
 }
 
 }  // namespace
@@ -64,7 +62,7 @@ void MotionPanel::draw(const PanelContext& context) {
 /// Draws where the typed motion would put the bodies, or no longer.
 void MotionPanel::preview(const PanelContext& context, bool wanted) const {
   const auto& shown = context.session.selection().motion_preview();
-  if (wanted && (!shown || shown->motion != RigidMotionRequest(typed_)))
+  if (wanted && (!shown || shown->motion != typed_))
     context.emit(action::PreviewMotion{typed_});
   else if (!wanted && shown)
     context.emit(action::PreviewMotion{});
@@ -78,7 +76,9 @@ bool MotionPanel::draw_fields(const PanelContext& context, bool live) {
   bool entered = false;
   const ui::VectorField translate{"motion/dx", "motion/dy",
                                   "In units of the mesh. Enter applies the motion."};
-  bool changed = ui::vector_field(translate, shown.translate, &entered);
+  Vec2 way = shown.translate.head<2>();
+  bool changed = ui::vector_field(translate, way, &entered);
+  shown.translate = way;
   ui::row("Rotate", "Degrees about the pivot, counter-clockwise positive.", motion_label_share);
   changed |= ui::number("motion/rotate", shown.rotate,
                         "Degrees about the pivot, counter-clockwise positive. Enter applies the "

@@ -79,8 +79,8 @@ TEST_CASE("a body is selected and about to be rotated from the palette") {
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);
   const auto& move = std::get<MoveCommand>(rig.document().history().command(1));
-  CHECK(move.markers == std::vector<std::string>{"right"});
-  CHECK(move.motion.rotate == 30);
+  CHECK(move.bodies[0].markers == std::vector<std::string>{"right"});
+  CHECK(move.bodies[0].motion.rotate == 30);
 }
 
 TEST_CASE("menus name the program's purpose: motion and layers") {

@@ -31,7 +31,7 @@ TEST_CASE("a right click on a body offers to move, rotate and layer it") {
   rig.type("12");
   rig.key(keys::enter);
   REQUIRE(rig.settle());
-  CHECK(std::get<MoveCommand>(rig.document().history().command(1)).motion.rotate == 12);
+  CHECK(std::get<MoveCommand>(rig.document().history().command(1)).bodies[0].motion.rotate == 12);
 }
 
 TEST_CASE("a right click on a node and an element offers what is known of them") {

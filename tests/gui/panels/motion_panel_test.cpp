@@ -32,7 +32,7 @@ TEST_CASE("Enter in a field of the motion applies it") {
   rig.key(keys::enter);
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);
-  CHECK(std::get<MoveCommand>(rig.document().history().command(1)).motion.rotate == 25);
+  CHECK(std::get<MoveCommand>(rig.document().history().command(1)).bodies[0].motion.rotate == 25);
   // Tab applies nothing, and Enter takes both fields.
   type_into(rig, "motion/dx", "0.1");
   rig.key(keys::tab);
@@ -43,7 +43,7 @@ TEST_CASE("Enter in a field of the motion applies it") {
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 3);
   const auto& move = std::get<MoveCommand>(rig.document().history().command(2));
-  CHECK(move.motion.translate == Vec2(0.1, 0.2));
+  CHECK(move.bodies[0].motion.translate == Vec2(0.1, 0.2));
 }
 
 TEST_CASE("a motion is drawn as an outline while it is typed") {
@@ -86,7 +86,7 @@ TEST_CASE("numbers typed while the ring is dragged turn the body by just that") 
   rig.release();
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);
-  CHECK(std::get<MoveCommand>(rig.document().history().command(1)).motion.rotate == 30);
+  CHECK(std::get<MoveCommand>(rig.document().history().command(1)).bodies[0].motion.rotate == 30);
   CHECK(describe(rig.document().history().command(1)) == "Rotate flap by 30 deg");
 }
 
@@ -106,7 +106,7 @@ TEST_CASE("numbers typed while a body is moved are x, Tab, y; Backspace takes th
   rig.release();
   REQUIRE(rig.settle());
   const auto& move = std::get<MoveCommand>(rig.document().history().command(1));
-  CHECK(move.motion.translate == Vec2(0.15, 0));
+  CHECK(move.bodies[0].motion.translate == Vec2(0.15, 0));
 }
 
 TEST_CASE("a number typed in one frame, with Enter, is the number that counts") {
@@ -119,7 +119,7 @@ TEST_CASE("a number typed in one frame, with Enter, is the number that counts") 
   rig.key(keys::enter);
   rig.release();
   REQUIRE(rig.settle());
-  CHECK(std::get<MoveCommand>(rig.document().history().command(1)).motion.rotate == 12.5);
+  CHECK(std::get<MoveCommand>(rig.document().history().command(1)).bodies[0].motion.rotate == 12.5);
 }
 
 namespace {
@@ -203,7 +203,7 @@ struct FormStudio : MovingStudio {
   int moved(const Coordinates& before, double radius) const {
     int count = 0;
     for (const Index node : mesh().topology->interior_nodes())
-      if ((before.xyz(node) - region().centre_point()).norm() > radius)
+      if ((before.xyz(node) - *region().centre).norm() > radius)
         count += mesh().coordinates.xyz(node) != before.xyz(node);
     return count;
   }
@@ -219,7 +219,7 @@ TEST_CASE("In space a sphere or a box about the body is kept by the form, and dr
   CHECK_FALSE(studio.visible("region"));
   studio.choose("Sphere");
   REQUIRE(studio.region().radius.has_value());
-  REQUIRE(studio.region().centre_z.has_value());
+  REQUIRE(studio.region().centre.has_value());
   CHECK(studio.visible("region"));
   const double radius = *studio.region().radius;
   const Coordinates before = studio.mesh().coordinates;
@@ -233,11 +233,11 @@ TEST_CASE("In space a sphere or a box about the body is kept by the form, and dr
 
   // The third coordinate is typed like the others, and is not lost by the edit.
   studio.fill("motion/region/keep_outside_centre_z", "0.25");
-  CHECK(*studio.region().centre_z == 0.25);
+  CHECK(studio.region().centre->z() == 0.25);
   studio.choose("Box");
   CHECK_FALSE(studio.region().radius.has_value());
-  REQUIRE(studio.region().corner_z.has_value());
-  CHECK(*studio.region().corner_z < *studio.region().opposite_z);
+  REQUIRE(studio.region().corner.has_value());
+  CHECK(studio.region().corner->z() < studio.region().opposite->z());
   CHECK(studio.visible("motion/region/keep_outside_opposite_z"));
   studio.choose("Nothing");
   CHECK_FALSE(studio.region().given());

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/command/command.h"
-#include "core/motion/space_motion.h"
+#include "core/motion/rigid_motion.h"
 #include "gui/menu/user_command.h"
 #include "gui/support/rig.h"
 #include "support/space_meshes.h"
@@ -49,12 +49,12 @@ struct MovingStudio : Rig {
     return rect->centre();
   }
   /// The motion under the mouse.
-  SpaceMotion live() const { return live_space_motion(session().mesh()).value(); }
-  SpaceMotion last_motion() const {
+  RigidMotion live() const { return session().mesh().live_motion().value(); }
+  RigidMotion last_motion() const {
     const auto* move =
         std::get_if<MoveCommand>(&document().history().command(document().history().position()));
     REQUIRE(move != nullptr);
-    return move->motion.in_space(Vec3(0, 0, 0));
+    return move->bodies.front().motion;
   }
   const DeformCommand& last_deform() const {
     return std::get<DeformCommand>(document().history().command(document().history().position()));

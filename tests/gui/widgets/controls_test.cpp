@@ -78,7 +78,7 @@ TEST_CASE("characters that come in one frame all count, and those after Tab go t
   rig.input.key(keys::enter, false);
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);
-  CHECK(std::get<MoveCommand>(rig.document().history().command(1)).motion.translate ==
+  CHECK(std::get<MoveCommand>(rig.document().history().command(1)).bodies[0].motion.translate ==
         Vec2(0.125, 0.5));
 }
 

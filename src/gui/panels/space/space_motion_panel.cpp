@@ -11,11 +11,9 @@ namespace winslow::gui {
 
 namespace {
 
-bool moves(const SpaceMotion& m) { return m.rotate != 0 || m.translate != Vec3(0, 0, 0); }
-
-bool usable(const SpaceMotion& m) {
-  return std::isfinite(m.rotate) && m.translate.allFinite() && m.pivot.allFinite() &&
-         m.axis.allFinite() && m.axis.norm() > 0;
+bool usable(const RigidMotion& m) {
+  return std::isfinite(m.rotate) && m.translate.allFinite() && m.pivot->allFinite() &&
+         m.axis->allFinite() && m.axis->norm() > 0;
 }
 
 }  // namespace
@@ -62,7 +60,7 @@ void SpaceMotionPanel::draw(const PanelContext& context) {
 /// Draws where the typed motion would put the bodies, or no longer.
 void SpaceMotionPanel::preview(const PanelContext& context, bool wanted) const {
   const auto& shown = context.session.selection().motion_preview();
-  if (wanted && (!shown || shown->motion != RigidMotionRequest(typed_)))
+  if (wanted && (!shown || shown->motion != typed_))
     context.emit(action::PreviewMotion{typed_});
   else if (!wanted && shown)
     context.emit(action::PreviewMotion{});
@@ -70,8 +68,8 @@ void SpaceMotionPanel::preview(const PanelContext& context, bool wanted) const {
 
 /// True if Enter was pressed in one of them. live: they show the drag under the mouse.
 bool SpaceMotionPanel::draw_fields(const PanelContext& context, bool live) {
-  const auto motion = live_space_motion(context.session.mesh());
-  SpaceMotion shown = live && motion ? *motion : typed_;
+  const auto motion = context.session.mesh().live_motion();
+  RigidMotion shown = live && motion ? *motion : typed_;
   bool entered = false;
   ui::text_dim("Translate");
   ui::tooltip("How far the body moves, x, y and z, in units of the mesh.");

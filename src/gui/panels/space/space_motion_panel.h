@@ -15,7 +15,7 @@ class SpaceMotionPanel : public Panel {
   static void draw_sources(const PanelContext& context);
   void preview(const PanelContext& context, bool wanted) const;
 
-  SpaceMotion typed_;  // pivot and axis are the session's
+  RigidMotion typed_{.translate = Vec3(0, 0, 0)};  // pivot and axis are the session's
 };
 
 }  // namespace winslow::gui

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/motion/space_motion.h"
+#include "core/motion/rigid_motion.h"
 #include "gui/view/overlays/mouse_labels.h"
 #include "gui/view/overlays/space_gizmo_drawing.h"
 #include "gui/widgets/controls.h"
@@ -103,13 +103,13 @@ void draw_wanted_in_space(ImDrawList& list, const SpaceOverlay& o) {
   const BodyDrag* drag = o.session.mesh().body_drag();
   if (!drag || drag->reach() == BodyDrag::Reach::there) return;
   const Coordinates& rest = o.session.mesh().motion_base().mesh.coordinates;
-  if (const auto motion = live_space_motion(o.session.mesh())) {
+  if (const auto motion = o.session.mesh().live_motion()) {
     std::vector<std::pair<Vec3, Vec3>> outline;
     for (const auto& [a, b] : o.session.selection().space().outline())
       outline.emplace_back(transform(*motion, rest.xyz(a)), transform(*motion, rest.xyz(b)));
     return draw_planned_edges(list, o, outline);
   }
-  const Vec3 pull = drag->wanted().in_space(Vec3(0, 0, 0)).translate;
+  const Vec3 pull = drag->wanted().translate;
   for (std::size_t i = 0; i < drag->grip().nodes.size(); ++i)
     list.AddCircleFilled(
         projected(o, rest.xyz(drag->grip().nodes[i]) + drag->grip().shares[i] * pull),

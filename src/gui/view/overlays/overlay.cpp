@@ -52,7 +52,7 @@ void draw_wanted(ImDrawList& list, const Overlay& o) {
   if (!drag || drag->grip().rigid()) return;
   const auto& nodes = drag->grip().nodes;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const Vec2 at = rest.xy(nodes[i]) + drag->grip().shares[i] * drag->wanted().translate;
+    const Vec2 at = rest.xy(nodes[i]) + drag->grip().shares[i] * drag->wanted().translate.head<2>();
     const ImVec2 dot(o.view.to_screen(at));
     list.AddCircleFilled(dot, o.theme.px(4.0f), faded(palette().card, 0.85f));
     list.AddCircleFilled(dot, o.theme.px(2.5f), palette().accent);
@@ -141,7 +141,7 @@ std::string motion_text(const Overlay& o) {
   std::string text = "x " + label_number(m.translate.x(), "%+.4g") + "   y " +
                      label_number(m.translate.y(), "%+.4g");
   if (drag.axis()) text += *drag.axis() == 0 ? "   along x" : "   along y";
-  if (drag.snapped()) text += "   grid " + label_number(MotionGesture::grid_step(o.view, m.pivot));
+  if (drag.snapped()) text += "   grid " + label_number(MotionGesture::grid_step(o.view, *m.pivot));
   return text;
 }
 

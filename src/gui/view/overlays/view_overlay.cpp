@@ -257,13 +257,13 @@ std::vector<Vec3> circle(const Vec3& centre, double radius, const Vec3& u, const
 }
 
 void draw_rectangle(DashedLines& lines, const KeepOutside& keep) {
-  const Vec3 a = keep.corner_point(), b = keep.opposite_point();
+  const Vec3 a = *keep.corner, b = *keep.opposite;
   lines.loop({a, Vec3(b.x(), a.y(), 0), b, Vec3(a.x(), b.y(), 0)});
 }
 
 /// Its twelve edges: two rectangles, and what joins them.
 void draw_box(DashedLines& lines, const KeepOutside& keep) {
-  const Vec3 a = keep.corner_point(), b = keep.opposite_point();
+  const Vec3 a = *keep.corner, b = *keep.opposite;
   const std::array<Vec3, 4> foot{Vec3(a.x(), a.y(), a.z()), Vec3(b.x(), a.y(), a.z()),
                                  Vec3(b.x(), b.y(), a.z()), Vec3(a.x(), b.y(), a.z())};
   std::vector<Vec3> low(foot.begin(), foot.end()), high = low;
@@ -281,7 +281,7 @@ void draw_sphere(DashedLines& lines, const Vec3& centre, double radius) {
 
 /// Where the circle or the sphere is. None: nothing is selected that it could be about.
 std::optional<Vec3> centre_of(const KeepOutside& keep, const Session& session) {
-  if (keep.centre) return keep.centre_point();
+  if (keep.centre) return *keep.centre;
   if (session.in_space()) {
     const Selection& selection = session.selection();
     return selection.empty() ? std::nullopt : std::optional(selection.space().centre());

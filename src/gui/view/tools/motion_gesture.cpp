@@ -40,12 +40,13 @@ bool MotionGesture::follow(const ScreenPoint& mouse, Modifiers modifiers, const 
     moved_ += speed * (to - from);
     next.translate = moved_;
     if (modifiers.snap) {
-      const double step = grid_step(view, motion_.pivot);
-      next.translate = step * (moved_ / step).array().round().matrix();
+      const double step = grid_step(view, *motion_.pivot);
+      next.translate = Vec2(step * (moved_ / step).array().round().matrix());
     }
     if (axis_) next.translate[1 - *axis_] = 0;
   } else {
-    const double by = angle_about(motion_.pivot, to) - angle_about(motion_.pivot, from);
+    const Vec2 pivot = motion_.pivot->head<2>();
+    const double by = angle_about(pivot, to) - angle_about(pivot, from);
     turned_ += speed * std::remainder(by, 2 * pi) * (180 / pi);
     next.rotate = modifiers.snap ? rotation_step * std::round(turned_ / rotation_step) : turned_;
   }

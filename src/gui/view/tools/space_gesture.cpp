@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/motion/space_motion.h"
+#include "core/motion/rigid_motion.h"
 #include "gui/view/tools/space_travel.h"
 
 namespace winslow::gui {
@@ -43,8 +43,8 @@ void SpaceGesture::find_grip(const View& view) {
   const double slope = about.dot(direction.normalized());
   Vec3 arm = viewer_;  // the near side of a ring that is seen edge on
   if (std::abs(slope) > 0.25)
-    arm = origin + about.dot(motion_.pivot - origin) / about.dot(direction) * direction -
-          motion_.pivot;
+    arm = origin + about.dot(*motion_.pivot - origin) / about.dot(direction) * direction -
+          *motion_.pivot;
   arm -= about.dot(arm) * about;
   grip_ = arm.norm() > 0 ? Vec3(arm.normalized()) : Vec3(frame_.axes[0]);
 }
@@ -54,9 +54,9 @@ bool SpaceGesture::follow(const ScreenPoint& mouse, Modifiers modifiers, const V
   slowed_ = slowed_ + (modifiers.fine ? fine_speed : 1.0) * (mouse - last_);
   last_ = mouse;
   modifiers_ = modifiers;
-  SpaceMotion next = motion_;
+  RigidMotion next = motion_;
   if (turns()) {
-    turned_ += turn_about(view, motion_.pivot, axis(), radius_, before, slowed_);
+    turned_ += turn_about(view, *motion_.pivot, axis(), radius_, before, slowed_);
     next.axis = axis();
     next.rotate = modifiers.snap ? rounded_to(turn_step, turned_) : turned_;
   } else {
@@ -68,10 +68,10 @@ bool SpaceGesture::follow(const ScreenPoint& mouse, Modifiers modifiers, const V
 }
 
 /// From where the mouse was pressed at once, so that no path adds up.
-SpaceMotion SpaceGesture::moved_to(const View& view) const {
-  SpaceMotion next = motion_;
+RigidMotion SpaceGesture::moved_to(const View& view) const {
+  RigidMotion next = motion_;
   const auto along = directions();
-  const Vec3& from = motion_.pivot;
+  const Vec3& from = *motion_.pivot;
   if (along.size() == 1)
     next.translate = travel_along(view, from, along[0].along, press_, slowed_) * along[0].along;
   else
@@ -86,7 +86,7 @@ SpaceMotion SpaceGesture::moved_to(const View& view) const {
 }
 
 bool SpaceGesture::type(const TypedMotion& typed) {
-  SpaceMotion next = motion_;
+  RigidMotion next = motion_;
   next.translate.setZero();
   if (turns()) {
     const auto degrees = typed.value(0);

@@ -48,13 +48,15 @@ class SpaceGesture {
   /// The direction, across the axis, in which the ring was taken.
   const Vec3& grip() const { return grip_; }
 
-  const SpaceMotion& motion() const { return motion_; }
+  const RigidMotion& motion() const { return motion_; }
   bool snapped() const { return modifiers_.snap; }
   /// Round length to which moves snap.
-  double snap_step(const View& view) const { return MotionGesture::grid_step(view, motion_.pivot); }
+  double snap_step(const View& view) const {
+    return MotionGesture::grid_step(view, *motion_.pivot);
+  }
 
  private:
-  SpaceMotion moved_to(const View& view) const;
+  RigidMotion moved_to(const View& view) const;
   void find_grip(const View& view);
 
   SpaceHandle handle_;
@@ -63,7 +65,7 @@ class SpaceGesture {
   Vec3 viewer_{0, 0, 1};
   std::optional<int> locked_;
   Modifiers modifiers_;
-  SpaceMotion motion_;
+  RigidMotion motion_{.axis = Vec3(0, 0, 1)};
   Vec3 grip_{1, 0, 0};
   ScreenPoint press_, last_;
   ScreenPoint slowed_;  // where the mouse would be had it gone at the speed that fine motion has

@@ -22,7 +22,7 @@ std::optional<Place> place_of(const Session& session) {
     if (!held || session.job().active()) return std::nullopt;
     Place place{held->centre, GizmoFrame::about(held->normal, "normal"), false};
     if (const BodyDrag* drag = session.mesh().body_drag(); drag && !drag->grip().rigid())
-      place.point += drag->wanted().in_space(Vec3(0, 0, 0)).translate;
+      place.point += drag->wanted().translate;
     return place;
   }
   if (selection.empty()) return std::nullopt;

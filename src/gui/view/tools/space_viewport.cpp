@@ -292,7 +292,7 @@ bool SpaceViewport::follow_move(const PointerState& p, const SpaceSurroundings& 
   const ShapeEdit& shape = around.session.selection().shape_edit();
   if (p.over && p.wheel != 0 && shape.active && mover_.dragging()) {
     // From nothing it grows to something that can be seen.
-    const double least = 10 * view.pixel_size(mover_.gesture().motion().pivot);
+    const double least = 10 * view.pixel_size(*mover_.gesture().motion().pivot);
     const double radius =
         std::max(shape.radius * std::pow(zoom_per_turn, p.wheel), p.wheel > 0 ? least : 0.0);
     actions.emplace_back(action::SetShapeEdit{true, radius < 0.5 * least ? 0 : radius});

@@ -222,7 +222,7 @@ TEST_CASE("the exported recipe holds the commands of the session") {
   const io::Recipe recipe = io::read_recipe(path);
   REQUIRE(recipe.commands.size() == 2);
   CHECK(recipe.input == "mesh.su2");
-  CHECK(std::get<MoveCommand>(recipe.commands[0]).motion.translate == Vec2(0.2, 0));
+  CHECK(std::get<MoveCommand>(recipe.commands[0]).bodies[0].motion.translate == Vec2(0.2, 0));
   CHECK(std::holds_alternative<SmoothCommand>(recipe.commands[1]));
 }
 

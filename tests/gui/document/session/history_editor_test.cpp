@@ -74,7 +74,7 @@ TEST_CASE("a step is deleted, those after it run again, and the history before c
 TEST_CASE("a step is changed while nothing moves, and not otherwise") {
   TwoMotions parts;
   auto changed = std::get<MoveCommand>(parts.done().command(1));
-  changed.motion.rotate = 15;
+  changed.bodies[0].motion.rotate = 15;
   parts.jobs.apply(action::StepSolver{1});
   parts.history.apply(action::EditStep{1, changed});
   CHECK(parts.notice().find("Wait until the solver is done") == 0);
@@ -83,7 +83,7 @@ TEST_CASE("a step is changed while nothing moves, and not otherwise") {
   CHECK(parts.jobs.queue().active());
   parts.finish();
   REQUIRE(parts.done().size() == 3);
-  CHECK(std::get<MoveCommand>(parts.done().command(1)).motion.rotate == 15);
+  CHECK(std::get<MoveCommand>(parts.done().command(1)).bodies[0].motion.rotate == 15);
   CHECK(parts.done().position() == 2);
 }
 
@@ -148,7 +148,7 @@ TEST_CASE("editing a past command gives the mesh that doing it by hand gives") {
   const History& history = rig.document().history();
   REQUIRE(history.size() == 4);
   CHECK(history.position() == 3);
-  CHECK(std::get<MoveCommand>(history.command(2)).motion.rotate == -12);
+  CHECK(std::get<MoveCommand>(history.command(2)).bodies[0].motion.rotate == -12);
   CHECK(rig.mesh().coordinates == by_hand({10, -12, 5}));
   CHECK(history.state(1).mesh.coordinates == meshes[1]);
   CHECK(history.initial().mesh.coordinates == meshes[0]);
@@ -158,7 +158,7 @@ TEST_CASE("what an edit replaced can be brought back, every position to the bit"
   Rig rig(1300, 1000);
   const auto meshes = three_motions(rig);
   Command command = rig.document().history().command(1);
-  std::get<MoveCommand>(command).motion.rotate = 30;
+  std::get<MoveCommand>(command).bodies[0].motion.rotate = 30;
   rig.bench->apply(action::EditStep{1, command});
   REQUIRE(rig.settle());
   const Coordinates edited = rig.mesh().coordinates;
@@ -257,7 +257,7 @@ TEST_CASE("an edit that fails on the way says where and keeps what was there") {
   Rig rig(1300, 900);
   const auto meshes = three_motions(rig);
   Command wrong = rig.document().history().command(2);
-  std::get<MoveCommand>(wrong).markers = {"nobody"};
+  std::get<MoveCommand>(wrong).bodies[0].markers = {"nobody"};
   rig.bench->apply(action::EditStep{2, wrong});
   REQUIRE(rig.wait([&] { return rig.session().messages().prompt() != nullptr; }));
   CHECK(rig.session().messages().prompt()->text.find("Step 2") != std::string::npos);
@@ -302,9 +302,9 @@ TEST_CASE("a recipe with an error is refused with its line, one that fails stops
   CHECK(rig.session().messages().prompt()->text.find("wrong.json:3") != std::string::npos);
   rig.frames(2);
   rig.click("prompt/OK");
-  MoveCommand first{{"flap"}, {10, Vec2(0, 0), Vec2(0, 0)}, {}, {}};
+  MoveCommand first{{{{"flap"}, {10, Vec2(0, 0), Vec2(0, 0)}}}, {}, {}};
   MoveCommand second = first;
-  second.markers = {"wing"};
+  second.bodies[0].markers = {"wing"};
   io::write_recipe(path, {"", "", {first, second, first}});
   rig.bench->apply(action::ReplayRecipe{path});
   REQUIRE(rig.wait([&] { return rig.session().messages().prompt() != nullptr; }));

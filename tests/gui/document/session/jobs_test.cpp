@@ -46,7 +46,7 @@ TEST_CASE("the commands of a plan follow each other; a bad one ends it and says 
   SessionParts parts(ring_mesh());
   CommandQueue::Plan plan;
   plan.title = "Replaying a recipe";
-  plan.commands = {ScrambleCommand{3}, SmoothCommand{}, MoveCommand{{"nowhere"}, {}, {}, {}}};
+  plan.commands = {ScrambleCommand{3}, SmoothCommand{}, MoveCommand{{{{"nowhere"}, {}}}, {}, {}}};
   parts.jobs.start(plan);
   CHECK(parts.jobs.queue().active());
   parts.finish();
@@ -85,15 +85,15 @@ TEST_CASE("only the direct method is slowed down, and not below standing still")
 TEST_CASE("a recipe's rotation without a pivot is about the point that the studio would take") {
   SessionParts parts(two_body_mesh());
   parts.selection.apply(action::SelectMarkers{{parts.marker("left")}});
-  MoveCommand open{{"left"}, {}, {}, {}};
-  open.motion.rotate = 10;
+  MoveCommand open{{{{"left"}, {}}}, {}, {}};
+  open.bodies[0].motion.rotate = 10;
   CommandQueue::Plan plan;
   plan.commands = {open};
   const Vec2 pivot = parts.selection.pivot();
   parts.jobs.start(plan);
   parts.finish();
   REQUIRE(parts.done().size() == 2);
-  CHECK(std::get<MoveCommand>(parts.done().command(1)).motion.pivot == pivot);
+  CHECK(std::get<MoveCommand>(parts.done().command(1)).bodies[0].motion.pivot == pivot);
   CHECK((parts.selection.pivot() - pivot).norm() < 1e-9);
 }
 

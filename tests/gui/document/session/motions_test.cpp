@@ -26,8 +26,8 @@ TEST_CASE("a motion by numbers becomes one command of what is selected") {
   parts.motions.apply(action::ApplyMotion{{10, Vec2(0, 0), Vec2(0.1, 0)}});
   parts.finish();
   REQUIRE(parts.done().position() == 1);
-  CHECK(parts.last().markers == std::vector<std::string>{"flap"});
-  CHECK(parts.last().motion.rotate == 10);
+  CHECK(parts.last().bodies[0].markers == std::vector<std::string>{"flap"});
+  CHECK(parts.last().bodies[0].motion.rotate == 10);
   CHECK(parts.selection.pivot().isApprox(Vec2(0.1, 0)));
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("a drag shows the mesh where the mouse is and ends as the command of i
   CHECK_FALSE(parts.mesh.held().body);
   parts.finish();
   REQUIRE(parts.done().size() == 2);
-  CHECK(parts.last().motion.translate.isApprox(Vec2(0.2, 0)));
+  CHECK(parts.last().bodies[0].motion.translate.isApprox(Vec3(0.2, 0, 0)));
 }
 
 TEST_CASE("a cancelled drag has never been") {
@@ -118,7 +118,7 @@ TEST_CASE(
   }));
   CHECK(reach() == BodyDrag::Reach::catching_up);
   REQUIRE(rig.wait([&] { return reach() == BodyDrag::Reach::limit; }));
-  const BodyDrag::Frame& frame = rig.session().mesh().body_drag()->frame();
+  const DragFrame& frame = rig.session().mesh().body_drag()->frame();
   CHECK(frame.share == doctest::Approx(way_of(rig, before) / asked).epsilon(1e-6));
   REQUIRE(frame.contact);
   CHECK(describe_touch(*frame.contact) == "left would touch right");
@@ -132,8 +132,8 @@ TEST_CASE(
   REQUIRE(banner);
   CHECK(banner->text.starts_with("Blocked by \"right\" after "));
   MoveCommand command;
-  command.markers = {"left"};
-  command.motion.translate = {asked, 0};
+  command.bodies[0].markers = {"left"};
+  command.bodies[0].motion.translate = {asked, 0};
   const CommandResult path = execute(command, make_state(before));
   CHECK(held > 0.9 * asked * path.smooth.fraction_reached);
 }

@@ -36,7 +36,7 @@ TEST_CASE("the pivot is the centre of what is selected until it is put elsewhere
   CHECK(selection.pivot().isApprox(Vec2(2, 0)));
   // It goes with a body that is moved.
   MoveCommand up;
-  up.motion = RigidMotion{0, Vec2(0, 0), Vec2(0, 1)};
+  up.bodies[0].motion = RigidMotion{0, Vec2(0, 0), Vec2(0, 1)};
   selection.moved(up);
   CHECK(selection.pivot().isApprox(Vec2(2, 1)));
 }

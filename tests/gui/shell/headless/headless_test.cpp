@@ -24,7 +24,7 @@ std::string content(const fs::path& path) {
 }
 
 MoveCommand turn_flap() {
-  MoveCommand command{{"flap"}, {25, Vec2(0, 0), {0.3, 0}}, {}, {}};
+  MoveCommand command{{{{"flap"}, {25, Vec2(0, 0), {0.3, 0}}}}, {}, {}};
   command.smooth.targets = TargetBlend::regular();  // every iteration moves nodes by pixels
   return command;
 }
@@ -102,8 +102,8 @@ TEST_CASE("frames of a replay lead from the mesh as it was to the mesh as it is"
 TEST_CASE("a turn of a bundled mesh has a frame for every degree, and all of them are valid") {
   const fs::path path = assets_folder() / "coarse" / "naca0012.su2";
   MoveCommand move;
-  move.markers = {"airfoil"};
-  move.motion.rotate = 60;
+  move.bodies[0].markers = {"airfoil"};
+  move.bodies[0].motion.rotate = 60;
   const auto meshes = motion_frames({move}, make_state(io::read_mesh(path).mesh));
   CHECK(meshes.size() > 60);
   for (const Mesh& mesh : meshes)
@@ -130,7 +130,7 @@ TEST_CASE("what is wrong with a replay is said before or where it happens") {
   options.recipe = write_recipe_file(folder, {turn_flap()}, "none.su2");
   CHECK(failure(options).find("none.su2") != std::string::npos);
   MoveCommand wrong = turn_flap();
-  wrong.markers = {"rudder"};
+  wrong.bodies[0].markers = {"rudder"};
   options.recipe = write_recipe_file(folder, {wrong});
   CHECK(failure(options).find("rudder") != std::string::npos);
   options.recipe = write_recipe_file(folder, {}, "");

@@ -380,9 +380,8 @@ TEST_CASE("A picture of the mesh alone shows what the window shows, at another s
 
 TEST_CASE("A recipe's motion for meshes of the other kind is refused, and the mesh stays open") {
   MoveCommand in_space;
-  in_space.markers = {"left"};
-  in_space.motion =
-      RigidMotionRequest(SpaceMotion{10, Vec3(0, 1, 0), Vec3(0, 0, 0), Vec3(0, 0, 1)});
+  in_space.bodies[0].markers = {"left"};
+  in_space.bodies[0].motion = {10, Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(0, 1, 0)};
   Rig plane;
   plane.open(two_body_mesh());
   plane.bench->apply(action::RunCommand{in_space});
@@ -393,8 +392,8 @@ TEST_CASE("A recipe's motion for meshes of the other kind is refused, and the me
   CHECK(plane.document().history().position() == 0);
   SpaceStudio space;
   MoveCommand in_plane;
-  in_plane.markers = {"cavity"};
-  in_plane.motion = RigidMotionRequest(10, std::nullopt, Vec2(0, 0));
+  in_plane.bodies[0].markers = {"cavity"};
+  in_plane.bodies[0].motion = {.rotate = 10};
   space.bench->apply(action::RunCommand{in_plane});
   space.frames(3);
   REQUIRE(space.session().messages().prompt() != nullptr);

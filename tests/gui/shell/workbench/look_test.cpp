@@ -241,7 +241,7 @@ TEST_CASE("Ctrl+Z in a field that is entered again takes nothing back from anoth
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);
   const RigidMotion motion =
-      std::get<MoveCommand>(rig.document().history().command(1)).motion.about({0, 0});
+      std::get<MoveCommand>(rig.document().history().command(1)).bodies[0].motion;
   CHECK(motion.translate.x() == doctest::Approx(0.1234575).epsilon(1e-12));
   CHECK(motion.translate.y() == 0);
 }

@@ -34,7 +34,7 @@ TEST_CASE("the arrows move along one axis, whatever the mouse does across it") {
     REQUIRE(rig.settle());
     REQUIRE(rig.document().history().size() == 2);
     const double unit = rig.bench->view_control().camera().units_per_pixel();
-    const Vec2 by = last_move(rig).motion.translate;
+    const Vec2 by = last_move(rig).bodies[0].motion.translate.head<2>();
     CHECK(by[axis] == doctest::Approx(unit * (axis == 0 ? 31 : 19)));
     CHECK(by[1 - axis] == 0);
   }
@@ -52,7 +52,7 @@ TEST_CASE("the centre moves freely, Shift is a tenth of the speed") {
   rig.frames();
   rig.release();
   REQUIRE(rig.settle());
-  const Vec2 by = last_move(rig).motion.translate;
+  const Vec2 by = last_move(rig).bodies[0].motion.translate.head<2>();
   CHECK(by.x() == doctest::Approx(unit * (20 + 4)));
   CHECK(by.y() == doctest::Approx(unit * 3));
 }
@@ -68,7 +68,7 @@ TEST_CASE("Ctrl snaps a move to the grid and a turn to 5 degrees") {
   rig.input.key(keys::control, false);
   REQUIRE(rig.settle());
   const double step = MotionGesture::grid_step(rig.bench->view_control().view(), Vec2(0, 0));
-  const Vec2 by = last_move(rig).motion.translate;
+  const Vec2 by = last_move(rig).bodies[0].motion.translate.head<2>();
   for (const int axis : {0, 1}) {
     CHECK(by[axis] != 0);
     CHECK(std::abs(by[axis] / step - std::round(by[axis] / step)) < 1e-9);
@@ -82,7 +82,7 @@ TEST_CASE("Ctrl snaps a move to the grid and a turn to 5 degrees") {
   rig.release();
   rig.input.key(keys::control, false);
   REQUIRE(rig.settle());
-  CHECK(last_move(rig).motion.rotate == 35);
+  CHECK(last_move(rig).bodies[0].motion.rotate == 35);
 }
 
 TEST_CASE("X and Y lock a drag that is under way, and again set it free") {
@@ -113,7 +113,7 @@ TEST_CASE("Enter accepts a drag with the button still down; letting go does noth
   rig.release();
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);
-  CHECK(last_move(rig).motion.translate.x() ==
+  CHECK(last_move(rig).bodies[0].motion.translate.x() ==
         doctest::Approx(25 * rig.bench->view_control().camera().units_per_pixel()));
   CHECK_FALSE(rig.session().selection().empty());
 }
@@ -168,7 +168,7 @@ TEST_CASE("the pivot goes to the edges and the centroid by name, and turns are a
   REQUIRE(rig.settle());
   CHECK((rig.mesh().coordinates.xy(nose) - Vec2(-0.5, 0)).norm() < 1e-9);
   choose("Centroid");
-  const Vec2 expected = transform(last_move(rig).motion.about({0, 0}), Vec2(0, 0));
+  const Vec2 expected = transform(last_move(rig).bodies[0].motion, Vec2(0, 0));
   CHECK((rig.session().selection().pivot() - expected).norm() < 1e-9);
 }
 

@@ -160,7 +160,7 @@ TEST_CASE("A ring turns about its axis, and goes on counting past half a turn an
   go_around(studio, centre, from, 300, 40);
   CHECK(studio.live().rotate == doctest::Approx(300).epsilon(1e-3));
   CHECK(studio.live().axis == Vec3(0, 0, 1));
-  CHECK((studio.live().pivot - Vec3(0.5, 0.5, 0.5)).norm() < 1e-12);
+  CHECK((*studio.live().pivot - Vec3(0.5, 0.5, 0.5)).norm() < 1e-12);
   CHECK(studio.live().translate == Vec3(0, 0, 0));
   go_around(studio, centre, around(centre, from, 300), -290, 40);
   CHECK(studio.live().rotate == doctest::Approx(10).epsilon(0.02));

@@ -57,8 +57,8 @@ TEST_CASE("An edge that is picked is the hinge: the whole straight row of sharp 
   studio.click("motion/apply");
   REQUIRE(studio.settle());
   CHECK(studio.last_motion().rotate == 8);
-  CHECK((studio.last_motion().pivot - Vec3(0.5, 1.0 / 3, 2.0 / 3)).norm() < 1e-12);
-  CHECK((studio.last_motion().axis - Vec3(1, 0, 0)).norm() < 1e-12);
+  CHECK((*studio.last_motion().pivot - Vec3(0.5, 1.0 / 3, 2.0 / 3)).norm() < 1e-12);
+  CHECK((*studio.last_motion().axis - Vec3(1, 0, 0)).norm() < 1e-12);
   studio.check_replay();
   // The nodes of the hinge have not moved.
   for (const Index node : studio.pivot().nodes)
@@ -232,8 +232,8 @@ TEST_CASE("A new user turns the flap of the wing by 10 degrees about its hinge i
   CHECK(clicks <= 5);
   REQUIRE(rig.document().history().position() == 1);
   const auto& move = std::get<MoveCommand>(rig.document().history().command(1));
-  CHECK(move.markers == std::vector<std::string>{"flap"});
-  CHECK(move.motion.rotate == 10);
+  CHECK(move.bodies[0].markers == std::vector<std::string>{"flap"});
+  CHECK(move.bodies[0].motion.rotate == 10);
   CHECK(rig.document().history().result(1).inverted == 0);
   CHECK(rig.document().history().result(1).fraction_reached == 1);
   for (const Index node : row.ends)
