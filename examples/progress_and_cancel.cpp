@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
     const auto state = winslow::make_state(winslow::io::read_mesh(argv[1]).mesh);
     winslow::MoveCommand move;
     move.markers = {"flap"};
-    move.motion.rotate = -30;
+    move.motion.rotate = -10;
     Progress progress(std::atoi(argv[2]));
     winslow::RunOptions options;
     options.monitor = &progress;

@@ -1,6 +1,6 @@
 // Reads a mesh of any format, turns a body of it, repairs the mesh around the body, and writes it.
 //
-//     ./read_move_write three_element.su2 moved.su2 flap -20
+//     ./read_move_write three_element.su2 moved.su2 flap -10
 //
 // Writes nothing if the result has inverted elements.
 #include <winslow/winslow.h>

@@ -1,7 +1,7 @@
 // Reads a report that the program has written, and decides by it, as a script around a flow solver
 // would. docs/command-line.md lists the keys.
 //
-//     winslow move three_element.su2 -o moved.su2 --marker flap --rotate -20 --report report.json
+//     winslow move three_element.su2 -o moved.su2 --marker flap --rotate -10 --report report.json
 //     ./read_report report.json
 #include <cstdio>
 #include <fstream>

@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
     options.cache = &cache;
 
     constexpr double step = 0.0125;
-    for (double time = 0; time < 0.1; time += step) {
+    for (double time = 0; time < 0.05; time += step) {
       const auto turn = turn_flap(angle_at(time + step) - angle_at(time));
       winslow::CommandResult result = winslow::execute(turn, state, options);
       if (result.smooth.inverted > 0 || result.smooth.fraction_reached < 1) {

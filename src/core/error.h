@@ -5,6 +5,16 @@
 
 #include "core/types.h"
 
+/// What a client catches, the special before the general:
+///
+///     try {
+///       state = winslow::execute(command, state).state;
+///     } catch (const winslow::Cancelled&) {
+///       return;  // the state is as it was
+///     } catch (const winslow::Error& error) {
+///       std::fprintf(stderr, "%s\n", error.what());  // one sentence for the user
+///     }
+///
 /// Every error that the library throws. The program turns each class into one exit code.
 namespace winslow {
 

@@ -14,6 +14,14 @@
 #include "core/strategy/smooth_options.h"
 #include "core/vcv/vcv_edit.h"
 
+/// A client says what is to be done and looks at what came of it:
+///
+///     winslow::MoveCommand move;
+///     move.markers = {"flap"};
+///     move.motion.rotate = -20;  // degrees, about the body's own centre
+///     const winslow::CommandResult result = winslow::execute(move, state);
+///     if (result.smooth.inverted == 0) state = result.state;
+///
 /// Every edit of a mesh is one of these commands. The command line, the studio, undo and recipes
 /// all go through execute(); nothing else changes a mesh.
 ///

@@ -6,6 +6,11 @@
 
 #include "core/command/command.h"
 
+/// Undo and redo over commands:
+///
+///     winslow::History history(state);
+///     history.push(command, winslow::execute(command, history.state()));
+///     history.undo();  // history.state() is the mesh before
 namespace winslow {
 
 /// The commands applied to a mesh, with undo and redo to any point. Topology is shared, so a step

@@ -3,6 +3,11 @@
 #include "core/command/command.h"
 #include "core/options/option.h"
 
+/// Options by their names, as files and command lines have them:
+///
+///     winslow::MoveCommand move;
+///     for (const winslow::Option& option : winslow::option_table(move))
+///       std::puts(winslow::flag_of(option).c_str());
 namespace winslow {
 
 OptionTable option_table(QualityFloor& floor);

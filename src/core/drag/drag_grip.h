@@ -9,6 +9,10 @@
 #include "core/mesh/coordinates.h"
 #include "core/mesh/element_type.h"
 
+/// Whole bodies are held by their markers:
+///
+///     winslow::DragGrip grip;
+///     grip.markers = {"flap"};
 namespace winslow {
 
 /// What the mouse holds: whole bodies, which move rigidly, or a part of their boundary, of which

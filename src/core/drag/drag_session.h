@@ -9,6 +9,11 @@
 #include "core/drag/drag_grip.h"
 #include "core/mesh/mesh.h"
 
+/// A body follows the mouse, and its last place becomes a command:
+///
+///     winslow::DragSession drag(state, grip, winslow::SmoothOptions());
+///     const winslow::DragFrame& shown = drag.to(motion);  // at once; draw shown.coordinates
+///     winslow::Command done = winslow::drag_command(grip, motion, {}, winslow::SmoothOptions());
 namespace winslow {
 
 /// What is shown under the mouse.

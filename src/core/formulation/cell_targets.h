@@ -43,6 +43,11 @@ struct CellTargets {
   std::optional<double> stretched;
 };
 
+/// Isotropic elements, wherever they were stretched before:
+///
+///     winslow::SmoothCommand smooth;
+///     smooth.smooth.targets = winslow::TargetBlend::regular();
+
 /// Which shapes the variational form drives elements towards. The shares are relative; a blend lies
 /// between its parts (on the geodesic of the metrics of the shapes).
 struct TargetBlend {

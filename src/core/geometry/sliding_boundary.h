@@ -28,6 +28,12 @@ struct FeatureRules {
   bool operator==(const FeatureRules&) const = default;
 };
 
+/// A surface of one's own, for the boundary of a mesh in space to slide on:
+///
+///     auto surface = std::make_shared<winslow::ReferenceSurface>();
+///     surface->points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+///     surface->faces = {winslow::Face(0, 1, 2)};
+
 /// A surface that is given besides a mesh, for the nodes of the mesh to slide on: finer than the
 /// mesh as a rule, from CAD or a scan. Lengths in the unit of the mesh.
 struct ReferenceSurface {
@@ -39,6 +45,11 @@ struct ReferenceSurface {
 /// The same, `origin` subtracted from its points.
 std::shared_ptr<const ReferenceSurface> moved_to(const ReferenceSurface& surface,
                                                  const Vec3& origin);
+
+/// What the nodes of a run slid on is part of its result:
+///
+///     for (const winslow::SlidingPart& part : result.smooth.boundary.sliding)
+///       std::printf("%s: %s\n", part.marker.c_str(), part.description.c_str());
 
 /// What becomes of the spacing of nodes along a curve: of the shares that the edges have of the
 /// length of their stretch.

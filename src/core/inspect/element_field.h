@@ -12,6 +12,11 @@
 #include "core/quality/wall_field.h"
 #include "core/vcv/virtual_control_volumes.h"
 
+/// A number for each element, by its name:
+///
+///     const winslow::ElementField field = winslow::parse_field("normalized_jacobian");
+///     const std::vector<double> values =
+///         winslow::element_values(*state.vcv, state.mesh.coordinates, field);
 namespace winslow {
 
 /// What the paper's operator says of each free node (see NodalView):

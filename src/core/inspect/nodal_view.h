@@ -6,6 +6,10 @@
 #include "core/formulation/nodal_operator.h"
 #include "core/vcv/virtual_control_volumes.h"
 
+/// What the operator knows at a node of a plane mesh:
+///
+///     const auto view = winslow::inspect_node(*state.vcv, state.mesh.coordinates, node);
+///     std::printf("%zu neighbours, kappa %.3f\n", view.neighbours.size(), view.kappa);
 namespace winslow {
 
 /// A star of triangles: edges from a node to its neighbours, counter-clockwise; triangle k and

@@ -9,6 +9,16 @@
 
 #include "core/command/command.h"
 
+/// A command beside a user interface:
+///
+///     winslow::SolverThread solver;
+///     solver.run(state, command);
+///     while (solver.busy()) {
+///       const auto snapshot = solver.latest();  // never null; draw snapshot->mesh
+///       std::this_thread::sleep_for(std::chrono::milliseconds(16));
+///     }
+///     const auto last = solver.latest();
+///     if (last->state == winslow::JobState::done) state = last->result->state;
 namespace winslow {
 
 enum class JobState { idle, running, paused, done, cancelled, failed };

@@ -5,6 +5,11 @@
 #include "core/layers/layer_stack.h"
 #include "core/mesh/mesh.h"
 
+/// The layers that a mesh was read with:
+///
+///     winslow::LayerOptions options;
+///     options.walls = {{{"wing"}, {}}};
+///     const winslow::LayerStack found = winslow::detect_layers(mesh, options);
 namespace winslow {
 
 /// Finds the layers that a mesh has at walls (climb_layers says which elements count). Heights are

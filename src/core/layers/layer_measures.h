@@ -5,6 +5,10 @@
 #include "core/layers/layer_stack.h"
 #include "core/quality/quality.h"
 
+/// How well the layers of a state came out:
+///
+///     const auto measures = winslow::measure_layers(*state.layers, state.mesh.coordinates);
+///     std::printf("heights off by %.2f %% at most\n", 100 * measures.spacing_error.max);
 namespace winslow {
 
 /// One column of layers as it came out.

@@ -7,6 +7,12 @@
 #include "core/mesh/mesh.h"
 #include "core/options/option.h"
 
+/// Layers at two walls, of different heights:
+///
+///     winslow::LayerOptions options;
+///     options.walls = {{{"main"}, {.count = 20, .first = 1e-4}}, {{"flap"}, {.count = 12}}};
+///     winslow::LayersCommand insert;
+///     insert.layers = options;
 namespace winslow {
 
 /// How layers go round corners and through gaps. The defaults need no touch.

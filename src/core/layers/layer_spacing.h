@@ -7,6 +7,10 @@
 
 #include "core/types.h"
 
+/// Heights of layers, from the wall on:
+///
+///     const winslow::LayerSpacing spacing{.count = 20, .first = 1e-4, .ratio = 1.2};
+///     const std::vector<double> heights = winslow::layer_heights(spacing);
 namespace winslow {
 
 constexpr int most_layers = 1000;

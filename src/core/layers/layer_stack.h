@@ -10,6 +10,10 @@
 #include "core/mesh/mesh.h"
 #include "core/types.h"
 
+/// Columns of layers, as a state has them once they are inserted:
+///
+///     for (const winslow::LayerColumn& column : state.layers->columns)
+///       std::printf("node %d: %zu layers\n", column.wall_node, column.count());
 namespace winslow {
 
 /// Why a column of layers is thinner than asked, or has fewer layers.

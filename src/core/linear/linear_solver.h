@@ -8,6 +8,10 @@
 
 #include "core/linear/sparse_system.h"
 
+/// The choice of a linear solver, as options have it:
+///
+///     winslow::SmoothCommand smooth;
+///     smooth.smooth.linear.solver = "direct";  // one of winslow::linear_solver_names()
 namespace winslow {
 
 struct LinearOptions {

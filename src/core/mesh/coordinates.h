@@ -7,6 +7,10 @@
 
 #include "core/types.h"
 
+/// Points are read and written by node:
+///
+///     winslow::Coordinates x = mesh.coordinates;
+///     if (x.dimension() == 2) x.set_xy(node, x.xy(node) + winslow::Vec2(0.1, 0));
 namespace winslow {
 
 /// Coordinates of all nodes: #nodes by dimension (2 or 3), node after node, in the unit of the

@@ -9,6 +9,11 @@
 #include "core/mesh/topology.h"
 #include "core/search/box_tree.h"
 
+/// A mesh from arrays of one's own:
+///
+///     std::vector<std::string> warnings;
+///     const winslow::Mesh mesh = winslow::make_mesh(data, &warnings);
+///     winslow::MeshState state = winslow::make_state(mesh);
 namespace winslow {
 
 /// A mesh: connectivity that never changes under smoothing, and where its nodes are.

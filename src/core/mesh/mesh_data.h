@@ -11,6 +11,16 @@
 #include "core/mesh/index_sets.h"
 #include "core/types.h"
 
+/// Two triangles, and a marker on one of their edges:
+///
+///     winslow::MeshData data;
+///     data.coordinates.push_xy({0, 0});
+///     data.coordinates.push_xy({1, 0});
+///     data.coordinates.push_xy({1, 1});
+///     data.coordinates.push_xy({0, 1});
+///     data.add_element(winslow::ElementType::triangle, std::array<winslow::Index, 3>{0, 1, 2});
+///     data.add_element(winslow::ElementType::triangle, std::array<winslow::Index, 3>{0, 2, 3});
+///     data.markers.push_back({"wall", 1, {winslow::Face(0, 1)}});
 namespace winslow {
 
 /// A named part of the boundary: edges of a plane or surface mesh, triangles and quadrilaterals of
@@ -54,6 +64,11 @@ struct MeshData {
     element_offsets.push_back(static_cast<Index>(element_nodes.size()));
   }
 };
+
+/// The nodes of some markers:
+///
+///     const std::vector<std::string> names{"slat", "flap"};
+///     const std::vector<winslow::Index> nodes = mesh.topology->markers().nodes_of(names);
 
 /// The markers of a mesh, numbered from 0 on, with the nodes of each.
 class Markers {

@@ -14,6 +14,11 @@
 #include "core/mesh/mesh_data.h"
 #include "core/types.h"
 
+/// What is connected with what:
+///
+///     const winslow::Topology& topology = *mesh.topology;
+///     for (const winslow::Index other : topology.neighbours(node))
+///       std::printf("%d%s\n", other, topology.on_boundary(other) ? " on the boundary" : "");
 namespace winslow {
 
 class HalfEdgeMesh;  // OpenMesh connectivity; see core/mesh/half_edge.h
@@ -149,6 +154,11 @@ inline MeshKind kind_of(const Topology& topology) {
 
 /// Dimension of the elements.
 inline constexpr int cell_dimension_of(MeshKind kind) { return kind == MeshKind::volume ? 3 : 2; }
+
+/// What surrounds a node:
+///
+///     for (const winslow::Face& face : winslow::node_link(*mesh.topology, node))
+///       std::puts(winslow::nodes_text(face).c_str());
 
 /// The link of a node: what each element of its star cuts off (see ElementShape::links), by the
 /// nodes of the mesh, in the order of Topology::star().

@@ -7,6 +7,10 @@
 #include "core/mesh/mesh.h"
 #include "core/motion/motion.h"
 
+/// What stood in the way of a motion:
+///
+///     const winslow::SmoothResult smooth = winslow::execute(command, state).smooth;
+///     if (smooth.contact) std::puts(winslow::describe(*smooth.contact).c_str());
 namespace winslow {
 
 /// Two edges of the boundary of a plane mesh, or two faces of that of a volume mesh, by the markers

@@ -13,6 +13,12 @@
 #include "core/options/given_vector.h"
 #include "core/types.h"
 
+/// A table of options: what a user can set, and how it is called.
+///
+///     winslow::SmoothOptions options;
+///     for (const winslow::Option& option : winslow::option_table(options))
+///       std::puts((winslow::path_of(option) + " = " + winslow::value_text(option)).c_str());
+///
 /// Options as tables. A struct of options has a function option_table(Struct&) that returns one row
 /// for each thing that a user can set. The rows are bound to that object: they read and write its
 /// members. The command line, recipes, forms, checks and the reference pages are read off them, so

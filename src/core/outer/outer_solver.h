@@ -9,6 +9,10 @@
 #include "core/problem/smoothing_problem.h"
 #include "core/types.h"
 
+/// The convergence of a run, iteration by iteration:
+///
+///     for (const winslow::IterationRecord& record : result.smooth.history)
+///       std::printf("%d %.3e\n", record.iteration, record.residual);
 namespace winslow {
 
 /// What an outer iteration was part of.

@@ -64,6 +64,12 @@ class SmoothingProblem {
                                  std::span<double> out) const = 0;
 };
 
+/// For solvers of one's own: an energy and its derivatives, of any problem.
+///
+///     winslow::SparseMatrix hessian;
+///     std::vector<double> residual(problem.unknowns());
+///     problem.linearise(x, winslow::Curvature::exact, hessian, residual);
+
 /// Which second derivative of the energy a Newton system is made of.
 enum class Curvature {
   exact,     ///< the Hessian: quadratic convergence near a solution
@@ -127,6 +133,11 @@ class UntanglingProblem : public EnergyProblem {
                                               SparseMatrix& hessian,
                                               std::span<double> residual) const = 0;
 };
+
+/// For solvers of one's own: the fixed-point iteration of the paper, and Newton's of equations.
+///
+///     winslow::SparseSystem system;
+///     const winslow::Index negative_weights = equations.freeze(x, system);
 
 /// Equations that can be linearised by freezing their coefficients: what a fixed-point iteration
 /// needs.

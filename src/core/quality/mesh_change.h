@@ -43,6 +43,11 @@ struct Damage {
 /// that has or had inverted elements nothing is said, nor of meshes of different connectivity.
 Damage find_damage(const Mesh& before, const Mesh& after);
 
+/// A motion that ends before the mesh gets worse than this:
+///
+///     winslow::MoveCommand move;
+///     move.how.floor.set(winslow::Metric::normalized_jacobian, 0.2);
+
 /// All metrics to which a limit can be set: those reported of plane meshes, in their order, then
 /// those that volume meshes alone have.
 const std::vector<Metric>& limited_metrics();

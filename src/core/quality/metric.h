@@ -8,6 +8,11 @@
 #include "core/quality/corner.h"
 #include "core/quality/volume_element.h"
 
+/// What there is to measure, by name:
+///
+///     const winslow::Metric metric = winslow::parse_metric("aspect_ratio");
+///     std::puts(std::string(winslow::metric_info(metric).field.help).c_str());
+///
 /// What can be measured of elements, as a table: reports, tables, lists of the worst elements,
 /// colours, isolated elements and the reference page are read off it. TO ADD A METRIC, add an
 /// enumerator and a row in metric.cpp.

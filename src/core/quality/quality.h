@@ -8,6 +8,12 @@
 #include "core/quality/validity.h"
 #include "core/quality/wall_field.h"
 
+/// Where to look first:
+///
+///     const auto values = winslow::element_values(mesh, winslow::Metric::aspect_ratio);
+///     const auto& field = winslow::metric_info(winslow::Metric::aspect_ratio).field;
+///     for (const winslow::WorstElement& worst : winslow::worst_elements(mesh, values, field, 5))
+///       std::printf("%d: %g\n", worst.element, worst.value);
 namespace winslow {
 
 struct WorstElement {
@@ -24,6 +30,13 @@ Vec3 element_centre(const Mesh& mesh, Index element);
 /// without a value (NaN) are left out. values: #elements.
 std::vector<WorstElement> worst_elements(const Mesh& mesh, std::span<const double> values,
                                          const FieldInfo& field, int count);
+
+/// Statistics, and the value of each element:
+///
+///     const winslow::QualityReport report = winslow::measure_quality(mesh);
+///     const auto& sine = report.of(winslow::Metric::normalized_jacobian);
+///     std::printf("%d inverted, smallest sine %.3f\n", report.inverted, sine.statistics.min);
+///     const auto values = winslow::element_values(mesh, winslow::Metric::normalized_jacobian);
 
 /// Metrics of plane, surface and volume meshes. Those of a surface mesh are those of the plane,
 /// each corner measured in its own plane; the sign is that of the reference normal of its element

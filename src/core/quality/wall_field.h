@@ -5,6 +5,9 @@
 #include "core/quality/metric.h"
 #include "core/quality/wall_measures.h"
 
+/// The heights of the cells at walls:
+///
+///     const auto heights = winslow::element_values(mesh, winslow::WallField::first_height);
 namespace winslow {
 
 /// What elements at walls are like, and beside their neighbours, as a number of each element (see

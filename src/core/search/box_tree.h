@@ -10,6 +10,10 @@
 
 #include "core/types.h"
 
+/// The box around a plane mesh:
+///
+///     const winslow::Box<2> box = winslow::bounds(mesh);
+///     std::printf("%g wide\n", box.size().x());
 namespace winslow {
 
 /// An axis-aligned box in D dimensions, its faces included. What is degenerate (a point, a segment,

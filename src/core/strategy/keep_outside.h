@@ -8,6 +8,10 @@
 #include "core/mesh/topology.h"
 #include "core/options/option.h"
 
+/// Nothing moves farther than 2 from what a command moves:
+///
+///     winslow::MoveCommand move;
+///     move.smooth.keep_outside.radius = 2;
 namespace winslow {
 
 /// A circle (in space a sphere), a box, or both, outside which nothing moves but the boundary that

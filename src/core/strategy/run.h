@@ -14,6 +14,13 @@
 #include "core/strategy/slide_options.h"
 #include "core/strategy/solver_cache.h"
 
+/// What a call of execute() is given besides its command, and what it says:
+///
+///     winslow::RunOptions options;
+///     options.monitor = &monitor;  // told about every iteration; may cancel
+///     options.cache = &cache;      // keeps what was prepared for the next call
+///     const winslow::SmoothResult smooth = winslow::execute(command, state, options).smooth;
+///     if (smooth.fraction_reached < 1) std::puts(winslow::why_incomplete(smooth).c_str());
 namespace winslow {
 
 /// Told about every outer iteration, on the solver's thread.

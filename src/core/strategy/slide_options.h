@@ -9,6 +9,10 @@
 #include "core/options/option.h"
 #include "core/problem/node_classes.h"
 
+/// Nodes of the far field slide along it:
+///
+///     winslow::MoveCommand move;
+///     move.smooth.slide.markers = {"farfield"};
 namespace winslow {
 
 /// A surface from a file, by its name until somebody who can read files has read it.

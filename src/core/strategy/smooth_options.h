@@ -10,6 +10,12 @@
 #include "core/strategy/keep_outside.h"
 #include "core/strategy/slide_options.h"
 
+/// Every command that smooths has them; the defaults need no touch:
+///
+///     winslow::SmoothCommand smooth;
+///     smooth.smooth.tolerance = 1e-6;
+///     smooth.smooth.threads = 4;
+///     state = winslow::execute(smooth, state).state;
 namespace winslow {
 
 /// Which equations a mesh is smoothed by.

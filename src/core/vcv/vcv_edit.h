@@ -7,6 +7,14 @@
 #include "core/mesh/coordinates.h"
 #include "core/vcv/virtual_control_volumes.h"
 
+/// One node gets angles of its own, in degrees:
+///
+///     winslow::EditVcvCommand edit;
+///     winslow::VcvEdit angles;
+///     angles.node = node;
+///     angles.angles = {100, 80, 90, 90};  // of a node with four neighbours
+///     edit.edits = {angles};
+///     state = winslow::execute(edit, state).state;
 namespace winslow {
 
 /// New numbers for the VCV of one node: angles of a plane mesh, directions of a volume mesh.

@@ -9,6 +9,13 @@
 #include "core/geometry/periodic_pairs.h"
 #include "core/mesh/mesh.h"
 
+/// A mesh goes back into its file as it came, but for the coordinates:
+///
+///     const winslow::io::MeshFile file = winslow::io::read_mesh("wing.cgns");
+///     winslow::MeshState state = winslow::make_state(file.mesh);
+///     state = winslow::execute(command, state).state;
+///     winslow::io::write_mesh("moved.cgns", state.mesh, file.details.get());
+///
 /// Reading and writing meshes: the one header that the rest of the program needs.
 namespace winslow::io {
 

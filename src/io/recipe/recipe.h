@@ -7,6 +7,12 @@
 
 #include "core/command/command.h"
 
+/// The commands of a file, one after the other:
+///
+///     const winslow::io::Recipe recipe = winslow::io::read_recipe("recipe.json");
+///     for (const winslow::Command& step : recipe.commands)
+///       state = winslow::execute(step, state).state;
+///
 /// Recipes: a JSON file of commands, in order (docs/recipes.md has the format).
 namespace winslow::io {
 

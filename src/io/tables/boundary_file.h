@@ -6,6 +6,9 @@
 
 #include "core/mesh/mesh.h"
 
+/// An outline for a plot:
+///
+///     winslow::io::write_boundary("flap.dat", mesh, {"flap"});
 namespace winslow::io {
 
 /// A run of marker edges, end to end.

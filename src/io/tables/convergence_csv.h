@@ -6,6 +6,9 @@
 
 #include "core/outer/outer_solver.h"
 
+/// The iterations of one command as a table:
+///
+///     winslow::io::write_convergence_csv("history.csv", {{1, result.smooth.history}});
 namespace winslow::io {
 
 /// The outer iterations of one command.

@@ -4,6 +4,11 @@
 
 #include "core/motion/motion.h"
 
+/// Displacements from a file:
+///
+///     winslow::DeformCommand deform;
+///     deform.markers = {"wing"};
+///     deform.shape = winslow::io::read_displacements("displacements.csv");
 namespace winslow::io {
 
 /// Reads a CSV file of displacements (separators: comma, semicolon, tab or blanks; '#' starts a
