@@ -6,6 +6,7 @@
 
 #include "core/command/command.h"
 #include "core/command/history.h"
+#include "core/command/moving_mesh.h"
 #include "core/command/option_tables.h"
 #include "core/drag/drag_session.h"
 #include "core/error.h"

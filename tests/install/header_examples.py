@@ -13,7 +13,7 @@ GIVEN = ["winslow::MeshState state", "winslow::Mesh mesh", "winslow::Command com
          "winslow::Coordinates x", "winslow::RigidMotion motion", "winslow::DragGrip grip",
          "winslow::CommandResult result", "winslow::SolverMonitor& monitor", "winslow::SolverCache& cache",
          "const winslow::EnergyProblem& problem", "const winslow::EquationProblem& equations",
-         "const winslow::MoveCommand& turn_flap", "int steps", "const winslow::MeshData& data"]
+         "const winslow::DeformCommand& bend_wing", "int steps", "const winslow::MeshData& data"]
 INCLUDES = ["winslow/winslow.h", "array", "chrono", "cstdio", "string", "thread", "vector"]
 
 

@@ -2,14 +2,14 @@
 
 #include <memory>
 
-/// What one call of execute() leaves to the next, for programs that change one mesh many times: a
-/// time loop, an optimisation of a shape, a drag.
+/// What one call of execute() leaves to the next, for programs that change one mesh many times.
+/// Bodies that move again and again are the affair of a MovingMesh, which has a cache of its own.
 ///
 ///     winslow::SolverCache cache;
 ///     winslow::RunOptions options;
 ///     options.cache = &cache;
 ///     for (int step = 0; step < steps; ++step)
-///       state = winslow::execute(turn_flap, state, options).state;
+///       state = winslow::execute(bend_wing, state, options).state;
 ///
 /// It keeps the patterns of matrices, their orderings, symbolic factorisations and factors, targets
 /// of elements and the virtual control volumes of volume meshes. Every call finds out by itself
@@ -18,10 +18,10 @@
 /// a state and the result made from it do) and the same nodes may move in the same directions. Only
 /// the last such pair is kept: two meshes, or two bodies that move in turn, are worth two caches.
 ///
-/// RESULTS are those without a cache but for one thing: the linear solver `automatic` remembers
-/// which mesh its iterations were slow on, and goes on by factorisation. The mesh is the same to
-/// within the tolerances then, not to the last bit. The same calls in the same order give the same
-/// bits, at any number of threads.
+/// RESULTS are those without a cache, to within the tolerances. Factorisations give the same bits;
+/// iterations may not, since the aggregates of a multigrid solver are those of the first matrix,
+/// and the solver `automatic` remembers on which mesh iterations were slow. The same calls in the
+/// same order give the same bits, at any number of threads.
 ///
 /// MEMORY is what the last call needed beside the mesh; clear() gives it back. The cache also keeps
 /// alive the topology and the coordinates that the last call was given.

@@ -1,0 +1,40 @@
+#include "core/command/moving_mesh.h"
+
+#include "core/error.h"
+
+namespace winslow {
+
+namespace {
+
+bool complete(const CommandResult& result) {
+  return result.smooth.inverted == 0 && result.smooth.fraction_reached >= 1;
+}
+
+}  // namespace
+
+/// None: that way ends before the place.
+std::optional<CommandResult> MovingMesh::from_last(const Command& command,
+                                                   const RunOptions& options) const {
+  if (!last_) return std::nullopt;
+  RunOptions run = options;
+  run.start = &*last_;
+  try {
+    CommandResult result = execute(command, given_, run);
+    if (complete(result)) return result;
+  } catch (const NumericError&) {
+    // The way from the mesh as given has the last word.
+  }
+  return std::nullopt;
+}
+
+CommandResult MovingMesh::to(const Command& command, RunOptions options) {
+  options.cache = &cache_;
+  options.start = nullptr;
+  std::optional<CommandResult> found = from_last(command, options);
+  CommandResult result = found ? std::move(*found) : execute(command, given_, options);
+  if (complete(result) && result.state.mesh.topology == given_.mesh.topology)
+    last_ = result.state.mesh.coordinates;
+  return result;
+}
+
+}  // namespace winslow

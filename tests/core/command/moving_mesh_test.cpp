@@ -1,0 +1,95 @@
+#include "core/command/moving_mesh.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "support/meshes.h"
+#include "support/space_meshes.h"
+
+using namespace winslow;
+using namespace winslow::test;
+
+namespace {
+
+MeshState plane_state() { return make_state(make_mesh(square_with_hole(15, Cells::triangles))); }
+MeshState space_state() { return make_state(box_with_body(5, Volumes::tetrahedra)); }
+
+MoveCommand turned(const MeshState& state, double degrees) {
+  MoveCommand command;
+  const bool space = state.mesh.topology->cell_dimension() == 3;
+  command.markers = {space ? "body" : "hole"};
+  command.motion.rotate = degrees;
+  if (space) command.motion.axis = Vec3(0, 0, 1);
+  return command;
+}
+
+double difference(const MeshState& a, const MeshState& b) {
+  double largest = 0;
+  const auto x = a.mesh.coordinates.values(), y = b.mesh.coordinates.values();
+  for (std::size_t k = 0; k < x.size(); ++k) largest = std::max(largest, std::abs(x[k] - y[k]));
+  return largest;
+}
+
+/// Cancels at once.
+class Refusal final : public SolverMonitor {
+ public:
+  bool on_iteration(const IterationRecord&, const Coordinates&) override { return false; }
+};
+
+}  // namespace
+
+TEST_CASE("the mesh of a place is the same whatever way led there, in the plane and in space") {
+  for (const MeshState& state : {plane_state(), space_state()}) {
+    MovingMesh moving(state);
+    for (const double degrees : {3.0, 8.0, -4.0, 3.0}) {
+      const CommandResult result = moving.to(turned(state, degrees));
+      CHECK(result.smooth.converged);
+      CHECK(result.smooth.fraction_reached == 1);
+      CHECK(difference(result.state, execute(turned(state, degrees), state).state) < 1e-9);
+    }
+    CHECK(moving.given().mesh.coordinates == state.mesh.coordinates);
+  }
+}
+
+TEST_CASE("steps of a motion take fewer linear solves than the way from the mesh as given") {
+  const MeshState state = plane_state();
+  MovingMesh moving(state);
+  int steps = 0, commands = 0;
+  for (int degrees = 5; degrees <= 40; degrees += 5) {
+    steps += moving.to(turned(state, degrees)).smooth.linear_solves;
+    commands += execute(turned(state, degrees), state).smooth.linear_solves;
+  }
+  CHECK(steps < commands);
+}
+
+TEST_CASE("a call that is cancelled or refused leaves the last mesh where the next begins") {
+  const MeshState state = plane_state();
+  MovingMesh moving(state), undisturbed(state);
+  moving.to(turned(state, 10));
+  undisturbed.to(turned(state, 10));
+  Refusal refusal;
+  RunOptions options;
+  options.monitor = &refusal;
+  CHECK_THROWS_AS(moving.to(turned(state, 20), options), Cancelled);
+  MoveCommand unknown = turned(state, 5);
+  unknown.markers = {"nowhere"};
+  CHECK_THROWS_AS(moving.to(unknown), UsageError);
+  CHECK(moving.to(turned(state, 15)).state.mesh.coordinates ==
+        undisturbed.to(turned(state, 15)).state.mesh.coordinates);
+}
+
+TEST_CASE("a result of other elements, or one that is not valid, is no place to begin from") {
+  const MeshState state = plane_state();
+  MovingMesh moving(state);
+  moving.to(turned(state, 5));
+  LayersCommand layers;
+  layers.layers.walls = {{{"hole"}, {.count = 2, .first = 0.005}}};
+  const CommandResult layered = moving.to(layers);
+  CHECK(layered.state.mesh.topology != state.mesh.topology);
+  moving.to(ScrambleCommand{});
+  CHECK(difference(moving.to(turned(state, 5)).state, execute(turned(state, 5), state).state) <
+        1e-9);
+}
