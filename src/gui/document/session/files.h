@@ -44,8 +44,6 @@ class Files {
   /// Puts a session that outlived a crash in place of what is open.
   void restore(RestoredSession restored);
 
- private:
-  friend class Dispatch;
   void on(const action::OpenMesh& a);
   void on(const action::SaveMesh& a);
   void on(const action::CloseMesh& a);
@@ -55,6 +53,7 @@ class Files {
   void on(const action::ExportConvergence& a);
   void on(const action::Quit& a);
 
+ private:
   bool may_write(const std::filesystem::path& path);
   bool may_export(const std::filesystem::path& path, bool overwrite, const char* how, Action again);
   void start_saver(const std::filesystem::path& path, bool copy, bool proceed = false);

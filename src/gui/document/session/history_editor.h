@@ -26,8 +26,6 @@ class HistoryEditor {
   bool poll();
   bool busy() const { return recipe_reader_.busy(); }
 
- private:
-  friend class Dispatch;
   void on(const action::Undo&);
   void on(const action::Redo&);
   void on(const action::GoToStep& a);
@@ -36,6 +34,7 @@ class HistoryEditor {
   void on(const action::BringBack& a);
   void on(const action::ReplayRecipe& a);
 
+ private:
   bool may_change();
   void revise(std::size_t step, std::string why, CommandQueue::Plan plan);
 

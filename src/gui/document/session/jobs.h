@@ -72,8 +72,6 @@ class Jobs {
   /// The document has come to another mesh: all that refers to the one on screen follows.
   void show_position();
 
- private:
-  friend class Dispatch;
   void on(const action::RunSmooth&);
   void on(const action::Scramble& a) { start(ScrambleCommand{a.seed}, false); }
   void on(const action::PauseSolver&) { mesh_.job().pause(); }
@@ -92,6 +90,7 @@ class Jobs {
   void on(const action::RerunStep& a);
   void on(const action::PreviewLayers& a) { layer_preview_.want(a.options); }
 
+ private:
   void finish(JobRunner::Outcome outcome);
   void keep(JobRunner::Outcome outcome);
   void end_rerun();

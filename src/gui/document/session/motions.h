@@ -21,8 +21,6 @@ class Motions {
   /// The mesh is as it was before the drag.
   void cancel_drag();
 
- private:
-  friend class Dispatch;
   void on(const action::ApplyMotion& a);
   void on(const action::ApplyDeformation& a);
   void on(const action::SetShapeEdit& a);
@@ -31,6 +29,7 @@ class Motions {
   void on(const action::EndDrag&);
   void on(const action::CancelDrag&) { cancel_drag(); }
 
+ private:
   DragGrip shape_grip() const;
   bool begin_body_drag(DragGrip grip);
   void end_body_drag();

@@ -77,8 +77,6 @@ class Selection {
               const std::shared_ptr<const Topology>& now);
   void clear();
 
- private:
-  friend class Dispatch;
   void on(const action::SelectMarkers& a);
   void on(const action::HoverMarkers& a) { hovered_ = a.markers; }
   void on(const action::SetPivot& a);
@@ -94,6 +92,7 @@ class Selection {
   void on(const action::HoverNode& a);
   void on(const action::PinNodes& a);
 
+ private:
   bool exists(Index node) const;
   void place_pivot();
   double smallest_body() const;

@@ -16,11 +16,11 @@ class VcvEditor {
 
   void apply(const VcvAction& action) { Dispatch::to(*this, action); }
 
- private:
-  friend class Dispatch;
   void on(const action::EditVcvs& a);
   void on(const action::EndVcvEdit&);
   void on(const action::CancelVcvEdit&);
+
+ private:
   void show(LiveMesh::Instead edited);
 
   LiveMesh& mesh_;

@@ -77,6 +77,18 @@ class Workbench {
   /// "* naca0012.su2 - winslow"
   std::string title() const;
 
+  void on(const action::RestoreSession& a);
+  void on(const action::DiscardSession& a) { autosave_.discard(a.folder); }
+  void on(const action::ClearRecent&) { recent_.clear(); }
+  void on(const action::EditField& a);
+  void on(const action::CopyText& a);
+  /// The page goes when another mesh is opened.
+  void on(const action::ShowWelcome&) { regions_.welcome().toggle(); }
+  void on(const action::StartDemo& a);
+  void on(const action::StepDemo& a) { demo_.go(a.by, session_, actions_); }
+  void on(const action::PlayDemo& a) { demo_.play(a.automatic); }
+  void on(const action::EndDemo&);
+
  private:
   void take_input(const InputState& input);
   void take_dropped(const InputState& input);
@@ -100,25 +112,12 @@ class Workbench {
             pane_.mesh_view().shown()};
   }
 
-  friend class Dispatch;
   void apply_group(const DocumentAction& action) { session_.apply(action); }
   void apply_group(const ViewAction& action) { view_control_.apply(action); }
   void apply_group(const PictureAction& action) { capture_.apply(action); }
   void apply_group(const DialogAction& action) { dialogs_.apply(action); }
   void apply_group(const ShellAction& action) { Dispatch::to(*this, action); }
   void apply_group(const DemoAction& action) { Dispatch::to(*this, action); }
-
-  void on(const action::RestoreSession& a);
-  void on(const action::DiscardSession& a) { autosave_.discard(a.folder); }
-  void on(const action::ClearRecent&) { recent_.clear(); }
-  void on(const action::EditField& a);
-  void on(const action::CopyText& a);
-  /// The page goes when another mesh is opened.
-  void on(const action::ShowWelcome&) { regions_.welcome().toggle(); }
-  void on(const action::StartDemo& a);
-  void on(const action::StepDemo& a) { demo_.go(a.by, session_, actions_); }
-  void on(const action::PlayDemo& a) { demo_.play(a.automatic); }
-  void on(const action::EndDemo&);
 
   std::filesystem::path demo_meshes_;  // empty: the bundled ones
   SettingsFile settings_file_;

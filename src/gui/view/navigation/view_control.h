@@ -71,8 +71,6 @@ class ViewControl {
   /// Puts the magnifier away unless it is pinned.
   void release_magnifier();
 
- private:
-  friend class Dispatch;
   void on(const action::EditView& a);
   void on(const action::InspectNode& a);
   void on(const action::FitView&);
@@ -97,6 +95,8 @@ class ViewControl {
   void on(const action::AddCutAcrossView&);
   void on(const action::ShowLook& a);
   void on(const action::HoldCut& a) { state_.cut = a.cut; }
+
+ private:
   void look_at_start();
   void suit_peel();
   LookedAt looked_at_now() const;

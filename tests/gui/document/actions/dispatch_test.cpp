@@ -17,13 +17,9 @@ struct First {};
 struct Second {};
 using Both = std::variant<First, Second>;
 
-/// Takes both, as private functions.
-class Whole {
- public:
+/// Takes both.
+struct Whole {
   std::string log;
-
- private:
-  friend winslow::gui::Dispatch;
   void on(const First&) { log += "first "; }
   void on(const Second&) { log += "second "; }
 };
