@@ -310,14 +310,14 @@ double tolerance_of(const Session& session) {
     return std::visit(
         [&](const auto& c) {
           if constexpr (requires { c.smooth; }) return c.smooth.tolerance;
-          return session.jobs().smooth_options().tolerance;
+          return session.solver_settings().smooth_options().tolerance;
         },
         command);
   };
   if (session.job().active()) return of(session.job().command());
   const Document* document = session.document();
   if (!document || document->history().position() == 0)
-    return session.jobs().smooth_options().tolerance;
+    return session.solver_settings().smooth_options().tolerance;
   return of(document->history().command(document->history().position()));
 }
 

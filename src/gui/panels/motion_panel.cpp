@@ -171,7 +171,7 @@ void draw_keep_outside(const PanelContext& context) {
       std::string("Nodes outside a ") + (space ? "sphere" : "circle") +
       " about the body, or outside a box, stay where they are, bit by bit. The region is drawn in "
       "the picture. A body that moves far needs a large one.";
-  SmoothOptions options = session.jobs().smooth_options();
+  SmoothOptions options = session.solver_settings().smooth_options();
   KeepOutside& keep = options.keep_outside;
   auto chosen = static_cast<std::size_t>(shape_of(keep));
   ui::row("Keep outside", tip, motion_label_share);
@@ -180,13 +180,14 @@ void draw_keep_outside(const PanelContext& context) {
   if (changed) keep = first(static_cast<Shape>(chosen), session);
   changed |= ui::option_form("motion/region", option_table(keep));
   if (changed)
-    context.emit(action::EditSmoothOptions{difference(session.jobs().smooth_options(), options)});
+    context.emit(
+        action::EditSmoothOptions{difference(session.solver_settings().smooth_options(), options)});
 }
 
 void draw_motion_steps(const PanelContext& context) {
   constexpr std::array<int, 4> increments{0, 1, 8, 32};
   const std::vector<std::string> names{"Automatic", "At once", "8 steps", "32 steps"};
-  const MotionOptions& now = context.session.jobs().motion_options();
+  const MotionOptions& now = context.session.solver_settings().motion_options();
   std::size_t chosen = 0;
   for (std::size_t i = 0; i < increments.size(); ++i)
     if (increments[i] == now.increments) chosen = i;
@@ -202,11 +203,11 @@ void draw_motion_steps(const PanelContext& context) {
 }
 
 void draw_quality_limits(const PanelContext& context) {
-  const Jobs& jobs = context.session.jobs();
-  MotionOptions options = jobs.motion_options();
+  const SolverSettings& solver = context.session.solver_settings();
+  MotionOptions options = solver.motion_options();
   if (ui::quality_limits_form("motion", options.floor, context.session.in_space() ? 3 : 2,
-                              follows_path(options, jobs.smooth_options())))
-    context.emit(action::EditMotionOptions{difference(jobs.motion_options(), options)});
+                              follows_path(options, solver.smooth_options())))
+    context.emit(action::EditMotionOptions{difference(solver.motion_options(), options)});
 }
 
 }  // namespace winslow::gui

@@ -18,7 +18,7 @@ namespace winslow::gui::test {
 struct SessionParts {
   explicit SessionParts(const Mesh& opened) {
     mesh.open(std::make_unique<Document>(Document::load(write(folder, opened))));
-    jobs.show_position();
+    show_position(mesh, selection, messages);
   }
 
   Index marker(const std::string& name) const { return *mesh.topology()->markers().find(name); }
@@ -44,10 +44,11 @@ struct SessionParts {
   LiveMesh mesh;
   MessageBoard messages{mesh};
   Selection selection{mesh, messages};
-  Jobs jobs{mesh, messages, selection};
-  Motions motions{mesh, messages, selection, jobs};
-  VcvEditor vcvs{mesh, messages, jobs};
-  HistoryEditor history{mesh, messages, jobs, motions};
+  SolverSettings settings{mesh, messages};
+  Jobs jobs{mesh, messages, selection, settings};
+  Motions motions{mesh, messages, selection, settings, jobs};
+  VcvEditor vcvs{mesh, messages, settings, jobs};
+  HistoryEditor history{mesh, messages, selection, settings, jobs, motions};
 };
 
 }  // namespace winslow::gui::test

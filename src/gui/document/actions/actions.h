@@ -268,7 +268,7 @@ using DemoAction =
 
 /// Actions on the open mesh; they need no window.
 using DocumentAction = std::variant<FileAction, SelectionAction, MotionAction, VcvAction, JobAction,
-                                    HistoryAction, MessageAction>;
+                                    SettingsAction, LayerAction, HistoryAction, MessageAction>;
 
 using Action =
     std::variant<DocumentAction, ViewAction, PictureAction, DialogAction, ShellAction, DemoAction>;

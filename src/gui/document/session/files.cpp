@@ -94,8 +94,8 @@ void Files::adopt(Document::Loaded loaded) {
   jobs_.stop();
   messages_.clear_banner();
   mesh_.open(std::move(document));
-  jobs_.forget_mesh();
-  jobs_.show_position();
+  settings_.forget_mesh();
+  show_position();
   const Document& opened = *mesh_.document();
   const auto& warnings = opened.warnings();
   std::string name = opened.name();
@@ -133,11 +133,11 @@ void Files::restore(RestoredSession restored) {
   document.edits().go_to(restored.position);
   document.set_path(restored.path);
   if (const auto slide = last_slide(document.history())) {
-    SmoothOptions after = jobs_.smooth_options();
+    SmoothOptions after = settings_.smooth_options();
     after.slide = *slide;
-    jobs_.apply(action::EditSmoothOptions{difference(jobs_.smooth_options(), after)});
+    settings_.on(action::EditSmoothOptions{difference(settings_.smooth_options(), after)});
   }
-  jobs_.show_position();
+  show_position();
   messages_.tell(Notice::Kind::success, "The session of " + document.name() +
                                             " is restored, with " + counted(count, "command"));
   if (!restored.damage.empty()) messages_.report_error("Restored in part", restored.damage);

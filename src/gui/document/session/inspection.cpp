@@ -13,7 +13,7 @@ BoundaryRoles::Question BoundaryRoles::question() const {
   now.generation = mesh_.generation();
   // While the mesh is on its way, that of the history stays as it was.
   now.shape = mesh_.in_motion() ? asked_.shape : mesh_.shape();
-  now.slide = jobs_.smooth_options().slide;
+  now.slide = settings_.smooth_options().slide;
   const Topology& topology = *mesh_.document()->state().mesh.topology;
   drop_stale_overrides(now.slide, topology);  // kept for when their markers slide again
   for (const Index m : selection_.markers()) now.moving.push_back(topology.markers()[at(m)].name);
@@ -49,7 +49,7 @@ bool BoundaryRoles::poll() {
 }
 
 void SphereInspector::follow() const {
-  const SmoothOptions& options = jobs_.smooth_options();
+  const SmoothOptions& options = settings_.smooth_options();
   const History& history = mesh_.document()->history();
   // While the mesh is on its way, that of the history stays as it was.
   const std::uint64_t shape = mesh_.in_motion() ? source_.shape : mesh_.shape();
@@ -75,7 +75,7 @@ const NodeVcv& SphereInspector::vcv(Index node) const {
     const auto found = source_.by_hand->find(node);
     if (found != source_.by_hand->end()) by_hand = &found->second;
   }
-  const VolumeVcvOptions options = volume_vcv_options(jobs_.smooth_options());
+  const VolumeVcvOptions options = volume_vcv_options(settings_.smooth_options());
   return vcvs_
       .emplace(node,
                make_node_vcv(*state.mesh.topology, state.mesh.coordinates, node, options, by_hand))

@@ -13,9 +13,9 @@
 #include "core/strategy/smooth_options.h"
 #include "core/vcv/sphere/link_matching.h"
 #include "gui/base/background.h"
-#include "gui/document/session/jobs.h"
 #include "gui/document/session/live_mesh.h"
 #include "gui/document/session/selection.h"
+#include "gui/document/session/solver_settings.h"
 
 namespace winslow::gui {
 
@@ -24,8 +24,8 @@ namespace winslow::gui {
 /// background.
 class BoundaryRoles {
  public:
-  BoundaryRoles(const LiveMesh& mesh, const Jobs& jobs, const Selection& selection)
-      : mesh_(mesh), jobs_(jobs), selection_(selection) {}
+  BoundaryRoles(const LiveMesh& mesh, const SolverSettings& settings, const Selection& selection)
+      : mesh_(mesh), settings_(settings), selection_(selection) {}
 
   /// The latest that is known of this mesh; null: nothing yet. Asked for in every frame in which it
   /// is shown: what was asked last is looked for.
@@ -51,7 +51,7 @@ class BoundaryRoles {
   Question question() const;
 
   const LiveMesh& mesh_;
-  const Jobs& jobs_;
+  const SolverSettings& settings_;
   const Selection& selection_;
   mutable Question asked_;
   mutable Answer answer_;
@@ -64,7 +64,8 @@ class BoundaryRoles {
 /// at.
 class SphereInspector {
  public:
-  SphereInspector(const LiveMesh& mesh, const Jobs& jobs) : mesh_(mesh), jobs_(jobs) {}
+  SphereInspector(const LiveMesh& mesh, const SolverSettings& settings)
+      : mesh_(mesh), settings_(settings) {}
 
   /// Valid until the next call of a later frame. Throws UsageError for a node that has no VCV,
   /// MeshError for a star that has none.
@@ -85,7 +86,7 @@ class SphereInspector {
   const NodeVcv& vcv(Index node) const;
 
   const LiveMesh& mesh_;
-  const Jobs& jobs_;
+  const SolverSettings& settings_;
   mutable Source source_;
   mutable std::uint64_t shape_ = 0;
   mutable std::map<Index, NodeVcv> vcvs_;

@@ -4,12 +4,9 @@
 #include <utility>
 
 #include "core/error.h"
-#include "core/geometry/periodic_pairs.h"
-#include "core/strategy/smooth_options.h"
 #include "gui/base/text.h"
 #include "gui/document/jobs/body_drag.h"
 #include "gui/document/jobs/job_runner.h"
-#include "gui/document/jobs/run_settings.h"
 #include "io/tables/reference_file.h"
 
 namespace winslow::gui {
@@ -32,13 +29,7 @@ const QualityFloor& floor_of(const Command& command) {
 }  // namespace
 
 bool Jobs::poll() {
-  const Document* document = mesh_.document();
-  smooth_.slide.file_pairs.found =
-      document && document->details() ? document->details()->periodic : nullptr;
-  bool changed =
-      layer_preview_.update(document && !mesh_.in_motion() ? &document->state().mesh : nullptr);
-  changed |= found_layers_.update(document && !mesh_.in_motion() ? &document->state() : nullptr);
-  changed |= poll_reference();
+  bool changed = false;
   if (mesh_.job().poll()) {
     mesh_.changed();
     changed = true;
@@ -61,8 +52,7 @@ bool Jobs::working() const {
       job.active() && !(job.held() && snapshot && snapshot->state == JobState::done);
   const bool paused = job.paused() && snapshot && snapshot->state == JobState::paused;
   const BodyDrag* drag = mesh_.body_drag();
-  return (drag && !drag->settled() && drag->error().empty()) || reference_.busy() ||
-         layer_preview_.busy() || found_layers_.busy() || (solving && !paused);
+  return (drag && !drag->settled() && drag->error().empty()) || (solving && !paused);
 }
 
 bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start,
@@ -97,7 +87,7 @@ bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start,
       return false;
     }
   }
-  overrides_.forget_undone();
+  settings_.forget_undone();
   cut_short_ = std::move(cut_short);
   shown_only_ = false;
   messages_.clear_banner();
@@ -114,40 +104,8 @@ double Jobs::pace_of(Command command) const {
   const SmoothOptions* smooth = winslow::smooth_options(command);
   if (!smooth || queue_.active()) return 0;
   const auto* move = std::get_if<MoveCommand>(&command);
-  return method_of(*smooth, move ? move->how : motion_) == Method::direct ? pace_ : 0;
-}
-
-SmoothOptions Jobs::smooth_for_motion(const std::vector<std::string>& markers) const {
-  SmoothOptions smooth = smooth_;
-  if (const Document* document = mesh_.document())
-    leave_to_motion(smooth.slide, *document->state().mesh.topology, markers);
-  return smooth;
-}
-
-void Jobs::on(const action::OverrideNode& a) {
-  const Document* document = mesh_.document();
-  if (document && a.node >= 0 && a.node < document->state().mesh.topology->node_count())
-    overrides_.set(smooth_.slide, a.node, a.to, document->edits().revision());
-}
-
-void Jobs::on(const action::StepOverride& a) {
-  const std::string what =
-      a.again ? overrides_.redo(smooth_.slide) : overrides_.undo(smooth_.slide);
-  messages_.tell(Notice::Kind::information, (a.again ? "Done again: " : "Undone: ") + what);
-}
-
-void Jobs::forget_mesh() {
-  smooth_.keep_outside = {};
-  smooth_.slide = {};
-  overrides_.clear();
-  reference_.drop();
-  const Document* document = mesh_.document();
-  if (document && is_surface(*document->state().mesh.topology)) settle_for_surface(smooth_);
-}
-
-MoveCommand Jobs::move_command(const RigidMotionRequest& motion) const {
-  const std::vector<std::string> markers = selection_.names();
-  return MoveCommand{markers, motion, motion_, smooth_for_motion(markers)};
+  return method_of(*smooth, move ? move->how : settings_.motion_options()) == Method::direct ? pace_
+                                                                                             : 0;
 }
 
 bool Jobs::can_join(const std::vector<std::string>& markers) const {
@@ -156,57 +114,15 @@ bool Jobs::can_join(const std::vector<std::string>& markers) const {
   return move && move->markers == markers;
 }
 
-void Jobs::show_position() {
-  mesh_.changed();
-  selection_.refresh();
-  messages_.set_banner_of_position();
-}
-
 void Jobs::on(const action::RunSmooth&) {
   if (mesh_.job().paused()) return mesh_.job().resume();
-  start(SmoothCommand{smooth_in_place()}, false);
+  start(SmoothCommand{settings_.smooth_in_place()}, false);
 }
 
 void Jobs::on(const action::StepSolver& a) {
   if (mesh_.held().body) return;
-  if (!mesh_.job().active() && !start(SmoothCommand{smooth_in_place()}, true)) return;
+  if (!mesh_.job().active() && !start(SmoothCommand{settings_.smooth_in_place()}, true)) return;
   mesh_.job().step(a.count);
-}
-
-void Jobs::on(const action::PairMarkers& a) {
-  if (!mesh_.document()) return;
-  try {
-    const Mesh& mesh = mesh_.document()->state().mesh;
-    SlideOptions slide = smooth_.slide;
-    const std::string done = pair_sides(slide, mesh, a.first, a.second);
-    smooth_.slide = std::move(slide);
-    messages_.tell(Notice::Kind::information, done);
-  } catch (const UsageError& error) {
-    messages_.report_error("These markers are not periodic", error.what());
-  }
-}
-
-void Jobs::on(const action::ChooseReference& a) {
-  reference_.drop();
-  if (a.file.empty()) {
-    smooth_.slide.reference = {};
-    return;
-  }
-  if (mesh_.document() && in_space(mesh_))
-    reference_.choose(a.file, shared_mesh(mesh_), smooth_.slide.markers, reference_files(mesh_));
-}
-
-bool Jobs::poll_reference() {
-  const auto read = reference_.poll();
-  if (!read || !mesh_.document()) return false;
-  if (!read->error.empty()) {
-    messages_.report_error(
-        read->file.filename().string() + " cannot be used as a reference surface", read->error);
-    return true;
-  }
-  smooth_.slide.reference = {read->file.string(), nullptr};
-  messages_.tell(is_coarse(*read) ? Notice::Kind::warning : Notice::Kind::success, describe(*read));
-  return true;
 }
 
 void Jobs::on(const action::SetPace& a) {
@@ -245,7 +161,7 @@ void Jobs::end_rerun() {
 
 void Jobs::cancel() {
   if (!mesh_.job().active()) return;
-  const std::string what = cancelled_text();
+  const std::string what = cancelled_text(queue_, mesh_.job().command());
   stop();
   messages_.tell(Notice::Kind::information, what);
 }
@@ -326,11 +242,7 @@ void Jobs::run_queue(bool paused) {
   const auto plan = queue_.stop();
   if (plan.end) mesh_.document()->edits().go_to(*plan.end);
   show_position();
-  messages_.tell(
-      Notice::Kind::success,
-      plan.commands.empty()
-          ? "The step is deleted"
-          : plan.title + ": " + counted(plan.commands.size(), "command") + " carried out");
+  messages_.tell(Notice::Kind::success, finished_text(plan));
 }
 
 /// The next command of the queue cannot be carried out. error: why, if that was not said yet.
@@ -338,23 +250,7 @@ void Jobs::stop_queue_at(const std::string& error) {
   const std::size_t done = queue_.done();
   const auto plan = queue_.stop();
   show_position();
-  std::string text = "Step " + std::to_string(plan.start + done + 1) + " (" +
-                     describe(plan.commands[done]) + ") failed";
-  text += error.empty() ? "." : ": " + error;
-  text += done == 0
-              ? "\nNothing before it was run."
-              : "\nThe history ends before it, after " + counted(done, "command") + " carried out.";
-  Prompt prompt{Prompt::Kind::error, plan.title + " stopped", {}, {}};
-  if (plan.revision) {
-    text += "\nThe history from before the change is kept.";
-    prompt.choices.push_back(
-        {"Bring it back", {action::BringBack{mesh_.document()->edits().kept().size() - 1}}, true});
-    prompt.choices.push_back({"Leave it so", {}, false});
-  } else {
-    prompt.choices.push_back({"OK", {}, true});
-  }
-  prompt.text = std::move(text);
-  messages_.ask(std::move(prompt));
+  messages_.ask(stopped_prompt(plan, done, error, mesh_.document()->edits().kept().size()));
 }
 
 /// Ends the queue on the user's behalf.
@@ -364,14 +260,6 @@ void Jobs::abandon_queue() {
   // What was begun would be neither the old history nor the new one.
   if (plan.revision) mesh_.document()->edits().take_back();
   show_position();
-}
-
-std::string Jobs::cancelled_text() const {
-  if (!queue_.active())
-    return "Cancelled: " + describe(mesh_.job().command()) + ". The mesh is as it was before.";
-  if (queue_.plan().revision) return "Cancelled. The history is as it was before the change.";
-  return "Cancelled after " + counted(queue_.done(), "command") + " of " +
-         std::to_string(queue_.total()) + "; those stay in the history.";
 }
 
 }  // namespace winslow::gui

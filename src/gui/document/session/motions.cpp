@@ -23,21 +23,21 @@ bool stays(const RigidMotionRequest& m) {
 void Motions::on(const action::ApplyMotion& a) {
   if (!mesh_.document() || selection_.empty() || mesh_.held().body) return;
   if (!jobs_.can_join(selection_.names())) {
-    jobs_.start(jobs_.move_command(a.motion), false);
+    jobs_.start(move_command(a.motion), false);
   } else {
     const bool space = in_space(mesh_);
     const RigidMotionRequest more =
         space ? RigidMotionRequest(a.motion.in_space(selection_.space_pivot()))
               : a.motion.about(selection_.pivot());
-    mesh_.job().retarget(jobs_.move_command(compose(*live_request(mesh_), more, space)));
+    mesh_.job().retarget(move_command(compose(*live_request(mesh_), more, space)));
   }
 }
 
 void Motions::on(const action::ApplyDeformation& a) {
   if (!mesh_.document() || selection_.empty() || mesh_.held().body) return;
   selection_.drop_preview();
-  jobs_.start(DeformCommand{selection_.names(), a.shape, jobs_.motion_options(),
-                            jobs_.smooth_for_motion(selection_.names())},
+  jobs_.start(DeformCommand{selection_.names(), a.shape, settings_.motion_options(),
+                            settings_.smooth_for_motion(selection_.names())},
               false);
 }
 
@@ -73,7 +73,7 @@ void Motions::on(const action::BeginDrag& a) {
     base_ = live_request(mesh_);
   }
   // Where it was asked for, the boundary goes at once and the mesh may be tangled on the way.
-  const bool direct = rigid && jobs_.motion_options().increments == 1;
+  const bool direct = rigid && settings_.motion_options().increments == 1;
   DragGrip grip = rigid ? DragGrip{selection_.names(), {}, {}} : shape_grip();
   if (!direct && begin_body_drag(std::move(grip))) {
     mesh_.held().body = true;
@@ -92,7 +92,7 @@ bool Motions::begin_body_drag(DragGrip grip) {
   std::optional<BodyDrag::Start> start;
   if (base_) start = BodyDrag::Start{mesh_.job().coordinates(), *base_};
   try {
-    const SmoothOptions smooth = jobs_.smooth_for_motion(grip.markers);
+    const SmoothOptions smooth = settings_.smooth_for_motion(grip.markers);
     mesh_.begin_drag(std::move(grip), smooth, start);
   } catch (const UsageError&) {
     return false;
@@ -111,10 +111,10 @@ void Motions::on(const action::DragTo& a) {
     mesh_.drag().to(total);
     return mesh_.changed();
   }
-  MoveCommand command = jobs_.move_command(total);
+  MoveCommand command = move_command(total);
   // Steps that the user chose are for the place where the body is let go; until then it goes there
   // at once.
-  command.how.increments = jobs_.motion_options().increments == 0 ? 0 : 1;
+  command.how.increments = settings_.motion_options().increments == 0 ? 0 : 1;
   if (mesh_.job().active()) {
     mesh_.job().retarget(command);
     return;
@@ -133,7 +133,7 @@ void Motions::on(const action::EndDrag&) {
   mesh_.job().hold(false);
   const auto motion = live_request(mesh_);
   if (!motion) return;
-  const MoveCommand wanted = jobs_.move_command(*motion);
+  const MoveCommand wanted = move_command(*motion);
   // What has converged under the mouse needs no second run, unless other steps were asked for.
   if (wanted.how.increments <= 1 && mesh_.job().converged())
     mesh_.job().rename(wanted);
@@ -163,9 +163,9 @@ void Motions::end_body_drag() {
     if (!error.empty()) messages_.report_error("The mesh cannot follow this motion", error);
     return;
   }
-  const MotionOptions& how = jobs_.motion_options();
+  const MotionOptions& how = settings_.motion_options();
   if (how.increments > 1) start.reset();
-  const SmoothOptions smooth = jobs_.smooth_for_motion(grip.markers);
+  const SmoothOptions smooth = settings_.smooth_for_motion(grip.markers);
   Command command = in_space(mesh_)
                         ? drag_command(grip, motion.in_space(Vec3(0, 0, 0)), how, smooth)
                         : drag_command(grip, motion.about(Vec2(0, 0)), how, smooth);
@@ -180,10 +180,10 @@ void Motions::cancel_drag() {
     mesh_.changed();
     messages_.set_banner_of_position();
     // The job that the drag had taken over goes on to where it was going.
-    if (base) jobs_.start(jobs_.move_command(*base), false, std::exchange(start_, std::nullopt));
+    if (base) jobs_.start(move_command(*base), false, std::exchange(start_, std::nullopt));
   } else if (base) {
     mesh_.job().hold(false);
-    mesh_.job().retarget(jobs_.move_command(*base));
+    mesh_.job().retarget(move_command(*base));
   } else {
     mesh_.job().hold(false);
     jobs_.stop();

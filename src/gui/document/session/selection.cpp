@@ -273,4 +273,10 @@ void Selection::follow_nodes(const std::shared_ptr<const Topology>& before,
   if (!lost.pinned.empty() || lost.inspected) lost_nodes_.push_back(std::move(lost));
 }
 
+void show_position(LiveMesh& mesh, Selection& selection, MessageBoard& messages) {
+  mesh.changed();
+  selection.refresh();
+  messages.set_banner_of_position();
+}
+
 }  // namespace winslow::gui

@@ -119,4 +119,8 @@ class Selection {
   std::vector<LostNodes> lost_nodes_;
 };
 
+/// The document has come to another mesh of its history: all that refers to the one on screen
+/// follows.
+void show_position(LiveMesh& mesh, Selection& selection, MessageBoard& messages);
+
 }  // namespace winslow::gui

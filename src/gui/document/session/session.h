@@ -4,21 +4,20 @@
 #include <initializer_list>
 #include <memory>
 #include <string>
-#include <vector>
 
-#include "core/command/command.h"
 #include "core/mesh/topology.h"
 #include "gui/document/actions/actions.h"
-#include "gui/document/jobs/wall_layers.h"
 #include "gui/document/session/files.h"
 #include "gui/document/session/history_editor.h"
 #include "gui/document/session/inspection.h"
 #include "gui/document/session/jobs.h"
 #include "gui/document/session/live_mesh.h"
+#include "gui/document/session/mesh_layers.h"
 #include "gui/document/session/message_board.h"
 #include "gui/document/session/motions.h"
 #include "gui/document/session/quality_watch.h"
 #include "gui/document/session/selection.h"
+#include "gui/document/session/solver_settings.h"
 #include "gui/document/session/vcv_editor.h"
 
 namespace winslow::gui {
@@ -39,6 +38,8 @@ class Session {
 
   const LiveMesh& mesh() const { return mesh_; }
   const Selection& selection() const { return selection_; }
+  const SolverSettings& solver_settings() const { return settings_; }
+  const MeshLayers& layers() const { return layers_; }
   const Jobs& jobs() const { return jobs_; }
   const Files& files() const { return files_; }
   Files& files() { return files_; }
@@ -76,6 +77,8 @@ class Session {
   void apply_group(const MotionAction& action) { motions_.apply(action); }
   void apply_group(const VcvAction& action) { vcvs_.apply(action); }
   void apply_group(const JobAction& action) { jobs_.apply(action); }
+  void apply_group(const SettingsAction& action) { settings_.apply(action); }
+  void apply_group(const LayerAction& action) { layers_.apply(action); }
   void apply_group(const HistoryAction& action) { history_.apply(action); }
   void apply_group(const MessageAction& action) { messages_.apply(action); }
 
@@ -83,14 +86,16 @@ class Session {
   MessageBoard messages_{mesh_};
   QualityWatch quality_{mesh_};
   Selection selection_{mesh_, messages_};
-  Jobs jobs_{mesh_, messages_, selection_};
-  BoundaryRoles roles_{mesh_, jobs_, selection_};
-  Motions motions_{mesh_, messages_, selection_, jobs_};
-  VcvEditor vcvs_{mesh_, messages_, jobs_};
-  SphereInspector spheres_{mesh_, jobs_};
+  SolverSettings settings_{mesh_, messages_};
+  MeshLayers layers_{mesh_};
+  Jobs jobs_{mesh_, messages_, selection_, settings_};
+  BoundaryRoles roles_{mesh_, settings_, selection_};
+  Motions motions_{mesh_, messages_, selection_, settings_, jobs_};
+  VcvEditor vcvs_{mesh_, messages_, settings_, jobs_};
+  SphereInspector spheres_{mesh_, settings_};
   StarMatches stars_{mesh_};
-  HistoryEditor history_{mesh_, messages_, jobs_, motions_};
-  Files files_{mesh_, messages_, selection_, jobs_};
+  HistoryEditor history_{mesh_, messages_, selection_, settings_, jobs_, motions_};
+  Files files_{mesh_, messages_, selection_, settings_, jobs_};
 };
 
 /// Shows other coordinates of the mesh on screen, for a picture; none: no more.
@@ -109,15 +114,6 @@ struct Activity {
   std::string text;  ///< empty if idle
 };
 Activity activity_of(const Session& session);
-
-/// What is known of the layers that walls have.
-
-/// The layers of all these walls are held.
-bool all_held(const Session& session, const std::vector<LayerWall>& walls);
-/// Sets how many layers of each wall a command works on: those that are known to be there. Of
-/// a wall without known ones: all that are found, to hold them; to space them anew, what the
-/// wall's spacing says.
-void limit_to_present_layers(const Session& session, LayersCommand& command);
 
 /// Which meshes something is for.
 class MeshKinds {

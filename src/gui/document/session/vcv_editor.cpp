@@ -21,7 +21,7 @@ void VcvEditor::on(const action::EditVcvs& a) {
   } catch (const UsageError& error) {
     return messages_.report_error("This is no virtual control volume", error.what());
   }
-  EditVcvCommand command{a.edits, jobs_.smooth_in_place()};
+  EditVcvCommand command{a.edits, settings_.smooth_in_place()};
   if (mesh_.held().vcv && mesh_.job().active()) {
     show(std::move(edited));
     mesh_.job().retarget(std::move(command));

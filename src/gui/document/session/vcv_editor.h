@@ -11,8 +11,8 @@ namespace winslow::gui {
 /// Changes virtual control volumes: at once, or under the mouse with the mesh following.
 class VcvEditor {
  public:
-  VcvEditor(LiveMesh& mesh, MessageBoard& messages, Jobs& jobs)
-      : mesh_(mesh), messages_(messages), jobs_(jobs) {}
+  VcvEditor(LiveMesh& mesh, MessageBoard& messages, const SolverSettings& settings, Jobs& jobs)
+      : mesh_(mesh), messages_(messages), settings_(settings), jobs_(jobs) {}
 
   void apply(const VcvAction& action) { Dispatch::to(*this, action); }
 
@@ -25,6 +25,7 @@ class VcvEditor {
 
   LiveMesh& mesh_;
   MessageBoard& messages_;
+  const SolverSettings& settings_;
   Jobs& jobs_;
 };
 

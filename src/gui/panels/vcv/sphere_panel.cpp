@@ -116,7 +116,7 @@ void SpherePanel::draw_turning(const PanelContext& context) {
 void SpherePanel::draw_kind(const PanelContext& context) {
   constexpr std::array kinds{VcvKind::automatic, VcvKind::equal, VcvKind::existing,
                              VcvKind::adjusted, VcvKind::perturbation};
-  const SmoothOptions& before = context.session.jobs().smooth_options();
+  const SmoothOptions& before = context.session.solver_settings().smooth_options();
   auto chosen = static_cast<std::size_t>(std::ranges::find(kinds, before.vcv) - kinds.begin());
   ui::row("VCVs",
           "The solid angles that control volumes of all nodes have of themselves; of the solver, "

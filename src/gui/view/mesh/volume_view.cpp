@@ -109,7 +109,7 @@ VolumeWish VolumeView::wish_of(const Session& session, const ViewOptions& view, 
   }
   if (volume) return wish;
   wish.surface = session.document()->state().surface;
-  wish.feature_angle = session.jobs().smooth_options().slide.feature_angle;
+  wish.feature_angle = session.solver_settings().smooth_options().slide.feature_angle;
   return wish;
 }
 

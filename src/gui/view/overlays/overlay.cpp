@@ -268,9 +268,9 @@ void draw_reason(ImDrawList& list, const Overlay& o, const LayerColumn& column) 
 }  // namespace
 
 void draw_layer_preview(ImDrawList& list, const Overlay& o) {
-  const LayerStack* plan = o.session.jobs().layer_preview().plan();
+  const LayerStack* plan = o.session.layers().preview().plan();
   if (!plan || o.session.in_motion()) return;
-  const Coordinates& x = o.session.jobs().layer_preview().coordinates();
+  const Coordinates& x = o.session.layers().preview().coordinates();
   const ScreenPoint pointer(ImGui::GetIO().MousePos);
   double nearest = static_cast<double>(o.theme.px(6));
   const LayerColumn* pointed = nullptr;

@@ -56,6 +56,8 @@ static_assert(Dispatch::complete<Selection, SelectionAction>());
 static_assert(Dispatch::complete<Motions, MotionAction>());
 static_assert(Dispatch::complete<VcvEditor, VcvAction>());
 static_assert(Dispatch::complete<Jobs, JobAction>());
+static_assert(Dispatch::complete<SolverSettings, SettingsAction>());
+static_assert(Dispatch::complete<MeshLayers, LayerAction>());
 static_assert(Dispatch::complete<HistoryEditor, HistoryAction>());
 static_assert(Dispatch::complete<MessageBoard, MessageAction>());
 static_assert(Dispatch::complete<ViewControl, ViewAction>());

@@ -194,7 +194,8 @@ TEST_CASE("options of a past command are edited in the form of the solver panel"
   REQUIRE(rig.document().history().size() == 2);
   CHECK(rig.document().history().result(1).outer_iterations <= 2);
   CHECK_FALSE(rig.document().history().result(1).converged);
-  CHECK(rig.session().jobs().smooth_options().max_iterations == SmoothOptions{}.max_iterations);
+  CHECK(rig.session().solver_settings().smooth_options().max_iterations ==
+        SmoothOptions{}.max_iterations);
 }
 
 TEST_CASE("deleting a step runs those after it again without it") {

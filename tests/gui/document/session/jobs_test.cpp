@@ -21,7 +21,7 @@ TEST_CASE("settings that cannot be used are said, and nothing begins") {
   SessionParts parts(ring_mesh());
   SmoothOptions bad;
   bad.tolerance = -1;
-  parts.jobs.apply(action::EditSmoothOptions{whole(bad)});
+  parts.settings.apply(action::EditSmoothOptions{whole(bad)});
   parts.jobs.apply(action::RunSmooth{});
   CHECK_FALSE(parts.mesh.in_motion());
   REQUIRE(parts.messages.prompt() != nullptr);

@@ -40,7 +40,8 @@ TEST_CASE("the mesh on screen is the job's while there is one, and the document'
   const Coordinates before = parts.mesh.document()->state().mesh.coordinates;
   const auto shape = parts.mesh.shape();
   parts.selection.apply(action::SelectMarkers{{parts.marker("flap")}});
-  REQUIRE(parts.jobs.start(parts.jobs.move_command({20, Vec2(0, 0), Vec2(0, 0)}), true));
+  REQUIRE(parts.jobs.start(
+      parts.settings.move_command(parts.selection.names(), {20, Vec2(0, 0), Vec2(0, 0)}), true));
   CHECK(parts.mesh.in_motion());
   CHECK(parts.mesh.shape() > shape);
   REQUIRE(parts.mesh.live_motion().has_value());
@@ -86,7 +87,8 @@ TEST_CASE("a mesh that is shared stays as it is, and is made anew only when node
   const Coordinates before = given->coordinates;
   parts.selection.apply(action::SelectMarkers{{parts.marker("flap")}});
   parts.mesh.job().follow(true);  // however fast the solver is, its meshes are seen
-  REQUIRE(parts.jobs.start(parts.jobs.move_command({10, Vec2(0, 0), Vec2(0, 0)}), false));
+  REQUIRE(parts.jobs.start(
+      parts.settings.move_command(parts.selection.names(), {10, Vec2(0, 0), Vec2(0, 0)}), false));
   std::set<std::shared_ptr<const Mesh>> of_solver;
   while (parts.mesh.in_motion()) {
     if (const auto& snapshot = parts.mesh.job().snapshot()) of_solver.insert(snapshot->mesh);
