@@ -243,7 +243,7 @@ std::vector<UserCommand> overrides_of(const PanelContext& context, Index node) {
   const bool boundary =
       context.session.kind() == MeshKind::surface || context.topology()->on_boundary(node);
   if (!context.view.roles || !boundary) return {};
-  const auto roles = boundary_roles(context.session).find();
+  const auto roles = context.session.inspection().roles.find();
   const bool known = roles && at(node) < roles->roles.size();
   const NodeOverride now =
       override_of(context.session.solver_settings().smooth_options().slide, node);
@@ -319,7 +319,7 @@ ContextPart of_element(const PanelContext& context, Index element) {
   const Metric* coloured = context.view.color ? context.view.color->metric() : nullptr;
   const Metric metric = coloured ? *coloured : Metric::normalized_jacobian;
   const int dimension = cell_dimension_of(context.session.kind());
-  const auto shared = shared_mesh(context.session.mesh());
+  const auto shared = context.session.mesh().shared();
   const Mesh& mesh = *shared;
   const double value = element_value(mesh, element, metric);
   const bool high_is_bad = !metric_info(metric, dimension).field.larger_is_better;

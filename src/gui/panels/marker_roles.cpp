@@ -210,7 +210,7 @@ void MarkerRoles::draw_file_pairs(const PanelContext& context, SlideOptions slid
 }
 
 void MarkerRoles::draw_found(const PanelContext& context) {
-  const auto roles = boundary_roles(context.session).find();
+  const auto roles = context.session.inspection().roles.find();
   if (roles && !roles->fault.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette().danger);
     ui::text_wrapped(roles->fault);

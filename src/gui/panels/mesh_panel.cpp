@@ -75,7 +75,7 @@ void MeshPanel::measure(const Session& session) {
   if (generation_ == session.generation() && shape_ == session.shape()) return;
   generation_ = session.generation();
   shape_ = session.shape();
-  const auto shared = shared_mesh(session.mesh());
+  const auto shared = session.mesh().shared();
   const Mesh& mesh = *shared;
   if (session.in_space()) {
     extents_ = space_bounds(mesh);

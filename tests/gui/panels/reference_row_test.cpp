@@ -262,7 +262,7 @@ TEST_CASE("a body is dragged in a mesh whose outside slides on a file, and is le
   const ScreenPoint from = studio.handle("arrow/x");
   studio.drag(from, from + ScreenVector(18, 10));
   studio.follow();
-  const BodyDrag& drag = *studio.session().mesh().body_drag();
+  const BodyDrag& drag = *studio.session().mesh().work().body_drag();
   CHECK(drag.error() == "");
   CHECK(drag.reach() == BodyDrag::Reach::there);
   const Coordinates shown = studio.session().coordinates();
@@ -288,7 +288,8 @@ TEST_CASE("a drag whose reference surface has gone says so when the body is let 
   const Coordinates before = studio.mesh().coordinates;
   const ScreenPoint from = studio.handle("arrow/x");
   studio.drag(from, from + ScreenVector(18, 10));
-  REQUIRE(studio.wait([&] { return !studio.session().mesh().body_drag()->error().empty(); }));
+  REQUIRE(
+      studio.wait([&] { return !studio.session().mesh().work().body_drag()->error().empty(); }));
   studio.release();
   REQUIRE(studio.settle());
   REQUIRE(studio.session().messages().prompt() != nullptr);

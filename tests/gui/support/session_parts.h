@@ -14,6 +14,12 @@
 
 namespace winslow::gui::test {
 
+/// No mesh is open.
+struct NothingOpen {
+  OngoingWork work{std::make_shared<ReferenceFiles>()};
+  LiveMesh mesh{work};
+};
+
 /// The parts of a session, put together by hand so that a test can get at each of them.
 struct SessionParts {
   explicit SessionParts(const Mesh& opened) {
@@ -41,13 +47,15 @@ struct SessionParts {
   std::string notice() const { return messages.notice() ? messages.notice()->text : ""; }
 
   TemporaryFolder folder;
-  LiveMesh mesh;
+  std::shared_ptr<ReferenceFiles> references = std::make_shared<ReferenceFiles>();
+  OngoingWork work{references};
+  LiveMesh mesh{work};
   MessageBoard messages{mesh};
   Selection selection{mesh, messages};
-  SolverSettings settings{mesh, messages};
-  Jobs jobs{mesh, messages, selection, settings};
-  Motions motions{mesh, messages, selection, settings, jobs};
-  VcvEditor vcvs{mesh, messages, settings, jobs};
+  SolverSettings settings{mesh, messages, references};
+  Jobs jobs{work, mesh, messages, selection, settings};
+  Motions motions{work, mesh, messages, selection, settings, jobs};
+  VcvEditor vcvs{work, mesh, messages, settings, jobs};
   HistoryEditor history{mesh, messages, selection, settings, jobs, motions};
 };
 

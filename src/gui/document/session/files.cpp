@@ -302,8 +302,8 @@ void Files::on(const action::ExportConvergence& a) {
     return messages_.tell(Notice::Kind::warning, "Still writing the last one.");
   if (!may_write(a.path)) return;
   if (!may_export(a.path, a.overwrite, "Saving", action::ExportConvergence{a.path, true})) return;
-  const int number =
-      static_cast<int>(mesh_.document()->history().position()) + (mesh_.job().active() ? 1 : 0);
+  const int number = static_cast<int>(mesh_.document()->history().position()) +
+                     (mesh_.work().job().active() ? 1 : 0);
   csv_writer_.start(
       [path = a.path, number, records = std::vector<IterationRecord>(shown.begin(), shown.end())] {
         CsvOutcome outcome{path, records.size(), {}};

@@ -10,8 +10,8 @@ namespace winslow::gui {
 
 void HistoryEditor::on(const action::Undo&) {
   if (!mesh_.document()) return;
-  if (mesh_.held().body) return motions_.cancel_drag();
-  if (mesh_.job().active()) return jobs_.cancel();
+  if (mesh_.work().held().body) return motions_.cancel_drag();
+  if (mesh_.work().job().active()) return jobs_.cancel();
   if (!settings_.overrides().undoable(mesh_.document()->edits().revision()).empty())
     return settings_.on(action::StepOverride{false});
   const History& history = mesh_.document()->history();
@@ -23,7 +23,7 @@ void HistoryEditor::on(const action::Undo&) {
 }
 
 void HistoryEditor::on(const action::Redo&) {
-  if (!mesh_.document() || mesh_.job().active() || mesh_.held().body) return;
+  if (!mesh_.document() || mesh_.work().job().active() || mesh_.work().held().body) return;
   if (!settings_.overrides().redoable(mesh_.document()->edits().revision()).empty())
     return settings_.on(action::StepOverride{true});
   if (!mesh_.document()->history().can_redo()) return;
@@ -47,7 +47,7 @@ void HistoryEditor::on(const action::GoToStep& a) {
 }
 
 bool HistoryEditor::may_change() {
-  if (!mesh_.in_motion() && !mesh_.held().body) return true;
+  if (!mesh_.in_motion() && !mesh_.work().held().body) return true;
   messages_.tell(Notice::Kind::warning, "Wait until the solver is done, or cancel it.");
   return false;
 }

@@ -1,7 +1,6 @@
 #include "gui/document/session/inspection.h"
 
 #include <exception>
-#include <utility>
 
 #include "core/inspect/nodal_view.h"
 #include "core/strategy/workspace.h"
@@ -24,8 +23,7 @@ std::shared_ptr<const NodeRoles> BoundaryRoles::find() const {
   if (!mesh_.document()) return nullptr;
   asked_ = question();
   if (answer_.question != asked_ && !worker_.busy())
-    worker_.start([state = mesh_.document()->state(), question = asked_,
-                   files = reference_files(mesh_)] {
+    worker_.start([state = mesh_.document()->state(), question = asked_, files = references_] {
       Answer answer{question, nullptr};
       try {
         SlideOptions slide = question.slide;
@@ -55,7 +53,7 @@ void SphereInspector::follow() const {
   const std::uint64_t shape = mesh_.in_motion() ? source_.shape : mesh_.shape();
   Source now{mesh_.generation(), shape,       history.position(),
              history.size(),     options.vcv, options.vcv_lengths,
-             sphere_vcvs(mesh_)};
+             mesh_.sphere_vcvs()};
   if (now != source_) {
     source_ = std::move(now);
     vcvs_.clear();

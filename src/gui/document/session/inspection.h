@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/inspect/node_roles.h"
@@ -24,8 +25,13 @@ namespace winslow::gui {
 /// background.
 class BoundaryRoles {
  public:
-  BoundaryRoles(const LiveMesh& mesh, const SolverSettings& settings, const Selection& selection)
-      : mesh_(mesh), settings_(settings), selection_(selection) {}
+  /// references: that surfaces are read by.
+  BoundaryRoles(const LiveMesh& mesh, const SolverSettings& settings, const Selection& selection,
+                std::shared_ptr<ReferenceFiles> references)
+      : mesh_(mesh),
+        settings_(settings),
+        selection_(selection),
+        references_(std::move(references)) {}
 
   /// The latest that is known of this mesh; null: nothing yet. Asked for in every frame in which it
   /// is shown: what was asked last is looked for.
@@ -53,6 +59,7 @@ class BoundaryRoles {
   const LiveMesh& mesh_;
   const SolverSettings& settings_;
   const Selection& selection_;
+  std::shared_ptr<ReferenceFiles> references_;
   mutable Question asked_;
   mutable Answer answer_;
   mutable Background<Answer> worker_;
@@ -136,6 +143,24 @@ class StarMatches {
   mutable std::optional<Answer> answer_;
   mutable std::shared_ptr<std::atomic<bool>> stop_;
   mutable Background<Answer> worker_;
+};
+
+/// What is found out about nodes that one looks at, as it is asked for.
+struct Inspection {
+  Inspection(const LiveMesh& mesh, const SolverSettings& settings, const Selection& selection,
+             const std::shared_ptr<ReferenceFiles>& references)
+      : spheres(mesh, settings), star_matches(mesh), roles(mesh, settings, selection, references) {}
+
+  /// Collects what the threads have done since the last call. True if anything changed.
+  bool poll() {
+    const bool matched = star_matches.poll();
+    return roles.poll() || matched;
+  }
+  bool busy() const { return star_matches.busy() || roles.busy(); }
+
+  SphereInspector spheres;   ///< nodes of a volume mesh with their VCVs
+  StarMatches star_matches;  ///< nodes that can take the VCV of another
+  BoundaryRoles roles;       ///< what nodes do in the next run
 };
 
 }  // namespace winslow::gui

@@ -30,15 +30,15 @@ const QualityFloor& floor_of(const Command& command) {
 
 bool Jobs::poll() {
   bool changed = false;
-  if (mesh_.job().poll()) {
+  if (work_.job().poll()) {
     mesh_.changed();
     changed = true;
   }
-  if (mesh_.drag().poll()) {
+  if (work_.drag().poll()) {
     mesh_.changed();
     changed = true;
   }
-  if (auto outcome = mesh_.job().take_outcome()) {
+  if (auto outcome = work_.job().take_outcome()) {
     finish(std::move(*outcome));
     changed = true;
   }
@@ -46,26 +46,26 @@ bool Jobs::poll() {
 }
 
 bool Jobs::working() const {
-  const JobRunner& job = mesh_.job();
+  const JobRunner& job = work_.job();
   const auto& snapshot = job.snapshot();
   const bool solving =
       job.active() && !(job.held() && snapshot && snapshot->state == JobState::done);
   const bool paused = job.paused() && snapshot && snapshot->state == JobState::paused;
-  const BodyDrag* drag = mesh_.body_drag();
+  const BodyDrag* drag = work_.body_drag();
   return (drag && !drag->settled() && drag->error().empty()) || (solving && !paused);
 }
 
 bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start,
                  std::string cut_short) {
   if (!mesh_.document()) return false;
-  if (mesh_.body_drag()) {
+  if (work_.body_drag()) {
     messages_.tell(Notice::Kind::warning,
                    "A body is being dragged. Let it go first, or cancel with Esc.");
     return false;
   }
-  if (mesh_.job().active()) {
+  if (work_.job().active()) {
     messages_.tell(Notice::Kind::warning, "The solver is at work on \"" +
-                                              describe(mesh_.job().command()) +
+                                              describe(work_.job().command()) +
                                               "\". Wait until it is done, or cancel it.");
     return false;
   }
@@ -91,10 +91,9 @@ bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start,
   cut_short_ = std::move(cut_short);
   shown_only_ = false;
   messages_.clear_banner();
-  mesh_.instead().vcv = nullptr;
-  mesh_.instead().sphere_vcvs.reset();
-  mesh_.job().set_pace(pace_of(command));
-  mesh_.job().run(mesh_.document()->state(), std::move(command), paused, std::move(start));
+  work_.set_edited_vcvs({});
+  work_.job().set_pace(pace_of(command));
+  work_.job().run(mesh_.document()->state(), std::move(command), paused, std::move(start));
   mesh_.changed();
   return true;
 }
@@ -109,28 +108,28 @@ double Jobs::pace_of(Command command) const {
 }
 
 bool Jobs::can_join(const std::vector<std::string>& markers) const {
-  if (!mesh_.job().active() || rerun_) return false;
-  const auto* move = std::get_if<MoveCommand>(&mesh_.job().command());
+  if (!work_.job().active() || rerun_) return false;
+  const auto* move = std::get_if<MoveCommand>(&work_.job().command());
   return move && move->markers == markers;
 }
 
 void Jobs::on(const action::RunSmooth&) {
-  if (mesh_.job().paused()) return mesh_.job().resume();
+  if (work_.job().paused()) return work_.job().resume();
   start(SmoothCommand{settings_.smooth_in_place()}, false);
 }
 
 void Jobs::on(const action::StepSolver& a) {
-  if (mesh_.held().body) return;
-  if (!mesh_.job().active() && !start(SmoothCommand{settings_.smooth_in_place()}, true)) return;
-  mesh_.job().step(a.count);
+  if (work_.held().body) return;
+  if (!work_.job().active() && !start(SmoothCommand{settings_.smooth_in_place()}, true)) return;
+  work_.job().step(a.count);
 }
 
 void Jobs::on(const action::SetPace& a) {
   pace_ = std::max(a.iterations_per_second, 0.0);
-  if (mesh_.job().active()) mesh_.job().set_pace(pace_of(mesh_.job().command()));
+  if (work_.job().active()) work_.job().set_pace(pace_of(work_.job().command()));
 }
 
-void Jobs::on(const action::FollowSolver& a) { mesh_.job().follow(a.on); }
+void Jobs::on(const action::FollowSolver& a) { work_.job().follow(a.on); }
 
 void Jobs::on(const action::RunCommand& a) {
   const Document* document = mesh_.document();
@@ -140,9 +139,9 @@ void Jobs::on(const action::RunCommand& a) {
 
 void Jobs::on(const action::RerunStep& a) {
   Document* document = mesh_.document();
-  if (!document || mesh_.held().body || a.position == 0 || a.position >= document->history().size())
+  if (!document || work_.held().body || a.position == 0 || a.position >= document->history().size())
     return;
-  if (mesh_.job().active()) {
+  if (work_.job().active()) {
     messages_.tell(Notice::Kind::warning,
                    "The solver is at work. Wait until it is done, or cancel it.");
     return;
@@ -160,27 +159,27 @@ void Jobs::end_rerun() {
 }
 
 void Jobs::cancel() {
-  if (!mesh_.job().active()) return;
-  const std::string what = cancelled_text(queue_, mesh_.job().command());
+  if (!work_.job().active()) return;
+  const std::string what = cancelled_text(queue_, work_.job().command());
   stop();
   messages_.tell(Notice::Kind::information, what);
 }
 
 void Jobs::stop() {
-  mesh_.held() = {};
-  if (mesh_.body_drag()) {
-    mesh_.drag().end();
+  work_.held() = {};
+  if (work_.body_drag()) {
+    work_.drag().end();
     mesh_.changed();
   }
-  if (!mesh_.job().active()) return;
-  mesh_.job().cancel();
+  if (!work_.job().active()) return;
+  work_.job().cancel();
   show_position();
   if (rerun_) end_rerun();
   abandon_queue();
 }
 
 void Jobs::finish(JobRunner::Outcome outcome) {
-  mesh_.held() = {};
+  work_.held() = {};
   if (rerun_) return end_rerun();
   if (outcome.result) return keep(std::move(outcome));
   show_position();
@@ -192,7 +191,7 @@ void Jobs::finish(JobRunner::Outcome outcome) {
 /// Puts what a command has come to into the history, and goes on with the next one.
 void Jobs::keep(JobRunner::Outcome outcome) {
   messages_.clear_banner();
-  const JobRunner& job = mesh_.job();
+  const JobRunner& job = work_.job();
   const double reached = settle_command(outcome, job.base().mesh, job.started_elsewhere());
   const SmoothResult smooth = outcome.result->smooth;
   if (reached < 1 || !smooth.limited_by.empty())

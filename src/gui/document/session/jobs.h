@@ -20,8 +20,9 @@ namespace winslow::gui {
 /// history. Nothing here waits for the solver.
 class Jobs {
  public:
-  Jobs(LiveMesh& mesh, MessageBoard& messages, Selection& selection, SolverSettings& settings)
-      : mesh_(mesh), messages_(messages), selection_(selection), settings_(settings) {}
+  Jobs(OngoingWork& work, LiveMesh& mesh, MessageBoard& messages, Selection& selection,
+       SolverSettings& settings)
+      : work_(work), mesh_(mesh), messages_(messages), selection_(selection), settings_(settings) {}
 
   /// Collects what the threads have done since the last call. True if anything changed.
   bool poll();
@@ -31,7 +32,7 @@ class Jobs {
   /// Iterations a second of the direct method; 0: as fast as they come.
   double pace() const { return pace_; }
   /// The command under way is no work of the user's, as action::RunCommand.
-  bool shown_only() const { return mesh_.job().active() && shown_only_; }
+  bool shown_only() const { return work_.job().active() && shown_only_; }
   /// Commands that wait for the one under way.
   const CommandQueue& queue() const { return queue_; }
   /// A job under way moves just these markers: it can be sent elsewhere.
@@ -50,8 +51,8 @@ class Jobs {
   void apply(const JobAction& action) { Dispatch::to(*this, action); }
   void on(const action::RunSmooth&);
   void on(const action::Scramble& a) { start(ScrambleCommand{a.seed}, false); }
-  void on(const action::PauseSolver&) { mesh_.job().pause(); }
-  void on(const action::ResumeSolver&) { mesh_.job().resume(); }
+  void on(const action::PauseSolver&) { work_.job().pause(); }
+  void on(const action::ResumeSolver&) { work_.job().resume(); }
   void on(const action::StepSolver& a);
   void on(const action::CancelSolver&) { cancel(); }
   void on(const action::SetPace& a);
@@ -70,6 +71,7 @@ class Jobs {
   double pace_of(Command command) const;
   void tell_finished(const std::string& what, const SmoothResult& smooth);
 
+  OngoingWork& work_;
   LiveMesh& mesh_;
   MessageBoard& messages_;
   Selection& selection_;

@@ -14,9 +14,14 @@ namespace winslow::gui {
 /// Moves and reshapes what is selected: by numbers, or under the mouse with the mesh following.
 class Motions {
  public:
-  Motions(LiveMesh& mesh, MessageBoard& messages, Selection& selection,
+  Motions(OngoingWork& work, LiveMesh& mesh, MessageBoard& messages, Selection& selection,
           const SolverSettings& settings, Jobs& jobs)
-      : mesh_(mesh), messages_(messages), selection_(selection), settings_(settings), jobs_(jobs) {}
+      : work_(work),
+        mesh_(mesh),
+        messages_(messages),
+        selection_(selection),
+        settings_(settings),
+        jobs_(jobs) {}
 
   void apply(const MotionAction& action) { Dispatch::to(*this, action); }
   /// The mesh is as it was before the drag.
@@ -39,6 +44,7 @@ class Motions {
   bool begin_body_drag(DragGrip grip);
   void end_body_drag();
 
+  OngoingWork& work_;
   LiveMesh& mesh_;
   MessageBoard& messages_;
   Selection& selection_;

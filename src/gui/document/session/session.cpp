@@ -27,14 +27,13 @@ bool Session::poll() {
   changed |= settings_.poll();
   changed |= layers_.poll();
   changed |= jobs_.poll();
-  changed |= stars_.poll();
-  changed |= roles_.poll();
+  changed |= inspection_.poll();
   return changed;
 }
 
 bool Session::working() const {
   return files_.busy() || history_.busy() || quality_.busy() || settings_.busy() ||
-         layers_.busy() || jobs_.working() || stars_.busy() || roles_.busy();
+         layers_.busy() || jobs_.working() || inspection_.busy();
 }
 
 namespace {
@@ -58,14 +57,14 @@ Activity activity_of(const Session& session) {
   if (session.files().loading())
     return busy("Reading " + session.files().loading_path().filename().string() + " ...");
   if (session.files().saving()) return busy("Saving ...");
-  if (const BodyDrag* drag = session.mesh().body_drag()) {
+  if (const BodyDrag* drag = session.mesh().work().body_drag()) {
     if (drag->reach() == BodyDrag::Reach::limit)
       return {Activity::Kind::blocked, blocked_text(*drag) + "; Esc cancels"};
     if (drag->reach() == BodyDrag::Reach::catching_up)
       return busy(updating_text(*drag) + "; Esc cancels");
   }
   if (session.dragging()) return busy("Dragging; Enter accepts, Esc cancels");
-  if (session.mesh().held().vcv) return busy("Dragging a control volume; Esc cancels");
+  if (session.mesh().work().held().vcv) return busy("Dragging a control volume; Esc cancels");
   const JobRunner& job = session.job();
   if (!job.active()) return {};
   const auto history = session.mesh().convergence();

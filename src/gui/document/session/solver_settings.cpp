@@ -53,7 +53,7 @@ void SolverSettings::on(const action::ChooseReference& a) {
     return;
   }
   if (mesh_.document() && in_space(mesh_))
-    reference_.choose(a.file, shared_mesh(mesh_), smooth_.slide.markers, reference_files(mesh_));
+    reference_.choose(a.file, mesh_.shared(), smooth_.slide.markers, references_);
 }
 
 void SolverSettings::forget_mesh() {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gui/document/actions/dispatch.h"
@@ -16,7 +18,10 @@ namespace winslow::gui {
 /// How the solver is to go about the open mesh, as the user has set it. Each command gets a copy.
 class SolverSettings {
  public:
-  SolverSettings(const LiveMesh& mesh, MessageBoard& messages) : mesh_(mesh), messages_(messages) {}
+  /// references: that surfaces are read by.
+  SolverSettings(const LiveMesh& mesh, MessageBoard& messages,
+                 std::shared_ptr<ReferenceFiles> references)
+      : mesh_(mesh), messages_(messages), references_(std::move(references)) {}
 
   const SmoothOptions& smooth_options() const { return smooth_; }
   const MotionOptions& motion_options() const { return motion_; }
@@ -52,6 +57,7 @@ class SolverSettings {
  private:
   const LiveMesh& mesh_;
   MessageBoard& messages_;
+  std::shared_ptr<ReferenceFiles> references_;
   SmoothOptions smooth_;
   MotionOptions motion_;
   NodeOverrides overrides_;

@@ -11,8 +11,9 @@ namespace winslow::gui {
 /// Changes virtual control volumes: at once, or under the mouse with the mesh following.
 class VcvEditor {
  public:
-  VcvEditor(LiveMesh& mesh, MessageBoard& messages, const SolverSettings& settings, Jobs& jobs)
-      : mesh_(mesh), messages_(messages), settings_(settings), jobs_(jobs) {}
+  VcvEditor(OngoingWork& work, LiveMesh& mesh, MessageBoard& messages,
+            const SolverSettings& settings, Jobs& jobs)
+      : work_(work), mesh_(mesh), messages_(messages), settings_(settings), jobs_(jobs) {}
 
   void apply(const VcvAction& action) { Dispatch::to(*this, action); }
 
@@ -21,8 +22,7 @@ class VcvEditor {
   void on(const action::CancelVcvEdit&);
 
  private:
-  void show(LiveMesh::Instead edited);
-
+  OngoingWork& work_;
   LiveMesh& mesh_;
   MessageBoard& messages_;
   const SolverSettings& settings_;

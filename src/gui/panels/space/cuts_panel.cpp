@@ -59,7 +59,7 @@ void CutsPanel::measure(const Session& session) {
   if (generation_ == session.generation() && shape_ == session.shape()) return;
   generation_ = session.generation();
   shape_ = session.shape();
-  extents_ = space_bounds(*shared_mesh(session.mesh()));
+  extents_ = space_bounds(*session.mesh().shared());
 }
 
 void CutsPanel::draw(const PanelContext& context) {

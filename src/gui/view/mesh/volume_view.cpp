@@ -120,7 +120,7 @@ void VolumeView::update(const Session& session, const BeforeMesh& before, const 
   divider_ = view.divider;
   if (generation_ != session.generation()) measured_.reset();
   if (!mesh_ || generation_ != session.generation() || shape_ != session.shape()) {
-    mesh_ = shared_mesh(session.mesh());
+    mesh_ = session.mesh().shared();
     generation_ = session.generation();
     shape_ = session.shape();
   }

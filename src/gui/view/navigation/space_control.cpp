@@ -165,7 +165,7 @@ void SpaceControl::look_at(const Vec3& point, double radius) {
 }
 
 void SpaceControl::go_to(const MeshItem& item) {
-  const Box<3> box = space_surroundings(item, *shared_mesh(session_.mesh()));
+  const Box<3> box = space_surroundings(item, *session_.mesh().shared());
   look_at(box.centre(), 2 * box.size().norm());
 }
 

@@ -50,7 +50,7 @@ void draw_wanted(ImDrawList& list, const Overlay& o) {
   if (const auto motion = o.session.mesh().live_motion())
     return draw_edges(list, o, o.session.selection().markers(),
                       [&](Index node) { return transform(*motion, rest.xy(node)); });
-  const BodyDrag* drag = o.session.mesh().body_drag();
+  const BodyDrag* drag = o.session.mesh().work().body_drag();
   if (!drag || drag->grip().rigid()) return;
   const auto& nodes = drag->grip().nodes;
   for (std::size_t i = 0; i < nodes.size(); ++i) {

@@ -324,8 +324,8 @@ void drag_along_x(Rig& rig, double pixels) {
   const ScreenVector way = (along - root) / (along - root).norm();
   rig.drag(along, along + pixels * way);
   REQUIRE(rig.wait([&] {
-    return rig.session().mesh().body_drag() == nullptr ||
-           rig.session().mesh().body_drag()->settled();
+    return rig.session().mesh().work().body_drag() == nullptr ||
+           rig.session().mesh().work().body_drag()->settled();
   }));
   rig.release();
   REQUIRE(rig.settle());

@@ -49,12 +49,12 @@ TEST_CASE("undo takes back the drag under the mouse, or else the command under w
   parts.motions.apply(action::BeginDrag{});
   parts.motions.apply(action::DragTo{{0, Vec2(0, 0), Vec2(0.1, 0)}});
   parts.history.apply(action::Undo{});
-  CHECK_FALSE(parts.mesh.held().body);
+  CHECK_FALSE(parts.work.held().body);
   CHECK(parts.done().position() == 2);
   parts.jobs.apply(action::StepSolver{1});
-  REQUIRE(parts.mesh.job().active());
+  REQUIRE(parts.work.job().active());
   parts.history.apply(action::Undo{});
-  CHECK_FALSE(parts.mesh.job().active());
+  CHECK_FALSE(parts.work.job().active());
   CHECK(parts.done().position() == 2);
   CHECK(parts.mesh.coordinates() == parts.meshes[2]);
 }

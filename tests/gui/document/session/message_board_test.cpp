@@ -15,7 +15,8 @@
 namespace winslow::gui::test {
 
 TEST_CASE("questions wait in the order in which they were asked") {
-  const LiveMesh mesh;
+  const NothingOpen nothing;
+  const LiveMesh& mesh = nothing.mesh;
   MessageBoard board(mesh);
   CHECK(board.prompt() == nullptr);
   board.ask({Prompt::Kind::question, "First?", {}, {}});
@@ -52,7 +53,8 @@ TEST_CASE("the banner says what the mesh calls for until it is put away, for thi
 
 TEST_CASE(
     "a motion that ended early is said before that it has not converged, not that it is bad") {
-  const LiveMesh mesh;
+  const NothingOpen nothing;
+  const LiveMesh& mesh = nothing.mesh;
   MessageBoard board(mesh);
   SmoothResult result;
   result.converged = false;

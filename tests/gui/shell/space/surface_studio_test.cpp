@@ -208,7 +208,7 @@ TEST_CASE("The feature angle is drawn while it is typed, and is that of the next
   // Corners stay, edges slide, and what nodes do is drawn.
   rig.click("markers/roles");
   rig.settle();
-  const auto roles = boundary_roles(rig.session()).find();
+  const auto roles = rig.session().inspection().roles.find();
   REQUIRE(roles);
   CHECK(std::ranges::count(roles->roles, NodeRole::corner) == 8);
   CHECK(std::ranges::count(roles->roles, NodeRole::on_curve) == 36);
