@@ -69,7 +69,7 @@ bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start,
                                               "\". Wait until it is done, or cancel it.");
     return false;
   }
-  io::give_pairs(command, mesh_.document()->details().get());
+  io::give_pairs(command, mesh_.document()->source().details.get());
   if (const SmoothOptions* smooth = winslow::smooth_options(command)) {
     try {
       validate(*smooth);
@@ -204,7 +204,10 @@ void Jobs::keep(JobRunner::Outcome outcome) {
   if (const auto* move = std::get_if<MoveCommand>(&outcome.command)) selection_.moved(*move);
   mesh_.document()->edits().push(std::move(outcome.command), std::move(*outcome.result),
                                  outcome.seconds);
-  if (std::exchange(shown_only_, false)) mesh_.document()->mark_shown_only();
+  if (std::exchange(shown_only_, false)) {
+    Document& document = *mesh_.document();
+    document.saved().mark_shown_only(document.edits().revision());
+  }
   mesh_.changed();
   selection_.update_anchors();
   messages_.set_banner_of_result(smooth);

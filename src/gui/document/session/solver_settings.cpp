@@ -68,7 +68,7 @@ void SolverSettings::forget_mesh() {
 bool SolverSettings::poll() {
   const Document* document = mesh_.document();
   smooth_.slide.file_pairs.found =
-      document && document->details() ? document->details()->periodic : nullptr;
+      document && document->source().details ? document->source().details->periodic : nullptr;
   const auto read = reference_.poll();
   if (!read || !document) return false;
   if (!read->error.empty()) {

@@ -195,9 +195,9 @@ HeadlessResult run_headless(const HeadlessOptions& options) {
   const int zone = options.zone != 0 ? options.zone : recipe.zone;
   if (!mesh.empty()) studio.open(mesh, zone);
   if (const Document* document = studio.bench().session().document()) {
-    for (const std::string& text : document->warnings()) options.warn(text);
+    for (const std::string& text : document->source().warnings) options.warn(text);
     if (zone == 0)
-      for (const std::string& text : io::zones_left(document->details().get(), mesh))
+      for (const std::string& text : io::zones_left(document->source().details.get(), mesh))
         options.warn(text);
     // Said here; a question on screen would be in the picture.
     studio.bench().apply(action::DismissPrompt{});

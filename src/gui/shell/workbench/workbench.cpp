@@ -175,7 +175,7 @@ void Workbench::follow_keys(const InputState& input) {
 std::string Workbench::title() const {
   const Document* document = session_.document();
   if (!document) return "winslow";
-  const std::string zone = document->zone_text();
+  const std::string zone = document->source().zone_text();
   return (document->modified() ? "* " : "") + document->name() + (zone.empty() ? "" : ", " + zone) +
          " - winslow";
 }

@@ -64,7 +64,7 @@ std::vector<KeptView> SpaceControl::views(const ViewOptions& options) const {
 void SpaceControl::begin(ViewOptions& options) {
   const Document& document = *session_.document();
   std::error_code ignored;
-  open_ = std::filesystem::absolute(document.source(), ignored);
+  open_ = std::filesystem::absolute(document.source().path, ignored);
   SpaceCamera& camera = view_.camera();
   camera.set_content(space_bounds(document.state().mesh));
   const std::string file = open_->string();

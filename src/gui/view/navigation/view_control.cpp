@@ -81,7 +81,7 @@ bool ViewControl::follow_mesh() {
   options_.magnifier.pin.reset();
   // What is hidden of one mesh is not to be missing from another that has markers of its names.
   if (const Document* document = session_.document()) {
-    const std::string file = document->source().string();
+    const std::string file = document->source().path.string();
     if (options_.markers.mesh != file) options_.markers = {file, {}};
     suit_fields(options_, session_.kind());
   }

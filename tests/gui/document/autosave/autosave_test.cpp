@@ -84,7 +84,7 @@ TEST_CASE("after a crash the session is offered back, every position to the bit"
     const History& history = rig.document().history();
     REQUIRE(history.size() == 4);
     CHECK(history.position() == 2);
-    CHECK(rig.document().source() == meshes / "wing.su2");
+    CHECK(rig.document().source().path == meshes / "wing.su2");
     CHECK(rig.document().modified());
     CHECK(history.result(3).converged);
     CHECK(history.result(3).history.size() > 2);

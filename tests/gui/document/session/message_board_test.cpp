@@ -201,10 +201,10 @@ TEST_CASE("warnings of a file need no answer: they are in the banner") {
   std::ofstream(path) << text.str() << "SOMETHING= 1\nSOMETHING_ELSE= 3\n";
   rig.bench->apply(action::OpenMesh{path});
   REQUIRE(rig.settle());
-  REQUIRE(!rig.document().warnings().empty());
+  REQUIRE(!rig.document().source().warnings.empty());
   CHECK(rig.session().messages().prompt() == nullptr);
   REQUIRE(rig.session().messages().banner());
-  CHECK(rig.session().messages().banner()->text.find(rig.document().warnings().front()) !=
+  CHECK(rig.session().messages().banner()->text.find(rig.document().source().warnings.front()) !=
         std::string::npos);
   rig.frames();
   rig.click("banner/keep");
