@@ -46,7 +46,7 @@ bool BoundaryRoles::poll() {
   return true;
 }
 
-void SphereInspector::follow() const {
+void SphereInspector::forget_stale() const {
   const SmoothOptions& options = settings_.smooth_options();
   const History& history = mesh_.document()->history();
   // While the mesh is on its way, that of the history stays as it was.
@@ -80,9 +80,9 @@ const NodeVcv& SphereInspector::vcv(Index node) const {
       .first->second;
 }
 
-const VolumeNodalView& SphereInspector::at(Index node) const {
+const VolumeNodalView& SphereInspector::view_of(Index node) const {
   require_inspectable(*mesh_.topology(), node);
-  follow();
+  forget_stale();
   if (const auto found = views_.find(node); found != views_.end()) return found->second;
   return views_.emplace(node, inspect_node(*mesh_.topology(), mesh_.coordinates(), vcv(node)))
       .first->second;

@@ -76,7 +76,7 @@ class SphereInspector {
 
   /// Valid until the next call of a later frame. Throws UsageError for a node that has no VCV,
   /// MeshError for a star that has none.
-  const VolumeNodalView& at(Index node) const;
+  const VolumeNodalView& view_of(Index node) const;
 
  private:
   /// What VCVs depend on.
@@ -89,7 +89,7 @@ class SphereInspector {
     std::shared_ptr<const SphereStencils> by_hand;
     bool operator==(const Source&) const = default;
   };
-  void follow() const;
+  void forget_stale() const;
   const NodeVcv& vcv(Index node) const;
 
   const LiveMesh& mesh_;

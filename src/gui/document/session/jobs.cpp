@@ -129,7 +129,7 @@ void Jobs::on(const action::SetPace& a) {
   if (work_.job().active()) work_.job().set_pace(pace_of(work_.job().command()));
 }
 
-void Jobs::on(const action::FollowSolver& a) { work_.job().follow(a.on); }
+void Jobs::on(const action::FollowSolver& a) { work_.job().wait_for_viewer(a.on); }
 
 void Jobs::on(const action::RunCommand& a) {
   const Document* document = mesh_.document();

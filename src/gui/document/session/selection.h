@@ -73,8 +73,8 @@ class Selection {
   void update_anchors();
   /// The mesh on screen is of another connectivity. Nodes keep their numbers when layers are
   /// inserted and removed; what refers to anything else is let go of.
-  void follow(const std::shared_ptr<const Topology>& before,
-              const std::shared_ptr<const Topology>& now);
+  void carry_over(const std::shared_ptr<const Topology>& before,
+                  const std::shared_ptr<const Topology>& now);
   void clear();
 
   void on(const action::SelectMarkers& a);
@@ -82,7 +82,7 @@ class Selection {
   void on(const action::SetPivot& a);
   void on(const action::SetSpacePivot& a) { space_.set_pivot(a.pivot); }
   void on(const action::SetSpaceAxis& a) { space_.set_axis(a.axis); }
-  void on(const action::TakePivot& a) { space_.take(a.source); }
+  void on(const action::TakePivot& a) { space_.set_source(a.source); }
   void on(const action::PickPivot& a) { space_.wait_for(a); }
   void on(const action::SelectArc& a) { shape_edit_.arc = a.arc; }
   void on(const action::SelectPatch& a) { shape_edit_.patch = a.patch; }
@@ -96,8 +96,8 @@ class Selection {
   bool exists(Index node) const;
   void place_pivot();
   double smallest_body() const;
-  void follow_nodes(const std::shared_ptr<const Topology>& before,
-                    const std::shared_ptr<const Topology>& now);
+  void carry_over_nodes(const std::shared_ptr<const Topology>& before,
+                        const std::shared_ptr<const Topology>& now);
 
   const LiveMesh& mesh_;
   MessageBoard& messages_;

@@ -10,7 +10,7 @@ namespace winslow::gui {
 Session::Session() {
   mesh_.when_rebuilt([this](const auto& before, const auto& now) {
     quality_.clear();
-    if (now) return selection_.follow(before, now);
+    if (now) return selection_.carry_over(before, now);
     selection_.clear();
     layers_.forget_mesh();
   });

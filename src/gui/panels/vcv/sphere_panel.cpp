@@ -66,7 +66,7 @@ void SpherePanel::draw(const PanelContext& context) {
   if (!node) return draw_node_hint();
   follow_node(context, *node);
   try {
-    const VolumeNodalView& view = context.session.inspection().spheres.at(*node);
+    const VolumeNodalView& view = context.session.inspection().spheres.view_of(*node);
     if (edge_ >= view.neighbours.size()) edge_ = 0;
     draw_plot(context, view);
     draw_kind(context);

@@ -85,7 +85,7 @@ bool is_seen(const SpaceOverlay& o, const VolumeView& picture, const Vec3& point
 /// The VCV of a node, as it is drawn at meshes of its kind.
 void draw_pin(ImDrawList& list, const SpaceOverlay& o, Index node) {
   if (o.session.kind() != MeshKind::surface)
-    return draw_sphere_vcv(list, o.view.camera(), o.session.inspection().spheres.at(node),
+    return draw_sphere_vcv(list, o.view.camera(), o.session.inspection().spheres.view_of(node),
                            o.theme.px(1), o.theme.small);
   const Coordinates& x = o.session.coordinates();
   const NodalView view = inspect_node(*o.session.vcv(), x, node);

@@ -87,7 +87,7 @@ TEST_CASE("a mesh that is shared stays as it is, and is made anew only when node
   CHECK(parts.mesh.shared() == given);
   const Coordinates before = given->coordinates;
   parts.selection.apply(action::SelectMarkers{{parts.marker("flap")}});
-  parts.work.job().follow(true);  // however fast the solver is, its meshes are seen
+  parts.work.job().wait_for_viewer(true);  // however fast the solver is, its meshes are seen
   REQUIRE(parts.jobs.start(
       parts.settings.move_command(parts.selection.names(), {10, Vec2(0, 0), Vec2(0, 0)}), false));
   std::set<std::shared_ptr<const Mesh>> of_solver;
@@ -98,7 +98,7 @@ TEST_CASE("a mesh that is shared stays as it is, and is made anew only when node
     // None of the solver's meshes is copied.
     CHECK((shared == given || of_solver.contains(shared)));
     parts.jobs.poll();
-    parts.work.job().follow(true);
+    parts.work.job().wait_for_viewer(true);
   }
   CHECK(of_solver.size() > 1);
   CHECK(parts.mesh.shared()->coordinates == parts.mesh.coordinates());
