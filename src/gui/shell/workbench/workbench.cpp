@@ -98,7 +98,7 @@ void Workbench::update(InputQueue& queue, int width, int height, double seconds)
   demo_.update(session_, seconds, actions_);
   take_input(input);
   draw_window(input);
-  view_control_.observe(pane_.mouse_busy(), seconds);
+  view_control_.navigator().observe(pane_.mouse_busy(), seconds);
   dispatch();
   finish_frame();
   follow_keys(input);
@@ -118,7 +118,8 @@ void Workbench::draw_window(const InputState& input) {
     view_control_.move_divider(static_cast<double>(*divided / v.width));
   regions_.draw_over_mesh(shown, v, Regions::Cards::all);
   const auto card = demo_.demo() ? widgets().find("demo/card") : std::nullopt;
-  view_control_.set_card(card ? std::optional(ScreenBox{card->min, card->max}) : std::nullopt);
+  view_control_.navigator().set_card(card ? std::optional(ScreenBox{card->min, card->max})
+                                          : std::nullopt);
   dialogs_.draw(shown, ScreenVector(window_.width, window_.height),
                 ScreenVector(v.width, v.height));
   pane_.drive(input, shown, window_.layout);
@@ -148,7 +149,7 @@ void Workbench::dispatch() {
 }
 
 void Workbench::finish_frame() {
-  if (view_control_.follow_mesh()) regions_.welcome().close();
+  if (view_control_.look_at_another()) regions_.welcome().close();
   pane_.measure_selection();
   // The first picture of a large mesh has the processors for itself.
   if (!session_.in_space() || pane_.mesh_view().shown())
@@ -196,7 +197,7 @@ void Workbench::on(const action::StartDemo& a) {
 
 void Workbench::on(const action::EndDemo&) {
   demo_.end();
-  view_control_.set_card(std::nullopt);
+  view_control_.navigator().set_card(std::nullopt);
 }
 
 void Workbench::on(const action::EditField& a) {

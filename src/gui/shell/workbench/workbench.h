@@ -113,6 +113,7 @@ class Workbench {
   }
 
   void apply_group(const DocumentAction& action) { session_.apply(action); }
+  void apply_group(const CameraAction& action) { view_control_.navigator().apply(action); }
   void apply_group(const ViewAction& action) { view_control_.apply(action); }
   void apply_group(const PictureAction& action) { capture_.apply(action); }
   void apply_group(const DialogAction& action) { dialogs_.apply(action); }

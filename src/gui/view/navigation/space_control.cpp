@@ -164,9 +164,13 @@ void SpaceControl::look_at(const Vec3& point, double radius) {
   view_.camera().fit(corners_of(around(point, radius)), 0);
 }
 
-void SpaceControl::go_to(const MeshItem& item) {
+void SpaceControl::go_to(const MeshItem& item, const std::optional<ScreenBox>& /*card*/) {
   const Box<3> box = space_surroundings(item, *session_.mesh().shared());
   look_at(box.centre(), 2 * box.size().norm());
+}
+
+bool SpaceControl::sees(Index node) const {
+  return view_.viewport().contains(view_.project(session_.coordinates().xyz(node)).at);
 }
 
 void SpaceControl::zoom_to(const ScreenBox& box, const Vec3& depth) {

@@ -60,6 +60,7 @@ static_assert(Dispatch::complete<SolverSettings, SettingsAction>());
 static_assert(Dispatch::complete<MeshLayers, LayerAction>());
 static_assert(Dispatch::complete<HistoryEditor, HistoryAction>());
 static_assert(Dispatch::complete<MessageBoard, MessageAction>());
+static_assert(Dispatch::complete<Navigator, CameraAction>());
 static_assert(Dispatch::complete<ViewControl, ViewAction>());
 static_assert(Dispatch::complete<Capture, PictureAction>());
 static_assert(Dispatch::complete<Dialogs, DialogAction>());
