@@ -72,13 +72,13 @@ void MeshPanel::count(const std::shared_ptr<const Topology>& topology) {
   }
 }
 
-void MeshPanel::measure(const Session& session) {
-  if (generation_ == session.generation() && shape_ == session.shape()) return;
-  generation_ = session.generation();
-  shape_ = session.shape();
-  const auto shared = session.mesh().shared();
+void MeshPanel::measure(const LiveMesh& live) {
+  if (generation_ == live.generation() && shape_ == live.shape()) return;
+  generation_ = live.generation();
+  shape_ = live.shape();
+  const auto shared = live.shared();
   const Mesh& mesh = *shared;
-  if (session.in_space()) {
+  if (in_space(live)) {
     extents_ = space_bounds(mesh);
     return;
   }
@@ -93,7 +93,7 @@ void MeshPanel::draw(const PanelContext& context) {
     return;
   }
   count(context.session.topology());
-  measure(context.session);
+  measure(context.session.mesh());
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(8), context.theme.px(4)));
   draw_sizes(context);
   draw_markers(context);

@@ -122,13 +122,6 @@ Shape shape_of(const KeepOutside& keep) {
   return keep.corner ? box : nothing;
 }
 
-std::vector<Index> selected_nodes(const Session& session) {
-  std::vector<std::string> names;
-  for (const Index marker : session.selection().markers())
-    names.push_back(session.topology()->markers()[at(marker)].name);
-  return session.topology()->markers().nodes_of(names);
-}
-
 /// A circle about a body, in space a sphere, or a box, to begin with: room for the body to turn,
 /// and as much again around it.
 template <class Box>
@@ -156,10 +149,10 @@ KeepOutside around(Shape shape, const Box& body) {
   return keep;
 }
 
-KeepOutside first(Shape shape, const Session& session) {
-  const std::vector<Index> nodes = selected_nodes(session);
-  return session.in_space() ? around(shape, space_bounds(session.coordinates(), nodes))
-                            : around(shape, bounds(session.coordinates(), nodes));
+KeepOutside first(Shape shape, const LiveMesh& mesh, const Selection& selection) {
+  const std::vector<Index> nodes = mesh.topology()->markers().nodes_of(selection.names());
+  return in_space(mesh) ? around(shape, space_bounds(mesh.coordinates(), nodes))
+                        : around(shape, bounds(mesh.coordinates(), nodes));
 }
 
 }  // namespace
@@ -177,7 +170,7 @@ void draw_keep_outside(const PanelContext& context) {
   ui::row("Keep outside", tip, motion_label_share);
   bool changed = ui::combo("motion/keep_outside", {"Nothing", space ? "Sphere" : "Circle", "Box"},
                            chosen, tip);
-  if (changed) keep = first(static_cast<Shape>(chosen), session);
+  if (changed) keep = first(static_cast<Shape>(chosen), session.mesh(), session.selection());
   changed |= ui::option_form("motion/region", option_table(keep));
   if (changed)
     context.emit(

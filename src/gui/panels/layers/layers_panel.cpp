@@ -19,8 +19,7 @@ namespace winslow::gui {
 namespace {
 
 /// The mesh on screen is what these options have made: a plan would be for the same once more.
-bool just_inserted(const Session& session, const LayerOptions& options) {
-  const History& history = session.document()->history();
+bool just_inserted(const History& history, const LayerOptions& options) {
   if (history.position() == 0) return false;
   const auto* last = std::get_if<LayersCommand>(&history.command(history.position()));
   return last && last->task == LayerTask::insert && options_of(*last) == options;
@@ -199,8 +198,8 @@ void LayersPanel::draw_insertion(const PanelContext& context) {
                "insertion, once a setting is changed.");
   const LayersCommand insertion = command(context, LayerTask::insert);
   const LayerOptions wanted = options_of(insertion);
-  const bool shown =
-      preview_ && !context.session.in_motion() && !just_inserted(context.session, wanted);
+  const bool shown = preview_ && !context.session.in_motion() &&
+                     !just_inserted(context.session.document()->history(), wanted);
   const auto& planned = context.session.layers().preview().wanted();
   if (shown && planned != wanted) context.emit(action::PreviewLayers{wanted});
   if (!shown && planned) context.emit(action::PreviewLayers{});

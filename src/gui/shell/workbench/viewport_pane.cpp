@@ -284,7 +284,7 @@ void ViewportPane::measure_selection() {
 }
 
 void ViewportPane::follow_mesh(const ViewOptions& options, float scale) {
-  before_.update(session_, options);
+  before_.update(session_.mesh(), options);
   std::vector<Index> worst;
   if (session_.in_space() && options.space.worst)
     for (const WorstElement& element : worst_elements(session_, options))
