@@ -210,7 +210,7 @@ TEST_CASE("what was opened is kept, whatever becomes of its file before that is 
     SessionFolder folder(root.path());
     const auto keep = [&](std::uint64_t generation, const fs::path& mesh, const Document& of) {
       folder.write(
-          {generation, path, path, mesh, of.source_stamp(), of.history(), of.edits().tags()});
+          {generation, path, path, mesh, of.source().stamp, of.history(), of.edits().tags()});
       return read_session(folder.path());
     };
     const RestoredSession back = keep(1, path, document);
