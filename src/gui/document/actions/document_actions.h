@@ -89,7 +89,7 @@ struct DeleteStep {
 };
 /// Puts a history back that an edit replaced; the present one is kept in its place.
 struct BringBack {
-  std::size_t kept = 0;  ///< index into Document::kept()
+  std::size_t kept = 0;  ///< index into EditHistory::kept()
 };
 /// Applies the commands of a recipe to the open mesh, one after the other.
 struct ReplayRecipe {

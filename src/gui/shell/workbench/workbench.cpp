@@ -50,7 +50,7 @@ Workbench::Workbench(const WorkbenchOptions& options)
       view_control_(session_, options.scale),
       pictures_({session_, context(), view_control_.plane(), view_control_.space().view(), window_,
                  regions_, pane_}) {
-  take_settings(settings_file_.initial(), view_control_, window_, opened_files_.recent());
+  restore_settings(settings_file_.initial(), view_control_, window_, opened_files_.recent());
 }
 
 Workbench::~Workbench() {

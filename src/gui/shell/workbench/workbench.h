@@ -9,12 +9,10 @@
 #include "gui/picture/capture/capture.h"
 #include "gui/settings/settings.h"
 #include "gui/shell/workbench/dialogs.h"
-#include "gui/shell/workbench/kept_settings.h"
-#include "gui/shell/workbench/key_gate.h"
-#include "gui/shell/workbench/opened_files.h"
 #include "gui/shell/workbench/picture_painter.h"
 #include "gui/shell/workbench/regions.h"
 #include "gui/shell/workbench/viewport_pane.h"
+#include "gui/shell/workbench/workbench_parts.h"
 #include "gui/view/navigation/view_control.h"
 
 namespace winslow::gui {

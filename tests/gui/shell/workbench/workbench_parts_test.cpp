@@ -1,4 +1,4 @@
-#include "gui/shell/workbench/key_gate.h"
+#include "gui/shell/workbench/workbench_parts.h"
 
 #include <doctest/doctest.h>
 
