@@ -30,8 +30,8 @@ int main(int argc, char** argv) {
                 measures.first_height.min, measures.first_height.max);
 
     winslow::MoveCommand move;  // the layers are the state's: they go along
-    move.markers = {argv[2]};
-    move.motion.rotate = 30;
+    move.bodies[0].markers = {argv[2]};
+    move.bodies[0].motion.rotate = 30;
     const winslow::CommandResult moved = winslow::execute(move, layered.state);
     const auto after = winslow::measure_layers(*moved.state.layers, moved.state.mesh.coordinates);
     std::printf("after the motion: heights off by %.2f %% at most, %d elements inverted\n",

@@ -36,8 +36,8 @@ int main(int argc, char** argv) {
   try {
     const auto state = winslow::make_state(winslow::io::read_mesh(argv[1]).mesh);
     winslow::MoveCommand move;
-    move.markers = {"flap"};
-    move.motion.rotate = -10;
+    move.bodies[0].markers = {"flap"};
+    move.bodies[0].motion.rotate = -10;
     Progress progress(std::atoi(argv[2]));
     winslow::RunOptions options;
     options.monitor = &progress;

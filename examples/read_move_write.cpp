@@ -19,8 +19,8 @@ int main(int argc, char** argv) {
       std::fprintf(stderr, "warning: %s\n", warning.c_str());
 
     winslow::MoveCommand move;
-    move.markers = {argv[3]};
-    move.motion.rotate = std::atof(argv[4]);  // about the body's own centre
+    move.bodies[0].markers = {argv[3]};
+    move.bodies[0].motion.rotate = std::atof(argv[4]);  // about the body's own centre
     const winslow::CommandResult result = winslow::execute(move, winslow::make_state(file.mesh));
 
     if (result.smooth.inverted > 0 || result.smooth.fraction_reached < 1) {

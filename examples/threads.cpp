@@ -14,8 +14,8 @@ namespace {
 winslow::MeshState turned(const winslow::MeshState& state, const char* body, double degrees,
                           int threads) {
   winslow::MoveCommand move;
-  move.markers = {body};
-  move.motion.rotate = degrees;
+  move.bodies[0].markers = {body};
+  move.bodies[0].motion.rotate = degrees;
   move.smooth.threads = threads;  // 0: all cores
   winslow::SolverCache cache;     // of this run alone: a cache serves one call at a time
   winslow::RunOptions options;

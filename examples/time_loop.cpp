@@ -14,9 +14,9 @@ namespace {
 /// The flap turned from where it is in the mesh as given, in degrees.
 winslow::MoveCommand turned_flap(double degrees) {
   winslow::MoveCommand move;
-  move.markers = {"flap"};
-  move.motion.rotate = degrees;
-  move.motion.axis = winslow::Vec3(0.2555, 0.038, 1.5);  // the swept hinge
+  move.bodies[0].markers = {"flap"};
+  move.bodies[0].motion.rotate = degrees;
+  move.bodies[0].motion.axis = winslow::Vec3(0.2555, 0.038, 1.5);  // the swept hinge
   return move;
 }
 

@@ -25,9 +25,9 @@ struct Outcome {
 
 winslow::MoveCommand turned(double degrees) {
   winslow::MoveCommand command;
-  command.markers = {"flap"};
-  command.motion.rotate = degrees;
-  command.motion.axis = winslow::Vec3(0.2555, 0.038, 1.5);
+  command.bodies[0].markers = {"flap"};
+  command.bodies[0].motion.rotate = degrees;
+  command.bodies[0].motion.axis = winslow::Vec3(0.2555, 0.038, 1.5);
   return command;
 }
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Checks that docs/architecture.md names what exists: python3 check_architecture.py
 
-Every name in backquotes is a file or a folder of the repository, or stands in the code of src:
-`Name::member` in a file that has both words. Comments do not count.
+Every name in backquotes is a file or a folder of the repository, or stands in the code of src or in
+what builds and tests it: `Name::member` in a file that has both words. Comments of C++ do not count.
 """
 import re
 import sys
@@ -16,8 +16,14 @@ BASES = [ROOT, SRC, *(SRC / library for library in ("core", "io", "gui", "app"))
 WORD = re.compile(r"[A-Za-z_]\w*")
 
 
+# What builds and tests the program.
+BUILD = ["CMakeLists.txt", "CMakePresets.json", "test", "run", "cmake/*", "scripts/*", "src/*/CMakeLists.txt"]
+
+
 def code_of(path):
     text = path.read_text()
+    if path.suffix not in (".h", ".cpp"):
+        return text
     return "\n".join(line if line.lstrip().startswith("#") else line.split("//")[0] for line in text.splitlines())
 
 
@@ -25,9 +31,11 @@ class Code:
     """The words of every file of src, and its files and folders."""
 
     def __init__(self):
-        self.texts = {path: code_of(path) for path in SRC.rglob("*") if path.suffix in (".h", ".cpp")}
+        sources = [path for path in SRC.rglob("*") if path.suffix in (".h", ".cpp")]
+        build = [path for pattern in BUILD for path in ROOT.glob(pattern) if path.is_file()]
+        self.texts = {path: code_of(path) for path in [*sources, *build]}
         self.words = [set(WORD.findall(text)) for text in self.texts.values()]
-        self.names = {part for path in self.texts for part in (path.name, path.stem, *path.relative_to(SRC).parts)}
+        self.names = {part for path in sources for part in (path.name, path.stem, *path.relative_to(SRC).parts)}
 
     def has_words(self, words):
         """Whether one file has all of these words."""
@@ -57,8 +65,9 @@ def exists(code, name):
 def faults(code, text):
     for number, line in enumerate(text.splitlines(), 1):
         for quoted in re.findall(r"`([^`]+)`", line):
-            # Of a command, the files that it names.
-            names = [word for word in quoted.split() if "/" in word] if quoted.startswith("python3 ") else [quoted]
+            words = quoted.split()
+            command = words[0] == "python3" or len(words) > 1 and "/" in words[0]
+            names = [word for word in words if "/" in word] if command else [quoted]
             for name in (one for whole in names for one in alternatives(whole)):
                 if not exists(code, name):
                     yield f"{PAGE.name}:{number}: {name}: found neither in src nor among its files"

@@ -342,7 +342,7 @@ void Soak::crash() {
   if (!kept_somewhere())
     throw std::runtime_error("the session is not kept; the studio says: " + said);
   const History before = rig_->document().history();
-  note("  of " + rig_->document().source().filename().string());
+  note("  of " + rig_->document().source().path.filename().string());
   rig_.reset();
   known_.clear();
   memory_.sample();  // with no studio at all: what is left was leaked, or is kept for the next one
@@ -360,9 +360,9 @@ void Soak::crash() {
     throw std::runtime_error("the history that came back is another one");
   for (std::size_t k = 0; k < after.size(); ++k)
     if (!(after.state(k).mesh.coordinates == before.state(k).mesh.coordinates))
-      throw std::runtime_error("position " + std::to_string(k) + " of " +
-                               std::to_string(after.size()) + " of " +
-                               rig_->document().source().string() + " came back as another mesh");
+      throw std::runtime_error(
+          "position " + std::to_string(k) + " of " + std::to_string(after.size()) + " of " +
+          rig_->document().source().path.string() + " came back as another mesh");
   ++restored_;
   generation_ = 0;
 }

@@ -17,8 +17,8 @@
 /// A client says what is to be done and looks at what came of it:
 ///
 ///     winslow::MoveCommand move;
-///     move.markers = {"flap"};
-///     move.motion.rotate = -20;  // degrees, about the body's own centre
+///     move.bodies[0].markers = {"flap"};
+///     move.bodies[0].motion.rotate = -20;  // degrees, about the body's own centre
 ///     const winslow::CommandResult result = winslow::execute(move, state);
 ///     if (result.smooth.inverted == 0) state = result.state;
 ///

@@ -11,9 +11,9 @@
 ///
 ///     winslow::MovingMesh moving(state);
 ///     winslow::MoveCommand move;
-///     move.markers = {"flap"};
+///     move.bodies[0].markers = {"flap"};
 ///     for (const double angle : {-1.0, -2.0, -3.0, -2.0, -1.0}) {
-///       move.motion.rotate = angle;  // from the mesh as given, not from the last one
+///       move.bodies[0].motion.rotate = angle;  // from the mesh as given, not from the last one
 ///       const winslow::CommandResult now = moving.to(move);
 ///     }
 namespace winslow {

@@ -16,7 +16,7 @@
 ///
 ///     const winslow::ElementField field = winslow::parse_field("normalized_jacobian");
 ///     const std::vector<double> values =
-///         winslow::element_values(*state.vcv, state.mesh.coordinates, field);
+///         winslow::element_values(*state.vcvs.plane(), state.mesh.coordinates, field);
 namespace winslow {
 
 /// What the paper's operator says of each free node (see NodalView):

@@ -8,7 +8,7 @@
 
 /// What the operator knows at a node of a plane mesh:
 ///
-///     const auto view = winslow::inspect_node(*state.vcv, state.mesh.coordinates, node);
+///     const auto view = winslow::inspect_node(*state.vcvs.plane(), state.mesh.coordinates, node);
 ///     std::printf("%zu neighbours, kappa %.3f\n", view.neighbours.size(), view.kappa);
 namespace winslow {
 

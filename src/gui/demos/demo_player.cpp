@@ -64,7 +64,7 @@ void DemoPlayer::begin_step(const Session& session, ActionQueue& actions) {
   Command command = *step.command;
   // As the panels say: the user may be trying other settings.
   if (SmoothOptions* smooth = winslow::smooth_options(command)) {
-    *smooth = session.jobs().smooth_options();
+    *smooth = session.solver_settings().smooth_options();
     if (step.regular) smooth->targets = TargetBlend::regular();
     if (step.pointwise_over) {
       smooth->formulation = Formulation::pointwise;

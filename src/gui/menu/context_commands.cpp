@@ -155,7 +155,7 @@ std::vector<UserCommand> moving(const std::vector<Index>& markers) {
 std::vector<UserCommand> partners_of(const PanelContext& context, Index marker) {
   const auto& markers = context.topology()->markers();
   const std::string& own = markers[at(marker)].name;
-  const SlideOptions& slide = context.session.jobs().smooth_options().slide;
+  const SlideOptions& slide = context.session.solver_settings().smooth_options().slide;
   const auto now = partner_of(slide, own), in_file = partner_in_file(slide, own);
   std::vector<std::optional<std::string>> others{std::nullopt};
   if (in_file && in_file != own) others.push_back(in_file);
@@ -230,7 +230,8 @@ ContextPart of_body(const PanelContext& context, const std::vector<Index>& marke
 /// One of what a node of the boundary can be told to do.
 UserCommand override_to(const PanelContext& context, Index node, NodeOverride to,
                         UserCommand command) {
-  const NodeOverride now = override_of(context.session.jobs().smooth_options().slide, node);
+  const NodeOverride now =
+      override_of(context.session.solver_settings().smooth_options().slide, node);
   command.checked = [on = now == to](const PanelContext&) { return on; };
   command.run = [node, to](const PanelContext& c) { c.emit(action::OverrideNode{node, to}); };
   return command;
@@ -242,9 +243,10 @@ std::vector<UserCommand> overrides_of(const PanelContext& context, Index node) {
   const bool boundary =
       context.session.kind() == MeshKind::surface || context.topology()->on_boundary(node);
   if (!context.view.roles || !boundary) return {};
-  const auto roles = boundary_roles(context.session).find();
+  const auto roles = context.session.inspection().roles.find();
   const bool known = roles && at(node) < roles->roles.size();
-  const NodeOverride now = override_of(context.session.jobs().smooth_options().slide, node);
+  const NodeOverride now =
+      override_of(context.session.solver_settings().smooth_options().slide, node);
   const bool periodic = known && roles->roles[at(node)] == NodeRole::periodic;
   const bool bends = known && std::ranges::binary_search(roles->bends, node);
   const bool turns = bends || now == NodeOverride::slide;
@@ -317,7 +319,7 @@ ContextPart of_element(const PanelContext& context, Index element) {
   const Metric* coloured = context.view.color ? context.view.color->metric() : nullptr;
   const Metric metric = coloured ? *coloured : Metric::normalized_jacobian;
   const int dimension = cell_dimension_of(context.session.kind());
-  const auto shared = shared_mesh(context.session.mesh());
+  const auto shared = context.session.mesh().shared();
   const Mesh& mesh = *shared;
   const double value = element_value(mesh, element, metric);
   const bool high_is_bad = !metric_info(metric, dimension).field.larger_is_better;

@@ -279,13 +279,14 @@ bool busy(const PanelContext& context) { return context.session.in_motion(); }
 std::string undoable_override(const PanelContext& context) {
   const Document* document = context.session.document();
   return document && !busy(context)
-             ? context.session.jobs().overrides().undoable(document->edits().revision())
+             ? context.session.solver_settings().overrides().undoable(document->edits().revision())
              : std::string();
 }
 std::string redoable_override(const PanelContext& context) {
   const Document* document = context.session.document();
-  return document ? context.session.jobs().overrides().redoable(document->edits().revision())
-                  : std::string();
+  return document
+             ? context.session.solver_settings().overrides().redoable(document->edits().revision())
+             : std::string();
 }
 
 UserCommand undo() {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "gui/document/session/session.h"
+#include "gui/document/jobs/wall_layers.h"
 #include "gui/menu/bodies.h"
 #include "gui/menu/user_command.h"
 
@@ -125,7 +125,7 @@ std::string cannot_hold_layers(const PanelContext& context, const std::vector<In
   const std::vector<LayerWall> walls = wall_of(context, markers);
   if (!may_have_layers(*context.topology(), walls))
     return "No quadrilaterals stand on the walls: there are no layers.";
-  return all_held(context.session, walls) ? "These layers are held already." : "";
+  return context.session.layers().all_held(walls) ? "These layers are held already." : "";
 }
 
 void hold_layers(const PanelContext& context, const std::vector<Index>& markers) {
@@ -133,8 +133,8 @@ void hold_layers(const PanelContext& context, const std::vector<Index>& markers)
   command.task = LayerTask::hold;
   command.layers.walls = wall_of(context, markers);
   command.control = true;
-  command.smooth = context.session.jobs().smooth_options();
-  limit_to_present_layers(context.session, command);
+  command.smooth = context.session.solver_settings().smooth_options();
+  context.session.layers().limit_to_present(command);
   context.emit(action::RunCommand{std::move(command), false});
 }
 

@@ -297,27 +297,27 @@ std::optional<IterationRecord> draw_convergence_plot(std::string_view id,
 
 namespace {
 
-std::string title_of(const Session& session) {
-  if (session.job().active()) return "Convergence: " + describe(session.job().command());
-  const Document* document = session.document();
+std::string title_of(const LiveMesh& mesh) {
+  const JobRunner& job = mesh.work().job();
+  if (job.active()) return "Convergence: " + describe(job.command());
+  const Document* document = mesh.document();
   if (!document || document->history().position() == 0) return "Convergence";
   return "Convergence: " + describe(document->history().command(document->history().position()));
 }
 
 /// Tolerance that the iterations shown were to reach: that of their command, or of the next one.
-double tolerance_of(const Session& session) {
+double tolerance_of(const LiveMesh& mesh, const SmoothOptions& next) {
   const auto of = [&](const Command& command) {
     return std::visit(
         [&](const auto& c) {
           if constexpr (requires { c.smooth; }) return c.smooth.tolerance;
-          return session.jobs().smooth_options().tolerance;
+          return next.tolerance;
         },
         command);
   };
-  if (session.job().active()) return of(session.job().command());
-  const Document* document = session.document();
-  if (!document || document->history().position() == 0)
-    return session.jobs().smooth_options().tolerance;
+  if (mesh.work().job().active()) return of(mesh.work().job().command());
+  const Document* document = mesh.document();
+  if (!document || document->history().position() == 0) return next.tolerance;
   return of(document->history().command(document->history().position()));
 }
 
@@ -344,7 +344,7 @@ void ConvergencePanel::draw_header(const PanelContext& context) {
   const float start = ImGui::GetCursorPosX();
   ImGui::PushFont(context.theme.bold);
   ImGui::TextUnformatted(
-      ui::elided(title_of(session), room - button - context.theme.px(12)).c_str());
+      ui::elided(title_of(session.mesh()), room - button - context.theme.px(12)).c_str());
   ImGui::PopFont();
   ImGui::SameLine(start + room - button);
   if (ui::button("convergence/export", label,
@@ -375,7 +375,7 @@ void ConvergencePanel::draw(const PanelContext& context) {
   size.x = std::max(size.x, 1.0f);
   size.y = std::max(size.y, 1.0f);
   // A field being typed in holds all sorts of numbers.
-  const double tolerance = tolerance_of(session);
+  const double tolerance = tolerance_of(session.mesh(), session.solver_settings().smooth_options());
   ConvergencePlot plot{history, {}, series_};
   if (tolerance > 0) plot.tolerance = tolerance;
   draw_convergence_plot("convergence/plot", plot, size, context.theme.scale);

@@ -34,7 +34,7 @@ std::string duration(double seconds) {
 }
 
 std::string title_of(const Document& document, std::size_t position) {
-  if (position == 0) return "Opened " + document.source().filename().string();
+  if (position == 0) return "Opened " + document.source().path.filename().string();
   return describe(document.history().command(position));
 }
 

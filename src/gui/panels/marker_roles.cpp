@@ -18,20 +18,20 @@ constexpr std::array words{"fixed", "slides", "periodic", "moves"};
 
 Role role_of(const PanelContext& context, Index marker, const std::string& name) {
   if (context.session.selection().contains(marker)) return Role::moves;
-  const SlideOptions& slide = context.session.jobs().smooth_options().slide;
+  const SlideOptions& slide = context.session.solver_settings().smooth_options().slide;
   if (partner_of(slide, name)) return Role::periodic;
   return std::ranges::find(slide.markers, name) != slide.markers.end() ? Role::slides : Role::fixed;
 }
 
 void edit_slide(const PanelContext& context, const SlideOptions& slide) {
-  const SmoothOptions& before = context.session.jobs().smooth_options();
+  const SmoothOptions& before = context.session.solver_settings().smooth_options();
   SmoothOptions after = before;
   after.slide = slide;
   context.emit(action::EditSmoothOptions{difference(before, after)});
 }
 
 void toggle_sliding(const PanelContext& context, const std::string& name) {
-  SlideOptions slide = context.session.jobs().smooth_options().slide;
+  SlideOptions slide = context.session.solver_settings().smooth_options().slide;
   if (!stop_sliding(slide, name)) slide.markers.push_back(name);
   edit_slide(context, slide);
 }
@@ -65,7 +65,8 @@ std::string tip_of(const PanelContext& context, Role role, const std::string& na
              "shape; corners stay. Click: all of it stays. Right click: periodic with another.";
     case Role::periodic:
       return name + " is periodic with " +
-             partner_of(context.session.jobs().smooth_options().slide, name).value_or("") +
+             partner_of(context.session.solver_settings().smooth_options().slide, name)
+                 .value_or("") +
              ": their nodes move together and keep matching. Click to choose another marker, or "
              "none.";
     case Role::fixed:
@@ -165,9 +166,9 @@ void MarkerRoles::draw_spacing(const PanelContext& context, SlideOptions slide) 
 }
 
 void MarkerRoles::draw_reference(const PanelContext& context) {
-  const Jobs& jobs = context.session.jobs();
+  const SolverSettings& solver = context.session.solver_settings();
   switch (reference_row(context.theme, "markers/reference",
-                        jobs.smooth_options().slide.reference.name, jobs.reading_reference())) {
+                        solver.smooth_options().slide.reference.name, solver.reading_reference())) {
     case ReferenceAsk::choose:
       return context.emit(action::ShowFileDialog{FilePurpose::reference});
     case ReferenceAsk::clear:
@@ -183,7 +184,7 @@ void MarkerRoles::show_preview(const PanelContext& context, bool on) {
 }
 
 void MarkerRoles::draw_settings(const PanelContext& context) {
-  const SlideOptions& slide = context.session.jobs().smooth_options().slide;
+  const SlideOptions& slide = context.session.solver_settings().smooth_options().slide;
   const bool surface = context.session.kind() == MeshKind::surface;
   if (!surface) draw_file_pairs(context, slide);
   if (surface || !slide.markers.empty())
@@ -209,7 +210,7 @@ void MarkerRoles::draw_file_pairs(const PanelContext& context, SlideOptions slid
 }
 
 void MarkerRoles::draw_found(const PanelContext& context) {
-  const auto roles = boundary_roles(context.session).find();
+  const auto roles = context.session.inspection().roles.find();
   if (roles && !roles->fault.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette().danger);
     ui::text_wrapped(roles->fault);

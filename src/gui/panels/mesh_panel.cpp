@@ -42,12 +42,12 @@ std::string plural_of(ElementType type) {
 void ZonePanel::draw(const PanelContext& context) {
   if (!context.session.document()) return;
   const Document& document = *context.session.document();
-  const auto zones = document.zones();
+  const auto zones = document.source().zones();
   if (zones.size() < 2) return;
   std::vector<std::string> names;
   std::size_t chosen = 0;
   for (const int zone : zones) {
-    if (zone == document.zone()) chosen = names.size();
+    if (zone == document.source().zone()) chosen = names.size();
     names.push_back(std::to_string(zone) + " of " + std::to_string(zones.size()));
   }
   constexpr const char* tip =
@@ -55,7 +55,8 @@ void ZonePanel::draw(const PanelContext& context) {
       "same format keeps the others as they are.";
   ui::row("Zone", tip);
   if (ui::combo("mesh/zone", names, chosen, tip))
-    context.emit(action::OpenMesh{document.zone_file(), false, zones[chosen]});
+    context.emit(
+        action::OpenMesh{zone_file(document.source(), document.saved()), false, zones[chosen]});
 }
 
 void MeshPanel::count(const std::shared_ptr<const Topology>& topology) {
@@ -71,13 +72,13 @@ void MeshPanel::count(const std::shared_ptr<const Topology>& topology) {
   }
 }
 
-void MeshPanel::measure(const Session& session) {
-  if (generation_ == session.generation() && shape_ == session.shape()) return;
-  generation_ = session.generation();
-  shape_ = session.shape();
-  const auto shared = shared_mesh(session.mesh());
+void MeshPanel::measure(const LiveMesh& live) {
+  if (generation_ == live.generation() && shape_ == live.shape()) return;
+  generation_ = live.generation();
+  shape_ = live.shape();
+  const auto shared = live.shared();
   const Mesh& mesh = *shared;
-  if (session.in_space()) {
+  if (in_space(live)) {
     extents_ = space_bounds(mesh);
     return;
   }
@@ -92,7 +93,7 @@ void MeshPanel::draw(const PanelContext& context) {
     return;
   }
   count(context.session.topology());
-  measure(context.session);
+  measure(context.session.mesh());
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(8), context.theme.px(4)));
   draw_sizes(context);
   draw_markers(context);

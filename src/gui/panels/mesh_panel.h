@@ -28,7 +28,7 @@ class MeshPanel : public Panel {
     Index boundary_nodes = 0, unused_nodes = 0;
   };
   void count(const std::shared_ptr<const Topology>& topology);
-  void measure(const Session& session);
+  void measure(const LiveMesh& live);
   void draw_sizes(const PanelContext& context) const;
   static void draw_markers(const PanelContext& context);
 

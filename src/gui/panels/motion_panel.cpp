@@ -121,13 +121,6 @@ Shape shape_of(const KeepOutside& keep) {
   return keep.corner ? box : nothing;
 }
 
-std::vector<Index> selected_nodes(const Session& session) {
-  std::vector<std::string> names;
-  for (const Index marker : session.selection().markers())
-    names.push_back(session.topology()->markers()[at(marker)].name);
-  return session.topology()->markers().nodes_of(names);
-}
-
 /// A circle about a body, in space a sphere, or a box, to begin with: room for the body to turn,
 /// and as much again around it.
 KeepOutside around(Shape shape, const Coordinates& x, const std::vector<Index>& nodes) {
@@ -147,6 +140,10 @@ KeepOutside around(Shape shape, const Coordinates& x, const std::vector<Index>& 
   return keep;
 }
 
+KeepOutside first(Shape shape, const LiveMesh& mesh, const Selection& selection) {
+  return around(shape, mesh.coordinates(), mesh.topology()->markers().nodes_of(selection.names()));
+}
+
 }  // namespace
 
 void draw_keep_outside(const PanelContext& context) {
@@ -156,23 +153,23 @@ void draw_keep_outside(const PanelContext& context) {
       std::string("Nodes outside a ") + (space ? "sphere" : "circle") +
       " about the body, or outside a box, stay where they are, bit by bit. The region is drawn in "
       "the picture. A body that moves far needs a large one.";
-  SmoothOptions options = session.jobs().smooth_options();
+  SmoothOptions options = session.solver_settings().smooth_options();
   KeepOutside& keep = options.keep_outside;
   auto chosen = static_cast<std::size_t>(shape_of(keep));
   ui::row("Keep outside", tip, motion_label_share);
   bool changed = ui::combo("motion/keep_outside", {"Nothing", space ? "Sphere" : "Circle", "Box"},
                            chosen, tip);
-  if (changed)
-    keep = around(static_cast<Shape>(chosen), session.coordinates(), selected_nodes(session));
+  if (changed) keep = first(static_cast<Shape>(chosen), session.mesh(), session.selection());
   changed |= ui::option_form("motion/region", option_table(keep));
   if (changed)
-    context.emit(action::EditSmoothOptions{difference(session.jobs().smooth_options(), options)});
+    context.emit(
+        action::EditSmoothOptions{difference(session.solver_settings().smooth_options(), options)});
 }
 
 void draw_motion_steps(const PanelContext& context) {
   constexpr std::array<int, 4> increments{0, 1, 8, 32};
   const std::vector<std::string> names{"Automatic", "At once", "8 steps", "32 steps"};
-  const MotionOptions& now = context.session.jobs().motion_options();
+  const MotionOptions& now = context.session.solver_settings().motion_options();
   std::size_t chosen = 0;
   for (std::size_t i = 0; i < increments.size(); ++i)
     if (increments[i] == now.increments) chosen = i;
@@ -188,11 +185,11 @@ void draw_motion_steps(const PanelContext& context) {
 }
 
 void draw_quality_limits(const PanelContext& context) {
-  const Jobs& jobs = context.session.jobs();
-  MotionOptions options = jobs.motion_options();
+  const SolverSettings& solver = context.session.solver_settings();
+  MotionOptions options = solver.motion_options();
   if (ui::quality_limits_form("motion", options.floor, context.session.in_space() ? 3 : 2,
-                              follows_path(options, jobs.smooth_options())))
-    context.emit(action::EditMotionOptions{difference(jobs.motion_options(), options)});
+                              follows_path(options, solver.smooth_options())))
+    context.emit(action::EditMotionOptions{difference(solver.motion_options(), options)});
 }
 
 }  // namespace winslow::gui

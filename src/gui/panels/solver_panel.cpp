@@ -35,12 +35,14 @@ void SolverPanel::draw(const PanelContext& context) {
 
 void SolverPanel::draw_method(const PanelContext& context) {
   const Session& session = context.session;
-  SmoothOptions smooth = session.jobs().smooth_options();
-  MotionOptions motion = session.jobs().motion_options();
+  SmoothOptions smooth = session.solver_settings().smooth_options();
+  MotionOptions motion = session.solver_settings().motion_options();
   ImGui::BeginDisabled(session.job().active());
   if (ui::method_choice("solver", smooth, motion, solver_label_share)) {
-    context.emit(action::EditSmoothOptions{difference(session.jobs().smooth_options(), smooth)});
-    context.emit(action::EditMotionOptions{difference(session.jobs().motion_options(), motion)});
+    context.emit(
+        action::EditSmoothOptions{difference(session.solver_settings().smooth_options(), smooth)});
+    context.emit(
+        action::EditMotionOptions{difference(session.solver_settings().motion_options(), motion)});
   }
   ImGui::EndDisabled();
 }
@@ -48,7 +50,8 @@ void SolverPanel::draw_method(const PanelContext& context) {
 /// Stays enabled while the solver runs: that is when it is wanted.
 void SolverPanel::draw_pace(const PanelContext& context) {
   const Session& session = context.session;
-  if (method_of(session.jobs().smooth_options(), session.jobs().motion_options()) != Method::direct)
+  if (method_of(session.solver_settings().smooth_options(),
+                session.solver_settings().motion_options()) != Method::direct)
     return;
   constexpr std::array<double, 6> rates{1, 2, 5, 10, 30, 0};
   const std::vector<std::string> names{"1 a second",  "2 a second",  "5 a second",
@@ -129,10 +132,10 @@ void SolverPanel::draw_options(const PanelContext& context) {
                 "touch."))
     return;
   ImGui::BeginDisabled(context.session.job().active());
-  SmoothOptions options = context.session.jobs().smooth_options();
+  SmoothOptions options = context.session.solver_settings().smooth_options();
   if (ui::smooth_options_form("solver", options, context.session.kind()))
-    context.emit(
-        action::EditSmoothOptions{difference(context.session.jobs().smooth_options(), options)});
+    context.emit(action::EditSmoothOptions{
+        difference(context.session.solver_settings().smooth_options(), options)});
   if (ui::button("solver/defaults", "Reset to defaults",
                  {"Method and options as they were when the studio was first started.",
                   ui::ButtonStyle::normal, true, -1})) {

@@ -20,9 +20,9 @@ MeshState space_state() { return make_state(box_with_body(5, Volumes::tetrahedra
 MoveCommand turned(const MeshState& state, double degrees) {
   MoveCommand command;
   const bool space = state.mesh.topology->cell_dimension() == 3;
-  command.markers = {space ? "body" : "hole"};
-  command.motion.rotate = degrees;
-  if (space) command.motion.axis = Vec3(0, 0, 1);
+  command.bodies[0].markers = {space ? "body" : "hole"};
+  command.bodies[0].motion.rotate = degrees;
+  if (space) command.bodies[0].motion.axis = Vec3(0, 0, 1);
   return command;
 }
 
@@ -75,7 +75,7 @@ TEST_CASE("a call that is cancelled or refused leaves the last mesh where the ne
   options.monitor = &refusal;
   CHECK_THROWS_AS(moving.to(turned(state, 20), options), Cancelled);
   MoveCommand unknown = turned(state, 5);
-  unknown.markers = {"nowhere"};
+  unknown.bodies[0].markers = {"nowhere"};
   CHECK_THROWS_AS(moving.to(unknown), UsageError);
   CHECK(moving.to(turned(state, 15)).state.mesh.coordinates ==
         undisturbed.to(turned(state, 15)).state.mesh.coordinates);

@@ -24,9 +24,9 @@ MeshState space_state() { return make_state(box_with_body(5, Volumes::tetrahedra
 MoveCommand turn(const MeshState& state, double degrees) {
   MoveCommand command;
   const bool space = state.mesh.topology->cell_dimension() == 3;
-  command.markers = {space ? "body" : "hole"};
-  command.motion.rotate = degrees;
-  if (space) command.motion.axis = Vec3(0, 0, 1);
+  command.bodies[0].markers = {space ? "body" : "hole"};
+  command.bodies[0].motion.rotate = degrees;
+  if (space) command.bodies[0].motion.axis = Vec3(0, 0, 1);
   return command;
 }
 
@@ -93,7 +93,7 @@ TEST_CASE("a call that is cancelled or refused leaves a cache that can be used a
     options.monitor = &monitor;
     CHECK_THROWS_AS(execute(turn(state, 40), state, options), Cancelled);
     MoveCommand unknown = turn(state, 5);
-    unknown.markers = {"nowhere"};
+    unknown.bodies[0].markers = {"nowhere"};
     CHECK_THROWS_AS(execute(unknown, state, with(cache)), UsageError);
     CHECK(execute(turn(state, 5), state, with(cache)).state.mesh.coordinates ==
           execute(turn(state, 5), state).state.mesh.coordinates);

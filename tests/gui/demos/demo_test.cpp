@@ -40,7 +40,7 @@ void check_regular_targets(const Rig& rig) {
   const auto& history = rig.document().history();
   Command last = history.command(history.size() - 1);
   CHECK(smooth_options(last)->targets == TargetBlend::regular());
-  CHECK(rig.session().jobs().smooth_options().targets == TargetBlend{});
+  CHECK(rig.session().solver_settings().smooth_options().targets == TargetBlend{});
 }
 
 }  // namespace

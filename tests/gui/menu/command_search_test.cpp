@@ -104,8 +104,8 @@ TEST_CASE("menus name the program's purpose: motion and layers") {
   rig.type("7");
   rig.key(keys::tab);
   REQUIRE(rig.settle());
-  REQUIRE(rig.session().jobs().layer_preview().wanted());
-  CHECK(rig.session().jobs().layer_preview().wanted()->walls.front().spacing.count == 7);
+  REQUIRE(rig.session().layers().preview().wanted());
+  CHECK(rig.session().layers().preview().wanted()->walls.front().spacing.count == 7);
 }
 
 namespace {

@@ -168,7 +168,7 @@ TEST_CASE("two edits of one frame both hold: neither replaces what the other say
   // Both see the options as they are at the beginning of the frame.
   user_command("legend").run(view.context);
   user_command("node_ids").run(view.context);
-  const SmoothOptions& solver = rig.session().jobs().smooth_options();
+  const SmoothOptions& solver = rig.session().solver_settings().smooth_options();
   SmoothOptions damped = solver, serial = solver;
   damped.damping = 0.1;
   serial.threads = 1;
@@ -177,8 +177,8 @@ TEST_CASE("two edits of one frame both hold: neither replaces what the other say
   for (const Action& a : view.actions) rig.bench->apply(a);
   CHECK(rig.bench->view_control().options().legend != before.legend);
   CHECK(rig.bench->view_control().options().node_ids != before.node_ids);
-  CHECK(rig.session().jobs().smooth_options().damping == 0.1);
-  CHECK(rig.session().jobs().smooth_options().threads == 1);
+  CHECK(rig.session().solver_settings().smooth_options().damping == 0.1);
+  CHECK(rig.session().solver_settings().smooth_options().threads == 1);
 }
 
 }  // namespace winslow::gui::test

@@ -14,7 +14,9 @@ namespace winslow::gui::test {
 
 namespace {
 
-const SlideOptions& slide_of(const Rig& rig) { return rig.session().jobs().smooth_options().slide; }
+const SlideOptions& slide_of(const Rig& rig) {
+  return rig.session().solver_settings().smooth_options().slide;
+}
 
 /// A square whose sides left and right have their nodes too near to its ends, alike.
 Mesh plane_square() {
@@ -246,9 +248,10 @@ TEST_CASE("a node is held, let slide and left as found by a right click, which u
   REQUIRE(rig.settle());
   rig.frames(3);
   CHECK_FALSE(rig.visible("markers/fault"));
-  CHECK(rig.session().jobs().smooth_in_place().slide.smooth_nodes.empty());
+  CHECK(rig.session().solver_settings().smooth_in_place().slide.smooth_nodes.empty());
   rig.click("marker_role/all");
-  CHECK(rig.session().jobs().smooth_in_place().slide.smooth_nodes == std::vector<Index>{corner});
+  CHECK(rig.session().solver_settings().smooth_in_place().slide.smooth_nodes ==
+        std::vector<Index>{corner});
 }
 
 TEST_CASE("roles in space: seen nodes of a sliding face have dots, and along its edges if asked") {
@@ -316,7 +319,9 @@ TEST_CASE("spacing is held by the form, and what then stays is shown to") {
 
 namespace {
 
-const SlideOptions& taken_of(const Rig& rig) { return rig.session().jobs().smooth_options().slide; }
+const SlideOptions& taken_of(const Rig& rig) {
+  return rig.session().solver_settings().smooth_options().slide;
+}
 
 void open_passage(Rig& rig) {
   rig.bench->apply(action::OpenMesh{winslow::test::test_data("periodic_41.msh")});

@@ -171,7 +171,7 @@ TEST_CASE("a click on a marker's role has it slide: a body that turns takes the 
   rig.open(ring_mesh());
   const Coordinates before = rig.mesh().coordinates;
   rig.click("marker_role/farfield");
-  CHECK(rig.session().jobs().smooth_options().slide.markers ==
+  CHECK(rig.session().solver_settings().smooth_options().slide.markers ==
         std::vector<std::string>{"farfield"});
   rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
   rig.bench->apply(action::ApplyMotion{{20, Vec2(0, 0), Vec2(0, 0)}});
@@ -183,9 +183,9 @@ TEST_CASE("a click on a marker's role has it slide: a body that turns takes the 
   }
   // What is selected moves; its role is no button then.
   rig.click("marker_role/flap");
-  CHECK(rig.session().jobs().smooth_options().slide.markers.size() == 1);
+  CHECK(rig.session().solver_settings().smooth_options().slide.markers.size() == 1);
   rig.click("marker_role/farfield");
-  CHECK(rig.session().jobs().smooth_options().slide.markers.empty());
+  CHECK(rig.session().solver_settings().smooth_options().slide.markers.empty());
 }
 
 TEST_CASE("a marker that slides and is then moved does not slide; another mesh knows no roles") {
@@ -202,7 +202,7 @@ TEST_CASE("a marker that slides and is then moved does not slide; another mesh k
   CHECK(std::get<MoveCommand>(done).smooth.slide.markers == std::vector<std::string>{"farfield"});
   rig.bench->apply(action::OpenMesh{write(rig.folder, two_body_mesh(), "other.su2"), true});
   REQUIRE(rig.settle());
-  CHECK(rig.session().jobs().smooth_options().slide.markers.empty());
+  CHECK(rig.session().solver_settings().smooth_options().slide.markers.empty());
 }
 
 }  // namespace winslow::gui::test

@@ -80,14 +80,14 @@ TEST_CASE("a file of several zones opens with its first and offers the others") 
   rig.click("mesh/zone/1 of 2");
   REQUIRE(rig.settle());
   CHECK(rig.document().path() == saved);
-  CHECK(rig.document().zone() == 1);
+  CHECK(rig.document().source().zone() == 1);
 }
 
 TEST_CASE("a file that is one mesh has no choice of zones") {
   Rig rig;
   rig.open(ring_mesh());
   CHECK_FALSE(rig.visible("mesh/zone"));
-  CHECK(rig.document().zone() == 0);
+  CHECK(rig.document().source().zone() == 0);
   CHECK(rig.bench->title() == "mesh.su2 - winslow");
 }
 

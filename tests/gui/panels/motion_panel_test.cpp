@@ -130,7 +130,7 @@ void choose(Rig& rig, const std::string& shape) {
 }
 
 const KeepOutside& region(const Rig& rig) {
-  return rig.session().jobs().smooth_options().keep_outside;
+  return rig.session().solver_settings().smooth_options().keep_outside;
 }
 
 /// Interior nodes that are elsewhere than before, of those within that distance of the origin or
@@ -198,7 +198,9 @@ struct FormStudio : MovingStudio {
     click("motion/keep_outside/" + shape);
     frames();
   }
-  const KeepOutside& region() const { return session().jobs().smooth_options().keep_outside; }
+  const KeepOutside& region() const {
+    return session().solver_settings().smooth_options().keep_outside;
+  }
   /// Interior nodes beyond a distance from the middle of the body that are elsewhere than before.
   int moved(const Coordinates& before, double radius) const {
     int count = 0;

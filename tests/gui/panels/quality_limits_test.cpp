@@ -30,7 +30,9 @@ void open_limits(Rig& rig) {
   REQUIRE(rig.visible(sine_switch));
 }
 
-const QualityFloor& floor_of(const Rig& rig) { return rig.session().jobs().motion_options().floor; }
+const QualityFloor& floor_of(const Rig& rig) {
+  return rig.session().solver_settings().motion_options().floor;
+}
 
 }  // namespace
 
@@ -104,7 +106,7 @@ TEST_CASE("where a motion follows no path the limits say what they need") {
   open_limits(rig);
   rig.click(sine_switch);
   CHECK_FALSE(rig.visible("motion/limits/path"));
-  MotionOptions steps = rig.session().jobs().motion_options();
+  MotionOptions steps = rig.session().solver_settings().motion_options();
   steps.increments = 8;
   rig.bench->apply(action::EditMotionOptions{whole(steps)});
   rig.frames();

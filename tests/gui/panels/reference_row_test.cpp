@@ -14,7 +14,7 @@ namespace winslow::gui::test {
 namespace {
 
 const SlideOptions& chosen_slide(const Rig& rig) {
-  return rig.session().jobs().smooth_options().slide;
+  return rig.session().solver_settings().smooth_options().slide;
 }
 
 Mesh scaled(Mesh mesh, double size, const Vec3& about) {
@@ -118,7 +118,7 @@ TEST_CASE(
         "bad.obj cannot be used as a reference surface");
   CHECK(rig.session().messages().prompt()->text.find("bad.obj:3") != std::string::npos);
   CHECK(chosen_slide(rig).reference.name == file.string());
-  CHECK(rig.session().jobs().reading_reference().empty());
+  CHECK(rig.session().solver_settings().reading_reference().empty());
   rig.key(keys::enter);
   rig.frames();
   run_smooth(rig);
@@ -142,7 +142,7 @@ TEST_CASE("the file that is chosen last counts, however long the one before take
   const auto second = write_ball(rig, "second.obj", 1.2);
   rig.bench->apply(action::ChooseReference{rig.folder / "first.obj"});
   rig.bench->apply(action::ChooseReference{second});
-  CHECK(rig.session().jobs().reading_reference() == second);
+  CHECK(rig.session().solver_settings().reading_reference() == second);
   REQUIRE(rig.settle());
   CHECK(chosen_slide(rig).reference.name == second.string());
   // None is wanted while one is being read.
@@ -262,7 +262,7 @@ TEST_CASE("a body is dragged in a mesh whose outside slides on a file, and is le
   const ScreenPoint from = studio.handle("arrow/x");
   studio.drag(from, from + ScreenVector(18, 10));
   studio.follow();
-  const BodyDrag& drag = *studio.session().mesh().body_drag();
+  const BodyDrag& drag = *studio.session().mesh().work().body_drag();
   CHECK(drag.error() == "");
   CHECK(drag.reach() == BodyDrag::Reach::there);
   const Coordinates shown = studio.session().coordinates();
@@ -288,7 +288,8 @@ TEST_CASE("a drag whose reference surface has gone says so when the body is let 
   const Coordinates before = studio.mesh().coordinates;
   const ScreenPoint from = studio.handle("arrow/x");
   studio.drag(from, from + ScreenVector(18, 10));
-  REQUIRE(studio.wait([&] { return !studio.session().mesh().body_drag()->error().empty(); }));
+  REQUIRE(
+      studio.wait([&] { return !studio.session().mesh().work().body_drag()->error().empty(); }));
   studio.release();
   REQUIRE(studio.settle());
   REQUIRE(studio.session().messages().prompt() != nullptr);

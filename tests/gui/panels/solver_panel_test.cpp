@@ -33,18 +33,18 @@ Index inverted_on_screen(const Rig& rig) {
 TEST_CASE("the method is one choice that sets formulation, iteration and steps") {
   Rig rig(1280, 1000);
   rig.open(ring_mesh());
-  CHECK(method_of(rig.session().jobs().smooth_options(), rig.session().jobs().motion_options()) ==
-        Method::path);
+  CHECK(method_of(rig.session().solver_settings().smooth_options(),
+                  rig.session().solver_settings().motion_options()) == Method::path);
   CHECK_FALSE(rig.visible("solver/pace"));
   choose_direct(rig);
-  CHECK(rig.session().jobs().smooth_options().formulation == Formulation::pointwise);
-  CHECK(rig.session().jobs().smooth_options().outer == OuterMethod::picard);
-  CHECK(rig.session().jobs().motion_options().increments == 1);
+  CHECK(rig.session().solver_settings().smooth_options().formulation == Formulation::pointwise);
+  CHECK(rig.session().solver_settings().smooth_options().outer == OuterMethod::picard);
+  CHECK(rig.session().solver_settings().motion_options().increments == 1);
   CHECK(rig.visible("solver/pace"));
   choose(rig, "solver/method", "Path following");
-  CHECK(method_of(rig.session().jobs().smooth_options(), rig.session().jobs().motion_options()) ==
-        Method::path);
-  CHECK(rig.session().jobs().smooth_options().formulation == Formulation::variational);
+  CHECK(method_of(rig.session().solver_settings().smooth_options(),
+                  rig.session().solver_settings().motion_options()) == Method::path);
+  CHECK(rig.session().solver_settings().smooth_options().formulation == Formulation::variational);
   CHECK_FALSE(rig.visible("solver/pace"));
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("a paced direct run goes no faster, and can be slowed, cancelled and s
   rig.open(ring_mesh());
   const Coordinates before = rig.mesh().coordinates;
   choose_direct(rig);
-  const SmoothOptions usual = rig.session().jobs().smooth_options();
+  const SmoothOptions usual = rig.session().solver_settings().smooth_options();
   SmoothOptions slow = usual;  // it would go on for minutes
   slow.damping = 0.001;
   slow.acceleration = 0;
@@ -173,18 +173,18 @@ TEST_CASE("what does not apply is not shown, and the defaults come back at a pre
   rig.click("solver/linear");
   CHECK_FALSE(rig.visible("solver/linear/multigrid"));
   rig.click("solver/linear/gmres");
-  CHECK(rig.session().jobs().smooth_options().linear.solver == "gmres");
+  CHECK(rig.session().solver_settings().smooth_options().linear.solver == "gmres");
   CHECK(rig.visible("solver/linear_restart"));
   rig.fill("solver/tolerance", "1e-6");
-  CHECK(rig.session().jobs().smooth_options().tolerance == 1e-6);
+  CHECK(rig.session().solver_settings().smooth_options().tolerance == 1e-6);
   rig.click("solver/adapt_damping");
-  CHECK_FALSE(rig.session().jobs().smooth_options().adapt_damping);
+  CHECK_FALSE(rig.session().solver_settings().smooth_options().adapt_damping);
   rig.click("solver/defaults");
-  CHECK(method_of(rig.session().jobs().smooth_options(), rig.session().jobs().motion_options()) ==
-        Method::path);
-  CHECK(rig.session().jobs().smooth_options().tolerance == SmoothOptions{}.tolerance);
-  CHECK(rig.session().jobs().smooth_options().adapt_damping);
-  CHECK(rig.session().jobs().smooth_options().linear == LinearOptions{});
+  CHECK(method_of(rig.session().solver_settings().smooth_options(),
+                  rig.session().solver_settings().motion_options()) == Method::path);
+  CHECK(rig.session().solver_settings().smooth_options().tolerance == SmoothOptions{}.tolerance);
+  CHECK(rig.session().solver_settings().smooth_options().adapt_damping);
+  CHECK(rig.session().solver_settings().smooth_options().linear == LinearOptions{});
 }
 
 /// The solver's panel of surface meshes.
@@ -213,9 +213,9 @@ TEST_CASE("a surface mesh that is opened after the paper's method is smoothed al
   rig.open(ring_mesh(), "plane.su2");
   rig.click("solver/method");
   rig.click("solver/method/Direct (the paper's)");
-  CHECK(rig.session().jobs().smooth_options().formulation == Formulation::pointwise);
+  CHECK(rig.session().solver_settings().smooth_options().formulation == Formulation::pointwise);
   rig.open(SurfaceRig::ball(), "ball.obj");
-  CHECK(rig.session().jobs().smooth_options().formulation == Formulation::variational);
+  CHECK(rig.session().solver_settings().smooth_options().formulation == Formulation::variational);
   rig.scramble();
   rig.click("tool/run");
   REQUIRE(rig.settle());

@@ -61,10 +61,10 @@ struct MovingStudio : Rig {
   }
   /// Waits until the mesh on screen is the solution for where the mouse is, or the limit.
   void follow() {
-    REQUIRE(session().mesh().body_drag() != nullptr);
+    REQUIRE(session().mesh().work().body_drag() != nullptr);
     REQUIRE(wait(
         [this] {
-          const BodyDrag* drag = session().mesh().body_drag();
+          const BodyDrag* drag = session().mesh().work().body_drag();
           return drag && drag->settled() && drag->reach() != BodyDrag::Reach::catching_up;
         },
         240));

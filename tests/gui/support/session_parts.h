@@ -14,11 +14,17 @@
 
 namespace winslow::gui::test {
 
+/// No mesh is open.
+struct NothingOpen {
+  OngoingWork work{std::make_shared<ReferenceFiles>()};
+  LiveMesh mesh{work};
+};
+
 /// The parts of a session, put together by hand so that a test can get at each of them.
 struct SessionParts {
   explicit SessionParts(const Mesh& opened) {
     mesh.open(std::make_unique<Document>(Document::load(write(folder, opened))));
-    jobs.show_position();
+    show_position(mesh, selection, messages);
   }
 
   Index marker(const std::string& name) const { return *mesh.topology()->markers().find(name); }
@@ -41,13 +47,16 @@ struct SessionParts {
   std::string notice() const { return messages.notice() ? messages.notice()->text : ""; }
 
   TemporaryFolder folder;
-  LiveMesh mesh;
+  std::shared_ptr<ReferenceFiles> references = std::make_shared<ReferenceFiles>();
+  OngoingWork work{references};
+  LiveMesh mesh{work};
   MessageBoard messages{mesh};
   Selection selection{mesh, messages};
-  Jobs jobs{mesh, messages, selection};
-  Motions motions{mesh, messages, selection, jobs};
-  VcvEditor vcvs{mesh, messages, jobs};
-  HistoryEditor history{mesh, messages, jobs, motions};
+  SolverSettings settings{mesh, messages, references};
+  Jobs jobs{work, mesh, messages, selection, settings};
+  Motions motions{work, mesh, messages, selection, settings, jobs};
+  VcvEditor vcvs{work, mesh, messages, settings, jobs};
+  HistoryEditor history{mesh, messages, selection, settings, jobs, motions};
 };
 
 }  // namespace winslow::gui::test

@@ -62,7 +62,9 @@ struct SphereStudio : Rig {
     bench->apply(action::InspectNode{node});
     frames(3);
   }
-  const VolumeNodalView& view(Index node) const { return spheres(session()).at(node); }
+  const VolumeNodalView& view(Index node) const {
+    return session().inspection().spheres.view_of(node);
+  }
   WidgetMap::Rect rect(const std::string& id) const {
     const auto found = bench->widgets().find(id);
     REQUIRE_MESSAGE(found.has_value(), id);

@@ -43,21 +43,21 @@ TEST_CASE("an open list follows the arrow keys, and Enter takes what they have c
   rig.open(ring_mesh());
   rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
   rig.frames();
-  REQUIRE(rig.session().jobs().motion_options().increments == 0);
+  REQUIRE(rig.session().solver_settings().motion_options().increments == 0);
   rig.click("motion/steps");
   rig.frames();
   rig.key(GLFW_KEY_DOWN);
   rig.key(GLFW_KEY_DOWN);
-  CHECK(rig.session().jobs().motion_options().increments == 0);  // nothing is taken yet
+  CHECK(rig.session().solver_settings().motion_options().increments == 0);  // nothing is taken yet
   rig.key(keys::enter);
   rig.frames();
-  CHECK(rig.session().jobs().motion_options().increments == 8);
+  CHECK(rig.session().solver_settings().motion_options().increments == 8);
   CHECK_FALSE(rig.visible("motion/steps/8 steps"));  // the list is closed
   rig.click("motion/steps");
   rig.frames();
   rig.key(GLFW_KEY_UP);
   rig.key(keys::escape);
-  CHECK(rig.session().jobs().motion_options().increments == 8);
+  CHECK(rig.session().solver_settings().motion_options().increments == 8);
 }
 
 TEST_CASE("characters that come in one frame all count, and those after Tab go to the next field") {

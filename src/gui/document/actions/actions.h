@@ -38,7 +38,7 @@ struct PickedPlace {
 
 }  // namespace winslow::gui
 
-/// Where the user looks and what is drawn. Carried out by the workbench.
+/// Where the user looks and what is drawn. Carried out by Navigator and ViewControl.
 namespace winslow::gui::action {
 
 /// Sets some of the view's options and leaves the others as they are.
@@ -120,13 +120,18 @@ struct StepScale {
 
 namespace winslow::gui {
 
+/// Where the camera goes.
+using CameraAction =
+    std::variant<action::FitView, action::FitSelection, action::FitBodies, action::FitMarkers,
+                 action::LookAt, action::ZoomTo, action::LookAtPlace, action::ZoomToScreen,
+                 action::LookFrom, action::BackView, action::ForwardView>;
+
+/// What is drawn, and what that is about.
 using ViewAction =
-    std::variant<action::EditView, action::FitView, action::FitSelection, action::FitBodies,
-                 action::FitMarkers, action::ToggleRuler, action::LookAt, action::BoxZoom,
-                 action::ZoomTo, action::BackView, action::ForwardView, action::GoTo,
+    std::variant<action::EditView, action::ToggleRuler, action::BoxZoom, action::GoTo,
                  action::InspectNode, action::PinMagnifier, action::AskGoTo, action::PreviewRoles,
-                 action::StepScale, action::LookAtPlace, action::ZoomToScreen, action::LookFrom,
-                 action::AddCut, action::HoldCut, action::AddCutAcrossView, action::ShowLook>;
+                 action::StepScale, action::AddCut, action::HoldCut, action::AddCutAcrossView,
+                 action::ShowLook>;
 
 }  // namespace winslow::gui
 
@@ -267,10 +272,10 @@ using DemoAction =
 
 /// Actions on the open mesh; they need no window.
 using DocumentAction = std::variant<FileAction, SelectionAction, MotionAction, VcvAction, JobAction,
-                                    HistoryAction, MessageAction>;
+                                    SettingsAction, LayerAction, HistoryAction, MessageAction>;
 
-using Action =
-    std::variant<DocumentAction, ViewAction, PictureAction, DialogAction, ShellAction, DemoAction>;
+using Action = std::variant<DocumentAction, CameraAction, ViewAction, PictureAction, DialogAction,
+                            ShellAction, DemoAction>;
 
 using ActionQueue = std::vector<Action>;
 

@@ -4,10 +4,9 @@
 
 namespace winslow::gui {
 
-/// Hands an action to the object that carries it out: to its function void on(const A&), which may
-/// be private if the object makes Dispatch its friend. An action without such a function does not
-/// compile, and neither does a handler that takes whatever it is given: it would swallow actions
-/// that nobody handles.
+/// Hands an action to the object that carries it out: to its function void on(const A&). An action
+/// without such a function does not compile, and neither does a handler that takes whatever it is
+/// given: it would swallow actions that nobody handles.
 class Dispatch {
   struct NoAction {};
   // By its exact type: an action must not reach a function through a conversion.

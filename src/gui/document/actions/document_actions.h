@@ -89,7 +89,7 @@ struct DeleteStep {
 };
 /// Puts a history back that an edit replaced; the present one is kept in its place.
 struct BringBack {
-  std::size_t kept = 0;  ///< index into Document::kept()
+  std::size_t kept = 0;  ///< index into EditHistory::kept()
 };
 /// Applies the commands of a recipe to the open mesh, one after the other.
 struct ReplayRecipe {
@@ -105,7 +105,8 @@ using HistoryAction = std::variant<action::Undo, action::Redo, action::GoToStep,
 
 }  // namespace winslow::gui
 
-/// The solver: what it carries out, and how. Carried out by Jobs.
+/// The solver: what it carries out, how, and the layers that it is to insert. Carried out by Jobs,
+/// SolverSettings and MeshLayers.
 namespace winslow::gui::action {
 
 struct RunSmooth {};
@@ -175,12 +176,16 @@ struct PreviewLayers {
 
 namespace winslow::gui {
 
-using JobAction = std::variant<action::RunSmooth, action::Scramble, action::PauseSolver,
-                               action::ResumeSolver, action::StepSolver, action::CancelSolver,
-                               action::EditSmoothOptions, action::EditMotionOptions,
-                               action::PairMarkers, action::OverrideNode, action::StepOverride,
-                               action::ChooseReference, action::SetPace, action::FollowSolver,
-                               action::RunCommand, action::RerunStep, action::PreviewLayers>;
+using JobAction =
+    std::variant<action::RunSmooth, action::Scramble, action::PauseSolver, action::ResumeSolver,
+                 action::StepSolver, action::CancelSolver, action::SetPace, action::FollowSolver,
+                 action::RunCommand, action::RerunStep>;
+
+using SettingsAction =
+    std::variant<action::EditSmoothOptions, action::EditMotionOptions, action::PairMarkers,
+                 action::OverrideNode, action::StepOverride, action::ChooseReference>;
+
+using LayerAction = std::variant<action::PreviewLayers>;
 
 }  // namespace winslow::gui
 

@@ -106,13 +106,13 @@ void Autosave::keep(const Session& session) {
   Mark mark = mark_of(*document, session.generation());
   if (mark == written_) return;
   written_ = std::move(mark);
-  const fs::path source = fs::absolute(document->source());
+  const fs::path source = fs::absolute(document->source().path);
   const bool restored = session.generation() == restored_generation_;
   SessionRecord record{session.generation(),           source,
                        fs::absolute(document->path()), restored ? restored_mesh_ : source,
-                       document->source_stamp(),       document->history(),
+                       document->source().stamp,       document->history(),
                        document->edits().tags()};
-  const auto details = document->details();
+  const auto details = document->source().details;
   if (details && !details->zones.empty()) record.zone = details->zone;
   tasks_.push_back([this, folder = folder_, record = std::move(record),
                     done = std::exchange(taken_over_, {})]() -> Then {

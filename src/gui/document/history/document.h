@@ -1,25 +1,20 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <set>
-#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/quality/quality.h"
 #include "core/quality/surface_distance.h"
+#include "gui/document/history/document_files.h"
 #include "gui/document/history/edit_history.h"
-#include "gui/files/file_kinds.h"
 #include "gui/render/space/volume_scene.h"
-#include "io/format/mesh_file.h"
 
 namespace winslow::gui {
 
-/// An open mesh: where it came from, what was done to it, what of that is saved.
+/// An open mesh: its files, what was done to it, what is known of it from the start.
 class Document {
  public:
   /// What is prepared on the loader's thread.
@@ -39,25 +34,17 @@ class Document {
 
   explicit Document(Loaded loaded);
 
-  /// Where the mesh is saved, or else came from.
-  const std::filesystem::path& path() const { return path_; }
   /// The file that was opened.
-  const std::filesystem::path& source() const { return source_; }
-  /// That file as it was read; empty: none is known that holds just that.
-  const std::optional<FileStamp>& source_stamp() const { return source_stamp_; }
-  /// Where to save it from now on; nothing is saved there yet.
-  void set_path(std::filesystem::path path) { path_ = std::move(path); }
-  std::string name() const { return path_.filename().string(); }
-  const std::shared_ptr<const io::FormatDetails>& details() const { return details_; }
-  /// Numbers of the zones of its file; empty: the file is one mesh.
-  std::span<const int> zones() const;
-  /// The one that is open; 0: the file is one mesh.
-  int zone() const;
-  /// The file that holds all zones: where the mesh is saved if those went along, else its source.
-  const std::filesystem::path& zone_file() const;
-  /// "zone 2 of 3"; empty: the file is one mesh.
-  std::string zone_text() const;
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  const SourceFile& source() const { return source_; }
+  /// Where the mesh is saved.
+  const SavedFile& saved() const { return saved_; }
+  SavedFile& saved() { return saved_; }
+  const std::filesystem::path& path() const { return saved_.path(); }
+  std::string name() const { return path().filename().string(); }
+  /// It has changes of the user's that are saved nowhere.
+  bool modified() const { return saved_.lacks(edits_.revision()); }
+
+  /// Of the mesh as it was opened.
   const QualityReport& loaded_quality() const { return loaded_quality_; }
   /// Of a mesh in space, whose faces no command changes; null: it is a plane mesh.
   const std::shared_ptr<const VolumeBoundary>& boundary() const { return boundary_; }
@@ -71,28 +58,13 @@ class Document {
   const MeshState& state() const { return history().state(); }
   const std::shared_ptr<const Topology>& topology() const { return state().mesh.topology; }
 
-  /// It has changes of the user's that are saved nowhere.
-  bool modified() const {
-    return edits_.revision() != saved_revision_ && !shown_only_.contains(edits_.revision());
-  }
-  /// The present mesh is no work of the user's: there is nothing to save.
-  void mark_shown_only() { shown_only_.insert(edits_.revision()); }
-  void mark_saved(const std::filesystem::path& path, std::uint64_t revision);
-  /// True if this document wrote that file before: it may be replaced without asking.
-  bool wrote(const std::filesystem::path& path) const;
-
  private:
-  std::filesystem::path source_, path_;
-  std::optional<FileStamp> source_stamp_;
-  std::shared_ptr<const io::FormatDetails> details_;
-  std::vector<std::string> warnings_;
+  SourceFile source_;
+  SavedFile saved_;
   QualityReport loaded_quality_;
   std::shared_ptr<const VolumeBoundary> boundary_;
   std::shared_ptr<const SurfaceDistance> given_;
   EditHistory edits_;
-  std::uint64_t saved_revision_ = 0;
-  std::set<std::uint64_t> shown_only_;  // revisions that a demo made
-  std::set<std::filesystem::path> written_;
 };
 
 /// Finds what there is to know of a mesh beside what its file says, of the state it is opened in.

@@ -1,6 +1,6 @@
 #include "gui/document/history/edit_history.h"
 
-#include <utility>
+#include "gui/base/text.h"
 
 namespace winslow::gui {
 
@@ -43,6 +43,39 @@ void EditHistory::take_back() {
   history_ = std::move(kept_.back().history);
   tags_ = std::move(kept_.back().tags);
   kept_.pop_back();
+}
+
+std::string finished_text(const CommandQueue::Plan& plan) {
+  if (plan.commands.empty()) return "The step is deleted";
+  return plan.title + ": " + counted(plan.commands.size(), "command") + " carried out";
+}
+
+std::string cancelled_text(const CommandQueue& queue, const Command& under_way) {
+  if (!queue.active())
+    return "Cancelled: " + describe(under_way) + ". The mesh is as it was before.";
+  if (queue.plan().revision) return "Cancelled. The history is as it was before the change.";
+  return "Cancelled after " + counted(queue.done(), "command") + " of " +
+         std::to_string(queue.total()) + "; those stay in the history.";
+}
+
+Prompt stopped_prompt(const CommandQueue::Plan& plan, std::size_t done, const std::string& error,
+                      std::size_t kept) {
+  std::string text = "Step " + std::to_string(plan.start + done + 1) + " (" +
+                     describe(plan.commands[done]) + ") failed";
+  text += error.empty() ? "." : ": " + error;
+  text += done == 0
+              ? "\nNothing before it was run."
+              : "\nThe history ends before it, after " + counted(done, "command") + " carried out.";
+  Prompt prompt{Prompt::Kind::error, plan.title + " stopped", {}, {}};
+  if (plan.revision) {
+    text += "\nThe history from before the change is kept.";
+    prompt.choices.push_back({"Bring it back", {action::BringBack{kept - 1}}, true});
+    prompt.choices.push_back({"Leave it so", {}, false});
+  } else {
+    prompt.choices.push_back({"OK", {}, true});
+  }
+  prompt.text = std::move(text);
+  return prompt;
 }
 
 }  // namespace winslow::gui

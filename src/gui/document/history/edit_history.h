@@ -8,6 +8,7 @@
 
 #include "core/command/command.h"
 #include "core/command/history.h"
+#include "gui/document/actions/actions.h"
 
 namespace winslow::gui {
 
@@ -95,5 +96,14 @@ class CommandQueue {
   std::optional<Plan> plan_;
   std::size_t done_ = 0;
 };
+
+/// "Replaying wing.json: 3 commands carried out", once all are.
+std::string finished_text(const CommandQueue::Plan& plan);
+/// What the user is told who has cancelled the command under way.
+std::string cancelled_text(const CommandQueue& queue, const Command& under_way);
+/// Says that the command after `done` others could not be carried out. error: why; empty: that was
+/// said already. kept: histories that are kept, of which a revision's last one can be brought back.
+Prompt stopped_prompt(const CommandQueue::Plan& plan, std::size_t done, const std::string& error,
+                      std::size_t kept);
 
 }  // namespace winslow::gui

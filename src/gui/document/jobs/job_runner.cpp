@@ -78,7 +78,7 @@ void JobRunner::set_pace(double iterations_per_second) {
   solver_.set_pace(pace_);
 }
 
-void JobRunner::follow(bool on) {
+void JobRunner::wait_for_viewer(bool on) {
   if (on)
     solver_.follow(snapshot_ ? snapshot_->serial : 0);
   else

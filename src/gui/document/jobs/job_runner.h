@@ -60,7 +60,7 @@ class JobRunner {
   /// See SolverThread::set_pace.
   void set_pace(double iterations_per_second);
   /// On: the solver waits after every iteration until this is called again, so that none is missed.
-  void follow(bool on);
+  void wait_for_viewer(bool on);
   /// Ends the job at once, with no outcome.
   void cancel();
 

@@ -94,12 +94,12 @@ void Files::adopt(Document::Loaded loaded) {
   jobs_.stop();
   messages_.clear_banner();
   mesh_.open(std::move(document));
-  jobs_.forget_mesh();
-  jobs_.show_position();
+  settings_.forget_mesh();
+  show_position();
   const Document& opened = *mesh_.document();
-  const auto& warnings = opened.warnings();
+  const auto& warnings = opened.source().warnings;
   std::string name = opened.name();
-  if (const std::string zone = opened.zone_text(); !zone.empty())
+  if (const std::string zone = opened.source().zone_text(); !zone.empty())
     name += ", " + zone + " (others: \"Zone\" on the left)";
   if (warnings.empty()) {
     messages_.tell(Notice::Kind::success, "Opened " + name);
@@ -131,13 +131,13 @@ void Files::restore(RestoredSession restored) {
   for (auto& step : restored.steps)
     document.edits().push(std::move(step.command), std::move(step.result), step.seconds);
   document.edits().go_to(restored.position);
-  document.set_path(restored.path);
+  document.saved().set_path(restored.path);
   if (const auto slide = last_slide(document.history())) {
-    SmoothOptions after = jobs_.smooth_options();
+    SmoothOptions after = settings_.smooth_options();
     after.slide = *slide;
-    jobs_.apply(action::EditSmoothOptions{difference(jobs_.smooth_options(), after)});
+    settings_.on(action::EditSmoothOptions{difference(settings_.smooth_options(), after)});
   }
-  jobs_.show_position();
+  show_position();
   messages_.tell(Notice::Kind::success, "The session of " + document.name() +
                                             " is restored, with " + counted(count, "command"));
   if (!restored.damage.empty()) messages_.report_error("Restored in part", restored.damage);
@@ -186,7 +186,7 @@ void Files::on(const action::SaveMesh& a) {
           {"Cancel", {}, true}}});
     return;
   }
-  const bool overwrite = a.overwrite || document.wrote(path);
+  const bool overwrite = a.overwrite || document.saved().wrote(path);
   if (may_export(path, overwrite, "Saving",
                  action::SaveMesh{path, true, a.allow_inverted, a.proceed}))
     start_saver(path, false, a.proceed);
@@ -195,7 +195,7 @@ void Files::on(const action::SaveMesh& a) {
 /// copy: the document stays where it is.
 void Files::start_saver(const std::filesystem::path& path, bool copy, bool proceed) {
   const Document& document = *mesh_.document();
-  saver_.start([path, mesh = document.state().mesh, details = document.details(),
+  saver_.start([path, mesh = document.state().mesh, details = document.source().details,
                 generation = mesh_.generation(), revision = document.edits().revision(), copy,
                 proceed] {
     SaveOutcome outcome{path, generation, revision, {}, {}, copy, proceed};
@@ -213,7 +213,7 @@ bool Files::poll_saver() {
     return true;
   }
   if (mesh_.document() && mesh_.generation() == outcome->generation && !outcome->copy)
-    mesh_.document()->mark_saved(outcome->path, outcome->revision);
+    mesh_.document()->saved().mark_saved(outcome->path, outcome->revision);
   messages_.tell(Notice::Kind::success, (outcome->copy ? "Exported " : "Saved ") + name);
   if (!outcome->warnings.empty())
     messages_.remark("Saved with " + counted(outcome->warnings.size(), "warning"),
@@ -287,7 +287,7 @@ void Files::on(const action::ExportRecipe& a) {
   io::Recipe recipe;
   std::error_code ignored;
   const auto folder = std::filesystem::absolute(a.path, ignored).parent_path();
-  recipe.input = std::filesystem::proximate(document.source(), folder, ignored).string();
+  recipe.input = std::filesystem::proximate(document.source().path, folder, ignored).string();
   recipe.commands = document.history().recipe();
   const std::string error = error_of([&] { io::write_recipe(a.path, recipe); });
   if (!error.empty()) return messages_.report_error("Cannot write the recipe", error);
@@ -302,8 +302,8 @@ void Files::on(const action::ExportConvergence& a) {
     return messages_.tell(Notice::Kind::warning, "Still writing the last one.");
   if (!may_write(a.path)) return;
   if (!may_export(a.path, a.overwrite, "Saving", action::ExportConvergence{a.path, true})) return;
-  const int number =
-      static_cast<int>(mesh_.document()->history().position()) + (mesh_.job().active() ? 1 : 0);
+  const int number = static_cast<int>(mesh_.document()->history().position()) +
+                     (mesh_.work().job().active() ? 1 : 0);
   csv_writer_.start(
       [path = a.path, number, records = std::vector<IterationRecord>(shown.begin(), shown.end())] {
         CsvOutcome outcome{path, records.size(), {}};

@@ -22,8 +22,9 @@ namespace winslow::gui {
 /// read and written on threads.
 class Files {
  public:
-  Files(LiveMesh& mesh, MessageBoard& messages, const Selection& selection, Jobs& jobs)
-      : mesh_(mesh), messages_(messages), selection_(selection), jobs_(jobs) {}
+  Files(LiveMesh& mesh, MessageBoard& messages, Selection& selection, SolverSettings& settings,
+        Jobs& jobs)
+      : mesh_(mesh), messages_(messages), selection_(selection), settings_(settings), jobs_(jobs) {}
 
   void apply(const FileAction& action) { Dispatch::to(*this, action); }
   /// Collects what the threads have done since the last call. True if anything changed.
@@ -44,8 +45,6 @@ class Files {
   /// Puts a session that outlived a crash in place of what is open.
   void restore(RestoredSession restored);
 
- private:
-  friend class Dispatch;
   void on(const action::OpenMesh& a);
   void on(const action::SaveMesh& a);
   void on(const action::CloseMesh& a);
@@ -55,6 +54,7 @@ class Files {
   void on(const action::ExportConvergence& a);
   void on(const action::Quit& a);
 
+ private:
   bool may_write(const std::filesystem::path& path);
   bool may_export(const std::filesystem::path& path, bool overwrite, const char* how, Action again);
   void start_saver(const std::filesystem::path& path, bool copy, bool proceed = false);
@@ -62,6 +62,7 @@ class Files {
   bool poll_saver();
   bool poll_csv();
   void adopt(Document::Loaded loaded);
+  void show_position() { winslow::gui::show_position(mesh_, selection_, messages_); }
 
   struct LoadOutcome {
     std::shared_ptr<Document::Loaded> loaded;
@@ -83,7 +84,8 @@ class Files {
 
   LiveMesh& mesh_;
   MessageBoard& messages_;
-  const Selection& selection_;
+  Selection& selection_;
+  SolverSettings& settings_;
   Jobs& jobs_;
   bool quit_ = false;
   std::optional<Action> asked_;              // what to do once the mesh is saved

@@ -10,25 +10,25 @@ namespace winslow::gui {
 
 void HistoryEditor::on(const action::Undo&) {
   if (!mesh_.document()) return;
-  if (mesh_.held().body) return motions_.cancel_drag();
-  if (mesh_.job().active()) return jobs_.cancel();
-  if (!jobs_.overrides().undoable(mesh_.document()->edits().revision()).empty())
-    return jobs_.apply(action::StepOverride{false});
+  if (mesh_.work().held().body) return motions_.cancel_drag();
+  if (mesh_.work().job().active()) return jobs_.cancel();
+  if (!settings_.overrides().undoable(mesh_.document()->edits().revision()).empty())
+    return settings_.on(action::StepOverride{false});
   const History& history = mesh_.document()->history();
   if (!history.can_undo()) return;
   const std::string undone = describe(history.command(history.position()));
   mesh_.document()->edits().undo();
-  jobs_.show_position();
+  show_position();
   messages_.tell(Notice::Kind::information, "Undone: " + undone);
 }
 
 void HistoryEditor::on(const action::Redo&) {
-  if (!mesh_.document() || mesh_.job().active() || mesh_.held().body) return;
-  if (!jobs_.overrides().redoable(mesh_.document()->edits().revision()).empty())
-    return jobs_.apply(action::StepOverride{true});
+  if (!mesh_.document() || mesh_.work().job().active() || mesh_.work().held().body) return;
+  if (!settings_.overrides().redoable(mesh_.document()->edits().revision()).empty())
+    return settings_.on(action::StepOverride{true});
   if (!mesh_.document()->history().can_redo()) return;
   mesh_.document()->edits().redo();
-  jobs_.show_position();
+  show_position();
   const History& history = mesh_.document()->history();
   messages_.tell(Notice::Kind::information,
                  "Done again: " + describe(history.command(history.position())));
@@ -38,7 +38,7 @@ void HistoryEditor::on(const action::GoToStep& a) {
   if (!mesh_.document()) return;
   jobs_.stop();
   mesh_.document()->edits().go_to(a.position);
-  jobs_.show_position();
+  show_position();
   const History& history = mesh_.document()->history();
   messages_.tell(Notice::Kind::information,
                  history.position() == 0 ? "The mesh is as it was opened."
@@ -47,7 +47,7 @@ void HistoryEditor::on(const action::GoToStep& a) {
 }
 
 bool HistoryEditor::may_change() {
-  if (!mesh_.in_motion() && !mesh_.held().body) return true;
+  if (!mesh_.in_motion() && !mesh_.work().held().body) return true;
   messages_.tell(Notice::Kind::warning, "Wait until the solver is done, or cancel it.");
   return false;
 }
@@ -91,7 +91,7 @@ void HistoryEditor::on(const action::BringBack& a) {
   if (!mesh_.document() || a.kept >= mesh_.document()->edits().kept().size() || !may_change())
     return;
   mesh_.document()->edits().bring_back(a.kept);
-  jobs_.show_position();
+  show_position();
   messages_.tell(Notice::Kind::success,
                  "The earlier history is back; the other one is kept in its place.");
 }

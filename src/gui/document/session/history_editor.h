@@ -18,16 +18,20 @@ namespace winslow::gui {
 /// Goes to and fro in the history of the open mesh, changes past steps and replays recipes.
 class HistoryEditor {
  public:
-  HistoryEditor(LiveMesh& mesh, MessageBoard& messages, Jobs& jobs, Motions& motions)
-      : mesh_(mesh), messages_(messages), jobs_(jobs), motions_(motions) {}
+  HistoryEditor(LiveMesh& mesh, MessageBoard& messages, Selection& selection,
+                SolverSettings& settings, Jobs& jobs, Motions& motions)
+      : mesh_(mesh),
+        messages_(messages),
+        selection_(selection),
+        settings_(settings),
+        jobs_(jobs),
+        motions_(motions) {}
 
   void apply(const HistoryAction& action) { Dispatch::to(*this, action); }
   /// Collects a recipe that was read. True if anything changed.
   bool poll();
   bool busy() const { return recipe_reader_.busy(); }
 
- private:
-  friend class Dispatch;
   void on(const action::Undo&);
   void on(const action::Redo&);
   void on(const action::GoToStep& a);
@@ -36,6 +40,8 @@ class HistoryEditor {
   void on(const action::BringBack& a);
   void on(const action::ReplayRecipe& a);
 
+ private:
+  void show_position() { winslow::gui::show_position(mesh_, selection_, messages_); }
   bool may_change();
   void revise(std::size_t step, std::string why, CommandQueue::Plan plan);
 
@@ -48,6 +54,8 @@ class HistoryEditor {
 
   LiveMesh& mesh_;
   MessageBoard& messages_;
+  Selection& selection_;
+  SolverSettings& settings_;
   Jobs& jobs_;
   Motions& motions_;
   Background<RecipeOutcome> recipe_reader_;

@@ -1,7 +1,6 @@
 #include "gui/document/session/inspection.h"
 
 #include <exception>
-#include <utility>
 
 #include "core/inspect/nodal_view.h"
 #include "core/strategy/workspace.h"
@@ -13,7 +12,7 @@ BoundaryRoles::Question BoundaryRoles::question() const {
   now.generation = mesh_.generation();
   // While the mesh is on its way, that of the history stays as it was.
   now.shape = mesh_.in_motion() ? asked_.shape : mesh_.shape();
-  now.slide = jobs_.smooth_options().slide;
+  now.slide = settings_.smooth_options().slide;
   const Topology& topology = *mesh_.document()->state().mesh.topology;
   drop_stale_overrides(now.slide, topology);  // kept for when their markers slide again
   for (const Index m : selection_.markers()) now.moving.push_back(topology.markers()[at(m)].name);
@@ -24,8 +23,7 @@ std::shared_ptr<const NodeRoles> BoundaryRoles::find() const {
   if (!mesh_.document()) return nullptr;
   asked_ = question();
   if (answer_.question != asked_ && !worker_.busy())
-    worker_.start([state = mesh_.document()->state(), question = asked_,
-                   files = reference_files(mesh_)] {
+    worker_.start([state = mesh_.document()->state(), question = asked_, files = references_] {
       Answer answer{question, nullptr};
       try {
         SlideOptions slide = question.slide;
@@ -48,14 +46,14 @@ bool BoundaryRoles::poll() {
   return true;
 }
 
-void SphereInspector::follow() const {
-  const SmoothOptions& options = jobs_.smooth_options();
+void SphereInspector::forget_stale() const {
+  const SmoothOptions& options = settings_.smooth_options();
   const History& history = mesh_.document()->history();
   // While the mesh is on its way, that of the history stays as it was.
   const std::uint64_t shape = mesh_.in_motion() ? source_.shape : mesh_.shape();
   Source now{mesh_.generation(), shape,       history.position(),
              history.size(),     options.vcv, options.vcv_lengths,
-             sphere_vcvs(mesh_)};
+             mesh_.sphere_vcvs()};
   if (now != source_) {
     source_ = std::move(now);
     vcvs_.clear();
@@ -75,16 +73,16 @@ const NodeVcv& SphereInspector::vcv(Index node) const {
     const auto found = source_.by_hand->find(node);
     if (found != source_.by_hand->end()) by_hand = &found->second;
   }
-  const VolumeVcvOptions options = volume_vcv_options(jobs_.smooth_options());
+  const VolumeVcvOptions options = volume_vcv_options(settings_.smooth_options());
   return vcvs_
       .emplace(node,
                make_node_vcv(*state.mesh.topology, state.mesh.coordinates, node, options, by_hand))
       .first->second;
 }
 
-const VolumeNodalView& SphereInspector::at(Index node) const {
+const VolumeNodalView& SphereInspector::view_of(Index node) const {
   require_inspectable(*mesh_.topology(), node);
-  follow();
+  forget_stale();
   if (const auto found = views_.find(node); found != views_.end()) return found->second;
   return views_.emplace(node, inspect_node(*mesh_.topology(), mesh_.coordinates(), vcv(node)))
       .first->second;

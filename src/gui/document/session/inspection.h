@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/inspect/node_roles.h"
@@ -13,9 +14,9 @@
 #include "core/strategy/smooth_options.h"
 #include "core/vcv/sphere/link_matching.h"
 #include "gui/base/background.h"
-#include "gui/document/session/jobs.h"
 #include "gui/document/session/live_mesh.h"
 #include "gui/document/session/selection.h"
+#include "gui/document/session/solver_settings.h"
 
 namespace winslow::gui {
 
@@ -24,8 +25,13 @@ namespace winslow::gui {
 /// background.
 class BoundaryRoles {
  public:
-  BoundaryRoles(const LiveMesh& mesh, const Jobs& jobs, const Selection& selection)
-      : mesh_(mesh), jobs_(jobs), selection_(selection) {}
+  /// references: that surfaces are read by.
+  BoundaryRoles(const LiveMesh& mesh, const SolverSettings& settings, const Selection& selection,
+                std::shared_ptr<ReferenceFiles> references)
+      : mesh_(mesh),
+        settings_(settings),
+        selection_(selection),
+        references_(std::move(references)) {}
 
   /// The latest that is known of this mesh; null: nothing yet. Asked for in every frame in which it
   /// is shown: what was asked last is looked for.
@@ -51,8 +57,9 @@ class BoundaryRoles {
   Question question() const;
 
   const LiveMesh& mesh_;
-  const Jobs& jobs_;
+  const SolverSettings& settings_;
   const Selection& selection_;
+  std::shared_ptr<ReferenceFiles> references_;
   mutable Question asked_;
   mutable Answer answer_;
   mutable Background<Answer> worker_;
@@ -64,11 +71,12 @@ class BoundaryRoles {
 /// at.
 class SphereInspector {
  public:
-  SphereInspector(const LiveMesh& mesh, const Jobs& jobs) : mesh_(mesh), jobs_(jobs) {}
+  SphereInspector(const LiveMesh& mesh, const SolverSettings& settings)
+      : mesh_(mesh), settings_(settings) {}
 
   /// Valid until the next call of a later frame. Throws UsageError for a node that has no VCV,
   /// MeshError for a star that has none.
-  const VolumeNodalView& at(Index node) const;
+  const VolumeNodalView& view_of(Index node) const;
 
  private:
   /// What VCVs depend on.
@@ -81,11 +89,11 @@ class SphereInspector {
     std::shared_ptr<const SphereStencils> by_hand;
     bool operator==(const Source&) const = default;
   };
-  void follow() const;
+  void forget_stale() const;
   const NodeVcv& vcv(Index node) const;
 
   const LiveMesh& mesh_;
-  const Jobs& jobs_;
+  const SolverSettings& settings_;
   mutable Source source_;
   mutable std::uint64_t shape_ = 0;
   mutable std::map<Index, NodeVcv> vcvs_;
@@ -135,6 +143,24 @@ class StarMatches {
   mutable std::optional<Answer> answer_;
   mutable std::shared_ptr<std::atomic<bool>> stop_;
   mutable Background<Answer> worker_;
+};
+
+/// What is found out about nodes that one looks at, as it is asked for.
+struct Inspection {
+  Inspection(const LiveMesh& mesh, const SolverSettings& settings, const Selection& selection,
+             const std::shared_ptr<ReferenceFiles>& references)
+      : spheres(mesh, settings), star_matches(mesh), roles(mesh, settings, selection, references) {}
+
+  /// Collects what the threads have done since the last call. True if anything changed.
+  bool poll() {
+    const bool matched = star_matches.poll();
+    return roles.poll() || matched;
+  }
+  bool busy() const { return star_matches.busy() || roles.busy(); }
+
+  SphereInspector spheres;   ///< nodes of a volume mesh with their VCVs
+  StarMatches star_matches;  ///< nodes that can take the VCV of another
+  BoundaryRoles roles;       ///< what nodes do in the next run
 };
 
 }  // namespace winslow::gui

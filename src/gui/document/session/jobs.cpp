@@ -4,12 +4,9 @@
 #include <utility>
 
 #include "core/error.h"
-#include "core/geometry/periodic_pairs.h"
-#include "core/strategy/smooth_options.h"
 #include "gui/base/text.h"
 #include "gui/document/jobs/body_drag.h"
 #include "gui/document/jobs/job_runner.h"
-#include "gui/document/jobs/run_settings.h"
 #include "io/tables/slide_files.h"
 
 namespace winslow::gui {
@@ -32,21 +29,16 @@ const QualityFloor& floor_of(const Command& command) {
 }  // namespace
 
 bool Jobs::poll() {
-  const Document* document = mesh_.document();
-  io::resolve_pairs(smooth_.slide, document ? document->details().get() : nullptr);
-  bool changed =
-      layer_preview_.update(document && !mesh_.in_motion() ? &document->state().mesh : nullptr);
-  changed |= found_layers_.update(document && !mesh_.in_motion() ? &document->state() : nullptr);
-  changed |= poll_reference();
-  if (mesh_.job().poll()) {
+  bool changed = false;
+  if (work_.job().poll()) {
     mesh_.changed();
     changed = true;
   }
-  if (mesh_.drag().poll()) {
+  if (work_.drag().poll()) {
     mesh_.changed();
     changed = true;
   }
-  if (auto outcome = mesh_.job().take_outcome()) {
+  if (auto outcome = work_.job().take_outcome()) {
     finish(std::move(*outcome));
     changed = true;
   }
@@ -54,32 +46,31 @@ bool Jobs::poll() {
 }
 
 bool Jobs::working() const {
-  const JobRunner& job = mesh_.job();
+  const JobRunner& job = work_.job();
   const auto& snapshot = job.snapshot();
   const bool solving =
       job.active() && !(job.held() && snapshot && snapshot->state == JobState::done);
   const bool paused = job.paused() && snapshot && snapshot->state == JobState::paused;
-  const BodyDrag* drag = mesh_.body_drag();
-  return (drag && !drag->settled() && drag->error().empty()) || reference_.busy() ||
-         layer_preview_.busy() || found_layers_.busy() || (solving && !paused);
+  const BodyDrag* drag = work_.body_drag();
+  return (drag && !drag->settled() && drag->error().empty()) || (solving && !paused);
 }
 
 bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start,
                  std::string cut_short) {
   if (!mesh_.document()) return false;
-  if (mesh_.body_drag()) {
+  if (work_.body_drag()) {
     messages_.tell(Notice::Kind::warning,
                    "A body is being dragged. Let it go first, or cancel with Esc.");
     return false;
   }
-  if (mesh_.job().active()) {
+  if (work_.job().active()) {
     messages_.tell(Notice::Kind::warning, "The solver is at work on \"" +
-                                              describe(mesh_.job().command()) +
+                                              describe(work_.job().command()) +
                                               "\". Wait until it is done, or cancel it.");
     return false;
   }
   if (SmoothOptions* smooth = winslow::smooth_options(command)) {
-    io::resolve_pairs(smooth->slide, mesh_.document()->details().get());
+    io::resolve_pairs(smooth->slide, mesh_.document()->source().details.get());
     try {
       validate(*smooth);
     } catch (const Error& error) {
@@ -98,14 +89,13 @@ bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start,
       return false;
     }
   }
-  overrides_.forget_undone();
+  settings_.forget_undone();
   cut_short_ = std::move(cut_short);
   shown_only_ = false;
   messages_.clear_banner();
-  mesh_.instead().vcv = nullptr;
-  mesh_.instead().sphere_vcvs.reset();
-  mesh_.job().set_pace(pace_of(command));
-  mesh_.job().run(mesh_.document()->state(), std::move(command), paused, std::move(start));
+  work_.set_edited_vcvs({});
+  work_.job().set_pace(pace_of(command));
+  work_.job().run(mesh_.document()->state(), std::move(command), paused, std::move(start));
   mesh_.changed();
   return true;
 }
@@ -115,109 +105,33 @@ double Jobs::pace_of(Command command) const {
   const SmoothOptions* smooth = winslow::smooth_options(command);
   if (!smooth || queue_.active()) return 0;
   const auto* move = std::get_if<MoveCommand>(&command);
-  return method_of(*smooth, move ? move->how : motion_) == Method::direct ? pace_ : 0;
-}
-
-SmoothOptions Jobs::smooth_for_motion(const std::vector<std::string>& markers) const {
-  SmoothOptions smooth = smooth_;
-  if (const Document* document = mesh_.document())
-    leave_to_motion(smooth.slide, *document->state().mesh.topology, markers);
-  return smooth;
-}
-
-void Jobs::on(const action::OverrideNode& a) {
-  const Document* document = mesh_.document();
-  if (document && a.node >= 0 && a.node < document->state().mesh.topology->node_count())
-    overrides_.set(smooth_.slide, a.node, a.to, document->edits().revision());
-}
-
-void Jobs::on(const action::StepOverride& a) {
-  const std::string what =
-      a.again ? overrides_.redo(smooth_.slide) : overrides_.undo(smooth_.slide);
-  messages_.tell(Notice::Kind::information, (a.again ? "Done again: " : "Undone: ") + what);
-}
-
-void Jobs::forget_mesh() {
-  smooth_.keep_outside = {};
-  smooth_.slide = {};
-  overrides_.clear();
-  reference_.drop();
-  const Document* document = mesh_.document();
-  if (document && is_surface(*document->state().mesh.topology)) settle_for_surface(smooth_);
-}
-
-MoveCommand Jobs::move_command(RigidMotion motion) const {
-  // Recipes have as many numbers of what the studio found as the mesh has dimensions.
-  motion.translate = Vec3(motion.translate);
-  const std::vector<std::string> markers = selection_.names();
-  return MoveCommand{{{markers, motion}}, motion_, smooth_for_motion(markers)};
+  return method_of(*smooth, move ? move->how : settings_.motion_options()) == Method::direct ? pace_
+                                                                                             : 0;
 }
 
 bool Jobs::can_join(const std::vector<std::string>& markers) const {
-  if (!mesh_.job().active() || rerun_) return false;
-  const auto* move = std::get_if<MoveCommand>(&mesh_.job().command());
+  if (!work_.job().active() || rerun_) return false;
+  const auto* move = std::get_if<MoveCommand>(&work_.job().command());
   return move && move->bodies.size() == 1 && move->bodies.front().markers == markers;
 }
 
-void Jobs::show_position() {
-  mesh_.changed();
-  selection_.refresh();
-  messages_.set_banner_of_position();
-}
-
 void Jobs::on(const action::RunSmooth&) {
-  if (mesh_.job().paused()) return mesh_.job().resume();
-  start(SmoothCommand{smooth_in_place()}, false);
+  if (work_.job().paused()) return work_.job().resume();
+  start(SmoothCommand{settings_.smooth_in_place()}, false);
 }
 
 void Jobs::on(const action::StepSolver& a) {
-  if (mesh_.held().body) return;
-  if (!mesh_.job().active() && !start(SmoothCommand{smooth_in_place()}, true)) return;
-  mesh_.job().step(a.count);
-}
-
-void Jobs::on(const action::PairMarkers& a) {
-  if (!mesh_.document()) return;
-  try {
-    const Mesh& mesh = mesh_.document()->state().mesh;
-    SlideOptions slide = smooth_.slide;
-    const std::string done = pair_sides(slide, mesh, a.first, a.second);
-    smooth_.slide = std::move(slide);
-    messages_.tell(Notice::Kind::information, done);
-  } catch (const UsageError& error) {
-    messages_.report_error("These markers are not periodic", error.what());
-  }
-}
-
-void Jobs::on(const action::ChooseReference& a) {
-  reference_.drop();
-  if (a.file.empty()) {
-    smooth_.slide.reference = {};
-    return;
-  }
-  if (mesh_.document() && in_space(mesh_))
-    reference_.choose(a.file, shared_mesh(mesh_), smooth_.slide.markers, reference_files(mesh_));
-}
-
-bool Jobs::poll_reference() {
-  const auto read = reference_.poll();
-  if (!read || !mesh_.document()) return false;
-  if (!read->error.empty()) {
-    messages_.report_error(
-        read->file.filename().string() + " cannot be used as a reference surface", read->error);
-    return true;
-  }
-  smooth_.slide.reference = {read->file.string(), nullptr};
-  messages_.tell(is_coarse(*read) ? Notice::Kind::warning : Notice::Kind::success, describe(*read));
-  return true;
+  if (work_.held().body) return;
+  if (!work_.job().active() && !start(SmoothCommand{settings_.smooth_in_place()}, true)) return;
+  work_.job().step(a.count);
 }
 
 void Jobs::on(const action::SetPace& a) {
   pace_ = std::max(a.iterations_per_second, 0.0);
-  if (mesh_.job().active()) mesh_.job().set_pace(pace_of(mesh_.job().command()));
+  if (work_.job().active()) work_.job().set_pace(pace_of(work_.job().command()));
 }
 
-void Jobs::on(const action::FollowSolver& a) { mesh_.job().follow(a.on); }
+void Jobs::on(const action::FollowSolver& a) { work_.job().wait_for_viewer(a.on); }
 
 void Jobs::on(const action::RunCommand& a) {
   const Document* document = mesh_.document();
@@ -227,9 +141,9 @@ void Jobs::on(const action::RunCommand& a) {
 
 void Jobs::on(const action::RerunStep& a) {
   Document* document = mesh_.document();
-  if (!document || mesh_.held().body || a.position == 0 || a.position >= document->history().size())
+  if (!document || work_.held().body || a.position == 0 || a.position >= document->history().size())
     return;
-  if (mesh_.job().active()) {
+  if (work_.job().active()) {
     messages_.tell(Notice::Kind::warning,
                    "The solver is at work. Wait until it is done, or cancel it.");
     return;
@@ -247,27 +161,27 @@ void Jobs::end_rerun() {
 }
 
 void Jobs::cancel() {
-  if (!mesh_.job().active()) return;
-  const std::string what = cancelled_text();
+  if (!work_.job().active()) return;
+  const std::string what = cancelled_text(queue_, work_.job().command());
   stop();
   messages_.tell(Notice::Kind::information, what);
 }
 
 void Jobs::stop() {
-  mesh_.held() = {};
-  if (mesh_.body_drag()) {
-    mesh_.drag().end();
+  work_.held() = {};
+  if (work_.body_drag()) {
+    work_.drag().end();
     mesh_.changed();
   }
-  if (!mesh_.job().active()) return;
-  mesh_.job().cancel();
+  if (!work_.job().active()) return;
+  work_.job().cancel();
   show_position();
   if (rerun_) end_rerun();
   abandon_queue();
 }
 
 void Jobs::finish(JobRunner::Outcome outcome) {
-  mesh_.held() = {};
+  work_.held() = {};
   if (rerun_) return end_rerun();
   if (outcome.result) return keep(std::move(outcome));
   show_position();
@@ -279,7 +193,7 @@ void Jobs::finish(JobRunner::Outcome outcome) {
 /// Puts what a command has come to into the history, and goes on with the next one.
 void Jobs::keep(JobRunner::Outcome outcome) {
   messages_.clear_banner();
-  const JobRunner& job = mesh_.job();
+  const JobRunner& job = work_.job();
   const double reached = settle_command(outcome, job.base().mesh, job.started_elsewhere());
   const SmoothResult smooth = outcome.result->smooth;
   if (reached < 1 || !smooth.limited_by.empty())
@@ -292,7 +206,10 @@ void Jobs::keep(JobRunner::Outcome outcome) {
   if (const auto* move = std::get_if<MoveCommand>(&outcome.command)) selection_.moved(*move);
   mesh_.document()->edits().push(std::move(outcome.command), std::move(*outcome.result),
                                  outcome.seconds);
-  if (std::exchange(shown_only_, false)) mesh_.document()->mark_shown_only();
+  if (std::exchange(shown_only_, false)) {
+    Document& document = *mesh_.document();
+    document.saved().mark_shown_only(document.edits().revision());
+  }
   mesh_.changed();
   selection_.update_anchors();
   messages_.set_banner_of_result(smooth);
@@ -329,11 +246,7 @@ void Jobs::run_queue(bool paused) {
   const auto plan = queue_.stop();
   if (plan.end) mesh_.document()->edits().go_to(*plan.end);
   show_position();
-  messages_.tell(
-      Notice::Kind::success,
-      plan.commands.empty()
-          ? "The step is deleted"
-          : plan.title + ": " + counted(plan.commands.size(), "command") + " carried out");
+  messages_.tell(Notice::Kind::success, finished_text(plan));
 }
 
 /// The next command of the queue cannot be carried out. error: why, if that was not said yet.
@@ -341,23 +254,7 @@ void Jobs::stop_queue_at(const std::string& error) {
   const std::size_t done = queue_.done();
   const auto plan = queue_.stop();
   show_position();
-  std::string text = "Step " + std::to_string(plan.start + done + 1) + " (" +
-                     describe(plan.commands[done]) + ") failed";
-  text += error.empty() ? "." : ": " + error;
-  text += done == 0
-              ? "\nNothing before it was run."
-              : "\nThe history ends before it, after " + counted(done, "command") + " carried out.";
-  Prompt prompt{Prompt::Kind::error, plan.title + " stopped", {}, {}};
-  if (plan.revision) {
-    text += "\nThe history from before the change is kept.";
-    prompt.choices.push_back(
-        {"Bring it back", {action::BringBack{mesh_.document()->edits().kept().size() - 1}}, true});
-    prompt.choices.push_back({"Leave it so", {}, false});
-  } else {
-    prompt.choices.push_back({"OK", {}, true});
-  }
-  prompt.text = std::move(text);
-  messages_.ask(std::move(prompt));
+  messages_.ask(stopped_prompt(plan, done, error, mesh_.document()->edits().kept().size()));
 }
 
 /// Ends the queue on the user's behalf.
@@ -367,14 +264,6 @@ void Jobs::abandon_queue() {
   // What was begun would be neither the old history nor the new one.
   if (plan.revision) mesh_.document()->edits().take_back();
   show_position();
-}
-
-std::string Jobs::cancelled_text() const {
-  if (!queue_.active())
-    return "Cancelled: " + describe(mesh_.job().command()) + ". The mesh is as it was before.";
-  if (queue_.plan().revision) return "Cancelled. The history is as it was before the change.";
-  return "Cancelled after " + counted(queue_.done(), "command") + " of " +
-         std::to_string(queue_.total()) + "; those stay in the history.";
 }
 
 }  // namespace winslow::gui

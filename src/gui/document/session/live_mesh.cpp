@@ -13,6 +13,19 @@ const MoveCommand* move_of(const JobRunner& job) {
 
 }  // namespace
 
+const std::shared_ptr<const Mesh>& SharedMesh::of(const std::shared_ptr<const Topology>& topology,
+                                                  const Coordinates& coordinates,
+                                                  std::uint64_t shape,
+                                                  const std::shared_ptr<const Mesh>& given) {
+  if (mesh_ && shape_ == shape && mesh_->topology == topology) return mesh_;
+  shape_ = shape;
+  if (given && given == mesh_) return mesh_;
+  // The shape grows with each look at a job, too: the same nodes are the same mesh.
+  if (mesh_ && mesh_->topology == topology && mesh_->coordinates == coordinates) return mesh_;
+  mesh_ = given ? given : std::make_shared<const Mesh>(Mesh{topology, coordinates});
+  return mesh_;
+}
+
 void LiveMesh::open(std::unique_ptr<Document> document) {
   auto boundary =
       document->boundary() ? nullptr : std::make_unique<BoundaryIndex>(document->topology());
@@ -26,48 +39,32 @@ void LiveMesh::close() {
   document_.reset();
   boundary_.reset();
   passing_.reset();
-  shared_.reset();
+  shared_.forget();
   ++generation_;
   if (rebuilt_) rebuilt_(before, nullptr);
-}
-
-void LiveMesh::begin_drag(DragGrip grip, const SmoothOptions& options,
-                          std::optional<DragSession::Start> start) {
-  const MeshState base = motion_base();
-  drag_.begin(base, std::move(grip), options, std::move(start));
-  drag_base_ = base;
 }
 
 const Coordinates& LiveMesh::coordinates() const {
   static const Coordinates none;
   if (!document_) return none;
-  if (instead_.coordinates) return *instead_.coordinates;
-  if (drag_.active()) return drag_.coordinates();
-  return job_.active() ? job_.coordinates() : document_->state().mesh.coordinates;
+  if (instead_) return *instead_;
+  const Coordinates* of_work = work_.coordinates();
+  return of_work ? *of_work : document_->state().mesh.coordinates;
 }
 
 const std::shared_ptr<const Topology>& LiveMesh::topology() const {
   static const std::shared_ptr<const Topology> none;
   if (!document_) return none;
-  if (drag_.active()) return drag_base_.mesh.topology;
-  return job_.active() ? job_.topology() : document_->topology();
+  const auto* of_work = work_.topology();
+  return of_work ? *of_work : document_->topology();
 }
 
-std::shared_ptr<const Mesh> shared_mesh(const LiveMesh& live) {
-  if (!live.document_) return nullptr;
-  const auto& topology = live.topology();
-  auto& shared = live.shared_;
-  if (shared && live.shared_shape_ == live.shape_ && shared->topology == topology) return shared;
-  live.shared_shape_ = live.shape_;
-  const bool of_job = live.job_.active() && !live.drag_.active() && !live.instead_.coordinates;
-  const auto of_snapshot = of_job ? live.job_.snapshot_mesh() : nullptr;
-  if (of_snapshot && of_snapshot == shared) return shared;
-  // The shape grows with each look at a job, too: the same nodes are the same mesh.
-  if (shared && shared->topology == topology && shared->coordinates == live.coordinates())
-    return shared;
-  shared = of_snapshot;
-  if (!shared) shared = std::make_shared<const Mesh>(Mesh{topology, live.coordinates()});
-  return shared;
+std::shared_ptr<const Mesh> LiveMesh::shared() const {
+  if (!document_) return nullptr;
+  // A job has its mesh as such an object.
+  const bool of_job = work_.job().active() && !work_.body_drag() && !instead_;
+  return shared_.of(topology(), coordinates(), shape_,
+                    of_job ? work_.job().snapshot_mesh() : nullptr);
 }
 
 std::shared_ptr<const LayerStack> LiveMesh::layers() const {
@@ -78,28 +75,26 @@ std::shared_ptr<const LayerStack> LiveMesh::layers() const {
 std::shared_ptr<const VirtualControlVolumes> LiveMesh::vcv() const {
   if (!document_) return nullptr;
   if (passing_) return passing_;
-  const bool editing = job_.active() && std::holds_alternative<EditVcvCommand>(job_.command());
-  return editing && instead_.vcv ? instead_.vcv : document_->state().vcvs.plane();
+  const auto* edited = work_.edited_vcvs();
+  return edited && edited->plane ? edited->plane : document_->state().vcvs.plane();
 }
 
-std::shared_ptr<const SphereStencils> sphere_vcvs(const LiveMesh& mesh) {
-  if (!mesh.document_) return nullptr;
-  const auto& edited = mesh.instead_.sphere_vcvs;
-  const bool editing =
-      mesh.job_.active() && std::holds_alternative<EditVcvCommand>(mesh.job_.command());
-  return editing && edited ? *edited : mesh.document_->state().vcvs.by_hand();
+std::shared_ptr<const SphereStencils> LiveMesh::sphere_vcvs() const {
+  if (!document_) return nullptr;
+  const auto* edited = work_.edited_vcvs();
+  return edited && edited->sphere ? *edited->sphere : document_->state().vcvs.by_hand();
 }
 
 const MeshState& LiveMesh::motion_base() const {
-  if (drag_.active()) return drag_base_;
-  return job_.active() ? job_.base() : document_->state();
+  const MeshState* of_work = work_.base();
+  return of_work ? *of_work : document_->state();
 }
 
 std::optional<RigidMotion> LiveMesh::live_motion() const {
   std::optional<RigidMotion> motion;
-  if (const BodyDrag* drag = body_drag()) {
+  if (const BodyDrag* drag = work_.body_drag()) {
     if (drag->grip().rigid()) motion = drag->wanted();
-  } else if (const MoveCommand* move = move_of(job_); move && move->bodies.size() == 1) {
+  } else if (const MoveCommand* move = move_of(work_.job()); move && move->bodies.size() == 1) {
     motion = move->bodies.front().motion;
   }
   if (!motion) return std::nullopt;
@@ -107,12 +102,18 @@ std::optional<RigidMotion> LiveMesh::live_motion() const {
 }
 
 std::span<const IterationRecord> LiveMesh::convergence() const {
-  if (job_.active()) {
-    if (!job_.snapshot()) return {};
-    return job_.snapshot()->history;
+  if (work_.job().active()) {
+    const auto& snapshot = work_.job().snapshot();
+    if (!snapshot) return {};
+    return snapshot->history;
   }
   if (!document_ || document_->history().position() == 0) return {};
   return document_->history().result(document_->history().position()).history;
+}
+
+void LiveMesh::show_instead(std::optional<Coordinates> coordinates) {
+  instead_ = std::move(coordinates);
+  changed();
 }
 
 void LiveMesh::changed() {

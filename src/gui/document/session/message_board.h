@@ -43,12 +43,11 @@ class MessageBoard {
   /// What the result of the last command calls for; a motion that ended early has said so already.
   void set_banner_of_result(const SmoothResult& smooth);
 
- private:
-  friend class Dispatch;
   void on(const action::DismissPrompt&);
   void on(const action::DismissBanner&);
   void on(const action::Remark& a) { tell(Notice::Kind::information, a.text); }
 
+ private:
   Damage damage_of_last_command() const;
   /// Where the mesh has suffered most, or else its worst element.
   std::optional<MeshItem> worst_place(const Damage& damage) const;

@@ -17,11 +17,11 @@ constexpr const char* at_work =
 }  // namespace
 
 void Motions::on(const action::ApplyMotion& a) {
-  if (!mesh_.document() || selection_.empty() || mesh_.held().body) return;
+  if (!mesh_.document() || selection_.empty() || work_.held().body) return;
   if (!jobs_.can_join(selection_.names())) {
-    jobs_.start(jobs_.move_command(a.motion), false);
+    jobs_.start(move_command(a.motion), false);
   } else {
-    mesh_.job().retarget(jobs_.move_command(compose(*mesh_.live_motion(), resolved(a.motion))));
+    work_.job().retarget(move_command(compose(*mesh_.live_motion(), resolved(a.motion))));
   }
 }
 
@@ -33,23 +33,23 @@ RigidMotion Motions::resolved(const RigidMotion& motion) const {
 }
 
 void Motions::on(const action::ApplyDeformation& a) {
-  if (!mesh_.document() || selection_.empty() || mesh_.held().body) return;
+  if (!mesh_.document() || selection_.empty() || work_.held().body) return;
   selection_.drop_preview();
-  jobs_.start(DeformCommand{selection_.names(), a.shape, jobs_.motion_options(),
-                            jobs_.smooth_for_motion(selection_.names())},
+  jobs_.start(DeformCommand{selection_.names(), a.shape, settings_.motion_options(),
+                            settings_.smooth_for_motion(selection_.names())},
               false);
 }
 
 void Motions::on(const action::SetShapeEdit& a) {
-  const bool dragging = mesh_.held().body;
+  const bool dragging = work_.held().body;
   if (!mesh_.document() || (dragging && !a.active)) return;
   selection_.edit_shape(a.active, a.radius);
-  const BodyDrag* drag = mesh_.body_drag();
+  const BodyDrag* drag = work_.body_drag();
   if (!dragging || !drag || drag->grip().rigid() || !selection_.shape_edit().holds()) return;
   // The same pull on another part of the boundary.
   const RigidMotion pull = drag->wanted();
   begin_body_drag(shape_grip());
-  mesh_.drag().to(pull);
+  work_.drag().to(pull);
   mesh_.changed();
 }
 
@@ -61,89 +61,89 @@ DragGrip Motions::shape_grip() const {
 }
 
 void Motions::on(const action::BeginDrag& a) {
-  if (!mesh_.document() || mesh_.held().body) return;
+  if (!mesh_.document() || work_.held().body) return;
   const bool rigid = !a.shape;
   if (rigid ? selection_.empty() : !selection_.shape_edit().holds()) return;
   base_.reset();
   start_.reset();
-  if (mesh_.job().active()) {
+  if (work_.job().active()) {
     if (!rigid || !jobs_.can_join(selection_.names()))
       return messages_.tell(Notice::Kind::warning, at_work);
     base_ = mesh_.live_motion();
   }
   // Where it was asked for, the boundary goes at once and the mesh may be tangled on the way.
-  const bool direct = rigid && jobs_.motion_options().increments == 1;
+  const bool direct = rigid && settings_.motion_options().increments == 1;
   DragGrip grip = rigid ? DragGrip{selection_.names(), {}, {}} : shape_grip();
   if (!direct && begin_body_drag(std::move(grip))) {
-    mesh_.held().body = true;
+    work_.held().body = true;
     return;
   }
   if (!rigid)
     return messages_.tell(Notice::Kind::warning,
                           "A tangled mesh cannot follow a change of shape. Smooth it first.");
-  if (mesh_.job().active()) mesh_.job().hold(true);
-  mesh_.held().body = true;
+  if (work_.job().active()) work_.job().hold(true);
+  work_.held().body = true;
 }
 
 /// False where the drag can show no valid mesh: the one it would begin from is tangled, or the
 /// settings make no sense (then the job says so).
 bool Motions::begin_body_drag(DragGrip grip) {
   std::optional<DragSession::Start> start;
-  if (base_) start = DragSession::Start{mesh_.job().coordinates(), *base_};
+  if (base_) start = DragSession::Start{work_.job().coordinates(), *base_};
   try {
-    const SmoothOptions smooth = jobs_.smooth_for_motion(grip.markers);
-    mesh_.begin_drag(std::move(grip), smooth, start);
+    const SmoothOptions smooth = settings_.smooth_for_motion(grip.markers);
+    work_.begin_drag(mesh_.motion_base(), std::move(grip), smooth, start);
   } catch (const UsageError&) {
     return false;
   }
   if (start) start_ = std::move(start->coordinates);
-  if (mesh_.job().active()) mesh_.job().cancel();
+  if (work_.job().active()) work_.job().cancel();
   messages_.clear_banner();
   mesh_.changed();
   return true;
 }
 
 void Motions::on(const action::DragTo& a) {
-  if (!mesh_.held().body) return;
+  if (!work_.held().body) return;
   const RigidMotion motion = resolved(a.motion), total = base_ ? compose(*base_, motion) : motion;
-  if (mesh_.body_drag()) {
-    mesh_.drag().to(total);
+  if (work_.body_drag()) {
+    work_.drag().to(total);
     return mesh_.changed();
   }
-  MoveCommand command = jobs_.move_command(total);
+  MoveCommand command = move_command(total);
   // Steps that the user chose are for the place where the body is let go; until then it goes there
   // at once.
-  command.how.increments = jobs_.motion_options().increments == 0 ? 0 : 1;
-  if (mesh_.job().active()) {
-    mesh_.job().retarget(command);
+  command.how.increments = settings_.motion_options().increments == 0 ? 0 : 1;
+  if (work_.job().active()) {
+    work_.job().retarget(command);
     return;
   }
   if (!jobs_.start(command, false)) {
-    mesh_.held().body = false;
+    work_.held().body = false;
     return;
   }
-  mesh_.job().hold(true);
+  work_.job().hold(true);
 }
 
 void Motions::on(const action::EndDrag&) {
-  if (!std::exchange(mesh_.held().body, false)) return;
-  if (mesh_.body_drag()) return end_body_drag();
+  if (!std::exchange(work_.held().body, false)) return;
+  if (work_.body_drag()) return end_body_drag();
   base_.reset();
-  mesh_.job().hold(false);
+  work_.job().hold(false);
   const auto motion = mesh_.live_motion();
   if (!motion) return;
-  const MoveCommand wanted = jobs_.move_command(*motion);
+  const MoveCommand wanted = move_command(*motion);
   // What has converged under the mouse needs no second run, unless other steps were asked for.
-  if (wanted.how.increments <= 1 && mesh_.job().converged())
-    mesh_.job().rename(wanted);
+  if (wanted.how.increments <= 1 && work_.job().converged())
+    work_.job().rename(wanted);
   else
-    mesh_.job().retarget(wanted);
+    work_.job().retarget(wanted);
 }
 
 /// The command that the drag has shown is carried out from the mesh on screen, so that it is done
 /// after an iteration or two.
 void Motions::end_body_drag() {
-  BodyDrag& drag = mesh_.drag();
+  BodyDrag& drag = work_.drag();
   // What the handle said while it was held: this far and no further.
   const bool limit = drag.reach() == BodyDrag::Reach::limit;
   const RigidMotion motion = limit ? drag.frame().motion : drag.wanted();
@@ -162,27 +162,27 @@ void Motions::end_body_drag() {
     if (!error.empty()) messages_.report_error("The mesh cannot follow this motion", error);
     return;
   }
-  const MotionOptions& how = jobs_.motion_options();
+  const MotionOptions& how = settings_.motion_options();
   if (how.increments > 1) start.reset();
-  const SmoothOptions smooth = jobs_.smooth_for_motion(grip.markers);
+  const SmoothOptions smooth = settings_.smooth_for_motion(grip.markers);
   jobs_.start(drag_command(grip, motion, how, smooth), false, std::move(start),
               std::move(cut_short));
 }
 
 void Motions::cancel_drag() {
-  if (!std::exchange(mesh_.held().body, false)) return;
+  if (!std::exchange(work_.held().body, false)) return;
   const std::optional<RigidMotion> base = std::exchange(base_, std::nullopt);
-  if (mesh_.body_drag()) {
-    mesh_.drag().end();
+  if (work_.body_drag()) {
+    work_.drag().end();
     mesh_.changed();
     messages_.set_banner_of_position();
     // The job that the drag had taken over goes on to where it was going.
-    if (base) jobs_.start(jobs_.move_command(*base), false, std::exchange(start_, std::nullopt));
+    if (base) jobs_.start(move_command(*base), false, std::exchange(start_, std::nullopt));
   } else if (base) {
-    mesh_.job().hold(false);
-    mesh_.job().retarget(jobs_.move_command(*base));
+    work_.job().hold(false);
+    work_.job().retarget(move_command(*base));
   } else {
-    mesh_.job().hold(false);
+    work_.job().hold(false);
     jobs_.stop();
   }
   messages_.tell(Notice::Kind::information, "Drag cancelled");

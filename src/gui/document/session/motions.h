@@ -14,15 +14,19 @@ namespace winslow::gui {
 /// Moves and reshapes what is selected: by numbers, or under the mouse with the mesh following.
 class Motions {
  public:
-  Motions(LiveMesh& mesh, MessageBoard& messages, Selection& selection, Jobs& jobs)
-      : mesh_(mesh), messages_(messages), selection_(selection), jobs_(jobs) {}
+  Motions(OngoingWork& work, LiveMesh& mesh, MessageBoard& messages, Selection& selection,
+          const SolverSettings& settings, Jobs& jobs)
+      : work_(work),
+        mesh_(mesh),
+        messages_(messages),
+        selection_(selection),
+        settings_(settings),
+        jobs_(jobs) {}
 
   void apply(const MotionAction& action) { Dispatch::to(*this, action); }
   /// The mesh is as it was before the drag.
   void cancel_drag();
 
- private:
-  friend class Dispatch;
   void on(const action::ApplyMotion& a);
   void on(const action::ApplyDeformation& a);
   void on(const action::SetShapeEdit& a);
@@ -31,14 +35,21 @@ class Motions {
   void on(const action::EndDrag&);
   void on(const action::CancelDrag&) { cancel_drag(); }
 
+ private:
   RigidMotion resolved(const RigidMotion& motion) const;
+  /// Of the selected bodies.
+  MoveCommand move_command(const RigidMotion& motion) const {
+    return settings_.move_command(selection_.names(), motion);
+  }
   DragGrip shape_grip() const;
   bool begin_body_drag(DragGrip grip);
   void end_body_drag();
 
+  OngoingWork& work_;
   LiveMesh& mesh_;
   MessageBoard& messages_;
   Selection& selection_;
+  const SolverSettings& settings_;
   Jobs& jobs_;
   std::optional<RigidMotion> base_;   // motion of the job that the drag joined
   std::optional<Coordinates> start_;  // mesh that the drag took over from that job

@@ -14,7 +14,7 @@ bool lacks_deviation(const LiveMesh& mesh, const QualityMonitor::Measured& measu
 void QualityWatch::watch(const std::optional<ElementField>& field, BeforeState before) {
   if (!mesh_.document()) return;
   // While it is paused there is time for all of it.
-  const bool live = mesh_.in_motion() && !mesh_.job().paused();
+  const bool live = mesh_.in_motion() && !mesh_.work().job().paused();
   const QualityMonitor::Wish wanted = wish(field, before);
   if (monitor_.wants(mesh_.shape(), wanted, live))
     monitor_.request(mesh_.shape(), on_screen(), wanted, live);
@@ -40,7 +40,7 @@ QualityMonitor::Wish QualityWatch::wish(const std::optional<ElementField>& field
 }
 
 QualityMonitor::Subject QualityWatch::on_screen() const {
-  return {shared_mesh(mesh_), mesh_.vcv(), mesh_.layers(), mesh_.document()->state().surface};
+  return {mesh_.shared(), mesh_.vcv(), mesh_.layers(), mesh_.document()->state().surface};
 }
 
 std::size_t position_before(const LiveMesh& mesh, BeforeState which) {

@@ -253,19 +253,19 @@ void Selection::on(const action::PinNodes& a) {
   nodes_.pin(with_vcv);
 }
 
-void Selection::follow(const std::shared_ptr<const Topology>& before,
-                       const std::shared_ptr<const Topology>& now) {
+void Selection::carry_over(const std::shared_ptr<const Topology>& before,
+                           const std::shared_ptr<const Topology>& now) {
   markers_ = same_names(markers_, *before, *now);
   hovered_ = same_names(hovered_, *before, *now);
   shape_edit_.arc.reset();  // counts along the loops of before
   drop_preview();
-  follow_nodes(before, now);
+  carry_over_nodes(before, now);
 }
 
 /// Nodes whose star is another one now are let go of, and taken up again when a mesh of the
 /// connectivity before is back: an insertion was cancelled or undone.
-void Selection::follow_nodes(const std::shared_ptr<const Topology>& before,
-                             const std::shared_ptr<const Topology>& now) {
+void Selection::carry_over_nodes(const std::shared_ptr<const Topology>& before,
+                                 const std::shared_ptr<const Topology>& now) {
   const auto goes = [&](Index node) { return !same_star(node, *before, *now); };
   LostNodes lost{before, {}, std::nullopt};
   std::ranges::copy_if(nodes_.pinned(), std::back_inserter(lost.pinned), goes);
@@ -280,6 +280,12 @@ void Selection::follow_nodes(const std::shared_ptr<const Topology>& before,
     return !topology || topology == now || topology == before;
   });
   if (!lost.pinned.empty() || lost.inspected) lost_nodes_.push_back(std::move(lost));
+}
+
+void show_position(LiveMesh& mesh, Selection& selection, MessageBoard& messages) {
+  mesh.changed();
+  selection.refresh();
+  messages.set_banner_of_position();
 }
 
 }  // namespace winslow::gui

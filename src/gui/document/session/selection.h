@@ -73,18 +73,16 @@ class Selection {
   void update_anchors();
   /// The mesh on screen is of another connectivity. Nodes keep their numbers when layers are
   /// inserted and removed; what refers to anything else is let go of.
-  void follow(const std::shared_ptr<const Topology>& before,
-              const std::shared_ptr<const Topology>& now);
+  void carry_over(const std::shared_ptr<const Topology>& before,
+                  const std::shared_ptr<const Topology>& now);
   void clear();
 
- private:
-  friend class Dispatch;
   void on(const action::SelectMarkers& a);
   void on(const action::HoverMarkers& a) { hovered_ = a.markers; }
   void on(const action::SetPivot& a);
   void on(const action::SetSpacePivot& a) { space_.set_pivot(a.pivot); }
   void on(const action::SetSpaceAxis& a) { space_.set_axis(a.axis); }
-  void on(const action::TakePivot& a) { space_.take(a.source); }
+  void on(const action::TakePivot& a) { space_.set_source(a.source); }
   void on(const action::PickPivot& a) { space_.wait_for(a); }
   void on(const action::SelectArc& a) { shape_edit_.arc = a.arc; }
   void on(const action::SelectPatch& a) { shape_edit_.patch = a.patch; }
@@ -94,11 +92,12 @@ class Selection {
   void on(const action::HoverNode& a);
   void on(const action::PinNodes& a);
 
+ private:
   bool exists(Index node) const;
   void place_pivot();
   double smallest_body() const;
-  void follow_nodes(const std::shared_ptr<const Topology>& before,
-                    const std::shared_ptr<const Topology>& now);
+  void carry_over_nodes(const std::shared_ptr<const Topology>& before,
+                        const std::shared_ptr<const Topology>& now);
 
   const LiveMesh& mesh_;
   MessageBoard& messages_;
@@ -119,5 +118,9 @@ class Selection {
   };
   std::vector<LostNodes> lost_nodes_;
 };
+
+/// The document has come to another mesh of its history: all that refers to the one on screen
+/// follows.
+void show_position(LiveMesh& mesh, Selection& selection, MessageBoard& messages);
 
 }  // namespace winslow::gui

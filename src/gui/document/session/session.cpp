@@ -1,6 +1,5 @@
 #include "gui/document/session/session.h"
 
-#include <algorithm>
 #include <cmath>
 #include <variant>
 
@@ -11,9 +10,9 @@ namespace winslow::gui {
 Session::Session() {
   mesh_.when_rebuilt([this](const auto& before, const auto& now) {
     quality_.clear();
-    if (now) return selection_.follow(before, now);
+    if (now) return selection_.carry_over(before, now);
     selection_.clear();
-    jobs_.layer_preview().want({});
+    layers_.forget_mesh();
   });
 }
 
@@ -25,15 +24,16 @@ bool Session::poll() {
   bool changed = files_.poll();
   changed |= history_.poll();
   changed |= quality_.poll();
+  changed |= settings_.poll();
+  changed |= layers_.poll();
   changed |= jobs_.poll();
-  changed |= stars_.poll();
-  changed |= roles_.poll();
+  changed |= inspection_.poll();
   return changed;
 }
 
 bool Session::working() const {
-  return files_.busy() || history_.busy() || quality_.busy() || jobs_.working() || stars_.busy() ||
-         roles_.busy();
+  return files_.busy() || history_.busy() || quality_.busy() || settings_.busy() ||
+         layers_.busy() || jobs_.working() || inspection_.busy();
 }
 
 namespace {
@@ -57,14 +57,14 @@ Activity activity_of(const Session& session) {
   if (session.files().loading())
     return busy("Reading " + session.files().loading_path().filename().string() + " ...");
   if (session.files().saving()) return busy("Saving ...");
-  if (const BodyDrag* drag = session.mesh().body_drag()) {
+  if (const BodyDrag* drag = session.mesh().work().body_drag()) {
     if (drag->reach() == BodyDrag::Reach::limit)
       return {Activity::Kind::blocked, blocked_text(*drag) + "; Esc cancels"};
     if (drag->reach() == BodyDrag::Reach::catching_up)
       return busy(updating_text(*drag) + "; Esc cancels");
   }
   if (session.dragging()) return busy("Dragging; Enter accepts, Esc cancels");
-  if (session.mesh().held().vcv) return busy("Dragging a control volume; Esc cancels");
+  if (session.mesh().work().held().vcv) return busy("Dragging a control volume; Esc cancels");
   const JobRunner& job = session.job();
   if (!job.active()) return {};
   const auto history = session.mesh().convergence();
@@ -74,33 +74,6 @@ Activity activity_of(const Session& session) {
   if (!moves_boundary(job.command())) return busy(what + where);
   return busy(what + ": " + percent_text(history.empty() ? 0 : history.back().fraction) +
               " of the motion" + where);
-}
-
-namespace {
-
-/// 0: none are known.
-int known_layers(const Session& session, const LayerWall& wall) {
-  const auto stack = session.mesh().layers();
-  return stack ? layer_count(*stack, *session.topology(), wall) : 0;
-}
-
-}  // namespace
-
-bool all_held(const Session& session, const std::vector<LayerWall>& walls) {
-  const auto stack = session.mesh().layers();
-  return stack && stack->held && std::ranges::all_of(walls, [&](const LayerWall& wall) {
-           return known_layers(session, wall) > 0;
-         });
-}
-
-void limit_to_present_layers(const Session& session, LayersCommand& command) {
-  for (LayerWall& wall : command.layers.walls) {
-    const int known = known_layers(session, wall);
-    if (known > 0)
-      wall.spacing.count = known;
-    else if (command.task == LayerTask::hold)
-      wall.spacing.count = every_layer;
-  }
 }
 
 }  // namespace winslow::gui

@@ -83,7 +83,7 @@ void SpaceSelection::set_axis(const Vec3& axis) {
   pivot_.axis = motion ? rotated(inverse(*motion), axis) : axis;
 }
 
-void SpaceSelection::take(const PivotSource& source) {
+void SpaceSelection::set_source(const PivotSource& source) {
   if (!in_space(mesh_) || markers_.empty()) return;
   const auto pivot = pivot_at(source, mesh_.document()->state().mesh.coordinates, pivot_.axis);
   if (!pivot) {

@@ -43,7 +43,7 @@ class SpaceSelection {
   /// none: at the centre of what is selected.
   void set_pivot(const std::optional<Vec3>& pivot);
   void set_axis(const Vec3& axis);
-  void take(const PivotSource& source);
+  void set_source(const PivotSource& source);
   void wait_for(const action::PickPivot& pick);
   /// A command has moved a body.
   void moved(const MovingBody& body);

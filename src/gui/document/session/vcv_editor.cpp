@@ -12,40 +12,35 @@ namespace winslow::gui {
 void VcvEditor::on(const action::EditVcvs& a) {
   if (!mesh_.document() || a.edits.empty()) return;
   const MeshState& state = mesh_.document()->state();
-  LiveMesh::Instead edited;
+  OngoingWork::EditedVcvs edited;
   try {
     if (kind_of(*state.mesh.topology) == MeshKind::volume)
-      edited.sphere_vcvs = edit_vcvs(*state.mesh.topology, state.vcvs.by_hand().get(), a.edits);
+      edited.sphere = edit_vcvs(*state.mesh.topology, state.vcvs.by_hand().get(), a.edits);
     else
-      edited.vcv = edit_vcvs(*state.vcvs.plane(), a.edits);
+      edited.plane = edit_vcvs(*state.vcvs.plane(), a.edits);
   } catch (const UsageError& error) {
     return messages_.report_error("This is no virtual control volume", error.what());
   }
-  EditVcvCommand command{a.edits, jobs_.smooth_in_place()};
-  if (mesh_.held().vcv && mesh_.job().active()) {
-    show(std::move(edited));
-    mesh_.job().retarget(std::move(command));
+  EditVcvCommand command{a.edits, settings_.smooth_in_place()};
+  if (work_.held().vcv && work_.job().active()) {
+    work_.set_edited_vcvs(std::move(edited));
+    work_.job().retarget(std::move(command));
     return mesh_.changed();
   }
   if (!jobs_.start(std::move(command), false)) return;
-  show(std::move(edited));
-  mesh_.held().vcv = a.under_mouse;
-  mesh_.job().hold(a.under_mouse);
-}
-
-void VcvEditor::show(LiveMesh::Instead edited) {
-  mesh_.instead().vcv = std::move(edited.vcv);
-  mesh_.instead().sphere_vcvs = std::move(edited.sphere_vcvs);
+  work_.set_edited_vcvs(std::move(edited));
+  work_.held().vcv = a.under_mouse;
+  work_.job().hold(a.under_mouse);
 }
 
 void VcvEditor::on(const action::EndVcvEdit&) {
-  if (!std::exchange(mesh_.held().vcv, false)) return;
-  mesh_.job().hold(false);
+  if (!std::exchange(work_.held().vcv, false)) return;
+  work_.job().hold(false);
 }
 
 void VcvEditor::on(const action::CancelVcvEdit&) {
-  if (!mesh_.held().vcv) return;
-  mesh_.job().hold(false);
+  if (!work_.held().vcv) return;
+  work_.job().hold(false);
   jobs_.stop();
   messages_.tell(Notice::Kind::information, "Edit cancelled");
 }

@@ -11,20 +11,21 @@ namespace winslow::gui {
 /// Changes virtual control volumes: at once, or under the mouse with the mesh following.
 class VcvEditor {
  public:
-  VcvEditor(LiveMesh& mesh, MessageBoard& messages, Jobs& jobs)
-      : mesh_(mesh), messages_(messages), jobs_(jobs) {}
+  VcvEditor(OngoingWork& work, LiveMesh& mesh, MessageBoard& messages,
+            const SolverSettings& settings, Jobs& jobs)
+      : work_(work), mesh_(mesh), messages_(messages), settings_(settings), jobs_(jobs) {}
 
   void apply(const VcvAction& action) { Dispatch::to(*this, action); }
 
- private:
-  friend class Dispatch;
   void on(const action::EditVcvs& a);
   void on(const action::EndVcvEdit&);
   void on(const action::CancelVcvEdit&);
-  void show(LiveMesh::Instead edited);
 
+ private:
+  OngoingWork& work_;
   LiveMesh& mesh_;
   MessageBoard& messages_;
+  const SolverSettings& settings_;
   Jobs& jobs_;
 };
 

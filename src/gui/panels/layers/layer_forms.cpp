@@ -120,13 +120,14 @@ std::string column_text(const LayerColumn& column) {
 }
 
 /// The columns on the selected markers; all, where these have none.
-std::vector<const LayerColumn*> shown_columns(const Session& session, const LayerStack& stack) {
+std::vector<const LayerColumn*> shown_columns(const Markers& markers,
+                                              const std::vector<Index>& chosen,
+                                              const LayerStack& stack) {
   std::vector<const LayerColumn*> all, selected;
   for (const LayerColumn& column : stack.columns) {
     all.push_back(&column);
-    for (const Index marker : session.selection().markers())
-      if (std::ranges::binary_search(session.topology()->markers().nodes(marker),
-                                     column.wall_node)) {
+    for (const Index marker : chosen)
+      if (std::ranges::binary_search(markers.nodes(marker), column.wall_node)) {
         selected.push_back(&column);
         break;
       }
@@ -168,7 +169,8 @@ void LayerResult::measure(const PanelContext& context) {
   selection_ = session.selection().markers();
   if (!stack_) return;
   measures_ = measure_layers(*stack_, session.coordinates());
-  heights_ = mean_heights(shown_columns(session, *stack_), session.coordinates());
+  heights_ = mean_heights(shown_columns(session.topology()->markers(), selection_, *stack_),
+                          session.coordinates());
 }
 
 void LayerResult::draw(const PanelContext& context) {

@@ -8,7 +8,7 @@
 #include "core/layers/layer_measures.h"
 #include "core/strategy/layering.h"
 #include "gui/base/text.h"
-#include "gui/document/session/session.h"
+#include "gui/document/jobs/wall_layers.h"
 #include "gui/panels/layers/layer_forms.h"
 #include "gui/widgets/controls.h"
 #include "gui/widgets/plot_frame.h"
@@ -19,8 +19,7 @@ namespace winslow::gui {
 namespace {
 
 /// The mesh on screen is what these options have made: a plan would be for the same once more.
-bool just_inserted(const Session& session, const LayerOptions& options) {
-  const History& history = session.document()->history();
+bool just_inserted(const History& history, const LayerOptions& options) {
   if (history.position() == 0) return false;
   const auto* last = std::get_if<LayersCommand>(&history.command(history.position()));
   return last && last->task == LayerTask::insert && options_of(*last) == options;
@@ -48,7 +47,7 @@ LayerStatus status(const PanelContext& context) {
       add(marker.name, layer_count(*stack, *context.topology(), {{marker.name}, {}}));
     return status;
   }
-  for (const auto& [marker, count] : context.session.jobs().found_layers().at_markers())
+  for (const auto& [marker, count] : context.session.layers().found().at_markers())
     add(marker, count);
   return status;
 }
@@ -70,7 +69,7 @@ std::vector<std::string> walls_with_layers(const PanelContext& context) {
 
 void LayersPanel::draw(const PanelContext& context) {
   const auto hide = [&] {
-    if (context.session.jobs().layer_preview().wanted()) context.emit(action::PreviewLayers{});
+    if (context.session.layers().preview().wanted()) context.emit(action::PreviewLayers{});
   };
   if (!ui::section("section/layers", "Layers")) return hide();
   if (!context.session.document()) {
@@ -111,7 +110,7 @@ void LayersPanel::follow(const PanelContext& context) {
   // A field that is asked for is not folded away, and where there are no layers yet there is
   // nothing to do but to insert some.
   const bool wanted = UiLayer::current().keyboard_wanted().starts_with("layers/");
-  const bool known = context.session.jobs().found_layers().looked_at(context.session.topology());
+  const bool known = context.session.layers().found().looked_at(context.session.topology());
   if (wanted || (known && status(context).count == 0)) open_ = true;
   const std::vector<std::string> before = std::exchange(names_, {});
   for (const Index m : context.session.selection().markers())
@@ -186,7 +185,7 @@ LayersCommand LayersPanel::command(const PanelContext& context, LayerTask task) 
   if (task == LayerTask::insert)  // layers that are there have the columns that they have
     command.layers.overrides = columns_.on(*context.topology(), command.layers.walls);
   command.control = control_;
-  command.smooth = context.session.jobs().smooth_options();
+  command.smooth = context.session.solver_settings().smooth_options();
   return command;
 }
 
@@ -199,9 +198,9 @@ void LayersPanel::draw_insertion(const PanelContext& context) {
                "insertion, once a setting is changed.");
   const LayersCommand insertion = command(context, LayerTask::insert);
   const LayerOptions wanted = options_of(insertion);
-  const bool shown =
-      preview_ && !context.session.in_motion() && !just_inserted(context.session, wanted);
-  const auto& planned = context.session.jobs().layer_preview().wanted();
+  const bool shown = preview_ && !context.session.in_motion() &&
+                     !just_inserted(context.session.document()->history(), wanted);
+  const auto& planned = context.session.layers().preview().wanted();
   if (shown && planned != wanted) context.emit(action::PreviewLayers{wanted});
   if (!shown && planned) context.emit(action::PreviewLayers{});
   if (preview_) {
@@ -216,7 +215,7 @@ void LayersPanel::draw_insertion(const PanelContext& context) {
     ImGui::SetCursorPosY(std::max(end, ImGui::GetCursorPosY()));
   }
   const bool ready =
-      !context.session.in_motion() && context.session.jobs().layer_preview().error().empty();
+      !context.session.in_motion() && context.session.layers().preview().error().empty();
   std::string at;
   for (const LayerWall& wall : wanted.walls)
     at += (at.empty() ? "" : "; ") + marker_list(wall.markers);
@@ -229,7 +228,7 @@ void LayersPanel::draw_insertion(const PanelContext& context) {
 }
 
 void LayersPanel::draw_plan(const PanelContext& context) {
-  const LayerPreview& preview = context.session.jobs().layer_preview();
+  const LayerPreview& preview = context.session.layers().preview();
   if (const std::string error = preview.error(); !error.empty()) {
     ui::text_wrapped("Cannot be done: " + error);
     return ui::note("layers/cannot");
@@ -249,7 +248,7 @@ void LayersPanel::draw_plan(const PanelContext& context) {
 
 LayersCommand LayersPanel::in_place(const PanelContext& context, LayerTask task) const {
   LayersCommand taken = command(context, task);
-  limit_to_present_layers(context.session, taken);
+  context.session.layers().limit_to_present(taken);
   return taken;
 }
 
@@ -258,8 +257,8 @@ void LayersPanel::draw_status(const PanelContext& context) {
   const LayerStatus found = status(context);
   if (found.count == 0) {
     // A line in either case, so that what stands below it stays there.
-    return ui::text_dim(context.session.jobs().found_layers().busy() ? "Looking for layers ..."
-                                                                     : "The mesh has no layers.");
+    return ui::text_dim(context.session.layers().found().busy() ? "Looking for layers ..."
+                                                                : "The mesh has no layers.");
   }
   const Theme& theme = context.theme;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -297,10 +296,10 @@ void LayersPanel::draw_choices(const PanelContext& context) {
   LayersCommand hold;
   hold.task = LayerTask::hold;
   hold.control = true;
-  hold.smooth = context.session.jobs().smooth_options();
+  hold.smooth = context.session.solver_settings().smooth_options();
   const std::vector<std::string> walls = walls_with_layers(context);
   hold.layers.walls = {{walls, {}}};
-  const bool held = !walls.empty() && all_held(context.session, hold.layers.walls);
+  const bool held = !walls.empty() && context.session.layers().all_held(hold.layers.walls);
   const bool free = !context.session.in_motion() && !walls.empty();
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   const float pad = context.theme.px(8);
@@ -314,7 +313,7 @@ void LayersPanel::draw_choices(const PanelContext& context) {
                              ": whatever moves from here on, their heights are "
                              "kept. Layers of a mesh read from a file are found from the wall up.",
                   ui::ButtonStyle::normal, free && !held, width})) {
-    limit_to_present_layers(context.session, hold);
+    context.session.layers().limit_to_present(hold);
     context.emit(action::RunCommand{hold, false});
   }
   ImGui::SameLine(0, gap);

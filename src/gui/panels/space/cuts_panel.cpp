@@ -55,16 +55,16 @@ std::array<double, 2> span_of(const Box<3>& box, const Vec3& normal) {
 
 }  // namespace
 
-void CutsPanel::measure(const Session& session) {
-  if (generation_ == session.generation() && shape_ == session.shape()) return;
-  generation_ = session.generation();
-  shape_ = session.shape();
-  extents_ = space_bounds(*shared_mesh(session.mesh()));
+void CutsPanel::measure(const LiveMesh& mesh) {
+  if (generation_ == mesh.generation() && shape_ == mesh.shape()) return;
+  generation_ = mesh.generation();
+  shape_ = mesh.shape();
+  extents_ = space_bounds(*mesh.shared());
 }
 
 void CutsPanel::draw(const PanelContext& context) {
   if (!context.session.in_space() || !ui::section("section/cuts", "Cuts")) return;
-  measure(context.session);
+  measure(context.session.mesh());
   ViewOptions view = context.view;
   draw_rows(context, view);
   const auto& held = context.view_state.cut;

@@ -13,7 +13,7 @@ class CutsPanel : public Panel {
   void draw(const PanelContext& context) override;
 
  private:
-  void measure(const Session& session);
+  void measure(const LiveMesh& mesh);
   void draw_rows(const PanelContext& context, ViewOptions& view);
   void draw_place(ViewOptions& view, std::size_t k) const;
   static void draw_peel(const PanelContext& context, Peel& peel);

@@ -66,7 +66,7 @@ void SpherePanel::draw(const PanelContext& context) {
   if (!node) return draw_node_hint();
   follow_node(context, *node);
   try {
-    const VolumeNodalView& view = spheres(context.session).at(*node);
+    const VolumeNodalView& view = context.session.inspection().spheres.view_of(*node);
     if (edge_ >= view.neighbours.size()) edge_ = 0;
     draw_plot(context, view);
     draw_kind(context);
@@ -116,7 +116,7 @@ void SpherePanel::draw_turning(const PanelContext& context) {
 void SpherePanel::draw_kind(const PanelContext& context) {
   constexpr std::array kinds{VcvKind::automatic, VcvKind::equal, VcvKind::existing,
                              VcvKind::adjusted, VcvKind::perturbation};
-  const SmoothOptions& before = context.session.jobs().smooth_options();
+  const SmoothOptions& before = context.session.solver_settings().smooth_options();
   auto chosen = static_cast<std::size_t>(std::ranges::find(kinds, before.vcv) - kinds.begin());
   ui::row("VCVs",
           "The solid angles that control volumes of all nodes have of themselves; of the solver, "
@@ -271,7 +271,7 @@ void SpherePanel::draw_edge_fields(const PanelContext& context, const VolumeNoda
 }
 
 void SpherePanel::draw_reset(const PanelContext& context, const VolumeNodalView& view) {
-  const auto stencils = sphere_vcvs(context.session.mesh());
+  const auto stencils = context.session.mesh().sphere_vcvs();
   const std::size_t count = stencils ? stencils->size() : 0;
   if (ui::button("vcv/reset", "Reset",
                  {"Give this node the control volume again that it has of itself.",
@@ -305,7 +305,7 @@ void SpherePanel::draw_spread(const PanelContext& context, const VolumeNodalView
     ui::number("vcv/radius", radius_, {}, "%.4g");
     wish.radius = radius_;
   }
-  const StarMatches::Found* found = star_matches(context.session).find(wish);
+  const StarMatches::Found* found = context.session.inspection().star_matches.find(wish);
   if (!found) {
     ui::button("vcv/apply", "Looking for nodes...",
                {"Nodes with the same link are looked for.", ui::ButtonStyle::normal, false, -1});

@@ -76,13 +76,6 @@ class Capture {
   /// A name that no picture in the working folder has yet.
   static std::filesystem::path new_picture_name();
 
- private:
-  struct Due {
-    std::filesystem::path path;
-    bool as_set = false;  // by picture_, or the window as it is
-    int delay = 0;        // frames until menus and dialogs are gone from the picture
-  };
-  friend class Dispatch;
   void on(const action::TakeScreenshot& a);
   void on(const action::SetPictureSpec& a) { picture_ = a.spec; }
   void on(const action::SavePicture& a);
@@ -90,6 +83,13 @@ class Capture {
   void on(const action::StartRecording& a);
   void on(const action::StopRecording&);
   void on(const action::CancelRecording&);
+
+ private:
+  struct Due {
+    std::filesystem::path path;
+    bool as_set = false;  // by picture_, or the window as it is
+    int delay = 0;        // frames until menus and dialogs are gone from the picture
+  };
   bool may_write(const std::filesystem::path& path);
   bool may_replace(const std::filesystem::path& path, const Action& again);
   void take(PictureSource& source, const std::filesystem::path& path, bool as_set);

@@ -159,13 +159,11 @@ io::Recipe read_recipe(const HeadlessOptions& options) {
   return recipe;
 }
 
-void judge(const Session& session, HeadlessResult& result) {
-  const Document* document = session.document();
-  if (!document) return;
-  const Mesh& mesh = document->state().mesh;
+void judge(const Document& document, HeadlessResult& result) {
+  const Mesh& mesh = document.state().mesh;
   result.inverted = check_validity(*mesh.topology, mesh.coordinates).inverted;
-  for (std::size_t k = 1; k <= document->history().position(); ++k) {
-    const SmoothResult& smooth = document->history().result(k);
+  for (std::size_t k = 1; k <= document.history().position(); ++k) {
+    const SmoothResult& smooth = document.history().result(k);
     result.converged = result.converged && smooth.converged;
     result.fraction_reached = std::min(result.fraction_reached, smooth.fraction_reached);
   }
@@ -195,9 +193,9 @@ HeadlessResult run_headless(const HeadlessOptions& options) {
   const int zone = options.zone != 0 ? options.zone : recipe.zone;
   if (!mesh.empty()) studio.open(mesh, zone);
   if (const Document* document = studio.bench().session().document()) {
-    for (const std::string& text : document->warnings()) options.warn(text);
+    for (const std::string& text : document->source().warnings) options.warn(text);
     if (zone == 0)
-      for (const std::string& text : io::zones_left(document->details().get(), mesh))
+      for (const std::string& text : io::zones_left(document->source().details.get(), mesh))
         options.warn(text);
     // Said here; a question on screen would be in the picture.
     studio.bench().apply(action::DismissPrompt{});
@@ -216,7 +214,7 @@ HeadlessResult run_headless(const HeadlessOptions& options) {
     write_picture(studio, options);
     options.say("Wrote " + options.picture.string());
   }
-  judge(studio.bench().session(), result);
+  if (const Document* document = studio.bench().session().document()) judge(*document, result);
   return result;
 }
 

@@ -26,8 +26,6 @@ class Dialogs {
   /// Draws those that are up. window, mesh: their sizes on screen, pixels.
   void draw(const PanelContext& context, const ScreenVector& window, const ScreenVector& mesh);
 
- private:
-  friend class Dispatch;
   void on(const action::ShowFileDialog& a);
   void on(const action::ShowPictureDialog&);
   void on(const action::ShowRecordDialog& a);
@@ -38,6 +36,7 @@ class Dialogs {
   void on(const action::ShowPalette&);
   void on(const action::ShowAbout&);
 
+ private:
   struct Windows;
   const Session& session_;
   std::unique_ptr<Windows> windows_;

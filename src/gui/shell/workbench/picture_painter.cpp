@@ -146,13 +146,13 @@ ScreenVector PicturePainter::picture_extent(const PictureSpec& spec) const {
 
 Image PicturePainter::picture_of(const Coordinates& nodes, const PictureSpec& spec) {
   if (nodes == shown_.session.coordinates()) return picture(spec);
-  show_between(shown_.session, nodes);
+  shown_.session.show_instead(nodes);
   try {
     Image image = picture(spec);
-    show_between(shown_.session, {});
+    shown_.session.show_instead({});
     return image;
   } catch (...) {
-    show_between(shown_.session, {});
+    shown_.session.show_instead({});
     throw;
   }
 }

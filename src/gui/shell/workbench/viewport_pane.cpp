@@ -284,7 +284,7 @@ void ViewportPane::measure_selection() {
 }
 
 void ViewportPane::follow_mesh(const ViewOptions& options, float scale) {
-  before_.update(session_, options);
+  before_.update(session_.mesh(), options);
   std::vector<Index> worst;
   if (session_.in_space() && options.space.worst)
     for (const WorstElement& element : worst_elements(session_, options))
@@ -331,7 +331,7 @@ void ViewportPane::draw_space_mode(ImDrawList& list, const SpaceOverlay& o) cons
   const float margin = o.theme.px(16);
   const ScreenBox seen = o.view.viewport();
   double foot = space_marks_top(o);
-  if (control_.card()) foot = std::min(foot, control_.card()->min.y());
+  if (control_.navigator().card()) foot = std::min(foot, control_.navigator().card()->min.y());
   draw_mode(list, o.theme,
             {static_cast<float>(seen.min.x()) + margin, static_cast<float>(foot) - margin / 2},
             static_cast<float>(seen.size().x()) - 2 * margin, text);
@@ -397,8 +397,8 @@ Area ViewportPane::room_under_banner(const MeshFrame& frame) const {
 void ViewportPane::draw_foot(ImDrawList& list, const MeshFrame& frame, const ViewOverlay& overlay,
                              const LegendCard& card) const {
   ScreenBox room = frame.view.viewport();
-  if (!frame.mesh_alone && control_.card())
-    room.max = ScreenPoint(room.max.x(), control_.card()->min.y());
+  if (!frame.mesh_alone && control_.navigator().card())
+    room.max = ScreenPoint(room.max.x(), control_.navigator().card()->min.y());
   if (const auto& lens = frame.lens.inset(); lens && lens->pinned)
     room.min = ScreenPoint(lens->frame().max.x(), room.min.y());
   const auto& legend = card.frame();

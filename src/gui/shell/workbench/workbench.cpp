@@ -5,10 +5,8 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 
-#include "gui/base/text.h"
 #include "gui/files/assets.h"
 #include "gui/menu/user_command.h"
 #include "gui/panels/files/file_dialog.h"
@@ -52,7 +50,7 @@ Workbench::Workbench(const WorkbenchOptions& options)
       view_control_(session_, options.scale),
       pictures_({session_, context(), view_control_.plane(), view_control_.space().view(), window_,
                  regions_, pane_}) {
-  take_settings(settings_file_.initial());
+  restore_settings(settings_file_.initial(), view_control_, window_, opened_files_.recent());
 }
 
 Workbench::~Workbench() {
@@ -82,8 +80,7 @@ bool Workbench::settled() const {
 }
 
 void Workbench::update(InputQueue& queue, int width, int height, double seconds) {
-  const bool seen = seen_shape_ >= key_shape_;
-  const InputState input = queue.next_frame(seen ? InputQueue::Keys::take : InputQueue::Keys::hold);
+  const InputState input = queue.next_frame(key_gate_.keys());
   window_.width = std::max(width, 1);
   window_.height = std::max(height, 1);
   poll();
@@ -98,11 +95,13 @@ void Workbench::update(InputQueue& queue, int width, int height, double seconds)
   demo_.update(session_, seconds, actions_);
   take_input(input);
   draw_window(input);
-  view_control_.observe(pane_.mouse_busy(), seconds);
+  view_control_.navigator().observe(pane_.mouse_busy(), seconds);
   dispatch();
   finish_frame();
-  follow_keys(input);
-  follow_files(seconds);
+  const ShownMesh* shown = pane_.mesh_view().shown();
+  key_gate_.after_frame(input, session_.document() ? std::optional(session_.shape()) : std::nullopt,
+                        shown ? std::optional(shown->shape) : std::nullopt);
+  opened_files_.update(session_, seconds);
   pictures_.forget_idle(seconds);
   keep_settings(seconds);
 }
@@ -118,14 +117,15 @@ void Workbench::draw_window(const InputState& input) {
     view_control_.move_divider(static_cast<double>(*divided / v.width));
   regions_.draw_over_mesh(shown, v, Regions::Cards::all);
   const auto card = demo_.demo() ? widgets().find("demo/card") : std::nullopt;
-  view_control_.set_card(card ? std::optional(ScreenBox{card->min, card->max}) : std::nullopt);
+  view_control_.navigator().set_card(card ? std::optional(ScreenBox{card->min, card->max})
+                                          : std::nullopt);
   dialogs_.draw(shown, ScreenVector(window_.width, window_.height),
                 ScreenVector(v.width, v.height));
   pane_.drive(input, shown, window_.layout);
 }
 
 void Workbench::take_input(const InputState& input) {
-  take_dropped(input);
+  if (auto open = opened_files_.drop(input.dropped)) actions_.push_back(std::move(*open));
   const bool listed = popup_open();
   close_list();
   if (listed || window_.ui.wants_keyboard()) return;
@@ -148,7 +148,7 @@ void Workbench::dispatch() {
 }
 
 void Workbench::finish_frame() {
-  if (view_control_.follow_mesh()) regions_.welcome().close();
+  if (view_control_.look_at_another()) regions_.welcome().close();
   pane_.measure_selection();
   // The first picture of a large mesh has the processors for itself.
   if (!session_.in_space() || pane_.mesh_view().shown())
@@ -162,20 +162,10 @@ void Workbench::finish_frame() {
   capture_.after_frame(pictures_);
 }
 
-void Workbench::follow_keys(const InputState& input) {
-  const ShownMesh* shown = pane_.mesh_view().shown();
-  seen_shape_ = shown ? shown->shape : 0;
-  if (!session_.document())
-    key_shape_ = 0;
-  else if ((input.keys & ~keys_down_).any())
-    key_shape_ = session_.shape();
-  keys_down_ = input.keys;
-}
-
 std::string Workbench::title() const {
   const Document* document = session_.document();
   if (!document) return "winslow";
-  const std::string zone = document->zone_text();
+  const std::string zone = document->source().zone_text();
   return (document->modified() ? "* " : "") + document->name() + (zone.empty() ? "" : ", " + zone) +
          " - winslow";
 }
@@ -196,7 +186,7 @@ void Workbench::on(const action::StartDemo& a) {
 
 void Workbench::on(const action::EndDemo&) {
   demo_.end();
-  view_control_.set_card(std::nullopt);
+  view_control_.navigator().set_card(std::nullopt);
 }
 
 void Workbench::on(const action::EditField& a) {
@@ -210,56 +200,6 @@ void Workbench::on(const action::CopyText& a) {
   window_.ui.make_current();
   ImGui::SetClipboardText(a.text.c_str());
   session_.messages().tell(Notice::Kind::information, "Copied: " + a.text);
-}
-
-/// One mesh at a time: of several files dropped together, the first.
-void Workbench::take_dropped(const InputState& input) {
-  if (input.dropped.empty()) return;
-  dropped_ = input.dropped.size();
-  actions_.emplace_back(action::OpenMesh{input.dropped.front()});
-}
-
-/// Keeps the list of recent files in step with what is open.
-void Workbench::follow_files(double seconds) {
-  recent_.update(seconds);
-  const Document* document = session_.document();
-  const auto path = document ? document->path() : std::filesystem::path();
-  if (path == shown_path_) return;
-  shown_path_ = path;
-  if (path.empty()) return;
-  recent_.add(path);
-  if (dropped_ > 1)
-    session_.messages().tell(Notice::Kind::warning,
-                             "Opened " + document->name() + ", the first of " +
-                                 counted(dropped_, "file") +
-                                 " that were dropped: the studio shows one mesh at a time.");
-  dropped_ = 0;
-}
-
-Settings Workbench::settings() const {
-  Settings settings;
-  settings.view = view_control_.options();
-  settings.left_width = window_.layout.left_width;
-  settings.right_width = window_.layout.right_width;
-  settings.plot_height = window_.layout.plot_height;
-  settings.folded = window_.ui.folded();
-  settings.views = view_control_.space().views(view_control_.options());
-  settings.recent = recent_.paths();
-  const float scale = view_control_.scale().screen();
-  // The screen's own scale: a window has its size whatever the user makes of what is in it.
-  settings.window = {static_cast<int>(std::lround(static_cast<float>(window_.width) / scale)),
-                     static_cast<int>(std::lround(static_cast<float>(window_.height) / scale))};
-  return settings;
-}
-
-void Workbench::take_settings(const Settings& settings) {
-  view_control_.set_options(settings.view);
-  if (settings.left_width > 0) window_.layout.left_width = settings.left_width;
-  if (settings.right_width > 0) window_.layout.right_width = settings.right_width;
-  if (settings.plot_height > 0) window_.layout.plot_height = settings.plot_height;
-  window_.ui.folded() = settings.folded;
-  view_control_.space().set_views(settings.views);
-  recent_.set(settings.recent);
 }
 
 void Workbench::keep_settings(double seconds) {

@@ -1,20 +1,18 @@
 #pragma once
 
-#include <bitset>
-#include <cstdint>
 #include <filesystem>
 #include <string>
 
 #include "gui/demos/demo_player.h"
 #include "gui/document/autosave/autosave.h"
 #include "gui/document/session/session.h"
-#include "gui/files/recent_files.h"
 #include "gui/picture/capture/capture.h"
 #include "gui/settings/settings.h"
 #include "gui/shell/workbench/dialogs.h"
 #include "gui/shell/workbench/picture_painter.h"
 #include "gui/shell/workbench/regions.h"
 #include "gui/shell/workbench/viewport_pane.h"
+#include "gui/shell/workbench/workbench_parts.h"
 #include "gui/view/navigation/view_control.h"
 
 namespace winslow::gui {
@@ -67,50 +65,19 @@ class Workbench {
   const Dialogs& dialogs() const { return dialogs_; }
   const Capture& capture() const { return capture_; }
   const DemoPlayer& demo() const { return demo_; }
-  const RecentFiles& recent() const { return recent_; }
+  const RecentFiles& recent() const { return opened_files_.recent(); }
   const Autosave& autosave() const { return autosave_; }
   PicturePainter& pictures() { return pictures_; }
   /// As they would be kept now.
-  Settings settings() const;
+  Settings settings() const { return settings_of(view_control_, window_, opened_files_.recent()); }
   /// Shape of the mouse cursor (ImGuiMouseCursor).
   int cursor() const { return pane_.cursor().value_or(window_.ui.cursor()); }
   /// "* naca0012.su2 - winslow"
   std::string title() const;
 
- private:
-  void take_input(const InputState& input);
-  void take_dropped(const InputState& input);
-  void draw_window(const InputState& input);
-  void dispatch();
-  void finish_frame();
-  void follow_keys(const InputState& input);
-  void follow_files(double seconds);
-  void take_settings(const Settings& settings);
-  void keep_settings(double seconds);
-  PanelContext context() {
-    return {session_,
-            view_control_.options(),
-            view_control_.state(),
-            window_.ui.theme(),
-            actions_,
-            capture_,
-            recent_,
-            demo_,
-            &pane_.before(),
-            pane_.mesh_view().shown()};
-  }
-
-  friend class Dispatch;
-  void apply_group(const DocumentAction& action) { session_.apply(action); }
-  void apply_group(const ViewAction& action) { view_control_.apply(action); }
-  void apply_group(const PictureAction& action) { capture_.apply(action); }
-  void apply_group(const DialogAction& action) { dialogs_.apply(action); }
-  void apply_group(const ShellAction& action) { Dispatch::to(*this, action); }
-  void apply_group(const DemoAction& action) { Dispatch::to(*this, action); }
-
   void on(const action::RestoreSession& a);
   void on(const action::DiscardSession& a) { autosave_.discard(a.folder); }
-  void on(const action::ClearRecent&) { recent_.clear(); }
+  void on(const action::ClearRecent&) { opened_files_.recent().clear(); }
   void on(const action::EditField& a);
   void on(const action::CopyText& a);
   /// The page goes when another mesh is opened.
@@ -119,6 +86,33 @@ class Workbench {
   void on(const action::StepDemo& a) { demo_.go(a.by, session_, actions_); }
   void on(const action::PlayDemo& a) { demo_.play(a.automatic); }
   void on(const action::EndDemo&);
+
+ private:
+  void take_input(const InputState& input);
+  void draw_window(const InputState& input);
+  void dispatch();
+  void finish_frame();
+  void keep_settings(double seconds);
+  PanelContext context() {
+    return {session_,
+            view_control_.options(),
+            view_control_.state(),
+            window_.ui.theme(),
+            actions_,
+            capture_,
+            opened_files_.recent(),
+            demo_,
+            &pane_.before(),
+            pane_.mesh_view().shown()};
+  }
+
+  void apply_group(const DocumentAction& action) { session_.apply(action); }
+  void apply_group(const CameraAction& action) { view_control_.navigator().apply(action); }
+  void apply_group(const ViewAction& action) { view_control_.apply(action); }
+  void apply_group(const PictureAction& action) { capture_.apply(action); }
+  void apply_group(const DialogAction& action) { dialogs_.apply(action); }
+  void apply_group(const ShellAction& action) { Dispatch::to(*this, action); }
+  void apply_group(const DemoAction& action) { Dispatch::to(*this, action); }
 
   std::filesystem::path demo_meshes_;  // empty: the bundled ones
   SettingsFile settings_file_;
@@ -130,15 +124,11 @@ class Workbench {
   ViewportPane pane_{session_, view_control_};
   Regions regions_;
   ActionQueue actions_;
-  RecentFiles recent_;
+  OpenedFiles opened_files_;
   DemoPlayer demo_;
   Dialogs dialogs_{session_};
   PicturePainter pictures_;
-  std::filesystem::path shown_path_;  // of the mesh that stands in recent_
-  std::size_t dropped_ = 0;           // files that the mesh being opened was dropped with
-  std::bitset<512> keys_down_;        // in the last frame
-  // Revisions of the mesh (Session::shape()): when a key last went down, and in the picture.
-  std::uint64_t key_shape_ = 0, seen_shape_ = 0;
+  KeyGate key_gate_;
 };
 
 }  // namespace winslow::gui

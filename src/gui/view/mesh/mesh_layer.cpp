@@ -109,19 +109,19 @@ void MeshLayer::take(Colors colors) {
   legend_ = std::move(colors.legend);
 }
 
-void BeforeMesh::update(const Session& session, const ViewOptions& view) {
-  document_ = session.document();
+void BeforeMesh::update(const LiveMesh& mesh, const ViewOptions& view) {
+  document_ = mesh.document();
   if (!document_) {
     coordinates_ = nullptr;
     topology_.reset();
     return;
   }
-  if (generation_ != session.generation()) {
-    generation_ = session.generation();
+  if (generation_ != mesh.generation()) {
+    generation_ = mesh.generation();
     monitor_.clear();
     key_ = nullptr;
   }
-  const std::size_t position = position_before(session.mesh(), view.before);
+  const std::size_t position = position_before(mesh, view.before);
   const MeshState& state = document_->history().state(position);
   const Coordinates& now = state.mesh.coordinates;
   loaded_ = position == 0;

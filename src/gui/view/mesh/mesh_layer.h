@@ -95,7 +95,7 @@ class MeshLayer {
 class BeforeMesh {
  public:
   /// In every frame. metric: its values are wanted, too, for colours.
-  void update(const Session& session, const ViewOptions& view);
+  void update(const LiveMesh& mesh, const ViewOptions& view);
   /// True if a measurement has come in.
   bool poll() { return monitor_.poll(); }
   bool busy() const { return monitor_.busy(); }

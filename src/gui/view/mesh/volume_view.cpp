@@ -109,7 +109,7 @@ VolumeWish VolumeView::wish_of(const Session& session, const ViewOptions& view, 
   }
   if (volume) return wish;
   wish.surface = session.document()->state().surface;
-  wish.feature_angle = session.jobs().smooth_options().slide.feature_angle;
+  wish.feature_angle = session.solver_settings().smooth_options().slide.feature_angle;
   return wish;
 }
 
@@ -120,7 +120,7 @@ void VolumeView::update(const Session& session, const BeforeMesh& before, const 
   divider_ = view.divider;
   if (generation_ != session.generation()) measured_.reset();
   if (!mesh_ || generation_ != session.generation() || shape_ != session.shape()) {
-    mesh_ = shared_mesh(session.mesh());
+    mesh_ = session.mesh().shared();
     generation_ = session.generation();
     shape_ = session.shape();
   }

@@ -216,7 +216,7 @@ Lines describe_face(Index f, const Session& session) {
 
 /// The worst element at a node.
 void add_worst_around(Lines& lines, Index i, const Session& session) {
-  const auto shared = shared_mesh(session.mesh());
+  const auto shared = session.mesh().shared();
   const Mesh& mesh = *shared;
   const std::vector<Vec3> normals =
       reference_normals(session.document()->state(), mesh.coordinates);
@@ -238,7 +238,7 @@ void add_worst_around(Lines& lines, Index i, const Session& session) {
 
 std::vector<std::pair<std::string, std::string>> describe_element(Index e, const Session& session) {
   const Topology& topology = *session.topology();
-  const auto shared = shared_mesh(session.mesh());
+  const auto shared = session.mesh().shared();
   const Mesh& mesh = *shared;
   std::vector<std::pair<std::string, std::string>> lines{
       {"Element " + std::to_string(e), std::string(shape_of(topology.element_type(e)).name)},

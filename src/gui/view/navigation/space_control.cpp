@@ -64,7 +64,7 @@ std::vector<KeptView> SpaceControl::views(const ViewOptions& options) const {
 void SpaceControl::begin(ViewOptions& options) {
   const Document& document = *session_.document();
   std::error_code ignored;
-  open_ = std::filesystem::absolute(document.source(), ignored);
+  open_ = std::filesystem::absolute(document.source().path, ignored);
   SpaceCamera& camera = view_.camera();
   camera.set_content(space_bounds(document.state().mesh));
   const std::string file = open_->string();
@@ -164,9 +164,13 @@ void SpaceControl::look_at(const Vec3& point, double radius) {
   view_.camera().fit(corners_of(around(point, radius)), 0);
 }
 
-void SpaceControl::go_to(const MeshItem& item) {
-  const Box<3> box = space_surroundings(item, *shared_mesh(session_.mesh()));
+void SpaceControl::go_to(const MeshItem& item, const std::optional<ScreenBox>& /*card*/) {
+  const Box<3> box = space_surroundings(item, *session_.mesh().shared());
   look_at(box.centre(), 2 * box.size().norm());
+}
+
+bool SpaceControl::sees(Index node) const {
+  return view_.viewport().contains(view_.project(session_.coordinates().xyz(node)).at);
 }
 
 void SpaceControl::zoom_to(const ScreenBox& box, const Vec3& depth) {

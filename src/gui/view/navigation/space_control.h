@@ -10,22 +10,23 @@
 #include "gui/render/space/space_view.h"
 #include "gui/settings/view_options.h"
 #include "gui/settings/view_state.h"
+#include "gui/view/navigation/camera_control.h"
 
 namespace winslow::gui {
 
 /// Where the user looks in space. Knows nothing of OpenGL or of widgets.
-class SpaceControl {
+class SpaceControl : public CameraControl {
  public:
   explicit SpaceControl(const Session& session) : session_(session) {}
 
-  const SpaceView& view() const { return view_; }
-  SpaceView& view() { return view_; }
+  const SpaceView& view() const override { return view_; }
+  SpaceView& view() override { return view_; }
   const SpaceCamera& camera() const { return view_.camera(); }
 
   /// A volume mesh has come, or goes: what it was looked at by is kept for when it is back. options
   /// get the cuts that it has, or those to begin with.
   void leave(const ViewOptions& options);
-  void begin(ViewOptions& options);
+  void begin(ViewOptions& options) override;
   /// How meshes were looked at, the last one first: the open one among them.
   std::vector<KeptView> views(const ViewOptions& options) const;
   /// As they were kept from the last run.
@@ -33,13 +34,17 @@ class SpaceControl {
   /// In every frame: the parts of the options that the camera has.
   void follow(const SpaceOptions& options);
 
-  void fit_all();
+  void fit_all() override;
   /// Of bodies, or all where nothing is enclosed.
-  void fit_bodies();
-  void fit_markers(std::span<const Index> markers);
+  void fit_bodies() override;
+  void fit_markers(std::span<const Index> markers) override;
   void look_at(const Vec3& point, double radius);
-  /// Looks at an item and what touches it.
-  void go_to(const MeshItem& item);
+  /// The item stays in the middle of the view, wherever the card is.
+  void go_to(const MeshItem& item, const std::optional<ScreenBox>& card) override;
+  bool sees(Index node) const override;
+  LookedAt looked_at() const override { return winslow::gui::looked_at(camera()); }
+  void look_at(const LookedAt& place) override { winslow::gui::look_at(view_.camera(), place); }
+  void update(const ViewOptions& options) override { follow(options.space); }
   /// Shows what lies in a box of the screen as large as there is room for; depth: of a point.
   void zoom_to(const ScreenBox& box, const Vec3& depth);
   void look_from(const ViewDirection& direction);

@@ -6,52 +6,58 @@
 #include "gui/document/actions/actions.h"
 #include "gui/document/actions/dispatch.h"
 #include "gui/document/session/session.h"
-#include "gui/render/view.h"
 #include "gui/settings/view_options.h"
 #include "gui/settings/view_state.h"
-#include "gui/view/navigation/space_control.h"
-#include "gui/view/navigation/view_history.h"
+#include "gui/view/navigation/navigator.h"
 
 namespace winslow::gui {
 
-/// Where the user looks and what is drawn: carries out the actions on the view. Knows nothing of
-/// OpenGL or of widgets.
+/// What is drawn, and how large: has the view's options and carries out the actions on them. Knows
+/// nothing of OpenGL or of widgets.
 class ViewControl {
  public:
   /// screen_scale: pixels per unit of the layout that the screen wants.
   ViewControl(Session& session, float screen_scale)
-      : session_(session), space_(session), scale_(screen_scale) {}
-
-  void apply(const ViewAction& action) { Dispatch::to(*this, action); }
+      : session_(session), navigator_(session, options_), scale_(screen_scale) {}
 
   const ViewOptions& options() const { return options_; }
   /// As they were kept from the last run.
   void set_options(const ViewOptions& options) { options_ = options; }
   const ViewState& state() const { return state_; }
-  /// Of the open mesh.
-  const View& view() const {
-    if (session_.in_space()) return space_.view();
-    return view_;
-  }
-  /// Of plane meshes; for the mouse, which pans and zooms.
-  const PlaneView& plane() const { return view_; }
-  PlaneView& plane() { return view_; }
-  const Camera& camera() const { return view_.camera(); }
-  /// Of volume meshes.
-  const SpaceControl& space() const { return space_; }
-  SpaceControl& space() { return space_; }
   InterfaceScale& scale() { return scale_; }
   const InterfaceScale& scale() const { return scale_; }
+
+  /// Where the user looks.
+  const Navigator& navigator() const { return navigator_; }
+  Navigator& navigator() { return navigator_; }
+  // What is asked for most, of navigator().
+  const View& view() const { return navigator_.camera_control().view(); }
+  const PlaneView& plane() const { return navigator_.plane().view(); }
+  PlaneView& plane() { return navigator_.plane().view(); }
+  const Camera& camera() const { return navigator_.plane().camera(); }
+  const SpaceControl& space() const { return navigator_.space(); }
+  SpaceControl& space() { return navigator_.space(); }
+
+  void apply(const ViewAction& action) { Dispatch::to(*this, action); }
+  void on(const action::EditView& a);
+  void on(const action::InspectNode& a);
+  void on(const action::ToggleRuler&) { state_.ruler = session_.document() && !state_.ruler; }
+  void on(const action::BoxZoom&);
+  void on(const action::GoTo& a);
+  void on(const action::AskGoTo&);
+  void on(const action::PreviewRoles& a) { state_.roles_previewed = a.on; }
+  void on(const action::PinMagnifier&);
+  void on(const action::StepScale& a);
+  void on(const action::AddCut& a);
+  void on(const action::AddCutAcrossView&);
+  void on(const action::ShowLook& a);
+  void on(const action::HoldCut& a) { state_.cut = a.cut; }
 
   /// In every frame, when it is known where in the framebuffer the mesh is drawn, pixels. True if
   /// another mesh is open than in the frame before.
   bool begin_frame(double x, double y, double width, double height);
   /// Looks at the mesh that is open if it is another than before. True if it is.
-  bool follow_mesh();
-  /// In every frame. mouse_busy: the mouse is changing the view. seconds: since the last frame.
-  void observe(bool mouse_busy, double seconds) {
-    history_.observe(looked_at_now(), mouse_busy, seconds);
-  }
+  bool look_at_another();
   /// What was asked of this frame alone is done.
   void end_requests() { state_.go_to_wanted = false; }
 
@@ -62,9 +68,6 @@ class ViewControl {
   /// As the window has room for the columns beside the mesh.
   void set_columns(const ColumnState& columns) { state_.columns = columns; }
   void put_ruler_away() { state_.ruler = false; }
-  /// A card at the foot of the viewport: what one goes to is shown above it.
-  void set_card(const std::optional<ScreenBox>& card) { card_ = card; }
-  const std::optional<ScreenBox>& card() const { return card_; }
   /// Moves the divider between two meshes; by: a share of the viewport's width.
   void move_divider(double by);
   void disarm_box_zoom() { state_.box_zoom_armed = false; }
@@ -72,48 +75,15 @@ class ViewControl {
   void release_magnifier();
 
  private:
-  friend class Dispatch;
-  void on(const action::EditView& a);
-  void on(const action::InspectNode& a);
-  void on(const action::FitView&);
-  void on(const action::FitSelection&);
-  void on(const action::FitBodies&);
-  void on(const action::FitMarkers& a);
-  void on(const action::ToggleRuler&) { state_.ruler = session_.document() && !state_.ruler; }
-  void on(const action::LookAt& a);
-  void on(const action::ZoomTo& a);
-  void on(const action::BoxZoom&);
-  void on(const action::BackView&) { go(history_.back(looked_at_now())); }
-  void on(const action::ForwardView&) { go(history_.forward()); }
-  void on(const action::GoTo& a);
-  void on(const action::AskGoTo&);
-  void on(const action::PreviewRoles& a) { state_.roles_previewed = a.on; }
-  void on(const action::PinMagnifier&);
-  void on(const action::StepScale& a);
-  void on(const action::LookAtPlace& a);
-  void on(const action::ZoomToScreen& a);
-  void on(const action::LookFrom& a);
-  void on(const action::AddCut& a);
-  void on(const action::AddCutAcrossView&);
-  void on(const action::ShowLook& a);
-  void on(const action::HoldCut& a) { state_.cut = a.cut; }
-  void look_at_start();
   void suit_peel();
-  LookedAt looked_at_now() const;
-  void go(const std::optional<LookedAt>& place);
-  void leave() { history_.leave(looked_at_now()); }
-  std::vector<Index> body_nodes() const;
 
   Session& session_;
   ViewOptions options_;
   ViewState state_;
-  PlaneView view_;
-  SpaceControl space_;
-  ViewHistory history_;
+  Navigator navigator_;
   InterfaceScale scale_;
-  std::uint64_t generation_ = 0;  // of the mesh that the camera was set up for
+  std::uint64_t generation_ = 0;  // of the mesh that is looked at
   std::optional<ScreenPoint> mouse_;
-  std::optional<ScreenBox> card_;
 };
 
 }  // namespace winslow::gui

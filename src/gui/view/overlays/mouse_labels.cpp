@@ -45,7 +45,7 @@ void draw_beside_mouse(ImDrawList& list, const View& view, const Theme& theme,
 
 std::vector<MouseLabel> drag_labels(std::string motion, const Session& session) {
   std::vector<MouseLabel> labels{{std::move(motion), palette().text}};
-  const BodyDrag* drag = session.mesh().body_drag();
+  const BodyDrag* drag = session.mesh().work().body_drag();
   if (!drag || drag->reach() == BodyDrag::Reach::there) return labels;
   if (drag->reach() == BodyDrag::Reach::limit)
     labels.push_back({blocked_text(*drag), palette().danger});

@@ -100,7 +100,7 @@ void draw_offered_pivot(ImDrawList& list, const SpaceOverlay& o, const SpaceView
 
 /// Where the mouse wants the body, or the part of the boundary, as long as the mesh is behind.
 void draw_wanted_in_space(ImDrawList& list, const SpaceOverlay& o) {
-  const BodyDrag* drag = o.session.mesh().body_drag();
+  const BodyDrag* drag = o.session.mesh().work().body_drag();
   if (!drag || drag->reach() == BodyDrag::Reach::there) return;
   const Coordinates& rest = o.session.mesh().motion_base().mesh.coordinates;
   if (const auto motion = o.session.mesh().live_motion()) {
@@ -121,7 +121,7 @@ void draw_held(ImDrawList& list, const SpaceOverlay& o, const SpaceViewport& vie
   const ShapeEdit& edit = o.session.selection().shape_edit();
   if (!edit.active) return;
   const Coordinates& x = o.session.coordinates();
-  const BodyDrag* drag = o.session.mesh().body_drag();
+  const BodyDrag* drag = o.session.mesh().work().body_drag();
   const auto* held = o.session.selection().space().held(edit);
   static const DragGrip none;
   const DragGrip& grip = drag ? drag->grip() : held ? held->grip : none;

@@ -48,7 +48,7 @@ void draw_wanted(ImDrawList& list, const Overlay& o) {
   if (const auto motion = o.session.mesh().live_motion())
     return draw_edges(list, o, o.session.selection().markers(),
                       [&](Index node) { return transform(*motion, rest.xy(node)); });
-  const BodyDrag* drag = o.session.mesh().body_drag();
+  const BodyDrag* drag = o.session.mesh().work().body_drag();
   if (!drag || drag->grip().rigid()) return;
   const auto& nodes = drag->grip().nodes;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -266,9 +266,9 @@ void draw_reason(ImDrawList& list, const Overlay& o, const LayerColumn& column) 
 }  // namespace
 
 void draw_layer_preview(ImDrawList& list, const Overlay& o) {
-  const LayerStack* plan = o.session.jobs().layer_preview().plan();
+  const LayerStack* plan = o.session.layers().preview().plan();
   if (!plan || o.session.in_motion()) return;
-  const Coordinates& x = o.session.jobs().layer_preview().coordinates();
+  const Coordinates& x = o.session.layers().preview().coordinates();
   const ScreenPoint pointer(ImGui::GetIO().MousePos);
   double nearest = static_cast<double>(o.theme.px(6));
   const LayerColumn* pointed = nullptr;

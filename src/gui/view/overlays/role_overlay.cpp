@@ -161,7 +161,7 @@ const char* name_of(NodeRole role) {
 
 void RoleOverlay::draw(ImDrawList& list, const ViewOverlay& o, const ScreenBox& room) {
   if (!shown(o.options, o.state)) return;
-  const auto roles = boundary_roles(o.session).find();
+  const auto roles = o.session.inspection().roles.find();
   const Coordinates& x = o.session.coordinates();
   if (!roles || roles->roles.size() != at(x.size())) return;
   const Bounds seen = o.view.visible();
@@ -224,7 +224,7 @@ void RoleOverlay::draw(ImDrawList& list, const SpaceOverlay& o, const VolumeView
     key_ = Key();
     return;
   }
-  const auto roles = boundary_roles(o.session).find();
+  const auto roles = o.session.inspection().roles.find();
   const Coordinates& x = o.session.coordinates();
   if (!roles || roles->roles.size() != at(x.size())) return;
   const Key now{o.view.camera(), picture.revision(), o.session.shape(), roles};

@@ -59,7 +59,7 @@ std::vector<std::array<Vec3, 2>> sides_of(const Mesh& mesh, Index face) {
 void draw_space_focus(ImDrawList& list, const SpaceOverlay& o) {
   const auto& focus = o.state.focus;
   if (!focus || !exists(*focus, o.session)) return;
-  const auto shared = shared_mesh(o.session.mesh());
+  const auto shared = o.session.mesh().shared();
   const Mesh& mesh = *shared;
   if (focus->kind == MeshItem::Kind::element) {
     draw_lines_with_halo(list, o, edges_of(mesh, focus->id), palette().accent, o.theme.px(2));
@@ -85,8 +85,8 @@ bool is_seen(const SpaceOverlay& o, const VolumeView& picture, const Vec3& point
 /// The VCV of a node, as it is drawn at meshes of its kind.
 void draw_pin(ImDrawList& list, const SpaceOverlay& o, Index node) {
   if (o.session.kind() != MeshKind::surface)
-    return draw_sphere_vcv(list, o.view.camera(), spheres(o.session).at(node), o.theme.px(1),
-                           o.theme.small);
+    return draw_sphere_vcv(list, o.view.camera(), o.session.inspection().spheres.view_of(node),
+                           o.theme.px(1), o.theme.small);
   const Coordinates& x = o.session.coordinates();
   const NodalView view = inspect_node(*o.session.vcv(), x, node);
   draw_vcv(list, o.view, view, plane_of_star(*o.session.topology(), x, view), o.theme.px(1),

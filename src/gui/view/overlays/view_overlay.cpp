@@ -294,7 +294,7 @@ std::optional<Vec3> centre_of(const KeepOutside& keep, const Session& session) {
 }  // namespace
 
 void draw_region(ImDrawList& list, const Session& session, const View& view, const Theme& theme) {
-  const KeepOutside& keep = session.jobs().smooth_options().keep_outside;
+  const KeepOutside& keep = session.solver_settings().smooth_options().keep_outside;
   if (!keep.given()) return;
   const bool space = session.in_space();
   DashedLines lines(list, view, theme);

@@ -64,7 +64,7 @@ std::optional<Index> nearest_corner(const SeenPlace& seen, const Mesh& mesh) {
 std::optional<PivotSource> PivotPicker::source_at(const SeenPlace& seen, PivotFrom from,
                                                   std::optional<Index> first,
                                                   const Session& session) {
-  const auto shared = shared_mesh(session.mesh());
+  const auto shared = session.mesh().shared();
   const Mesh& mesh = *shared;
   const std::vector<Index> face = seen_face(seen, mesh);
   if (face.empty()) return std::nullopt;

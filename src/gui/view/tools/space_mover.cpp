@@ -21,7 +21,7 @@ std::optional<Place> place_of(const Session& session) {
     // What is being carried out is where the mesh says, not where it was held.
     if (!held || session.job().active()) return std::nullopt;
     Place place{held->centre, GizmoFrame::about(held->normal, "normal"), false};
-    if (const BodyDrag* drag = session.mesh().body_drag(); drag && !drag->grip().rigid())
+    if (const BodyDrag* drag = session.mesh().work().body_drag(); drag && !drag->grip().rigid())
       place.point += drag->wanted().translate;
     return place;
   }

@@ -141,7 +141,7 @@ void SpaceViewport::look(const PointerState& p, const SpaceSurroundings& around,
     pivot_source_ = pivot_picker_.source_at(*surface_, *pick->from, pick->first, around.session);
   } else if (!around.session.in_motion() &&
              !std::ranges::binary_search(around.taken_out, surface_->marker)) {
-    const auto shared = shared_mesh(around.session.mesh());
+    const auto shared = around.session.mesh().shared();
     const Mesh& mesh = *shared;
     held_by_click_ = seen_face(*surface_, mesh);
     const auto node = nearest_corner(*surface_, mesh);

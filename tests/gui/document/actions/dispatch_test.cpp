@@ -17,13 +17,9 @@ struct First {};
 struct Second {};
 using Both = std::variant<First, Second>;
 
-/// Takes both, as private functions.
-class Whole {
- public:
+/// Takes both.
+struct Whole {
   std::string log;
-
- private:
-  friend winslow::gui::Dispatch;
   void on(const First&) { log += "first "; }
   void on(const Second&) { log += "second "; }
 };
@@ -60,8 +56,11 @@ static_assert(Dispatch::complete<Selection, SelectionAction>());
 static_assert(Dispatch::complete<Motions, MotionAction>());
 static_assert(Dispatch::complete<VcvEditor, VcvAction>());
 static_assert(Dispatch::complete<Jobs, JobAction>());
+static_assert(Dispatch::complete<SolverSettings, SettingsAction>());
+static_assert(Dispatch::complete<MeshLayers, LayerAction>());
 static_assert(Dispatch::complete<HistoryEditor, HistoryAction>());
 static_assert(Dispatch::complete<MessageBoard, MessageAction>());
+static_assert(Dispatch::complete<Navigator, CameraAction>());
 static_assert(Dispatch::complete<ViewControl, ViewAction>());
 static_assert(Dispatch::complete<Capture, PictureAction>());
 static_assert(Dispatch::complete<Dialogs, DialogAction>());

@@ -84,7 +84,7 @@ TEST_CASE("after a crash the session is offered back, every position to the bit"
     const History& history = rig.document().history();
     REQUIRE(history.size() == 4);
     CHECK(history.position() == 2);
-    CHECK(rig.document().source() == meshes / "wing.su2");
+    CHECK(rig.document().source().path == meshes / "wing.su2");
     CHECK(rig.document().modified());
     CHECK(history.result(3).converged);
     CHECK(history.result(3).history.size() > 2);
@@ -210,7 +210,7 @@ TEST_CASE("what was opened is kept, whatever becomes of its file before that is 
     SessionFolder folder(root.path());
     const auto keep = [&](std::uint64_t generation, const fs::path& mesh, const Document& of) {
       folder.write(
-          {generation, path, path, mesh, of.source_stamp(), of.history(), of.edits().tags()});
+          {generation, path, path, mesh, of.source().stamp, of.history(), of.edits().tags()});
       return read_session(folder.path());
     };
     const RestoredSession back = keep(1, path, document);
@@ -324,8 +324,8 @@ void drag_along_x(Rig& rig, double pixels) {
   const ScreenVector way = (along - root) / (along - root).norm();
   rig.drag(along, along + pixels * way);
   REQUIRE(rig.wait([&] {
-    return rig.session().mesh().body_drag() == nullptr ||
-           rig.session().mesh().body_drag()->settled();
+    return rig.session().mesh().work().body_drag() == nullptr ||
+           rig.session().mesh().work().body_drag()->settled();
   }));
   rig.release();
   REQUIRE(rig.settle());

@@ -65,10 +65,10 @@ TEST_CASE("the mesh follows while the body is still held") {
   const Index node = before.topology->markers().nodes(rig.marker("flap"))[0];
   const bool followed = rig.wait([&] {
     const double moved = rig.session().coordinates().xy(node).x() - before.coordinates.xy(node).x();
-    return std::abs(moved - by) < 1e-9 && rig.session().mesh().body_drag()->settled();
+    return std::abs(moved - by) < 1e-9 && rig.session().mesh().work().body_drag()->settled();
   });
   CHECK(followed);
-  CHECK(rig.session().mesh().body_drag()->reach() == BodyDrag::Reach::there);
+  CHECK(rig.session().mesh().work().body_drag()->reach() == BodyDrag::Reach::there);
   const Index inner = before.topology->interior_nodes().front();
   CHECK((rig.session().coordinates().xy(inner) - before.coordinates.xy(inner)).norm() > 1e-3);
   CHECK(check_validity(*before.topology, rig.session().coordinates()).inverted == 0);
@@ -119,7 +119,7 @@ TEST_CASE("a drag shows valid meshes while held, and takes the steps chosen when
   rig.open(ring_mesh());
   rig.bench->apply(action::EditMotionOptions{whole(MotionOptions{8, true})});
   rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + ScreenVector(60, 0));
-  REQUIRE(rig.session().mesh().body_drag() != nullptr);
+  REQUIRE(rig.session().mesh().work().body_drag() != nullptr);
   rig.release();
   REQUIRE(rig.settle());
   CHECK(last_move(rig).how.increments == 8);
@@ -131,7 +131,7 @@ TEST_CASE("in the direct mode the boundary goes at once, and the job shows what 
   rig.open(ring_mesh());
   rig.bench->apply(action::EditMotionOptions{whole(MotionOptions{1, true})});
   rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + ScreenVector(60, 0));
-  CHECK(rig.session().mesh().body_drag() == nullptr);
+  CHECK(rig.session().mesh().work().body_drag() == nullptr);
   REQUIRE(rig.session().job().active());
   CHECK(std::get<MoveCommand>(rig.session().job().command()).how.increments == 1);
   rig.release();
@@ -143,7 +143,7 @@ TEST_CASE("a mesh that is solved under the mouse is what the command gives") {
   Rig rig;
   rig.open(ring_mesh());
   rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0, 0)) + ScreenVector(40, 0));
-  REQUIRE(rig.wait([&] { return rig.session().mesh().body_drag()->settled(); }));
+  REQUIRE(rig.wait([&] { return rig.session().mesh().work().body_drag()->settled(); }));
   const Coordinates held = rig.session().coordinates();
   rig.release();
   REQUIRE(rig.settle());
@@ -161,12 +161,12 @@ TEST_CASE("a drag stops where the mesh can go no further, and says so") {
   rig.open(ring_mesh());
   const Mesh before = rig.mesh();
   rig.drag(rig.pixel(Vec2(0, 0)), rig.pixel(Vec2(0.2, 0)));
-  REQUIRE(rig.wait([&] { return rig.session().mesh().body_drag()->settled(); }));
+  REQUIRE(rig.wait([&] { return rig.session().mesh().work().body_drag()->settled(); }));
   const Image there = rig.bench->pictures().picture();
   // Through the far field.
   rig.move(rig.pixel(Vec2(0.2, 0)) + ScreenVector(600, 0));
   REQUIRE(rig.wait(
-      [&] { return rig.session().mesh().body_drag()->reach() == BodyDrag::Reach::limit; }));
+      [&] { return rig.session().mesh().work().body_drag()->reach() == BodyDrag::Reach::limit; }));
   CHECK(check_validity(*before.topology, rig.session().coordinates()).inverted == 0);
   rig.frames();
   CHECK(rig.bench->pictures().picture().rgba != there.rgba);

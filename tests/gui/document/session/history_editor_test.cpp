@@ -49,12 +49,12 @@ TEST_CASE("undo takes back the drag under the mouse, or else the command under w
   parts.motions.apply(action::BeginDrag{});
   parts.motions.apply(action::DragTo{{0, Vec2(0, 0), Vec2(0.1, 0)}});
   parts.history.apply(action::Undo{});
-  CHECK_FALSE(parts.mesh.held().body);
+  CHECK_FALSE(parts.work.held().body);
   CHECK(parts.done().position() == 2);
   parts.jobs.apply(action::StepSolver{1});
-  REQUIRE(parts.mesh.job().active());
+  REQUIRE(parts.work.job().active());
   parts.history.apply(action::Undo{});
-  CHECK_FALSE(parts.mesh.job().active());
+  CHECK_FALSE(parts.work.job().active());
   CHECK(parts.done().position() == 2);
   CHECK(parts.mesh.coordinates() == parts.meshes[2]);
 }
@@ -194,7 +194,8 @@ TEST_CASE("options of a past command are edited in the form of the solver panel"
   REQUIRE(rig.document().history().size() == 2);
   CHECK(rig.document().history().result(1).outer_iterations <= 2);
   CHECK_FALSE(rig.document().history().result(1).converged);
-  CHECK(rig.session().jobs().smooth_options().max_iterations == SmoothOptions{}.max_iterations);
+  CHECK(rig.session().solver_settings().smooth_options().max_iterations ==
+        SmoothOptions{}.max_iterations);
 }
 
 TEST_CASE("deleting a step runs those after it again without it") {

@@ -21,7 +21,7 @@ TEST_CASE("settings that cannot be used are said, and nothing begins") {
   SessionParts parts(ring_mesh());
   SmoothOptions bad;
   bad.tolerance = -1;
-  parts.jobs.apply(action::EditSmoothOptions{whole(bad)});
+  parts.settings.apply(action::EditSmoothOptions{whole(bad)});
   parts.jobs.apply(action::RunSmooth{});
   CHECK_FALSE(parts.mesh.in_motion());
   REQUIRE(parts.messages.prompt() != nullptr);
@@ -65,7 +65,7 @@ TEST_CASE("a step that is carried out again leaves the history as it is") {
   parts.finish();
   const Coordinates after = parts.mesh.coordinates();
   parts.jobs.apply(action::RerunStep{2});
-  CHECK(parts.mesh.job().paused());
+  CHECK(parts.work.job().paused());
   CHECK(parts.done().position() == 1);
   parts.jobs.apply(action::ResumeSolver{});
   parts.finish();

@@ -285,7 +285,7 @@ TEST_CASE("a mesh with layers is saved in the format of its source, and its reci
     CHECK(rig.mesh().coordinates == layered.coordinates);
     rig.bench->apply(action::DismissPrompt{});
     rig.bench->apply(action::OpenMesh{rig.folder / (std::string("out-") + name), true});
-    REQUIRE(rig.wait([&] { return rig.document().source() != rig.folder / name; }));
+    REQUIRE(rig.wait([&] { return rig.document().source().path != rig.folder / name; }));
     CHECK(rig.mesh().topology->element_count() == layered.topology->element_count());
     CHECK(rig.mesh().topology->node_count() == layered.topology->node_count());
   }
@@ -349,7 +349,7 @@ TEST_CASE("the panel plans layers, shows them and inserts them") {
   rig.fill("layers/count", "3");
   rig.fill("layers/first", "0.02");
   REQUIRE(rig.settle());
-  const LayerStack* plan = rig.session().jobs().layer_preview().plan();
+  const LayerStack* plan = rig.session().layers().preview().plan();
   REQUIRE(plan != nullptr);
   CHECK(plan->columns.size() >= 24);
   CHECK(plan->columns.front().heights.front() == doctest::Approx(0.02));
@@ -365,11 +365,11 @@ TEST_CASE("the panel plans layers, shows them and inserts them") {
   CHECK(rig.visible("layers/realised"));
   rig.bench->pictures().picture();
   // A plan for the same once more would only hide the layers; another one is shown.
-  CHECK_FALSE(rig.session().jobs().layer_preview().wanted());
+  CHECK_FALSE(rig.session().layers().preview().wanted());
   rig.fill("layers/count", "2");
   REQUIRE(rig.settle());
-  REQUIRE(rig.session().jobs().layer_preview().wanted());
-  CHECK(rig.session().jobs().layer_preview().wanted()->walls.front().spacing.count == 2);
+  REQUIRE(rig.session().layers().preview().wanted());
+  CHECK(rig.session().layers().preview().wanted()->walls.front().spacing.count == 2);
 }
 
 TEST_CASE("a mesh that comes with the program is never written over") {

@@ -7,7 +7,8 @@
 namespace winslow::gui::test {
 
 TEST_CASE("without a document there is nothing on screen") {
-  const LiveMesh mesh;
+  const NothingOpen nothing;
+  const LiveMesh& mesh = nothing.mesh;
   CHECK(mesh.document() == nullptr);
   CHECK(mesh.topology() == nullptr);
   CHECK(mesh.coordinates().size() == 0);
@@ -40,7 +41,8 @@ TEST_CASE("the mesh on screen is the job's while there is one, and the document'
   const Coordinates before = parts.mesh.document()->state().mesh.coordinates;
   const auto shape = parts.mesh.shape();
   parts.selection.apply(action::SelectMarkers{{parts.marker("flap")}});
-  REQUIRE(parts.jobs.start(parts.jobs.move_command({20, Vec2(0, 0), Vec2(0, 0)}), true));
+  REQUIRE(parts.jobs.start(
+      parts.settings.move_command(parts.selection.names(), {20, Vec2(0, 0), Vec2(0, 0)}), true));
   CHECK(parts.mesh.in_motion());
   CHECK(parts.mesh.shape() > shape);
   REQUIRE(parts.mesh.live_motion().has_value());
@@ -76,33 +78,34 @@ TEST_CASE("layers that are inserted make a mesh of another connectivity, which i
 }
 
 TEST_CASE("a mesh that is shared stays as it is, and is made anew only when nodes have moved") {
-  CHECK(shared_mesh(LiveMesh()) == nullptr);
+  CHECK(NothingOpen().mesh.shared() == nullptr);
   SessionParts parts(ring_mesh());
-  const auto given = shared_mesh(parts.mesh);
+  const auto given = parts.mesh.shared();
   CHECK(given->topology == parts.mesh.topology());
   CHECK(given->coordinates == parts.mesh.coordinates());
   parts.mesh.changed();  // to the same nodes
-  CHECK(shared_mesh(parts.mesh) == given);
+  CHECK(parts.mesh.shared() == given);
   const Coordinates before = given->coordinates;
   parts.selection.apply(action::SelectMarkers{{parts.marker("flap")}});
-  parts.mesh.job().follow(true);  // however fast the solver is, its meshes are seen
-  REQUIRE(parts.jobs.start(parts.jobs.move_command({10, Vec2(0, 0), Vec2(0, 0)}), false));
+  parts.work.job().wait_for_viewer(true);  // however fast the solver is, its meshes are seen
+  REQUIRE(parts.jobs.start(
+      parts.settings.move_command(parts.selection.names(), {10, Vec2(0, 0), Vec2(0, 0)}), false));
   std::set<std::shared_ptr<const Mesh>> of_solver;
   while (parts.mesh.in_motion()) {
-    if (const auto& snapshot = parts.mesh.job().snapshot()) of_solver.insert(snapshot->mesh);
-    const auto shared = shared_mesh(parts.mesh);
+    if (const auto& snapshot = parts.work.job().snapshot()) of_solver.insert(snapshot->mesh);
+    const auto shared = parts.mesh.shared();
     CHECK(shared->coordinates == parts.mesh.coordinates());
     // None of the solver's meshes is copied.
     CHECK((shared == given || of_solver.contains(shared)));
     parts.jobs.poll();
-    parts.mesh.job().follow(true);
+    parts.work.job().wait_for_viewer(true);
   }
   CHECK(of_solver.size() > 1);
-  CHECK(shared_mesh(parts.mesh)->coordinates == parts.mesh.coordinates());
-  CHECK(shared_mesh(parts.mesh) != given);
+  CHECK(parts.mesh.shared()->coordinates == parts.mesh.coordinates());
+  CHECK(parts.mesh.shared() != given);
   CHECK(given->coordinates == before);
   parts.mesh.close();
-  CHECK(shared_mesh(parts.mesh) == nullptr);
+  CHECK(parts.mesh.shared() == nullptr);
 }
 
 }  // namespace winslow::gui::test

@@ -16,7 +16,8 @@
 namespace winslow::gui::test {
 
 TEST_CASE("questions wait in the order in which they were asked") {
-  const LiveMesh mesh;
+  const NothingOpen nothing;
+  const LiveMesh& mesh = nothing.mesh;
   MessageBoard board(mesh);
   CHECK(board.prompt() == nullptr);
   board.ask({Prompt::Kind::question, "First?", {}, {}});
@@ -53,7 +54,8 @@ TEST_CASE("the banner says what the mesh calls for until it is put away, for thi
 
 TEST_CASE(
     "a motion that ended early is said before that it has not converged, not that it is bad") {
-  const LiveMesh mesh;
+  const NothingOpen nothing;
+  const LiveMesh& mesh = nothing.mesh;
   MessageBoard board(mesh);
   SmoothResult result;
   result.converged = false;
@@ -200,10 +202,10 @@ TEST_CASE("warnings of a file need no answer: they are in the banner") {
   std::ofstream(path) << text.str() << "SOMETHING= 1\nSOMETHING_ELSE= 3\n";
   rig.bench->apply(action::OpenMesh{path});
   REQUIRE(rig.settle());
-  REQUIRE(!rig.document().warnings().empty());
+  REQUIRE(!rig.document().source().warnings.empty());
   CHECK(rig.session().messages().prompt() == nullptr);
   REQUIRE(rig.session().messages().banner());
-  CHECK(rig.session().messages().banner()->text.find(rig.document().warnings().front()) !=
+  CHECK(rig.session().messages().banner()->text.find(rig.document().source().warnings.front()) !=
         std::string::npos);
   rig.frames();
   rig.click("banner/keep");

@@ -37,19 +37,19 @@ TEST_CASE("nothing selected, nothing moves") {
   parts.motions.apply(action::BeginDrag{});
   parts.motions.apply(action::ApplyDeformation{});
   CHECK_FALSE(parts.mesh.in_motion());
-  CHECK_FALSE(parts.mesh.held().body);
+  CHECK_FALSE(parts.work.held().body);
 }
 
 TEST_CASE("a drag shows the mesh where the mouse is and ends as the command of its whole way") {
   Flap parts;
   parts.motions.apply(action::BeginDrag{});
-  CHECK(parts.mesh.held().body);
-  REQUIRE(parts.mesh.body_drag() != nullptr);
+  CHECK(parts.work.held().body);
+  REQUIRE(parts.work.body_drag() != nullptr);
   parts.motions.apply(action::DragTo{{0, Vec2(0, 0), Vec2(0.05, 0)}});
   parts.motions.apply(action::DragTo{{0, Vec2(0, 0), Vec2(0.2, 0)}});
   CHECK(parts.mesh.live_motion()->translate == Vec2(0.2, 0));
   parts.motions.apply(action::EndDrag{});
-  CHECK_FALSE(parts.mesh.held().body);
+  CHECK_FALSE(parts.work.held().body);
   parts.finish();
   REQUIRE(parts.done().size() == 2);
   CHECK(parts.last().bodies[0].motion.translate.isApprox(Vec3(0.2, 0, 0)));
@@ -83,7 +83,7 @@ TEST_CASE("shape editing begins with a radius of its own and lets go of its arc 
   CHECK(edit.radius > 0);
   parts.selection.apply(action::SelectArc{BoundaryArc{0, 1, 3}});
   parts.motions.apply(action::BeginDrag{true});
-  CHECK(parts.mesh.held().body);
+  CHECK(parts.work.held().body);
   // Not under the mouse.
   parts.motions.apply(action::SetShapeEdit{false, 0});
   CHECK(edit.active);
@@ -110,7 +110,7 @@ TEST_CASE(
   rig.open(before);
   const double asked = 4;  // to the middle of the right body: they touch after 3
   rig.drag(rig.pixel(Vec2(-2, 0)), rig.pixel(Vec2(asked - 2, 0)), 3);
-  const auto reach = [&] { return rig.session().mesh().body_drag()->reach(); };
+  const auto reach = [&] { return rig.session().mesh().work().body_drag()->reach(); };
   // Long before it is known how far the body can go.
   REQUIRE(rig.wait([&] {
     CHECK(check_validity(*before.topology, rig.session().coordinates()).inverted == 0);
@@ -118,7 +118,7 @@ TEST_CASE(
   }));
   CHECK(reach() == BodyDrag::Reach::catching_up);
   REQUIRE(rig.wait([&] { return reach() == BodyDrag::Reach::limit; }));
-  const DragFrame& frame = rig.session().mesh().body_drag()->frame();
+  const DragFrame& frame = rig.session().mesh().work().body_drag()->frame();
   CHECK(frame.share == doctest::Approx(way_of(rig, before) / asked).epsilon(1e-6));
   REQUIRE(frame.contact);
   CHECK(describe_touch(*frame.contact) == "left would touch right");

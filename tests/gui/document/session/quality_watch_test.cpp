@@ -28,7 +28,8 @@ TEST_CASE("what is measured is the mesh on screen, by the field asked for") {
 }
 
 TEST_CASE("without a mesh nothing is measured") {
-  const LiveMesh mesh;
+  const NothingOpen nothing;
+  const LiveMesh& mesh = nothing.mesh;
   QualityWatch watch(mesh);
   watch.watch(std::nullopt);
   watch.measure_now(std::nullopt);

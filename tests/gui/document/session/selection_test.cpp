@@ -84,11 +84,11 @@ TEST_CASE("markers are followed by name to a mesh of another connectivity") {
   REQUIRE(selection.nodes().pinned().size() == 1);
   const std::shared_ptr<const Topology> other = ring_mesh().topology;
   const auto before = parts.mesh.topology();
-  selection.follow(before, other);
+  selection.carry_over(before, other);
   CHECK(selection.empty());
   CHECK(selection.nodes().pinned().empty());
   // Back again, the nodes that were let go of are taken up.
-  selection.follow(other, before);
+  selection.carry_over(other, before);
   CHECK(selection.nodes().pinned().size() == 1);
 }
 

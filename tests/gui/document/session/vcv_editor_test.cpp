@@ -29,8 +29,8 @@ TEST_CASE("under the mouse the last edit counts; cancelled, none does") {
   SessionParts parts(ring_mesh());
   const auto before = parts.mesh.vcv();
   parts.vcvs.apply(action::EditVcvs{{long_edge(parts, 2)}, true});
-  CHECK(parts.mesh.held().vcv);
-  CHECK(parts.mesh.job().held());
+  CHECK(parts.work.held().vcv);
+  CHECK(parts.work.job().held());
   SUBCASE("let go") {
     parts.vcvs.apply(action::EditVcvs{{long_edge(parts, 3)}, true});
     parts.vcvs.apply(action::EndVcvEdit{});
@@ -47,7 +47,7 @@ TEST_CASE("under the mouse the last edit counts; cancelled, none does") {
     CHECK(parts.mesh.vcv() == before);
     CHECK(parts.notice() == "Edit cancelled");
   }
-  CHECK_FALSE(parts.mesh.held().vcv);
+  CHECK_FALSE(parts.work.held().vcv);
 }
 
 TEST_CASE("numbers that are no VCV are said, and nothing begins") {

@@ -90,8 +90,8 @@ TEST_CASE("walls of a list have layers of their own, inserted together") {
   add_wall(rig, "right", "3", "0.02");
   REQUIRE(rig.visible("layers/wall/1"));
   REQUIRE(rig.settle());
-  check_layers(rig, rig.session().jobs().layer_preview().plan(), "left", 4, 0.01);
-  check_layers(rig, rig.session().jobs().layer_preview().plan(), "right", 3, 0.02);
+  check_layers(rig, rig.session().layers().preview().plan(), "left", 4, 0.01);
+  check_layers(rig, rig.session().layers().preview().plan(), "right", 3, 0.02);
 
   // A wall of the list is selected by a click, and its settings can be changed again.
   rig.click("layers/wall/0");
@@ -99,11 +99,11 @@ TEST_CASE("walls of a list have layers of their own, inserted together") {
   CHECK(rig.session().selection().markers() == std::vector<Index>{rig.marker("left")});
   CHECK_FALSE(rig.visible("layers/add_wall"));
   REQUIRE(rig.settle());
-  check_layers(rig, rig.session().jobs().layer_preview().plan(), "left", 4, 0.01);
+  check_layers(rig, rig.session().layers().preview().plan(), "left", 4, 0.01);
   rig.fill("layers/count", "5");
   REQUIRE(rig.settle());
-  check_layers(rig, rig.session().jobs().layer_preview().plan(), "left", 5, 0.01);
-  check_layers(rig, rig.session().jobs().layer_preview().plan(), "right", 3, 0.02);
+  check_layers(rig, rig.session().layers().preview().plan(), "left", 5, 0.01);
+  check_layers(rig, rig.session().layers().preview().plan(), "right", 3, 0.02);
   rig.bench->pictures().picture();
 
   rig.click("layers/insert");
@@ -119,7 +119,7 @@ TEST_CASE("walls of a list have layers of their own, inserted together") {
 TEST_CASE("walls are taken out of the list, and a marker is in one of them only") {
   Rig rig(1280, 1500);
   rig.open(two_body_mesh());
-  const auto planned = [&] { return rig.session().jobs().layer_preview().wanted().value().walls; };
+  const auto planned = [&] { return rig.session().layers().preview().wanted().value().walls; };
   add_wall(rig, "left", "4", "0.01");
   rig.bench->apply(action::SelectMarkers{{rig.marker("left"), rig.marker("right")}});
   rig.frames(3);
@@ -162,11 +162,11 @@ TEST_CASE(
     low = std::min(low, mesh.coordinates.xy(node).y());
     high = std::max(high, mesh.coordinates.xy(node).y());
   }
-  const WallPart whole = rig.session().jobs().layer_preview().wanted()->walls[0].part;
+  const WallPart whole = rig.session().layers().preview().wanted()->walls[0].part;
   CHECK(whole.ymin == low);
   CHECK(whole.ymax == high);
   REQUIRE(rig.settle());
-  CHECK(rig.session().jobs().layer_preview().plan()->columns.size() >= nodes.size());
+  CHECK(rig.session().layers().preview().plan()->columns.size() >= nodes.size());
   const double middle = 0.5 * (low + high);
   rig.fill("layers/ymin", std::to_string(middle));
   REQUIRE(rig.settle());
@@ -246,8 +246,7 @@ TEST_CASE("a card says what layers came with the file, and folds the settings aw
   rig.bench->apply(action::OpenMesh{write(rig.folder, rig.mesh(), "layered.su2"), true});
   REQUIRE(rig.wait([&] { return layers(rig) == nullptr; }));
   REQUIRE(rig.settle());
-  CHECK(rig.session().jobs().found_layers().at_markers() ==
-        std::map<std::string, int>{{"flap", 4}});
+  CHECK(rig.session().layers().found().at_markers() == std::map<std::string, int>{{"flap", 4}});
   if (!rig.visible("layers/status")) rig.click("section/layers");
   rig.frames(3);
   REQUIRE(rig.visible("layers/status"));
@@ -265,7 +264,7 @@ TEST_CASE("a card says what layers came with the file, and folds the settings aw
   CHECK(rig.visible("layers/insert"));
   rig.open(two_body_mesh(), "plain.su2");  // quadrilaterals, but no layers at a smooth wall
   rig.frames(3);
-  CHECK(rig.session().jobs().found_layers().looked_at(rig.session().topology()));
+  CHECK(rig.session().layers().found().looked_at(rig.session().topology()));
 }
 
 TEST_CASE("layers inserted at a second wall join those held at the first") {
@@ -288,7 +287,7 @@ TEST_CASE("the plan that is shown is the one that is inserted") {
   open_panel(rig, "outer");
   fill_spacing(rig, "8", "0.03");
   REQUIRE(rig.settle());
-  const LayerStack* plan = rig.session().jobs().layer_preview().plan();
+  const LayerStack* plan = rig.session().layers().preview().plan();
   REQUIRE(plan != nullptr);
   std::vector<std::vector<double>> heights;
   for (const LayerColumn& column : plan->columns) heights.push_back(column.heights);
@@ -320,7 +319,7 @@ TEST_CASE("single columns are set by hand for a node that is inspected") {
     return std::ranges::count(stack->columns, corner, &LayerColumn::wall_node);
   };
   REQUIRE(rig.settle());
-  CHECK(columns_at_corner(rig.session().jobs().layer_preview().plan()) > 1);  // a fan
+  CHECK(columns_at_corner(rig.session().layers().preview().plan()) > 1);  // a fan
   rig.bench->apply(action::InspectNode{corner});
   rig.frames(3);
   REQUIRE(enabled(rig, "layers/columns/add"));
@@ -328,7 +327,7 @@ TEST_CASE("single columns are set by hand for a node that is inspected") {
   rig.frames(3);
   CHECK_FALSE(enabled(rig, "layers/columns/add"));
   REQUIRE(rig.settle());
-  CHECK(columns_at_corner(rig.session().jobs().layer_preview().plan()) == 1);
+  CHECK(columns_at_corner(rig.session().layers().preview().plan()) == 1);
   rig.fill("layers/columns/count", "3");
   REQUIRE(rig.settle());  // what the plan comes to takes a line or two, above buttons
   rig.click("layers/columns/own");
@@ -349,7 +348,7 @@ TEST_CASE("single columns are set by hand for a node that is inspected") {
   rig.click("layers/column/0/remove");
   REQUIRE(rig.settle());
   CHECK_FALSE(rig.visible("layers/column/0"));
-  CHECK(rig.session().jobs().layer_preview().wanted()->overrides.empty());
+  CHECK(rig.session().layers().preview().wanted()->overrides.empty());
 }
 
 TEST_CASE("columns that would cross are shown as thin as they will be") {
@@ -403,22 +402,22 @@ TEST_CASE("buttons stay in their places while a plan is made, arrives, and is ca
     return tops;
   };
   const auto there = places();
-  REQUIRE(rig.session().jobs().layer_preview().plan() != nullptr);
+  REQUIRE(rig.session().layers().preview().plan() != nullptr);
   // Other settings: for some frames there is no plan, unless it is made within a frame.
   int without = 0;
   for (const char* first :
        {"0.013", "0.014", "0.015", "0.016", "0.017", "0.018", "0.019", "0.011"}) {
     rig.fill("layers/first", first);
     do {
-      without += rig.session().jobs().layer_preview().plan() == nullptr;
+      without += rig.session().layers().preview().plan() == nullptr;
       CHECK(places() == there);
       rig.frames(1);
-    } while (rig.session().jobs().layer_preview().busy());
+    } while (rig.session().layers().preview().busy());
     if (without > 0) break;
   }
   CHECK(without > 0);
   REQUIRE(rig.settle());
-  REQUIRE(rig.session().jobs().layer_preview().plan() != nullptr);
+  REQUIRE(rig.session().layers().preview().plan() != nullptr);
   CHECK(places() == there);
 }
 

@@ -153,17 +153,17 @@ TEST_CASE("sphere edit: Reset gives a node its own VCV again, Reset all all of t
     REQUIRE(studio.settle());
     studio.frames(3);
   }
-  REQUIRE(sphere_vcvs(studio.session().mesh()));
-  CHECK(sphere_vcvs(studio.session().mesh())->size() == 2);
+  REQUIRE(studio.session().mesh().sphere_vcvs());
+  CHECK(studio.session().mesh().sphere_vcvs()->size() == 2);
   studio.click("vcv/reset");
   REQUIRE(studio.settle());
   studio.frames(2);
-  REQUIRE(sphere_vcvs(studio.session().mesh()));
-  CHECK(sphere_vcvs(studio.session().mesh())->size() == 1);
+  REQUIRE(studio.session().mesh().sphere_vcvs());
+  CHECK(studio.session().mesh().sphere_vcvs()->size() == 1);
   CHECK_FALSE(studio.view(studio.inner()).edited);
   studio.click("vcv/reset_all");
   REQUIRE(studio.settle());
-  CHECK(sphere_vcvs(studio.session().mesh()) == nullptr);
+  CHECK(studio.session().mesh().sphere_vcvs() == nullptr);
 }
 
 TEST_CASE("sphere pins: a pinned VCV is drawn over the mesh at its node, as large as its star") {
@@ -238,7 +238,7 @@ void edit(SphereStudio& studio, Index node) {
 }
 
 std::size_t edited_count(const SphereStudio& studio) {
-  const auto stencils = sphere_vcvs(studio.session().mesh());
+  const auto stencils = studio.session().mesh().sphere_vcvs();
   return stencils ? stencils->size() : 0;
 }
 

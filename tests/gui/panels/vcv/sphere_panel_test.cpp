@@ -212,7 +212,7 @@ TEST_CASE("sphere inspector: the kind of VCVs is the solver's, and changes what 
   studio.frames(2);
   studio.click("vcv/kind/Equal angles");
   studio.frames(2);
-  CHECK(studio.session().jobs().smooth_options().vcv == VcvKind::equal);
+  CHECK(studio.session().solver_settings().smooth_options().vcv == VcvKind::equal);
   CHECK(spread() < 1.01);
   CHECK(studio.view(node).largest_error < 2e-3);
 }

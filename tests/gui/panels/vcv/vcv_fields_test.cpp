@@ -206,7 +206,7 @@ TEST_CASE("what the mouse holds stays held when the first run makes other panels
   const ScreenPoint from = rig.bench->widgets().find("vcv/end/2")->centre();
   rig.drag(from, from + ScreenVector(-12, 9), 6);
   CHECK(rig.session().job().active());
-  CHECK(rig.session().mesh().held().vcv);
+  CHECK(rig.session().mesh().work().held().vcv);
   CHECK(rig.document().history().size() == steps);
   rig.release();
   REQUIRE(rig.settle());

@@ -177,7 +177,7 @@ TEST_CASE("a script's clicks scroll to the control they name, or say that they c
     HeadlessStudio studio(options.width, options.height);
     play_script(read_script(options.script), studio, {}, [](const std::string&) {});
     const auto field = studio.bench().widgets().find("solver/max_iterations");
-    return std::pair{studio.bench().session().jobs().smooth_options().max_iterations,
+    return std::pair{studio.bench().session().solver_settings().smooth_options().max_iterations,
                      field && field->shown};
   };
   const auto [before, shown_before] = play("click solver/advanced\n");

@@ -199,16 +199,16 @@ TEST_CASE("The feature angle is drawn while it is typed, and is that of the next
   rig.fill("markers/feature_angle", "100");
   rig.settle();
   CHECK(feature_lines() == 0);
-  CHECK(rig.session().jobs().smooth_options().slide.feature_angle == 100);
+  CHECK(rig.session().solver_settings().smooth_options().slide.feature_angle == 100);
   rig.fill("markers/feature_angle", "40");
   rig.click("markers/features");
   rig.settle();
   CHECK(feature_lines() == 12 * 4);
-  CHECK(rig.session().jobs().smooth_options().slide.features);
+  CHECK(rig.session().solver_settings().smooth_options().slide.features);
   // Corners stay, edges slide, and what nodes do is drawn.
   rig.click("markers/roles");
   rig.settle();
-  const auto roles = boundary_roles(rig.session()).find();
+  const auto roles = rig.session().inspection().roles.find();
   REQUIRE(roles);
   CHECK(std::ranges::count(roles->roles, NodeRole::corner) == 8);
   CHECK(std::ranges::count(roles->roles, NodeRole::on_curve) == 36);

@@ -41,21 +41,21 @@ TEST_CASE("A mesh that was opened is shown whole, once") {
   CHECK(v.frame());
   CHECK(v.control.camera().centre().norm() < 1e-12);
   CHECK(v.control.camera().visible().size().x() == doctest::Approx(8 / 0.9));
-  v.control.apply(action::LookAt{Vec2(2, 0), 1});
+  v.control.navigator().apply(action::LookAt{Vec2(2, 0), 1});
   CHECK_FALSE(v.frame());
   CHECK((v.control.camera().centre() - Vec2(2, 0)).norm() < 1e-12);
   CHECK(v.control.state().can_go_back);
-  v.control.apply(action::BackView{});
+  v.control.navigator().apply(action::BackView{});
   CHECK(v.control.camera().centre().norm() < 1e-12);
 }
 
 TEST_CASE("What one goes to is shown above a card that lies in the middle of the view") {
   Viewed v;
   v.frame();
-  v.control.apply(action::LookAt{Vec2(2, 0), 1});
+  v.control.navigator().apply(action::LookAt{Vec2(2, 0), 1});
   const double before = v.control.camera().to_screen(Vec2(2, 0)).y();
-  v.control.set_card(ScreenBox{{0, 400}, {700, 600}});
-  v.control.apply(action::LookAt{Vec2(2, 0), 1});
+  v.control.navigator().set_card(ScreenBox{{0, 400}, {700, 600}});
+  v.control.navigator().apply(action::LookAt{Vec2(2, 0), 1});
   CHECK(before == doctest::Approx(300));
   CHECK(v.control.camera().to_screen(Vec2(2, 0)).y() == doctest::Approx(200));
 }

@@ -247,19 +247,19 @@ TEST_CASE("the status line and the handle say when no valid mesh lies beyond") {
   open_ring(rig);
   const ScreenPoint from = rig.gizmo().pivot;
   rig.drag(from, from + ScreenVector(20, 0));
-  REQUIRE(rig.wait([&] { return rig.session().mesh().body_drag()->settled(); }));
+  REQUIRE(rig.wait([&] { return rig.session().mesh().work().body_drag()->settled(); }));
   rig.frames();
   const Image free = rig.bench->pictures().picture();
   const ScreenPoint far = from + ScreenVector(450, 0);
   rig.move(far);
   REQUIRE(rig.wait(
-      [&] { return rig.session().mesh().body_drag()->reach() == BodyDrag::Reach::limit; }));
+      [&] { return rig.session().mesh().work().body_drag()->reach() == BodyDrag::Reach::limit; }));
   rig.frames();
   const Image held = rig.bench->pictures().picture();
   const auto state = rig.bench->widgets().find("status/state");
   REQUIRE(state.has_value());
   CHECK(differing(free, held, state->min, state->max) > 50);
-  CHECK(rig.session().mesh().body_drag()->frame().min_sine > 0);
+  CHECK(rig.session().mesh().work().body_drag()->frame().min_sine > 0);
   rig.key(keys::escape);
   rig.release();
   CHECK(rig.settle());

@@ -40,9 +40,9 @@ TEST_CASE("Where the mesh can follow no further the mouse says by what, and the 
   CHECK(studio.live().translate == Vec3(0.9, 0, 0));
   REQUIRE(studio.wait([&] {
     CHECK(check_validity(*studio.mesh().topology, studio.session().coordinates()).inverted == 0);
-    return studio.session().mesh().body_drag()->reach() == BodyDrag::Reach::limit;
+    return studio.session().mesh().work().body_drag()->reach() == BodyDrag::Reach::limit;
   }));
-  const BodyDrag& drag = *studio.session().mesh().body_drag();
+  const BodyDrag& drag = *studio.session().mesh().work().body_drag();
   REQUIRE(drag.frame().contact.has_value());
   CHECK(drag.frame().contact->other == "far");
   CHECK(drag.frame().share < 0.5);

@@ -134,12 +134,12 @@ TEST_CASE(
   const Coordinates before = studio.mesh().coordinates;
   const ScreenPoint from = studio.at(middle);
   studio.drag(from, from + ScreenVector(8, -6));
-  const std::size_t few = studio.session().mesh().body_drag()->grip().nodes.size();
+  const std::size_t few = studio.session().mesh().work().body_drag()->grip().nodes.size();
   const double unit = studio.view().camera().units_per_pixel();
   studio.wheel(from + ScreenVector(8, -6), 5);
   CHECK(studio.view().camera().units_per_pixel() == unit);
   CHECK(studio.session().selection().shape_edit().radius > 0.2);
-  CHECK(studio.session().mesh().body_drag()->grip().nodes.size() > few);
+  CHECK(studio.session().mesh().work().body_drag()->grip().nodes.size() > few);
   CHECK(studio.session().dragging());
   studio.key(keys::escape);
   studio.release();

@@ -1,0 +1,86 @@
+#include "gui/document/session/solver_settings.h"
+
+#include <utility>
+
+#include "core/error.h"
+#include "core/geometry/periodic_pairs.h"
+#include "core/strategy/smooth_options.h"
+#include "gui/document/jobs/run_settings.h"
+#include "io/tables/slide_files.h"
+
+namespace winslow::gui {
+
+SmoothOptions SolverSettings::smooth_for_motion(const std::vector<std::string>& markers) const {
+  SmoothOptions smooth = smooth_;
+  if (const Document* document = mesh_.document())
+    leave_to_motion(smooth.slide, *document->state().mesh.topology, markers);
+  return smooth;
+}
+
+MoveCommand SolverSettings::move_command(const std::vector<std::string>& markers,
+                                         RigidMotion motion) const {
+  // Recipes have as many numbers of what the studio found as the mesh has dimensions.
+  motion.translate = Vec3(motion.translate);
+  return MoveCommand{{{markers, motion}}, motion_, smooth_for_motion(markers)};
+}
+
+void SolverSettings::on(const action::PairMarkers& a) {
+  if (!mesh_.document()) return;
+  try {
+    const Mesh& mesh = mesh_.document()->state().mesh;
+    SlideOptions slide = smooth_.slide;
+    const std::string done = pair_sides(slide, mesh, a.first, a.second);
+    smooth_.slide = std::move(slide);
+    messages_.tell(Notice::Kind::information, done);
+  } catch (const UsageError& error) {
+    messages_.report_error("These markers are not periodic", error.what());
+  }
+}
+
+void SolverSettings::on(const action::OverrideNode& a) {
+  const Document* document = mesh_.document();
+  if (document && a.node >= 0 && a.node < document->state().mesh.topology->node_count())
+    overrides_.set(smooth_.slide, a.node, a.to, document->edits().revision());
+}
+
+void SolverSettings::on(const action::StepOverride& a) {
+  const std::string what =
+      a.again ? overrides_.redo(smooth_.slide) : overrides_.undo(smooth_.slide);
+  messages_.tell(Notice::Kind::information, (a.again ? "Done again: " : "Undone: ") + what);
+}
+
+void SolverSettings::on(const action::ChooseReference& a) {
+  reference_.drop();
+  if (a.file.empty()) {
+    smooth_.slide.reference = {};
+    return;
+  }
+  if (mesh_.document() && in_space(mesh_))
+    reference_.choose(a.file, mesh_.shared(), smooth_.slide.markers, references_);
+}
+
+void SolverSettings::forget_mesh() {
+  smooth_.keep_outside = {};
+  smooth_.slide = {};
+  overrides_.clear();
+  reference_.drop();
+  const Document* document = mesh_.document();
+  if (document && is_surface(*document->state().mesh.topology)) settle_for_surface(smooth_);
+}
+
+bool SolverSettings::poll() {
+  const Document* document = mesh_.document();
+  io::resolve_pairs(smooth_.slide, document ? document->source().details.get() : nullptr);
+  const auto read = reference_.poll();
+  if (!read || !document) return false;
+  if (!read->error.empty()) {
+    messages_.report_error(
+        read->file.filename().string() + " cannot be used as a reference surface", read->error);
+    return true;
+  }
+  smooth_.slide.reference = {read->file.string(), nullptr};
+  messages_.tell(is_coarse(*read) ? Notice::Kind::warning : Notice::Kind::success, describe(*read));
+  return true;
+}
+
+}  // namespace winslow::gui

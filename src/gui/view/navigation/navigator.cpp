@@ -1,0 +1,88 @@
+#include "gui/view/navigation/navigator.h"
+
+#include "gui/render/space/space_view.h"
+
+namespace winslow::gui {
+
+void Navigator::set_viewport(const ScreenBox& area) {
+  plane_.view().camera().set_viewport(area.min.x(), area.min.y(), area.size().x(), area.size().y());
+  ScreenBox space = area;
+  if (options_.comparison == Comparison::split) space = side_by_side(space, options_.divider).now;
+  space_.view().camera().set_viewport(space.min.x(), space.min.y(), space.size().x(),
+                                      space.size().y());
+}
+
+void Navigator::leave_mesh() {
+  history_.clear();
+  space_.leave(options_);
+}
+
+void Navigator::begin_mesh() {
+  if (session_.document()) camera_control().begin(options_);
+}
+
+void Navigator::on(const action::FitView&) {
+  if (!session_.document()) return;
+  leave();
+  camera_control().fit_all();
+}
+
+void Navigator::on(const action::FitSelection&) {
+  on(action::FitMarkers{session_.selection().markers()});
+}
+
+void Navigator::on(const action::FitMarkers& a) {
+  if (!session_.document()) return;
+  leave();
+  camera_control().fit_markers(a.markers);
+}
+
+void Navigator::on(const action::FitBodies&) {
+  if (!session_.document()) return;
+  leave();
+  camera_control().fit_bodies();
+}
+
+void Navigator::on(const action::LookAt& a) {
+  if (session_.in_space()) return;
+  leave();
+  plane_.look_around(a.point, a.radius, card_);
+}
+
+void Navigator::on(const action::LookAtPlace& a) {
+  if (!session_.in_space()) return;
+  leave();
+  space_.look_at(a.point, a.radius);
+}
+
+void Navigator::on(const action::ZoomToScreen& a) {
+  if (!session_.in_space()) return;
+  leave();
+  space_.zoom_to(a.box, a.depth);
+}
+
+void Navigator::on(const action::ZoomTo& a) {
+  if (session_.in_space()) return;
+  leave();
+  plane_.view().camera().fit(a.box, 0);
+}
+
+void Navigator::on(const action::LookFrom& a) {
+  if (!session_.in_space()) return;
+  leave();
+  space_.look_from(named_view(a.name, options_.space.up));
+}
+
+void Navigator::go_to(const MeshItem& item) {
+  leave();
+  camera_control().go_to(item, card_);
+}
+
+void Navigator::show(const SpaceLook& look) {
+  leave();
+  space_.look_from({look.azimuth, look.elevation, look.up});
+  space_.look_at(Vec3(look.centre.data()), look.radius);
+  if (card_) look_above(space_.view().camera(), *card_);
+}
+
+}  // namespace winslow::gui

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <optional>
+
+#include "gui/document/actions/actions.h"
+#include "gui/document/actions/dispatch.h"
+#include "gui/view/navigation/camera_control.h"
+#include "gui/view/navigation/space_control.h"
+#include "gui/view/navigation/view_history.h"
+
+namespace winslow::gui {
+
+/// Where the user looks, and where that was before. Knows nothing of OpenGL or of widgets.
+class Navigator {
+ public:
+  /// options: what is drawn of the mesh, which outlives this object.
+  Navigator(const Session& session, ViewOptions& options)
+      : session_(session), options_(options), plane_(session), space_(session) {}
+
+  /// Of the open mesh.
+  const CameraControl& camera_control() const {
+    if (session_.in_space()) return space_;
+    return plane_;
+  }
+  CameraControl& camera_control() {
+    if (session_.in_space()) return space_;
+    return plane_;
+  }
+  /// Of plane meshes, and of meshes in space.
+  const PlaneControl& plane() const { return plane_; }
+  PlaneControl& plane() { return plane_; }
+  const SpaceControl& space() const { return space_; }
+  SpaceControl& space() { return space_; }
+
+  void apply(const CameraAction& action) { Dispatch::to(*this, action); }
+  void on(const action::FitView&);
+  void on(const action::FitSelection&);
+  void on(const action::FitBodies&);
+  void on(const action::FitMarkers& a);
+  void on(const action::LookAt& a);
+  void on(const action::ZoomTo& a);
+  void on(const action::LookAtPlace& a);
+  void on(const action::ZoomToScreen& a);
+  void on(const action::LookFrom& a);
+  void on(const action::BackView&) { look_at(history_.back(looked_at())); }
+  void on(const action::ForwardView&) { look_at(history_.forward()); }
+
+  /// Looks at an item of the open mesh and what touches it.
+  void go_to(const MeshItem& item);
+  /// Of a mesh in space: looks as it is said. The cuts of the look are the options' affair.
+  void show(const SpaceLook& look);
+  /// A card at the foot of the viewport: what one goes to is shown above it.
+  void set_card(const std::optional<ScreenBox>& card) { card_ = card; }
+  const std::optional<ScreenBox>& card() const { return card_; }
+
+  // In every frame.
+  /// area: of the framebuffer, in which the mesh is drawn, pixels.
+  void set_viewport(const ScreenBox& area);
+  /// Another mesh is open, or none: what was seen of the one before is kept for when it is back.
+  void leave_mesh();
+  /// Looks at the mesh that is open, if any.
+  void begin_mesh();
+  /// mouse_busy: the mouse is changing the view. seconds: since the last frame.
+  void observe(bool mouse_busy, double seconds) {
+    history_.observe(looked_at(), mouse_busy, seconds);
+  }
+
+  LookedAt looked_at() const { return camera_control().looked_at(); }
+  bool can_go_back() const { return history_.can_go_back(looked_at()); }
+  bool can_go_forward() const { return history_.can_go_forward(); }
+
+ private:
+  void look_at(const std::optional<LookedAt>& place) {
+    if (place) camera_control().look_at(*place);
+  }
+  /// Before the view jumps elsewhere.
+  void leave() { history_.leave(looked_at()); }
+
+  const Session& session_;
+  ViewOptions& options_;
+  PlaneControl plane_;
+  SpaceControl space_;
+  ViewHistory history_;
+  std::optional<ScreenBox> card_;
+};
+
+}  // namespace winslow::gui
