@@ -14,6 +14,7 @@ kept apart, too. Headers are included first, so that helpers of sources do not r
 """
 
 import functools
+import itertools
 import pathlib
 import re
 import sys
@@ -241,9 +242,9 @@ def confused(some, others):
     return False
 
 
-def ambiguous(source, namespaces):
-    """The words of a source by which it could mean namespaces of several of its directives."""
-    spaces = [d.split()[-1] for d in source.directives]
+def ambiguous(source, directives, namespaces):
+    """The words of a source by which it could mean namespaces of several of these directives."""
+    spaces = [d.split()[-1] for d in directives]
     if len(spaces) < 2:
         return set()
     words = {n.rsplit("::", 1)[-1] for n in namespaces} & source.words
@@ -267,29 +268,38 @@ def clash(files, first, second):
         if name in known and name in b.words and name not in b.own and confused(a.own[name], known[name]):
             return f"{second.name} uses {name}"
     namespaces = files.namespaces(first) | files.namespaces(second)
-    if any(ambiguous(s, namespaces) - ambiguous(s, files.namespaces(p)) for s, p in ((a, first), (b, second))):
+    both = a.directives | b.directives  # what comes first stays in force
+    if (ambiguous(a, a.directives, namespaces) - ambiguous(a, a.directives, files.namespaces(first)) or
+            ambiguous(b, both, namespaces) - ambiguous(b, b.directives, files.namespaces(second))):
         return "a namespace of the same name"
     return None
 
 
 def grouped(files, sources, limit):
-    groups = []
-    total = sum(len(files.text(s)) for s in sources)
-    count = max(1, round(total / limit))
-    done = 0
-    for source in sources:
-        wanted = min(count - 1, int(count * done / max(total, 1)))
-        done += len(files.text(source))
-        while len(groups) <= wanted:
-            groups.append([])
-        # The group that its neighbours are in, else the next one that will have it.
-        for k in sorted(range(len(groups)), key=lambda g: (abs(g - wanted), g)):
-            if not any(clash(files, other, source) for other in groups[k]):
-                groups[k].append(source)
-                break
-        else:
-            groups.append([source])
-    return [g for g in groups if g]
+    sizes = [len(files.text(s)) for s in sources]
+    count = max(1, round(sum(sizes) / limit))
+    most = 1.25 * sum(sizes) / count
+    clashing = [set() for _ in sources]
+    for i, k in itertools.combinations(range(len(sources)), 2):
+        if clash(files, sources[i], sources[k]):
+            clashing[i].add(k)
+            clashing[k].add(i)
+    wanted, done = [], 0  # the group in which a source has its neighbours by path
+    for size in sizes:
+        wanted.append(int(count * done / max(sum(sizes), 1)))
+        done += size
+    groups, filled = [set() for _ in range(count)], [0] * count
+    # First those that are hard to place.
+    for i in sorted(range(len(sources)), key=lambda i: (-len(clashing[i]), i)):
+        fitting = [g for g, members in enumerate(groups) if not members & clashing[i]]
+        if not fitting:
+            groups.append(set())
+            filled.append(0)
+            fitting = [len(groups) - 1]
+        best = min(fitting, key=lambda g: (filled[g] + sizes[i] > most, abs(g - wanted[i]), g))
+        groups[best].add(i)
+        filled[best] += sizes[i]
+    return [[sources[i] for i in sorted(g)] for g in groups if g]
 
 
 def write(files, path, group):
