@@ -23,6 +23,7 @@ TOKEN = re.compile(r"[A-Za-z_]\w*|::|[{}()<>\[\];,=:*&~]|\S")
 NOISE = re.compile(
     r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|(?<![0-9A-Fa-f])\'(?:\\.|[^\'\\\n])+\''
     r"|^[ \t]*#(?:\\\n|[^\n])*", re.S | re.M)
+DIRECTIVE = re.compile(r"^using namespace [\w:]+", re.M)
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.M)
 TYPES = {"class", "struct", "union", "enum"}
 INTERNAL = {"static", "const", "constexpr"}
@@ -125,7 +126,9 @@ class Names:
     def __init__(self, text):
         code = NOISE.sub(" ", text)
         self.words = set(re.findall(r"[A-Za-z_]\w*", code))
-        self.directives = set(re.findall(r"^using namespace [\w:]+", code, re.M))
+        # What stands first in a qualified name, such as test in test::square().
+        self.qualifiers = set(re.findall(r"(?<![\w:])(?!namespace\b)([A-Za-z_]\w*)\s*::", re.sub(DIRECTIVE, "", code)))
+        self.directives = set(re.findall(DIRECTIVE, code))
         self.own, self.others, self.namespaces = {}, {}, set()
         self.read(TOKEN.findall(code))
 
@@ -247,7 +250,7 @@ def ambiguous(source, directives, namespaces):
     spaces = [d.split()[-1] for d in directives]
     if len(spaces) < 2:
         return set()
-    words = {n.rsplit("::", 1)[-1] for n in namespaces} & source.words
+    words = {n.rsplit("::", 1)[-1] for n in namespaces} & source.qualifiers
     return {w for w in words if sum(f"{s}::{w}" in namespaces for s in spaces) > 1}
 
 
