@@ -5,13 +5,17 @@
 
 namespace winslow {
 
-/// The targets with the edge lengths that their cells have in a mesh, where a target stands for a
-/// corner by itself and not for a whole simplex: both edges of a right-angled corner of a
-/// quadrilateral, all three of a hexahedron's; at a corner of a prism the height takes its own
-/// length and the two edges of the triangle their mean; at an edge of these (edge_tetrahedra()) the
-/// edges that would meet there at right angles, of which one starts from its other end. All other
-/// targets stay. x: coordinates of
-/// the nodes, in space also for D = 2 (surface meshes).
+/// Gives targets of single corners the edge lengths that the corner has in a mesh. Then only its
+/// angles count. Which edges that are depends on the element:
+///
+/// - quadrilateral: both edges of a corner; hexahedron: all three;
+/// - prism: the edge along its height; the two edges of the triangle take their mean length;
+/// - edge_tetrahedra() of these: the edges that would meet there at right angles, one of which
+/// starts
+///   at the other end of the edge.
+///
+/// Targets of triangles and tetrahedra stay, since those stand for the whole element. x:
+/// coordinates of the nodes, in space also for D = 2 (surface meshes).
 template <int D>
 CellTargets<D> with_corner_lengths(CellTargets<D> targets, const Coordinates& x);
 template <>

@@ -10,20 +10,20 @@
 
 namespace winslow {
 
-/// The rows of nodes that follow the ends of their rows along curves (CurveRow), in a system of D
-/// by D blocks that was assembled as if they had unknowns of their own, after all other rows. A
-/// follower k at arc s_k, with the tangent t_k and the curvature vector c_k of its curve there,
-/// moves with the ends m of its row, which have the tangents t_m and of whose moves it makes the
-/// parts p_km, by
+/// Eliminates the nodes that follow the ends of a CurveRow from a system of D by D blocks. The
+/// system was assembled as if these followers had unknowns of their own; their matrix rows come
+/// last. A follower k at arc length s_k has the tangent t_k and the curvature vector c_k. The ends
+/// m of its row have the tangents t_m; p_km is the derivative of s_k by the arc length of end m. So
+/// the follower moves by
 ///
 ///   ds_k = sum_m v_km . dx_m,   v_km = p_km t_m,
 ///
-/// to second order of what slides, so that by the chain rule, with C_km = t_k v_km^T,
+/// and by the chain rule, with C_km = t_k v_km^T, to second order
 ///
 ///   R_m += C_km^T R_k,   H_ij -> H_ij + C_ki^T H_kl C_lj over all (k, l) that follow (i, j),
 ///   H_ij += (dE/dx_k . c_k) v_ki v_kj^T.
 ///
-/// Ends that stay have no part in it.
+/// Ends that do not move contribute nothing.
 template <int D>
 class FollowerRows {
  public:
@@ -81,8 +81,9 @@ class FollowerRows {
 extern template class FollowerRows<2>;
 extern template class FollowerRows<3>;
 
-/// The rows of nodes that are images of others, in a system of D by D blocks that was assembled as
-/// if they had unknowns of their own, after the rows of those that have. With x_s = R x_m + c,
+/// Eliminates the images of nodes across periodic boundaries from a system of D by D blocks. The
+/// system was assembled as if images had unknowns of their own; their matrix rows come last. With
+/// the image s of the node m at x_s = R x_m + c,
 ///
 ///   R_m -> R_m + R^T R_s,   H_ij -> H_ij + C_i^T H_st C_j over all (s, t) that stand for (i, j),
 ///

@@ -61,7 +61,7 @@ std::vector<bool> loose_rows(const NodeUnknowns& nodes,
 
 }  // namespace
 
-std::unique_ptr<double[]> KeptMemory::take() {
+std::unique_ptr<double[]> KeptMemory::borrow() {
   {
     const std::lock_guard lock(mutex_);
     if (kept_) return std::move(kept_);

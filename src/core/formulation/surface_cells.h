@@ -21,7 +21,7 @@ class KeptMemory {
   explicit KeptMemory(std::size_t numbers) : numbers_(numbers) {}
 
   /// Not initialised.
-  std::unique_ptr<double[]> take();
+  std::unique_ptr<double[]> borrow();
   void give_back(std::unique_ptr<double[]> memory);
 
  private:

@@ -66,7 +66,7 @@ struct SurfaceWinslow::CellSums {
 
   CellSums(KeptMemory& lender, std::size_t cells)
       : memory(lender),
-        numbers(lender.take()),
+        numbers(lender.borrow()),
         sums(numbers.get()),
         z(sums + (cells + lanes) * Layout::sum),
         blocks(z + 3 * cells) {}

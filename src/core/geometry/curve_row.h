@@ -9,7 +9,7 @@
 
 namespace winslow {
 
-/// A curve by its length of arc, places in space: in the plane their third component is 0.
+/// A curve parametrised by arc length. Points have three components; in the plane the third is 0.
 class ArcCurve {
  public:
   virtual ~ArcCurve() = default;
@@ -22,12 +22,12 @@ class ArcCurve {
 std::shared_ptr<const ArcCurve> by_arc(std::shared_ptr<const PlaneCurve> curve);
 std::shared_ptr<const ArcCurve> by_arc(std::shared_ptr<const SpaceCurve> curve);
 
-/// Nodes one after the other along a curve, and which share of the length each edge between them
-/// has. With the first and the last node of the row at the arcs a and b, the node between with
-/// share t is at
+/// A row of nodes along a curve that keeps its spacing: each edge keeps its share of the row's
+/// length. With the first and the last node at the arc lengths a and b, a node with the share t is
+/// at
 ///
-///   s = a + t (b - a)      of an open row,
-///   s = a + t period       of a closed one, whose first node leads the others round.
+///   s = a + t (b - a)      in an open row,
+///   s = a + t period       in a closed row, in which all nodes follow the first.
 class CurveRow {
  public:
   /// nodes: at least two, three of a closed row, which does not repeat its first; an open one may
@@ -37,32 +37,32 @@ class CurveRow {
 
   std::span<const Index> nodes() const { return nodes_; }
   bool closed() const { return closed_; }
-  /// The nodes whose places say where the others are: of a closed row twice the same.
+  /// The nodes that determine where the others are. In a closed row they are the same node.
   Index first() const { return nodes_.front(); }
   Index last() const { return closed_ ? nodes_.front() : nodes_.back(); }
-  /// The others.
+  /// All other nodes.
   std::span<const Index> between() const {
     return std::span(nodes_).subspan(1, nodes_.size() - (closed_ ? 1 : 2));
   }
-  /// False of a row round a corner along a curve that is not closed: nothing says how it would go
-  /// on there, so that the corner has to stay.
+  /// False for a row that begins and ends at one corner of an open curve: the curve ends there, so
+  /// that the corner cannot slide.
   bool can_follow() const { return !shares_.empty(); }
 
-  /// Of the length from the first node to each of between(), 0 to 1.
+  /// For each of between(), the part of the row's length from the first node to it, 0 to 1.
   std::span<const double> shares() const { return shares_; }
-  /// How much of a move of the last node along the curve, a length of arc, the node with a share
-  /// makes; what is left is the first's.
+  /// Derivative of the arc length of between()[k] by that of the last node. The derivative by that
+  /// of the first node is 1 minus this.
   double part_of_last(std::size_t k) const { return closed_ ? 0 : shares_[k]; }
 
-  /// Where the row is when its first and last nodes are at some places: these two, then between().
+  /// The points of a row.
   struct Places {
     CurvePoint<3> first, last;
     std::vector<CurvePoint<3>> between;
   };
+  /// Where the nodes are if the first and the last are at the points nearest to these.
   Places places(const Vec3& first, const Vec3& last) const;
 
-  /// The lengths of arc of the edges of the row, from one node to the next, at these places of
-  /// nodes().
+  /// Arc lengths of the edges of the row, in its order. places: of nodes().
   std::vector<double> edge_lengths(std::span<const Vec3> places) const;
 
  private:

@@ -31,7 +31,7 @@ ElementNormals::ElementNormals(std::shared_ptr<const Topology> topology, const C
     : topology_(std::move(topology)), geometry_(boundary.geometry) {
   const SpacePoints x(given);
   auto sides = std::make_shared<Sides>();
-  sides->of_node.assign(winslow::at(topology_->node_count()), 0);
+  sides->of_node.assign(at(topology_->node_count()), 0);
   for (Index e = 0; e < topology_->element_count(); ++e) {
     const Vec3 area = area_vector(x, topology_->element(e));
     const double length = area.norm();
@@ -41,7 +41,7 @@ ElementNormals::ElementNormals(std::shared_ptr<const Topology> topology, const C
   for (const SlidingPart& part : boundary.parts) {
     std::vector<Foot> feet(part.nodes.size());
     const auto find = [&](Index begin, Index end) {
-      for (std::size_t i = winslow::at(begin); i < winslow::at(end); ++i)
+      for (std::size_t i = at(begin); i < at(end); ++i)
         feet[i] = geometry_->foot(part.nodes[i], x[part.nodes[i]]);
     };
     parallel_for(0, static_cast<Index>(feet.size()), find, search_block);
@@ -56,7 +56,7 @@ ElementNormals::ElementNormals(std::shared_ptr<const Topology> topology, const C
       for (const Index e : topology_->star(part.nodes[i]))
         area += normal.dot(area_vector(x, topology_->element(e)));
     }
-    for (const Index node : on_surface) sides->of_node[winslow::at(node)] = area < 0 ? -1 : 1;
+    for (const Index node : on_surface) sides->of_node[at(node)] = area < 0 ? -1 : 1;
   }
 }
 
@@ -67,28 +67,28 @@ ElementNormals ElementNormals::asking(std::shared_ptr<const SlidingGeometry> geo
 }
 
 Vec3 ElementNormals::node_normal(Index node, const Vec3& point) const {
-  const double side = sides_->of_node[winslow::at(node)];
+  const double side = sides_->of_node[at(node)];
   if (side == 0) return Vec3::Zero();
   const Foot foot = geometry_->foot(node, point);
   return side * foot.frame[0].cross(foot.frame[1]);
 }
 
-std::vector<Vec3> ElementNormals::at(const Coordinates& coordinates, int threads) const {
+std::vector<Vec3> ElementNormals::of_elements(const Coordinates& coordinates, int threads) const {
   const SpacePoints x(coordinates);
-  std::vector<Vec3> of_nodes(winslow::at(topology_->node_count()));
+  std::vector<Vec3> of_nodes(at(topology_->node_count()));
   parallel_for(
       threads, topology_->node_count(),
       [&](Index begin, Index end) {
         for (Index node = begin; node < end; ++node)
-          of_nodes[winslow::at(node)] = node_normal(node, x[node]);
+          of_nodes[at(node)] = node_normal(node, x[node]);
       },
       search_block);
-  std::vector<Vec3> normals(winslow::at(topology_->element_count()));
+  std::vector<Vec3> normals(at(topology_->element_count()));
   parallel_for(threads, topology_->element_count(), [&](Index begin, Index end) {
     for (Index e = begin; e < end; ++e) {
       Vec3 sum = Vec3::Zero();
-      for (const Index node : topology_->element(e)) sum += of_nodes[winslow::at(node)];
-      normals[winslow::at(e)] = from_nodes(e, sum);
+      for (const Index node : topology_->element(e)) sum += of_nodes[at(node)];
+      normals[at(e)] = from_nodes(e, sum);
     }
   });
   return normals;
@@ -105,7 +105,7 @@ Vec3 ElementNormals::of_element(Index element, const Coordinates& coordinates) c
 Vec3 ElementNormals::from_nodes(Index element, const Vec3& sum) const {
   constexpr double cancelled = 0.1;  // normals of opposite sides of a body say nothing
   const double length = sum.norm();
-  if (!(length > cancelled)) return sides_->given[winslow::at(element)];
+  if (!(length > cancelled)) return sides_->given[at(element)];
   return sum / length;
 }
 

@@ -26,7 +26,7 @@ class ElementNormals {
   ElementNormals asking(std::shared_ptr<const SlidingGeometry> geometry) const;
 
   /// #elements, unit vectors. threads: 0 for all cores.
-  std::vector<Vec3> at(const Coordinates& x, int threads) const;
+  std::vector<Vec3> of_elements(const Coordinates& x, int threads) const;
   /// Of one element.
   Vec3 of_element(Index element, const Coordinates& x) const;
 

@@ -116,10 +116,10 @@ class SolverThread::Impl final : public SolverMonitor {
     prepare_ = std::move(with);
   }
 
-  void follow(std::optional<std::uint64_t> seen) {
+  void wait_for_viewer(std::optional<std::uint64_t> seen) {
     {
       const std::lock_guard lock(mutex_);
-      follower_saw_ = seen;
+      viewer_saw_ = seen;
     }
     wake_.notify_all();
   }
@@ -153,7 +153,7 @@ class SolverThread::Impl final : public SolverMonitor {
     publish_progress(JobState::running);
     keep_pace(lock, opening);
     wake_.wait(lock, [&] {
-      return !follower_saw_ || *follower_saw_ >= latest_->serial || allowed_ == 0 ||
+      return !viewer_saw_ || *viewer_saw_ >= latest_->serial || allowed_ == 0 ||
              interrupted(opening);
     });
     if (allowed_ == 0 && !interrupted(opening)) {
@@ -287,10 +287,10 @@ class SolverThread::Impl final : public SolverMonitor {
   bool quit_ = false;
   bool cancel_ = false;
   bool active_ = false;
-  Clock::duration interval_{};                 // between two outer iterations; 0: none
-  Clock::time_point last_shown_{};             // when the worker last went on
-  int allowed_ = unlimited;                    // outer iterations until the next pause
-  std::optional<std::uint64_t> follower_saw_;  // serial; none: nobody follows
+  Clock::duration interval_{};               // between two outer iterations; 0: none
+  Clock::time_point last_shown_{};           // when the worker last went on
+  int allowed_ = unlimited;                  // outer iterations until the next pause
+  std::optional<std::uint64_t> viewer_saw_;  // serial; none: there is no viewer
   std::uint64_t last_job_ = 0;
   std::shared_ptr<const MeshState> base_;
   std::optional<Request> request_;
@@ -316,7 +316,9 @@ void SolverThread::step(int n) {
 void SolverThread::cancel() { impl_->cancel(); }
 void SolverThread::set_pace(double rate) { impl_->set_pace(rate); }
 void SolverThread::prepare(std::function<void(Command&)> with) { impl_->prepare(std::move(with)); }
-void SolverThread::follow(std::optional<std::uint64_t> seen) { impl_->follow(seen); }
+void SolverThread::wait_for_viewer(std::optional<std::uint64_t> seen) {
+  impl_->wait_for_viewer(seen);
+}
 bool SolverThread::busy() const { return impl_->busy(); }
 std::shared_ptr<const Snapshot> SolverThread::latest() const { return impl_->latest(); }
 

@@ -65,10 +65,10 @@ class SolverThread {
   /// At most this many outer iterations a second, for someone who watches; 0: as fast as they come.
   /// Holds for all jobs until it is set again. Pause, step and cancel act at once all the same.
   void set_pace(double iterations_per_second);
-  /// For someone who misses no iteration: the worker goes on from a snapshot only when it is the
-  /// one named here, or an older one. None, as at first: it waits for nobody. Pause, step, cancel
-  /// and another target act at once all the same.
-  void follow(std::optional<std::uint64_t> seen);
+  /// For a viewer who is to miss no iteration. seen: serial of the last snapshot that the viewer
+  /// has seen; the worker waits until that is the latest one. None, as at first: it does not wait.
+  /// Pause, step, cancel and another target act at once all the same.
+  void wait_for_viewer(std::optional<std::uint64_t> seen);
   /// Called on the solver's thread with each command before it is carried out, for what a command
   /// needs from elsewhere (files); what it throws ends the job. Set it before the first job.
   void prepare(std::function<void(Command&)> with);

@@ -182,7 +182,7 @@ class Climb {
       judge_shapes();
       settle();
     }
-    return take();
+    return add_next_rows();
   }
 
   void close(std::size_t s, LayerEnd why) {
@@ -326,7 +326,7 @@ class Climb {
     }
   }
 
-  bool take() {
+  bool add_next_rows() {
     bool any = false;
     std::vector<bool> rises(columns_.size(), false);
     for (std::size_t s = 0; s < strips_.size(); ++s) {

@@ -10,8 +10,8 @@
 
 namespace winslow {
 
-/// Share of a step along a direction below which it is looked for nodes that do not let the others
-/// go further: EnergyProblem::holding_stuck_nodes().
+/// If a line search has to go below this share of the step, it looks for stuck nodes:
+/// EnergyProblem::holding_stuck_nodes().
 inline constexpr double shortest_step = 0.15;
 
 /// Step that a line search from the valid mesh x begins with: `longest`, or 0.9 of the exact
@@ -19,12 +19,12 @@ inline constexpr double shortest_step = 0.15;
 double first_valid_step(const SmoothingProblem& problem, std::span<const double> direction,
                         double longest, const Coordinates& x);
 
-/// Step to try after t has failed: the minimum of the parabola that falls by `slope` per unit at 0
-/// and lies `rise` above that line at t, but between 0.1 t and 0.5 t.
+/// The next step to try after t has failed, between 0.1 t and 0.5 t: the minimum of the parabola
+/// that has the derivative -slope at 0 and lies `rise` above its tangent at t.
 double shorter_step(double t, double slope, double rise);
 
-/// Where the parabola that falls by `slope` per unit at 0 and changes by `change` up to 1 has its
-/// minimum; 1 if it has none.
+/// The step that minimises the parabola with the derivative -slope at 0 that changes by `change`
+/// from 0 to 1; 1 if it has no minimum.
 double longer_step(double slope, double change);
 
 /// Adds a share of each diagonal block's mean diagonal entry to its diagonal.
@@ -41,12 +41,14 @@ void set_shifted_matrix(LinearSolver& solver, SparseMatrix& matrix);
 LinearResult solve_shifted(LinearSolver& solver, SparseMatrix& matrix, std::span<const double> rhs,
                            std::span<double> solution);
 
-/// For where only steps that are hardly any lead down: the nodes that do not let the others go
-/// further are held from now on, `problem` becomes the one that holds them
-/// (EnergyProblem::holding_stuck_nodes()), and the search goes on. direction: that of the last
-/// system; pass_checkpoint() may end all this by what it throws; solve() solves the one of the
-/// problem now at x, puts its direction there and returns the slope along it; search(slope,
-/// shortest) is false if no step of `shortest` or more leads down.
+/// A line search for when only very short steps lower the energy, because some nodes are stuck.
+/// Replaces `problem` by one that holds the stuck nodes (EnergyProblem::holding_stuck_nodes()),
+/// solves for a new direction and searches along it; repeats this while more nodes are found.
+///
+/// direction: of the last system; solve() overwrites it. slope: of the energy along it, downhill.
+/// pass_checkpoint(): called before each round; ends the search by an exception. solve(): solves
+/// the system of `problem` at x and returns the slope along the new direction. search(slope,
+/// shortest): makes a step; returns false if no step of `shortest` or more lowers the energy.
 template <class Problem, class Checkpoint, class Solve, class Search>
 bool search_without_stuck_nodes(std::shared_ptr<const Problem>& problem, const Coordinates& x,
                                 const std::vector<double>& direction, double slope,

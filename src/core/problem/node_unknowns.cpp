@@ -14,7 +14,7 @@ namespace winslow {
 
 std::vector<Vec3> element_normals(const NodeClasses& classes, const Coordinates& x, int threads) {
   const auto& normals = classes.sliding().element_normals();
-  return normals ? normals->at(x, threads) : std::vector<Vec3>();
+  return normals ? normals->of_elements(x, threads) : std::vector<Vec3>();
 }
 
 Validity check_validity(const NodeClasses& classes, const Coordinates& x, int threads) {

@@ -18,9 +18,10 @@ std::vector<Vec3> element_normals(const NodeClasses& classes, const Coordinates&
 /// check_validity() of the mesh of a run: elements of a surface mesh by the reference normals.
 Validity check_validity(const NodeClasses& classes, const Coordinates& x, int threads);
 
-/// The unknowns of a mesh: those of each node that has any, in ascending order of the nodes. A free
-/// node has its coordinates, one on a curve or a surface its distances from the origin along the
-/// directions of its frame. Members are as of SmoothingProblem. Copies share what is worked out.
+/// The unknowns of a mesh, in ascending order of the nodes. The unknowns of a free node are its
+/// coordinates; those of a node on a curve or a surface are its distances from the origin along the
+/// directions of its frame. Members that SmoothingProblem has, too, do what is said there. Copies
+/// share the numbering.
 ///
 /// Validity of a surface mesh is by the element normals of the classes.
 class NodeUnknowns {

@@ -19,15 +19,16 @@ struct ResidualNorms {
   double rms = 0;  ///< root mean square of the same
 };
 
-/// What is solved when a mesh is smoothed: equations for those nodes that may move, the others
-/// being where the boundary puts them. All that an outer solver, a path or a drag knows of a mesh.
+/// The equations that are solved when a mesh is smoothed. They are for the nodes that may move; all
+/// others are where the boundary puts them. Outer solvers, paths and drags know a mesh only by
+/// this.
 ///
-/// A state x is the coordinates of all nodes. Which of its numbers are unknowns, or functions of
-/// them (a node that slides along a curve has one unknown), is the problem's own affair: vectors
-/// over the unknowns are #unknowns long, in an order that only it knows.
+/// A state x holds the coordinates of all nodes. The problem alone knows how they depend on the
+/// unknowns: a node that slides along a curve has one unknown, for example. Vectors over the
+/// unknowns have #unknowns numbers, in an order that only the problem knows.
 ///
-/// A problem never changes: other equations (another penalty, other targets) are another object, so
-/// that what was worked out for one, a factorisation say, can tell by the object whether it holds.
+/// A problem never changes. Other equations (another penalty, other targets) are another object. So
+/// a factorisation, for example, is still good if it was made for the same object.
 class SmoothingProblem {
  public:
   virtual ~SmoothingProblem() = default;
@@ -90,9 +91,9 @@ class EnergyProblem : public SmoothingProblem {
   /// R = -dE (#unknowns) and -dR as a symmetric matrix.
   virtual Linearisation linearise(const Coordinates& x, Curvature curvature, SparseMatrix& hessian,
                                   std::span<double> residual) const = 0;
-  /// The same problem with more nodes held: those of which `step` times the direction (#unknowns),
-  /// a short way, leads from x over a place where what they slide on jumps or folds, so that the
-  /// energy has no derivative there. Null if there are none.
+  /// The same problem with more nodes held: those that a short step from x, `step` times the
+  /// direction (#unknowns), moves across a jump or a fold of what they slide on. The energy has no
+  /// derivative there. Null if there are no such nodes.
   virtual std::shared_ptr<const EnergyProblem> holding_stuck_nodes(
       const Coordinates& /*x*/, std::span<const double> /*direction*/, double /*step*/) const {
     return nullptr;
@@ -121,8 +122,8 @@ class UntanglingProblem : public EnergyProblem {
   /// where that is negative. sizes: see cell_sizes().
   virtual Regularisation regularisation(const Coordinates& x, std::span<const double> sizes,
                                         double softness) const = 0;
-  /// So much, and the same for all cells, that nothing is left of their determinants: the energy is
-  /// a quadratic form, and one Newton step leads to its only minimum.
+  /// The same for all cells, and so large that their determinants no longer matter: the energy is a
+  /// quadratic form, and one Newton step leads to its only minimum.
   virtual Regularisation full_regularisation(const Coordinates& x) const = 0;
 
   virtual double regularised_energy(const Coordinates& x,

@@ -35,7 +35,7 @@ class HeightComparison {
       change_.worst_ratio = ratio;
     }
   }
-  FirstHeightChange take() {
+  FirstHeightChange result() {
     if (!ratios_.empty())
       change_.off = static_cast<double>(changed_) / static_cast<double>(ratios_.size());
     change_.ratio = quantiles_of(std::move(ratios_));
@@ -90,7 +90,7 @@ std::optional<FirstHeightChange> compare_first_heights(std::span<const WallMeasu
   if (!std::ranges::equal(before, after, same)) return std::nullopt;
   HeightComparison comparison;
   for (std::size_t w = 0; w < before.size(); ++w) comparison.add(before[w], after[w]);
-  return comparison.take();
+  return comparison.result();
 }
 
 bool spoils_walls(const FirstHeightChange& change) {

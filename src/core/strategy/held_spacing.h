@@ -12,27 +12,34 @@
 
 namespace winslow {
 
-/// Whether a marker is taken for a wall, whose spacing along the boundary matters: in the plane one
-/// that lies around a body (find_walls()), and any one of whose elements half or more are three
-/// times as long along it as they are high. Throws UsageError for a marker that there is not.
+/// Whether a marker counts as a wall, along which the spacing of nodes matters. It does
+///
+/// - in the plane, if it lies around a body (find_walls());
+/// - anywhere, if at least half of the elements at it are three times as long along it as high.
+///
+/// Throws UsageError for a marker that the mesh does not have.
 bool is_wall(const Mesh& mesh, const std::string& marker);
 
 using CurveRows = std::vector<std::shared_ptr<const CurveRow>>;
 
-/// Holds the spacing along the curves of sliding markers as the options say: between ends of which
-/// one moves by unknowns of its own the nodes follow (NodeClasses::set_following()), as they do on
-/// a closed curve, on which one node leads; between a body that the motion takes and another end
-/// they go with the motion; between ends that stay they stay. What became of each curve is said in
-/// boundary.sliding. To be called after all other classes are set.
+/// Holds the spacing of nodes along the curves of sliding markers, as the options say. The ends of
+/// a curve decide what the nodes between them do:
 ///
-/// It is elimination, and no term of the energy: whatever the mesh does, shares are those of the
-/// mesh as given, to round-off.
+/// - An end has unknowns of its own: the nodes between follow it (NodeClasses::set_following()). On
+///   a closed curve one node has unknowns, and all others follow it.
+/// - No end has unknowns, and a motion moves one of them: the nodes between go with the motion.
+/// - Both ends stay: so do the nodes between.
 ///
-/// Returns the rows that go with the motion; their nodes are prescribed.
+/// Sets boundary.sliding to what became of each curve. Call it after all other classes are set.
+///
+/// Nodes that follow have no unknowns: the spacing is held by elimination, not by a term of the
+/// energy. So each edge of a curve keeps its share of the curve's length to round-off.
+///
+/// Returns the rows that go with the motion. Their nodes are prescribed.
 CurveRows hold_spacing(const SlideOptions& slide, const Mesh& mesh, MovingBoundary& boundary,
                        NodeClasses& classes);
 
-/// A motion, and the rows that go with it. The motion has to outlive it.
+/// A motion that also moves the rows which go with it. `motion` must outlive the result.
 std::unique_ptr<const Motion> with_rows(const Motion& motion, const CurveRows& rows);
 
 }  // namespace winslow

@@ -132,7 +132,7 @@ void NewtonRun::end_path(Coordinates& x, double reached) {
   recorder_.iterate(newton(), x, Stage::newton, reached, 0);
 }
 
-void NewtonRun::follow(const Motion& motion, const Coordinates& rest, Coordinates& x) {
+void NewtonRun::move_along_path(const Motion& motion, const Coordinates& rest, Coordinates& x) {
   const Topology& topology = *state_.mesh.topology;
   SmoothResult& result = recorder_.result();
   if (!way_is_clear_)

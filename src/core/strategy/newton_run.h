@@ -22,18 +22,18 @@ class NewtonRun {
  public:
   virtual ~NewtonRun() = default;
 
-  /// Limits before which follow() ends.
+  /// Limits before which move_along_path() ends.
   void keep_within(QualityFloor floor) { floor_ = std::move(floor); }
-  /// follow() does not begin a motion that contact blocks.
+  /// move_along_path() does not begin a motion that contact blocks.
   void end_at_contact(bool whether) { end_at_contact_ = whether; }
-  /// There is no contact on the way: follow() need not look for one.
+  /// There is no contact on the way: move_along_path() need not look for one.
   void way_is_clear() { way_is_clear_ = true; }
   /// The boundary stays. reference: a valid mesh of the same connectivity that says how large the
   /// triangles are to be while they are untangled; may be null.
   virtual void smooth(Coordinates& x, double fraction, const Coordinates* reference);
   /// Moves the boundary from x (any mesh; where the motion begins) along a path of valid meshes.
   /// Stops at the last one if it leads no further. rest: what the motion refers to.
-  virtual void follow(const Motion& motion, const Coordinates& rest, Coordinates& x);
+  virtual void move_along_path(const Motion& motion, const Coordinates& rest, Coordinates& x);
   /// Moves the boundary in equal steps, each at once.
   virtual void move_in_steps(const Motion& motion, const Coordinates& rest, int increments,
                              Coordinates& x);

@@ -115,8 +115,8 @@ void PointwiseRun::smooth(Coordinates& x, double fraction, const Coordinates* re
           x);
 }
 
-void PointwiseRun::follow(const Motion& motion, const Coordinates& rest, Coordinates& x) {
-  attempt([&](Coordinates& y) { NewtonRun::follow(motion, rest, y); },
+void PointwiseRun::move_along_path(const Motion& motion, const Coordinates& rest, Coordinates& x) {
+  attempt([&](Coordinates& y) { NewtonRun::move_along_path(motion, rest, y); },
           [&](Coordinates& y) {
             move_by_fixed_point(rest, motion, 0, workspace().options().max_iterations,
                                 workspace().picard(), recorder(), y);

@@ -19,10 +19,10 @@ void move_by_fixed_point(const Coordinates& rest, const Motion& motion, int incr
 
 /// Smooths by the paper's operator and Newton's method.
 ///
-/// OuterMethod::automatic: where that does not end converged with the whole motion done (the
-/// operator's own solution may be tangled, on quadrilaterals above all), the paper's damped fixed
-/// point does it all again from the start. Its mesh is the result unless it is tangled and
-/// Newton's, though it falls short, is not.
+/// OuterMethod::automatic: if Newton's method does not converge, or does not complete the motion,
+/// the paper's damped fixed point does all of it again from the start. (The operator's own solution
+/// may be tangled, above all on quadrilaterals.) The result is the mesh of the fixed point; but if
+/// that is tangled and Newton's is not, it is Newton's.
 class PointwiseRun final : public NewtonRun {
  public:
   /// The workspace is prepared. The references outlive the run.
@@ -30,7 +30,7 @@ class PointwiseRun final : public NewtonRun {
       : NewtonRun(state, workspace, recorder) {}
 
   void smooth(Coordinates& x, double fraction, const Coordinates* reference) override;
-  void follow(const Motion& motion, const Coordinates& rest, Coordinates& x) override;
+  void move_along_path(const Motion& motion, const Coordinates& rest, Coordinates& x) override;
   void move_in_steps(const Motion& motion, const Coordinates& rest, int increments,
                      Coordinates& x) override;
 

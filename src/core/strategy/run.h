@@ -107,8 +107,8 @@ class RunRecorder {
   RunRecorder(SolverMonitor* monitor, SmoothResult& result, int budget)
       : monitor_(monitor), result_(result), budget_(budget) {}
 
-  /// One record. Throws Cancelled if the monitor says so. advance: it is an outer iteration, not
-  /// the assessment of a start.
+  /// Adds a record. Throws Cancelled if the monitor says so. advance: the record is of an outer
+  /// iteration; otherwise it is the assessment of a start.
   void report(IterationRecord record, const Coordinates& x, Stage stage, double fraction,
               bool advance);
 

@@ -37,14 +37,14 @@ int most_updates(const Coordinates& given, const SmoothingWorkspace& workspace) 
   return tangled ? std::max(after_tangle, options.vcv_updates) : options.vcv_updates;
 }
 
-/// The paper's way with adjusted VCVs (AIAA 2009-1362, section V): from the mesh x that a run has
-/// led to they are worked out anew, and the mesh is solved for again; as often as
-/// SmoothOptions::vcv_updates says, or until no VCV changes any more. VCVs of a mesh that came
-/// tangled say little: they are worked out anew in any case. Does nothing for VCVs of other kinds,
+/// Updates adjusted VCVs as the paper does (AIAA 2009-1362, section V). Adjusts the VCVs to the
+/// mesh x that a run has led to, solves for the mesh again, and repeats this: at most as often as
+/// SmoothOptions::vcv_updates says, and until no VCV changes any more. If the mesh as given was
+/// tangled, its VCVs say little, and are updated in any case. Does nothing for VCVs of other kinds,
 /// and for equations that are not over VCVs.
 ///
-/// solve: the run, from a mesh with the boundary where it is to be. given: the mesh that the VCVs
-/// are of. Ends with the last solution if there is none for the next VCVs.
+/// solve: runs the solver from a mesh whose boundary is at its end. given: the mesh that the VCVs
+/// were made of. If there is no solution for the next VCVs, x is the last solution.
 void update_vcvs(const Coordinates& given, SmoothingWorkspace& workspace, RunRecorder& recorder,
                  const std::function<void(Coordinates&)>& solve, Coordinates& x) {
   const SmoothResult& result = recorder.result();
@@ -134,7 +134,7 @@ bool move_from(const MeshState& state, const Motion& motion, const Coordinates& 
   motion.apply(state.mesh.coordinates, 1, target);
   if (valid(start)) {
     x = start;
-    steps.follow(*make_transfer(classes, start, target), start, x);
+    steps.move_along_path(*make_transfer(classes, start, target), start, x);
     return true;
   }
   Coordinates within = unknowns_within(classes, start, target);
@@ -282,7 +282,7 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const M
     steps->move_in_steps(motion, state.mesh.coordinates, how.increments, x);
   } else if (!near_start || !move_from(state, motion, *run.start, workspace, *steps, x)) {
     x = state.mesh.coordinates;
-    steps->follow(motion, state.mesh.coordinates, x);
+    steps->move_along_path(motion, state.mesh.coordinates, x);
   }
   if (!how.floor.given()) follow_with_vcvs(state, workspace, recorder, x);
   if (options.raise_worst) raise_worst_element(workspace, recorder, result.fraction_reached, x);

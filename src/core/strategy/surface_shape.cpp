@@ -40,7 +40,7 @@ std::shared_ptr<const SurfaceShape> own_shape(const Mesh& mesh) {
 }
 
 std::vector<Vec3> reference_normals(const MeshState& state, const Coordinates& x) {
-  return state.surface ? state.surface->normals->at(x, 0) : std::vector<Vec3>();
+  return state.surface ? state.surface->normals->of_elements(x, 0) : std::vector<Vec3>();
 }
 
 namespace {

@@ -15,7 +15,7 @@ TEST_CASE("element normals: those of the surface, on the side that elements show
         std::swap(data.element_nodes[e + 1], data.element_nodes[e + 2]);
     const Mesh mesh = make_mesh(data);
     const MeshState state = on_shape(mesh, sphere_shape(1));
-    const auto normals = state.surface->normals->at(mesh.coordinates, 1);
+    const auto normals = state.surface->normals->of_elements(mesh.coordinates, 1);
     const SpacePoints x(mesh.coordinates);
     for (Index e = 0; e < mesh.topology->element_count(); ++e) {
       const auto nodes = mesh.topology->element(e);
@@ -28,7 +28,7 @@ TEST_CASE("element normals: those of the surface, on the side that elements show
       const Vec3 p = x[i];
       turned.set_xyz(i, {p.x(), -p.y(), -p.z()});
     }
-    const auto other = state.surface->normals->at(turned, 2);
+    const auto other = state.surface->normals->of_elements(turned, 2);
     for (Index e = 0; e < mesh.topology->element_count(); ++e) {
       const Vec3 n = normals[at(e)];
       CHECK((other[at(e)] - Vec3(n.x(), -n.y(), -n.z())).norm() < 1e-12);
@@ -40,7 +40,7 @@ TEST_CASE("element normals: elements without a node inside a region keep the one
   const Mesh mesh = make_mesh(skin(cube(1, Volumes::hexahedra)));
   const ElementNormals normals(mesh.topology, mesh.coordinates, SlidingBoundary{});
   const SpacePoints x(mesh.coordinates);
-  const auto found = normals.at(mesh.coordinates, 1);
+  const auto found = normals.of_elements(mesh.coordinates, 1);
   for (Index e = 0; e < mesh.topology->element_count(); ++e)
     CHECK((found[at(e)] - area_vector(x, mesh.topology->element(e)).normalized()).norm() < 1e-14);
 }

@@ -414,7 +414,7 @@ TEST_CASE("a pace holds iterations back; pause, cancel and another pace act at o
 TEST_CASE("a follower misses no iteration; nobody is waited for once it has left") {
   const MeshState state = perturbed_state();
   SolverThread thread;
-  thread.follow(0);
+  thread.wait_for_viewer(0);
   const std::uint64_t job = thread.run(state, endless());
   int seen = -1;
   for (int k = 0; k < 8; ++k) {
@@ -425,14 +425,14 @@ TEST_CASE("a follower misses no iteration; nobody is waited for once it has left
     CHECK(thread.latest()->serial == snapshot->serial);
     CHECK(last_iteration(*snapshot) == seen + 1);
     seen = last_iteration(*snapshot);
-    thread.follow(snapshot->serial);
+    thread.wait_for_viewer(snapshot->serial);
   }
   thread.pause();  // while the worker waits for its follower
   const int at = last_iteration(*wait_for(thread, job, JobState::paused));
   thread.resume();
-  thread.follow({});
+  thread.wait_for_viewer({});
   wait_for(thread, [&](const Snapshot& s) { return last_iteration(s) >= at + 20; });
-  thread.follow(0);
+  thread.wait_for_viewer(0);
   thread.cancel();
   wait_for(thread, job, JobState::cancelled);
 }

@@ -133,7 +133,7 @@ SurfacePatch::SurfacePatch(const std::array<Vec3, 3>& vertices, const std::array
     if (!point.allFinite()) flat_ = true;
 }
 
-SurfacePatch::Derivatives SurfacePatch::at(double u, double v) const {
+SurfacePatch::Derivatives SurfacePatch::derivatives(double u, double v) const {
   if (flat_) {
     const Vec3 zero = Vec3::Zero();
     return {u * points_[0] + v * points_[1] + (1 - u - v) * points_[2],
@@ -192,7 +192,7 @@ class Descent {
  private:
   /// Of the barycentric coordinates. fixed: one of them that stays; -1: none.
   Vec3 newton_step(const TrianglePlace& place, int fixed) const {
-    const auto d = patches_[at(place.triangle)].at(place.at[0], place.at[1]);
+    const auto d = patches_[at(place.triangle)].derivatives(place.at[0], place.at[1]);
     const Vec3 off = d.r - target_;
     const Vec2 gradient(d.u.dot(off), d.v.dot(off));
     Eigen::Matrix2d metric, hessian;
@@ -282,7 +282,7 @@ TrianglePlace SmoothSurface::nearest_place(const Vec3& point) const {
 }
 
 SurfacePoint SmoothSurface::over(Index triangle, const Vec3& place) const {
-  const auto d = patches_[at(triangle)].at(place[0], place[1]);
+  const auto d = patches_[at(triangle)].derivatives(place[0], place[1]);
   SurfacePoint out;
   out.point = d.r;
   out.normal = d.u.cross(d.v).normalized();

@@ -59,7 +59,7 @@ class SurfacePatch {
   struct Derivatives {
     Vec3 r, u, v, uu, uv, vv;
   };
-  Derivatives at(double u, double v) const;
+  Derivatives derivatives(double u, double v) const;
 
  private:
   /// Of the 15 Bezier points of a quartic triangle the 12 of its border, and six in place of the

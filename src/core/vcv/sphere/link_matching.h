@@ -10,35 +10,39 @@
 #include "core/vcv/sphere/sphere_link.h"
 #include "core/vcv/vcv_edit.h"
 
-/// Which nodes of a volume mesh can take the VCV of another: those whose link is the same graph.
+/// Finds nodes of a volume mesh that can be given the VCV of another node. The link of a node is
+/// the graph of its neighbours. Two nodes can have the same VCV if their links are the same graph.
 namespace winslow {
 
-/// For each vertex of one link the vertex of the other that stands for it, so that triangles go to
-/// triangles and keep their orientation; of all such ways the one that brings the directions of the
-/// vertices nearest (in the sum of cosines). None: the links are not the same graph, or one is the
+/// Maps the vertices of one link to those of another: element i of the result is the vertex of `to`
+/// that vertex i of `from` is mapped to. Triangles are mapped to triangles and keep their
+/// orientation. Of all such maps this is the one for which the directions of the vertices agree
+/// best (largest sum of cosines). There is none if the links are different graphs, or if one is the
 /// mirror image of the other.
 ///
-/// Where one half-edge goes says where all others go, since a link is a 3-connected planar graph:
-/// so there are at most as many ways as half-edges, each found or refused in linear time.
+/// A link is a 3-connected planar graph, so the image of one half-edge determines the whole map.
+/// There are at most as many maps as half-edges; each is found or ruled out in linear time.
 std::optional<std::vector<Index>> match_links(const SphereLink& from, std::span<const Vec3> there,
                                               const SphereLink& to, std::span<const Vec3> here);
 
-/// A node whose link is that of another node: its neighbours in the order of the other's.
+/// A node whose link is the same graph as that of another node, with its neighbours in the order in
+/// which the link's map has them: neighbour k belongs to neighbour k of the other node.
 struct MatchedStar {
   Index node = -1;
   std::vector<Index> neighbours;
   bool operator==(const MatchedStar&) const = default;
 };
 
-/// Of the candidates those whose link is that of `source`, an interior node of a volume mesh, in
-/// their order; edges that point the same way in the mesh belong together. Source itself, and nodes
-/// without a VCV, are left out. stop: gives up, and returns what it has. Throws UsageError or
-/// MeshError where the source has no link.
+/// Returns the candidates whose link is the same graph as that of `source`, in the order given.
+/// Edges that point in about the same direction in the mesh are matched. The result leaves out
+/// `source` itself and nodes without a VCV. source: an interior node of a volume mesh. stop: the
+/// search ends early when it becomes true, and returns what it has found. Throws UsageError or
+/// MeshError if the source has no link.
 std::vector<MatchedStar> matching_stars(const Mesh& mesh, Index source,
                                         std::span<const Index> candidates,
                                         const std::atomic<bool>* stop = nullptr);
 
-/// Edits that give each of these nodes the VCV of the other.
+/// Edits that give each of these nodes this VCV.
 std::vector<VcvEdit> spread_vcv(const SphereStencil& stencil, std::span<const MatchedStar> stars);
 
 }  // namespace winslow

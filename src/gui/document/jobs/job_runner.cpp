@@ -80,9 +80,9 @@ void JobRunner::set_pace(double iterations_per_second) {
 
 void JobRunner::wait_for_viewer(bool on) {
   if (on)
-    solver_.follow(snapshot_ ? snapshot_->serial : 0);
+    solver_.wait_for_viewer(snapshot_ ? snapshot_->serial : 0);
   else
-    solver_.follow({});
+    solver_.wait_for_viewer({});
 }
 
 void JobRunner::cancel() {

@@ -50,7 +50,7 @@ std::shared_ptr<const QualityMonitor::Measured> measure(std::uint64_t shape,
   measured->before = order.named;
   const Mesh& mesh = *subject.mesh;
   const std::vector<Vec3> normals =
-      subject.surface ? subject.surface->normals->at(mesh.coordinates, order.threads)
+      subject.surface ? subject.surface->normals->of_elements(mesh.coordinates, order.threads)
                       : std::vector<Vec3>();
   measured->report = measure_quality(mesh, {.histogram_bins = 40,
                                             .worst = most_worst,

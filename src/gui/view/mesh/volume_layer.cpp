@@ -78,7 +78,8 @@ bool boundary_stays(const VolumeWish& a, const VolumeWish& b) {
 }
 
 std::vector<Vec3> normals_of(const VolumeWish& wish) {
-  return wish.surface ? wish.surface->normals->at(wish.mesh->coordinates, 0) : std::vector<Vec3>();
+  return wish.surface ? wish.surface->normals->of_elements(wish.mesh->coordinates, 0)
+                      : std::vector<Vec3>();
 }
 
 double size_of(const Mesh& mesh, Index e) {

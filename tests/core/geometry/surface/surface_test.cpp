@@ -71,13 +71,14 @@ TEST_CASE("patches of triangles that share an edge share its curve and its tange
                nc = shaken({0, 0, 1}).normalized(), nd = shaken({0, 0, 1}).normalized();
     const SurfacePatch above({a, b, c}, {na, nb, nc}), below({b, a, d}, {nb, na, nd});
     for (const double t : {0.0, 0.2, 0.5, 0.77, 1.0}) {
-      const auto p = above.at(1 - t, t), q = below.at(t, 1 - t);
+      const auto p = above.derivatives(1 - t, t), q = below.derivatives(t, 1 - t);
       CHECK((p.r - q.r).norm() < 1e-14);
       const Vec3 m = p.u.cross(p.v).normalized(), n = q.u.cross(q.v).normalized();
       CHECK((m - n).norm() < 1e-12);
     }
-    CHECK((above.at(1, 0).r - a).norm() < 1e-15);
-    CHECK((above.at(0, 0).u.cross(above.at(0, 0).v).normalized() - nc).norm() < 1e-12);
+    CHECK((above.derivatives(1, 0).r - a).norm() < 1e-15);
+    CHECK((above.derivatives(0, 0).u.cross(above.derivatives(0, 0).v).normalized() - nc).norm() <
+          1e-12);
   }
 }
 
@@ -87,9 +88,9 @@ TEST_CASE("derivatives of a patch are those of its points") {
                             Vec3(0, 0.3, 1).normalized()});
   constexpr double h = 1e-5;
   for (const auto& [u, v] : {std::pair{0.2, 0.3}, {0.6, 0.1}, {0.05, 0.9}, {0.33, 0.33}}) {
-    const auto d = patch.at(u, v);
-    const auto du = [&, u = u, v = v](double s) { return patch.at(u + s, v); };
-    const auto dv = [&, u = u, v = v](double s) { return patch.at(u, v + s); };
+    const auto d = patch.derivatives(u, v);
+    const auto du = [&, u = u, v = v](double s) { return patch.derivatives(u + s, v); };
+    const auto dv = [&, u = u, v = v](double s) { return patch.derivatives(u, v + s); };
     CHECK(((du(h).r - du(-h).r) / (2 * h) - d.u).norm() < 1e-8);
     CHECK(((dv(h).r - dv(-h).r) / (2 * h) - d.v).norm() < 1e-8);
     CHECK(((du(h).u - du(-h).u) / (2 * h) - d.uu).norm() < 1e-7);
@@ -101,8 +102,8 @@ TEST_CASE("derivatives of a patch are those of its points") {
 TEST_CASE("a patch is flat where its normals lean too far") {
   const std::array<Vec3, 3> vertices{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
   const SurfacePatch patch(vertices, {Vec3(0, 0, 1), Vec3(1, 0, 0.1).normalized(), Vec3(0, 0, 1)});
-  CHECK((patch.at(0.3, 0.3).r - Vec3(0.3, 0.4, 0) + Vec3(0, 0.1, 0)).norm() < 0.2);
-  CHECK(patch.at(0.3, 0.3).uu.norm() == 0);
+  CHECK((patch.derivatives(0.3, 0.3).r - Vec3(0.3, 0.4, 0) + Vec3(0, 0.1, 0)).norm() < 0.2);
+  CHECK(patch.derivatives(0.3, 0.3).uu.norm() == 0);
 }
 
 TEST_CASE("planes, cylinders and spheres are recognised wherever they lie") {
