@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -432,12 +433,12 @@ std::optional<Gap> smallest_gap(const Topology& topology, const Coordinates& x,
 std::optional<Gap> smallest_gap(const Topology& topology, const Coordinates& x,
                                 const Motion& motion, std::span<const Index> yielding) {
   if (motion.bodies().empty()) return smallest_gap(topology, x, motion.nodes(), yielding);
-  std::optional<Gap> smallest;
+  std::vector<Gap> gaps;
   for (const auto& body : motion.bodies()) {
-    const auto gap = smallest_gap(topology, x, body->nodes(), yielding);
-    if (gap && (!smallest || gap->width < smallest->width)) smallest = gap;
+    if (const auto gap = smallest_gap(topology, x, body->nodes(), yielding)) gaps.push_back(*gap);
   }
-  return smallest;
+  const auto smallest = std::ranges::min_element(gaps, {}, &Gap::width);
+  return smallest == gaps.end() ? std::nullopt : std::optional(*smallest);
 }
 
 void put_in_mesh(EdgePair& edges, const LocalFrame& frame) {

@@ -115,7 +115,7 @@ class NodeFinder {
   double tolerance_ = 0;
 };
 
-std::string place_text(const DisplacementEntry& entry) {
+std::string place_of_entry(const DisplacementEntry& entry) {
   const GivenVector& p = entry.position;
   std::string text = "position (" + std::to_string(p.x()) + ", " + std::to_string(p.y());
   if (p.numbers(2) == 3) text += ", " + std::to_string(p.z());
@@ -127,7 +127,8 @@ std::string place_text(const DisplacementEntry& entry) {
   const DisplacementEntry& entry = table.entries[k];
   const std::string file = table.source.empty() ? "displacements" : table.source;
   const std::string line = entry.line > 0 ? ":" + std::to_string(entry.line) : "";
-  const std::string who = entry.node ? "node " + std::to_string(*entry.node) : place_text(entry);
+  const std::string who =
+      entry.node ? "node " + std::to_string(*entry.node) : place_of_entry(entry);
   throw UsageError(file + line + ": " + who + " " + why);
 }
 

@@ -32,7 +32,7 @@ namespace {
 /// surface mesh, the mesh that it was; null: it is that mesh.
 std::vector<Vec3> normals_of(const Mesh& mesh, const std::shared_ptr<const Mesh>& given) {
   const auto shape = own_shape(given ? *given : mesh);
-  return shape ? shape->normals->at(mesh.coordinates, 0) : std::vector<Vec3>();
+  return shape ? shape->normals->of_elements(mesh.coordinates, 0) : std::vector<Vec3>();
 }
 
 /// Per element 1 or 0. normals: normals_of().
