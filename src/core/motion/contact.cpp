@@ -407,7 +407,7 @@ std::optional<Gap> gap_of(const Topology& topology, const Coordinates& x,
     gap = Gap{width,
               {name(outline.moving.markers[e]),
                name(outline.fixed.markers[static_cast<std::size_t>(nearest->item)]),
-               {}}};
+               Vec3(0, 0, 0)}};
     set_place<D>(gap->edges, centre);
   }
   return gap;
