@@ -70,6 +70,8 @@ if(WINSLOW_BUILD_APP)
                          PATTERN volumes EXCLUDE)
   install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/winslow COMPONENT program)
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright  # where Debian looks for it
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/winslow COMPONENT program)
   # Pages link to one another, to their pictures and to the README as they do in the repository.
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/winslow
           COMPONENT program

@@ -5,9 +5,10 @@ build=$(cd "$1" && pwd)
 work=$build/tests/install/packages
 rm -rf "$work"
 mkdir -p "$work"
-# The build is as it is: nothing is built for the packages.
-(cd "$work" && cpack --config "$build/CPackConfig.cmake" -G DEB -B "$work" \
-  -D CPACK_CMAKE_GENERATOR= >cpack.log 2>&1) || { cat "$work/cpack.log"; exit 1; }
+(cd "$work" && cpack --config "$build/CPackConfig.cmake" -G DEB -B "$work" >cpack.log 2>&1) || {
+  cat "$work/cpack.log"
+  exit 1
+}
 
 # holds PACKAGE PATH...: the package brings these files.
 holds() {
@@ -20,7 +21,7 @@ holds() {
 }
 # asks PACKAGE FIELD PATTERN: what the package says of itself.
 asks() {
-  dpkg-deb --field "$work"/"$1"_*.deb "$2" | grep -qE "$3" || {
+  dpkg-deb --field "$work"/"$1"_*.deb "$2" | grep -E "$3" >/dev/null || {
     dpkg-deb --info "$work"/"$1"_*.deb
     echo "$1: $2 has no $3"
     exit 1
@@ -31,7 +32,7 @@ asks libwinslow-dev Depends 'libeigen3-dev'
 holds libwinslow-dev include/winslow/winslow.h include/winslow/core/version.h \
   share/winslow/examples/CMakeLists.txt share/winslow/examples/time_loop.cpp \
   share/doc/libwinslow-dev/copyright
-dpkg-deb --contents "$work"/libwinslow-dev_*.deb | grep -q 'winslowConfig.cmake'
+dpkg-deb --contents "$work"/libwinslow-dev_*.deb | grep 'winslowConfig.cmake' >/dev/null
 if compgen -G "$work/winslow_*.deb" >/dev/null; then
   # What dpkg-shlibdeps found.
   asks winslow Depends 'libc6 \(>= [0-9.]+\)'
