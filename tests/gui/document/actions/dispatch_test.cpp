@@ -81,7 +81,8 @@ TEST_CASE("an action finds its group by itself") {
   const Action undo = action::Undo{};
   REQUIRE(std::holds_alternative<DocumentAction>(undo));
   CHECK(std::holds_alternative<HistoryAction>(std::get<DocumentAction>(undo)));
-  CHECK(std::holds_alternative<ViewAction>(Action(action::FitView{})));
+  CHECK(std::holds_alternative<CameraAction>(Action(action::FitView{})));
+  CHECK(std::holds_alternative<ViewAction>(Action(action::AskGoTo{})));
   CHECK(std::holds_alternative<PictureAction>(Action(action::StopRecording{})));
   CHECK(std::holds_alternative<DialogAction>(Action(action::ShowHelp{})));
   CHECK(std::holds_alternative<ShellAction>(Action(action::ClearRecent{})));

@@ -21,14 +21,15 @@ TEST_CASE("revisions that were saved or only shown need no saving") {
 }
 
 TEST_CASE("only files that were written may be replaced without asking") {
-  SavedFile saved("mesh.su2");
-  CHECK_FALSE(saved.wrote("mesh.su2"));
-  saved.set_path("elsewhere.su2");
-  CHECK_FALSE(saved.wrote("elsewhere.su2"));
-  saved.mark_saved("mesh.su2", 1);
-  CHECK(saved.wrote("mesh.su2"));
-  CHECK(saved.wrote(std::filesystem::path(".") / "mesh.su2"));  // the same, said otherwise
-  CHECK_FALSE(saved.wrote("elsewhere.su2"));
+  const std::filesystem::path folder = std::filesystem::temp_directory_path();
+  SavedFile saved(folder / "mesh.su2");
+  CHECK_FALSE(saved.wrote(folder / "mesh.su2"));
+  saved.set_path(folder / "elsewhere.su2");
+  CHECK_FALSE(saved.wrote(folder / "elsewhere.su2"));
+  saved.mark_saved(folder / "mesh.su2", 1);
+  CHECK(saved.wrote(folder / "mesh.su2"));
+  CHECK(saved.wrote(folder / "." / "mesh.su2"));  // the same, said otherwise
+  CHECK_FALSE(saved.wrote(folder / "elsewhere.su2"));
 }
 
 TEST_CASE("a file that is one mesh has no zones") {
