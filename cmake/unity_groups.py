@@ -245,6 +245,12 @@ def confused(some, others):
     return False
 
 
+def hidden(own, known):
+    """Whether a helper stands before what a header declares: the unnamed namespace is searched first, and
+    overloads outside of it are then not seen."""
+    return any(not (a[2] is not None and a[2] == b[2]) for a in own for b in known)
+
+
 def ambiguous(source, directives, namespaces):
     """The words of a source by which it could mean namespaces of several of these directives."""
     spaces = [d.split()[-1] for d in directives]
@@ -268,7 +274,7 @@ def clash(files, first, second):
                 return f"{name} of {one.name} is in a header of {other.name}"
     known = files.known(second)
     for name in a.own:
-        if name in known and name in b.words and name not in b.own and confused(a.own[name], known[name]):
+        if name in known and name in b.words and name not in b.own and hidden(a.own[name], known[name]):
             return f"{second.name} uses {name}"
     namespaces = files.namespaces(first) | files.namespaces(second)
     both = a.directives | b.directives  # what comes first stays in force

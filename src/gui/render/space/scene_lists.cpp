@@ -30,7 +30,7 @@ Vec3 doubled_area(std::span<const Vec3> corners) {
 }
 
 /// A line without a spacing would never fade.
-float faded(double spacing) {
+float spacing_to_fade(double spacing) {
   return std::max(static_cast<float>(spacing), std::numeric_limits<float>::min());
 }
 
@@ -99,7 +99,7 @@ void SceneLists::add_section(SpaceFill& fill, const PlaneSection& section, const
 }
 
 void SceneLists::add_line(SpaceLines& lines, const Vec3& a, const Vec3& b, double spacing) const {
-  const float s = spacing < 0 ? 0.0f : faded(spacing);
+  const float s = spacing < 0 ? 0.0f : spacing_to_fade(spacing);
   lines.ends.push_back({relative(a), s});
   lines.ends.push_back({relative(b), s});
 }
