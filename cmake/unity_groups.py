@@ -274,7 +274,7 @@ def clash(files, first, second):
                 return f"{name} of {one.name} is in a header of {other.name}"
     known = files.known(second)
     for name in a.own:
-        if name in known and name in b.words and name not in b.own and hidden(a.own[name], known[name]):
+        if name in known and name in b.words and hidden(a.own[name], known[name]):
             return f"{second.name} uses {name}"
     namespaces = files.namespaces(first) | files.namespaces(second)
     both = a.directives | b.directives  # what comes first stays in force
