@@ -404,10 +404,10 @@ std::optional<Gap> gap_of(const Topology& topology, const Coordinates& x,
     const auto nearest = fixed.nearest(centre, width + reach, separation);
     if (!nearest || nearest->distance - reach >= width) continue;
     width = nearest->distance - reach;
-    gap = Gap{width,
-              {name(outline.moving.markers[e]),
-               name(outline.fixed.markers[static_cast<std::size_t>(nearest->item)]),
-               Vec3(0, 0, 0)}};
+    gap =
+        Gap{width,
+            {name(outline.moving.markers[e]),
+             name(outline.fixed.markers[static_cast<std::size_t>(nearest->item)]), Vec3(0, 0, 0)}};
     set_place<D>(gap->edges, centre);
   }
   return gap;
