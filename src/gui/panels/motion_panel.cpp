@@ -114,11 +114,11 @@ void MotionPanel::draw_pivot(const PanelContext& context) {
 
 namespace {
 
-enum Shape : std::size_t { nothing, circle, box };
+enum Shape : std::size_t { no_region, ball_region, box_region };
 
 Shape shape_of(const KeepOutside& keep) {
-  if (keep.radius) return circle;
-  return keep.corner ? box : nothing;
+  if (keep.radius) return ball_region;
+  return keep.corner ? box_region : no_region;
 }
 
 /// A circle about a body, in space a sphere, or a box, to begin with: room for the body to turn,
@@ -129,11 +129,11 @@ KeepOutside around(Shape shape, const Coordinates& x, const std::vector<Index>& 
   const Vec3 centre = body_centre(body);
   const double room = body.size().norm();
   const auto place = [&](const Vec3& p) { return GivenVector::of(x.dimension(), p); };
-  if (shape == circle) {
+  if (shape == ball_region) {
     keep.radius = room;
     keep.centre = place(centre);  // smoothing in place has no body to ask for it
   }
-  if (shape == box) {
+  if (shape == box_region) {
     keep.corner = place(centre - Vec3::Constant(room));
     keep.opposite = place(centre + Vec3::Constant(room));
   }
