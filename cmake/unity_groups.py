@@ -234,7 +234,7 @@ class Files:
 
     @functools.lru_cache(maxsize=None)
     def namespaces(self, path):
-        return frozenset().union(*(self.names(h).namespaces for h in self.headers(path)))
+        return frozenset().union(*(self.names(f).namespaces for f in (path, *self.headers(path))))
 
 
 def confused(some, others):
