@@ -1,3 +1,4 @@
+#include "core/strategy/solver_cache.h"
 #include "core/strategy/workspace.h"
 
 #include <doctest/doctest.h>
@@ -316,9 +317,10 @@ TEST_CASE("outer solvers are those of one run, and of one problem") {
 }
 
 TEST_CASE("runs that follow one another make patterns, targets and linear solvers once") {
-  SmoothingWorkspace workspace;
+  SolverCache cache;
+  const SmoothingWorkspace& workspace = cache.workspace();
   RunOptions run;
-  run.workspace = &workspace;
+  run.cache = &cache;
   const MeshState state = make_state(make_mesh(annulus(24, 6, 1.2, Cells::mixed)));
   SmoothOptions options;
   options.threads = 1;
@@ -348,9 +350,10 @@ TEST_CASE("runs that follow one another make patterns, targets and linear solver
 }
 
 TEST_CASE("a mesh that runs lead on has other targets and the same pattern") {
-  SmoothingWorkspace workspace;
+  SolverCache cache;
+  const SmoothingWorkspace& workspace = cache.workspace();
   RunOptions run;
-  run.workspace = &workspace;
+  run.cache = &cache;
   MeshState state = make_state(make_mesh(annulus(24, 6, 1.2, Cells::mixed)));
   Random random(3);
   perturb(state.mesh, random);
