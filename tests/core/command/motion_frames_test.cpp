@@ -26,7 +26,7 @@ MoveCommand turn(double degrees) {
 /// Degrees by which the body turns from one mesh to another.
 double turned(const Mesh& from, const Mesh& to) {
   const auto nodes = moved_as_bodies(turn(0), *from.topology);
-  return fit_rigid_motion(nodes, from.coordinates, to.coordinates).rotate;
+  return fit_rigid_motion(nodes.front(), from.coordinates, to.coordinates).rotate;
 }
 
 }  // namespace

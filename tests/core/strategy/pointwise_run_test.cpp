@@ -11,7 +11,7 @@ using namespace winslow::test;
 
 namespace {
 
-MeshState annulus_state(Cells cells = Cells::triangles) {
+MeshState even_annulus_state(Cells cells = Cells::triangles) {
   return make_state(make_mesh(annulus(36, 18, 1 + 6.0 / 36, cells)));
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("pointwise Newton follows a motion through valid meshes to the fixed p
     for (const double degrees : {20.0, 90.0}) {
       CAPTURE(name_of(cells));
       CAPTURE(degrees);
-      const MeshState state = annulus_state(cells);
+      const MeshState state = even_annulus_state(cells);
       Inspector inspector(*state.mesh.topology);
       RunOptions watched;
       watched.monitor = &inspector;
@@ -87,7 +87,7 @@ TEST_CASE("pointwise Newton follows a motion through valid meshes to the fixed p
 }
 
 TEST_CASE("pointwise Newton in equal steps, and from a start, reaches the same mesh") {
-  const MeshState state = annulus_state();
+  const MeshState state = even_annulus_state();
   MoveCommand command = turn(30, OuterMethod::newton);
   const Coordinates expected = execute(command, state).state.mesh.coordinates;
   for (const int increments : {1, 3}) {
@@ -112,7 +112,7 @@ TEST_CASE("pointwise Newton takes a tangled interior on after the fixed point ha
     constexpr std::uint64_t seed = 301;
     CAPTURE(name_of(cells));
     CAPTURE(seed);
-    MeshState state = annulus_state(cells);
+    MeshState state = even_annulus_state(cells);
     const CommandResult straight = execute(SmoothCommand{pointwise(OuterMethod::picard)}, state);
     REQUIRE(straight.smooth.converged);
     Random random(seed);
@@ -183,7 +183,7 @@ TEST_CASE("where the path is lost the automatic choice is the fixed point's mesh
 }
 
 TEST_CASE("pointwise Newton keeps the limit of iterations over all of its stages") {
-  const MeshState state = annulus_state();
+  const MeshState state = even_annulus_state();
   for (const OuterMethod outer : {OuterMethod::newton, OuterMethod::automatic}) {
     for (const int limit : {0, 1, 4}) {
       CAPTURE(limit);
@@ -199,7 +199,7 @@ TEST_CASE("pointwise Newton keeps the limit of iterations over all of its stages
 
 TEST_CASE("a cache kept over outer methods and formulations changes no bit of the result") {
   SolverCache cache;
-  const MeshState state = annulus_state();
+  const MeshState state = even_annulus_state();
   for (int round = 0; round < 2; ++round) {
     for (const OuterMethod outer : {OuterMethod::newton, OuterMethod::picard}) {
       RunOptions options;

@@ -1,5 +1,5 @@
-#include "core/strategy/solver_cache.h"
 #include "core/strategy/workspace.h"
+#include "core/strategy/solver_cache.h"
 
 #include <doctest/doctest.h>
 
@@ -101,8 +101,9 @@ std::shared_ptr<const SparsityPattern> pointwise_pattern(SmoothingWorkspace& wor
 
 /// Which products are other objects after a change.
 struct Changed {
-  bool energy_pattern, energy, pointwise_pattern, pointwise, linear, symmetric_linear,
-      newton_linear;
+  bool energy_pattern = false, energy = false;
+  bool pointwise_pattern = false, pointwise = false;
+  bool linear = false, symmetric_linear = false, newton_linear = false;
   bool operator==(const Changed&) const = default;
 };
 
