@@ -4,7 +4,7 @@
 
 #include "core/formulation/pointwise_winslow.h"
 #include "core/mesh/mesh.h"
-#include "core/vcv/sphere/volume_vcv_statistics.h"
+#include "core/vcv/sphere/volume_vcvs.h"
 #include "support/space_meshes.h"
 
 namespace {

@@ -9,7 +9,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
     string(APPEND table "    {\"${name}\", R\"GLSL(${text})GLSL\"},\n")
   endforeach()
   file(WRITE ${OUTPUT}
-       "#include \"gui/render/shader.h\"\n\nnamespace winslow::gui {\n\n"
+       "#include \"gui/render/gl.h\"\n\nnamespace winslow::gui {\n\n"
        "std::span<const ShaderSource> embedded_shaders() {\n"
        "  static constexpr ShaderSource table[] = {\n${table}  };\n  return table;\n}\n\n"
        "}  // namespace winslow::gui\n")

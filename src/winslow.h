@@ -15,9 +15,8 @@
 #include "core/layers/layer_detection.h"
 #include "core/layers/layer_measures.h"
 #include "core/mesh/mesh.h"
-#include "core/mesh/node_link.h"
-#include "core/problem/energy_problem.h"
-#include "core/problem/equation_problem.h"
+#include "core/mesh/topology.h"
+#include "core/problem/smoothing_problem.h"
 #include "core/quality/metric.h"
 #include "core/quality/quality.h"
 

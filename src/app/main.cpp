@@ -1,10 +1,112 @@
+#include <CLI/CLI.hpp>
 #include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
 
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
 
-#include "app/program.h"
+#include "app/options/suggestion.h"
+#include "app/output/terminal.h"
+#include "app/subcommands/subcommand.h"
+#include "core/error.h"
+
+namespace winslow::app {
+
+/// The whole program: parses the command line, runs the subcommand, and turns every error into one
+/// line on the standard error and an exit code. Throws nothing.
+ExitCode run_program(int argc, char** argv);
+
+namespace {
+
+ExitCode fail(ExitCode code, const std::string& message) {
+  std::cerr << "winslow: " << printable(message) << '\n';
+  return code;
+}
+
+/// Full name of the subcommand that was asked for, as the user types it.
+std::string asked_for(const CLI::App& program) {
+  for (const CLI::App* sub : program.get_subcommands()) return "winslow " + sub->get_name();
+  return "winslow";
+}
+
+/// A message for arguments that nothing takes, with the nearest thing there is.
+std::string describe_extras(const CLI::App& program) {
+  const auto chosen = program.get_subcommands();
+  const CLI::App& app = chosen.empty() ? program : *chosen.front();
+  const std::vector<std::string> extras = program.remaining(true);
+  const std::string& unknown = extras.front();
+  std::vector<std::string> known;
+  if (unknown.starts_with("-")) {
+    for (const CLI::Option* option : app.get_options()) {
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    }
+    return "unknown option " + unknown + suggest(unknown, known);
+  }
+  if (!chosen.empty()) return "unexpected argument \"" + unknown + '"';
+  for (const CLI::App* sub : program.get_subcommands({})) known.push_back(sub->get_name());
+  return "unknown command \"" + unknown + '"' + suggest(unknown, known);
+}
+
+ExitCode run_subcommand(const SubcommandList& subcommands, const CLI::App& program) {
+  for (const auto& subcommand : subcommands) {
+    if (subcommand->chosen()) return subcommand->run();
+  }
+  std::cerr << program.help();
+  return ExitCode::usage;
+}
+
+ExitCode parse_and_run(CLI::App& program, const SubcommandList& subcommands, int argc,
+                       char** argv) {
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& success) {  // --help, --version
+    program.exit(success);
+    return ExitCode::done;
+  } catch (const CLI::ExtrasError&) {
+    return fail(ExitCode::usage, describe_extras(program) + " (" + asked_for(program) +
+                                     " --help lists what there is)");
+  } catch (const CLI::ParseError& error) {
+    return fail(ExitCode::usage,
+                std::string(error.what()) + " (see " + asked_for(program) + " --help)");
+  }
+  return run_subcommand(subcommands, program);
+}
+
+}  // namespace
+
+ExitCode run_program(int argc, char** argv) {
+  try {
+    CLI::App program(
+        "Repairs unstructured meshes after boundary motion: Winslow smoothing on "
+        "virtual control volumes.",
+        "winslow");
+    program.set_version_flag("--version", "winslow " WINSLOW_VERSION, "Print the version");
+    program.footer(std::string("'winslow COMMAND --help' explains a command.\n\n") +
+                   std::string(exit_code_help));
+    const SubcommandList subcommands = make_subcommands(program);
+    return parse_and_run(program, subcommands, argc, argv);
+  } catch (const UsageError& error) {
+    return fail(ExitCode::usage, error.what());
+  } catch (const InputError& error) {
+    return fail(ExitCode::input, error.what());
+  } catch (const OutputError& error) {
+    return fail(ExitCode::input, error.what());
+  } catch (const Cancelled&) {
+    return fail(ExitCode::interrupted, "interrupted; nothing was written");
+  } catch (const NumericError& error) {
+    return fail(ExitCode::not_converged, std::string(error.what()) + "; nothing was written");
+  } catch (const std::bad_alloc&) {
+    return fail(ExitCode::internal, "out of memory");
+  } catch (const std::exception& error) {
+    return fail(ExitCode::internal, error.what());
+  }
+}
+
+}  // namespace winslow::app
 
 namespace {
 

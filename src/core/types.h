@@ -1,10 +1,16 @@
 #pragma once
 
 #include <Eigen/Core>
-
-#include "core/index.h"
+#include <cstddef>
+#include <cstdint>
 
 namespace winslow {
+
+/// Index of a node, an element, or an entry of a compressed row.
+using Index = std::int32_t;
+
+/// An index as the standard containers take it; it must not be negative.
+constexpr std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// A point or a vector of the plane (D = 2) or of space (D = 3).
 template <int D>

@@ -8,8 +8,7 @@
 #include "io/su2/su2.h"
 #include "io/surface/surface.h"
 #include "io/ugrid/ugrid.h"
-#include "io/vtk/legacy.h"
-#include "io/vtk/vtu.h"
+#include "io/vtk/vtk_formats.h"
 
 namespace winslow::io {
 

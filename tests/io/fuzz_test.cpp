@@ -3,6 +3,7 @@
 #include "io/format/parsed_mesh.h"
 #include "io/support/mutations.h"
 #include "io/support/samples.h"
+#include "io/support/volume_samples.h"
 
 namespace winslow::test {
 namespace {
@@ -70,6 +71,143 @@ TEST_CASE("every beginning of a file is refused, or a mesh") {
     }
     // Where the mesh comes first, what is cut off may be markers, names or a last newline only.
     CHECK(meshes < static_cast<int>(original.size()) / 6);
+  }
+}
+
+namespace {
+
+/// Small files of every format that holds volume meshes: two cubes of each type of element.
+struct VolumeSeed {
+  std::string name, text;
+};
+
+std::vector<VolumeSeed> volume_seeds() {
+  Random random(12);
+  MeshData data = cube(2, Volumes::prisms);
+  data.regions = {{"air", 3}};
+  data.element_region.assign(data.types.size(), 0);
+  const Mesh prisms = make_mesh(data);
+  const Mesh pyramids = make_mesh(volume_sample(random, Volumes::pyramids, false));
+  const TemporaryFolder folder;
+  std::vector<VolumeSeed> seeds;
+  for (const Kind& kind : std::vector<Kind>{{"su2", "", false},
+                                            {"msh", "2.2", false},
+                                            {"msh", "2.2", true},
+                                            {"msh", "4.1", false},
+                                            {"msh", "4.1", true},
+                                            {"vtk", "", false},
+                                            {"vtk", "", true},
+                                            {"vtu", "", false},
+                                            {"vtu", "", true},
+                                            {"ugrid", "", false},
+                                            {"lb8.ugrid", "", false},
+                                            {"b4.ugrid", "", false},
+#ifdef WINSLOW_HAS_CGNS
+                                            {"cgns", "", false},
+#endif
+                                            {"mesh", "", false}}) {
+    for (const Mesh* mesh : {&prisms, &pyramids}) {
+      const std::string name = "a." + std::string(kind.extension);
+      io::write_mesh(folder / name, *mesh, nullptr, options_of(kind));
+      seeds.push_back({name, read_text(folder / name)});
+    }
+  }
+  return seeds;
+}
+
+}  // namespace
+
+TEST_CASE("volumes: no damaged file does anything but give a mesh or an InputError") {
+  const TemporaryFolder folder;
+  int meshes = 0, refused = 0;
+  for (const VolumeSeed& given : volume_seeds()) {
+    const std::string &name = given.name, &original = given.text;
+    const auto path = folder / name;
+    for (std::uint64_t seed = 0; seed < mutation_count(200); ++seed) {
+      CAPTURE(name);
+      CAPTURE(seed);
+      Random random(seed);
+      write_text(path, mutated(original, random));
+      try {
+        const io::MeshFile file = io::read_mesh(path);
+        ++meshes;
+        const auto again = folder / ("again" + name.substr(1));
+        io::write_mesh(again, file.mesh, file.details.get());
+        CHECK(io::read_mesh(again).mesh.topology->element_count() >=
+              file.mesh.topology->element_count());
+      } catch (const InputError& error) {
+        ++refused;
+        CHECK(std::string(error.what()).find(path.string()) == 0);
+      }
+    }
+  }
+  MESSAGE(meshes, " meshes, ", refused, " refused");
+  CHECK(meshes > 50);
+  CHECK(refused > 1000);
+}
+
+/// Damages one file of a mesh that is several; returns false where that was refused.
+bool survives(const std::filesystem::path& mesh, const std::filesystem::path& file,
+              const std::string& text, const std::filesystem::path& again) {
+  write_text(file, text);
+  try {
+    const io::MeshFile read = io::read_mesh(mesh);
+    io::write_mesh(again, read.mesh, read.details.get());
+    CHECK(io::read_mesh(again).mesh.topology->element_count() ==
+          read.mesh.topology->element_count());
+    return true;
+  } catch (const InputError& error) {
+    CHECK(std::string(error.what()).find(mesh.parent_path().string()) == 0);
+    return false;
+  }
+}
+
+TEST_CASE("volumes: no damage to one file of several does more than to give an InputError") {
+  const Mesh mesh = make_mesh(cube(2, Volumes::prisms));
+  const TemporaryFolder folder;
+  io::write_mesh(folder / "polyMesh", mesh, nullptr);
+  io::write_mesh(folder / "a.ugrid", mesh, nullptr);
+  int good = 0, refused = 0;
+  const auto damage = [&](const std::string& whole, const std::string& part,
+                          const std::string& again) {
+    const std::string original = read_text(folder / part);
+    for (std::uint64_t seed = 0; seed < mutation_count(150); ++seed) {
+      CAPTURE(part);
+      CAPTURE(seed);
+      Random random(seed);
+      const bool survived =
+          survives(folder / whole, folder / part, mutated(original, random), folder / again);
+      ++(survived ? good : refused);
+    }
+    write_text(folder / part, original);
+  };
+  for (const char* part : {"points", "faces", "owner", "neighbour", "boundary"})
+    damage("polyMesh", "polyMesh/" + std::string(part), "again/polyMesh");
+  damage("a.ugrid", "a.mapbc", "again.ugrid");
+  MESSAGE(good, " meshes, ", refused, " refused");
+  CHECK(good > 20);
+  CHECK(refused > 300);
+}
+
+TEST_CASE("volumes: every beginning of a file is refused, or a mesh") {
+  const TemporaryFolder folder;
+  for (const VolumeSeed& given : volume_seeds()) {
+    const std::string &name = given.name, &original = given.text;
+    const auto path = folder / name;
+    int meshes = 0, all = 0;
+    for (std::size_t size = 0; size < original.size(); size += 29, ++all) {
+      CAPTURE(name);
+      CAPTURE(size);
+      write_text(path, original.substr(0, size));
+      try {
+        io::read_mesh(path);
+        ++meshes;
+      } catch (const InputError&) {
+        continue;
+      }
+    }
+    // Where the mesh comes first, what is cut off may be markers and names.
+    CHECK(2 * meshes < all);
   }
 }
 

@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "gui/document/jobs/method.h"
+#include "gui/document/jobs/run_settings.h"
 #include "gui/panels/files/file_dialog.h"
-#include "gui/support/keys.h"
+#include "gui/support/rig.h"
 #include "soak.h"
 
 namespace winslow::gui::test {

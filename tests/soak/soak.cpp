@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "gui/base/resident_memory.h"
 #include "gui/panels/files/file_dialog.h"
-#include "gui/support/keys.h"
+#include "gui/shell/studio.h"
+#include "gui/support/rig.h"
 #include "support/space_meshes.h"
 
 namespace winslow::gui::test {

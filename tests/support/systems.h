@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/formulation/node_pattern.h"
+#include "core/formulation/stencil_operator.h"
 #include "core/linear/linear_solver.h"
 #include "core/mesh/mesh.h"
 #include "support/random.h"

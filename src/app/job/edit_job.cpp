@@ -7,18 +7,15 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "app/job/interrupt.h"
 #include "app/job/progress.h"
 #include "app/job/zone_runs.h"
-#include "app/output/layer_table.h"
-#include "app/output/quality_table.h"
 #include "app/output/report.h"
+#include "app/output/tables.h"
 #include "app/output/terminal.h"
-#include "app/output/wall_table.h"
 #include "core/error.h"
-#include "core/mesh/place_text.h"
+#include "core/mesh/coordinates.h"
 #include "core/quality/mesh_change.h"
-#include "core/strategy/run_end.h"
+#include "core/strategy/run.h"
 #include "core/strategy/surface_shape.h"
 #include "io/recipe/recipe.h"
 #include "io/tables/convergence_csv.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/options/file_flags.h"
-#include "app/output/exit_code.h"
+#include "app/output/terminal.h"
 #include "core/command/command.h"
 
 namespace winslow::app {

@@ -7,7 +7,7 @@
 
 #include "app/job/markers.h"
 #include "core/error.h"
-#include "io/tables/file_pairs.h"
+#include "io/tables/reference_file.h"
 
 namespace winslow::app {
 namespace {

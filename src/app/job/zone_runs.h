@@ -6,7 +6,7 @@
 
 #include "core/command/command.h"
 #include "core/quality/quality.h"
-#include "core/quality/surface_change.h"
+#include "core/quality/surface_distance.h"
 #include "io/format/mesh_file.h"
 
 namespace winslow::app {

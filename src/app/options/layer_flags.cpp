@@ -8,7 +8,7 @@
 
 #include "app/options/option_flags.h"
 #include "core/error.h"
-#include "core/layers/layer_option_tables.h"
+#include "core/layers/layer_plan.h"
 
 namespace winslow::app {
 

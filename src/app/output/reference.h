@@ -4,7 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "app/output/program_options.h"
+
 namespace winslow::app {
+
+/// The manual page winslow.1, in roff with the macros of man(7). Groups of options that several
+/// commands have alike are described once.
+void print_manual(std::ostream& out, const ProgramOptions& program);
 
 /// The tables of the reference pages (docs), as Markdown: what tables of options, metrics and
 /// formats say. docs/make_reference.py puts them into the pages, and a test compares them.

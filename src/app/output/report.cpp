@@ -1,16 +1,24 @@
 #include "app/output/report.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "app/output/pair_table.h"
-#include "app/output/wall_table.h"
+#include "app/output/tables.h"
 #include "core/layers/layer_measures.h"
 #include "io/file/atomic_file.h"
 
 namespace winslow::app {
+
+std::int64_t peak_memory_bytes() {
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return std::int64_t{usage.ru_maxrss} * 1024;  // Linux counts in KiB
+}
+
 namespace {
 
 using nlohmann::json;

@@ -3,8 +3,6 @@
 #include <cstddef>
 #include <iostream>
 
-#include "app/output/formatted.h"
-
 namespace winslow::app {
 
 std::string printable(std::string_view text) {

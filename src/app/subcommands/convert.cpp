@@ -1,6 +1,6 @@
 #include <iostream>
 
-#include "app/job/interrupt.h"
+#include "app/job/progress.h"
 #include "app/job/zone_runs.h"
 #include "app/options/file_flags.h"
 #include "app/output/terminal.h"

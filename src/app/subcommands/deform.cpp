@@ -3,11 +3,10 @@
 #include "app/job/edit_job.h"
 #include "app/options/layer_flags.h"
 #include "app/options/option_flags.h"
-#include "app/options/smooth_flags.h"
 #include "app/subcommands/subcommand.h"
 #include "core/command/option_tables.h"
 #include "core/error.h"
-#include "core/motion/motion_options.h"
+#include "core/motion/motion.h"
 #include "io/tables/displacement_file.h"
 
 namespace winslow::app {

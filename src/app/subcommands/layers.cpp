@@ -1,7 +1,6 @@
 #include "app/job/edit_job.h"
 #include "app/options/layer_flags.h"
 #include "app/options/option_flags.h"
-#include "app/options/smooth_flags.h"
 #include "app/subcommands/subcommand.h"
 #include "core/command/option_tables.h"
 

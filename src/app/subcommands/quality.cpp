@@ -5,12 +5,9 @@
 
 #include "app/job/zone_runs.h"
 #include "app/options/file_flags.h"
-#include "app/output/pair_table.h"
-#include "app/output/quality_table.h"
 #include "app/output/report.h"
-#include "app/output/stopwatch.h"
+#include "app/output/tables.h"
 #include "app/output/terminal.h"
-#include "app/output/wall_table.h"
 #include "app/subcommands/subcommand.h"
 #include "io/format/mesh_file.h"
 

@@ -8,7 +8,6 @@
 
 #include "app/options/suggestion.h"
 #include "app/output/completion.h"
-#include "app/output/manual.h"
 #include "app/subcommands/subcommand.h"
 
 namespace winslow::app {

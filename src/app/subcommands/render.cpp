@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/job/interrupt.h"
 #include "app/job/markers.h"
+#include "app/job/progress.h"
 #include "app/options/file_flags.h"
 #include "app/options/suggestion.h"
 #include "app/output/terminal.h"
@@ -18,10 +18,9 @@
 #include "io/format/mesh_file.h"
 #include "io/recipe/recipe.h"
 #ifdef WINSLOW_HAS_GUI
-#include "app/subcommands/render_colors.h"
 #include "gui/picture/figure/write_figure.h"
 #include "gui/picture/picture.h"
-#include "gui/render/color_map.h"
+#include "gui/render/color_scale.h"
 #endif
 
 namespace winslow::app {

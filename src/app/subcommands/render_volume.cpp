@@ -8,7 +8,6 @@
 #include "core/error.h"
 #include "core/inspect/element_field.h"
 #ifdef WINSLOW_HAS_GUI
-#include "app/subcommands/render_colors.h"
 #include "gui/picture/figure/write_figure.h"
 #include "gui/picture/picture.h"
 #include "gui/picture/space/volume_picture.h"

@@ -10,7 +10,7 @@
 #ifdef WINSLOW_HAS_GUI
 #include "gui/picture/capture/film.h"
 #include "gui/picture/figure/write_figure.h"
-#include "gui/shell/headless/run_headless.h"
+#include "gui/shell/headless/headless_studio.h"
 #include "gui/shell/studio.h"
 #endif
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/output/exit_code.h"
+#include "app/output/terminal.h"
 
 namespace winslow::app {
 

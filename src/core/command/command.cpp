@@ -14,7 +14,7 @@
 #include "core/strategy/smooth_run.h"
 #include "core/strategy/surface_first.h"
 #include "core/strategy/surface_shape.h"
-#include "core/vcv/sphere/sphere_edit.h"
+#include "core/vcv/sphere/node_vcv.h"
 
 namespace winslow {
 

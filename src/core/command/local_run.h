@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "core/command/command.h"
-#include "core/mesh/local_frame.h"
+#include "core/mesh/mesh.h"
 
 namespace winslow {
 

@@ -1,7 +1,7 @@
 #include "core/command/option_tables.h"
 
-#include "core/layers/layer_option_tables.h"
-#include "core/motion/motion_options.h"
+#include "core/layers/layer_plan.h"
+#include "core/motion/motion.h"
 
 namespace winslow {
 

@@ -1,11 +1,14 @@
 #include "core/drag/drag_grip.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <queue>
 #include <type_traits>
+#include <utility>
 
 #include "core/error.h"
-#include "core/motion/rigid_motion.h"
 
 namespace winslow {
 
@@ -147,6 +150,137 @@ FadedArc faded_arc(const std::vector<Index>& loop, const Coordinates& x, std::si
     arc.shares.push_back(share[at]);
   }
   return arc;
+}
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The distance of c that a triangle a, b, c gives, where those of a and b are known: that of the
+/// point of its plane, beyond the edge, which is as far from a and b as the source is; the way
+/// along an edge where the straight one does not cross the triangle.
+double distance_across(const Vec3& a, double to_a, const Vec3& b, double to_b, const Vec3& c) {
+  const double along_edges = std::min(to_a + (c - a).norm(), to_b + (c - b).norm());
+  const double length = (b - a).norm();
+  if (!(length > 0)) return along_edges;
+  const Vec3 unit = (b - a) / length;
+  const double x = (c - a).dot(unit);
+  const double y = (c - a - x * unit).norm();
+  // Both are held: so is the edge between them.
+  if (to_a == 0 && to_b == 0) return x >= 0 && x <= length ? y : along_edges;
+  const double from_x = (to_a * to_a - to_b * to_b + length * length) / (2 * length);
+  const double from_y2 = to_a * to_a - from_x * from_x;
+  if (from_y2 < 0) return along_edges;
+  const double from_y = std::sqrt(from_y2);
+  if (!(y + from_y > 0)) return along_edges;
+  const double crossing = from_x + (x - from_x) * from_y / (y + from_y);
+  if (crossing < 0 || crossing > length) return along_edges;
+  return std::hypot(x - from_x, y + from_y);
+}
+
+/// The triangles of a surface, its nodes numbered from 0 on.
+struct Triangles {
+  std::vector<Index> nodes;                ///< of the mesh, ascending
+  std::vector<std::array<Index, 3>> all;   ///< numbers of nodes
+  std::vector<std::vector<Index>> around;  ///< of a node: triangles
+
+  explicit Triangles(std::span<const Face> faces) {
+    for (const Face& face : faces) nodes.insert(nodes.end(), face.begin(), face.end());
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    around.resize(nodes.size());
+    for (const Face& face : faces) {
+      const std::size_t n = face.size();
+      // Both halves of a quadrilateral, by either diagonal.
+      for (std::size_t k = 0; k < (n == 4 ? 4 : n == 3 ? 1 : 0); ++k)
+        add({face[k], face[(k + 1) % n], face[(k + 2) % n]});
+    }
+  }
+  std::optional<Index> number(Index node) const {
+    const auto it = std::lower_bound(nodes.begin(), nodes.end(), node);
+    if (it == nodes.end() || *it != node) return std::nullopt;
+    return static_cast<Index>(it - nodes.begin());
+  }
+
+ private:
+  void add(const std::array<Index, 3>& corners) {
+    std::array<Index, 3> numbers{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      numbers[k] = *number(corners[k]);
+      around[at(numbers[k])].push_back(static_cast<Index>(all.size()));
+    }
+    all.push_back(numbers);
+  }
+};
+
+/// Fast marching: the nearest node that is not final becomes it, and its triangles tell the others.
+class Marching {
+ public:
+  Marching(const Triangles& triangles, const Coordinates& x)
+      : triangles_(triangles),
+        x_(x),
+        distance_(triangles.nodes.size(), infinity),
+        final_(triangles.nodes.size(), 0) {}
+
+  std::vector<double> run(std::span<const Index> held, double radius) {
+    for (const Index node : held)
+      if (const auto number = triangles_.number(node)) offer(*number, 0);
+    while (!waiting_.empty()) {
+      const auto [distance, node] = waiting_.top();
+      waiting_.pop();
+      if (distance > radius) break;
+      if (final_[at(node)] != 0) continue;
+      final_[at(node)] = 1;
+      for (const Index t : triangles_.around[at(node)]) spread(node, triangles_.all[at(t)]);
+    }
+    return std::move(distance_);
+  }
+
+ private:
+  void offer(Index node, double distance) {
+    if (!(distance < distance_[at(node)])) return;
+    distance_[at(node)] = distance;
+    waiting_.emplace(distance, node);
+  }
+  Vec3 position(Index node) const { return x_.xyz(triangles_.nodes[at(node)]); }
+
+  void spread(Index from, const std::array<Index, 3>& triangle) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index to = triangle[k];
+      if (to == from || final_[at(to)] != 0) continue;
+      const Index other =
+          triangle[(k + 1) % 3] == from ? triangle[(k + 2) % 3] : triangle[(k + 1) % 3];
+      const double so_far = distance_[at(from)];
+      if (final_[at(other)] != 0)
+        offer(to, distance_across(position(from), so_far, position(other), distance_[at(other)],
+                                  position(to)));
+      else
+        offer(to, so_far + (position(to) - position(from)).norm());
+    }
+  }
+
+  const Triangles& triangles_;
+  const Coordinates& x_;
+  std::vector<double> distance_;
+  std::vector<unsigned char> final_;
+  using Entry = std::pair<double, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> waiting_;
+};
+
+}  // namespace
+
+FadedPatch faded_patch(std::span<const Face> faces, const Coordinates& x,
+                       std::span<const Index> held, double radius) {
+  const Triangles triangles(faces);
+  const std::vector<double> distance = Marching(triangles, x).run(held, radius);
+  FadedPatch patch;
+  for (std::size_t k = 0; k < distance.size(); ++k) {
+    const double share = distance[k] == 0 ? 1 : faded_share(distance[k], radius);
+    if (share <= 0) continue;
+    patch.nodes.push_back(triangles.nodes[k]);
+    patch.shares.push_back(share);
+  }
+  return patch;
 }
 
 }  // namespace winslow

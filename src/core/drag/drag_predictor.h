@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "core/motion/space_motion.h"
-#include "core/outer/steady_solver.h"
+#include "core/motion/rigid_motion.h"
+#include "core/outer/outer_solver.h"
 
 namespace winslow {
 

@@ -9,7 +9,7 @@
 
 #include "core/drag/drag_predictor.h"
 #include "core/error.h"
-#include "core/motion/space_motion.h"
+#include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
 #include "core/strategy/reference_start.h"
 #include "core/strategy/smooth_run.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/drag/drag_grip.h"
-#include "core/mesh/local_frame.h"
+#include "core/mesh/mesh.h"
 
 namespace winslow {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/formulation/volume_metric.h"
+#include "core/formulation/target_metric.h"
 
 namespace winslow {
 

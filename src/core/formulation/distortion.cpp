@@ -1,5 +1,7 @@
 #include "core/formulation/distortion.h"
 
+#include <Eigen/LU>
+
 namespace winslow::distortion {
 
 namespace {
@@ -92,6 +94,16 @@ void add_projected_blocks(const Corner2& q, const ShapeTerm& term, const Penalty
   add_rank_one(term.weight * flip, svd.between({0, half_root, half_root, 0}), root, blocks);
   add_rank_one(term.weight * scaling.eigenvalue, svd.between({scaling.x, 0, 0, scaling.y}), root,
                blocks);
+}
+
+Corner3::Corner3(const std::array<Vec3, 4>& p) {
+  for (int k = 0; k < 3; ++k) edges.col(k) = p[static_cast<std::size_t>(k + 1)] - p[0];
+  d = edges.determinant();
+}
+
+double Corner3::distortion(const VolumeTerm& term) const {
+  const double s = (edges.transpose() * edges).cwiseProduct(metric_of(term)).sum();
+  return d > 0 ? s / (3 * std::cbrt(d) * std::cbrt(d)) : -1;
 }
 
 }  // namespace winslow::distortion

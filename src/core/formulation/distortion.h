@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "core/formulation/cell_targets.h"
-#include "core/formulation/penalty_function.h"
+#include "core/formulation/target_metric.h"
 #include "core/formulation/triangle_kernel.h"
+#include "core/formulation/variational_form.h"
 
 /// Distortion of one triangle against one target, and the projection of its Hessian. Values,
 /// gradients and exact Hessians: triangle_kernel.h, where the equations are.
@@ -36,5 +38,18 @@ struct Corner2 {
 /// exactly one is positive because psi does not change with size.
 void add_projected_blocks(const Corner2& q, const ShapeTerm& term, const PenaltyFunction& psi,
                           double* blocks);
+
+/// Distortion of one tetrahedron against one target. Gradients and Hessians: tetrahedron_kernel.h,
+/// where the equations are.
+
+/// The three edges at the tetrahedron's first node, and the determinant.
+struct Corner3 {
+  Edges3 edges;
+  double d;
+
+  explicit Corner3(const std::array<Vec3, 4>& p);
+  /// f; not positive where the tetrahedron is inverted.
+  double distortion(const VolumeTerm& term) const;
+};
 
 }  // namespace winslow::distortion

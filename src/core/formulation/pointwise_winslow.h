@@ -4,10 +4,9 @@
 #include <vector>
 
 #include "core/formulation/nodal_operator.h"
-#include "core/formulation/node_pattern.h"
 #include "core/formulation/stencil_operator.h"
-#include "core/problem/equation_problem.h"
-#include "core/problem/node_problem.h"
+#include "core/problem/node_unknowns.h"
+#include "core/problem/smoothing_problem.h"
 
 namespace winslow {
 

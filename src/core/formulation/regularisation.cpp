@@ -1,6 +1,6 @@
 #include <Eigen/Geometry>
 
-#include "core/formulation/regularised_sizes.h"
+#include "core/formulation/regularisation.h"
 #include "core/formulation/variational_winslow.h"
 
 /// The regularised determinants of SimplexWinslow: how large they are chosen.

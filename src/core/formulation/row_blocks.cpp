@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/linear/aggregation.h"
 #include "core/linear/pattern_builder.h"
+#include "core/linear/smoothed_aggregation.h"
 #include "core/parallel/parallel_for.h"
 
 namespace winslow {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/index.h"
+#include "core/types.h"
 
 /// What the innermost loops of the variational form read and write, over the triangles of a plane
 /// mesh (D = 2) and the tetrahedra of a volume mesh (D = 3). Equations: triangle_kernel.h and

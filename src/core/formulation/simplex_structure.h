@@ -8,9 +8,7 @@
 
 #include "core/formulation/cell_targets.h"
 #include "core/formulation/follower_rows.h"
-#include "core/formulation/periodic_rows.h"
 #include "core/formulation/row_blocks.h"
-#include "core/formulation/row_sums.h"
 #include "core/formulation/sliding_rows.h"
 #include "core/problem/node_unknowns.h"
 

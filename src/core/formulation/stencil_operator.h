@@ -2,10 +2,14 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <span>
+#include <vector>
 
 #include "core/formulation/nodal_operator.h"
 #include "core/formulation/volume_functionals.h"
+#include "core/linear/sparse_system.h"
+#include "core/mesh/topology.h"
 #include "core/vcv/stencil_functionals.h"
 
 namespace winslow {
@@ -60,6 +64,19 @@ struct StencilOperator<3> {
   static Coefficients coefficients(const Matrix& g) { return winslow_tensor(g); }
   /// B_x, B_y, B_z; zero where the cofactors of the gradient vanish.
   static std::array<Matrix, 3> slopes(const Matrix& g, const Fluxes& flux, const Vec3& residual);
+};
+
+/// Pattern of the systems of some nodes of a mesh: row i is node i of them and those of its
+/// neighbours that are among them.
+struct NodePattern {
+  /// nodes: ascending.
+  NodePattern(const Topology& topology, std::span<const Index> nodes);
+
+  std::shared_ptr<const SparsityPattern> pattern;
+  std::vector<Index> row_of_node;  ///< #nodes, -1 for nodes without a row
+  /// For each entry of Topology::neighbour_rows(): where its matrix entry lies, -1 if there is
+  /// none.
+  std::vector<Index> entry_of_neighbour;
 };
 
 }  // namespace winslow

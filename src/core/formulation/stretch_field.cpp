@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "core/formulation/target_metric.h"
-#include "core/formulation/volume_metric.h"
 #include "core/mesh/corner_tetrahedra.h"
 #include "core/parallel/parallel_for.h"
 #include "core/quality/corner.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/linear/pattern_builder.h"
-#include "core/mesh/joined_sets.h"
+#include "core/mesh/index_sets.h"
 #include "core/parallel/parallel_for.h"
 #include "core/quality/corner.h"
 

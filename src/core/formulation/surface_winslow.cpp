@@ -12,11 +12,11 @@
 #include "core/error.h"
 #include "core/formulation/corner_lengths.h"
 #include "core/formulation/distortion.h"
-#include "core/formulation/regularised_sizes.h"
-#include "core/formulation/row_sums.h"
-#include "core/formulation/surface_path.h"
+#include "core/formulation/regularisation.h"
+#include "core/formulation/sliding_rows.h"
+#include "core/formulation/target_path.h"
 #include "core/parallel/parallel_for.h"
-#include "core/problem/run_validity.h"
+#include "core/problem/node_unknowns.h"
 
 namespace winslow {
 

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
+#include "core/formulation/cell_targets.h"
 #include "core/formulation/target_shapes.h"
+#include "core/mesh/element_type.h"
 #include "core/types.h"
 
 namespace winslow {
@@ -60,6 +64,80 @@ inline TargetMetric between(const TargetMetric& a, const TargetMetric& b, double
   metric.add(std::sinh((1 - share) * way) / std::sinh(way), a);
   metric.add(std::sinh(share * way) / std::sinh(way), b);
   return metric;
+}
+
+/// Three edges from a node of a tetrahedron, as columns.
+using Edges3 = Eigen::Matrix3d;
+
+/// Metric of a target tetrahedron over its three edges: the inverse of their Gram matrix, scaled to
+/// determinant 1. Two tetrahedra are similar if their metrics are the same.
+inline Eigen::Matrix3d volume_metric(const Edges3& edges) {
+  // By the cofactors of the edges: the determinant of the metric itself is all cancellation where
+  // the tetrahedron is flat.
+  Eigen::Matrix3d cofactors;
+  for (int k = 0; k < 3; ++k)
+    cofactors.row(k) = edges.col((k + 1) % 3).cross(edges.col((k + 2) % 3));
+  const double root = std::cbrt(edges.determinant());
+  return cofactors * cofactors.transpose() / (root * root * root * root);
+}
+
+/// Whether a corner is right-handed and not so flat that its metric is all round-off: of a flatter
+/// one the shape says nothing. That of a tetrahedron 10 million times as long as high.
+inline bool has_metric(const Edges3& edges) {
+  constexpr double flattest = 1e-7;
+  const double lengths = edges.col(0).norm() * edges.col(1).norm() * edges.col(2).norm();
+  return edges.determinant() > flattest * lengths;
+}
+
+/// A sum of metrics, scaled back to determinant 1.
+inline Eigen::Matrix3d normalized_metric(const Eigen::Matrix3d& sum) {
+  const Eigen::Matrix3d lower = sum.llt().matrixL();
+  const double root = std::cbrt(lower.diagonal().prod());
+  return sum / (root * root);
+}
+
+inline VolumeTerm volume_term(const Eigen::Matrix3d& a, double weight) {
+  return {a(0, 0), a(0, 1), a(0, 2), a(1, 1), a(1, 2), a(2, 2), weight};
+}
+
+inline Eigen::Matrix3d metric_of(const VolumeTerm& t) {
+  Eigen::Matrix3d a;
+  a << t.a11, t.a12, t.a13, t.a12, t.a22, t.a23, t.a13, t.a23, t.a33;
+  return a;
+}
+
+/// Metrics of the corners of the regular element, in the order of corner_tetrahedra().
+const std::vector<Eigen::Matrix3d>& regular_metrics(ElementType type);
+/// The same of edge_tetrahedra().
+const std::vector<Eigen::Matrix3d>& regular_edge_metrics(ElementType type);
+
+/// How one metric lies in another's eyes: a = L L^T, and L^-1 b L^-T = V diag(values) V^T.
+struct RelativeMetric {
+  Eigen::Matrix3d lower, vectors;
+  Vec3 values;  ///< ascending; squares of the singular values of the map between the shapes
+
+  RelativeMetric(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) : lower(a.llt().matrixL()) {
+    const auto triangular = lower.triangularView<Eigen::Lower>();
+    Eigen::Matrix3d seen = triangular.solve(b);
+    seen = triangular.solve(seen.transpose().eval()).eval();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(0.5 * (seen + seen.transpose()));
+    vectors = eigen.eigenvectors();
+    values = eigen.eigenvalues();
+  }
+  /// Logarithm of the largest over the smallest singular value: 0 if the shapes are similar.
+  double stretch() const { return 0.5 * std::log(values[2] / values[0]); }
+  /// At `share` of the way along the geodesic from a (0) to b (1).
+  Eigen::Matrix3d between(double share) const {
+    const Eigen::Matrix3d root = lower * vectors;
+    const Vec3 power = (share * values.array().log()).exp();
+    const double scale = std::cbrt(lower.diagonal().prod());
+    return root * power.asDiagonal() * root.transpose() / (scale * scale * std::cbrt(power.prod()));
+  }
+};
+
+/// Logarithm of how much longer than wide one shape is in the other's.
+inline double stretch_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
+  return RelativeMetric(a, b).stretch();
 }
 
 }  // namespace winslow

@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
+#include "core/formulation/surface_winslow.h"
 #include "core/formulation/target_metric.h"
 #include "core/formulation/variational_winslow.h"
-#include "core/formulation/volume_metric.h"
 
 namespace winslow {
 
@@ -27,6 +27,18 @@ class ShapePath final : public TargetPath {
   std::shared_ptr<const SimplexWinslow<D>> end_;
   int threads_;
   std::vector<Metric> own_;  // of each cell of the formulation, in its order
+};
+
+/// TargetPath over the triangles of a surface mesh.
+class SurfacePath final : public TargetPath {
+ public:
+  /// end: with the targets that are wanted. from: a valid mesh.
+  SurfacePath(std::shared_ptr<const SurfaceWinslow> end, const Coordinates& from);
+  std::shared_ptr<const VariationalForm> at_share(double share) const override;
+
+ private:
+  std::shared_ptr<const SurfaceWinslow> end_;
+  std::vector<TargetMetric> own_;  // of each cell
 };
 
 }  // namespace winslow

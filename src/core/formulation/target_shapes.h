@@ -3,7 +3,6 @@
 #include <span>
 
 #include "core/formulation/cell_targets.h"
-#include "core/formulation/target_blend.h"
 #include "core/mesh/coordinates.h"
 #include "core/problem/node_classes.h"
 #include "core/types.h"

@@ -8,10 +8,9 @@
 
 #include "core/formulation/corner_lengths.h"
 #include "core/formulation/distortion.h"
-#include "core/formulation/row_sums.h"
 #include "core/formulation/simplex_structure.h"
+#include "core/formulation/sliding_rows.h"
 #include "core/formulation/target_path.h"
-#include "core/formulation/tetrahedron_distortion.h"
 #include "core/parallel/parallel_for.h"
 
 namespace winslow {

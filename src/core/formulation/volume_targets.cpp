@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 #include "core/formulation/stretch_field.h"
-#include "core/formulation/volume_metric.h"
+#include "core/formulation/target_metric.h"
 #include "core/mesh/corner_tetrahedra.h"
 #include "core/parallel/parallel_for.h"
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/formulation/cell_targets.h"
-#include "core/formulation/target_blend.h"
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"
 #include "core/problem/node_classes.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/geometry/curve.h"
-#include "core/index.h"
+#include "core/types.h"
 
 namespace winslow {
 

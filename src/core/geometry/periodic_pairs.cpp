@@ -8,8 +8,7 @@
 #include <optional>
 
 #include "core/error.h"
-#include "core/mesh/place.h"
-#include "core/mesh/place_text.h"
+#include "core/mesh/coordinates.h"
 #include "core/options/option.h"
 #include "core/search/box_tree.h"
 

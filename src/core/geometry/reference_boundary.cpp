@@ -9,12 +9,10 @@
 
 #include "core/error.h"
 #include "core/geometry/boundary_kinds.h"
-#include "core/geometry/reference_lines.h"
 #include "core/geometry/reference_shape.h"
-#include "core/geometry/sliding_faces.h"
-#include "core/geometry/space_geometry.h"
-#include "core/mesh/joined_sets.h"
-#include "core/mesh/place_text.h"
+#include "core/geometry/space_boundary.h"
+#include "core/mesh/coordinates.h"
+#include "core/mesh/index_sets.h"
 #include "core/options/option.h"
 
 namespace winslow {

@@ -3,10 +3,14 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
+#include <span>
+#include <vector>
 
-#include "core/geometry/reference_surface.h"
-#include "core/geometry/surface/triangle_tree.h"
-#include "core/geometry/surface_shapes.h"
+#include "core/geometry/sliding_boundary.h"
+#include "core/geometry/surface/triangulation.h"
+#include "core/geometry/surface_features.h"
+#include "core/mesh/surface_faces.h"
 
 namespace winslow {
 
@@ -89,6 +93,70 @@ class ReferenceShape {
   Triangulation triangles_;                               // of all regions
   std::vector<Index> region_of_triangle_;
   TriangleTree tree_;
+};
+
+/// Which edges of a mesh run along the feature lines of a reference surface, and where the lines
+/// end.
+///
+/// Near is measured by the shortest edges at the ends of an edge, so that rows of thin elements
+/// beside a line are told from it. An edge belongs to a line if its ends and its middle lie within
+/// .3 of that, and it points along the line. Where a line is not found so along half of its length,
+/// the edges at which the mesh turns by the feature angle may be .7 away.
+///
+/// A line that is not found all along, and does not close, is looked for as a whole then: as the
+/// chain of edges that goes on along it, within .5 of it, or within 1 where the mesh turns by half
+/// of the feature angle; of all such chains the one that covers most of it, its parts the more so
+/// the nearer they are to it and the more the mesh turns there (exact, by dynamic programming:
+/// along a chain the length of arc grows). It takes the place of what was found before if it is
+/// longer, has two edges at least, and covers half of the line.
+class ReferenceLines {
+ public:
+  /// angle: of features, in degrees. x: of all nodes of the mesh.
+  ReferenceLines(const SpacePoints& x, std::span<const SurfaceFace> faces,
+                 const SurfaceEdges& edges, Index node_count, const ReferenceShape& shape,
+                 double angle);
+
+  /// #edges; -1: along none.
+  const std::vector<Index>& lines() const { return lines_; }
+  /// Length of the shortest edge at each node (#nodes).
+  const std::vector<double>& shortest() const { return shortest_; }
+  /// The corners of the reference surface that faces of the mesh would cut off, and the nodes for
+  /// them: of the nodes in which the edges along a line that comes from a corner end, the nearest
+  /// one, if between half and one mean length of the edges at it away.
+  const std::map<Index, Vec3>& corners() const { return corners_; }
+  /// Nodes in which the edges along a line end where it fades out: the reference surface turns by
+  /// less than the feature angle beyond. Not those that are at its end (.3).
+  const std::set<Index>& fading() const { return fading_; }
+
+ private:
+  /// An edge as a line runs.
+  struct Step {
+    Index edge, from, to;
+    double begin, end;  ///< lengths of arc along the line
+    double worth;
+  };
+
+  double length(Index edge) const;
+  double mean_length(Index node) const;  // of the edges at it
+  Index line_along(Index edge, double share) const;
+  void find_edges();
+  void find_chains();
+  std::vector<Step> steps_along(Index line, std::span<const Index> edges) const;
+  std::vector<Step> best_chain(std::span<const Step> steps) const;
+  bool meets_other_line(Index node, Index line) const;
+  bool share_face(Index edge, Index other) const;
+  void find_corners();
+
+  SpacePoints x_;
+  const SurfaceEdges& edges_;
+  const ReferenceShape& shape_;
+  std::vector<double> turns_;                 // #edges: 1, 1/2, 0: the angle, half of it, less
+  std::vector<double> shortest_;              // #nodes
+  std::vector<std::vector<Index>> edges_at_;  // #nodes
+  std::vector<Index> lines_;                  // #edges
+  std::vector<double> found_;                 // #lines, length of the edges along each
+  std::map<Index, Vec3> corners_;
+  std::set<Index> fading_;
 };
 
 }  // namespace winslow

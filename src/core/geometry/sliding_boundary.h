@@ -7,14 +7,38 @@
 #include <vector>
 
 #include "core/geometry/curve_row.h"
-#include "core/geometry/feature_rules.h"
 #include "core/geometry/periodic_pairs.h"
-#include "core/geometry/reference_surface.h"
 #include "core/geometry/sliding_geometry.h"
 #include "core/mesh/coordinates.h"
+#include "core/mesh/element_type.h"
 #include "core/mesh/topology.h"
+#include "core/types.h"
 
 namespace winslow {
+
+/// What counts as a feature of a boundary, and which of its nodes slide.
+struct FeatureRules {
+  double angle = 40;             ///< degrees by which a boundary turns at a corner or an edge
+  bool slide_along = false;      ///< in space nodes slide along feature lines, too
+  std::vector<Index> hold = {};  ///< nodes that stay, whatever was found of them
+  /// Nodes at which the boundary counts as smooth, however much it turns: they slide on the curve
+  /// or the surface through them.
+  std::vector<Index> smooth = {};
+
+  bool operator==(const FeatureRules&) const = default;
+};
+
+/// A surface that is given besides a mesh, for the nodes of the mesh to slide on: finer than the
+/// mesh as a rule, from CAD or a scan. Lengths in the unit of the mesh.
+struct ReferenceSurface {
+  std::string source;  ///< name of the file, for messages
+  std::vector<Vec3> points;
+  std::vector<Face> faces;  ///< triangles and quadrilaterals, of points
+};
+
+/// The same, `origin` subtracted from its points.
+std::shared_ptr<const ReferenceSurface> moved_to(const ReferenceSurface& surface,
+                                                 const Vec3& origin);
 
 /// What becomes of the spacing of nodes along a curve: of the shares that the edges have of the
 /// length of their stretch.

@@ -1,18 +1,106 @@
+#include "core/geometry/space_boundary.h"
+
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
 #include <set>
 #include <utility>
 
-#include "core/geometry/boundary_kinds.h"
-#include "core/geometry/sliding_faces.h"
-#include "core/geometry/space_geometry.h"
-#include "core/geometry/surface_shapes.h"
+#include "core/geometry/surface_features.h"
 #include "core/options/option.h"
-#include "core/search/box.h"
+#include "core/parallel/parallel_for.h"
+#include "core/search/box_tree.h"
 
 namespace winslow {
+
+namespace {
+
+Foot on_curve(const SpaceCurve& curve, const Vec3& point) {
+  const CurvePoint<3> place = curve.nearest(point);
+  Foot foot;
+  foot.point = place.point;
+  foot.frame.add(place.tangent);
+  foot.bend[0] = place.curvature;
+  return foot;
+}
+
+/// direction: along which the first of the frame points, as far as the surface lets it, so that
+/// frames of places near one another are near one another.
+Foot on_surface(const Surface& surface, const Vec3& direction, const Vec3& point) {
+  const SurfacePoint place = surface.nearest(point);
+  const Vec3& n = place.normal;
+  Vec3 first = direction - direction.dot(n) * n;
+  constexpr double least = 0.1;
+  first = first.norm() > least ? Vec3(first.normalized()) : n.unitOrthogonal();
+  const Vec3 second = n.cross(first);
+  Foot foot;
+  foot.point = place.point;
+  foot.frame.add(first);
+  foot.frame.add(second);
+  foot.bend = {first.dot(place.form * first) * n, first.dot(place.form * second) * n,
+               second.dot(place.form * second) * n};
+  return foot;
+}
+
+}  // namespace
+
+Foot SpaceGeometry::foot(Index node, const Vec3& point) const {
+  const Slider& slider = sliders_[at(numbers_.of(node))];
+  const Piece& piece = pieces_[at(slider.piece)];
+  return piece.surface ? on_surface(*piece.surface, slider.direction, point)
+                       : on_curve(*piece.curve, point);
+}
+
+void SpaceGeometry::add(std::shared_ptr<const Surface> surface, std::span<const Index> nodes,
+                        const SpacePoints& x) {
+  constexpr Index block = 512;  // a search in a triangulation each
+  const std::size_t first = sliders_.size();
+  sliders_.resize(first + nodes.size(), {static_cast<Index>(pieces_.size()), Vec3::Zero()});
+  const auto find = [&](Index begin, Index end) {
+    for (std::size_t i = at(begin); i < at(end); ++i)
+      sliders_[first + i].direction = surface->nearest(x[nodes[i]]).normal.unitOrthogonal();
+  };
+  parallel_for(0, static_cast<Index>(nodes.size()), find, block);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    numbers_.set(nodes[i], static_cast<Index>(first + i));
+  pieces_.push_back({std::move(surface), nullptr});
+}
+
+void SpaceGeometry::add(std::shared_ptr<const SpaceCurve> curve, std::span<const Index> nodes) {
+  for (const Index node : nodes) {
+    numbers_.set(node, static_cast<Index>(sliders_.size()));
+    sliders_.push_back({static_cast<Index>(pieces_.size()), Vec3::Zero()});
+  }
+  pieces_.push_back({nullptr, std::move(curve)});
+}
+
+SlidingFaces sliding_faces(const Topology& topology, std::span<const Index> markers) {
+  SlidingFaces out;
+  out.stays.assign(at(topology.node_count()), 0);
+  const bool surface = topology.cell_dimension() == 2;
+  for (const SurfaceFace& face : boundary_faces(topology)) {
+    if (surface || std::ranges::find(markers, face.marker) != markers.end())
+      out.faces.push_back(face);
+    else
+      for (const Index node : face.nodes) out.stays[at(node)] = 1;
+  }
+  return out;
+}
+
+std::string part_name(const Topology& topology, Index marker) {
+  return marker < 0 ? std::string("surface") : topology.markers()[at(marker)].name;
+}
+
+std::map<Index, Index> markers_at(std::span<const SurfaceFace> faces) {
+  std::map<Index, Index> marker_at;
+  for (const SurfaceFace& face : faces)
+    for (const Index node : face.nodes) {
+      const auto [place, is_new] = marker_at.try_emplace(node, face.marker);
+      if (!is_new) place->second = std::min(place->second, face.marker);
+    }
+  return marker_at;
+}
 
 namespace {
 

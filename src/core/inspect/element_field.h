@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/layers/layer_stack.h"
-#include "core/mesh/mesh_kind.h"
+#include "core/mesh/topology.h"
 #include "core/quality/metric.h"
 #include "core/quality/surface_distance.h"
 #include "core/quality/wall_field.h"

@@ -8,7 +8,6 @@
 
 #include "core/layers/clearance.h"
 #include "core/layers/row_rules.h"
-#include "core/layers/strip_step.h"
 #include "core/layers/wall_chain.h"
 
 namespace winslow {

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "core/layers/layer_plan.h"
 #include "core/layers/layer_stack.h"
 
 namespace winslow {
@@ -19,5 +20,9 @@ LayerStack fitted_layers(const LayerStack& stack, const Topology& topology, cons
 /// give way, and where even layers as high as the first are too thick, all are of one height.
 /// Heights that do not grow are made thinner in proportion.
 std::vector<double> thinned(std::span<const double> heights, double thickness);
+
+/// The plan by which layers are inserted: as plan_layers(), and where neighbouring columns would
+/// cross they are made thinner until they do not. options: with counts. Throws as plan_layers().
+LayerStack sound_plan(const Mesh& mesh, const LayerOptions& options);
 
 }  // namespace winslow

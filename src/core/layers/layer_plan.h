@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "core/layers/column_override.h"
+#include "core/layers/layer_spacing.h"
 #include "core/layers/layer_stack.h"
-#include "core/layers/layer_wall.h"
 #include "core/mesh/mesh.h"
+#include "core/options/option.h"
 
 namespace winslow {
 
@@ -45,5 +45,10 @@ LayerStack plan_layers(const Mesh& mesh, const LayerOptions& options);
 /// anew. options: with counts.
 void take_room(LayerStack& stack, const std::vector<std::size_t>& columns, double factor,
                LayerLimit limit, const LayerOptions& options, const Coordinates& x);
+
+/// All that a user can set of the heights of layers.
+OptionTable option_table(LayerSpacing& spacing);
+/// All that a user can set of where layers go, but for the walls and the overrides.
+OptionTable option_table(LayerOptions& options);
 
 }  // namespace winslow

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/error.h"
-#include "core/layers/layer_option_tables.h"
+#include "core/layers/layer_plan.h"
 
 namespace winslow {
 

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <limits>
 #include <optional>
+#include <string>
 #include <vector>
+
+#include "core/types.h"
 
 namespace winslow {
 
@@ -50,5 +54,27 @@ int layers_until(const LayerSpacing& spacing, double last);
 /// reynolds: of the reference length; length: that length in units of the mesh. Throws UsageError
 /// for numbers that are not positive.
 double first_height_for_y_plus(double y_plus, double reynolds, double length);
+
+/// A box, in units of the mesh. The default holds everything.
+struct WallPart {
+  double xmin = -std::numeric_limits<double>::infinity();
+  double xmax = std::numeric_limits<double>::infinity();
+  double ymin = -std::numeric_limits<double>::infinity();
+  double ymax = std::numeric_limits<double>::infinity();
+
+  bool holds(const Vec2& p) const {
+    return p.x() >= xmin && p.x() <= xmax && p.y() >= ymin && p.y() <= ymax;
+  }
+  bool operator==(const WallPart&) const = default;
+};
+
+/// A wall and the layers that it is to have.
+struct LayerWall {
+  std::vector<std::string> markers;
+  LayerSpacing spacing;
+  WallPart part = {};  ///< only edges of the markers with both ends in this box
+
+  bool operator==(const LayerWall&) const = default;
+};
 
 }  // namespace winslow

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "core/layers/layer_stack.h"
+#include "core/mesh/half_edge.h"
+#include "core/mesh/topology.h"
 
 namespace winslow {
 
@@ -42,5 +44,18 @@ void end_where_growth_ends(std::vector<Strip>& strips, std::size_t chain);
 
 /// A strip has at most two rows more than those beside it, a sector of a fan no more than they.
 void level_neighbours(std::vector<Strip>& strips, std::size_t columns);
+
+/// One row of a strip of elements between two columns: a quadrilateral, or the two triangles that a
+/// diagonal makes of one.
+struct StripStep {
+  Index left = -1, right = -1;            ///< nodes that the two columns go on to
+  std::array<Index, 2> elements{-1, -1};  ///< second: -1 if the first is a quadrilateral
+  OpenMesh::HalfedgeHandle top;           ///< from `left` to `right`, what is above on its left
+};
+
+/// The rows that may lie above an edge, which leads from the left column to the right one with what
+/// is above on its left: one for a quadrilateral; for a triangle up to two, with the triangle
+/// beyond either of its other sides; none at the boundary. Geometry has to tell which of two it is.
+std::vector<StripStep> steps_above(const Topology& topology, OpenMesh::HalfedgeHandle edge);
 
 }  // namespace winslow

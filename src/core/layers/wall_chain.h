@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "core/layers/layer_wall.h"
+#include "core/layers/layer_spacing.h"
 #include "core/mesh/mesh.h"
 
 namespace winslow {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/index.h"
+#include "core/types.h"
 
 /// Innermost loops over 3 by 3 blocks in double precision, in two versions: four doubles are one
 /// register with AVX2, and a row of a block fills three of them. Both round alike. Blocks are

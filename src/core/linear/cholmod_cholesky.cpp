@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/linear/blas_memory.h"
-#include "core/linear/eigen_matrix.h"
 #include "core/linear/factorisation.h"
 
 namespace winslow {

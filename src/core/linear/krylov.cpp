@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/linear/columns.h"
 #include "core/linear/vector_operations.h"
 
 namespace winslow {

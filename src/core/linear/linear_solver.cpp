@@ -4,10 +4,7 @@
 #include <array>
 
 #include "core/error.h"
-#include "core/linear/automatic_solver.h"
-#include "core/linear/direct_solver.h"
-#include "core/linear/krylov_solver.h"
-#include "core/linear/point_implicit_solver.h"
+#include "core/linear/solver_kinds.h"
 
 namespace winslow {
 

@@ -1,10 +1,61 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <vector>
 
+#include "core/linear/blocks.h"
 #include "core/linear/preconditioner.h"
+#include "core/linear/sparse_system.h"
 
 namespace winslow {
+
+/// Block Gauss-Seidel sweeps over a symmetric positive definite matrix, threaded: Gauss-Seidel
+/// within each run of parallel_block rows, Jacobi from run to run. With A = L + D + L^T + O, where
+/// L is the strictly lower part within runs and O what connects different runs,
+///
+///   M = L + D C,
+///
+/// C a diagonal that is 1 except where O outweighs D, chosen such that M + M^T - A is positive
+/// definite: the sweep then never diverges (A. Baker, R. Falgout, T. Kolev and U. Yang, SIAM J.
+/// Sci. Comput. 33, 2011).
+class GaussSeidel {
+ public:
+  /// Copies the matrix. Throws NotPositiveDefinite if a block on the diagonal is not.
+  void build(const SparseMatrix& matrix, int threads);
+
+  /// x = M^-1 b, the forward sweep from x = 0, and r = b - A x.
+  void forward(std::span<const Real> b, std::span<Real> x, std::span<Real> r, int threads) const;
+  /// x += M^-T (b - A x), the backward sweep. before: a copy of x as it comes in.
+  void backward(std::span<const Real> b, std::span<const Real> before, std::span<Real> x,
+                int threads) const;
+
+  /// r = b - A x; b and r may be the same.
+  void defect(std::span<const Real> b, std::span<const Real> x, std::span<Real> r,
+              int threads) const;
+
+ private:
+  /// Row i of A times x over the entries [first, last) of the matrix.
+  template <int B>
+  void product(Index first, Index last, std::span<const Real> x, Real* out) const;
+  template <int B>
+  void build_rows(const SparseMatrix& matrix, Index begin, Index end);
+  template <int B>
+  void forward_rows(std::span<const Real> b, std::span<Real> x, Index begin, Index end) const;
+  template <int B>
+  void defect_after_forward(std::span<const Real> x, std::span<Real> r, Index begin,
+                            Index end) const;
+  template <int B>
+  void backward_rows(std::span<const Real> b, std::span<const Real> before, std::span<Real> x,
+                     Index begin, Index end) const;
+
+  std::shared_ptr<const SparsityPattern> pattern_;
+  int block_ = 1;
+  std::vector<Real> values_;
+  std::vector<Real> inverse_;  // (D C)^-1, row by row
+  std::vector<Real> excess_;   // C - 1, row by row
+  std::vector<Index> inside_;  // #rows by 2: first entry of a row within its run, and the end
+};
 
 /// One W-cycle of algebraic multigrid by smoothed aggregation (P. Vanek, J. Mandel and M. Brezina,
 /// Computing 56, 1996) with block Gauss-Seidel smoothing, forward on the way down and backward on

@@ -2,7 +2,6 @@
 #include <Eigen/SparseCholesky>
 
 #include "core/error.h"
-#include "core/linear/eigen_matrix.h"
 #include "core/linear/factorisation.h"
 
 namespace winslow {

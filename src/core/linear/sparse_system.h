@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/index.h"
+#include "core/types.h"
 
 namespace winslow {
 

@@ -1,12 +1,44 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <span>
+#include <vector>
 
 #include "core/linear/sparse_system.h"
 
+namespace winslow {
+
+/// Threads for a loop over about so many numbers, out of those that may be used: waking threads
+/// takes as long as thirty thousand multiplications. No result depends on it (see parallel_for).
+inline int worthwhile(int threads, std::size_t numbers) {
+  constexpr std::size_t least = 30'000;
+  return numbers < least ? 1 : threads;
+}
+
+/// Calls solve_one(b, x) for each of several right-hand sides that lie row after row, on contiguous
+/// copies; x goes in as the first guess and comes out as the solution.
+template <typename SolveOne>
+void for_each_column(std::span<const double> rhs, int columns, std::span<double> x,
+                     SolveOne&& solve_one) {
+  if (columns == 1) {
+    solve_one(rhs, x);
+    return;
+  }
+  const auto stride = static_cast<std::size_t>(columns);
+  std::vector<double> b(rhs.size() / stride), y(b.size());
+  for (std::size_t c = 0; c < stride; ++c) {
+    for (std::size_t i = 0; i < b.size(); ++i) {
+      b[i] = rhs[i * stride + c];
+      y[i] = x[i * stride + c];
+    }
+    solve_one(std::span<const double>(b), std::span<double>(y));
+    for (std::size_t i = 0; i < b.size(); ++i) x[i * stride + c] = y[i];
+  }
+}
+
 /// Threaded operations on long vectors and sparse matrices. Sums are taken over blocks of fixed
 /// size and in order, so that no result depends on the number of threads (0: all cores).
-namespace winslow {
 
 double dot(std::span<const double> a, std::span<const double> b, int threads);
 
@@ -26,5 +58,10 @@ double multiply(const SparseMatrix& a, std::span<const double> x, std::span<doub
 /// r = b - A x for one right-hand side. Returns r . r.
 double defect(const SparseMatrix& a, std::span<const double> b, std::span<const double> x,
               std::span<double> r, int threads);
+
+/// |B - A X| / |B| in the Euclidean norm, worst right-hand side; 0 where B is zero and met. rhs, x:
+/// #scalar rows by columns, row after row. NaN if x is not finite. threads: 0 for all cores.
+double relative_residual(const SparseMatrix& matrix, std::span<const double> rhs, int columns,
+                         std::span<const double> x, int threads = 1);
 
 }  // namespace winslow

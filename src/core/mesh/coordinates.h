@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/types.h"
@@ -103,5 +104,19 @@ class Points {
 };
 using PlanePoints = Points<2>;
 using SpacePoints = Points<3>;
+
+/// Where a node is, in space: a node of a plane mesh lies in the plane z = 0.
+inline Vec3 place_of(const Coordinates& x, Index node) {
+  if (x.dimension() == 3) return x.xyz(node);
+  const Vec2 p = x.xy(node);
+  return {p.x(), p.y(), 0};
+}
+
+/// "(0.25, -1.5)": a point for messages, in six significant digits; far from the origin in more, so
+/// that it can be found there.
+std::string place_text(const Vec2& p);
+std::string place_text(const Vec3& p);
+/// The same of a point whose last component is 0 in the plane.
+std::string place_text(const Vec3& p, int dimension);
 
 }  // namespace winslow

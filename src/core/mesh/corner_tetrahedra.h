@@ -3,8 +3,9 @@
 #include <array>
 #include <span>
 
-#include "core/index.h"
+#include "core/mesh/coordinates.h"
 #include "core/mesh/element_type.h"
+#include "core/types.h"
 
 namespace winslow {
 
@@ -37,5 +38,16 @@ inline std::array<Index, 4> by_nodes(const std::array<Index, 4>& corners,
   const auto node = [&](std::size_t k) { return element[at(corners[k])]; };
   return {node(0), node(1), node(2), node(3)};
 }
+
+/// Twice the signed area of a polygon of the plane (shoelace formula), relative to its first
+/// corner; positive counter-clockwise.
+double signed_area2(const Coordinates& x, std::span<const Index> corners);
+
+/// Six times the signed volume of an element of space: the flux of the position, relative to
+/// `origin`, through its faces (divergence theorem), a third of it. A quadrilateral counts as the
+/// bilinear surface through its corners, so neighbours agree on it exactly, up to sign and
+/// round-off.
+double signed_volume6(const Coordinates& x, ElementType type, std::span<const Index> corners,
+                      const Vec3& origin);
 
 }  // namespace winslow

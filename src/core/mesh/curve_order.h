@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "core/mesh/compressed_rows.h"
 #include "core/mesh/coordinates.h"
-#include "core/search/box.h"
+#include "core/mesh/index_sets.h"
+#include "core/search/box_tree.h"
 
 namespace winslow {
 

@@ -40,4 +40,18 @@ Face face_of_side(const MeshData& data, Index element, Index side_of_element);
 /// The first side of a face by its nodes.
 Face first_face(const MeshData& data, const FacePairs& pairs, Index face);
 
+/// Which elements have to be turned inside out for all to be oriented alike (#elements).
+///
+/// Elements that share a face have to see it in opposite directions, so orientation is walked from
+/// element to element through each connected part, and a tangled mesh is oriented rightly too. Then
+/// the part has its sign: plane and volume elements get a positive total area or volume, which the
+/// boundary alone decides; surface elements are oriented as the first of their part.
+///
+/// Throws MeshError: an orientation that cannot be made consistent; neighbours that join the
+/// corners of a shared quadrilateral in different orders; a plane or volume mesh without boundary.
+std::vector<bool> elements_to_turn(const MeshData& data, const FacePairs& pairs);
+
+/// The corners of all elements (as MeshData::element_nodes) with some elements turned.
+std::vector<Index> turned_elements(const MeshData& data, const std::vector<bool>& turn);
+
 }  // namespace winslow

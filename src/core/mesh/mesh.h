@@ -7,7 +7,7 @@
 #include "core/mesh/coordinates.h"
 #include "core/mesh/mesh_data.h"
 #include "core/mesh/topology.h"
-#include "core/search/box.h"
+#include "core/search/box_tree.h"
 
 namespace winslow {
 
@@ -37,5 +37,37 @@ Box<3> space_bounds(const Coordinates& coordinates, std::span<const Index> nodes
 
 /// The same around given nodes. Throws UsageError if there are none.
 Bounds bounds(const Coordinates& coordinates, std::span<const Index> nodes);
+
+/// Coordinates counted from a point near the mesh, for meshes far from the origin (UTM): solvers
+/// lose digits of 1e7 chords that the mesh has no use for.
+///
+/// Along each axis the point is the centre of the mesh where that is farther from 0 than 16 times
+/// the extent of the mesh, and 0 elsewhere. There half a coordinate is less than the centre and
+/// twice a coordinate more, so that differences are exact (Sterbenz) and coordinates that are put
+/// back are the same bit by bit.
+class LocalFrame {
+ public:
+  /// Of a plane mesh or of a volume mesh. Throws UsageError for a surface mesh.
+  explicit LocalFrame(const Mesh& mesh);
+
+  /// False for a mesh near the origin: the frame is that of the mesh.
+  bool shifts() const { return origin_ != Vec3(0, 0, 0); }
+  /// Its third component is 0 for a plane mesh.
+  const Vec3& origin() const { return origin_; }
+
+  Vec2 to_local(const Vec2& point) const { return point - origin_.head<2>(); }
+  Vec3 to_local(const Vec3& point) const { return point - origin_; }
+  Coordinates to_local(Coordinates x) const;
+  Mesh to_local(const Mesh& mesh) const { return {mesh.topology, to_local(mesh.coordinates)}; }
+
+  Vec2 to_mesh(const Vec2& point) const { return point + origin_.head<2>(); }
+  Vec3 to_mesh(const Vec3& point) const { return point + origin_; }
+  /// Nodes that are where `rest` has them come back bit by bit, even those far from the mesh (of no
+  /// element). rest: coordinates of the mesh; x may have more nodes.
+  Coordinates to_mesh(Coordinates x, const Coordinates& rest) const;
+
+ private:
+  Vec3 origin_{0, 0, 0};
+};
 
 }  // namespace winslow

@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "core/mesh/compressed_rows.h"
 #include "core/mesh/curve_order.h"
 #include "core/mesh/element_type.h"
 #include "core/mesh/face_pairs.h"
+#include "core/mesh/index_sets.h"
 
 namespace winslow {
 

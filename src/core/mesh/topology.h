@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/mesh/compressed_rows.h"
-#include "core/mesh/markers.h"
+#include "core/mesh/element_type.h"
+#include "core/mesh/index_sets.h"
 #include "core/mesh/mesh_data.h"
 #include "core/types.h"
 
@@ -58,7 +58,7 @@ class Topology {
   const CompressedRows& neighbour_rows() const { return neighbours_; }
   /// Elements around a node. In plane and surface meshes entry k lies between neighbour k and
   /// neighbour k+1 (cyclic for an interior node; one fewer than the neighbours for a boundary
-  /// node); in volume meshes ascending. The link that they make up: see core/mesh/node_link.h.
+  /// node); in volume meshes ascending. The link that they make up: see core/mesh/topology.h.
   std::span<const Index> star(Index node) const { return star_[node]; }
 
   /// True for the nodes of boundary faces and of markers, be they inside or outside.
@@ -137,5 +137,27 @@ inline bool is_surface(const Topology& topology) {
 std::string_view mesh_kind(const Topology& topology);
 /// Throws UsageError unless it is a plane mesh. what: "layers", as the message is to begin.
 void require_plane(const Topology& topology, std::string_view what);
+
+/// What a mesh is made of: faces in the plane, faces in space, cells in space. In words:
+/// mesh_kind() of topology.h.
+enum class MeshKind { plane, surface, volume };
+
+inline MeshKind kind_of(const Topology& topology) {
+  if (topology.cell_dimension() == 3) return MeshKind::volume;
+  return is_surface(topology) ? MeshKind::surface : MeshKind::plane;
+}
+
+/// Dimension of the elements.
+inline constexpr int cell_dimension_of(MeshKind kind) { return kind == MeshKind::volume ? 3 : 2; }
+
+/// The link of a node: what each element of its star cuts off (see ElementShape::links), by the
+/// nodes of the mesh, in the order of Topology::star().
+///
+/// In a plane or surface mesh these are segments from one neighbour to the next, counter-clockwise;
+/// in a volume mesh polygons with the node behind them: triangles, and quadrilaterals at the apex
+/// of pyramids. They make up a closed curve or surface around an interior node, an open one at a
+/// boundary node. Of triangles and tetrahedra it is the outer boundary of the star; elements with
+/// more corners are cut.
+std::vector<Face> node_link(const Topology& topology, Index node);
 
 }  // namespace winslow

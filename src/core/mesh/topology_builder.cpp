@@ -4,12 +4,10 @@
 #include <string>
 
 #include "core/error.h"
-#include "core/mesh/boundary_parts.h"
-#include "core/mesh/element_checks.h"
 #include "core/mesh/half_edge.h"
+#include "core/mesh/index_sets.h"
+#include "core/mesh/mesh_checks.h"
 #include "core/mesh/node_stars.h"
-#include "core/mesh/orientation.h"
-#include "core/mesh/volume_checks.h"
 #include "core/parallel/parallel_for.h"
 
 namespace winslow {
@@ -137,6 +135,104 @@ void TopologyBuilder::classify_nodes() {
     if (topology_->used(node) && !topology_->on_boundary(node)) {
       topology_->interior_nodes_.push_back(node);
     }
+  }
+}
+
+namespace {
+
+std::vector<std::vector<Face>> loop_edges(const Topology& topology) {
+  std::vector<std::vector<Face>> parts;
+  for (const auto& loop : topology.boundary_loops()) {
+    auto& part = parts.emplace_back();
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      part.emplace_back(loop[k], loop[(k + 1) % loop.size()]);
+    }
+  }
+  return parts;
+}
+
+/// Faces around one node of the boundary make up a single disc (check_volume_manifold), so faces
+/// that have a node in common hang together by edges.
+std::vector<std::vector<Face>> joined_surfaces(const std::vector<Face>& faces, Index node_count) {
+  JoinedSets nodes(at(node_count));
+  for (const Face& face : faces) {
+    for (const Index node : face) nodes.join(face[0], node);
+  }
+  std::vector<std::vector<Face>> parts;
+  std::vector<Index> part_of(at(node_count), -1);  // by the lowest node
+  for (const Face& face : faces) {
+    Index& part = part_of[at(nodes.find(face[0]))];
+    if (part < 0) {
+      part = static_cast<Index>(parts.size());
+      parts.emplace_back();
+    }
+    parts[at(part)].push_back(face);
+  }
+  return parts;
+}
+
+}  // namespace
+
+std::vector<std::vector<Face>> boundary_parts(const Topology& topology) {
+  if (topology.cell_dimension() == 2) return loop_edges(topology);
+  std::vector<Face> faces;
+  for (Index f = 0; f < topology.face_count(); ++f) {
+    const Topology::SharedFace face = topology.face(f);
+    if (face.elements[1] < 0) faces.push_back(face.nodes);
+  }
+  return joined_surfaces(faces, topology.node_count());
+}
+
+namespace {
+
+void check_type(const MeshData& data, Index e) {
+  const ElementType type = data.types[static_cast<std::size_t>(e)];
+  const std::string found =
+      "element " + std::to_string(e) + " is a " + std::string(shape_of(type).name);
+  if (dimension_of(type) != data.cell_dimension()) {
+    throw MeshError(MeshEntity::element, e,
+                    found + ", expected elements of dimension " +
+                        std::to_string(data.cell_dimension()) + " as element 0 is");
+  }
+  const std::size_t corners = data.element(e).size();
+  if (corners != static_cast<std::size_t>(corner_count(type))) {
+    throw MeshError(MeshEntity::element, e,
+                    found + " with " + std::to_string(corners) + " corners, expected " +
+                        std::to_string(corner_count(type)));
+  }
+}
+
+void check_corners(const MeshData& data, Index e) {
+  const Index nodes = data.node_count();
+  const auto corners = data.element(e);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    if (corners[k] < 0 || corners[k] >= nodes) {
+      throw MeshError(MeshEntity::element, e,
+                      "element " + std::to_string(e) + " uses node " + std::to_string(corners[k]) +
+                          ", expected 0 to " + std::to_string(nodes - 1));
+    }
+    for (std::size_t m = 0; m < k; ++m) {
+      if (corners[m] == corners[k]) {
+        throw MeshError(MeshEntity::element, e,
+                        "element " + std::to_string(e) + " uses node " +
+                            std::to_string(corners[k]) + " twice, expected distinct corners");
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void check_elements(const MeshData& data) {
+  if (data.element_count() == 0) throw MeshError(MeshEntity::mesh, 0, "the mesh has no elements");
+  if (data.cell_dimension() > data.coordinates.dimension()) {
+    throw MeshError(MeshEntity::element, 0,
+                    "element 0 is a " + std::string(shape_of(data.types.front()).name) +
+                        " between points of the plane, expected points of space");
+  }
+  for (Index e = 0; e < data.element_count(); ++e) {
+    check_type(data, e);
+    check_corners(data, e);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/mesh/face_pairs.h"
+#include "core/mesh/mesh_data.h"
 #include "core/mesh/topology.h"
 
 namespace winslow {
@@ -28,5 +29,15 @@ class TopologyBuilder {
   std::vector<bool> turned_;  // #elements
   std::shared_ptr<Topology> topology_;
 };
+
+/// The connected parts of a mesh's boundary as faces with the elements behind them: the loops of a
+/// plane or surface mesh, walked along; of a volume mesh the surfaces whose faces hang together by
+/// edges, in the order of their first faces.
+std::vector<std::vector<Face>> boundary_parts(const Topology& topology);
+
+/// Throws MeshError naming an element: of another dimension than the first or than the space has
+/// room for, with another number of corners than its type has, with a corner that is no node, or
+/// one twice. Also if there is no element.
+void check_elements(const MeshData& data);
 
 }  // namespace winslow

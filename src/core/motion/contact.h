@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "core/mesh/local_frame.h"
+#include "core/mesh/mesh.h"
 #include "core/motion/motion.h"
 
 namespace winslow {

@@ -5,7 +5,6 @@
 #include "core/error.h"
 #include "core/mesh/mesh.h"
 #include "core/motion/motion.h"
-#include "core/motion/motion_checks.h"
 #include "core/search/box_tree.h"
 
 namespace winslow {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/motion/space_motion.h"
+#include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
 
 namespace winslow {

@@ -7,6 +7,7 @@
 
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"
+#include "core/options/option.h"
 
 namespace winslow {
 
@@ -127,5 +128,16 @@ std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates&
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
                                     const std::vector<std::string>& markers,
                                     const DisplacementTable& table);
+
+/// The nodes of the markers that are to move, ascending. Throws UsageError if there is no marker,
+/// an unknown one, or no node.
+std::vector<Index> moving_nodes(const Topology& topology, const std::vector<std::string>& markers);
+/// Throws UsageError unless the number is finite. what: "the amplitude", as the message is to
+/// begin.
+void require_finite(double value, const char* what);
+
+/// All that a user can set of a motion, but for the markers that move.
+OptionTable option_table(RigidMotionRequest& motion);
+OptionTable option_table(SineDeformation& sine);
 
 }  // namespace winslow

@@ -1,8 +1,198 @@
 #include "core/motion/outline.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace winslow {
+
+namespace {
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+double distance(const Vec2& p, const Facet<2>& s) {
+  const Vec2 along = s[1] - s[0];
+  const double length = along.squaredNorm();
+  const double t = length > 0 ? std::clamp(along.dot(p - s[0]) / length, 0.0, 1.0) : 0.0;
+  return (p - (s[0] + t * along)).norm();
+}
+
+}  // namespace
+
+Meeting<2> meeting(const Facet<2>& s, const Facet<2>& t) {
+  const Vec2 along = s[1] - s[0], other = t[1] - t[0];
+  // Nodes in one place are not always so to the last bit after a motion.
+  constexpr double round_off = 1e-12;
+  const double least = round_off * along.norm() * other.norm();
+  const auto side = [&](const Vec2& line, const Vec2& arm) {
+    const double area = cross(line, arm);
+    return std::abs(area) <= least ? 0 : area;
+  };
+  const double from = side(along, t[0] - s[0]), to = side(along, t[1] - s[0]);
+  const double begin = side(other, s[0] - t[0]), end = side(other, s[1] - t[0]);
+  if (from * to > 0 || begin * end > 0) return {};
+  if (from * to < 0 && begin * end < 0)
+    return {Meeting<2>::Kind::crossing, Vec2(s[0] + begin / (begin - end) * along)};
+  for (const Vec2& p : s)
+    if (distance(p, t) <= round_off * other.norm()) return {Meeting<2>::Kind::touch, p};
+  for (const Vec2& p : t)
+    if (distance(p, s) <= round_off * along.norm()) return {Meeting<2>::Kind::touch, p};
+  return {};
+}
+
+double distance(const Facet<2>& s, const Facet<2>& t) {
+  if (meeting(s, t).kind != Meeting<2>::Kind::none) return 0;
+  return std::min({distance(s[0], t), distance(s[1], t), distance(t[0], s), distance(t[1], s)});
+}
+
+namespace {
+
+using Kind = Meeting<3>::Kind;
+
+// Nodes in one place are not always so to the last bit after a motion.
+constexpr double round_off = 1e-12;
+
+double longest_edge(const Facet<3>& t) {
+  return std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
+}
+
+/// A triangle with what is asked about its plane.
+class PlaneOf {
+ public:
+  /// reach: largest extent of what it is compared with.
+  PlaneOf(const Facet<3>& t, double reach)
+      : t_(t), normal_((t[1] - t[0]).cross(t[2] - t[0])), area_(normal_.norm()) {
+    least_ = round_off * area_ * std::max(longest_edge(t), reach);
+    normal_.cwiseAbs().maxCoeff(&dropped_);
+  }
+
+  /// Six times the volume over the triangle, 0 for a point in its plane.
+  double side(const Vec3& p) const {
+    const double volume = normal_.dot(p - t_[0]);
+    return std::abs(volume) <= least_ ? 0 : volume;
+  }
+
+  /// Seen along the axis that is nearest to the normal.
+  Vec2 flat(const Vec3& p) const { return {p[(dropped_ + 1) % 3], p[(dropped_ + 2) % 3]}; }
+
+  /// Where a point of the plane is: > 0 inside, 0 on the outline, < 0 outside.
+  int inside(const Vec3& p) const {
+    int place = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double area = normal_.dot((t_[(k + 1) % 3] - t_[k]).cross(p - t_[k]));
+      const double least = round_off * area_ * area_;
+      if (area < -least) return -1;
+      if (area <= least) place = 0;
+    }
+    return place;
+  }
+
+  /// What the triangle has in common with a segment in its plane, if anything.
+  std::optional<Vec3> overlap(const Vec3& p, const Vec3& q) const {
+    for (const Vec3& end : {p, q})
+      if (inside(end) >= 0) return end;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Meeting<2> found =
+          meeting(Facet<2>{flat(p), flat(q)}, Facet<2>{flat(t_[k]), flat(t_[(k + 1) % 3])});
+      if (found.kind != Meeting<2>::Kind::none) return lifted(found.place, p, q);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// The point of a segment that is seen at a place.
+  Vec3 lifted(const Vec2& place, const Vec3& p, const Vec3& q) const {
+    const Vec2 way = flat(q) - flat(p);
+    const double t = way.squaredNorm() > 0 ? (place - flat(p)).dot(way) / way.squaredNorm() : 0;
+    return p + t * (q - p);
+  }
+
+  const Facet<3>& t_;
+  Vec3 normal_;
+  double area_, least_ = 0;
+  int dropped_ = 0;
+};
+
+/// What a segment has in common with a triangle. from, to: the sides of its ends.
+Meeting<3> meeting(const PlaneOf& plane, const Vec3& p, const Vec3& q, double from, double to) {
+  if (from * to > 0) return {};
+  if (from == 0 && to == 0) {
+    const auto place = plane.overlap(p, q);
+    return place ? Meeting<3>{Kind::touch, *place} : Meeting<3>{};
+  }
+  const Vec3 place = p + from / (from - to) * (q - p);
+  const int inside = plane.inside(place);
+  if (inside < 0) return {};
+  return {inside > 0 && from * to < 0 ? Kind::crossing : Kind::touch, place};
+}
+
+/// The strongest of what the edges of s have in common with t.
+Meeting<3> edges_through(const Facet<3>& s, const Facet<3>& t) {
+  const PlaneOf plane(t, longest_edge(s));
+  const std::array<double, 3> side{plane.side(s[0]), plane.side(s[1]), plane.side(s[2])};
+  Meeting<3> strongest;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    Meeting<3> found = meeting(plane, s[k], s[next], side[k], side[next]);
+    if (found.kind == Kind::crossing) return found;
+    if (found.kind == Kind::touch) strongest = found;
+  }
+  return strongest;
+}
+
+/// Ericson, Real-Time Collision Detection, section 5.1.9.
+double distance_of_segments(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b) {
+  const Vec3 d = q - p, e = b - a, r = p - a;
+  const double dd = d.squaredNorm(), ee = e.squaredNorm();
+  if (dd == 0 || ee == 0) {
+    const Vec3& from = dd == 0 ? p : a;
+    const Vec3& base = dd == 0 ? a : p;
+    const Vec3& way = dd == 0 ? e : d;
+    const double length = way.squaredNorm();
+    const double t = length > 0 ? std::clamp(way.dot(from - base) / length, 0.0, 1.0) : 0;
+    return (from - base - t * way).norm();
+  }
+  const double de = d.dot(e), dr = d.dot(r), er = e.dot(r);
+  const double denominator = dd * ee - de * de;
+  double s = denominator > 0 ? std::clamp((de * er - dr * ee) / denominator, 0.0, 1.0) : 0;
+  const double t = std::clamp((de * s + er) / ee, 0.0, 1.0);
+  s = std::clamp((de * t - dr) / dd, 0.0, 1.0);
+  return (p + s * d - a - t * e).norm();
+}
+
+/// Distance of a point from a triangle where it lies over its inside.
+std::optional<double> distance_over(const Vec3& p, const Facet<3>& t) {
+  const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (normal.dot((t[(k + 1) % 3] - t[k]).cross(p - t[k])) < 0) return std::nullopt;
+  const double area = normal.norm();
+  if (area == 0) return std::nullopt;
+  return std::abs(normal.dot(p - t[0])) / area;
+}
+
+}  // namespace
+
+Meeting<3> meeting(const Facet<3>& s, const Facet<3>& t) {
+  Meeting<3> first = edges_through(s, t);
+  if (first.kind == Kind::crossing) return first;
+  const Meeting<3> second = edges_through(t, s);
+  return second.kind == Kind::none || (second.kind == Kind::touch && first.kind == Kind::touch)
+             ? first
+             : second;
+}
+
+double distance(const Facet<3>& s, const Facet<3>& t) {
+  if (meeting(s, t).kind != Kind::none) return 0;
+  double nearest = (s[0] - t[0]).norm();
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (const auto over = distance_over(s[i], t)) nearest = std::min(nearest, *over);
+    if (const auto over = distance_over(t[i], s)) nearest = std::min(nearest, *over);
+    for (std::size_t k = 0; k < 3; ++k)
+      nearest = std::min(nearest, distance_of_segments(s[i], s[(i + 1) % 3], t[k], t[(k + 1) % 3]));
+  }
+  return nearest;
+}
 
 namespace {
 

@@ -1,13 +1,61 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
+#include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"
-#include "core/motion/facet.h"
 #include "core/search/box_tree.h"
 
 namespace winslow {
+
+/// A flat piece of a boundary: a segment in the plane (D = 2), a triangle in space (D = 3).
+template <int D>
+using Facet = std::array<Vec<D>, D>;
+template <int D>
+using FacetNodes = std::array<Index, D>;
+
+/// What two facets have in common.
+template <int D>
+struct Meeting {
+  enum class Kind {
+    none,
+    touch,    ///< a corner or an edge of one lies on the other, or they overlap in one plane
+    crossing  ///< an edge of one goes through the inside of the other, from side to side
+  };
+  Kind kind = Kind::none;
+  Vec<D> place = Vec<D>::Zero();  ///< one of the points that both have
+};
+Meeting<2> meeting(const Facet<2>& s, const Facet<2>& t);
+Meeting<3> meeting(const Facet<3>& s, const Facet<3>& t);
+
+/// Between the nearest points of two facets; 0 where they meet.
+double distance(const Facet<2>& s, const Facet<2>& t);
+double distance(const Facet<3>& s, const Facet<3>& t);
+
+template <int D>
+Box<D> box_of(const Facet<D>& facet) {
+  Box<D> box = Box<D>::empty();
+  for (const Vec<D>& corner : facet) box.add(corner);
+  return box;
+}
+
+template <std::size_t N>
+bool share_node(const std::array<Index, N>& a, const std::array<Index, N>& b) {
+  for (const Index node : a)
+    for (const Index other : b)
+      if (node == other) return true;
+  return false;
+}
+
+template <std::size_t N>
+Facet<static_cast<int>(N)> facet(const std::array<Index, N>& nodes, const Coordinates& x) {
+  constexpr int D = static_cast<int>(N);
+  Facet<D> out;
+  for (std::size_t k = 0; k < N; ++k) out[k] = x.get<D>(nodes[k]);
+  return out;
+}
 
 /// The facets of a mesh that may meet when some nodes move: those of the boundary and those of
 /// markers inside. Quadrilaterals of volume meshes are two triangles.

@@ -10,7 +10,6 @@
 #include <variant>
 #include <vector>
 
-#include "core/index.h"
 #include "core/types.h"
 
 /// Options as tables. A struct of options has a function option_table(Struct&) that returns one row

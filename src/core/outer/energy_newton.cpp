@@ -4,9 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "core/outer/line_search.h"
-#include "core/outer/shifted_matrix.h"
-#include "core/outer/stuck_nodes.h"
+#include "core/outer/newton_step.h"
 
 namespace winslow {
 

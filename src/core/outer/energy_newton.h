@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/linear/linear_solver.h"
-#include "core/outer/steady_solver.h"
-#include "core/problem/energy_problem.h"
+#include "core/outer/outer_solver.h"
+#include "core/problem/smoothing_problem.h"
 
 namespace winslow {
 

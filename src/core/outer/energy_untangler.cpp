@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/outer/line_search.h"
-#include "core/outer/shifted_matrix.h"
-#include "core/outer/stuck_nodes.h"
+#include "core/outer/newton_step.h"
 
 namespace winslow {
 

@@ -5,7 +5,7 @@
 
 #include "core/linear/linear_solver.h"
 #include "core/outer/outer_solver.h"
-#include "core/problem/energy_problem.h"
+#include "core/problem/smoothing_problem.h"
 
 namespace winslow {
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <span>
 #include <string_view>
 
-#include "core/index.h"
 #include "core/mesh/coordinates.h"
+#include "core/problem/smoothing_problem.h"
+#include "core/types.h"
 
 namespace winslow {
 
@@ -48,6 +50,47 @@ class OuterSolver {
   virtual Index stuck_nodes() const { return 0; }
   /// Linear systems solved since the solver was made.
   virtual int linear_solves() const = 0;
+};
+
+/// Whether negative weights of the operator are set to zero.
+enum class Clip {
+  automatic,  ///< while the mesh is tangled
+  on,
+  off
+};
+
+/// How equations without an energy are solved.
+struct EquationOptions {
+  Clip clip = Clip::automatic;
+  double tolerance = 1e-10;  ///< of the largest scaled residual (ResidualNorms::max)
+  double damping = 0.3;      ///< share of a solution with frozen coefficients that is taken, (0, 1]
+  bool adapt_damping = true;  ///< halve the damping where the iteration makes no progress
+  /// Earlier iterates that Anderson acceleration combines once the mesh is valid; 0: none.
+  int acceleration = 15;
+};
+
+/// An outer solver that can also say, to first order, how its solution answers when the boundary
+/// moves: what path following and dragging need.
+class SteadySolver : public OuterSolver {
+ public:
+  /// What is solved at present.
+  virtual const SmoothingProblem& problem() const = 0;
+
+  /// Change of the unknowns (#unknowns) that keeps the equations satisfied to first order while the
+  /// prescribed nodes move by `displacement` (as large as x; what it holds for other nodes is
+  /// ignored). One linear solve, with the last linearisation of this problem where there is one,
+  /// else with one at x.
+  virtual void predict(const Coordinates& x, const Coordinates& displacement,
+                       std::span<double> out) = 0;
+  /// The same, plus what leads back to the solution where x is only near one: still one linear
+  /// solve. Solvers that know no such correction predict.
+  virtual void predict_and_correct(const Coordinates& x, const Coordinates& displacement,
+                                   std::span<double> out) {
+    predict(x, displacement, out);
+  }
+  /// The caller goes back to a mesh from before the last start(): no linearisation made since is of
+  /// a mesh near it, so the next prediction makes its own.
+  virtual void reject() = 0;
 };
 
 }  // namespace winslow

@@ -4,7 +4,7 @@
 #include <functional>
 #include <utility>
 
-#include "core/outer/steady_solver.h"
+#include "core/outer/outer_solver.h"
 
 namespace winslow {
 

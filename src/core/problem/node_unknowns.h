@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/mesh/coordinates.h"
@@ -10,6 +11,12 @@
 #include "core/quality/validity.h"
 
 namespace winslow {
+
+/// Reference normals of the elements of a surface mesh at x; empty where the classes have none.
+std::vector<Vec3> element_normals(const NodeClasses& classes, const Coordinates& x, int threads);
+
+/// check_validity() of the mesh of a run: elements of a surface mesh by the reference normals.
+Validity check_validity(const NodeClasses& classes, const Coordinates& x, int threads);
 
 /// The unknowns of a mesh: those of each node that has any, in ascending order of the nodes. A free
 /// node has its coordinates, one on a curve or a surface its distances from the origin along the
@@ -80,6 +87,41 @@ class NodeUnknowns {
   std::shared_ptr<const NodeClasses> classes_;
   std::shared_ptr<const Numbers> layout_;
   int threads_;
+};
+
+/// The part of a problem that is the same for all formulations over the nodes of a mesh. Problem:
+/// the kind of SmoothingProblem that it is.
+template <typename Problem>
+class NodeProblem : public Problem {
+ public:
+  std::size_t unknowns() const final { return nodes_.unknowns(); }
+  void values(const Coordinates& x, std::span<double> out) const final { nodes_.values(x, out); }
+  void lengths(const Coordinates& x, std::span<double> out) const final { nodes_.lengths(x, out); }
+  double advance(std::span<const double> direction, double step, Coordinates& x) const final {
+    return nodes_.advance(direction, step, x);
+  }
+  void velocities(const Coordinates& x, std::span<const double> rates,
+                  Coordinates& out) const final {
+    nodes_.velocities(x, rates, out);
+  }
+  double largest_valid_step(const Coordinates& from, const Coordinates& to,
+                            double most) const final {
+    return nodes_.largest_valid_step(from, to, most);
+  }
+  Validity validity(const Coordinates& x) const final { return nodes_.validity(x); }
+  double residual_round_off(const Coordinates& x) const final {
+    return nodes_.residual_round_off(x);
+  }
+
+ protected:
+  explicit NodeProblem(NodeUnknowns nodes) : nodes_(std::move(nodes)) {}
+
+  const NodeUnknowns& node_unknowns() const { return nodes_; }
+  const Topology& topology() const { return nodes_.topology(); }
+  int threads() const { return nodes_.threads(); }
+
+ private:
+  NodeUnknowns nodes_;
 };
 
 }  // namespace winslow

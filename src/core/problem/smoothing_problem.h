@@ -1,11 +1,15 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string_view>
+#include <vector>
 
+#include "core/linear/sparse_system.h"
 #include "core/mesh/coordinates.h"
 #include "core/quality/validity.h"
+#include "core/types.h"
 
 namespace winslow {
 
@@ -58,6 +62,104 @@ class SmoothingProblem {
   /// for other nodes is ignored).
   virtual void boundary_response(const Coordinates& x, const Coordinates& displacement,
                                  std::span<double> out) const = 0;
+};
+
+/// Which second derivative of the energy a Newton system is made of.
+enum class Curvature {
+  exact,     ///< the Hessian: quadratic convergence near a solution
+  projected  ///< each cell's Hessian projected to positive semidefinite: always downhill
+};
+
+/// What an assembly of the Newton system finds out besides.
+struct Linearisation {
+  ResidualNorms norms;
+  double energy;
+};
+
+/// A problem whose solutions are minima of an energy E that is infinite where the mesh is invalid.
+class EnergyProblem : public SmoothingProblem {
+ public:
+  /// Infinite where x is not valid.
+  virtual double energy(const Coordinates& x) const = 0;
+  /// R = -dE (#unknowns) and -dR as a symmetric matrix.
+  virtual Linearisation linearise(const Coordinates& x, Curvature curvature, SparseMatrix& hessian,
+                                  std::span<double> residual) const = 0;
+  /// The same problem with more nodes held: those of which `step` times the direction (#unknowns),
+  /// a short way, leads from x over a place where what they slide on jumps or folds, so that the
+  /// energy has no derivative there. Null if there are none.
+  virtual std::shared_ptr<const EnergyProblem> holding_stuck_nodes(
+      const Coordinates& /*x*/, std::span<const double> /*direction*/, double /*step*/) const {
+    return nullptr;
+  }
+  /// How many nodes are held so.
+  virtual Index stuck_nodes() const { return 0; }
+};
+
+/// Replaces the barrier on meshes with inverted elements: the determinant D of a cell (twice the
+/// area of a triangle) by chi = (D + sqrt(e^2 + D^2)) / 2, e = size[cell], which is positive for
+/// every D (V. A. Garanzha et al., "Foldover-free maps in 50 lines of code", ACM TOG 40(4), 2021).
+struct Regularisation {
+  std::vector<double> size;  ///< #cells of the problem, in the unit of their determinants
+  /// Of a surface mesh: the normals (#elements) against which cells are seen, held while a step is
+  /// searched for.
+  std::vector<Vec3> normals = {};
+};
+
+/// An energy with a version that is finite on every mesh: what untangling needs.
+class UntanglingProblem : public EnergyProblem {
+ public:
+  /// How large the cells around each cell are at x (#cells): what its determinant is to be
+  /// compared with.
+  virtual std::vector<double> cell_sizes(const Coordinates& x) const = 0;
+  /// `softness` times the size of each cell, and no less than the magnitude of its determinant
+  /// where that is negative. sizes: see cell_sizes().
+  virtual Regularisation regularisation(const Coordinates& x, std::span<const double> sizes,
+                                        double softness) const = 0;
+  /// So much, and the same for all cells, that nothing is left of their determinants: the energy is
+  /// a quadratic form, and one Newton step leads to its only minimum.
+  virtual Regularisation full_regularisation(const Coordinates& x) const = 0;
+
+  virtual double regularised_energy(const Coordinates& x,
+                                    const Regularisation& regularisation) const = 0;
+  /// As linearise(), with the part of the Hessian that is positive semidefinite by construction.
+  virtual Linearisation linearise_regularised(const Coordinates& x,
+                                              const Regularisation& regularisation,
+                                              SparseMatrix& hessian,
+                                              std::span<double> residual) const = 0;
+};
+
+/// Equations that can be linearised by freezing their coefficients: what a fixed-point iteration
+/// needs.
+class FixedPointProblem : public SmoothingProblem {
+ public:
+  /// Linear system A delta = R of the fixed-point iteration with frozen coefficients: the step to
+  /// the solution of the equations linearised by freezing. The numbers of its right-hand sides are
+  /// the unknowns, in their order. Returns the number of negative weights met.
+  virtual Index freeze(const Coordinates& x, SparseSystem& out) const = 0;
+};
+
+/// Equations without an energy, for Newton's method: what lies downhill is told by a merit
+/// function.
+class EquationProblem : public FixedPointProblem {
+ public:
+  /// Newton's system J delta = S R, S a scaling of the rows that counts as constant. Returns the
+  /// norms of R as residual() does.
+  virtual ResidualNorms linearise(const Coordinates& x, SparseMatrix& jacobian,
+                                  std::span<double> residual) const = 0;
+  /// What the merit function weighs residuals by, as it is at x; held while a step is searched for
+  /// (only then is the Newton direction one of descent).
+  virtual std::vector<double> merit_weights(const Coordinates& x) const = 0;
+  /// Sum of the squares of the scaled residuals.
+  virtual double merit(const Coordinates& x, std::span<const double> weights) const = 0;
+};
+
+/// Equations as they are, and with the negative weights of their rows set to zero: then every row
+/// is a convex combination, which untangles. May be one and the same.
+template <typename Problem>
+struct ClipVariants {
+  std::shared_ptr<const Problem> plain, clipped;
+
+  const std::shared_ptr<const Problem>& of(bool clip) const { return clip ? clipped : plain; }
 };
 
 }  // namespace winslow

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/index.h"
+#include "core/types.h"
 
 /// The loop behind check_validity, four corners at a time, in machine code for the processor at
 /// hand. Every version gives the same bits as Corner.

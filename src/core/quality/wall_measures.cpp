@@ -1,14 +1,82 @@
 #include "core/quality/wall_measures.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <unordered_map>
 
-#include "core/search/segment_distance.h"
+#include "core/search/box_tree.h"
 
 namespace winslow {
+
+namespace {
+
+/// With the elements on the left, loops around them turn left and loops around bodies right.
+bool bounds_a_body(const PlanePoints& x, const std::vector<Index>& loop) {
+  const Vec2 origin = x[loop.front()];  // far from the true one, areas would cancel
+  double area2 = 0;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const Vec2 a = x[loop[k]] - origin, b = x[loop[(k + 1) % loop.size()]] - origin;
+    area2 += a.x() * b.y() - a.y() * b.x();
+  }
+  return area2 < 0;
+}
+
+}  // namespace
+
+std::vector<Wall> find_walls(const Mesh& mesh) {
+  const Topology& topology = *mesh.topology;
+  require_plane(topology, "walls");
+  const PlanePoints x(mesh.coordinates);
+  std::vector<Wall> walls;
+  std::unordered_map<Index, std::size_t> wall_of_node;
+  for (const auto& loop : topology.boundary_loops()) {
+    if (!bounds_a_body(x, loop)) continue;
+    for (const Index node : loop) wall_of_node[node] = walls.size();
+    walls.push_back({loop, {}});
+  }
+  for (const Marker& marker : topology.markers()) {
+    for (const Face& face : marker.faces) {
+      const auto [a, b] = face.edge();
+      const auto from = wall_of_node.find(a), to = wall_of_node.find(b);
+      if (from == wall_of_node.end() || to == wall_of_node.end() || from->second != to->second)
+        continue;
+      auto& names = walls[from->second].markers;
+      if (names.empty() || names.back() != marker.name) names.push_back(marker.name);
+    }
+  }
+  return walls;
+}
+
+namespace {
+
+/// Reorders the values, of which there is at least one. Cheaper than to sort them all.
+double quantile(std::vector<double>& values, double share) {
+  const double place = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::ptrdiff_t>(std::floor(place));
+  const auto at_place = values.begin() + below;
+  std::nth_element(values.begin(), at_place, values.end());
+  const double rest = place - static_cast<double>(below);
+  if (rest == 0) return *at_place;
+  return *at_place + rest * (*std::min_element(at_place + 1, values.end()) - *at_place);
+}
+
+}  // namespace
+
+Quantiles quantiles_of(std::vector<double> values) {
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
+  Quantiles of;
+  of.count = values.size();
+  if (values.empty()) return of;
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  of.min = *least;
+  of.max = *most;
+  of.low = quantile(values, 0.05);
+  of.median = quantile(values, 0.5);
+  of.high = quantile(values, 0.95);
+  return of;
+}
 
 namespace {
 

@@ -1,15 +1,38 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
-#include "core/quality/quantiles.h"
-#include "core/quality/walls.h"
+#include "core/mesh/mesh.h"
+
+namespace winslow {
+
+/// The boundary of a body: a closed loop of the mesh's boundary with the body inside. The loop
+/// around the mesh (around each of its connected parts) is none: what of it is a wall, an inlet or
+/// a symmetry line, a mesh does not say.
+struct Wall {
+  std::vector<Index> nodes;          ///< along the loop, the elements on its left; closed
+  std::vector<std::string> markers;  ///< that have faces in it, in the order of the mesh's markers
+};
+
+/// The walls of a plane mesh, in the order of its boundary loops. Throws UsageError for another.
+std::vector<Wall> find_walls(const Mesh& mesh);
+
+/// How a list of numbers is spread.
+struct Quantiles {
+  std::size_t count = 0;  ///< 0: there are none, and the rest says nothing
+  double min = 0, low = 0, median = 0, high = 0, max = 0;  ///< low: 5 %, high: 95 %
+};
+
+/// Of the finite ones among the values. The q-quantile of n sorted values lies at place q (n - 1),
+/// linearly between its two neighbours (R. J. Hyndman, Y. Fan, Am. Stat. 50, 1996, type 7).
+Quantiles quantiles_of(std::vector<double> values);
 
 /// What the user of a flow solver judges the cells at walls by. All of it is for plane meshes of
 /// triangles and quadrilaterals; units are those of the mesh unless said otherwise.
-namespace winslow {
 
 /// First heights at the nodes of a wall (#nodes of it; NaN where there is none).
 ///

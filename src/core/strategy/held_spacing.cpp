@@ -5,10 +5,10 @@
 #include <map>
 #include <utility>
 
-#include "core/mesh/element_measure.h"
-#include "core/mesh/place.h"
+#include "core/mesh/coordinates.h"
+#include "core/mesh/corner_tetrahedra.h"
 #include "core/mesh/surface_faces.h"
-#include "core/quality/walls.h"
+#include "core/quality/wall_measures.h"
 
 namespace winslow {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/mesh/local_frame.h"
+#include "core/mesh/mesh.h"
 #include "core/mesh/topology.h"
 #include "core/options/option.h"
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/layers/layer_measures.h"
+#include "core/layers/layer_spacing.h"
 #include "core/layers/layer_stack.h"
-#include "core/layers/layer_wall.h"
 #include "core/mesh/mesh.h"
 #include "core/strategy/keep_outside.h"
 

@@ -10,7 +10,6 @@
 #include "core/layers/layer_fit.h"
 #include "core/layers/layer_insertion.h"
 #include "core/layers/layer_measures.h"
-#include "core/layers/sound_plan.h"
 #include "core/quality/quality.h"
 #include "core/strategy/kept_layers.h"
 #include "core/strategy/run_sequence.h"

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry/reference_surface.h"
 #include "core/geometry/sliding_boundary.h"
 #include "core/mesh/mesh.h"
 #include "core/options/option.h"

@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/mesh/place.h"
-#include "core/mesh/place_text.h"
+#include "core/mesh/coordinates.h"
 #include "core/options/option.h"
-#include "core/search/box.h"
+#include "core/search/box_tree.h"
 
 namespace winslow {
 

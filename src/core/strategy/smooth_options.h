@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "core/formulation/target_blend.h"
+#include "core/formulation/cell_targets.h"
 #include "core/formulation/variational_form.h"
 #include "core/linear/linear_solver.h"
 #include "core/options/option.h"
-#include "core/outer/equation_options.h"
+#include "core/outer/outer_solver.h"
 #include "core/strategy/keep_outside.h"
 #include "core/strategy/slide_options.h"
 
@@ -73,5 +73,13 @@ void validate_vcvs(const SmoothOptions& options, int cell_dimension);
 bool refers_to_vcvs(const SmoothOptions& options);
 /// Whether VCVs of a volume mesh are to be worked out anew as the mesh changes.
 bool follows_mesh(VcvKind kind);
+
+/// The table of options of a surface mesh: what such meshes refuse, and what has no effect on them,
+/// does not apply.
+OptionTable surface_option_table(SmoothOptions& options);
+
+/// Puts what surface meshes refuse of options to what they have by default, or to the first choice
+/// that is left.
+void settle_for_surface(SmoothOptions& options);
 
 }  // namespace winslow

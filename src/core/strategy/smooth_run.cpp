@@ -1,29 +1,72 @@
 #include "core/strategy/smooth_run.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "core/error.h"
 #include "core/motion/contact.h"
 #include "core/motion/transfer.h"
-#include "core/problem/run_validity.h"
+#include "core/problem/node_unknowns.h"
 #include "core/quality/quality.h"
 #include "core/strategy/held_spacing.h"
 #include "core/strategy/keep_outside.h"
-#include "core/strategy/picard_run.h"
+#include "core/strategy/newton_run.h"
 #include "core/strategy/pointwise_run.h"
-#include "core/strategy/run_recorder.h"
 #include "core/strategy/sliding_bodies.h"
 #include "core/strategy/surface_shape.h"
-#include "core/strategy/variational_run.h"
-#include "core/strategy/vcv_updates.h"
+#include "core/strategy/untangling.h"
 #include "core/strategy/workspace.h"
-#include "core/strategy/worst_element.h"
 
 namespace winslow {
+
+/// The paper's way with adjusted VCVs (AIAA 2009-1362, section V): from the mesh x that a run has
+/// led to they are worked out anew, and the mesh is solved for again; as often as
+/// SmoothOptions::vcv_updates says, or until no VCV changes any more. VCVs of a mesh that came
+/// tangled say little: they are worked out anew in any case. Does nothing for VCVs of other kinds,
+/// and for equations that are not over VCVs.
+///
+/// solve: the run, from a mesh with the boundary where it is to be. given: the mesh that the VCVs
+/// are of. Ends with the last solution if there is none for the next VCVs.
+void update_vcvs(const Coordinates& given, SmoothingWorkspace& workspace, RunRecorder& recorder,
+                 const std::function<void(Coordinates&)>& solve, Coordinates& x);
+
+namespace {
+
+/// How often, at most.
+int most_updates(const Coordinates& given, const SmoothingWorkspace& workspace) {
+  constexpr int after_tangle = 10;  // the angles halve their distance to the last ones each time
+  const SmoothOptions& options = workspace.options();
+  const Topology& topology = workspace.classes().topology();
+  if (topology.cell_dimension() != 3 || !refers_to_vcvs(options) || !follows_mesh(options.vcv))
+    return 0;
+  const bool tangled = check_validity(topology, given, options.threads).inverted > 0;
+  return tangled ? std::max(after_tangle, options.vcv_updates) : options.vcv_updates;
+}
+
+}  // namespace
+
+void update_vcvs(const Coordinates& given, SmoothingWorkspace& workspace, RunRecorder& recorder,
+                 const std::function<void(Coordinates&)>& solve, Coordinates& x) {
+  const SmoothResult& result = recorder.result();
+  if (!result.converged || result.fraction_reached < 1 || !result.limited_by.empty()) return;
+  const int most = most_updates(given, workspace);
+  for (int update = 0; update < most && recorder.remaining() > 0; ++update) {
+    if (workspace.adjust_vcvs(x) == 0) return;
+    Coordinates solution = x;
+    const SmoothResult outcome = result;
+    solve(x);
+    // The operator's own solution may be tangled: from there the next angles are to lead out of it.
+    if (result.converged && result.inverted <= outcome.inverted) continue;
+    x = std::move(solution);
+    recorder.restore_outcome(outcome);
+    return;
+  }
+}
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/error.h"
-#include "core/geometry/sliding_faces.h"
-#include "core/geometry/surface_shapes.h"
+#include "core/geometry/space_boundary.h"
+#include "core/geometry/surface_features.h"
 #include "core/quality/quality.h"
 #include "core/strategy/run_sequence.h"
 #include "core/strategy/smooth_run.h"

@@ -4,9 +4,9 @@
 #include <map>
 
 #include "core/error.h"
-#include "core/geometry/remembered_feet.h"
-#include "core/mesh/joined_sets.h"
-#include "core/search/box.h"
+#include "core/geometry/sliding_geometry.h"
+#include "core/mesh/index_sets.h"
+#include "core/search/box_tree.h"
 
 namespace winslow {
 

@@ -11,10 +11,23 @@
 #include "core/linear/linear_solver.h"
 #include "core/outer/energy_newton.h"
 #include "core/outer/equation_newton.h"
+#include "core/outer/outer_solver.h"
 #include "core/outer/picard_solver.h"
 #include "core/strategy/smooth_options.h"
+#include "core/vcv/sphere/star_builder.h"
 
 namespace winslow {
+
+/// What the options of a smoothing run mean to its solvers.
+inline NewtonOptions newton_options(const SmoothOptions& options) {
+  return {options.tolerance, options.linear.tolerance};
+}
+inline EquationOptions equation_options(const SmoothOptions& options) {
+  return {options.clip, options.tolerance, options.damping, options.adapt_damping,
+          options.acceleration};
+}
+
+VolumeVcvOptions volume_vcv_options(const SmoothOptions& options);
 
 /// Prepared solvers for one topology and the nodes that move: what depends on the connectivity
 /// alone (matrix patterns, orderings, symbolic factorisations) outlives a command, so that a drag

@@ -1,9 +1,15 @@
 #pragma once
 
 #include <chrono>
+#include <exception>
+#include <filesystem>
 #include <functional>
 #include <future>
+#include <new>
 #include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
 
 namespace winslow::gui {
 
@@ -28,5 +34,32 @@ class Background {
  private:
   std::future<Result> future_;
 };
+
+/// What the session's work on files has in common.
+
+/// `work`, whose failure is text rather than an exception. Running out of memory on a huge file is
+/// an error like another.
+template <class Work>
+std::string error_of(Work&& work) {
+  try {
+    work();
+    return {};
+  } catch (const std::bad_alloc&) {
+    return "There is not enough memory.";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+inline bool is_there(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::exists(path, ignored);
+}
+
+inline std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const auto& line : lines) text += (text.empty() ? "" : "\n") + line;
+  return text;
+}
 
 }  // namespace winslow::gui

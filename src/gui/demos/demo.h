@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/command/command.h"
-#include "gui/settings/space_options.h"
+#include "gui/settings/view_options.h"
 
 namespace winslow::gui {
 
@@ -32,9 +32,12 @@ struct Demo {
   std::vector<DemoStep> steps;
 };
 
-/// All demos. TO ADD ONE, add a function to demos.cpp, or to volume_demos.cpp.
+/// All demos. TO ADD ONE, add a function to demo.cpp, or to demo.cpp.
 const std::vector<Demo>& demos();
 /// Null if there is none of that id.
 const Demo* find_demo(const std::string& id);
+
+/// Those on volume meshes.
+std::vector<Demo> volume_demos();
 
 }  // namespace winslow::gui

@@ -1,9 +1,9 @@
 #include "gui/files/file_kinds.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
-#include <optional>
 
 #include "io/format/mesh_format.h"
 #include "io/tables/boundary_file.h"
@@ -107,6 +107,15 @@ std::string extension_of(const std::string& name) {
 bool matches(const FileKind& kind, const std::string& name) {
   return kind.extensions.empty() || std::find(kind.extensions.begin(), kind.extensions.end(),
                                               extension_of(name)) != kind.extensions.end();
+}
+
+std::optional<FileStamp> stamp_of(const std::filesystem::path& path) {
+  struct stat found {};
+  if (::stat(path.c_str(), &found) != 0) return std::nullopt;
+  return FileStamp{
+      static_cast<std::uint64_t>(found.st_dev), static_cast<std::uint64_t>(found.st_ino),
+      static_cast<std::uint64_t>(found.st_size), static_cast<std::int64_t>(found.st_mtim.tv_sec),
+      static_cast<std::int64_t>(found.st_mtim.tv_nsec)};
 }
 
 }  // namespace winslow::gui

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "core/mesh/mesh_kind.h"
+#include "core/mesh/topology.h"
 
 namespace winslow::gui {
 
@@ -48,5 +51,15 @@ bool matches(const FileKind& kind, const std::string& name);
 /// In lower case, with its dot.
 std::string extension_of(const std::string& name);
 std::string lower_case(std::string text);
+
+/// By what it is seen that a file was replaced or written to.
+struct FileStamp {
+  std::uint64_t device = 0, inode = 0, size = 0;
+  std::int64_t seconds = 0, nanoseconds = 0;  ///< of the last change of its content
+  bool operator==(const FileStamp&) const = default;
+};
+
+/// Empty if there is no such file.
+std::optional<FileStamp> stamp_of(const std::filesystem::path& path);
 
 }  // namespace winslow::gui

@@ -1,7 +1,10 @@
 #include "gui/files/recent_files.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <system_error>
+
+#include "gui/files/assets.h"
 
 namespace winslow::gui {
 
@@ -57,6 +60,72 @@ void RecentFiles::update(double seconds) {
     }
     return files;
   });
+}
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Looked up once: none of these comes and goes while the studio runs.
+const std::vector<Place>& fixed_places() {
+  static const std::vector<Place> all = [] {
+    std::error_code ignored;
+    std::vector<Place> found{{"Places", "Home", home_folder()}};
+    if (const fs::path desktop = home_folder() / "Desktop"; fs::is_directory(desktop, ignored))
+      found.push_back({"Places", "Desktop", desktop});
+    found.push_back({"Places", "Working folder", fs::current_path(ignored)});
+    if (!assets_folder().empty()) found.push_back({"Places", "Bundled meshes", assets_folder()});
+    found.push_back({"Places", "System", "/"});
+    return found;
+  }();
+  return all;
+}
+
+/// The end of a path: its last `parts` names.
+std::string end_of(const fs::path& folder, std::size_t parts) {
+  std::string text;
+  fs::path rest = folder;
+  for (std::size_t k = 0; k < parts && rest.has_relative_path(); ++k) {
+    text = rest.filename().string() + (text.empty() ? "" : "/" + text);
+    rest = rest.parent_path();
+  }
+  return text.empty() ? folder.string() : text;
+}
+
+/// As much of the end of each path as tells it from the others.
+std::vector<std::string> distinct_names(const std::vector<fs::path>& folders) {
+  std::vector<std::string> names;
+  constexpr std::size_t most = 12;
+  for (const fs::path& folder : folders) {
+    std::size_t parts = 1;
+    const auto alike = [&] {
+      return std::ranges::any_of(folders, [&](const fs::path& other) {
+        return other != folder && end_of(other, parts) == end_of(folder, parts);
+      });
+    };
+    while (parts < most && alike()) ++parts;
+    names.push_back(end_of(folder, parts));
+  }
+  return names;
+}
+
+}  // namespace
+
+fs::path home_folder() {
+  const char* home = std::getenv("HOME");
+  return home && *home ? fs::path(home) : fs::path("/");
+}
+
+std::vector<Place> places(const std::vector<fs::path>& recent) {
+  std::vector<Place> all = fixed_places();
+  constexpr std::size_t largest = 6;
+  const std::vector<fs::path> shown(
+      recent.begin(),
+      recent.begin() + static_cast<std::ptrdiff_t>(std::min(recent.size(), largest)));
+  const std::vector<std::string> names = distinct_names(shown);
+  for (std::size_t k = 0; k < shown.size(); ++k)
+    all.push_back({"Recent folders", names[k], shown[k]});
+  return all;
 }
 
 }  // namespace winslow::gui

@@ -1,20 +1,19 @@
 #include "gui/files/thumbnails.h"
 
-#include <filesystem>
 #include <system_error>
 #include <utility>
 
 #include "core/error.h"
 #include "core/quality/quality.h"
 #include "gui/files/assets.h"
-#include "gui/render/camera.h"
 #include "gui/render/frame_buffer.h"
 #include "gui/render/gl.h"
 #include "gui/render/image.h"
 #include "gui/render/mesh_renderer.h"
 #include "gui/render/space/space_renderer.h"
-#include "gui/render/space/standard_views.h"
+#include "gui/render/space/space_view.h"
 #include "gui/render/space/volume_scene.h"
+#include "gui/render/view.h"
 #include "io/format/mesh_file.h"
 
 namespace winslow::gui {
@@ -157,6 +156,37 @@ void Thumbnails::update(double seconds) {
 const Texture* Thumbnails::find(const std::string& id) const {
   const auto it = textures_.find(id);
   return it == textures_.end() ? nullptr : it->second.get();
+}
+
+namespace {
+
+std::optional<Mesh> mesh_in(const std::filesystem::path& file) {
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(file, failed) ||
+      std::filesystem::file_size(file, failed) > MeshPreview::largest)
+    return std::nullopt;
+  try {
+    return io::read_mesh(file).mesh;
+  } catch (const std::exception&) {
+    return std::nullopt;  // opening it will say what is wrong
+  }
+}
+
+}  // namespace
+
+void MeshPreview::want(const std::filesystem::path& file) {
+  wanted_ = file;
+  if (auto read = reader_.poll()) {
+    shown_ = read->file;
+    texture_ = read->mesh ? std::make_unique<Texture>(Thumbnails::draw(*read->mesh)) : nullptr;
+  }
+  if (shown_ == wanted_ || reader_.busy()) return;
+  texture_.reset();
+  if (wanted_.empty()) {
+    shown_.clear();
+    return;
+  }
+  reader_.start([file = wanted_] { return Read{file, mesh_in(file)}; });
 }
 
 }  // namespace winslow::gui

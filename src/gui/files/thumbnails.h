@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -8,7 +9,7 @@
 
 #include "core/mesh/mesh.h"
 #include "gui/base/background.h"
-#include "gui/render/texture.h"
+#include "gui/render/imgui_renderer.h"
 
 namespace winslow::gui {
 
@@ -45,6 +46,29 @@ class Thumbnails {
   Background<std::vector<Loaded>> reader_;
   std::vector<Loaded> waiting_;
   std::map<std::string, std::unique_ptr<Texture>> textures_;
+};
+
+/// A small picture of the mesh in a file, read on a thread of its own. Of files that are too large
+/// to be read in passing, or hold no mesh, none.
+class MeshPreview {
+ public:
+  static constexpr std::uintmax_t largest = 40'000'000;  ///< bytes
+
+  /// In every frame: the file that is looked at now; empty: none.
+  void want(const std::filesystem::path& file);
+  bool busy() const { return reader_.busy(); }
+  /// Null until it is there.
+  const Texture* picture() const { return texture_.get(); }
+
+ private:
+  struct Read {
+    std::filesystem::path file;
+    std::optional<Mesh> mesh;
+  };
+
+  Background<Read> reader_;
+  std::filesystem::path wanted_, shown_;
+  std::unique_ptr<Texture> texture_;  // of shown_
 };
 
 }  // namespace winslow::gui

@@ -9,10 +9,10 @@
 #include "core/inspect/space/surface_measures.h"
 #include "core/quality/metric.h"
 #include "gui/base/text.h"
-#include "gui/document/jobs/periodic_sides.h"
+#include "gui/document/jobs/run_settings.h"
 #include "gui/menu/bodies.h"
-#include "gui/menu/layer_commands.h"
-#include "gui/menu/pivot_commands.h"
+#include "gui/menu/motion_commands.h"
+#include "gui/menu/solver_commands.h"
 
 namespace winslow::gui {
 

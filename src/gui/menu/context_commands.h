@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "gui/document/selection/picked_place.h"
+#include "gui/document/actions/actions.h"
 #include "gui/menu/user_command.h"
 
 /// What a right click offers. The commands emit the same actions as menus and panels do; those that

@@ -7,7 +7,6 @@
 #include "gui/files/recent_files.h"
 #include "gui/settings/view_options.h"
 #include "gui/settings/view_state.h"
-#include "gui/view/mesh/before_mesh.h"
 #include "gui/view/mesh/mesh_layer.h"
 #include "gui/widgets/theme.h"
 
@@ -44,6 +43,14 @@ struct PanelContext {
   /// The picture is that of the session's mesh, not of the one before.
   bool picture_follows() const { return shown && shown->shape == session.shape(); }
   const Topology* topology() const { return session.topology().get(); }
+};
+
+/// A part of the studio: draws itself into the current ImGui window from a view of the session and
+/// emits actions. No panel knows another.
+class Panel {
+ public:
+  virtual ~Panel() = default;
+  virtual void draw(const PanelContext& context) = 0;
 };
 
 }  // namespace winslow::gui

@@ -6,19 +6,46 @@
 #include <string_view>
 #include <vector>
 
-#include "gui/base/mesh_kinds.h"
-#include "gui/menu/chord.h"
+#include "gui/document/session/session.h"
 #include "gui/menu/panel_context.h"
+
+namespace winslow::gui {
+
+/// Keys pressed together: one key with Control, Alt or Shift held, or a character however the
+/// keyboard types it.
+struct Chord {
+  int key = 0;  ///< GLFW key code; 0: a character
+  bool control = false;
+  bool shift = false;
+  char32_t character = 0;
+  bool alt = false;
+
+  bool operator==(const Chord&) const = default;
+};
+
+/// "Ctrl+Shift+S", "F2", "?".
+std::string chord_text(const Chord& chord);
+/// "Ctrl+Shift+Z, Ctrl+Y"; empty for none.
+std::string chords_text(const std::vector<Chord>& chords);
+/// Went down in this frame, with just these modifiers. Super stands in for Control where keyboards
+/// have it.
+bool pressed(const Chord& chord);
+
+/// How tables of commands write chords: key('F'), shift(key('F')), control(key('S')).
+Chord key(int glfw_key);
+Chord control(Chord chord);
+Chord shift(Chord chord);
+Chord alt(Chord chord);
+Chord typed(char32_t character);
 
 /// Everything that a user can do by name. The menus, the keys, the palette, the list of keys and
 /// the toolbar's tooltips all read this one table: what is not in it has no key and no menu entry.
 ///
-/// TO ADD A COMMAND, add an entry to the table of its group: file_commands.cpp, edit_commands.cpp,
-/// motion_commands.cpp, layer_commands.cpp, solver_commands.cpp, view_commands.cpp,
-/// space_commands.cpp, help_commands.cpp or demo_commands.cpp. Its order there is its order in the
+/// TO ADD A COMMAND, add an entry to the table of its group: file_commands.cpp, file_commands.cpp,
+/// motion_commands.cpp, solver_commands.cpp, solver_commands.cpp, view_commands.cpp,
+/// view_commands.cpp, help_commands.cpp or help_commands.cpp. Its order there is its order in the
 /// menu. What a right click offers stands in context_commands.cpp, what the mouse does, for the
-/// list of keys, in gestures.cpp.
-namespace winslow::gui {
+/// list of keys, in gui/panels/help_panel.cpp.
 
 enum class CommandGroup { file, edit, motion, layers, solver, view, help };
 /// In the order of the menus.
@@ -81,5 +108,10 @@ std::vector<UserCommand> demo_commands();
 std::string without_mesh(const PanelContext& context);
 /// No mesh, or the solver is at work on it.
 std::string while_busy(const PanelContext& context);
+
+/// Runs the commands whose keys were pressed in this frame (gui/menu/user_command.h). Call it
+/// within a frame, not while a dialog is open or a field is being typed in. dragging: what happens
+/// then is the mouse's business, and only the view's keys count.
+void handle_shortcuts(const PanelContext& context, bool dragging);
 
 }  // namespace winslow::gui

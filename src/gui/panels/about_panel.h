@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "gui/panels/panel.h"
+#include "gui/menu/panel_context.h"
 
 namespace winslow::gui {
 

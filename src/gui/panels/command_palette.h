@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "gui/menu/panel_context.h"
 #include "gui/menu/user_command.h"
-#include "gui/panels/panel.h"
 
 namespace winslow::gui {
 

@@ -1,6 +1,9 @@
 #pragma once
 
-#include "gui/panels/panel.h"
+#include <span>
+
+#include "gui/menu/panel_context.h"
+#include "gui/menu/user_command.h"
 
 namespace winslow::gui {
 
@@ -14,5 +17,13 @@ class HelpPanel : public Panel {
  private:
   bool wanted_ = false;
 };
+
+/// What the mouse does in the picture, for the list of keys.
+struct Gesture {
+  const char* how;
+  const char* what;
+  MeshKinds serves = all_meshes;
+};
+std::span<const Gesture> mouse_gestures();
 
 }  // namespace winslow::gui

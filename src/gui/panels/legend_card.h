@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "gui/base/screen.h"
+#include "gui/menu/panel_context.h"
 #include "gui/panels/layout.h"
-#include "gui/panels/panel.h"
 #include "gui/widgets/legend.h"
 
 namespace winslow::gui {

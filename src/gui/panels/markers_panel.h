@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "gui/menu/panel_context.h"
 #include "gui/panels/marker_roles.h"
-#include "gui/panels/panel.h"
 
 namespace winslow::gui {
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "core/mesh/element_type.h"
-#include "gui/panels/panel.h"
+#include "gui/menu/panel_context.h"
 
 namespace winslow::gui {
 

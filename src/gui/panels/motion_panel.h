@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gui/panels/panel.h"
+#include "gui/menu/panel_context.h"
 
 namespace winslow::gui {
 
@@ -16,5 +16,19 @@ class MotionPanel : public Panel {
 
   RigidMotion typed_;  // rotate and translate; the pivot is the session's
 };
+
+/// Share of a row that labels take in the panel of the motion.
+inline constexpr float motion_label_share = 0.385f;
+
+/// In how many steps bodies go to their places; of either dimension.
+void draw_motion_steps(const PanelContext& context);
+
+/// Limits of quality, of either dimension: they hold for every motion and deformation from here on,
+/// dragged or typed.
+void draw_quality_limits(const PanelContext& context);
+
+/// Rows for the region outside which nothing moves (SmoothOptions::keep_outside): none, a circle
+/// about the selection (of a volume mesh a sphere), a box around it.
+void draw_keep_outside(const PanelContext& context);
 
 }  // namespace winslow::gui

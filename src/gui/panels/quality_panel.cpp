@@ -1,9 +1,12 @@
 #include "gui/panels/quality_panel.h"
 
 #include <array>
-#include <string>
+#include <cmath>
+#include <cstdio>
+#include <utility>
 
-#include "gui/panels/quality_table.h"
+#include "core/quality/mesh_change.h"
+#include "gui/base/text.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -126,6 +129,196 @@ void DeviationPanel::draw(const PanelContext& context) {
   const bool known = measured && measured->deviation;
   draw_rows(context, deviation_table(known ? &measured->deviation->change : nullptr),
             "quality/deviation");
+}
+
+namespace {
+
+/// How a change of a number is judged.
+enum class Better { larger, smaller, neither };
+
+Better better(const FieldInfo& info) {
+  if (!info.judged) return Better::neither;
+  return info.larger_is_better ? Better::larger : Better::smaller;
+}
+
+using Text = std::string (*)(double);
+
+/// Three significant digits, narrow enough for a column whatever the unit.
+std::string wall_number(double value) {
+  char text[24];
+  const double size = std::abs(value);
+  const bool plain = size == 0 || (size >= 0.01 && size < 1000);
+  std::snprintf(text, sizeof text, plain ? "%.3g" : "%.2e", value);
+  return text;
+}
+
+/// text: writes the numbers.
+QualityRow row_of(const char* name, const double* before, double now, Better better,
+                  Text text = table_number) {
+  QualityRow row;
+  row.name = name;
+  row.now = text(now);
+  row.before = before ? text(*before) : "-";
+  // A change that is not seen in the numbers beside it would only puzzle.
+  if (!before || row.before == row.now || !std::isfinite(*before) || !std::isfinite(now))
+    return row;
+  const double change = now - *before;
+  row.change = (change > 0 ? "+" : "\xE2\x88\x92") + text(std::abs(change));
+  if (better != Better::neither) row.verdict = (change > 0) == (better == Better::larger) ? 1 : -1;
+  return row;
+}
+
+QualityRow title_of(std::string name, std::string tip) {
+  return {std::move(name), std::move(tip), true, {}, {}, {}, 0, false};
+}
+
+QualityRow inverted_row(const QualityReport* before, Index now) {
+  QualityRow row;
+  row.name = "Inverted";
+  row.tip =
+      "Elements of which some part has no positive area or volume. A solver cannot use such a "
+      "mesh.";
+  row.now = grouped(now);
+  row.alarming = now > 0;
+  row.before = before ? grouped(before->inverted) : "-";
+  if (!before || before->inverted == now) return row;
+  const Index change = now - before->inverted;
+  row.change = (change > 0 ? "+" : "\xE2\x88\x92") + grouped(std::abs(change));
+  row.verdict = change < 0 ? 1 : -1;
+  return row;
+}
+
+/// One of the numbers that say how a list is spread.
+struct Place {
+  const char* name;
+  double Quantiles::*of;
+};
+constexpr std::array whole_spread{Place{"min", &Quantiles::min}, Place{"5 %", &Quantiles::low},
+                                  Place{"median", &Quantiles::median},
+                                  Place{"95 %", &Quantiles::high}, Place{"max", &Quantiles::max}};
+constexpr std::array upper_end{whole_spread[3], whole_spread[4]};
+
+/// Something that is measured of the cells at walls, or beyond.
+struct WallRows {
+  const char* name;
+  const char* tip;
+  Quantiles WallReport::*of;
+  std::span<const Place> places;
+  Better better;
+};
+constexpr std::array wall_rows{
+    WallRows{
+        "First height",
+        "Height of the cells at the walls of bodies, at the nodes of the wall, in units of the "
+        "mesh.",
+        &WallReport::first_height, whole_spread, Better::neither},
+    WallRows{"Tilt of the first edge",
+             "Degrees by which the first edges off a wall deviate from its normal.",
+             &WallReport::tilt, upper_end, Better::smaller},
+    WallRows{
+        "Growth off the wall",
+        "Ratio of the heights of consecutive cells in the columns of quadrilaterals on a wall, "
+        "the larger over the smaller.",
+        &WallReport::growth, upper_end, Better::neither},
+    WallRows{"Size ratio",
+             "Square root of the ratio of the areas of two elements that share an edge, the larger "
+             "over the smaller; of the whole mesh.",
+             &WallReport::size_ratio, upper_end, Better::neither}};
+
+void add_wall_rows(const WallReport* before, const WallReport& now, const WallRows& what,
+                   std::vector<QualityRow>& rows) {
+  const Quantiles& n = now.*what.of;
+  if (n.count == 0) return;
+  rows.push_back(title_of(what.name, what.tip));
+  const Quantiles* b = before && (before->*what.of).count > 0 ? &(before->*what.of) : nullptr;
+  for (const Place& place : what.places) {
+    rows.push_back(
+        row_of(place.name, b ? &(b->*place.of) : nullptr, n.*place.of, what.better, wall_number));
+  }
+}
+
+/// First heights over those before, node by node: what the spreads of the two do not show.
+void add_height_change(const WallReport& before, const WallReport& now,
+                       std::vector<QualityRow>& rows) {
+  const auto change = compare_first_heights(before.walls, now.walls);
+  if (!change || change->ratio.count == 0) return;
+  rows.push_back(title_of("First height over before",
+                          "At each node of the walls, the first height over that before. Changed: "
+                          "share of the nodes where it differs by more than 5 %."));
+  for (const Place& place : whole_spread) {
+    QualityRow& row = rows.emplace_back();
+    row.name = place.name;
+    row.now = wall_number(change->ratio.*place.of);
+  }
+  QualityRow& row = rows.emplace_back();
+  row.name = "changed";
+  row.now = wall_number(100 * change->off) + " %";
+  row.alarming = spoils_walls(*change);
+}
+
+}  // namespace
+
+std::vector<QualityRow> quality_table(const QualityReport* before, const QualityReport& now,
+                                      const Validity* shown) {
+  std::vector<QualityRow> rows;
+  for (const Metric metric : reported_metrics(now.cell_dimension)) {
+    const FieldInfo& info = metric_info(metric, now.cell_dimension).field;
+    rows.push_back(title_of(std::string(info.label), std::string(info.help)));
+    Statistics n = now.of(metric).statistics;
+    if (shown && metric == Metric::normalized_jacobian) n.min = shown->min_sine;
+    const Statistics* b = before ? &before->of(metric).statistics : nullptr;
+    rows.push_back(row_of("min", b ? &b->min : nullptr, n.min, better(info)));
+    rows.push_back(row_of("avg", b ? &b->avg : nullptr, n.avg, better(info)));
+    rows.push_back(row_of("max", b ? &b->max : nullptr, n.max, better(info)));
+  }
+  rows.push_back(inverted_row(before, shown ? shown->inverted : now.inverted));
+  return rows;
+}
+
+std::vector<QualityRow> deviation_table(const SurfaceChange* change) {
+  const SurfaceChange c = change ? *change : SurfaceChange();
+  const auto distance = [&](std::string name, std::string tip, double value) {
+    QualityRow row{std::move(name), std::move(tip), false, {}, {}, {}, 0, false};
+    // What rounding leaves of nothing.
+    row.now = change ? wall_number(value < 1e-14 * c.extent ? 0 : value) : "-";
+    return row;
+  };
+  std::vector<QualityRow> rows{
+      distance(
+          "Largest, of the mesh now",
+          "Largest distance of nodes and of the middles of edges and elements from the mesh as "
+          "it was opened, in units of the mesh. On a curved surface most of it is that between "
+          "chords.",
+          c.from_after),
+      distance("Largest, as opened", "The same of the mesh as opened, from the mesh now.",
+               c.from_before),
+      distance("Hausdorff distance", "The larger of these two.", c.hausdorff())};
+  QualityRow relative = distance("Over the diagonal",
+                                 "The Hausdorff distance over the diagonal of the mesh's box.", 0);
+  const double share = c.extent > 0 ? c.hausdorff() / c.extent : 0;
+  if (change) relative.now = wall_number(share < 1e-14 ? 0 : share);
+  rows.push_back(relative);
+  if (!c.volume_before || !c.volume_after) return rows;
+  QualityRow volume =
+      row_of("Enclosed volume", &*c.volume_before, *c.volume_after, Better::neither, wall_number);
+  volume.tip =
+      "Volume inside the closed surface, in cubed units of the mesh: as opened, now, and by "
+      "how much it has changed.";
+  const double percent = 100 * (*c.volume_after / *c.volume_before - 1);
+  volume.change = std::abs(percent) < 1e-9 ? ""
+                                           : (percent > 0 ? "+" : "\xE2\x88\x92") +
+                                                 wall_number(std::abs(percent)) + " %";
+  rows.push_back(volume);
+  return rows;
+}
+
+std::vector<QualityRow> wall_table(const WallReport* before, const WallReport& now) {
+  std::vector<QualityRow> rows;
+  for (const WallRows& what : wall_rows) {
+    add_wall_rows(before, now, what, rows);
+    if (before && what.of == &WallReport::first_height) add_height_change(*before, now, rows);
+  }
+  return rows;
 }
 
 }  // namespace winslow::gui

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "gui/base/text.h"
-#include "gui/document/jobs/method.h"
-#include "gui/document/session/activity.h"
-#include "gui/panels/forms/smooth_options_form.h"
+#include "gui/document/jobs/run_settings.h"
+#include "gui/document/session/session.h"
+#include "gui/panels/forms/option_form.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gui/panels/panel.h"
+#include "gui/menu/panel_context.h"
 
 namespace winslow::gui {
 

@@ -4,8 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "gui/render/metric_scale.h"
-#include "gui/view/mesh/isolated_elements.h"
+#include "gui/render/color_scale.h"
 #include "gui/view/mesh/mesh_colors.h"
 #include "gui/widgets/controls.h"
 

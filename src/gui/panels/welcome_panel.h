@@ -4,7 +4,7 @@
 #include "gui/files/assets.h"
 #include "gui/files/recent_files.h"
 #include "gui/files/thumbnails.h"
-#include "gui/panels/panel.h"
+#include "gui/menu/panel_context.h"
 
 namespace winslow::gui {
 
@@ -37,6 +37,14 @@ class WelcomePanel : public Panel {
 
   bool wanted_ = false;
   Thumbnails thumbnails_;
+};
+
+/// The card of the demo being played: what happens, what to look at, the numbers as they are now.
+class DemoPanel : public Panel {
+ public:
+  void draw(const PanelContext& context) override;
+  /// What the card needs at a width, in pixels.
+  static float height(const PanelContext& context, float width);
 };
 
 }  // namespace winslow::gui

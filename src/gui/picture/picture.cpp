@@ -7,9 +7,8 @@
 #include "core/error.h"
 #include "core/inspect/nodal_view.h"
 #include "gui/picture/frame/picture_frame.h"
-#include "gui/picture/frame/picture_parts.h"
+#include "gui/render/color_scale.h"
 #include "gui/render/gl_context.h"
-#include "gui/render/metric_scale.h"
 #include "gui/view/overlays/vcv_overlay.h"
 
 namespace winslow::gui {

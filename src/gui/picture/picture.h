@@ -8,8 +8,8 @@
 
 #include "core/inspect/element_field.h"
 #include "gui/picture/figure/vector_figure.h"
+#include "gui/render/color_scale.h"
 #include "gui/render/image.h"
-#include "gui/render/metric_scale.h"
 
 namespace winslow::gui {
 

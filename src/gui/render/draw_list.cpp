@@ -1,12 +1,9 @@
 #include "gui/render/draw_list.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
-#include "gui/render/element_shape.h"
 #include "gui/render/line_density.h"
 #include "gui/render/overlap.h"
 
@@ -151,6 +148,195 @@ EdgeGroups group_edges(const Topology& topology) {
 DrawList whole_draw_list(const Topology& topology, const EdgeGroups& groups,
                          const Coordinates& coordinates, const Vec2& origin) {
   return WholeMesh(topology, coordinates, origin).build(groups);
+}
+
+namespace {
+
+/// Fills a DrawList with what a box cuts out; every piece has vertices of its own.
+class ClippedMesh {
+ public:
+  ClippedMesh(const Topology& topology, const Coordinates& coordinates, const Bounds& box)
+      : topology_(topology), coordinates_(coordinates), box_(box) {
+    list_.origin << box.centre(), 0;
+  }
+
+  DrawList build(const EdgeGroups& groups) {
+    for (Index e = 0; e < topology_.element_count(); ++e) add_element(e);
+    list_.interior = add_edges(groups.interior);
+    // Of the interior alone: what comes after is never hidden with its elements.
+    list_.line_edge = std::move(edges_);
+    hide_covered(list_);
+    sort_by_spacing(list_);
+    list_.boundary = add_edges(groups.unmarked_boundary);
+    for (const Marker& marker : topology_.markers()) {
+      const std::size_t first = list_.lines.size() / 2;
+      for (const Face& edge : marker.faces) {
+        if (add_segment(edge[0], edge[1], list_.lines)) list_.line_spacing.push_back(0);
+      }
+      list_.markers.push_back({first, list_.lines.size() / 2 - first});
+    }
+    for (Index i = 0; i < coordinates_.size(); ++i) add_node(i);
+    return std::move(list_);
+  }
+
+ private:
+  std::uint32_t add_vertex(const Vec2& world, double spacing = 0) {
+    const Vec2 p = world - list_.origin.head<2>();
+    list_.positions.push_back(static_cast<float>(p.x()));
+    list_.positions.push_back(static_cast<float>(p.y()));
+    list_.node_spacing.push_back(static_cast<float>(spacing));
+    return static_cast<std::uint32_t>(list_.node_spacing.size() - 1);
+  }
+
+  bool misses_box(std::span<const Index> corners) const {
+    Vec2 low = coordinates_.xy(corners[0]);
+    Vec2 high = low;
+    for (const Index node : corners.subspan(1)) {
+      low = low.cwiseMin(coordinates_.xy(node));
+      high = high.cwiseMax(coordinates_.xy(node));
+    }
+    return (low.array() > box_.max.array()).any() || (high.array() < box_.min.array()).any();
+  }
+
+  void add_element(Index e) {
+    const auto corners = topology_.element(e);
+    if (misses_box(corners)) return;
+    const bool inverted = is_inverted(coordinates_, corners);
+    std::array<int, 6> cut{0, 1, 2, 0, 0, 0};
+    if (corners.size() == 4) cut = cut_quadrilateral(coordinates_, corners);
+    for (std::size_t t = 0; t + 2 < corners.size(); ++t) {
+      std::array<Vec2, 3> triangle;
+      for (std::size_t k = 0; k < 3; ++k) {
+        triangle[k] = coordinates_.xy(corners[static_cast<std::size_t>(cut[3 * t + k])]);
+      }
+      add_triangle(triangle, e, inverted);
+    }
+    if (!inverted) return;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      add_segment(corners[k], corners[(k + 1) % corners.size()], list_.inverted_lines);
+    }
+  }
+
+  void add_triangle(const std::array<Vec2, 3>& triangle, Index element, bool inverted) {
+    const std::vector<Vec2> polygon = clip_polygon(triangle);
+    if (polygon.size() < 3) return;
+    std::vector<std::uint32_t> vertices;
+    for (const Vec2& p : polygon) vertices.push_back(add_vertex(p));
+    for (std::size_t k = 1; k + 1 < vertices.size(); ++k) {
+      const std::array<std::uint32_t, 3> piece{vertices[0], vertices[k], vertices[k + 1]};
+      list_.triangles.insert(list_.triangles.end(), piece.begin(), piece.end());
+      list_.triangle_element.push_back(element);
+      if (inverted) {
+        list_.inverted_triangles.insert(list_.inverted_triangles.end(), piece.begin(), piece.end());
+      }
+    }
+  }
+
+  /// Sutherland-Hodgman: cuts by one side of the box after the other.
+  std::vector<Vec2> clip_polygon(const std::array<Vec2, 3>& triangle) const {
+    std::vector<Vec2> polygon(triangle.begin(), triangle.end());
+    for (int side = 0; side < 4 && !polygon.empty(); ++side) {
+      const int axis = side / 2;
+      const bool upper = side % 2 == 1;
+      const double limit = upper ? box_.max[axis] : box_.min[axis];
+      const auto inside = [&](const Vec2& p) {
+        return upper ? p[axis] <= limit : p[axis] >= limit;
+      };
+      std::vector<Vec2> kept;
+      for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vec2& a = polygon[k];
+        const Vec2& b = polygon[(k + 1) % polygon.size()];
+        if (inside(a)) kept.push_back(a);
+        if (inside(a) == inside(b)) continue;
+        Vec2 cut = a + (b - a) * ((limit - a[axis]) / (b[axis] - a[axis]));
+        cut[axis] = limit;
+        kept.push_back(cut);
+      }
+      polygon = std::move(kept);
+    }
+    return polygon;
+  }
+
+  /// Liang-Barsky; false if nothing of the segment lies in the box.
+  bool add_segment(Index from, Index to, std::vector<std::uint32_t>& lines) {
+    const Vec2 a = coordinates_.xy(from);
+    const Vec2 d = coordinates_.xy(to) - a;
+    double enter = 0;
+    double leave = 1;
+    for (int axis = 0; axis < 2; ++axis) {
+      if (d[axis] == 0) {
+        if (a[axis] < box_.min[axis] || a[axis] > box_.max[axis]) return false;
+        continue;
+      }
+      const double t0 = (box_.min[axis] - a[axis]) / d[axis];
+      const double t1 = (box_.max[axis] - a[axis]) / d[axis];
+      enter = std::max(enter, std::min(t0, t1));
+      leave = std::min(leave, std::max(t0, t1));
+    }
+    if (!(enter <= leave)) return false;
+    lines.push_back(add_vertex(enter > 0 ? Vec2(a + enter * d) : a));
+    lines.push_back(add_vertex(leave < 1 ? Vec2(a + leave * d) : coordinates_.xy(to)));
+    return true;
+  }
+
+  DrawList::Range add_edges(const std::vector<Index>& edges) {
+    const std::size_t first = list_.lines.size() / 2;
+    for (const Index index : edges) {
+      const auto& edge = topology_.edges()[static_cast<std::size_t>(index)];
+      if (misses_box(edge.nodes)) continue;
+      if (!add_segment(edge.nodes[0], edge.nodes[1], list_.lines)) continue;
+      list_.line_spacing.push_back(static_cast<float>(edge_spacing(topology_, coordinates_, edge)));
+      edges_.push_back(index);
+    }
+    return {first, list_.lines.size() / 2 - first};
+  }
+
+  void add_node(Index node) {
+    const Vec2 p = coordinates_.xy(node);
+    if (!topology_.used(node) || (p.array() < box_.min.array()).any() ||
+        (p.array() > box_.max.array()).any()) {
+      return;
+    }
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const Index j : topology_.neighbours(node)) {
+      shortest = std::min(shortest, (coordinates_.xy(j) - p).squaredNorm());
+    }
+    add_vertex(p, std::sqrt(shortest));
+  }
+
+  const Topology& topology_;
+  const Coordinates& coordinates_;
+  const Bounds box_;
+  DrawList list_;
+  std::vector<Index> edges_;  // of the lines added by add_edges
+};
+
+}  // namespace
+
+DrawList clipped_draw_list(const Topology& topology, const EdgeGroups& groups,
+                           const Coordinates& coordinates, const Bounds& box) {
+  return ClippedMesh(topology, coordinates, box).build(groups);
+}
+
+bool is_inverted(const Coordinates& coordinates, std::span<const Index> corners) {
+  const std::size_t n = corners.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const double area = twice_area(coordinates.xy(corners[k]), coordinates.xy(corners[(k + 1) % n]),
+                                   coordinates.xy(corners[(k + n - 1) % n]));
+    if (!(area > 0)) return true;
+    if (n == 3) break;
+  }
+  return false;
+}
+
+std::array<int, 6> cut_quadrilateral(const Coordinates& coordinates,
+                                     std::span<const Index> corners) {
+  const std::array<Vec2, 4> p{coordinates.xy(corners[0]), coordinates.xy(corners[1]),
+                              coordinates.xy(corners[2]), coordinates.xy(corners[3])};
+  const double along_02 = std::min(twice_area(p[0], p[1], p[2]), twice_area(p[0], p[2], p[3]));
+  const double along_13 = std::min(twice_area(p[0], p[1], p[3]), twice_area(p[1], p[2], p[3]));
+  if (along_02 <= 0 && along_13 > along_02) return {0, 1, 3, 1, 2, 3};
+  return {0, 1, 2, 0, 2, 3};
 }
 
 }  // namespace winslow::gui

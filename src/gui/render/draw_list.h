@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/mesh/mesh.h"
@@ -63,5 +65,18 @@ DrawList whole_draw_list(const Topology& topology, const EdgeGroups& groups,
 /// precision cannot tell the ends of a long edge from each other. The origin is the box's centre.
 DrawList clipped_draw_list(const Topology& topology, const EdgeGroups& groups,
                            const Coordinates& coordinates, const Bounds& box);
+
+/// Twice the signed area of a triangle.
+inline double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+/// True if any corner has an area that is not positive (or is not a number).
+bool is_inverted(const Coordinates& coordinates, std::span<const Index> corners);
+
+/// Corners (positions in the element) of the two triangles that fill a quadrilateral: cut along the
+/// diagonal that leaves no triangle turned over, where there is one.
+std::array<int, 6> cut_quadrilateral(const Coordinates& coordinates,
+                                     std::span<const Index> corners);
 
 }  // namespace winslow::gui

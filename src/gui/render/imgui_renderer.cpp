@@ -1,7 +1,5 @@
 #include "gui/render/imgui_renderer.h"
 
-#include <imgui.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -129,6 +127,25 @@ void ImGuiRenderer::draw(const ImDrawData& data) {
   }
   glBindVertexArray(0);
   glDisable(GL_SCISSOR_TEST);
+}
+
+Texture::Texture(const Image& image) {
+  glGenTextures(1, &texture_);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, texture_);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+               image.rgba.data());
+}
+
+Texture::~Texture() { glDeleteTextures(1, &texture_); }
+
+ImTextureID Texture::id() const {
+  return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture_));
 }
 
 }  // namespace winslow::gui

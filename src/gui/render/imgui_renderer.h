@@ -1,7 +1,9 @@
 #pragma once
 
-#include "gui/render/gl_buffer.h"
-#include "gui/render/shader.h"
+#include <imgui.h>
+
+#include "gui/render/gl.h"
+#include "gui/render/image.h"
 
 struct ImDrawData;
 
@@ -28,6 +30,20 @@ class ImGuiRenderer {
   GlBuffer vertices_{GL_ARRAY_BUFFER}, indices_{GL_ELEMENT_ARRAY_BUFFER};
   GLuint vertex_array_ = 0;
   GLuint font_texture_ = 0;
+};
+
+/// A picture on the graphics card, for ImGui::Image. Needs a current OpenGL context.
+class Texture {
+ public:
+  explicit Texture(const Image& image);
+  ~Texture();
+  Texture(const Texture&) = delete;
+  Texture& operator=(const Texture&) = delete;
+
+  ImTextureID id() const;
+
+ private:
+  unsigned texture_ = 0;
 };
 
 }  // namespace winslow::gui

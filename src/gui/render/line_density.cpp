@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "gui/render/element_shape.h"
+#include "gui/render/draw_list.h"
 
 namespace winslow::gui {
 namespace {

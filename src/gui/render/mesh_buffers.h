@@ -3,9 +3,8 @@
 #include <span>
 
 #include "gui/render/draw_list.h"
-#include "gui/render/gl_buffer.h"
+#include "gui/render/gl.h"
 #include "gui/render/mesh_renderer.h"
-#include "gui/render/shader.h"
 
 namespace winslow::gui {
 

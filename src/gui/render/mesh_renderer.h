@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/mesh/mesh.h"
-#include "gui/render/camera.h"
-#include "gui/render/color_map.h"
+#include "gui/render/color_scale.h"
 #include "gui/render/draw_list.h"
+#include "gui/render/view.h"
 
 namespace winslow::gui {
 
@@ -100,5 +100,18 @@ class MeshRenderer {
   class Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// What lies behind a mesh: one colour, or two that run into each other.
+struct BackdropColors {
+  Rgba top{1, 1, 1, 1}, bottom{1, 1, 1, 1};
+  /// Lines on it must be light.
+  bool dark() const;
+  bool operator==(const BackdropColors&) const = default;
+};
+
+/// Fills the camera's part of the bound framebuffer, `framebuffer_height` pixels high. whole: the
+/// view that the camera sees a part of, over all of which the colours run.
+void draw_backdrop(const Camera& camera, const Camera& whole, const BackdropColors& colors,
+                   int framebuffer_height);
 
 }  // namespace winslow::gui

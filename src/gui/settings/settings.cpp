@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "core/error.h"
-#include "gui/settings/kept_view_json.h"
 #include "gui/settings/view_settings.h"
 #include "io/file/atomic_file.h"
 

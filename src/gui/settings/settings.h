@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "gui/base/background.h"
-#include "gui/settings/kept_view.h"
 #include "gui/settings/view_options.h"
 
 namespace winslow::gui {

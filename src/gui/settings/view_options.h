@@ -1,15 +1,98 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/inspect/element_field.h"
-#include "gui/render/color_map.h"
-#include "gui/settings/marker_looks.h"
-#include "gui/settings/space_options.h"
+#include "gui/render/color_scale.h"
 
 namespace winslow::gui {
+
+/// How a marker of a volume mesh is drawn; automatic: a body as a surface, what encloses bodies as
+/// an outline.
+enum class MarkerDrawing { automatic, surface, outline };
+
+/// How one marker is shown, and whether the mouse may take it.
+struct MarkerLook {
+  bool hidden = false;                        ///< not drawn; the mouse passes through it
+  bool locked = false;                        ///< drawn, but neither selected nor moved
+  std::optional<std::array<float, 3>> color;  ///< red, green, blue, 0 to 1; none: by its number
+  // In space.
+  MarkerDrawing drawing = MarkerDrawing::automatic;
+  double opacity = 1;  ///< of its surface, 0.1 to 1
+
+  bool operator==(const MarkerLook&) const = default;
+};
+
+/// The looks of the markers of one mesh; those as designed are left out.
+struct MarkerLooks {
+  std::string mesh;  ///< file of that mesh
+  std::map<std::string, MarkerLook> by_name;
+
+  bool operator==(const MarkerLooks&) const = default;
+
+  /// As designed where nothing else was chosen.
+  MarkerLook of(const std::string& marker) const {
+    const auto it = by_name.find(marker);
+    return it == by_name.end() ? MarkerLook() : it->second;
+  }
+  void set(const std::string& marker, const MarkerLook& look) {
+    if (look == MarkerLook())
+      by_name.erase(marker);
+    else
+      by_name[marker] = look;
+  }
+};
+
+/// A plane that cuts a volume mesh; what its normal points to is taken away.
+struct CutPlane {
+  std::array<double, 3> point{0, 0, 0};
+  std::array<double, 3> normal{0, 0, 1};  ///< of any length but 0
+  bool on = true;
+
+  bool operator==(const CutPlane&) const = default;
+};
+
+/// Elements by how deep they lie below a marker: layer 1 has a node of it, layer 2 lies beside
+/// layer 1, and so on. Those of some layers are shown alone, whole.
+struct Peel {
+  bool on = false;
+  std::string marker;
+  int from = 1, to = 3;  ///< layers that are shown
+
+  bool operator==(const Peel&) const = default;
+};
+
+/// How volume meshes are shown, beside what they have in common with plane ones.
+struct SpaceOptions {
+  std::vector<CutPlane> cuts;  ///< of the open mesh
+  bool crinkle = false;        ///< cuts leave whole elements
+  bool perspective = false;
+  int up = 2;               ///< the axis that is up on screen, 0 to 2
+  bool axes = true;         ///< a small cross of axes in the corner
+  bool worst = false;       ///< the worst elements are seen through what hides them
+  bool free_orbit = false;  ///< the mouse turns the view about any axis, not as a turntable
+  Peel peel;                ///< of the open mesh
+
+  bool operator==(const SpaceOptions&) const = default;
+};
+
+/// From where a volume mesh is looked at, at what, and how it is cut.
+struct SpaceLook {
+  double azimuth = 0, elevation = 0;  ///< degrees, as ViewDirection has them
+  int up = 2;
+  std::array<double, 3> centre{0, 0, 0};
+  double radius = 1;  ///< shown around the centre
+  std::vector<CutPlane> cuts;
+
+  bool operator==(const SpaceLook&) const = default;
+};
+
+/// The cuts that are on can be six.
+inline constexpr std::size_t most_cuts = 6;
 
 /// What the column on the right shows.
 enum class SideTab { quality, view, vcv, history };
@@ -107,5 +190,21 @@ bool legend_has_strip(const ViewOptions& view);
 
 /// Scales of the interface that one can step through, pixels per unit of the layout.
 inline constexpr std::array<double, 10> scales{0.75, 0.9, 1, 1.1, 1.25, 1.5, 1.75, 2, 2.5, 3};
+
+/// How a volume mesh was looked at last, for when it is opened again.
+struct KeptView {
+  std::string mesh;  ///< its file, absolute
+  std::array<double, 3> centre{0, 0, 0};
+  double height = 1;  ///< of what is seen around the centre, units of the mesh
+  double azimuth = 0, elevation = 0, roll = 0;
+  int up = 2;
+  std::vector<CutPlane> cuts;
+  Peel peel;
+
+  bool operator==(const KeptView&) const = default;
+};
+
+/// Meshes whose views are kept, the last first.
+inline constexpr std::size_t most_kept_views = 50;
 
 }  // namespace winslow::gui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <vector>
 
 #include "gui/settings/view_options.h"
 
@@ -12,5 +13,9 @@ namespace winslow::gui {
 void write_view(const ViewOptions& view, nlohmann::json& object);
 /// Of an object; what is missing or makes no sense is as in ViewOptions().
 ViewOptions read_view(const nlohmann::json& object);
+
+nlohmann::json write_kept_views(const std::vector<KeptView>& views);
+/// What makes no sense is left out.
+std::vector<KeptView> read_kept_views(const nlohmann::json& list);
 
 }  // namespace winslow::gui

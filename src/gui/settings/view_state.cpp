@@ -1,5 +1,7 @@
 #include "gui/settings/view_state.h"
 
+#include <algorithm>
+
 namespace winslow::gui {
 
 void open_left(ViewOptions& view, const ColumnState& columns) {
@@ -20,6 +22,27 @@ void fold_left(ViewOptions& view, const ColumnState& columns) {
 void fold_right(ViewOptions& view, const ColumnState& columns) {
   view.right_panel = false;
   if (!columns.both_fit) view.left_panel = false;
+}
+
+void InterfaceScale::set_window(int width, int height) {
+  width_ = width;
+  height_ = height;
+}
+
+float InterfaceScale::of(double chosen) const {
+  return fitting(chosen > 0 ? chosen : static_cast<double>(screen_));
+}
+
+/// With less the buttons of a prompt would lie outside the window.
+float InterfaceScale::fitting(double wanted) const {
+  // Of a layout in which tables and labels have room; a window can be made hardly smaller.
+  constexpr double least_width = 720, least_height = 450;
+  const double fits = std::min(width_ / least_width, height_ / least_height);
+  if (wanted <= fits) return static_cast<float>(wanted);
+  double largest = scales.front();
+  for (const double s : scales)
+    if (s <= fits) largest = s;
+  return static_cast<float>(std::min(wanted, largest));
 }
 
 }  // namespace winslow::gui

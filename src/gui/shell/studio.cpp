@@ -3,9 +3,12 @@
 #include <array>
 #include <cstdlib>
 
-#include "gui/base/resident_memory.h"
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 #include "gui/settings/settings.h"
-#include "gui/shell/headless/run_headless.h"
+#include "gui/shell/headless/headless_studio.h"
 #include "gui/shell/window.h"
 #include "gui/shell/workbench/workbench.h"
 
@@ -59,10 +62,6 @@ class StudioLoop {
   double last_frame_ = 0;
 };
 
-}  // namespace
-
-namespace {
-
 /// Where the desktop's conventions put a program's own files (XDG Base Directory Specification).
 std::filesystem::path profile_folder() {
   const auto variable = [](const char* name) -> std::filesystem::path {
@@ -103,6 +102,15 @@ void screenshot_studio(const StudioOptions& options, const std::filesystem::path
   headless.height = options.height;
   headless.picture = png;
   run_headless(headless);
+}
+
+void return_freed_memory() {
+#if defined(__GLIBC__)
+  // Saying a threshold also keeps glibc from raising it by itself, which it does to the size of
+  // whatever is freed.
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
+  mallopt(M_TRIM_THRESHOLD, 2 << 20);
+#endif
 }
 
 }  // namespace winslow::gui

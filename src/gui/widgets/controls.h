@@ -89,4 +89,8 @@ void text_right(std::string_view text, ImU32 color);
 /// Text cut to a width with "..." in its middle, so that the end of a file name stays.
 std::string elided(const std::string& text, float width);
 
+/// The text on lines of that width (pixels) in the present font, broken at spaces alone: Dear ImGui
+/// also breaks after a point, amid a number. A word that is longer keeps its line.
+std::string with_line_breaks(std::string_view text, float width);
+
 }  // namespace winslow::gui::ui

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "gui/render/metric_scale.h"
+#include "gui/render/color_scale.h"
 #include "gui/render/ticks.h"
 
 namespace winslow::gui {

@@ -7,7 +7,7 @@
 
 #include "core/inspect/element_field.h"
 #include "core/quality/quality.h"
-#include "gui/render/color_map.h"
+#include "gui/render/color_scale.h"
 
 struct ImDrawList;
 struct ImFont;

@@ -1,6 +1,11 @@
 #include "gui/widgets/plot_frame.h"
 
+#include <limits>
+#include <optional>
+
+#include "gui/base/text.h"
 #include "gui/render/ticks.h"
+#include "gui/widgets/controls.h"
 
 namespace winslow::gui {
 
@@ -81,3 +86,83 @@ void text_at(ImDrawList& list, const ImVec2& anchor, const ImVec2& align, ImU32 
 }
 
 }  // namespace winslow::gui
+
+namespace winslow::gui::ui {
+
+namespace {
+
+/// Around all heights, by their ratios: the first layer of many is a thousandth of the last.
+std::optional<PlotAxis> axis_of(const LayerHeights& heights) {
+  double lowest = std::numeric_limits<double>::infinity(), highest = 0;
+  for (const auto* values : {&heights.wanted, &heights.realised})
+    for (const double h : *values) {
+      if (!(h > 0)) continue;
+      lowest = std::min(lowest, h);
+      highest = std::max(highest, h);
+    }
+  if (!(highest > 0)) return std::nullopt;
+  PlotAxis axis{std::log10(lowest), std::log10(highest), true};
+  const double room = std::max(0.05 * (axis.high - axis.low), 0.02);
+  return PlotAxis{axis.low - room, axis.high + room, true};
+}
+
+/// Named lines at powers of ten, or at the ends of an axis that has not two of them.
+void draw_heights_axis(ImDrawList& list, const PlotStrip& strip, const PlotAxis& axis,
+                       const Theme& theme) {
+  const auto line = [&](double decades, const std::string& name) {
+    const float y = strip.y(axis, std::pow(10.0, decades));
+    list.AddLine(ImVec2(strip.min.x, y), ImVec2(strip.max.x, y), palette().grid, theme.px(1));
+    text_at(list, ImVec2(strip.min.x - theme.px(5), y), ImVec2(1, 0.5f), palette().text_dim, name);
+  };
+  const int room =
+      1 + static_cast<int>((strip.max.y - strip.min.y) / (1.2f * ImGui::GetTextLineHeight()));
+  const std::vector<int> decades = named_decades(axis, room);
+  if (decades.size() < 2) {
+    for (const double end : {axis.low, axis.high}) {
+      char text[16];
+      std::snprintf(text, sizeof text, "%.2g", std::pow(10.0, end));
+      line(end, text);
+    }
+    return;
+  }
+  for (const int decade : decades) line(decade, "1e" + std::to_string(decade));
+}
+
+}  // namespace
+
+void height_plot(std::string_view id, const LayerHeights& heights, const Theme& theme) {
+  const std::size_t count = std::max(heights.wanted.size(), heights.realised.size());
+  if (count == 0) return;
+  const auto axis = axis_of(heights);
+  if (!axis) return;
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float height = theme.px(104);
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 max(min.x + width, min.y + height);
+  ImGui::Dummy(ImVec2(width, height));
+  note(id);
+  tooltip(
+      "Height of each layer in units of the mesh, from the wall outwards, on a logarithmic axis: "
+      "wanted (line) and, where layers are in, realised (dots).");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(min, max, palette().card, theme.px(4));
+  list.AddRect(min, max, palette().border, theme.px(4));
+  const float pad = theme.px(10);
+  const PlotStrip strip{ImVec2(min.x + theme.px(46), min.y + pad + theme.px(12)),
+                        ImVec2(max.x - pad, max.y - pad), 0.5, static_cast<double>(count) + 0.5};
+  draw_heights_axis(list, strip, *axis, theme);
+  std::vector<ImVec2> line;
+  for (std::size_t k = 0; k < heights.wanted.size(); ++k)
+    line.emplace_back(strip.x(static_cast<double>(k + 1)), strip.y(*axis, heights.wanted[k]));
+  list.AddPolyline(line.data(), static_cast<int>(line.size()), palette().accent, 0, theme.px(1.5f));
+  for (std::size_t k = 0; k < heights.realised.size(); ++k)
+    list.AddCircleFilled(
+        ImVec2(strip.x(static_cast<double>(k + 1)), strip.y(*axis, heights.realised[k])),
+        theme.px(2.5f), palette().text);
+  text_at(list, ImVec2(min.x + pad, min.y + theme.px(4)), ImVec2(0, 0), palette().text_dim,
+          "layer height");
+  text_at(list, ImVec2(max.x - pad, min.y + theme.px(4)), ImVec2(1, 0), palette().text_dim,
+          counted(count, "layer"));
+}
+
+}  // namespace winslow::gui::ui

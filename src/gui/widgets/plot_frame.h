@@ -6,9 +6,11 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/outer/outer_solver.h"
+#include "gui/widgets/theme.h"
 
 namespace winslow::gui {
 
@@ -61,3 +63,16 @@ void text_at(ImDrawList& list, const ImVec2& anchor, const ImVec2& align, ImU32 
              const std::string& text);
 
 }  // namespace winslow::gui
+
+namespace winslow::gui::ui {
+
+/// Heights of layers, from the wall outwards, in units of the mesh.
+struct LayerHeights {
+  std::vector<double> wanted;    ///< a line
+  std::vector<double> realised;  ///< dots; empty: none yet
+};
+
+/// A small plot of height over the number of the layer, as wide as the row.
+void height_plot(std::string_view id, const LayerHeights& heights, const Theme& theme);
+
+}  // namespace winslow::gui::ui

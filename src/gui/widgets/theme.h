@@ -2,7 +2,11 @@
 
 #include <imgui.h>
 
+#include <filesystem>
+
 #include "core/types.h"
+
+struct ImFont;
 
 /// Colours, fonts and sizes of the studio: one place decides how it looks.
 namespace winslow::gui {
@@ -102,5 +106,15 @@ struct Theme {
 Theme make_theme(float scale, const Palette& colors = light_palette());
 /// Makes a look that of the current ImGui context, and what palette() gives from now on.
 void use_palette(const Palette& colors);
+
+enum class FontWeight { regular, semibold };
+
+/// The file of Inter; empty where it is not installed (Debian: fonts-inter).
+std::filesystem::path font_file(FontWeight weight);
+
+/// Adds Inter to the current ImGui context's fonts if it is installed (Debian: fonts-inter), else
+/// ImGui's own font. `pixels`: height of the letters. The glyphs cover Latin-1, Greek and the
+/// punctuation and mathematical signs that the program uses.
+ImFont* add_font(FontWeight weight, float pixels);
 
 }  // namespace winslow::gui

@@ -32,7 +32,7 @@ std::optional<Container> container_of(std::string_view bytes) {
 #include <utility>
 
 #include "core/error.h"
-#include "io/file/temporary_folder.h"
+#include "io/file/atomic_file.h"
 
 namespace winslow::io::cgns {
 

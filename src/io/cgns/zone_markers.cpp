@@ -1,11 +1,77 @@
 #include "io/cgns/zone_markers.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <utility>
 
 namespace winslow::io::cgns {
+namespace {
+
+/// Faces of one element only, in the order of the elements.
+std::vector<Face> boundary_faces(const MeshData& mesh) {
+  struct Side {
+    std::array<Index, 4> key;
+    Index element, local;
+  };
+  std::vector<Side> sides;
+  for (Index e = 0; e < mesh.element_count(); ++e) {
+    const auto& faces = shape_of(mesh.types[at(e)]).faces;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      sides.push_back({by_nodes(faces[f], mesh.element(e)).sorted(), e, static_cast<Index>(f)});
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.key < b.key; });
+  std::vector<Side> single;
+  for (std::size_t k = 0; k < sides.size();) {
+    std::size_t end = k + 1;
+    while (end < sides.size() && sides[end].key == sides[k].key) ++end;
+    if (end == k + 1) single.push_back(sides[k]);
+    k = end;
+  }
+  std::sort(single.begin(), single.end(), [](const Side& a, const Side& b) {
+    return std::pair(a.element, a.local) < std::pair(b.element, b.local);
+  });
+  std::vector<Face> found;
+  for (const Side& side : single) {
+    found.push_back(by_nodes(shape_of(mesh.types[at(side.element)]).faces[at(side.local)],
+                             mesh.element(side.element)));
+  }
+  return found;
+}
+
+}  // namespace
+
+std::optional<PointSet> read_point_set(const NodeView& owner, std::size_t indices) {
+  for (const char* name : {"PointRange", "PointList", "ElementRange", "ElementList"}) {
+    const auto view = owner.child(name);
+    if (!view) continue;
+    PointSet set{*view, false, false, {}, view->integers()};
+    set.range = view->name().ends_with("Range");
+    set.elements = view->name().starts_with("Element");
+    if (const auto location = owner.first("GridLocation_t")) set.location = location->text();
+    const std::size_t per_point = set.elements ? 1 : indices;
+    const bool whole =
+        set.range ? set.values.size() == 2 * per_point : set.values.size() % per_point == 0;
+    if (!whole) {
+      view->fail(std::to_string(set.values.size()) + " numbers",
+                 set.range ? std::to_string(2 * per_point)
+                           : std::to_string(per_point) + " for each point");
+    }
+    return set;
+  }
+  return std::nullopt;
+}
+
+std::vector<Face> BoundaryByNodes::faces_between(const std::vector<bool>& nodes) const {
+  if (!std::exchange(found_, true)) boundary_ = boundary_faces(mesh_);
+  std::vector<Face> faces;
+  std::copy_if(boundary_.begin(), boundary_.end(), std::back_inserter(faces), [&](const Face& f) {
+    return std::all_of(f.begin(), f.end(), [&](Index node) { return nodes[at(node)]; });
+  });
+  return faces;
+}
+
 namespace {
 
 using FaceKey = std::array<Index, 4>;
@@ -143,6 +209,33 @@ void make_markers(const NodeView& zone, const ZoneHead& head, const ZoneBoundary
     }
   }
   maker.add_sections();
+}
+
+void read_regions(const NodeView& zone, const ElementNumbers& numbers, MeshData& mesh,
+                  std::vector<std::string>& warnings) {
+  for (const NodeView& part : zone.children("ZoneSubRegion_t")) {
+    const auto set = read_point_set(part, 1);
+    if (!set || (!set->elements && set->location != "CellCenter")) continue;
+    const auto region = static_cast<Index>(mesh.regions.size());
+    std::int64_t others = 0;
+    mesh.element_region.resize(mesh.types.size(), -1);
+    set->for_each_number([&](std::int64_t number) {
+      const ElementPlace place = numbers.find(number);
+      if (place.kind == ElementPlace::Kind::none) {
+        set->view.fail("element " + std::to_string(number),
+                       "1 to " + std::to_string(numbers.last()) + ", as the sections have them");
+      }
+      const bool free =
+          place.kind == ElementPlace::Kind::cell && mesh.element_region[at(place.index)] < 0;
+      if (free) mesh.element_region[at(place.index)] = region;
+      others += free ? 0 : 1;
+    });
+    mesh.regions.push_back({part.name(), region + 1});
+    if (others > 0) {
+      warnings.push_back(std::to_string(others) + " elements of region \"" + part.name() +
+                         "\" are no cells or in another region, too: they stay out of it");
+    }
+  }
 }
 
 }  // namespace winslow::io::cgns

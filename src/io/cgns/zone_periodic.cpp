@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "io/format/matched_sides.h"
+#include "io/format/periodicity.h"
 
 namespace winslow::io::cgns {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "core/geometry/periodic_pairs.h"
 #include "core/mesh/mesh_data.h"
-#include "io/cgns/point_set.h"
+#include "io/cgns/zone_markers.h"
 #include "io/cgns/zones.h"
 
 namespace winslow::io::cgns {

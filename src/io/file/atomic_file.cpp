@@ -1,6 +1,7 @@
 #include "io/file/atomic_file.h"
 
 #include <fcntl.h>
+#include <stdlib.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -12,7 +13,7 @@
 #include <cstring>
 #include <memory>
 #include <streambuf>
-#include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,24 @@
 #include "io/file/gzip.h"
 
 namespace winslow::io {
+
+TemporaryFolder::TemporaryFolder() {
+  std::error_code error;
+  const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
+  if (error) throw OutputError("no folder for temporary files: " + error.message());
+  std::string name = (parent / "winslow-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) {
+    throw OutputError(parent.string() +
+                      ": a temporary folder cannot be made: " + std::strerror(errno));
+  }
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
 namespace {
 
 namespace fs = std::filesystem;

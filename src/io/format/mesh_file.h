@@ -13,7 +13,7 @@
 namespace winslow::io {
 
 struct MeshFormat;     // io/format/mesh_format.h
-class PlanePlacement;  // io/format/plane_placement.h
+class PlanePlacement;  // io/format/mesh_in_space.h
 
 /// What a format can hold beyond a Mesh (version, entity and node tags, order of blocks, ...):
 /// kept from reading to writing so that a file in the same format comes back unchanged but for the

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "io/file/gzip.h"
-#include "io/text/scanner.h"
+#include "io/text/source.h"
 
 namespace winslow::io {
 

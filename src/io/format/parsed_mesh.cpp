@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "io/format/plane_placement.h"
+#include "io/format/mesh_in_space.h"
 #include "io/text/numbers.h"
 
 namespace winslow::io {

@@ -4,12 +4,13 @@
 #include <cstdint>
 #include <optional>
 #include <ostream>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/mesh/element_type.h"
 #include "core/mesh/mesh.h"
-#include "io/format/boundary_details.h"
+#include "io/format/groups.h"
 #include "io/format/mesh_format.h"
 
 /// Gmsh's MSH format, versions 2.2 and 4.1, ASCII and binary: Gmsh reference manual, "MSH file
@@ -117,5 +118,14 @@ struct WriteOptions {
 /// null.
 std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* source,
                                const WriteOptions& options);
+
+/// Makes markers and regions of the physical groups. offsets: where each of Details::items begins
+/// in the file.
+void collect_groups(std::span<const std::size_t> offsets, Details& details, ParsedMesh& mesh);
+
+/// Details for a mesh that came from another format: a curve (of a volume mesh a surface)
+/// entity per marker, a surface (volume) entity per region, all in one entity "domain" where there
+/// are no regions (Gmsh leaves elements without physical group out when it saves).
+Details make_details(const Mesh& mesh, bool version_4, std::vector<std::string>& warnings);
 
 }  // namespace winslow::io::gmsh

@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "core/error.h"
-#include "core/index.h"
+#include "core/types.h"
 
 namespace winslow::io::gmsh {
 namespace {

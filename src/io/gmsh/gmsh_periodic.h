@@ -1,8 +1,7 @@
 #pragma once
 
 #include "io/gmsh/gmsh.h"
-#include "io/gmsh/node_tags.h"
-#include "io/gmsh/value_reader.h"
+#include "io/gmsh/section_readers.h"
 
 namespace winslow::io::gmsh {
 

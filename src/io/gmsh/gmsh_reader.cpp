@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "io/gmsh/gmsh_groups.h"
+#include "io/gmsh/gmsh.h"
 #include "io/gmsh/gmsh_periodic.h"
 #include "io/text/numbers.h"
 

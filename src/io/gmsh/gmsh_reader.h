@@ -5,10 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "io/gmsh/element_reader.h"
 #include "io/gmsh/gmsh.h"
-#include "io/gmsh/node_reader.h"
-#include "io/gmsh/value_reader.h"
+#include "io/gmsh/section_readers.h"
 
 namespace winslow::io::gmsh {
 

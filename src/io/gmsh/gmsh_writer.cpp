@@ -4,9 +4,8 @@
 #include "io/format/mesh_in_space.h"
 #include "io/format/periodicity.h"
 #include "io/gmsh/gmsh.h"
-#include "io/gmsh/gmsh_details.h"
 #include "io/gmsh/gmsh_periodic.h"
-#include "io/text/text_writer.h"
+#include "io/text/numbers.h"
 
 namespace winslow::io::gmsh {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/format/boundary_details.h"
+#include "io/format/groups.h"
 #include "io/format/mesh_format.h"
 
 /// Medit's ASCII format (.mesh): P. Frey, "Medit: an interactive mesh visualization software",

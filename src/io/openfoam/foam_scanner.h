@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/text/scanner.h"
+#include "io/text/source.h"
 
 namespace winslow::io::openfoam {
 

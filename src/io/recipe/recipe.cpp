@@ -5,7 +5,6 @@
 
 #include "core/error.h"
 #include "io/file/atomic_file.h"
-#include "io/recipe/json_source.h"
 #include "io/recipe/object_archive.h"
 
 namespace winslow::io {

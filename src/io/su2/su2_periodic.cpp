@@ -9,7 +9,7 @@
 #include <set>
 
 #include "core/options/option.h"
-#include "io/format/matched_sides.h"
+#include "io/format/periodicity.h"
 #include "io/text/numbers.h"
 
 namespace winslow::io::su2 {

@@ -5,14 +5,11 @@
 #include <set>
 #include <utility>
 
-#include "io/format/vtk_wedge.h"
+#include "io/format/mesh_in_space.h"
 #include "io/su2/su2.h"
-#include "io/su2/su2_box.h"
 #include "io/su2/su2_lines.h"
 #include "io/su2/su2_periodic.h"
 #include "io/su2/su2_points.h"
-#include "io/su2/su2_types.h"
-#include "io/su2/su2_zones.h"
 #include "io/text/numbers.h"
 
 namespace winslow::io::su2 {

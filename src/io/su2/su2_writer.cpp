@@ -7,14 +7,11 @@
 #include "core/error.h"
 #include "io/format/mesh_in_space.h"
 #include "io/format/periodicity.h"
-#include "io/format/plane_placement.h"
-#include "io/format/vtk_wedge.h"
 #include "io/su2/su2.h"
-#include "io/su2/su2_box.h"
 #include "io/su2/su2_periodic.h"
-#include "io/su2/su2_types.h"
-#include "io/text/scanner.h"
-#include "io/text/text_writer.h"
+#include "io/su2/su2_points.h"
+#include "io/text/numbers.h"
+#include "io/text/source.h"
 
 namespace winslow::io::su2 {
 namespace {

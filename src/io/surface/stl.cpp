@@ -4,8 +4,8 @@
 #include <map>
 
 #include "io/surface/surface.h"
-#include "io/text/scanner.h"
-#include "io/text/text_writer.h"
+#include "io/text/numbers.h"
+#include "io/text/source.h"
 
 namespace winslow::io::surface {
 namespace {

@@ -1,7 +1,15 @@
 #include "io/surface/surface.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <limits>
 #include <numeric>
+
+#include "io/text/numbers.h"
+#include "io/text/source.h"
 
 namespace winslow::io::surface {
 
@@ -100,6 +108,277 @@ std::vector<std::string> lost_in_surface(const Mesh& mesh, bool keeps_groups) {
     warnings.emplace_back("this format has no regions: the names of element sets are lost");
   }
   return warnings;
+}
+
+namespace {
+
+bool begins_with_any(std::string_view line, std::initializer_list<std::string_view> words) {
+  return std::ranges::any_of(words, [&](auto word) { return starts_with_word(line, word); });
+}
+
+bool is_obj_keyword(std::string_view line) {
+  return begins_with_any(line, {"v", "f", "vn", "vt", "mtllib", "usemtl"});
+}
+
+/// Its header may say anything, "solid" as well: the number of triangles fits the size.
+bool is_binary_stl(std::string_view content) {
+  constexpr std::size_t header = 84;
+  std::uint32_t count = 0;
+  if (content.size() < header) return false;
+  std::memcpy(&count, content.data() + header - sizeof count, sizeof count);
+  return count > 0 && content.size() == header + std::size_t{50} * count;
+}
+
+Evidence recognise_stl(const Content& content) {
+  if (is_binary_stl(content.whole)) return {Evidence::Kind::size};
+  return signature_if(starts_with_word(content.first_line, "solid"));
+}
+
+}  // namespace
+
+const MeshFormat obj_format{
+    .name = "obj",
+    .title = "Wavefront",
+    .versions = "",
+    .encodings = "text",
+    .markers = "lost",
+    .regions = "lost",
+    .quadrilaterals = "yes",
+    .volumes = "boundary only, a group for each marker",
+    .writes_surfaces = true,
+    .writes_volumes = true,
+    .recognise = [](const Content& content) { return keyword_on_line(content, is_obj_keyword); },
+    .read = read_obj,
+    .write = [](std::ostream& out, const Mesh& mesh, const FormatDetails* details,
+                const WriteOptions&) { return write_obj(out, mesh, details); }};
+
+const MeshFormat off_format{
+    .name = "off",
+    .title = "Object File Format",
+    .versions = "",
+    .encodings = "text",
+    .markers = "lost",
+    .regions = "lost",
+    .quadrilaterals = "yes",
+    .volumes = "boundary only",
+    .writes_surfaces = true,
+    .writes_volumes = true,
+    .recognise =
+        [](const Content& content) {
+          return signature_if(begins_with_any(
+              content.first_line, {"OFF", "COFF", "NOFF", "CNOFF", "STOFF", "STCNOFF"}));
+        },
+    .read = read_off,
+    .write = [](std::ostream& out, const Mesh& mesh, const FormatDetails* details,
+                const WriteOptions&) { return write_off(out, mesh, details); }};
+
+const MeshFormat ply_format{
+    .name = "ply",
+    .title = "Stanford PLY",
+    .versions = "",
+    .encodings = "text, binary of either byte order",
+    .markers = "lost",
+    .regions = "lost",
+    .quadrilaterals = "yes",
+    .volumes = "boundary only",
+    .writes_surfaces = true,
+    .writes_volumes = true,
+    .has_binary = true,
+    .recognise = [](const Content& content) { return signature_if(content.first_line == "ply"); },
+    .read = read_ply,
+    .write =
+        [](std::ostream& out, const Mesh& mesh, const FormatDetails* details,
+           const WriteOptions& options) { return write_ply(out, mesh, details, options.binary); }};
+
+const MeshFormat stl_format{.name = "stl",
+                            .title = "STL",
+                            .versions = "",
+                            .encodings = "text, binary",
+                            .markers = "lost",
+                            .regions = "lost",
+                            .quadrilaterals = "become triangles",
+                            .volumes = "boundary only, a solid for each marker in text",
+                            .writes_surfaces = true,
+                            .writes_volumes = true,
+                            .has_binary = true,
+                            .recognise = recognise_stl,
+                            .read = read_stl,
+                            .write = [](std::ostream& out, const Mesh& mesh,
+                                        const FormatDetails* details, const WriteOptions& options) {
+                              return write_stl(out, mesh, details, options.binary);
+                            }};
+
+namespace {
+
+/// What a keyword says that a mesh does not hold; empty: nothing.
+std::string dropped_with(std::string_view word) {
+  if (word == "vn") return "normals";
+  if (word == "vt" || word == "vp") return "texture coordinates";
+  if (word == "g" || word == "o") return "groups";
+  if (word == "usemtl" || word == "mtllib") return "materials";
+  return {};
+}
+
+bool known_keyword(std::string_view word) {
+  return word == "p" || word == "s" || !dropped_with(word).empty() || word.front() == '#';
+}
+
+/// One corner of a face: "7", "7/1", "7//3" or "7/1/3"; counted from 1, or back from the last
+/// vertex so far if negative.
+Index corner(const Scanner& scan, std::string_view word, Index vertices) {
+  const auto number = parse_integer(word.substr(0, word.find('/')));
+  if (!number || *number == 0 || *number > std::numeric_limits<Index>::max() ||
+      *number < -static_cast<std::int64_t>(vertices)) {
+    scan.fail(word, "the number of a vertex");
+  }
+  return static_cast<Index>(*number > 0 ? *number - 1 : vertices + *number);
+}
+
+}  // namespace
+
+ParsedMesh read_obj(Source& source) {
+  Scanner scan(source);
+  Builder builder(source);
+  std::vector<Index> corners;
+  bool lines = false;
+  for (scan.skip_space(); !scan.at_end(); scan.skip_space()) {
+    const std::size_t offset = scan.offset();
+    const auto keyword = scan.word();
+    if (keyword == "v") {
+      const Expected expected{"a coordinate of vertex", builder.vertices()};
+      const double x = scan.number(expected);
+      const double y = scan.number(expected);
+      builder.add_vertex(x, y, scan.number(expected), offset);
+      const auto more = scan.word();
+      const bool weight = scan.word().empty();  // x y z w, or x y z r g b
+      if (!more.empty() && more.front() != '#' && !weight) builder.drops("colours");
+    } else if (keyword == "f") {
+      corners.clear();
+      for (auto word = scan.word(); !word.empty() && word.front() != '#'; word = scan.word()) {
+        corners.push_back(corner(scan, word, builder.vertices()));
+      }
+      builder.add_face(corners, offset);
+    } else if (keyword == "l") {
+      lines = true;
+    } else if (const auto dropped = dropped_with(keyword); !dropped.empty()) {
+      builder.drops(dropped);
+    } else if (!known_keyword(keyword)) {
+      scan.fail(keyword, "v, f or another keyword of an OBJ file");
+    }
+    scan.line();
+  }
+  if (lines) builder.mesh().warnings.emplace_back("line elements are not kept");
+  return builder.finish();
+}
+
+std::vector<std::string> write_obj(std::ostream& stream, const Mesh& mesh,
+                                   const FormatDetails* source) {
+  TextWriter out(stream);
+  const WrittenSurface surface(mesh, source);
+  for (Index i = 0; i < surface.node_count(); ++i) {
+    const Vec3 p = surface.node(i);
+    out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+  }
+  for (const WrittenSurface::Group& group : surface.groups()) {
+    if (!group.name.empty()) out << "g " << one_word(group.name) << '\n';
+    for (std::size_t f = group.first; f < group.first + group.count; ++f) {
+      out << 'f';
+      for (const Index node : surface.faces()[f]) out << ' ' << node + 1;
+      out << '\n';
+    }
+  }
+  return lost_in_surface(mesh, true);
+}
+
+namespace {
+
+/// Goes to the next line that holds data.
+void begin_record(Scanner& scan, const Expected& expected) {
+  for (;;) {
+    scan.skip_space();
+    if (scan.at_end()) scan.fail(scan.source().text().substr(scan.offset()), expected);
+    if (scan.source().text()[scan.offset()] != '#') return;
+    scan.line();
+  }
+}
+
+void read_header(Scanner& scan, Builder& builder) {
+  begin_record(scan, {"OFF"});
+  const std::size_t begin = scan.offset();
+  const auto magic = scan.word();
+  // C, N and ST announce columns after the coordinates, which we skip; 4 and n are other spaces.
+  for (const std::string_view known : {"OFF", "COFF", "NOFF", "CNOFF", "STOFF", "STCNOFF"}) {
+    if (magic != known) continue;
+    const auto columns = known.substr(0, known.size() - 3);
+    if (columns.find('C') != std::string_view::npos) builder.drops("colours");
+    if (columns.find('N') != std::string_view::npos) builder.drops("normals");
+    if (columns.starts_with("ST")) builder.drops("texture coordinates");
+    const std::size_t here = scan.offset();
+    if (scan.word() == "BINARY") scan.source().fail(begin, "a binary OFF file", "an ASCII one");
+    scan.seek(here);
+    return;
+  }
+  scan.fail(magic, "OFF, COFF or NOFF");
+}
+
+}  // namespace
+
+ParsedMesh read_off(Source& source) {
+  Scanner scan(source);
+  Builder builder(source);
+  read_header(scan, builder);
+  begin_record(scan, {"the number of vertices"});
+  const Index vertices = scan.count({"the number of vertices"}, 4);
+  const Index faces = scan.count({"the number of faces"}, 4);
+  scan.line();
+  for (Index i = 0; i < vertices; ++i) {
+    const Expected expected{"vertex", i, vertices};
+    begin_record(scan, expected);
+    const std::size_t offset = scan.offset();
+    const double x = scan.number(expected);
+    const double y = scan.number({"y of vertex", i, vertices});
+    builder.add_vertex(x, y, scan.number({"z of vertex", i, vertices}), offset);
+    scan.line();
+  }
+  for (Index f = 0; f < faces; ++f) {
+    const Expected expected{"face", f, faces};
+    begin_record(scan, expected);
+    const std::size_t offset = scan.offset();
+    const Index size = scan.index({"the number of corners of face", f, faces});
+    std::array<Index, 4> corners{};
+    if (size != 3 && size != 4) {
+      source.fail(offset, "a face with " + std::to_string(size) + " corners",
+                  "a triangle or a quadrilateral");
+    }
+    for (Index k = 0; k < size; ++k) {
+      corners[static_cast<std::size_t>(k)] = scan.index({"a vertex of face", f, faces});
+    }
+    builder.add_face({corners.data(), static_cast<std::size_t>(size)}, offset);
+    const auto more = scan.word();
+    if (!more.empty() && more.front() != '#') builder.drops("colours");
+    scan.line();
+  }
+  scan.skip_space();
+  const auto rest = scan.word();
+  if (!rest.empty() && rest.front() != '#') scan.fail(rest, "the end of the file after all faces");
+  return builder.finish();
+}
+
+std::vector<std::string> write_off(std::ostream& stream, const Mesh& mesh,
+                                   const FormatDetails* source) {
+  TextWriter out(stream);
+  const WrittenSurface surface(mesh, source);
+  out << "OFF\n" << surface.node_count() << ' ' << surface.faces().size() << " 0\n";
+  for (Index i = 0; i < surface.node_count(); ++i) {
+    const Vec3 p = surface.node(i);
+    out << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+  }
+  for (const FileCorners& corners : surface.faces()) {
+    out << corners.size();
+    for (const Index node : corners) out << ' ' << node;
+    out << '\n';
+  }
+  return lost_in_surface(mesh);
 }
 
 }  // namespace winslow::io::surface

@@ -10,7 +10,7 @@
 
 #include "core/error.h"
 #include "io/file/atomic_file.h"
-#include "io/text/text_writer.h"
+#include "io/text/numbers.h"
 
 namespace winslow::io {
 

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "io/text/numbers.h"
-#include "io/text/scanner.h"
 #include "io/text/source.h"
 
 namespace winslow::io {

@@ -1,6 +1,5 @@
 #include "io/tables/reference_file.h"
 
-#include "io/format/mesh_file.h"
 #include "io/surface/surface.h"
 
 namespace winslow::io {
@@ -24,6 +23,11 @@ void load_reference(Command& command) {
     reference.surface = nullptr;
   else if (!reference.surface)
     reference.surface = read_reference(reference.name);
+}
+
+void give_pairs(Command& command, const FormatDetails* details) {
+  if (SmoothOptions* smooth = smooth_options(command))
+    smooth->slide.file_pairs.found = details ? details->periodic : nullptr;
 }
 
 }  // namespace winslow::io

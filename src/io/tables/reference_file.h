@@ -4,7 +4,8 @@
 #include <memory>
 
 #include "core/command/command.h"
-#include "core/geometry/reference_surface.h"
+#include "core/geometry/sliding_boundary.h"
+#include "io/format/mesh_file.h"
 
 namespace winslow::io {
 
@@ -14,5 +15,9 @@ std::shared_ptr<const ReferenceSurface> read_reference(const std::filesystem::pa
 
 /// Reads the reference surface that a command names, if it does and has not got it yet.
 void load_reference(Command& command);
+
+/// Tells a command what the file of its mesh says of periodic sides, for those that want its pairs.
+/// details: null for a mesh that came from no file.
+void give_pairs(Command& command, const FormatDetails* details);
 
 }  // namespace winslow::io

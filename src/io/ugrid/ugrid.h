@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/format/boundary_details.h"
+#include "io/format/groups.h"
 #include "io/format/mesh_format.h"
 
 /// AFLR3 grids (.ugrid): "UG_IO 3D Grid File Type UGRID", SimCenter, Mississippi State University;
@@ -58,5 +58,14 @@ ParsedMesh read(Source& source);
 std::vector<OutputFile> files(const std::filesystem::path& path, const Mesh& mesh,
                               const FormatDetails* details, const WriteOptions& options,
                               std::vector<std::string>& warnings);
+
+/// Reads a .mapbc file, appended to the source, if there is one: the number of surfaces; then for
+/// each, in a line, its number, its boundary condition (of FUN3D) and its name. Throws InputError.
+std::vector<Surface> read_mapbc(Source& source, const std::filesystem::path& path);
+
+/// Names that a .mapbc file can hold: without blanks.
+std::string safe_surface_name(const std::string& name);
+
+void write_mapbc(std::ostream& out, const std::vector<Surface>& surfaces);
 
 }  // namespace winslow::io::ugrid

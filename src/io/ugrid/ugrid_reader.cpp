@@ -5,8 +5,7 @@
 
 #include "io/format/groups.h"
 #include "io/text/numbers.h"
-#include "io/text/scanner.h"
-#include "io/ugrid/mapbc.h"
+#include "io/text/source.h"
 #include "io/ugrid/ugrid.h"
 
 namespace winslow::io::ugrid {

@@ -2,8 +2,7 @@
 #include <bit>
 
 #include "io/format/groups.h"
-#include "io/text/text_writer.h"
-#include "io/ugrid/mapbc.h"
+#include "io/text/numbers.h"
 #include "io/ugrid/ugrid.h"
 
 namespace winslow::io::ugrid {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/mesh/mesh.h"
-#include "io/format/boundary_details.h"
+#include "io/format/groups.h"
 #include "io/format/parsed_mesh.h"
 
 /// VTK files, legacy and XML: "VTK File Formats" (Kitware). VTK knows no markers; ours are line

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/text/scanner.h"
+#include "io/text/source.h"
 
 namespace winslow::io::vtk {
 

@@ -1,5 +1,4 @@
-#include "io/vtk/legacy.h"
-#include "io/vtk/vtu.h"
+#include "io/vtk/vtk_formats.h"
 
 namespace winslow::io::vtk {
 

@@ -11,6 +11,11 @@
 
 namespace winslow::io::vtk {
 
+/// Bytes of base64 text; white space is skipped, and several padded pieces may follow each other
+/// (VTK encodes the header of an array apart from its data). Nothing if the text is malformed.
+std::optional<std::string> decode_base64(std::string_view text);
+std::string encode_base64(std::string_view bytes);
+
 /// Decodes the DataArray elements of one VTK XML file.
 class VtuArrays {
  public:

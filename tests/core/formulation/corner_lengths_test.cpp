@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "core/formulation/distortion.h"
+#include "core/formulation/target_metric.h"
 #include "core/formulation/target_shapes.h"
-#include "core/formulation/tetrahedron_distortion.h"
 #include "core/formulation/variational_winslow.h"
-#include "core/formulation/volume_metric.h"
 #include "core/formulation/volume_targets.h"
 #include "core/mesh/corner_tetrahedra.h"
 #include "support/meshes.h"

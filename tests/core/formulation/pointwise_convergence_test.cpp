@@ -6,7 +6,7 @@
 #include "core/formulation/pointwise_winslow.h"
 #include "core/linear/linear_solver.h"
 #include "core/outer/picard_solver.h"
-#include "core/strategy/solver_options.h"
+#include "core/strategy/workspace.h"
 #include "support/formulations.h"
 #include "support/meshes.h"
 #include "support/vcv.h"

@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "core/formulation/target_shapes.h"
 #include "core/formulation/variational_winslow.h"
-#include "core/problem/run_validity.h"
+#include "core/problem/node_unknowns.h"
 #include "support/surface_meshes.h"
 
 /// The variational form on surface meshes: its derivatives are those of the energy along the

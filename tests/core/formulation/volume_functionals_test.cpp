@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 
 #include "core/error.h"
-#include "core/vcv/sphere/sphere_start.h"
+#include "core/vcv/sphere/sphere_fit.h"
 #include "support/links.h"
 
 using namespace winslow;

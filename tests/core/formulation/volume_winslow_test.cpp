@@ -6,14 +6,13 @@
 #include <cmath>
 #include <vector>
 
-#include "core/formulation/penalty_function.h"
+#include "core/formulation/distortion.h"
 #include "core/formulation/target_path.h"
-#include "core/formulation/tetrahedron_distortion.h"
 #include "core/formulation/tetrahedron_kernel.h"
+#include "core/formulation/variational_form.h"
 #include "core/formulation/variational_winslow.h"
 #include "core/formulation/volume_targets.h"
 #include "core/quality/quality.h"
-#include "core/quality/volume_corner.h"
 #include "core/quality/volume_element.h"
 #include "support/formulations.h"
 #include "support/space_meshes.h"

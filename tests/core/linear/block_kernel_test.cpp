@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "core/linear/row_product.h"
+#include "core/linear/blocks.h"
 #include "support/random.h"
 
 using namespace winslow;

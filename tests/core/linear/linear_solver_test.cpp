@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/error.h"
-#include "core/linear/residual.h"
+#include "core/linear/vector_operations.h"
 #include "support/random.h"
 #include "support/systems.h"
 

@@ -5,8 +5,8 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/error.h"
-#include "core/linear/incomplete_cholesky.h"
 #include "core/linear/linear_solver.h"
+#include "core/linear/preconditioner.h"
 #include "support/meshes.h"
 #include "support/systems.h"
 

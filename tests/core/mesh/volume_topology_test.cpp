@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "core/mesh/mesh.h"
-#include "core/mesh/node_link.h"
+#include "core/mesh/topology.h"
 #include "support/space_meshes.h"
 
 using namespace winslow;

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "core/command/command.h"
-#include "core/motion/space_motion.h"
+#include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
 #include "support/meshes.h"
 #include "support/space_meshes.h"

@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "core/mesh/mesh.h"
 #include "core/motion/contact.h"
-#include "core/motion/facet.h"
+#include "core/motion/outline.h"
 #include "support/random.h"
 #include "support/space_meshes.h"
 

@@ -8,8 +8,8 @@
 
 #include "core/command/option_tables.h"
 #include "core/error.h"
-#include "core/layers/layer_option_tables.h"
-#include "core/motion/motion_options.h"
+#include "core/layers/layer_plan.h"
+#include "core/motion/motion.h"
 
 using namespace winslow;
 

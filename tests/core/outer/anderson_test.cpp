@@ -1,4 +1,4 @@
-#include "core/outer/anderson.h"
+#include "core/outer/picard_solver.h"
 
 #include <doctest/doctest.h>
 

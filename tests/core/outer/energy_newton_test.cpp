@@ -7,10 +7,11 @@
 #include "core/formulation/variational_winslow.h"
 #include "core/motion/motion.h"
 #include "core/outer/energy_untangler.h"
+#include "core/outer/newton_step.h"
 #include "core/outer/path_follower.h"
 #include "core/quality/quality.h"
-#include "core/quality/valid_step.h"
-#include "core/strategy/solver_options.h"
+#include "core/quality/validity.h"
+#include "core/strategy/workspace.h"
 #include "support/formulations.h"
 #include "support/meshes.h"
 
@@ -286,4 +287,16 @@ TEST_CASE("the harmonic interior is the same whatever the interior was") {
     interiors.push_back(std::move(x));
   }
   CHECK(largest_difference(interiors[0], interiors[1]) < 1e-4);
+}
+
+TEST_CASE("a longer step ends at the minimum of a parabola") {
+  // phi(t) = 3 (t - 1.5)^2 + 7: slope -9 at 0, phi(1) - phi(0) = 0.75 - 6.75.
+  CHECK(longer_step(9, -6) == doctest::Approx(1.5));
+  // phi(t) = t^2 - t: the minimum lies before 1.
+  CHECK(longer_step(1, 0) == doctest::Approx(0.5));
+}
+
+TEST_CASE("where the function is concave or straight there is no longer step") {
+  CHECK(longer_step(2, -2) == 1);
+  CHECK(longer_step(2, -3) == 1);
 }

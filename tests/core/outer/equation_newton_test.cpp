@@ -14,7 +14,7 @@
 #include "core/outer/picard_solver.h"
 #include "core/parallel/parallel_for.h"
 #include "core/quality/quality.h"
-#include "core/strategy/solver_options.h"
+#include "core/strategy/workspace.h"
 #include "support/coordinate.h"
 #include "support/formulations.h"
 #include "support/samples.h"

@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "core/formulation/pointwise_winslow.h"
 #include "core/parallel/parallel_for.h"
-#include "core/strategy/solver_options.h"
+#include "core/strategy/workspace.h"
 #include "support/coordinate.h"
 #include "support/formulations.h"
 #include "support/meshes.h"

@@ -8,7 +8,6 @@
 
 #include "core/error.h"
 #include "core/inspect/element_field.h"
-#include "core/quality/surface_change.h"
 #include "support/surface_meshes.h"
 
 namespace winslow::test {

@@ -4,8 +4,8 @@
 
 #include "core/error.h"
 #include "core/quality/quality.h"
-#include "core/quality/surface_change.h"
-#include "core/quality/valid_step.h"
+#include "core/quality/surface_distance.h"
+#include "core/quality/validity.h"
 #include "support/surface_meshes.h"
 
 namespace winslow::test {

@@ -6,10 +6,9 @@
 
 #include "core/error.h"
 #include "core/mesh/corner_tetrahedra.h"
-#include "core/quality/jacobian_sign.h"
 #include "core/quality/quality.h"
-#include "core/quality/valid_step.h"
-#include "core/quality/volume_corner.h"
+#include "core/quality/validity.h"
+#include "core/quality/volume_element.h"
 #include "support/random.h"
 #include "support/space_meshes.h"
 

@@ -2,9 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <limits>
 
+#include "core/command/command.h"
 #include "core/error.h"
+#include "support/surface_meshes.h"
 
 using namespace winslow;
 
@@ -92,3 +95,74 @@ TEST_CASE("options out of range are refused, naming the option") {
     CHECK(std::string(error.what()).find(word) != std::string::npos);
   }
 }
+
+namespace winslow::test {
+namespace {
+
+bool is_refused(const SmoothOptions& options) {
+  static const MeshState state = make_state(make_mesh(octasphere(3)));
+  try {
+    execute(SmoothCommand{options}, state);
+    return false;
+  } catch (const UsageError&) {
+    return true;
+  }
+}
+
+}  // namespace
+
+TEST_CASE("options of a surface mesh: choices that do not apply are those that it refuses") {
+  for (const std::string_view key : {"formulation", "outer", "untangle", "vcv"}) {
+    SmoothOptions options;
+    const OptionTable table = surface_option_table(options);
+    const auto row = std::ranges::find_if(
+        table, [&](const Option& option) { return option.key == key && option.object.empty(); });
+    REQUIRE(row != table.end());
+    const auto& choice = std::get<ChoiceOption>(row->value);
+    for (std::size_t k = 0; k < choice.items().size(); ++k) {
+      choice.choose(k);
+      CAPTURE(key);
+      CAPTURE(choice.items()[k].name);
+      CHECK(is_refused(options) == !choice.items()[k].applies);
+    }
+  }
+}
+
+TEST_CASE("options of a surface mesh: what is left of those of another mesh is settled") {
+  SmoothOptions options;
+  options.formulation = "pointwise";
+  options.outer = OuterMethod::picard;
+  options.untangle = Untangle::picard;
+  options.vcv = VcvKind::existing;
+  options.vcv_lengths = 0.5;
+  options.linear.solver = "gmres";
+  options.keep_outside.radius = 1;
+  options.slide.markers = {"far"};
+  options.slide.periodic = {"a", "b"};
+  options.slide.surface_first = true;
+  options.tolerance = 1e-6;
+  options.slide.feature_angle = 30;
+  REQUIRE(is_refused(options));
+  settle_for_surface(options);
+  CHECK_FALSE(is_refused(options));
+  CHECK_NOTHROW(validate(options));
+  CHECK(options.formulation == "variational");
+  // What surface meshes take stays.
+  CHECK(options.tolerance == 1e-6);
+  CHECK(options.slide.feature_angle == 30);
+  CHECK(options.linear.solver == "gmres");
+}
+
+TEST_CASE("options of a surface mesh: rows without an effect do not apply, those that it has do") {
+  SmoothOptions options;
+  for (const Option& option : surface_option_table(options)) {
+    CAPTURE(option.key);
+    if (option.object == "keep_outside") CHECK_FALSE(option.applies);
+    for (const std::string_view key : {"formulation", "damping", "clip", "markers", "periodic"})
+      if (option.key == key) CHECK_FALSE(option.applies);
+    for (const std::string_view key : {"targets", "exponent", "feature_angle", "features"})
+      if (option.key == key) CHECK(option.applies);
+  }
+}
+
+}  // namespace winslow::test

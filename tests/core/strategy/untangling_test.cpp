@@ -1,9 +1,17 @@
+#include "core/strategy/untangling.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "core/command/command.h"
+#include "core/error.h"
+#include "core/quality/quality.h"
+#include "support/meshes.h"
+#include "support/random.h"
 #include "support/samples.h"
+#include "support/space_meshes.h"
 
 using namespace winslow;
 using namespace winslow::test;
@@ -60,4 +68,124 @@ TEST_CASE("where the energy is stuck with the interior as given, the harmonic in
     CHECK(result.smooth.converged);
     CHECK(without_fixed_point(result.smooth));
   }
+}
+
+namespace {
+
+/// With nodes of the boundary moved at random, so that no element can be perfect.
+Mesh uneven(Mesh mesh, double by, std::uint64_t seed) {
+  Random random(seed);
+  for (double& c : mesh.coordinates.values()) c += random.uniform(-by, by);
+  return mesh;
+}
+
+/// Of the unit square or cube, with nodes moved at random within the edges and faces they lie on:
+/// no corner of the boundary limits what can be done inside.
+Mesh shifted(Mesh mesh, double by, std::uint64_t seed) {
+  Random random(seed);
+  for (double& c : mesh.coordinates.values())
+    if (c > 1e-9 && c < 1 - 1e-9) c += random.uniform(-by, by);
+  return mesh;
+}
+
+SmoothCommand raising() {
+  SmoothCommand command;
+  command.smooth.targets = TargetBlend::regular();
+  command.smooth.raise_worst = true;
+  command.smooth.threads = 1;
+  return command;
+}
+
+double worst_of(const Mesh& mesh) {
+  const auto values = element_values(mesh, Metric::normalized_jacobian);
+  return *std::ranges::min_element(values);
+}
+
+/// The best smallest normalized Jacobian that one node allows, by a search through ever finer
+/// grids.
+double best_place(Mesh mesh, Index node) {
+  const auto dimension = static_cast<std::size_t>(mesh.coordinates.dimension());
+  const auto place = mesh.coordinates.values().subspan(at(node) * dimension, dimension);
+  std::vector<double> centre(place.begin(), place.end());
+  double best = worst_of(mesh);
+  for (double reach = 0.3; reach > 1e-4; reach *= 0.6) {
+    const std::vector<double> middle = centre;
+    const int steps = 4, side = 2 * steps + 1;
+    for (int k = 0; k < (dimension == 3 ? side * side * side : side * side); ++k) {
+      for (std::size_t c = 0, rest = static_cast<std::size_t>(k); c < dimension; ++c) {
+        place[c] = middle[c] + reach * (static_cast<int>(rest % side) - steps) / steps;
+        rest /= side;
+      }
+      const double worst = worst_of(mesh);
+      if (worst <= best) continue;
+      best = worst;
+      centre.assign(place.begin(), place.end());
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+TEST_CASE("raising the worst element finds the best place of a node as a search does") {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    CAPTURE(seed);
+    for (const bool space : {false, true}) {
+      CAPTURE(space);
+      const MeshState state =
+          make_state(space ? uneven(make_mesh(cube(2, Volumes::hexahedra)), 0.08, seed)
+                           : uneven(make_mesh(square(2, Cells::quads)), 0.1, seed));
+      const Mesh& mesh = state.mesh;
+      REQUIRE(mesh.topology->interior_nodes().size() == 1);
+      const CommandResult outcome = execute(raising(), state);
+      const Mesh& after = outcome.state.mesh;
+      const double best = best_place(mesh, mesh.topology->interior_nodes()[0]);
+      CHECK(worst_of(after) >= best - 2e-3);
+      CHECK(worst_of(after) <= best + 1e-3);
+      // The boundary stays to the bit.
+      for (Index i = 0; i < mesh.topology->node_count(); ++i)
+        if (mesh.topology->on_boundary(i)) CHECK(after.coordinates.same_place(i, mesh.coordinates));
+    }
+  }
+}
+
+TEST_CASE("the worst element of a mesh is better than without, and no worse with other targets") {
+  const auto check = [](const Mesh& mesh, TargetBlend targets, bool better) {
+    const MeshState state = make_state(mesh);
+    SmoothCommand command = raising();
+    command.smooth.targets = targets;
+    const CommandResult raised = execute(command, state);
+    command.smooth.raise_worst = false;
+    const CommandResult plain = execute(command, state);
+    REQUIRE(plain.smooth.converged);
+    CHECK(raised.smooth.converged);
+    CHECK(raised.smooth.history.back().stage == Stage::worst);
+    const double before = worst_of(plain.state.mesh), after = worst_of(raised.state.mesh);
+    if (better)
+      CHECK(after > before + 2e-3);
+    else
+      CHECK(after >= before);
+  };
+  const Mesh quads = shifted(make_mesh(square(6, Cells::quads)), 0.05, 6);
+  check(shifted(make_mesh(cube(4, Volumes::hexahedra)), 0.05, 5), TargetBlend::regular(), true);
+  check(quads, TargetBlend::regular(), true);
+  check(shifted(make_mesh(square(6, Cells::triangles)), 0.04, 7), TargetBlend::regular(), true);
+  check(quads, {.automatic = 0, .rest = 1}, false);
+}
+
+TEST_CASE("the pointwise form has no worst element to raise") {
+  const MeshState state = make_state(make_mesh(square(3, Cells::quads)));
+  SmoothCommand command = raising();
+  command.smooth.formulation = "pointwise";
+  CHECK_THROWS_AS(execute(command, state), UsageError);
+}
+
+TEST_CASE("limits of the quality and raising the worst element do not go together") {
+  const MeshState state = make_state(make_mesh(square_with_hole(6, Cells::quads)));
+  MoveCommand command;
+  command.markers = {state.mesh.topology->markers()[0].name};
+  command.motion.translate = Vec2(0.01, 0);
+  command.smooth.raise_worst = true;
+  command.how.floor.set(Metric::normalized_jacobian, 0.1);
+  CHECK_THROWS_AS(execute(command, state), UsageError);
 }

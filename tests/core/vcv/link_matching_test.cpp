@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/vcv/sphere/sphere_edit.h"
+#include "core/vcv/sphere/node_vcv.h"
 #include "support/links.h"
 #include "support/space_meshes.h"
 

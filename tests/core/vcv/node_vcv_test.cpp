@@ -3,8 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "core/error.h"
-#include "core/vcv/sphere/solid_angle.h"
-#include "core/vcv/sphere/sphere_edit.h"
+#include "core/vcv/sphere/sphere_link.h"
 #include "core/vcv/sphere/volume_vcvs.h"
 #include "support/links.h"
 #include "support/space_meshes.h"

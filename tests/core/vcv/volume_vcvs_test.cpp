@@ -7,8 +7,7 @@
 
 #include "core/error.h"
 #include "core/mesh/mesh.h"
-#include "core/vcv/sphere/solid_angle.h"
-#include "core/vcv/sphere/volume_vcv_statistics.h"
+#include "core/vcv/sphere/sphere_link.h"
 #include "support/space_meshes.h"
 
 using namespace winslow;

@@ -4,7 +4,6 @@
 
 #include <thread>
 
-#include "gui/support/keys.h"
 #include "gui/support/rig.h"
 
 namespace winslow::gui::test {
@@ -78,6 +77,25 @@ TEST_CASE("of several files dropped the first is opened, and the others are ment
   CHECK(rig.document().name() == "first.su2");
   REQUIRE(rig.session().messages().notice().has_value());
   CHECK(rig.session().messages().notice()->text.find("2 files") != std::string::npos);
+}
+
+namespace {
+
+std::vector<std::string> recent_names(const std::vector<std::filesystem::path>& folders) {
+  std::vector<std::string> names;
+  for (const Place& place : places(folders))
+    if (place.group == "Recent folders") names.push_back(place.label);
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("recent folders of one name are told apart by what is above them") {
+  CHECK(recent_names({"/a/wing/mesh", "/b/tail/mesh", "/b/cases"}) ==
+        std::vector<std::string>{"wing/mesh", "tail/mesh", "cases"});
+  CHECK(recent_names({"/x/run/1/mesh", "/y/run/1/mesh"}) ==
+        std::vector<std::string>{"x/run/1/mesh", "y/run/1/mesh"});
+  CHECK(recent_names({"/"}) == std::vector<std::string>{"/"});
 }
 
 }  // namespace winslow::gui::test

@@ -3,10 +3,9 @@
 #include <filesystem>
 #include <set>
 
-#include "gui/menu/fuzzy.h"
+#include "gui/menu/command_search.h"
 #include "gui/menu/user_command.h"
 #include "gui/panels/files/file_dialog.h"
-#include "gui/support/keys.h"
 #include "gui/support/rig.h"
 
 namespace winslow::gui::test {

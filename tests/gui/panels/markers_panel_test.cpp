@@ -1,6 +1,5 @@
 #include <doctest/doctest.h>
 
-#include "gui/support/keys.h"
 #include "gui/support/pixels.h"
 #include "gui/support/rig.h"
 

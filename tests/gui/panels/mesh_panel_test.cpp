@@ -3,7 +3,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "gui/support/keys.h"
 #include "gui/support/rig.h"
 #include "io/format/mesh_file.h"
 

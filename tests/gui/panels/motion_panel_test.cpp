@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "core/motion/rigid_motion.h"
-#include "gui/support/keys.h"
+#include "core/quality/quality.h"
+#include "gui/support/moving_rig.h"
 #include "gui/support/rig.h"
 
 namespace winslow::gui::test {
@@ -119,6 +120,173 @@ TEST_CASE("a number typed in one frame, with Enter, is the number that counts") 
   rig.release();
   REQUIRE(rig.settle());
   CHECK(std::get<MoveCommand>(rig.document().history().command(1)).motion.rotate == 12.5);
+}
+
+namespace {
+
+void choose(Rig& rig, const std::string& shape) {
+  rig.click("motion/keep_outside");
+  rig.click("motion/keep_outside/" + shape);
+}
+
+const KeepOutside& region(const Rig& rig) {
+  return rig.session().jobs().smooth_options().keep_outside;
+}
+
+/// Interior nodes that are elsewhere than before, of those within that distance of the origin or
+/// of those beyond it.
+int moved(const Rig& rig, const Coordinates& before, double radius, bool within) {
+  int count = 0;
+  for (const Index node : rig.mesh().topology->interior_nodes()) {
+    const Vec2 at = before.xy(node);
+    if ((at.norm() <= radius) == within) count += rig.mesh().coordinates.xy(node) != at;
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("a circle is kept around the body by the form") {
+  Rig rig(1280, 1000);
+  rig.open(ring_mesh());
+  rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
+  rig.frames();
+  CHECK_FALSE(rig.visible("motion/region/keep_outside_radius"));
+  choose(rig, "Circle");
+  REQUIRE(region(rig).radius);
+  rig.fill("motion/region/keep_outside_radius", "1.5");
+  REQUIRE(*region(rig).radius == 1.5);
+  const Coordinates before = rig.mesh().coordinates;
+  turn_flap(rig, 15);
+  CHECK(moved(rig, before, 1.5, true) > 20);
+  CHECK(moved(rig, before, 1.5, false) == 0);
+  // Smoothing in place has no body about which the circle could be.
+  rig.bench->apply(action::RunSmooth{});
+  REQUIRE(rig.settle());
+  CHECK(rig.document().history().size() == 3);
+  CHECK(moved(rig, before, 1.5, false) == 0);
+
+  choose(rig, "Box");
+  CHECK_FALSE(region(rig).radius);
+  CHECK(region(rig).corner);
+  CHECK(rig.visible("motion/region/keep_outside_corner_x"));
+  choose(rig, "Nothing");
+  CHECK_FALSE(region(rig).given());
+  CHECK_FALSE(rig.visible("motion/region/keep_outside_corner_x"));
+}
+
+TEST_CASE("the region of one mesh is not that of the next") {
+  Rig rig(1280, 1000);
+  rig.open(ring_mesh());
+  rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
+  rig.frames();
+  choose(rig, "Circle");
+  REQUIRE(region(rig).given());
+  rig.open(ring_mesh(), "other.su2");
+  CHECK_FALSE(region(rig).given());
+}
+
+namespace {
+
+struct FormStudio : MovingStudio {
+  FormStudio() {
+    resize(1000, 1300);
+    frames();
+  }
+  void choose(const std::string& shape) {
+    click("motion/keep_outside");
+    click("motion/keep_outside/" + shape);
+    frames();
+  }
+  const KeepOutside& region() const { return session().jobs().smooth_options().keep_outside; }
+  /// Interior nodes beyond a distance from the middle of the body that are elsewhere than before.
+  int moved(const Coordinates& before, double radius) const {
+    int count = 0;
+    for (const Index node : mesh().topology->interior_nodes())
+      if ((before.xyz(node) - region().centre_point()).norm() > radius)
+        count += mesh().coordinates.xyz(node) != before.xyz(node);
+    return count;
+  }
+  double worst(Metric metric) const {
+    return element_value(mesh(), worst_element(mesh(), metric), metric);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("In space a sphere or a box about the body is kept by the form, and drawn") {
+  FormStudio studio;
+  CHECK_FALSE(studio.visible("region"));
+  studio.choose("Sphere");
+  REQUIRE(studio.region().radius.has_value());
+  REQUIRE(studio.region().centre_z.has_value());
+  CHECK(studio.visible("region"));
+  const double radius = *studio.region().radius;
+  const Coordinates before = studio.mesh().coordinates;
+  studio.fill("motion/rotate", "15");
+  studio.click("motion/apply");
+  REQUIRE(studio.settle());
+  REQUIRE(studio.document().history().size() == 2);
+  CHECK(studio.moved(before, 0) > 20);
+  CHECK(studio.moved(before, radius) == 0);
+  studio.check_replay();
+
+  // The third coordinate is typed like the others, and is not lost by the edit.
+  studio.fill("motion/region/keep_outside_centre_z", "0.25");
+  CHECK(*studio.region().centre_z == 0.25);
+  studio.choose("Box");
+  CHECK_FALSE(studio.region().radius.has_value());
+  REQUIRE(studio.region().corner_z.has_value());
+  CHECK(*studio.region().corner_z < *studio.region().opposite_z);
+  CHECK(studio.visible("motion/region/keep_outside_opposite_z"));
+  studio.choose("Nothing");
+  CHECK_FALSE(studio.region().given());
+  CHECK_FALSE(studio.visible("region"));
+}
+
+TEST_CASE("Limits of the quality of volume elements are set in the panel, and end the motion") {
+  FormStudio studio;
+  studio.click("motion/limits");
+  studio.frames();
+  // Those of volume meshes, and no others.
+  CHECK(studio.visible("motion/min_quality_smallest_solid_angle/on"));
+  CHECK_FALSE(studio.visible("motion/min_quality_skewness/on"));
+  const double rest = studio.worst(Metric::smallest_solid_angle);
+  studio.fill("motion/rotate", "60");
+  studio.click("motion/apply");
+  REQUIRE(studio.settle());
+  const double turned = studio.worst(Metric::smallest_solid_angle);
+  REQUIRE(turned < rest);
+  studio.key(GLFW_KEY_Z, {keys::control});
+  REQUIRE(studio.settle());
+  const double limit = 0.5 * (rest + turned);
+  studio.click("motion/min_quality_smallest_solid_angle/on");
+  studio.frames();
+  studio.fill("motion/min_quality_smallest_solid_angle", std::to_string(limit));
+  studio.fill("motion/rotate", "60");
+  studio.click("motion/apply");
+  REQUIRE(studio.settle());
+  CHECK(studio.worst(Metric::smallest_solid_angle) >= limit - 1e-5);
+  REQUIRE(studio.session().messages().banner().has_value());
+  CHECK(studio.session().messages().banner()->kind == Banner::Kind::partial_motion);
+}
+
+TEST_CASE("The third coordinate of a motion in the history can be changed") {
+  FormStudio studio;
+  studio.fill("motion/d_z", "0.02");
+  studio.click("motion/apply");
+  REQUIRE(studio.settle());
+  set_view(studio, [](ViewOptions& view) { view.right_panel = true; });
+  studio.resize(1400, 1000);
+  studio.frames();
+  studio.click("tab/history");
+  studio.frames();
+  studio.click("history/edit");
+  studio.frames(3);
+  studio.fill("edit/translate_z", "0.03");
+  studio.click("edit/run");
+  REQUIRE(studio.settle());
+  CHECK(studio.last_motion().translate.z() == doctest::Approx(0.03));
 }
 
 }  // namespace winslow::gui::test

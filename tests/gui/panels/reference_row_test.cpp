@@ -5,7 +5,7 @@
 
 #include "gui/panels/files/file_dialog.h"
 #include "gui/support/moving_rig.h"
-#include "gui/support/surface_rig.h"
+#include "gui/support/space_rig.h"
 #include "io/format/mesh_file.h"
 #include "io/recipe/recipe.h"
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "gui/render/element_shape.h"
 #include "gui/render/line_density.h"
 #include "support/meshes.h"
 

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "gui/render/element_shape.h"
+#include "gui/render/draw_list.h"
 #include "gui/render/line_density.h"
 #include "gui/support/scene.h"
 #include "support/meshes.h"

@@ -7,7 +7,9 @@
 #include <sstream>
 
 #include "core/error.h"
-#include "gui/support/keys.h"
+#include "gui/settings/option_edits.h"
+#include "gui/settings/picture_spec.h"
+#include "gui/settings/view_state.h"
 #include "gui/support/rig.h"
 
 namespace winslow::gui::test {
@@ -122,6 +124,103 @@ TEST_CASE("without a profile nothing is kept") {
     for (int i = 0; i < 5; ++i) file.keep(settings, 1);
   }
   CHECK(std::filesystem::is_empty(home.path()));
+}
+
+TEST_CASE("edits of different fields made from the same options hold both, in either order") {
+  const ViewOptions start;
+  ViewOptions plain = start;
+  plain.legend = false;
+  plain.isolation.threshold = 0.25;
+  ViewOptions lens = start;
+  lens.magnifier.on = true;
+  lens.isolation.on = true;
+  ViewOptions expected = plain;
+  expected.magnifier.on = true;
+  expected.isolation.on = true;
+  const auto one = difference(start, plain);
+  const auto other = difference(start, lens);
+  ViewOptions forth = start, back = start;
+  one.apply_to(forth);
+  other.apply_to(forth);
+  other.apply_to(back);
+  one.apply_to(back);
+  CHECK(forth == expected);
+  CHECK(back == expected);
+}
+
+TEST_CASE("an edit back to the default is an edit; an edit of nothing is empty") {
+  ViewOptions start;
+  start.color.reset();
+  start.worst_count = 50;
+  ViewOptions after = start;
+  CHECK(difference(start, after).empty());
+  after.color = ViewOptions().color;
+  const auto edit = difference(start, after);
+  CHECK_FALSE(edit.empty());
+  edit.apply_to(start);
+  CHECK(start.color == ViewOptions().color);
+  CHECK(start.worst_count == 50);
+}
+
+TEST_CASE("an edit of everything leaves nothing as it was") {
+  SmoothOptions start;
+  start.formulation = "pointwise";
+  start.linear.restart = 7;
+  start.threads = 3;
+  whole(SmoothOptions()).apply_to(start);
+  CHECK(start.formulation == SmoothOptions().formulation);
+  CHECK(start.linear == LinearOptions());
+  CHECK(start.threads == 0);
+}
+
+TEST_CASE("options of the solver and of motions are edited field by field, too") {
+  SmoothOptions smooth;
+  SmoothOptions damped = smooth, long_run = smooth;
+  damped.damping = 0.1;
+  long_run.max_iterations = 9;
+  difference(SmoothOptions(), damped).apply_to(smooth);
+  difference(SmoothOptions(), long_run).apply_to(smooth);
+  CHECK(smooth.damping == 0.1);
+  CHECK(smooth.max_iterations == 9);
+  MotionOptions motion;
+  difference(MotionOptions(), MotionOptions{8, true}).apply_to(motion);
+  difference(MotionOptions(), MotionOptions{0, false}).apply_to(motion);
+  CHECK(motion.increments == 8);
+  CHECK_FALSE(motion.smooth_after);
+}
+
+TEST_CASE("the size of a picture is that of the window times a scale, or as typed") {
+  CHECK(picture_size({}, 640, 480) == std::array{640, 480});
+  CHECK(picture_size({.scale = 3, .size = {}}, 640, 480) == std::array{1920, 1440});
+  CHECK(picture_size({.size = std::array{1000, 100}}, 640, 480) == std::array{1000, 100});
+}
+
+TEST_CASE("a picture too small or too large to draw is refused") {
+  CHECK_THROWS_AS(picture_size({.size = std::array{8, 100}}, 640, 480), UsageError);
+  CHECK_THROWS_AS(picture_size({.size = std::array{40000, 100}}, 640, 480), UsageError);
+  CHECK_THROWS_AS(picture_size({.size = std::array{30000, 30000}}, 640, 480), UsageError);
+  CHECK_THROWS_AS(picture_size({.scale = 1e12, .size = {}}, 640, 480), UsageError);
+  CHECK_THROWS_AS(picture_size({.size = std::array{-5, 100}}, 640, 480), UsageError);
+}
+
+TEST_CASE("The interface has the scale that was chosen, or else the screen's") {
+  InterfaceScale scale(1.5f);
+  scale.set_window(3000, 2000);
+  CHECK(scale.of(0) == 1.5f);
+  CHECK(scale.of(1.25) == 1.25f);
+  scale.set_screen(2);
+  CHECK(scale.of(0) == 2.0f);
+}
+
+TEST_CASE("A small window has the largest scale of the list that it has room for") {
+  InterfaceScale scale(1);
+  scale.set_window(1100, 720);  // room for 1.53 in width, 1.6 in height
+  CHECK(scale.fitting(1.5) == 1.5f);
+  CHECK(scale.fitting(3) == 1.5f);
+  scale.set_window(1100, 560);
+  CHECK(scale.fitting(3) == 1.1f);
+  scale.set_window(100, 100);  // never less than the smallest
+  CHECK(scale.fitting(3) == 0.75f);
 }
 
 }  // namespace winslow::gui::test

@@ -9,9 +9,8 @@
 #include <utility>
 
 #include "core/command/command.h"
-#include "core/motion/space_motion.h"
+#include "core/motion/rigid_motion.h"
 #include "gui/menu/user_command.h"
-#include "gui/support/keys.h"
 #include "gui/support/rig.h"
 #include "support/space_meshes.h"
 

@@ -5,8 +5,6 @@
 #include <chrono>
 #include <thread>
 
-#include "gui/support/keys.h"
-
 namespace winslow::gui::test {
 
 Rig::Rig(int width, int height, const std::filesystem::path& profile)

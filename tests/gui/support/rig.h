@@ -1,11 +1,16 @@
 #pragma once
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "gui/document/actions/actions.h"
 #include "gui/render/gl_context.h"
 #include "gui/shell/workbench/workbench.h"
 #include "gui/support/meshes.h"
@@ -90,5 +95,58 @@ void turn_flap(Rig& rig, double degrees, const Vec2& by = Vec2(0, 0));
 
 /// Changes how the mesh is shown, and waits until it is.
 void set_view(Rig& rig, const std::function<void(ViewOptions&)>& change);
+
+}  // namespace winslow::gui::test
+
+/// Keys that scripts press.
+namespace winslow::gui::test::keys {
+
+inline constexpr int control = GLFW_KEY_LEFT_CONTROL;
+inline constexpr int alt = GLFW_KEY_LEFT_ALT;
+inline constexpr int shift = GLFW_KEY_LEFT_SHIFT;
+inline constexpr int escape = GLFW_KEY_ESCAPE;
+inline constexpr int space = GLFW_KEY_SPACE;
+inline constexpr int tab = GLFW_KEY_TAB;
+inline constexpr int enter = GLFW_KEY_ENTER;
+inline constexpr int f12 = GLFW_KEY_F12;
+inline constexpr int f1 = GLFW_KEY_F1;
+inline constexpr int f2 = GLFW_KEY_F2;
+inline constexpr int a = GLFW_KEY_A;
+inline constexpr int e = GLFW_KEY_E;
+inline constexpr int f = GLFW_KEY_F;
+inline constexpr int n = GLFW_KEY_N;
+inline constexpr int o = GLFW_KEY_O;
+inline constexpr int p = GLFW_KEY_P;
+inline constexpr int q = GLFW_KEY_Q;
+inline constexpr int r = GLFW_KEY_R;
+inline constexpr int s = GLFW_KEY_S;
+inline constexpr int w = GLFW_KEY_W;
+inline constexpr int z = GLFW_KEY_Z;
+
+}  // namespace winslow::gui::test::keys
+
+namespace winslow::gui::test {
+
+/// Number of the last outer iteration on screen; -1 before the first.
+inline int iterations(const Rig& rig) {
+  const auto history = rig.session().mesh().convergence();
+  return history.empty() ? -1 : history.back().iteration;
+}
+
+/// The solver has stopped between two iterations.
+inline bool solver_paused(const Rig& rig) {
+  const auto& snapshot = rig.session().job().snapshot();
+  return snapshot && snapshot->state == JobState::paused;
+}
+
+/// The action is an A, in whichever of the groups that are variants themselves.
+template <class A, class T>
+bool holds(const T&) {
+  return std::is_same_v<A, T>;
+}
+template <class A, class... As>
+bool holds(const std::variant<As...>& action) {
+  return std::visit([](const auto& a) { return holds<A>(a); }, action);
+}
 
 }  // namespace winslow::gui::test

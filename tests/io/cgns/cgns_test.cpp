@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "io/format/plane_placement.h"
+#include "io/format/mesh_in_space.h"
 #include "io/support/samples.h"
 #include "support/meshes.h"
 

@@ -1,4 +1,4 @@
-#include "io/format/plane_placement.h"
+#include "io/format/mesh_in_space.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

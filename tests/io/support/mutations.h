@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/index.h"
+#include "core/types.h"
 #include "support/random.h"
 
 /// Damage for files that readers have to survive.

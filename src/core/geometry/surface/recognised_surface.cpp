@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
-#include "core/geometry/surface/smooth_surface.h"
+#include "core/geometry/surface/surface.h"
 #include "core/options/option.h"
-#include "core/search/box.h"
+#include "core/search/box_tree.h"
 
 namespace winslow {
 

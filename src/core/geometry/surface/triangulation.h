@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/index.h"
 #include "core/mesh/coordinates.h"
+#include "core/search/box_tree.h"
 #include "core/types.h"
 
 namespace winslow {
@@ -32,5 +32,26 @@ std::vector<std::array<Index, 3>> triangle_neighbours(const Triangulation& surfa
 /// paraboloid through the points around. tangents: of the borders that are smooth there, to which
 /// the normals are at right angles; zero elsewhere (#points).
 std::vector<Vec3> point_normals(const Triangulation& surface, std::span<const Vec3> tangents);
+
+/// A place in a triangle of a triangulation.
+struct TrianglePlace {
+  Index triangle = -1;
+  Vec3 at{0, 0, 0};  ///< barycentric coordinates
+};
+
+/// Finds the places of a triangulation that are nearest to points.
+class TriangleTree {
+ public:
+  TriangleTree() = default;
+  explicit TriangleTree(const Triangulation& surface);
+
+  /// surface: the one that the tree was made of. Of equally near triangles the first.
+  TrianglePlace nearest(const Triangulation& surface, const Vec3& point) const;
+
+ private:
+  BoxTree<3> tree_;
+};
+
+Vec3 point_at(const Triangulation& surface, const TrianglePlace& place);
 
 }  // namespace winslow

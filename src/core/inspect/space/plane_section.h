@@ -3,9 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "core/inspect/space/plane.h"
 #include "core/inspect/space/section_index.h"
-#include "core/mesh/compressed_rows.h"
+#include "core/mesh/index_sets.h"
 #include "core/mesh/mesh.h"
 
 /// Cuts through volume meshes: flat ones, and such of whole elements.

@@ -1,14 +1,34 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
-#include "core/inspect/space/plane.h"
 #include "core/mesh/curve_order.h"
 #include "core/mesh/mesh.h"
-#include "core/search/box.h"
+#include "core/search/box_tree.h"
+#include "core/types.h"
 
 namespace winslow {
+
+/// A plane in space with a front: the side that its normal points to.
+class Plane {
+ public:
+  /// normal: of any length but 0. Throws UsageError for one that is 0 and for what is not finite.
+  Plane(const Vec3& point, const Vec3& normal);
+
+  const Vec3& point() const { return point_; }
+  const Vec3& normal() const { return normal_; }  ///< of length 1
+  /// Positive in front of the plane.
+  double distance(const Vec3& p) const { return normal_.dot(p - point_); }
+
+ private:
+  Vec3 point_, normal_;
+};
+
+/// Two directions of length 1 that span a plane; with its normal, to which they are at right
+/// angles, they make up a right-handed frame.
+std::array<Vec3, 2> directions_in(const Vec3& unit_normal);
 
 /// Where the elements of a volume mesh are, in blocks of such as lie near one another: what a plane
 /// meets is found without a look at the others. For many sections of one mesh.

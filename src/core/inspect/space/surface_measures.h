@@ -6,10 +6,27 @@
 
 #include "core/mesh/mesh.h"
 #include "core/mesh/surface_faces.h"
+#include "core/mesh/topology.h"
+
+namespace winslow {
+
+/// How many elements deep each element lies below some nodes (#elements): 1 for elements that have
+/// one of the nodes, 2 for those beside them (with a node in common), and so on; 0 where none of
+/// the nodes can be reached.
+std::vector<Index> element_layers(const Topology& topology, std::span<const Index> nodes);
+
+/// Which faces of a boundary enclose bodies (#faces, 1 or 0): a box around a wing does, the wing
+/// does not, though both may hang together in a plane of symmetry. All are 0 where nothing is
+/// enclosed: of a solid body, that is, which is to be seen from outside.
+///
+/// Parts are faces of one marker that hang together by edges. A part encloses if most of its area
+/// lies on the convex hull of the mesh, up to 1 % of the mesh's extent; the others are bodies
+/// if they lie inside or bound it from inside: the sum of (c - c_part) . a over the faces of
+/// the boundary among them, of centres c and area vectors a, is not positive.
+std::vector<unsigned char> enclosing_faces(const Mesh& mesh, std::span<const SurfaceFace> faces);
 
 /// Areas and volumes of parts of volume meshes. A quadrilateral is taken for the four triangles
 /// between its sides and its centre.
-namespace winslow {
 
 double face_area(const SpacePoints& x, const Face& face);
 /// Angle by which two faces, or surfaces with these normals, turn from one another: 0 to 90

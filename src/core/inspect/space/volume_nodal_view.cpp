@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/vcv/sphere/solid_angle.h"
+#include "core/vcv/sphere/sphere_link.h"
 
 namespace winslow {
 

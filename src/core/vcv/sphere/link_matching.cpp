@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "core/vcv/vcv_checks.h"
+#include "core/vcv/virtual_control_volumes.h"
 
 namespace winslow {
 

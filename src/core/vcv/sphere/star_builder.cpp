@@ -1,11 +1,101 @@
 #include "core/vcv/sphere/star_builder.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-
-#include "core/vcv/sphere/solid_angle.h"
+#include <limits>
+#include <random>
 
 namespace winslow {
+
+double tetrahedron_aspect_ratio(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 bc = b.cross(c), ca = c.cross(a), ab = a.cross(b);
+  const double volume6 = a.dot(bc);
+  if (!(volume6 > 0)) return std::numeric_limits<double>::infinity();
+  // The circumcentre x has x . p = |p|^2 / 2 for each corner p; r = 3 V / (surface).
+  const double circumradius =
+      (a.squaredNorm() * bc + b.squaredNorm() * ca + c.squaredNorm() * ab).norm() / (2 * volume6);
+  const double surface2 = bc.norm() + ca.norm() + ab.norm() + (b - a).cross(c - a).norm();
+  return circumradius * surface2 / (3 * volume6);
+}
+
+double tetrahedron_cost(const Vec3& a, const Vec3& b, const Vec3& c, double wanted) {
+  const double jacobian = a.dot(b.cross(c));
+  if (jacobian < 0) return 1 - jacobian;
+  const double off = 1 + std::abs(solid_angle(a, b, c) - wanted);
+  return 1 - 1 / (tetrahedron_aspect_ratio(a, b, c) * off * off);
+}
+
+double BlendedCost::value() const {
+  if (count_ == 0) return 0;
+  const double r = largest_ * largest_ * largest_;
+  return r * largest_ + std::max(0.0, 1 - r) * squares_ / count_;
+}
+
+double vertex_cost(const SphereLink& link, Index vertex, std::span<const double> targets,
+                   std::span<const Vec3> directions) {
+  BlendedCost cost;
+  for (const Index h : link.outgoing(vertex)) {
+    const auto [a, b, c] = link.triangles()[at(h / 3)];
+    cost.add(tetrahedron_cost(directions[at(a)], directions[at(b)], directions[at(c)],
+                              targets[at(h / 3)]));
+  }
+  return cost.value();
+}
+
+StarCost star_cost(const SphereLink& link, std::span<const double> targets,
+                   std::span<const Vec3> directions) {
+  StarCost cost{std::numeric_limits<double>::infinity(), 0};
+  for (Index v = 0; v < link.vertex_count(); ++v) {
+    const double own = vertex_cost(link, v, targets, directions);
+    cost.min = std::min(cost.min, own);
+    cost.max = std::max(cost.max, own);
+  }
+  return cost;
+}
+
+namespace {
+
+/// In [0, 1), the same on every machine.
+double uniform(std::mt19937_64& generator) {
+  return static_cast<double>(generator() >> 11) * 0x1.0p-53;
+}
+
+}  // namespace
+
+int perturb_directions(const SphereLink& link, std::span<const double> targets,
+                       const PerturbationOptions& options, std::uint64_t seed,
+                       std::span<Vec3> directions) {
+  constexpr double worthwhile = 0.01;
+  std::mt19937_64 generator(seed);
+  double reach = options.first_reach;
+  int sweeps = 0;
+  while (sweeps < options.most_sweeps && reach >= options.least_reach) {
+    ++sweeps;
+    double best_gain = 0;
+    for (Index v = 0; v < link.vertex_count(); ++v) {
+      Vec3& p = directions[at(v)];
+      const double before = vertex_cost(link, v, targets, directions);
+      double cost = before;
+      for (int k = 0; k < options.directions; ++k) {
+        const Vec3 old = p;
+        const Vec3 first = old.unitOrthogonal();
+        const Vec3 second = old.cross(first);
+        const double angle = 2 * pi * uniform(generator);
+        p = (old + reach * (std::cos(angle) * first + std::sin(angle) * second)).normalized();
+        const double trial = vertex_cost(link, v, targets, directions);
+        if (trial < cost) {
+          cost = trial;
+        } else {
+          p = old;
+        }
+      }
+      best_gain = std::max(best_gain, 1 - cost / before);
+    }
+    if (best_gain < worthwhile) reach *= 0.5;
+  }
+  return sweeps;
+}
 
 namespace {
 

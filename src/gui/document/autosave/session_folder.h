@@ -7,12 +7,27 @@
 #include <vector>
 
 #include "core/command/history.h"
-#include "gui/document/autosave/folder_lock.h"
 #include "gui/document/history/document.h"
-#include "gui/document/history/restored_session.h"
-#include "gui/files/file_stamp.h"
+#include "gui/files/file_kinds.h"
 
 namespace winslow::gui {
+
+/// A folder that belongs to one running studio. The lock goes with the process, however that ends,
+/// so a folder that can be locked has no owner.
+class FolderLock {
+ public:
+  /// None where another studio (or this one) holds the folder, or it cannot be locked.
+  static std::optional<FolderLock> take(const std::filesystem::path& folder);
+  ~FolderLock();
+  FolderLock(FolderLock&& other) noexcept;
+  FolderLock& operator=(FolderLock&& other) noexcept;
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  explicit FolderLock(int descriptor) : descriptor_(descriptor) {}
+  int descriptor_;
+};
 
 /// A session as it is to be written: shares the meshes with the document.
 struct SessionRecord {

@@ -1,8 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "core/command/command.h"
+#include "core/layers/layer_stack.h"
+#include "core/mesh/mesh_data.h"
+#include "core/mesh/topology.h"
+#include "core/vcv/virtual_control_volumes.h"
 
 namespace winslow::gui {
 
@@ -16,5 +22,15 @@ void write_step(const std::filesystem::path& path, const MeshState& state, const
 /// before: as it was written with. Throws InputError for a file that is missing, cut short,
 /// changed, or does not fit the state before.
 CommandResult read_step(const std::filesystem::path& path, const MeshState& before);
+
+/// What is wrong with parts of a step that were read from a file; empty: nothing. Their numbers
+/// serve as indices later on, where nobody looks at them again.
+
+/// Before connectivity is built, which checks the rest.
+std::string fault_of(const MeshData& data);
+std::string fault_of(const LayerStack& stack, const Topology& topology);
+std::string fault_of(const std::vector<VirtualControlVolumes::Role>& roles);
+/// Of a reference surface.
+std::string fault_of_surface(const std::vector<Vec3>& points, const std::vector<Face>& faces);
 
 }  // namespace winslow::gui

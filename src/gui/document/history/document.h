@@ -13,7 +13,7 @@
 #include "core/quality/quality.h"
 #include "core/quality/surface_distance.h"
 #include "gui/document/history/edit_history.h"
-#include "gui/files/file_stamp.h"
+#include "gui/files/file_kinds.h"
 #include "gui/render/space/volume_scene.h"
 #include "io/format/mesh_file.h"
 
@@ -97,5 +97,19 @@ class Document {
 
 /// Finds what there is to know of a mesh beside what its file says, of the state it is opened in.
 void examine(Document::Loaded& loaded);
+
+/// A session read back after a crash.
+struct RestoredSession {
+  Document::Loaded loaded;     ///< the mesh as it was opened
+  std::filesystem::path path;  ///< where it was saved last, or came from
+  struct Step {
+    Command command;
+    CommandResult result;
+    double seconds = 0;
+  };
+  std::vector<Step> steps;
+  std::size_t position = 0;
+  std::string damage;  ///< what could not be read; empty: nothing
+};
 
 }  // namespace winslow::gui

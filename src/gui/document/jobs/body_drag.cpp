@@ -1,9 +1,10 @@
 #include "gui/document/jobs/body_drag.h"
 
 #include <chrono>
-#include <utility>
+#include <cmath>
 
-#include "core/motion/space_motion.h"
+#include "core/motion/rigid_motion.h"
+#include "gui/base/text.h"
 
 namespace winslow::gui {
 
@@ -100,6 +101,77 @@ RigidMotionRequest compose(const RigidMotionRequest& first, const RigidMotionReq
                            bool in_space) {
   if (in_space) return compose(named_motion<3>(first), named_motion<3>(second));
   return compose(named_motion<2>(first), named_motion<2>(second));
+}
+
+std::string blocked_text(const EdgePair& contact) {
+  if (contact.other == contact.moving) return "Blocked by the body itself";
+  return contact.other.empty() ? "Blocked by an unnamed boundary"
+                               : "Blocked by \"" + contact.other + '"';
+}
+
+std::string blocked_text(const BodyDrag& drag) {
+  if (!drag.error().empty()) return "The mesh cannot follow any further";
+  const auto& contact = drag.frame().contact;
+  return contact ? blocked_text(*contact) : "No valid mesh was found";
+}
+
+std::string updating_text(const BodyDrag& drag) {
+  const auto percent = static_cast<int>(std::floor(100 * drag.frame().share));
+  return "Updating mesh... " + std::to_string(percent) + " %";
+}
+
+namespace {
+
+constexpr const char* got_to = ": the body is where it got to";
+
+std::string share_text(double share, const char* of) {
+  return short_number(100 * share) + " % of the " + of;
+}
+
+/// What each metric with a limit has come to: " Worst elements now: Normalized Jacobian 0.512."
+std::string worst_values(const QualityFloor& floor, const Mesh& mesh) {
+  std::string text;
+  for (std::size_t m = 0; m < floor.limits.size(); ++m) {
+    if (!floor.limits[m]) continue;
+    const Metric metric = limited_metrics()[m];
+    const double worst = element_value(mesh, worst_element(mesh, metric), metric);
+    text += (text.empty() ? " Worst elements now: " : ", ") + std::string(metric_label(metric)) +
+            ' ' + short_number(worst);
+  }
+  return text.empty() ? text : text + '.';
+}
+
+/// The motion ended before a limit of the quality.
+std::string end_at_limit(const MotionEnd& end) {
+  const std::string& limit = end.smooth.limited_by;
+  std::string text = limit;
+  if (end.reached >= 1)
+    text += " if it were smoothed to the end: the mesh is the last one within the limit.";
+  else if (end.reached <= 0)
+    text += " at once: the body has not moved.";
+  else
+    text += " beyond " + share_text(end.reached, "motion") + got_to + '.';
+  return text + worst_values(end.floor, end.mesh);
+}
+
+}  // namespace
+
+std::string end_of_drag(const BodyDrag& drag) {
+  return blocked_text(drag) + (drag.frame().contact ? " after " : " beyond ") +
+         share_text(drag.frame().share, "drag") + got_to + '.';
+}
+
+std::string end_of_motion(const MotionEnd& end) {
+  const SmoothResult& smooth = end.smooth;
+  if (!smooth.contact && !smooth.limited_by.empty()) return end_at_limit(end);
+  std::string text = "No valid mesh was found beyond ";
+  if (smooth.contact)
+    text = blocked_text(smooth.contact->edges) + " after ";
+  else if (smooth.out_of_iterations)
+    text = "The limit of iterations was reached after ";
+  text += share_text(end.reached, "motion") + got_to;
+  if (smooth.gap) text += ", " + describe(*smooth.gap);
+  return text + '.';
 }
 
 }  // namespace winslow::gui

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "core/drag/drag_session.h"
+#include "core/quality/mesh_change.h"
+#include "core/strategy/run.h"
 #include "gui/document/jobs/reference_files.h"
 
 namespace winslow::gui {
@@ -89,5 +91,30 @@ class BodyDrag {
 /// The motion that is `first`, then `second`; both name their pivots.
 RigidMotionRequest compose(const RigidMotionRequest& first, const RigidMotionRequest& second,
                            bool in_space);
+
+/// What is said of a drag while it goes on.
+
+/// What is in a body's way: "Blocked by "main"".
+std::string blocked_text(const EdgePair& contact);
+/// The same of a drag, where the mesh can follow no further.
+std::string blocked_text(const BodyDrag& drag);
+/// "Updating mesh... 35 %": how far the mesh on screen has come of what the mouse asks for.
+std::string updating_text(const BodyDrag& drag);
+
+/// Why a body did not get where it was to go, in whole sentences for the banner over the mesh.
+
+/// "Blocked by "main" after 41.2 % of the drag: the body is where it got to." drag: at its limit.
+std::string end_of_drag(const BodyDrag& drag);
+
+/// How a motion is to be judged that is not all that was asked for.
+struct MotionEnd {
+  const SmoothResult& smooth;
+  double reached;             ///< share of the motion, 0 to 1
+  const QualityFloor& floor;  ///< the limits that it had
+  const Mesh& mesh;           ///< where it ended
+};
+/// "Blocked by "main" after 41.2 % of the motion: the body is where it got to." Of limits of the
+/// quality also what the mesh comes to by them.
+std::string end_of_motion(const MotionEnd& end);
 
 }  // namespace winslow::gui

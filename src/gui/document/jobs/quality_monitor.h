@@ -9,7 +9,7 @@
 #include "core/command/command.h"
 #include "core/inspect/element_field.h"
 #include "core/quality/quality.h"
-#include "core/quality/surface_change.h"
+#include "core/quality/surface_distance.h"
 #include "gui/base/background.h"
 
 namespace winslow::gui {

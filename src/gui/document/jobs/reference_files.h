@@ -1,13 +1,17 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/command/command.h"
-#include "gui/files/file_stamp.h"
+#include "core/mesh/mesh.h"
+#include "gui/base/background.h"
+#include "gui/files/file_kinds.h"
 
 namespace winslow::gui {
 
@@ -31,5 +35,56 @@ class ReferenceFiles {
   std::mutex mutex_;  // held while a file is read: who wants the same one waits for it
   Known known_;
 };
+
+/// A reference surface that the user has chosen: it is read behind the frame loop's back, and used
+/// only once that has gone well.
+class ReferenceChoice {
+ public:
+  struct Outcome {
+    std::filesystem::path file;
+    std::string error;  ///< why it is none; empty: it is one
+    Index nodes = 0;    ///< of the surface
+    Index faces = 0;
+    double coarser = 0;  ///< mean length of its edges over that of the mesh's that slide on it
+  };
+
+  /// Begins to read a file, in place of what is being read. markers: of the volume mesh, that
+  /// slide; a surface mesh slides as a whole. A relative path is one from the working folder.
+  void choose(std::filesystem::path file, std::shared_ptr<const Mesh> mesh,
+              std::vector<std::string> markers, std::shared_ptr<ReferenceFiles> files);
+  /// What is being read is not wanted any longer.
+  void drop() { wanted_.reset(); }
+  /// The file that is being read; empty: none.
+  std::filesystem::path pending() const {
+    return wanted_ ? wanted_->file : std::filesystem::path();
+  }
+  bool busy() const { return reader_.busy(); }
+  /// What came of the file that was chosen last, once.
+  std::optional<Outcome> poll();
+
+ private:
+  struct Wanted {
+    std::uint64_t number;
+    std::filesystem::path file;
+    std::shared_ptr<const Mesh> mesh;
+    std::vector<std::string> markers;
+    std::shared_ptr<ReferenceFiles> files;
+  };
+  struct Read {
+    std::uint64_t number;
+    Outcome outcome;
+  };
+  static Outcome read(const Wanted& wanted);
+  void start();
+
+  std::uint64_t count_ = 0;
+  std::optional<Wanted> wanted_;
+  Background<Read> reader_;
+};
+
+/// Its shape between its nodes counts where the mesh is finer.
+bool is_coarse(const ReferenceChoice::Outcome& read);
+/// "Nodes slide on hull.stl: 1,200 nodes, 2,396 faces", and what is to be minded.
+std::string describe(const ReferenceChoice::Outcome& read);
 
 }  // namespace winslow::gui

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/mesh/topology.h"
 #include "core/strategy/slide_options.h"
+#include "core/types.h"
 
 namespace winslow::gui {
 
@@ -53,6 +56,27 @@ class NodeOverrides {
   static std::string top_of(const std::vector<Change>& changes, std::uint64_t revision);
 
   std::vector<Change> done_, undone_;
+};
+
+/// Nodes that the user looks at: one in the inspector, one under the mouse, any number pinned.
+class NodeSelection {
+ public:
+  const std::optional<Index>& inspected() const { return inspected_; }
+  const std::optional<Index>& hovered() const { return hovered_; }
+  /// Ascending.
+  const std::vector<Index>& pinned() const { return pinned_; }
+  bool pinned(Index node) const;
+
+  void inspect(std::optional<Index> node) { inspected_ = node; }
+  void hover(std::optional<Index> node) { hovered_ = node; }
+  void pin(const std::vector<Index>& nodes);
+  void unpin(const std::vector<Index>& nodes);
+  /// Lets go of all other nodes.
+  void keep_if(const std::function<bool(Index)>& keep);
+
+ private:
+  std::optional<Index> inspected_, hovered_;
+  std::vector<Index> pinned_;
 };
 
 }  // namespace winslow::gui

@@ -9,8 +9,8 @@
 
 #include "gui/base/background.h"
 #include "gui/document/actions/dispatch.h"
-#include "gui/document/actions/file_actions.h"
-#include "gui/document/history/restored_session.h"
+#include "gui/document/actions/document_actions.h"
+#include "gui/document/history/document.h"
 #include "gui/document/session/jobs.h"
 #include "gui/document/session/live_mesh.h"
 #include "gui/document/session/message_board.h"

@@ -7,7 +7,7 @@
 
 #include "gui/base/background.h"
 #include "gui/document/actions/dispatch.h"
-#include "gui/document/actions/history_actions.h"
+#include "gui/document/actions/document_actions.h"
 #include "gui/document/session/jobs.h"
 #include "gui/document/session/live_mesh.h"
 #include "gui/document/session/message_board.h"

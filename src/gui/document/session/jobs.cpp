@@ -5,12 +5,12 @@
 
 #include "core/error.h"
 #include "core/geometry/periodic_pairs.h"
-#include "core/strategy/surface_options.h"
+#include "core/strategy/smooth_options.h"
 #include "gui/base/text.h"
-#include "gui/document/jobs/end_text.h"
-#include "gui/document/jobs/periodic_sides.h"
-#include "gui/document/session/settled_command.h"
-#include "io/tables/file_pairs.h"
+#include "gui/document/jobs/body_drag.h"
+#include "gui/document/jobs/job_runner.h"
+#include "gui/document/jobs/run_settings.h"
+#include "io/tables/reference_file.h"
 
 namespace winslow::gui {
 

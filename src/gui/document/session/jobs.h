@@ -5,12 +5,11 @@
 #include <string>
 
 #include "gui/document/actions/dispatch.h"
-#include "gui/document/actions/job_actions.h"
-#include "gui/document/history/command_queue.h"
-#include "gui/document/jobs/found_layers.h"
-#include "gui/document/jobs/layer_preview.h"
-#include "gui/document/jobs/method.h"
-#include "gui/document/jobs/reference_choice.h"
+#include "gui/document/actions/document_actions.h"
+#include "gui/document/history/edit_history.h"
+#include "gui/document/jobs/reference_files.h"
+#include "gui/document/jobs/run_settings.h"
+#include "gui/document/jobs/wall_layers.h"
 #include "gui/document/selection/node_overrides.h"
 #include "gui/document/session/live_mesh.h"
 #include "gui/document/session/message_board.h"

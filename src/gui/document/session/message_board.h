@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/quality/mesh_change.h"
+#include "gui/document/actions/actions.h"
 #include "gui/document/actions/dispatch.h"
-#include "gui/document/actions/messages.h"
 #include "gui/document/session/live_mesh.h"
 
 namespace winslow::gui {

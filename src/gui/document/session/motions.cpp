@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "core/motion/rigid_motion.h"
-#include "gui/document/jobs/end_text.h"
+#include "gui/document/jobs/body_drag.h"
 
 namespace winslow::gui {
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "gui/document/actions/dispatch.h"
-#include "gui/document/actions/motion_actions.h"
+#include "gui/document/actions/document_actions.h"
 #include "gui/document/session/jobs.h"
 #include "gui/document/session/live_mesh.h"
 #include "gui/document/session/message_board.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 
@@ -38,5 +39,8 @@ class QualityWatch {
   const LiveMesh& mesh_;
   QualityMonitor monitor_;
 };
+
+/// Position in the history of the state with which the mesh on screen is compared. Needs a mesh.
+std::size_t position_before(const LiveMesh& mesh, BeforeState which);
 
 }  // namespace winslow::gui

@@ -7,7 +7,6 @@
 
 #include "core/error.h"
 #include "core/motion/rigid_motion.h"
-#include "core/motion/space_motion.h"
 
 namespace winslow::gui {
 

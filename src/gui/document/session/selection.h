@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "gui/document/actions/dispatch.h"
-#include "gui/document/actions/selection_actions.h"
-#include "gui/document/selection/body_anchors.h"
-#include "gui/document/selection/node_selection.h"
-#include "gui/document/selection/shape_edit.h"
+#include "gui/document/actions/document_actions.h"
+#include "gui/document/selection/boundary_index.h"
+#include "gui/document/selection/node_overrides.h"
+#include "gui/document/selection/pivot.h"
 #include "gui/document/session/live_mesh.h"
 #include "gui/document/session/message_board.h"
 #include "gui/document/session/space_selection.h"

@@ -1,20 +1,24 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
+#include <string>
+#include <vector>
 
+#include "core/command/command.h"
+#include "core/mesh/topology.h"
 #include "gui/document/actions/actions.h"
-#include "gui/document/session/boundary_roles.h"
+#include "gui/document/jobs/wall_layers.h"
 #include "gui/document/session/files.h"
 #include "gui/document/session/history_editor.h"
+#include "gui/document/session/inspection.h"
 #include "gui/document/session/jobs.h"
 #include "gui/document/session/live_mesh.h"
 #include "gui/document/session/message_board.h"
 #include "gui/document/session/motions.h"
 #include "gui/document/session/quality_watch.h"
 #include "gui/document/session/selection.h"
-#include "gui/document/session/sphere_inspector.h"
-#include "gui/document/session/star_matches.h"
 #include "gui/document/session/vcv_editor.h"
 
 namespace winslow::gui {
@@ -97,5 +101,42 @@ const SphereInspector& spheres(const Session& session);
 const StarMatches& star_matches(const Session& session);
 /// What nodes do in the next run.
 const BoundaryRoles& boundary_roles(const Session& session);
+
+/// What the studio is at, as the status bar says it.
+struct Activity {
+  enum class Kind { idle, busy, blocked };
+  Kind kind = Kind::idle;
+  std::string text;  ///< empty if idle
+};
+Activity activity_of(const Session& session);
+
+/// What is known of the layers that walls have.
+
+/// The layers of all these walls are held.
+bool all_held(const Session& session, const std::vector<LayerWall>& walls);
+/// Sets how many layers of each wall a command works on: those that are known to be there. Of
+/// a wall without known ones: all that are found, to hold them; to space them anew, what the
+/// wall's spacing says.
+void limit_to_present_layers(const Session& session, LayersCommand& command);
+
+/// Which meshes something is for.
+class MeshKinds {
+ public:
+  constexpr MeshKinds(std::initializer_list<MeshKind> kinds) {
+    for (const MeshKind kind : kinds) bits_ |= bit(kind);
+  }
+  constexpr bool contains(MeshKind kind) const { return (bits_ & bit(kind)) != 0; }
+
+ private:
+  static constexpr unsigned bit(MeshKind kind) { return 1U << static_cast<unsigned>(kind); }
+  unsigned bits_ = 0;
+};
+
+inline constexpr MeshKinds all_meshes{MeshKind::plane, MeshKind::surface, MeshKind::volume};
+inline constexpr MeshKinds plane_meshes{MeshKind::plane};
+inline constexpr MeshKinds volume_meshes{MeshKind::volume};
+inline constexpr MeshKinds meshes_in_space{MeshKind::surface, MeshKind::volume};
+/// Those whose boundary can be moved: a surface keeps its shape.
+inline constexpr MeshKinds movable_meshes{MeshKind::plane, MeshKind::volume};
 
 }  // namespace winslow::gui

@@ -5,7 +5,6 @@
 
 #include "core/mesh/surface_faces.h"
 #include "core/motion/rigid_motion.h"
-#include "core/motion/space_motion.h"
 namespace winslow::gui {
 
 namespace {

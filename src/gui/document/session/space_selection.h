@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "gui/document/actions/selection_actions.h"
+#include "gui/document/actions/document_actions.h"
 #include "gui/document/session/live_mesh.h"
 #include "gui/document/session/message_board.h"
 

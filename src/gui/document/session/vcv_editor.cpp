@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/error.h"
-#include "core/mesh/mesh_kind.h"
-#include "core/vcv/sphere/sphere_edit.h"
+#include "core/mesh/topology.h"
+#include "core/vcv/sphere/node_vcv.h"
 
 namespace winslow::gui {
 

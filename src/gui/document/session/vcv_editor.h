@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gui/document/actions/dispatch.h"
-#include "gui/document/actions/vcv_actions.h"
+#include "gui/document/actions/document_actions.h"
 #include "gui/document/session/jobs.h"
 #include "gui/document/session/live_mesh.h"
 #include "gui/document/session/message_board.h"

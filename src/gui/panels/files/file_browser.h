@@ -1,13 +1,35 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
-#include "gui/files/mesh_preview.h"
-#include "gui/panels/files/file_choice.h"
-#include "gui/panels/panel.h"
+#include "gui/files/browsed_folder.h"
+#include "gui/files/thumbnails.h"
+#include "gui/menu/panel_context.h"
+
+struct ImGuiInputTextCallbackData;
 
 namespace winslow::gui {
+
+/// What has been chosen in a file dialog so far.
+struct FileChoice {
+  BrowsedFolder folder;
+  std::string address;      ///< of the folder, as it stands in its field
+  std::string name;         ///< of the file, as it stands in its field
+  std::string error;        ///< why it cannot be; empty: nothing is wrong
+  bool focus_name = false;  ///< the name's field gets the keyboard in the next frame
+
+  void go(const std::filesystem::path& to) {
+    folder.go(to);
+    address = folder.wanted().string();
+    error.clear();
+    focus_name = true;
+  }
+  void go_up() {
+    if (folder.wanted().has_parent_path()) go(folder.wanted().parent_path());
+  }
+};
 
 /// The folder of a file dialog: its address, places that one may want, the list of its entries.
 class FileBrowser {
@@ -46,6 +68,23 @@ class FileBrowser {
   std::optional<std::string> new_folder_;  // being named
   SortBy sort_ = SortBy::name;
   bool reversed_ = false;
+};
+
+/// Where the name of a file is typed. Letters find a row of the folder, Tab completes, arrow keys
+/// choose, a slash goes into a folder, Backspace in an empty field goes up.
+class FileNameField {
+ public:
+  explicit FileNameField(FileChoice& choice) : choice_(choice) {}
+  /// True if Enter was pressed.
+  bool draw(const PanelContext& context);
+
+ private:
+  int edit(ImGuiInputTextCallbackData& data);
+  void complete(ImGuiInputTextCallbackData& data, const std::string& text);
+  void step(ImGuiInputTextCallbackData& data, int by);
+  bool enter_typed_folder(const std::string& text);
+
+  FileChoice& choice_;
 };
 
 }  // namespace winslow::gui

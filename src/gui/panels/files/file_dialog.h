@@ -4,10 +4,8 @@
 #include <optional>
 
 #include "gui/files/file_kinds.h"
+#include "gui/menu/panel_context.h"
 #include "gui/panels/files/file_browser.h"
-#include "gui/panels/files/file_choice.h"
-#include "gui/panels/files/file_name_field.h"
-#include "gui/panels/panel.h"
 
 namespace winslow::gui {
 

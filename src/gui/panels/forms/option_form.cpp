@@ -3,6 +3,12 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/command/option_tables.h"
+#include "core/layers/layer_plan.h"
+#include "core/motion/motion.h"
+#include "core/strategy/smooth_options.h"
+#include "gui/base/text.h"
+#include "gui/document/jobs/run_settings.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui::ui {
@@ -187,6 +193,177 @@ bool option_form(const std::string& prefix, const OptionTable& table) {
       text_colored(palette().danger, elided(fault, ImGui::GetContentRegionAvail().x));
   }
   return changed;
+}
+
+namespace {
+
+class CommandFields {
+ public:
+  CommandFields(const std::string& prefix, MeshKind kind) : prefix_(prefix), kind_(kind) {}
+  bool changed() const { return changed_; }
+
+  /// Of a command that its table describes.
+  template <class EditCommand>
+  requires(!EditCommand::beyond_table) void operator()(EditCommand& command) {
+    rows(option_table(command));
+    if constexpr (requires { command.smooth; }) smoothing(command.smooth);
+  }
+
+  void operator()(MoveCommand& command) {
+    rows(option_table(command.motion));
+    motion(command.how, command.smooth);
+  }
+
+  void operator()(DeformCommand& command) {
+    if (auto* sine = std::get_if<SineDeformation>(&command.shape)) {
+      rows(option_table(*sine));
+    } else {
+      const auto& table = std::get<DisplacementTable>(command.shape);
+      text_wrapped(counted(table.entries.size(), "displacement") +
+                   (table.source.empty() ? "" : " from " + table.source) +
+                   "; they cannot be changed here.");
+    }
+    motion(command.how, command.smooth);
+  }
+
+  void operator()(LayersCommand& command) {
+    if (command.task == LayerTask::hold) {
+      text_wrapped("The layers keep the heights that they have.");
+      return smoothing(command.smooth);
+    }
+    for (std::size_t w = 0; w < command.layers.walls.size(); ++w)
+      wall(command.layers.walls[w], prefix_ + "/wall" + std::to_string(w));
+    OptionTable table = option_table(command);
+    std::erase_if(table, [](const Option& option) { return option.key == "task"; });
+    rows(table);
+    smoothing(command.smooth);
+  }
+
+  void operator()(EditVcvCommand& command) {
+    text_wrapped(counted(command.edits.size(), "virtual control volume") +
+                 (command.edits.size() == 1 ? "; its" : "; their") +
+                 " angles and lengths are changed in the tab VCV.");
+    smoothing(command.smooth);
+  }
+
+ private:
+  void wall(LayerWall& wall, const std::string& prefix) {
+    std::string markers;
+    for (const std::string& marker : wall.markers)
+      markers += (markers.empty() ? "" : ", ") + marker;
+    text_wrapped("Layers at " + markers);
+    changed_ |= option_form(prefix, option_table(wall.spacing));
+  }
+
+  void motion(MotionOptions& how, SmoothOptions& smooth) {
+    changed_ |= method_choice(prefix_, smooth, how);
+    OptionTable table = option_table(how);
+    std::erase_if(table, [](const Option& option) { return option.object == "min_quality"; });
+    rows(table);
+    changed_ |= quality_limits_form(prefix_, how.floor, cell_dimension_of(kind_),
+                                    follows_path(how, smooth));
+    if (how.smooth_after) smoothing(smooth);
+  }
+
+  void rows(const OptionTable& table) { changed_ |= option_form(prefix_, table); }
+
+  void smoothing(SmoothOptions& smooth) { changed_ |= smooth_options_form(prefix_, smooth, kind_); }
+
+  const std::string& prefix_;
+  MeshKind kind_;
+  bool changed_ = false;
+};
+
+}  // namespace
+
+bool command_form(const std::string& prefix, Command& command, MeshKind kind) {
+  CommandFields form(prefix, kind);
+  std::visit(form, command);
+  return form.changed();
+}
+
+namespace {
+
+/// Of the row: names of metrics are long, their values short.
+constexpr float name_share = 0.72f;
+
+constexpr const char* tip =
+    "The motion ends before any element is worse than this: the body stays where it got to, and "
+    "the line above the mesh says how far that is. A drag shows what lies beyond; let go, the body "
+    "goes back to the limit.";
+
+/// field: what the metric is in elements of this dimension.
+bool limit_row(const std::string& id, const Option& option, const FieldInfo& field,
+               std::optional<double>& limit) {
+  const std::string row_tip = std::string(option.help) + '.';
+  bool on = limit.has_value();
+  const float start = ImGui::GetCursorPosX();
+  const float width = ImGui::GetContentRegionAvail().x;
+  bool changed = checkbox(id + "/on", std::string(field.label), on, row_tip);
+  if (changed) limit = on ? std::optional(field.threshold) : std::nullopt;
+  if (!limit) return changed;
+  ImGui::SameLine(start + width * name_share);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  // As high as the switch: one line of text for all rows.
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ImGui::GetStyle().FramePadding.x, 3));
+  changed |= number(id, *limit, row_tip, option.unit == "degrees" ? "%.6g\xC2\xB0" : "%.6g");
+  ImGui::PopStyleVar();
+  if (const std::string fault = fault_of(option); !fault.empty())
+    text_colored(palette().danger, elided(fault, ImGui::GetContentRegionAvail().x));
+  return changed;
+}
+
+}  // namespace
+
+bool quality_limits_form(const std::string& prefix, QualityFloor& floor, int cell_dimension,
+                         bool follows_path) {
+  const auto given =
+      std::ranges::count_if(floor.limits, [](const auto& l) { return l.has_value(); });
+  const std::string title =
+      "Limits of quality" + (given > 0 ? " (" + std::to_string(given) + ")" : std::string());
+  if (!fold(prefix + "/limits", title, tip)) return false;
+  if (given > 0 && !follows_path) {
+    text_wrapped(
+        "Limits are kept on a path: choose the method \"Path following\", automatic steps and "
+        "smoothing afterwards.");
+    note(prefix + "/limits/path");
+  }
+  bool changed = false;
+  const OptionTable table = option_table(floor);
+  const auto& reported = reported_metrics(cell_dimension);
+  for (std::size_t m = 0; m < limited_metrics().size(); ++m) {
+    const Metric metric = limited_metrics()[m];
+    if (std::ranges::find(reported, metric) == reported.end()) continue;
+    changed |= limit_row(prefix + "/min_quality_" + std::string(table[m].key), table[m],
+                         metric_info(metric, cell_dimension).field, floor.limits[m]);
+  }
+  return changed;
+}
+
+bool method_choice(const std::string& prefix, SmoothOptions& smooth, MotionOptions& motion,
+                   float label_share) {
+  constexpr const char* tip =
+      "Path following: the mesh follows the moving boundary through valid meshes only. The "
+      "default; change nothing unless you want to see the other.\n"
+      "Direct: the paper's outer iteration. The boundary goes to its place at once, which tangles "
+      "the mesh, and the iteration untangles it. Every iteration is shown.";
+  std::vector<std::string> names{"Path following", "Direct (the paper's)"};
+  auto chosen = static_cast<std::size_t>(method_of(smooth, motion));
+  if (chosen == names.size()) names.emplace_back("Custom (see Advanced)");
+  row("Method", tip, label_share);
+  if (!combo(prefix + "/method", names, chosen, tip)) return false;
+  use_method(static_cast<Method>(chosen), smooth, motion);
+  return true;
+}
+
+bool smooth_options_form(const std::string& prefix, SmoothOptions& options, MeshKind kind) {
+  const auto table = [&] {
+    return kind == MeshKind::surface ? surface_option_table(options) : option_table(options);
+  };
+  if (!option_form(prefix, table())) return false;
+  // What was chosen may not go with the other choices; the rows of a new table know.
+  settle(table());
+  return true;
 }
 
 }  // namespace winslow::gui::ui

@@ -8,10 +8,10 @@
 #include "core/layers/layer_measures.h"
 #include "core/strategy/layering.h"
 #include "gui/base/text.h"
-#include "gui/document/session/layers_in_place.h"
-#include "gui/panels/layers/fields.h"
+#include "gui/document/session/session.h"
+#include "gui/panels/layers/layer_forms.h"
 #include "gui/widgets/controls.h"
-#include "gui/widgets/height_plot.h"
+#include "gui/widgets/plot_frame.h"
 #include "gui/widgets/ui_layer.h"
 
 namespace winslow::gui {

@@ -4,12 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "gui/panels/layers/column_list.h"
-#include "gui/panels/layers/layer_result.h"
-#include "gui/panels/layers/part_form.h"
-#include "gui/panels/layers/spacing_form.h"
-#include "gui/panels/layers/wall_list.h"
-#include "gui/panels/panel.h"
+#include "gui/menu/panel_context.h"
+#include "gui/panels/layers/layer_forms.h"
+#include "gui/panels/layers/layer_lists.h"
 
 namespace winslow::gui {
 

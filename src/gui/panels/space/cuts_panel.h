@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "core/search/box.h"
-#include "gui/panels/panel.h"
+#include "core/search/box_tree.h"
+#include "gui/menu/panel_context.h"
 
 namespace winslow::gui {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/inspect/space/surface_measures.h"
-#include "gui/panels/panel.h"
+#include "gui/menu/panel_context.h"
 
 namespace winslow::gui {
 

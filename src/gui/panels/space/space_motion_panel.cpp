@@ -4,8 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "gui/panels/forms/motion_steps_row.h"
-#include "gui/panels/keep_outside_rows.h"
+#include "gui/panels/motion_panel.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {

@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "gui/base/text.h"
-#include "gui/panels/vcv/label_placer.h"
-#include "gui/panels/vcv/node_header.h"
+#include "gui/panels/vcv/vcv_parts.h"
 #include "gui/render/space/star_sketch.h"
 #include "gui/widgets/controls.h"
 

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "core/inspect/space/volume_nodal_view.h"
-#include "gui/render/color_map.h"
-#include "gui/render/space/space_camera.h"
+#include "gui/render/color_scale.h"
+#include "gui/render/space/space_view.h"
 #include "gui/widgets/theme.h"
 
 namespace winslow::gui {

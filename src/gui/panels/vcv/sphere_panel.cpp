@@ -7,8 +7,8 @@
 
 #include "core/error.h"
 #include "gui/base/text.h"
-#include "gui/panels/vcv/node_header.h"
 #include "gui/panels/vcv/sphere_drawing.h"
+#include "gui/panels/vcv/vcv_parts.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/inspect/space/volume_nodal_view.h"
-#include "gui/panels/panel.h"
+#include "gui/menu/panel_context.h"
 #include "gui/panels/vcv/sphere_plot.h"
 
 namespace winslow::gui {

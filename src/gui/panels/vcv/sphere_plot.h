@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "core/inspect/space/volume_nodal_view.h"
-#include "gui/panels/vcv/plot_outcome.h"
-#include "gui/render/color_map.h"
+#include "gui/panels/vcv/vcv_parts.h"
+#include "gui/render/color_scale.h"
 #include "gui/render/space/space_view.h"
-#include "gui/view/tools/sphere_drag.h"
+#include "gui/view/tools/vcv_drag.h"
 #include "gui/widgets/theme.h"
 
 namespace winslow::gui {

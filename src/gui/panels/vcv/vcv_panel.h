@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/inspect/nodal_view.h"
-#include "gui/panels/panel.h"
+#include "gui/menu/panel_context.h"
 #include "gui/panels/vcv/vcv_plot.h"
 
 namespace winslow::gui {

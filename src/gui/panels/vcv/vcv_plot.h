@@ -5,8 +5,7 @@
 #include <optional>
 
 #include "core/inspect/nodal_view.h"
-#include "gui/panels/vcv/label_placer.h"
-#include "gui/panels/vcv/plot_outcome.h"
+#include "gui/panels/vcv/vcv_parts.h"
 #include "gui/view/tools/vcv_drag.h"
 #include "gui/widgets/theme.h"
 

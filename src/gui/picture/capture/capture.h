@@ -10,14 +10,51 @@
 #include <vector>
 
 #include "gui/base/background.h"
+#include "gui/base/screen.h"
 #include "gui/document/actions/actions.h"
 #include "gui/document/actions/dispatch.h"
 #include "gui/document/session/session.h"
-#include "gui/picture/capture/film_meshes.h"
-#include "gui/picture/capture/picture_source.h"
 #include "gui/picture/capture/recorder.h"
+#include "gui/picture/figure/vector_figure.h"
+#include "gui/render/image.h"
+#include "gui/settings/picture_spec.h"
 
 namespace winslow::gui {
+
+/// The meshes of a film: those on screen, and between them, where a job moves a body in large
+/// steps, those that meshes_between() puts there.
+class FilmMeshes {
+ public:
+  /// Nothing has been shown yet.
+  void clear();
+  /// The mesh on screen is the one last taken.
+  bool has(const Coordinates& x) const { return taken_.size() == x.size() && taken_ == x; }
+  /// The mesh on screen, the last, and those on the way to it from the one last taken; that alone
+  /// if none is wanted between. All are of the session's topology.
+  std::vector<Coordinates> take(const Session& session, bool between = true);
+
+ private:
+  void follow_motion(const Session& session);
+
+  Coordinates taken_;
+  std::vector<Index> moved_;  // nodes that the job under way moves as one body
+};
+
+/// What can be drawn as a picture.
+class PictureSource {
+ public:
+  virtual ~PictureSource() = default;
+  /// The window as it is.
+  virtual Image picture() = 0;
+  /// Throws UsageError for a size out of range, Error where OpenGL cannot.
+  virtual Image picture(const PictureSpec& spec) = 0;
+  /// The same of the mesh on screen with its nodes elsewhere (#nodes by 2).
+  virtual Image picture_of(const Coordinates& nodes, const PictureSpec& spec) = 0;
+  /// Width and height on screen, pixels, of what a picture shows.
+  virtual ScreenVector picture_extent(const PictureSpec& spec) const = 0;
+  /// The mesh alone, for vector graphics.
+  virtual VectorFigure figure(bool legend) const = 0;
+};
 
 /// Pictures and recordings of the studio: their settings, which are due, which are being written.
 class Capture {

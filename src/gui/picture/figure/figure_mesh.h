@@ -12,4 +12,8 @@ namespace winslow::gui {
 void draw_figure_mesh(Page& page, const VectorFigure& figure, const Camera& camera,
                       const ScreenPoint& origin);
 
+/// Draws the VCVs of a figure over its mesh, shifted by `origin` on the page, as draw_vcvs() does
+/// on screen.
+void draw_figure_vcvs(Page& page, const VectorFigure& figure, const ScreenPoint& origin);
+
 }  // namespace winslow::gui

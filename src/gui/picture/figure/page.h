@@ -3,11 +3,14 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
-#include "gui/render/color_map.h"
-#include "gui/render/fonts.h"
+#include "gui/base/screen.h"
+#include "gui/render/color_scale.h"
 #include "gui/render/image.h"
+#include "gui/widgets/theme.h"
 
 struct _cairo;
 struct _cairo_surface;
@@ -69,5 +72,12 @@ class Page {
   _cairo_surface* surface_ = nullptr;
   _cairo* cairo_ = nullptr;
 };
+
+/// Part of a line that lies inside a box; none if it misses it.
+std::optional<std::array<ScreenPoint, 2>> clip_line(const ScreenPoint& a, const ScreenPoint& b,
+                                                    const ScreenBox& box);
+
+/// Part of a convex polygon that lies inside a box; fewer than three points if there is none.
+std::vector<ScreenPoint> clip_polygon(std::vector<ScreenPoint> polygon, const ScreenBox& box);
 
 }  // namespace winslow::gui

@@ -8,7 +8,6 @@
 
 #include "core/error.h"
 #include "gui/picture/figure/figure_mesh.h"
-#include "gui/picture/figure/figure_vcvs.h"
 #include "gui/picture/figure/page.h"
 #include "gui/picture/frame/picture_frame.h"
 #include "io/file/atomic_file.h"

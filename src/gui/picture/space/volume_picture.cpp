@@ -8,19 +8,18 @@
 
 #include "core/error.h"
 #include "core/inspect/nodal_view.h"
-#include "core/inspect/space/element_layers.h"
 #include "core/inspect/space/plane_section.h"
+#include "core/inspect/space/surface_measures.h"
 #include "core/inspect/space/volume_nodal_view.h"
 #include "core/quality/quality.h"
 #include "gui/picture/figure/write_figure.h"
 #include "gui/picture/frame/picture_frame.h"
-#include "gui/picture/frame/picture_parts.h"
 #include "gui/picture/space/element_values.h"
 #include "gui/picture/space/scene_figure.h"
 #include "gui/render/gl_context.h"
 #include "gui/render/space/space_renderer.h"
-#include "gui/view/overlays/space_marks.h"
-#include "gui/view/overlays/sphere_overlay.h"
+#include "gui/view/overlays/space_overlay.h"
+#include "gui/view/overlays/vcv_overlay.h"
 
 namespace winslow::gui {
 

@@ -6,15 +6,14 @@
 #include <vector>
 
 #include "core/inspect/element_field.h"
-#include "core/inspect/space/plane.h"
+#include "core/inspect/space/section_index.h"
 #include "core/vcv/sphere/node_vcv.h"
 #include "gui/picture/figure/vector_figure.h"
+#include "gui/render/color_scale.h"
 #include "gui/render/image.h"
-#include "gui/render/metric_scale.h"
-#include "gui/render/space/space_camera.h"
-#include "gui/render/space/standard_views.h"
+#include "gui/render/space/space_view.h"
 #include "gui/render/space/volume_scene.h"
-#include "gui/settings/space_options.h"
+#include "gui/settings/view_options.h"
 
 namespace winslow::gui {
 

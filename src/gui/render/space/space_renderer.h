@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "gui/render/space/space_camera.h"
 #include "gui/render/space/space_scene.h"
+#include "gui/render/space/space_view.h"
 
 namespace winslow::gui {
 

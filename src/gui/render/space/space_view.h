@@ -1,8 +1,98 @@
 #pragma once
 
-#include "gui/render/space/space_camera.h"
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/inspect/space/section_index.h"
+#include "core/search/box_tree.h"
+#include "gui/base/screen.h"
+#include "gui/render/space/volume_scene.h"
+#include "gui/render/view.h"
 
 namespace winslow::gui {
+
+/// From where space is seen. With the z axis up: from azimuth 0 elevation 0 the viewer is on the x
+/// axis, from azimuth 90 on the y axis, from elevation 90 above. With another axis up, x and y are
+/// the two that follow it in turn: z and x where y is up.
+struct ViewDirection {
+  double azimuth = 0, elevation = 0;  ///< degrees
+  int up = 2;                         ///< 0, 1, 2: the x, y or z axis is up on screen
+  double roll = 0;  ///< degrees by which the picture is turned anticlockwise from there
+
+  bool operator==(const ViewDirection&) const = default;
+};
+/// Of length 1, towards the viewer.
+Vec3 to_viewer(const ViewDirection& direction);
+/// From where a vector, of any length but 0, points to the viewer. From above or below, x is to the
+/// right where z is up.
+ViewDirection direction_towards(const Vec3& viewer, int up);
+/// That of a camera whose screen has these axes, to the right and towards the viewer, of length 1.
+ViewDirection direction_of(const Vec3& right, const Vec3& back, int up);
+
+/// How space is seen: parallel or in perspective, and where on screen.
+class SpaceCamera {
+ public:
+  void set_viewport(double x, double y, double width, double height);
+  ScreenBox viewport() const { return {{x_, y_}, {x_ + width_, y_ + height_}}; }
+
+  /// What is in the middle of the viewport stays there.
+  void look_from(const ViewDirection& direction);
+  const ViewDirection& direction() const { return direction_; }
+  /// Full angle of the height of what is seen, degrees below 180; 0: parallel. The size of what
+  /// lies at the centre stays.
+  void set_perspective(double angle) { angle_ = angle; }
+  bool in_perspective() const { return angle_ > 0; }
+
+  /// The point in the middle of the viewport, and the size of a pixel there.
+  Vec3 centre() const { return centre_; }
+  double units_per_pixel() const { return units_per_pixel_; }
+  /// Ignored if not finite or not positive.
+  void look_at(const Vec3& centre, double units_per_pixel);
+  /// Shows all points, with a margin (share of the viewport) on each side.
+  void fit(std::span<const Vec3> points, double margin = 0.05);
+  /// What is drawn lies in this box: distances beyond it need not be told apart.
+  void set_content(const Box<3>& content) { content_ = content; }
+
+  /// Axes of the screen, of length 1: to the right, up, towards the viewer.
+  const Vec3& right() const { return right_; }
+  const Vec3& up() const { return up_; }
+  const Vec3& back() const { return back_; }
+
+  View::Projection project(const Vec3& point) const;
+  /// All points that are seen at a place, the nearest to the viewer first.
+  Ray<3> unproject(const ScreenPoint& at) const;
+  /// What a pixel is wide at a point, in units of the mesh.
+  double pixel_size(const Vec3& point) const;
+
+  /// Column-major 4x4 matrix to clip space of the viewport, from positions relative to `origin`,
+  /// which is subtracted in double precision. w is 1 at the centre: the ratio of a point's distance
+  /// from the viewer to the centre's, 1 everywhere where the view is parallel.
+  std::array<float, 16> matrix(const Vec3& origin) const;
+  /// By what depth, -1 to 1 from the nearest to the furthest, changes over the size of a pixel
+  /// towards the viewer: the first number, and the second times the depth itself.
+  std::array<double, 2> pixel_depth() const;
+  bool operator==(const SpaceCamera&) const = default;
+  /// Where the viewer is, in perspective.
+  Vec3 viewer() const { return centre_ + distance() * back_; }
+
+ private:
+  /// Of the viewer from the centre; infinite where the view is parallel.
+  double distance() const;
+  /// Heights above the centre, towards the viewer, between which lies what is drawn.
+  std::array<double, 2> depth_range() const;
+  /// Clip coordinate z of a height above the centre: the first number times it, plus the second.
+  std::array<double, 2> depth_row() const;
+
+  double x_ = 0, y_ = 0, width_ = 1, height_ = 1;
+  ViewDirection direction_;
+  Vec3 right_{0, 1, 0}, up_{0, 0, 1}, back_{1, 0, 0};
+  Vec3 centre_{0, 0, 0};
+  double units_per_pixel_ = 1;
+  double angle_ = 0;
+  Box<3> content_{Vec3::Constant(-1), Vec3::Constant(1)};
+};
 
 /// Space, turned by the mouse as a turntable, on which the axis that is up stays upright, or
 /// freely.
@@ -39,5 +129,33 @@ class SpaceView : public View {
  private:
   SpaceCamera camera_;
 };
+
+/// Directions to look from, and cuts to begin with.
+
+/// "iso", "+x", "-x", ...: names of directions to look from.
+const std::vector<std::string>& view_names();
+/// Throws UsageError listing the names.
+ViewDirection named_view(const std::string& name, int up = 2);
+
+/// Where one looks from unless told: onto a cut from its front, or three quarters from ahead.
+ViewDirection automatic_view(const std::vector<Plane>& cuts, int up = 2);
+/// The cut that one sees unless told: through the middle of the bodies, at right angles to
+/// the axis that points to the viewer most. None where nothing encloses bodies.
+std::vector<Plane> automatic_cuts(const Mesh& mesh, const VolumeBoundary& boundary,
+                                  const ViewDirection& view);
+
+/// Two meshes side by side in a view: where each is seen.
+struct SideBySide {
+  ScreenBox before, now;
+};
+/// divider: share of the width left of it, less than 1.
+inline SideBySide side_by_side(const ScreenBox& whole, double divider) {
+  const double middle = whole.min.x() + divider * whole.size().x();
+  return {{whole.min, {middle, whole.max.y()}}, {{middle, whole.min.y()}, whole.max}};
+}
+/// The view of which the mesh now has its part.
+inline ScreenBox whole_of(const ScreenBox& now, double divider) {
+  return {{now.max.x() - now.size().x() / (1 - divider), now.min.y()}, now.max};
+}
 
 }  // namespace winslow::gui

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/types.h"
-#include "gui/render/space/space_camera.h"
+#include "gui/render/space/space_view.h"
 
 namespace winslow::gui {
 

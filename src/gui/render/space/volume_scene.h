@@ -4,9 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "core/inspect/space/enclosing_faces.h"
-#include "core/inspect/space/plane.h"
 #include "core/inspect/space/section_index.h"
+#include "core/inspect/space/surface_measures.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/surface_faces.h"
 #include "gui/render/space/space_scene.h"
@@ -99,5 +98,10 @@ SpaceScene build_scene(const Mesh& mesh, const VolumeBoundary& boundary, const V
 /// a key of colours lists (#markers).
 std::vector<unsigned char> markers_in_color(const Mesh& mesh, const VolumeBoundary& boundary,
                                             const VolumeLook& look);
+
+/// The bodies of a mesh as lines alone, to be laid over another state of it: their edges, those
+/// that show the form more strongly, and where cuts go through them.
+SpaceScene build_ghost(const Mesh& mesh, const VolumeBoundary& boundary, const VolumeLook& look,
+                       const VolumeStyle& style);
 
 }  // namespace winslow::gui

@@ -1,9 +1,16 @@
 #include "gui/shell/headless/headless_studio.h"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
 #include "core/error.h"
+#include "core/quality/quality.h"
+#include "gui/picture/capture/capture.h"
+#include "gui/picture/capture/recorder.h"
+#include "gui/picture/figure/write_figure.h"
+#include "gui/shell/headless/script.h"
+#include "io/recipe/recipe.h"
 
 namespace winslow::gui {
 
@@ -100,6 +107,117 @@ void HeadlessStudio::run_stepwise(const std::function<void()>& seen) {
     }
   }
   look();
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Draws the frames of a recording and makes its film.
+class FrameTaker {
+ public:
+  FrameTaker(HeadlessStudio& studio, const HeadlessOptions& options)
+      : studio_(studio), options_(options) {
+    recorder_.start(options.frames, options.recording);
+  }
+
+  /// The mesh on screen, and those on the way to it.
+  void take() {
+    PicturePainter& painter = studio_.bench().pictures();
+    PictureSpec spec = options_.recording.picture;
+    if (!spec.size) {
+      const ScreenVector extent = painter.picture_extent(spec);
+      spec.size = picture_size(spec, extent.x(), extent.y());
+    }
+    for (const Coordinates& x : meshes_.take(studio_.bench().session()))
+      recorder_.add(painter.picture_of(x, spec));  // waits for the disk where need be
+  }
+
+  /// Returns what to tell the user.
+  std::string finish() {
+    recorder_.stop();
+    for (;;) {
+      if (const auto outcome = recorder_.poll()) {
+        if (outcome->kind != Recorder::Outcome::Kind::done) throw OutputError(outcome->text);
+        return outcome->text;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  }
+
+ private:
+  HeadlessStudio& studio_;
+  const HeadlessOptions& options_;
+  Recorder recorder_;
+  FilmMeshes meshes_;
+};
+
+io::Recipe read_recipe(const HeadlessOptions& options) {
+  if (options.recipe.empty()) return {};
+  io::Recipe recipe = io::read_recipe(options.recipe);
+  if (!recipe.input.empty()) recipe.input = (options.recipe.parent_path() / recipe.input).string();
+  return recipe;
+}
+
+void judge(const Session& session, HeadlessResult& result) {
+  const Document* document = session.document();
+  if (!document) return;
+  const Mesh& mesh = document->state().mesh;
+  result.inverted = check_validity(*mesh.topology, mesh.coordinates).inverted;
+  for (std::size_t k = 1; k <= document->history().position(); ++k) {
+    const SmoothResult& smooth = document->history().result(k);
+    result.converged = result.converged && smooth.converged;
+    result.fraction_reached = std::min(result.fraction_reached, smooth.fraction_reached);
+  }
+}
+
+void write_picture(HeadlessStudio& studio, const HeadlessOptions& options) {
+  const PictureSpec& spec = options.recording.picture;
+  if (is_vector_format(options.picture))
+    write_figure(options.picture, studio.bench().pictures().figure(spec.legend));
+  else if (spec == PictureSpec{})
+    write_png(options.picture, studio.bench().pictures().picture());
+  else
+    write_png(options.picture, studio.bench().pictures().picture(spec));
+}
+
+}  // namespace
+
+HeadlessResult run_headless(const HeadlessOptions& options) {
+  const io::Recipe recipe = read_recipe(options);
+  const Script script = options.script.empty() ? Script{} : read_script(options.script);
+  const fs::path mesh = options.mesh.value_or(fs::path(recipe.input));
+  if (!options.recipe.empty() && mesh.empty())
+    throw UsageError(options.recipe.string() + " names no mesh to start from: give one");
+
+  HeadlessResult result;
+  HeadlessStudio studio(options.width, options.height);
+  const int zone = options.zone != 0 ? options.zone : recipe.zone;
+  if (!mesh.empty()) studio.open(mesh, zone);
+  if (const Document* document = studio.bench().session().document()) {
+    for (const std::string& text : document->warnings()) options.warn(text);
+    if (zone == 0)
+      for (const std::string& text : io::zones_left(document->details().get(), mesh))
+        options.warn(text);
+    // Said here; a question on screen would be in the picture.
+    studio.bench().apply(action::DismissPrompt{});
+    if (options.check) options.check(recipe.commands, *document->topology(), mesh.string());
+  }
+  if (options.frames.empty()) {
+    studio.replay(recipe.commands);
+  } else {
+    FrameTaker taker(studio, options);
+    studio.replay(recipe.commands, [&taker] { taker.take(); });
+    options.say(taker.finish());
+  }
+  play_script(script, studio, options.folder, options.say);
+  if (!options.picture.empty()) {
+    studio.settle();
+    write_picture(studio, options);
+    options.say("Wrote " + options.picture.string());
+  }
+  judge(studio.bench().session(), result);
+  return result;
 }
 
 }  // namespace winslow::gui

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
+
+#include "gui/shell/headless/headless_studio.h"
 
 namespace winslow::gui {
 
@@ -23,5 +26,10 @@ Script read_script(const std::filesystem::path& file);
 /// A key and those held with it, as GLFW numbers: of "F", "Ctrl+Shift+Z", "Escape". Throws
 /// UsageError.
 std::vector<int> parse_keys(const std::string& text);
+
+/// Does what a script says. `folder`: where its pictures go; empty: the working folder. Tells `say`
+/// what was written. Throws Error "FILE:LINE: ..." where something cannot be done.
+void play_script(const Script& script, HeadlessStudio& studio, const std::filesystem::path& folder,
+                 const std::function<void(const std::string&)>& say);
 
 }  // namespace winslow::gui

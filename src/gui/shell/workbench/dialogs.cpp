@@ -6,13 +6,12 @@
 #include "gui/files/assets.h"
 #include "gui/panels/about_panel.h"
 #include "gui/panels/command_palette.h"
-#include "gui/panels/context_menu.h"
 #include "gui/panels/files/file_dialog.h"
 #include "gui/panels/help_panel.h"
-#include "gui/panels/picture/picture_dialog.h"
-#include "gui/panels/picture/record_dialog.h"
-#include "gui/panels/prompt_panel.h"
-#include "gui/panels/step_editor.h"
+#include "gui/panels/history_panel.h"
+#include "gui/panels/menus.h"
+#include "gui/panels/message_panels.h"
+#include "gui/panels/picture_dialogs.h"
 #include "gui/picture/capture/capture.h"
 
 namespace winslow::gui {

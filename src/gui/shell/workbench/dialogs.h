@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "gui/base/screen.h"
-#include "gui/document/actions/dialog_actions.h"
+#include "gui/document/actions/actions.h"
 #include "gui/document/actions/dispatch.h"
 #include "gui/menu/panel_context.h"
 

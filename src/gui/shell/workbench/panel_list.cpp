@@ -1,29 +1,31 @@
 #include "gui/shell/workbench/panel_list.h"
 
-#include "gui/panels/banner_panel.h"
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "gui/panels/bars.h"
 #include "gui/panels/convergence_panel.h"
-#include "gui/panels/demo_panel.h"
-#include "gui/panels/go_to_panel.h"
+#include "gui/panels/element_panels.h"
 #include "gui/panels/history_panel.h"
-#include "gui/panels/isolate_panel.h"
 #include "gui/panels/layers/layers_panel.h"
 #include "gui/panels/markers_panel.h"
-#include "gui/panels/menu_bar.h"
+#include "gui/panels/menus.h"
 #include "gui/panels/mesh_panel.h"
+#include "gui/panels/message_panels.h"
 #include "gui/panels/motion_panel.h"
-#include "gui/panels/picture/recording_panel.h"
+#include "gui/panels/picture_dialogs.h"
 #include "gui/panels/quality_panel.h"
 #include "gui/panels/shape_panel.h"
 #include "gui/panels/solver_panel.h"
 #include "gui/panels/space/cuts_panel.h"
 #include "gui/panels/space/measures_panel.h"
 #include "gui/panels/space/space_motion_panel.h"
-#include "gui/panels/status_bar.h"
-#include "gui/panels/toolbar.h"
 #include "gui/panels/vcv/sphere_panel.h"
 #include "gui/panels/vcv/vcv_panel.h"
 #include "gui/panels/view_panel.h"
-#include "gui/panels/worst_panel.h"
+#include "gui/panels/welcome_panel.h"
+#include "gui/widgets/controls.h"
 
 namespace winslow::gui {
 
@@ -102,6 +104,38 @@ PanelRegistry make_panels() {
   r.add(entry<DemoPanel>("demo", "Guided demo", Region::demo, all_meshes));
   r.add(entry<RecordingPanel>("recording", "Recording", Region::recording, all_meshes));
   return r;
+}
+
+namespace {
+
+const char* name_of(MeshKind kind) {
+  switch (kind) {
+    case MeshKind::plane:
+      return "plane";
+    case MeshKind::surface:
+      return "surface";
+    case MeshKind::volume:
+      return "volume";
+  }
+  return "";
+}
+
+}  // namespace
+
+void PanelRegistry::add(RegisteredPanel panel) {
+  if (std::ranges::any_of(panels_, [&](const auto& other) { return other.id == panel.id; }))
+    throw std::logic_error("two panels \"" + panel.id + "\"");
+  panels_.push_back(std::move(panel));
+}
+
+void PanelRegistry::draw(Region region, const PanelContext& context, MeshKind mesh) const {
+  for (const RegisteredPanel& entry : panels_) {
+    if (entry.region != region || (entry.shown && !entry.shown(context))) continue;
+    if (entry.serves.contains(mesh))
+      entry.panel->draw(context);
+    else
+      ui::text_dim(entry.title + ": not for " + name_of(mesh) + " meshes.");
+  }
 }
 
 }  // namespace winslow::gui

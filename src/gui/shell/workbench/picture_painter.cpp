@@ -11,7 +11,7 @@
 #include "gui/picture/space/scene_figure.h"
 #include "gui/render/frame_buffer.h"
 #include "gui/render/gl.h"
-#include "gui/render/space/side_by_side.h"
+#include "gui/render/space/space_view.h"
 #include "gui/view/mesh/mesh_colors.h"
 
 namespace winslow::gui {

@@ -3,10 +3,9 @@
 #include <memory>
 
 #include "gui/menu/panel_context.h"
-#include "gui/picture/capture/picture_source.h"
+#include "gui/picture/capture/capture.h"
 #include "gui/shell/workbench/regions.h"
 #include "gui/shell/workbench/viewport_pane.h"
-#include "gui/shell/workbench/window_frame.h"
 
 namespace winslow::gui {
 

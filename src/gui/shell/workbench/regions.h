@@ -1,13 +1,28 @@
 #pragma once
 
-#include <optional>
+#include <imgui.h>
 
+#include <optional>
+#include <span>
+#include <string>
+
+#include "gui/menu/panel_context.h"
 #include "gui/panels/layout.h"
 #include "gui/panels/welcome_panel.h"
-#include "gui/shell/workbench/panel_registry.h"
-#include "gui/shell/workbench/window_frame.h"
+#include "gui/shell/workbench/panel_list.h"
+#include "gui/widgets/theme.h"
+#include "gui/widgets/ui_layer.h"
 
 namespace winslow::gui {
+
+/// The interface of a framebuffer: of the window, or of a picture with a size of its own.
+struct WindowFrame {
+  explicit WindowFrame(float scale) : ui(scale) {}
+
+  UiLayer ui;
+  Layout layout;
+  int width = 1, height = 1;  ///< of the framebuffer, pixels
+};
 
 /// The regions into which a window is divided, and the panels that stand in them.
 class Regions {
@@ -42,5 +57,34 @@ class Regions {
   PanelRegistry panels_;
   WelcomePanel welcome_;
 };
+
+/// Windows of Dear ImGui that fill an area of the layout.
+
+struct RegionStyle {
+  ImVec2 padding;
+  ImU32 background = palette().panel;
+  ImGuiWindowFlags flags = 0;
+};
+/// Widgets up to end_region() stand in this area. name: no other region has it.
+void begin_region(const char* name, const Area& area, const RegionStyle& style);
+/// A line along the sides, or nothing.
+enum class RegionEdge { line, none };
+void end_region(RegionEdge edge = RegionEdge::line);
+
+/// The columns beside the mesh where they are folded: a strip of icons, each of which opens the
+/// column at one of its parts.
+
+/// A tab of the column on the right.
+struct SideTabInfo {
+  SideTab which;
+  std::string label, tooltip;
+  Icon icon;
+};
+std::span<const SideTabInfo> side_tabs();
+
+void draw_folded_left(const PanelContext& context, const Area& area);
+void draw_folded_right(const PanelContext& context, const Area& area);
+/// Handles at the columns' edges that fold them.
+void draw_fold_handles(const PanelContext& context, const Layout& layout);
 
 }  // namespace winslow::gui

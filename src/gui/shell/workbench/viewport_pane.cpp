@@ -10,13 +10,12 @@
 
 #include "core/mesh/element_type.h"
 #include "core/mesh/surface_faces.h"
-#include "gui/panels/banner_panel.h"
-#include "gui/render/space/side_by_side.h"
-#include "gui/view/navigation/worst_list.h"
+#include "gui/panels/message_panels.h"
+#include "gui/render/space/space_view.h"
+#include "gui/view/navigation/go_to.h"
 #include "gui/view/overlays/foot_overlay.h"
 #include "gui/view/overlays/overlay.h"
 #include "gui/view/overlays/ruler_overlay.h"
-#include "gui/view/overlays/space_ruler_overlay.h"
 
 namespace winslow::gui {
 

@@ -15,7 +15,6 @@
 #include "gui/shell/workbench/picture_painter.h"
 #include "gui/shell/workbench/regions.h"
 #include "gui/shell/workbench/viewport_pane.h"
-#include "gui/shell/workbench/window_frame.h"
 #include "gui/view/navigation/view_control.h"
 
 namespace winslow::gui {

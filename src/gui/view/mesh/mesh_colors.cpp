@@ -1,5 +1,7 @@
 #include "gui/view/mesh/mesh_colors.h"
 
+#include <algorithm>
+
 namespace winslow::gui {
 
 BackdropColors backdrop_colors(const ViewOptions& view) {
@@ -54,6 +56,26 @@ Rgb color_of_marker(const ViewOptions& view, const std::string& name, Index mark
 ColorChoice color_choice(const ViewOptions& view) {
   return {view.color_map, view.color_axis, view.percentiles,
           view.range,     view.bands,      backdrop_colors(view).dark()};
+}
+
+long long isolated_count(std::span<const double> values, const Isolation& isolation) {
+  return std::ranges::count_if(values, [&](double v) { return isolated(v, isolation); });
+}
+
+std::vector<float> element_opacity(std::span<const double> values, const Isolation& isolation) {
+  if (!isolation.on) return {};
+  std::vector<float> opacity;
+  opacity.reserve(values.size());
+  for (const double v : values)
+    opacity.push_back(isolated(v, isolation) ? 1.0f : static_cast<float>(isolation.rest));
+  return opacity;
+}
+
+Isolation isolation_for(const ElementField& field) {
+  Isolation isolation;
+  isolation.above = !field_info(field).larger_is_better;
+  isolation.threshold = field_info(field).threshold;
+  return isolation;
 }
 
 }  // namespace winslow::gui

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
+#include <vector>
 
-#include "gui/render/backdrop.h"
-#include "gui/render/color_map.h"
-#include "gui/render/metric_scale.h"
+#include "core/inspect/element_field.h"
+#include "gui/render/color_scale.h"
+#include "gui/render/mesh_renderer.h"
 #include "gui/settings/view_options.h"
 
 /// Colours of the mesh and of what lies behind it.
@@ -25,5 +28,16 @@ MeshColors mesh_colors(const ViewOptions& view);
 Rgb color_of_marker(const ViewOptions& view, const std::string& name, Index marker, bool dark);
 /// Of the colours of elements.
 ColorChoice color_choice(const ViewOptions& view);
+
+/// Which elements stay when some are isolated by their values of a metric.
+
+inline bool isolated(double value, const Isolation& isolation) {
+  return isolation.above ? value > isolation.threshold : value < isolation.threshold;
+}
+long long isolated_count(std::span<const double> values, const Isolation& isolation);
+/// Per element: 1 if it stays, else the opacity of the others; empty if nothing is isolated.
+std::vector<float> element_opacity(std::span<const double> values, const Isolation& isolation);
+/// Off, with the threshold and the side that single out bad elements by a field.
+Isolation isolation_for(const ElementField& field);
 
 }  // namespace winslow::gui

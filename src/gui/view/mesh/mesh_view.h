@@ -6,11 +6,10 @@
 #include <vector>
 
 #include "gui/document/session/session.h"
-#include "gui/render/backdrop.h"
-#include "gui/render/camera.h"
 #include "gui/render/frame_buffer.h"
+#include "gui/render/mesh_renderer.h"
+#include "gui/render/view.h"
 #include "gui/settings/view_options.h"
-#include "gui/view/mesh/before_mesh.h"
 #include "gui/view/mesh/mesh_layer.h"
 #include "gui/view/mesh/volume_view.h"
 #include "gui/widgets/legend.h"

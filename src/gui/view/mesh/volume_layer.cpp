@@ -4,15 +4,14 @@
 #include <cmath>
 #include <utility>
 
-#include "core/inspect/space/element_layers.h"
 #include "core/inspect/space/plane_section.h"
 #include "core/inspect/space/surface_measures.h"
 #include "core/parallel/parallel_for.h"
 #include "core/quality/quality.h"
 #include "core/quality/volume_element.h"
 #include "gui/render/mesh_renderer.h"
-#include "gui/render/space/ghost_scene.h"
-#include "gui/view/mesh/isolated_elements.h"
+#include "gui/render/space/volume_scene.h"
+#include "gui/view/mesh/mesh_colors.h"
 
 namespace winslow::gui {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/inspect/space/plane.h"
+#include "core/inspect/space/section_index.h"
 #include "core/strategy/surface_shape.h"
 #include "gui/base/background.h"
 #include "gui/document/jobs/quality_monitor.h"

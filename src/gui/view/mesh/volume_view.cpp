@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "gui/render/gl.h"
-#include "gui/render/space/side_by_side.h"
+#include "gui/render/space/space_view.h"
 #include "gui/view/mesh/mesh_colors.h"
 
 namespace winslow::gui {

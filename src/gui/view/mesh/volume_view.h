@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "gui/document/session/session.h"
-#include "gui/render/backdrop.h"
 #include "gui/render/frame_buffer.h"
-#include "gui/render/space/space_camera.h"
-#include "gui/render/space/space_pick.h"
+#include "gui/render/mesh_renderer.h"
 #include "gui/render/space/space_renderer.h"
+#include "gui/render/space/space_scene.h"
+#include "gui/render/space/space_view.h"
 #include "gui/settings/view_options.h"
-#include "gui/view/mesh/before_mesh.h"
+#include "gui/view/mesh/mesh_layer.h"
 #include "gui/view/mesh/volume_layer.h"
 
 namespace winslow::gui {

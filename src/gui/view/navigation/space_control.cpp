@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "gui/render/space/standard_views.h"
+#include "gui/render/space/space_view.h"
 
 namespace winslow::gui {
 

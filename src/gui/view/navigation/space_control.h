@@ -8,7 +8,6 @@
 
 #include "gui/document/session/session.h"
 #include "gui/render/space/space_view.h"
-#include "gui/settings/kept_view.h"
 #include "gui/settings/view_options.h"
 #include "gui/settings/view_state.h"
 

@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "gui/render/space/side_by_side.h"
-#include "gui/render/space/standard_views.h"
-#include "gui/view/mesh/isolated_elements.h"
+#include "gui/render/space/space_view.h"
+#include "gui/view/mesh/mesh_colors.h"
 #include "gui/view/navigation/go_to.h"
 
 namespace winslow::gui {

@@ -3,11 +3,10 @@
 #include <cstdint>
 #include <optional>
 
+#include "gui/document/actions/actions.h"
 #include "gui/document/actions/dispatch.h"
-#include "gui/document/actions/view_actions.h"
 #include "gui/document/session/session.h"
 #include "gui/render/view.h"
-#include "gui/settings/interface_scale.h"
 #include "gui/settings/view_options.h"
 #include "gui/settings/view_state.h"
 #include "gui/view/navigation/space_control.h"

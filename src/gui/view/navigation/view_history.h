@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "gui/render/camera.h"
-#include "gui/render/space/space_camera.h"
+#include "gui/render/space/space_view.h"
+#include "gui/render/view.h"
 
 namespace winslow::gui {
 

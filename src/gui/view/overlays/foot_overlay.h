@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "core/mesh/mesh.h"
 #include "gui/view/overlays/view_overlay.h"
 
 /// What stands at the foot of the view: the scale bar, and the mode that the mouse is in.
@@ -26,5 +27,9 @@ void draw_foot(ImDrawList& list, const ViewOverlay& overlay, const ScreenBox& ro
 
 /// In the middle: nothing of the mesh is in view.
 void draw_out_of_view(ImDrawList& list, const ViewOverlay& overlay);
+
+/// Whether a box of the plane shows any of a plane mesh: its boundary runs through the box, or the
+/// box lies inside the mesh.
+bool anything_in_view(const Topology& topology, const Coordinates& coordinates, const Bounds& box);
 
 }  // namespace winslow::gui

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "gui/document/jobs/drag_text.h"
+#include "gui/document/jobs/body_drag.h"
 
 namespace winslow::gui {
 

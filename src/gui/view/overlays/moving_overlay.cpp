@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/motion/space_motion.h"
+#include "core/motion/rigid_motion.h"
 #include "gui/view/overlays/mouse_labels.h"
 #include "gui/view/overlays/space_gizmo_drawing.h"
 #include "gui/widgets/controls.h"

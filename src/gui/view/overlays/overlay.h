@@ -29,4 +29,8 @@ void draw_mouse_labels(ImDrawList& list, const Overlay& overlay);
 /// The part of draw_overlay that belongs into a picture of the mesh alone: pinned control volumes.
 void draw_pins(ImDrawList& list, const Overlay& overlay);
 
+/// Columns and outlines of the layers that are planned; those cut short in another colour, with the
+/// reason beside the mouse.
+void draw_layer_preview(ImDrawList& list, const Overlay& overlay);
+
 }  // namespace winslow::gui

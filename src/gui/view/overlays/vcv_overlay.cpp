@@ -1,9 +1,9 @@
 #include "gui/view/overlays/vcv_overlay.h"
 
+#include <cmath>
 #include <string>
-#include <vector>
 
-#include "gui/view/overlays/vcv_shape.h"
+#include "gui/render/space/star_sketch.h"
 
 namespace winslow::gui {
 
@@ -76,6 +76,114 @@ void draw_vcv(ImDrawList& list, const View& view, const NodalView& node, const S
 void draw_node_ring(ImDrawList& list, const ImVec2& at, float radius, float width, ImU32 ink) {
   list.AddCircle(at, radius, color(VcvColors().casing, VcvColors().casing_alpha), 32, 2.2f * width);
   list.AddCircle(at, radius, ink, 32, width);
+}
+
+std::vector<Vec2> vcv_over_star(const NodalView& node) {
+  const double turn = fitted_turn(node.vcv, node.physical);
+  const double scale = node.physical.mean_length() / node.vcv.mean_length();
+  const double c = scale * std::cos(turn), s = scale * std::sin(turn);
+  std::vector<Vec2> ends;
+  for (const Vec2& p : node.vcv.points)
+    ends.push_back(node.position + Vec2(c * p.x() - s * p.y(), s * p.x() + c * p.y()));
+  return ends;
+}
+
+bool vcv_in_sight(const NodalView& node, const Bounds& seen) {
+  const double reach = 2 * node.physical.mean_length();
+  return ((node.position - seen.min).array() > -reach).all() &&
+         ((seen.max - node.position).array() > -reach).all();
+}
+
+namespace {
+
+ImU32 color(const Rgb& c, float alpha = 1, float light = 1) {
+  return ImGui::ColorConvertFloat4ToU32(ImVec4(light * c[0], light * c[1], light * c[2], alpha));
+}
+
+ImVec2 pixel(const ScreenPoint& p) { return static_cast<ImVec2>(p); }
+
+class Drawing {
+ public:
+  Drawing(ImDrawList& list, const SpaceCamera& camera, const VolumeNodalView& node, float unit)
+      : list_(list),
+        node_(node),
+        unit_(unit),
+        points_(sphere_over_star(node)),
+        sketch_(camera, points_, node.link.triangles()) {}
+
+  void draw() {
+    draw_faces(false);
+    draw_lines(true);
+    draw_faces(true);
+    draw_lines(false);
+  }
+
+ private:
+  void draw_faces(bool front) {
+    for (const StarSketch::Face& face : sketch_.faces()) {
+      if (face.front != front) continue;
+      const auto light = 0.55f + 0.45f * static_cast<float>(face.light);
+      list_.AddTriangleFilled(
+          pixel(face.at[0]), pixel(face.at[1]), pixel(face.at[2]),
+          color(colors_.fill, (front ? 1.3f : 0.9f) * colors_.fill_alpha, light));
+    }
+  }
+
+  void draw_line(const Vec3& a, const Vec3& b, bool hidden, const Rgb& ink, float width) {
+    for (const StarSketch::Piece& piece : sketch_.cut(a, b)) {
+      if (piece.hidden != hidden) continue;
+      if (!hidden)
+        list_.AddLine(pixel(piece.a), pixel(piece.b), color(colors_.casing, colors_.casing_alpha),
+                      (width + 1.8f) * unit_);
+      list_.AddLine(pixel(piece.a), pixel(piece.b), color(ink, hidden ? 0.45f : 1.0f),
+                    width * unit_);
+    }
+  }
+
+  void draw_lines(bool hidden) {
+    for (std::size_t k = 0; k < points_.size(); ++k)
+      draw_line(node_.position, points_[k], hidden,
+                node_.weights[k] < 0 ? colors_.negative : colors_.line, 1.3f);
+    for (const auto& [a, b, c] : node_.link.triangles())
+      for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+        if (p < q) draw_line(points_[at(p)], points_[at(q)], hidden, colors_.line, 1.8f);
+  }
+
+  ImDrawList& list_;
+  const VolumeNodalView& node_;
+  float unit_;
+  VcvColors colors_;
+  std::vector<Vec3> points_;
+  StarSketch sketch_;
+};
+
+void draw_number(ImDrawList& list, const SpaceCamera& camera, const VolumeNodalView& node,
+                 ImFont* font) {
+  const std::string text = std::to_string(node.node);
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e6f, 0, text.c_str());
+  const double reach = node.physical.mean_length() / camera.pixel_size(node.position);
+  if (static_cast<double>(size.x) > 1.1 * reach) return;
+  // Below the node, around which there may be a ring.
+  const ImVec2 centre = pixel(camera.project(node.position).at);
+  const ImVec2 at(centre.x - size.x / 2, centre.y + 0.8f * size.y);
+  list.AddRectFilled(ImVec2(at.x - 3, at.y - 1), ImVec2(at.x + size.x + 3, at.y + size.y + 1),
+                     color(VcvColors().casing, VcvColors().label_alpha), 3);
+  list.AddText(font, font->FontSize, at, color(VcvColors().line), text.c_str());
+}
+
+}  // namespace
+
+std::vector<Vec3> sphere_over_star(const VolumeNodalView& node) {
+  const double scale = node.physical.mean_length() / node.vcv.mean_length();
+  std::vector<Vec3> points;
+  for (const Vec3& p : node.vcv.points) points.emplace_back(node.position + scale * p);
+  return points;
+}
+
+void draw_sphere_vcv(ImDrawList& list, const SpaceCamera& camera, const VolumeNodalView& node,
+                     float unit, ImFont* font) {
+  Drawing(list, camera, node, unit).draw();
+  draw_number(list, camera, node, font);
 }
 
 }  // namespace winslow::gui

@@ -3,8 +3,13 @@
 #include <imgui.h>
 
 #include <span>
+#include <vector>
 
 #include "core/inspect/nodal_view.h"
+#include "core/inspect/space/volume_nodal_view.h"
+#include "core/mesh/mesh.h"
+#include "gui/render/color_scale.h"
+#include "gui/render/space/space_view.h"
 #include "gui/render/view.h"
 
 namespace winslow::gui {
@@ -21,5 +26,32 @@ void draw_vcv(ImDrawList& list, const View& view, const NodalView& node, const S
 
 /// A ring around a node.
 void draw_node_ring(ImDrawList& list, const ImVec2& at, float radius, float width, ImU32 ink);
+
+/// Colours of VCVs over a mesh, on screen and on paper: seen on plain meshes, on every colour map
+/// and in both themes.
+struct VcvColors {
+  Rgb fill{234 / 255.0f, 88 / 255.0f, 12 / 255.0f};
+  Rgb line{194 / 255.0f, 65 / 255.0f, 12 / 255.0f};
+  Rgb casing{1, 1, 1};                                   ///< beneath lines
+  Rgb negative{201 / 255.0f, 34 / 255.0f, 43 / 255.0f};  ///< edges of negative weight
+  float fill_alpha = 84 / 255.0f, casing_alpha = 200 / 255.0f, label_alpha = 235 / 255.0f;
+};
+
+/// Ends of a VCV's edges in the physical plane: as large as its star on average, turned to lie over
+/// it.
+std::vector<Vec2> vcv_over_star(const NodalView& node);
+
+/// Some of it may lie in a part of the plane.
+bool vcv_in_sight(const NodalView& node, const Bounds& seen);
+
+/// The VCV of a node of a volume mesh, drawn over the mesh at its node: as large as its star on
+/// average, turned to lie over it; above all that would hide it, as the middle of a volume mesh is.
+/// unit: width of a hair line, pixels; font: of the node's number, which is left out where there is
+/// no room.
+void draw_sphere_vcv(ImDrawList& list, const SpaceCamera& camera, const VolumeNodalView& node,
+                     float unit, ImFont* font);
+
+/// Where the points of the VCV lie then.
+std::vector<Vec3> sphere_over_star(const VolumeNodalView& node);
 
 }  // namespace winslow::gui

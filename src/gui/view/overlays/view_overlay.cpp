@@ -1,8 +1,12 @@
 #include "gui/view/overlays/view_overlay.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "gui/view/mesh/mesh_colors.h"
 #include "gui/view/navigation/go_to.h"
@@ -179,6 +183,181 @@ void draw_inset_frame(ImDrawList& list, const ViewOverlay& o, const Inset& inset
   list.AddRect(min, max, palette().accent, 0, 0, o.theme.px(2));
   const std::string factor = "\xC3\x97 " + std::to_string(std::lround(o.options.magnifier.factor));
   draw_tag(list, o.theme, ImVec2(min.x + o.theme.px(6), min.y + o.theme.px(6)), factor.c_str());
+}
+
+void Lens::draw(ImDrawList& list, const ViewOverlay& overlay) {
+  if (!inset_) return;
+  draw_inset_source(list, overlay.theme, *inset_);
+  list.AddCallback(
+      [](const ImDrawList*, const ImDrawCmd* command) {
+        static_cast<const Lens*>(command->UserCallbackData)->paint();
+      },
+      this);
+  draw_inset_frame(list, overlay, *inset_);
+}
+
+void Lens::paint() const {
+  if (!inset_) return;
+  const std::optional<Camera> camera = part_of(inset_->camera, tile_);
+  if (!camera) return;
+  const ScreenVector size = tile_.size();
+  mesh_.draw_magnified(*camera, inset_->camera, static_cast<int>(size.x()),
+                       static_cast<int>(size.y()));
+}
+
+namespace {
+
+/// Dashes along closed lines of points in the mesh.
+class DashedLines {
+ public:
+  DashedLines(ImDrawList& list, const View& view, const Theme& theme)
+      : list_(list), view_(view), theme_(theme) {}
+
+  void loop(const std::vector<Vec3>& points) {
+    walked_ = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      segment(points[i], points[(i + 1) % points.size()]);
+  }
+
+ private:
+  void segment(const Vec3& from, const Vec3& to) {
+    const auto a = static_cast<ImVec2>(view_.project(from).at);
+    const auto b = static_cast<ImVec2>(view_.project(to).at);
+    const float period = theme_.px(dash + gap);
+    const float length = std::hypot(b.x - a.x, b.y - a.y);
+    if (!std::isfinite(length)) return;
+    // A line much longer than the window is seen in part only: no dashes by the thousand.
+    if (length > 400 * period || length == 0) return list_.AddLine(a, b, ink(), width());
+    for (float at = -walked_; at < length; at += period) {
+      const float start = std::max(at, 0.0f), end = std::min(at + theme_.px(dash), length);
+      if (end <= start) continue;
+      const auto point = [&](float s) {
+        return ImVec2(a.x + (b.x - a.x) * s / length, a.y + (b.y - a.y) * s / length);
+      };
+      list_.AddLine(point(start), point(end), ink(), width());
+    }
+    walked_ = std::fmod(walked_ + length, period);
+  }
+  static ImU32 ink() { return palette().accent; }
+  float width() const { return theme_.px(1.5f); }
+
+  static constexpr float dash = 7, gap = 5;  // pixels at 100 %
+  ImDrawList& list_;
+  const View& view_;
+  const Theme& theme_;
+  float walked_ = 0;
+};
+
+std::vector<Vec3> circle(const Vec3& centre, double radius, const Vec3& u, const Vec3& v) {
+  constexpr int sides = 96;
+  std::vector<Vec3> points;
+  for (int k = 0; k < sides; ++k) {
+    const double angle = 2 * std::numbers::pi * k / sides;
+    points.emplace_back(centre + radius * (std::cos(angle) * u + std::sin(angle) * v));
+  }
+  return points;
+}
+
+void draw_rectangle(DashedLines& lines, const KeepOutside& keep) {
+  const Vec3 a = keep.corner_point(), b = keep.opposite_point();
+  lines.loop({a, Vec3(b.x(), a.y(), 0), b, Vec3(a.x(), b.y(), 0)});
+}
+
+/// Its twelve edges: two rectangles, and what joins them.
+void draw_box(DashedLines& lines, const KeepOutside& keep) {
+  const Vec3 a = keep.corner_point(), b = keep.opposite_point();
+  const std::array<Vec3, 4> foot{Vec3(a.x(), a.y(), a.z()), Vec3(b.x(), a.y(), a.z()),
+                                 Vec3(b.x(), b.y(), a.z()), Vec3(a.x(), b.y(), a.z())};
+  std::vector<Vec3> low(foot.begin(), foot.end()), high = low;
+  for (Vec3& point : high) point.z() = b.z();
+  lines.loop(low);
+  lines.loop(high);
+  for (std::size_t k = 0; k < low.size(); ++k) lines.loop({low[k], high[k]});
+}
+
+void draw_sphere(DashedLines& lines, const Vec3& centre, double radius) {
+  const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
+  for (const auto& [u, v] : {std::pair{x, y}, std::pair{y, z}, std::pair{z, x}})
+    lines.loop(circle(centre, radius, u, v));
+}
+
+/// Where the circle or the sphere is. None: nothing is selected that it could be about.
+std::optional<Vec3> centre_of(const KeepOutside& keep, const Session& session) {
+  if (keep.centre) return keep.centre_point();
+  if (session.in_space()) {
+    const Selection& selection = session.selection();
+    return selection.empty() ? std::nullopt : std::optional(selection.space().centre());
+  }
+  const auto& anchors = session.selection().anchors();
+  if (!anchors) return std::nullopt;
+  return Vec3(anchors->centre.x(), anchors->centre.y(), 0);
+}
+
+}  // namespace
+
+void draw_region(ImDrawList& list, const Session& session, const View& view, const Theme& theme) {
+  const KeepOutside& keep = session.jobs().smooth_options().keep_outside;
+  if (!keep.given()) return;
+  const bool space = session.in_space();
+  DashedLines lines(list, view, theme);
+  if (keep.corner && keep.opposite) space ? draw_box(lines, keep) : draw_rectangle(lines, keep);
+  if (keep.radius) {
+    const auto centre = centre_of(keep, session);
+    if (!centre) return;
+    if (space)
+      draw_sphere(lines, *centre, *keep.radius);
+    else
+      lines.loop(circle(*centre, *keep.radius, Vec3::UnitX(), Vec3::UnitY()));
+  }
+  const ScreenBox seen = view.viewport();
+  ui::note("region", static_cast<ImVec2>(seen.min), static_cast<ImVec2>(seen.max));
+}
+
+namespace {
+
+constexpr double lens_side = 230;  // units of the layout
+constexpr double pinned_side = 270;
+constexpr double margin = 14;
+
+}  // namespace
+
+std::optional<Inset> magnifier_inset(const Magnifier& magnifier, const Camera& camera,
+                                     const ScreenPoint& mouse, bool mouse_over, double scale) {
+  if (!magnifier.on) return std::nullopt;
+  const bool pinned = magnifier.pin.has_value();
+  if (!pinned && !mouse_over) return std::nullopt;
+  const ScreenPoint origin = camera.viewport_origin();
+  const ScreenVector size(camera.viewport_width(), camera.viewport_height());
+  const double side = std::floor(
+      std::min((pinned ? pinned_side : lens_side) * scale, 0.6 * std::min(size.x(), size.y())));
+  if (side < 40) return std::nullopt;
+  Inset inset;
+  inset.pinned = pinned;
+  const Vec2 place =
+      pinned ? Vec2((*magnifier.pin)[0], (*magnifier.pin)[1]) : camera.to_world(mouse);
+  ScreenPoint corner;
+  if (pinned) {
+    // Bottom left: the legend is at the right.
+    corner =
+        ScreenPoint(origin.x() + margin * scale, origin.y() + size.y() - side - margin * scale);
+  } else {
+    const ScreenPoint wanted = mouse - ScreenVector(side / 2, side / 2);
+    const ScreenPoint last = origin + size - ScreenVector(side, side);
+    corner = {std::min(std::max(wanted.x(), origin.x()), last.x()),
+              std::min(std::max(wanted.y(), origin.y()), last.y())};
+  }
+  corner = ScreenPoint(std::round(corner.x()), std::round(corner.y()));
+  inset.camera.set_viewport(corner.x(), corner.y(), side, side);
+  inset.camera.look_at(place, camera.units_per_pixel() / magnifier.factor);
+  const ScreenPoint centre = camera.to_screen(place);
+  const double half_side = 0.5 * side / magnifier.factor;
+  const ScreenVector half(half_side, half_side);
+  inset.source = {centre - half, centre + half};
+  return inset;
+}
+
+double turned_factor(double factor, double notches) {
+  return std::clamp(factor * std::pow(1.25, notches), 2.0, 1000.0);
 }
 
 }  // namespace winslow::gui

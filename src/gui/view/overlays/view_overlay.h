@@ -8,10 +8,26 @@
 #include "gui/render/view.h"
 #include "gui/settings/view_options.h"
 #include "gui/settings/view_state.h"
-#include "gui/view/tools/magnifier.h"
+#include "gui/view/mesh/mesh_view.h"
 #include "gui/widgets/theme.h"
 
 namespace winslow::gui {
+
+/// Where a magnifier is and what it shows.
+struct Inset {
+  Camera camera;     ///< its viewport is the inset's place in the framebuffer
+  ScreenBox source;  ///< what it magnifies
+  bool pinned = false;
+  ScreenBox frame() const { return camera.viewport(); }
+};
+
+/// The inset of a view; none if the magnifier is off, or follows a mouse that is elsewhere.
+/// scale: of the interface.
+std::optional<Inset> magnifier_inset(const Magnifier& magnifier, const Camera& camera,
+                                     const ScreenPoint& mouse, bool mouse_over, double scale);
+
+/// The factor after so many notches of the wheel.
+double turned_factor(double factor, double notches);
 
 /// What is drawn over the mesh to help looking at it.
 struct ViewOverlay {
@@ -40,5 +56,33 @@ void draw_inset_frame(ImDrawList& list, const ViewOverlay& overlay, const Inset&
 
 /// Text on a small card; returns its size.
 ImVec2 draw_tag(ImDrawList& list, const Theme& theme, const ImVec2& at, const char* text);
+
+/// The magnifier of a frame, of the window or of a picture. Its mesh is painted in the midst of the
+/// interface: over what was drawn before it, under what comes after.
+class Lens {
+ public:
+  explicit Lens(MeshView& mesh) : mesh_(mesh) {}
+  Lens(const Lens&) = delete;  // draw lists know its address
+  Lens& operator=(const Lens&) = delete;
+
+  void place(std::optional<Inset> inset) { inset_ = std::move(inset); }
+  /// None if nothing is magnified.
+  const std::optional<Inset>& inset() const { return inset_; }
+  /// The part of the frame that is painted next.
+  void set_tile(const ScreenBox& tile) { tile_ = tile; }
+  /// The lens must stay until the list is painted.
+  void draw(ImDrawList& list, const ViewOverlay& overlay);
+
+ private:
+  void paint() const;
+
+  MeshView& mesh_;
+  std::optional<Inset> inset_;
+  ScreenBox tile_;
+};
+
+/// Outline of the region outside which nothing moves (SmoothOptions::keep_outside), dashed, in the
+/// plane or in space. A circle without a centre is drawn about the selection, if there is one.
+void draw_region(ImDrawList& list, const Session& session, const View& view, const Theme& theme);
 
 }  // namespace winslow::gui

@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "gui/document/selection/picked_place.h"
+#include "gui/document/actions/actions.h"
 #include "gui/document/session/session.h"
 #include "gui/render/view.h"
-#include "gui/settings/marker_looks.h"
+#include "gui/settings/view_options.h"
 #include "gui/view/tools/viewport.h"
 
 namespace winslow::gui {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "gui/render/view.h"
-#include "gui/settings/space_options.h"
+#include "gui/settings/view_options.h"
 
 namespace winslow::gui {
 

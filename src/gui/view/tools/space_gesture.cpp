@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/motion/space_motion.h"
+#include "core/motion/rigid_motion.h"
 #include "gui/view/tools/space_travel.h"
 
 namespace winslow::gui {

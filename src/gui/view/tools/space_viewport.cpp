@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/view/tools/border_picker.h"
+#include "gui/view/tools/pivot_picker.h"
 
 namespace winslow::gui {
 

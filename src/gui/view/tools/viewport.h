@@ -7,7 +7,6 @@
 
 #include "gui/document/actions/actions.h"
 #include "gui/document/selection/boundary_index.h"
-#include "gui/document/selection/shape_edit.h"
 #include "gui/render/view.h"
 #include "gui/view/tools/gizmo.h"
 #include "gui/view/tools/motion_gesture.h"

@@ -6,8 +6,7 @@
 #include <random>
 
 #include "core/geometry/surface/recognised_surface.h"
-#include "core/geometry/surface/smooth_surface.h"
-#include "core/geometry/surface/surface_patch.h"
+#include "core/geometry/surface/surface.h"
 #include "core/geometry/surface/surfaces.h"
 
 namespace winslow::test {

@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include "core/inspect/space/element_layers.h"
 #include "support/space_meshes.h"
 
 namespace winslow::test {

@@ -3,8 +3,7 @@
 #include <cmath>
 
 #include "core/motion/rigid_motion.h"
-#include "gui/document/session/activity.h"
-#include "gui/support/keys.h"
+#include "gui/document/session/session.h"
 #include "gui/support/rig.h"
 
 namespace winslow::gui::test {

@@ -7,7 +7,6 @@
 #include "core/layers/layer_measures.h"
 #include "gui/files/assets.h"
 #include "gui/panels/files/file_dialog.h"
-#include "gui/support/keys.h"
 #include "gui/support/rig.h"
 
 namespace winslow::gui::test {

@@ -2,9 +2,8 @@
 
 #include <fstream>
 
-#include "gui/files/folder_listing.h"
+#include "gui/files/browsed_folder.h"
 #include "gui/panels/files/file_dialog.h"
-#include "gui/support/keys.h"
 #include "gui/support/rig.h"
 #include "io/format/mesh_file.h"
 

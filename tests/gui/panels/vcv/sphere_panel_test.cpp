@@ -5,7 +5,7 @@
 
 #include "gui/panels/vcv/sphere_plot.h"
 #include "gui/support/pixels.h"
-#include "gui/support/sphere_rig.h"
+#include "gui/support/vcv_rig.h"
 
 namespace winslow::gui::test {
 

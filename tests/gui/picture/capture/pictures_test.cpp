@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "gui/panels/files/file_dialog.h"
-#include "gui/support/keys.h"
 #include "gui/support/rig.h"
 
 namespace winslow::gui::test {

@@ -5,9 +5,8 @@
 #include <set>
 #include <thread>
 
-#include "gui/picture/capture/child_process.h"
+#include "gui/picture/capture/film.h"
 #include "gui/picture/capture/recorder.h"
-#include "gui/support/keys.h"
 #include "gui/support/rig.h"
 
 namespace winslow::gui::test {

@@ -6,11 +6,10 @@
 
 #include "core/command/command.h"
 #include "core/error.h"
-#include "gui/picture/figure/clip.h"
+#include "gui/picture/figure/page.h"
 #include "gui/picture/figure/write_figure.h"
-#include "gui/support/keys.h"
 #include "gui/support/rig.h"
-#include "gui/view/overlays/vcv_shape.h"
+#include "gui/view/overlays/vcv_overlay.h"
 
 namespace winslow::gui::test {
 

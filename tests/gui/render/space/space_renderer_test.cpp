@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "gui/support/space_scene_rig.h"
+#include "gui/support/scene.h"
 
 using namespace winslow;
 using namespace winslow::gui;

@@ -4,7 +4,7 @@
 
 #include "core/error.h"
 #include "core/inspect/space/plane_section.h"
-#include "gui/support/space_scene_rig.h"
+#include "gui/support/scene.h"
 #include "support/space_meshes.h"
 
 using namespace winslow;

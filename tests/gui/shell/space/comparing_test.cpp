@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "gui/render/space/ghost_scene.h"
-#include "gui/render/space/side_by_side.h"
-#include "gui/support/looking_rig.h"
+#include "gui/render/space/space_view.h"
+#include "gui/render/space/volume_scene.h"
 #include "gui/support/pixels.h"
+#include "gui/support/space_rig.h"
 
 namespace winslow::gui::test {
 

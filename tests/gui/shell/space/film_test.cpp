@@ -7,10 +7,10 @@
 #include "gui/files/assets.h"
 #include "gui/files/thumbnails.h"
 #include "gui/picture/figure/write_figure.h"
-#include "gui/picture/space/hidden_surface.h"
+#include "gui/picture/space/scene_figure.h"
 #include "gui/picture/space/volume_picture.h"
-#include "gui/support/looking_rig.h"
 #include "gui/support/pixels.h"
+#include "gui/support/space_rig.h"
 #include "io/format/mesh_file.h"
 
 namespace winslow::gui::test {

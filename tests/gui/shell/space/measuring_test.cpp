@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "core/mesh/surface_faces.h"
-#include "gui/support/looking_rig.h"
+#include "gui/support/space_rig.h"
 #include "gui/view/navigation/go_to.h"
-#include "gui/view/overlays/space_ruler_overlay.h"
+#include "gui/view/overlays/ruler_overlay.h"
 
 namespace winslow::gui::test {
 

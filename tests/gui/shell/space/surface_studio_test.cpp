@@ -6,11 +6,10 @@
 #include "core/error.h"
 #include "gui/files/file_kinds.h"
 #include "gui/support/pixels.h"
-#include "gui/support/solver_probes.h"
-#include "gui/support/surface_rig.h"
+#include "gui/support/rig.h"
+#include "gui/support/space_rig.h"
 #include "gui/view/mesh/mesh_colors.h"
 #include "gui/view/navigation/go_to.h"
-#include "gui/view/navigation/worst_list.h"
 #include "io/format/mesh_file.h"
 
 namespace winslow::gui::test {

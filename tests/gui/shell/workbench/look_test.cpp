@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
-#include "gui/support/keys.h"
+#include <fstream>
+
+#include "gui/panels/files/file_dialog.h"
 #include "gui/support/pixels.h"
 #include "gui/support/rig.h"
 #include "gui/view/mesh/mesh_colors.h"
@@ -155,6 +157,114 @@ TEST_CASE("the picture kept of a large mesh is the one that would be drawn, what
   rig.resize(900, 600);
   rig.frames();
   check_kept("another size", true);
+}
+
+namespace {
+
+/// Labels that do not fit into their button, list or panel, in the columns as they are.
+void check_labels(Rig& rig) {
+  for (const auto& widget : rig.bench->widgets().all()) {
+    INFO("widget ", widget.first);
+    CHECK_FALSE(widget.second.cut);
+  }
+}
+
+void check_tabs(Rig& rig) {
+  check_labels(rig);
+  for (const SideTab tab : {SideTab::quality, SideTab::view, SideTab::vcv, SideTab::history}) {
+    INFO("tab ", static_cast<int>(tab));
+    set_view(rig, [&](ViewOptions& view) {
+      view.right_panel = true;
+      view.side_tab = tab;
+    });
+    check_labels(rig);
+  }
+  // Where there is no room for both columns the left one takes the place of the right.
+  set_view(rig, [](ViewOptions& view) {
+    view.left_panel = true;
+    view.right_panel = false;
+  });
+  REQUIRE(rig.visible("layers/insert"));
+  check_labels(rig);
+}
+
+}  // namespace
+
+TEST_CASE("no button, list or switch cuts its label, at any size and scale") {
+  struct Screen {
+    int width, height;
+    float scale;
+  };
+  Rig rig(1280, 1800);
+  rig.open(ring_mesh());
+  rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
+  REQUIRE(rig.settle());
+  // All that is folded at first, from below so that nothing moves before it is clicked.
+  for (const char* part :
+       {"section/mesh", "solver/advanced", "section/layers", "section/shape", "motion/limits"}) {
+    INFO(part);
+    if (!rig.visible(part)) continue;
+    rig.click(part);
+    REQUIRE(rig.settle());
+  }
+  REQUIRE(rig.visible("layers/insert"));
+  REQUIRE(rig.visible("shape/fade"));
+  REQUIRE(rig.visible("solver/defaults"));
+  REQUIRE(rig.visible("motion/min_quality_skewness/on"));
+  for (const Screen& s : {Screen{760, 480, 1}, Screen{1024, 768, 1}, Screen{1200, 750, 1},
+                          Screen{1280, 720, 1}, Screen{1440, 900, 1}, Screen{1440, 900, 1.5f},
+                          Screen{1024, 768, 1.5f}, Screen{1920, 1080, 2}, Screen{2560, 1440, 2}}) {
+    INFO(s.width, " x ", s.height, " at ", s.scale);
+    rig.resize(s.width, s.height);
+    rig.bench->set_scale(s.scale);
+    rig.frames(4);
+    REQUIRE(rig.settle());
+    check_tabs(rig);
+  }
+}
+
+TEST_CASE("Ctrl+Z in a field that is entered again takes nothing back from another text") {
+  Rig rig;
+  rig.open(ring_mesh());
+  rig.click("marker/flap");
+  // Shown with six digits when the field is left: shorter than what was typed.
+  rig.click("motion/dx");
+  rig.key(keys::a, {keys::control});
+  rig.type("0.12345678901234");
+  rig.key(keys::tab);
+  rig.click("motion/dx");
+  for (int i = 0; i < 12; ++i) rig.key(keys::z, {keys::control});
+  rig.key(GLFW_KEY_END);
+  rig.type("5");
+  rig.key(keys::tab);
+  rig.click("motion/apply");
+  REQUIRE(rig.settle());
+  REQUIRE(rig.document().history().size() == 2);
+  const RigidMotion motion =
+      std::get<MoveCommand>(rig.document().history().command(1)).motion.about({0, 0});
+  CHECK(motion.translate.x() == doctest::Approx(0.1234575).epsilon(1e-12));
+  CHECK(motion.translate.y() == 0);
+}
+
+TEST_CASE("Ctrl+Z after a name was taken from the list keeps the dialog whole") {
+  Rig rig;
+  write(rig.folder, ring_mesh(), "a.su2");
+  rig.key(keys::o, {keys::control});
+  REQUIRE(rig.bench->dialogs().file_dialog().is_open());
+  rig.type(rig.folder.path().string() + "/");
+  REQUIRE(rig.wait([&] {
+    return !rig.bench->dialogs().file_dialog().busy() &&
+           rig.bench->dialogs().file_dialog().folder() == rig.folder.path();
+  }));
+  rig.key(keys::z, {keys::control});  // the path was taken out of the field
+  rig.type("a name longer than that of the file");
+  rig.key(GLFW_KEY_DOWN);
+  for (int i = 0; i < 3; ++i) rig.key(keys::z, {keys::control});
+  rig.key(GLFW_KEY_DOWN);
+  rig.key(keys::enter);
+  REQUIRE(rig.settle());
+  REQUIRE(rig.session().document() != nullptr);
+  CHECK(rig.document().name() == "a.su2");
 }
 
 }  // namespace winslow::gui::test

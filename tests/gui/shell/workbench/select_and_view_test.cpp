@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "gui/panels/files/file_dialog.h"
-#include "gui/support/keys.h"
 #include "gui/support/rig.h"
 
 namespace winslow::gui::test {

@@ -2,8 +2,7 @@
 
 #include "core/quality/mesh_change.h"
 #include "gui/base/text.h"
-#include "gui/panels/quality_table.h"
-#include "gui/support/keys.h"
+#include "gui/panels/quality_panel.h"
 #include "gui/support/pixels.h"
 #include "gui/support/rig.h"
 

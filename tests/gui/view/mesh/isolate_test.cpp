@@ -5,10 +5,9 @@
 #include <cmath>
 #include <set>
 
-#include "gui/support/keys.h"
 #include "gui/support/pixels.h"
 #include "gui/support/rig.h"
-#include "gui/view/mesh/isolated_elements.h"
+#include "gui/view/mesh/mesh_colors.h"
 
 namespace winslow::gui::test {
 

@@ -3,10 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "core/error.h"
-#include "gui/support/keys.h"
 #include "gui/support/pixels.h"
 #include "gui/support/rig.h"
-#include "gui/view/navigation/worst_list.h"
 
 namespace winslow::gui::test {
 

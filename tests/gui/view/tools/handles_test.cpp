@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "core/motion/rigid_motion.h"
-#include "gui/support/keys.h"
 #include "gui/support/pixels.h"
 #include "gui/support/rig.h"
 

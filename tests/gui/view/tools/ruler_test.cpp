@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include "gui/support/keys.h"
 #include "gui/support/rig.h"
 #include "gui/view/overlays/ruler_overlay.h"
 

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "gui/support/keys.h"
 #include "gui/support/pixels.h"
 #include "gui/support/rig.h"
 

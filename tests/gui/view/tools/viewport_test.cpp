@@ -1,8 +1,8 @@
 #include <doctest/doctest.h>
 
 #include "gui/document/selection/boundary_index.h"
-#include "gui/support/actions.h"
 #include "gui/support/meshes.h"
+#include "gui/support/rig.h"
 #include "gui/view/tools/viewport.h"
 
 namespace winslow::gui::test {

@@ -1,0 +1,199 @@
+#include "core/linear/factorisation.h"
+
+#include <Eigen/SparseLU>
+#include <new>
+
+#if defined(WINSLOW_HAS_KLU)
+#include <Eigen/KLUSupport>
+#endif
+
+#if defined(WINSLOW_HAS_UMFPACK)
+#include <Eigen/UmfPackSupport>
+#endif
+
+#include "core/error.h"
+
+namespace winslow {
+
+bool EigenMatrix::assign(const SparseMatrix& source) {
+  const bool fresh = pattern_ != source.pattern || block_ != at(source.block);
+  if (fresh) adopt(source);
+  part_ == Part::all ? values_all(source) : values_lower(source);
+  return fresh;
+}
+
+void EigenMatrix::adopt(const SparseMatrix& source) {
+  pattern_ = source.pattern;
+  block_ = at(source.block);
+  const Index n = source.rows();
+  const auto blocks = pattern_->columns.size();
+  // Of the lower triangle: half of the blocks off the diagonal, and the triangles on it.
+  const auto diagonal = at(pattern_->rows());
+  const std::size_t entries = part_ == Part::all ? blocks * block_ * block_
+                                                 : (blocks - diagonal) / 2 * block_ * block_ +
+                                                       diagonal * block_ * (block_ + 1) / 2;
+  matrix_ = Eigen::SparseMatrix<double>(n, n);
+  matrix_.resizeNonZeros(static_cast<Eigen::Index>(entries));
+  part_ == Part::all ? structure_all() : structure_lower();
+}
+
+void EigenMatrix::structure_all() {
+  const SparsityPattern& p = *pattern_;
+  const auto rows = at(p.rows());
+  std::vector<std::size_t> count(rows, 0), start(rows + 1, 0);
+  for (const Index column : p.columns) ++count[at(column)];
+  for (std::size_t c = 0; c < rows; ++c) start[c + 1] = start[c] + count[c];
+  Index* outer = matrix_.outerIndexPtr();
+  for (std::size_t c = 0; c < rows; ++c) {
+    for (std::size_t k = 0; k < block_; ++k) {
+      outer[c * block_ + k] = static_cast<Index>((start[c] * block_ + k * count[c]) * block_);
+    }
+  }
+  outer[rows * block_] = static_cast<Index>(start[rows] * block_ * block_);
+  first_slot_.resize(p.columns.size());
+  std::vector<std::size_t> next(rows, 0);
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (auto e = at(p.offsets[row]); e < at(p.offsets[row + 1]); ++e) {
+      const auto column = at(p.columns[e]);
+      first_slot_[e] = (start[column] * block_ + next[column]++) * block_;
+      // The scalar columns of a block column lie count * block entries apart.
+      for (std::size_t c = 0; c < block_; ++c) {
+        Index* inner = matrix_.innerIndexPtr() + outer[column * block_ + c] +
+                       (first_slot_[e] - start[column] * block_ * block_);
+        for (std::size_t r = 0; r < block_; ++r) inner[r] = static_cast<Index>(row * block_ + r);
+      }
+    }
+  }
+}
+
+void EigenMatrix::values_all(const SparseMatrix& source) {
+  const SparsityPattern& p = *pattern_;
+  const Index* outer = matrix_.outerIndexPtr();
+  double* out = matrix_.valuePtr();
+  for (std::size_t e = 0; e < p.columns.size(); ++e) {
+    const auto column = at(p.columns[e]) * block_;
+    const auto stride = block_ > 1 ? at(outer[column + 1] - outer[column]) : 0;
+    const double* in = &source.values[e * block_ * block_];
+    for (std::size_t c = 0; c < block_; ++c) {
+      for (std::size_t r = 0; r < block_; ++r) {
+        out[first_slot_[e] + c * stride + r] = in[r * block_ + c];
+      }
+    }
+  }
+}
+
+/// Column i of the lower triangle is row i of the upper one, which is how it is stored already.
+void EigenMatrix::structure_lower() {
+  const SparsityPattern& p = *pattern_;
+  Index* outer = matrix_.outerIndexPtr();
+  Index* inner = matrix_.innerIndexPtr();
+  Index slot = 0;
+  for (std::size_t i = 0; i < at(p.rows()); ++i) {
+    for (std::size_t r = 0; r < block_; ++r) {
+      *outer++ = slot;
+      for (auto e = at(p.diagonal[i]); e < at(p.offsets[i + 1]); ++e) {
+        for (std::size_t c = e == at(p.diagonal[i]) ? r : 0; c < block_; ++c) {
+          inner[slot++] = static_cast<Index>(at(p.columns[e]) * block_ + c);
+        }
+      }
+    }
+  }
+  *outer = slot;
+}
+
+void EigenMatrix::values_lower(const SparseMatrix& source) {
+  const SparsityPattern& p = *pattern_;
+  double* out = matrix_.valuePtr();
+  for (std::size_t i = 0; i < at(p.rows()); ++i) {
+    for (std::size_t r = 0; r < block_; ++r) {
+      for (auto e = at(p.diagonal[i]); e < at(p.offsets[i + 1]); ++e) {
+        for (std::size_t c = e == at(p.diagonal[i]) ? r : 0; c < block_; ++c) {
+          *out++ = source.values[(e * block_ + r) * block_ + c];
+        }
+      }
+    }
+  }
+}
+
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+
+#if defined(WINSLOW_HAS_KLU)
+/// The analysis, which does not fail on square matrices for any other reason, leaves nothing that
+/// the factorisation takes for valid.
+bool ran_out_of_memory(Eigen::KLU<Matrix>& lu) {
+  const int status = lu.kluCommon().status;
+  return status == KLU_OUT_OF_MEMORY || status == KLU_TOO_LARGE || status == KLU_INVALID;
+}
+#endif
+#if defined(WINSLOW_HAS_UMFPACK)
+/// The analysis, which leaves no other trace of its failure, does not fail on square matrices.
+bool ran_out_of_memory(const Eigen::UmfPackLU<Matrix>& lu) {
+  return lu.umfpackFactorizeReturncode() == UMFPACK_ERROR_out_of_memory ||
+         lu.umfpackFactorizeReturncode() == UMFPACK_ERROR_invalid_Symbolic_object;
+}
+#endif
+#if !defined(WINSLOW_HAS_KLU) && !defined(WINSLOW_HAS_UMFPACK)
+bool ran_out_of_memory(const Eigen::SparseLU<Matrix>&) { return false; }  // it throws
+#endif
+
+template <typename Lu>
+class LuFactorisation final : public Factorisation {
+ public:
+  explicit LuFactorisation(const char* name) : name_(name) {
+#if defined(WINSLOW_HAS_UMFPACK)
+    // No steps of iterative refinement: residuals are at round-off without.
+    if constexpr (std::is_same_v<Lu, Eigen::UmfPackLU<Matrix>>) {
+      lu_.umfpackControl()(UMFPACK_IRSTEP) = 0;
+    }
+#endif
+  }
+
+  std::string description() const override { return name_; }
+
+  void factorise(const SparseMatrix& matrix) override {
+    if (matrix_.assign(matrix)) lu_.analyzePattern(matrix_.matrix());
+    lu_.factorize(matrix_.matrix());
+    if (lu_.info() != Eigen::Success) {
+      if (ran_out_of_memory(lu_)) throw std::bad_alloc();
+      throw NumericError("the linear system is singular (sparse LU failed)");
+    }
+  }
+
+  void solve(std::span<const double> rhs, int columns, std::span<double> x) override {
+    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const Eigen::Index n = matrix_.matrix().rows();
+    const Eigen::MatrixXd b = Eigen::Map<const RowMajor>(rhs.data(), n, columns);
+    const Eigen::MatrixXd solution = lu_.solve(b);
+    if (!solution.allFinite()) {
+      throw NumericError("the linear system is singular to working precision");
+    }
+    Eigen::Map<RowMajor>(x.data(), n, columns) = solution;
+  }
+
+ private:
+  const char* name_;
+  EigenMatrix matrix_{EigenMatrix::Part::all};
+  Lu lu_;
+};
+
+}  // namespace
+
+std::unique_ptr<Factorisation> make_lu([[maybe_unused]] Index rows) {
+#if defined(WINSLOW_HAS_UMFPACK)
+#if defined(WINSLOW_HAS_KLU)
+  // Below, dense kernels do not pay for themselves.
+  constexpr Index umfpack_limit = 8'000;
+  if (rows < umfpack_limit || !blas_has_memory())
+    return std::make_unique<LuFactorisation<Eigen::KLU<Matrix>>>("KLU sparse LU");
+#endif
+  return std::make_unique<LuFactorisation<Eigen::UmfPackLU<Matrix>>>("UMFPACK sparse LU");
+#elif defined(WINSLOW_HAS_KLU)
+  return std::make_unique<LuFactorisation<Eigen::KLU<Matrix>>>("KLU sparse LU");
+#else
+  return std::make_unique<LuFactorisation<Eigen::SparseLU<Matrix>>>("Eigen sparse LU");
+#endif
+}
+
+}  // namespace winslow

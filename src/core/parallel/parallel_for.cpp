@@ -1,0 +1,157 @@
+#include "core/parallel/parallel_for.h"
+
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <system_error>
+
+namespace winslow {
+
+namespace {
+
+/// One call of run_on_threads. It lies on the caller's stack: only who has a share may touch it.
+struct Job {
+  void (*work)(void*, Index);
+  void* data;
+  Index count;
+  Index next = 0;                 // first share that nobody has taken; under the pool's mutex
+  std::atomic<Index> unfinished;  // shares that have not ended
+
+  Job(Index shares, void (*call)(void*, Index), void* argument)
+      : work(call), data(argument), count(shares), unfinished(shares) {}
+};
+
+/// Waits for a moment, in which the processor can do something else.
+void pause() {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#else
+  std::this_thread::yield();
+#endif
+}
+
+/// True as soon as condition() is, which is asked for some 20 microseconds: waking a thread takes
+/// as long, and within solvers one loop follows the other.
+template <typename Condition>
+bool soon(Condition&& condition) {
+  constexpr int tries = 500;
+  for (int i = 0; i < tries; ++i) {
+    if (condition()) return true;
+    pause();
+  }
+  return false;
+}
+
+class ThreadPool {
+ public:
+  static ThreadPool& of_process() {
+    static ThreadPool pool;
+    return pool;
+  }
+
+  ThreadPool(const ThreadPool&) = delete;
+  ThreadPool& operator=(const ThreadPool&) = delete;
+  ~ThreadPool() {
+    {
+      const std::lock_guard lock(mutex_);
+      ending_ = true;
+    }
+    wake_.notify_all();
+  }
+
+  void run(Job& job) {
+    {
+      const std::lock_guard lock(mutex_);
+      grow(job.count - 1);
+      jobs_.push_back(&job);
+      untaken_ += job.count;
+    }
+    wake_.notify_all();
+    for (Index share = take(job); share >= 0; share = take(job)) finish(job, share);
+    const auto ended = [&] { return job.unfinished.load(std::memory_order_acquire) == 0; };
+    if (soon(ended)) return;
+    std::unique_lock lock(mutex_);
+    ended_.wait(lock, ended);
+  }
+
+ private:
+  ThreadPool() = default;
+
+  /// More threads than cores do not wait for work by asking for it.
+  bool may_ask() const { return workers_.size() < std::thread::hardware_concurrency(); }
+
+  /// Starts threads until there are so many, or as many as there is memory for. Called with the
+  /// mutex held.
+  void grow(Index count) {
+    constexpr Index most = 256;
+    try {
+      while (static_cast<Index>(workers_.size()) < std::min(count, most)) {
+        workers_.emplace_back([this] { serve(); });
+      }
+    } catch (const std::system_error&) {
+      // Those that there are, and the caller, do it.
+    }
+    asking_.store(may_ask(), std::memory_order_relaxed);
+  }
+
+  /// A share of the job that is the caller's to do; -1: there is none. Called with the mutex held.
+  Index take_locked(Job& job) {
+    if (job.next == job.count) return -1;
+    --untaken_;
+    const Index share = job.next++;
+    if (job.next == job.count) std::erase(jobs_, &job);
+    return share;
+  }
+  Index take(Job& job) {
+    const std::lock_guard lock(mutex_);
+    return take_locked(job);
+  }
+
+  void finish(Job& job, Index share) {
+    job.work(job.data, share);
+    // After the last one the job may be gone.
+    if (job.unfinished.fetch_sub(1, std::memory_order_acq_rel) > 1) return;
+    const std::lock_guard lock(mutex_);
+    ended_.notify_all();
+  }
+
+  /// What each of the threads does.
+  void serve() {
+    for (;;) {
+      if (asking_.load(std::memory_order_relaxed)) {
+        soon([&] { return untaken_.load(std::memory_order_relaxed) > 0; });
+      }
+      Job* job = nullptr;
+      Index share = -1;
+      {
+        std::unique_lock lock(mutex_);
+        wake_.wait(lock, [&] { return ending_ || !jobs_.empty(); });
+        if (jobs_.empty()) return;
+        job = jobs_.front();
+        share = take_locked(*job);
+      }
+      finish(*job, share);
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable wake_, ended_;
+  std::deque<Job*> jobs_;           // with shares that nobody has taken
+  std::atomic<Index> untaken_ = 0;  // of all jobs
+  std::atomic<bool> asking_ = false;
+  bool ending_ = false;
+  std::vector<std::jthread> workers_;  // last: they end while everything else is still there
+};
+
+}  // namespace
+
+void run_on_threads(Index count, void (*work)(void* data, Index share), void* data) {
+  if (count <= 1) {
+    if (count == 1) work(data, 0);
+    return;
+  }
+  Job job(count, work, data);
+  ThreadPool::of_process().run(job);
+}
+
+}  // namespace winslow

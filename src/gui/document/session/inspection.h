@@ -1,0 +1,140 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/inspect/node_roles.h"
+#include "core/inspect/space/volume_nodal_view.h"
+#include "core/strategy/smooth_options.h"
+#include "core/vcv/sphere/link_matching.h"
+#include "gui/base/background.h"
+#include "gui/document/session/jobs.h"
+#include "gui/document/session/live_mesh.h"
+#include "gui/document/session/selection.h"
+
+namespace winslow::gui {
+
+/// What the nodes of the mesh of the history will do in the next run: of markers that slide and of
+/// periodic pairs as the solver is set to, of those that are selected. Looked for in the
+/// background.
+class BoundaryRoles {
+ public:
+  BoundaryRoles(const LiveMesh& mesh, const Jobs& jobs, const Selection& selection)
+      : mesh_(mesh), jobs_(jobs), selection_(selection) {}
+
+  /// The latest that is known of this mesh; null: nothing yet. Asked for in every frame in which it
+  /// is shown: what was asked last is looked for.
+  std::shared_ptr<const NodeRoles> find() const;
+  /// It is what the settings say now.
+  bool up_to_date() const { return answer_.roles && answer_.question == asked_; }
+
+  /// True if something new is known.
+  bool poll();
+  bool busy() const { return worker_.busy(); }
+
+ private:
+  struct Question {
+    std::uint64_t generation = 0, shape = 0;
+    SlideOptions slide;
+    std::vector<std::string> moving;
+    bool operator==(const Question&) const = default;
+  };
+  struct Answer {
+    Question question;
+    std::shared_ptr<const NodeRoles> roles;
+  };
+  Question question() const;
+
+  const LiveMesh& mesh_;
+  const Jobs& jobs_;
+  const Selection& selection_;
+  mutable Question asked_;
+  mutable Answer answer_;
+  mutable Background<Answer> worker_;
+};
+
+/// What an inspection of nodes of a volume mesh shows: their VCVs as a run from the mesh of the
+/// history would have them (of the kind that the solver is set to, or as edited), over the mesh on
+/// screen. Each is worked out when it is first asked for: a whole mesh has more VCVs than one looks
+/// at.
+class SphereInspector {
+ public:
+  SphereInspector(const LiveMesh& mesh, const Jobs& jobs) : mesh_(mesh), jobs_(jobs) {}
+
+  /// Valid until the next call of a later frame. Throws UsageError for a node that has no VCV,
+  /// MeshError for a star that has none.
+  const VolumeNodalView& at(Index node) const;
+
+ private:
+  /// What VCVs depend on.
+  struct Source {
+    std::uint64_t generation = 0;
+    std::uint64_t shape = 0;  // of the mesh of the history
+    std::size_t position = 0, steps = 0;
+    VcvKind kind = VcvKind::automatic;
+    double lengths = 0;
+    std::shared_ptr<const SphereStencils> by_hand;
+    bool operator==(const Source&) const = default;
+  };
+  void follow() const;
+  const NodeVcv& vcv(Index node) const;
+
+  const LiveMesh& mesh_;
+  const Jobs& jobs_;
+  mutable Source source_;
+  mutable std::uint64_t shape_ = 0;
+  mutable std::map<Index, NodeVcv> vcvs_;
+  mutable std::map<Index, VolumeNodalView> views_;
+};
+
+/// The nodes of a volume mesh that can take the VCV of one of them (matching_stars()), looked for
+/// in the background, in the mesh of the history: a whole mesh has many.
+class StarMatches {
+ public:
+  explicit StarMatches(const LiveMesh& mesh) : mesh_(mesh) {}
+  ~StarMatches() { stop(); }
+  StarMatches(const StarMatches&) = delete;
+  StarMatches& operator=(const StarMatches&) = delete;
+
+  struct Wish {
+    Index node = -1;
+    std::optional<std::vector<Index>> among = std::nullopt;  ///< none: all inner nodes
+    std::optional<double> radius = std::nullopt;             ///< as far as this from the node
+    bool operator==(const Wish&) const = default;
+  };
+  using Found = std::vector<MatchedStar>;
+  /// Null: they are being looked for. Valid until the next call.
+  const Found* find(const Wish& wish) const;
+
+  /// True if some were found.
+  bool poll();
+  bool busy() const { return worker_.busy(); }
+
+ private:
+  /// A wish, and the mesh that it is of.
+  struct Question {
+    Wish wish;
+    std::uint64_t generation = 0, shape = 0;
+    bool operator==(const Question&) const = default;
+  };
+  struct Answer {
+    Question question;
+    Found found;
+  };
+  void stop() const {
+    if (stop_) *stop_ = true;
+  }
+
+  const LiveMesh& mesh_;
+  mutable Question asked_;
+  mutable std::optional<Answer> answer_;
+  mutable std::shared_ptr<std::atomic<bool>> stop_;
+  mutable Background<Answer> worker_;
+};
+
+}  // namespace winslow::gui

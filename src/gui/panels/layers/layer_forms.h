@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/layers/layer_measures.h"
+#include "core/layers/layer_spacing.h"
+#include "gui/menu/panel_context.h"
+#include "gui/widgets/controls.h"
+#include "gui/widgets/plot_frame.h"
+
+namespace winslow::gui {
+
+/// Share of a row that labels take in the panel of layers.
+constexpr float layer_label_share = 0.46f;
+
+/// A row for a number; what is typed counts once it is finite.
+inline void layer_field(const char* id, const char* label, double& value, const char* tip) {
+  ui::row(label, tip, layer_label_share);
+  double typed = value;
+  if (ui::number(id, typed, tip) && std::isfinite(typed)) value = typed;
+}
+
+/// Fields for the part of a wall's markers that is to have layers.
+class PartForm {
+ public:
+  /// names: the markers, whose box the fields begin with.
+  void draw(const PanelContext& context, const std::vector<std::string>& names);
+  /// What the fields say.
+  WallPart part() const { return only_ ? part_ : WallPart{}; }
+  /// Puts another part into the fields.
+  void set(const WallPart& part);
+
+ private:
+  WallPart part_;
+  bool only_ = false;
+};
+
+/// Fields for the heights of layers at a wall.
+class SpacingForm {
+ public:
+  void draw();
+  /// What the fields say.
+  LayerSpacing spacing() const;
+  /// Puts other numbers into the fields.
+  void set(const LayerSpacing& spacing);
+  /// Heights that the fields ask for; none while they make no sense.
+  std::vector<double> heights() const;
+
+ private:
+  void draw_first();
+  void draw_total();
+
+  LayerSpacing spacing_;
+  double total_ = 0.1;
+  bool has_total_ = false, from_y_plus_ = false;
+  double y_plus_ = 1, reynolds_ = 1e6, length_ = 1;
+};
+
+/// How the layers of the mesh on screen came out.
+class LayerResult {
+ public:
+  /// Nothing while the mesh has no layers.
+  void draw(const PanelContext& context);
+
+ private:
+  void measure(const PanelContext& context);
+  void draw_cut_columns(const PanelContext& context);
+
+  // Measured of this stack when the mesh had this shape and these markers were selected.
+  std::shared_ptr<const LayerStack> stack_;
+  std::uint64_t shape_ = 0;
+  std::vector<Index> selection_;
+  LayerMeasures measures_;
+  ui::LayerHeights heights_;
+};
+
+}  // namespace winslow::gui

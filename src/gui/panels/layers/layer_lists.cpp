@@ -1,0 +1,230 @@
+#include "gui/panels/layers/layer_lists.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "gui/base/text.h"
+#include "gui/panels/layers/layer_forms.h"
+#include "gui/widgets/controls.h"
+
+namespace winslow::gui {
+
+namespace {
+
+float row_height(const Theme& theme) { return 2 * ImGui::GetTextLineHeight() + theme.px(10); }
+
+}  // namespace
+
+RowAnswer draw_list_row(const ListRow& row, const Theme& theme) {
+  const float pad = theme.px(6), cross = theme.px(26), line = ImGui::GetTextLineHeight();
+  const ImVec2 start = ImGui::GetCursorScreenPos();
+  const ImVec2 size(ImGui::GetContentRegionAvail().x - cross, row_height(theme));
+  const bool pressed = ImGui::InvisibleButton(row.id.c_str(), size);
+  ui::note(row.id);
+  const bool over = ImGui::IsItemHovered();
+  ui::tooltip(row.tip);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (row.selected || over)
+    list.AddRectFilled(start, ImVec2(start.x + size.x, start.y + size.y), palette().accent_soft,
+                       theme.px(4));
+  const auto text = [&](float y, const std::string& what, ImU32 color) {
+    list.AddText(ImVec2(start.x + pad, start.y + theme.px(4) + y), color,
+                 ui::elided(what, size.x - 2 * pad).c_str());
+  };
+  text(0, row.title, palette().text);
+  text(line + theme.px(2), row.summary, palette().text_dim);
+  ImGui::SetCursorScreenPos(
+      ImVec2(start.x + size.x, start.y + (size.y - ImGui::GetFrameHeight()) / 2));
+  const bool removed = ui::button(row.id + "/remove", "\xC3\x97",
+                                  {row.remove_tip, ui::ButtonStyle::flat, true, cross});
+  ImGui::SetCursorScreenPos(ImVec2(start.x, start.y + size.y));
+  ImGui::Dummy(ImVec2(0, 0));  // the place of the next row counts as drawn
+  if (removed) return RowAnswer::removed;
+  return pressed ? RowAnswer::pressed : RowAnswer::none;
+}
+
+void draw_list(const char* id, std::size_t count, const Theme& theme,
+               const std::function<bool(std::size_t)>& draw) {
+  if (count == 0) return;
+  const auto rows = static_cast<float>(std::min<std::size_t>(count, 5));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(2, 2));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+  ImGui::BeginChild(id, ImVec2(0, row_height(theme) * rows + theme.px(6)), true);
+  for (std::size_t k = 0; k < count && draw(k); ++k) {
+  }
+  ImGui::EndChild();
+  ImGui::PopStyleVar(2);
+  ImGui::Spacing();  // the list itself ends without a gap
+}
+
+namespace {
+
+/// "25 layers, first 1e-05, ratio 1.2, in part".
+std::string summary(const LayerWall& wall) {
+  const LayerSpacing& spacing = wall.spacing;
+  std::string text = spacing.match_outside ? "layers to match" : counted(spacing.count, "layer");
+  text += ", first " + short_number(spacing.first);
+  text += spacing.total ? ", " + short_number(*spacing.total) + " thick"
+                        : ", ratio " + short_number(spacing.ratio);
+  return text + (wall.part != WallPart{} ? ", in part" : "");
+}
+
+std::vector<Index> indices(const std::vector<std::string>& names, const Topology& topology) {
+  std::vector<Index> markers;
+  for (const std::string& name : names)
+    if (const auto marker = topology.markers().find(name)) markers.push_back(*marker);
+  return markers;
+}
+
+}  // namespace
+
+std::string marker_list(const std::vector<std::string>& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+LayerWall* WallList::find(const std::vector<std::string>& markers) {
+  const auto found = std::ranges::find_if(walls_, [&](const LayerWall& wall) {
+    return std::ranges::is_permutation(wall.markers, markers);
+  });
+  return found == walls_.end() ? nullptr : &*found;
+}
+
+void WallList::add(LayerWall wall) {
+  for (LayerWall& other : walls_)
+    std::erase_if(other.markers, [&](const std::string& name) {
+      return std::ranges::find(wall.markers, name) != wall.markers.end();
+    });
+  std::erase_if(walls_, [](const LayerWall& other) { return other.markers.empty(); });
+  walls_.push_back(std::move(wall));
+}
+
+void WallList::draw(const PanelContext& context) {
+  draw_list("walls", walls_.size(), context.theme,
+            [&](std::size_t k) { return draw_row(context, k); });
+}
+
+/// False if the wall was taken out.
+bool WallList::draw_row(const PanelContext& context, std::size_t k) {
+  const LayerWall& wall = walls_[k];
+  const std::string names = marker_list(wall.markers);
+  std::vector<Index> markers = indices(wall.markers, *context.topology());
+  std::ranges::sort(markers);
+  const RowAnswer answer = draw_list_row(
+      {"layers/wall/" + std::to_string(k), names, summary(wall),
+       names + "\n" + summary(wall) +
+           "\nClick to select these markers and change the settings of this wall.",
+       "Take this wall out of the list.", markers == context.session.selection().markers()},
+      context.theme);
+  if (answer == RowAnswer::pressed) context.emit(action::SelectMarkers{std::move(markers)});
+  if (answer != RowAnswer::removed) return true;
+  walls_.erase(walls_.begin() + static_cast<std::ptrdiff_t>(k));
+  return false;
+}
+
+namespace {
+
+std::string summary(const ColumnOverride& column) {
+  std::string text;
+  if (column.columns) text = counted(*column.columns, "column");
+  if (column.thickness)
+    text += (text.empty() ? "" : ", ") +
+            (*column.thickness > 0 ? short_number(*column.thickness) + " thick" : "no layers");
+  return text.empty() ? "as planned" : text;
+}
+
+bool on_walls(Index node, const Topology& topology, const std::vector<LayerWall>& walls) {
+  return std::ranges::any_of(walls, [&](const LayerWall& wall) {
+    return std::ranges::any_of(wall.markers, [&](const std::string& name) {
+      const auto marker = topology.markers().find(name);
+      return marker && std::ranges::binary_search(topology.markers().nodes(*marker), node);
+    });
+  });
+}
+
+}  // namespace
+
+std::vector<ColumnOverride> ColumnList::on(const Topology& topology,
+                                           const std::vector<LayerWall>& walls) const {
+  std::vector<ColumnOverride> found;
+  for (const ColumnOverride& column : columns_)
+    if ((column.columns || column.thickness) && on_walls(column.node, topology, walls))
+      found.push_back(column);
+  return found;
+}
+
+void ColumnList::draw(const PanelContext& context, const std::vector<LayerWall>& walls) {
+  if (!ui::fold("layers/columns", "Single columns",
+                "What single nodes of a wall are to have instead of what the rules choose: how "
+                "many columns stand there, and how thick the layers are."))
+    return;
+  draw_add(context, walls);
+  const Coordinates& x = context.session.coordinates();
+  draw_list("columns", columns_.size(), context.theme, [&](std::size_t k) {
+    const Index node = columns_[k].node;
+    const std::string name = "Node " + std::to_string(node);
+    const RowAnswer answer =
+        draw_list_row({"layers/column/" + std::to_string(k), name, summary(columns_[k]),
+                       name + "\nClick to go to this node and change what it is to have.",
+                       "Leave this node to the rules again.", k == chosen_},
+                      context.theme);
+    if (answer == RowAnswer::removed) {
+      columns_.erase(columns_.begin() + static_cast<std::ptrdiff_t>(k));
+      return false;
+    }
+    if (answer == RowAnswer::pressed) {
+      chosen_ = k;
+      if (node < x.size()) context.emit(action::GoTo{MeshItem{MeshItem::Kind::node, node}});
+    }
+    return true;
+  });
+  if (chosen_ >= columns_.size()) chosen_ = 0;
+  if (!columns_.empty()) draw_fields();
+}
+
+void ColumnList::draw_add(const PanelContext& context, const std::vector<LayerWall>& walls) {
+  const auto& node = context.session.nodes().inspected();
+  const bool on_wall = node && on_walls(*node, *context.topology(), walls);
+  const bool known =
+      node && std::ranges::find(columns_, *node, &ColumnOverride::node) != columns_.end();
+  const std::string label =
+      on_wall ? "Add node " + std::to_string(*node) : std::string("Add the selected node");
+  const std::string tip =
+      on_wall ? (known ? "This node is in the list already."
+                       : "Set the columns and the thickness at this node by hand.")
+              : "Select a node of these walls first: Alt+click it, or type its number in the tab "
+                "VCV.";
+  if (!ui::button("layers/columns/add", label,
+                  {tip, ui::ButtonStyle::normal, on_wall && !known, -1}))
+    return;
+  chosen_ = columns_.size();
+  ColumnOverride column;
+  column.node = *node;
+  column.columns = 1;
+  columns_.push_back(column);
+}
+
+void ColumnList::draw_fields() {
+  ColumnOverride& column = columns_[chosen_];
+  constexpr const char* tip =
+      "Columns that stand on the node: 1 is no fan, several need a convex corner. 0: as the rules "
+      "choose.";
+  ui::row("Columns", tip, layer_label_share);
+  int count = column.columns.value_or(0);
+  if (ui::number("layers/columns/count", count, tip)) {
+    column.columns.reset();
+    if (count > 0) column.columns = std::min(count, 20);
+  }
+  bool own = column.thickness.has_value();
+  if (ui::checkbox("layers/columns/own", "Thickness by hand", own,
+                   "Gaps, corners and neighbours do not limit it; it limits its neighbours."))
+    column.thickness = own ? std::optional(thickness_) : std::nullopt;
+  if (!own) return;
+  layer_field("layers/columns/thickness", "Thickness", *column.thickness,
+              "Of all layers at this node, in units of the mesh. 0: the layers end there.");
+  thickness_ = *column.thickness;
+}
+
+}  // namespace winslow::gui

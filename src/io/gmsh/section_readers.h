@@ -1,0 +1,159 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "core/types.h"
+#include "io/gmsh/gmsh.h"
+#include "io/text/source.h"
+
+namespace winslow::io::gmsh {
+
+static_assert(std::endian::native == std::endian::little,
+              "binary MSH files are read and written as they lie in memory");
+
+/// The numbers of a section, from text or from bytes: one parser serves both.
+class ValueReader {
+ public:
+  ValueReader(Scanner& scan, bool binary) : scan_(scan), binary_(binary) {}
+
+  bool binary() const { return binary_; }
+  std::size_t offset() const { return scan_.offset(); }
+
+  /// Start of a record: in text the next line that is not blank.
+  std::size_t begin() {
+    if (!binary_) scan_.skip_space();
+    return scan_.offset();
+  }
+  void end(const Expected& expected) {
+    if (!binary_) scan_.end_line(expected);
+  }
+
+  int integer(const Expected& expected) {
+    if (binary_) return take<std::int32_t>(expected);
+    const std::size_t at = scan_.offset();
+    const auto value = scan_.integer(expected);
+    if (value != static_cast<int>(value))
+      scan_.source().fail(at, std::to_string(value), expected.text());
+    return static_cast<int>(value);
+  }
+  std::int64_t size(const Expected& expected) {
+    return binary_ ? take<std::int64_t>(expected) : scan_.integer(expected);
+  }
+  double real(const Expected& expected) {
+    return binary_ ? take<double>(expected) : scan_.number(expected);
+  }
+  /// A count of things of at least `text_bytes` (in text) or `binary_bytes` bytes each.
+  Index count(const Expected& expected, std::size_t text_bytes, std::size_t binary_bytes) {
+    const std::size_t at = scan_.offset();
+    const auto n = size(expected);
+    return checked_count(scan_.source(), at, n, binary_ ? binary_bytes : text_bytes,
+                         scan_.bytes_left(), expected);
+  }
+
+ private:
+  template <class Value>
+  Value take(const Expected& expected) {
+    if (scan_.bytes_left() < sizeof(Value)) {
+      scan_.source().fail(scan_.source().text().size(), "the end of the file", expected.text());
+    }
+    Value value;
+    std::memcpy(&value, scan_.source().text().data() + scan_.offset(), sizeof value);
+    scan_.seek(scan_.offset() + sizeof value);
+    return value;
+  }
+
+  Scanner& scan_;
+  bool binary_;
+};
+
+/// From node tags, which may have gaps and come in any order, to node indices.
+class NodeTags {
+ public:
+  /// Returns the index of the first node whose tag an earlier node has, if there is one.
+  std::optional<Index> build(const std::vector<std::int64_t>& tags);
+  /// -1 if no node has the tag.
+  Index find(std::int64_t tag) const;
+
+ private:
+  std::int64_t first_ = 0;
+  std::vector<Index> dense_;  ///< by tag - first_
+  std::unordered_map<std::int64_t, Index> sparse_;
+};
+
+/// Reads $Nodes.
+class NodeReader {
+ public:
+  /// What is read goes into `details` and `mesh`, which outlive this, as does the scanner.
+  NodeReader(Scanner& scan, Details& details, ParsedMesh& mesh)
+      : scan_(scan), details_(details), mesh_(mesh) {}
+  void read();
+
+  const NodeTags& tags() const { return tags_; }
+  /// x, y, z of each node.
+  const std::vector<double>& xyz() const { return xyz_; }
+  /// Some nodes have parametric coordinates, which are not kept.
+  bool parametric() const { return parametric_; }
+
+ private:
+  void read_version_2(ValueReader& values);
+  void read_version_4(ValueReader& values);
+  void read_block(ValueReader& values, Index block, Index blocks, Index total);
+  void add_tag(std::int64_t tag, std::size_t offset);
+  void index_nodes();
+
+  Scanner& scan_;
+  Details& details_;
+  ParsedMesh& mesh_;
+  NodeTags tags_;
+  std::vector<double> xyz_;
+  bool parametric_ = false;
+};
+
+/// Reads $Elements.
+class ElementReader {
+ public:
+  /// What is read goes into `details` and `mesh`, which outlive this, as do the scanner and the
+  /// tags of the nodes.
+  ElementReader(Scanner& scan, const NodeTags& node_tags, Details& details, ParsedMesh& mesh)
+      : scan_(scan), node_tags_(node_tags), details_(details), mesh_(mesh) {}
+  void read();
+
+  /// Where each of Details::items begins in the file.
+  const std::vector<std::size_t>& offsets() const { return offsets_; }
+  /// Some elements belong to partitions, which are not kept.
+  bool partitioned() const { return partitioned_; }
+
+ private:
+  struct Record {
+    Item item;
+    std::size_t offset;
+    Expected expected;
+  };
+  void read_version_2(ValueReader& values);
+  void read_version_2_text(ValueReader& values, Index count);
+  void read_version_2_binary(ValueReader& values, Index count);
+  void read_version_4(ValueReader& values);
+  Shape find_shape(int type, std::size_t offset) const;
+  void skip_tag(ValueReader& values, int position, Item& item, const Expected& expected);
+  void read_element_nodes(ValueReader& values, const Record& record);
+  void distribute();
+  void place(std::size_t i, std::span<const Index> corners, const Item* last);
+  bool repeats(const Item& last, const Item& item, std::span<const Index> corners) const;
+  const Source& source() const { return scan_.source(); }
+
+  Scanner& scan_;
+  const NodeTags& node_tags_;
+  Details& details_;
+  ParsedMesh& mesh_;
+  std::vector<std::size_t> offsets_;
+  std::vector<Index> corners_;  // of all items; which are elements is known at the end
+  bool partitioned_ = false;
+};
+
+}  // namespace winslow::io::gmsh

@@ -1,0 +1,93 @@
+#include "io/su2/su2.h"
+
+#include <array>
+
+namespace winslow::io::su2 {
+namespace {
+
+constexpr std::int64_t line = 3;
+/// By ElementType.
+constexpr std::array<std::int64_t, 6> numbers{5, 9, 10, 14, 13, 12};
+
+std::optional<ElementType> any_element_of(std::int64_t number) {
+  for (const ElementType type : all_element_types) {
+    if (element_number(type) == number) return type;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::int64_t element_number(ElementType type) { return numbers[static_cast<std::size_t>(type)]; }
+
+std::optional<ElementType> element_of(std::int64_t number, int dimension) {
+  const auto type = any_element_of(number);
+  return type && dimension_of(*type) == dimension ? type : std::nullopt;
+}
+
+std::int64_t face_number(std::size_t corners) {
+  if (corners == 2) return line;
+  return element_number(corners == 3 ? ElementType::triangle : ElementType::quadrilateral);
+}
+
+std::size_t face_corners(std::int64_t number, int dimension) {
+  if (dimension == 2) return number == line ? 2 : 0;
+  const auto type = element_of(number, 2);
+  return type ? static_cast<std::size_t>(corner_count(*type)) : 0;
+}
+
+std::string element_list(int dimension) {
+  return dimension == 2 ? "5 (triangle) or 9 (quadrilateral)"
+                        : "10 (tetrahedron), 12 (hexahedron), 13 (prism) or 14 (pyramid)";
+}
+
+std::string type_hint(std::int64_t number, const Dimensions& of, bool of_marker) {
+  // SU2 adds 100 for each order above the first of elements with Lagrange nodes.
+  if (number > 100 && number < 2000) return " (order " + std::to_string(number / 100 + 1) + ")";
+  if (const auto type = any_element_of(number)) {
+    if (dimension_of(*type) == of.cells - (of_marker ? 1 : 0)) return {};
+    if (of.space == 2) return " (a 3D mesh)";
+    if (of_marker) {
+      return of.cells == 2 ? " (in a surface mesh, whose markers are lines)" : " (a 3D element)";
+    }
+    return of.cells == 2 ? " (a volume element in a surface mesh, as the first element is of one)"
+                         : " (a surface element in a volume mesh, as the first element is of one)";
+  }
+  if (number >= 21 && number <= 37) return " (second order)";
+  return {};
+}
+
+namespace {
+
+bool is_keyword(std::string_view line) {
+  for (const std::string_view key :
+       {"NDIME", "NPOIN", "NELEM", "NMARK", "MARKER_TAG", "MARKERTAG", "NZONE", "IZONE"}) {
+    if (line.starts_with(key) && line.find('=') != std::string_view::npos) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+const MeshFormat format{
+    .name = "su2",
+    .title = "SU2",
+    .versions = "",
+    .encodings = "text",
+    .markers = "yes, by name",
+    .regions = "no",
+    .quadrilaterals = "yes",
+    .volumes = "yes",
+    .writes_surfaces = true,
+    .writes_volumes = true,
+    .keeps_markers = true,
+    .keeps_periodic = true,
+    .recognise = [](const Content& content) { return keyword_on_line(content, is_keyword); },
+    .read = [](Source& source) { return read_zone(source, 0); },
+    .read_zone = read_zone,
+    .write = [](std::ostream& out, const Mesh& mesh, const FormatDetails* details,
+                const WriteOptions&) { return write(out, mesh, details); },
+    .write_zones = [](std::ostream& out, std::span<const MeshZone> zones,
+                      const WriteOptions&) { return write_zones(out, zones); }};
+
+}  // namespace winslow::io::su2
