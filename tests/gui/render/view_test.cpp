@@ -70,9 +70,9 @@ TEST_CASE("Panning takes what is seen along; zooming leaves a place where it is"
   PlaneView view = make_view();
   const ScreenPoint at(200, 200);
   const Vec2 grabbed = view.to_plane(at);
-  view.pan({35, -20});
+  view.pan_at({grabbed.x(), grabbed.y(), 0}, {35, -20});
   CHECK((view.to_screen(grabbed) - ScreenPoint(235, 180)).norm() < 1e-9);
-  view.zoom_at({235, 180}, 3);
+  view.zoom_about({grabbed.x(), grabbed.y(), 0}, 3);
   CHECK((view.to_screen(grabbed) - ScreenPoint(235, 180)).norm() < 1e-9);
 }
 

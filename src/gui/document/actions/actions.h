@@ -49,24 +49,16 @@ struct FitMarkers {
 };
 /// Clicks measure from now on, or no longer.
 struct ToggleRuler {};
-struct LookAt {  ///< of a plane mesh
-  Vec2 point;
+struct LookAt {
+  Vec3 point;         ///< z = 0 in the plane
   double radius = 0;  ///< shown around the point, in units of the mesh
 };
 /// The next drag of the mouse draws the box to zoom to; again: it does not.
 struct BoxZoom {};
-struct ZoomTo {
-  Bounds box;  ///< fills the viewport
-};
-/// The same of a volume mesh: a point in the middle of the view.
-struct LookAtPlace {
-  Vec3 point;
-  double radius = 0;
-};
-/// Of a volume mesh: what lies in a box of the screen; depth: of a point that fills it.
+/// Shows what lies in a box of the screen, as large as there is room for.
 struct ZoomToScreen {
   ScreenBox box;
-  Vec3 depth;
+  Vec3 depth;  ///< a point as deep as what is meant
 };
 /// Looks at a volume mesh from a direction with a name, as named_view() knows it.
 struct LookFrom {
@@ -118,10 +110,10 @@ namespace winslow::gui {
 using ViewAction =
     std::variant<action::EditView, action::FitView, action::FitSelection, action::FitBodies,
                  action::FitMarkers, action::ToggleRuler, action::LookAt, action::BoxZoom,
-                 action::ZoomTo, action::BackView, action::ForwardView, action::GoTo,
-                 action::InspectNode, action::PinMagnifier, action::AskGoTo, action::PreviewRoles,
-                 action::StepScale, action::LookAtPlace, action::ZoomToScreen, action::LookFrom,
-                 action::AddCut, action::HoldCut, action::AddCutAcrossView, action::ShowLook>;
+                 action::BackView, action::ForwardView, action::GoTo, action::InspectNode,
+                 action::PinMagnifier, action::AskGoTo, action::PreviewRoles, action::StepScale,
+                 action::ZoomToScreen, action::LookFrom, action::AddCut, action::HoldCut,
+                 action::AddCutAcrossView, action::ShowLook>;
 
 }  // namespace winslow::gui
 

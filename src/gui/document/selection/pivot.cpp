@@ -201,4 +201,22 @@ const char* pivot_from_name(PivotFrom from) {
   return "";
 }
 
+RigidMotionRequest motion_of(bool in_plane, double rotate, const Vec3& translate, const Vec3& pivot,
+                             const Vec3& axis) {
+  if (in_plane) return RigidMotion{rotate, pivot.head<2>(), translate.head<2>()};
+  return SpaceMotion{rotate, axis, pivot, translate};
+}
+
+Vec3 translation_of(const RigidMotionRequest& motion) {
+  return {motion.translate.x(), motion.translate.y(), motion.translate_z.value_or(0)};
+}
+
+Vec3 moved_by(const RigidMotionRequest& motion, const Vec3& point) {
+  if (motion.axis) return transform(motion.in_space(Vec3(0, 0, 0)), point);
+  // One of space that has no axis does not turn.
+  const RigidMotion in_plane{motion.rotate, motion.pivot.value_or(Vec2(0, 0)), motion.translate};
+  const Vec2 there = transform(in_plane, Vec2(point.head<2>()));
+  return {there.x(), there.y(), point.z() + motion.translate_z.value_or(0)};
+}
+
 }  // namespace winslow::gui

@@ -6,6 +6,7 @@
 
 #include "core/mesh/coordinates.h"
 #include "core/mesh/mesh.h"
+#include "core/motion/motion.h"
 
 namespace winslow::gui {
 
@@ -64,5 +65,14 @@ std::optional<SpacePivot> pivot_at(const PivotSource& source, const Coordinates&
 
 /// "node", "edge", ...
 const char* pivot_from_name(PivotFrom from);
+
+// Motions as they are given to core, by three numbers each.
+/// A motion of a plane mesh, or of one in space.
+RigidMotionRequest motion_of(bool in_plane, double rotate, const Vec3& translate, const Vec3& pivot,
+                             const Vec3& axis);
+/// How far it goes; z = 0 in the plane.
+Vec3 translation_of(const RigidMotionRequest& motion);
+/// Where it takes a point; it names its pivot.
+Vec3 moved_by(const RigidMotionRequest& motion, const Vec3& point);
 
 }  // namespace winslow::gui

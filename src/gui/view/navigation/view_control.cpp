@@ -13,27 +13,6 @@ namespace winslow::gui {
 
 namespace {
 
-/// Moves what is in the middle of the view up, and away, so that a card at its foot does not cover
-/// it. A card that does not reach the middle leaves it alone.
-void look_above(Camera& camera, const ScreenBox& card) {
-  const ScreenPoint origin = camera.viewport_origin();
-  const double width = camera.viewport_width(), height = camera.viewport_height();
-  const double free = card.min.y() - origin.y();
-  if (card.max.x() < origin.x() + width / 2 || free < height / 4) return;
-  const double unit = camera.units_per_pixel() * std::min(width, height) / std::min(width, free);
-  camera.look_at(camera.centre() - Vec2(0, (height - free) / 2 * unit), unit);
-}
-
-void look_above(SpaceCamera& camera, const ScreenBox& card) {
-  const ScreenBox view = camera.viewport();
-  const ScreenVector size = view.size();
-  const double free = card.min.y() - view.min.y();
-  if (card.max.x() < view.min.x() + size.x() / 2 || free < size.y() / 4) return;
-  const double unit =
-      camera.units_per_pixel() * std::min(size.x(), size.y()) / std::min(size.x(), free);
-  camera.look_at(camera.centre() - (size.y() - free) / 2 * unit * camera.up(), unit);
-}
-
 /// The same metric of elements of such a mesh, or the one that all have.
 void suit_field(std::optional<ElementField>& field, MeshKind kind) {
   const std::vector<ElementField>& all = all_element_fields(kind);
@@ -56,8 +35,18 @@ void suit_fields(ViewOptions& options, MeshKind kind) {
 
 }  // namespace
 
+const LookControl& ViewControl::look() const {
+  if (session_.in_space()) return space_;
+  return plane_;
+}
+
+LookControl& ViewControl::look() {
+  if (session_.in_space()) return space_;
+  return plane_;
+}
+
 bool ViewControl::begin_frame(double x, double y, double width, double height) {
-  view_.camera().set_viewport(x, y, width, height);
+  plane_.view().camera().set_viewport(x, y, width, height);
   ScreenBox space{{x, y}, {x + width, y + height}};
   if (options_.comparison == Comparison::split) space = side_by_side(space, options_.divider).now;
   space_.view().camera().set_viewport(space.min.x(), space.min.y(), space.size().x(),
@@ -65,7 +54,7 @@ bool ViewControl::begin_frame(double x, double y, double width, double height) {
   const bool another = follow_mesh();
   if (session_.in_space()) space_.follow(options_.space);
   if (session_.kind() == MeshKind::volume) suit_peel();
-  state_.can_go_back = history_.can_go_back(looked_at_now());
+  state_.can_go_back = history_.can_go_back(view().looked_at());
   state_.can_go_forward = history_.can_go_forward();
   return another;
 }
@@ -85,7 +74,7 @@ bool ViewControl::follow_mesh() {
     if (options_.markers.mesh != file) options_.markers = {file, {}};
     suit_fields(options_, session_.kind());
   }
-  look_at_start();
+  if (session_.document()) look().begin(options_);
   return true;
 }
 
@@ -102,53 +91,15 @@ void ViewControl::suit_peel() {
   marker = topology.markers()[chosen].name;
 }
 
-LookedAt ViewControl::looked_at_now() const {
-  return session_.in_space() ? looked_at(space_.camera()) : looked_at(view_.camera());
-}
-
-void ViewControl::go(const std::optional<LookedAt>& place) {
-  if (!place) return;
-  if (session_.in_space())
-    look_at(space_.view().camera(), *place);
-  else
-    look_at(view_.camera(), *place);
-}
-
-/// Of all holes.
-std::vector<Index> ViewControl::body_nodes() const {
-  std::vector<Index> nodes;
-  if (!session_.mesh().boundary()) return nodes;
-  for (const auto& body : session_.mesh().boundary()->bodies())
-    if (body.hole) nodes.insert(nodes.end(), body.nodes.begin(), body.nodes.end());
-  return nodes;
-}
-
 void ViewControl::set_mouse(const std::optional<ScreenPoint>& mouse,
                             const std::optional<SeenPlace>& seen) {
   mouse_ = mouse;
-  state_.pixel =
-      session_.in_space() ? space_.camera().units_per_pixel() : view_.camera().units_per_pixel();
+  const LookedAt now = view().looked_at();
+  state_.pixel = now.units_per_pixel;
   state_.seen = seen;
-  state_.looks_from =
-      session_.in_space() ? std::optional(space_.camera().direction()) : std::nullopt;
-  state_.cursor =
-      mouse && !session_.in_space() ? std::optional(view_.camera().to_world(*mouse)) : std::nullopt;
-}
-
-void ViewControl::look_at_start() {
-  const Document* document = session_.document();
-  if (!document) return;
-  if (session_.in_space()) return space_.begin(options_);
-  const Bounds all = bounds(document->state().mesh);
-  if (const std::vector<Index> holes = body_nodes(); !holes.empty()) {
-    Bounds bodies = bounds(document->state().mesh.coordinates, holes);
-    // With a far field of a hundred chords the bodies would be a dot.
-    if (bodies.size().maxCoeff() < 0.15 * all.size().maxCoeff()) {
-      const Vec2 room = Vec2::Constant(0.6 * bodies.size().maxCoeff());
-      return view_.camera().fit({bodies.min - room, bodies.max + room});
-    }
-  }
-  view_.camera().fit(all);
+  state_.looks_from = now.direction;
+  // A place of space has no point of its own: what is seen there has.
+  state_.cursor = mouse && !now.direction ? std::optional(view().to_plane(*mouse)) : std::nullopt;
 }
 
 void ViewControl::move_divider(double by) {
@@ -199,26 +150,15 @@ void ViewControl::on(const action::InspectNode& a) {
   open_right(options_, state_.columns);
   // A number that was typed may be that of a node anywhere.
   if (session_.nodes().inspected() != a.node) return;
-  if (session_.in_space()) {
-    const SpaceView& view = space_.view();
-    const bool seen =
-        view.viewport().contains(view.project(session_.coordinates().xyz(*a.node)).at);
-    return on(action::GoTo{MeshItem{MeshItem::Kind::node, *a.node}, !seen});
-  }
-  const ScreenVector pixel = view_.camera().to_screen(session_.coordinates().xy(*a.node)) -
-                             view_.camera().viewport_origin();
-  if (pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() <= view_.camera().viewport_width() &&
-      pixel.y() <= view_.camera().viewport_height())
-    return;
-  const Bounds box = surroundings({MeshItem::Kind::node, *a.node}, session_);
-  on(action::LookAt{box.centre(), 4 * box.size().norm()});
+  const ScreenPoint at = view().project(place_of(session_.coordinates(), *a.node)).at;
+  const bool seen = view().viewport().contains(at);
+  on(action::GoTo{MeshItem{MeshItem::Kind::node, *a.node}, !seen});
 }
 
 void ViewControl::on(const action::FitView&) {
   if (!session_.document()) return;
   leave();
-  if (session_.in_space()) return space_.fit_all();
-  view_.camera().fit(bounds(Mesh{session_.topology(), session_.coordinates()}));
+  look().fit_all();
 }
 
 void ViewControl::on(const action::FitSelection&) {
@@ -227,51 +167,25 @@ void ViewControl::on(const action::FitSelection&) {
 
 void ViewControl::on(const action::FitMarkers& a) {
   if (!session_.document()) return;
-  if (session_.in_space()) {
-    leave();
-    return space_.fit_markers(a.markers);
-  }
-  std::vector<Index> nodes;
-  for (const Index m : a.markers) {
-    if (m < 0 || static_cast<std::size_t>(m) >= session_.topology()->markers().size()) continue;
-    const auto of_marker = session_.topology()->markers().nodes(m);
-    nodes.insert(nodes.end(), of_marker.begin(), of_marker.end());
-  }
-  if (nodes.empty()) return;
   leave();
-  view_.camera().fit(bounds(session_.coordinates(), nodes), 0.2);
+  look().fit_markers(a.markers);
 }
 
 void ViewControl::on(const action::FitBodies&) {
   if (!session_.document()) return;
-  if (session_.in_space()) {
-    leave();
-    return space_.fit_bodies();
-  }
-  const std::vector<Index> nodes = body_nodes();
-  if (nodes.empty()) return;
   leave();
-  view_.camera().fit(bounds(session_.coordinates(), nodes), 0.1);
+  look().fit_bodies();
 }
 
 void ViewControl::on(const action::LookAt& a) {
-  if (session_.in_space()) return;
   leave();
-  const Vec2 half = Vec2::Constant(a.radius);
-  view_.camera().fit({a.point - half, a.point + half});
-  if (card_) look_above(view_.camera(), *card_);
-}
-
-void ViewControl::on(const action::LookAtPlace& a) {
-  if (!session_.in_space()) return;
-  leave();
-  space_.look_at(a.point, a.radius);
+  look().look_at(a.point, a.radius);
+  if (card_) look().look_above(*card_);
 }
 
 void ViewControl::on(const action::ZoomToScreen& a) {
-  if (!session_.in_space()) return;
   leave();
-  space_.zoom_to(a.box, a.depth);
+  look().zoom_to(a.box, a.depth);
 }
 
 void ViewControl::on(const action::LookFrom& a) {
@@ -312,13 +226,7 @@ void ViewControl::on(const action::ShowLook& a) {
   state_.cut.reset();
   space_.look_from({look.azimuth, look.elevation, look.up});
   space_.look_at(Vec3(look.centre.data()), look.radius);
-  if (card_) look_above(space_.view().camera(), *card_);
-}
-
-void ViewControl::on(const action::ZoomTo& a) {
-  if (session_.in_space()) return;
-  leave();
-  view_.camera().fit(a.box, 0);
+  if (card_) space_.look_above(*card_);
 }
 
 void ViewControl::on(const action::BoxZoom&) {
@@ -329,12 +237,9 @@ void ViewControl::on(const action::GoTo& a) {
   if (a.item && !exists(*a.item, session_)) return;
   state_.focus = a.item;
   if (!a.item || !a.centre) return;
-  if (session_.in_space()) {
-    leave();
-    return space_.go_to(*a.item);
-  }
-  const Bounds box = surroundings(*a.item, session_);
-  on(action::LookAt{box.centre(), 4 * box.size().norm()});
+  leave();
+  look().go_to(*a.item);
+  if (card_) look().look_above(*card_);
 }
 
 void ViewControl::on(const action::AskGoTo&) {
@@ -351,7 +256,7 @@ void ViewControl::on(const action::PinMagnifier&) {
     options_.magnifier.on = false;
     return;
   }
-  const Vec2 place = mouse_ ? view_.camera().to_world(*mouse_) : view_.camera().centre();
+  const Vec2 place = mouse_ ? camera().to_world(*mouse_) : camera().centre();
   options_.magnifier.on = true;
   options_.magnifier.pin = {{place.x(), place.y()}};
 }

@@ -20,7 +20,7 @@ class ViewControl {
  public:
   /// screen_scale: pixels per unit of the layout that the screen wants.
   ViewControl(Session& session, float screen_scale)
-      : session_(session), space_(session), scale_(screen_scale) {}
+      : session_(session), plane_(session), space_(session), scale_(screen_scale) {}
 
   void apply(const ViewAction& action) { Dispatch::to(*this, action); }
 
@@ -29,14 +29,12 @@ class ViewControl {
   void set_options(const ViewOptions& options) { options_ = options; }
   const ViewState& state() const { return state_; }
   /// Of the open mesh.
-  const View& view() const {
-    if (session_.in_space()) return space_.view();
-    return view_;
-  }
-  /// Of plane meshes; for the mouse, which pans and zooms.
-  const PlaneView& plane() const { return view_; }
-  PlaneView& plane() { return view_; }
-  const Camera& camera() const { return view_.camera(); }
+  const View& view() const { return look().view(); }
+  /// For the mouse, which turns, pans and zooms.
+  View& view() { return look().view(); }
+  /// Of plane meshes.
+  const PlaneView& plane() const { return plane_.view(); }
+  const Camera& camera() const { return plane().camera(); }
   /// Of volume meshes.
   const SpaceControl& space() const { return space_; }
   SpaceControl& space() { return space_; }
@@ -50,7 +48,7 @@ class ViewControl {
   bool follow_mesh();
   /// In every frame. mouse_busy: the mouse is changing the view. seconds: since the last frame.
   void observe(bool mouse_busy, double seconds) {
-    history_.observe(looked_at_now(), mouse_busy, seconds);
+    history_.observe(view().looked_at(), mouse_busy, seconds);
   }
   /// What was asked of this frame alone is done.
   void end_requests() { state_.go_to_wanted = false; }
@@ -81,33 +79,33 @@ class ViewControl {
   void on(const action::FitMarkers& a);
   void on(const action::ToggleRuler&) { state_.ruler = session_.document() && !state_.ruler; }
   void on(const action::LookAt& a);
-  void on(const action::ZoomTo& a);
   void on(const action::BoxZoom&);
-  void on(const action::BackView&) { go(history_.back(looked_at_now())); }
+  void on(const action::BackView&) { go(history_.back(view().looked_at())); }
   void on(const action::ForwardView&) { go(history_.forward()); }
   void on(const action::GoTo& a);
   void on(const action::AskGoTo&);
   void on(const action::PreviewRoles& a) { state_.roles_previewed = a.on; }
   void on(const action::PinMagnifier&);
   void on(const action::StepScale& a);
-  void on(const action::LookAtPlace& a);
   void on(const action::ZoomToScreen& a);
   void on(const action::LookFrom& a);
   void on(const action::AddCut& a);
   void on(const action::AddCutAcrossView&);
   void on(const action::ShowLook& a);
   void on(const action::HoldCut& a) { state_.cut = a.cut; }
-  void look_at_start();
+  /// Of the open mesh.
+  const LookControl& look() const;
+  LookControl& look();
   void suit_peel();
-  LookedAt looked_at_now() const;
-  void go(const std::optional<LookedAt>& place);
-  void leave() { history_.leave(looked_at_now()); }
-  std::vector<Index> body_nodes() const;
+  void go(const std::optional<LookedAt>& place) {
+    if (place) view().look_at(*place);
+  }
+  void leave() { history_.leave(view().looked_at()); }
 
   Session& session_;
   ViewOptions options_;
   ViewState state_;
-  PlaneView view_;
+  PlaneControl plane_;
   SpaceControl space_;
   ViewHistory history_;
   InterfaceScale scale_;
