@@ -153,7 +153,7 @@ void PictureFrame::draw_bottom_line(ImDrawList& list) const {
 namespace {
 
 /// 12345 -> "12 345", with a space that does not break.
-std::string grouped(Index number) {
+std::string with_fixed_spaces(Index number) {
   std::string digits = std::to_string(number);
   for (std::size_t end = digits.size(); end > 3; end -= 3) digits.insert(end - 3, "\u00a0");
   return digits;
@@ -163,7 +163,7 @@ std::string grouped(Index number) {
 
 std::string inverted_text(Index inverted) {
   if (inverted == 0) return {};
-  return grouped(inverted) + (inverted == 1 ? " inverted element" : " inverted elements");
+  return with_fixed_spaces(inverted) + (inverted == 1 ? " inverted element" : " inverted elements");
 }
 
 void check_colors(const std::optional<ElementField>& field, const ColorChoice& choice) {

@@ -102,8 +102,8 @@ TEST_CASE("the ring turns the selection about its pivot by the angle the mouse g
   // From the knob at 45 degrees to 75 degrees on the ring.
   const double end = radians(75);
   const ScreenPoint target =
-      gizmo.pivot + gizmo.radius * ScreenVector(std::cos(end), -std::sin(end));
-  rig.drag(gizmo.knob(), target, 8);
+      gizmo.centre + gizmo.ring_radius * ScreenVector(std::cos(end), -std::sin(end));
+  rig.drag(*gizmo.knob, target, 8);
   rig.release();
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);
