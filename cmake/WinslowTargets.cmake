@@ -107,6 +107,9 @@ function(winslow_tests name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES")
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
   add_executable(${name}_tests ${sources} ${CMAKE_CURRENT_SOURCE_DIR}/support/main.cpp)
+  # Where doctest.h was read before, it would not make anything of this.
+  set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/support/main.cpp PROPERTIES
+                              COMPILE_DEFINITIONS DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN)
   target_include_directories(${name}_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   target_link_libraries(${name}_tests PRIVATE ${arg_LIBRARIES} doctest::doctest)
   # The one place that knows where the sources lie; a path in the definitions would keep ccache from
