@@ -33,6 +33,9 @@ SIMILAR = {  # a call could mean either of them
     "list": {"span", "vector", "array", "initializer_list"},
 }
 IDENTIFIER = re.compile(r"[A-Za-z_]\w*$")
+# Explicit instantiations, of a template and of a member.
+WHOLE = re.compile(r"^template (?:class|struct) (\w+)<", re.M)
+MEMBER = re.compile(r"^template (?!<)[^;]*?\b(\w+)<[^;<>]*>::\w+\(", re.M)
 
 
 def without_templates(tokens):
@@ -278,6 +281,19 @@ def clash(files, first, second):
     return None
 
 
+def in_order(files, sources):
+    """The sources, the one that instantiates a template before those that instantiate members of it: it takes
+    what is defined by then, and Clang refuses a member that it instantiated before."""
+    whole = {name: source for source in sources for name in WHOLE.findall(files.text(source))}
+    ordered = {}
+    for source in sources:
+        for name in MEMBER.findall(files.text(source)):
+            if name in whole:
+                ordered[whole[name]] = None
+        ordered[source] = None
+    return list(ordered)
+
+
 def grouped(files, sources, limit):
     sizes = [len(files.text(s)) for s in sources]
     count = max(1, round(sum(sizes) / limit))
@@ -322,7 +338,7 @@ def main():
     out.mkdir(parents=True, exist_ok=True)
     sources = [pathlib.Path(line) for line in sys.stdin.read().splitlines()]
     names = []
-    for k, group in enumerate(grouped(files, sources, limit)):
+    for k, group in enumerate(grouped(files, in_order(files, sources), limit)):
         path = out / f"unity_{k}.cpp"
         write(files, path, group)
         names.append(str(path))
