@@ -372,7 +372,8 @@ TEST_CASE("while a body is dragged, bar and solver say so") {
   const std::string text = activity_of(rig.session()).text;
   CHECK((text.starts_with("Dragging") || text.starts_with("Updating mesh...")));
   // The mesh is where the mouse wants it, and the body is held still.
-  rig.frames(40);
+  REQUIRE(rig.wait(
+      [&] { return rig.session().mesh().work().body_drag()->reach() == BodyDrag::Reach::there; }));
   CHECK(activity_of(rig.session()).text.starts_with("Dragging"));
   rig.release();
   REQUIRE(rig.settle());
