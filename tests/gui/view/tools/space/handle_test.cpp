@@ -200,7 +200,7 @@ TEST_CASE("The screen ring turns about the line of sight") {
   studio.drag(from, from);
   go_around(studio, centre, from, 20, 5);
   CHECK(studio.live().rotate == doctest::Approx(20).epsilon(1e-3));
-  CHECK((studio.live().axis.value() - studio.view().camera().back()).norm() < 1e-9);
+  CHECK((*studio.live().axis - studio.view().camera().back()).norm() < 1e-9);
   studio.release();
   REQUIRE(studio.settle());
   CHECK(studio.document().history().position() == 1);
