@@ -36,9 +36,8 @@ const std::vector<Soak::Choice>& Soak::choices() {
 
 /// Where the handles of the selection are.
 ScreenPoint Soak::at_pivot() const {
-  const Selection& selection = rig_->session().selection();
-  if (!rig_->session().in_space()) return rig_->pixel(selection.pivot());
-  return rig_->bench->view_control().space().view().project(selection.space_pivot()).at;
+  const Vec3 pivot = rig_->session().selection().space_pivot();
+  return rig_->bench->view_control().view().project(pivot).at;
 }
 
 ScreenPoint Soak::somewhere() { return ScreenPoint(between(0, width_), between(0, height_)); }

@@ -56,7 +56,7 @@ void DemoPlayer::begin_step(const Session& session, ActionQueue& actions) {
   if (step.view) {
     const auto& [x0, y0, x1, y1] = *step.view;
     const Vec2 half(0.5 * (x1 - x0), 0.5 * (y1 - y0));
-    actions.emplace_back(action::LookAt{Vec2(x0, y0) + half, half.maxCoeff()});
+    actions.emplace_back(action::LookAt{Vec3(x0 + half.x(), y0 + half.y(), 0), half.maxCoeff()});
   }
   if (step.space) actions.emplace_back(action::ShowLook{*step.space});
   if (!step.command) return;

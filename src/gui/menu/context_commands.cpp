@@ -388,7 +388,7 @@ std::vector<UserCommand> in_space(const std::array<Vec3, 2>& place) {
            .tooltip = "Put it into the middle of the view, and zoom to it.",
            .run =
                [point](const PanelContext& c) {
-                 c.emit(action::LookAtPlace{point, 60 * c.view_state.pixel});
+                 c.emit(action::LookAt{point, 60 * c.view_state.pixel});
                }},
           copying("place/copy", "Copy coordinates", coordinates_text(point))};
 }

@@ -20,7 +20,7 @@ ImU32 move_color() { return palette().move_line; }
 ImU32 inverted_color() { return palette().danger; }
 ImU32 sine_color() { return palette().warning; }
 
-ImU32 faded(ImU32 color) { return (color & ~IM_COL32_A_MASK) | (90u << IM_COL32_A_SHIFT); }
+ImU32 pale(ImU32 color) { return (color & ~IM_COL32_A_MASK) | (90u << IM_COL32_A_SHIFT); }
 
 /// Round whole numbers within a range.
 std::vector<double> whole_ticks(double low, double high, int wanted) {
@@ -189,7 +189,7 @@ class Drawing {
       }
       if (most > 0)
         list_.AddRectFilled(ImVec2(left, bottom_.y(inverted_, most)), ImVec2(right, bottom_.max.y),
-                            faded(inverted_color()));
+                            pale(inverted_color()));
     }
   }
 
@@ -269,7 +269,7 @@ bool draw_convergence_key(std::string_view id, PlotSeries& series, float scale) 
     const ImU32 color = shown ? e.color : palette().border;
     if (e.block)
       list.AddRectFilled(ImVec2(at.x, y - 4 * scale), ImVec2(at.x + 16 * scale, y + 4 * scale),
-                         shown ? faded(color) : color);
+                         shown ? pale(color) : color);
     else
       list.AddLine(ImVec2(at.x, y), ImVec2(at.x + 16 * scale, y), color, 2 * scale);
     text_at(list, ImVec2(at.x + 22 * scale, y), ImVec2(0, 0.5f),

@@ -20,11 +20,36 @@ void vector_row(const char* label, const char* tip) {
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() - ui::letter_width());
 }
 
-bool finite(const RigidMotion& m) {
-  return std::isfinite(m.rotate) && m.translate.allFinite() && m.pivot->allFinite();
+/// Three fields do not fit beside a label.
+bool translate_fields(bool in_space, Vec3& translate, bool& entered) {
+  if (in_space) {
+    ui::text_dim("Translate");
+    ui::tooltip("How far the body moves, x, y and z, in units of the mesh.");
+    return ui::space_vector_field({"motion/d", "how far the body moves. Enter applies the motion."},
+                                  translate, &entered);
+  }
+  vector_row("Translate", "How far the body moves, x and y, in units of the mesh.");
+  Vec2 in_plane = translate.head<2>();
+  const bool changed = ui::vector_field(
+      {"motion/dx", "motion/dy", "In units of the mesh. Enter applies the motion."}, in_plane,
+      &entered);
+  translate.head<2>() = in_plane;
+  return changed;
+}
+
+bool usable(const RigidMotion& m) {
+  const Vec3 axis = axis_of(m);
+  return moves(m) && std::isfinite(m.rotate) && m.translate.allFinite() &&
+         pivot_of(m).allFinite() && axis.allFinite() && axis.norm() > 0;
 }
 
 }  // namespace
+
+RigidMotion MotionPanel::asked(const Session& session) const {
+  const Selection& selection = session.selection();
+  return motion_of(!session.in_space(), rotate_, translate_, selection.space_pivot(),
+                   selection.space().axis());
+}
 
 void MotionPanel::draw(const PanelContext& context) {
   const Session& session = context.session;
@@ -34,61 +59,70 @@ void MotionPanel::draw(const PanelContext& context) {
     if (!open) return;
     if (!session.document()) return ui::text_dim("No mesh is open.");
     return ui::text_wrapped(
-        "Click a body in the picture, or a marker in the list, to select it. "
-        "Then drag it, turn it by its ring, or type numbers here.");
+        "Click a body in the picture, or a marker in the list, to select it. Then drag its "
+        "handle, or type numbers here.");
   }
   const bool live = session.dragging();
   ImGui::BeginDisabled(live);
   const bool entered = draw_fields(context, live);
-  draw_pivot(context);
+  session.in_space() ? draw_axis_and_pivot(context) : draw_pivot(context);
   draw_motion_steps(context);
-  draw_keep_outside(context);
-  draw_quality_limits(context);
   ImGui::EndDisabled();
-  typed_.pivot = session.selection().pivot();
-  const bool can = !live && moves(typed_) && finite(typed_);
+  const bool can = !live && usable(asked(session));
   preview(context, can && !session.in_motion());
   const bool pressed =
       ui::button("motion/apply", "Apply",
-                 {"Move the selected bodies and smooth the mesh around them. Enter "
-                  "in a field does so as well.",
+                 {"Move the selected bodies and smooth the mesh around them. Enter in a field does "
+                  "so as well.",
                   ui::ButtonStyle::primary, can, -1});
+  // Below the button, which a small window is to show.
+  ImGui::BeginDisabled(live);
+  draw_keep_outside(context);
+  draw_quality_limits(context);
+  ImGui::EndDisabled();
   if (!can || !(pressed || entered)) return;
   context.emit(action::PreviewMotion{});
-  context.emit(action::ApplyMotion{typed_});
-  typed_ = RigidMotion{};
+  context.emit(action::ApplyMotion{asked(session)});
+  rotate_ = 0;
+  translate_.setZero();
 }
 
 /// Draws where the typed motion would put the bodies, or no longer.
 void MotionPanel::preview(const PanelContext& context, bool wanted) const {
   const auto& shown = context.session.selection().motion_preview();
-  if (wanted && (!shown || shown->motion != typed_))
-    context.emit(action::PreviewMotion{typed_});
-  else if (!wanted && shown)
-    context.emit(action::PreviewMotion{});
+  if (!wanted) {
+    if (shown) context.emit(action::PreviewMotion{});
+    return;
+  }
+  const RigidMotion motion = asked(context.session);
+  if (!shown || shown->motion != motion) context.emit(action::PreviewMotion{motion});
 }
 
-/// True if Enter was pressed in one of them.
+/// True if Enter was pressed in one of them. live: they show the drag under the mouse.
 bool MotionPanel::draw_fields(const PanelContext& context, bool live) {
-  const auto motion = context.session.mesh().live_motion();
-  RigidMotion shown = live && motion ? *motion : typed_;
-  vector_row("Translate", "How far the body moves, x and y, in units of the mesh.");
+  const bool in_space = context.session.in_space();
+  if (!in_space) translate_.z() = 0;  // of a mesh before, perhaps
+  const auto motion = live ? context.session.mesh().live_motion() : std::nullopt;
+  double rotate = motion ? motion->rotate : rotate_;
+  Vec3 translate = motion ? Vec3(motion->translate) : translate_;
   bool entered = false;
-  const ui::VectorField translate{"motion/dx", "motion/dy",
-                                  "In units of the mesh. Enter applies the motion."};
-  Vec2 way = shown.translate.head<2>();
-  bool changed = ui::vector_field(translate, way, &entered);
-  shown.translate = way;
-  ui::row("Rotate", "Degrees about the pivot, counter-clockwise positive.", motion_label_share);
-  changed |= ui::number("motion/rotate", shown.rotate,
-                        "Degrees about the pivot, counter-clockwise positive. Enter applies the "
-                        "motion.",
-                        "%.6g\xC2\xB0");
+  bool changed = translate_fields(in_space, translate, entered);
+  const std::string tip =
+      std::string("Degrees about the ") +
+      (in_space ? "axis through the pivot, counter-clockwise seen from where the axis points to."
+                : "pivot, counter-clockwise positive.") +
+      " Enter applies the motion.";
+  ui::row("Rotate", tip, motion_label_share);
+  changed |= ui::number("motion/rotate", rotate, tip, "%.6g\xC2\xB0");
   entered |= ui::entered();
-  if (changed && !live) typed_ = shown;
+  if (changed && !live) {
+    rotate_ = rotate;
+    translate_ = translate;
+  }
   return entered;
 }
 
+/// In the plane: the point, and the places that have names.
 void MotionPanel::draw_pivot(const PanelContext& context) {
   Vec2 pivot = context.session.selection().pivot();
   vector_row("Pivot", "The point about which the body turns. Drag it in the picture, or type it.");
@@ -110,6 +144,66 @@ void MotionPanel::draw_pivot(const PanelContext& context) {
   if (chosen == names.size()) names.emplace_back("As typed or dragged");
   if (ui::combo("motion/pivot_place", names, chosen, tip) && chosen < places.size())
     context.emit(action::SetPivot{{}, places[chosen]});
+}
+
+/// In space: where the axis is, and where it comes from.
+void MotionPanel::draw_axis_and_pivot(const PanelContext& context) {
+  const Selection& selection = context.session.selection();
+  draw_sources(context);
+  Vec3 axis = selection.space().axis();
+  constexpr const char* tip = "The axis about which the body turns: x, y, z, or any other.";
+  ui::row("Axis", tip, motion_label_share);
+  std::vector<std::string> names{"x", "y", "z"};
+  std::size_t chosen = 3;
+  for (Index k = 0; k < 3; ++k)
+    if (axis == Vec3::Unit(k)) chosen = static_cast<std::size_t>(k);
+  if (chosen == 3) names.emplace_back("Another one");
+  if (ui::combo("motion/axis", names, chosen, tip) && chosen < 3)
+    context.emit(action::SetSpaceAxis{Vec3::Unit(static_cast<Index>(chosen))});
+  if (ui::space_vector_field({"motion/axis", "the direction of the axis, of any length but 0."},
+                             axis))
+    context.emit(action::SetSpaceAxis{axis});
+  Vec3 pivot = selection.space_pivot();
+  ui::row("Pivot", "A point of the axis about which the body turns.", motion_label_share);
+  const bool elsewhere = selection.space().source().from != PivotFrom::centre;
+  if (ui::button("motion/pivot_centre", elsewhere ? "To the centre" : "At the centre",
+                 {"The centre of the bounding box of what is selected.", ui::ButtonStyle::normal,
+                  elsewhere, -1}))
+    context.emit(action::SetSpacePivot{});
+  if (ui::space_vector_field({"motion/pivot", "a point of the axis."}, pivot) && pivot.allFinite())
+    context.emit(action::SetSpacePivot{pivot});
+}
+
+/// Buttons that let the next click in the picture pick pivot and axis.
+void MotionPanel::draw_sources(const PanelContext& context) {
+  struct Source {
+    PivotFrom from;
+    const char *id, *label, *tip;
+  };
+  static constexpr std::array<Source, 4> sources{
+      {{PivotFrom::edge, "motion/pick_edge", "Edge",
+        "Click an edge in the picture: the body turns about it, as about a hinge. A row of sharp "
+        "edges that goes on straight is taken as one."},
+       {PivotFrom::nodes, "motion/pick_nodes", "2 nodes",
+        "Click two nodes in the picture: the body turns about the line through both."},
+       {PivotFrom::face, "motion/pick_face", "Face",
+        "Click a face in the picture: the body turns about its normal, through its centre."},
+       {PivotFrom::node, "motion/pick_node", "Node",
+        "Click a node in the picture: it is the pivot. The axis keeps its direction."}}};
+  ui::text_dim("Turn about, picked in the picture");
+  ui::tooltip("Choose one, then click in the picture. Esc ends it.");
+  const auto& pick = context.session.selection().space().pick();
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float room = ImGui::GetContentRegionAvail().x - 3 * gap;
+  for (std::size_t k = 0; k < sources.size(); ++k) {
+    const auto& [from, id, label, tip] = sources[k];
+    const float width = room * (from == PivotFrom::nodes ? 0.325f : 0.225f);
+    if (k > 0) ImGui::SameLine();
+    const bool armed = pick && pick->from == from;
+    if (ui::button(id, label,
+                   {tip, armed ? ui::ButtonStyle::primary : ui::ButtonStyle::normal, true, width}))
+      context.emit(action::PickPivot{armed ? std::nullopt : std::optional(from)});
+  }
 }
 
 namespace {

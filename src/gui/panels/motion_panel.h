@@ -11,10 +11,15 @@ class MotionPanel : public Panel {
 
  private:
   bool draw_fields(const PanelContext& context, bool live);
+  static void draw_pivot(const PanelContext& context);
+  static void draw_axis_and_pivot(const PanelContext& context);
+  static void draw_sources(const PanelContext& context);
+  RigidMotion asked(const Session& session) const;
   void preview(const PanelContext& context, bool wanted) const;
-  void draw_pivot(const PanelContext& context);
 
-  RigidMotion typed_;  // rotate and translate; the pivot is the session's
+  // As typed; pivot and axis are the session's.
+  double rotate_ = 0;  // degrees
+  Vec3 translate_{0, 0, 0};
 };
 
 /// Share of a row that labels take in the panel of the motion.

@@ -12,6 +12,12 @@ Vec2 View::to_plane(const ScreenPoint& at) const {
   return {origin.x() + t * direction.x(), origin.y() + t * direction.y()};
 }
 
+ViewKey::ViewKey(const View& view) : looked_at(view.looked_at()), viewport(view.viewport()) {
+  const Ray<3> ray = view.unproject(viewport.min);
+  origin = ray.origin;
+  direction = ray.direction;
+}
+
 View::Projection PlaneView::project(const Vec3& point) const {
   return {camera_.to_screen({point.x(), point.y()}), -point.z()};
 }
@@ -20,6 +26,22 @@ View::Projection PlaneView::project(const Vec3& point) const {
 Ray<3> PlaneView::unproject(const ScreenPoint& at) const {
   const Vec2 point = camera_.to_world(at);
   return {{point.x(), point.y(), 1}, {0, 0, -1}};
+}
+
+Vec3 PlaneView::at_depth_of(const Vec3& /*point*/, const ScreenPoint& at) const {
+  return place_in_plane(camera_.to_world(at));
+}
+
+LookedAt PlaneView::looked_at() const {
+  return {place_in_plane(camera_.centre()), camera_.units_per_pixel(), std::nullopt};
+}
+
+void PlaneView::look_at(const LookedAt& place) {
+  camera_.look_at(place.centre.head<2>(), place.units_per_pixel);
+}
+
+void PlaneView::zoom_about(const Vec3& point, double factor) {
+  camera_.zoom_at(camera_.to_screen(point.head<2>()), factor);
 }
 
 void Camera::set_viewport(double x, double y, double width, double height) {

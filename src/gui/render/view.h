@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "core/mesh/coordinates.h"
 #include "core/mesh/mesh.h"
 #include "core/search/box_tree.h"
 #include "gui/base/screen.h"
@@ -51,8 +52,35 @@ class Camera {
 /// viewport is cut off to whole pixels, as the renderer draws them. None where the two do not meet.
 std::optional<Camera> part_of(const Camera& camera, const ScreenBox& part);
 
-/// How a mesh is seen: which point lies where on screen. What is drawn over a mesh, and what picks
-/// in it, knows no more of cameras than this; points are of three numbers, z = 0 in the plane.
+/// A point of the plane z = 0.
+inline Vec3 place_in_plane(const Vec2& point) { return {point.x(), point.y(), 0}; }
+
+/// From where space is seen. With the z axis up: from azimuth 0 elevation 0 the viewer is on the x
+/// axis, from azimuth 90 on the y axis, from elevation 90 above. With another axis up, x and y are
+/// the two that follow it in turn: z and x where y is up.
+struct ViewDirection {
+  double azimuth = 0, elevation = 0;  ///< degrees
+  int up = 2;                         ///< 0, 1, 2: the x, y or z axis is up on screen
+  double roll = 0;  ///< degrees by which the picture is turned anticlockwise from there
+
+  bool operator==(const ViewDirection&) const = default;
+};
+
+/// Where a view looks.
+struct LookedAt {
+  Vec3 centre{0, 0, 0};  ///< in the middle of the viewport
+  double units_per_pixel = 1;
+  std::optional<ViewDirection> direction;  ///< none: the plane, from above
+
+  bool operator==(const LookedAt&) const = default;
+};
+
+/// How a mesh is seen: which point lies where on screen, and what the mouse changes of that. What
+/// is drawn over a mesh, and what picks in it, knows no more of cameras than this; points are of
+/// three numbers, z = 0 in the plane.
+///
+///     const ScreenPoint at = view.project(point).at;
+///     view.zoom_about(point, 2);  // the point stays there
 class View {
  public:
   virtual ~View() = default;
@@ -71,16 +99,38 @@ class View {
   /// The part of the plane z = 0 that is seen.
   virtual Bounds visible() const = 0;
 
-  /// By the mouse: what is seen moves with it.
-  virtual void pan(const ScreenVector& by) = 0;
-  /// factor > 1 zooms in; what is seen at a place stays there.
-  virtual void zoom_at(const ScreenPoint& at, double factor) = 0;
+  /// A point at a place of the screen, as deep as another point; of the plane, where that is.
+  virtual Vec3 at_depth_of(const Vec3& point, const ScreenPoint& at) const = 0;
+
+  virtual LookedAt looked_at() const = 0;
+  /// Looks there again.
+  virtual void look_at(const LookedAt& place) = 0;
+  /// What lies at a point moves with the mouse.
+  virtual void pan_at(const Vec3& point, const ScreenVector& by) = 0;
+  /// factor > 1 zooms in; a point stays where it is on screen.
+  virtual void zoom_about(const Vec3& point, double factor) = 0;
+  /// The mouse can turn it: a drag of what nothing can be done with turns it, or else pans.
+  virtual bool turns() const { return false; }
+  /// Turns about a point, which stays where it is on screen. freely: about the axes of the screen,
+  /// so that the view may end up on its side; else as a turntable.
+  virtual void turn(const Vec3& /*point*/, const ScreenVector& /*by*/, bool /*freely*/) {}
 
   // Of points of the plane z = 0.
   ScreenPoint to_screen(const Vec2& point) const { return project({point.x(), point.y(), 0}).at; }
   /// Where the ray through a place meets the plane.
   Vec2 to_plane(const ScreenPoint& at) const;
   double pixel_size(const Vec2& point) const { return pixel_size(Vec3(point.x(), point.y(), 0)); }
+};
+
+/// Equal for views that show everything at the same places of the screen.
+struct ViewKey {
+  LookedAt looked_at;
+  ScreenBox viewport;
+  Vec3 origin{0, 0, 0}, direction{0, 0, 0};  ///< of the ray through a corner
+
+  ViewKey() = default;
+  explicit ViewKey(const View& view);
+  bool operator==(const ViewKey&) const = default;
 };
 
 /// The plane, seen from above.
@@ -95,8 +145,11 @@ class PlaneView : public View {
   double pixel_size(const Vec3& /*point*/) const override { return camera_.units_per_pixel(); }
   ScreenBox viewport() const override { return camera_.viewport(); }
   Bounds visible() const override { return camera_.visible(); }
-  void pan(const ScreenVector& by) override { camera_.pan(by); }
-  void zoom_at(const ScreenPoint& at, double factor) override { camera_.zoom_at(at, factor); }
+  Vec3 at_depth_of(const Vec3& point, const ScreenPoint& at) const override;
+  LookedAt looked_at() const override;
+  void look_at(const LookedAt& place) override;
+  void pan_at(const Vec3& /*point*/, const ScreenVector& by) override { camera_.pan(by); }
+  void zoom_about(const Vec3& point, double factor) override;
 
   const Camera& camera() const { return camera_; }
   Camera& camera() { return camera_; }

@@ -76,11 +76,11 @@ TEST_CASE("numbers typed while the ring is dragged turn the body by just that") 
   Rig rig;
   select_flap(rig);
   const Gizmo gizmo = rig.gizmo();
-  rig.drag(gizmo.knob(), gizmo.knob() + ScreenVector(-9, -5));
+  rig.drag(*gizmo.knob, *gizmo.knob + ScreenVector(-9, -5));
   REQUIRE(rig.session().dragging());
   rig.type("30");
   CHECK(rig.session().mesh().live_motion()->rotate == 30);
-  rig.move(gizmo.knob() + ScreenVector(-40, -9));  // the mouse no longer counts
+  rig.move(*gizmo.knob + ScreenVector(-40, -9));  // the mouse no longer counts
   CHECK(rig.session().mesh().live_motion()->rotate == 30);
   rig.key(keys::enter);
   rig.release();
@@ -113,7 +113,7 @@ TEST_CASE("a number typed in one frame, with Enter, is the number that counts") 
   Rig rig;
   select_flap(rig);
   const Gizmo gizmo = rig.gizmo();
-  rig.drag(gizmo.knob(), gizmo.knob() + ScreenVector(-9, -5));
+  rig.drag(*gizmo.knob, *gizmo.knob + ScreenVector(-9, -5));
   for (const char32_t c : U"12.5")
     if (c != 0) rig.input.text(c);
   rig.key(keys::enter);

@@ -37,10 +37,6 @@ struct MovingStudio : Rig {
   }
   const SpaceView& view() const { return bench->view_control().space().view(); }
   ScreenPoint at(const Vec3& point) const { return view().project(point).at; }
-  const SpaceMover& mover() const { return bench->pane().space_viewport().mover(); }
-  SpaceGizmo space_gizmo() const {
-    return mover().gizmo(session(), view(), static_cast<double>(bench->theme().scale)).value();
-  }
   /// A place of a handle of the gizmo, as the picture has it: "arrow/x".
   ScreenPoint handle(const std::string& id) const {
     const auto rect = bench->widgets().find("gizmo/" + id);

@@ -71,7 +71,8 @@ class Rig {
     return bench->pane().scene(static_cast<double>(bench->theme().scale));
   }
   /// The gizmo of the selection, which there must be.
-  Gizmo gizmo() const { return Viewport::gizmo(scene(), bench->view_control().view()).value(); }
+  Gizmo gizmo() const { return mover().gizmo(scene(), bench->view_control().view()).value(); }
+  const Mover& mover() const { return bench->pane().viewport().mover(); }
 
   TemporaryFolder folder;
   std::unique_ptr<HeadlessContext> context;

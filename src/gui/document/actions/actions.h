@@ -54,24 +54,16 @@ struct FitMarkers {
 };
 /// Clicks measure from now on, or no longer.
 struct ToggleRuler {};
-struct LookAt {  ///< of a plane mesh
-  Vec2 point;
+struct LookAt {
+  Vec3 point;         ///< z = 0 in the plane
   double radius = 0;  ///< shown around the point, in units of the mesh
 };
 /// The next drag of the mouse draws the box to zoom to; again: it does not.
 struct BoxZoom {};
-struct ZoomTo {
-  Bounds box;  ///< fills the viewport
-};
-/// The same of a volume mesh: a point in the middle of the view.
-struct LookAtPlace {
-  Vec3 point;
-  double radius = 0;
-};
-/// Of a volume mesh: what lies in a box of the screen; depth: of a point that fills it.
+/// Shows what lies in a box of the screen, as large as there is room for.
 struct ZoomToScreen {
   ScreenBox box;
-  Vec3 depth;
+  Vec3 depth;  ///< a point as deep as what is meant
 };
 /// Looks at a volume mesh from a direction with a name, as named_view() knows it.
 struct LookFrom {
@@ -121,10 +113,9 @@ struct StepScale {
 namespace winslow::gui {
 
 /// Where the camera goes.
-using CameraAction =
-    std::variant<action::FitView, action::FitSelection, action::FitBodies, action::FitMarkers,
-                 action::LookAt, action::ZoomTo, action::LookAtPlace, action::ZoomToScreen,
-                 action::LookFrom, action::BackView, action::ForwardView>;
+using CameraAction = std::variant<action::FitView, action::FitSelection, action::FitBodies,
+                                  action::FitMarkers, action::LookAt, action::ZoomToScreen,
+                                  action::LookFrom, action::BackView, action::ForwardView>;
 
 /// What is drawn, and what that is about.
 using ViewAction =

@@ -201,4 +201,10 @@ const char* pivot_from_name(PivotFrom from) {
   return "";
 }
 
+RigidMotion motion_of(bool in_plane, double rotate, const Vec3& translate, const Vec3& pivot,
+                      const Vec3& axis) {
+  if (in_plane) return {rotate, GivenVector::of(2, pivot), GivenVector::of(2, translate)};
+  return {rotate, pivot, translate, axis};
+}
+
 }  // namespace winslow::gui

@@ -6,6 +6,7 @@
 
 #include "core/mesh/coordinates.h"
 #include "core/mesh/mesh.h"
+#include "core/motion/rigid_motion.h"
 
 namespace winslow::gui {
 
@@ -64,5 +65,9 @@ std::optional<SpacePivot> pivot_at(const PivotSource& source, const Coordinates&
 
 /// "node", "edge", ...
 const char* pivot_from_name(PivotFrom from);
+
+/// A motion of a mesh of the plane, which has no axis, or of one in space.
+RigidMotion motion_of(bool in_plane, double rotate, const Vec3& translate, const Vec3& pivot,
+                      const Vec3& axis);
 
 }  // namespace winslow::gui

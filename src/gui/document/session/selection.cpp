@@ -7,6 +7,8 @@
 
 #include "core/error.h"
 #include "core/motion/rigid_motion.h"
+#include "gui/document/selection/pivot.h"
+#include "gui/render/view.h"
 
 namespace winslow::gui {
 
@@ -45,6 +47,20 @@ std::vector<std::string> Selection::names() const {
 Vec2 Selection::pivot() const {
   const auto motion = mesh_.live_motion();
   return motion ? transform(*motion, pivot_) : pivot_;
+}
+
+Vec3 Selection::space_pivot() const {
+  if (in_space(mesh_)) return space_.pivot();
+  return place_in_plane(pivot());
+}
+
+std::vector<std::array<Index, 2>> Selection::outline() const {
+  if (in_space(mesh_)) return space_.outline();
+  std::vector<std::array<Index, 2>> edges;
+  for (const Index m : markers_)
+    for (const Face& edge : mesh_.topology()->markers()[static_cast<std::size_t>(m)].faces)
+      edges.push_back(edge.edge());
+  return edges;
 }
 
 /// Motions that were carried out name their pivots.
@@ -188,40 +204,20 @@ void Selection::on(const action::PreviewDeformation& a) {
     return;  // numbers half typed; carrying them out would say what is wrong
   }
   preview_ = DeformationPreview{*a.shape, {}};
-  if (in_space(mesh_)) {
-    for (const auto& [a, b] : space_.outline())
-      preview_->outline.emplace_back(moved.xyz(a), moved.xyz(b));
-    return;
-  }
-  const auto at_height_0 = [&](Index node) {
-    return Vec3(moved.xy(node).x(), moved.xy(node).y(), 0);
-  };
-  for (Index m : markers_)
-    for (const Face& edge : mesh.topology->markers()[static_cast<std::size_t>(m)].faces)
-      preview_->outline.emplace_back(at_height_0(edge[0]), at_height_0(edge[1]));
+  for (const auto& [a, b] : outline())
+    preview_->outline.emplace_back(place_of(moved, a), place_of(moved, b));
 }
 
 void Selection::on(const action::PreviewMotion& a) {
   motion_preview_.reset();
   if (!a.motion || !mesh_.document() || markers_.empty()) return;
   motion_preview_ = MotionPreview{*a.motion, {}};
-  if (in_space(mesh_)) {
-    const SpacePoints x(mesh_.coordinates());
-    const RigidMotion motion = resolve_motion(*a.motion, 3, space_pivot());
-    for (const auto& [from, to] : space_.outline())
-      motion_preview_->outline.emplace_back(transform(motion, x[from]), transform(motion, x[to]));
-    return;
-  }
+  // With the pivot, if it names none.
+  const RigidMotion motion = resolve_motion(*a.motion, in_space(mesh_) ? 3 : 2, space_pivot());
   const Coordinates& x = mesh_.coordinates();
-  const Vec2 centre = pivot();
-  const RigidMotion motion = resolve_motion(*a.motion, 2, {centre.x(), centre.y(), 0});
-  const auto moved = [&](Index node) {
-    const Vec2 p = transform(motion, x.xy(node));
-    return Vec3(p.x(), p.y(), 0);
-  };
-  for (const Index m : markers_)
-    for (const Face& edge : mesh_.topology()->markers()[static_cast<std::size_t>(m)].faces)
-      motion_preview_->outline.emplace_back(moved(edge[0]), moved(edge[1]));
+  for (const auto& [from, to] : outline())
+    motion_preview_->outline.emplace_back(transform(motion, place_of(x, from)),
+                                          transform(motion, place_of(x, to)));
 }
 
 bool Selection::exists(Index node) const {

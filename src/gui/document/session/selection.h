@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,10 +33,12 @@ class Selection {
   std::vector<std::string> names() const;
   const std::vector<Index>& hovered() const { return hovered_; }
 
-  /// Point about which the selection turns, where it is on screen now.
+  /// Point about which the selection turns, where it is on screen now; of a plane mesh.
   Vec2 pivot() const;
-  /// The same of a volume mesh.
-  Vec3 space_pivot() const { return space_.pivot(); }
+  /// The same of any mesh; z = 0 in the plane.
+  Vec3 space_pivot() const;
+  /// Edges that show the form of what is selected, by their nodes.
+  std::vector<std::array<Index, 2>> outline() const;
   /// What it has of its own in a volume mesh.
   const SpaceSelection& space() const { return space_; }
   /// Where the pivot was put; none: to a place of its own.

@@ -200,7 +200,7 @@ void LayerResult::draw_cut_columns(const PanelContext& context) {
     if (number == most) break;
     const std::string id = "layers/cut/" + std::to_string(number++);
     if (ImGui::Selectable((column_text(column) + "##" + id).c_str()))
-      context.emit(action::LookAt{context.session.coordinates().xy(column.wall_node),
+      context.emit(action::LookAt{place_of(context.session.coordinates(), column.wall_node),
                                   4 * std::max(column.asked, column.thickness())});
     ui::note(id);
     ui::tooltip("Show this column.");

@@ -15,16 +15,19 @@ Vec3 SpaceView::at_depth_of(const Vec3& point, const ScreenPoint& at) const {
   return origin + camera_.back().dot(point - origin) / along * direction;
 }
 
-void SpaceView::pan(const ScreenVector& by) { pan_at(camera_.centre(), by); }
+LookedAt SpaceView::looked_at() const {
+  return {camera_.centre(), camera_.units_per_pixel(), camera_.direction()};
+}
+
+void SpaceView::look_at(const LookedAt& place) {
+  if (place.direction) camera_.look_from(*place.direction);
+  camera_.look_at(place.centre, place.units_per_pixel);
+}
 
 void SpaceView::pan_at(const Vec3& point, const ScreenVector& by) {
   const double unit = camera_.pixel_size(point);
   camera_.look_at(camera_.centre() - unit * (by.x() * camera_.right() - by.y() * camera_.up()),
                   camera_.units_per_pixel());
-}
-
-void SpaceView::zoom_at(const ScreenPoint& at, double factor) {
-  zoom_about(at_depth_of(camera_.centre(), at), factor);
 }
 
 /// All is seen as before from a viewer that is nearer to the point by the factor.

@@ -13,16 +13,6 @@
 
 namespace winslow::gui {
 
-/// From where space is seen. With the z axis up: from azimuth 0 elevation 0 the viewer is on the x
-/// axis, from azimuth 90 on the y axis, from elevation 90 above. With another axis up, x and y are
-/// the two that follow it in turn: z and x where y is up.
-struct ViewDirection {
-  double azimuth = 0, elevation = 0;  ///< degrees
-  int up = 2;                         ///< 0, 1, 2: the x, y or z axis is up on screen
-  double roll = 0;  ///< degrees by which the picture is turned anticlockwise from there
-
-  bool operator==(const ViewDirection&) const = default;
-};
 /// Of length 1, towards the viewer.
 Vec3 to_viewer(const ViewDirection& direction);
 /// From where a vector, of any length but 0, points to the viewer. From above or below, x is to the
@@ -105,23 +95,23 @@ class SpaceView : public View {
   ScreenBox viewport() const override { return camera_.viewport(); }
   /// Nothing of the plane z = 0 is meant here: empty.
   Bounds visible() const override { return Bounds::empty(); }
-  /// What lies as deep as the middle of the view moves with the mouse.
-  void pan(const ScreenVector& by) override;
-  void zoom_at(const ScreenPoint& at, double factor) override;
 
-  /// What lies at a point moves with the mouse.
-  void pan_at(const Vec3& point, const ScreenVector& by);
-  /// A point stays where it is on screen.
-  void zoom_about(const Vec3& point, double factor);
-  /// Turns about a point, which stays where it is on screen: half a turn for as many pixels as the
-  /// view is high.
+  Vec3 at_depth_of(const Vec3& point, const ScreenPoint& at) const override;
+  LookedAt looked_at() const override;
+  void look_at(const LookedAt& place) override;
+  void pan_at(const Vec3& point, const ScreenVector& by) override;
+  void zoom_about(const Vec3& point, double factor) override;
+  bool turns() const override { return true; }
+  void turn(const Vec3& point, const ScreenVector& by, bool freely) override {
+    freely ? tumble(point, by) : orbit(point, by);
+  }
+
+  /// Half a turn for as many pixels as the view is high.
   void orbit(const Vec3& pivot, const ScreenVector& by);
-  /// The same, freely: about the axes of the screen, so that the view may end up on its side.
+  /// The same about the axes of the screen.
   void tumble(const Vec3& pivot, const ScreenVector& by);
   /// Looks from elsewhere; a point stays where it is on screen.
   void look_from(const ViewDirection& direction, const Vec3& pivot);
-  /// A point at a place, as deep as another point.
-  Vec3 at_depth_of(const Vec3& point, const ScreenPoint& at) const;
 
   const SpaceCamera& camera() const { return camera_; }
   SpaceCamera& camera() { return camera_; }

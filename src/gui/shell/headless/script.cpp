@@ -215,8 +215,7 @@ class ScriptPlayer {
   void look(const std::vector<std::string>& words) {
     const Vec3 at = point(words, 1);
     const double radius = number(words.back());
-    if (bench().session().in_space()) return bench().apply(action::LookAtPlace{at, radius});
-    bench().apply(action::LookAt{at.head<2>(), radius});
+    bench().apply(action::LookAt{at, radius});
   }
 
   /// Pixel of a widget, or of a point of the mesh where there are numbers.

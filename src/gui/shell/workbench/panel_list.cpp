@@ -20,7 +20,6 @@
 #include "gui/panels/solver_panel.h"
 #include "gui/panels/space/cuts_panel.h"
 #include "gui/panels/space/measures_panel.h"
-#include "gui/panels/space/space_motion_panel.h"
 #include "gui/panels/vcv/sphere_panel.h"
 #include "gui/panels/vcv/vcv_panel.h"
 #include "gui/panels/view_panel.h"
@@ -80,8 +79,8 @@ PanelRegistry make_panels() {
   r.add(entry<MarkersPanel>("markers", "Markers", Region::left, all_meshes));
   r.add({"cuts", "Cuts", Region::left, all_meshes, std::make_unique<CutsPanel>(),
          [](const PanelContext& context) { return context.session.kind() == MeshKind::volume; }});
-  r.add(of_movable(entry<OfEither<MotionPanel, SpaceMotionPanel>>("motion", "Move the selection",
-                                                                  Region::left, movable_meshes)));
+  r.add(
+      of_movable(entry<MotionPanel>("motion", "Move the selection", Region::left, movable_meshes)));
   r.add(of_movable(entry<ShapePanel>("shape", "Shape", Region::left, movable_meshes)));
   r.add(of_movable(entry<LayersPanel>("layers", "Layers", Region::left, plane_meshes)));
   r.add(entry<SolverPanel>("solver", "Solver", Region::left, all_meshes));

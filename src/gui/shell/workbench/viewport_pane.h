@@ -15,10 +15,7 @@
 #include "gui/view/overlays/role_overlay.h"
 #include "gui/view/overlays/space_overlay.h"
 #include "gui/view/overlays/view_overlay.h"
-#include "gui/view/tools/context_click.h"
-#include "gui/view/tools/node_index.h"
 #include "gui/view/tools/ruler.h"
-#include "gui/view/tools/space_viewport.h"
 #include "gui/view/tools/viewport.h"
 
 namespace winslow::gui {
@@ -58,17 +55,11 @@ class ViewportPane {
   /// What the mouse acts upon now. scale: of the interface.
   ViewportScene scene(double scale) const;
   const Viewport& viewport() const { return viewport_; }
-  /// The mouse over a volume mesh.
-  const SpaceViewport& space_viewport() const { return space_viewport_; }
   /// It changes the view, or drags something.
-  bool mouse_busy() const {
-    return viewport_.gesture() != Viewport::Gesture::none ||
-           space_viewport_.gesture() != SpaceViewport::Gesture::none;
-  }
+  bool mouse_busy() const { return viewport_.gesture() != Viewport::Gesture::none; }
   /// A body, a handle or a piece of boundary is being dragged.
-  bool dragging() const { return viewport_.dragging() || space_viewport_.mover().dragging(); }
+  bool dragging() const { return viewport_.dragging(); }
   const Ruler& ruler() const { return ruler_; }
-  const SpaceRuler& space_ruler() const { return space_ruler_; }
   /// What the mesh is compared with, as of the last frame.
   const BeforeMesh& before() const { return before_; }
   MeshView& mesh_view() { return mesh_view_; }
@@ -79,13 +70,12 @@ class ViewportPane {
   std::optional<int> cursor() const;
 
  private:
-  void drive_space(PointerState pointer, const PanelContext& context);
-  void draw_space_overlays(ImDrawList& list, const MeshFrame& frame);
-  void draw_space_mode(ImDrawList& list, const SpaceOverlay& overlay) const;
+  void draw_marks(ImDrawList& list, const MeshFrame& frame, const ViewOverlay& overlay);
+  void draw_space_mode(ImDrawList& list, const ViewOverlay& overlay) const;
   bool take_from_beside(PointerState& pointer);
   void take_for_legend(PointerState& pointer, const PanelContext& context, const Layout& layout);
   void take_for_lens(PointerState& pointer, const PanelContext& context);
-  void take_for_ruler(PointerState& pointer, double scale);
+  void measure(const PointerFrame& frame, bool beside);
   void zoom_to_double_click(const PointerState& pointer, const PanelContext& context);
   void draw_legend(ImDrawList& list, const MeshFrame& frame, LegendCard& card) const;
   /// The part of the viewport that no banner covers.
@@ -99,14 +89,10 @@ class ViewportPane {
   MeshView mesh_view_;
   Lens lens_{mesh_view_};
   Viewport viewport_;
-  SpaceViewport space_viewport_;
-  NodeTool node_tool_;
   ContextClick context_click_;
   Ruler ruler_;
-  SpaceRuler space_ruler_;
   bool beside_held_ = false;  // the mouse is over the mesh before, or its gesture began there
   IdLabels id_labels_;
-  SpaceIdLabels space_id_labels_;
   RoleOverlay roles_;
   LegendCard legend_card_;
   std::vector<Index> double_click_;  // markers of the body that is clicked the second time

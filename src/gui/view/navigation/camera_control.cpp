@@ -1,12 +1,70 @@
 #include "gui/view/navigation/camera_control.h"
 
 #include <algorithm>
-#include <vector>
-
-#include "gui/render/space/space_view.h"
-#include "gui/view/navigation/go_to.h"
 
 namespace winslow::gui {
+
+namespace {
+
+/// Box around an item of the open mesh and what touches it; in the plane z = 0.
+Box<3> surroundings(const MeshItem& item, const Session& session) {
+  const Topology& topology = *session.topology();
+  const Coordinates& x = session.coordinates();
+  Box<3> box = Box<3>::empty();
+  const auto add = [&](const auto& nodes) {
+    for (const Index node : nodes) box.add(place_of(x, node));
+  };
+  if (item.kind == MeshItem::Kind::element) add(topology.element(item.id));
+  if (item.kind == MeshItem::Kind::face) add(topology.face(item.id).nodes);
+  if (item.kind != MeshItem::Kind::node) return box;
+  const Vec3 p = place_of(x, item.id);
+  add(topology.neighbours(item.id));
+  if (topology.neighbours(item.id).empty()) return {p, p};
+  // The node itself in the middle, whatever lies on one side of it.
+  const Vec3 half = (box.max - p).cwiseAbs().cwiseMax((p - box.min).cwiseAbs());
+  return {p - half, p + half};
+}
+
+}  // namespace
+
+void CameraControl::fit_markers(std::span<const Index> markers) {
+  constexpr double margin = 0.15;
+  std::vector<Index> nodes;
+  for (const Index m : markers) {
+    if (m < 0 || at(m) >= session_.topology()->markers().size()) continue;
+    const auto of_marker = session_.topology()->markers().nodes(m);
+    nodes.insert(nodes.end(), of_marker.begin(), of_marker.end());
+  }
+  if (!nodes.empty()) fit(nodes, margin);
+}
+
+void CameraControl::go_to(const MeshItem& item) {
+  const Box<3> box = surroundings(item, session_);
+  look_around(box.centre(), room_ * box.size().norm());
+}
+
+bool CameraControl::sees(Index node) const {
+  const ScreenPoint at = view().project(place_of(session_.coordinates(), node)).at;
+  return view().viewport().contains(at);
+}
+
+void CameraControl::zoom_to(const ScreenBox& box, const Vec3& depth) {
+  const ScreenVector from = box.size(), to = view().viewport().size();
+  const double factor = std::min(to.x() / from.x(), to.y() / from.y());
+  const Vec3 middle = view().at_depth_of(depth, box.centre());
+  view().pan_at(middle, view().viewport().centre() - box.centre());
+  view().zoom_about(middle, factor);
+}
+
+void CameraControl::look_above(const ScreenBox& card) {
+  const ScreenBox box = view().viewport();
+  const ScreenVector size = box.size();
+  const double free = card.min.y() - box.min.y();
+  if (card.max.x() < box.min.x() + size.x() / 2 || free < size.y() / 4) return;
+  const Vec3 centre = view().looked_at().centre;
+  view().zoom_about(centre, std::min(size.x(), free) / std::min(size.x(), size.y()));
+  view().pan_at(centre, ScreenVector(0, -(size.y() - free) / 2));
+}
 
 void PlaneControl::begin(ViewOptions& /*options*/) {
   const Mesh& mesh = session_.document()->state().mesh;
@@ -22,42 +80,22 @@ void PlaneControl::begin(ViewOptions& /*options*/) {
   view_.camera().fit(all);
 }
 
+void PlaneControl::fit(std::span<const Index> nodes, double margin) {
+  view_.camera().fit(bounds(session_.coordinates(), nodes), margin);
+}
+
 void PlaneControl::fit_all() {
   view_.camera().fit(bounds(Mesh{session_.topology(), session_.coordinates()}));
 }
 
 void PlaneControl::fit_bodies() {
-  const std::vector<Index> nodes = body_nodes();
-  if (!nodes.empty()) view_.camera().fit(bounds(session_.coordinates(), nodes), 0.1);
+  constexpr double margin = 0.1;
+  if (const std::vector<Index> nodes = body_nodes(); !nodes.empty()) fit(nodes, margin);
 }
 
-void PlaneControl::fit_markers(std::span<const Index> markers) {
-  std::vector<Index> nodes;
-  for (const Index m : markers) {
-    if (m < 0 || static_cast<std::size_t>(m) >= session_.topology()->markers().size()) continue;
-    const auto of_marker = session_.topology()->markers().nodes(m);
-    nodes.insert(nodes.end(), of_marker.begin(), of_marker.end());
-  }
-  if (!nodes.empty()) view_.camera().fit(bounds(session_.coordinates(), nodes), 0.2);
-}
-
-void PlaneControl::go_to(const MeshItem& item, const std::optional<ScreenBox>& card) {
-  const Bounds box = surroundings(item, session_);
-  look_around(box.centre(), 4 * box.size().norm(), card);
-}
-
-bool PlaneControl::sees(Index node) const {
-  const ScreenVector pixel =
-      camera().to_screen(session_.coordinates().xy(node)) - camera().viewport_origin();
-  return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() <= camera().viewport_width() &&
-         pixel.y() <= camera().viewport_height();
-}
-
-void PlaneControl::look_around(const Vec2& point, double radius,
-                               const std::optional<ScreenBox>& card) {
-  const Vec2 half = Vec2::Constant(radius);
-  view_.camera().fit({point - half, point + half});
-  if (card) look_above(view_.camera(), *card);
+void PlaneControl::look_around(const Vec3& point, double radius) {
+  const Vec2 middle = point.head<2>(), half = Vec2::Constant(radius);
+  view_.camera().fit({middle - half, middle + half});
 }
 
 /// Of all holes.
@@ -67,25 +105,6 @@ std::vector<Index> PlaneControl::body_nodes() const {
   for (const auto& body : session_.mesh().boundary()->bodies())
     if (body.hole) nodes.insert(nodes.end(), body.nodes.begin(), body.nodes.end());
   return nodes;
-}
-
-void look_above(Camera& camera, const ScreenBox& card) {
-  const ScreenPoint origin = camera.viewport_origin();
-  const double width = camera.viewport_width(), height = camera.viewport_height();
-  const double free = card.min.y() - origin.y();
-  if (card.max.x() < origin.x() + width / 2 || free < height / 4) return;
-  const double unit = camera.units_per_pixel() * std::min(width, height) / std::min(width, free);
-  camera.look_at(camera.centre() - Vec2(0, (height - free) / 2 * unit), unit);
-}
-
-void look_above(SpaceCamera& camera, const ScreenBox& card) {
-  const ScreenBox view = camera.viewport();
-  const ScreenVector size = view.size();
-  const double free = card.min.y() - view.min.y();
-  if (card.max.x() < view.min.x() + size.x() / 2 || free < size.y() / 4) return;
-  const double unit =
-      camera.units_per_pixel() * std::min(size.x(), size.y()) / std::min(size.x(), free);
-  camera.look_at(camera.centre() - (size.y() - free) / 2 * unit * camera.up(), unit);
 }
 
 }  // namespace winslow::gui

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -8,14 +7,16 @@
 #include "gui/render/view.h"
 #include "gui/settings/view_options.h"
 #include "gui/settings/view_state.h"
-#include "gui/view/navigation/view_history.h"
 
 namespace winslow::gui {
 
-/// Moves the camera by which a mesh of one kind is looked at. All of it needs an open mesh.
+/// Moves the camera by which a mesh of one kind is looked at: one for meshes of the plane, one for
+/// those of space. All of it needs an open mesh. Knows nothing of OpenGL or of widgets.
+///
+///     control.fit_markers(selection.markers());
+///     control.go_to(item);
 class CameraControl {
  public:
-  CameraControl() = default;
   virtual ~CameraControl() = default;
   CameraControl(const CameraControl&) = delete;
   CameraControl& operator=(const CameraControl&) = delete;
@@ -23,56 +24,62 @@ class CameraControl {
   virtual const View& view() const = 0;
   virtual View& view() = 0;
 
-  /// A mesh has come: looks at all of it, or at its bodies, or as it was looked at before. options
-  /// get what the mesh is first looked at with.
+  /// A mesh has come: looks at all of it, or at its bodies where they would be dots, or as it was
+  /// looked at before. options get what the mesh is first looked at with.
   virtual void begin(ViewOptions& options) = 0;
-  virtual void fit_all() = 0;
-  virtual void fit_bodies() = 0;
-  virtual void fit_markers(std::span<const Index> markers) = 0;
-  /// Looks at an item and what touches it. card: at the foot of the view, if there is one.
-  virtual void go_to(const MeshItem& item, const std::optional<ScreenBox>& card) = 0;
-  /// A node is on screen.
-  virtual bool sees(Index node) const = 0;
-
-  virtual LookedAt looked_at() const = 0;
-  /// Looks there again.
-  virtual void look_at(const LookedAt& place) = 0;
   /// In every frame: the parts of the options that the camera has.
   virtual void update(const ViewOptions& options) = 0;
+
+  virtual void fit_all() = 0;
+  virtual void fit_bodies() = 0;
+  /// Nothing where the markers have no nodes.
+  void fit_markers(std::span<const Index> markers);
+  /// Shows what lies around a point. radius: in units of the mesh.
+  virtual void look_around(const Vec3& point, double radius) = 0;
+  /// Looks at an item and what touches it.
+  void go_to(const MeshItem& item);
+  /// A node is on screen.
+  bool sees(Index node) const;
+  /// Shows what lies in a box of the screen as large as there is room for. depth: a point as deep
+  /// as what is meant.
+  void zoom_to(const ScreenBox& box, const Vec3& depth);
+  /// Moves what is in the middle of the view up, and away, so that a card at its foot does not
+  /// cover it. A card that does not reach the middle leaves it alone.
+  void look_above(const ScreenBox& card);
+
+ protected:
+  /// room: what is shown around an item that one goes to, in its own sizes.
+  CameraControl(const Session& session, double room) : session_(session), room_(room) {}
+  /// Shows nodes of the mesh on screen. margin: a share of the viewport on each side.
+  virtual void fit(std::span<const Index> nodes, double margin) = 0;
+
+  const Session& session_;
+
+ private:
+  double room_;
 };
 
 /// That of plane meshes.
 class PlaneControl : public CameraControl {
  public:
-  explicit PlaneControl(const Session& session) : session_(session) {}
+  explicit PlaneControl(const Session& session) : CameraControl(session, 4) {}
 
   const PlaneView& view() const override { return view_; }
   PlaneView& view() override { return view_; }
   const Camera& camera() const { return view_.camera(); }
 
   void begin(ViewOptions& options) override;
+  void update(const ViewOptions& /*options*/) override {}
   void fit_all() override;
   /// Nothing where there are none.
   void fit_bodies() override;
-  void fit_markers(std::span<const Index> markers) override;
-  void go_to(const MeshItem& item, const std::optional<ScreenBox>& card) override;
-  bool sees(Index node) const override;
-  LookedAt looked_at() const override { return winslow::gui::looked_at(view_.camera()); }
-  void look_at(const LookedAt& place) override { winslow::gui::look_at(view_.camera(), place); }
-  void update(const ViewOptions& /*options*/) override {}
-  /// radius: shown around the point, in units of the mesh; above the card.
-  void look_around(const Vec2& point, double radius, const std::optional<ScreenBox>& card);
+  void look_around(const Vec3& point, double radius) override;
 
  private:
+  void fit(std::span<const Index> nodes, double margin) override;
   std::vector<Index> body_nodes() const;
 
-  const Session& session_;
   PlaneView view_;
 };
-
-/// Moves what is in the middle of a view up, and away, so that a card at its foot does not cover
-/// it. A card that does not reach the middle leaves it alone.
-void look_above(Camera& camera, const ScreenBox& card);
-void look_above(SpaceCamera& camera, const ScreenBox& card);
 
 }  // namespace winslow::gui

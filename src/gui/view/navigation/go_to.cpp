@@ -323,19 +323,6 @@ std::vector<std::pair<std::string, std::string>> describe_item(const MeshItem& i
                                            : describe_element(item.id, session);
 }
 
-Bounds surroundings(const MeshItem& item, const Session& session) {
-  const Topology& topology = *session.topology();
-  const Coordinates& x = session.coordinates();
-  if (item.kind == MeshItem::Kind::element) return bounds(x, topology.element(item.id));
-  const auto around = topology.neighbours(item.id);
-  const Vec2 p = x.xy(item.id);
-  if (around.empty()) return {p, p};
-  // The node itself in the middle, whatever lies on one side of it.
-  const Bounds box = bounds(x, around);
-  const Vec2 half = (box.max - p).cwiseAbs().cwiseMax((p - box.min).cwiseAbs());
-  return {p - half, p + half};
-}
-
 bool exists(const MeshItem& item, const Session& session) {
   if (!session.document() || item.id < 0) return false;
   return item.id < count_of(item.kind, *session.topology());

@@ -26,9 +26,6 @@ std::string item_name(const MeshItem& item);
 std::vector<std::pair<std::string, std::string>> describe_item(const MeshItem& item,
                                                                const Session& session);
 
-/// Box around an item and what touches it; where to look.
-Bounds surroundings(const MeshItem& item, const Session& session);
-
 /// True if the open mesh has the item.
 bool exists(const MeshItem& item, const Session& session);
 

@@ -44,27 +44,16 @@ void Navigator::on(const action::FitBodies&) {
 }
 
 void Navigator::on(const action::LookAt& a) {
-  if (session_.in_space()) return;
+  if (!session_.document()) return;
   leave();
-  plane_.look_around(a.point, a.radius, card_);
-}
-
-void Navigator::on(const action::LookAtPlace& a) {
-  if (!session_.in_space()) return;
-  leave();
-  space_.look_at(a.point, a.radius);
+  camera_control().look_around(a.point, a.radius);
+  stay_above_card();
 }
 
 void Navigator::on(const action::ZoomToScreen& a) {
-  if (!session_.in_space()) return;
+  if (!session_.document()) return;
   leave();
-  space_.zoom_to(a.box, a.depth);
-}
-
-void Navigator::on(const action::ZoomTo& a) {
-  if (session_.in_space()) return;
-  leave();
-  plane_.view().camera().fit(a.box, 0);
+  camera_control().zoom_to(a.box, a.depth);
 }
 
 void Navigator::on(const action::LookFrom& a) {
@@ -75,14 +64,15 @@ void Navigator::on(const action::LookFrom& a) {
 
 void Navigator::go_to(const MeshItem& item) {
   leave();
-  camera_control().go_to(item, card_);
+  camera_control().go_to(item);
+  stay_above_card();
 }
 
 void Navigator::show(const SpaceLook& look) {
   leave();
   space_.look_from({look.azimuth, look.elevation, look.up});
-  space_.look_at(Vec3(look.centre.data()), look.radius);
-  if (card_) look_above(space_.view().camera(), *card_);
+  space_.look_around(Vec3(look.centre.data()), look.radius);
+  stay_above_card();
 }
 
 }  // namespace winslow::gui

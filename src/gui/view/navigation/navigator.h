@@ -38,12 +38,10 @@ class Navigator {
   void on(const action::FitBodies&);
   void on(const action::FitMarkers& a);
   void on(const action::LookAt& a);
-  void on(const action::ZoomTo& a);
-  void on(const action::LookAtPlace& a);
   void on(const action::ZoomToScreen& a);
   void on(const action::LookFrom& a);
-  void on(const action::BackView&) { look_at(history_.back(looked_at())); }
-  void on(const action::ForwardView&) { look_at(history_.forward()); }
+  void on(const action::BackView&) { look_there(history_.back(looked_at())); }
+  void on(const action::ForwardView&) { look_there(history_.forward()); }
 
   /// Looks at an item of the open mesh and what touches it.
   void go_to(const MeshItem& item);
@@ -65,16 +63,20 @@ class Navigator {
     history_.observe(looked_at(), mouse_busy, seconds);
   }
 
-  LookedAt looked_at() const { return camera_control().looked_at(); }
+  LookedAt looked_at() const { return camera_control().view().looked_at(); }
   bool can_go_back() const { return history_.can_go_back(looked_at()); }
   bool can_go_forward() const { return history_.can_go_forward(); }
 
  private:
-  void look_at(const std::optional<LookedAt>& place) {
-    if (place) camera_control().look_at(*place);
+  void look_there(const std::optional<LookedAt>& place) {
+    if (place) camera_control().view().look_at(*place);
   }
   /// Before the view jumps elsewhere.
   void leave() { history_.leave(looked_at()); }
+  /// After it: what is looked at is not under the card.
+  void stay_above_card() {
+    if (card_) camera_control().look_above(*card_);
+  }
 
   const Session& session_;
   ViewOptions& options_;

@@ -72,13 +72,13 @@ void SpaceControl::begin(ViewOptions& options) {
     options.space.cuts = kept->cuts;
     options.space.peel = kept->peel;
     camera.look_from({kept->azimuth, kept->elevation, kept->up, kept->roll});
-    follow(options.space);
+    update(options);
     return camera.look_at(Vec3(kept->centre.data()), kept->height / camera.viewport().size().y());
   }
   options.space.cuts = first_cuts();
   options.space.peel = {};
   camera.look_from(automatic_view(planes_of(options.space.cuts), options.space.up));
-  follow(options.space);
+  update(options);
   // With a far field of a hundred chords the bodies would be a dot.
   const Box<3> all = space_bounds(document.state().mesh);
   if (const std::vector<Index> nodes = body_nodes(); !nodes.empty()) {
@@ -106,7 +106,8 @@ std::vector<CutPlane> SpaceControl::first_cuts() const {
   return cuts;
 }
 
-void SpaceControl::follow(const SpaceOptions& options) {
+void SpaceControl::update(const ViewOptions& view_options) {
+  const SpaceOptions& options = view_options.space;
   SpaceCamera& camera = view_.camera();
   if (options.perspective != camera.in_perspective())
     camera.set_perspective(options.perspective ? opening : 0);
@@ -150,56 +151,12 @@ void SpaceControl::fit_bodies() {
   fit(nodes, 0.1);
 }
 
-void SpaceControl::fit_markers(std::span<const Index> markers) {
-  std::vector<Index> nodes;
-  for (const Index m : markers) {
-    if (m < 0 || at(m) >= session_.topology()->markers().size()) continue;
-    const auto of_marker = session_.topology()->markers().nodes(m);
-    nodes.insert(nodes.end(), of_marker.begin(), of_marker.end());
-  }
-  fit(nodes, 0.15);
-}
-
-void SpaceControl::look_at(const Vec3& point, double radius) {
+void SpaceControl::look_around(const Vec3& point, double radius) {
   view_.camera().fit(corners_of(around(point, radius)), 0);
-}
-
-void SpaceControl::go_to(const MeshItem& item, const std::optional<ScreenBox>& /*card*/) {
-  const Box<3> box = space_surroundings(item, *session_.mesh().shared());
-  look_at(box.centre(), 2 * box.size().norm());
-}
-
-bool SpaceControl::sees(Index node) const {
-  return view_.viewport().contains(view_.project(session_.coordinates().xyz(node)).at);
-}
-
-void SpaceControl::zoom_to(const ScreenBox& box, const Vec3& depth) {
-  const ScreenVector from = box.size(), to = view_.viewport().size();
-  const double factor = std::min(to.x() / from.x(), to.y() / from.y());
-  const Vec3 middle = view_.at_depth_of(depth, box.centre());
-  view_.pan_at(middle, view_.viewport().centre() - box.centre());
-  view_.zoom_about(middle, factor);
 }
 
 void SpaceControl::look_from(const ViewDirection& direction) {
   view_.look_from(direction, view_.camera().centre());
-}
-
-Box<3> space_surroundings(const MeshItem& item, const Mesh& mesh) {
-  const Topology& topology = *mesh.topology;
-  if (item.kind == MeshItem::Kind::element)
-    return space_bounds(mesh.coordinates, topology.element(item.id));
-  if (item.kind == MeshItem::Kind::face) {
-    const Face face = topology.face(item.id).nodes;
-    return space_bounds(mesh.coordinates, {face.begin(), face.size()});
-  }
-  const Vec3 p = mesh.coordinates.xyz(item.id);
-  const auto neighbours = topology.neighbours(item.id);
-  if (neighbours.empty()) return {p, p};
-  // The node itself in the middle, whatever lies on one side of it.
-  const Box<3> box = space_bounds(mesh.coordinates, neighbours);
-  const Vec3 half = (box.max - p).cwiseAbs().cwiseMax((p - box.min).cwiseAbs());
-  return {p - half, p + half};
 }
 
 }  // namespace winslow::gui

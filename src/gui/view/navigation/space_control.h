@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "gui/document/session/session.h"
 #include "gui/render/space/space_view.h"
 #include "gui/settings/view_options.h"
 #include "gui/settings/view_state.h"
@@ -14,10 +13,10 @@
 
 namespace winslow::gui {
 
-/// Where the user looks in space. Knows nothing of OpenGL or of widgets.
+/// That of meshes in space.
 class SpaceControl : public CameraControl {
  public:
-  explicit SpaceControl(const Session& session) : session_(session) {}
+  explicit SpaceControl(const Session& session) : CameraControl(session, 2) {}
 
   const SpaceView& view() const override { return view_; }
   SpaceView& view() override { return view_; }
@@ -31,38 +30,24 @@ class SpaceControl : public CameraControl {
   std::vector<KeptView> views(const ViewOptions& options) const;
   /// As they were kept from the last run.
   void set_views(std::vector<KeptView> views) { kept_ = std::move(views); }
-  /// In every frame: the parts of the options that the camera has.
-  void follow(const SpaceOptions& options);
+  void update(const ViewOptions& options) override;
 
   void fit_all() override;
-  /// Of bodies, or all where nothing is enclosed.
+  /// All where nothing is enclosed.
   void fit_bodies() override;
-  void fit_markers(std::span<const Index> markers) override;
-  void look_at(const Vec3& point, double radius);
-  /// The item stays in the middle of the view, wherever the card is.
-  void go_to(const MeshItem& item, const std::optional<ScreenBox>& card) override;
-  bool sees(Index node) const override;
-  LookedAt looked_at() const override { return winslow::gui::looked_at(camera()); }
-  void look_at(const LookedAt& place) override { winslow::gui::look_at(view_.camera(), place); }
-  void update(const ViewOptions& options) override { follow(options.space); }
-  /// Shows what lies in a box of the screen as large as there is room for; depth: of a point.
-  void zoom_to(const ScreenBox& box, const Vec3& depth);
+  void look_around(const Vec3& point, double radius) override;
   void look_from(const ViewDirection& direction);
 
  private:
-  void fit(std::span<const Index> nodes, double margin);
+  void fit(std::span<const Index> nodes, double margin) override;
   std::vector<Index> body_nodes() const;
   std::vector<CutPlane> first_cuts() const;
 
-  const Session& session_;
-  SpaceView view_;
   KeptView view_now(const ViewOptions& options) const;
 
+  SpaceView view_;
   std::vector<KeptView> kept_;                 // the last one first
   std::optional<std::filesystem::path> open_;  // that is looked at now
 };
-
-/// Box around an item of a volume mesh and what touches it.
-Box<3> space_surroundings(const MeshItem& item, const Mesh& mesh);
 
 }  // namespace winslow::gui

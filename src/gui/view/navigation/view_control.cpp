@@ -134,11 +134,8 @@ void ViewControl::on(const action::InspectNode& a) {
   open_right(options_, state_.columns);
   // A number that was typed may be that of a node anywhere.
   if (session_.nodes().inspected() != a.node) return;
-  const MeshItem item{MeshItem::Kind::node, *a.node};
   const bool seen = navigator_.camera_control().sees(*a.node);
-  // Other parts of a mesh in space may hide it: it is highlighted as well.
-  if (session_.in_space()) return on(action::GoTo{item, !seen});
-  if (!seen) navigator_.go_to(item);
+  on(action::GoTo{MeshItem{MeshItem::Kind::node, *a.node}, !seen});
 }
 
 void ViewControl::on(const action::AddCut& a) {

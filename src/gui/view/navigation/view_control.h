@@ -32,8 +32,9 @@ class ViewControl {
   Navigator& navigator() { return navigator_; }
   // What is asked for most, of navigator().
   const View& view() const { return navigator_.camera_control().view(); }
+  /// For the mouse, which turns, pans and zooms.
+  View& view() { return navigator_.camera_control().view(); }
   const PlaneView& plane() const { return navigator_.plane().view(); }
-  PlaneView& plane() { return navigator_.plane().view(); }
   const Camera& camera() const { return navigator_.plane().camera(); }
   const SpaceControl& space() const { return navigator_.space(); }
   SpaceControl& space() { return navigator_.space(); }

@@ -18,23 +18,6 @@ bool same(const LookedAt& a, const LookedAt& b) {
 
 }  // namespace
 
-LookedAt looked_at(const Camera& camera) {
-  return {{camera.centre().x(), camera.centre().y(), 0}, camera.units_per_pixel(), std::nullopt};
-}
-
-LookedAt looked_at(const SpaceCamera& camera) {
-  return {camera.centre(), camera.units_per_pixel(), camera.direction()};
-}
-
-void look_at(Camera& camera, const LookedAt& place) {
-  camera.look_at(place.centre.head<2>(), place.units_per_pixel);
-}
-
-void look_at(SpaceCamera& camera, const LookedAt& place) {
-  if (place.direction) camera.look_from(*place.direction);
-  camera.look_at(place.centre, place.units_per_pixel);
-}
-
 void ViewHistory::clear() {
   views_.clear();
   position_ = 0;

@@ -3,21 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "gui/render/space/space_view.h"
 #include "gui/render/view.h"
 
 namespace winslow::gui {
-
-/// Where a camera looks; the direction is that of space.
-struct LookedAt {
-  Vec3 centre{0, 0, 0};
-  double units_per_pixel = 1;
-  std::optional<ViewDirection> direction;  ///< none: of the plane
-};
-LookedAt looked_at(const Camera& camera);
-LookedAt looked_at(const SpaceCamera& camera);
-void look_at(Camera& camera, const LookedAt& place);
-void look_at(SpaceCamera& camera, const LookedAt& place);
 
 /// The places that the user has looked at, to go back to and forward from. A view counts once it
 /// has rested; what one passes through while panning and zooming does not.

@@ -16,93 +16,18 @@ namespace winslow::gui {
 
 namespace {
 
-bool within(const Bounds& box, const Vec2& p) {
-  return (p.array() >= box.min.array()).all() && (p.array() <= box.max.array()).all();
-}
+// More would be no help to anyone, and slow.
+constexpr std::size_t most_labels = 600;
 
-}  // namespace
-
-IdLabels::Key IdLabels::key_of(const ViewOverlay& o) {
-  return {o.session.generation(), o.session.shape(),  o.view.visible(),     o.view.viewport(),
-          o.theme.scale,          o.options.node_ids, o.options.element_ids};
-}
-
-void IdLabels::find(const ViewOverlay& o) {
-  labels_.clear();
-  if (o.options.element_ids) find_elements(o);
-  if (o.options.node_ids) find_nodes(o);
-}
-
-void IdLabels::find_nodes(const ViewOverlay& o) {
-  const Topology& topology = *o.session.topology();
-  const Coordinates& x = o.session.coordinates();
-  const Bounds seen = o.view.visible();
-  for (Index i = 0; i < x.size() && labels_.size() < most_id_labels; ++i) {
-    const Vec2 p = x.xy(i);
-    if (!within(seen, p) || !topology.used(i)) continue;
-    double shortest = std::numeric_limits<double>::infinity();
-    for (const Index j : topology.neighbours(i))
-      shortest = std::min(shortest, (x.xy(j) - p).norm());
-    const std::string text = std::to_string(i);
-    // Half of an edge belongs to each of its ends.
-    const double room = shortest / o.view.pixel_size(p);
-    if (room < static_cast<double>(id_label_size(o.theme, text).x + o.theme.px(10))) continue;
-    labels_.push_back({o.view.to_screen(p), text, true});
-  }
-}
-
-void IdLabels::find_elements(const ViewOverlay& o) {
-  const Topology& topology = *o.session.topology();
-  const Coordinates& x = o.session.coordinates();
-  const Bounds seen = o.view.visible();
-  for (Index e = 0; e < topology.element_count() && labels_.size() < most_id_labels; ++e) {
-    const auto nodes = topology.element(e);
-    Vec2 middle(0, 0);
-    for (const Index i : nodes) middle += x.xy(i);
-    middle /= static_cast<double>(nodes.size());
-    if (!within(seen, middle)) continue;
-    double twice_area = 0;
-    double around = 0;
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-      const Vec2 a = x.xy(nodes[k]);
-      const Vec2 b = x.xy(nodes[(k + 1) % nodes.size()]);
-      twice_area += a.x() * b.y() - a.y() * b.x();
-      around += (b - a).norm();
-    }
-    // Twice the area over the girth is the radius of a circle inside.
-    const double radius = std::abs(twice_area) / around / o.view.pixel_size(middle);
-    const std::string text = std::to_string(e);
-    const ImVec2 size = id_label_size(o.theme, text);
-    if (2 * radius < static_cast<double>(std::hypot(size.x, size.y))) continue;
-    labels_.push_back({o.view.to_screen(middle), text, false});
-  }
-}
-
-void IdLabels::draw(ImDrawList& list, const ViewOverlay& o) {
-  if (!o.options.node_ids && !o.options.element_ids) {
-    key_ = Key();
-    return;
-  }
-  if (const Key now = key_of(o); key_ != now) {
-    key_ = now;
-    find(o);
-  }
-  for (const IdLabel& label : labels_) draw_id_label(list, o.theme, label);
-  if (!labels_.empty()) return;
-  const ScreenBox seen = o.view.viewport();
-  draw_no_id_labels(list, o.theme,
-                    ImVec2(static_cast<float>(seen.min.x()) + o.theme.px(12),
-                           static_cast<float>(seen.max.y()) - o.theme.px(36)));
-}
-
-ImVec2 id_label_size(const Theme& theme, const std::string& text) {
+ImVec2 size_of(const Theme& theme, const std::string& text) {
   return theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0, text.c_str());
 }
 
-void draw_id_label(ImDrawList& list, const Theme& theme, const IdLabel& label) {
+/// Nodes on cards, elements bare but for what sets them off: the two are told apart.
+void draw_label(ImDrawList& list, const Theme& theme, const IdLabel& label) {
   ImFont& font = *theme.small;
   const float pad = theme.px(3);
-  const ImVec2 size = id_label_size(theme, label.text);
+  const ImVec2 size = size_of(theme, label.text);
   const ImVec2 at(std::round(static_cast<float>(label.at.x()) - size.x / 2),
                   std::round(static_cast<float>(label.at.y()) - size.y / 2));
   const ImVec2 min(at.x - pad, at.y), max(at.x + size.x + pad, at.y + size.y);
@@ -113,12 +38,9 @@ void draw_id_label(ImDrawList& list, const Theme& theme, const IdLabel& label) {
   ui::note((label.node ? "id/n" : "id/e") + label.text, min, max);
 }
 
-void draw_no_id_labels(ImDrawList& list, const Theme& theme, const ImVec2& at) {
-  draw_tag(list, theme, at, "Zoom in to see the numbers");
-  ui::note("id/none", at, ImVec2(at.x + 1, at.y + 1));
+bool within(const Bounds& box, const Vec2& p) {
+  return (p.array() >= box.min.array()).all() && (p.array() <= box.max.array()).all();
 }
-
-namespace {
 
 /// The node of an element that a corner of a picture is; none: it lies on an edge, as of a cut.
 std::optional<Index> node_at(const SpaceCorner& corner, Index element, const Mesh& mesh,
@@ -191,10 +113,48 @@ class NodePlaces {
 
 }  // namespace
 
+void IdLabels::find_nodes(const ViewOverlay& o) {
+  const Topology& topology = *o.session.topology();
+  const Coordinates& x = o.session.coordinates();
+  const Bounds seen = o.view.visible();
+  for (Index i = 0; i < x.size() && labels_.size() < most_labels; ++i) {
+    const Vec2 p = x.xy(i);
+    if (!within(seen, p) || !topology.used(i)) continue;
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const Index j : topology.neighbours(i))
+      shortest = std::min(shortest, (x.xy(j) - p).norm());
+    // Half of an edge belongs to each of its ends.
+    add_label(o, place_in_plane(p), {i, true}, shortest / o.view.pixel_size(p));
+  }
+}
+
+void IdLabels::find_elements(const ViewOverlay& o) {
+  const Topology& topology = *o.session.topology();
+  const Coordinates& x = o.session.coordinates();
+  const Bounds seen = o.view.visible();
+  for (Index e = 0; e < topology.element_count() && labels_.size() < most_labels; ++e) {
+    const auto nodes = topology.element(e);
+    Vec2 middle(0, 0);
+    for (const Index i : nodes) middle += x.xy(i);
+    middle /= static_cast<double>(nodes.size());
+    if (!within(seen, middle)) continue;
+    double twice_area = 0;
+    double around = 0;
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const Vec2 a = x.xy(nodes[k]);
+      const Vec2 b = x.xy(nodes[(k + 1) % nodes.size()]);
+      twice_area += a.x() * b.y() - a.y() * b.x();
+      around += (b - a).norm();
+    }
+    // Twice the area over the girth is the radius of a circle inside.
+    const double radius = std::abs(twice_area) / around / o.view.pixel_size(middle);
+    add_label(o, place_in_plane(middle), {e, false}, 2 * radius);
+  }
+}
+
 /// Nodes where the triangles at them have room for their number, elements where what is seen of
 /// them has.
-void SpaceIdLabels::find_in(const SpaceOverlay& o, const SpaceScene& part,
-                            const VolumeScenes& scenes) {
+void IdLabels::find_in(const ViewOverlay& o, const SpaceScene& part, const VolumeScenes& scenes) {
   NodePlaces nodes(*scenes.of.mesh, part.origin);
   const ScreenBox seen = o.view.viewport();
   for (const SpaceFill& fill : part.fills) {
@@ -225,17 +185,16 @@ void SpaceIdLabels::find_in(const SpaceOverlay& o, const SpaceScene& part,
       add_label(o, place.at, {node, true}, place.room);
 }
 
-void SpaceIdLabels::add_label(const SpaceOverlay& o, const Vec3& point, const Item& item,
-                              double room) {
+void IdLabels::add_label(const ViewOverlay& o, const Vec3& point, const Item& item, double room) {
   const std::string text = std::to_string(item.id);
-  const ImVec2 size = id_label_size(o.theme, text);
+  const ImVec2 size = size_of(o.theme, text);
   const float wanted = item.node ? size.x + o.theme.px(10) : std::hypot(size.x, size.y);
   if (room < static_cast<double>(wanted)) return;
   const auto [at, depth] = o.view.project(point);
   if (o.view.viewport().contains(at)) labels_.push_back({{at, text, item.node}, depth, false});
 }
 
-void SpaceIdLabels::hide_what_lies_behind(const SpaceOverlay& o, const VolumeScenes& scenes) {
+void IdLabels::hide_what_lies_behind(const ViewOverlay& o, const VolumeScenes& scenes) {
   std::vector<DeepPlace> places;
   for (const Label& label : labels_) places.push_back({label.drawn.at, label.depth});
   hide_behind(o.view, scenes, places);
@@ -243,8 +202,7 @@ void SpaceIdLabels::hide_what_lies_behind(const SpaceOverlay& o, const VolumeSce
   std::erase_if(labels_, [](const Label& label) { return label.hidden; });
 }
 
-void SpaceIdLabels::find(const SpaceOverlay& o, const VolumeScenes& scenes) {
-  labels_.clear();
+void IdLabels::find_in_picture(const ViewOverlay& o, const VolumeScenes& scenes) {
   for (const auto& part : scenes.parts) find_in(o, *part, scenes);
   hide_what_lies_behind(o, scenes);
   // A node may be in several parts.
@@ -252,27 +210,37 @@ void SpaceIdLabels::find(const SpaceOverlay& o, const VolumeScenes& scenes) {
   std::erase_if(labels_, [&](const Label& label) {
     return !there.insert({label.drawn.node, label.drawn.text}).second;
   });
-  if (labels_.size() > most_id_labels) labels_.resize(most_id_labels);
+  if (labels_.size() > most_labels) labels_.resize(most_labels);
 }
 
-void SpaceIdLabels::draw(ImDrawList& list, const SpaceOverlay& o, const VolumeView& picture) {
-  const VolumeScenes* scenes = picture.scenes();
-  if ((!o.options.node_ids && !o.options.element_ids) || !scenes || scenes->parts.empty()) {
+void IdLabels::find(const ViewOverlay& o, const VolumeView& picture) {
+  labels_.clear();
+  if (const VolumeScenes* scenes = picture.scenes()) return find_in_picture(o, *scenes);
+  if (o.options.element_ids) find_elements(o);
+  if (o.options.node_ids) find_nodes(o);
+}
+
+void IdLabels::draw(ImDrawList& list, const ViewOverlay& o, const VolumeView& picture,
+                    const ScreenBox& room) {
+  const bool no_picture =
+      o.session.in_space() && (!picture.scenes() || picture.scenes()->parts.empty());
+  if ((!o.options.node_ids && !o.options.element_ids) || no_picture) {
     key_ = Key();
     return;
   }
-  const Key now{o.view.camera(), picture.revision(), o.theme.scale, o.options.node_ids,
-                o.options.element_ids};
+  const Key now{o.session.generation(), o.session.shape(),  picture.revision(),   ViewKey(o.view),
+                o.theme.scale,          o.options.node_ids, o.options.element_ids};
   if (key_ != now) {
     key_ = now;
-    find(o, *scenes);
+    find(o, picture);
   }
-  for (const Label& label : labels_) draw_id_label(list, o.theme, label.drawn);
+  for (const Label& label : labels_) draw_label(list, o.theme, label.drawn);
   if (!labels_.empty()) return;
-  const ScreenPoint top = o.view.viewport().min;
-  draw_no_id_labels(list, o.theme,
-                    ImVec2(static_cast<float>(top.x()) + o.theme.px(12),
-                           static_cast<float>(top.y()) + o.theme.px(12)));
+  // In place of numbers that have no room.
+  const ImVec2 at(static_cast<float>(room.min.x()) + o.theme.px(12),
+                  static_cast<float>(room.min.y()) + o.theme.px(12));
+  draw_tag(list, o.theme, at, "Zoom in to see the numbers");
+  ui::note("id/none", at, ImVec2(at.x + 1, at.y + 1));
 }
 
 }  // namespace winslow::gui

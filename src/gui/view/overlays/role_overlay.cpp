@@ -60,13 +60,6 @@ void draw_dot(ImDrawList& list, const Theme& theme, const ScreenPoint& at, NodeR
   list.AddCircleFilled(place, radius, color_of(role), 10);
 }
 
-/// What is compared with what stands in the corner, too.
-ScreenBox key_room(ScreenBox room, const ViewOptions& options, const Theme& theme) {
-  if (options.comparison != Comparison::none)
-    room.min = ScreenPoint(room.min.x(), room.min.y() + static_cast<double>(theme.px(34)));
-  return room;
-}
-
 /// The roles that there are, with their colours and numbers of nodes. Stands in the corner top
 /// left.
 void draw_key(ImDrawList& list, const Theme& theme, const ScreenBox& room, const NodeRoles& roles) {
@@ -159,31 +152,23 @@ const char* name_of(NodeRole role) {
   return "";
 }
 
-void RoleOverlay::draw(ImDrawList& list, const ViewOverlay& o, const ScreenBox& room) {
-  if (!shown(o.options, o.state)) return;
-  const auto roles = o.session.inspection().roles.find();
+void RoleOverlay::find_in_plane(const ViewOverlay& o, const NodeRoles& roles) {
   const Coordinates& x = o.session.coordinates();
-  if (!roles || roles->roles.size() != at(x.size())) return;
   const Bounds seen = o.view.visible();
-  std::array<std::vector<std::pair<ScreenPoint, bool>>, node_role_count> places;
   for (Index i = 0; i < x.size(); ++i) {
     const Vec2 p = x.xy(i);
     if ((p.array() < seen.min.array()).any() || (p.array() > seen.max.array()).any()) continue;
-    const NodeRole role = roles->roles[at(i)];
-    const bool told = std::ranges::binary_search(roles->overridden, i);
+    const NodeRole role = roles.roles[at(i)];
+    const bool told = std::ranges::binary_search(roles.overridden, i);
     if (role == NodeRole::free && !told && !has_room(o, i)) continue;
-    places[static_cast<std::size_t>(role)].emplace_back(o.view.to_screen(p), told);
+    dots_.push_back({o.view.to_screen(p), role, told});
   }
-  for (const NodeRole role : in_order)
-    for (const auto& [at, told] : places[static_cast<std::size_t>(role)])
-      draw_dot(list, o.theme, at, role, told);
-  draw_key(list, o.theme, key_room(room, o.options, o.theme), *roles);
 }
 
 /// Nodes of bodies, and of what moves; of what encloses them and stays there is nothing to be said,
 /// and what a cut takes away of it is not there.
-void RoleOverlay::find(const SpaceOverlay& o, const VolumeScenes& scenes, const NodeRoles& roles) {
-  dots_.clear();
+void RoleOverlay::find_in_space(const ViewOverlay& o, const VolumeScenes& scenes,
+                                const NodeRoles& roles) {
   const VolumeBoundary& boundary = *o.session.document()->boundary();
   const Topology& topology = *o.session.topology();
   const Coordinates& x = o.session.coordinates();
@@ -212,32 +197,33 @@ void RoleOverlay::find(const SpaceOverlay& o, const VolumeScenes& scenes, const 
     if (!places[k].hidden)
       dots_.push_back({places[k].at, roles.roles[at(nodes[k])],
                        std::ranges::binary_search(roles.overridden, nodes[k])});
-  std::ranges::stable_sort(dots_, {}, [](const Dot& dot) {
-    return std::ranges::find(in_order, dot.role) - in_order.begin();
-  });
 }
 
-void RoleOverlay::draw(ImDrawList& list, const SpaceOverlay& o, const VolumeView& picture,
+void RoleOverlay::draw(ImDrawList& list, const ViewOverlay& o, const VolumeView& picture,
                        const ScreenBox& room) {
+  const bool in_space = o.session.in_space();
   const VolumeScenes* scenes = picture.scenes();
-  if (!shown(o.options, o.state) || !scenes) {
+  if (!shown(o.options, o.state) || (in_space && !scenes)) {
     key_ = Key();
     return;
   }
   const auto roles = o.session.inspection().roles.find();
   const Coordinates& x = o.session.coordinates();
   if (!roles || roles->roles.size() != at(x.size())) return;
-  const Key now{o.view.camera(), picture.revision(), o.session.shape(), roles};
+  const Key now{ViewKey(o.view), picture.revision(), o.session.shape(), roles};
   if (key_ != now) {
     key_ = now;
-    find(o, *scenes, *roles);
+    dots_.clear();
+    in_space ? find_in_space(o, *scenes, *roles) : find_in_plane(o, *roles);
   }
   for (const auto& [a, b] : roles->features)
-    list.AddLine(static_cast<ImVec2>(o.view.project(x.xyz(a)).at),
-                 static_cast<ImVec2>(o.view.project(x.xyz(b)).at),
+    list.AddLine(static_cast<ImVec2>(o.view.project(place_of(x, a)).at),
+                 static_cast<ImVec2>(o.view.project(place_of(x, b)).at),
                  faded(color_of(NodeRole::corner), 0.7f), o.theme.px(1.6f));
-  for (const Dot& dot : dots_) draw_dot(list, o.theme, dot.at, dot.role, dot.overridden);
-  draw_key(list, o.theme, key_room(room, o.options, o.theme), *roles);
+  for (const NodeRole role : in_order)
+    for (const Dot& dot : dots_)
+      if (dot.role == role) draw_dot(list, o.theme, dot.at, role, dot.overridden);
+  draw_key(list, o.theme, room, *roles);
 }
 
 }  // namespace winslow::gui

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/inspect/node_roles.h"
-#include "gui/view/overlays/space_overlay.h"
+#include "gui/view/mesh/volume_view.h"
 #include "gui/view/overlays/view_overlay.h"
 
 namespace winslow::gui {
@@ -19,9 +19,8 @@ namespace winslow::gui {
 /// whatever the view's options are.
 class RoleOverlay {
  public:
-  /// room: of the viewport, for the key.
-  void draw(ImDrawList& list, const ViewOverlay& overlay, const ScreenBox& room);
-  void draw(ImDrawList& list, const SpaceOverlay& overlay, const VolumeView& picture,
+  /// picture: of a mesh in space. room: of the viewport, for the key.
+  void draw(ImDrawList& list, const ViewOverlay& overlay, const VolumeView& picture,
             const ScreenBox& room);
 
  private:
@@ -30,15 +29,17 @@ class RoleOverlay {
     NodeRole role;
     bool overridden;
   };
-  /// What the dots of a volume mesh depend on.
+  /// What the dots depend on.
   struct Key {
-    SpaceCamera camera;
+    ViewKey view;
     std::uint64_t revision = 0;  // of the picture
     std::uint64_t shape = 0;
     std::shared_ptr<const NodeRoles> roles;
     bool operator==(const Key&) const = default;
   };
-  void find(const SpaceOverlay& overlay, const VolumeScenes& scenes, const NodeRoles& roles);
+  void find_in_plane(const ViewOverlay& overlay, const NodeRoles& roles);
+  void find_in_space(const ViewOverlay& overlay, const VolumeScenes& scenes,
+                     const NodeRoles& roles);
 
   Key key_;
   std::vector<Dot> dots_;

@@ -5,16 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/error.h"
-#include "core/mesh/element_type.h"
 #include "gui/render/ticks.h"
 #include "gui/view/mesh/mesh_colors.h"
-#include "gui/view/navigation/go_to.h"
-#include "gui/view/overlays/moving_overlay.h"
 #include "gui/view/overlays/vcv_overlay.h"
 #include "gui/widgets/controls.h"
 
@@ -24,54 +21,6 @@ namespace {
 
 ImVec2 seen_at(const SpaceOverlay& o, const Vec3& point) {
   return static_cast<ImVec2>(o.view.project(point).at);
-}
-
-/// Lines with a halo, so that they are legible over any colour.
-void draw_lines_with_halo(ImDrawList& list, const SpaceOverlay& o,
-                          const std::vector<std::array<Vec3, 2>>& lines, ImU32 color, float width) {
-  for (const auto& [c, w] :
-       {std::pair{faded(palette().card, 0.8f), width + o.theme.px(2.5f)}, std::pair{color, width}})
-    for (const auto& [a, b] : lines) list.AddLine(seen_at(o, a), seen_at(o, b), c, w);
-}
-
-std::vector<std::array<Vec3, 2>> edges_of(const Mesh& mesh, Index element) {
-  const auto corners = mesh.topology->element(element);
-  std::set<std::pair<Index, Index>> edges;
-  for (const Face& face : shape_of(mesh.topology->element_type(element)).faces)
-    for (std::size_t k = 0; k < face.size(); ++k)
-      edges.insert(std::minmax(corners[at(face[k])], corners[at(face[(k + 1) % face.size()])]));
-  std::vector<std::array<Vec3, 2>> lines;
-  for (const auto& [a, b] : edges)
-    lines.push_back({mesh.coordinates.xyz(a), mesh.coordinates.xyz(b)});
-  return lines;
-}
-
-std::vector<std::array<Vec3, 2>> sides_of(const Mesh& mesh, Index face) {
-  const Face nodes = mesh.topology->face(face).nodes;
-  std::vector<std::array<Vec3, 2>> lines;
-  for (std::size_t k = 0; k < nodes.size(); ++k)
-    lines.push_back(
-        {mesh.coordinates.xyz(nodes[k]), mesh.coordinates.xyz(nodes[(k + 1) % nodes.size()])});
-  return lines;
-}
-
-/// Above all that hides it.
-void draw_space_focus(ImDrawList& list, const SpaceOverlay& o) {
-  const auto& focus = o.state.focus;
-  if (!focus || !exists(*focus, o.session)) return;
-  const auto shared = o.session.mesh().shared();
-  const Mesh& mesh = *shared;
-  if (focus->kind == MeshItem::Kind::element) {
-    draw_lines_with_halo(list, o, edges_of(mesh, focus->id), palette().accent, o.theme.px(2));
-  } else if (focus->kind == MeshItem::Kind::face) {
-    draw_lines_with_halo(list, o, sides_of(mesh, focus->id), palette().accent, o.theme.px(2.5f));
-  } else {
-    const ImVec2 at = seen_at(o, mesh.coordinates.xyz(focus->id));
-    list.AddCircle(at, o.theme.px(7), palette().card, 24, o.theme.px(4.5f));
-    list.AddCircle(at, o.theme.px(7), palette().accent, 24, o.theme.px(2));
-  }
-  ui::note("focus", static_cast<ImVec2>(o.view.viewport().min),
-           static_cast<ImVec2>(o.view.viewport().max));
 }
 
 /// Nothing of the picture lies before the node of a surface mesh.
@@ -85,7 +34,7 @@ bool is_seen(const SpaceOverlay& o, const VolumeView& picture, const Vec3& point
 /// The VCV of a node, as it is drawn at meshes of its kind.
 void draw_pin(ImDrawList& list, const SpaceOverlay& o, Index node) {
   if (o.session.kind() != MeshKind::surface)
-    return draw_sphere_vcv(list, o.view.camera(), o.session.inspection().spheres.view_of(node),
+    return draw_sphere_vcv(list, o.space.camera(), o.session.inspection().spheres.view_of(node),
                            o.theme.px(1), o.theme.small);
   const Coordinates& x = o.session.coordinates();
   const NodalView view = inspect_node(*o.session.vcv(), x, node);
@@ -112,72 +61,28 @@ void draw_pins(ImDrawList& list, const SpaceOverlay& o, const VolumeView& pictur
   }
 }
 
-/// Rings around the node that is inspected and the one under the mouse.
-void draw_node_rings(ImDrawList& list, const SpaceOverlay& o) {
-  const NodeSelection& nodes = o.session.nodes();
-  const auto ring = [&](const std::optional<Index>& node, float radius, float width) {
-    if (!node || *node >= o.session.coordinates().size()) return;
-    draw_node_ring(list, seen_at(o, o.session.coordinates().xyz(*node)), o.theme.px(radius),
-                   o.theme.px(width), palette().accent);
-  };
-  ring(nodes.inspected(), 6, 2);
-  ring(nodes.hovered(), 8, 1.5f);
-}
-
-void draw_cut_handle(ImDrawList& list, const SpaceOverlay& o, CutPart hot) {
-  const auto& cuts = o.options.space.cuts;
-  if (!o.state.cut || *o.state.cut >= cuts.size()) return;
-  const CutPlane& cut = cuts[*o.state.cut];
-  if (!cut.on || Vec3(cut.normal.data()).norm() == 0) return;
-  const CutHandle handle = make_cut_handle(cut, o.view, static_cast<double>(o.theme.scale));
-  const ImVec2 foot = static_cast<ImVec2>(handle.foot), tip = static_cast<ImVec2>(handle.tip);
-  const ImU32 calm = palette().text, lit = palette().accent;
-  const ImU32 shaft = hot == CutPart::shaft ? lit : calm, knob = hot == CutPart::knob ? lit : calm;
-  list.AddLine(foot, tip, palette().card, o.theme.px(6));
-  list.AddCircleFilled(foot, o.theme.px(9.5f), palette().card, 32);
-  list.AddCircleFilled(tip, o.theme.px(8.5f), palette().card, 32);
-  list.AddLine(foot, tip, shaft, o.theme.px(2.5f));
-  list.AddCircle(foot, o.theme.px(7.5f), shaft, 32, o.theme.px(2.5f));
-  list.AddCircleFilled(tip, o.theme.px(6), knob, 32);
-  ui::note("cut/foot", {foot.x - 4, foot.y - 4}, {foot.x + 4, foot.y + 4});
-  ui::note("cut/tip", {tip.x - 4, tip.y - 4}, {tip.x + 4, tip.y + 4});
-}
-
 }  // namespace
 
 void draw_space_marks(ImDrawList& list, const SpaceOverlay& o, const VolumeView& picture) {
   draw_pins(list, o, picture);
-  draw_space_focus(list, o);
   const BackdropColors ground = backdrop_colors(o.options);
   const Rgba ink = ground.dark() ? Rgba{0.86f, 0.88f, 0.92f, 1} : Rgba{0.13f, 0.15f, 0.18f, 1};
   const MarkColors colors{ink, ground.bottom};
   ImFont& font = *o.theme.regular;
   if (o.options.space.axes) {
-    draw_axes(list, font, font.FontSize, o.view.camera(), colors);
+    draw_axes(list, font, font.FontSize, o.space.camera(), colors);
     const ImVec2 corner(static_cast<float>(o.view.viewport().min.x()),
                         static_cast<float>(o.view.viewport().max.y()));
     ui::note("space/axes", {corner.x, corner.y - 6 * font.FontSize},
              {corner.x + 6 * font.FontSize, corner.y});
   }
-  if (o.options.scale_bar) draw_scale_bar(list, font, font.FontSize, o.view.camera(), colors);
+  if (o.options.scale_bar) draw_scale_bar(list, font, font.FontSize, o.space.camera(), colors);
 }
 
-double space_marks_top(const SpaceOverlay& o) {
+double space_marks_top(const ViewOverlay& o) {
   const double height = o.options.space.axes ? 6 * static_cast<double>(o.theme.regular->FontSize)
                                              : static_cast<double>(o.theme.px(12));
   return o.view.viewport().max.y() - height;
-}
-
-void draw_space_handles(ImDrawList& list, const SpaceOverlay& o, const SpaceViewport& viewport) {
-  draw_node_rings(list, o);
-  draw_region(list, o.session, o.view, o.theme);
-  draw_moving(list, o, viewport);
-  draw_cut_handle(list, o, viewport.cut_part());
-  if (const auto pivot = viewport.pivot()) {
-    const ImVec2 at = seen_at(o, *pivot);
-    list.AddCircleFilled(at, o.theme.px(5), palette().card, 24);
-    list.AddCircleFilled(at, o.theme.px(3.2f), palette().accent, 24);
-  }
 }
 
 namespace {

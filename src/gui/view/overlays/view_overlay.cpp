@@ -8,8 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/inspect/nodal_view.h"
+#include "core/mesh/element_type.h"
 #include "gui/view/mesh/mesh_colors.h"
 #include "gui/view/navigation/go_to.h"
+#include "gui/view/overlays/vcv_overlay.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -35,6 +38,22 @@ void draw_arrow(ImDrawList& list, const ViewOverlay& o, const ScreenPoint& at,
   const ScreenPoint left = at - 0.5 * size * along + 0.7 * size * across;
   const ScreenPoint right = at - 0.5 * size * along - 0.7 * size * across;
   list.AddTriangleFilled(ImVec2(tip), ImVec2(left), ImVec2(right), color);
+}
+
+/// Of an element or a face; none of a node.
+std::vector<std::array<Index, 2>> edges_of(const MeshItem& item, const Topology& topology) {
+  std::vector<std::array<Index, 2>> edges;
+  if (item.kind == MeshItem::Kind::face) {
+    const Face nodes = topology.face(item.id).nodes;
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      edges.push_back({nodes[k], nodes[(k + 1) % nodes.size()]});
+  }
+  if (item.kind == MeshItem::Kind::element) {
+    const auto corners = topology.element(item.id);
+    for (const auto& edge : shape_of(topology.element_type(item.id)).edges)
+      edges.push_back({corners[at(edge[0])], corners[at(edge[1])]});
+  }
+  return edges;
 }
 
 /// One closed loop of the boundary, the mesh on its left.
@@ -83,20 +102,26 @@ void draw_focus(ImDrawList& list, const ViewOverlay& o) {
   const auto& focus = o.state.focus;
   if (!focus || !exists(*focus, o.session)) return;
   const Coordinates& x = o.session.coordinates();
-  if (focus->kind == MeshItem::Kind::node) {
-    const ImVec2 c(o.view.to_screen(x.xy(focus->id)));
+  const auto place = [&](Index node) { return ImVec2(o.view.project(place_of(x, node)).at); };
+  // The node of the inspector has a ring of its own.
+  if (focus->kind == MeshItem::Kind::node && o.session.nodes().inspected() != focus->id) {
+    const ImVec2 c = place(focus->id);
     list.AddCircle(c, o.theme.px(9), palette().card, 32, o.theme.px(5));
     list.AddCircle(c, o.theme.px(9), palette().accent, 32, o.theme.px(2.5f));
     list.AddCircleFilled(c, o.theme.px(2.5f), palette().accent);
-    return;
   }
-  std::array<ImVec2, 4> corners;
-  const auto nodes = o.session.topology()->element(focus->id);
-  for (std::size_t k = 0; k < nodes.size(); ++k)
-    corners[k] = ImVec2(o.view.to_screen(x.xy(nodes[k])));
-  const auto count = static_cast<int>(nodes.size());
-  list.AddPolyline(corners.data(), count, palette().card, ImDrawFlags_Closed, o.theme.px(6));
-  list.AddPolyline(corners.data(), count, palette().accent, ImDrawFlags_Closed, o.theme.px(3));
+  // With a halo, so that they are legible over any colour.
+  const auto edges = edges_of(*focus, *o.session.topology());
+  for (const auto& [color, width] : {std::pair{palette().card, 5.5f}, {palette().accent, 2.5f}})
+    for (const auto& [a, b] : edges) list.AddLine(place(a), place(b), color, o.theme.px(width));
+  ui::note("focus", ImVec2(o.view.viewport().min), ImVec2(o.view.viewport().max));
+}
+
+void draw_pins(ImDrawList& list, const ViewOverlay& o) {
+  std::vector<NodalView> pinned;
+  for (const Index node : o.session.nodes().pinned())
+    pinned.push_back(inspect_node(*o.session.vcv(), o.session.coordinates(), node));
+  draw_vcvs(list, o.view, pinned, o.theme.px(1), o.theme.small);
 }
 
 void draw_rim(ImDrawList& list, const ViewOverlay& o) {
@@ -107,8 +132,10 @@ void draw_rim(ImDrawList& list, const ViewOverlay& o) {
     if (!loop.empty()) draw_loop(list, o, loop, color);
 }
 
-void draw_comparison(ImDrawList& list, const ViewOverlay& o) {
-  draw_comparison(list, o.options, o.theme, o.view.viewport());
+ScreenBox room_below_comparison(ScreenBox room, const ViewOptions& options, const Theme& theme) {
+  if (options.comparison != Comparison::none)
+    room.min = ScreenPoint(room.min.x(), room.min.y() + static_cast<double>(theme.px(34)));
+  return room;
 }
 
 void draw_comparison(ImDrawList& list, const ViewOptions& options, const Theme& theme,

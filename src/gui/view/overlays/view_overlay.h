@@ -38,15 +38,18 @@ struct ViewOverlay {
   const Theme& theme;
 };
 
-/// The node or element that was gone to.
+/// The node, element or face that was gone to, above all that hides it.
 void draw_focus(ImDrawList& list, const ViewOverlay& overlay);
+/// Pinned control volumes of a plane mesh.
+void draw_pins(ImDrawList& list, const ViewOverlay& overlay);
 /// Nodes of the boundary and arrows along it, as far as there is room for them.
 void draw_rim(ImDrawList& list, const ViewOverlay& overlay);
-/// What is compared with what: the divider and the names of both sides, or of the ghost.
-void draw_comparison(ImDrawList& list, const ViewOverlay& overlay);
-/// The same in a view of which the mesh now may have a part.
+/// What is compared with what: the divider and the names of both sides, or of the ghost. whole: the
+/// view, of which the mesh now may have a part.
 void draw_comparison(ImDrawList& list, const ViewOptions& options, const Theme& theme,
                      const ScreenBox& whole);
+/// What that leaves of a room for what stands in the corner top left.
+ScreenBox room_below_comparison(ScreenBox room, const ViewOptions& options, const Theme& theme);
 /// The box that the mouse draws to zoom to (pixels).
 void draw_zoom_box(ImDrawList& list, const Theme& theme, const ScreenBox& box);
 /// Where a pinned magnifier looks: below its picture, should they overlap.

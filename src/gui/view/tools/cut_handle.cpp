@@ -9,27 +9,33 @@ namespace {
 
 // Framebuffer pixels at scale 1.
 constexpr double arrow_length = 72;
-constexpr double knob_reach = 10, shaft_reach = 7, foot_reach = 13;
+constexpr double cut_knob_reach = 10, shaft_reach = 7, foot_reach = 13;
 constexpr double seen_sideways = 16;  // an arrow that is shorter points at the viewer
-
-double distance_to_arrow(const ScreenPoint& p, const ScreenPoint& a, const ScreenPoint& b) {
-  const ScreenVector along = b - a;
-  const double t = along.squared_norm() > 0
-                       ? std::clamp((p - a).dot(along) / along.squared_norm(), 0.0, 1.0)
-                       : 0.0;
-  return (p - (a + t * along)).norm();
-}
 
 void set(std::array<double, 3>& to, const Vec3& from) {
   for (Index k = 0; k < 3; ++k) to[at(k)] = from[k];
 }
 
+void edit_cut(const PointerFrame& frame, const CutPlane& cut) {
+  if (!held_cut(frame.scene)) return;
+  const ViewOptions& before = frame.scene.options;
+  ViewOptions after = before;
+  after.space.cuts[*frame.scene.cut] = cut;
+  frame.actions.emplace_back(action::EditView{difference(before, after)});
+}
+
 }  // namespace
 
+const CutPlane* held_cut(const ViewportScene& scene) {
+  const auto& cuts = scene.options.space.cuts;
+  if (!scene.cut || *scene.cut >= cuts.size() || !cuts[*scene.cut].on) return nullptr;
+  return Vec3(cuts[*scene.cut].normal.data()).norm() > 0 ? &cuts[*scene.cut] : nullptr;
+}
+
 CutPart CutHandle::at(const ScreenPoint& pixel) const {
-  if ((pixel - tip).norm() <= knob_reach * scale) return CutPart::knob;
+  if ((pixel - tip).norm() <= cut_knob_reach * scale) return CutPart::knob;
   const bool on_foot = (pixel - foot).norm() <= foot_reach * scale;
-  const bool on_shaft = distance_to_arrow(pixel, foot, tip) <= shaft_reach * scale;
+  const bool on_shaft = distance_to_segment(pixel, foot, tip) <= shaft_reach * scale;
   return on_foot || on_shaft ? CutPart::shaft : CutPart::none;
 }
 
@@ -82,5 +88,28 @@ CutPlane turned_cut(const CutPlane& cut, const CutHandle& handle, const View& vi
   set(turned.point, handle.anchor);
   return turned;
 }
+
+void CutTool::hover(const PointerFrame& frame) {
+  part_ = CutPart::none;
+  if (const CutPlane* cut = held_cut(frame.scene))
+    part_ = make_cut_handle(*cut, frame.view, frame.scene.scale).at(frame.pointer.position);
+}
+
+bool CutTool::press(const PointerFrame& frame) {
+  const CutPlane* cut = held_cut(frame.scene);
+  if (!cut || part_ == CutPart::none) return false;
+  before_ = *cut;
+  handle_ = make_cut_handle(*cut, frame.view, frame.scene.scale);
+  press_ = frame.pointer.position;
+  return true;
+}
+
+void CutTool::follow(const PointerFrame& frame) const {
+  const ScreenPoint& to = frame.pointer.position;
+  edit_cut(frame, part_ == CutPart::knob ? turned_cut(before_, handle_, frame.view, to)
+                                         : moved_cut(before_, handle_, frame.view, to - press_));
+}
+
+void CutTool::put_back(const PointerFrame& frame) const { edit_cut(frame, before_); }
 
 }  // namespace winslow::gui

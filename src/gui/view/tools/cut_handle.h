@@ -4,6 +4,7 @@
 
 #include "gui/render/view.h"
 #include "gui/settings/view_options.h"
+#include "gui/view/tools/pointer.h"
 
 namespace winslow::gui {
 
@@ -24,6 +25,8 @@ struct CutHandle {
 
   CutPart at(const ScreenPoint& pixel) const;
 };
+/// The cut that has a handle; null: none has.
+const CutPlane* held_cut(const ViewportScene& scene);
 CutHandle make_cut_handle(const CutPlane& cut, const View& view, double scale);
 
 /// The cut after its handle was dragged from a place to another; handle, cut: as they were when the
@@ -32,5 +35,26 @@ CutPlane moved_cut(const CutPlane& cut, const CutHandle& handle, const View& vie
                    const ScreenVector& by);
 CutPlane turned_cut(const CutPlane& cut, const CutHandle& handle, const View& view,
                     const ScreenPoint& to);
+
+/// The mouse on the handle of a cut.
+class CutTool {
+ public:
+  void hover(const PointerFrame& frame);
+  void leave() { part_ = CutPart::none; }
+  /// Begins a drag with the part under the mouse. False if there is none.
+  bool press(const PointerFrame& frame);
+  /// The mouse went to a place.
+  void follow(const PointerFrame& frame) const;
+  /// The cut is as it was before the drag.
+  void put_back(const PointerFrame& frame) const;
+  /// Under the mouse, or held.
+  CutPart part() const { return part_; }
+
+ private:
+  CutPart part_ = CutPart::none;
+  ScreenPoint press_;
+  CutHandle handle_;  // when the drag began
+  CutPlane before_;   // likewise
+};
 
 }  // namespace winslow::gui

@@ -1,70 +1,224 @@
 #include "gui/view/tools/gizmo.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "gui/view/tools/pointer.h"
+#include "gui/view/tools/space_travel.h"
 
 namespace winslow::gui {
 
 namespace {
 
+using Kind = Handle::Kind;
+
 // Framebuffer pixels at scale 1.
-constexpr double grip_radius = 9;
-constexpr double centre_radius = 7;
-constexpr double pin_radius = 7;
-constexpr double pin_distance = 20;
-constexpr double shaft_start = 12;
+constexpr double shaft_begins = 12, arrow_ends = 66;
+constexpr double square_near = 25, square_far = 43;
+constexpr double ring_at = 86, screen_ring_at = 106;
+constexpr double centre_reach = 9, arrow_reach = 7, ring_reach = 6.3, knob_reach = 9, pin_reach = 7;
+constexpr double pin_away = 20;
+// In the plane.
 constexpr double shortest_arrow = 32, longest_arrow = 64;
-constexpr double ring_gap = 26;
-constexpr double smallest_ring = 52;
+constexpr double ring_gap = 26, smallest_ring = 52;
+constexpr std::size_t ring_points = 96;
+// What lies this far behind the centre, in radii, still counts as in front: a ring that faces the
+// viewer does with all of itself.
+constexpr double just_behind = 0.12;
+constexpr double least_arrow = 0.2;   // sine to the viewer of an arrow that can be taken
+constexpr double least_square = 0.2;  // cosine to the viewer of the normal of a square
 
-ScreenVector direction(int axis) { return axis == 0 ? ScreenVector(1, 0) : ScreenVector(0, -1); }
+bool in_polygon(const ScreenPoint& p, const std::array<ScreenPoint, 4>& corners) {
+  bool inside = false;
+  for (std::size_t k = 0, last = corners.size() - 1; k < corners.size(); last = k++) {
+    const ScreenPoint &a = corners[k], &b = corners[last];
+    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
+    if (p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) inside = !inside;
+  }
+  return inside;
+}
 
-double distance_to_segment(const ScreenPoint& p, const ScreenPoint& a, const ScreenPoint& b) {
-  const ScreenVector d = b - a;
-  const double t = std::clamp((p - a).dot(d) / std::max(d.squared_norm(), 1e-30), 0.0, 1.0);
-  return (p - a - t * d).norm();
+double distance_to_ring(const ScreenPoint& p, const std::vector<Gizmo::RingPoint>& ring) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const auto &a = ring[k], &b = ring[(k + 1) % ring.size()];
+    if (a.front && b.front) least = std::min(least, distance_to_segment(p, a.at, b.at));
+  }
+  return least;
+}
+
+std::vector<Gizmo::RingPoint> ring_about(const View& view, const Gizmo& g, int axis,
+                                         double radius) {
+  const Vec3 &u = g.frame().axes[at((axis + 1) % 3)], &v = g.frame().axes[at((axis + 2) % 3)];
+  std::vector<Gizmo::RingPoint> ring;
+  ring.reserve(ring_points);
+  for (std::size_t k = 0; k < ring_points; ++k) {
+    const double angle = 2 * pi * static_cast<double>(k) / ring_points;
+    const Vec3 arm = std::cos(angle) * u + std::sin(angle) * v;
+    ring.push_back(
+        {view.project(g.place.pivot + radius * arm).at, arm.dot(g.viewer) >= -just_behind});
+  }
+  return ring;
+}
+
+double reach_of(Kind kind) {
+  switch (kind) {
+    case Kind::centre:
+      return centre_reach;
+    case Kind::arrow:
+      return arrow_reach;
+    case Kind::ring:
+    case Kind::screen_ring:
+      return ring_reach;
+    case Kind::pin:
+      return pin_reach;
+    case Kind::square:
+    case Kind::none:
+      break;
+  }
+  return 0;
+}
+
+/// Radius of the ring in the plane, pixels: seen from afar it stays large enough to take, seen from
+/// near within the window.
+double ring_around(const View& view, const GizmoPlace& place, double scale) {
+  const ScreenVector size = view.viewport().size();
+  const double room = 0.42 * std::min(size.x(), size.y());
+  return std::max(smallest_ring * scale,
+                  std::min(place.reach / view.pixel_size(place.pivot) + ring_gap * scale, room));
+}
+
+/// In the order in which they are taken.
+std::vector<Handle> handles_of(const Gizmo& g) {
+  std::vector<Handle> all{{Kind::centre, 0}};
+  const bool flat = g.place.in_plane;
+  const auto axis = [&](int k) -> const Vec3& { return g.frame().axes[at(k)]; };
+  if (g.pin) all.push_back({Kind::pin, 0});
+  for (int k = 0; k < 3 && !flat; ++k)
+    if (std::abs(axis(k).dot(g.viewer)) > least_square) all.push_back({Kind::square, k});
+  for (int k = 0; k < (flat ? 2 : 3); ++k)
+    if (axis(k).cross(g.viewer).norm() > least_arrow) all.push_back({Kind::arrow, k});
+  if (!g.place.turns) return all;
+  for (int k = flat ? 2 : 0; k < 3; ++k) all.push_back({Kind::ring, k});
+  if (!flat) all.push_back({Kind::screen_ring, 0});
+  return all;
+}
+
+void place_arrow(Gizmo& g, const View& view, int k, double length) {
+  const double unit = view.pixel_size(g.place.pivot);
+  const Vec3& axis = g.frame().axes[at(k)];
+  g.shafts[at(k)] = view.project(g.place.pivot + shaft_begins * g.scale * unit * axis).at;
+  g.tips[at(k)] = view.project(g.place.pivot + length * unit * axis).at;
+}
+
+void place_square(Gizmo& g, const View& view, int k) {
+  const double unit = g.scale * view.pixel_size(g.place.pivot);
+  const Vec3& pivot = g.place.pivot;
+  const Vec3 &u = g.frame().axes[at((k + 1) % 3)], &v = g.frame().axes[at((k + 2) % 3)];
+  const double n = square_near * unit, f = square_far * unit;
+  g.squares[at(k)] = {
+      view.project(pivot + n * u + n * v).at, view.project(pivot + f * u + n * v).at,
+      view.project(pivot + f * u + f * v).at, view.project(pivot + n * u + f * v).at};
 }
 
 }  // namespace
 
-ScreenPoint Gizmo::knob() const {
-  return pivot + radius * ScreenVector(std::cos(angle), -std::sin(angle));
+GizmoFrame GizmoFrame::about(const Vec3& axis, const char* name) {
+  constexpr double parallel = 1e-9;
+  GizmoFrame frame;
+  const Vec3 w = axis.normalized();
+  Index least = 0;
+  if (1 - w.cwiseAbs().maxCoeff() < parallel) return frame;
+  w.cwiseAbs().minCoeff(&least);
+  const Vec3 u = (Vec3::Unit(least) - w[least] * w).normalized();
+  frame.axes = {u, w.cross(u), w};
+  frame.aligned = true;
+  frame.third = name;
+  return frame;
 }
 
-ScreenPoint Gizmo::shaft(int axis) const { return pivot + shaft_start * scale * direction(axis); }
-
-ScreenPoint Gizmo::tip(int axis) const {
-  const double length = std::clamp(0.6 * radius, shortest_arrow * scale, longest_arrow * scale);
-  return pivot + length * direction(axis);
+const char* GizmoFrame::name(int axis) const {
+  constexpr std::array<const char*, 3> own{"x", "y", "z"}, across{"u", "v", ""};
+  if (!aligned) return own[winslow::at(axis)];
+  return axis == 2 ? third : across[winslow::at(axis)];
 }
 
-ScreenPoint Gizmo::pin() const {
-  return pivot + pin_distance * scale * ScreenVector(-0.7071, 0.7071);
+bool Gizmo::has(const Handle& handle) const {
+  return std::ranges::find(handles, handle) != handles.end();
+}
+
+double Gizmo::distance(const Handle& handle, const ScreenPoint& p) const {
+  const std::size_t k = winslow::at(handle.axis);
+  switch (handle.kind) {
+    case Kind::centre:
+      return (p - centre).norm();
+    case Kind::pin:
+      return (p - *pin).norm();
+    case Kind::square:
+      if (in_polygon(p, squares[k])) return 0;
+      break;
+    case Kind::arrow:
+      return distance_to_segment(p, shafts[k], tips[k]);
+    case Kind::ring:
+      return distance_to_ring(p, rings[k]);
+    case Kind::screen_ring:
+      return std::abs((p - centre).norm() - screen_radius);
+    case Kind::none:
+      break;
+  }
+  return std::numeric_limits<double>::infinity();
 }
 
 Handle Gizmo::at(const ScreenPoint& p) const {
-  const double r = grip_radius * scale;
-  if ((p - knob()).norm() <= r) return Handle::ring;
-  if ((p - pivot).norm() <= centre_radius * scale) return Handle::centre;
-  if ((p - pin()).norm() <= pin_radius * scale) return Handle::pivot;
-  for (const int axis : {0, 1})
-    if (distance_to_segment(p, shaft(axis), tip(axis) + 0.3 * r * direction(axis)) <= 0.7 * r)
-      return axis == 0 ? Handle::arrow_x : Handle::arrow_y;
-  const double off_ring = std::abs((p - pivot).norm() - radius);
-  return off_ring <= 0.7 * r ? Handle::ring : Handle::none;
+  if (knob && (p - *knob).norm() <= knob_reach * scale) return {Kind::ring, 2};
+  Handle ring;
+  double least = ring_reach * scale;
+  for (const Handle& handle : handles) {
+    if (ring && handle.kind != Kind::ring) break;
+    const double away = distance(handle, p);
+    if (away > reach_of(handle.kind) * scale) continue;
+    if (handle.kind != Kind::ring) return handle;
+    if (away > least) continue;
+    least = away;
+    ring = handle;
+  }
+  return ring;
 }
 
-Gizmo make_gizmo(const View& view, const Vec2& pivot, double reach, double turned, double scale) {
-  const ScreenVector size = view.viewport().size();
-  const double room = 0.42 * std::min(size.x(), size.y());
-  Gizmo gizmo;
-  gizmo.pivot = view.to_screen(pivot);
-  // Seen from afar the ring stays large enough to take, seen from near within the window.
-  gizmo.radius = std::max(smallest_ring * scale,
-                          std::min(reach / view.pixel_size(pivot) + ring_gap * scale, room));
-  gizmo.angle = pi / 4 + radians(turned);
-  gizmo.scale = scale;
-  return gizmo;
+std::optional<Gizmo> make_gizmo(const View& view, const GizmoPlace& place, double scale) {
+  Gizmo g;
+  g.place = place;
+  g.scale = scale;
+  const Vec3& pivot = place.pivot;
+  const auto [origin, direction] = view.unproject(view.project(pivot).at);
+  if (!((pivot - origin).dot(direction) > 0)) return std::nullopt;
+  g.viewer = towards_viewer(view, pivot);
+  g.centre = view.project(pivot).at;
+  g.screen_radius = screen_ring_at * scale;
+  g.ring_radius = place.in_plane ? ring_around(view, place, scale) : ring_at * scale;
+  if (place.in_plane) {
+    g.pin = g.centre + pin_away * scale * ScreenVector(-0.7071, 0.7071);
+    g.knob = on_ring(view, pivot, Vec3::UnitZ(), Vec3::UnitX(), 45 + place.turned, g.ring_radius);
+  }
+  const double arrow = place.in_plane ? std::clamp(0.6 * g.ring_radius, shortest_arrow * scale,
+                                                   longest_arrow * scale)
+                                      : arrow_ends * scale;
+  g.handles = handles_of(g);
+  for (int k = 0; k < 3; ++k) {
+    place_arrow(g, view, k, arrow);
+    place_square(g, view, k);
+    if (g.has({Kind::ring, k}))
+      g.rings[at(k)] = ring_about(view, g, k, g.ring_radius * view.pixel_size(pivot));
+  }
+  return g;
+}
+
+ScreenPoint on_ring(const View& view, const Vec3& pivot, const Vec3& axis, const Vec3& from,
+                    double angle, double radius) {
+  const Vec3 arm = Eigen::AngleAxisd(radians(angle), axis) * from;
+  return view.project(pivot + radius * view.pixel_size(pivot) * arm).at;
 }
 
 }  // namespace winslow::gui

@@ -2,82 +2,148 @@
 
 #include <cmath>
 
-#include "core/motion/rigid_motion.h"
+#include "gui/view/tools/space_travel.h"
 
 namespace winslow::gui {
 
 namespace {
 
-constexpr double fine_share = 0.1;
-constexpr double rotation_step = 5;  // degrees
-constexpr double smallest_step = 8;  // pixels
+using Kind = Handle::Kind;
 
-double angle_about(const Vec2& pivot, const Vec2& point) {
-  return std::atan2(point.y() - pivot.y(), point.x() - pivot.x());
-}
+constexpr double fine_speed = 0.1;
+constexpr double turn_step = 5;      // degrees
+constexpr double smallest_step = 8;  // pixels
+constexpr std::array<const char*, 3> mesh_axes{"x", "y", "z"};
+
+double rounded_to(double step, double value) { return step * std::round(value / step); }
 
 }  // namespace
 
-void MotionGesture::begin(Kind kind, const ScreenPoint& from, const Vec2& pivot,
-                          std::optional<int> axis) {
-  kind_ = kind;
-  axis_ = axis;
-  modifiers_ = {};
-  motion_ = RigidMotion{0, pivot, Vec2(0, 0)};
+void MotionGesture::begin(const Handle& handle, const ScreenPoint& from, const Gizmo& gizmo,
+                          const View& view) {
+  *this = MotionGesture();
+  handle_ = handle;
+  frame_ = gizmo.frame();
+  in_plane_ = gizmo.place.in_plane;
+  radius_ = handle.kind == Kind::screen_ring ? gizmo.screen_radius : gizmo.ring_radius;
+  viewer_ = gizmo.viewer;
+  pivot_ = gizmo.place.pivot;
   last_ = from;
-  moved_ = Vec2(0, 0);
-  turned_ = 0;
+  from_ = to_ = view.at_depth_of(pivot_, from);
+  if (handle.kind == Kind::arrow && !frame_.aligned) locked_ = handle.axis;
+  if (!turns()) return;
+  now_.axis = axis();
+  find_grip(view, from);
+}
+
+Vec3 MotionGesture::axis() const {
+  if (locked_) return Vec3::Unit(*locked_);
+  return handle_.kind == Kind::ring ? frame_.axes[at(handle_.axis)] : viewer_;
+}
+
+/// Where the swept angle begins in the picture.
+void MotionGesture::find_grip(const View& view, const ScreenPoint& press) {
+  const Vec3 about = axis();
+  const auto [origin, direction] = view.unproject(press);
+  const double slope = about.dot(direction.normalized());
+  Vec3 arm = viewer_;  // the near side of a ring that is seen edge on
+  if (std::abs(slope) > 0.25)
+    arm = origin + about.dot(pivot_ - origin) / about.dot(direction) * direction - pivot_;
+  arm -= about.dot(arm) * about;
+  grip_ = arm.norm() > 0 ? Vec3(arm.normalized()) : Vec3(frame_.axes[0]);
+}
+
+bool MotionGesture::take(const Way& next) {
+  if (next == now_) return false;
+  now_ = next;
+  return true;
 }
 
 bool MotionGesture::follow(const ScreenPoint& mouse, Modifiers modifiers, const View& view) {
-  const double speed = modifiers.fine ? fine_share : 1;
-  const Vec2 from = view.to_plane(last_);
-  const Vec2 to = view.to_plane(mouse);
+  const double speed = modifiers.fine ? fine_speed : 1;
+  const ScreenPoint before = last_;
   last_ = mouse;
   modifiers_ = modifiers;
-  RigidMotion next = motion_;
-  if (kind_ == Kind::move) {
-    moved_ += speed * (to - from);
-    next.translate = moved_;
-    if (modifiers.snap) {
-      const double step = grid_step(view, *motion_.pivot);
-      next.translate = Vec2(step * (moved_ / step).array().round().matrix());
-    }
-    if (axis_) next.translate[1 - *axis_] = 0;
+  to_ += speed * (view.at_depth_of(pivot_, mouse) - view.at_depth_of(pivot_, before));
+  Way next = now_;
+  if (turns()) {
+    turned_ += speed * turn_about(view, pivot_, axis(), radius_, before, mouse);
+    next.axis = axis();
+    next.rotate = modifiers.snap ? rounded_to(turn_step, turned_) : turned_;
   } else {
-    const Vec2 pivot = motion_.pivot->head<2>();
-    const double by = angle_about(pivot, to) - angle_about(pivot, from);
-    turned_ += speed * std::remainder(by, 2 * pi) * (180 / pi);
-    next.rotate = modifiers.snap ? rotation_step * std::round(turned_ / rotation_step) : turned_;
+    next.translate = moved_to(view);
   }
-  if (same_motion(next, motion_)) return false;
-  motion_ = next;
-  return true;
+  return take(next);
+}
+
+/// From where the mouse was pressed at once, so that no path adds up.
+Vec3 MotionGesture::moved_to(const View& view) const {
+  const auto along = directions();
+  const ScreenPoint press = view.project(from_).at, mouse = view.project(to_).at;
+  Vec3 way(0, 0, 0);
+  if (along.size() == 1)
+    way += travel_along(view, pivot_, along[0].along, press, mouse) * along[0].along;
+  else
+    way = travel_in_plane(view, pivot_,
+                          handle_.kind == Kind::square ? frame_.axes[at(handle_.axis)] : viewer_,
+                          press, mouse);
+  if (!modifiers_.snap) return way;
+  const double step = snap_step(view);
+  Vec3 snapped(0, 0, 0);
+  for (const Direction& d : along) snapped += rounded_to(step, way.dot(d.along)) * d.along;
+  return snapped;
 }
 
 bool MotionGesture::type(const TypedMotion& typed) {
-  const auto first = typed.value(0);
-  const auto second = typed.value(1);
-  if (!first || !second) return false;
-  RigidMotion next = motion_;
-  if (kind_ == Kind::rotate) {
-    next.rotate = *first;
-  } else if (axis_) {
-    next.translate = Vec2(0, 0);
-    next.translate[*axis_] = *first;
+  Way next = now_;
+  next.translate.setZero();
+  if (turns()) {
+    const auto degrees = typed.value(0);
+    if (!degrees) return false;
+    next.axis = axis();
+    next.rotate = *degrees;
   } else {
-    next.translate = Vec2(*first, *second);
+    const auto along = directions();
+    for (std::size_t k = 0; k < along.size(); ++k) {
+      const auto way = typed.value(k);
+      if (!way) return false;
+      next.translate += *way * along[k].along;
+    }
   }
-  if (same_motion(next, motion_)) return false;
-  motion_ = next;
-  return true;
+  return take(next);
 }
 
-void MotionGesture::toggle_axis(int axis) {
-  if (axis_ == axis)
-    axis_.reset();
+void MotionGesture::toggle_axis(int axis, const View& view) {
+  if (in_plane_ && (turns() || axis == 2)) return;
+  if (locked_ == axis)
+    locked_.reset();
   else
-    axis_ = axis;
+    locked_ = axis;
+  if (turns()) find_grip(view, view.project(from_).at);
+}
+
+Handle MotionGesture::shown_handle() const {
+  if (locked_ && !frame_.aligned) return {turns() ? Kind::ring : Kind::arrow, *locked_};
+  const bool freed = handle_.kind == Kind::arrow && !frame_.aligned;
+  return freed ? Handle{Kind::centre, 0} : handle_;
+}
+
+std::vector<MotionGesture::Direction> MotionGesture::directions() const {
+  if (locked_) return {{Vec3::Unit(*locked_), mesh_axes[at(*locked_)]}};
+  const auto direction = [&](int k) { return Direction{frame_.axes[at(k)], frame_.name(k)}; };
+  if (handle_.kind == Kind::arrow && frame_.aligned) return {direction(handle_.axis)};
+  if (handle_.kind == Kind::square)
+    return {direction((handle_.axis + 1) % 3), direction((handle_.axis + 2) % 3)};
+  std::vector<Direction> all;
+  for (int k = 0; k < (in_plane_ ? 2 : 3); ++k) all.push_back({Vec3::Unit(k), mesh_axes[at(k)]});
+  return all;
+}
+
+const char* MotionGesture::axis_name() const {
+  if (in_plane_) return "";
+  if (locked_) return mesh_axes[at(*locked_)];
+  if (handle_.kind == Kind::screen_ring) return "the line of sight";
+  return frame_.aligned && handle_.axis == 2 ? "the axis" : frame_.name(handle_.axis);
 }
 
 double MotionGesture::grid_step(const View& view, const Vec3& at) {

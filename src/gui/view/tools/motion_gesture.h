@@ -1,54 +1,101 @@
 #pragma once
 
+#include <array>
 #include <optional>
+#include <vector>
 
-#include "core/motion/motion.h"
-#include "gui/render/view.h"
+#include "gui/document/selection/pivot.h"
+#include "gui/view/tools/gizmo.h"
 #include "gui/view/tools/typed_motion.h"
 
+/// The motion that the mouse describes while it drags a handle.
+///
+///     gesture.begin({Handle::Kind::arrow, 0}, mouse, gizmo, view);
+///     if (gesture.follow(mouse, {.fine = shift, .snap = control}, view)) use(gesture.motion());
 namespace winslow::gui {
 
-/// The motion that the mouse describes while it drags a body, a handle or a piece of boundary.
 class MotionGesture {
  public:
-  enum class Kind { move, rotate };
   struct Modifiers {
     bool fine = false;  ///< a tenth of the speed
-    bool snap = false;  ///< to the grid, or to steps of 5 degrees
+    bool snap = false;  ///< to round lengths, or to steps of 5 degrees
   };
 
-  /// from: where the mouse is. pivot: in units of the mesh. axis: 0 or 1 keeps a move to x or y.
-  void begin(Kind kind, const ScreenPoint& from, const Vec2& pivot, std::optional<int> axis);
+  /// from: where the mouse is.
+  void begin(const Handle& handle, const ScreenPoint& from, const Gizmo& gizmo, const View& view);
   /// The mouse went to a place. True if that changed the motion.
   bool follow(const ScreenPoint& mouse, Modifiers modifiers, const View& view);
-  /// Takes the motion from typed numbers: degrees, or units of the mesh along x and y, or along the
-  /// one axis that the move is kept to. True if that changed the motion.
+  /// Takes the motion from typed numbers: degrees, or units of the mesh along each of
+  /// directions(). True if that changed the motion.
   bool type(const TypedMotion& typed);
-  /// How many numbers there are to type.
-  std::size_t typed_fields() const { return kind_ == Kind::rotate || axis_ ? 1 : 2; }
-  /// Keeps a move to an axis; the same one again sets it free.
-  void toggle_axis(int axis);
+  std::size_t typed_fields() const { return turns() ? 1 : directions().size(); }
+  /// Keeps a move to an axis of the mesh, or turns about it, 0 to 2; the same one again sets it
+  /// free. Leaves out what would lead out of the plane.
+  void toggle_axis(int axis, const View& view);
 
-  Kind kind() const { return kind_; }
-  std::optional<int> axis() const { return axis_; }
-  /// Total, since begin().
-  const RigidMotion& motion() const { return motion_; }
+  bool turns() const {
+    return handle_.kind == Handle::Kind::ring || handle_.kind == Handle::Kind::screen_ring;
+  }
+  /// That was taken.
+  const Handle& handle() const { return handle_; }
+  /// The one that stands for what the drag does now: an arrow while it is kept to an axis.
+  Handle shown_handle() const;
+  /// An axis of the mesh that it is kept to.
+  std::optional<int> locked() const { return locked_; }
+  /// A direction along which it moves, and what it is called: "x".
+  struct Direction {
+    Vec3 along;
+    const char* name;
+  };
+  /// One to three of them.
+  std::vector<Direction> directions() const;
+  /// "x", "the axis", "the line of sight"; empty in the plane, where there is only one.
+  const char* axis_name() const;
+  /// Of the rotation, of length 1.
+  Vec3 axis() const;
+  /// The direction, across the axis, in which the ring was taken.
+  const Vec3& grip() const { return grip_; }
+
+  // Total, since begin().
+  double rotate() const { return now_.rotate; }  ///< degrees
+  const Vec3& translate() const { return now_.translate; }
+  const Vec3& pivot() const { return pivot_; }
+  RigidMotion motion() const {
+    return motion_of(in_plane_, now_.rotate, now_.translate, pivot_, now_.axis);
+  }
   bool snapped() const { return modifiers_.snap; }
+  /// Round length to which moves snap.
+  double snap_step(const View& view) const { return grid_step(view, pivot_); }
   /// Step of the grid: a round number of mesh units that is 8 to 20 pixels on screen at a
   /// point.
-  static double grid_step(const View& view, const Vec2& at) {
-    return grid_step(view, Vec3(at.x(), at.y(), 0));
-  }
   static double grid_step(const View& view, const Vec3& at);
 
  private:
-  Kind kind_ = Kind::move;
-  std::optional<int> axis_;
+  struct Way {
+    double rotate = 0;
+    Vec3 translate{0, 0, 0};
+    Vec3 axis{0, 0, 1};
+    bool operator==(const Way&) const = default;
+  };
+  bool take(const Way& next);
+  Vec3 moved_to(const View& view) const;
+  void find_grip(const View& view, const ScreenPoint& press);
+
+  Handle handle_;
+  GizmoFrame frame_;
+  bool in_plane_ = false;
+  double radius_ = 1;  // of the ring, pixels
+  Vec3 viewer_{0, 0, 1};
+  Vec3 pivot_{0, 0, 0};
+  std::optional<int> locked_;
   Modifiers modifiers_;
-  RigidMotion motion_;
+  Way now_;
+  Vec3 grip_{1, 0, 0};
   ScreenPoint last_;
-  Vec2 moved_{0, 0};   // by the mouse, units of the mesh
-  double turned_ = 0;  // by the mouse, degrees, unwrapped
+  // As deep as the pivot, so that the view may change on the way: where the mouse was pressed, and
+  // where it would be had it always gone at the speed that fine motion has.
+  Vec3 from_{0, 0, 0}, to_{0, 0, 0};
+  double turned_ = 0;  // by the mouse, degrees, past half turns
 };
 
 }  // namespace winslow::gui

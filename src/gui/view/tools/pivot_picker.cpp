@@ -147,7 +147,7 @@ struct OnBorder {
 
 /// The nearest place of an edge, if it is nearer than what was found.
 void take_nearer(OnBorder& best, const ScreenPoint& at, Index marker,
-                 const std::array<Index, 2>& edge, const SpacePoints& x, const SpaceView& view) {
+                 const std::array<Index, 2>& edge, const SpacePoints& x, const View& view) {
   const Vec3 a = x[edge[0]], b = x[edge[1]];
   const ScreenPoint from = view.project(a).at;
   const ScreenVector along = view.project(b).at - from, way = at - from;
@@ -159,7 +159,7 @@ void take_nearer(OnBorder& best, const ScreenPoint& at, Index marker,
 }
 
 /// No surface lies before it.
-bool is_seen(const Vec3& point, const VolumeView& picture, const SpaceView& view) {
+bool is_seen(const Vec3& point, const VolumeView& picture, const View& view) {
   constexpr double slack = 6;  // pixels: the surface is nowhere nearer to its border
   const View::Projection there = view.project(point);
   const auto hit = picture.pick(view, there.at);
@@ -175,7 +175,7 @@ Index element_at(const Topology& topology, const std::array<Index, 2>& edge) {
 }  // namespace
 
 std::optional<SeenPlace> seen_border(const ScreenPoint& at, double reach, const VolumeView& picture,
-                                     const SpaceView& view, const MarkerLooks& looks) {
+                                     const View& view, const MarkerLooks& looks) {
   const Mesh* mesh = picture.mesh();
   if (!mesh || !is_surface(*mesh->topology)) return std::nullopt;
   const Topology& topology = *mesh->topology;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gui/document/session/session.h"
-#include "gui/render/space/space_view.h"
+#include "gui/render/view.h"
 #include "gui/settings/view_options.h"
 #include "gui/settings/view_state.h"
 #include "gui/view/mesh/volume_view.h"
@@ -43,6 +43,6 @@ class PivotPicker {
 /// more than `reach` pixels away. None where it is hidden, by its marker's eye or by the surface,
 /// and for other meshes.
 std::optional<SeenPlace> seen_border(const ScreenPoint& at, double reach, const VolumeView& picture,
-                                     const SpaceView& view, const MarkerLooks& looks);
+                                     const View& view, const MarkerLooks& looks);
 
 }  // namespace winslow::gui

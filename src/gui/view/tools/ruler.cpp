@@ -7,59 +7,56 @@
 
 namespace winslow::gui {
 
-namespace {
-
-constexpr double in_degrees = 180 / pi;
-
-}  // namespace
-
-void Ruler::update(const PointerState& pointer, std::optional<Index> snapped, double scale,
-                   const Session& session, const View& view) {
-  points_.follow(session);
-  std::optional<Point> under;
-  if (pointer.over)
-    under = snapped ? Point{session.coordinates().xy(*snapped), snapped}
-                    : Point{view.to_plane(pointer.position), std::nullopt};
-  points_.take(pointer, under, scale);
+void Ruler::update(const PointerState& pointer, const std::optional<RulerPoint>& under,
+                   double scale, const Session& session) {
+  follow(session);
+  const bool pressed = pointer.left && !was_down_;
+  const bool released = !pointer.left && was_down_;
+  was_down_ = pointer.left;
+  hovered_ = under;
+  if (pressed && pointer.over) press_ = pointer.position;
+  if (!released || !press_) return;
+  // What goes farther moves the view.
+  const bool click = (pointer.position - *press_).norm() <= drag_threshold * scale;
+  press_.reset();
+  if (!click || !hovered_) return;
+  if (points_.size() == 3) points_.clear();
+  points_.push_back(*hovered_);
 }
 
-std::optional<Measurement> measure(const std::vector<Ruler::Point>& points) {
+/// Goes with the mesh.
+void Ruler::follow(const Session& session) {
+  const auto& topology = session.topology();
+  // Another mesh, or other elements: the numbers of nodes mean others.
+  if (topology_ != topology) {
+    for (RulerPoint& point : points_) point.node.reset();
+    topology_ = topology;
+  }
+  for (RulerPoint& point : points_)
+    if (point.node) point.at = place_of(session.coordinates(), *point.node);
+}
+
+void Ruler::clear() {
+  points_.clear();
+  hovered_.reset();
+  press_.reset();
+}
+
+std::vector<RulerPoint> Ruler::drawn() const {
+  std::vector<RulerPoint> all = points_;
+  if (hovered_ && all.size() < 3) all.push_back(*hovered_);
+  return all;
+}
+
+std::optional<Measurement> measure(const std::vector<RulerPoint>& points) {
   if (points.size() < 2) return std::nullopt;
   Measurement m;
   m.along = points[1].at - points[0].at;
   m.length = m.along.norm();
-  m.direction = std::atan2(m.along.y(), m.along.x()) * in_degrees;
-  if (points.size() < 3) return m;
-  const Vec2 back = -m.along;
-  const Vec2 on = points[2].at - points[1].at;
-  m.second = on.norm();
-  if (m.length > 0 && *m.second > 0)
-    m.angle =
-        std::abs(std::atan2(back.x() * on.y() - back.y() * on.x(), back.dot(on))) * in_degrees;
-  return m;
-}
-
-void SpaceRuler::update(const PointerState& pointer, const std::optional<SeenPlace>& seen,
-                        double scale, const Session& session) {
-  points_.follow(session);
-  std::optional<Point> under;
-  if (pointer.over && seen) {
-    under = Point{seen->point, std::nullopt, seen->normal};
-    if (seen->node && !pointer.shift) {
-      under->node = seen->node;
-      under->at = session.coordinates().xyz(*seen->node);
-    }
-  }
-  points_.take(pointer, under, scale);
-}
-
-std::optional<SpaceMeasurement> measure(const std::vector<SpaceRuler::Point>& points) {
-  if (points.size() < 2) return std::nullopt;
-  SpaceMeasurement m;
-  m.along = points[1].at - points[0].at;
-  m.length = m.along.norm();
   if (points[0].normal && points[1].normal)
     m.faces = angle_between(*points[0].normal, *points[1].normal);
+  else
+    m.direction = degrees(std::atan2(m.along.y(), m.along.x()));
   if (points.size() < 3) return m;
   const Vec3 back = -m.along;
   const Vec3 on = points[2].at - points[1].at;

@@ -2,126 +2,75 @@
 
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
-#include "gui/document/actions/actions.h"
-#include "gui/document/selection/boundary_index.h"
-#include "gui/render/view.h"
-#include "gui/view/tools/gizmo.h"
-#include "gui/view/tools/motion_gesture.h"
-#include "gui/view/tools/typed_motion.h"
+#include "gui/view/tools/cut_handle.h"
+#include "gui/view/tools/mover.h"
+#include "gui/view/tools/plane_picker.h"
+#include "gui/view/tools/space_picker.h"
 
 namespace winslow::gui {
 
-/// The mouse over the mesh.
-struct PointerState {
-  ScreenPoint position;
-  bool over = false;  ///< over the viewport, with nothing of the interface in between
-  bool left = false, middle = false, right = false;
-  double wheel = 0;  ///< notches; up zooms in
-  bool shift = false, control = false, alt = false;
-  bool cancel = false;                               ///< Esc
-  bool accept = false;                               ///< Enter
-  bool key_x = false, key_y = false, key_z = false;  ///< keep a drag to an axis
-  std::u32string text;                               ///< typed since the last frame
-  bool erase = false, next = false;                  ///< Backspace, Tab
-  /// The click under way is another tool's: it selects nothing. A drag is the viewport's still.
-  bool click_taken = false;
-  bool picks_nodes = false;  ///< clicks are to pick nodes
-};
-
-/// What the viewport shows, as far as the mouse is concerned.
-struct ViewportScene {
-  const BoundaryIndex* boundary = nullptr;  ///< null: no mesh
-  std::vector<Index> selection;
-  std::vector<Index> taken_out;  ///< markers that the mouse passes through, ascending
-  Vec2 pivot{0, 0};
-  double reach = 0;            ///< of the selection around the pivot, in units of the mesh
-  double turned = 0;           ///< degrees by which a drag has turned the selection so far
-  double scale = 1;            ///< of the interface; sizes of handles and tolerances grow with it
-  bool box_zoom = false;       ///< the next drag draws the box to zoom to
-  bool look_only = false;      ///< a tool has the clicks: nothing is taken hold of
-  bool wheel_is_lens = false;  ///< the wheel belongs to the magnifier
-  std::vector<std::pair<Vec2, std::string>> snaps;  ///< where the pivot snaps to, by name
-  ShapeEdit shape;
-};
-
-/// Turns the mouse into actions: select, drag, rotate, set the pivot, change shapes; pans and zooms
-/// the view. Knows nothing of OpenGL or of widgets.
+/// Turns the mouse over the mesh into actions: selects, drags bodies, handles, parts of the
+/// boundary and cuts; turns, pans and zooms the view. Knows nothing of OpenGL or of widgets.
+///
+///     viewport.update(pointer, scene, view, actions);  // in every frame
 class Viewport {
  public:
   void update(const PointerState& pointer, const ViewportScene& scene, View& view,
               ActionQueue& actions);
 
-  enum class Gesture {
-    none,
-    press_body,
-    press_empty,
-    press_node,
-    pan,
-    box,
-    move,
-    rotate,
-    shape,
-    pivot
-  };
+  enum class Gesture { none, press, orbit, pan, box, move, pivot, cut };
   Gesture gesture() const { return gesture_; }
   /// A body, a handle or a piece of boundary is being dragged.
-  bool dragging() const {
-    return gesture_ == Gesture::move || gesture_ == Gesture::rotate || gesture_ == Gesture::shape;
+  bool dragging() const { return gesture_ == Gesture::move; }
+  /// It changes the view or the box to zoom to.
+  bool looks_around() const {
+    return gesture_ == Gesture::orbit || gesture_ == Gesture::pan || gesture_ == Gesture::box;
   }
-  Handle hovered_handle() const { return hovered_handle_; }
-  bool over_body() const { return hit_.has_value(); }
-  /// The body under the mouse.
-  const std::optional<BoundaryIndex::Hit>& body() const { return hit_; }
   /// The box being drawn to zoom to.
   std::optional<ScreenBox> box() const;
-  /// Boundary node under the mouse while shapes are edited.
-  const std::optional<BoundaryIndex::NodeHit>& hovered_node() const { return node_; }
-  /// The drag so far.
-  const MotionGesture& drag() const { return drag_; }
-  /// Numbers typed during the drag, which count in place of the mouse.
-  const TypedMotion& typed() const { return typed_; }
+  /// The mouse is over the mesh, with nothing of the interface in between.
+  bool over() const { return last_.over; }
+  /// The handle of what is selected.
+  const Mover& mover() const { return mover_; }
+  /// What lies under the mouse, while nothing is dragged.
+  const MeshPicker& picker() const { return *picker_; }
+  MeshPicker& picker() { return *picker_; }
+  /// The part of a cut's handle that is under the mouse, or held.
+  CutPart cut_part() const;
+  /// The point about which the view is turned just now.
+  std::optional<Vec3> orbit_centre() const;
   /// What the pivot under the mouse has snapped to; empty: nothing.
   const std::string& snapped_to() const { return snapped_to_; }
 
-  /// None if nothing is selected, or shapes are edited.
-  static std::optional<Gizmo> gizmo(const ViewportScene& scene, const View& view);
-
  private:
-  void hover(const PointerState& p, const ViewportScene& scene, const View& view,
-             ActionQueue& actions);
-  void press(const PointerState& p, const ViewportScene& scene, ActionQueue& actions);
-  void press_handle(const PointerState& p, const ViewportScene& scene, ActionQueue& actions);
-  void leave_press(const ViewportScene& scene, ActionQueue& actions);
-  void follow(const PointerState& p, const ViewportScene& scene, View& view, ActionQueue& actions);
-  bool start_box(const PointerState& p, const ViewportScene& scene);
-  void follow_drag(const PointerState& p, const View& view, ActionQueue& actions);
-  void take_typed(const PointerState& p, const View& view, ActionQueue& actions);
-  void follow_pivot(const PointerState& p, const ViewportScene& scene, const View& view,
-                    ActionQueue& actions);
-  void wheel(const PointerState& p, const ViewportScene& scene, View& view, ActionQueue& actions);
-  void release(const PointerState& p, const ViewportScene& scene, const View& view,
-               ActionQueue& actions);
-  void select_node(bool extend, const ViewportScene& scene, ActionQueue& actions);
-  void begin(Gesture gesture, const ViewportScene& scene, ActionQueue& actions,
-             std::optional<int> axis = {});
-  static void click_beside_nodes(const ViewportScene& scene, ActionQueue& actions);
-  void end(ActionQueue& actions, bool cancelled);
+  void hover(const PointerFrame& frame);
+  void wheel(const PointerFrame& frame);
+  void press(const PointerFrame& frame);
+  void take_handle(const PointerFrame& frame);
+  void leave_press(const PointerFrame& frame);
+  void follow(const PointerFrame& frame);
+  void follow_move(const PointerFrame& frame);
+  void follow_pivot(const PointerFrame& frame);
+  void release(const PointerFrame& frame);
+  void cancel(const PointerFrame& frame);
+  void done();
 
+  PlanePicker plane_;
+  SpacePicker space_;
+  MeshPicker* picker_ = &plane_;  // of the open mesh
+  Mover mover_;
+  CutTool cut_;
   Gesture gesture_ = Gesture::none;
-  bool pan_button_ = false;  // the pan is held by the middle or right button
   PointerState last_;
+  // When the button was pressed.
+  bool other_button_ = false;  // the middle or right one
   ScreenPoint press_;
-  std::optional<BoundaryIndex::Hit> hit_;
-  std::optional<BoundaryIndex::NodeHit> node_;
-  Handle hovered_handle_ = Handle::none;
-  MotionGesture drag_;
-  TypedMotion typed_;
-  Vec2 pivot_before_{0, 0};
+  bool clicks_ = false;   // the mouse has not gone far since
+  Vec3 centre_{0, 0, 0};  // of the mesh, that the view turns about and that is panned along
+  LookedAt view_before_;
+  Vec3 pivot_before_{0, 0, 0};
   std::string snapped_to_;
-  std::vector<Index> last_hover_;
 };
 
 }  // namespace winslow::gui

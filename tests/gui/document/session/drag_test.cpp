@@ -102,8 +102,8 @@ TEST_CASE("the ring turns the selection about its pivot by the angle the mouse g
   // From the knob at 45 degrees to 75 degrees on the ring.
   const double end = radians(75);
   const ScreenPoint target =
-      gizmo.pivot + gizmo.radius * ScreenVector(std::cos(end), -std::sin(end));
-  rig.drag(gizmo.knob(), target, 8);
+      gizmo.centre + gizmo.ring_radius * ScreenVector(std::cos(end), -std::sin(end));
+  rig.drag(*gizmo.knob, target, 8);
   rig.release();
   REQUIRE(rig.settle());
   REQUIRE(rig.document().history().size() == 2);
@@ -372,7 +372,8 @@ TEST_CASE("while a body is dragged, bar and solver say so") {
   const std::string text = activity_of(rig.session()).text;
   CHECK((text.starts_with("Dragging") || text.starts_with("Updating mesh...")));
   // The mesh is where the mouse wants it, and the body is held still.
-  rig.frames(40);
+  REQUIRE(rig.wait(
+      [&] { return rig.session().mesh().work().body_drag()->reach() == BodyDrag::Reach::there; }));
   CHECK(activity_of(rig.session()).text.starts_with("Dragging"));
   rig.release();
   REQUIRE(rig.settle());

@@ -72,7 +72,7 @@ TEST_CASE("a typed number inspects a node; one on the boundary has no VCV, and t
   enter_node(rig, "99999");
   CHECK(rig.bench->view_control().camera().centre() == before.centre());
   // One out of sight is brought into it; one in sight leaves the view alone.
-  rig.bench->apply(action::LookAt{Vec2(50, 50), 1});
+  rig.bench->apply(action::LookAt{Vec3(50, 50, 0), 1});
   rig.frames();
   enter_node(rig, std::to_string(node));
   rig.frames();

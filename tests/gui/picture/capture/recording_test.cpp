@@ -200,7 +200,7 @@ TEST_CASE("by the clock frames come while the mesh rests, and the view may move"
   rig.bench->apply(action::StartRecording{rig.folder / "film", std::nullopt});
   const Recorder& recorder = rig.bench->capture().recorder();
   REQUIRE(rig.wait([&] { return recorder.frames() >= 2; }));
-  rig.bench->apply(action::LookAt{{0.5, 0}, 0.1});
+  rig.bench->apply(action::LookAt{{0.5, 0, 0}, 0.1});
   const int before = recorder.frames();
   REQUIRE(rig.wait([&] { return recorder.frames() >= before + 2; }));
   rig.bench->apply(action::StopRecording{});

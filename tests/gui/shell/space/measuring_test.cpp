@@ -49,7 +49,7 @@ TEST_CASE("the ruler measures in space by clicks that snap to nodes") {
   const double y = rig.space().camera().back().y() > 0 ? 1 : 0;
   rig.click(rig.at({1.0 / 6, y, 1.0 / 6}) + beside);
   rig.click(rig.at({5.0 / 6, y, 1.0 / 6}) + beside);
-  const auto& points = rig.bench->pane().space_ruler().points();
+  const auto& points = rig.bench->pane().ruler().points();
   REQUIRE(points.size() == 2);
   CHECK(points[0].node == rig.node_at({1.0 / 6, y, 1.0 / 6}));
   const auto two = measure(points);
@@ -70,7 +70,7 @@ TEST_CASE("the ruler measures in space by clicks that snap to nodes") {
   CHECK(points.size() == 3);
   rig.key(keys::escape);
   CHECK_FALSE(rig.state().ruler);
-  CHECK(rig.bench->pane().space_ruler().points().empty());
+  CHECK(rig.bench->pane().ruler().points().empty());
 }
 
 TEST_CASE("the ruler says by how much two faces turn from one another") {
@@ -85,7 +85,7 @@ TEST_CASE("the ruler says by how much two faces turn from one another") {
   rig.click(rig.at({side(0), 0.45, 0.55}));
   rig.click(rig.at({0.45, 0.55, side(2)}));
   rig.input.key(keys::shift, false);
-  const auto& points = rig.bench->pane().space_ruler().points();
+  const auto& points = rig.bench->pane().ruler().points();
   REQUIRE(points.size() == 2);
   CHECK_FALSE(points[0].node.has_value());
   CHECK((points[0].at - Vec3(side(0), 0.45, 0.55)).norm() < 0.01);
@@ -94,7 +94,7 @@ TEST_CASE("the ruler says by how much two faces turn from one another") {
 }
 
 TEST_CASE("points of the ruler at nodes go with the mesh, and lines say what is measured") {
-  SpaceMeasurement m;
+  Measurement m;
   m.length = 2;
   m.along = Vec3(2, -1e-17, 0);
   m.faces = 12.345;
@@ -103,7 +103,7 @@ TEST_CASE("points of the ruler at nodes go with the mesh, and lines say what is 
   CHECK(lines[0] == "Length 2");
   CHECK(lines[1] == "x +2   y +0   z +0");
   CHECK(lines[2].find("12.3") != std::string::npos);
-  const SpaceRuler::Point a{Vec3(0, 0, 0), {}, {}}, b{Vec3(0, 0, 0), {}, {}};
+  const RulerPoint a{Vec3(0, 0, 0), {}, {}}, b{Vec3(0, 0, 0), {}, {}};
   CHECK_FALSE(measure({a, b, {Vec3(1, 0, 0), {}, {}}})->angle.has_value());
   CHECK_FALSE(measure({a}).has_value());
 }

@@ -159,7 +159,7 @@ TEST_CASE("the legend stands beside the mesh, and Fit spares it") {
         CHECK((p.x() < legend->min.x() || p.x() > legend->max.x()));
       }
       const Gizmo gizmo = rig.gizmo();
-      for (const ScreenPoint& p : {gizmo.tip(0), gizmo.tip(1), gizmo.pivot})
+      for (const ScreenPoint& p : {gizmo.tips[0], gizmo.tips[1], gizmo.centre})
         CHECK((p.x() < legend->min.x() || p.x() > legend->max.x()));
     }
   }

@@ -62,7 +62,7 @@ TEST_CASE("dragging the pivot puts it elsewhere without moving anything") {
   rig.click("marker/flap");
   const Mesh before = rig.mesh();
   const Vec2 target(0.5, 0.25);
-  const ScreenPoint pin = rig.gizmo().pin();
+  const ScreenPoint pin = *rig.gizmo().pin;
   rig.drag(pin, rig.pixel(target));
   rig.release();
   CHECK((rig.session().selection().pivot() - target).norm() < 1e-9);

@@ -41,7 +41,7 @@ TEST_CASE("A mesh that was opened is shown whole, once") {
   CHECK(v.frame());
   CHECK(v.control.camera().centre().norm() < 1e-12);
   CHECK(v.control.camera().visible().size().x() == doctest::Approx(8 / 0.9));
-  v.control.navigator().apply(action::LookAt{Vec2(2, 0), 1});
+  v.control.navigator().apply(action::LookAt{Vec3(2, 0, 0), 1});
   CHECK_FALSE(v.frame());
   CHECK((v.control.camera().centre() - Vec2(2, 0)).norm() < 1e-12);
   CHECK(v.control.state().can_go_back);
@@ -52,10 +52,10 @@ TEST_CASE("A mesh that was opened is shown whole, once") {
 TEST_CASE("What one goes to is shown above a card that lies in the middle of the view") {
   Viewed v;
   v.frame();
-  v.control.navigator().apply(action::LookAt{Vec2(2, 0), 1});
+  v.control.navigator().apply(action::LookAt{Vec3(2, 0, 0), 1});
   const double before = v.control.camera().to_screen(Vec2(2, 0)).y();
   v.control.navigator().set_card(ScreenBox{{0, 400}, {700, 600}});
-  v.control.navigator().apply(action::LookAt{Vec2(2, 0), 1});
+  v.control.navigator().apply(action::LookAt{Vec3(2, 0, 0), 1});
   CHECK(before == doctest::Approx(300));
   CHECK(v.control.camera().to_screen(Vec2(2, 0)).y() == doctest::Approx(200));
 }
@@ -209,29 +209,29 @@ TEST_CASE("Alt+Left goes back through the views that rested, Alt+Right forward")
 }
 
 TEST_CASE("a history of views forgets what was ahead when another view is taken") {
-  Camera camera;
-  camera.set_viewport(0, 0, 100, 100);
+  PlaneView view;
+  view.camera().set_viewport(0, 0, 100, 100);
   ViewHistory history;
   const auto look = [&](double x) {
-    camera.look_at(Vec2(x, 0), 0.01);
-    history.observe(looked_at(camera), false, 0.1);
-    history.observe(looked_at(camera), false, 1);
+    view.camera().look_at(Vec2(x, 0), 0.01);
+    history.observe(view.looked_at(), false, 0.1);
+    history.observe(view.looked_at(), false, 1);
   };
-  CHECK_FALSE(history.can_go_back(looked_at(camera)));
+  CHECK_FALSE(history.can_go_back(view.looked_at()));
   look(1);
   look(2);
   look(3);
-  look_at(camera, history.back(looked_at(camera)).value());
-  CHECK(camera.centre().x() == 2);
+  view.look_at(history.back(view.looked_at()).value());
+  CHECK(view.camera().centre().x() == 2);
   CHECK(history.can_go_forward());
   look(5);
   CHECK_FALSE(history.can_go_forward());
-  look_at(camera, history.back(looked_at(camera)).value());
-  CHECK(camera.centre().x() == 2);
+  view.look_at(history.back(view.looked_at()).value());
+  CHECK(view.camera().centre().x() == 2);
   // While the mouse holds the view, it does not count however long it rests.
-  camera.look_at(Vec2(9, 0), 0.01);
-  history.observe(looked_at(camera), true, 5);
-  history.observe(looked_at(camera), true, 5);
+  view.camera().look_at(Vec2(9, 0), 0.01);
+  history.observe(view.looked_at(), true, 5);
+  history.observe(view.looked_at(), true, 5);
   CHECK(history.can_go_forward());
 }
 

@@ -31,14 +31,14 @@ TEST_CASE("where nothing is in view the studio says so, and Home fits all") {
   Rig rig;
   rig.open(two_body_mesh());
   CHECK_FALSE(rig.visible("out_of_view"));
-  rig.bench->apply(action::LookAt{Vec2(50, 50), 1});
+  rig.bench->apply(action::LookAt{Vec3(50, 50, 0), 1});
   rig.frames();
   CHECK(rig.visible("out_of_view"));
   rig.key(GLFW_KEY_HOME);
   CHECK_FALSE(rig.visible("out_of_view"));
   CHECK((rig.bench->view_control().camera().centre() - Vec2(0, 0)).norm() < 1e-9);
   // In a hole there is nothing either.
-  rig.bench->apply(action::LookAt{Vec2(2, 0), 0.1});
+  rig.bench->apply(action::LookAt{Vec3(2, 0, 0), 0.1});
   rig.frames();
   CHECK(rig.visible("out_of_view"));
 }

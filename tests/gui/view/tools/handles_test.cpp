@@ -28,7 +28,7 @@ TEST_CASE("the arrows move along one axis, whatever the mouse does across it") {
     CAPTURE(axis);
     Rig rig;
     open_ring(rig);
-    const ScreenPoint from = midpoint(rig.gizmo().shaft(axis), rig.gizmo().tip(axis));
+    const ScreenPoint from = midpoint(rig.gizmo().shafts[at(axis)], rig.gizmo().tips[at(axis)]);
     rig.drag(from, from + ScreenVector(31, -19));
     rig.release();
     REQUIRE(rig.settle());
@@ -43,7 +43,7 @@ TEST_CASE("the arrows move along one axis, whatever the mouse does across it") {
 TEST_CASE("the centre moves freely, Shift is a tenth of the speed") {
   Rig rig;
   open_ring(rig);
-  const ScreenPoint from = rig.gizmo().pivot;
+  const ScreenPoint from = rig.gizmo().centre;
   const double unit = rig.bench->view_control().camera().units_per_pixel();
   rig.drag(from, from + ScreenVector(20, 0));
   rig.input.key(keys::shift, true);
@@ -60,14 +60,14 @@ TEST_CASE("the centre moves freely, Shift is a tenth of the speed") {
 TEST_CASE("Ctrl snaps a move to the grid and a turn to 5 degrees") {
   Rig rig;
   open_ring(rig);
-  rig.drag(rig.gizmo().pivot, rig.gizmo().pivot + ScreenVector(33, -17));
+  rig.drag(rig.gizmo().centre, rig.gizmo().centre + ScreenVector(33, -17));
   rig.input.key(keys::control, true);
   rig.move(rig.pixel(Vec2(0, 0)) + ScreenVector(34, -17));
   rig.frames();
   rig.release();
   rig.input.key(keys::control, false);
   REQUIRE(rig.settle());
-  const double step = MotionGesture::grid_step(rig.bench->view_control().view(), Vec2(0, 0));
+  const double step = MotionGesture::grid_step(rig.bench->view_control().view(), Vec3(0, 0, 0));
   const Vec2 by = last_move(rig).bodies[0].motion.translate.head<2>();
   for (const int axis : {0, 1}) {
     CHECK(by[axis] != 0);
@@ -76,7 +76,8 @@ TEST_CASE("Ctrl snaps a move to the grid and a turn to 5 degrees") {
 
   const Gizmo gizmo = rig.gizmo();
   const double end = radians(45 + 33.3);
-  rig.drag(gizmo.knob(), gizmo.pivot + gizmo.radius * ScreenVector(std::cos(end), -std::sin(end)));
+  rig.drag(*gizmo.knob,
+           gizmo.centre + gizmo.ring_radius * ScreenVector(std::cos(end), -std::sin(end)));
   rig.input.key(keys::control, true);
   rig.frames(2);
   rig.release();
@@ -88,7 +89,7 @@ TEST_CASE("Ctrl snaps a move to the grid and a turn to 5 degrees") {
 TEST_CASE("X and Y lock a drag that is under way, and again set it free") {
   Rig rig;
   open_ring(rig);
-  const ScreenPoint from = rig.gizmo().pivot;
+  const ScreenPoint from = rig.gizmo().centre;
   rig.drag(from, from + ScreenVector(25, -15));
   rig.key(GLFW_KEY_X);
   CHECK(rig.session().mesh().live_motion()->translate.y() == 0);
@@ -105,7 +106,7 @@ TEST_CASE("X and Y lock a drag that is under way, and again set it free") {
 TEST_CASE("Enter accepts a drag with the button still down; letting go does nothing more") {
   Rig rig;
   open_ring(rig);
-  const ScreenPoint from = rig.gizmo().pivot;
+  const ScreenPoint from = rig.gizmo().centre;
   rig.drag(from, from + ScreenVector(25, 0));
   rig.key(keys::enter);
   CHECK_FALSE(rig.session().dragging());
@@ -176,7 +177,7 @@ TEST_CASE("with Alt the disc in the middle takes the pivot elsewhere and leaves 
   Rig rig;
   open_ring(rig);
   const Coordinates before = rig.session().coordinates();
-  const ScreenPoint disc = rig.gizmo().pivot;
+  const ScreenPoint disc = rig.gizmo().centre;
   rig.input.key(keys::alt, true);
   rig.drag(disc, disc + ScreenVector(20, -12));
   rig.release();
@@ -191,7 +192,7 @@ TEST_CASE("with Ctrl the pivot's pin snaps to the trailing edge and to nodes; Es
   Rig rig;
   open_ring(rig);
   const Mesh& mesh = rig.mesh();
-  rig.drag(rig.gizmo().pin(), rig.pixel(Vec2(0.5, 0)) + ScreenVector(5, 4));
+  rig.drag(*rig.gizmo().pin, rig.pixel(Vec2(0.5, 0)) + ScreenVector(5, 4));
   rig.input.key(keys::control, true);
   rig.frames();
   CHECK((rig.session().selection().pivot() - Vec2(0.5, 0)).norm() < 1e-9);
@@ -214,10 +215,10 @@ TEST_CASE("hovering a handle says what it does") {
   rig.move(ScreenPoint(2, 700));
   rig.frames();
   const Image before = rig.bench->pictures().picture();
-  const ScreenPoint at = rig.gizmo().tip(0);
+  const ScreenPoint at = rig.gizmo().tips[0];
   rig.move(at);
   rig.frames();
-  CHECK(rig.bench->pane().viewport().hovered_handle() == Handle::arrow_x);
+  CHECK(rig.mover().handle() == Handle{Handle::Kind::arrow, 0});
   const Image hinted = rig.bench->pictures().picture();
   // The hint stands to the right of the mouse, below it.
   CHECK(differing(before, hinted, at + ScreenVector(20, 16), at + ScreenVector(100, 36)) > 300);
@@ -230,7 +231,7 @@ TEST_CASE("the numbers of a drag stay in sight: over the legend, and where the v
   REQUIRE(legend.has_value());
   const Area& v = rig.bench->layout().viewport;
   const ScreenPoint at(v.x + v.width - 8, legend->min.y() + 50);
-  rig.drag(rig.gizmo().pivot, at);
+  rig.drag(rig.gizmo().centre, at);
   rig.frames();
   const Image image = rig.bench->pictures().picture();
   int dark = 0;
@@ -245,7 +246,7 @@ TEST_CASE("the numbers of a drag stay in sight: over the legend, and where the v
 TEST_CASE("the status line and the handle say when no valid mesh lies beyond") {
   Rig rig;
   open_ring(rig);
-  const ScreenPoint from = rig.gizmo().pivot;
+  const ScreenPoint from = rig.gizmo().centre;
   rig.drag(from, from + ScreenVector(20, 0));
   REQUIRE(rig.wait([&] { return rig.session().mesh().work().body_drag()->settled(); }));
   rig.frames();

@@ -15,13 +15,20 @@ PlaneView plane() {
   return PlaneView(c);
 }
 
+/// A drag of a handle of the plane's gizmo, whose pivot is the origin.
+MotionGesture begun(const Handle& handle, const ScreenPoint& from, const View& view) {
+  MotionGesture drag;
+  drag.begin(handle, from, make_gizmo(view, {.in_plane = true}, 1).value(), view);
+  return drag;
+}
+
 }  // namespace
 
 TEST_CASE("the grid is a round number of units, 8 to 20 pixels wide, at any zoom") {
   PlaneView c = plane();
   for (double zoom = 1e-6; zoom < 1e6; zoom *= 1.7) {
     c.camera().look_at(Vec2(0, 0), zoom);
-    const double step = MotionGesture::grid_step(c, Vec2(0, 0));
+    const double step = MotionGesture::grid_step(c, Vec3(0, 0, 0));
     CHECK(step >= 8 * zoom);
     CHECK(step <= 20 * zoom * (1 + 1e-12));
     const double digit = step / std::pow(10, std::floor(std::log10(step * (1 + 1e-12))));
@@ -32,46 +39,66 @@ TEST_CASE("the grid is a round number of units, 8 to 20 pixels wide, at any zoom
 
 TEST_CASE("fine motion adds up with coarse, and does not jump when Shift goes") {
   const PlaneView c = plane();
-  MotionGesture drag;
-  drag.begin(MotionGesture::Kind::move, ScreenPoint(100, 100), Vec2(0, 0), {});
+  MotionGesture drag = begun({Handle::Kind::centre, 0}, ScreenPoint(100, 100), c);
   CHECK(drag.follow(ScreenPoint(200, 100), {}, c));
-  CHECK(drag.motion().translate.x() == doctest::Approx(1));
+  CHECK(drag.translate().x() == doctest::Approx(1));
   CHECK(drag.follow(ScreenPoint(300, 100), {true, false}, c));
-  CHECK(drag.motion().translate.x() == doctest::Approx(1.1));
+  CHECK(drag.translate().x() == doctest::Approx(1.1));
   CHECK_FALSE(drag.follow(ScreenPoint(300, 100), {}, c));
   CHECK(drag.follow(ScreenPoint(310, 100), {}, c));
-  CHECK(drag.motion().translate.x() == doctest::Approx(1.2));
+  CHECK(drag.translate().x() == doctest::Approx(1.2));
 }
 
 TEST_CASE("a lock keeps the other axis at nothing and forgets nothing") {
   const PlaneView c = plane();
-  MotionGesture drag;
-  drag.begin(MotionGesture::Kind::move, ScreenPoint(100, 100), Vec2(0, 0), 1);
+  MotionGesture drag = begun({Handle::Kind::arrow, 1}, ScreenPoint(100, 100), c);
   drag.follow(ScreenPoint(150, 70), {}, c);
-  CHECK(drag.motion().translate == Vec2(0, drag.motion().translate.y()));
-  CHECK(drag.motion().translate.y() == doctest::Approx(0.3));
-  drag.toggle_axis(1);
+  CHECK(drag.translate() == Vec3(0, drag.translate().y(), 0));
+  CHECK(drag.translate().y() == doctest::Approx(0.3));
+  drag.toggle_axis(1, c);
   drag.follow(ScreenPoint(150, 70), {}, c);
-  CHECK(drag.motion().translate.x() == doctest::Approx(0.5));
-  drag.toggle_axis(0);
+  CHECK(drag.translate().x() == doctest::Approx(0.5));
+  drag.toggle_axis(0, c);
   drag.follow(ScreenPoint(150, 70), {}, c);
-  CHECK(drag.motion().translate.y() == 0);
+  CHECK(drag.translate().y() == 0);
 }
 
 TEST_CASE("turns are counted past half a turn and snapped in total") {
   const PlaneView c = plane();
-  MotionGesture drag;
-  const Vec2 pivot(0, 0);
   const auto at = [&](double degrees) -> ScreenPoint {
     const double t = radians(degrees);
     return c.to_screen(Vec2(std::cos(t), std::sin(t)));
   };
-  drag.begin(MotionGesture::Kind::rotate, at(0), pivot, {});
+  MotionGesture drag = begun({Handle::Kind::ring, 2}, at(0), c);
   for (int k = 1; k <= 53; ++k) drag.follow(at(10.0 * k), {}, c);
-  CHECK(drag.motion().rotate == doctest::Approx(530));
+  CHECK(drag.rotate() == doctest::Approx(530));
   drag.follow(at(532), {false, true}, c);
-  CHECK(drag.motion().rotate == 530);
-  CHECK(drag.motion().pivot == pivot);
+  CHECK(drag.rotate() == 530);
+  CHECK(drag.motion() == RigidMotion{530, Vec2(0, 0), Vec2(0, 0)});
+}
+
+TEST_CASE("a view that is zoomed during a drag leaves the motion as it is") {
+  PlaneView c = plane();
+  MotionGesture drag = begun({Handle::Kind::centre, 0}, ScreenPoint(100, 100), c);
+  drag.follow(ScreenPoint(150, 80), {}, c);
+  const Vec3 before = drag.translate();
+  c.zoom_about(c.at_depth_of(Vec3(0, 0, 0), ScreenPoint(150, 80)), 3);
+  drag.follow(ScreenPoint(150, 80), {}, c);
+  CHECK((drag.translate() - before).norm() < 1e-12);
+  drag.follow(ScreenPoint(180, 80), {}, c);
+  CHECK(drag.translate().x() == doctest::Approx(before.x() + 0.1));
+}
+
+TEST_CASE("in the plane Z keeps to nothing, and a turn has no other axis") {
+  const PlaneView c = plane();
+  MotionGesture drag = begun({Handle::Kind::centre, 0}, ScreenPoint(100, 100), c);
+  drag.toggle_axis(2, c);
+  CHECK(drag.directions().size() == 2);
+  drag.follow(ScreenPoint(150, 70), {}, c);
+  CHECK(drag.translate().x() == doctest::Approx(0.5));
+  MotionGesture turn = begun({Handle::Kind::ring, 2}, ScreenPoint(480, 300), c);
+  turn.toggle_axis(0, c);
+  CHECK(turn.axis() == Vec3(0, 0, 1));
 }
 
 }  // namespace winslow::gui

@@ -1,48 +1,58 @@
+#include "gui/view/tools/viewport.h"
+
 #include <doctest/doctest.h>
 
-#include "gui/document/selection/boundary_index.h"
-#include "gui/support/meshes.h"
+#include <cmath>
+
 #include "gui/support/rig.h"
-#include "gui/view/tools/viewport.h"
 
 namespace winslow::gui::test {
 
+namespace {
+
+/// Of the rim around the mesh, beside the handle.
+ScreenPoint on_rim(const Rig& rig) {
+  const double angle = radians(20);
+  return rig.pixel(3 * Vec2(std::cos(angle), std::sin(angle)));
+}
+
+}  // namespace
+
 TEST_CASE("a drag that starts on the outer rim pans instead of tearing the far field away") {
-  const Mesh mesh = ring_mesh();
-  BoundaryIndex index(mesh.topology);
-  index.update(mesh.coordinates);
-  Camera camera;
-  camera.set_viewport(0, 0, 400, 400);
-  camera.look_at(Vec2(0, 0), 0.02);
-  PlaneView view(camera);
-  Viewport viewport;
-  ActionQueue actions;
-  ViewportScene scene;
-  scene.boundary = &index;
-  PointerState p;
-  p.over = true;
-  p.position = view.to_screen(Vec2(3, 0));
-  viewport.update(p, scene, view, actions);
-  p.left = true;
-  viewport.update(p, scene, view, actions);
-  p.position = p.position + ScreenVector(-40, 0);
-  viewport.update(p, scene, view, actions);
+  Rig rig;
+  rig.open(ring_mesh());
+  const Viewport& viewport = rig.bench->pane().viewport();
+  const Camera& camera = rig.bench->view_control().camera();
+  const Vec2 centre = camera.centre();
+  rig.drag(on_rim(rig), on_rim(rig) + ScreenVector(-40, 0));
   CHECK(viewport.gesture() == Viewport::Gesture::pan);
-  CHECK(view.camera().centre().x() == doctest::Approx(0.8));
-  for (const Action& a : actions) CHECK_FALSE(holds<action::BeginDrag>(a));
+  CHECK(camera.centre().x() ==
+        doctest::Approx(centre.x() + 40 * camera.units_per_pixel()).epsilon(1e-9));
+  CHECK_FALSE(rig.session().dragging());
+  rig.release();
 
   // Selected on purpose, it moves.
-  p.left = false;
-  viewport.update(p, scene, view, actions);
-  scene.selection = {*mesh.topology->markers().find("farfield")};
-  scene.reach = 30;  // its ring is out of the way
-  p.position = view.to_screen(Vec2(2.12132, 2.12132));
-  viewport.update(p, scene, view, actions);
-  p.left = true;
-  viewport.update(p, scene, view, actions);
-  p.position = p.position + ScreenVector(-20, 0);
-  viewport.update(p, scene, view, actions);
+  rig.bench->apply(action::SelectMarkers{{rig.marker("farfield")}});
+  rig.frames();
+  rig.drag(on_rim(rig), on_rim(rig) + ScreenVector(-20, 0));
   CHECK(viewport.gesture() == Viewport::Gesture::move);
+  CHECK(rig.session().dragging());
+  rig.key(keys::escape);
+  rig.release();
+  CHECK(rig.settle());
+}
+
+TEST_CASE("Esc puts a pan back") {
+  Rig rig;
+  rig.open(ring_mesh());
+  const Camera& camera = rig.bench->view_control().camera();
+  const Vec2 centre = camera.centre();
+  const ScreenPoint from = rig.pixel(Vec2(0, 1.5));
+  rig.drag(from, from + ScreenVector(30, 20), 6, MouseButton::middle);
+  CHECK((camera.centre() - centre).norm() > 20 * camera.units_per_pixel());
+  rig.key(keys::escape);
+  CHECK((camera.centre() - centre).norm() < 1e-12);
+  rig.release(MouseButton::middle);
 }
 
 }  // namespace winslow::gui::test

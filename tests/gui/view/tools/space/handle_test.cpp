@@ -9,15 +9,15 @@ namespace winslow::gui::test {
 
 namespace {
 
-using Kind = SpaceHandle::Kind;
+using Kind = Handle::Kind;
 
 }  // namespace
 
 TEST_CASE(
     "The handle of a body in space: arrows, squares, rings and a centre, lit under the mouse") {
   MovingStudio studio;
-  CHECK((studio.space_gizmo().pivot - Vec3(0.5, 0.5, 0.5)).norm() < 1e-12);
-  const std::array<std::pair<const char*, SpaceHandle>, 11> parts{
+  CHECK((studio.gizmo().place.pivot - Vec3(0.5, 0.5, 0.5)).norm() < 1e-12);
+  const std::array<std::pair<const char*, Handle>, 11> parts{
       {{"centre", {Kind::centre, 0}},
        {"arrow/x", {Kind::arrow, 0}},
        {"arrow/y", {Kind::arrow, 1}},
@@ -50,10 +50,10 @@ TEST_CASE(
   for (const bool perspective : {false, true}) {
     set_view(studio, [&](ViewOptions& view) { view.space.perspective = perspective; });
     for (const double notches : {0.0, 5.0, -9.0}) {
-      studio.wheel(studio.space_gizmo().centre, notches);
+      studio.wheel(studio.gizmo().centre, notches);
       studio.frames();
-      const SpaceGizmo g = studio.space_gizmo();
-      const double sine = g.frame.axes[2].cross(g.viewer).norm();
+      const Gizmo g = studio.gizmo();
+      const double sine = g.frame().axes[2].cross(g.viewer).norm();
       lengths.push_back((g.tips[2] - g.centre).norm() / sine);
     }
   }
@@ -72,7 +72,7 @@ TEST_CASE("Seen along an axis its arrow is not offered, nor the squares that are
   // Arrows point along the axes, from whichever side one looks.
   for (const int key : {GLFW_KEY_1, GLFW_KEY_2}) {
     studio.key(key);
-    const SpaceGizmo g = studio.space_gizmo();
+    const Gizmo g = studio.gizmo();
     CHECK(g.tips[2].y() < g.centre.y());
     CHECK((g.tips[1].x() > g.centre.x()) == (key == GLFW_KEY_1));
   }
@@ -82,7 +82,7 @@ TEST_CASE("An arrow moves the body along its axis, the mesh follows, and it beco
   MovingStudio studio;
   const Coordinates before = studio.mesh().coordinates;
   const ScreenPoint from = studio.handle("arrow/x");
-  const ScreenVector along = from - studio.space_gizmo().centre;
+  const ScreenVector along = from - studio.gizmo().centre;
   studio.drag(from, from + 0.8 * along);
   CHECK(studio.session().dragging());
   studio.follow();
@@ -138,9 +138,8 @@ TEST_CASE("In perspective, too, what was taken stays under the mouse") {
   for (const char* id : {"arrow/y", "square/z", "centre"}) {
     CAPTURE(id);
     const ScreenPoint from = studio.handle(id);
-    const ScreenVector by = std::string(id) == "arrow/y"
-                                ? 0.6 * (from - studio.space_gizmo().centre)
-                                : ScreenVector(18, 11);
+    const ScreenVector by =
+        std::string(id) == "arrow/y" ? 0.6 * (from - studio.gizmo().centre) : ScreenVector(18, 11);
     studio.drag(from, from + by);
     // The handle keeps its size, the place that was taken on it does not quite.
     CHECK((studio.handle(id) - (from + by)).norm() < 4);
@@ -154,7 +153,7 @@ TEST_CASE("A ring turns about its axis, and goes on counting past half a turn an
   MovingStudio studio;
   studio.key(GLFW_KEY_5);  // from +z: the ring about z is seen as it is
   studio.frames();
-  const ScreenPoint centre = studio.space_gizmo().centre;
+  const ScreenPoint centre = studio.gizmo().centre;
   const ScreenPoint from = studio.handle("ring/z");
   studio.drag(from, from);
   go_around(studio, centre, from, 300, 40);
@@ -176,11 +175,11 @@ TEST_CASE("A ring that is seen edge on turns as the mouse goes along it") {
   MovingStudio studio;
   studio.key(GLFW_KEY_1);  // from +x: the ring about z is a horizontal line
   studio.frames();
-  const SpaceGizmo g = studio.space_gizmo();
+  const Gizmo g = studio.gizmo();
   const ScreenPoint from = g.centre + ScreenVector(-0.6 * g.ring_radius, 0);
   studio.move(from);
   studio.frames();
-  REQUIRE(studio.mover().handle() == SpaceHandle{Kind::ring, 2});
+  REQUIRE(studio.mover().handle() == Handle{Kind::ring, 2});
   studio.drag(from, from + ScreenVector(0.3 * g.ring_radius, 0));
   // Its near side goes with the mouse: from +x, to the right is +y.
   CHECK(studio.live().rotate == doctest::Approx(degrees(0.3)).epsilon(1e-6));
@@ -196,7 +195,7 @@ TEST_CASE("A ring that is seen edge on turns as the mouse goes along it") {
 
 TEST_CASE("The screen ring turns about the line of sight") {
   MovingStudio studio;
-  const ScreenPoint centre = studio.space_gizmo().centre;
+  const ScreenPoint centre = studio.gizmo().centre;
   const ScreenPoint from = studio.handle("screen_ring");
   studio.drag(from, from);
   go_around(studio, centre, from, 20, 5);
@@ -296,7 +295,7 @@ TEST_CASE("Ctrl snaps to round lengths and 5 degrees, Shift goes at a tenth of t
   studio.release();
   REQUIRE(studio.settle());
 
-  const ScreenPoint ring = studio.handle("screen_ring"), centre = studio.space_gizmo().centre;
+  const ScreenPoint ring = studio.handle("screen_ring"), centre = studio.gizmo().centre;
   studio.drag(ring, ring);
   studio.input.key(keys::control, true);
   go_around(studio, centre, ring, 33.3, 8);
@@ -341,7 +340,7 @@ TEST_CASE(
   const ScreenPoint ring = studio.handle("screen_ring");
   studio.drag(ring, ring);
   studio.key(GLFW_KEY_X);
-  go_around(studio, studio.space_gizmo().centre, ring, 15, 5);
+  go_around(studio, studio.gizmo().centre, ring, 15, 5);
   CHECK(studio.live().axis == Vec3(1, 0, 0));
   CHECK(studio.live().rotate > 3);
   studio.key(keys::escape);

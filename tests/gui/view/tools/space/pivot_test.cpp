@@ -41,7 +41,7 @@ TEST_CASE("An edge that is picked is the hinge: the whole straight row of sharp 
   REQUIRE(studio.session().selection().space().pick().has_value());
   CHECK_FALSE(studio.visible("gizmo/centre"));  // nothing lies in the way of the click
   studio.hover({0.42, 1.0 / 3, 0.655});         // just below the upper edge of the front
-  const auto& source = studio.bench->pane().space_viewport().pivot_source();
+  const auto& source = studio.bench->pane().viewport().picker().pivot_source();
   REQUIRE(source.has_value());
   CHECK(source->from == PivotFrom::edge);
   CHECK(studio.session().selection().hovered().empty());
@@ -92,7 +92,7 @@ TEST_CASE("Two nodes are the ends of the axis; a node is the pivot and leaves th
   // The axis is none of the mesh's own: the handle has a frame with it.
   studio.move(studio.handle("ring/axis"));
   studio.frames();
-  CHECK(studio.mover().handle() == SpaceHandle{SpaceHandle::Kind::ring, 2});
+  CHECK(studio.mover().handle() == Handle{Handle::Kind::ring, 2});
   studio.click("motion/pick_node");
   studio.click(studio.at(corner + Vec3(0.03, 0, -0.02)));
   CHECK(studio.pivot().from == PivotFrom::node);
@@ -198,7 +198,7 @@ SeenRow find_long_row(Rig& rig, Index marker) {
       const Vec3 beside = 0.45 * (x.xyz(a) + x.xyz(b)) + 0.1 * x.xyz(c);
       rig.move(view.project(beside).at);
       rig.frames();
-      const auto& source = rig.bench->pane().space_viewport().pivot_source();
+      const auto& source = rig.bench->pane().viewport().picker().pivot_source();
       if (source && source->nodes == row) return {view.project(beside).at, row};
     }
   }

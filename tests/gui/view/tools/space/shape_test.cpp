@@ -56,7 +56,7 @@ TEST_CASE(
   const ScreenPoint from = studio.at(middle);
   studio.move(from + ScreenVector(2, 1));
   studio.frames();
-  CHECK(studio.bench->pane().space_viewport().held_by_click() == std::vector<Index>{node});
+  CHECK(studio.bench->pane().viewport().picker().held() == std::vector<Index>{node});
   const ViewDirection looked = studio.view().camera().direction();
   studio.drag(from, from + ScreenVector(14, -10));
   CHECK(studio.view().camera().direction() == looked);
@@ -208,7 +208,7 @@ TEST_CASE("Drags in space go into the recipe, which gives the same mesh without 
   studio.take("cavity");
   const ScreenPoint ring = studio.handle("screen_ring");
   studio.drag(ring, ring);
-  go_around(studio, studio.space_gizmo().centre, ring, 9, 4);
+  go_around(studio, studio.gizmo().centre, ring, 9, 4);
   studio.follow();
   studio.release();
   REQUIRE(studio.settle());
