@@ -18,10 +18,14 @@ INCLUDES = ["winslow/winslow.h", "array", "chrono", "cstdio", "string", "thread"
 
 
 def example(text):
-    """The lines of the example of a header; none if it has none. Equations are no examples."""
-    head = re.split(r"^namespace winslow", text, maxsplit=1, flags=re.M)[0]
-    lines = [line[8:] for line in head.splitlines() if line.startswith("///     ")]
-    code = [line for line in lines if not line.startswith("#")]
+    """The lines of the examples of a header; none if it has none. They stand before the namespace or, in a
+    header of several classes, in comments of their own before these. Equations are no examples."""
+    head, *rest = re.split(r"^namespace winslow", text, maxsplit=1, flags=re.M)
+    apart = re.findall(r"(?:^///.*\n)+(?=\n)", rest[0] if rest else "", re.M)
+    code = []
+    for block in (head, *apart):
+        lines = [line[8:] for line in block.splitlines() if line.startswith("///     ")]
+        code += ["} {"] * bool(code and lines) + [line for line in lines if not line.startswith("#")]
     return code if any(line.rstrip().endswith((";", "{")) for line in code) else []
 
 
