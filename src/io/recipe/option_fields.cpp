@@ -34,9 +34,8 @@ void read_value(const json& value, const std::string& path, const OptionValue& o
             refuse(value, path, "one of " + of.names());
         } else if constexpr (std::is_same_v<Kind, SharesOption>) {
           read_shares(value, path, of);
-        } else if constexpr (std::is_same_v<Kind, VectorOption>) {
-          *of.value = read_vector(value, path);
-        } else if constexpr (std::is_same_v<Kind, OptionalVectorOption>) {
+        } else if constexpr (std::is_same_v<Kind, VectorOption> ||
+                             std::is_same_v<Kind, OptionalVectorOption>) {
           *of.value = read_vector(value, path);
         } else if constexpr (std::is_same_v<Kind, SpaceVectorOption>) {
           Vec3& vector = of.value->emplace();
