@@ -31,6 +31,9 @@ RULES = {".clang-tidy", "scripts/tidy.py", "scripts/packages.txt"}
 
 
 def git(*arguments):
+    """What git prints; nothing where it fails, there is no repository or no git."""
+    if shutil.which("git") is None:
+        return None
     run = subprocess.run(["git", "-C", str(ROOT), *arguments], capture_output=True, text=True, check=False)
     return run.stdout if run.returncode == 0 else None
 
