@@ -93,7 +93,7 @@ const SmoothingWorkspace::ComputedVcvs& SmoothingWorkspace::computed_vcvs() {
 }
 
 std::shared_ptr<const VolumeVcvs> SmoothingWorkspace::volume_vcvs() {
-  const SpaceVcvs computed = computed_vcvs().vcvs;
+  SpaceVcvs computed = computed_vcvs().vcvs;
   const Stencils stencils = vcvs_.by_hand();
   if (!stencils) return computed;
   return made_.space_vcvs.of({computed, stencils}, [&]() -> SpaceVcvs {

@@ -4,12 +4,10 @@
 
 namespace winslow::gui {
 
-void OngoingWork::begin_drag(const MeshState& base, DragGrip grip, const SmoothOptions& options,
+void OngoingWork::begin_drag(MeshState base, DragGrip grip, const SmoothOptions& options,
                              std::optional<DragSession::Start> start) {
-  // The base may be that of the drag before, which ends here.
-  const MeshState from = base;
-  drag_.begin(from, std::move(grip), options, std::move(start));
-  drag_base_ = from;
+  drag_.begin(base, std::move(grip), options, std::move(start));
+  drag_base_ = std::move(base);
 }
 
 const Coordinates* OngoingWork::coordinates() const {

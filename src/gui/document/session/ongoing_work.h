@@ -23,8 +23,9 @@ class OngoingWork {
   /// The drag under the mouse that shows valid meshes only; null without one, and in the paper's
   /// direct mode, where the job shows what the solver has.
   const BodyDrag* body_drag() const { return drag_.active() ? &drag_ : nullptr; }
-  /// Begins such a drag from a mesh. Throws what BodyDrag::begin throws.
-  void begin_drag(const MeshState& base, DragGrip grip, const SmoothOptions& options,
+  /// Begins such a drag from a mesh, which may be that of the drag before: that one ends here.
+  /// Throws what BodyDrag::begin throws.
+  void begin_drag(MeshState base, DragGrip grip, const SmoothOptions& options,
                   std::optional<DragSession::Start> start);
   bool active() const { return job_.active() || drag_.active(); }
 

@@ -128,9 +128,9 @@ Vec3 SpacePicker::middle(const PointerFrame& frame) const {
   const VolumeView& picture = frame.scene.picture;
   const ScreenBox box = frame.view.viewport();
   if (const auto hit = picture.pick(frame.view, box.centre())) return hit->point;
-  const Vec3 centre = frame.view.looked_at().centre;
+  Vec3 centre = frame.view.looked_at().centre;
   if (!picture.mesh()) return centre;
-  const Vec3 middle = picture.scenes()->parts.front()->extent.centre();
+  Vec3 middle = picture.scenes()->parts.front()->extent.centre();
   return box.contains(frame.view.project(middle).at) ? middle : centre;
 }
 
