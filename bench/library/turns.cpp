@@ -1,8 +1,7 @@
 // What a kept object saves: the flap of a wing turns step by step,
 // - by a command each on the mesh as given,
-// - by a command each on the mesh of the step before (elements then strive for other shapes from
-// step to
-//   step), without and with a SolverCache,
+// - by a command each on the mesh of the step before, without and with a SolverCache (the elements
+//   then strive for other shapes from step to step),
 // - by one MovingMesh.
 // Seconds are those of the processor, over all threads; the least of three runs counts.
 //
