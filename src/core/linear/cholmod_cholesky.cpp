@@ -127,6 +127,7 @@ class CholmodCholesky final : public Factorisation {
     if (matrix_.assign(matrix) || !factor_) analyse(matrix);
     cholmod_sparse a = view();
     const WithoutOpenMP alone;
+    const BlasTurn turn(factor_->is_super != 0);
     cholmod_factorize(&a, factor_, common_.get());
     common_.check();
     if (common_.status() == CHOLMOD_NOT_POSDEF || factor_->minor < factor_->n) {
@@ -146,6 +147,7 @@ class CholmodCholesky final : public Factorisation {
     view.xtype = CHOLMOD_REAL;
     view.dtype = CHOLMOD_DOUBLE;
     const WithoutOpenMP alone;
+    const BlasTurn turn(factor_->is_super != 0);
     cholmod_solve2(CHOLMOD_A, factor_, &view, nullptr, &solution_, nullptr, &work_y_, &work_e_,
                    common_.get());
     common_.check();

@@ -15,6 +15,11 @@
 
 namespace winslow {
 
+BlasTurn::BlasTurn(bool used) {
+  static std::mutex turns;
+  if (used) lock_ = std::unique_lock(turns);
+}
+
 bool EigenMatrix::assign(const SparseMatrix& source) {
   const bool fresh = pattern_ != source.pattern || block_ != at(source.block);
   if (fresh) adopt(source);
@@ -154,6 +159,7 @@ class LuFactorisation final : public Factorisation {
 
   void factorise(const SparseMatrix& matrix) override {
     if (matrix_.assign(matrix)) lu_.analyzePattern(matrix_.matrix());
+    const BlasTurn turn(uses_blas);
     lu_.factorize(matrix_.matrix());
     if (lu_.info() != Eigen::Success) {
       if (ran_out_of_memory(lu_)) throw std::bad_alloc();
@@ -165,6 +171,7 @@ class LuFactorisation final : public Factorisation {
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const Eigen::Index n = matrix_.matrix().rows();
     const Eigen::MatrixXd b = Eigen::Map<const RowMajor>(rhs.data(), n, columns);
+    const BlasTurn turn(uses_blas);
     const Eigen::MatrixXd solution = lu_.solve(b);
     if (!solution.allFinite()) {
       throw NumericError("the linear system is singular to working precision");
@@ -173,6 +180,12 @@ class LuFactorisation final : public Factorisation {
   }
 
  private:
+#if defined(WINSLOW_HAS_UMFPACK)
+  static constexpr bool uses_blas = std::is_same_v<Lu, Eigen::UmfPackLU<Matrix>>;
+#else
+  static constexpr bool uses_blas = false;
+#endif
+
   const char* name_;
   EigenMatrix matrix_{EigenMatrix::Part::all};
   Lu lu_;

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdlib>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <vector>
@@ -44,6 +45,18 @@ inline bool blas_has_memory() {
   std::free(probe);
   return had;
 }
+
+/// Held while SuiteSparse calls BLAS. Debian's serial OpenBLAS hands its buffers out without a
+/// lock, so that two threads at once, each with a factorisation of its own, would get the same one
+/// and wrong numbers. Runs that go on at the same time take turns here.
+class BlasTurn {
+ public:
+  /// used: false where no dense kernels are called: nothing is held then.
+  explicit BlasTurn(bool used = true);
+
+ private:
+  std::unique_lock<std::mutex> lock_;
+};
 
 /// Expands block matrices into the compressed scalar columns that Eigen and SuiteSparse take. The
 /// structure is worked out once per pattern and block size.

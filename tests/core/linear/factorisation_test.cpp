@@ -2,6 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <functional>
+#include <future>
+#include <vector>
+
 #include "support/meshes.h"
 #include "support/systems.h"
 
@@ -36,5 +40,28 @@ TEST_CASE("block matrices expand to scalar columns, whole or the lower triangle"
         }
       }
     }
+  }
+}
+
+TEST_CASE("factorisations on several threads at once have the bits of one alone") {
+  const SparseSystem system = elasticity(make_mesh(square_with_hole(60, Cells::triangles)));
+  // Large enough for the dense kernels of both.
+  const auto make_large_lu = [] { return make_lu(100'000); };
+  for (const auto& make : {std::function(make_cholesky), std::function(make_large_lu)}) {
+    const auto solved = [&] {
+      const auto factorisation = make();
+      std::vector<double> x(system.rhs.size());
+      for (int repeat = 0; repeat < 3; ++repeat) {
+        factorisation->factorise(system.matrix);
+        factorisation->solve(system.rhs, system.columns, x);
+      }
+      return x;
+    };
+    CAPTURE(make()->description());
+    const std::vector<double> alone = solved();
+    std::vector<std::future<std::vector<double>>> at_once;
+    for (int thread = 0; thread < 4; ++thread)
+      at_once.push_back(std::async(std::launch::async, solved));
+    for (auto& one : at_once) CHECK(one.get() == alone);
   }
 }
