@@ -5,9 +5,6 @@
 #include <exception>
 #include <iostream>
 #include <new>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #ifdef __GLIBC__
 #include <malloc.h>

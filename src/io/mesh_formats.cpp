@@ -1,5 +1,3 @@
-#include <array>
-
 #include "io/cgns/cgns.h"
 #include "io/format/mesh_format.h"
 #include "io/gmsh/gmsh.h"

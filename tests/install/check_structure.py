@@ -2,6 +2,7 @@
 """Checks how src is built: python3 check_structure.py
 
 - Folders: what a file may include says structure.txt; folders that are missing there are a fault.
+- Includes: no standard header that an included header of src brings already.
 - Sizes: no function over 60 lines. How long a class may be depends on what it is for: no test knows that.
 The sources are read as clang-format leaves them: what begins in a column ends in it.
 """
@@ -12,6 +13,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 SRC = HERE.parents[1] / "src"
 MOST_LINES = 60
+STANDARD = re.compile(r"#include <([a-z_0-9]+|Eigen/\w+)>")
 NO_FUNCTION = re.compile(r"\s*(if|for|while|switch|else|do|catch|return|struct|class|enum|union|namespace|extern|"
                          r"public|private|protected|case|default|try|#|//|\}|\[)|.*(=|\[[^\]]*\]\([^)]*\)( mutable)?) \{$")
 
@@ -54,6 +56,43 @@ def folder_faults(structure):
                 yield f"{path.relative_to(SRC)}:{number}: {line.strip()}: {fault}"
 
 
+class Includes:
+    """What the files of src include; what stands between #if and #endif is not looked at."""
+
+    def __init__(self):
+        self.own, self.standard, self.brought = {}, {}, {}
+        for path in sources():
+            depth, own, standard = 0, [], []
+            for number, line in enumerate(path.read_text().splitlines(), 1):
+                depth += line.startswith("#if") - line.startswith("#endif")
+                include = depth == 0 and re.match(r'#include "([^"]+)"', line)
+                if include and (SRC / include[1]).exists():
+                    own.append(include[1])
+                elif depth == 0 and STANDARD.match(line):
+                    standard.append((number, STANDARD.match(line)[1]))
+            name = str(path.relative_to(SRC))
+            self.own[name], self.standard[name] = own, standard
+
+    def brings(self, name):
+        """The standard headers that somebody has who includes a header."""
+        if name not in self.brought:
+            self.brought[name] = {header for _, header in self.standard[name]}.union(*map(self.brings, self.own[name]))
+        return self.brought[name]
+
+    def repeated(self):
+        """(file, line, standard header, the header of src that brings it)"""
+        for name in self.own:
+            for number, header in self.standard[name]:
+                source = next((other for other in self.own[name] if header in self.brings(other)), None)
+                if source:
+                    yield name, number, header, source
+
+
+def include_faults():
+    for name, number, header, source in Includes().repeated():
+        yield f"{name}:{number}: #include <{header}>: {source} has it already"
+
+
 def end_of(lines, first, indent):
     """Index of the line that closes what the line `first` opens."""
     closing = re.compile(" " * indent + r"\}")
@@ -93,7 +132,7 @@ def size_faults():
 
 def main():
     structure = Structure(HERE / "structure.txt")
-    wrong = [*folder_faults(structure), *size_faults()]
+    wrong = [*folder_faults(structure), *include_faults(), *size_faults()]
     print("\n".join(wrong))
     print(f"{len(sources())} files in {len(structure.order)} folders: {len(wrong)} faults")
     return 1 if wrong or len(sources()) < 100 else 0

@@ -1,8 +1,5 @@
 #include "app/job/edit_job.h"
 
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <iterator>
 #include <nlohmann/json.hpp>

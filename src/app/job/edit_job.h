@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "app/options/file_flags.h"
 #include "app/output/terminal.h"
 #include "core/command/command.h"

@@ -1,7 +1,5 @@
 #include "app/job/markers.h"
 
-#include <algorithm>
-
 #include "app/options/suggestion.h"
 #include "core/error.h"
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <csignal>
-#include <string>
 
 #include "app/output/report.h"
 #include "core/strategy/run.h"

@@ -1,10 +1,5 @@
 #include "app/job/zone_runs.h"
 
-#include <algorithm>
-#include <optional>
-#include <utility>
-#include <variant>
-
 #include "app/job/markers.h"
 #include "core/error.h"
 #include "io/tables/slide_files.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/command/command.h"
 #include "core/quality/quality.h"
 #include "core/quality/surface_distance.h"

@@ -2,8 +2,6 @@
 
 #include <unistd.h>
 
-#include <filesystem>
-#include <limits>
 #include <set>
 
 #include "app/options/suggestion.h"

@@ -1,9 +1,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "io/format/mesh_file.h"
 

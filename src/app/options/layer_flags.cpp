@@ -1,10 +1,8 @@
 #include "app/options/layer_flags.h"
 
 #include <charconv>
-#include <cmath>
 #include <cstdlib>
 #include <system_error>
-#include <utility>
 
 #include "app/options/option_flags.h"
 #include "core/error.h"

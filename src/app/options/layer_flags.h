@@ -1,9 +1,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "core/command/command.h"
 #include "core/layers/layer_plan.h"

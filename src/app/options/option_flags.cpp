@@ -1,10 +1,6 @@
 #include "app/options/option_flags.h"
 
-#include <array>
 #include <cctype>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 #include "app/options/suggestion.h"
 #include "core/command/option_tables.h"

@@ -1,12 +1,7 @@
 #include "app/output/reference.h"
 
-#include <algorithm>
-#include <array>
 #include <cctype>
-#include <map>
 #include <sstream>
-#include <string_view>
-#include <utility>
 
 #include "app/output/terminal.h"
 #include "core/command/option_tables.h"

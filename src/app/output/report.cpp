@@ -2,10 +2,8 @@
 
 #include <sys/resource.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-#include <ostream>
 
 #include "app/output/tables.h"
 #include "core/layers/layer_measures.h"

@@ -1,12 +1,8 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "core/geometry/periodic_pairs.h"
 #include "core/layers/layer_stack.h"

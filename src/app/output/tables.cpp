@@ -1,17 +1,9 @@
 #include "app/output/tables.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <ostream>
-#include <span>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 #include "app/output/terminal.h"
 #include "core/layers/layer_measures.h"

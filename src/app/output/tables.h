@@ -2,7 +2,6 @@
 
 #include <iosfwd>
 #include <nlohmann/json_fwd.hpp>
-#include <string>
 
 #include "core/geometry/periodic_pairs.h"
 #include "core/layers/layer_stack.h"

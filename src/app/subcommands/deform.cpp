@@ -1,5 +1,3 @@
-#include <array>
-
 #include "app/job/edit_job.h"
 #include "app/options/layer_flags.h"
 #include "app/options/option_flags.h"

@@ -1,5 +1,3 @@
-#include <string>
-
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"
 

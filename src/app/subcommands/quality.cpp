@@ -1,7 +1,5 @@
-#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "app/job/zone_runs.h"
 #include "app/options/file_flags.h"

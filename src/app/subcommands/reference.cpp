@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <iostream>
 #include <iterator>
-#include <string_view>
-#include <vector>
 
 #include "app/options/suggestion.h"
 #include "app/output/completion.h"

@@ -1,9 +1,4 @@
-#include <algorithm>
-#include <array>
 #include <iostream>
-#include <limits>
-#include <optional>
-#include <vector>
 
 #include "app/job/markers.h"
 #include "app/job/progress.h"

@@ -1,13 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <chrono>
-#include <functional>
-#include <optional>
-#include <string>
-#include <thread>
-#include <vector>
 
 #include "core/error.h"
 #include "core/mesh/mesh.h"

@@ -1,7 +1,4 @@
-#include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <span>
 
 #include "app/options/suggestion.h"
 #include "app/subcommands/render_flags.h"

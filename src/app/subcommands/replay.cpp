@@ -1,5 +1,3 @@
-#include <filesystem>
-
 #include "app/job/edit_job.h"
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"

@@ -1,8 +1,5 @@
 #include "app/subcommands/subcommand.h"
 
-#include <string>
-#include <type_traits>
-
 #include "app/job/edit_job.h"
 #include "app/options/option_flags.h"
 #include "core/command/option_tables.h"

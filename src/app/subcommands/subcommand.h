@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <vector>
 
 #include "app/output/terminal.h"
 

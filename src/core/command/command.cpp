@@ -1,10 +1,7 @@
 #include "core/command/command.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <random>
-#include <utility>
 
 #include "core/command/local_run.h"
 #include "core/error.h"

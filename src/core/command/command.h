@@ -1,12 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
-#include <string>
-#include <string_view>
-#include <variant>
-#include <vector>
-
 #include "core/motion/motion.h"
 #include "core/strategy/layering.h"
 #include "core/strategy/mesh_state.h"

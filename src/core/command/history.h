@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <vector>
-
 #include "core/command/command.h"
 
 /// Undo and redo over commands:

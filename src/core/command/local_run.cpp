@@ -1,8 +1,5 @@
 #include "core/command/local_run.h"
 
-#include <optional>
-#include <utility>
-
 namespace winslow {
 
 namespace {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-
 #include "core/command/command.h"
 #include "core/mesh/mesh.h"
 

@@ -1,8 +1,5 @@
 #include "core/command/motion_frames.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "core/motion/meshes_between.h"
 
 namespace winslow {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <utility>
-
 #include "core/command/command.h"
 #include "core/strategy/solver_cache.h"
 

@@ -1,11 +1,6 @@
 #include "core/drag/drag_grip.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <queue>
-#include <utility>
 
 #include "core/error.h"
 

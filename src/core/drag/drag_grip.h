@@ -1,10 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "core/command/command.h"
 #include "core/mesh/coordinates.h"
 #include "core/mesh/element_type.h"

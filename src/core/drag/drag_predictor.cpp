@@ -1,7 +1,6 @@
 #include "core/drag/drag_predictor.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
 
 #include "core/parallel/parallel_for.h"
 

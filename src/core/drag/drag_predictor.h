@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "core/motion/rigid_motion.h"
 #include "core/outer/outer_solver.h"
 

@@ -1,10 +1,6 @@
 #include "core/drag/drag_session.h"
 
-#include <algorithm>
-#include <cmath>
 #include <condition_variable>
-#include <mutex>
-#include <optional>
 #include <thread>
 
 #include "core/drag/drag_predictor.h"

@@ -1,9 +1,5 @@
 #include "core/formulation/corner_lengths.h"
 
-#include <array>
-#include <cmath>
-#include <optional>
-
 #include "core/formulation/target_metric.h"
 
 namespace winslow {

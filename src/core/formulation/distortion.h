@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cmath>
-
 #include "core/formulation/cell_targets.h"
 #include "core/formulation/target_metric.h"
 #include "core/formulation/triangle_kernel.h"

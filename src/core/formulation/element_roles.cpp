@@ -1,7 +1,5 @@
 #include "core/formulation/element_roles.h"
 
-#include <string>
-
 #include "core/error.h"
 
 namespace winslow {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "core/formulation/cell_targets.h"
 #include "core/formulation/stretch_field.h"
 #include "core/mesh/topology.h"

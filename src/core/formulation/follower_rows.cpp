@@ -1,7 +1,5 @@
 #include "core/formulation/follower_rows.h"
 
-#include <algorithm>
-
 #include "core/linear/pattern_builder.h"
 #include "core/mesh/coordinates.h"
 

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <memory>
-#include <span>
-#include <vector>
-
 #include "core/linear/sparse_system.h"
 #include "core/problem/node_unknowns.h"
 

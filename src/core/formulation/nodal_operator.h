@@ -1,8 +1,6 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "core/mesh/coordinates.h"
 #include "core/vcv/stencil_functionals.h"

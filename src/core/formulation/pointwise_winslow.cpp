@@ -1,9 +1,5 @@
 #include "core/formulation/pointwise_winslow.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "core/parallel/parallel_for.h"
 
 namespace winslow {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <utility>
-#include <vector>
-
 #include "core/formulation/nodal_operator.h"
 #include "core/formulation/stencil_operator.h"
 #include "core/problem/node_unknowns.h"

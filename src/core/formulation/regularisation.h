@@ -1,11 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <span>
-#include <vector>
 
 #include "core/problem/smoothing_problem.h"
 

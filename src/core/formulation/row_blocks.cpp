@@ -1,7 +1,5 @@
 #include "core/formulation/row_blocks.h"
 
-#include <algorithm>
-
 #include "core/linear/pattern_builder.h"
 #include "core/linear/smoothed_aggregation.h"
 #include "core/parallel/parallel_for.h"

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <span>
-#include <vector>
 
 #include "core/formulation/simplex_kernel.h"
 #include "core/linear/sparse_system.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-
 #include "core/index.h"
 
 /// What the innermost loops of the variational form read and write, over the triangles of a plane

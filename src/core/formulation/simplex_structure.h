@@ -1,10 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <span>
 #include <tuple>
-#include <vector>
 
 #include "core/formulation/cell_targets.h"
 #include "core/formulation/follower_rows.h"

@@ -1,7 +1,6 @@
 #include "core/formulation/sliding_rows.h"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 
 namespace winslow {
 

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
-#include <span>
-#include <vector>
 
 #include "core/formulation/simplex_kernel.h"
 #include "core/geometry/sliding_geometry.h"

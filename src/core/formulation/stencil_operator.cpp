@@ -1,8 +1,5 @@
 #include "core/formulation/stencil_operator.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-
 namespace winslow {
 
 auto StencilOperator<2>::slopes(const Matrix& g, const Fluxes& flux, const Vec2& residual)

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
-#include <memory>
-#include <span>
-#include <vector>
-
 #include "core/formulation/nodal_operator.h"
 #include "core/formulation/volume_functionals.h"
 #include "core/linear/sparse_system.h"

@@ -1,12 +1,5 @@
 #include "core/formulation/stretch_field.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <span>
-#include <utility>
-
 #include "core/formulation/target_metric.h"
 #include "core/mesh/corner_tetrahedra.h"
 #include "core/parallel/parallel_for.h"

@@ -1,8 +1,6 @@
 #include "core/formulation/stuck_nodes.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 
 #include "core/formulation/surface_winslow.h"
 #include "core/formulation/variational_winslow.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "core/mesh/coordinates.h"
 #include "core/problem/node_unknowns.h"
 

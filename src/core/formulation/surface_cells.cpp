@@ -1,10 +1,5 @@
 #include "core/formulation/surface_cells.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <numeric>
-#include <utility>
-
 #include "core/linear/pattern_builder.h"
 #include "core/mesh/index_sets.h"
 #include "core/parallel/parallel_for.h"

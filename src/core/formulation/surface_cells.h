@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <memory>
-#include <mutex>
-#include <span>
-#include <vector>
-
 #include "core/formulation/cell_targets.h"
 #include "core/formulation/simplex_kernel.h"
 #include "core/linear/sparse_system.h"

@@ -1,14 +1,5 @@
 #include "core/formulation/surface_winslow.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
-#include <optional>
-#include <utility>
-
 #include "core/error.h"
 #include "core/formulation/corner_lengths.h"
 #include "core/formulation/distortion.h"

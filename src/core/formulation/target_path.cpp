@@ -1,7 +1,5 @@
 #include "core/formulation/target_path.h"
 
-#include <utility>
-
 #include "core/parallel/parallel_for.h"
 
 namespace winslow {

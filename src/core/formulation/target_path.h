@@ -1,8 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "core/formulation/surface_winslow.h"
 #include "core/formulation/target_metric.h"
 #include "core/formulation/variational_winslow.h"

@@ -1,11 +1,5 @@
 #include "core/formulation/target_shapes.h"
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <string>
-#include <utility>
-
 #include "core/error.h"
 #include "core/formulation/stretch_field.h"
 #include "core/formulation/target_metric.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include "core/formulation/cell_targets.h"
 #include "core/formulation/element_roles.h"
 #include "core/mesh/coordinates.h"

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <memory>
-#include <optional>
 
 #include "core/formulation/simplex_kernel.h"
 #include "core/problem/node_unknowns.h"

@@ -1,11 +1,5 @@
 #include "core/formulation/variational_winslow.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numeric>
-#include <utility>
-
 #include "core/formulation/corner_lengths.h"
 #include "core/formulation/distortion.h"
 #include "core/formulation/simplex_structure.h"

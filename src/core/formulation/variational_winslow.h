@@ -1,10 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <span>
-#include <utility>
-#include <vector>
-
 #include "core/formulation/cell_targets.h"
 #include "core/formulation/row_blocks.h"
 #include "core/formulation/simplex_kernel.h"

@@ -1,9 +1,5 @@
 #include "core/formulation/volume_functionals.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <string>
-
 #include "core/error.h"
 #include "core/parallel/parallel_for.h"
 

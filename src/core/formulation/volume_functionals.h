@@ -1,10 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <memory>
-#include <span>
-#include <vector>
-
 #include "core/types.h"
 #include "core/vcv/sphere/sphere_link.h"
 #include "core/vcv/sphere/volume_vcvs.h"

@@ -1,12 +1,5 @@
 #include "core/formulation/volume_targets.h"
 
-#include <algorithm>
-#include <array>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "core/error.h"
 #include "core/formulation/stretch_field.h"
 #include "core/formulation/target_metric.h"

@@ -1,7 +1,5 @@
 #include "core/geometry/boundary_kinds.h"
 
-#include <algorithm>
-#include <cmath>
 #include <set>
 #include <utility>
 

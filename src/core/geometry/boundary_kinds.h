@@ -1,11 +1,5 @@
 #pragma once
 
-#include <map>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "core/error.h"
 #include "core/geometry/sliding_boundary.h"
 #include "core/geometry/surface_features.h"

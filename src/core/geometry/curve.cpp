@@ -1,12 +1,7 @@
 #include "core/geometry/curve.h"
 
 #include <Eigen/Dense>
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <optional>
 
 #include "core/error.h"
 #include "core/options/option.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <span>
-#include <vector>
-
 #include "core/geometry/curve.h"
 #include "core/types.h"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <span>
-#include <vector>
-
 #include "core/geometry/sliding_boundary.h"
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"

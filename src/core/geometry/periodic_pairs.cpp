@@ -1,11 +1,6 @@
 #include "core/geometry/periodic_pairs.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <optional>
 
 #include "core/error.h"
 #include "core/mesh/coordinates.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <string>
-#include <vector>
-
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"
 

@@ -1,10 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <map>
-#include <optional>
-#include <set>
 #include <utility>
 
 #include "core/error.h"

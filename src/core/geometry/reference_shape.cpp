@@ -1,9 +1,5 @@
 #include "core/geometry/reference_shape.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
 #include <utility>
 
 #include "core/error.h"

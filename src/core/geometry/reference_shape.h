@@ -1,11 +1,6 @@
 #pragma once
 
-#include <array>
-#include <map>
-#include <optional>
 #include <set>
-#include <span>
-#include <vector>
 
 #include "core/geometry/sliding_boundary.h"
 #include "core/geometry/surface/triangulation.h"

@@ -1,7 +1,5 @@
 #include "core/geometry/sliding_boundary.h"
 
-#include <algorithm>
-
 #include "core/error.h"
 #include "core/geometry/boundary_kinds.h"
 

@@ -1,10 +1,6 @@
 #pragma once
 
 #include <map>
-#include <memory>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "core/geometry/curve_row.h"
 #include "core/geometry/periodic_pairs.h"

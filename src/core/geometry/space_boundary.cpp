@@ -1,9 +1,6 @@
 #include "core/geometry/space_boundary.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <optional>
 #include <set>
 #include <utility>
 

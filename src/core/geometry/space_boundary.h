@@ -1,11 +1,5 @@
 #pragma once
 
-#include <map>
-#include <memory>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "core/geometry/boundary_kinds.h"
 #include "core/geometry/curve.h"
 #include "core/geometry/surface/surface.h"

@@ -1,8 +1,6 @@
 #include "core/geometry/surface_features.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <set>
 #include <utility>
 

@@ -1,11 +1,6 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
 #include <map>
-#include <memory>
-#include <span>
-#include <vector>
 
 #include "core/geometry/curve.h"
 #include "core/geometry/surface/surface.h"

@@ -1,10 +1,5 @@
 #include "core/inspect/element_field.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-
 #include "core/error.h"
 #include "core/inspect/nodal_view.h"
 #include "core/parallel/parallel_for.h"

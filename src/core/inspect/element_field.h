@@ -1,9 +1,6 @@
 #pragma once
 
-#include <string>
-#include <string_view>
 #include <variant>
-#include <vector>
 
 #include "core/layers/layer_stack.h"
 #include "core/mesh/topology.h"

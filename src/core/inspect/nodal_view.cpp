@@ -1,10 +1,6 @@
 #include "core/inspect/nodal_view.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
 
 #include "core/error.h"
 #include "core/mesh/surface_faces.h"

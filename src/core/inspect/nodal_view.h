@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "core/formulation/nodal_operator.h"
 #include "core/vcv/virtual_control_volumes.h"
 

@@ -1,11 +1,7 @@
 #include "core/inspect/node_roles.h"
 
-#include <algorithm>
-#include <cmath>
 #include <exception>
 #include <iterator>
-#include <map>
-#include <optional>
 
 #include "core/error.h"
 #include "core/mesh/surface_faces.h"

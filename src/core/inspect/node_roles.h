@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "core/mesh/mesh.h"
 #include "core/strategy/mesh_state.h"
 #include "core/strategy/slide_options.h"

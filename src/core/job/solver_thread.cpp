@@ -2,9 +2,7 @@
 
 #include <chrono>
 #include <condition_variable>
-#include <mutex>
 #include <thread>
-#include <utility>
 
 #include "core/error.h"
 

@@ -1,9 +1,5 @@
 #include "core/layers/clearance.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace winslow {
 
 namespace {

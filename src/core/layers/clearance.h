@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "core/mesh/mesh.h"
 #include "core/search/box_tree.h"
 

@@ -1,8 +1,6 @@
 #include "core/layers/layer_climb.h"
 
-#include <algorithm>
 #include <map>
-#include <optional>
 #include <set>
 #include <utility>
 

@@ -1,9 +1,5 @@
 #include "core/layers/layer_control.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-
 namespace winslow {
 
 namespace {

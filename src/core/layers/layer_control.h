@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "core/formulation/element_roles.h"
 #include "core/layers/layer_stack.h"
 #include "core/vcv/virtual_control_volumes.h"

@@ -1,10 +1,6 @@
 #include "core/layers/layer_detection.h"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
-#include <optional>
-#include <string>
 #include <utility>
 
 #include "core/error.h"

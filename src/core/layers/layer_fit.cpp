@@ -1,9 +1,5 @@
 #include "core/layers/layer_fit.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-
 #include "core/layers/clearance.h"
 
 namespace winslow {

@@ -1,8 +1,5 @@
 #include "core/layers/layer_insertion.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
 #include <set>
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "core/layers/layer_stack.h"
 #include "core/mesh/mesh.h"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "core/layers/layer_stack.h"
 #include "core/quality/quality.h"
 

@@ -1,9 +1,5 @@
 #include "core/layers/layer_plan.h"
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-
 #include "core/error.h"
 #include "core/layers/clearance.h"
 #include "core/layers/wall_chain.h"

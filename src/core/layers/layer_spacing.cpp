@@ -1,10 +1,5 @@
 #include "core/layers/layer_spacing.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <string>
-
 #include "core/error.h"
 #include "core/layers/layer_plan.h"
 

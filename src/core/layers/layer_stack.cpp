@@ -1,10 +1,5 @@
 #include "core/layers/layer_stack.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-
 #include "core/error.h"
 
 namespace winslow {

@@ -1,12 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <numeric>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <vector>
-
 #include "core/mesh/mesh.h"
 #include "core/types.h"
 

@@ -1,8 +1,6 @@
 #include "core/layers/row_rules.h"
 
-#include <algorithm>
 #include <map>
-#include <optional>
 
 namespace winslow {
 

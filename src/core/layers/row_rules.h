@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <functional>
-#include <vector>
-
 #include "core/layers/layer_stack.h"
 #include "core/mesh/half_edge.h"
 #include "core/mesh/topology.h"

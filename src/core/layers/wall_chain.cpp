@@ -1,6 +1,5 @@
 #include "core/layers/wall_chain.h"
 
-#include <cmath>
 #include <map>
 
 #include "core/error.h"

@@ -2,9 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <cstddef>
 #include <cstring>
-#include <string>
 #include <type_traits>
 #include <utility>
 

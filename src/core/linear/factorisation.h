@@ -3,11 +3,9 @@
 #include <Eigen/SparseCore>
 #include <atomic>
 #include <cstdlib>
-#include <memory>
 #include <mutex>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "core/linear/sparse_system.h"
 

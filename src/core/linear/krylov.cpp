@@ -1,8 +1,6 @@
 #include "core/linear/krylov.h"
 
-#include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "core/error.h"
 #include "core/linear/vector_operations.h"

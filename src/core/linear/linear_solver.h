@@ -1,10 +1,8 @@
 #pragma once
 
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "core/linear/sparse_system.h"
 

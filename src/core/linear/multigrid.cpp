@@ -1,11 +1,9 @@
 #include "core/linear/multigrid.h"
 
 #include <Eigen/Cholesky>
-#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <optional>
-#include <string>
 
 #include "core/error.h"
 #include "core/linear/smoothed_aggregation.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <span>
-#include <vector>
-
 #include "core/linear/blocks.h"
 #include "core/linear/preconditioner.h"
 #include "core/linear/sparse_system.h"

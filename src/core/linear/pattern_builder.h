@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <memory>
-#include <vector>
-
 #include "core/linear/sparse_system.h"
 #include "core/parallel/parallel_for.h"
 

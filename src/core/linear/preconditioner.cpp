@@ -1,8 +1,6 @@
 #include "core/linear/preconditioner.h"
 
 #include <Eigen/IterativeLinearSolvers>
-#include <algorithm>
-#include <utility>
 
 #include "core/error.h"
 #include "core/linear/blocks.h"

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <memory>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "core/linear/sparse_system.h"
 

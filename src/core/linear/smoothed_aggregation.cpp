@@ -1,10 +1,7 @@
 #include "core/linear/smoothed_aggregation.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <numeric>
-#include <utility>
 
 #include "core/linear/block_kernel.h"
 #include "core/linear/pattern_builder.h"

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <memory>
 #include <span>
-#include <vector>
 
 #include "core/linear/blocks.h"
 #include "core/linear/sparse_system.h"

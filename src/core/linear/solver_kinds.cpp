@@ -1,9 +1,6 @@
 #include "core/linear/solver_kinds.h"
 
-#include <algorithm>
 #include <cmath>
-#include <string>
-#include <vector>
 
 #include "core/error.h"
 #include "core/linear/blocks.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "core/linear/linear_solver.h"
 
 namespace winslow {

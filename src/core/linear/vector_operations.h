@@ -1,9 +1,7 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
 #include <span>
-#include <vector>
 
 #include "core/linear/sparse_system.h"
 

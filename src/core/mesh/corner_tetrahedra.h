@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <span>
-
 #include "core/mesh/coordinates.h"
 #include "core/mesh/element_type.h"
 #include "core/types.h"

@@ -1,7 +1,5 @@
 #include "core/mesh/curve_order.h"
 
-#include <algorithm>
-#include <cstdint>
 #include <utility>
 
 #include "core/parallel/parallel_for.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "core/mesh/coordinates.h"
 #include "core/mesh/index_sets.h"
 #include "core/search/box_tree.h"

@@ -1,8 +1,5 @@
 #include "core/mesh/face_pairs.h"
 
-#include <algorithm>
-#include <atomic>
-#include <string>
 #include <tuple>
 
 #include "core/error.h"

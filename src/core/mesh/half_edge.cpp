@@ -1,7 +1,5 @@
 #include "core/mesh/half_edge.h"
 
-#include <vector>
-
 namespace winslow {
 
 namespace {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
-#include <memory>
 
 #include "core/mesh/topology.h"
 

@@ -1,8 +1,5 @@
 #include "core/mesh/mesh.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/error.h"
 #include "core/mesh/mesh_checks.h"
 

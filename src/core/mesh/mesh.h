@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "core/mesh/coordinates.h"
 #include "core/mesh/mesh_data.h"
 #include "core/mesh/topology.h"

@@ -1,12 +1,6 @@
 #include "core/mesh/mesh_checks.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
-#include <span>
-#include <string>
 #include <utility>
 
 #include "core/error.h"

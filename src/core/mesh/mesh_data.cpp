@@ -1,7 +1,5 @@
 #include "core/mesh/mesh_data.h"
 
-#include <algorithm>
-
 #include "core/error.h"
 
 namespace winslow {

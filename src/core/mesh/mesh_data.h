@@ -1,10 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "core/mesh/coordinates.h"
 #include "core/mesh/element_type.h"

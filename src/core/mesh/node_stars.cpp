@@ -1,11 +1,5 @@
 #include "core/mesh/node_stars.h"
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <numeric>
-#include <string>
-
 #include "core/error.h"
 #include "core/mesh/half_edge.h"
 #include "core/mesh/topology.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "core/mesh/curve_order.h"
 #include "core/mesh/element_type.h"
 #include "core/mesh/face_pairs.h"

@@ -1,7 +1,6 @@
 #include "core/mesh/surface_faces.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 
 #include "core/error.h"
 

@@ -1,7 +1,5 @@
 #include "core/mesh/topology.h"
 
-#include <algorithm>
-
 #include "core/error.h"
 #include "core/mesh/half_edge.h"
 #include "core/mesh/topology_builder.h"

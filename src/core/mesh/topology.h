@@ -1,13 +1,7 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <mutex>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "core/mesh/element_type.h"
 #include "core/mesh/index_sets.h"

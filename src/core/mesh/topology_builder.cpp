@@ -1,8 +1,5 @@
 #include "core/mesh/topology_builder.h"
 
-#include <algorithm>
-#include <string>
-
 #include "core/error.h"
 #include "core/mesh/half_edge.h"
 #include "core/mesh/index_sets.h"

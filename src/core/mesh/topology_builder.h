@@ -1,8 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "core/mesh/face_pairs.h"
 #include "core/mesh/mesh_data.h"
 #include "core/mesh/topology.h"

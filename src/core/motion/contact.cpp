@@ -1,14 +1,9 @@
 #include "core/motion/contact.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
-#include <optional>
 #include <set>
 #include <utility>
-#include <vector>
 
 #include "core/mesh/mesh.h"
 #include "core/motion/outline.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <span>
-#include <string>
-
 #include "core/mesh/mesh.h"
 #include "core/motion/motion.h"
 

@@ -1,6 +1,4 @@
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 
 #include "core/error.h"
 #include "core/mesh/mesh.h"

@@ -1,8 +1,5 @@
 #include "core/motion/meshes_between.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
 

@@ -1,8 +1,6 @@
 #include "core/motion/motion.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "core/error.h"

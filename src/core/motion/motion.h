@@ -1,10 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"
 #include "core/motion/rigid_motion.h"

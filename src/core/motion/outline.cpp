@@ -1,9 +1,6 @@
 #include "core/motion/outline.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <optional>
 
 namespace winslow {
 

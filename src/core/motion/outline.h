@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <span>
-#include <vector>
-
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"
 #include "core/search/box_tree.h"

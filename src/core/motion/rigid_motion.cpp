@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
-#include <cmath>
 
 #include "core/error.h"
 #include "core/motion/motion.h"

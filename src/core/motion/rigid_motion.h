@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <span>
-
 #include "core/mesh/mesh.h"
 #include "core/options/given_vector.h"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "core/motion/motion.h"
 #include "core/problem/node_classes.h"
 

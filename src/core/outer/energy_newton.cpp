@@ -1,6 +1,5 @@
 #include "core/outer/energy_newton.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"

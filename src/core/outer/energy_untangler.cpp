@@ -1,8 +1,5 @@
 #include "core/outer/energy_untangler.h"
 
-#include <algorithm>
-#include <limits>
-
 #include "core/outer/newton_step.h"
 
 namespace winslow {

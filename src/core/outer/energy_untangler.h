@@ -1,8 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "core/linear/linear_solver.h"
 #include "core/outer/outer_solver.h"
 #include "core/problem/smoothing_problem.h"

@@ -1,6 +1,5 @@
 #include "core/outer/equation_newton.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"

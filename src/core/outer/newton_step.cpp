@@ -1,6 +1,5 @@
 #include "core/outer/newton_step.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <span>
-#include <vector>
-
 #include "core/linear/linear_solver.h"
 #include "core/linear/sparse_system.h"
 #include "core/problem/smoothing_problem.h"

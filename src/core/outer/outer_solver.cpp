@@ -1,7 +1,5 @@
 #include "core/outer/outer_solver.h"
 
-#include <array>
-
 namespace winslow {
 
 std::string_view stage_name(Stage stage) {

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <span>
-#include <string_view>
 #include <utility>
 
 #include "core/mesh/coordinates.h"

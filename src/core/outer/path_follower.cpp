@@ -1,8 +1,5 @@
 #include "core/outer/path_follower.h"
 
-#include <algorithm>
-#include <vector>
-
 namespace winslow {
 
 namespace {

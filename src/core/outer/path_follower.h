@@ -1,8 +1,6 @@
 #pragma once
 
 #include <concepts>
-#include <functional>
-#include <utility>
 
 #include "core/outer/outer_solver.h"
 

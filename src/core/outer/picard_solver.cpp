@@ -1,7 +1,6 @@
 #include "core/outer/picard_solver.h"
 
 #include <Eigen/QR>
-#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"

@@ -1,11 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <deque>
-#include <memory>
-#include <optional>
-#include <span>
-#include <vector>
 
 #include "core/linear/linear_solver.h"
 #include "core/outer/outer_solver.h"

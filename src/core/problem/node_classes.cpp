@@ -1,8 +1,6 @@
 #include "core/problem/node_classes.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <string>
 
 #include "core/error.h"
 

@@ -1,12 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <span>
-#include <utility>
-#include <vector>
-
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"
 #include "core/problem/sliding_nodes.h"

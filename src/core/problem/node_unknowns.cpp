@@ -1,9 +1,5 @@
 #include "core/problem/node_unknowns.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
 #include <type_traits>
 
 #include "core/error.h"

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <memory>
-#include <span>
-#include <utility>
-#include <vector>
-
 #include "core/mesh/coordinates.h"
 #include "core/problem/node_classes.h"
 #include "core/quality/validity.h"

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <map>
-#include <memory>
-#include <span>
 #include <utility>
-#include <vector>
 
 #include "core/geometry/element_normals.h"
 #include "core/geometry/sliding_geometry.h"

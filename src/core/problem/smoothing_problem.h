@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <memory>
-#include <span>
-#include <string_view>
-#include <vector>
-
 #include "core/linear/sparse_system.h"
 #include "core/mesh/coordinates.h"
 #include "core/quality/validity.h"

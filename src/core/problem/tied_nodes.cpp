@@ -1,7 +1,5 @@
 #include "core/problem/tied_nodes.h"
 
-#include <string>
-
 #include "core/error.h"
 
 namespace winslow {

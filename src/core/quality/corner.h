@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
-#include <span>
 
 #include "core/mesh/coordinates.h"
 

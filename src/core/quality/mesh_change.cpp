@@ -1,7 +1,5 @@
 #include "core/quality/mesh_change.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 #include "core/error.h"

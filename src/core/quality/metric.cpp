@@ -1,9 +1,6 @@
 #include "core/quality/metric.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
 
 #include "core/error.h"
 

@@ -1,9 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
-#include <string_view>
-#include <vector>
 
 #include "core/quality/corner.h"
 #include "core/quality/volume_element.h"

@@ -1,9 +1,5 @@
 #include "core/quality/quality.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 #include "core/error.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "core/mesh/mesh.h"
 #include "core/quality/metric.h"
 #include "core/quality/validity.h"

@@ -1,10 +1,6 @@
 #include "core/quality/surface_distance.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
 
 #include "core/error.h"
 #include "core/geometry/surface/triangulation.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "core/mesh/mesh.h"
 #include "core/search/box_tree.h"
 

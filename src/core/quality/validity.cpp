@@ -1,11 +1,6 @@
 #include "core/quality/validity.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
-#include <vector>
 
 #include "core/mesh/corner_tetrahedra.h"
 #include "core/parallel/parallel_for.h"

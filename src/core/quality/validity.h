@@ -1,7 +1,6 @@
 #pragma once
 
 #include <limits>
-#include <span>
 
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"

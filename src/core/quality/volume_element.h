@@ -1,9 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cmath>
-#include <span>
 
 #include "core/mesh/coordinates.h"
 #include "core/mesh/corner_tetrahedra.h"

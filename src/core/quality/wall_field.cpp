@@ -1,12 +1,5 @@
 #include "core/quality/wall_field.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <span>
-
 namespace winslow {
 
 namespace {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "core/quality/metric.h"
 #include "core/quality/wall_measures.h"
 

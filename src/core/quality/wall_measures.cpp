@@ -1,9 +1,5 @@
 #include "core/quality/wall_measures.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
 #include <unordered_map>
 
 #include "core/search/box_tree.h"

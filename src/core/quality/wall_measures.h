@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "core/mesh/mesh.h"
 
 namespace winslow {

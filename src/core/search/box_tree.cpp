@@ -1,9 +1,6 @@
 #include "core/search/box_tree.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdint>
 #include <tuple>
 #include <utility>
 

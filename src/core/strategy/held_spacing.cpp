@@ -1,10 +1,5 @@
 #include "core/strategy/held_spacing.h"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <utility>
-
 #include "core/mesh/coordinates.h"
 #include "core/mesh/corner_tetrahedra.h"
 #include "core/mesh/surface_faces.h"

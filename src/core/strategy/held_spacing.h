@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "core/geometry/curve_row.h"
 #include "core/mesh/mesh.h"
 #include "core/motion/motion.h"

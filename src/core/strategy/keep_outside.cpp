@@ -1,9 +1,6 @@
 #include "core/strategy/keep_outside.h"
 
-#include <algorithm>
-#include <array>
 #include <iterator>
-#include <string>
 #include <utility>
 
 #include "core/error.h"

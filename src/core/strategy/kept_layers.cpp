@@ -1,8 +1,6 @@
 #include "core/strategy/kept_layers.h"
 
-#include <algorithm>
 #include <cstdio>
-#include <string>
 #include <utility>
 
 #include "core/error.h"

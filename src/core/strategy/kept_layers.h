@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "core/layers/layer_measures.h"
 #include "core/layers/layer_spacing.h"
 #include "core/layers/layer_stack.h"

@@ -1,9 +1,5 @@
 #include "core/strategy/layering.h"
 
-#include <algorithm>
-#include <array>
-#include <utility>
-
 #include "core/error.h"
 #include "core/layers/layer_control.h"
 #include "core/layers/layer_detection.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <variant>
 
 #include "core/formulation/element_roles.h"

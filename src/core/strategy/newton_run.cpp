@@ -1,8 +1,5 @@
 #include "core/strategy/newton_run.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/strategy/sliding_bodies.h"
 
 namespace winslow {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "core/formulation/target_path.h"
 #include "core/motion/motion.h"
 #include "core/outer/outer_solver.h"

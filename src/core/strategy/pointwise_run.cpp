@@ -1,8 +1,5 @@
 #include "core/strategy/pointwise_run.h"
 
-#include <algorithm>
-#include <array>
-
 namespace winslow {
 
 namespace {

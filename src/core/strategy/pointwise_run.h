@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-
 #include "core/motion/motion.h"
 #include "core/outer/outer_solver.h"
 #include "core/strategy/newton_run.h"

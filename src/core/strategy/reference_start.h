@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "core/strategy/mesh_state.h"
 #include "core/strategy/slide_options.h"
 

@@ -1,7 +1,5 @@
 #include "core/strategy/run.h"
 
-#include <algorithm>
-
 #include "core/error.h"
 
 namespace winslow {

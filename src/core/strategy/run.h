@@ -1,12 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <limits>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/mesh/topology.h"
 #include "core/motion/contact.h"
 #include "core/outer/outer_solver.h"

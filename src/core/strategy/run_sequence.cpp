@@ -1,7 +1,5 @@
 #include "core/strategy/run_sequence.h"
 
-#include <utility>
-
 #include "core/strategy/smooth_run.h"
 
 namespace winslow {

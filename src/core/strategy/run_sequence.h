@@ -1,8 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <span>
-
 #include "core/layers/layer_stack.h"
 #include "core/motion/motion.h"
 #include "core/strategy/mesh_state.h"

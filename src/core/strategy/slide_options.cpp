@@ -1,9 +1,5 @@
 #include "core/strategy/slide_options.h"
 
-#include <algorithm>
-#include <optional>
-#include <utility>
-
 #include "core/error.h"
 
 namespace winslow {

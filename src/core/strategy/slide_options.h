@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "core/geometry/sliding_boundary.h"
 #include "core/mesh/mesh.h"
 #include "core/options/option.h"

@@ -1,11 +1,6 @@
 #include "core/strategy/sliding_bodies.h"
 
-#include <algorithm>
-#include <map>
 #include <set>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "core/error.h"
 #include "core/mesh/coordinates.h"

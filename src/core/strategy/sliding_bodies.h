@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "core/mesh/mesh.h"
 #include "core/motion/motion.h"
 #include "core/problem/node_classes.h"

@@ -1,10 +1,6 @@
 #include "core/strategy/smooth_options.h"
 
-#include <algorithm>
-#include <array>
 #include <initializer_list>
-#include <string>
-#include <utility>
 
 #include "core/error.h"
 

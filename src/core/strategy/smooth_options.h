@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string_view>
-
 #include "core/formulation/cell_targets.h"
 #include "core/formulation/variational_form.h"
 #include "core/linear/linear_solver.h"

@@ -1,12 +1,6 @@
 #include "core/strategy/smooth_run.h"
 
-#include <algorithm>
-#include <functional>
-#include <limits>
-#include <memory>
-#include <optional>
 #include <set>
-#include <utility>
 
 #include "core/error.h"
 #include "core/motion/contact.h"

@@ -1,8 +1,5 @@
 #include "core/strategy/surface_first.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "core/error.h"
 #include "core/geometry/space_boundary.h"
 #include "core/geometry/surface_features.h"

@@ -1,8 +1,5 @@
 #include "core/strategy/surface_shape.h"
 
-#include <algorithm>
-#include <map>
-
 #include "core/error.h"
 #include "core/geometry/sliding_geometry.h"
 #include "core/mesh/index_sets.h"

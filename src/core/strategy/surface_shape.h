@@ -1,8 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "core/geometry/element_normals.h"
 #include "core/geometry/sliding_boundary.h"
 #include "core/problem/node_classes.h"

@@ -1,11 +1,5 @@
 #include "core/strategy/untangling.h"
 
-#include <algorithm>
-#include <cmath>
-#include <deque>
-#include <utility>
-#include <vector>
-
 #include "core/quality/volume_element.h"
 
 namespace winslow {

@@ -1,8 +1,5 @@
 #include "core/strategy/workspace.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "core/formulation/target_shapes.h"
 #include "core/formulation/volume_targets.h"
 #include "core/problem/node_unknowns.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <span>
-#include <variant>
-#include <vector>
-
 #include "core/formulation/pointwise_winslow.h"
 #include "core/formulation/surface_winslow.h"
 #include "core/formulation/variational_winslow.h"

@@ -1,6 +1,5 @@
 #include "core/vcv/stencil_functionals.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"

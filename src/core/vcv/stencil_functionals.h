@@ -1,10 +1,5 @@
 #pragma once
 
-#include <map>
-#include <memory>
-#include <span>
-#include <vector>
-
 #include "core/types.h"
 #include "core/vcv/virtual_control_volumes.h"
 

@@ -1,10 +1,6 @@
 #include "core/vcv/vcv_edit.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <string>
 
 #include "core/error.h"
 #include "core/mesh/surface_faces.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <span>
-#include <vector>
-
 #include "core/mesh/coordinates.h"
 #include "core/vcv/virtual_control_volumes.h"
 

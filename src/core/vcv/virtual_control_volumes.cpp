@@ -1,9 +1,6 @@
 #include "core/vcv/virtual_control_volumes.h"
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <string>
 
 #include "core/error.h"
 

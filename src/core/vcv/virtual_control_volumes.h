@@ -1,9 +1,6 @@
 #pragma once
 
 #include <map>
-#include <memory>
-#include <span>
-#include <vector>
 
 #include "core/mesh/topology.h"
 #include "core/types.h"

@@ -1,8 +1,5 @@
 #include "gui/demos/demo.h"
 
-#include <algorithm>
-#include <utility>
-
 namespace winslow::gui {
 
 namespace {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/command/command.h"
 #include "gui/settings/view_options.h"
 

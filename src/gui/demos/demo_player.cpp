@@ -1,7 +1,5 @@
 #include "gui/demos/demo_player.h"
 
-#include <utility>
-
 #include "gui/files/assets.h"
 
 namespace winslow::gui {

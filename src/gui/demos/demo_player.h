@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <vector>
-
 #include "gui/demos/demo.h"
 #include "gui/document/actions/actions.h"
 #include "gui/document/session/session.h"

@@ -1,10 +1,6 @@
 #include "gui/files/browsed_folder.h"
 
-#include <algorithm>
-#include <array>
-#include <chrono>
 #include <cmath>
-#include <system_error>
 
 #include "gui/base/text.h"
 #include "gui/files/recent_files.h"

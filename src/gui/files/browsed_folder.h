@@ -1,11 +1,7 @@
 #pragma once
 
 #include <ctime>
-#include <filesystem>
-#include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "gui/base/background.h"
 #include "gui/files/file_kinds.h"

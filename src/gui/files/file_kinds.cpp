@@ -2,7 +2,6 @@
 
 #include <sys/stat.h>
 
-#include <algorithm>
 #include <cctype>
 
 #include "io/format/mesh_format.h"

@@ -1,6 +1,5 @@
 #include "gui/files/thumbnails.h"
 
-#include <system_error>
 #include <utility>
 
 #include "core/error.h"

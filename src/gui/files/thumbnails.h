@@ -1,11 +1,6 @@
 #pragma once
 
-#include <filesystem>
 #include <map>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "core/mesh/mesh.h"
 #include "gui/base/background.h"

@@ -1,7 +1,5 @@
 #include "gui/menu/bodies.h"
 
-#include <algorithm>
-
 #include "gui/menu/user_command.h"
 
 namespace winslow::gui {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "gui/menu/panel_context.h"
 
 /// The open mesh's boundary as commands name it.

@@ -1,10 +1,6 @@
 #include "gui/menu/context_commands.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
-#include <utility>
 
 #include "core/inspect/space/surface_measures.h"
 #include "core/quality/metric.h"

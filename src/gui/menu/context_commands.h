@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "gui/document/actions/actions.h"
 #include "gui/menu/user_command.h"
 

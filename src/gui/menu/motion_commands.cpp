@@ -3,11 +3,6 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <array>
-#include <string>
-#include <string_view>
-#include <utility>
-
 #include "gui/demos/demo_player.h"
 #include "gui/menu/bodies.h"
 #include "gui/view/tools/pivot_picker.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <utility>
-
 #include "gui/document/actions/actions.h"
 #include "gui/document/session/session.h"
 #include "gui/files/recent_files.h"

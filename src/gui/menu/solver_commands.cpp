@@ -3,9 +3,6 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <algorithm>
-#include <utility>
-
 #include "gui/document/jobs/wall_layers.h"
 #include "gui/menu/bodies.h"
 #include "gui/menu/user_command.h"

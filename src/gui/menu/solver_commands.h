@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "gui/menu/panel_context.h"
 
 namespace winslow::gui {

@@ -4,10 +4,8 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
-#include <algorithm>
 #include <iterator>
 #include <stdexcept>
-#include <utility>
 
 namespace winslow::gui {
 

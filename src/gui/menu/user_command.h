@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <functional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "gui/document/session/session.h"
 #include "gui/menu/panel_context.h"
 

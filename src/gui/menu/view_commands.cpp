@@ -1,9 +1,6 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <algorithm>
-#include <array>
-
 #include "gui/menu/bodies.h"
 #include "gui/menu/user_command.h"
 #include "gui/view/navigation/go_to.h"

@@ -3,7 +3,6 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <Eigen/Core>
 #if __has_include(<suitesparse/SuiteSparse_config.h>)
 #include <suitesparse/SuiteSparse_config.h>
 #endif

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "gui/menu/panel_context.h"
 
 namespace winslow::gui {

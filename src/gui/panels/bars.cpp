@@ -1,10 +1,6 @@
 #include "gui/panels/bars.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
-#include <string>
 
 #include "gui/base/text.h"
 #include "gui/document/session/session.h"

@@ -4,8 +4,6 @@
 #include <GLFW/glfw3.h>
 #include <imgui_stdlib.h>
 
-#include <algorithm>
-
 #include "gui/menu/command_search.h"
 #include "gui/widgets/controls.h"
 

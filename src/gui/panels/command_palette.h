@@ -1,9 +1,5 @@
 #pragma once
 
-#include <deque>
-#include <string>
-#include <vector>
-
 #include "gui/menu/panel_context.h"
 #include "gui/menu/user_command.h"
 

@@ -1,9 +1,5 @@
 #include "gui/panels/convergence_panel.h"
 
-#include <algorithm>
-#include <array>
-#include <variant>
-
 #include "gui/base/text.h"
 #include "gui/render/ticks.h"
 #include "gui/widgets/controls.h"

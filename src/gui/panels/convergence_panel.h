@@ -2,11 +2,6 @@
 
 #include <imgui.h>
 
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-
 #include "core/outer/outer_solver.h"
 #include "gui/menu/panel_context.h"
 

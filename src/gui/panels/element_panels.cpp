@@ -1,8 +1,5 @@
 #include "gui/panels/element_panels.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/error.h"
 #include "gui/base/text.h"
 #include "gui/view/mesh/mesh_colors.h"

@@ -3,10 +3,6 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <algorithm>
-#include <system_error>
-#include <variant>
-
 #include "core/command/option_tables.h"
 #include "core/error.h"
 #include "gui/base/text.h"

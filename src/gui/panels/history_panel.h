@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <string>
-#include <utility>
-
 #include "gui/menu/panel_context.h"
 
 namespace winslow::gui {

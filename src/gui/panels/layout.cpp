@@ -1,7 +1,5 @@
 #include "gui/panels/layout.h"
 
-#include <algorithm>
-
 namespace winslow::gui {
 
 namespace {

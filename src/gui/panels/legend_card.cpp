@@ -1,8 +1,5 @@
 #include "gui/panels/legend_card.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {

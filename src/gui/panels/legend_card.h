@@ -2,8 +2,6 @@
 
 #include <imgui.h>
 
-#include <optional>
-
 #include "gui/base/screen.h"
 #include "gui/menu/panel_context.h"
 #include "gui/panels/layout.h"

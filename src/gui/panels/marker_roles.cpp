@@ -2,10 +2,6 @@
 
 #include <imgui.h>
 
-#include <algorithm>
-#include <array>
-#include <vector>
-
 #include "gui/document/jobs/run_settings.h"
 #include "gui/widgets/controls.h"
 

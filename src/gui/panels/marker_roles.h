@@ -1,8 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-
 #include "gui/menu/panel_context.h"
 #include "gui/widgets/theme.h"
 

@@ -3,12 +3,6 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
-#include <utility>
-
 #include "gui/base/text.h"
 #include "gui/settings/option_edits.h"
 #include "gui/view/mesh/mesh_colors.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "gui/menu/panel_context.h"
 #include "gui/panels/marker_roles.h"
 

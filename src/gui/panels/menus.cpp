@@ -3,8 +3,6 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <string>
-
 #include "gui/menu/context_commands.h"
 #include "gui/widgets/controls.h"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "gui/document/actions/actions.h"
 #include "gui/menu/panel_context.h"
 #include "gui/menu/user_command.h"

@@ -1,10 +1,6 @@
 #include "gui/panels/mesh_panel.h"
 
-#include <algorithm>
-#include <array>
 #include <cstdio>
-#include <string>
-#include <string_view>
 
 #include "gui/base/text.h"
 #include "gui/widgets/controls.h"

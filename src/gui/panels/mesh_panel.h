@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <memory>
-
 #include "core/mesh/element_type.h"
 #include "gui/menu/panel_context.h"
 

@@ -3,11 +3,6 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "gui/widgets/controls.h"
 #include "gui/widgets/dialog.h"
 

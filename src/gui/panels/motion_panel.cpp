@@ -1,11 +1,5 @@
 #include "gui/panels/motion_panel.h"
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <vector>
-
 #include "core/motion/rigid_motion.h"
 #include "gui/panels/forms/option_form.h"
 #include "gui/widgets/controls.h"

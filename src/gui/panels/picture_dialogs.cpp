@@ -1,10 +1,5 @@
 #include "gui/panels/picture_dialogs.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-#include <vector>
-
 #include "core/error.h"
 #include "gui/base/text.h"
 #include "gui/picture/capture/capture.h"

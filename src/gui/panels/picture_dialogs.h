@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "gui/base/screen.h"
 #include "gui/menu/panel_context.h"
 #include "gui/settings/picture_spec.h"

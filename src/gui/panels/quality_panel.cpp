@@ -1,9 +1,6 @@
 #include "gui/panels/quality_panel.h"
 
-#include <array>
-#include <cmath>
 #include <cstdio>
-#include <utility>
 
 #include "core/quality/mesh_change.h"
 #include "gui/base/text.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "core/quality/quality.h"
 #include "core/quality/surface_distance.h"
 #include "gui/menu/panel_context.h"

@@ -1,9 +1,5 @@
 #include "gui/panels/shape_panel.h"
 
-#include <cmath>
-#include <optional>
-#include <string>
-
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {

@@ -1,10 +1,5 @@
 #include "gui/panels/solver_panel.h"
 
-#include <algorithm>
-#include <array>
-#include <string>
-#include <vector>
-
 #include "gui/base/text.h"
 #include "gui/document/jobs/run_settings.h"
 #include "gui/document/session/session.h"

@@ -1,9 +1,5 @@
 #include "gui/panels/view_panel.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "gui/render/color_scale.h"
 #include "gui/view/mesh/mesh_colors.h"
 #include "gui/widgets/controls.h"

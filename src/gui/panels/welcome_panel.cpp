@@ -1,8 +1,5 @@
 #include "gui/panels/welcome_panel.h"
 
-#include <algorithm>
-#include <string>
-
 #include "gui/base/text.h"
 #include "gui/demos/demo_player.h"
 #include "gui/menu/user_command.h"

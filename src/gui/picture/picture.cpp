@@ -1,8 +1,5 @@
 #include "gui/picture/picture.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/command/command.h"
 #include "core/error.h"
 #include "core/inspect/nodal_view.h"

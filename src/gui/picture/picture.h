@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/inspect/element_field.h"
 #include "gui/picture/figure/vector_figure.h"
 #include "gui/render/color_scale.h"

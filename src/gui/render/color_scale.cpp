@@ -1,8 +1,5 @@
 #include "gui/render/color_scale.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <iterator>
 
 #include "core/error.h"

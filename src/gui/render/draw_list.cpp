@@ -1,9 +1,5 @@
 #include "gui/render/draw_list.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "gui/render/line_density.h"
 #include "gui/render/overlap.h"
 

@@ -1,7 +1,6 @@
 #include "gui/render/frame_buffer.h"
 
 #include <algorithm>
-#include <string>
 
 #include "core/error.h"
 #include "gui/render/gl.h"

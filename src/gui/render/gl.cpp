@@ -1,7 +1,6 @@
 #include "gui/render/gl.h"
 
 #include <algorithm>
-#include <string>
 #include <vector>
 
 #include "core/error.h"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <csetjmp>
-#include <ostream>
 
 #include "core/error.h"
 #include "io/file/atomic_file.h"

@@ -1,7 +1,6 @@
 #include "gui/render/imgui_renderer.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
 namespace winslow::gui {

@@ -1,9 +1,6 @@
 #include "gui/render/line_density.h"
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
-#include <limits>
 
 #include "gui/render/draw_list.h"
 

@@ -1,7 +1,5 @@
 #include "gui/render/mesh_buffers.h"
 
-#include <algorithm>
-
 #include "gui/render/line_density.h"
 #include "gui/render/overlap.h"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include "gui/render/draw_list.h"
 #include "gui/render/gl.h"
 #include "gui/render/mesh_renderer.h"

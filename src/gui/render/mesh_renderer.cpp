@@ -1,8 +1,5 @@
 #include "gui/render/mesh_renderer.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/error.h"
 #include "gui/render/gl.h"
 #include "gui/render/mesh_buffers.h"

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "core/mesh/mesh.h"
 #include "gui/render/color_scale.h"
 #include "gui/render/draw_list.h"

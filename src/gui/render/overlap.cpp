@@ -1,13 +1,6 @@
 #include "gui/render/overlap.h"
 
-#include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <numeric>
-#include <vector>
 
 #include "core/mesh/mesh.h"
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
-
 #include "gui/render/draw_list.h"
 
 namespace winslow::gui {

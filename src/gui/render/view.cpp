@@ -1,9 +1,5 @@
 #include "gui/render/view.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace winslow::gui {
 
 Vec2 View::to_plane(const ScreenPoint& at) const {

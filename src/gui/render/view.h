@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-
 #include "core/mesh/coordinates.h"
 #include "core/mesh/mesh.h"
 #include "core/search/box_tree.h"

@@ -2,10 +2,7 @@
 
 #include <bitset>
 #include <concepts>
-#include <cstddef>
 #include <tuple>
-#include <type_traits>
-#include <utility>
 
 #include "core/command/option_tables.h"
 #include "core/options/option.h"

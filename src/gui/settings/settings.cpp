@@ -1,11 +1,7 @@
 #include "gui/settings/settings.h"
 
-#include <algorithm>
-#include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <system_error>
 #include <utility>
 
 #include "core/error.h"

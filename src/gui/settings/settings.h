@@ -1,11 +1,6 @@
 #pragma once
 
-#include <array>
-#include <filesystem>
-#include <memory>
 #include <set>
-#include <string>
-#include <vector>
 
 #include "gui/base/background.h"
 #include "gui/settings/view_options.h"

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/inspect/element_field.h"
 #include "gui/render/color_scale.h"
 

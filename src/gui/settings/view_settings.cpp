@@ -1,10 +1,6 @@
 #include "gui/settings/view_settings.h"
 
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <string_view>
 #include <utility>
 
 #include "core/error.h"

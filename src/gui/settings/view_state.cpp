@@ -1,7 +1,5 @@
 #include "gui/settings/view_state.h"
 
-#include <algorithm>
-
 namespace winslow::gui {
 
 void open_left(ViewOptions& view, const ColumnState& columns) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "core/types.h"
 #include "gui/render/space/space_view.h"
 #include "gui/settings/view_options.h"

@@ -1,6 +1,5 @@
 #include "gui/shell/studio.h"
 
-#include <array>
 #include <cstdlib>
 
 #if defined(__GLIBC__)

@@ -6,7 +6,6 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 
 #include "gui/widgets/ui_layer.h"

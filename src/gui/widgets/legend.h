@@ -1,10 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "core/inspect/element_field.h"
 #include "core/quality/quality.h"
 #include "gui/render/color_scale.h"

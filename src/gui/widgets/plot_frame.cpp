@@ -1,8 +1,5 @@
 #include "gui/widgets/plot_frame.h"
 
-#include <limits>
-#include <optional>
-
 #include "gui/base/text.h"
 #include "gui/render/ticks.h"
 #include "gui/widgets/controls.h"

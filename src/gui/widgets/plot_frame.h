@@ -2,12 +2,7 @@
 
 #include <imgui.h>
 
-#include <algorithm>
 #include <cmath>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "core/outer/outer_solver.h"
 #include "gui/widgets/theme.h"

@@ -6,8 +6,6 @@
 #include <memory>
 #include <optional>
 #include <set>
-#include <string>
-#include <string_view>
 
 #include "gui/base/input.h"
 #include "gui/render/imgui_renderer.h"

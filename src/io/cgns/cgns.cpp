@@ -1,9 +1,6 @@
 #include "io/cgns/cgns.h"
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <utility>
 
 #include "io/cgns/zone_writer.h"
 #include "io/format/periodicity.h"

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <ostream>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "core/mesh/mesh.h"
 #include "io/cgns/tree_file.h"
 #include "io/format/mesh_format.h"

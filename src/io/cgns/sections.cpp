@@ -1,11 +1,6 @@
 #include "io/cgns/sections.h"
 
-#include <algorithm>
-#include <array>
 #include <limits>
-#include <span>
-#include <string_view>
-#include <utility>
 
 namespace winslow::io::cgns {
 namespace {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/mesh/element_type.h"
 #include "core/mesh/mesh_data.h"
 #include "io/cgns/zones.h"

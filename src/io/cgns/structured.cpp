@@ -1,11 +1,6 @@
 #include "io/cgns/structured.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <numeric>
-#include <optional>
-#include <utility>
 
 #include "io/cgns/zone_periodic.h"
 

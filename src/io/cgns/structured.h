@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <string>
-#include <vector>
-
 #include "core/geometry/periodic_pairs.h"
 #include "core/mesh/mesh_data.h"
 #include "io/cgns/zone_markers.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <string_view>
-
 #include "io/cgns/tree.h"
 #include "io/text/source.h"
 

@@ -1,10 +1,7 @@
 #include "io/cgns/zone_markers.h"
 
-#include <algorithm>
-#include <array>
 #include <map>
 #include <set>
-#include <utility>
 
 namespace winslow::io::cgns {
 namespace {

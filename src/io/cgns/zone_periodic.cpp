@@ -1,11 +1,7 @@
 #include "io/cgns/zone_periodic.h"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
-#include <optional>
 #include <set>
-#include <utility>
 
 #include "io/format/periodicity.h"
 

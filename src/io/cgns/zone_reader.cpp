@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <utility>
-
 #include "io/cgns/cgns.h"
 #include "io/cgns/sections.h"
 #include "io/cgns/structured.h"

@@ -1,11 +1,7 @@
 #include "io/cgns/zone_writer.h"
 
-#include <algorithm>
-#include <array>
 #include <bit>
-#include <cstdint>
 #include <set>
-#include <utility>
 
 #include "io/cgns/sections.h"
 #include "io/format/mesh_in_space.h"

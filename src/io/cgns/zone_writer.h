@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "io/cgns/cgns.h"
 
 namespace winslow::io::cgns {

@@ -1,6 +1,5 @@
 #include "io/format/groups.h"
 
-#include <algorithm>
 #include <set>
 
 namespace winslow::io {

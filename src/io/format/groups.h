@@ -1,10 +1,7 @@
 #pragma once
 
-#include <cstddef>
 #include <map>
-#include <string>
 #include <unordered_set>
-#include <vector>
 
 #include "io/format/mesh_file.h"
 #include "io/format/parsed_mesh.h"

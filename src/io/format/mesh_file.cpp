@@ -1,10 +1,7 @@
 #include "io/format/mesh_file.h"
 
-#include <algorithm>
-#include <array>
 #include <map>
 #include <tuple>
-#include <utility>
 
 #include "core/error.h"
 #include "io/file/atomic_file.h"

@@ -1,10 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "core/geometry/periodic_pairs.h"
 #include "core/mesh/mesh.h"

@@ -1,7 +1,5 @@
 #include "io/format/mesh_format.h"
 
-#include <algorithm>
-
 #include "io/file/gzip.h"
 #include "io/text/source.h"
 

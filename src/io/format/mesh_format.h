@@ -1,12 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <ostream>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "io/file/atomic_file.h"
 #include "io/format/parsed_mesh.h"
 

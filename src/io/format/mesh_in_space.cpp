@@ -2,9 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "io/text/numbers.h"
 

@@ -1,11 +1,6 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <span>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "core/mesh/mesh.h"
 #include "core/types.h"

@@ -1,9 +1,5 @@
 #include "io/format/parsed_mesh.h"
 
-#include <algorithm>
-#include <cmath>
-#include <span>
-
 #include "io/format/mesh_in_space.h"
 #include "io/text/numbers.h"
 

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "core/mesh/mesh_data.h"
 #include "io/format/mesh_file.h"
 #include "io/text/source.h"

@@ -1,9 +1,6 @@
 #include "io/format/periodicity.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <set>
 
 #include "core/error.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <span>
-#include <string>
-#include <vector>
-
 #include "core/geometry/periodic_pairs.h"
 #include "core/mesh/mesh_data.h"
 #include "io/format/mesh_file.h"

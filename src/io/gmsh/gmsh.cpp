@@ -1,8 +1,6 @@
 #include "io/gmsh/gmsh.h"
 
-#include <algorithm>
 #include <cstdlib>
-#include <limits>
 #include <unordered_map>
 
 #include "core/types.h"

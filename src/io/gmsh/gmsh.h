@@ -1,13 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <ostream>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "core/mesh/element_type.h"
 #include "core/mesh/mesh.h"
 #include "io/format/groups.h"

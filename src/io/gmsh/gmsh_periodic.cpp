@@ -1,11 +1,6 @@
 #include "io/gmsh/gmsh_periodic.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <limits>
-#include <map>
-#include <optional>
 #include <set>
 #include <tuple>
 

@@ -1,8 +1,5 @@
 #include "io/gmsh/gmsh_reader.h"
 
-#include <algorithm>
-#include <cstring>
-
 #include "io/gmsh/gmsh.h"
 #include "io/gmsh/gmsh_periodic.h"
 #include "io/text/numbers.h"

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <memory>
 #include <set>
-#include <string>
-#include <vector>
 
 #include "io/gmsh/gmsh.h"
 #include "io/gmsh/section_readers.h"

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <iterator>
 
 #include "io/format/mesh_in_space.h"

@@ -1,7 +1,5 @@
 #include "io/gmsh/section_readers.h"
 
-#include <algorithm>
-
 namespace winslow::io::gmsh {
 
 std::optional<Index> NodeTags::build(const std::vector<std::int64_t>& tags) {

@@ -1,12 +1,8 @@
 #pragma once
 
 #include <bit>
-#include <cstdint>
 #include <cstring>
-#include <optional>
-#include <span>
 #include <unordered_map>
-#include <vector>
 
 #include "core/types.h"
 #include "io/gmsh/gmsh.h"

@@ -1,8 +1,5 @@
 #include "io/medit/medit.h"
 
-#include <algorithm>
-#include <array>
-#include <limits>
 #include <set>
 
 #include "core/types.h"

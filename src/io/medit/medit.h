@@ -1,11 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <ostream>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "io/format/groups.h"
 #include "io/format/mesh_format.h"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <string_view>
-
 #include "io/text/source.h"
 
 namespace winslow::io::openfoam {

@@ -1,6 +1,5 @@
 #include "io/openfoam/openfoam.h"
 
-#include <algorithm>
 #include <set>
 #include <system_error>
 #include <tuple>

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "io/format/mesh_format.h"
 
 /// Meshes of OpenFOAM: the folder constant/polyMesh of a case, with the files points, faces, owner,

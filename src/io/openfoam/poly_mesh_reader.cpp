@@ -1,10 +1,5 @@
-#include <algorithm>
-#include <array>
-#include <optional>
 #include <set>
-#include <span>
 #include <system_error>
-#include <vector>
 
 #include "core/error.h"
 #include "core/mesh/element_type.h"

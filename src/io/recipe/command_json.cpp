@@ -1,8 +1,4 @@
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "core/command/option_tables.h"
 #include "core/error.h"

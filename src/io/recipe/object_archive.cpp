@@ -1,11 +1,9 @@
 #include "io/recipe/object_archive.h"
 
-#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <set>
 #include <sstream>
-#include <utility>
 
 namespace winslow::io {
 namespace {

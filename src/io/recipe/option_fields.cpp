@@ -1,8 +1,5 @@
 #include "io/recipe/option_fields.h"
 
-#include <algorithm>
-#include <string>
-
 namespace winslow::io {
 
 namespace {

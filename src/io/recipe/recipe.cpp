@@ -1,7 +1,6 @@
 #include "io/recipe/recipe.h"
 
 #include <nlohmann/json.hpp>
-#include <ostream>
 
 #include "core/error.h"
 #include "io/file/atomic_file.h"

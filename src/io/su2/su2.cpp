@@ -1,7 +1,5 @@
 #include "io/su2/su2.h"
 
-#include <array>
-
 namespace winslow::io::su2 {
 namespace {
 

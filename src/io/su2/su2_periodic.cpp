@@ -1,11 +1,6 @@
 #include "io/su2/su2_periodic.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <optional>
 #include <set>
 
 #include "core/options/option.h"

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <cstdint>
 #include <map>
-#include <string>
-#include <vector>
 
 #include "io/format/parsed_mesh.h"
 #include "io/su2/su2_lines.h"

@@ -1,10 +1,6 @@
 #include "io/su2/su2_points.h"
 
-#include <algorithm>
-#include <array>
-#include <optional>
 #include <set>
-#include <string_view>
 
 #include "io/format/mesh_in_space.h"
 #include "io/text/numbers.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "io/format/parsed_mesh.h"
 #include "io/su2/su2.h"
 #include "io/su2/su2_lines.h"

@@ -1,9 +1,4 @@
-#include <algorithm>
-#include <array>
-#include <limits>
-#include <optional>
 #include <set>
-#include <utility>
 
 #include "io/format/mesh_in_space.h"
 #include "io/su2/su2.h"

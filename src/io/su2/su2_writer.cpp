@@ -1,8 +1,4 @@
-#include <algorithm>
-#include <array>
 #include <iterator>
-#include <span>
-#include <string_view>
 
 #include "core/error.h"
 #include "io/format/mesh_in_space.h"

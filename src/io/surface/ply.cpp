@@ -1,8 +1,4 @@
-#include <array>
 #include <bit>
-#include <cmath>
-#include <limits>
-#include <optional>
 
 #include "io/surface/surface.h"
 #include "io/text/numbers.h"

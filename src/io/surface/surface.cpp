@@ -1,12 +1,7 @@
 #include "io/surface/surface.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <cstdint>
 #include <cstring>
-#include <limits>
-#include <numeric>
 
 #include "io/text/numbers.h"
 #include "io/text/source.h"

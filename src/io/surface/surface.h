@@ -1,10 +1,6 @@
 #pragma once
 
-#include <ostream>
 #include <set>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "core/mesh/mesh.h"
 #include "io/format/mesh_format.h"

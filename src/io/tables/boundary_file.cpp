@@ -1,11 +1,8 @@
 #include "io/tables/boundary_file.h"
 
-#include <algorithm>
-#include <array>
 #include <cctype>
 #include <deque>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "core/error.h"

@@ -1,9 +1,6 @@
 #include "io/tables/convergence_csv.h"
 
-#include <array>
 #include <charconv>
-#include <ostream>
-#include <string_view>
 
 #include "io/file/atomic_file.h"
 

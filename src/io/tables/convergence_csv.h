@@ -1,8 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
-#include <vector>
 
 #include "core/outer/outer_solver.h"
 

@@ -1,11 +1,5 @@
 #include "io/tables/displacement_file.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <string_view>
-
 #include "io/text/numbers.h"
 #include "io/text/source.h"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <memory>
-
 #include "core/command/command.h"
 #include "core/geometry/sliding_boundary.h"
 #include "io/format/mesh_file.h"

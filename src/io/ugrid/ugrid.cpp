@@ -1,10 +1,7 @@
 #include "io/ugrid/ugrid.h"
 
-#include <algorithm>
 #include <cstring>
-#include <limits>
 #include <set>
-#include <utility>
 
 #include "io/file/gzip.h"
 #include "io/text/numbers.h"

@@ -1,10 +1,6 @@
 #include "io/vtk/grid.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdlib>
-#include <limits>
 
 #include "io/format/mesh_in_space.h"
 

@@ -1,11 +1,6 @@
 #pragma once
 
-#include <cstdint>
 #include <set>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include "core/mesh/mesh.h"
 #include "io/format/groups.h"

@@ -1,8 +1,5 @@
-#include <algorithm>
-#include <array>
 #include <bit>
 #include <cstring>
-#include <string>
 
 #include "io/text/numbers.h"
 #include "io/vtk/grid.h"

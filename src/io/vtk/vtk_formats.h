@@ -1,9 +1,5 @@
 #pragma once
 
-#include <ostream>
-#include <string>
-#include <vector>
-
 #include "io/format/mesh_format.h"
 
 /// Legacy VTK files: unstructured grids and polygon data, versions 1 to 5, ASCII and binary.

@@ -1,7 +1,5 @@
-#include <algorithm>
 #include <bit>
 #include <pugixml.hpp>
-#include <string>
 
 #include "io/text/numbers.h"
 #include "io/text/source.h"

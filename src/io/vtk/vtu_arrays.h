@@ -1,11 +1,7 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <pugixml.hpp>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "io/text/source.h"
 

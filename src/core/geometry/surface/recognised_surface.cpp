@@ -1,10 +1,6 @@
 #include "core/geometry/surface/recognised_surface.h"
 
 #include <Eigen/Dense>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <optional>
 #include <utility>
 
 #include "core/geometry/surface/surface.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <span>
-
 #include "core/geometry/surface/surface.h"
 #include "core/geometry/surface/triangulation.h"
 

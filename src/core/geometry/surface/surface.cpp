@@ -2,9 +2,6 @@
 
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <utility>
 
 #include "core/parallel/parallel_for.h"

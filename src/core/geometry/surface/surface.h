@@ -1,11 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
 #include <memory>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "core/geometry/surface/triangulation.h"
 #include "core/types.h"

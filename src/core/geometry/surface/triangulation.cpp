@@ -2,9 +2,6 @@
 
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <tuple>
 
 #include "core/mesh/index_sets.h"

@@ -1,9 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <span>
-#include <vector>
 
 #include "core/mesh/coordinates.h"
 #include "core/search/box_tree.h"

@@ -1,11 +1,6 @@
 #include "core/inspect/space/plane_section.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <memory>
-#include <optional>
 #include <utility>
 
 #include "core/error.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "core/inspect/space/section_index.h"
 #include "core/mesh/index_sets.h"
 #include "core/mesh/mesh.h"

@@ -1,9 +1,6 @@
 #include "core/inspect/space/section_index.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <string>
 
 #include "core/error.h"
 #include "core/parallel/parallel_for.h"

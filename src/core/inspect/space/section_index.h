@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <memory>
-#include <vector>
-
 #include "core/mesh/curve_order.h"
 #include "core/mesh/mesh.h"
 #include "core/search/box_tree.h"

@@ -1,9 +1,6 @@
 #include "core/inspect/space/surface_measures.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "core/mesh/index_sets.h"
 

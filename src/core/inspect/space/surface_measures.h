@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "core/mesh/mesh.h"
 #include "core/mesh/surface_faces.h"
 #include "core/mesh/topology.h"

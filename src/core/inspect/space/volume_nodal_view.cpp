@@ -1,9 +1,6 @@
 #include "core/inspect/space/volume_nodal_view.h"
 
 #include <Eigen/SVD>
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "core/vcv/sphere/sphere_link.h"
 

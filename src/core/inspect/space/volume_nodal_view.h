@@ -1,9 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <span>
-#include <vector>
-
 #include "core/formulation/nodal_operator.h"
 #include "core/formulation/volume_functionals.h"
 #include "core/vcv/sphere/node_vcv.h"

@@ -1,7 +1,5 @@
 #include "core/vcv/sphere/link_matching.h"
 
-#include <algorithm>
-
 #include "core/error.h"
 #include "core/vcv/virtual_control_volumes.h"
 

@@ -1,9 +1,6 @@
 #pragma once
 
 #include <atomic>
-#include <optional>
-#include <span>
-#include <vector>
 
 #include "core/mesh/mesh.h"
 #include "core/vcv/sphere/node_vcv.h"

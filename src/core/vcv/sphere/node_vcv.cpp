@@ -1,7 +1,5 @@
 #include "core/vcv/sphere/node_vcv.h"
 
-#include <algorithm>
-#include <string>
 #include <utility>
 
 #include "core/error.h"

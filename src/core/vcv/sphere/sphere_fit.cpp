@@ -1,7 +1,6 @@
 #include "core/vcv/sphere/sphere_fit.h"
 
 #include <Eigen/Cholesky>
-#include <algorithm>
 #include <bit>
 
 #include "core/error.h"

@@ -1,12 +1,6 @@
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <limits>
-#include <span>
-#include <vector>
 
 #include "core/vcv/sphere/sphere_link.h"
 

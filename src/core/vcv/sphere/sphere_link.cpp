@@ -1,8 +1,5 @@
 #include "core/vcv/sphere/sphere_link.h"
 
-#include <algorithm>
-#include <string>
-
 #include "core/error.h"
 #include "core/mesh/element_type.h"
 

@@ -1,10 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cmath>
-#include <span>
-#include <vector>
 
 #include "core/mesh/topology.h"
 #include "core/types.h"

@@ -1,9 +1,5 @@
 #include "core/vcv/sphere/star_builder.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <random>
 
 namespace winslow {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
-#include <vector>
-
 #include "core/mesh/coordinates.h"
 #include "core/types.h"
 #include "core/vcv/sphere/sphere_fit.h"

@@ -1,10 +1,5 @@
 #include "core/vcv/sphere/volume_vcvs.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-
 #include "core/error.h"
 #include "core/parallel/parallel_for.h"
 #include "core/vcv/sphere/sphere_link.h"

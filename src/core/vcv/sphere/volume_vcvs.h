@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <memory>
-#include <span>
-#include <vector>
-
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"
 #include "core/vcv/sphere/node_vcv.h"

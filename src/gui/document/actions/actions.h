@@ -1,13 +1,6 @@
 #pragma once
 
-#include <array>
 #include <chrono>
-#include <cstddef>
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <variant>
-#include <vector>
 
 #include "core/mesh/mesh.h"
 #include "core/types.h"

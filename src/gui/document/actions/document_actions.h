@@ -1,12 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <filesystem>
-#include <optional>
-#include <string>
-#include <variant>
-#include <vector>
 
 #include "core/command/command.h"
 #include "core/motion/motion.h"

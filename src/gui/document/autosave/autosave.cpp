@@ -1,10 +1,6 @@
 #include "gui/document/autosave/autosave.h"
 
-#include <algorithm>
-#include <chrono>
-#include <system_error>
 #include <thread>
-#include <utility>
 
 #include "core/error.h"
 #include "gui/base/text.h"

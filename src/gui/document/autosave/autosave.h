@@ -1,13 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <deque>
-#include <filesystem>
-#include <functional>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "gui/base/background.h"
 #include "gui/document/autosave/session_folder.h"
 #include "gui/document/session/session.h"

@@ -4,14 +4,9 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <chrono>
 #include <ctime>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <system_error>
-#include <utility>
 
 #include "core/error.h"
 #include "gui/document/autosave/step_file.h"

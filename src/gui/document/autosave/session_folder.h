@@ -1,11 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <set>
-#include <string>
-#include <vector>
-
 #include "core/command/history.h"
 #include "gui/document/history/document.h"
 #include "gui/files/file_kinds.h"

@@ -1,12 +1,5 @@
 #include "gui/document/autosave/step_file.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <memory>
-#include <utility>
-
 #include "core/error.h"
 #include "core/strategy/surface_shape.h"
 #include "gui/document/autosave/archive.h"

@@ -1,7 +1,5 @@
 #include "gui/document/history/document.h"
 
-#include <utility>
-
 #include "core/strategy/surface_shape.h"
 
 namespace winslow::gui {

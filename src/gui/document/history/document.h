@@ -1,11 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/quality/quality.h"
 #include "core/quality/surface_distance.h"
 #include "gui/document/history/document_files.h"

@@ -1,14 +1,7 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <memory>
-#include <optional>
 #include <set>
-#include <span>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "gui/files/file_kinds.h"
 #include "io/format/mesh_file.h"

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "core/command/command.h"
 #include "core/command/history.h"
 #include "gui/document/actions/actions.h"

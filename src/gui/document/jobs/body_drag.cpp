@@ -1,8 +1,5 @@
 #include "gui/document/jobs/body_drag.h"
 
-#include <chrono>
-#include <cmath>
-
 #include "gui/base/text.h"
 
 namespace winslow::gui {

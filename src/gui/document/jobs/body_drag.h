@@ -1,12 +1,5 @@
 #pragma once
 
-#include <future>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "core/drag/drag_session.h"
 #include "core/quality/mesh_change.h"
 #include "core/strategy/run.h"

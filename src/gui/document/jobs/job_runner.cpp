@@ -1,10 +1,5 @@
 #include "gui/document/jobs/job_runner.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <vector>
-
 #include "core/motion/rigid_motion.h"
 
 namespace winslow::gui {

@@ -1,12 +1,5 @@
 #pragma once
 
-#include <chrono>
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-
 #include "core/job/solver_thread.h"
 #include "gui/document/jobs/reference_files.h"
 

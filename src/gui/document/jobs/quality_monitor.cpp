@@ -1,7 +1,5 @@
 #include "gui/document/jobs/quality_monitor.h"
 
-#include <utility>
-
 #include "core/strategy/surface_shape.h"
 
 namespace winslow::gui {

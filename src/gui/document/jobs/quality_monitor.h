@@ -1,11 +1,5 @@
 #pragma once
 
-#include <chrono>
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <vector>
-
 #include "core/command/command.h"
 #include "core/inspect/element_field.h"
 #include "core/quality/quality.h"

@@ -1,9 +1,5 @@
 #include "gui/document/jobs/reference_files.h"
 
-#include <algorithm>
-#include <system_error>
-#include <utility>
-
 #include "core/mesh/surface_faces.h"
 #include "gui/base/text.h"
 #include "io/format/mesh_format.h"

@@ -1,13 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <memory>
-#include <mutex>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/command/command.h"
 #include "core/mesh/mesh.h"
 #include "gui/base/background.h"

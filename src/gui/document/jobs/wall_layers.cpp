@@ -1,7 +1,5 @@
 #include "gui/document/jobs/wall_layers.h"
 
-#include <algorithm>
-#include <exception>
 #include <utility>
 
 #include "core/layers/layer_detection.h"

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <map>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/layers/layer_plan.h"
 #include "core/layers/layer_spacing.h"
 #include "core/layers/layer_stack.h"

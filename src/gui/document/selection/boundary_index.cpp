@@ -1,11 +1,5 @@
 #include "gui/document/selection/boundary_index.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
-#include <utility>
-
 namespace winslow::gui {
 
 namespace {

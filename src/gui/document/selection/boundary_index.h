@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <vector>
-
 #include "core/drag/drag_grip.h"
 #include "core/mesh/mesh.h"
 #include "core/search/box_tree.h"

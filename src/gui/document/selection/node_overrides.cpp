@@ -1,8 +1,5 @@
 #include "gui/document/selection/node_overrides.h"
 
-#include <algorithm>
-#include <utility>
-
 namespace winslow::gui {
 
 namespace {

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/mesh/topology.h"
 #include "core/strategy/slide_options.h"
 #include "core/types.h"

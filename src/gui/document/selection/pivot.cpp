@@ -1,8 +1,6 @@
 #include "gui/document/selection/pivot.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "core/motion/rigid_motion.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/mesh/coordinates.h"
 #include "core/mesh/mesh.h"
 #include "core/motion/rigid_motion.h"

@@ -1,8 +1,5 @@
 #include "gui/document/session/files.h"
 
-#include <system_error>
-#include <utility>
-
 #include "core/strategy/surface_shape.h"
 #include "gui/base/text.h"
 #include "gui/document/actions/actions.h"

@@ -1,9 +1,5 @@
 #include "gui/document/session/history_editor.h"
 
-#include <algorithm>
-#include <string>
-#include <utility>
-
 #include "io/recipe/recipe.h"
 
 namespace winslow::gui {

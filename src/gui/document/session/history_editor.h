@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "gui/base/background.h"
 #include "gui/document/actions/dispatch.h"
 #include "gui/document/actions/document_actions.h"

@@ -1,7 +1,5 @@
 #include "gui/document/session/inspection.h"
 
-#include <exception>
-
 #include "core/inspect/nodal_view.h"
 #include "core/strategy/workspace.h"
 

@@ -1,14 +1,5 @@
 #pragma once
 
-#include <atomic>
-#include <cstdint>
-#include <map>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "core/inspect/node_roles.h"
 #include "core/inspect/space/volume_nodal_view.h"
 #include "core/strategy/smooth_options.h"

@@ -1,8 +1,5 @@
 #include "gui/document/session/jobs.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "core/error.h"
 #include "gui/base/text.h"
 #include "gui/document/jobs/body_drag.h"

@@ -1,7 +1,5 @@
 #include "gui/document/session/live_mesh.h"
 
-#include <utility>
-
 namespace winslow::gui {
 
 namespace {

@@ -1,12 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <span>
-#include <utility>
-
 #include "core/mesh/topology.h"
 #include "gui/document/history/document.h"
 #include "gui/document/selection/boundary_index.h"

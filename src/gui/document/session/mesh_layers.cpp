@@ -1,7 +1,5 @@
 #include "gui/document/session/mesh_layers.h"
 
-#include <algorithm>
-
 #include "gui/document/jobs/wall_layers.h"
 
 namespace winslow::gui {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "core/command/command.h"
 #include "gui/document/actions/dispatch.h"
 #include "gui/document/actions/document_actions.h"

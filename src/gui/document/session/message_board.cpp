@@ -1,6 +1,5 @@
 #include "gui/document/session/message_board.h"
 
-#include <algorithm>
 #include <cctype>
 
 #include "gui/base/text.h"

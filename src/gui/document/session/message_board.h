@@ -1,11 +1,6 @@
 #pragma once
 
-#include <cstdint>
 #include <deque>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "core/quality/mesh_change.h"
 #include "gui/document/actions/actions.h"

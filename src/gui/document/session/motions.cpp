@@ -1,8 +1,5 @@
 #include "gui/document/session/motions.h"
 
-#include <string>
-#include <utility>
-
 #include "core/error.h"
 #include "core/motion/rigid_motion.h"
 #include "gui/document/jobs/body_drag.h"

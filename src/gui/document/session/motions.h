@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "gui/document/actions/dispatch.h"
 #include "gui/document/actions/document_actions.h"
 #include "gui/document/session/jobs.h"

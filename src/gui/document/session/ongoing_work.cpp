@@ -1,7 +1,5 @@
 #include "gui/document/session/ongoing_work.h"
 
-#include <variant>
-
 namespace winslow::gui {
 
 void OngoingWork::begin_drag(MeshState base, DragGrip grip, const SmoothOptions& options,

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <utility>
-
 #include "gui/document/jobs/body_drag.h"
 #include "gui/document/jobs/job_runner.h"
 

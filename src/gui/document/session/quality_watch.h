@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <memory>
-#include <optional>
-
 #include "gui/document/jobs/quality_monitor.h"
 #include "gui/document/session/live_mesh.h"
 #include "gui/settings/view_options.h"

@@ -1,9 +1,6 @@
 #include "gui/document/session/selection.h"
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <utility>
 
 #include "core/error.h"
 #include "core/motion/rigid_motion.h"

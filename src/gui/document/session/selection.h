@@ -1,12 +1,5 @@
 #pragma once
 
-#include <array>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "gui/document/actions/dispatch.h"
 #include "gui/document/actions/document_actions.h"
 #include "gui/document/selection/boundary_index.h"

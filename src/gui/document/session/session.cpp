@@ -1,8 +1,5 @@
 #include "gui/document/session/session.h"
 
-#include <cmath>
-#include <variant>
-
 #include "gui/document/jobs/body_drag.h"
 
 namespace winslow::gui {

@@ -1,11 +1,6 @@
 #pragma once
 
-#include <cstdint>
 #include <initializer_list>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
 
 #include "core/mesh/topology.h"
 #include "gui/document/actions/actions.h"

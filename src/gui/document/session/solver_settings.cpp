@@ -1,7 +1,5 @@
 #include "gui/document/session/solver_settings.h"
 
-#include <utility>
-
 #include "core/error.h"
 #include "core/geometry/periodic_pairs.h"
 #include "core/strategy/smooth_options.h"

@@ -1,8 +1,5 @@
 #include "gui/document/session/space_selection.h"
 
-#include <algorithm>
-#include <limits>
-
 #include "core/mesh/surface_faces.h"
 #include "core/motion/rigid_motion.h"
 

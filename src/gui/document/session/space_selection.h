@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <map>
-#include <optional>
-#include <vector>
-
 #include "gui/document/actions/document_actions.h"
 #include "gui/document/session/live_mesh.h"
 #include "gui/document/session/message_board.h"

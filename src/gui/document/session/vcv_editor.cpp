@@ -1,8 +1,5 @@
 #include "gui/document/session/vcv_editor.h"
 
-#include <memory>
-#include <utility>
-
 #include "core/error.h"
 #include "core/mesh/topology.h"
 #include "core/vcv/sphere/node_vcv.h"

@@ -5,10 +5,6 @@
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
-#include <algorithm>
-#include <array>
-#include <system_error>
-
 #include "gui/files/recent_files.h"
 #include "gui/widgets/controls.h"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string>
-
 #include "gui/files/browsed_folder.h"
 #include "gui/files/thumbnails.h"
 #include "gui/menu/panel_context.h"

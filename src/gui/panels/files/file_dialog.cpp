@@ -3,11 +3,6 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <algorithm>
-#include <string>
-#include <system_error>
-#include <utility>
-
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {

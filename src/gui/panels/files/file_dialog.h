@@ -1,8 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-
 #include "gui/files/file_kinds.h"
 #include "gui/menu/panel_context.h"
 #include "gui/panels/files/file_browser.h"

@@ -1,8 +1,5 @@
 #include "gui/panels/forms/option_form.h"
 
-#include <algorithm>
-#include <vector>
-
 #include "core/command/option_tables.h"
 #include "core/layers/layer_plan.h"
 #include "core/motion/motion.h"

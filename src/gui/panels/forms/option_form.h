@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "core/command/command.h"
 #include "core/mesh/topology.h"
 #include "core/options/option.h"

@@ -1,9 +1,5 @@
 #include "gui/panels/layers/layer_forms.h"
 
-#include <algorithm>
-#include <limits>
-#include <utility>
-
 #include "core/error.h"
 #include "gui/base/text.h"
 

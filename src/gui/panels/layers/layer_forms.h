@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cmath>
-#include <cstdint>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "core/layers/layer_measures.h"
 #include "core/layers/layer_spacing.h"
 #include "gui/menu/panel_context.h"

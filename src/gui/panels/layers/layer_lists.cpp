@@ -1,9 +1,5 @@
 #include "gui/panels/layers/layer_lists.h"
 
-#include <algorithm>
-#include <optional>
-#include <utility>
-
 #include "gui/base/text.h"
 #include "gui/panels/layers/layer_forms.h"
 #include "gui/widgets/controls.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "gui/menu/panel_context.h"
 #include "gui/widgets/theme.h"
 

@@ -1,10 +1,5 @@
 #include "gui/panels/layers/layers_panel.h"
 
-#include <algorithm>
-#include <string>
-#include <utility>
-#include <variant>
-
 #include "core/layers/layer_measures.h"
 #include "core/strategy/layering.h"
 #include "gui/base/text.h"

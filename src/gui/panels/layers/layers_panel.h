@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "gui/menu/panel_context.h"
 #include "gui/panels/layers/layer_forms.h"
 #include "gui/panels/layers/layer_lists.h"

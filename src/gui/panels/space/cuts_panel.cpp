@@ -1,12 +1,5 @@
 #include "gui/panels/space/cuts_panel.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
-
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {

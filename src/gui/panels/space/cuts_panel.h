@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 #include "core/search/box_tree.h"
 #include "gui/menu/panel_context.h"
 

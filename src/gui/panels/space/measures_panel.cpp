@@ -1,9 +1,6 @@
 #include "gui/panels/space/measures_panel.h"
 
-#include <array>
-#include <cmath>
 #include <cstdio>
-#include <string>
 
 #include "gui/base/text.h"
 #include "gui/menu/bodies.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "core/inspect/space/surface_measures.h"
 #include "gui/menu/panel_context.h"
 

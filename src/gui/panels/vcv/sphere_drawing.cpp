@@ -1,13 +1,6 @@
 #include "gui/panels/vcv/sphere_drawing.h"
 
 #include <Eigen/SVD>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "gui/base/text.h"
 #include "gui/panels/vcv/vcv_parts.h"

@@ -2,9 +2,6 @@
 
 #include <imgui.h>
 
-#include <optional>
-#include <span>
-
 #include "core/inspect/space/volume_nodal_view.h"
 #include "gui/render/color_scale.h"
 #include "gui/render/space/space_view.h"

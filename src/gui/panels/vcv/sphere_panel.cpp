@@ -1,10 +1,5 @@
 #include "gui/panels/vcv/sphere_panel.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-
 #include "core/error.h"
 #include "gui/base/text.h"
 #include "gui/panels/vcv/sphere_drawing.h"

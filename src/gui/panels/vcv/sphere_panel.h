@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "core/inspect/space/volume_nodal_view.h"
 #include "gui/menu/panel_context.h"
 #include "gui/panels/vcv/sphere_plot.h"

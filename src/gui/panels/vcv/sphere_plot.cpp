@@ -3,9 +3,6 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "gui/panels/vcv/sphere_drawing.h"
 #include "gui/widgets/controls.h"
 

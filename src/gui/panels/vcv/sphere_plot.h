@@ -2,9 +2,6 @@
 
 #include <imgui.h>
 
-#include <array>
-#include <optional>
-
 #include "core/inspect/space/volume_nodal_view.h"
 #include "gui/panels/vcv/vcv_parts.h"
 #include "gui/render/color_scale.h"

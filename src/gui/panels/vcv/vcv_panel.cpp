@@ -1,10 +1,5 @@
 #include "gui/panels/vcv/vcv_panel.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-
 #include "core/error.h"
 #include "core/mesh/surface_faces.h"
 #include "gui/base/text.h"

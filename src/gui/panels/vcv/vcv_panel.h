@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <vector>
-
 #include "core/inspect/nodal_view.h"
 #include "gui/menu/panel_context.h"
 #include "gui/panels/vcv/vcv_plot.h"

@@ -1,10 +1,7 @@
 #include "gui/panels/vcv/vcv_parts.h"
 
-#include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstdio>
-#include <utility>
 
 #include "gui/widgets/controls.h"
 

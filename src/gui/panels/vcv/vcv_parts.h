@@ -2,11 +2,6 @@
 
 #include <imgui.h>
 
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/vcv/vcv_edit.h"
 #include "gui/menu/panel_context.h"
 

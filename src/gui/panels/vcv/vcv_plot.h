@@ -2,8 +2,6 @@
 
 #include <imgui.h>
 
-#include <optional>
-
 #include "core/inspect/nodal_view.h"
 #include "gui/panels/vcv/vcv_parts.h"
 #include "gui/view/tools/vcv_drag.h"

@@ -1,10 +1,6 @@
 #include "gui/picture/capture/capture.h"
 
-#include <array>
-#include <cmath>
 #include <cstdio>
-#include <system_error>
-#include <utility>
 
 #include "core/command/motion_frames.h"
 #include "core/error.h"

@@ -1,14 +1,5 @@
 #pragma once
 
-#include <chrono>
-#include <cstdint>
-#include <deque>
-#include <filesystem>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "gui/base/background.h"
 #include "gui/base/screen.h"
 #include "gui/document/actions/actions.h"

@@ -2,13 +2,8 @@
 
 #include <condition_variable>
 #include <deque>
-#include <filesystem>
-#include <memory>
 #include <mutex>
-#include <optional>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include "gui/picture/capture/film.h"
 #include "gui/render/image.h"

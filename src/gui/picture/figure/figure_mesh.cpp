@@ -1,10 +1,5 @@
 #include "gui/picture/figure/figure_mesh.h"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <string>
-
 #include "gui/picture/frame/picture_frame.h"
 #include "gui/render/draw_list.h"
 #include "gui/render/line_density.h"

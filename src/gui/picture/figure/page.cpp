@@ -4,9 +4,6 @@
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <cstdio>
 
 #include "core/error.h"

@@ -1,12 +1,5 @@
 #pragma once
 
-#include <array>
-#include <filesystem>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "gui/base/screen.h"
 #include "gui/render/color_scale.h"
 #include "gui/render/image.h"

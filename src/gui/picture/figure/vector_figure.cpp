@@ -1,7 +1,5 @@
 #include "gui/picture/figure/vector_figure.h"
 
-#include <cmath>
-
 namespace winslow::gui {
 
 namespace {

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "core/inspect/nodal_view.h"
 #include "core/mesh/mesh.h"

@@ -1,10 +1,6 @@
 #include "gui/picture/figure/write_figure.h"
 
-#include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <mutex>
-#include <ostream>
 
 #include "core/error.h"
 #include "gui/picture/figure/figure_mesh.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-
 #include "gui/picture/figure/vector_figure.h"
 
 namespace winslow::gui {

@@ -2,9 +2,6 @@
 
 #include <imgui.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/error.h"
 #include "gui/render/imgui_renderer.h"
 #include "gui/widgets/theme.h"

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "core/inspect/element_field.h"
 #include "gui/render/color_scale.h"
 #include "gui/render/frame_buffer.h"

@@ -1,12 +1,7 @@
 #include "gui/picture/space/scene_figure.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
 #include <queue>
 #include <unordered_set>
-#include <utility>
 
 #include "gui/render/line_density.h"
 #include "gui/render/ticks.h"

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <memory>
-#include <span>
-#include <vector>
-
 #include "core/types.h"
 #include "gui/picture/figure/vector_figure.h"
 #include "gui/render/space/space_scene.h"

@@ -1,10 +1,6 @@
 #include "gui/picture/space/volume_picture.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
-#include <limits>
 
 #include "core/error.h"
 #include "core/inspect/nodal_view.h"

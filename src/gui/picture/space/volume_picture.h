@@ -1,10 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/inspect/element_field.h"
 #include "core/inspect/space/section_index.h"
 #include "core/vcv/sphere/node_vcv.h"

@@ -1,10 +1,6 @@
 #include "gui/render/space/scene_lists.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <limits>
 #include <utility>
-#include <vector>
 
 namespace winslow::gui {
 

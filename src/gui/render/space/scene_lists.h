@@ -1,8 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <span>
-
 #include "core/inspect/space/plane_section.h"
 #include "core/mesh/surface_faces.h"
 #include "gui/render/space/space_scene.h"

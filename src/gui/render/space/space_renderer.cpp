@@ -1,11 +1,6 @@
 #include "gui/render/space/space_renderer.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <initializer_list>
-#include <span>
-#include <string>
 #include <utility>
 
 #include "core/error.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "gui/render/space/space_scene.h"
 #include "gui/render/space/space_view.h"
 

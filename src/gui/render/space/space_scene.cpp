@@ -1,7 +1,5 @@
 #include "gui/render/space/space_scene.h"
 
-#include <Eigen/Geometry>
-
 namespace winslow::gui {
 
 namespace {

@@ -1,13 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <limits>
-#include <memory>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "core/inspect/space/section_index.h"
 #include "core/search/box_tree.h"
 #include "gui/render/mesh_renderer.h"

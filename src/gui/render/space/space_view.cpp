@@ -1,10 +1,5 @@
 #include "gui/render/space/space_view.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "core/error.h"
 
 namespace winslow::gui {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "core/inspect/space/section_index.h"
 #include "core/search/box_tree.h"
 #include "gui/base/screen.h"

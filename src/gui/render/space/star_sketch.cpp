@@ -1,8 +1,5 @@
 #include "gui/render/space/star_sketch.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace winslow::gui {

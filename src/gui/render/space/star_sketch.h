@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <span>
-#include <vector>
-
 #include "core/types.h"
 #include "gui/render/space/space_view.h"
 

@@ -1,9 +1,6 @@
 #include "gui/render/space/volume_scene.h"
 
-#include <algorithm>
 #include <iterator>
-#include <map>
-#include <optional>
 #include <utility>
 
 #include "core/error.h"

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <compare>
-#include <span>
-#include <vector>
 
 #include "core/inspect/space/section_index.h"
 #include "core/inspect/space/surface_measures.h"

@@ -1,9 +1,5 @@
 #include "gui/shell/headless/headless_studio.h"
 
-#include <algorithm>
-#include <chrono>
-#include <thread>
-
 #include "core/error.h"
 #include "core/quality/quality.h"
 #include "gui/picture/capture/capture.h"

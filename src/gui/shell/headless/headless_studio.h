@@ -1,12 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/command/command.h"
 #include "gui/base/input.h"
 #include "gui/render/gl_context.h"

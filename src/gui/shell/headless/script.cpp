@@ -3,14 +3,9 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <cmath>
 #include <fstream>
-#include <map>
-#include <optional>
-#include <utility>
 
 #include "core/error.h"
 #include "gui/picture/figure/write_figure.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "gui/shell/headless/headless_studio.h"
 
 namespace winslow::gui {

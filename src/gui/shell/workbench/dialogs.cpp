@@ -1,8 +1,5 @@
 #include "gui/shell/workbench/dialogs.h"
 
-#include <filesystem>
-#include <system_error>
-
 #include "gui/files/assets.h"
 #include "gui/panels/about_panel.h"
 #include "gui/panels/command_palette.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <memory>
-#include <optional>
-
 #include "gui/base/screen.h"
 #include "gui/document/actions/actions.h"
 #include "gui/document/actions/dispatch.h"

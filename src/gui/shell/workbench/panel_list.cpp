@@ -1,8 +1,6 @@
 #include "gui/shell/workbench/panel_list.h"
 
-#include <algorithm>
 #include <stdexcept>
-#include <utility>
 
 #include "gui/panels/bars.h"
 #include "gui/panels/convergence_panel.h"

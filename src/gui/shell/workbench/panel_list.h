@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "gui/document/session/session.h"
 #include "gui/menu/panel_context.h"
 

@@ -1,10 +1,5 @@
 #include "gui/shell/workbench/picture_painter.h"
 
-#include <algorithm>
-#include <cmath>
-#include <thread>
-#include <utility>
-
 #include "core/error.h"
 #include "core/inspect/nodal_view.h"
 #include "gui/base/text.h"

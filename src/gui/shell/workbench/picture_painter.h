@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "gui/menu/panel_context.h"
 #include "gui/picture/capture/capture.h"
 #include "gui/shell/workbench/regions.h"

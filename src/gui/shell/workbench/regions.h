@@ -2,10 +2,6 @@
 
 #include <imgui.h>
 
-#include <optional>
-#include <span>
-#include <string>
-
 #include "gui/menu/panel_context.h"
 #include "gui/panels/layout.h"
 #include "gui/panels/welcome_panel.h"

@@ -3,9 +3,6 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <algorithm>
-#include <utility>
-
 #include "gui/panels/message_panels.h"
 #include "gui/render/space/space_view.h"
 #include "gui/view/navigation/go_to.h"

@@ -4,9 +4,6 @@
 #include <GLFW/glfw3.h>
 #include <imgui_internal.h>
 
-#include <algorithm>
-#include <string_view>
-
 #include "gui/files/assets.h"
 #include "gui/menu/user_command.h"
 #include "gui/panels/files/file_dialog.h"

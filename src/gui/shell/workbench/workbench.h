@@ -1,8 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-
 #include "gui/demos/demo_player.h"
 #include "gui/document/autosave/autosave.h"
 #include "gui/document/session/session.h"

@@ -1,7 +1,5 @@
 #include "gui/shell/workbench/workbench_parts.h"
 
-#include <cmath>
-
 #include "gui/base/text.h"
 
 namespace winslow::gui {

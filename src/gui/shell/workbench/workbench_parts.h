@@ -1,12 +1,5 @@
 #pragma once
 
-#include <bitset>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <vector>
-
 #include "gui/base/input.h"
 #include "gui/document/actions/actions.h"
 #include "gui/document/session/session.h"

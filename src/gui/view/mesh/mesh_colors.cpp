@@ -1,7 +1,5 @@
 #include "gui/view/mesh/mesh_colors.h"
 
-#include <algorithm>
-
 namespace winslow::gui {
 
 BackdropColors backdrop_colors(const ViewOptions& view) {

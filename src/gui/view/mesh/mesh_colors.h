@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "core/inspect/element_field.h"
 #include "gui/render/color_scale.h"
 #include "gui/render/mesh_renderer.h"

@@ -1,8 +1,5 @@
 #include "gui/view/mesh/mesh_layer.h"
 
-#include <string>
-#include <utility>
-
 #include "core/quality/quality.h"
 #include "gui/document/session/quality_watch.h"
 #include "gui/view/mesh/mesh_colors.h"

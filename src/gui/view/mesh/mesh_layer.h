@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <memory>
-#include <optional>
-
 #include "core/quality/validity.h"
 #include "gui/base/background.h"
 #include "gui/document/jobs/quality_monitor.h"

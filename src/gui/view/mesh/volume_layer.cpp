@@ -1,9 +1,5 @@
 #include "gui/view/mesh/volume_layer.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include "core/inspect/space/plane_section.h"
 #include "core/inspect/space/surface_measures.h"
 #include "core/parallel/parallel_for.h"

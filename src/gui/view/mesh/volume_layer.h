@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <vector>
-
 #include "core/inspect/space/section_index.h"
 #include "core/strategy/surface_shape.h"
 #include "gui/base/background.h"

@@ -1,9 +1,5 @@
 #include "gui/view/mesh/volume_view.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include "gui/render/gl.h"
 #include "gui/render/space/space_view.h"
 #include "gui/view/mesh/mesh_colors.h"

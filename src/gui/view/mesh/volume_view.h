@@ -1,10 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <utility>
-#include <vector>
-
 #include "gui/document/session/session.h"
 #include "gui/render/frame_buffer.h"
 #include "gui/render/mesh_renderer.h"

@@ -1,7 +1,5 @@
 #include "gui/view/navigation/camera_control.h"
 
-#include <algorithm>
-
 namespace winslow::gui {
 
 namespace {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "gui/document/session/session.h"
 #include "gui/render/view.h"
 #include "gui/settings/view_options.h"

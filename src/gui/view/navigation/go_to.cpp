@@ -1,11 +1,7 @@
 #include "gui/view/navigation/go_to.h"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
-#include <cmath>
 #include <cstdio>
-#include <limits>
 
 #include "core/error.h"
 #include "core/inspect/space/surface_measures.h"

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "gui/document/session/session.h"
 #include "gui/settings/view_options.h"
 #include "gui/settings/view_state.h"

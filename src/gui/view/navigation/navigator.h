@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "gui/document/actions/actions.h"
 #include "gui/document/actions/dispatch.h"
 #include "gui/view/navigation/camera_control.h"

@@ -1,8 +1,5 @@
 #include "gui/view/navigation/space_control.h"
 
-#include <algorithm>
-#include <system_error>
-
 #include "gui/render/space/space_view.h"
 
 namespace winslow::gui {

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <span>
-#include <utility>
-#include <vector>
-
 #include "gui/render/space/space_view.h"
 #include "gui/settings/view_options.h"
 #include "gui/settings/view_state.h"

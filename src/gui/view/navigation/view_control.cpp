@@ -1,10 +1,5 @@
 #include "gui/view/navigation/view_control.h"
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "gui/view/mesh/mesh_colors.h"
 #include "gui/view/navigation/go_to.h"
 

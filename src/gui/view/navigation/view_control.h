@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-
 #include "gui/document/actions/actions.h"
 #include "gui/document/actions/dispatch.h"
 #include "gui/document/session/session.h"

@@ -1,8 +1,5 @@
 #include "gui/view/navigation/view_history.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace winslow::gui {
 
 namespace {

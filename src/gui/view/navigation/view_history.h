@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "gui/render/view.h"
 
 namespace winslow::gui {

@@ -1,8 +1,5 @@
 #include "gui/view/overlays/foot_overlay.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
 
 #include "gui/view/mesh/mesh_colors.h"

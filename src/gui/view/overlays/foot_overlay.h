@@ -2,9 +2,6 @@
 
 #include <imgui.h>
 
-#include <optional>
-#include <string>
-
 #include "core/mesh/mesh.h"
 #include "gui/view/overlays/view_overlay.h"
 

@@ -1,12 +1,5 @@
 #include "gui/view/overlays/gizmo_drawing.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
-#include <utility>
-#include <vector>
-
 #include "gui/view/overlays/mouse_labels.h"
 #include "gui/widgets/controls.h"
 

@@ -2,8 +2,6 @@
 
 #include <imgui.h>
 
-#include <string>
-
 #include "gui/render/view.h"
 #include "gui/view/tools/mover.h"
 #include "gui/widgets/theme.h"

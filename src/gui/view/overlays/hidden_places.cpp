@@ -1,7 +1,5 @@
 #include "gui/view/overlays/hidden_places.h"
 
-#include <cmath>
-
 namespace winslow::gui {
 
 namespace {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <span>
-#include <vector>
-
 #include "gui/render/view.h"
 #include "gui/view/mesh/volume_view.h"
 

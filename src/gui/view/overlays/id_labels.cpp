@@ -1,14 +1,5 @@
 #include "gui/view/overlays/id_labels.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <map>
-#include <optional>
-#include <set>
-#include <utility>
-
 #include "gui/view/overlays/hidden_places.h"
 #include "gui/widgets/controls.h"
 

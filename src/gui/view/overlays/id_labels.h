@@ -2,10 +2,6 @@
 
 #include <imgui.h>
 
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "gui/view/mesh/volume_view.h"
 #include "gui/view/overlays/view_overlay.h"
 

@@ -1,9 +1,6 @@
 #include "gui/view/overlays/mouse_labels.h"
 
-#include <algorithm>
-#include <array>
 #include <cstdio>
-#include <utility>
 
 #include "gui/document/jobs/body_drag.h"
 

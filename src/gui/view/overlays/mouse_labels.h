@@ -2,9 +2,6 @@
 
 #include <imgui.h>
 
-#include <string>
-#include <vector>
-
 #include "gui/document/session/session.h"
 #include "gui/render/view.h"
 #include "gui/view/tools/typed_motion.h"

@@ -1,12 +1,5 @@
 #include "gui/view/overlays/overlay.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "core/layers/layer_measures.h"
 #include "gui/base/text.h"
 #include "gui/view/overlays/gizmo_drawing.h"

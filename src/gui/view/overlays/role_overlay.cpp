@@ -1,9 +1,5 @@
 #include "gui/view/overlays/role_overlay.h"
 
-#include <algorithm>
-#include <array>
-#include <string>
-
 #include "gui/base/text.h"
 #include "gui/view/overlays/hidden_places.h"
 #include "gui/widgets/controls.h"

@@ -2,10 +2,6 @@
 
 #include <imgui.h>
 
-#include <cstdint>
-#include <memory>
-#include <vector>
-
 #include "core/inspect/node_roles.h"
 #include "gui/view/mesh/volume_view.h"
 #include "gui/view/overlays/view_overlay.h"

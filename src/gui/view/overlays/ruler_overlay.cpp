@@ -1,9 +1,5 @@
 #include "gui/view/overlays/ruler_overlay.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
 
 #include "gui/widgets/controls.h"

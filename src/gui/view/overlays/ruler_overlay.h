@@ -2,9 +2,6 @@
 
 #include <imgui.h>
 
-#include <string>
-#include <vector>
-
 #include "gui/view/overlays/view_overlay.h"
 #include "gui/view/tools/ruler.h"
 

@@ -2,13 +2,6 @@
 
 #include <imgui.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "core/error.h"
 #include "gui/render/ticks.h"
 #include "gui/view/mesh/mesh_colors.h"

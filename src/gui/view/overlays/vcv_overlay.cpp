@@ -1,8 +1,5 @@
 #include "gui/view/overlays/vcv_overlay.h"
 
-#include <cmath>
-#include <string>
-
 #include "gui/render/space/star_sketch.h"
 
 namespace winslow::gui {

@@ -2,9 +2,6 @@
 
 #include <imgui.h>
 
-#include <span>
-#include <vector>
-
 #include "core/inspect/nodal_view.h"
 #include "core/inspect/space/volume_nodal_view.h"
 #include "core/mesh/mesh.h"

@@ -1,12 +1,6 @@
 #include "gui/view/overlays/view_overlay.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <numbers>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "core/inspect/nodal_view.h"
 #include "core/mesh/element_type.h"

@@ -2,8 +2,6 @@
 
 #include <imgui.h>
 
-#include <optional>
-
 #include "gui/document/session/session.h"
 #include "gui/render/view.h"
 #include "gui/settings/view_options.h"

@@ -1,8 +1,5 @@
 #include "gui/view/tools/cut_handle.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace winslow::gui {
 
 namespace {

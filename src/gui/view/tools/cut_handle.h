@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "gui/render/view.h"
 #include "gui/settings/view_options.h"
 #include "gui/view/tools/pointer.h"

@@ -1,10 +1,5 @@
 #include "gui/view/tools/gizmo.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "gui/view/tools/pointer.h"
 #include "gui/view/tools/space_travel.h"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <vector>
-
 #include "gui/render/view.h"
 
 /// The handle with which a selection is moved: arrows, squares, rings and a centre in space; in the

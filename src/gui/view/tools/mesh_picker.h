@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "gui/document/actions/actions.h"
 #include "gui/document/selection/pivot.h"
 #include "gui/settings/view_state.h"

@@ -1,7 +1,5 @@
 #include "gui/view/tools/motion_gesture.h"
 
-#include <cmath>
-
 #include "gui/view/tools/space_travel.h"
 
 namespace winslow::gui {

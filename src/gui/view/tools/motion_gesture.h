@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <vector>
-
 #include "gui/document/selection/pivot.h"
 #include "gui/view/tools/gizmo.h"
 #include "gui/view/tools/typed_motion.h"

@@ -1,7 +1,5 @@
 #include "gui/view/tools/mover.h"
 
-#include <array>
-
 #include "gui/document/session/session.h"
 
 namespace winslow::gui {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "gui/view/tools/gizmo.h"
 #include "gui/view/tools/motion_gesture.h"
 #include "gui/view/tools/pointer.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <vector>
-
 #include "core/mesh/mesh.h"
 #include "core/search/box_tree.h"
 #include "gui/base/background.h"

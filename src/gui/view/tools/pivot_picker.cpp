@@ -1,9 +1,5 @@
 #include "gui/view/tools/pivot_picker.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "core/mesh/element_type.h"
 #include "core/mesh/surface_faces.h"
 

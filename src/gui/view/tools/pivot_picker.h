@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <vector>
-
 #include "gui/document/session/session.h"
 #include "gui/render/view.h"
 #include "gui/settings/view_options.h"

@@ -1,8 +1,5 @@
 #include "gui/view/tools/plane_picker.h"
 
-#include <algorithm>
-#include <span>
-
 namespace winslow::gui {
 
 namespace {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "gui/document/selection/boundary_index.h"
 #include "gui/view/tools/mesh_picker.h"
 #include "gui/view/tools/node_index.h"

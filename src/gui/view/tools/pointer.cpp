@@ -1,8 +1,5 @@
 #include "gui/view/tools/pointer.h"
 
-#include <algorithm>
-#include <utility>
-
 namespace winslow::gui {
 
 std::optional<ScreenPoint> ContextClick::update(const PointerState& pointer, double scale) {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "gui/base/screen.h"
 #include "gui/document/actions/actions.h"
 #include "gui/document/session/session.h"

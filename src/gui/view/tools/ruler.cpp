@@ -1,8 +1,5 @@
 #include "gui/view/tools/ruler.h"
 
-#include <Eigen/Geometry>
-#include <cmath>
-
 #include "core/inspect/space/surface_measures.h"
 
 namespace winslow::gui {

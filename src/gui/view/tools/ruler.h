@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <vector>
-
 #include "gui/document/session/session.h"
 #include "gui/view/tools/pointer.h"
 

@@ -1,10 +1,5 @@
 #include "gui/view/tools/space_picker.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <utility>
-
 #include "core/mesh/element_type.h"
 #include "core/mesh/surface_faces.h"
 #include "gui/view/tools/pivot_picker.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "gui/view/tools/mesh_picker.h"
 #include "gui/view/tools/pivot_picker.h"
 

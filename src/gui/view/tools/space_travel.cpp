@@ -1,9 +1,6 @@
 #include "gui/view/tools/space_travel.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <optional>
 
 namespace winslow::gui {
 

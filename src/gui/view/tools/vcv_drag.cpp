@@ -1,9 +1,5 @@
 #include "gui/view/tools/vcv_drag.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-
 #include "core/vcv/sphere/node_vcv.h"
 #include "core/vcv/sphere/sphere_fit.h"
 

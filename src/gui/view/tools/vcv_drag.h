@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "core/inspect/nodal_view.h"
 #include "core/inspect/space/volume_nodal_view.h"
 #include "core/vcv/vcv_edit.h"

@@ -1,8 +1,5 @@
 #include "gui/view/tools/viewport.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace winslow::gui {
 
 namespace {

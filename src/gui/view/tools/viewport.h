@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "gui/view/tools/cut_handle.h"
 #include "gui/view/tools/mover.h"
 #include "gui/view/tools/plane_picker.h"
