@@ -29,7 +29,7 @@ struct PanelContext {
 
   template <class A>
   void emit(A a) const {
-    actions.emplace_back(std::move(a));
+    actions.push_back(Action(std::move(a)));
   }
   /// Emits what `change` does to a copy of the view's options.
   template <class Change>
