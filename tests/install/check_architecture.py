@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Checks that docs/architecture.md names what exists: python3 check_architecture.py
+"""Checks that the pages name what exists: python3 check_architecture.py
 
-Every name in backquotes is a file or a folder of the repository, or stands in the code of src or in
-what builds and tests it: `Name::member` in a file that has both words. Comments of C++ do not count.
+In docs/architecture.md every name in backquotes is a file or a folder of the repository, or stands in
+the code of src or in what builds and tests it: `Name::member` in a file that has both words. Comments of
+C++ do not count. In the README and the other pages of docs every path in backquotes exists.
 """
 import re
 import sys
@@ -11,6 +12,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 SRC = ROOT / "src"
 PAGE = ROOT / "docs" / "architecture.md"
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+# A path of a page, from the root or from a library on.
+PATH = re.compile(r"(?:src|core|io|gui|app|tests|bench|docs|examples|assets|scripts|shaders|cmake)/[\w.{},/-]+")
 # Where a path of the page may begin.
 BASES = [ROOT, SRC, *(SRC / library for library in ("core", "io", "gui", "app")), ROOT / "docs"]
 WORD = re.compile(r"[A-Za-z_]\w*")
@@ -73,9 +77,17 @@ def faults(code, text):
                     yield f"{PAGE.name}:{number}: {name}: found neither in src nor among its files"
 
 
+def broken_paths(code, page):
+    for number, line in enumerate(page.read_text().splitlines(), 1):
+        words = (word for quoted in re.findall(r"`([^`]+)`", line) for word in quoted.split())
+        for name in (one for word in words if PATH.fullmatch(word) for one in alternatives(word)):
+            if not code.has_path(name):
+                yield f"{page.name}:{number}: {name}: there is no such file"
+
+
 def main():
     code, text = Code(), PAGE.read_text()
-    found = list(faults(code, text))
+    found = [*faults(code, text), *(fault for page in PAGES for fault in broken_paths(code, page))]
     # The check itself must be able to fail.
     for wrong in ("NoSuchClass", "Topology::no_such_member()", "core/mesh/no_such_file.h", "no_such_file.cpp"):
         if exists(code, wrong):
