@@ -262,8 +262,9 @@ void draw_motion_steps(const PanelContext& context) {
   for (std::size_t i = 0; i < increments.size(); ++i)
     if (increments[i] == now.increments) chosen = i;
   constexpr const char* tip =
-      "In how many steps the body goes to its place, the mesh smoothed after each. Automatic: at "
-      "once, and in steps only if that leaves the mesh tangled.";
+      "In how many steps the body goes to its place, the mesh smoothed after each. Automatic: "
+      "through valid meshes, in steps as long as they can be; by the fixed point at once, and in "
+      "steps only if that leaves the mesh tangled.";
   ui::row("Steps", tip, motion_label_share);
   if (ui::combo("motion/steps", names, chosen, tip)) {
     MotionOptions options = now;

@@ -215,6 +215,22 @@ bool vector_field(const VectorField& field, Vec2& value, bool* enter) {
   return changed;
 }
 
+namespace {
+
+/// A letter at the right end of the field before, where the number in it leaves room.
+void letter_within(const char* letter, double value, const char* format) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  const ImVec2 pad = ImGui::GetStyle().FramePadding;
+  const float left = max.x - pad.x - ImGui::CalcTextSize(letter).x;
+  if (ImGui::IsItemActive() || min.x + 2 * pad.x + ImGui::CalcTextSize(text.data()).x > left)
+    return;
+  ImGui::GetWindowDrawList()->AddText({left, min.y + pad.y}, palette().text_faint, letter);
+}
+
+}  // namespace
+
 bool space_vector_field(const SpaceVectorField& field, Vec3& value, bool* enter) {
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
@@ -226,11 +242,13 @@ bool space_vector_field(const SpaceVectorField& field, Vec3& value, bool* enter)
     const std::string id = std::string(field.id) + "_" + letter;
     ImGui::SetNextItemWidth(width);
     double component = value[axis];
-    // The letter stands in the field: beside it there would be no room for digits.
-    if (number(id, component, std::string(letter) + ": " + std::string(field.tooltip), "%.5g")) {
+    constexpr const char* format = "%.5g";
+    if (number(id, component, std::string(letter) + ": " + std::string(field.tooltip), format)) {
       value[axis] = component;
       changed = true;
     }
+    // The letter stands in the field: beside it there would be no room for digits.
+    letter_within(letter, component, format);
     if (enter && entered()) *enter = true;
   }
   return changed;

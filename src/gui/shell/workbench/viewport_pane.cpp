@@ -240,7 +240,6 @@ void ViewportPane::draw_overlays(ImDrawList& list, const MeshFrame& frame) {
   const Overlay handles{overlay, viewport_, shown};
   // What belongs to the mesh ends where its picture does: the legend's strip lies beside it, and
   // the mesh before that is compared with it.
-  const ScreenBox whole = box_of(frame.layout.viewport);
   const auto clip = [&] {
     const ScreenBox seen = frame.view.viewport();
     list.PushClipRect(static_cast<ImVec2>(seen.min), static_cast<ImVec2>(seen.max), true);
@@ -250,7 +249,7 @@ void ViewportPane::draw_overlays(ImDrawList& list, const MeshFrame& frame) {
   if (!frame.mesh_alone) draw_overlay(list, handles);
   draw_marks(list, frame, overlay);
   list.PopClipRect();
-  draw_comparison(list, context.view, theme, whole);
+  draw_comparison(list, context.view, theme, box_of(room_under_banner(frame)));
   // That of a picture has another place: the mouse knows the window's.
   LegendCard of_picture;
   LegendCard& legend = &frame.lens == &lens_ ? legend_card_ : of_picture;

@@ -69,8 +69,7 @@ std::string mode_text(const Session& session, const ViewState& state) {
                  "nodes, not with Shift. Esc puts it away.";
   if (state.box_zoom_armed) return "Zoom: drag a box. Esc leaves the view as it is.";
   if (session.selection().shape_edit().active)
-    return "Editing boundary nodes: drag one; Shift+click takes the arc up to another. E or Esc "
-           "ends.";
+    return "Editing boundary nodes: drag one; Shift+click holds more. E or Esc ends.";
   return {};
 }
 

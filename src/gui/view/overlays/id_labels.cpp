@@ -14,14 +14,39 @@ ImVec2 size_of(const Theme& theme, const std::string& text) {
   return theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0, text.c_str());
 }
 
-/// Nodes on cards, elements bare but for what sets them off: the two are told apart.
-void draw_label(ImDrawList& list, const Theme& theme, const IdLabel& label) {
-  ImFont& font = *theme.small;
+/// The card of a number, and where its text begins.
+struct Card {
+  ImVec2 min, max, text;
+  bool overlaps(const Card& other) const {
+    return min.x < other.max.x && other.min.x < max.x && min.y < other.max.y && other.min.y < max.y;
+  }
+};
+
+Card card_of(const Theme& theme, const IdLabel& label) {
   const float pad = theme.px(3);
   const ImVec2 size = size_of(theme, label.text);
   const ImVec2 at(std::round(static_cast<float>(label.at.x()) - size.x / 2),
                   std::round(static_cast<float>(label.at.y()) - size.y / 2));
-  const ImVec2 min(at.x - pad, at.y), max(at.x + size.x + pad, at.y + size.y);
+  return {{at.x - pad, at.y}, {at.x + size.x + pad, at.y + size.y}, at};
+}
+
+/// A number of an element that the card of a node would cover in part cannot be read.
+template <class Label>
+void leave_out_covered(std::vector<Label>& labels, const Theme& theme) {
+  std::vector<Card> nodes;
+  for (const Label& label : labels)
+    if (label.drawn.node) nodes.push_back(card_of(theme, label.drawn));
+  std::erase_if(labels, [&](const Label& label) {
+    if (label.drawn.node) return false;
+    const Card own = card_of(theme, label.drawn);
+    return std::ranges::any_of(nodes, [&](const Card& node) { return own.overlaps(node); });
+  });
+}
+
+/// Nodes on cards, elements bare but for what sets them off: the two are told apart.
+void draw_label(ImDrawList& list, const Theme& theme, const IdLabel& label) {
+  ImFont& font = *theme.small;
+  const auto [min, max, at] = card_of(theme, label);
   list.AddRectFilled(min, max, label.node ? palette().text : faded(palette().card, 0.8f),
                      theme.px(3));
   list.AddText(&font, font.FontSize, at, label.node ? palette().card : palette().text,
@@ -206,9 +231,13 @@ void IdLabels::find_in_picture(const ViewOverlay& o, const VolumeScenes& scenes)
 
 void IdLabels::find(const ViewOverlay& o, const VolumeView& picture) {
   labels_.clear();
-  if (const VolumeScenes* scenes = picture.scenes()) return find_in_picture(o, *scenes);
-  if (o.options.element_ids) find_elements(o);
-  if (o.options.node_ids) find_nodes(o);
+  if (const VolumeScenes* scenes = picture.scenes()) {
+    find_in_picture(o, *scenes);
+  } else {
+    if (o.options.element_ids) find_elements(o);
+    if (o.options.node_ids) find_nodes(o);
+  }
+  leave_out_covered(labels_, o.theme);
 }
 
 void IdLabels::draw(ImDrawList& list, const ViewOverlay& o, const VolumeView& picture,
