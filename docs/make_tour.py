@@ -38,7 +38,7 @@ TOUR = {
     "drag": (NACA, "click 0.3 0.03\nwait\npress 0.3 0.03\nmove 0.32 -0.05\nmove 0.35 -0.12\n"
                    "move 0.4 -0.2\nwait\n"),
     "gizmo": (NACA, "key Tab\nlook 0.8 0 0.6\nwait\npress 0.5 0\nmove 0.52 0.01\nmove 0.55 0.03\n"
-                    "key X\nmove 0.6 0.05\nmove 0.65 0.05\nwait\n"),
+                    "key X\nmove 0.6 0.1\nmove 0.65 0.2\nwait\n"),
     "shape": (NACA, "click section/shape\nkey E\nlook 0.65 0.05 0.5\nwait\npress 0.4 0.058\n"
                     "move 0.4 0.08\nmove 0.4 0.11\nwheel 0.4 0.13 9\nmove 0.4 0.14\nwait\n"),
     "layers": (CIRCLE, "click 0.5 0\nclick section/motion\nclick section/layers\n"
