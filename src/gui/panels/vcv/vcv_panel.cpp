@@ -52,7 +52,7 @@ void VcvPanel::draw_plot(const PanelContext& context, const NodalView& view) {
   ui::text_dim("Drag an end: Shift its angle only, Ctrl its length.");
   ImGui::PopTextWrapPos();
   if (context.session.kind() == MeshKind::surface)
-    ui::text_dim("The star is laid flat, its angles scaled to 360\xC2\xB0.");
+    ui::text_dim("The star laid flat, angles scaled to 360\xC2\xB0.");
   ui::tooltip(
       "Dragging an end of the virtual control volume changes the two angles beside the edge and "
       "its length; the mesh answers at once. Elements around a node whose control volume was "
